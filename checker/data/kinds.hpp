@@ -1,0 +1,96 @@
+/// @file
+/// The bridge between the C++ types of the contracts and Value; header-only because the worker needs it without a library.
+#pragma once
+
+#include <Eigen/Dense>
+
+#include <cstddef>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace workbook {
+
+/// Numbers with a shape, seen without owning them (column-major).
+struct NumbersView {
+  int rows;
+  int cols;
+  const double* numbers;
+};
+
+/// How one C++ type is read from and written to numbers.
+/// `name` is the name of the kind in the reference results.
+template <class T>
+struct KindOf;
+
+template <>
+struct KindOf<double> {
+  static constexpr const char* name = "number";
+  static double read(NumbersView view) { return view.numbers[0]; }
+  static int rows(double) { return 1; }
+  static int cols(double) { return 1; }
+  static void write(double value, double* out) { out[0] = value; }
+};
+
+template <>
+struct KindOf<int> {
+  static constexpr const char* name = "integer";
+  static int read(NumbersView view) { return static_cast<int>(view.numbers[0]); }
+  static int rows(int) { return 1; }
+  static int cols(int) { return 1; }
+  static void write(int value, double* out) { out[0] = value; }
+};
+
+/// Every Eigen matrix of the contracts, fixed or free in size.
+template <class Matrix>
+struct EigenKind {
+  static Matrix read(NumbersView view) { return Eigen::Map<const Eigen::MatrixXd>(view.numbers, view.rows, view.cols); }
+  static int rows(const Matrix& value) { return static_cast<int>(value.rows()); }
+  static int cols(const Matrix& value) { return static_cast<int>(value.cols()); }
+  static void write(const Matrix& value, double* out) {
+    Eigen::Map<Eigen::MatrixXd>(out, value.rows(), value.cols()) = value;
+  }
+};
+
+template <>
+struct KindOf<Eigen::Vector2d> : EigenKind<Eigen::Vector2d> {
+  static constexpr const char* name = "vector2";
+};
+template <>
+struct KindOf<Eigen::Vector3d> : EigenKind<Eigen::Vector3d> {
+  static constexpr const char* name = "vector3";
+};
+template <>
+struct KindOf<Eigen::VectorXd> : EigenKind<Eigen::VectorXd> {
+  static constexpr const char* name = "vector";
+};
+template <>
+struct KindOf<Eigen::Matrix3d> : EigenKind<Eigen::Matrix3d> {
+  static constexpr const char* name = "matrix3";
+};
+template <>
+struct KindOf<Eigen::Matrix3Xd> : EigenKind<Eigen::Matrix3Xd> {
+  static constexpr const char* name = "points";
+};
+
+template <>
+struct KindOf<std::vector<Eigen::Matrix3d>> {
+  using List = std::vector<Eigen::Matrix3d>;
+  static constexpr const char* name = "matrices";
+  static List read(NumbersView view) {
+    List list(static_cast<std::size_t>(view.cols) / 3);
+    for (std::size_t i = 0; i < list.size(); ++i) list[i] = Eigen::Map<const Eigen::Matrix3d>(view.numbers + 9 * i);
+    return list;
+  }
+  static int rows(const List&) { return 3; }
+  static int cols(const List& value) { return static_cast<int>(3 * value.size()); }
+  static void write(const List& value, double* out) {
+    for (std::size_t i = 0; i < value.size(); ++i) Eigen::Map<Eigen::Matrix3d>(out + 9 * i) = value[i];
+  }
+};
+
+/// The kind of a parameter as a contract declares it (`const Vector3d&`, `double`).
+template <class Parameter>
+using KindOfParameter = KindOf<std::remove_cvref_t<Parameter>>;
+
+}  // namespace workbook

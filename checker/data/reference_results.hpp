@@ -1,0 +1,148 @@
+/// @file
+/// Reference results: all that the checker knows about an exercise. One JSON file per lecture.
+#pragma once
+
+#include "checker/data/unit.hpp"
+#include "checker/data/value.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace workbook {
+
+/// Where a case comes from. A special case is a hard or degenerate input at which wrong answers may be right.
+enum class Group { worked, special, random };
+
+/// How an answer is compared with the expected one.
+enum class Comparison {
+  plain,               ///< entry by entry
+  up_to_sign,          ///< the whole value or its negative (quaternions)
+  eigenvectors,        ///< columns V of the first argument I: I V = V D, Vᵀ V = 1, det V = +1
+  attitude_by_angles,  ///< z–y–z Euler angles, through the rotation matrix
+};
+
+/// One parameter of the exercise's function.
+struct Argument {
+  std::string name;
+  Kind kind = Kind::number;
+  Unit unit;
+};
+
+/// One input at which an exercise is judged.
+struct Case {
+  std::string name;
+  Group group = Group::random;
+  bool deciding = true;  ///< false where wrong answers are allowed to be right (the blind inputs)
+  std::vector<Value> inputs;
+  Value expected;
+  std::vector<double> scale;  ///< natural size of the result: one number for all, or one per number of the result
+  double tolerance = 1e-9;    ///< relative to the scale
+};
+
+/// A named, plausible wrong answer.
+struct Misconception {
+  std::string name;
+  std::string message;  ///< one sentence in the language of the lecture; equal answers share one message
+  std::string notes;    ///< anchor of the paragraph to read
+  std::vector<Value> outputs;        ///< per case
+  std::vector<Value> sweep_outputs;  ///< per point of the sweep
+};
+
+/// One summand of the formula.
+struct Term {
+  std::string name;
+  double coefficient = 1.0;    ///< the right one
+  std::vector<Value> outputs;  ///< per case
+};
+
+/// What every right result has.
+enum class PropertyKind {
+  symmetric,              ///< matrix = its transpose
+  antisymmetric,          ///< matrix = −its transpose
+  positive_semidefinite,  ///< no negative eigenvalue of the symmetric part
+  rotation_matrix,        ///< orthonormal columns and determinant +1
+  unit_norm,              ///< a vector of length 1
+  ascending,              ///< entries do not decrease
+  nonnegative,            ///< no entry below zero
+  orthogonal_to_argument, ///< result · argument = 0
+  constant_weighted_square ///< Σ weightᵢ yᵢ² is the same in every column, and equals its value in the expected result
+};
+
+std::string to_string(PropertyKind kind);
+
+struct Property {
+  PropertyKind kind = PropertyKind::symmetric;
+  std::string message;  ///< what it means in the lecture: "an inertia tensor is symmetric: I_xy = I_yx"
+  std::string notes;
+  int argument = -1;                         ///< for orthogonal_to_argument: which one
+  std::vector<std::vector<double>> weights;  ///< for constant_weighted_square: per case, one weight per row
+};
+
+/// A right answer by another route; self-check demands that it passes without a diagnosis.
+struct Route {
+  std::string name;
+  std::vector<Value> outputs;  ///< per case
+};
+
+/// One component of the result in the plot.
+struct PlotComponent {
+  std::string name;  ///< "I_xx"
+  int row = 0;
+  int col = 0;
+};
+
+/// How the exercise is plotted: the result over one varying quantity.
+struct Sweep {
+  std::string title;
+  std::string x_label;  ///< with unit
+  std::string y_label;  ///< with unit
+  std::vector<double> x;
+  std::vector<std::vector<Value>> inputs;
+  std::vector<Value> expected;
+  std::vector<PlotComponent> components;
+};
+
+/// All about one exercise.
+struct ExerciseReference {
+  std::string name;
+  std::string signature;  ///< as the contract declares it
+  std::vector<Argument> arguments;
+  Kind result_kind = Kind::number;
+  std::string result_name;
+  std::vector<Unit> result_units;  ///< one for all, or one per number of the result
+  Comparison comparison = Comparison::plain;
+  std::string tolerance_reason;  ///< where the tolerance is wider than usual: why
+  std::vector<Case> cases;
+  std::vector<Misconception> misconceptions;
+  std::vector<Term> terms;
+  std::vector<Property> properties;
+  std::vector<Route> routes;
+  Sweep sweep;
+};
+
+struct LectureReference {
+  static constexpr int current_format = 1;
+  int format = current_format;
+  std::uint64_t seed = 1;
+  std::string lecture;
+  std::vector<ExerciseReference> exercises;
+
+  /// @throws ReferenceError if the lecture has no such exercise.
+  const ExerciseReference& exercise(const std::string& name) const;
+};
+
+/// The reference results cannot be used: file, place and reason in one sentence. Never the student's fault.
+struct ReferenceError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// @throws ReferenceError if the file is missing, truncated, of another format, or holds a wrong type or an unusable number.
+LectureReference read_reference_results(const std::filesystem::path& file);
+
+/// Written under another name and renamed, so that nobody reads half a file. @throws ReferenceError if it cannot be written.
+void write_reference_results(const LectureReference& results, const std::filesystem::path& file);
+
+}  // namespace workbook

@@ -1,0 +1,12 @@
+// The inertia tensor on inertial axes of a body whose tensor on its own axes is I_body.
+// The rotation matrix A turns body components into inertial ones: V_inertial = A V_body.
+#include <rigid/inertia_tensor.hpp>
+
+namespace rigid {
+
+Matrix3d rotated_inertia(const Matrix3d& I_body, const Matrix3d& A) {
+  // TODO: write this function; the next line says that you have not started yet.
+  throw NotStarted{};
+}
+
+}  // namespace rigid
