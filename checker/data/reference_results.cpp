@@ -1,0 +1,92 @@
+#include "checker/data/reference_results.hpp"
+
+#include "checker/data/reference_json.hpp"
+#include "checker/data/reference_names.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+namespace workbook {
+
+namespace {
+
+ReferenceError error_at(const std::filesystem::path& file, const std::string& place, const std::string& reason) {
+  return ReferenceError(fmt::format("{}: {}: {}", file.string(), place, reason));
+}
+
+std::string whole_text(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  if (!stream.is_open() || stream.bad() || !std::filesystem::is_regular_file(file)) {
+    throw error_at(file, "whole file", "it cannot be read");
+  }
+  return text;
+}
+
+/// "line 12, column 3" of the byte at which the parser gave up.
+std::string place_of_byte(const std::string& text, std::size_t byte) {
+  const std::string before = text.substr(0, byte == 0 ? 0 : std::min(byte - 1, text.size()));
+  const auto line = 1 + std::ranges::count(before, '\n');
+  const std::size_t line_start = before.rfind('\n') == std::string::npos ? 0 : before.rfind('\n') + 1;
+  return fmt::format("line {}, column {}", line, before.size() - line_start + 1);
+}
+
+nlohmann::json document_in(const std::filesystem::path& file) {
+  const std::string text = whole_text(file);
+  try {
+    return nlohmann::json::parse(text);
+  } catch (const nlohmann::json::parse_error& error) {
+    const bool ends_too_early = error.byte > text.size();
+    throw error_at(file, place_of_byte(text, error.byte),
+                   ends_too_early ? "the file ends too early: it is truncated" : "this is not JSON");
+  } catch (const nlohmann::json::exception&) {
+    throw error_at(file, "whole file", "it holds a number that is too large");
+  }
+}
+
+}  // namespace
+
+std::string to_string(PropertyKind kind) { return name_of(kind, property_names); }
+
+const ExerciseReference& LectureReference::exercise(const std::string& name) const {
+  const auto found = std::ranges::find(exercises, name, &ExerciseReference::name);
+  if (found == exercises.end()) {
+    throw ReferenceError(fmt::format("The reference results of {} hold no exercise “{}”.", lecture, name));
+  }
+  return *found;
+}
+
+LectureReference read_reference_results(const std::filesystem::path& file) {
+  const nlohmann::json document = document_in(file);
+  try {
+    return lecture_from_json(JsonPlace(document));
+  } catch (const MisplacedJson& error) {
+    throw ReferenceError(fmt::format("{}: {}", file.string(), error.what()));
+  }
+}
+
+void write_reference_results(const LectureReference& results, const std::filesystem::path& file) {
+  const std::string text = readable_text(lecture_to_json(results));
+  std::filesystem::path unfinished = file;
+  unfinished += fmt::format(".{}.unfinished", ::getpid());
+
+  std::ofstream stream(unfinished, std::ios::binary);
+  stream << text;
+  stream.close();
+  std::error_code failure;
+  if (stream) std::filesystem::rename(unfinished, file, failure);
+  if (!stream || failure) {
+    std::error_code ignored;
+    std::filesystem::remove(unfinished, ignored);
+    throw error_at(file, "whole file", "it cannot be written");
+  }
+}
+
+}  // namespace workbook

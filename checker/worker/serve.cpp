@@ -1,0 +1,122 @@
+#include "checker/worker/serve.hpp"
+
+#include "checker/worker/frames.hpp"
+#include "checker/worker/last_words.hpp"
+
+#include <rigid/vocabulary.hpp>
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <new>
+
+namespace workbook {
+namespace {
+
+/// False at the end of input.
+bool read_exactly(void* to, std::size_t size) {
+  char* next = static_cast<char*>(to);
+  while (size > 0) {
+    const ssize_t got = ::read(frames::channel, next, size);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return false;
+    next += got;
+    size -= static_cast<std::size_t>(got);
+  }
+  return true;
+}
+
+bool write_exactly(const void* from, std::size_t size) {
+  const char* next = static_cast<const char*>(from);
+  while (size > 0) {
+    const ssize_t put = ::write(frames::channel, next, size);
+    if (put < 0 && errno == EINTR) continue;
+    if (put <= 0) return false;
+    next += put;
+    size -= static_cast<std::size_t>(put);
+  }
+  return true;
+}
+
+void set_text(frames::ReplyHeader& reply, const char* text) {
+  std::strncpy(reply.text, text ? text : "", sizeof reply.text - 1);
+}
+
+/// The arguments of one request, and the views of them that a call needs.
+struct Arguments {
+  std::vector<double> numbers;
+  std::vector<NumbersView> views;
+
+  bool read(std::size_t count) {
+    std::vector<frames::Shape> shapes(count);
+    if (!read_exactly(shapes.data(), count * sizeof(frames::Shape))) return false;
+    std::size_t total = 0;
+    for (const frames::Shape& shape : shapes) total += size(shape);
+    numbers.resize(total);
+    if (!read_exactly(numbers.data(), total * sizeof(double))) return false;
+    const double* first = numbers.data();
+    views.clear();
+    for (const frames::Shape& shape : shapes) {
+      views.push_back({shape.rows, shape.cols, first});
+      first += size(shape);
+    }
+    return true;
+  }
+
+  static std::size_t size(const frames::Shape& shape) {
+    return static_cast<std::size_t>(shape.rows) * static_cast<std::size_t>(shape.cols);
+  }
+};
+
+frames::ReplyHeader answer(const Call& call, const Arguments& arguments, CallResult& result) {
+  frames::ReplyHeader reply{};
+  reply.magic = frames::reply_magic;
+  try {
+    call(arguments.views, result);
+    reply.status = result.has_expected_shape() ? frames::Status::returned : frames::Status::wrong_shape;
+    reply.result = {result.rows, result.cols};
+  } catch (const rigid::NotStarted&) {
+    reply.status = frames::Status::not_started;
+  } catch (const std::bad_alloc&) {
+    reply.status = frames::Status::out_of_memory;
+  } catch (const std::exception& error) {
+    reply.status = frames::Status::exception;
+    set_text(reply, error.what());
+  } catch (...) {
+    reply.status = frames::Status::exception;
+    set_text(reply, "something that is not a std::exception");
+  }
+  return reply;
+}
+
+}  // namespace
+
+int serve_calls(std::size_t argument_count, const Call& call) {
+  // What a student prints before a crash should be seen: do not keep whole pages of it back.
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
+  keep_last_words_linked();
+  Arguments arguments;
+  frames::RequestHeader request;
+  while (read_exactly(&request, sizeof request)) {
+    if (request.magic != frames::request_magic || request.arguments != static_cast<std::int32_t>(argument_count)) return 1;
+    if (!arguments.read(argument_count)) return 1;
+    CallResult result;
+    result.expected_rows = request.result.rows;
+    result.expected_cols = request.result.cols;
+    frames::ReplyHeader reply = answer(call, arguments, result);
+    reply.nonce = request.nonce;
+    std::fflush(stdout);
+    if (!write_exactly(&reply, sizeof reply)) return 1;
+    if (reply.status == frames::Status::returned &&
+        !write_exactly(result.numbers.data(), result.numbers.size() * sizeof(double)))
+      return 1;
+  }
+  // Not `return 0`: destructors of a student's static objects are no part of the exercise.
+  std::_Exit(0);
+}
+
+}  // namespace workbook
