@@ -19,16 +19,18 @@ struct MisplacedJson : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A part of a JSON document and the way to it. Every function throws MisplacedJson where the part is not what is asked.
+/// A part of a JSON document and the way to it. Every function throws MisplacedJson where the part is not what is
+/// asked.
 class JsonPlace {
-public:
+ public:
   /// The document must outlive the place.
   explicit JsonPlace(const nlohmann::json& document);
 
   [[noreturn]] void refuse(const std::string& reason) const;
 
   /// The part must be an object with all required keys, perhaps with the optional ones, and no others.
-  void require_keys(std::initializer_list<const char*> required, std::initializer_list<const char*> optional = {}) const;
+  void require_keys(std::initializer_list<const char*> required,
+                    std::initializer_list<const char*> optional = {}) const;
 
   bool has(const char* key) const;
   JsonPlace at(const char* key) const;
@@ -48,7 +50,7 @@ public:
   Value value(Kind kind) const;
   Value finite_value(Kind kind) const;
 
-private:
+ private:
   JsonPlace(const nlohmann::json& part, std::string path);
 
   const nlohmann::json* part_;

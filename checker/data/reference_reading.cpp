@@ -75,7 +75,8 @@ Case case_from(const JsonPlace& place, const ExerciseReference& exercise) {
     place.at("scale").refuse(fmt::format("expected 1 or {} numbers, found {}", numbers, one.scale.size()));
   }
   if (exercise.result_units.size() != 1 && exercise.result_units.size() != numbers) {
-    place.at("expected").refuse(fmt::format("the result has {} units but {} numbers", exercise.result_units.size(), numbers));
+    place.at("expected")
+        .refuse(fmt::format("the result has {} units but {} numbers", exercise.result_units.size(), numbers));
   }
   if (exercise.comparison == Comparison::attitude_by_angles && numbers != 3) {
     place.at("expected").refuse("attitudes are compared by 3 angles");
@@ -113,8 +114,8 @@ Misconception misconception_from(const JsonPlace& place, const ExerciseReference
   for (const Value& value : exercise.sweep.expected) expected_over_sweep.push_back(&value);
   return {place.at("name").name(), place.at("message").name(), place.at("notes").text(),
           outputs_per_case(place.at("outputs"), exercise, false),
-          outputs_from(place.at("sweep_outputs"), exercise.result_kind, expected_over_sweep, "one per point of the sweep",
-                       false)};
+          outputs_from(place.at("sweep_outputs"), exercise.result_kind, expected_over_sweep,
+                       "one per point of the sweep", false)};
 }
 
 Term term_from(const JsonPlace& place, const ExerciseReference& exercise) {
@@ -151,8 +152,8 @@ Property property_from(const JsonPlace& place, const ExerciseReference& exercise
   Property property;
   property.kind = choice_from(place.at("kind"), property_names);
   if (!suits(property.kind, exercise.result_kind)) {
-    place.at("kind").refuse(fmt::format("a result of kind {} cannot be {}", to_string(exercise.result_kind),
-                                        to_string(property.kind)));
+    place.at("kind").refuse(
+        fmt::format("a result of kind {} cannot be {}", to_string(exercise.result_kind), to_string(property.kind)));
   }
 
   switch (property.kind) {
@@ -160,7 +161,8 @@ Property property_from(const JsonPlace& place, const ExerciseReference& exercise
       place.require_keys({"kind", "message", "notes", "argument"});
       property.argument = place.at("argument").integer();
       const int arguments = static_cast<int>(exercise.arguments.size());
-      if (property.argument < 0 || property.argument >= arguments) place.at("argument").refuse("there is no such argument");
+      if (property.argument < 0 || property.argument >= arguments)
+        place.at("argument").refuse("there is no such argument");
       if (exercise.arguments[static_cast<std::size_t>(property.argument)].kind != exercise.result_kind) {
         place.at("argument").refuse("the argument is not of the kind of the result");
       }
@@ -243,8 +245,8 @@ ExerciseReference exercise_from(const JsonPlace& place) {
   if (exercise.cases.empty()) place.at("cases").refuse("an exercise needs cases");
   if (place.has("sweep")) exercise.sweep = sweep_from(place.at("sweep"), exercise);
 
-  exercise.misconceptions = named_items(
-      place.at("misconceptions"), [&](const JsonPlace& item) { return misconception_from(item, exercise); });
+  exercise.misconceptions = named_items(place.at("misconceptions"),
+                                        [&](const JsonPlace& item) { return misconception_from(item, exercise); });
   exercise.terms = named_items(place.at("terms"), [&](const JsonPlace& item) { return term_from(item, exercise); });
   for (const JsonPlace& item : place.at("properties").items()) {
     exercise.properties.push_back(property_from(item, exercise));

@@ -17,7 +17,7 @@ constexpr std::size_t line_width = 120;
 template <class Items, class Function>
 ordered_json list_of(const Items& items, Function&& to_item) {
   ordered_json list = ordered_json::array();
-  for (const auto& item : items) list.push_back(std::invoke(to_item, item));
+  for (const auto& item : items) list.push_back(ordered_json(std::invoke(to_item, item)));
   return list;
 }
 
@@ -27,7 +27,7 @@ ordered_json values_to_json(const std::vector<Value>& values, Kind kind) {
 
 ordered_json inputs_to_json(const std::vector<Value>& inputs, const std::vector<Argument>& arguments) {
   ordered_json list = ordered_json::array();
-  for (std::size_t i = 0; i < inputs.size(); ++i) list.push_back(to_json(inputs[i], arguments.at(i).kind));
+  for (std::size_t i = 0; i < inputs.size(); ++i) list.push_back(ordered_json(to_json(inputs[i], arguments.at(i).kind)));
   return list;
 }
 
@@ -52,20 +52,19 @@ ordered_json property_to_json(const Property& property) {
 }
 
 ordered_json sweep_to_json(const Sweep& sweep, const ExerciseReference& exercise) {
-  return {{"title", sweep.title},
-          {"x_label", sweep.x_label},
-          {"y_label", sweep.y_label},
-          {"components", list_of(sweep.components,
-                                 [](const PlotComponent& component) {
-                                   return ordered_json{
-                                       {"name", component.name}, {"row", component.row}, {"col", component.col}};
-                                 })},
-          {"x", sweep.x},
-          {"inputs", list_of(sweep.inputs,
-                             [&](const std::vector<Value>& inputs) {
-                               return inputs_to_json(inputs, exercise.arguments);
-                             })},
-          {"expected", values_to_json(sweep.expected, exercise.result_kind)}};
+  return {
+      {"title", sweep.title},
+      {"x_label", sweep.x_label},
+      {"y_label", sweep.y_label},
+      {"components",
+       list_of(sweep.components,
+               [](const PlotComponent& component) {
+                 return ordered_json{{"name", component.name}, {"row", component.row}, {"col", component.col}};
+               })},
+      {"x", sweep.x},
+      {"inputs", list_of(sweep.inputs,
+                         [&](const std::vector<Value>& inputs) { return inputs_to_json(inputs, exercise.arguments); })},
+      {"expected", values_to_json(sweep.expected, exercise.result_kind)}};
 }
 
 ordered_json exercise_to_json(const ExerciseReference& exercise) {

@@ -48,21 +48,21 @@ json rows_to_json(const Value& value, int first_col, int cols) {
 
 // --- reading
 
-double number_from_json(const json& json, Kind kind = Kind::number) {
-  if (json.is_null()) return std::numeric_limits<double>::quiet_NaN();
-  if (!json.is_number()) {
-    throw std::invalid_argument(fmt::format("expected a number, found {}", json.type_name()));
+double number_from_json(const json& part, Kind kind = Kind::number) {
+  if (part.is_null()) return std::numeric_limits<double>::quiet_NaN();
+  if (!part.is_number()) {
+    throw std::invalid_argument(fmt::format("expected a number, found {}", part.type_name()));
   }
-  const double number = json.get<double>();
+  const double number = part.get<double>();
   if (kind == Kind::integer && number != std::trunc(number)) {
     throw std::invalid_argument(fmt::format("expected a whole number, found {}", number));
   }
   return number;
 }
 
-const json& list_from_json(const json& json, const std::string& what) {
-  if (!json.is_array()) throw std::invalid_argument(fmt::format("expected {}, found {}", what, json.type_name()));
-  return json;
+const json& list_from_json(const json& part, const std::string& what) {
+  if (!part.is_array()) throw std::invalid_argument(fmt::format("expected {}, found {}", what, part.type_name()));
+  return part;
 }
 
 void require_length(const json& list, std::size_t length, const std::string& what) {
@@ -89,7 +89,8 @@ Value three_rows_from_json(const json& rows) {
 
 Value matrix3_from_json(const json& rows) {
   Value value = three_rows_from_json(rows);
-  if (value.cols != 3) throw std::invalid_argument(fmt::format("expected 3 rows of 3 numbers, found rows of {}", value.cols));
+  if (value.cols != 3)
+    throw std::invalid_argument(fmt::format("expected 3 rows of 3 numbers, found rows of {}", value.cols));
   return value;
 }
 
@@ -145,25 +146,25 @@ json to_json(const Value& value, Kind kind) {
   throw std::invalid_argument("unknown kind");
 }
 
-Value value_from_json(const json& json, Kind kind) {
+Value value_from_json(const json& part, Kind kind) {
   switch (kind) {
     case Kind::number:
     case Kind::integer:
-      return {1, 1, {number_from_json(json, kind)}};
+      return {1, 1, {number_from_json(part, kind)}};
     case Kind::vector2:
-      require_length(json, 2, "a list of 2 numbers");
-      return vector_from_json(json);
+      require_length(part, 2, "a list of 2 numbers");
+      return vector_from_json(part);
     case Kind::vector3:
-      require_length(json, 3, "a list of 3 numbers");
-      return vector_from_json(json);
+      require_length(part, 3, "a list of 3 numbers");
+      return vector_from_json(part);
     case Kind::vector:
-      return vector_from_json(list_from_json(json, "a list of numbers"));
+      return vector_from_json(list_from_json(part, "a list of numbers"));
     case Kind::matrix3:
-      return matrix3_from_json(json);
+      return matrix3_from_json(part);
     case Kind::points:
-      return three_rows_from_json(json);
+      return three_rows_from_json(part);
     case Kind::matrices:
-      return matrices_from_json(json);
+      return matrices_from_json(part);
   }
   throw std::invalid_argument("unknown kind");
 }

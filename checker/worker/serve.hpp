@@ -22,13 +22,13 @@ struct CallResult {
 
   bool has_expected_shape() const { return rows == expected_rows && cols == expected_cols; }
 
-  template <class Value>
-  void keep(const Value& value) {
-    rows = KindOf<Value>::rows(value);
-    cols = KindOf<Value>::cols(value);
+  template <class T>
+  void keep(const T& value) {
+    rows = KindOf<T>::rows(value);
+    cols = KindOf<T>::cols(value);
     if (!has_expected_shape()) return;
     numbers.resize(static_cast<std::size_t>(rows) * static_cast<std::size_t>(cols));
-    KindOf<Value>::write(value, numbers.data());
+    KindOf<T>::write(value, numbers.data());
   }
 };
 

@@ -142,10 +142,10 @@ auto Exercise<Result, Parameters...>::angles_read_as_degrees(std::string notes) 
   return misconception(
       "degrees", "You convert the angles from degrees, but they already come in radians.", std::move(notes),
       [reference = reference_, is_angle](const std::remove_cvref_t<Parameters>&... inputs) {
-        std::size_t i = 0;
-        // Braces keep the order of evaluation, so i counts the parameters from the left.
-        Inputs scaled{(is_angle[i++] ? detail::as_if_degrees(inputs) : inputs)...};
-        return std::apply(reference, scaled);
+        const auto scaled = [&]<std::size_t... index>(std::index_sequence<index...>) {
+          return Inputs{(is_angle[index] ? detail::as_if_degrees(inputs) : inputs)...};
+        };
+        return std::apply(reference, scaled(std::index_sequence_for<Parameters...>{}));
       });
 }
 

@@ -1,0 +1,64 @@
+#include "checker/commands/check_exercise.hpp"
+
+#include "checker/compile/compile.hpp"
+#include "checker/judging/dimensions.hpp"
+#include "checker/judging/judge.hpp"
+#include "checker/judging/sampling.hpp"
+
+#include <exception>
+
+namespace workbook {
+
+namespace {
+
+Observation our_own_trouble(const std::string& sentence) {
+  Observation observation;
+  observation.refusal = Refusal::checker_error;
+  observation.refusal_message = sentence;
+  return observation;
+}
+
+/// What the function returns when the same inputs are given in smaller units.
+std::vector<UnitProbe> take_probes(ExerciseRunner& runner, const ExerciseReference& reference) {
+  std::vector<UnitProbe> probes = plan_probes(reference);
+  for (UnitProbe& probe : probes) {
+    std::vector<PlannedCall> calls;
+    for (const std::size_t index : probe.case_indices) {
+      const Case& probed = reference.cases[index];
+      calls.push_back({probe_inputs(reference, probe, index), probed.expected.rows, probed.expected.cols});
+    }
+    probe.replies = runner.evaluate(calls);
+  }
+  return probes;
+}
+
+Observation observe(ExerciseRunner& runner, const ExerciseReference& reference) {
+  Observation observation = runner.observe(reference.cases, plan_repeats(reference));
+  if (judge(reference, observation).verdict == Verdict::wrong_value) observation.probes = take_probes(runner, reference);
+  return observation;
+}
+
+}  // namespace
+
+Checked check_exercise(const Course& course, const Toolchain& toolchain, const Exercise& exercise,
+                       const ExerciseReference& reference, const std::filesystem::path& file, const RunLimits& limits) {
+  Checked checked{.exercise = exercise, .file = file, .reference = &reference, .observation = {}, .judgement = {}, .executable = {}};
+  try {
+    const Compilation compilation = compile({.file = file, .exercise = exercise.name(), .signature = reference.signature},
+                                            toolchain, course.scratch() / "compiled");
+    checked.executable = compilation.executable;
+    if (compilation.executable) {
+      ExerciseRunner runner(*compilation.executable, limits);
+      checked.observation = observe(runner, reference);
+      checked.observation.compile_seconds = compilation.seconds;
+    } else {
+      checked.observation = refused(compilation);
+    }
+  } catch (const std::exception& problem) {
+    checked.observation = our_own_trouble(problem.what());
+  }
+  checked.judgement = judge(reference, checked.observation);
+  return checked;
+}
+
+}  // namespace workbook

@@ -1,0 +1,55 @@
+/// @file
+/// What the program can be asked to do. Every command returns the exit status.
+#pragma once
+
+#include "checker/course/course.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace workbook {
+
+enum ExitStatus { all_passed = 0, something_failed = 1, wrong_usage = 2, checker_failed = 3 };
+
+struct CheckOptions {
+  std::vector<std::string> names;  ///< exercises and lectures; none: the whole course
+  std::optional<std::filesystem::path> file;
+  std::uint64_t seed = 1;
+  bool json = false;
+  bool plot = false;
+};
+
+struct PlotOptions {
+  std::vector<std::string> names;
+  bool all = false;
+  std::optional<std::filesystem::path> file;
+  std::optional<std::filesystem::path> out;
+  std::uint64_t seed = 1;
+};
+
+/// Where the student stands, and what is next.
+int status(const Course& course);
+
+/// Every exercise with its state.
+int list(const Course& course);
+
+int check(const Course& course, const CheckOptions& options);
+
+/// The next hint of an exercise, or all of them.
+int hint(const Course& course, const std::string& name, bool all);
+
+int plot(const Course& course, const PlotOptions& options);
+
+/// Puts the stub back; what was there is kept beside the progress file.
+int reset(const Course& course, const std::string& name);
+
+/// What this machine offers.
+int doctor(const Course& course);
+
+/// Is the workbook itself in order? For authors.
+int self_check(const Course& course, const std::vector<std::uint64_t>& seeds);
+
+}  // namespace workbook

@@ -1,0 +1,55 @@
+#include "checker/compile/toolchain.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
+namespace workbook {
+namespace {
+
+constexpr int current_format = 1;
+constexpr const char* remedy = "; build the workbook again.";
+
+std::vector<std::filesystem::path> paths(const nlohmann::json& list) {
+  const auto strings = list.get<std::vector<std::string>>();
+  return {strings.begin(), strings.end()};
+}
+
+void require_file(const std::filesystem::path& file, const char* role) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored))
+    throw ToolchainError(std::string("The ") + role + " " + file.string() + " is missing" + remedy);
+}
+
+}  // namespace
+
+Toolchain read_toolchain(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  if (!stream) throw ToolchainError("The toolchain file " + file.string() + " cannot be read" + remedy);
+  try {
+    const nlohmann::json json = nlohmann::json::parse(stream);
+    if (json.at("format") != current_format)
+      throw ToolchainError("The toolchain file " + file.string() + " has another format than this checker" + remedy);
+    Toolchain toolchain;
+    toolchain.compiler = json.at("compiler").get<std::string>();
+    toolchain.flags = json.at("flags").get<std::vector<std::string>>();
+    toolchain.prelude = json.at("prelude").get<std::string>();
+    toolchain.include_directories = paths(json.at("include_directories"));
+    toolchain.workers = json.at("workers").get<std::string>();
+    toolchain.support = paths(json.at("support"));
+    toolchain.link_flags = json.at("link_flags").get<std::vector<std::string>>();
+    toolchain.nm = json.at("nm").get<std::string>();
+    return toolchain;
+  } catch (const nlohmann::json::exception& error) {
+    throw ToolchainError("The toolchain file " + file.string() + " is damaged (" + error.what() + ")" + remedy);
+  }
+}
+
+void require_complete(const Toolchain& toolchain, const std::string& exercise) {
+  require_file(toolchain.compiler, "compiler");
+  require_file(toolchain.prelude, "prelude");
+  require_file(toolchain.worker_object(exercise), "worker");
+  for (const std::filesystem::path& object : toolchain.support) require_file(object, "worker's part");
+}
+
+}  // namespace workbook

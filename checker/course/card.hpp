@@ -1,0 +1,38 @@
+/// @file
+/// The card of a lecture: the one place that lists its exercises.
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace workbook {
+
+struct CardExercise {
+  std::string name;
+  double points = 1.0;
+  std::string notes;  ///< anchor of its paragraph
+  std::string task;   ///< what to write, in a line or two: the comment at the head of the stub
+};
+
+struct Card {
+  std::string lecture;  ///< the folder's name, "03_inertia_tensor"
+  std::string title;
+  std::string summary;
+  std::vector<std::string> slides;
+  std::vector<std::string> builds_on;
+  std::string contract;    ///< header without folder and ending, "inertia_tensor"
+  std::vector<int> facts;  ///< numbers of the facts of the slides that it teaches
+  std::vector<CardExercise> exercises;
+};
+
+/// The card cannot be used: file, place and reason in one sentence.
+struct CardError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Reads LECTURES/LECTURE/card.json. @throws CardError if it is missing, malformed, or a part has the wrong type.
+Card read_card(const std::filesystem::path& lectures, const std::string& lecture);
+
+}  // namespace workbook

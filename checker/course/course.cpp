@@ -1,0 +1,145 @@
+#include "checker/course/course.hpp"
+
+#include "checker/course/did_you_mean.hpp"
+#include "checker/worker/child_process.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <fstream>
+
+namespace workbook {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::uint64_t published_seed = 1;
+
+/// The results must fit the card: every exercise there, nothing else.
+void require_exercises_of(const Card& card, const LectureReference& results, const fs::path& file) {
+  for (const CardExercise& exercise : card.exercises) {
+    const auto same_name = [&](const ExerciseReference& each) { return each.name == exercise.name; };
+    if (std::none_of(results.exercises.begin(), results.exercises.end(), same_name)) {
+      throw ReferenceError(fmt::format("{}: exercises: '{}' is missing, though the card of {} lists it.", file.string(),
+                                       exercise.name, card.lecture));
+    }
+  }
+}
+
+}  // namespace
+
+Course::Course(const fs::path& course_file) {
+  std::ifstream in(course_file);
+  if (!in) throw CourseError(fmt::format("{}: the course's file is missing; build the workbook again.", course_file.string()));
+  std::vector<std::string> lectures;
+  try {
+    const auto document = nlohmann::json::parse(in);
+    const auto path = [&](const char* key) { return fs::path(document.at(key).get<std::string>()); };
+    root_ = path("root");
+    reference_ = path("reference");
+    toolchain_file_ = path("toolchain");
+    scratch_ = path("scratch");
+    notes_ = path("notes");
+    lectures = document.at("lectures").get<std::vector<std::string>>();
+  } catch (const nlohmann::json::exception& problem) {
+    throw CourseError(fmt::format("{}: not usable ({}); build the workbook again.", course_file.string(), problem.what()));
+  }
+  for (const std::string& lecture : lectures) cards_.push_back(read_card(root_ / "lectures", lecture));
+}
+
+std::vector<Exercise> Course::exercises() const {
+  std::vector<Exercise> all;
+  for (const Card& card : cards_) {
+    for (const CardExercise& entry : card.exercises) all.push_back({&card, &entry});
+  }
+  return all;
+}
+
+std::vector<Exercise> Course::find(const std::string& name) const {
+  std::vector<Exercise> found;
+  std::vector<std::string> known;
+  for (const Exercise& exercise : exercises()) {
+    const std::string& lecture = exercise.lecture();
+    const std::size_t separator = lecture.find('_');
+    const std::string number = lecture.substr(0, separator);
+    const std::string topic = separator == std::string::npos ? lecture : lecture.substr(separator + 1);
+    if (name == exercise.name() || name == lecture || name == number || name == topic) found.push_back(exercise);
+    known.push_back(exercise.name());
+    known.push_back(lecture);
+    known.push_back(topic);
+  }
+  if (found.empty()) {
+    const std::string proposal = did_you_mean(name, known);
+    throw UnknownName(fmt::format("There is no exercise or lecture '{}'.{} `checker list` shows all names.", name,
+                                  proposal.empty() ? "" : fmt::format(" Did you mean '{}'?", proposal)));
+  }
+  return found;
+}
+
+Exercise Course::find_exercise(const std::string& name) const {
+  std::vector<std::string> known;
+  for (const Exercise& exercise : exercises()) {
+    if (exercise.name() == name) return exercise;
+    known.push_back(exercise.name());
+  }
+  const std::string proposal = did_you_mean(name, known);
+  throw UnknownName(fmt::format("There is no exercise '{}'.{} `checker list` shows all names.", name,
+                                proposal.empty() ? "" : fmt::format(" Did you mean '{}'?", proposal)));
+}
+
+fs::path Course::student_file(const Exercise& exercise) const {
+  return lectures() / exercise.lecture() / "exercises" / (exercise.name() + ".cpp");
+}
+
+fs::path Course::hints_file(const Exercise& exercise) const {
+  return lectures() / exercise.lecture() / "exercises" / (exercise.name() + ".hints.md");
+}
+
+fs::path Course::solution_file(const Exercise& exercise) const {
+  return root_ / "solutions" / exercise.lecture() / (exercise.name() + ".cpp");
+}
+
+fs::path Course::contract_file(const Card& card) const { return root_ / "include" / "rigid" / (card.contract + ".hpp"); }
+
+fs::path Course::notes_file(const Card& card) const { return lectures() / card.lecture / "notes.md"; }
+
+bool Course::has_solutions() const { return fs::exists(root_ / "solutions"); }
+
+std::optional<fs::path> Course::notes_page(const std::string& lecture) const {
+  const fs::path page = notes_ / ("lecture_" + lecture + ".html");
+  if (!fs::exists(page)) return std::nullopt;
+  return page;
+}
+
+LectureReference Course::reference(const std::string& lecture, std::uint64_t seed) const {
+  fs::path file = reference_ / (lecture + ".json");
+  if (seed != published_seed) {
+    const fs::path program = reference_ / ("reference_" + lecture);
+    if (!fs::exists(program)) {
+      throw ReferenceError(fmt::format(
+          "This copy of the workbook has reference results for seed {} only; other seeds need the solutions, which it does not have.",
+          published_seed));
+    }
+    file = scratch_ / "reference" / fmt::format("{}-seed-{}.json", lecture, seed);
+    std::error_code ignored;
+    if (!fs::exists(file) || fs::last_write_time(file, ignored) < fs::last_write_time(program, ignored)) {
+      fs::create_directories(file.parent_path());
+      Launch launch;
+      const std::string program_name = program.string();
+      launch.program = program_name.c_str();
+      launch.arguments = {"--lecture", lecture, "--seed", std::to_string(seed), "--out", file.string()};
+      const FinishedProgram finished = run_program(launch, std::chrono::seconds(120), 1 << 16);
+      if (finished.out_of_time || finished.end.signal != 0 || finished.end.exit_status != 0) {
+        throw ReferenceError(fmt::format("{}: making reference results for seed {} failed: {}", program_name, seed, finished.output));
+      }
+    }
+  }
+  LectureReference results = read_reference_results(file);
+  const auto card = std::find_if(cards_.begin(), cards_.end(), [&](const Card& each) { return each.lecture == lecture; });
+  require_exercises_of(*card, results, file);
+  return results;
+}
+
+}  // namespace workbook

@@ -1,0 +1,86 @@
+/// @file
+/// The course as the checker sees it: where everything lies, and which exercises there are.
+#pragma once
+
+#include "checker/course/card.hpp"
+#include "checker/data/reference_results.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace workbook {
+
+/// The course cannot be read: file, place and reason in one sentence.
+struct CourseError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A name on the command line means nothing here; the sentence says what was perhaps meant.
+struct UnknownName : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// One exercise with its lecture.
+struct Exercise {
+  const Card* card = nullptr;
+  const CardExercise* entry = nullptr;
+
+  const std::string& name() const { return entry->name; }
+  const std::string& lecture() const { return card->lecture; }
+};
+
+/// Made from the file course.json that the build writes.
+class Course {
+ public:
+  /// @throws CourseError or CardError.
+  explicit Course(const std::filesystem::path& course_file);
+
+  const std::vector<Card>& cards() const { return cards_; }
+
+  /// All exercises in course order.
+  std::vector<Exercise> exercises() const;
+
+  /// The exercises that a name stands for: one exercise, or all of a lecture ("03_inertia_tensor", "03", "inertia_tensor").
+  /// @throws UnknownName with a proposal.
+  std::vector<Exercise> find(const std::string& name) const;
+
+  /// Exactly one exercise. @throws UnknownName with a proposal.
+  Exercise find_exercise(const std::string& name) const;
+
+  const std::filesystem::path& root() const { return root_; }
+  std::filesystem::path lectures() const { return root_ / "lectures"; }
+  std::filesystem::path student_file(const Exercise& exercise) const;
+  std::filesystem::path hints_file(const Exercise& exercise) const;
+  std::filesystem::path solution_file(const Exercise& exercise) const;  ///< absent in what students get
+  std::filesystem::path contract_file(const Card& card) const;
+  std::filesystem::path notes_file(const Card& card) const;
+  bool has_solutions() const;
+  const std::filesystem::path& toolchain_file() const { return toolchain_file_; }
+
+  /// What the program may write: compiled workers, plots, reference results of other seeds.
+  const std::filesystem::path& scratch() const { return scratch_; }
+
+  /// The student's progress, kept apart from the build so that a fresh build does not forget it.
+  std::filesystem::path progress_file() const { return root_ / ".workbook" / "progress.json"; }
+
+  /// The file of a page of the notes, if the notes have been built.
+  std::optional<std::filesystem::path> notes_page(const std::string& lecture) const;
+
+  /// Reference results of a lecture. Seed 1 comes with the build; other seeds are made from the solutions, once.
+  /// @throws ReferenceError if they are not there, cannot be made or cannot be read, or lack an exercise of the card.
+  LectureReference reference(const std::string& lecture, std::uint64_t seed) const;
+
+ private:
+  std::filesystem::path root_;
+  std::filesystem::path reference_;
+  std::filesystem::path toolchain_file_;
+  std::filesystem::path scratch_;
+  std::filesystem::path notes_;
+  std::vector<Card> cards_;
+};
+
+}  // namespace workbook

@@ -1,0 +1,116 @@
+#include "checker/course/progress.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <unistd.h>
+
+#include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+#include <utility>
+
+namespace workbook {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int current_format = 1;
+
+}  // namespace
+
+Progress::Progress(fs::path file) : file_(std::move(file)) {
+  std::error_code problem;
+  if (!fs::exists(file_, problem)) return;
+  try {
+    std::ifstream in(file_);
+    const auto document = nlohmann::json::parse(in);
+    if (document.at("format").get<int>() != current_format) throw std::runtime_error("another format");
+    std::map<std::string, LastVerdict> verdicts;
+    std::map<std::string, std::size_t> hints;
+    for (const auto& [exercise, entry] : document.at("exercises").items()) {
+      if (entry.contains("verdict")) {
+        verdicts[exercise] = {entry.at("verdict").get<std::string>(), entry.at("source").get<std::string>()};
+      }
+      hints[exercise] = entry.value("hints", std::size_t{0});
+    }
+    verdicts_ = std::move(verdicts);
+    hints_ = std::move(hints);
+  } catch (const std::exception&) {
+    const fs::path aside = file_.string() + ".damaged";
+    fs::rename(file_, aside, problem);
+    warning_ = fmt::format("Your progress file was damaged; it is set aside as {} and counting starts afresh. Your exercises are untouched.",
+                           aside.string());
+  }
+}
+
+void Progress::write() {
+  nlohmann::json exercises = nlohmann::json::object();
+  for (const auto& [exercise, last] : verdicts_) exercises[exercise] = {{"verdict", last.verdict}, {"source", last.source}};
+  for (const auto& [exercise, count] : hints_) {
+    if (count > 0) exercises[exercise]["hints"] = count;
+  }
+  const nlohmann::json document = {{"format", current_format}, {"exercises", exercises}};
+
+  const auto fail = [this] {
+    warning_ = fmt::format("Your progress could not be saved in {}; make that folder writable. The verdict above holds all the same.",
+                           file_.string());
+  };
+  std::error_code problem;
+  fs::create_directories(file_.parent_path(), problem);
+  const fs::path fresh = fmt::format("{}.{}", file_.string(), getpid());
+  {
+    std::ofstream out(fresh);
+    out << document.dump(2) << '\n';
+    if (!out) return fail();
+  }
+  fs::rename(fresh, file_, problem);
+  if (problem) {
+    fail();
+    fs::remove(fresh, problem);
+  }
+}
+
+void Progress::remember(const std::string& exercise, const LastVerdict& verdict) {
+  verdicts_[exercise] = verdict;
+  write();
+}
+
+void Progress::forget(const std::string& exercise) {
+  if (verdicts_.erase(exercise) + hints_.erase(exercise) > 0) write();
+}
+
+std::string Progress::verdict(const std::string& exercise) const {
+  const auto found = verdicts_.find(exercise);
+  return found == verdicts_.end() ? "" : found->second.verdict;
+}
+
+bool Progress::passed(const std::string& exercise, const std::string& source) const {
+  const auto found = verdicts_.find(exercise);
+  return found != verdicts_.end() && found->second.verdict == "passed" && found->second.source == source;
+}
+
+std::size_t Progress::hints_shown(const std::string& exercise) const {
+  const auto found = hints_.find(exercise);
+  return found == hints_.end() ? 0 : found->second;
+}
+
+void Progress::remember_hints(const std::string& exercise, std::size_t count) {
+  hints_[exercise] = count;
+  write();
+}
+
+std::string fingerprint(const fs::path& file) {
+  std::error_code problem;
+  if (!fs::is_regular_file(file, problem)) return "";
+  std::ifstream in(file, std::ios::binary);
+  std::uint64_t hash = 0xcbf29ce484222325ULL;  // FNV-1a
+  for (std::istreambuf_iterator<char> byte(in), end; byte != end; ++byte) {
+    hash = (hash ^ static_cast<unsigned char>(*byte)) * 0x100000001b3ULL;
+  }
+  return in.bad() ? "" : fmt::format("{:016x}", hash);
+}
+
+}  // namespace workbook

@@ -1,0 +1,54 @@
+/// @file
+/// What the student has done so far. Survives restarts; a damaged file is set aside, never fatal.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace workbook {
+
+/// The last verdict on one exercise.
+struct LastVerdict {
+  std::string verdict;  ///< "passed", "wrong_value", …
+  std::string source;   ///< fingerprint of the file that was judged
+};
+
+class Progress {
+ public:
+  /// Reads the file; a missing one is an empty progress. A damaged one is renamed to FILE.damaged and warning() says so.
+  explicit Progress(std::filesystem::path file);
+
+  /// Remembers a verdict and writes the file, under another name first, so that it is never half written.
+  /// If it cannot be written, warning() says so and the check goes on.
+  void remember(const std::string& exercise, const LastVerdict& verdict);
+
+  /// Forgets an exercise.
+  void forget(const std::string& exercise);
+
+  /// Nothing ("") if the exercise was never checked.
+  std::string verdict(const std::string& exercise) const;
+
+  /// True if the exercise passed and its file has not changed since.
+  bool passed(const std::string& exercise, const std::string& source) const;
+
+  /// How many hints of the exercise have been shown.
+  std::size_t hints_shown(const std::string& exercise) const;
+  void remember_hints(const std::string& exercise, std::size_t count);
+
+  /// One sentence, or "" if all is well.
+  const std::string& warning() const { return warning_; }
+
+ private:
+  void write();
+
+  std::filesystem::path file_;
+  std::map<std::string, LastVerdict> verdicts_;
+  std::map<std::string, std::size_t> hints_;
+  std::string warning_;
+};
+
+/// A short fingerprint of a file's content; "" if it cannot be read.
+std::string fingerprint(const std::filesystem::path& file);
+
+}  // namespace workbook

@@ -1,0 +1,215 @@
+#include "checker/judging/comparison.hpp"
+
+#include "checker/judging/answers.hpp"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace workbook {
+
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::MatrixXd;
+
+/// A deviation whose numbers may all be equally large.
+Deviation uniform_deviation(std::string meaning, Kind kind, const MatrixXd& difference, double tolerance, double size) {
+  Deviation deviation{std::move(meaning), kind, to_value(difference), tolerance, {}};
+  deviation.allowed.assign(deviation.difference.numbers.size(), tolerance * size);
+  return deviation;
+}
+
+Deviation entry_by_entry(std::string meaning, Kind kind, const Case& one, const Value& actual, const Value& target) {
+  Deviation deviation{std::move(meaning), kind, actual, one.tolerance, {}};
+  for (std::size_t n = 0; n < actual.numbers.size(); ++n) {
+    deviation.difference.numbers[n] = actual.numbers[n] - target.numbers[n];
+    deviation.allowed.push_back(one.tolerance * scale_at(one, n));
+  }
+  return deviation;
+}
+
+Value negative(Value value) {
+  for (double& number : value.numbers) number = -number;
+  return value;
+}
+
+/// Signs and order of eigenvectors of equal moments are free, so the equations are tested and not the entries.
+std::vector<Deviation> eigenvector_deviations(const Case& one, const Value& actual) {
+  const MatrixXd I = as_matrix(one.inputs.at(0));
+  const MatrixXd V = as_matrix(actual);
+  const MatrixXd expected = as_matrix(one.expected);
+  const MatrixXd D = (expected.transpose() * I * expected).diagonal().asDiagonal();
+  const MatrixXd identity = MatrixXd::Identity(V.cols(), V.cols());
+  const MatrixXd determinant = MatrixXd::Constant(1, 1, V.determinant() - 1);
+  // The determinant only tells right-handed from left-handed: its size follows from Vᵀ V = 1, with an error three
+  // halves as large.
+  return {uniform_deviation("I V − V D", Kind::matrix3, I * V - V * D, one.tolerance, I.norm()),
+          uniform_deviation("Vᵀ V − 1", Kind::matrix3, V.transpose() * V - identity, one.tolerance, 1.0),
+          uniform_deviation("det V − 1", Kind::number, determinant, one.tolerance, 4.0)};
+}
+
+/// R = R_ψ R_θ R_φ with passive elementary rotations about z, y, z: components on the body axes from inertial ones.
+Matrix3d attitude(const Value& angles) {
+  const auto about_z = [](double angle) -> Matrix3d {
+    const double c = std::cos(angle), s = std::sin(angle);
+    return (Matrix3d() << c, s, 0, -s, c, 0, 0, 0, 1).finished();
+  };
+  const auto about_y = [](double angle) -> Matrix3d {
+    const double c = std::cos(angle), s = std::sin(angle);
+    return (Matrix3d() << c, 0, -s, 0, 1, 0, s, 0, c).finished();
+  };
+  return about_z(angles.numbers.at(2)) * about_y(angles.numbers.at(1)) * about_z(angles.numbers.at(0));
+}
+
+bool is_same_number(double one, double other, double allowed) {
+  if (!std::isfinite(one) || !std::isfinite(other)) return !std::isfinite(one) && !std::isfinite(other);
+  return std::abs(one - other) <= allowed;
+}
+
+/// Entries may be larger than the right ones; then their rounding errors are larger too.
+bool is_same_entry_by_entry(const Case& one, const Value& first, const Value& second) {
+  for (std::size_t n = 0; n < first.numbers.size(); ++n) {
+    const double size = std::max(scale_at(one, n), std::abs(second.numbers[n]));
+    if (!is_same_number(first.numbers[n], second.numbers[n], one.tolerance * size)) return false;
+  }
+  return true;
+}
+
+bool is_same_up_to_signs_of_columns(const Case& one, const MatrixXd& first, const MatrixXd& second) {
+  MatrixXd turned = second;
+  for (Eigen::Index col = 0; col < second.cols(); ++col) {
+    if (first.col(col).dot(second.col(col)) < 0) turned.col(col) = -second.col(col);
+  }
+  return is_same_entry_by_entry(one, to_value(first), to_value(turned));
+}
+
+bool is_same_attitude(const Case& one, const Value& first, const Value& second) {
+  const Matrix3d R_first = attitude(first);
+  const Matrix3d R_second = attitude(second);
+  for (Eigen::Index n = 0; n < R_first.size(); ++n) {
+    if (!is_same_number(R_first(n), R_second(n), one.tolerance)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool Deviation::is_within(std::size_t number) const { return std::abs(difference.numbers[number]) <= allowed[number]; }
+
+bool Deviation::is_within() const {
+  for (std::size_t n = 0; n < difference.numbers.size(); ++n) {
+    if (!is_within(n)) return false;
+  }
+  return true;
+}
+
+double Deviation::relative_size() const {
+  double largest = 0.0;
+  for (std::size_t n = 0; n < difference.numbers.size(); ++n) {
+    const double size = std::abs(difference.numbers[n]);
+    if (size > 0) largest = std::max(largest, size / allowed[n] * tolerance);
+  }
+  return largest;
+}
+
+double scale_at(const Case& one, std::size_t number) {
+  return one.scale.size() == 1 ? one.scale[0] : one.scale.at(number);
+}
+
+Eigen::Map<const MatrixXd> as_matrix(const Value& value) { return {value.numbers.data(), value.rows, value.cols}; }
+
+Value to_value(const MatrixXd& matrix) {
+  return {
+      static_cast<int>(matrix.rows()), static_cast<int>(matrix.cols()), {matrix.data(), matrix.data() + matrix.size()}};
+}
+
+Value nearest_expected(const ExerciseReference& exercise, std::size_t case_index, const Value& actual) {
+  const Value& expected = exercise.cases.at(case_index).expected;
+  if (exercise.comparison != Comparison::up_to_sign) return expected;
+  return as_matrix(actual).cwiseProduct(as_matrix(expected)).sum() < 0 ? negative(expected) : expected;
+}
+
+std::vector<Deviation> deviations(const ExerciseReference& exercise, std::size_t case_index, const Value& actual) {
+  const Case& one = exercise.cases.at(case_index);
+  std::vector<Deviation> found;
+  switch (exercise.comparison) {
+    case Comparison::plain:
+    case Comparison::up_to_sign:
+      found.push_back(entry_by_entry("yours − expected", exercise.result_kind, one, actual,
+                                     nearest_expected(exercise, case_index, actual)));
+      break;
+    case Comparison::eigenvectors:
+      found = eigenvector_deviations(one, actual);
+      break;
+    case Comparison::attitude_by_angles:
+      found.push_back(uniform_deviation("rotation matrix of yours − that of the expected angles", Kind::matrix3,
+                                        attitude(actual) - attitude(one.expected), one.tolerance, 1.0));
+      break;
+  }
+  for (const Property& property : exercise.properties) {
+    if (property.kind == PropertyKind::constant_weighted_square && actual.cols > 0) {
+      found.push_back(drift(exercise, property, case_index, actual));
+    }
+  }
+  return found;
+}
+
+Deviation drift(const ExerciseReference& exercise, const Property& property, std::size_t case_index,
+                const Value& actual) {
+  const Case& one = exercise.cases.at(case_index);
+  const std::vector<double>& weights = property.weights.at(case_index);
+  std::vector<double> magnitudes = weights;
+  for (double& weight : magnitudes) weight = std::abs(weight);
+
+  Deviation deviation{
+      property.message, Kind::vector, {actual.cols, 1, weighted_squares(weights, actual)}, one.tolerance, {}};
+  const std::vector<double> expected = weighted_squares(weights, one.expected);
+  for (double& sum : deviation.difference.numbers) sum -= expected.front();
+  for (double size : weighted_squares(magnitudes, one.expected)) deviation.allowed.push_back(one.tolerance * size);
+  return deviation;
+}
+
+bool passes(const ExerciseReference& exercise, std::size_t case_index, const Value& actual) {
+  if (!actual.has_shape_of(exercise.cases.at(case_index).expected) || !is_complete(actual) || !is_finite(actual))
+    return false;
+  return std::ranges::all_of(deviations(exercise, case_index, actual),
+                             [](const Deviation& deviation) { return deviation.is_within(); });
+}
+
+bool is_same_answer(const ExerciseReference& exercise, std::size_t case_index, const Value& one, const Value& other) {
+  if (!one.has_shape_of(other)) return false;
+  const Case& judged = exercise.cases.at(case_index);
+  switch (exercise.comparison) {
+    case Comparison::plain:
+      return is_same_entry_by_entry(judged, one, other);
+    case Comparison::up_to_sign:
+      return is_same_entry_by_entry(judged, one, other) || is_same_entry_by_entry(judged, one, negative(other));
+    case Comparison::eigenvectors: {
+      // Eigenvectors put into rows by mistake have the freedom of sign row by row.
+      const MatrixXd first = as_matrix(one);
+      const MatrixXd second = as_matrix(other);
+      return is_same_up_to_signs_of_columns(judged, first, second) ||
+             is_same_up_to_signs_of_columns(judged, first.transpose(), second.transpose());
+    }
+    case Comparison::attitude_by_angles:
+      return is_same_attitude(judged, one, other);
+  }
+  return false;
+}
+
+std::vector<double> weighted_squares(const std::vector<double>& weights, const Value& value) {
+  std::vector<double> sums;
+  for (int col = 0; col < value.cols; ++col) {
+    double sum = 0.0;
+    for (int row = 0; row < value.rows; ++row) {
+      sum += weights.at(static_cast<std::size_t>(row)) * value.at(row, col) * value.at(row, col);
+    }
+    sums.push_back(sum);
+  }
+  return sums;
+}
+
+}  // namespace workbook

@@ -1,0 +1,63 @@
+/// @file
+/// Comparing an answer with the expected one, with the freedom that the exercise leaves.
+#pragma once
+
+#include "checker/data/reference_results.hpp"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace workbook {
+
+/// One way in which an answer is measured against the expected one.
+struct Deviation {
+  std::string meaning;  ///< "yours − expected"
+  Kind kind = Kind::number;
+  Value difference;             ///< zero for a perfect answer
+  double tolerance = 0.0;       ///< relative
+  std::vector<double> allowed;  ///< one per number: tolerance × natural size
+
+  /// `<=`, so that NaN is never within.
+  bool is_within(std::size_t number) const;
+  bool is_within() const;
+
+  /// The largest difference over its natural size.
+  double relative_size() const;
+};
+
+/// The natural size of one number of the result.
+double scale_at(const Case& one, std::size_t number);
+
+/// The numbers as a matrix, without a copy.
+Eigen::Map<const Eigen::MatrixXd> as_matrix(const Value& value);
+
+/// The inverse of as_matrix.
+Value to_value(const Eigen::MatrixXd& matrix);
+
+/// The expected value, or its negative where the exercise is compared up to sign and the negative is nearer.
+Value nearest_expected(const ExerciseReference& exercise, std::size_t case_index, const Value& actual);
+
+/// How far an answer is from the expected one, in each way in which it is measured; the answer must have the expected
+/// shape.
+std::vector<Deviation> deviations(const ExerciseReference& exercise, std::size_t case_index, const Value& actual);
+
+/// How far Σ weightᵢ yᵢ² of every column is from its one right value. It is measured against its own size: it is
+/// conserved better than the entries are known. The answer must have columns, as many as the expected one.
+Deviation drift(const ExerciseReference& exercise, const Property& property, std::size_t case_index,
+                const Value& actual);
+
+/// True if the answer is right: of the expected shape and within the tolerance in every way.
+bool passes(const ExerciseReference& exercise, std::size_t case_index, const Value& actual);
+
+/// True if two answers, right or wrong, are one answer: they agree within the case's tolerance, and what is not finite
+/// in one is not finite in the other. The exercise's freedom counts: a sign, the sign of each eigenvector, angles of
+/// the same attitude.
+bool is_same_answer(const ExerciseReference& exercise, std::size_t case_index, const Value& one, const Value& other);
+
+/// Σ weightᵢ yᵢ² of every column.
+std::vector<double> weighted_squares(const std::vector<double>& weights, const Value& value);
+
+}  // namespace workbook

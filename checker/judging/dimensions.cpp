@@ -1,0 +1,137 @@
+#include "checker/judging/dimensions.hpp"
+
+#include "checker/judging/comparison.hpp"
+#include "checker/judging/sampling.hpp"
+#include "checker/judging/sentences.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace workbook {
+
+namespace {
+
+constexpr std::array<std::pair<char, double>, 3> bases = {{{'k', 1000.0}, {'m', 100.0}, {'s', 1000.0}}};
+constexpr std::size_t probed_cases = 3;
+
+// Powers are exact but for rounding, and for the step error of an integration; what is neither exact nor clearly off
+// says nothing.
+constexpr double exact_power = 1e-3;
+constexpr double clearly_off = 0.05;
+
+// A number so much smaller than the result's natural size may be a rounding error.
+constexpr double safely_away_from_zero = 1e-3;
+
+int exponent(const Unit& unit, char base) {
+  switch (base) {
+    case 'k':
+      return unit.kilogram;
+    case 'm':
+      return unit.metre;
+    default:
+      return unit.second;
+  }
+}
+
+bool has_dimension(const ExerciseReference& exercise, char base) {
+  return std::ranges::any_of(exercise.arguments,
+                             [base](const Argument& argument) { return exponent(argument.unit, base) != 0; });
+}
+
+/// The powers p of the observed growth factor^p, one per number that can be used; nothing if a reply is missing.
+std::optional<std::vector<double>> observed_powers(const ExerciseReference& exercise, const Answers& answers,
+                                                   const UnitProbe& probe, std::size_t unit_index) {
+  std::vector<double> powers;
+  for (std::size_t k = 0; k < probe.case_indices.size(); ++k) {
+    const std::size_t i = probe.case_indices[k];
+    if (i >= answers.size() || !answers[i] || k >= probe.replies.size()) return std::nullopt;
+    const Case& one = exercise.cases[i];
+    if (!has_usable_value(probe.replies[k], one)) return std::nullopt;
+    for (std::size_t n = 0; n < one.expected.numbers.size(); ++n) {
+      if (exercise.result_units.size() > 1 && n != unit_index) continue;
+      const double before = answers[i]->numbers[n];
+      const double after = probe.replies[k].value.numbers[n];
+      if (!(std::abs(before) > safely_away_from_zero * scale_at(one, n))) continue;
+      powers.push_back(std::log(std::abs(after / before)) / std::log(probe.factor));
+    }
+  }
+  return powers;
+}
+
+enum class Finding { nothing, single_power, no_single_power };
+
+struct Power {
+  Finding finding = Finding::nothing;
+  double value = 0.0;
+};
+
+/// Whole and half powers are those that formulas have.
+Power single_power(const std::vector<double>& powers) {
+  if (powers.empty()) return {};
+  const double nearest = std::round(2 * powers.front()) / 2;
+  double largest_distance = 0.0;
+  for (double power : powers) {
+    const double distance = std::abs(power - nearest);
+    // Not finite: a number became zero, infinite or NaN by the change of units.
+    if (!std::isfinite(distance)) return {Finding::no_single_power, 0.0};
+    largest_distance = std::max(largest_distance, distance);
+  }
+  if (largest_distance <= exact_power) return {Finding::single_power, nearest};
+  return {largest_distance > clearly_off ? Finding::no_single_power : Finding::nothing, 0.0};
+}
+
+}  // namespace
+
+std::vector<UnitProbe> plan_probes(const ExerciseReference& exercise) {
+  std::vector<UnitProbe> probes;
+  for (const auto& [base, factor] : bases) {
+    if (has_dimension(exercise, base))
+      probes.push_back({base, factor, spread(deciding_cases(exercise), probed_cases), {}});
+  }
+  return probes;
+}
+
+std::vector<Value> probe_inputs(const ExerciseReference& exercise, const UnitProbe& probe, std::size_t case_index) {
+  std::vector<Value> inputs = exercise.cases.at(case_index).inputs;
+  for (std::size_t a = 0; a < inputs.size(); ++a) {
+    const double growth = std::pow(probe.factor, exponent(exercise.arguments.at(a).unit, probe.base));
+    for (double& number : inputs[a].numbers) number *= growth;
+  }
+  return inputs;
+}
+
+std::vector<Diagnosis> diagnose_dimensions(const ExerciseReference& exercise, const Answers& answers,
+                                           const std::vector<UnitProbe>& probes) {
+  std::vector<Diagnosis> wrong_powers;
+  std::vector<Diagnosis> no_powers;
+  for (const UnitProbe& probe : probes) {
+    for (std::size_t u = 0; u < exercise.result_units.size(); ++u) {
+      const auto powers = observed_powers(exercise, answers, probe, u);
+      if (!powers) break;
+      const double expected = exponent(exercise.result_units[u], probe.base);
+      const Power observed = single_power(*powers);
+      const int decades = static_cast<int>(std::lround(std::log10(probe.factor)));
+      const std::optional<std::size_t> component =
+          exercise.result_units.size() > 1 ? std::optional(u + 1) : std::nullopt;
+      if (observed.finding == Finding::single_power && observed.value != expected) {
+        wrong_powers.push_back(
+            {DiagnosisKind::dimension, std::string(1, probe.base),
+             sentences::wrong_power(probe.base, expected * decades, observed.value * decades, component), ""});
+        break;
+      }
+      if (observed.finding == Finding::no_single_power) {
+        no_powers.push_back({DiagnosisKind::dimension, std::string(1, probe.base),
+                             sentences::no_single_power(probe.base, component), ""});
+        break;
+      }
+    }
+  }
+  if (!wrong_powers.empty()) return wrong_powers;
+  if (no_powers.size() > 1) no_powers.resize(1);
+  return no_powers;
+}
+
+}  // namespace workbook

@@ -1,0 +1,335 @@
+#include "checker/judging/failure_text.hpp"
+
+#include "checker/judging/comparison.hpp"
+#include "checker/judging/sentences.hpp"
+#include "checker/judging/text_blocks.hpp"
+#include "checker/judging/value_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+
+namespace workbook {
+
+namespace {
+
+constexpr std::size_t indent = 2;
+constexpr int difference_digits = 3;
+constexpr std::size_t most_rows = 24;  // of a long list; the checker's JSON has them all
+
+void append(std::vector<std::string>& lines, std::vector<std::string> more) {
+  std::ranges::move(more, std::back_inserter(lines));
+}
+
+std::vector<std::string> indented(std::vector<std::string> lines, std::size_t depth) {
+  for (std::string& line : lines) line.insert(0, depth, ' ');
+  return lines;
+}
+
+std::string in_brackets(const std::string& unit) { return unit.empty() ? "" : fmt::format(" [{}]", unit); }
+
+std::string after_blank(const std::string& unit) { return unit.empty() ? "" : " " + unit; }
+
+std::vector<std::size_t> first_indices(std::size_t count) {
+  std::vector<std::size_t> indices(count);
+  std::iota(indices.begin(), indices.end(), std::size_t{0});
+  return indices;
+}
+
+std::string left_out(std::size_t count, const std::string& noun) {
+  return fmt::format("({} more {} not shown)", count, noun + (count == 1 ? "" : "s"));
+}
+
+// --- values as tables
+
+bool is_vector(Kind kind) { return kind == Kind::vector2 || kind == Kind::vector3 || kind == Kind::vector; }
+
+using NumberTest = std::function<bool(std::size_t number)>;
+
+std::size_t number_at(const Value& value, std::size_t row, std::size_t col) {
+  return col * static_cast<std::size_t>(value.rows) + row;
+}
+
+/// The columns [first, first + 3) of a value as a 3×3 table.
+Table matrix_table(const Value& value, std::size_t first_col, int digits, const NumberTest& is_marked = {}) {
+  Table table;
+  for (std::size_t row = 0; row < 3; ++row) {
+    table.rows.emplace_back();
+    for (std::size_t col = 0; col < 3; ++col) {
+      table.rows.back().push_back(number_text(value.numbers[number_at(value, row, first_col + col)], digits));
+    }
+  }
+  if (is_marked) {
+    table.is_marked = [=, rows = value](std::size_t row, std::size_t col) {
+      return is_marked(number_at(rows, row, first_col + col));
+    };
+  }
+  return table;
+}
+
+/// One column of the value per line: a list of points reads better so, and fits on the page.
+Table columns_table(const Value& value, const std::vector<std::size_t>& cols, int digits,
+                    const NumberTest& is_marked = {}) {
+  Table table;
+  for (std::size_t col : cols) {
+    table.labels.push_back(fmt::format("column {}", col + 1));
+    table.rows.emplace_back();
+    for (std::size_t row = 0; row < static_cast<std::size_t>(value.rows); ++row) {
+      table.rows.back().push_back(number_text(value.numbers[number_at(value, row, col)], digits));
+    }
+  }
+  if (is_marked) {
+    table.is_marked = [=, shape = value](std::size_t line, std::size_t row) {
+      return is_marked(number_at(shape, row, cols.at(line)));
+    };
+  }
+  return table;
+}
+
+// --- inputs
+
+std::vector<std::string> vector_lines(const std::string& name, const std::string& unit, const Value& value) {
+  const std::string line = fmt::format("{} = {}{}", name, format_value(value, Kind::vector), after_blank(unit));
+  if (indent + display_width(line) <= page_width) return {line};
+  std::vector<std::string> texts;
+  for (double number : value.numbers) texts.push_back(number_text(number, all_digits));
+  std::vector<std::string> lines = {name + in_brackets(unit)};
+  append(lines, wrapped_in_columns(aligned_on_point(texts), indent));
+  return lines;
+}
+
+std::vector<std::string> input_lines(const Argument& argument, const Value& value) {
+  const std::string unit = to_string(argument.unit);
+  if (is_vector(argument.kind)) return vector_lines(argument.name, unit, value);
+  if (argument.kind == Kind::number || argument.kind == Kind::integer || value.cols == 0) {
+    return {fmt::format("{} = {}{}", argument.name, format_value(value, argument.kind), after_blank(unit))};
+  }
+
+  std::vector<std::string> lines = {argument.name + in_brackets(unit)};
+  const auto cols = static_cast<std::size_t>(value.cols);
+  switch (argument.kind) {
+    case Kind::points: {
+      const std::size_t shown = std::min(cols, most_rows);
+      append(lines, indented(table_lines(columns_table(value, first_indices(shown), all_digits)), indent));
+      if (shown < cols) lines.push_back("  " + left_out(cols - shown, "column"));
+      break;
+    }
+    case Kind::matrices: {
+      std::vector<Block> blocks;
+      for (std::size_t m = 0; m < cols / 3; ++m) {
+        blocks.push_back({fmt::format("matrix {}", m + 1), table_lines(matrix_table(value, 3 * m, all_digits))});
+      }
+      append(lines, side_by_side(blocks, 0));
+      break;
+    }
+    default:
+      append(lines, indented(table_lines(matrix_table(value, 0, all_digits)), indent - 2));
+  }
+  return lines;
+}
+
+std::vector<std::string> inputs_section(const ExerciseReference& exercise, const Case& one) {
+  std::vector<std::string> lines = {"Inputs"};
+  for (std::size_t a = 0; a < one.inputs.size(); ++a) {
+    append(lines, indented(input_lines(exercise.arguments.at(a), one.inputs[a]), indent));
+  }
+  return lines;
+}
+
+// --- results
+
+/// Everything that is shown of one result.
+struct Result {
+  const ExerciseReference& exercise;
+  Value expected;
+  std::optional<Value> actual;
+  std::optional<Deviation> difference;  ///< where entries are compared one by one
+  int digits = 6;
+
+  bool differs(std::size_t number) const { return difference && !difference->is_within(number); }
+};
+
+int digits_needed(const Result& result) {
+  int digits = 6;
+  if (!result.difference) return digits;
+  for (std::size_t n = 0; n < result.expected.numbers.size(); ++n) {
+    if (!result.differs(n)) continue;
+    digits = std::max(digits, digits_to_tell_apart(result.expected.numbers[n], result.actual->numbers[n]));
+  }
+  return digits;
+}
+
+std::string unit_of(const ExerciseReference& exercise, std::size_t number) {
+  const auto& units = exercise.result_units;
+  return to_string(units.size() == 1 ? units.front() : units.at(number));
+}
+
+std::string common_unit(const ExerciseReference& exercise) {
+  return exercise.result_units.size() == 1 ? to_string(exercise.result_units.front()) : "";
+}
+
+/// Numbers and vectors: a line for each component.
+std::vector<std::string> component_lines(const Result& result) {
+  Table table;
+  table.headings = {"expected"};
+  if (result.actual) table.headings.push_back("yours");
+  if (result.difference) table.headings.push_back("difference");
+
+  std::vector<std::size_t> shown = first_indices(result.expected.numbers.size());
+  if (shown.size() > most_rows && result.difference) {
+    std::erase_if(shown, [&](std::size_t n) { return !result.differs(n); });
+  }
+  shown.resize(std::min(shown.size(), most_rows));
+
+  for (std::size_t n : shown) {
+    if (is_vector(result.exercise.result_kind)) table.labels.push_back(std::to_string(n + 1));
+    std::vector<std::string> row = {number_text(result.expected.numbers[n], result.digits)};
+    if (result.actual) row.push_back(number_text(result.actual->numbers[n], result.digits));
+    if (result.difference) row.push_back(number_text(result.difference->difference.numbers[n], difference_digits));
+    table.rows.push_back(std::move(row));
+    if (result.exercise.result_units.size() > 1) table.endings.push_back(unit_of(result.exercise, n));
+  }
+  table.is_marked = [&](std::size_t row, std::size_t col) { return col == 1 && result.differs(shown[row]); };
+
+  std::vector<std::string> lines = indented(table_lines(table), indent);
+  if (shown.size() < result.expected.numbers.size()) {
+    lines.push_back("  " + left_out(result.expected.numbers.size() - shown.size(), "component"));
+  }
+  return lines;
+}
+
+using TableOf = std::function<Table(const Value&, int digits, const NumberTest& is_marked)>;
+
+/// Matrices and points: expected, yours and difference as blocks.
+std::vector<std::string> block_lines(const Result& result, const TableOf& table_of) {
+  const NumberTest differs = [&](std::size_t number) { return result.differs(number); };
+  std::vector<Block> blocks = {{"expected", table_lines(table_of(result.expected, result.digits, {}))}};
+  if (result.actual) blocks.push_back({"yours", table_lines(table_of(*result.actual, result.digits, differs))});
+  if (result.difference) {
+    blocks.push_back({"difference", table_lines(table_of(result.difference->difference, difference_digits, differs))});
+  }
+  return side_by_side(blocks, 0);
+}
+
+std::vector<std::string> matrix_lines(const Result& result, std::size_t first_col) {
+  return block_lines(result, [first_col](const Value& value, int digits, const NumberTest& is_marked) {
+    return matrix_table(value, first_col, digits, is_marked);
+  });
+}
+
+std::vector<std::string> points_lines(const Result& result) {
+  const auto rows = static_cast<std::size_t>(result.expected.rows);
+  std::vector<std::size_t> cols = first_indices(static_cast<std::size_t>(result.expected.cols));
+  if (cols.size() > most_rows && result.difference) {
+    std::erase_if(cols, [&](std::size_t col) {
+      return std::ranges::none_of(
+          first_indices(rows), [&](std::size_t row) { return result.differs(number_at(result.expected, row, col)); });
+    });
+  }
+  cols.resize(std::min(cols.size(), most_rows));
+  std::vector<std::string> lines =
+      block_lines(result, [&](const Value& value, int digits, const NumberTest& is_marked) {
+        return columns_table(value, cols, digits, is_marked);
+      });
+  const std::size_t hidden = static_cast<std::size_t>(result.expected.cols) - cols.size();
+  if (hidden > 0) lines.push_back("  " + left_out(hidden, "column"));
+  return lines;
+}
+
+std::vector<std::string> result_lines(const Result& result) {
+  switch (result.exercise.result_kind) {
+    case Kind::matrix3:
+      return matrix_lines(result, 0);
+    case Kind::points:
+      return points_lines(result);
+    case Kind::matrices: {
+      std::vector<std::string> lines;
+      for (std::size_t col = 0; col + 3 <= static_cast<std::size_t>(result.expected.cols); col += 3) {
+        lines.push_back(fmt::format("  matrix {}", col / 3 + 1));
+        append(lines, matrix_lines(result, col));
+      }
+      return lines;
+    }
+    default:
+      return component_lines(result);
+  }
+}
+
+bool compares_entries(Comparison comparison) {
+  return comparison == Comparison::plain || comparison == Comparison::up_to_sign;
+}
+
+/// What is tested of the answer as a whole, where it does not hold.
+std::vector<std::string> whole_deviation_lines(const Deviation& deviation) {
+  std::vector<std::string> lines = wrapped(deviation.meaning + " — zero for a right answer", 0);
+  const NumberTest differs = [&](std::size_t number) { return !deviation.is_within(number); };
+  if (deviation.kind == Kind::matrix3) {
+    append(lines, table_lines(matrix_table(deviation.difference, 0, difference_digits, differs)));
+    return lines;
+  }
+  Table table;
+  std::size_t marked = 0;
+  for (std::size_t n = 0; n < deviation.difference.numbers.size(); ++n) {
+    if (!differs(n)) continue;
+    if (++marked > most_rows) continue;
+    if (deviation.kind == Kind::vector) table.labels.push_back(fmt::format("  column {}", n + 1));
+    table.rows.push_back({number_text(deviation.difference.numbers[n], difference_digits)});
+  }
+  table.is_marked = [](std::size_t, std::size_t) { return true; };
+  append(lines, table_lines(table));
+  if (marked > most_rows) lines.push_back("  " + left_out(marked - most_rows, "column"));
+  return lines;
+}
+
+std::vector<std::string> result_section(const ExerciseReference& exercise, const FirstFailure& failure) {
+  const Case& one = exercise.cases.at(failure.case_index);
+  Result result{exercise, one.expected, failure.actual, std::nullopt};
+  std::vector<Deviation> whole;
+  double relative_size = 0.0;
+  if (failure.actual) {
+    result.expected = nearest_expected(exercise, failure.case_index, *failure.actual);
+    whole = deviations(exercise, failure.case_index, *failure.actual);
+    for (const Deviation& deviation : whole) relative_size = std::max(relative_size, deviation.relative_size());
+    if (!is_finite(*failure.actual)) relative_size = std::numeric_limits<double>::infinity();
+    if (compares_entries(exercise.comparison)) {
+      result.difference = whole.front();
+      whole.erase(whole.begin());
+    }
+  }
+  result.digits = digits_needed(result);
+
+  std::vector<std::string> lines = {
+      fmt::format("Result {}{}", exercise.result_name, in_brackets(common_unit(exercise)))};
+  append(lines, result_lines(result));
+  if (!failure.actual) {
+    lines.push_back("  No value of yours can be shown.");
+    return lines;
+  }
+  if (exercise.comparison == Comparison::up_to_sign)
+    lines.push_back("  The expected value or its negative, whichever is nearer to yours.");
+  for (const Deviation& deviation : whole) {
+    if (deviation.is_within()) continue;
+    lines.push_back("");
+    append(lines, whole_deviation_lines(deviation));
+  }
+  lines.push_back("");
+  append(lines, wrapped(sentences::error_size(relative_size, one.tolerance), 0));
+  return lines;
+}
+
+}  // namespace
+
+std::vector<std::string> describe_failure(const ExerciseReference& exercise, const Judgement& judgement) {
+  if (!judgement.first_failure) return {};
+  const Case& one = exercise.cases.at(judgement.first_failure->case_index);
+  std::vector<std::string> lines = {fmt::format("Case “{}”", one.name)};
+  append(lines, {""});
+  append(lines, inputs_section(exercise, one));
+  append(lines, {""});
+  append(lines, result_section(exercise, *judgement.first_failure));
+  return lines;
+}
+
+}  // namespace workbook

@@ -1,0 +1,96 @@
+#include "checker/judging/terms.hpp"
+
+#include "checker/judging/comparison.hpp"
+#include "checker/judging/sentences.hpp"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+
+namespace workbook {
+
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double coefficient_tolerance = 1e-6;
+constexpr Eigen::Index spare_equations = 3;  // an exact fit of so many more equations than terms is no accident
+
+/// Columns of length 1, so that large and small terms count alike.
+MatrixXd normalized(const MatrixXd& columns) { return columns.colwise().normalized(); }
+
+bool is_exact(const TermEquations& equations, const VectorXd& coefficients) {
+  const VectorXd fitted = equations.terms * coefficients;
+  for (Eigen::Index row = 0; row < fitted.size(); ++row) {
+    const double size = std::max(1.0, std::abs(equations.values[row]));
+    if (!(std::abs(fitted[row] - equations.values[row]) <= equations.tolerance * size)) return false;
+  }
+  return true;
+}
+
+bool is_multiple_of_right_answer(const VectorXd& coefficients, const VectorXd& right) {
+  if (right.size() < 2) return false;
+  const double factor = coefficients.dot(right) / right.squaredNorm();
+  return (coefficients - factor * right).cwiseAbs().maxCoeff() <= coefficient_tolerance;
+}
+
+}  // namespace
+
+TermEquations term_equations(const ExerciseReference& exercise, const Answers& values) {
+  std::vector<std::vector<double>> rows;
+  std::vector<double> right_sides;
+  TermEquations equations;
+  for (std::size_t i : deciding_cases(exercise)) {
+    const Case& one = exercise.cases[i];
+    equations.tolerance = std::max(equations.tolerance, one.tolerance);
+    for (std::size_t n = 0; n < one.expected.numbers.size(); ++n) {
+      std::vector<double> row;
+      for (const Term& term : exercise.terms) row.push_back(term.outputs.at(i).numbers.at(n) / scale_at(one, n));
+      rows.push_back(std::move(row));
+      right_sides.push_back(values.at(i)->numbers.at(n) / scale_at(one, n));
+    }
+  }
+  equations.terms.resize(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(exercise.terms.size()));
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    equations.terms.row(static_cast<Eigen::Index>(r)) =
+        Eigen::Map<const Eigen::RowVectorXd>(rows[r].data(), static_cast<Eigen::Index>(rows[r].size()));
+  }
+  equations.values = Eigen::Map<const VectorXd>(right_sides.data(), static_cast<Eigen::Index>(right_sides.size()));
+  return equations;
+}
+
+bool determine_coefficients(const TermEquations& equations) {
+  const Eigen::Index unknowns = equations.terms.cols();
+  // A row of zeros says nothing about the coefficients.
+  const Eigen::Index telling = (equations.terms.array() != 0.0).rowwise().any().count();
+  if (unknowns == 0 || telling < unknowns + spare_equations) return false;
+  Eigen::ColPivHouseholderQR<MatrixXd> decomposition(normalized(equations.terms));
+  decomposition.setThreshold(1e-6);
+  return decomposition.rank() == unknowns;
+}
+
+std::optional<Diagnosis> diagnose_terms(const ExerciseReference& exercise, const Answers& answers) {
+  if (exercise.terms.empty() || exercise.comparison != Comparison::plain) return std::nullopt;
+  if (!all_deciding_cases_answered(exercise, answers)) return std::nullopt;
+  const TermEquations equations = term_equations(exercise, answers);
+  if (!equations.values.allFinite() || !determine_coefficients(equations)) return std::nullopt;
+
+  const VectorXd coefficients = equations.terms.colPivHouseholderQr().solve(equations.values);
+  if (!is_exact(equations, coefficients)) return std::nullopt;
+
+  VectorXd right(coefficients.size());
+  std::vector<sentences::WrongCoefficient> wrong;
+  for (std::size_t t = 0; t < exercise.terms.size(); ++t) {
+    const auto index = static_cast<Eigen::Index>(t);
+    right[index] = exercise.terms[t].coefficient;
+    if (std::abs(coefficients[index] - right[index]) > coefficient_tolerance) {
+      wrong.push_back({exercise.terms[t].name, coefficients[index], right[index]});
+    }
+  }
+  if (wrong.empty() || is_multiple_of_right_answer(coefficients, right)) return std::nullopt;
+  return Diagnosis{DiagnosisKind::term, wrong.front().term, sentences::wrong_coefficients(wrong), ""};
+}
+
+}  // namespace workbook

@@ -1,0 +1,43 @@
+/// @file
+/// Laying out numbers in aligned columns.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace workbook {
+
+/// The width that all text keeps to where its numbers let it.
+inline constexpr std::size_t page_width = 80;
+
+/// Lines of text below a title.
+struct Block {
+  std::string title;
+  std::vector<std::string> lines;
+};
+
+/// Texts in rows and columns; may have marks, which stand in front of the numbers.
+struct Table {
+  std::vector<std::string> headings;           ///< one per column of numbers, or none
+  std::vector<std::string> labels;             ///< one per row, or none
+  std::vector<std::vector<std::string>> rows;  ///< numbers, aligned on the decimal point column by column
+  std::vector<std::string> endings;            ///< one per row, or none: units
+  /// True where a number is to be marked; empty if none is.
+  std::function<bool(std::size_t row, std::size_t col)> is_marked;
+};
+
+/// Every entry below its column's heading; no line ends with a blank.
+std::vector<std::string> table_lines(const Table& table);
+
+/// Blocks beside each other as long as they fit on the page, each row of blocks below the one before.
+std::vector<std::string> side_by_side(const std::vector<Block>& blocks, std::size_t indent);
+
+/// Texts in columns of one width, as many beside each other as fit on the page.
+std::vector<std::string> wrapped_in_columns(const std::vector<std::string>& texts, std::size_t indent);
+
+/// Lines of whole words that fit on the page.
+std::vector<std::string> wrapped(const std::string& sentence, std::size_t indent);
+
+}  // namespace workbook

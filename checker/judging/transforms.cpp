@@ -1,0 +1,130 @@
+#include "checker/judging/transforms.hpp"
+
+#include "checker/judging/comparison.hpp"
+#include "checker/judging/sentences.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <numeric>
+
+namespace workbook {
+
+namespace {
+
+using Eigen::MatrixXd;
+
+constexpr std::size_t telling_numbers = 3;  // a factor common to so many numbers is no accident
+constexpr int largest_permuted_size = 4;
+
+struct Transform {
+  std::string name;
+  std::string message;
+  std::function<MatrixXd(const MatrixXd&)> apply;
+};
+
+bool explains(const ExerciseReference& exercise, const Answers& answers, const Transform& transform) {
+  return std::ranges::all_of(deciding_cases(exercise), [&](std::size_t i) {
+    const MatrixXd transformed = transform.apply(as_matrix(exercise.cases[i].expected));
+    return is_same_answer(exercise, i, *answers[i], to_value(transformed));
+  });
+}
+
+/// The factor by least squares, each number measured in its natural size.
+std::optional<double> common_factor(const ExerciseReference& exercise, const Answers& answers) {
+  double product = 0.0;
+  double square = 0.0;
+  std::size_t telling = 0;
+  for (std::size_t i : deciding_cases(exercise)) {
+    const Case& one = exercise.cases[i];
+    for (std::size_t n = 0; n < one.expected.numbers.size(); ++n) {
+      const double scale = scale_at(one, n);
+      const double expected = one.expected.numbers[n] / scale;
+      product += expected * answers[i]->numbers[n] / scale;
+      square += expected * expected;
+      if (std::abs(expected) > 1e-6) ++telling;
+    }
+  }
+  if (telling < telling_numbers || !std::isfinite(product)) return std::nullopt;
+  return product / square;
+}
+
+bool is_an_angle(const ExerciseReference& exercise) {
+  return std::ranges::any_of(exercise.result_units, [](const Unit& unit) { return unit.radian != 0; });
+}
+
+Transform scaled(const ExerciseReference& exercise, double factor) {
+  constexpr double degrees_per_radian = 180 / std::numbers::pi;
+  const auto is_near = [factor](double other) { return std::abs(factor - other) <= 1e-6 * other; };
+  const auto apply = [factor](const MatrixXd& right) -> MatrixXd { return factor * right; };
+  if (is_an_angle(exercise) && is_near(degrees_per_radian)) return {"degrees", sentences::degrees_for_radians(), apply};
+  if (is_an_angle(exercise) && is_near(1 / degrees_per_radian)) {
+    return {"converted_twice", sentences::radians_taken_for_degrees(), apply};
+  }
+  return {"factor", sentences::common_factor(factor), apply};
+}
+
+/// Every other order of the rows: of the components of a vector, or of every column of a list of points.
+std::vector<Transform> permutations(int rows) {
+  std::vector<Transform> found;
+  std::vector<int> order(static_cast<std::size_t>(rows));
+  std::iota(order.begin(), order.end(), 0);
+  while (std::ranges::next_permutation(order).found) {
+    found.push_back({"permuted", sentences::permuted_components(order),
+                     [order](const MatrixXd& right) { return MatrixXd(right(order, Eigen::all)); }});
+  }
+  return found;
+}
+
+std::vector<Transform> reorderings(const ExerciseReference& exercise) {
+  switch (exercise.result_kind) {
+    case Kind::vector2:
+      return permutations(2);
+    case Kind::vector3:
+    case Kind::points:
+      return permutations(3);
+    case Kind::vector: {
+      std::vector<Transform> found = {{"reversed", sentences::reversed_components(),
+                                       [](const MatrixXd& right) -> MatrixXd { return right.colwise().reverse(); }}};
+      const int rows = exercise.cases.front().expected.rows;
+      const bool same_length =
+          std::ranges::all_of(exercise.cases, [rows](const Case& one) { return one.expected.rows == rows; });
+      if (same_length && rows <= largest_permuted_size)
+        std::ranges::move(permutations(rows), std::back_inserter(found));
+      return found;
+    }
+    case Kind::matrix3:
+      return {
+          {"transposed", sentences::transposed(), [](const MatrixXd& right) -> MatrixXd { return right.transpose(); }}};
+    case Kind::number:
+    case Kind::integer:
+    case Kind::matrices:
+      return {};
+  }
+  return {};
+}
+
+}  // namespace
+
+std::optional<Diagnosis> diagnose_transform(const ExerciseReference& exercise, const Answers& answers) {
+  if (!all_deciding_cases_answered(exercise, answers)) return std::nullopt;
+  const bool is_wrong_somewhere =
+      std::ranges::any_of(deciding_cases(exercise), [&](std::size_t i) { return !passes(exercise, i, *answers[i]); });
+  if (!is_wrong_somewhere) return std::nullopt;
+
+  std::vector<Transform> candidates;
+  const std::optional<double> factor = common_factor(exercise, answers);
+  // A factor within the tolerance of 1 would say that the answer is right.
+  if (factor && std::abs(*factor - 1) > 1e-6) candidates.push_back(scaled(exercise, *factor));
+  std::ranges::move(reorderings(exercise), std::back_inserter(candidates));
+
+  for (const Transform& transform : candidates) {
+    if (explains(exercise, answers, transform)) {
+      return Diagnosis{DiagnosisKind::transform, transform.name, transform.message, ""};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace workbook

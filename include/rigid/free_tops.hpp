@@ -1,0 +1,125 @@
+/// @file
+/// Contract of lecture 06: bodies that turn free of torque, the symmetric top, the asymmetric top and its unstable axis.
+#pragma once
+
+#include "rigid/vocabulary.hpp"
+
+namespace rigid {
+
+/// The rate at which a free symmetric top's angular velocity runs round the symmetry axis, seen from the body.
+///
+/// \f[ \Omega = \tilde\omega_3\, \frac{I_3 - I_1}{I_1} \f]
+///
+/// The rate has a sign: positive means from axis 1 towards axis 2.
+///
+/// @param I1      moment about each of the two equal axes (\f$I_2 = I_1\f$), kg m²
+/// @param I3      moment about the symmetry axis, kg m²
+/// @param omega3  body component of the angular velocity along the symmetry axis, rad/s, of either sign
+/// @return        Ω of the slides, rad/s; zero for a sphere
+/// @par Source  S0 s20, S1 s8, S2 s18, S3 p~17, S4 p~19
+double body_precession_rate(double I1, double I3, double omega3);
+
+/// The angular velocity of a free symmetric top, in body components, at time t.
+///
+/// \f[ \tilde\omega_1 = A \cos(\Omega t + \varphi), \qquad \tilde\omega_2 = A \sin(\Omega t + \varphi), \qquad
+///     \tilde\omega_3 = \text{const} \f]
+///
+/// A and φ follow from omega0.
+///
+/// @param I1      moment about each of the two equal axes, kg m²
+/// @param I3      moment about the symmetry axis (axis 3), kg m²
+/// @param omega0  angular velocity at time 0, body components, rad/s
+/// @param t       time, s; may be negative
+/// @return        angular velocity at time t, body components, rad/s
+/// @par Source  S0 s20–21, S1 s8–9, S2 s18–19, S3 p~17–18, S4 p~19–20
+Vector3d symmetric_top(double I1, double I3, const Vector3d& omega0, double t);
+
+/// The rate at which the symmetry axis of a free symmetric top runs round the angular momentum, seen from the inertial
+/// frame.
+///
+/// \f[ \dot\phi = \frac{L}{I_1}, \qquad L = \left| I_1 \tilde\omega_1 \hat e_1 + I_1 \tilde\omega_2 \hat e_2
+///     + I_3 \tilde\omega_3 \hat e_3 \right| \f]
+///
+/// The rotation is right-handed about L, so the rate is never negative.
+///
+/// @param I1     moment about each of the two equal axes, kg m²
+/// @param I3     moment about the symmetry axis, kg m²
+/// @param omega  angular velocity at any one time, body components, rad/s
+/// @return       rate of precession about the angular momentum, rad/s
+/// @par Source  not on the slides; follows from L of S0 s21, S1 s9, S2 s19
+double space_precession_rate(double I1, double I3, const Vector3d& omega);
+
+/// The two rates that govern a small wobble of an asymmetric top about axis 3.
+///
+/// \f[ \Omega_1 = \tilde\omega_3\, \frac{I_3 - I_2}{I_1}, \qquad \Omega_2 = \tilde\omega_3\, \frac{I_3 - I_1}{I_2} \f]
+///
+/// With them \f$\dot{\tilde\omega}_1 = -\Omega_1 \tilde\omega_2\f$ and
+/// \f$\dot{\tilde\omega}_2 = \Omega_2 \tilde\omega_1\f$. The subscript names the denominator.
+///
+/// @param I       principal moments in any order, kg m²
+/// @param omega3  spin about axis 3, rad/s, of either sign
+/// @return        {Ω1, Ω2}, rad/s
+/// @par Source  S0 s22, S1 s10–11, S2 s20–22, S3 p~19–21, S4 p~21–23
+Vector2d linearized_rates(const Vector3d& I, double omega3);
+
+/// The small wobble of an asymmetric top that spins about a stable axis 3.
+///
+/// \f[ \tilde\omega_1 = A \cos(\sqrt{\Omega_1 \Omega_2}\, t + \varphi), \qquad
+///     \tilde\omega_2 = \operatorname{sgn}(\Omega_1)\, A \sqrt{\Omega_2 / \Omega_1}\,
+///     \sin(\sqrt{\Omega_1 \Omega_2}\, t + \varphi) \f]
+///
+/// The factor sgn(Ω1) is missing on the slides; the root of the product is the positive one.
+///
+/// @param I          principal moments, kg m²; axis 3 has the largest or the smallest, so that Ω1 and Ω2 have one sign
+/// @param omega3     spin about axis 3, rad/s, of either sign, not zero
+/// @param amplitude  A, the largest value of the first component, rad/s
+/// @param phase      φ, rad; at time 0 the first component is A cos φ
+/// @param t          time, s; may be negative
+/// @return           the first two body components of the angular velocity at time t, rad/s
+/// @par Source  S1 s11, S2 s22, S3 p~21, S4 p~23, with the sign corrected
+Vector2d linearized_top(const Vector3d& I, double omega3, double amplitude, double phase, double t);
+
+/// The rate at which a small disturbance of a spin about the intermediate axis grows.
+///
+/// \f[ \sigma = |\tilde\omega_2| \sqrt{\frac{(I_2 - I_1)(I_3 - I_2)}{I_1 I_3}} \f]
+///
+/// The disturbance grows as \f$e^{\sigma t}\f$ as long as it is small.
+///
+/// @param I_ascending  principal moments, \f$I_1 \le I_2 \le I_3\f$, kg m²
+/// @param omega2       spin about the intermediate axis 2, rad/s, of either sign
+/// @return             growth rate, 1/s, never negative; zero if two moments are equal
+/// @par Source  not on the slides; follows from "opposite signs: unstable" of S1 s11, S2 s22, S3 p~21, S4 p~23
+double growth_rate(const Vector3d& I_ascending, double omega2);
+
+/// Whether a free spin about a principal axis is stable.
+///
+/// Stable about the axis of the largest and of the smallest moment, unstable about the intermediate one. An axis whose
+/// moment equals another one is neutral: a disturbance neither stays small nor grows exponentially (so is every axis of
+/// a sphere). The symmetry axis of a symmetric top is stable.
+///
+/// @param I     principal moments in any order, kg m²
+/// @param axis  0, 1 or 2: the axis of I[axis]
+/// @return      +1 stable, −1 unstable, 0 neutral
+/// @par Source  the signs of Ω1 and Ω2 on S1 s11, S2 s22, S3 p~21, S4 p~23
+int axis_stability(const Vector3d& I, int axis);
+
+/// The time after which the angular velocity of a free top repeats itself in the body: exact, for any amplitude.
+///
+/// \f[ \tau = \frac{4 K(m)}{\lambda}, \qquad K(m) = \int_0^{\pi/2} \frac{d\alpha}{\sqrt{1 - m \sin^2\alpha}} \f]
+///
+/// where for \f$L^2 > 2TI_2\f$ (the angular velocity circles axis 3)
+///
+/// \f[ \lambda^2 = \frac{(L^2 - 2TI_1)(I_3 - I_2)}{I_1 I_2 I_3}, \qquad
+///     m = \frac{(2TI_3 - L^2)(I_2 - I_1)}{(L^2 - 2TI_1)(I_3 - I_2)} \f]
+///
+/// and for \f$L^2 < 2TI_2\f$ (it circles axis 1) the same with the subscripts 1 and 3 exchanged. For a spin about axis 1
+/// or 3 alone the formula gives the period of an infinitely small wobble. Between the two kinds of motion,
+/// at \f$L^2 = 2TI_2\f$, there is no period.
+///
+/// @param I       principal moments, \f$I_1 \le I_2 \le I_3\f$, not all equal, kg m²
+/// @param omega0  angular velocity at any one time, body components, with \f$L^2 \ne 2TI_2\f$, rad/s
+/// @return        full period, s
+/// @par Source  not on the slides; the exact solution behind the approximation of S0 s22, S1 s10–11, S2 s20–22
+double tumbling_period(const Vector3d& I, const Vector3d& omega0);
+
+}  // namespace rigid

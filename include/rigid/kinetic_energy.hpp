@@ -1,0 +1,67 @@
+/// @file
+/// Contract of lecture 08: the kinetic energy in Euler angles and what follows from it.
+///
+/// Angles are the slides' z–y–z angles \f$(\phi, \theta, \psi)\f$: φ about the fixed z axis, θ about the new y axis
+/// (the line of nodes), ψ about the body's z axis. Short forms in the formulas: \f$s_\theta = \sin\theta\f$,
+/// \f$c_\theta = \cos\theta\f$.
+#pragma once
+
+#include "rigid/vocabulary.hpp"
+
+namespace rigid {
+
+/// Kinetic energy of a rigid body, from its Euler angles and their rates.
+///
+/// \f[ T = \tfrac12 I_1 (-\dot\phi\, s_\theta c_\psi + \dot\theta\, s_\psi)^2
+///       + \tfrac12 I_2 (\dot\phi\, s_\theta s_\psi + \dot\theta\, c_\psi)^2
+///       + \tfrac12 I_3 (\dot\phi\, c_\theta + \dot\psi)^2 \f]
+///
+/// @param I       principal moments about the fixed point, or about the centre of mass, kg m²
+/// @param angles  \f$(\phi, \theta, \psi)\f$, any real numbers, rad
+/// @param rates   \f$(\dot\phi, \dot\theta, \dot\psi)\f$, rad/s
+/// @return        energy of rotation, J
+/// @par Source    S1 s18
+double kinetic_energy_euler(const Vector3d& I, const Vector3d& angles, const Vector3d& rates);
+
+/// Kinetic energy of a symmetric body, \f$I_1 = I_2\f$: the angles φ and ψ drop out.
+///
+/// \f[ T = \tfrac12 I_1 (\dot\phi^2 s_\theta^2 + \dot\theta^2) + \tfrac12 I_3 (\dot\phi\, c_\theta + \dot\psi)^2 \f]
+///
+/// @param I1     the two equal principal moments, kg m²
+/// @param I3     principal moment about the symmetry axis, kg m²
+/// @param theta  angle between the symmetry axis and the fixed z axis, any real number, rad
+/// @param rates  \f$(\dot\phi, \dot\theta, \dot\psi)\f$, rad/s
+/// @return       energy of rotation, J
+/// @par Source   S1 s18
+double kinetic_energy_symmetric(double I1, double I3, double theta, const Vector3d& rates);
+
+/// Canonical momenta of the Euler angles.
+///
+/// \f[ p_\phi = \frac{\partial T}{\partial \dot\phi} = L \cdot \hat e^0_3, \qquad
+///     p_\theta = \frac{\partial T}{\partial \dot\theta} = L \cdot \hat e_2', \qquad
+///     p_\psi = \frac{\partial T}{\partial \dot\psi} = L \cdot \hat e_3 \f]
+///
+/// Each is the component of the angular momentum along the axis about which its angle turns the body. The three axes
+/// are not orthogonal, so these are no Cartesian components of L.
+///
+/// @param I       principal moments, kg m²
+/// @param angles  \f$(\phi, \theta, \psi)\f$, any real numbers, rad
+/// @param rates   \f$(\dot\phi, \dot\theta, \dot\psi)\f$, rad/s
+/// @return        \f$(p_\phi, p_\theta, p_\psi)\f$, kg m²/s
+/// @par Source    follows from S1 s18; not on the slides
+Vector3d canonical_momenta(const Vector3d& I, const Vector3d& angles, const Vector3d& rates);
+
+/// Second derivatives of the Euler angles of a body that turns without torque.
+///
+/// They solve the Euler–Lagrange equations \f$\frac{d}{dt} \frac{\partial T}{\partial \dot q} = \frac{\partial T}{\partial q}\f$
+/// for \f$q = (\phi, \theta, \psi)\f$, or, which is the same, Euler's equations with
+/// \f$\dot\omega = E\,\ddot q + \dot E\,\dot q\f$ for \f$\omega = E(q)\,\dot q\f$.
+///
+/// @param I       principal moments, kg m²
+/// @param angles  \f$(\phi, \theta, \psi)\f$, rad; \f$\sin\theta \ne 0\f$, because the angles are singular there
+/// @param rates   \f$(\dot\phi, \dot\theta, \dot\psi)\f$, rad/s
+/// @return        \f$(\ddot\phi, \ddot\theta, \ddot\psi)\f$, rad/s²
+/// @par Source    follows from S1 s18 and Euler's equations, S1 s8; not on the slides
+Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, const Vector3d& rates);
+
+}  // namespace rigid

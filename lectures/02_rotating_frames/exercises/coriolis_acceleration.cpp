@@ -1,0 +1,11 @@
+// The Coriolis acceleration −2 Ω × v on the Earth, with components east, north, up. The latitude is in radians.
+#include <rigid/rotating_frames.hpp>
+
+namespace rigid {
+
+Vector3d coriolis_acceleration(const Vector3d& v_enu, double latitude, double earth_rate) {
+  // TODO: write this function; the next line says that you have not started yet.
+  throw NotStarted{};
+}
+
+}  // namespace rigid

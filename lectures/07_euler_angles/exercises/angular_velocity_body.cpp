@@ -1,0 +1,11 @@
+// The angular velocity in body components, from the Euler angles (φ, θ, ψ) and their rates.
+#include <rigid/euler_angles.hpp>
+
+namespace rigid {
+
+Vector3d angular_velocity_body(const Vector3d& angles, const Vector3d& rates) {
+  // TODO: write this function; the next line says that you have not started yet.
+  throw NotStarted{};
+}
+
+}  // namespace rigid

@@ -1,0 +1,11 @@
+// The rates of the Euler angles (φ, θ, ψ), from the angular velocity in body components; sin θ is not zero.
+#include <rigid/euler_angles.hpp>
+
+namespace rigid {
+
+Vector3d euler_angle_rates(const Vector3d& angles, const Vector3d& omega_body) {
+  // TODO: write this function; the next line says that you have not started yet.
+  throw NotStarted{};
+}
+
+}  // namespace rigid

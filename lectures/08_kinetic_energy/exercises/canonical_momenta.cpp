@@ -1,0 +1,11 @@
+// The canonical momenta (p_phi, p_theta, p_psi): the derivatives of the kinetic energy with respect to the rates.
+#include <rigid/kinetic_energy.hpp>
+
+namespace rigid {
+
+Vector3d canonical_momenta(const Vector3d& I, const Vector3d& angles, const Vector3d& rates) {
+  // TODO: write this function; the next line says that you have not started yet.
+  throw NotStarted{};
+}
+
+}  // namespace rigid

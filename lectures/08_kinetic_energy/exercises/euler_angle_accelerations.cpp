@@ -1,0 +1,11 @@
+// The second derivatives of (phi, theta, psi) for a body that turns without torque. sin(theta) does not vanish.
+#include <rigid/kinetic_energy.hpp>
+
+namespace rigid {
+
+Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, const Vector3d& rates) {
+  // TODO: write this function; the next line says that you have not started yet.
+  throw NotStarted{};
+}
+
+}  // namespace rigid

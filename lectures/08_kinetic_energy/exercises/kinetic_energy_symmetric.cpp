@@ -1,0 +1,11 @@
+// The kinetic energy of a symmetric body (I1 = I2), from the angle theta and the rates of (phi, theta, psi).
+#include <rigid/kinetic_energy.hpp>
+
+namespace rigid {
+
+double kinetic_energy_symmetric(double I1, double I3, double theta, const Vector3d& rates) {
+  // TODO: write this function; the next line says that you have not started yet.
+  throw NotStarted{};
+}
+
+}  // namespace rigid

@@ -1,0 +1,208 @@
+#include "lectures/site/pages.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <numeric>
+#include <ranges>
+#include <regex>
+#include <stdexcept>
+
+namespace workbook::site {
+
+namespace {
+
+/// "03" of "03_inertia_tensor".
+std::string number(const Card& card) { return card.folder.substr(0, card.folder.find('_')); }
+
+std::string link(const Card& card) { return fmt::format("\\ref lecture_{} \"{}\"", card.folder, card.title); }
+
+std::string link(const Exercise& exercise) { return fmt::format("\\ref exercise_{0} \"{0}\"", exercise.name); }
+
+double points(const Card& card) {
+  return std::accumulate(card.exercises.begin(), card.exercises.end(), 0.0,
+                         [](double sum, const Exercise& exercise) { return sum + exercise.points; });
+}
+
+std::string counted(double count, const std::string& singular) {
+  return fmt::format("{} {}{}", count, singular, count == 1 ? "" : "s");
+}
+
+const Card& card_of(const std::vector<Card>& course, const std::string& folder) {
+  return *std::ranges::find(course, folder, &Card::folder);
+}
+
+/// A Markdown table's cell cannot hold the bar that ends it.
+std::string cell(std::string text) { return std::regex_replace(std::move(text), std::regex(R"(\|)"), "&#124;"); }
+
+std::string in_quotes(const std::string& text) { return '"' + std::regex_replace(text, std::regex(R"(["\\])"), "\\$&") + '"'; }
+
+/// A line of links to the neighbours, as a landmark with a name of its own.
+std::string navigation(const std::string& label, const std::vector<std::string>& links) {
+  return fmt::format("\\htmlonly[block]<nav class=\"neighbours\" aria-label=\"{}\">\\endhtmlonly\n{}\n"
+                     "\\htmlonly[block]</nav>\\endhtmlonly\n",
+                     label, fmt::join(links, "\n"));
+}
+
+}  // namespace
+
+std::string first_page(const std::vector<Card>& course) {
+  std::string page = R"(# Rigid Body Workbook {#mainpage}
+
+How does a body turn when nothing holds it, and how does one compute that? Each lecture of this workbook derives one
+topic of the course, computes its numbers with code that you can read and run, and ends with small functions for you to
+write. Together your functions are a library of rigid-body mechanics.
+
+New symbols are explained where they first appear; all of them stand on the page \ref notation. Where the lectures come
+from, and where they differ from their source, stands on the page \ref references.
+
+## The course {#course_map}
+
+An arrow leads from a lecture to the ones that build on it.
+
+\htmlonly[block]<div class="course-map" role="group" aria-label="Course map">\endhtmlonly
+\htmlinclude course_map.svg
+\htmlonly[block]</div>\endhtmlonly
+
+| | Lecture | What it is about | Exercises |
+|-:|:--------|:-----------------|:----------|
+)";
+  for (const Card& card : course) {
+    page += fmt::format("| {} | \\subpage lecture_{} | {} | {}, {} |\n", number(card), card.folder, cell(card.summary),
+                        counted(static_cast<double>(card.exercises.size()), "exercise"), counted(points(card), "point"));
+  }
+  page += R"(
+## How to work with it {#how_to_work}
+
+Read a lecture, then write its functions one by one in `lectures/LECTURE/exercises/`; each file holds one function and a
+`TODO`. The checker tells you where you stand and what to do next:
+
+```
+./checker/run
+```
+
+It compiles your function, compares what it computes with reference results, and says what is wrong in the words of the
+lecture. \subpage exercises lists all tasks.
+
+\subpage notation — \subpage references
+)";
+  return page;
+}
+
+std::string exercises_page(const std::vector<Card>& course) {
+  std::string page = "# Exercises {#exercises}\n\n"
+                     "One function each, in the order of the course. A page shows what the function means, its units and "
+                     "its errors, where the notes explain it, and how to check yours.\n";
+  for (const Card& card : course) {
+    page += fmt::format("\n## {} {} {{#exercises_{}}}\n\nNotes: {}\n\n", number(card), card.title, card.folder, link(card));
+    page += "| Exercise | Task | Points |\n|:---------|:-----|-------:|\n";
+    for (const Exercise& exercise : card.exercises) {
+      page += fmt::format("| \\subpage exercise_{0} | \\copybrief rigid::{0} | {1} |\n", exercise.name, exercise.points);
+    }
+  }
+  return page;
+}
+
+std::string exercise_page(const std::vector<Card>& course, std::size_t lecture, std::size_t exercise,
+                          const std::string& contract) {
+  const Card& card = course.at(lecture);
+  const Exercise& task = card.exercises.at(exercise);
+  std::vector<std::string> neighbours;
+  if (exercise > 0) {
+    neighbours.push_back("← " + link(card.exercises.at(exercise - 1)));
+  }
+  neighbours.push_back("\\ref exercises \"All exercises\"");
+  if (exercise + 1 < card.exercises.size()) {
+    neighbours.push_back(link(card.exercises.at(exercise + 1)) + " →");
+  } else if (lecture + 1 < course.size()) {
+    neighbours.push_back(link(course.at(lecture + 1)) + " →");
+  }
+  return fmt::format(R"(# {name} {{#exercise_{name}}}
+
+Exercise {position} of {count} in the lecture {lecture}, {points}.
+
+```{{.cpp}}
+{declaration}
+```
+
+\copydoc rigid::{name}
+
+## Where to read {{#exercise_{name}_notes}}
+
+\ref {notes} in the lecture {lecture}.
+
+## How to check yours {{#exercise_{name}_check}}
+
+Write it in `lectures/{folder}/exercises/{name}.cpp`, then
+
+```
+./checker/run check {name}
+```
+
+When you are stuck, `./checker/run hint {name}` helps a little, and more each time you ask.
+
+{neighbours})",
+                     fmt::arg("name", task.name), fmt::arg("position", exercise + 1),
+                     fmt::arg("count", card.exercises.size()), fmt::arg("lecture", link(card)),
+                     fmt::arg("points", counted(task.points, "point")),
+                     fmt::arg("declaration", declaration(card, task.name, contract)), fmt::arg("notes", task.notes),
+                     fmt::arg("folder", card.folder), fmt::arg("neighbours", navigation("Exercises", neighbours)));
+}
+
+std::string lecture_card(const std::vector<Card>& course, std::size_t lecture) {
+  const Card& card = course.at(lecture);
+  std::string text = fmt::format("{}\n\nSlides: {}.", card.summary, fmt::join(card.slides, "; "));
+  if (!card.builds_on.empty()) {
+    std::vector<std::string> earlier;
+    for (const std::string& folder : card.builds_on) earlier.push_back(link(card_of(course, folder)));
+    text += fmt::format(" Builds on: {}.", fmt::join(earlier, ", "));
+  }
+  return fmt::format("<div class=\"lecture-card\">\n{} Contract: `rigid/{}.hpp`.\n</div>\n", text, card.contract);
+}
+
+std::string exercise_table(const Card& card) {
+  std::string table = "| Exercise | Task | Points |\n|:---------|:-----|-------:|\n";
+  for (const Exercise& exercise : card.exercises) {
+    table += fmt::format("| {} | \\copybrief rigid::{} | {} |\n", link(exercise), exercise.name, exercise.points);
+  }
+  return table;
+}
+
+std::string lecture_links(const std::vector<Card>& course, std::size_t lecture) {
+  std::vector<std::string> neighbours;
+  if (lecture > 0) neighbours.push_back("← " + link(course.at(lecture - 1)));
+  neighbours.push_back("\\ref course_map \"Course map\"");
+  if (lecture + 1 < course.size()) neighbours.push_back(link(course.at(lecture + 1)) + " →");
+  return navigation("Lectures", neighbours);
+}
+
+std::string course_map(const std::vector<Card>& course) {
+  // Colours come from the style sheet, so that the map follows light and dark.
+  std::string graph = "digraph course {\n"
+                      "  node [shape=box, style=rounded, fontname=\"Helvetica\", fontsize=13, margin=\"0.2,0.1\"];\n"
+                      "  edge [arrowsize=0.7];\n"
+                      "  nodesep=0.35; ranksep=0.4; bgcolor=transparent;\n";
+  for (const Card& card : course) {
+    graph += fmt::format("  {} [label={}, URL=\"lecture_{}.html\", tooltip={}];\n", in_quotes(card.folder),
+                         in_quotes(number(card) + "  " + card.title), card.folder, in_quotes(card.summary));
+  }
+  for (const Card& card : course) {
+    for (const std::string& earlier : card.builds_on) {
+      graph += fmt::format("  {} -> {};\n", in_quotes(earlier), in_quotes(card.folder));
+    }
+  }
+  return graph + "}\n";
+}
+
+std::string declaration(const Card& card, const std::string& function, const std::string& contract) {
+  // From the start of the line that holds "NAME(" and is no comment, to the semicolon.
+  const std::regex pattern(R"((^|\n)([^/\n][^\n]*\b)" + function + R"(\([^;]*;))");
+  std::smatch match;
+  if (!std::regex_search(contract, match, pattern)) {
+    throw std::runtime_error(fmt::format("include/rigid/{}.hpp does not declare {}, though the card of {} lists it.",
+                                         card.contract, function, card.folder));
+  }
+  return match[2];
+}
+
+}  // namespace workbook::site

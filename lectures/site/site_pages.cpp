@@ -1,0 +1,65 @@
+/// @file
+/// site_pages SOURCE FIGURES OUTPUT LECTURE…: writes into OUTPUT the pages of the site that are derived from the cards,
+/// after looking at the notes of every lecture.
+#include "lectures/site/notes_check.hpp"
+#include "lectures/site/pages.hpp"
+#include "lectures/site/text_file.hpp"
+
+#include <fmt/format.h>
+
+#include <exception>
+#include <filesystem>
+
+using namespace workbook::site;
+
+namespace {
+
+void write_pages(const std::filesystem::path& source, const std::filesystem::path& output,
+                 const std::vector<Card>& course) {
+  // Parts are quoted by the notes; Doxygen must not take them for pages of their own.
+  const std::filesystem::path parts = output / "parts";
+  std::filesystem::remove_all(output);
+  std::filesystem::create_directories(parts);
+  write_text(output / "index.md", first_page(course));
+  write_text(output / "exercises.md", exercises_page(course));
+  write_text(output / "course_map.dot", course_map(course));
+  for (std::size_t lecture = 0; lecture < course.size(); ++lecture) {
+    const Card& card = course[lecture];
+    write_text(parts / (card.folder + ".card.md"), lecture_card(course, lecture));
+    write_text(parts / (card.folder + ".exercises.md"), exercise_table(card));
+    write_text(parts / (card.folder + ".links.md"), lecture_links(course, lecture));
+    const std::string header = "include/rigid/" + card.contract + ".hpp";
+    const std::string contract = read_text(source / header, header);
+    for (std::size_t exercise = 0; exercise < card.exercises.size(); ++exercise) {
+      write_text(output / ("exercise_" + card.exercises[exercise].name + ".md"),
+                 exercise_page(course, lecture, exercise, contract));
+    }
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 5) {
+    fmt::print(stderr, "usage: site_pages SOURCE FIGURES OUTPUT LECTURE…\n");
+    return 2;
+  }
+  try {
+    const std::filesystem::path source = argv[1];
+    const std::vector<Card> course = read_course(source, {argv + 4, argv + argc});
+    bool sound = true;
+    for (const Card& card : course) {
+      const std::string shown = "lectures/" + card.folder + "/notes.md";
+      for (const std::string& sentence : faults_of_notes(card.folder, read_text(source / shown, shown), argv[2])) {
+        fmt::print(stderr, "{}\n", sentence);
+        sound = false;
+      }
+    }
+    if (!sound) return 1;
+    write_pages(source, argv[3], course);
+    return 0;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,55 @@
+#include "rigid/euler_equations.hpp"
+
+#include <boost/numeric/odeint.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace rigid {
+
+namespace {
+
+using State = std::vector<double>;  // the state type that odeint resizes and copies by itself
+
+Vector3d as_vector(const State& state) { return {state[0], state[1], state[2]}; }
+
+/// Moves the state from one time to the other, forwards or backwards; the stepper chooses its steps by itself.
+void advance(const Vector3d& I, State& state, double from, double to) {
+  using namespace boost::numeric::odeint;
+  if (from == to) return;
+  const auto system = [&I](const State& omega, State& omega_rate, double) {
+    const Vector3d rate = euler_equations(I, as_vector(omega), Vector3d::Zero());
+    omega_rate = {rate[0], rate[1], rate[2]};
+  };
+  // The tightest tolerance that double precision honours; it is relative to ω as long as ω is not tiny.
+  const auto stepper = make_controlled(1e-14, 1e-14, runge_kutta_fehlberg78<State>());
+  const double first_step = std::copysign(std::min(1e-2, std::abs(to - from)), to - from);
+  integrate_adaptive(stepper, system, state, from, to, first_step);
+}
+
+}  // namespace
+
+Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
+  // Go outwards from t = 0, once into the future and once into the past, so that no stretch is integrated twice.
+  std::vector<Eigen::Index> outwards(static_cast<std::size_t>(times.size()));
+  std::iota(outwards.begin(), outwards.end(), 0);
+  std::sort(outwards.begin(), outwards.end(),
+            [&](Eigen::Index j, Eigen::Index k) { return std::abs(times[j]) < std::abs(times[k]); });
+
+  Matrix3Xd omega(3, times.size());
+  for (const bool future : {true, false}) {
+    State state = {omega0[0], omega0[1], omega0[2]};
+    double now = 0.0;
+    for (const Eigen::Index k : outwards) {
+      if ((times[k] >= 0) != future) continue;
+      advance(I, state, now, times[k]);
+      now = times[k];
+      omega.col(k) = as_vector(state);
+    }
+  }
+  return omega;
+}
+
+}  // namespace rigid

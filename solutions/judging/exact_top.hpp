@@ -1,0 +1,84 @@
+/// @file
+/// The exact torque-free motion of a rigid body: a judge of integrators, itself free of them.
+#pragma once
+
+#include <Eigen/Dense>
+
+namespace workbook::judging {
+
+/// Torque-free rotation of a body with principal moments I, exact for every body and every start.
+///
+/// Order the axes as (a, b, c): b has the middle moment, and c is the extreme axis that the angular momentum circles:
+/// c has the largest moment if \f$L^2 > 2 T I_b\f$ and the smallest if \f$L^2 < 2 T I_b\f$. Then
+///
+/// \f[ \omega_a = \alpha A\,\mathrm{cn}\,u, \qquad \omega_b = \beta B\,\mathrm{sn}\,u, \qquad
+///     \omega_c = \gamma C\,\mathrm{dn}\,u, \qquad u = \lambda t + u_0 , \f]
+/// \f[ \lambda^2 = C^2\,\frac{(I_c - I_a)(I_c - I_b)}{I_a I_b}, \qquad
+///     1 - m = \frac{L^2 - 2 T I_b}{C^2\, I_c\, (I_c - I_b)} , \f]
+///
+/// with signs \f$\alpha, \gamma\f$ as at the start, and \f$\beta = \alpha\gamma\,\mathrm{sgn}(I_c - I_b)\f$ times the
+/// parity of (a, b, c). The amplitudes are sums of squares, so that nothing cancels:
+///
+/// \f[ A^2 = \omega_a^2 + \frac{I_b (I_c - I_b)}{I_a (I_c - I_a)}\,\omega_b^2, \qquad
+///     B^2 = \omega_b^2 + \frac{I_a (I_c - I_a)}{I_b (I_c - I_b)}\,\omega_a^2, \qquad
+///     C^2 = \omega_c^2 + \frac{I_b (I_b - I_a)}{I_c (I_c - I_a)}\,\omega_b^2 . \f]
+///
+/// m = 0 is the symmetric top (cosine and sine), m = 1 the separatrix (hyperbolic functions). A start on a principal
+/// axis, and every start of a sphere, is a steady rotation. Elliptic functions enter through 1 − m, the complementary
+/// parameter: near the separatrix m itself has lost it.
+///
+/// The attitude follows from the axis c, which turns about the fixed L through the azimuth
+///
+/// \f[ \varphi(t) = \frac{L t}{I_c} + \frac{L (I_c - I_a)}{I_a I_c\,\lambda} \int_{u_0}^{u} \frac{du'}{1 - n\,\mathrm{sn}^2 u'},
+///     \qquad n = -\frac{I_c (I_b - I_a)}{I_a (I_c - I_b)} , \f]
+///
+/// an elliptic integral of the third kind.
+class ExactTop {
+ public:
+  /// @param moments  principal moments in any order, positive, kg m²
+  /// @param omega0   body components of ω at t = 0 on the same axes, rad/s
+  ExactTop(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega0);
+
+  /// Body components of ω, rad/s.
+  Eigen::Vector3d omega(double t) const;
+
+  /// Rotation matrix from body to inertial components, the unit matrix at t = 0.
+  /// Right to rounding, except where two moments agree in all but their last digits and ω starts in their plane:
+  /// there it keeps half of its digits.
+  Eigen::Matrix3d attitude(double t) const;
+
+  /// Full period of ω in the body, s; infinite on the separatrix, and 0 for a steady rotation.
+  double period() const;
+
+  /// 1 − m, the complementary parameter of the elliptic functions; 1 for a steady rotation.
+  double complementary_parameter() const { return complement_; }
+
+  /// λ, the rate at which the argument of the elliptic functions grows, 1/s; 0 for a steady rotation.
+  double rate() const { return rate_; }
+
+ private:
+  double argument(double t) const { return rate_ * t + start_; }
+  double third_kind(double u) const;
+  Eigen::Matrix3d momentum_frame(double t) const;
+
+  Eigen::Vector3d moments_;
+  Eigen::Vector3d omega0_;
+  bool steady_ = false;
+  int a_ = 0, b_ = 1, c_ = 2;  // the axes of cn, sn and dn
+  Eigen::Vector3d amplitude_ = Eigen::Vector3d::Zero();  // αA, βB, γC in this order
+  double rate_ = 0.0;             // λ
+  double complement_ = 1.0;       // 1 − m
+  double characteristic_ = 0.0;   // n ≤ 0
+  double start_ = 0.0;            // u₀
+  double momentum_ = 0.0;         // |L|
+};
+
+/// The exact answer to the exercise free_rotation, with its signature: one column of body components per time.
+Eigen::Matrix3Xd exact_free_rotation(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega0,
+                                     const Eigen::VectorXd& times);
+
+/// Jacobi's amplitude am(u|m) from the complementary parameter 1 − m in [0, 1], for any real u; it grows with u
+/// without jumps: sn u = sin am u, cn u = cos am u.
+double jacobi_amplitude(double u, double complementary_parameter);
+
+}  // namespace workbook::judging

@@ -1,0 +1,236 @@
+// Whole runs: all kinds of values, shapes, repeats, probes, and a checker that cannot run anything.
+#include "tests/running/student.hpp"
+
+#include <doctest/doctest.h>
+
+#include <linux/audit.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstddef>
+#include <numeric>
+
+namespace workbook::testing {
+namespace {
+
+Value vector_of(std::vector<double> numbers) {
+  const int size = static_cast<int>(numbers.size());
+  return {size, 1, std::move(numbers)};
+}
+
+Value counted_to(int n) {
+  std::vector<double> numbers(static_cast<std::size_t>(n));
+  std::iota(numbers.begin(), numbers.end(), 0.0);
+  return vector_of(numbers);
+}
+
+const char* const counted = R"(
+#include <fixture/contract.hpp>
+rigid::VectorXd rigid::counted(int n) { return VectorXd::LinSpaced(n, 0, n - 1); }
+)";
+
+}  // namespace
+
+TEST_CASE("numbers and integers travel") {
+  ExerciseRunner runner(
+      executable("double rigid::signed_by(int n, double x) { return n < 0 ? -x : x; }", "signed_by"), short_limits());
+  const std::vector<Reply> replies = runner.evaluate({{{vector_of({-3}), vector_of({0.1})}}, {{vector_of({4}), vector_of({0.1})}}});
+  REQUIRE(replies.size() == 2);
+  CHECK(replies[0].value == Value{1, 1, {-0.1}});
+  CHECK(replies[1].value == Value{1, 1, {0.1}});
+}
+
+TEST_CASE("matrices travel column by column") {
+  ExerciseRunner runner(
+      executable("rigid::Matrix3d rigid::scaled(const Matrix3d& A, double factor) { Matrix3d B = factor * A; B(2, 0) = 70; return B; }",
+                 "scaled"),
+      short_limits());
+  const Value A{3, 3, {1, 2, 3, 4, 5, 6, 7, 8, 9}};
+  const std::vector<Reply> replies = runner.evaluate({{{A, vector_of({10})}, 3, 3}});
+  REQUIRE(replies.size() == 1);
+  CHECK(replies[0].value == Value{3, 3, {10, 20, 70, 40, 50, 60, 70, 80, 90}});
+}
+
+TEST_CASE("lists of matrices and points travel, empty ones too") {
+  ExerciseRunner runner(executable(R"(
+    rigid::Matrix3Xd rigid::moved(const std::vector<Matrix3d>& matrices, const Matrix3Xd& points) {
+      Matrix3d sum = Matrix3d::Zero();
+      for (const Matrix3d& matrix : matrices) sum += matrix;
+      return sum * points;
+    })",
+                                   "moved"),
+                        short_limits());
+  const Value two{3, 6, {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 5, 0, 0}};  // the identity, and 5 at row 0, column 2
+  const Value points{3, 2, {1, 2, 3, 4, 5, 6}};
+  const Value none{3, 0, {}};
+  const std::vector<Reply> replies = runner.evaluate({{{two, points}, 3, 2}, {{none, points}, 3, 2}, {{two, none}, 3, 0}});
+  REQUIRE(replies.size() == 3);
+  CHECK(replies[0].value == Value{3, 2, {16, 2, 3, 34, 5, 6}});
+  CHECK(replies[1].value == Value{3, 2, {0, 0, 0, 0, 0, 0}});
+  CHECK(replies[2].ending == Ending::returned);
+  CHECK(replies[2].value == none);
+}
+
+TEST_CASE("a result of another size comes back as its size only") {
+  ExerciseRunner runner(executable(counted, "counted"), short_limits());
+  const std::vector<Reply> replies = runner.evaluate({{{vector_of({4})}, 4, 1}, {{vector_of({4})}, 3, 1}, {{vector_of({0})}, 3, 1}});
+  REQUIRE(replies.size() == 3);
+  CHECK(replies[0].value == counted_to(4));
+  CHECK(replies[1].ending == Ending::wrong_shape);
+  CHECK(replies[1].value == Value{4, 1, {}});
+  CHECK(replies[2].ending == Ending::wrong_shape);
+  CHECK(replies[2].value == Value{0, 1, {}});
+}
+
+TEST_CASE("requests and replies larger than any buffer pass") {
+  ExerciseRunner counting(executable(counted, "counted"), short_limits());
+  const std::vector<Reply> long_reply = counting.evaluate({{{vector_of({300000})}, 300000, 1}});
+  CHECK(long_reply.at(0).value == counted_to(300000));
+
+  ExerciseRunner moving(
+      executable("rigid::Matrix3Xd rigid::moved(const std::vector<Matrix3d>&, const Matrix3Xd& points) { return -points; }", "moved"),
+      short_limits());
+  Value points{3, 100000, std::vector<double>(300000, 1.0)};
+  const std::vector<Reply> both = moving.evaluate({{{Value{3, 0, {}}, points}, 3, 100000}});
+  points.numbers.assign(300000, -1.0);
+  CHECK(both.at(0).value == points);
+}
+
+TEST_CASE("a worker that does not read its request is not waited for in vain") {
+  RunLimits limits = short_limits();
+  limits.time = std::chrono::milliseconds(300);
+  ExerciseRunner runner(executable("#include <unistd.h>\nstatic int early = [] { for (;;) usleep(9); return 1; }();\n"
+                                   "rigid::Matrix3Xd rigid::moved(const std::vector<Matrix3d>&, const Matrix3Xd& p) { return p; }",
+                                   "moved"),
+                        limits);
+  const std::vector<Reply> replies =
+      runner.evaluate({{{Value{3, 0, {}}, Value{3, 100000, std::vector<double>(300000, 1.0)}}, 3, 100000}});
+  CHECK(replies.at(0).ending == Ending::time_limit);
+  CHECK(nothing_left_running());
+}
+
+TEST_CASE("repeats run in a fresh process, where a state that grows starts again") {
+  ExerciseRunner runner(executable("static int calls = 0;\ndouble rigid::twice(double x) { return 2 * x + calls++; }"), short_limits());
+  const Observation observation = runner.observe({twice_case(1), twice_case(2), twice_case(3)}, {2, 0});
+  REQUIRE(observation.replies.size() == 3);
+  CHECK(observation.replies[2].value == Value{1, 1, {8.0}});
+  REQUIRE(observation.repeats.size() == 2);
+  CHECK(observation.repeats[0].case_index == 2);
+  CHECK(observation.repeats[0].reply.value == Value{1, 1, {6.0}});
+  CHECK(observation.repeats[1].case_index == 0);
+  CHECK(observation.repeats[1].reply.value == Value{1, 1, {3.0}});
+  CHECK(nothing_left_running());
+}
+
+TEST_CASE("answers by chance differ in a repeat") {
+  ExerciseRunner runner(
+      executable("#include <chrono>\ndouble rigid::twice(double) { return "
+                 "double(std::chrono::steady_clock::now().time_since_epoch().count()); }"),
+      short_limits());
+  const Observation observation = runner.observe({twice_case(1)}, {0});
+  CHECK(observation.repeats.at(0).reply.ending == Ending::returned);
+  CHECK_FALSE(observation.repeats.at(0).reply.value == observation.replies.at(0).value);
+}
+
+TEST_CASE("after a used-up limit the repeats are not run") {
+  RunLimits limits = short_limits();
+  limits.time = std::chrono::milliseconds(200);
+  ExerciseRunner runner(executable("#include <unistd.h>\ndouble rigid::twice(double) { for (;;) usleep(9); }"), limits);
+  const Observation observation = runner.observe({twice_case(1), twice_case(2)}, {0});
+  CHECK(observation.replies.at(0).ending == Ending::time_limit);
+  CHECK(observation.replies.at(1).ending == Ending::not_run);
+  CHECK(observation.repeats.at(0).reply.ending == Ending::not_run);
+}
+
+TEST_CASE("many slow crashes together may not use more than the limit") {
+  RunLimits limits = short_limits();
+  limits.time = std::chrono::milliseconds(300);
+  ExerciseRunner runner(executable("#include <unistd.h>\ndouble rigid::twice(double) { usleep(50000); std::abort(); }"), limits);
+  const Observation observation = runner.observe(std::vector<Case>(30, twice_case(1)), {});
+  CHECK(observation.replies.front().ending == Ending::crashed);
+  CHECK(observation.replies.back().ending == Ending::not_run);
+  CHECK(observation.run_seconds < 1.5);
+}
+
+TEST_CASE("the worker has an empty environment, no input, and knows no descriptors but its own") {
+  ExerciseRunner runner(executable(R"(
+#include <unistd.h>
+#include <cstdio>
+double rigid::twice(double) {
+  double open = 0;
+  char byte;
+  for (int d = 0; d < 1024; ++d) open += lseek(d, 0, SEEK_CUR) == -1 && errno == EBADF ? 0 : 1;
+  return 100 * (environ[0] != nullptr) + 10 * (read(0, &byte, 1) != 0) + open;
+})"),
+                        short_limits());
+  const std::vector<Reply> replies = runner.evaluate({{{vector_of({1})}}});
+  CHECK(replies.at(0).value == Value{1, 1, {4.0}});
+}
+
+TEST_CASE("an executable that cannot be started is a checker error") {
+  ExerciseRunner runner(fresh_directory("absent") / "worker", short_limits());
+  const Observation observation = runner.observe({twice_case(1)}, {});
+  CHECK(observation.refusal == Refusal::checker_error);
+  CHECK(observation.refusal_message ==
+        "The checker could not run the compiled function (start the program: No such file or directory); this is not your "
+        "mistake.");
+  CHECK(observation.replies.empty());
+  CHECK(nothing_left_running());
+}
+
+TEST_CASE("a file that is no program is a checker error") {
+  const std::filesystem::path file = write(fresh_directory("no-program") / "worker", "hello");
+  std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+  ExerciseRunner runner(file, short_limits());
+  const Observation observation = runner.observe({twice_case(1)}, {});
+  CHECK(observation.refusal == Refusal::checker_error);
+  CHECK(observation.refusal_message.find("start the program: Exec format error") != std::string::npos);
+}
+
+TEST_CASE("where the filter of system calls cannot be loaded, nothing runs and the checker says so") {
+  if (!sandbox_strength().filters_system_calls) return;
+  const std::filesystem::path program = executable("double rigid::twice(double x) { return 2 * x; }");
+  const pid_t restricted = ::fork();
+  if (restricted == 0) {
+    // A system that refuses seccomp(), as some containers do.
+    sock_filter refuse[] = {BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
+                            BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_seccomp, 0, 1),
+                            BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | EPERM),
+                            BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW)};
+    const sock_fprog filter{4, refuse};
+    ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+    if (::syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, 0, &filter) != 0) ::_exit(2);
+    const Observation observation = ExerciseRunner(program, short_limits()).observe({twice_case(1)}, {});
+    const bool refused = observation.refusal == Refusal::checker_error && observation.replies.empty() &&
+                         observation.refusal_message.find("filter its system calls: Operation not permitted") != std::string::npos;
+    ::_exit(refused ? 0 : 1);
+  }
+  int status = 0;
+  REQUIRE(::waitpid(restricted, &status, 0) == restricted);
+  CHECK(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 0);
+}
+
+TEST_CASE("the machine says how strong its walls are") {
+  CHECK(sandbox_strength().sentence.find("limits on time, memory and output") != std::string::npos);
+}
+
+TEST_CASE("an unchanged file is checked in an instant") {
+  const std::string text = "double rigid::twice(double x) { return x + x; }";
+  executable(text);
+  const auto start = std::chrono::steady_clock::now();
+  const Compilation compilation = compile_text(text);
+  REQUIRE(compilation.executable.has_value());
+  const Observation observation = ExerciseRunner(*compilation.executable).observe(std::vector<Case>(14, twice_case(1)), {0, 1, 2});
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  CHECK(compilation.from_cache);
+  CHECK(observation.replies.back().ending == Ending::returned);
+  MESSAGE("an unchanged file took " << taken.count() << " s");
+  CHECK(taken.count() <= 0.5);  // usually a hundredth of it, but other programs may be busy here
+}
+
+}  // namespace workbook::testing

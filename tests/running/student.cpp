@@ -1,0 +1,91 @@
+#include "tests/running/student.hpp"
+
+#include <doctest/doctest.h>
+
+#include <sys/prctl.h>
+#include <sys/wait.h>
+
+#include <cerrno>
+#include <fstream>
+
+namespace workbook::testing {
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Orphans of a test's children become children of the test, where waitpid sees them.
+const int adopts_orphans = ::prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0);
+
+std::string signature(const std::string& exercise) {
+  if (exercise == "twice") return "double twice(double x)";
+  if (exercise == "signed_by") return "double signed_by(int n, double x)";
+  if (exercise == "scaled") return "Matrix3d scaled(const Matrix3d& A, double factor)";
+  if (exercise == "counted") return "VectorXd counted(int n)";
+  return "Matrix3Xd moved(const std::vector<Matrix3d>& matrices, const Matrix3Xd& points)";
+}
+
+}  // namespace
+
+const Toolchain& toolchain() {
+  static const Toolchain read = read_toolchain(WORKBOOK_TEST_TOOLCHAIN);
+  return read;
+}
+
+fs::path fresh_directory(const std::string& name) {
+  const fs::path directory = fs::path(WORKBOOK_TEST_SCRATCH) / name;
+  fs::remove_all(directory);
+  fs::create_directories(directory);
+  return directory;
+}
+
+fs::path shared_cache() { return fs::path(WORKBOOK_TEST_SCRATCH) / "cache"; }
+
+fs::path write(const fs::path& file, const std::string& text) {
+  fs::create_directories(file.parent_path());
+  std::ofstream stream(file, std::ios::binary);
+  stream << text;
+  REQUIRE(stream.flush());
+  return file;
+}
+
+Compilation compile_text(const std::string& text, const std::string& exercise) {
+  const fs::path file = write(fs::path(WORKBOOK_TEST_SCRATCH) / "students" / (exercise + ".cpp"), text);
+  return compile({file, exercise, signature(exercise)}, toolchain(), shared_cache());
+}
+
+fs::path executable(const std::string& text, const std::string& exercise) {
+  const Compilation compilation = compile_text(text, exercise);
+  INFO(compilation.message << "\n" << compilation.details);
+  REQUIRE(compilation.executable.has_value());
+  return *compilation.executable;
+}
+
+Case twice_case(double x) {
+  Case one;
+  one.inputs = {Value{1, 1, {x}}};
+  one.expected = Value{1, 1, {2.0 * x}};
+  return one;
+}
+
+RunLimits short_limits() {
+  RunLimits limits;
+  limits.time = std::chrono::seconds(5);
+  limits.processor_time = std::chrono::seconds(1);
+  limits.sandbox.memory_bytes = std::size_t{128} << 20;
+  return limits;
+}
+
+Observation run(const std::string& text, const std::vector<double>& inputs, RunLimits limits) {
+  std::vector<Case> cases;
+  for (const double x : inputs) cases.push_back(twice_case(x));
+  ExerciseRunner runner(executable(text), limits);
+  return runner.observe(cases, {});
+}
+
+bool nothing_left_running() {
+  REQUIRE(adopts_orphans == 0);
+  errno = 0;
+  return ::waitpid(-1, nullptr, WNOHANG) == -1 && errno == ECHILD;
+}
+
+}  // namespace workbook::testing

@@ -1,0 +1,42 @@
+/// @file
+/// Students for the tests of compiling and running: files with made-up answers to the made-up contract.
+#pragma once
+
+#include "checker/compile/compile.hpp"
+#include "checker/worker/run_exercise.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace workbook::testing {
+
+/// The toolchain of the fixture contract.
+const Toolchain& toolchain();
+
+/// A directory for one test, empty at first.
+std::filesystem::path fresh_directory(const std::string& name);
+
+/// The directory in which all tests keep their executables, so that a second run of the tests is quick.
+std::filesystem::path shared_cache();
+
+std::filesystem::path write(const std::filesystem::path& file, const std::string& text);
+
+/// Compiles the text as an answer to an exercise of the fixture contract.
+Compilation compile_text(const std::string& text, const std::string& exercise = "twice");
+
+/// The same where it must succeed.
+std::filesystem::path executable(const std::string& text, const std::string& exercise = "twice");
+
+/// A case of `twice`.
+Case twice_case(double x);
+
+/// Short limits, so that the tests are quick.
+RunLimits short_limits();
+
+Observation run(const std::string& text, const std::vector<double>& inputs, RunLimits limits = short_limits());
+
+/// True if no process that a test started, nor any child of it, still exists.
+bool nothing_left_running();
+
+}  // namespace workbook::testing

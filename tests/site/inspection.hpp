@@ -1,0 +1,79 @@
+/// @file
+/// What is wrong with a site, as its readers meet it in a browser: one sentence per fault.
+#pragma once
+
+#include "tests/site/browser.hpp"
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace workbook::site {
+
+struct Counts {
+  int pages = 0;
+  int formulas = 0;
+  int pictures = 0;
+  int links = 0;
+};
+
+class Inspection {
+public:
+  /// @param root the folder of the site, opened as files
+  Inspection(Browser& browser, const std::filesystem::path& root);
+
+  /// Opens a page and judges all that can be seen on it alone. `page` is its name below the root.
+  void look_at(const std::string& page);
+
+  /// Types a word into the search box and expects results that lead to pages of the site.
+  void search(const std::string& page, const std::string& word);
+
+  /// Presses Tab until the navigation and the search have had the focus.
+  void walk_with_keyboard(const std::string& page);
+
+  /// Judges the links between the pages looked at so far.
+  void follow_links();
+
+  /// Expects each name, such as a diagnosis gives for further reading, to be an anchor on exactly one page.
+  void expect_anchors(const std::set<std::string>& names);
+
+  /// Writes pictures of the whole page: narrow and wide, light and dark.
+  void photograph(const std::string& page, const std::filesystem::path& folder);
+
+  const std::vector<std::string>& faults() const { return faults_; }
+  const Counts& counts() const { return counts_; }
+
+private:
+  struct Link {
+    std::string page;
+    std::string name;
+    std::string to;
+  };
+
+  std::string url(const std::string& page) const;
+  void fault(const std::string& page, const std::string& sentence);
+  void open(const std::string& page);
+  void judge_happenings(const std::string& page);
+  void judge_look(const std::string& page, const nlohmann::json& look);
+  void follow(const Link& link);
+
+  Browser& browser_;
+  std::filesystem::path root_;
+  std::vector<std::string> faults_;
+  std::map<std::string, std::set<std::string>> anchors_;  ///< of each page
+  std::vector<Link> links_;
+  Counts counts_;
+};
+
+/// All pages of a site in the order of their names; what lies in folders belongs to the pages, not to the readers.
+/// @throws std::runtime_error when there is none.
+std::vector<std::string> pages_of(const std::filesystem::path& root);
+
+/// Every paragraph to which the diagnoses of the reference results refer: the values of all keys "notes" in the JSON
+/// files of a folder.
+/// @throws std::runtime_error when the folder holds no such file.
+std::set<std::string> anchors_of_diagnoses(const std::filesystem::path& folder);
+
+}  // namespace workbook::site

@@ -1,0 +1,62 @@
+// What a reader meets on this page, for the test to judge. Runs inside the page; returns plain data.
+(() => {
+  /** "the link “Course map”", "the picture cube.svg", "the element div.fragment" */
+  function named(element) {
+    const text = (element.textContent || "").trim().replace(/\s+/g, " ").slice(0, 40);
+    const name = element.localName;
+    if (name === "a") return `the link “${text || element.getAttribute("href")}”`;
+    if (name === "img") return `the picture ${element.getAttribute("src")}`;
+    const mark = element.id ? "#" + element.id : [...element.classList].map(c => "." + c).join("");
+    return `the element ${name}${mark}` + (text ? ` (“${text}”)` : "");
+  }
+
+  /** MathJax turns what it cannot read into an merror, in whatever format it draws. */
+  function formulas() {
+    if (!window.MathJax) return { count: 0, errors: [] };
+    const errors = [];
+    const all = MathJax.Hub.getAllJax();
+    const error_below = node => {
+      if (!node) return "";
+      if (node.type === "merror") return node.data.map(part => part.toString ? texts(part) : "").join(" ");
+      return (node.data || []).map(error_below).find(found => found) || "";
+    };
+    const texts = node => !node ? "" : node.data === undefined ? String(node) : node.data.map(texts).join("");
+    for (const jax of all) {
+      const error = error_below(jax.root);
+      if (error) errors.push({ formula: jax.originalText.trim(), reason: error });
+    }
+    for (const broken of document.querySelectorAll(".MathJax_Error, mjx-merror")) {
+      errors.push({ formula: broken.textContent.trim(), reason: "Math Processing Error" });
+    }
+    return { count: all.length, errors };
+  }
+
+  /** TeX that nothing has turned into a formula. */
+  function raw_formulas() {
+    const found = [];
+    const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+    for (let node = walker.nextNode(); node; node = walker.nextNode()) {
+      if (node.parentElement.closest("script, style, code, pre, .fragment")) continue;
+      const raw = node.data.match(/\\\(.*|\\\[.*|\\begin\{.*/);
+      if (raw) found.push(raw[0].slice(0, 60));
+    }
+    return found;
+  }
+
+  const absolute = element => new URL(element.href.baseVal ?? element.href, document.baseURI).href;
+
+  return {
+    title: document.title,
+    formulas: formulas(),
+    raw_formulas: raw_formulas(),
+    pictures: [...document.images].map(image => ({
+      name: image.getAttribute("src"),
+      loaded: image.complete && image.naturalWidth > 0,
+      described: image.hasAttribute("alt") && (image.getAttribute("alt").trim() !== "" || image.getAttribute("role") === "presentation"),
+    })),
+    objects: [...document.querySelectorAll("object, embed, iframe[src]")].map(named),
+    links: [...document.querySelectorAll("a[href], area[href], svg a")].filter(a => a.href)
+      .map(a => ({ to: absolute(a), name: named(a) })),
+    anchors: [...document.querySelectorAll("[id], a[name]")].flatMap(e => [e.id, e.getAttribute("name")]).filter(Boolean),
+  };
+})()

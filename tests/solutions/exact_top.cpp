@@ -1,0 +1,229 @@
+// The exact top judges the students' integrators, so it is judged here: by an integrator of another kind, by Boost's
+// elliptic functions, by the conservation laws, and by numbers computed elsewhere.
+#include "lectures/support/agrees.hpp"
+#include "solutions/judging/exact_top.hpp"
+#include "solutions/judging/random.hpp"
+
+#include <boost/math/special_functions/ellint_1.hpp>
+#include <boost/math/special_functions/jacobi_elliptic.hpp>
+#include <boost/numeric/odeint.hpp>
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+using Eigen::Matrix3d;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using workbook::agrees;
+using workbook::judging::exact_free_rotation;
+using workbook::judging::ExactTop;
+using workbook::judging::jacobi_amplitude;
+
+namespace {
+
+/// ω in the body and the quaternion of the attitude, followed together by a Runge-Kutta method of order 8.
+struct Followed {
+  Vector3d omega;
+  Matrix3d attitude;
+};
+
+Followed follow(const Vector3d& I, const Vector3d& omega0, double t) {
+  using State = std::array<double, 7>;  // ω, then the quaternion x, y, z, w
+  const auto rate = [&I](const State& y, State& dy, double) {
+    const Vector3d omega(y[0], y[1], y[2]);
+    const Vector3d L = I.cwiseProduct(omega);
+    const Vector3d omega_rate = L.cross(omega).cwiseQuotient(I);
+    const Quaterniond q(y[6], y[3], y[4], y[5]);
+    const Quaterniond q_rate = q * Quaterniond(0, omega.x() / 2, omega.y() / 2, omega.z() / 2);
+    dy = {omega_rate.x(), omega_rate.y(), omega_rate.z(), q_rate.x(), q_rate.y(), q_rate.z(), q_rate.w()};
+  };
+  State y = {omega0.x(), omega0.y(), omega0.z(), 0, 0, 0, 1};
+  using namespace boost::numeric::odeint;
+  if (t != 0) {
+    integrate_adaptive(make_controlled(1e-14, 1e-14, runge_kutta_fehlberg78<State>()), rate, y, 0.0, t, t > 0 ? 1e-3 : -1e-3);
+  }
+  return {{y[0], y[1], y[2]}, Quaterniond(y[6], y[3], y[4], y[5]).normalized().toRotationMatrix()};
+}
+
+void check_against_integration(const Vector3d& I, const Vector3d& omega0, double t, double tolerance = 1e-11) {
+  CAPTURE(I.transpose());
+  CAPTURE(omega0.transpose());
+  CAPTURE(t);
+  const ExactTop top(I, omega0);
+  const Followed followed = follow(I, omega0, t);
+  CHECK(agrees(top.omega(t), followed.omega, tolerance, omega0.norm()));
+  CHECK(agrees(top.attitude(t), followed.attitude, tolerance));
+}
+
+}  // namespace
+
+TEST_CASE("The amplitude agrees with Boost's elliptic functions, which take the modulus first") {
+  for (const double complement : {1.0, 0.9, 0.5, 0.1, 1e-3}) {
+    for (const double u : {-30.0, -2.5, -1e-9, 0.0, 0.3, 4.0, 25.0}) {
+      CAPTURE(complement);
+      CAPTURE(u);
+      double cn = 0, dn = 0;
+      const double sn = boost::math::jacobi_elliptic(std::sqrt(1 - complement), u, &cn, &dn);
+      const double angle = jacobi_amplitude(u, complement);
+      CHECK(agrees(std::sin(angle), sn, 1e-12, 1));
+      CHECK(agrees(std::cos(angle), cn, 1e-12, 1));
+    }
+  }
+}
+
+TEST_CASE("The amplitude grows by half a turn in half a period, however close to the separatrix") {
+  for (const double complement : {0.7, 1e-6, 1e-12, 1e-20}) {
+    // K(k) loses its digits when 1 − k² is small, so its expansion stands in there: K ≈ ½ ln(16 / (1 − m)).
+    const double K = complement > 1e-3 ? boost::math::ellint_1(std::sqrt(1 - complement))
+                                       : 0.5 * std::log(16 / complement) * (1 + complement / 4) - complement / 4;
+    CAPTURE(complement);
+    CHECK(agrees(jacobi_amplitude(2 * K, complement), std::numbers::pi, 1e-8));
+    CHECK(agrees(jacobi_amplitude(6 * K, complement), 3 * std::numbers::pi, 1e-8));
+  }
+}
+
+TEST_CASE("On the separatrix the amplitude is the Gudermannian") {
+  CHECK(agrees(std::sin(jacobi_amplitude(1.3, 0)), std::tanh(1.3), 1e-15));
+  CHECK(agrees(std::cos(jacobi_amplitude(-1.3, 0)), 1 / std::cosh(1.3), 1e-15));
+}
+
+TEST_CASE("About the axis of the largest moment, and about the smallest, the exact top has the numbers of an independent computation") {
+  const Vector3d I(1, 2, 3);
+  const ExactTop tumbling(I, Vector3d(0.1, 1, 0.1));
+  CHECK(agrees(1 - tumbling.complementary_parameter(), 0.980582524272, 1e-12));
+  CHECK(agrees(tumbling.rate(), 0.585946527708, 1e-12));
+  CHECK(agrees(tumbling.period(), 22.996262944122, 1e-13));
+  CHECK(agrees(tumbling.omega(20), Vector3d(.6760625658002, .7435989558382, .3987733662439), 1e-12));
+  const Quaterniond q(tumbling.attitude(20));
+  const Eigen::Vector4d expected(-.3031012358653, -.3290751190338, .0065321165755, .8943134452209);  // x, y, z, w
+  CHECK(agrees(Eigen::Vector4d(q.coeffs() * (q.w() < 0 ? -1 : 1)), expected, 1e-12));
+
+  const ExactTop spinning(I, Vector3d(1, .5, .25));
+  CHECK(agrees(1 - spinning.complementary_parameter(), 0.35, 1e-13));
+  CHECK(agrees(spinning.period(), 10.809345300803, 1e-13));
+  CHECK(agrees(spinning.omega(20), Vector3d(1.1135114730861, -.1004599388101, .3774510125806), 1e-12));
+}
+
+TEST_CASE("In every order of the moments and with every sign of the start the exact top follows the integration") {
+  std::array<int, 3> order = {0, 1, 2};
+  do {
+    for (int signs = 0; signs < 8; ++signs) {
+      for (const Vector3d& start : {Vector3d(.8, .5, .3), Vector3d(.2, .5, .7)}) {
+        Vector3d I, omega0;
+        const Vector3d ascending(1.1, 1.7, 2.4);
+        for (int i = 0; i < 3; ++i) {
+          I[i] = ascending[order[i]];
+          omega0[i] = start[order[i]] * ((signs >> i & 1) ? -1 : 1);
+        }
+        for (const double t : {7.3, -4.1}) check_against_integration(I, omega0, t);
+      }
+    }
+  } while (std::next_permutation(order.begin(), order.end()));
+}
+
+TEST_CASE("Random tops agree with the integration for many turns") {
+  workbook::judging::Random random(20);
+  for (int i = 0; i < 20; ++i) {
+    const Vector3d I = random.principal_moments();
+    const Vector3d omega0 = random.vector(2.0);
+    check_against_integration(I, omega0, random.uniform(-20, 20), 1e-9);
+  }
+}
+
+TEST_CASE("A start with one component zero is not a special case") {
+  for (const Vector3d& omega0 : {Vector3d(0, 1, 0.4), Vector3d(0.4, 1, 0), Vector3d(0.3, 0, 0.9), Vector3d(0.9, 0, 0.3),
+                                 Vector3d(0, -1, 0.4), Vector3d(-0.4, -1, 0)}) {
+    for (const double t : {0.0, 3.0, -11.0}) check_against_integration(Vector3d(1, 2, 2.5), omega0, t);
+  }
+}
+
+TEST_CASE("A symmetric top turns its ω uniformly, whichever axis is the axis of symmetry") {
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double moment : {0.5, 1.8}) {  // prolate and oblate
+      Vector3d I = Vector3d::Ones();
+      I[axis] = moment;
+      check_against_integration(I, Vector3d(0.7, -0.4, 0.9), 6.0);
+      const ExactTop top(I, Vector3d(0.7, -0.4, 0.9));
+      CHECK(agrees(top.complementary_parameter(), 1, 1e-15));
+      const double body_rate = Vector3d(0.7, -0.4, 0.9)[axis] * (moment - 1);
+      CHECK(agrees(top.period(), 2 * std::numbers::pi / std::abs(body_rate), 1e-14));
+    }
+  }
+}
+
+TEST_CASE("Two moments may be nearly equal") {
+  for (const double difference : {1e-4, 1e-9, 1e-15}) {
+    check_against_integration(Vector3d(1, 1 + difference, 1.5), Vector3d(0.3, 0.5, 0.8), 9.0);
+    check_against_integration(Vector3d(1, 1.5, 1.5 + difference), Vector3d(0.6, 0.5, 0.4), -9.0);
+    // Here ω creeps along the plane of the near-equal moments at the rate λ ~ √difference, and the attitude is found
+    // from a difference of two integrals divided by λ.
+    const double tolerance = std::max(1e-11, 4 * std::numeric_limits<double>::epsilon() / std::sqrt(difference));
+    check_against_integration(Vector3d(1, 1.5, 1.5 + difference), Vector3d(0, 0.5, 0.4), 9.0, tolerance);
+  }
+}
+
+TEST_CASE("A sphere, a principal axis and a body at rest rotate steadily") {
+  const ExactTop sphere(Vector3d(2, 2, 2), Vector3d(0.3, -0.2, 0.5));
+  CHECK(agrees(sphere.omega(17), Vector3d(0.3, -0.2, 0.5), 1e-16));
+  CHECK(sphere.period() == 0.0);
+  check_against_integration(Vector3d(2, 2, 2), Vector3d(0.3, -0.2, 0.5), 5.0);
+  for (int axis = 0; axis < 3; ++axis) check_against_integration(Vector3d(1, 2, 2.5), 0.8 * Vector3d::Unit(axis), -3.0);
+  const ExactTop resting(Vector3d(1, 2, 2.5), Vector3d::Zero());
+  CHECK(agrees(resting.omega(5), Vector3d::Zero(), 0, 1));
+  CHECK(agrees(resting.attitude(5), Matrix3d::Identity(), 0));
+}
+
+TEST_CASE("On the separatrix the middle axis is approached once and for ever") {
+  // I_c (I_c − I_b) = I_a (I_b − I_a) here, so ω_a = ±ω_c lies on the separatrix without rounding.
+  const Vector3d I(3, 5, 6);
+  for (const Vector3d& omega0 : {Vector3d(.5, .25, .5), Vector3d(-.5, .25, .5), Vector3d(.5, -.25, -.5)}) {
+    const ExactTop top(I, omega0);
+    CHECK(top.complementary_parameter() == 0.0);
+    CHECK(top.period() == std::numeric_limits<double>::infinity());
+    for (const double t : {2.5, -6.0, 12.0}) check_against_integration(I, omega0, t, 1e-10);
+    const double speed = std::sqrt(I.cwiseProduct(omega0).squaredNorm()) / I[1];  // all of L along the middle axis
+    CHECK(agrees(std::abs(top.omega(500)[1]), speed, 1e-14));
+  }
+}
+
+TEST_CASE("Next to the separatrix the body still turns over in the right moment") {
+  // Half a period, 2K/λ, as computed elsewhere for these two starts.
+  CHECK(agrees(ExactTop(Vector3d(1, 2, 3), Vector3d(0, 1, 1e-3)).period() / 2, 26.828560929, 1e-10));
+  CHECK(agrees(ExactTop(Vector3d(1, 2, 3), Vector3d(1e-3, 1, 0)).period() / 2, 28.731424437, 1e-10));
+  const ExactTop close(Vector3d(1, 2, 3), Vector3d(0, 1, 1e-9));
+  CHECK(agrees(close.omega(close.period() / 2), Vector3d(0, -1, 1e-9), 1e-9));
+  CHECK(agrees(close.omega(close.period()), Vector3d(0, 1, 1e-9), 1e-9));
+  check_against_integration(Vector3d(1, 2, 3), Vector3d(0, 1, 1e-3), 40.0, 1e-8);
+  check_against_integration(Vector3d(1, 2, 3), Vector3d(0, 1, 1e-6), 30.0, 1e-8);
+}
+
+TEST_CASE("Energy and angular momentum are conserved, the latter as a vector in space") {
+  workbook::judging::Random random(5);
+  for (int i = 0; i < 20; ++i) {
+    const Vector3d I = random.principal_moments();
+    const Vector3d omega0 = random.vector(1.5);
+    const double t = random.uniform(-300, 300);
+    const ExactTop top(I, omega0);
+    const Vector3d omega = top.omega(t);
+    CHECK(agrees(I.dot(omega.cwiseAbs2()), I.dot(omega0.cwiseAbs2()), 1e-13));
+    CHECK(agrees(top.attitude(t) * I.cwiseProduct(omega), I.cwiseProduct(omega0), 1e-12));
+    CHECK(agrees(top.omega(t + top.period()), omega, 1e-10));
+  }
+}
+
+TEST_CASE("The answer to the exercise has one column per time, in the order given") {
+  const Vector3d I(1, 2, 2.5), omega0(0.2, 0.9, -0.3);
+  const ExactTop top(I, omega0);
+  const auto columns = exact_free_rotation(I, omega0, VectorXd{{3.0, -1.0, 0.0, 3.0}});
+  REQUIRE(columns.cols() == 4);
+  CHECK(agrees(columns.col(0), top.omega(3), 0));
+  CHECK(agrees(columns.col(1), top.omega(-1), 0));
+  CHECK(agrees(columns.col(2), omega0, 1e-15));
+  CHECK(agrees(columns.col(3), columns.col(0), 0));
+  CHECK(exact_free_rotation(I, omega0, VectorXd(0)).cols() == 0);
+}
