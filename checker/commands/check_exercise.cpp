@@ -58,6 +58,9 @@ Checked check_exercise(const Course& course, const Toolchain& toolchain, const E
     checked.observation = our_own_trouble(problem.what());
   }
   checked.judgement = judge(reference, checked.observation);
+  for (Diagnosis& diagnosis : checked.judgement.diagnoses) {
+    if (diagnosis.notes.empty()) diagnosis.notes = exercise.entry->notes;  // the exercise's own paragraph
+  }
   return checked;
 }
 

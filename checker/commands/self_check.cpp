@@ -60,7 +60,7 @@ int self_check(const Course& course, const std::vector<std::uint64_t>& seeds) {
   const Toolchain toolchain = read_toolchain(course.toolchain_file());
   std::size_t routes = 0;
   std::size_t misconceptions = 0;
-  for (const Card& card : course.cards()) {
+  const auto check_lecture = [&](const Card& card) {
     for (const std::uint64_t seed : seeds) {
       say_progress(fmt::format("{}, seed {}", card.lecture, seed));
       const LectureReference reference = course.reference(card.lecture, seed);
@@ -85,6 +85,13 @@ int self_check(const Course& course, const std::vector<std::uint64_t>& seeds) {
                           "Mend the solution or its judging.", faults);
         }
       }
+    }
+  };
+  for (const Card& card : course.cards()) {
+    try {
+      check_lecture(card);
+    } catch (const ReferenceError& problem) {
+      faults.add(problem.what());
     }
   }
   end_progress();

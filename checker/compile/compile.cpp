@@ -145,12 +145,15 @@ class CompilationInProgress {
   }
 
   bool may_be_included(const std::string& name) const {
+    const fs::path path = (shown() / name).lexically_normal();
+    // The compiler's own: the unit, by its path and as it calls itself in the assembler's file, which is gone again.
+    if (name == "unit.cpp" || path.parent_path() == workspace_) return true;
+    // These mean something else for the compiler than for the checker.
+    if (is_below(path, "/proc") || is_below(path, "/dev")) return false;
     std::error_code error;
-    const fs::path file = fs::canonical(shown() / name, error);
-    if (error) return (shown() / name).lexically_normal().parent_path() == workspace_;  // the compiler's own, gone again
-    return is_below(file, workspace_) ||
-           std::any_of(toolchain_.include_directories.begin(), toolchain_.include_directories.end(),
-                       [&](const fs::path& directory) { return is_below(file, directory); });
+    const fs::path file = fs::canonical(path, error);
+    return !error && std::any_of(toolchain_.include_directories.begin(), toolchain_.include_directories.end(),
+                                 [&](const fs::path& directory) { return is_below(file, directory); });
   }
 
   fs::path link() {

@@ -296,6 +296,10 @@ std::vector<std::string> result_section(const ExerciseReference& exercise, const
     if (compares_entries(exercise.comparison)) {
       result.difference = whole.front();
       whole.erase(whole.begin());
+      // Rounding errors of right numbers would only draw the eye.
+      for (std::size_t n = 0; n < result.difference->allowed.size(); ++n) {
+        if (!result.differs(n)) result.difference->difference.numbers[n] = 0.0;
+      }
     }
   }
   result.digits = digits_needed(result);

@@ -307,22 +307,25 @@ std::string no_single_power(char base, std::optional<std::size_t> component) {
 std::string error_size(double relative, double tolerance) {
   if (!std::isfinite(relative)) return "The error has no size: a number is missing or infinite.";
   if (relative >= 10)
-    return fmt::format("The error is about {:.0f} times the size of the result: look for a wrong power or unit.",
+    return fmt::format("The error is {:.0f} times the size of the result: look for a wrong power or unit.", relative);
+  if (relative >= 1.5)
+    return fmt::format("The error is {:.2g} times the size of the result: not rounding, but another formula.",
                        relative);
   if (relative >= 0.01)
-    return fmt::format("The error is about {:.2g} % of the size of the result: not rounding, but another formula.",
+    return fmt::format("The error is {:.0f} % of the size of the result: not rounding, but another formula.",
                        100 * relative);
+  const std::string one_part =
+      fmt::format("1 part in 10{}", superscript(static_cast<int>(std::lround(-std::log10(relative)))));
   if (relative >= 1e-6) {
     return fmt::format(
-        "The error is about 1 part in {:.2g} of the size of the result: too large for rounding; a small term or an "
-        "approximation.",
-        1 / relative);
+        "The error is about {} of the size of the result: too large for rounding, so look for an approximation.",
+        one_part);
   }
+  const double excess = relative / tolerance;
   return fmt::format(
-      "The error is about 1 part in {:.2g} of the size of the result, {:.2g} times what is allowed: digits are lost, "
-      "as with "
-      "float or 3.14159.",
-      1 / relative, relative / tolerance);
+      "The error is about {} of the size of the result, {} times what is allowed: digits are lost, as with float or "
+      "3.14159.",
+      one_part, excess < 10 ? fmt::format("{:.2g}", excess) : fmt::format("{:.0f}", excess));
 }
 
 }  // namespace workbook::sentences

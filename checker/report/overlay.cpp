@@ -141,7 +141,7 @@ void send_script(gnuplotio::Gnuplot& gnuplot, const Overlay& overlay) {
   const double range = 1.1 * std::max(smallest_range(overlay), largest_difference(overlay));
   gnuplot << "unset title; set size 1,0.32; set origin 0,0; set tmargin 0.5; set bmargin 3.5; set format x; unset key\n"
           << fmt::format("set xlabel {} noenhanced\nset ylabel 'yours − reference'\n", quoted(sweep.x_label))
-          << fmt::format("set yrange [{}:{}]; set ytics {}; set format y '%.1g'\n", -range, range, range / 1.1);
+          << fmt::format("set yrange [{}:{}]; set ytics {}; set format y '%.2g'\n", -range, range, range / 1.1);
   send_lower_panel(gnuplot, overlay);
   gnuplot << "unset multiplot\n";
 }

@@ -13,6 +13,8 @@
 # Workers are no CMake targets: they must be compiled with exactly the flags of students' files, whatever the build type,
 # sanitizers or coverage of the workbook itself.
 
+include(CheckCXXSourceCompiles)
+
 set(WORKBOOK_WORKER_SOURCES ${CMAKE_CURRENT_LIST_DIR})
 
 function(workbook_add_workers target)
@@ -90,7 +92,7 @@ int main() { return workbook::serve(&rigid::@name@); }
 
   # What the checker must know. Including is allowed from where the system, Eigen and the contracts are.
   set(include_directories ${CMAKE_CXX_IMPLICIT_INCLUDE_DIRECTORIES} ${eigen} ${arg_INCLUDE})
-  set(link_flags -static -s)
+  workbook_worker_link_flags(link_flags)
   set(toolchain "{\"format\": 1}")
   foreach(key IN ITEMS flags include_directories support link_flags)
     set(list "[]")
@@ -109,6 +111,26 @@ int main() { return workbook::serve(&rigid::@name@); }
     string(JSON toolchain SET "${toolchain}" ${CMAKE_MATCH_1} "${item}")
   endforeach()
   file(CONFIGURE OUTPUT ${arg_DIRECTORY}/toolchain.json CONTENT "${toolchain}\n" @ONLY)
+endfunction()
+
+# Static, so that a worker opens no file to start; with the quicker linker where there is one, for linking is a good part
+# of the time that a student waits.
+function(workbook_worker_link_flags result)
+  set(CMAKE_REQUIRED_FLAGS "")
+  set(CMAKE_REQUIRED_LINK_OPTIONS -static)
+  set(program "#include <iostream>\nint main() { std::cout << 1; }")
+  check_cxx_source_compiles("${program}" WORKBOOK_LINKS_STATICALLY)
+  if(NOT WORKBOOK_LINKS_STATICALLY)
+    message(FATAL_ERROR "Students' functions are linked statically, but this compiler cannot do that: "
+                        "install the static C and C++ libraries (on Debian: libc6-dev and libstdc++-12-dev).")
+  endif()
+  set(CMAKE_REQUIRED_LINK_OPTIONS -static -fuse-ld=gold)
+  check_cxx_source_compiles("${program}" WORKBOOK_LINKS_WITH_GOLD)
+  set(flags -static -s)
+  if(WORKBOOK_LINKS_WITH_GOLD)
+    list(APPEND flags -fuse-ld=gold)
+  endif()
+  set(${result} ${flags} PARENT_SCOPE)
 endfunction()
 
 # A string as JSON writes it.

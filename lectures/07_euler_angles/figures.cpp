@@ -35,6 +35,7 @@ struct Turn {
   Vector3d after;
   int axis;
   const char* angle_name;
+  std::array<const char*, 3> old_names;
   std::array<const char*, 3> names;
 };
 
@@ -54,14 +55,16 @@ void draw_panel(gnuplotio::Gnuplot& gnuplot, const Turn& turn) {
   const Matrix3d new_axes = triad(turn.after);
   const std::array<const char*, 3> colors = {workbook::colors::vermilion, workbook::colors::green, workbook::colors::blue};
 
-  gnuplot << "unset arrow; unset label\n" << fmt::format("set title '{}' offset 0,-1.2\n", turn.title);
+  gnuplot << "unset arrow; unset label\n" << fmt::format("set title '{}' offset 0,0.4\n", turn.title);
   for (int i = 0; i < 3; ++i) {
     const Vector3d old_tip = old_axes.col(i);
     const Vector3d tip = new_axes.col(i);
-    const Vector3d place = 1.22 * tip;
+    const Vector3d place = (i == 2 ? 1.3 : 1.22) * tip;  // ê₃ is foreshortened: keep its name off the arrow
     if (i != turn.axis) {
       gnuplot << fmt::format("set arrow from 0,0,0 to {:.4f},{:.4f},{:.4f} nohead dt 2 lw 1.5 lc rgb '{}'\n", old_tip.x(), old_tip.y(),
-                             old_tip.z(), workbook::colors::grey);
+                             old_tip.z(), workbook::colors::grey)
+              << fmt::format("set label '{}' at {:.4f},{:.4f},{:.4f} center front tc rgb '#555555'\n", turn.old_names[i], 1.3 * old_tip.x(),
+                             1.3 * old_tip.y(), 1.3 * old_tip.z());
     }
     gnuplot << fmt::format("set arrow from 0,0,0 to {:.4f},{:.4f},{:.4f} front size 0.12,20 filled lw {} lc rgb '{}'\n", tip.x(), tip.y(),
                            tip.z(), i == turn.axis ? 5 : 2.5, colors[i])
@@ -81,15 +84,15 @@ void draw_panel(gnuplotio::Gnuplot& gnuplot, const Turn& turn) {
 void draw_three_turns(const std::filesystem::path& directory) {
   const double phi = 0.7, theta = 0.6, psi = 0.9;
   const std::vector<Turn> turns = {
-      {"1: φ about ê_3^0", {0, 0, 0}, {phi, 0, 0}, 2, "φ", {"ê_1", "ê_2′", "ê_3^0"}},
-      {"2: θ about ê_2′", {phi, 0, 0}, {phi, theta, 0}, 1, "θ", {"ê_1′", "ê_2′", "ê_3"}},
-      {"3: ψ about ê_3", {phi, theta, 0}, {phi, theta, psi}, 2, "ψ", {"ê_1", "ê_2", "ê_3"}},
+      {"1: φ about ê_3^0", {0, 0, 0}, {phi, 0, 0}, 2, "φ", {"ê_1^0", "ê_2^0", ""}, {"", "ê_2′", "ê_3^0"}},
+      {"2: θ about ê_2′", {phi, 0, 0}, {phi, theta, 0}, 1, "θ", {"", "", "ê_3^0"}, {"ê_1′", "ê_2′", "ê_3"}},
+      {"3: ψ about ê_3", {phi, theta, 0}, {phi, theta, psi}, 2, "ψ", {"ê_1′", "ê_2′", ""}, {"ê_1", "ê_2", "ê_3"}},
   };
-  workbook::draw_figure(directory, "three_turns", {420, 1020}, [&](gnuplotio::Gnuplot& gnuplot) {
+  workbook::draw_figure(directory, "three_turns", {420, 960}, [&](gnuplotio::Gnuplot& gnuplot) {
     gnuplot << "unset key; unset border; unset tics; unset grid\n"
                "set lmargin 0; set rmargin 0; set tmargin 0; set bmargin 0\n"
-               "set view 62, 118, 1.75; set view equal xyz\n"
-               "set xrange [-1.05:1.05]; set yrange [-1.05:1.05]; set zrange [-0.5:1.3]\n"
+               "set view 66, 168, 1.55; set view equal xyz; set xyplane 0\n"
+               "set xrange [-1.05:1.05]; set yrange [-1.05:1.05]; set zrange [-0.85:1.2]\n"
                "set multiplot layout 3,1\n";
     for (const Turn& turn : turns) draw_panel(gnuplot, turn);
     gnuplot << "unset multiplot\n";
@@ -119,7 +122,7 @@ void draw_gimbal_lock(const std::filesystem::path& directory) {
             << fmt::format("set label 'cot(θ/2)' at 0.0042,900 left tc rgb '{}'\n", workbook::colors::blue)
             << fmt::format("set label 'θ = 0.1: {:.2f}' at 0.13,28 left tc rgb '{}'\n", condition(0.1), workbook::colors::vermilion)
             << fmt::format("set label 'θ = 0.01: {:.1f}' at 0.013,280 left tc rgb '{}'\n", condition(0.01), workbook::colors::vermilion)
-            << fmt::format("set label 'θ = π/2: {:.0f}' at 1.7,1.8 right tc rgb '{}'\n", condition(pi / 2), workbook::colors::vermilion)
+            << fmt::format("set label 'θ = π/2: {:.0f}' at 1.25,0.95 right tc rgb '{}'\n", condition(pi / 2), workbook::colors::vermilion)
             << fmt::format("plot '-' w l lw 2.5 lc rgb '{}', '-' w p pt 7 ps 1.2 lc rgb '{}'\n", workbook::colors::blue,
                            workbook::colors::vermilion);
     gnuplot.send1d(formula);
@@ -138,7 +141,7 @@ void draw_two_readings(const std::filesystem::path& directory) {
     const Vector3d angles = angles_at(turns);
     return Eigen::AngleAxisd(angles[0], Vector3d::UnitZ()) * (Eigen::AngleAxisd(angles[1], Vector3d::UnitX()) * Vector3d::UnitZ());
   };
-  const double shown = 0.8;
+  const double shown = 0.6;
   const auto track = [shown](const std::function<Vector3d(double)>& tip) {
     PlaneCurve curve;
     for (int i = 0; i <= 300; ++i) {
@@ -160,9 +163,10 @@ void draw_two_readings(const std::filesystem::path& directory) {
                              to.x(), to.y(), color)
               << fmt::format("set label '{}' at {:.4f},{:.4f} {} front tc rgb '{}'\n", name, from.x() + dx, from.y() + dy, side, color);
     };
-    mark(tip_zyz(0), tip_zyz(0.03), workbook::colors::blue, "z–y–z", -0.08, -0.02, "right");
-    mark(tip_zxz(0), tip_zxz(0.03), workbook::colors::vermilion, "z–x–z", 0, 0.12, "center");
-    gnuplot << fmt::format("plot '-' w l lw 1 lc rgb '{}', '-' w l lw 3 lc rgb '{}', '-' w l dt 2 lw 3 lc rgb '{}'\n", workbook::colors::grey,
+    gnuplot << "set label 'θ = π/2' at 0,0.92 center tc rgb '#444444'\n";
+    mark(tip_zyz(0), tip_zyz(0.03), workbook::colors::blue, "z–y–z", 0, -0.1, "center");
+    mark(tip_zxz(0), tip_zxz(0.03), workbook::colors::vermilion, "z–x–z", 0, -0.1, "center");
+    gnuplot << fmt::format("plot '-' w l lw 1 lc rgb '{}', '-' w l lw 3 lc rgb '{}', '-' w l dt (12,6) lw 3 lc rgb '{}'\n", workbook::colors::grey,
                            workbook::colors::blue, workbook::colors::vermilion);
     gnuplot.send1d(horizon);
     gnuplot.send1d(track(tip_zyz));

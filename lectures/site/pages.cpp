@@ -37,11 +37,19 @@ std::string cell(std::string text) { return std::regex_replace(std::move(text), 
 
 std::string in_quotes(const std::string& text) { return '"' + std::regex_replace(text, std::regex(R"(["\\])"), "\\$&") + '"'; }
 
-/// A line of links to the neighbours, as a landmark with a name of its own.
+std::string table_of_exercises(const Card& card, const std::string& contract, const std::string& link_command) {
+  std::string table = "| Exercise | Task | Points |\n|:---------|:-----|-------:|\n";
+  for (const Exercise& exercise : card.exercises) {
+    table += fmt::format("| {0} exercise_{1} \"{1}\" | {2} | {3} |\n", link_command, exercise.name,
+                         cell(first_sentence(card, exercise.name, contract)), exercise.points);
+  }
+  return table;
+}
+
+/// A line of links to the neighbours, as a landmark with a name of its own. Doxygen knows div, but not nav.
 std::string navigation(const std::string& label, const std::vector<std::string>& links) {
-  return fmt::format("\\htmlonly[block]<nav class=\"neighbours\" aria-label=\"{}\">\\endhtmlonly\n{}\n"
-                     "\\htmlonly[block]</nav>\\endhtmlonly\n",
-                     label, fmt::join(links, "\n"));
+  return fmt::format("<div class=\"neighbours\" role=\"navigation\" aria-label=\"{}\">\n{}\n</div>\n", label,
+                     fmt::join(links, "\n"));
 }
 
 }  // namespace
@@ -68,7 +76,7 @@ An arrow leads from a lecture to the ones that build on it.
 |-:|:--------|:-----------------|:----------|
 )";
   for (const Card& card : course) {
-    page += fmt::format("| {} | \\subpage lecture_{} | {} | {}, {} |\n", number(card), card.folder, cell(card.summary),
+    page += fmt::format("| {} | {} | {} | {}, {} |\n", number(card), link(card), cell(card.summary),
                         counted(static_cast<double>(card.exercises.size()), "exercise"), counted(points(card), "point"));
   }
   page += R"(
@@ -82,23 +90,19 @@ Read a lecture, then write its functions one by one in `lectures/LECTURE/exercis
 ```
 
 It compiles your function, compares what it computes with reference results, and says what is wrong in the words of the
-lecture. \subpage exercises lists all tasks.
-
-\subpage notation — \subpage references
+lecture. The page \ref exercises lists all tasks.
 )";
   return page;
 }
 
-std::string exercises_page(const std::vector<Card>& course) {
+std::string exercises_page(const std::vector<Card>& course, const std::vector<std::string>& contracts) {
   std::string page = "# Exercises {#exercises}\n\n"
                      "One function each, in the order of the course. A page shows what the function means, its units and "
                      "its errors, where the notes explain it, and how to check yours.\n";
-  for (const Card& card : course) {
-    page += fmt::format("\n## {} {} {{#exercises_{}}}\n\nNotes: {}\n\n", number(card), card.title, card.folder, link(card));
-    page += "| Exercise | Task | Points |\n|:---------|:-----|-------:|\n";
-    for (const Exercise& exercise : card.exercises) {
-      page += fmt::format("| \\subpage exercise_{0} | \\copybrief rigid::{0} | {1} |\n", exercise.name, exercise.points);
-    }
+  for (std::size_t lecture = 0; lecture < course.size(); ++lecture) {
+    const Card& card = course[lecture];
+    page += fmt::format("\n## {} {} {{#exercises_{}}}\n\nNotes: {}\n\n{}", number(card), card.title, card.folder,
+                        link(card), table_of_exercises(card, contracts.at(lecture), "\\subpage"));
   }
   return page;
 }
@@ -151,7 +155,7 @@ When you are stuck, `./checker/run hint {name}` helps a little, and more each ti
 
 std::string lecture_card(const std::vector<Card>& course, std::size_t lecture) {
   const Card& card = course.at(lecture);
-  std::string text = fmt::format("{}\n\nSlides: {}.", card.summary, fmt::join(card.slides, "; "));
+  std::string text = fmt::format("Slides: {}.", fmt::join(card.slides, "; "));
   if (!card.builds_on.empty()) {
     std::vector<std::string> earlier;
     for (const std::string& folder : card.builds_on) earlier.push_back(link(card_of(course, folder)));
@@ -160,12 +164,8 @@ std::string lecture_card(const std::vector<Card>& course, std::size_t lecture) {
   return fmt::format("<div class=\"lecture-card\">\n{} Contract: `rigid/{}.hpp`.\n</div>\n", text, card.contract);
 }
 
-std::string exercise_table(const Card& card) {
-  std::string table = "| Exercise | Task | Points |\n|:---------|:-----|-------:|\n";
-  for (const Exercise& exercise : card.exercises) {
-    table += fmt::format("| {} | \\copybrief rigid::{} | {} |\n", link(exercise), exercise.name, exercise.points);
-  }
-  return table;
+std::string exercise_table(const Card& card, const std::string& contract) {
+  return table_of_exercises(card, contract, "\\ref");
 }
 
 std::string lecture_links(const std::vector<Card>& course, std::size_t lecture) {
@@ -194,15 +194,28 @@ std::string course_map(const std::vector<Card>& course) {
   return graph + "}\n";
 }
 
+std::string first_sentence(const Card& card, const std::string& function, const std::string& contract) {
+  // A comment of full lines, then the declaration without an empty line between.
+  const std::regex pattern(R"((?:^|\n\n)/// ([^\n]*(?:\n/// [^\n]*)*)(?:\n///[^\n]*)*\n[^/\n][^\n]*\b)" + function + R"(\()");
+  std::smatch match;
+  if (!std::regex_search(contract, match, pattern)) {
+    throw std::runtime_error(fmt::format("include/rigid/{}.hpp says nothing about {}: write a comment with /// above it.",
+                                         card.contract, function));
+  }
+  const std::string paragraph = std::regex_replace(match[1].str(), std::regex(R"(\n/// *)"), " ");
+  const auto end = paragraph.find(". ");
+  return end == std::string::npos ? paragraph : paragraph.substr(0, end + 1);
+}
+
 std::string declaration(const Card& card, const std::string& function, const std::string& contract) {
-  // From the start of the line that holds "NAME(" and is no comment, to the semicolon.
-  const std::regex pattern(R"((^|\n)([^/\n][^\n]*\b)" + function + R"(\([^;]*;))");
+  // From the start of a line that holds "NAME(" and is no comment, to the semicolon.
+  const std::regex pattern(R"((?:^|\n)([^/\n][^\n]*\b)" + function + R"(\([^;]*;))");
   std::smatch match;
   if (!std::regex_search(contract, match, pattern)) {
     throw std::runtime_error(fmt::format("include/rigid/{}.hpp does not declare {}, though the card of {} lists it.",
                                          card.contract, function, card.folder));
   }
-  return match[2];
+  return match[1];
 }
 
 }  // namespace workbook::site

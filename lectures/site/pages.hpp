@@ -14,7 +14,8 @@ namespace workbook::site {
 std::string first_page(const std::vector<Card>& course);
 
 /// All exercises in the order of the course; every page of an exercise hangs below this one.
-std::string exercises_page(const std::vector<Card>& course);
+/// @param contracts the text of each lecture's contract
+std::string exercises_page(const std::vector<Card>& course, const std::vector<std::string>& contracts);
 
 /// The page of one exercise: its contract, where to read, and what to type. Its hints stay with the checker, so that
 /// nobody reads them by accident.
@@ -25,11 +26,11 @@ std::string exercises_page(const std::vector<Card>& course);
 std::string exercise_page(const std::vector<Card>& course, std::size_t lecture, std::size_t exercise,
                           const std::string& contract);
 
-/// Top of a lecture's page: its source slides and what it builds on. Quoted by \\lecture_card.
+/// Top of a lecture's page: its source slides, what it builds on, its contract. Quoted by \\lecture_card.
 std::string lecture_card(const std::vector<Card>& course, std::size_t lecture);
 
 /// The lecture's exercises as a table. Quoted by \\exercises.
-std::string exercise_table(const Card& card);
+std::string exercise_table(const Card& card, const std::string& contract);
 
 /// Bottom of a lecture's page: the way to the lecture before, the course map and the next lecture.
 /// Quoted by \\lecture_links.
@@ -37,6 +38,10 @@ std::string lecture_links(const std::vector<Card>& course, std::size_t lecture);
 
 /// The course map in the language of Graphviz: an arrow leads from a lecture to each one that builds on it.
 std::string course_map(const std::vector<Card>& course);
+
+/// The first sentence of a function's comment in a contract.
+/// @throws std::runtime_error when the contract does not declare it, or without a comment.
+std::string first_sentence(const Card& card, const std::string& function, const std::string& contract);
 
 /// The declaration of a function in a contract, without its comment.
 /// @throws std::runtime_error when the contract does not declare it.

@@ -18,21 +18,26 @@ void write_pages(const std::filesystem::path& source, const std::filesystem::pat
                  const std::vector<Card>& course) {
   // Parts are quoted by the notes; Doxygen must not take them for pages of their own.
   const std::filesystem::path parts = output / "parts";
+  const std::filesystem::path exercises = output / "exercises";
   std::filesystem::remove_all(output);
   std::filesystem::create_directories(parts);
+  std::filesystem::create_directories(exercises);
+  std::vector<std::string> contracts;
+  for (const Card& card : course) {
+    const std::string header = "include/rigid/" + card.contract + ".hpp";
+    contracts.push_back(read_text(source / header, header));
+  }
   write_text(output / "index.md", first_page(course));
-  write_text(output / "exercises.md", exercises_page(course));
+  write_text(output / "exercises.md", exercises_page(course, contracts));
   write_text(output / "course_map.dot", course_map(course));
   for (std::size_t lecture = 0; lecture < course.size(); ++lecture) {
     const Card& card = course[lecture];
     write_text(parts / (card.folder + ".card.md"), lecture_card(course, lecture));
-    write_text(parts / (card.folder + ".exercises.md"), exercise_table(card));
+    write_text(parts / (card.folder + ".exercises.md"), exercise_table(card, contracts[lecture]));
     write_text(parts / (card.folder + ".links.md"), lecture_links(course, lecture));
-    const std::string header = "include/rigid/" + card.contract + ".hpp";
-    const std::string contract = read_text(source / header, header);
     for (std::size_t exercise = 0; exercise < card.exercises.size(); ++exercise) {
-      write_text(output / ("exercise_" + card.exercises[exercise].name + ".md"),
-                 exercise_page(course, lecture, exercise, contract));
+      write_text(exercises / (card.exercises[exercise].name + ".md"),
+                 exercise_page(course, lecture, exercise, contracts[lecture]));
     }
   }
 }

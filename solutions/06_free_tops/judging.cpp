@@ -605,6 +605,7 @@ void describe_axis_stability(Lecture& lecture) {
   exercise.worked("moments 2, 3, 1: the intermediate moment", Vector3d(2, 3, 1), 0);
   exercise.worked("moments 2, 3, 1: the largest moment", Vector3d(2, 3, 1), 1);
   exercise.worked("moments 2, 3, 1: the smallest moment", Vector3d(2, 3, 1), 2);
+  exercise.worked("moments 3, 2, 1: the intermediate moment", Vector3d(3, 2, 1), 1);
   exercise.worked("a flattened symmetric top about its symmetry axis", Vector3d(1, 1, 1.8), 2);
   exercise.worked("a flattened symmetric top across its symmetry axis", Vector3d(1, 1, 1.8), 0);
   exercise.worked("a long symmetric top about its symmetry axis", Vector3d(2, 0.5, 2), 1);
@@ -874,10 +875,13 @@ void describe_tumbling_period(Lecture& lecture) {
     }
     return 2 * pi / (a * motion.lambda);
   });
-  exercise.route("Carlson's integral", [](const Vector3d& I, const Vector3d& omega) {
-    const EllipticMotion motion = elliptic_motion(I, omega);
-    const double square = motion.lambda * motion.lambda;
-    return 4 * boost::math::ellint_rf(0.0, motion.complement * square, square);
+  exercise.route("the textbook formula", [](const Vector3d& I, const Vector3d& omega) {
+    const double twice_energy = I.dot(omega.cwiseAbs2()), momentum_squared = I.cwiseProduct(omega).squaredNorm();
+    const bool about_3 = momentum_squared > twice_energy * I[1];
+    const double I1 = about_3 ? I[0] : I[2], I2 = I[1], I3 = about_3 ? I[2] : I[0];
+    const double lambda = std::sqrt((momentum_squared - twice_energy * I1) * (I3 - I2) / (I1 * I2 * I3));
+    const double m = (twice_energy * I3 - momentum_squared) * (I2 - I1) / ((momentum_squared - twice_energy * I1) * (I3 - I2));
+    return 4 * std::comp_ellint_1(std::sqrt(m)) / lambda;
   });
   exercise.route("quadrature of the elliptic integral", [](const Vector3d& I, const Vector3d& omega) {
     // The integrand is periodic, so the trapezoidal rule converges exponentially; near m = 1 it needs many nodes.

@@ -348,7 +348,7 @@ void describe_euler_angles(Lecture& lecture) {
   });
   exercise.route("arccosine, and φ = 0 where sin θ vanishes", [](const Matrix3d& R) -> Vector3d {
     const double theta = std::acos(std::clamp(R(2, 2), -1.0, 1.0));
-    if (std::hypot(R(2, 0), R(2, 1)) < 1e-12) return {0, theta, std::atan2(R(0, 1) * R(2, 2), R(1, 1))};
+    if (std::hypot(R(2, 0), R(2, 1)) < 1e-12) return {0, theta, std::atan2(R(0, 1), R(1, 1))};
     return {std::atan2(R(2, 1), R(2, 0)), theta, std::atan2(R(1, 2), -R(0, 2))};
   });
   exercise.route("half angles of the quaternion", [](const Matrix3d& R) -> Vector3d {

@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <fstream>
+#include <thread>
 
 namespace workbook::testing {
 namespace fs = std::filesystem;
@@ -84,8 +85,13 @@ Observation run(const std::string& text, const std::vector<double>& inputs, RunL
 
 bool nothing_left_running() {
   REQUIRE(adopts_orphans == 0);
-  errno = 0;
-  return ::waitpid(-1, nullptr, WNOHANG) == -1 && errno == ECHILD;
+  // What was killed a moment ago may still be dying.
+  for (int tries = 0; tries < 200; ++tries) {
+    const pid_t ended = ::waitpid(-1, nullptr, WNOHANG);
+    if (ended == -1) return errno == ECHILD;
+    if (ended == 0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return false;
 }
 
 }  // namespace workbook::testing

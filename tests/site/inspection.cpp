@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <string_view>
+#include <thread>
 
 namespace workbook::site {
 
@@ -112,7 +113,7 @@ void Inspection::open(const std::string& page) {
   const bool drawn = browser_.evaluate(R"(new Promise(done => {
     if (!window.MathJax) return done(true);
     setTimeout(() => done(false), 10000);
-    MathJax.Hub.Register.StartupHook("End", () => MathJax.Hub.Queue(() => done(true)));
+    MathJax.Hub.Register.StartupHook("End", () => { MathJax.Hub.Queue(() => done(true)); });
   }))");
   if (!drawn) fault(page, "the formulas are still not drawn after 10 seconds.");
 }
@@ -229,15 +230,14 @@ void Inspection::search(const std::string& page, const std::string& word) {
   browser_.call("Input.insertText", {{"text", word}});
   // The search listens to keys; one that types nothing tells it that the text has changed.
   press(browser_, "Shift", 16);
-  const json results = browser_.evaluate(R"(new Promise(done => {
-    const started = Date.now();
-    const look = () => {
-      const found = [...document.querySelectorAll("#MSearchResultsWindow .SRResult a[href]")]
-        .filter(link => link.offsetParent !== null).map(link => link.href);
-      if (found.length > 0 || Date.now() - started > 3000) done(found); else setTimeout(look, 50);
-    };
-    look();
-  }))");
+  json results = json::array();
+  // The results appear in a frame, half a second after the last key.
+  for (int tries = 0; tries < 40 && results.empty(); ++tries) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    const json found = browser_.evaluate_in_frame(
+        "/search/", "[...document.querySelectorAll('.SRResult a[href]')].filter(a => a.getClientRects().length > 0).map(a => a.href)");
+    if (found.is_array()) results = found;
+  }
   if (results.empty()) fault(page, fmt::format("the search for “{}” finds nothing.", word));
   for (const std::string result : results) follow({page, fmt::format("a result of the search for “{}”", word), result});
   judge_happenings(page);
@@ -253,7 +253,7 @@ void Inspection::walk_with_keyboard(const std::string& page) {
       press(browser_, "Tab", 9);
       const std::string focus = browser_.evaluate(
           "document.activeElement.closest('#MSearchBox') ? 'search'"
-          " : document.activeElement.closest('#nav-tree, #main-nav') ? 'navigation' : ''");
+          " : document.activeElement.closest('#nav-tree, #main-nav, #main-menu-state') ? 'navigation' : ''");
       navigation = navigation || focus == "navigation";
       search = search || focus == "search";
     }

@@ -52,9 +52,11 @@
     pictures: [...document.images].map(image => ({
       name: image.getAttribute("src"),
       loaded: image.complete && image.naturalWidth > 0,
-      described: image.hasAttribute("alt") && (image.getAttribute("alt").trim() !== "" || image.getAttribute("role") === "presentation"),
+      // Ornaments of the frame may be passed over in silence; pictures of the text may not.
+      described: image.getClientRects().length === 0 ||
+        (image.closest(".contents") ? (image.getAttribute("alt") || "").trim() !== "" : image.hasAttribute("alt")),
     })),
-    objects: [...document.querySelectorAll("object, embed, iframe[src]")].map(named),
+    objects: [...document.querySelectorAll("object, embed, iframe")].filter(e => !e.closest("#MSearchResultsWindow")).map(named),
     links: [...document.querySelectorAll("a[href], area[href], svg a")].filter(a => a.href)
       .map(a => ({ to: absolute(a), name: named(a) })),
     anchors: [...document.querySelectorAll("[id], a[name]")].flatMap(e => [e.id, e.getAttribute("name")]).filter(Boolean),

@@ -1,6 +1,7 @@
 // The exact top judges the students' integrators, so it is judged here: by an integrator of another kind, by Boost's
 // elliptic functions, by the conservation laws, and by numbers computed elsewhere.
 #include "lectures/support/agrees.hpp"
+#include "rigid/euler_equations.hpp"
 #include "solutions/judging/exact_top.hpp"
 #include "solutions/judging/random.hpp"
 
@@ -107,6 +108,16 @@ TEST_CASE("About the axis of the largest moment, and about the smallest, the exa
   CHECK(agrees(1 - spinning.complementary_parameter(), 0.35, 1e-13));
   CHECK(agrees(spinning.period(), 10.809345300803, 1e-13));
   CHECK(agrees(spinning.omega(20), Vector3d(1.1135114730861, -.1004599388101, .3774510125806), 1e-12));
+}
+
+TEST_CASE("V20: the exact top and the reference integration both reach the published end of DETEST's problem B5") {
+  // W. H. Enright and J. D. Pryce, as in the worked examples of lecture 05, where a student's integration is allowed 1e-6.
+  const Vector3d I(2, 3, 1), c(std::sqrt(1.53), std::sqrt(0.51), std::sqrt(3.0));
+  const Vector3d start = c.cwiseProduct(Vector3d(0, 1, 1));
+  const Vector3d published(-0.9396570798729192, -0.3421177754000779, 0.7414126596199957);
+  CHECK(agrees(ExactTop(I, start).omega(20).cwiseQuotient(c), published, 1e-13));
+  const Vector3d integrated = rigid::free_rotation(I, start, VectorXd{{20}});
+  CHECK(agrees(integrated.cwiseQuotient(c), published, 1e-12));
 }
 
 TEST_CASE("In every order of the moments and with every sign of the start the exact top follows the integration") {

@@ -1,4 +1,5 @@
-// The angular velocity, in inertial components, of a basis E whose columns change at the rates in the columns of E_rate.
+// The angular velocity, in inertial components, of a basis E whose columns change at the rates in the columns of
+// E_rate.
 #include <rigid/frame_derivatives.hpp>
 
 namespace rigid {

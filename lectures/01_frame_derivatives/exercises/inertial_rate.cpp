@@ -1,5 +1,5 @@
-// The rate of change of V in the inertial frame, from the rate that is seen in a frame turning with omega.
-// All vectors are on the same axes.
+// The rate of change of V in the inertial frame, from the rate that is seen in a frame turning with omega. All
+// vectors are on the same axes.
 #include <rigid/frame_derivatives.hpp>
 
 namespace rigid {

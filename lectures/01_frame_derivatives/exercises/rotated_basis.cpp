@@ -1,5 +1,6 @@
-// The basis E (its columns are the basis vectors) after turning for a time dt with the constant angular velocity omega.
-// All components are inertial. The turn is finite: the first-order step ω × e dt will not do. omega may vanish.
+// The basis E (its columns are the basis vectors) after turning for a time dt with the constant angular velocity
+// omega. All components are inertial. The turn is finite: the first-order step ω × e dt will not do. omega may
+// vanish.
 #include <rigid/frame_derivatives.hpp>
 
 namespace rigid {

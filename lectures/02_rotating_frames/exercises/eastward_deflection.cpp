@@ -1,5 +1,5 @@
-// How far to the east of the plumb line a body lands that falls from rest, to first order in earth_rate.
-// The latitude is in radians.
+// How far to the east of the plumb line a body lands that falls from rest, to first order in earth_rate. The latitude
+// is in radians.
 #include <rigid/rotating_frames.hpp>
 
 namespace rigid {

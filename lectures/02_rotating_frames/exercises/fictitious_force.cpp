@@ -3,7 +3,8 @@
 
 namespace rigid {
 
-Vector3d fictitious_force(double m, const Vector3d& r, const Vector3d& v_body, const Vector3d& omega, const Vector3d& alpha) {
+Vector3d fictitious_force(double m, const Vector3d& r, const Vector3d& v_body, const Vector3d& omega,
+                          const Vector3d& alpha) {
   // TODO: write this function; the next line says that you have not started yet.
   throw NotStarted{};
 }

@@ -1,5 +1,5 @@
-// The inertia tensor of point masses about the origin, from the masses m and the positions in the columns of r.
-// Mind the sign off the diagonal, and give back zero when there are no points.
+// The inertia tensor of point masses about the origin, from the masses m and the positions in the columns of r. Mind
+// the sign off the diagonal, and give back zero when there are no points.
 #include <rigid/inertia_tensor.hpp>
 
 namespace rigid {

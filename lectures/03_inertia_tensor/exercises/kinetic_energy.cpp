@@ -1,4 +1,5 @@
-// The kinetic energy of a body with inertia tensor I that turns with angular velocity omega about the tensor's origin.
+// The kinetic energy of a body with inertia tensor I that turns with angular velocity omega about the tensor's
+// origin.
 #include <rigid/inertia_tensor.hpp>
 
 namespace rigid {

@@ -1,4 +1,5 @@
-// The moment of inertia about an axis through the origin. The vector axis gives its direction and may have any length.
+// The moment of inertia about an axis through the origin. The vector axis gives its direction and may have any
+// length.
 #include <rigid/inertia_tensor.hpp>
 
 namespace rigid {

@@ -1,5 +1,5 @@
-// The principal axes of the inertia tensor I as columns of a rotation matrix (determinant +1),
-// in the order of ascending moments.
+// The principal axes of the inertia tensor I as columns of a rotation matrix (determinant +1), in the order of
+// ascending moments.
 #include <rigid/inertia_tensor.hpp>
 
 namespace rigid {

@@ -1,5 +1,5 @@
-// The inertia tensor on inertial axes of a body whose tensor on its own axes is I_body.
-// The rotation matrix A turns body components into inertial ones: V_inertial = A V_body.
+// The inertia tensor on inertial axes of a body whose tensor on its own axes is I_body. The rotation matrix A turns
+// body components into inertial ones: V_inertial = A V_body.
 #include <rigid/inertia_tensor.hpp>
 
 namespace rigid {

@@ -1,0 +1,133 @@
+// Cards and reference results that are damaged: one clear sentence with file and place, exit status 3, no grade.
+#include "tests/program/program.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+
+using namespace workbook::testing;
+namespace fs = std::filesystem;
+
+namespace {
+
+void require_checker_error(const CourseCopy& course, const std::string& sentence) {
+  for (const char* command : {"check spring_energy", "check spring_energy --json"}) {
+    const Outcome outcome = course.run(command);
+    CHECK(outcome.status == 3);
+    CHECK(outcome.out.empty());
+    CHECK_MESSAGE(has(outcome.err, sentence), outcome.err);
+    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+  }
+}
+
+struct Damage {
+  const char* from;
+  const char* to;
+  const char* sentence;
+};
+
+}  // namespace
+
+TEST_CASE("a damaged card is named with the place of the damage") {
+  const Damage damages[] = {
+      {"\"title\": \"Springs\",", "", "card.json: title is missing."},
+      {"\"title\": \"Springs\"", "\"title\": 7", "card.json: title has the wrong type."},
+      {"\"points\": 2", "\"points\": \"two\"", "card.json: exercises[0].points has the wrong type."},
+      {"\"points\": 2", "\"points\": 0", "card.json: exercises[0].points should be a positive number."},
+      {"spring_force", "spring_energy", "'spring_energy' stands on the card twice"},
+      {"\"exercises\": [", "\"exercises\": [[], ", "card.json: exercises[0] should be an object"},
+      {"\"builds_on\"", "\"built_on\"", "card.json: builds_on is missing."},
+      {"}", "", "card.json: not valid JSON"},
+  };
+  for (const Damage& damage : damages) {
+    CAPTURE(damage.sentence);
+    const CourseCopy course;
+    replace_in(course.card(), damage.from, damage.to);
+    require_checker_error(course, damage.sentence);
+  }
+  const CourseCopy course;
+  fs::remove(course.card());
+  require_checker_error(course, "the card of the lecture is missing");
+}
+
+TEST_CASE("an exercise on the card that the reference results do not have is a checker error") {
+  const CourseCopy course;
+  replace_in(course.card(), "\"spring_energy\"", "\"spring_entropy\"");
+  const Outcome outcome = course.run("check spring_entropy");
+  CHECK(outcome.status == 3);
+  CHECK(has(outcome.err, "01_springs.json: exercises: 'spring_entropy' is missing"));
+}
+
+TEST_CASE("damaged reference results are named with the place of the damage") {
+  const auto change = [](const std::function<void(nlohmann::json&)>& damage) {
+    return [damage](const fs::path& file) {
+      auto document = nlohmann::json::parse(read(file));
+      damage(document);
+      write(file, document.dump());
+    };
+  };
+  using nlohmann::json;
+  struct Case {
+    std::function<void(const fs::path&)> damage;
+    const char* sentence;
+  };
+  const Case cases[] = {
+      {[](const fs::path& file) { fs::resize_file(file, fs::file_size(file) / 2); }, "01_springs.json"},
+      {[](const fs::path& file) { write(file, ""); }, "01_springs.json"},
+      {[](const fs::path& file) { fs::remove(file); }, "01_springs.json"},
+      {change([](json& d) { d["format"] = 2; }), "format"},
+      {change([](json& d) { d["exercises"][0]["cases"][0]["expected"] = nullptr; }), "exercises[0].cases[0].expected"},
+      {change([](json& d) { d["exercises"][0]["cases"][0]["expected"] = "nine"; }), "exercises[0].cases[0].expected"},
+      {change([](json& d) { d["exercises"][0]["cases"][0]["inputs"] = json::array(); }), "exercises[0].cases[0].inputs"},
+      {change([](json& d) { d["exercises"][0]["cases"][0].erase("tolerance"); }), "exercises[0].cases[0]"},
+      {change([](json& d) { d["exercises"] = 3; }), "exercises"},
+  };
+  for (const Case& each : cases) {
+    CAPTURE(each.sentence);
+    const CourseCopy course;
+    each.damage(course.reference());
+    const Outcome outcome = course.run("check spring_energy --json");
+    CHECK(outcome.status == 3);
+    CHECK(outcome.out.empty());
+    CHECK_MESSAGE(has(outcome.err, each.sentence), outcome.err);
+  }
+}
+
+TEST_CASE("a course that is not there is a checker error") {
+  const CourseCopy course;
+  write(course.root() / "course.json", "{");
+  CHECK(course.run("list").status == 3);
+  CHECK(has(course.run("list").err, "build the workbook again"));
+  fs::remove(course.root() / "course.json");
+  CHECK(has(course.run("list").err, "the course's file is missing"));
+}
+
+TEST_CASE("trouble of our own is no zero") {
+  const CourseCopy course;
+  fs::copy_file(course.solution("spring_energy"), course.exercise("spring_energy"), fs::copy_options::overwrite_existing);
+  // A toolchain whose compiler is gone.
+  auto toolchain = nlohmann::json::parse(read(WORKBOOK_TEST_TOOLCHAIN));
+  toolchain["compiler"] = "/nowhere/g++";
+  write(course.root() / "toolchain.json", toolchain.dump());
+  auto description = nlohmann::json::parse(read(course.root() / "course.json"));
+  description["toolchain"] = (course.root() / "toolchain.json").string();
+  description["scratch"] = (course.root() / "scratch").string();
+  write(course.root() / "course.json", description.dump());
+
+  const Outcome outcome = course.run("check spring_energy --json");
+  CHECK(outcome.status == 3);
+  const auto result = outcome.json().at("results").at(0);
+  CHECK(result.at("verdict") == "checker_error");
+  CHECK(result.at("score").is_null());
+  CHECK(course.run("doctor").status == 3);
+}
+
+TEST_CASE("seeds need the solutions, and the checker says so where there are none") {
+  const CourseCopy course;
+  fs::remove(course.root() / "reference/reference_01_springs");
+  const Outcome outcome = course.run("check spring_energy --seed 7");
+  CHECK(outcome.status == 3);
+  CHECK(has(outcome.err, "has reference results for seed 1 only"));
+}

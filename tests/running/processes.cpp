@@ -1,0 +1,145 @@
+// Programs beside the checker: started without a shell, watched, and never left behind.
+#include "tests/running/student.hpp"
+
+#include "checker/worker/child_process.hpp"
+
+#include <doctest/doctest.h>
+
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <thread>
+
+namespace workbook::testing {
+namespace {
+
+Launch shell(const std::string& script) {
+  Launch launch;
+  launch.program = "/bin/sh";
+  launch.arguments = {"-c", script};
+  launch.environment = {"PATH=/usr/bin:/bin"};
+  return launch;
+}
+
+FinishedProgram finish(const std::string& script) { return run_program(shell(script), std::chrono::seconds(10), 10000); }
+
+}  // namespace
+
+TEST_CASE("the end of a program is seen as it was") {
+  CHECK(finish("exit 7").end.exit_status == 7);
+  CHECK(finish("exit 7").end.signal == 0);
+  CHECK(finish("kill -SEGV $$").end.signal == SIGSEGV);
+  CHECK(finish("echo one; echo two >&2; echo three").output == "one\ntwo\nthree\n");
+  CHECK(nothing_left_running());
+}
+
+TEST_CASE("a program starts with empty input, the given environment and no descriptors of the checker") {
+  CHECK(finish("read word; echo \"$word\"").output == "\n");
+  Launch launch = shell("echo $COLOUR $HOME");
+  launch.environment = {"COLOUR=blue"};
+  CHECK(run_program(launch, std::chrono::seconds(10), 1000).output == "blue\n");
+  CHECK(finish("ls /proc/self/fd | wc -l").output == "4\n");  // 0, 1, 2, and the one that ls reads with
+}
+
+TEST_CASE("a program starts in its directory") {
+  Launch launch = shell("pwd -P");
+  launch.directory = std::filesystem::canonical(fresh_directory("start here"));
+  CHECK(run_program(launch, std::chrono::seconds(10), 1000).output == launch.directory.string() + "\n");
+}
+
+TEST_CASE("a program that cannot be started says why") {
+  const auto error = [](const Launch& launch) -> std::string {
+    try {
+      run_program(launch, std::chrono::seconds(10), 1000);
+    } catch (const LaunchError& reason) {
+      return reason.what();
+    }
+    return "no error";
+  };
+  Launch launch = shell("true");
+  launch.directory = "/nowhere";
+  CHECK(error(launch) == "enter its directory: No such file or directory");
+  launch = shell("true");
+  launch.program = "/nowhere/sh";
+  CHECK(error(launch) == "start the program: No such file or directory");
+  launch = shell("true");
+  launch.prepare = []() -> const char* {
+    errno = EPERM;
+    return "build a wall";
+  };
+  CHECK(error(launch) == "build a wall: Operation not permitted");
+  CHECK(nothing_left_running());
+}
+
+TEST_CASE("a program and all its children end at the time limit") {
+  const auto start = Clock::now();
+  const FinishedProgram finished = run_program(shell("sleep 100 & sleep 100 & wait"), std::chrono::milliseconds(200), 1000);
+  CHECK(finished.out_of_time);
+  CHECK(finished.end.signal == SIGKILL);
+  CHECK(Clock::now() - start < std::chrono::seconds(5));
+  CHECK(nothing_left_running());
+}
+
+TEST_CASE("a program that closed its output is still limited") {
+  const FinishedProgram finished = run_program(shell("exec >&- 2>&-; sleep 100"), std::chrono::milliseconds(200), 1000);
+  CHECK(finished.out_of_time);
+  CHECK(nothing_left_running());
+}
+
+TEST_CASE("children that outlive their program are ended with it") {
+  CHECK(finish("sleep 100 >/dev/null 2>&1 & exit 3").end.exit_status == 3);
+  CHECK(nothing_left_running());
+}
+
+TEST_CASE("a flood is cut") {
+  const FinishedProgram finished = run_program(shell("while :; do echo again; done"), std::chrono::seconds(10), 1000);
+  CHECK(finished.too_much_output);
+  CHECK(finished.output.size() == 1000);
+  CHECK(nothing_left_running());
+}
+
+TEST_CASE("an exception in the checker leaves no process behind") {
+  CHECK_THROWS_AS(
+      [] {
+        const ChildProcess process(shell("sleep 100"));
+        throw std::runtime_error("something in the checker");
+      }(),
+      std::runtime_error);
+  CHECK(nothing_left_running());
+}
+
+TEST_CASE("a checker that is killed leaves no process behind") {
+  const pid_t checker = ::fork();
+  if (checker == 0) {
+    const ChildProcess process(shell("exec sleep 100"));
+    ::raise(SIGKILL);
+  }
+  REQUIRE(::waitpid(checker, nullptr, 0) == checker);
+  // Its child is ours now.
+  int status = 0;
+  pid_t orphan = 0;
+  for (int tries = 0; tries < 200 && orphan == 0; ++tries) {
+    orphan = ::waitpid(-1, &status, WNOHANG);
+    if (orphan == 0) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  CHECK(orphan > 0);
+  CHECK(WIFSIGNALED(status));
+  CHECK(WTERMSIG(status) == SIGKILL);
+  CHECK(nothing_left_running());
+}
+
+TEST_CASE("processor time is counted") {
+  const FinishedProgram finished = finish("i=0; while [ $i -lt 100000 ]; do i=$((i+1)); done");
+  CHECK(finished.end.processor_seconds > 0.0);
+  CHECK(finished.end.processor_seconds < 10.0);
+}
+
+TEST_CASE("a program starts with ordinary signals, whatever the checker ignores") {
+  const auto before = ::signal(SIGPIPE, SIG_IGN);
+  CHECK(finish("kill -PIPE $$").end.signal == SIGPIPE);
+  ::signal(SIGPIPE, before);
+}
+
+}  // namespace workbook::testing
