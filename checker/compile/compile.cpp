@@ -6,6 +6,7 @@
 #include "checker/worker/child_process.hpp"
 #include "checker/worker/printable.hpp"
 
+#include <signal.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -121,8 +122,8 @@ class CompilationInProgress {
       arguments.push_back(argument);
     arguments.push_back(toolchain_.prelude.string());
     // Both lists of dependencies: of the preprocessor, and of the assembler, which can include files too.
-    for (const char* argument : {"-MD", "-MF", "../unit.includes", "-Wa,--MD,../unit.assembled", "-c", "../unit.cpp", "-o",
-                                 "../unit.o"})
+    for (const char* argument :
+         {"-MD", "-MF", "../unit.includes", "-Wa,--MD,../unit.assembled", "-c", "../unit.cpp", "-o", "../unit.o"})
       arguments.push_back(argument);
     const FinishedProgram compiled = run_compiler(arguments);
     if (succeeded(compiled)) return;
@@ -139,9 +140,9 @@ class CompilationInProgress {
     for (const char* list : {"unit.includes", "unit.assembled"})
       for (const std::string& name : dependencies(workspace_ / list))
         if (!may_be_included(name))
-          refuse(Refusal::compile_error,
-                 "Your file includes " + printable(name) + ", but it is compiled alone: include only headers of the course, "
-                 "of Eigen and of the standard library.");
+          refuse(Refusal::compile_error, "Your file includes " + printable(name) +
+                                             ", but it is compiled alone: include only headers of the course, "
+                                             "of Eigen and of the standard library.");
   }
 
   bool may_be_included(const std::string& name) const {
@@ -176,7 +177,8 @@ class CompilationInProgress {
     const ObjectFile worker = read_object_file(toolchain_.worker_object(task_.exercise), toolchain_);
     const auto is_contract_function = [](const Symbol& symbol) { return symbol.signature.starts_with("rigid::"); };
     if (student.defines("main"))
-      refuse(Refusal::compile_error, "Your file defines main(); leave it out, the checker calls your function itself.", details);
+      refuse(Refusal::compile_error, "Your file defines main(); leave it out, the checker calls your function itself.",
+             details);
     for (const Symbol& needed : worker.undefined)
       if (is_contract_function(needed) && !student.defines(needed.linker_name))
         refuse(Refusal::missing_function, missing(needed, student), details);
@@ -220,9 +222,10 @@ class CompilationInProgress {
     const auto seconds = static_cast<rlim_t>(std::ceil(limits_.time.count()));
     const rlimit processor{seconds, seconds + 1};
     const rlimit core{0, 0};
+    const rlimit file{limits_.file_bytes, limits_.file_bytes};
     launch.prepare = [&]() -> const char* {
       const bool limited = ::setrlimit(RLIMIT_AS, &memory) == 0 && ::setrlimit(RLIMIT_CPU, &processor) == 0 &&
-                           ::setrlimit(RLIMIT_CORE, &core) == 0;
+                           ::setrlimit(RLIMIT_CORE, &core) == 0 && ::setrlimit(RLIMIT_FSIZE, &file) == 0;
       return limited ? nullptr : "limit the compiler";
     };
     try {
@@ -230,7 +233,8 @@ class CompilationInProgress {
       finished.output = printable(finished.output);
       return finished;
     } catch (const LaunchError& error) {
-      throw ToolchainError("The compiler " + program + " cannot be used (" + error.what() + "); build the workbook again.");
+      throw ToolchainError("The compiler " + program + " cannot be used (" + error.what() +
+                           "); build the workbook again.");
     }
   }
 
@@ -239,15 +243,26 @@ class CompilationInProgress {
   }
 
   void refuse_if_limit_reached(const FinishedProgram& program) const {
-    if (disk_is_full(program.output))
-      refuse(Refusal::checker_error, std::string("There is no room to compile your file (is the disk full?)") + not_yours,
-             program.output);
+    if (!has_room())
+      refuse(Refusal::checker_error,
+             std::string("There is no room to compile your file (is the disk full?)") + not_yours, program.output);
     if (program.out_of_time)
       refuse(Refusal::compile_error,
-             "Your file takes too long to compile; look for a template or an #include that never ends.", program.output);
+             "Your file takes too long to compile; look for a template or an #include that never ends.",
+             program.output);
     if (ran_out_of_memory(program.output))
       refuse(Refusal::compile_error,
-             "Compiling your file takes too much memory; look for a template or an #include that never ends.", program.output);
+             "Compiling your file takes too much memory; look for a template or an #include that never ends.",
+             program.output);
+    if (grew_too_large(program.output) || program.end.signal == SIGXFSZ)
+      refuse(Refusal::compile_error, "Your file makes a program that is too large; look for a huge array.",
+             program.output);
+  }
+
+  /// Tried, not read from the compiler's messages: those a student can write.
+  bool has_room() const {
+    std::ofstream probe(workspace_ / "probe", std::ios::binary);
+    return static_cast<bool>((probe << std::string(std::size_t{4} << 20, ' ')).flush());
   }
 
   [[noreturn]] static void refuse(Refusal refusal, std::string message, std::string details = {}) {
@@ -295,7 +310,8 @@ Compilation compile(const CompileTask& task, const Toolchain& toolchain, const f
   } catch (const CacheError& error) {
     refuse(Refusal::checker_error, error.what());
   } catch (const fs::filesystem_error& error) {
-    refuse(Refusal::checker_error, "The checker could not compile your file (" + std::string(error.what()) + ")" + not_yours);
+    refuse(Refusal::checker_error,
+           "The checker could not compile your file (" + std::string(error.what()) + ")" + not_yours);
   }
   result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   return result;

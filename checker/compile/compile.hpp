@@ -19,6 +19,7 @@ struct CompileLimits {
   std::chrono::duration<double> time{60.0};
   std::size_t memory_bytes = std::size_t{2} << 30;
   std::size_t output_bytes = std::size_t{256} << 10;
+  std::size_t file_bytes = std::size_t{64} << 20;  ///< of each file that it writes
 };
 
 /// The exercise that the file is for.

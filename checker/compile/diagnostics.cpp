@@ -21,7 +21,8 @@ std::string readable(std::string text) {
   std::smatch found;
   if (!std::regex_search(text, found, shouted)) return text;
   std::string words = found[1];
-  for (char& letter : words) letter = letter == '_' ? ' ' : static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  for (char& letter : words)
+    letter = letter == '_' ? ' ' : static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
   return "Eigen says: " + words;
 }
 
@@ -62,8 +63,8 @@ bool ran_out_of_memory(const std::string& output) {
                                "memory exhausted", "Cannot allocate memory"});
 }
 
-bool disk_is_full(const std::string& output) {
-  return contains_any(output, {"No space left on device", "Disk quota exceeded", "Read-only file system"});
+bool grew_too_large(const std::string& output) {
+  return contains_any(output, {"File too large", "File size limit exceeded"});
 }
 
 }  // namespace workbook

@@ -20,7 +20,7 @@ std::optional<FirstError> first_error(const std::string& output, const std::stri
 /// True if the compiler stopped because its memory was used up.
 bool ran_out_of_memory(const std::string& output);
 
-/// True if there was no room to write what the compiler made.
-bool disk_is_full(const std::string& output);
+/// True if it stopped because what it made grew too large.
+bool grew_too_large(const std::string& output);
 
 }  // namespace workbook

@@ -26,14 +26,17 @@ std::optional<std::string> demangled(const std::string& linker_name) {
 }  // namespace
 
 std::string in_contract_words(std::string signature) {
-  static const std::pair<const char*, const char*> words[] = {
-      {"Eigen::Matrix<double, 2, 1, 0, 2, 1>", "Vector2d"},   {"Eigen::Matrix<double, 3, 1, 0, 3, 1>", "Vector3d"},
-      {"Eigen::Matrix<double, -1, 1, 0, -1, 1>", "VectorXd"}, {"Eigen::Matrix<double, 3, 3, 0, 3, 3>", "Matrix3d"},
-      {"Eigen::Matrix<double, 3, -1, 0, 3, -1>", "Matrix3Xd"}, {"Eigen::Matrix<double, -1, -1, 0, -1, -1>", "MatrixXd"}};
+  static const std::pair<const char*, const char*> words[] = {{"Eigen::Matrix<double, 2, 1, 0, 2, 1>", "Vector2d"},
+                                                              {"Eigen::Matrix<double, 3, 1, 0, 3, 1>", "Vector3d"},
+                                                              {"Eigen::Matrix<double, -1, 1, 0, -1, 1>", "VectorXd"},
+                                                              {"Eigen::Matrix<double, 3, 3, 0, 3, 3>", "Matrix3d"},
+                                                              {"Eigen::Matrix<double, 3, -1, 0, 3, -1>", "Matrix3Xd"},
+                                                              {"Eigen::Matrix<double, -1, -1, 0, -1, -1>", "MatrixXd"}};
   for (const auto& [long_name, short_name] : words)
     for (std::size_t at = 0; (at = signature.find(long_name, at)) != std::string::npos;)
       signature.replace(at, std::string(long_name).size(), short_name);
-  signature = std::regex_replace(signature, std::regex("std::vector<(\\w+), std::allocator<\\w+ ?> ?>"), "std::vector<$1>");
+  signature =
+      std::regex_replace(signature, std::regex("std::vector<(\\w+), std::allocator<\\w+ ?> ?>"), "std::vector<$1>");
   return std::regex_replace(signature, std::regex("([\\w:]+(?:<\\w+>)?) const&"), "const $1&");
 }
 
@@ -52,7 +55,8 @@ ObjectFile read_object_file(const std::filesystem::path& object, const Toolchain
   try {
     listing = run_program(launch, std::chrono::seconds(10), std::size_t{16} << 20);
   } catch (const LaunchError& error) {
-    throw ToolchainError("The program " + program + " cannot be used (" + error.what() + "); build the workbook again.");
+    throw ToolchainError("The program " + program + " cannot be used (" + error.what() +
+                         "); build the workbook again.");
   }
   ObjectFile result;
   std::istringstream lines(listing.output);

@@ -17,13 +17,13 @@ using Eigen::MatrixXd;
 
 /// A deviation whose numbers may all be equally large.
 Deviation uniform_deviation(std::string meaning, Kind kind, const MatrixXd& difference, double tolerance, double size) {
-  Deviation deviation{std::move(meaning), kind, to_value(difference), tolerance, {}};
+  Deviation deviation{std::move(meaning), kind, to_value(difference), tolerance, {}, false};
   deviation.allowed.assign(deviation.difference.numbers.size(), tolerance * size);
   return deviation;
 }
 
 Deviation entry_by_entry(std::string meaning, Kind kind, const Case& one, const Value& actual, const Value& target) {
-  Deviation deviation{std::move(meaning), kind, actual, one.tolerance, {}};
+  Deviation deviation{std::move(meaning), kind, actual, one.tolerance, {}, true};
   for (std::size_t n = 0; n < actual.numbers.size(); ++n) {
     deviation.difference.numbers[n] = actual.numbers[n] - target.numbers[n];
     deviation.allowed.push_back(one.tolerance * scale_at(one, n));
@@ -164,8 +164,8 @@ Deviation drift(const ExerciseReference& exercise, const Property& property, std
   std::vector<double> magnitudes = weights;
   for (double& weight : magnitudes) weight = std::abs(weight);
 
-  Deviation deviation{
-      property.message, Kind::vector, {actual.cols, 1, weighted_squares(weights, actual)}, one.tolerance, {}};
+  const Value sums{actual.cols, 1, weighted_squares(weights, actual)};
+  Deviation deviation{property.message, Kind::vector, sums, one.tolerance, {}, false};
   const std::vector<double> expected = weighted_squares(weights, one.expected);
   for (double& sum : deviation.difference.numbers) sum -= expected.front();
   for (double size : weighted_squares(magnitudes, one.expected)) deviation.allowed.push_back(one.tolerance * size);

@@ -19,6 +19,7 @@ struct Deviation {
   Value difference;             ///< zero for a perfect answer
   double tolerance = 0.0;       ///< relative
   std::vector<double> allowed;  ///< one per number: tolerance × natural size
+  bool is_entrywise = false;    ///< true if its numbers belong one by one to those of the result
 
   /// `<=`, so that NaN is never within.
   bool is_within(std::size_t number) const;
@@ -40,8 +41,8 @@ Value to_value(const Eigen::MatrixXd& matrix);
 /// The expected value, or its negative where the exercise is compared up to sign and the negative is nearer.
 Value nearest_expected(const ExerciseReference& exercise, std::size_t case_index, const Value& actual);
 
-/// How far an answer is from the expected one, in each way in which it is measured; the answer must have the expected
-/// shape.
+/// How far an answer is from the expected one, in each way in which it is measured, an entrywise one first; the answer
+/// must have the expected shape.
 std::vector<Deviation> deviations(const ExerciseReference& exercise, std::size_t case_index, const Value& actual);
 
 /// How far Σ weightᵢ yᵢ² of every column is from its one right value. It is measured against its own size: it is

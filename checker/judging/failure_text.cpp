@@ -8,6 +8,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
+#include <limits>
 #include <numeric>
 #include <optional>
 
@@ -70,20 +73,14 @@ Table matrix_table(const Value& value, std::size_t first_col, int digits, const 
 }
 
 /// One column of the value per line: a list of points reads better so, and fits on the page.
-Table columns_table(const Value& value, const std::vector<std::size_t>& cols, int digits,
-                    const NumberTest& is_marked = {}) {
+Table columns_table(const Value& value, std::size_t count) {
   Table table;
-  for (std::size_t col : cols) {
+  for (std::size_t col = 0; col < count; ++col) {
     table.labels.push_back(fmt::format("column {}", col + 1));
     table.rows.emplace_back();
     for (std::size_t row = 0; row < static_cast<std::size_t>(value.rows); ++row) {
-      table.rows.back().push_back(number_text(value.numbers[number_at(value, row, col)], digits));
+      table.rows.back().push_back(number_text(value.numbers[number_at(value, row, col)], all_digits));
     }
-  }
-  if (is_marked) {
-    table.is_marked = [=, shape = value](std::size_t line, std::size_t row) {
-      return is_marked(number_at(shape, row, cols.at(line)));
-    };
   }
   return table;
 }
@@ -112,7 +109,7 @@ std::vector<std::string> input_lines(const Argument& argument, const Value& valu
   switch (argument.kind) {
     case Kind::points: {
       const std::size_t shown = std::min(cols, most_rows);
-      append(lines, indented(table_lines(columns_table(value, first_indices(shown), all_digits)), indent));
+      append(lines, indented(table_lines(columns_table(value, shown)), indent));
       if (shown < cols) lines.push_back("  " + left_out(cols - shown, "column"));
       break;
     }
@@ -170,21 +167,39 @@ std::string common_unit(const ExerciseReference& exercise) {
   return exercise.result_units.size() == 1 ? to_string(exercise.result_units.front()) : "";
 }
 
-/// Numbers and vectors: a line for each component.
+/// "2" for a component of a vector, "column 1   2" for one of a list of columns.
+std::string component_label(Kind kind, std::size_t number) {
+  if (is_vector(kind)) return std::to_string(number + 1);
+  if (kind != Kind::points) return "";
+  const std::size_t row = number % 3;
+  return row == 0 ? fmt::format("column {}   1", number / 3 + 1) : std::to_string(row + 1);
+}
+
+/// The numbers to show: all of them, or of a long list the columns that differ.
+std::vector<std::size_t> shown_numbers(const Result& result) {
+  std::vector<std::size_t> shown = first_indices(result.expected.numbers.size());
+  if (shown.size() <= most_rows) return shown;
+  const std::size_t rows = result.exercise.result_kind == Kind::points ? 3 : 1;
+  if (result.difference && !result.difference->is_within()) {
+    std::erase_if(shown, [&](std::size_t n) {
+      const std::size_t top = n - n % rows;
+      return std::ranges::none_of(first_indices(rows), [&](std::size_t row) { return result.differs(top + row); });
+    });
+  }
+  shown.resize(std::min(shown.size(), most_rows));
+  return shown;
+}
+
+/// Numbers, vectors and points: a line for each number.
 std::vector<std::string> component_lines(const Result& result) {
   Table table;
   table.headings = {"expected"};
   if (result.actual) table.headings.push_back("yours");
   if (result.difference) table.headings.push_back("difference");
 
-  std::vector<std::size_t> shown = first_indices(result.expected.numbers.size());
-  if (shown.size() > most_rows && result.difference) {
-    std::erase_if(shown, [&](std::size_t n) { return !result.differs(n); });
-  }
-  shown.resize(std::min(shown.size(), most_rows));
-
+  const std::vector<std::size_t> shown = shown_numbers(result);
   for (std::size_t n : shown) {
-    if (is_vector(result.exercise.result_kind)) table.labels.push_back(std::to_string(n + 1));
+    table.labels.push_back(component_label(result.exercise.result_kind, n));
     std::vector<std::string> row = {number_text(result.expected.numbers[n], result.digits)};
     if (result.actual) row.push_back(number_text(result.actual->numbers[n], result.digits));
     if (result.difference) row.push_back(number_text(result.difference->difference.numbers[n], difference_digits));
@@ -194,56 +209,30 @@ std::vector<std::string> component_lines(const Result& result) {
   table.is_marked = [&](std::size_t row, std::size_t col) { return col == 1 && result.differs(shown[row]); };
 
   std::vector<std::string> lines = indented(table_lines(table), indent);
+  if (shown.empty()) lines.push_back("  an empty list");
   if (shown.size() < result.expected.numbers.size()) {
-    lines.push_back("  " + left_out(result.expected.numbers.size() - shown.size(), "component"));
+    lines.push_back("  " + left_out(result.expected.numbers.size() - shown.size(), "number"));
   }
   return lines;
 }
 
-using TableOf = std::function<Table(const Value&, int digits, const NumberTest& is_marked)>;
-
-/// Matrices and points: expected, yours and difference as blocks.
-std::vector<std::string> block_lines(const Result& result, const TableOf& table_of) {
-  const NumberTest differs = [&](std::size_t number) { return result.differs(number); };
-  std::vector<Block> blocks = {{"expected", table_lines(table_of(result.expected, result.digits, {}))}};
-  if (result.actual) blocks.push_back({"yours", table_lines(table_of(*result.actual, result.digits, differs))});
-  if (result.difference) {
-    blocks.push_back({"difference", table_lines(table_of(result.difference->difference, difference_digits, differs))});
-  }
-  return side_by_side(blocks, 0);
-}
-
+/// The columns [first_col, first_col + 3): expected, yours and difference as blocks.
 std::vector<std::string> matrix_lines(const Result& result, std::size_t first_col) {
-  return block_lines(result, [first_col](const Value& value, int digits, const NumberTest& is_marked) {
-    return matrix_table(value, first_col, digits, is_marked);
-  });
-}
-
-std::vector<std::string> points_lines(const Result& result) {
-  const auto rows = static_cast<std::size_t>(result.expected.rows);
-  std::vector<std::size_t> cols = first_indices(static_cast<std::size_t>(result.expected.cols));
-  if (cols.size() > most_rows && result.difference) {
-    std::erase_if(cols, [&](std::size_t col) {
-      return std::ranges::none_of(
-          first_indices(rows), [&](std::size_t row) { return result.differs(number_at(result.expected, row, col)); });
-    });
-  }
-  cols.resize(std::min(cols.size(), most_rows));
-  std::vector<std::string> lines =
-      block_lines(result, [&](const Value& value, int digits, const NumberTest& is_marked) {
-        return columns_table(value, cols, digits, is_marked);
-      });
-  const std::size_t hidden = static_cast<std::size_t>(result.expected.cols) - cols.size();
-  if (hidden > 0) lines.push_back("  " + left_out(hidden, "column"));
-  return lines;
+  const NumberTest differs = [&](std::size_t number) { return result.differs(number); };
+  const auto block = [&](const char* title, const Value& value, int digits, const NumberTest& is_marked) {
+    return Block{title, table_lines(matrix_table(value, first_col, digits, is_marked))};
+  };
+  std::vector<Block> blocks = {block("expected", result.expected, result.digits, {})};
+  if (result.actual) blocks.push_back(block("yours", *result.actual, result.digits, differs));
+  if (result.difference)
+    blocks.push_back(block("difference", result.difference->difference, difference_digits, differs));
+  return side_by_side(blocks, 0);
 }
 
 std::vector<std::string> result_lines(const Result& result) {
   switch (result.exercise.result_kind) {
     case Kind::matrix3:
       return matrix_lines(result, 0);
-    case Kind::points:
-      return points_lines(result);
     case Kind::matrices: {
       std::vector<std::string> lines;
       for (std::size_t col = 0; col + 3 <= static_cast<std::size_t>(result.expected.cols); col += 3) {
@@ -252,55 +241,74 @@ std::vector<std::string> result_lines(const Result& result) {
       }
       return lines;
     }
-    default:
+    case Kind::number:
+    case Kind::integer:
+    case Kind::vector2:
+    case Kind::vector3:
+    case Kind::vector:
+    case Kind::points:
       return component_lines(result);
   }
+  return {};
 }
 
-bool compares_entries(Comparison comparison) {
-  return comparison == Comparison::plain || comparison == Comparison::up_to_sign;
+/// Rounding errors of right numbers would only draw the eye.
+Deviation without_rounding_errors(Deviation deviation) {
+  for (std::size_t n = 0; n < deviation.allowed.size(); ++n) {
+    if (deviation.is_within(n)) deviation.difference.numbers[n] = 0.0;
+  }
+  return deviation;
 }
 
 /// What is tested of the answer as a whole, where it does not hold.
 std::vector<std::string> whole_deviation_lines(const Deviation& deviation) {
-  std::vector<std::string> lines = wrapped(deviation.meaning + " — zero for a right answer", 0);
+  const bool is_sentence = deviation.meaning.ends_with('.');
+  std::vector<std::string> lines = wrapped(deviation.meaning + (is_sentence ? "" : ": zero for a right answer."), 0);
   const NumberTest differs = [&](std::size_t number) { return !deviation.is_within(number); };
   if (deviation.kind == Kind::matrix3) {
     append(lines, table_lines(matrix_table(deviation.difference, 0, difference_digits, differs)));
     return lines;
   }
+
+  std::vector<std::size_t> beyond = first_indices(deviation.difference.numbers.size());
+  std::erase_if(beyond, [&](std::size_t number) { return !differs(number); });
   Table table;
-  std::size_t marked = 0;
-  for (std::size_t n = 0; n < deviation.difference.numbers.size(); ++n) {
-    if (!differs(n)) continue;
-    if (++marked > most_rows) continue;
-    if (deviation.kind == Kind::vector) table.labels.push_back(fmt::format("  column {}", n + 1));
+  for (std::size_t n : beyond) {
+    if (table.rows.size() == most_rows) break;
+    if (deviation.kind == Kind::vector) table.labels.push_back(fmt::format("column {} is off by", n + 1));
     table.rows.push_back({number_text(deviation.difference.numbers[n], difference_digits)});
   }
   table.is_marked = [](std::size_t, std::size_t) { return true; };
   append(lines, table_lines(table));
-  if (marked > most_rows) lines.push_back("  " + left_out(marked - most_rows, "column"));
+  if (beyond.size() > most_rows) lines.push_back(left_out(beyond.size() - most_rows, "column"));
   return lines;
+}
+
+/// The deviations that explain the failure: differing entries speak for themselves, and what follows from them is left
+/// out.
+std::vector<Deviation> telling_deviations(std::vector<Deviation> all) {
+  std::erase_if(all, [](const Deviation& deviation) { return deviation.is_within(); });
+  if (!all.empty() && all.front().is_entrywise) all.resize(1);
+  return all;
+}
+
+double largest_relative_size(const std::vector<Deviation>& beyond, const Value& actual) {
+  if (!is_finite(actual)) return std::numeric_limits<double>::infinity();
+  double largest = 0.0;
+  for (const Deviation& deviation : beyond) {
+    largest = std::max(largest, deviation.relative_size());
+  }
+  return largest;
 }
 
 std::vector<std::string> result_section(const ExerciseReference& exercise, const FirstFailure& failure) {
   const Case& one = exercise.cases.at(failure.case_index);
   Result result{exercise, one.expected, failure.actual, std::nullopt};
-  std::vector<Deviation> whole;
-  double relative_size = 0.0;
+  std::vector<Deviation> measured;
   if (failure.actual) {
     result.expected = nearest_expected(exercise, failure.case_index, *failure.actual);
-    whole = deviations(exercise, failure.case_index, *failure.actual);
-    for (const Deviation& deviation : whole) relative_size = std::max(relative_size, deviation.relative_size());
-    if (!is_finite(*failure.actual)) relative_size = std::numeric_limits<double>::infinity();
-    if (compares_entries(exercise.comparison)) {
-      result.difference = whole.front();
-      whole.erase(whole.begin());
-      // Rounding errors of right numbers would only draw the eye.
-      for (std::size_t n = 0; n < result.difference->allowed.size(); ++n) {
-        if (!result.differs(n)) result.difference->difference.numbers[n] = 0.0;
-      }
-    }
+    measured = deviations(exercise, failure.case_index, *failure.actual);
+    if (measured.front().is_entrywise) result.difference = without_rounding_errors(measured.front());
   }
   result.digits = digits_needed(result);
 
@@ -311,15 +319,20 @@ std::vector<std::string> result_section(const ExerciseReference& exercise, const
     lines.push_back("  No value of yours can be shown.");
     return lines;
   }
-  if (exercise.comparison == Comparison::up_to_sign)
-    lines.push_back("  The expected value or its negative, whichever is nearer to yours.");
-  for (const Deviation& deviation : whole) {
-    if (deviation.is_within()) continue;
-    lines.push_back("");
-    append(lines, whole_deviation_lines(deviation));
+  if (exercise.comparison == Comparison::up_to_sign) {
+    lines.push_back("  Expected is this value or its negative, whichever is nearer to yours.");
   }
-  lines.push_back("");
-  append(lines, wrapped(sentences::error_size(relative_size, one.tolerance), 0));
+  const std::vector<Deviation> telling = telling_deviations(std::move(measured));
+  for (const Deviation& deviation : telling) {
+    if (deviation.is_entrywise) continue;
+    lines.push_back("");
+    append(lines, whole_deviation_lines(without_rounding_errors(deviation)));
+  }
+  // How much the equations of eigenvectors are off says little about the vectors.
+  if (exercise.comparison != Comparison::eigenvectors) {
+    lines.push_back("");
+    append(lines, wrapped(sentences::error_size(largest_relative_size(telling, *failure.actual), one.tolerance), 0));
+  }
   return lines;
 }
 

@@ -114,11 +114,11 @@ class NewProcess {
   }
 };
 
-void set_nonblocking(int descriptor) {
-  ::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) | O_NONBLOCK);
-}
+void set_nonblocking(int descriptor) { ::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) | O_NONBLOCK); }
 
-double seconds(const timeval& time) { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); }
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
 
 /// Milliseconds for poll, rounded up so that it does not spin at the end.
 int poll_timeout(Clock::time_point deadline) {
@@ -175,7 +175,8 @@ void ChildProcess::hang_up() { ::shutdown(channel_.number(), SHUT_WR); }
 std::optional<ProcessEnd> ChildProcess::wait_until(Clock::time_point deadline) {
   while (!end_) {
     siginfo_t info{};
-    if (::waitid(P_PID, static_cast<id_t>(process_), &info, WEXITED | WNOHANG | WNOWAIT) != 0 && errno != EINTR) return reap();
+    if (::waitid(P_PID, static_cast<id_t>(process_), &info, WEXITED | WNOHANG | WNOWAIT) != 0 && errno != EINTR)
+      return reap();
     if (info.si_pid == process_) return reap();
     if (Clock::now() >= deadline) return std::nullopt;
     std::this_thread::sleep_for(std::chrono::microseconds(200));

@@ -26,11 +26,11 @@ struct LaunchError : std::runtime_error {
 
 /// What to start. All of it must live until the ChildProcess is made.
 struct Launch {
-  const char* program = nullptr;             ///< path; nothing is searched, no shell is involved
-  std::vector<std::string> arguments;        ///< without the program's own name
-  std::vector<std::string> environment;      ///< "NAME=value"; nothing is inherited
-  std::filesystem::path directory;           ///< where it starts; empty: where the checker stands
-  bool with_channel = false;                 ///< a socket pair to talk over, frames::channel in the new process
+  const char* program = nullptr;         ///< path; nothing is searched, no shell is involved
+  std::vector<std::string> arguments;    ///< without the program's own name
+  std::vector<std::string> environment;  ///< "NAME=value"; nothing is inherited
+  std::filesystem::path directory;       ///< where it starts; empty: where the checker stands
+  bool with_channel = false;             ///< a socket pair to talk over, frames::channel in the new process
   /// Runs in the new process just before the program, and may only make system calls: between fork and exec nothing
   /// else is safe. Returns nullptr, or what failed, with the reason in errno.
   std::function<const char*()> prepare;
@@ -43,8 +43,9 @@ struct ProcessEnd {
   double processor_seconds = 0.0;
 };
 
-/// A running program with its own process group. Its standard input is empty; standard output and error arrive together.
-/// Nothing of it is left when the object is gone. Linux ties its life to the thread that made it: keep that thread.
+/// A running program with its own process group. Its standard input is empty; standard output and error arrive
+/// together. Nothing of it is left when the object is gone. Linux ties its life to the thread that made it: keep that
+/// thread.
 class ChildProcess {
  public:
   /// @throws LaunchError

@@ -15,7 +15,8 @@ constexpr const char* outside_vector =
     "an index lies outside its vector; a vector of size n has the indices 0 to n - 1";
 constexpr const char* outside_block = "a block, segment, head or tail reaches beyond its matrix or vector";
 constexpr const char* different_sizes = "two operands of a sum, difference or assignment have different sizes";
-constexpr const char* not_its_size = "a matrix or vector is given a size that is negative or that its type does not allow";
+constexpr const char* not_its_size =
+    "a matrix or vector is given a size that is negative or that its type does not allow";
 constexpr const char* square_needed = "inverse, determinant and eigenvalues need a square matrix";
 constexpr const char* braces = "the rows in the braces do not have the size of their matrix";
 
@@ -26,15 +27,18 @@ constexpr Explanation explanations[] = {
     {"Too many rows", "too many numbers follow << for this matrix or vector"},
     {"Cannot comma-initialize", "<< puts numbers into a matrix or vector without entries; give it a size first"},
     {"m_currentBlockRows", "the parts joined by << do not have the same number of rows"},
-    {"invalid matrix product", "in a matrix product the left factor must have as many columns as the right one has rows"},
+    {"invalid matrix product",
+     "in a matrix product the left factor must have as many columns as the right one has rows"},
     {"aliasing detected during transposition",
      "A = A.transpose() overwrites A while reading it; use A.transposeInPlace() or A.transpose().eval()"},
     {"Aliasing problem detected in inverse", "A = A.inverse() overwrites A while reading it; use A.inverse().eval()"},
     {"transposeInPlace() called on a non-square", "transposeInPlace() needs a square matrix"},
     {"you are using an empty matrix", "an empty matrix or vector has no largest, smallest or mean entry"},
-    {"eigenvectors have not been computed", "the solver was told to compute eigenvalues only, and is asked for eigenvectors"},
+    {"eigenvectors have not been computed",
+     "the solver was told to compute eigenvalues only, and is asked for eigenvectors"},
     {"is not initialized", "a decomposition is used before compute() was called"},
-    {"invalid number of rows of the right hand side", "solve() needs a right-hand side with as many rows as the matrix has"},
+    {"invalid number of rows of the right hand side",
+     "solve() needs a right-hand side with as many rows as the matrix has"},
     {"non-square matrix", square_needed},
     {"index >= 0 && index < size()", outside_vector},
     {"row >= 0 && row < rows()", "a row or column index lies outside its matrix; indices start at 0"},
@@ -74,7 +78,8 @@ std::string explain(std::string_view condition) {
 
 void report_eigen_assertion(const char* condition) {
   // While `v << 1, f(), 3` is left because f threw, its destructor finds numbers missing; the first exception counts.
-  if (std::uncaught_exceptions() > 0 && std::string_view(condition).find("Too few coefficients") != std::string_view::npos)
+  if (std::uncaught_exceptions() > 0 &&
+      std::string_view(condition).find("Too few coefficients") != std::string_view::npos)
     return;
   throw EigenError(explain(condition));
 }

@@ -2,7 +2,8 @@
 /// What checker and worker send each other: fixed headers followed by numbers, over one socket pair.
 ///
 /// A request is a RequestHeader, a Shape per argument, then the numbers of all arguments. A reply is a ReplyHeader, and
-/// after Status::returned the numbers of the expected shape. The checker therefore knows before it reads how much comes.
+/// after Status::returned the numbers of the expected shape. The checker therefore knows before it reads how much
+/// comes.
 #pragma once
 
 #include <cstdint>

@@ -30,8 +30,8 @@ class Session {
     return reply;
   }
 
-  /// Ends the process; the next call gets a fresh one. `last`, the reply to the last call, is replaced if something came
-  /// after it.
+  /// Ends the process; the next call gets a fresh one. `last`, the reply to the last call, is replaced if something
+  /// came after it.
   void finish_process(Reply& last) {
     if (!worker_) return;
     const Reply farewell = worker_->finish();
@@ -80,8 +80,8 @@ Observation ExerciseRunner::observe(const std::vector<Case>& cases, const std::v
   } catch (const LaunchError& error) {
     observation = {};
     observation.refusal = Refusal::checker_error;
-    observation.refusal_message =
-        "The checker could not run the compiled function (" + std::string(error.what()) + "); this is not your mistake.";
+    observation.refusal_message = "The checker could not run the compiled function (" + std::string(error.what()) +
+                                  "); this is not your mistake.";
   }
   observation.printed = printable(budget.printed);
   observation.run_seconds = std::chrono::duration<double>(Clock::now() - start).count();

@@ -77,13 +77,13 @@ constexpr const char* spy = "look into another process";
 constexpr const char* change_files = "change files or folders";
 
 constexpr Purpose purposes[] = {
-    {"open", file},          {"openat", file},         {"openat2", file},         {"creat", file},
-    {"fork", process},       {"vfork", process},       {"clone", process},        {"clone3", process},
-    {"execve", program},     {"execveat", program},    {"socket", network},       {"socketpair", network},
-    {"connect", network},    {"kill", signal_others},  {"tkill", signal_others},  {"tgkill", signal_others},
-    {"ptrace", spy},         {"pidfd_open", spy},      {"process_vm_readv", spy}, {"process_vm_writev", spy},
-    {"unlink", change_files}, {"unlinkat", change_files}, {"rename", change_files}, {"renameat2", change_files},
-    {"mkdir", change_files}, {"mkdirat", change_files}, {"rmdir", change_files},  {"chmod", change_files}};
+    {"open", file},           {"openat", file},           {"openat2", file},         {"creat", file},
+    {"fork", process},        {"vfork", process},         {"clone", process},        {"clone3", process},
+    {"execve", program},      {"execveat", program},      {"socket", network},       {"socketpair", network},
+    {"connect", network},     {"kill", signal_others},    {"tkill", signal_others},  {"tgkill", signal_others},
+    {"ptrace", spy},          {"pidfd_open", spy},        {"process_vm_readv", spy}, {"process_vm_writev", spy},
+    {"unlink", change_files}, {"unlinkat", change_files}, {"rename", change_files},  {"renameat2", change_files},
+    {"mkdir", change_files},  {"mkdirat", change_files},  {"rmdir", change_files},   {"chmod", change_files}};
 
 #endif
 
@@ -114,7 +114,8 @@ const char* Sandbox::enter(unsigned processor_seconds) noexcept {
 
 #if WORKBOOK_HAS_SECCOMP
 
-Sandbox::Sandbox(const std::filesystem::path& program, SandboxLimits limits) : program_(program.string()), limits_(limits) {
+Sandbox::Sandbox(const std::filesystem::path& program, SandboxLimits limits)
+    : program_(program.string()), limits_(limits) {
   if (kernel_has_filters()) build_filter();
 }
 
@@ -135,7 +136,7 @@ void Sandbox::build_filter() {
 
   rule(SCMP_ACT_ALLOW, SCMP_SYS(execve), {SCMP_A0_64(SCMP_CMP_EQ, reinterpret_cast<std::uintptr_t>(program_.c_str()))});
   const scmp_arg_cmp itself = SCMP_A0_64(SCMP_CMP_MASKED_EQ, 0xffffffff, own_process);
-  rule(SCMP_ACT_ALLOW, SCMP_SYS(kill), {itself});    // abort() and raise() send signals
+  rule(SCMP_ACT_ALLOW, SCMP_SYS(kill), {itself});  // abort() and raise() send signals
   rule(SCMP_ACT_ALLOW, SCMP_SYS(tgkill), {itself});
   rule(SCMP_ACT_ALLOW, SCMP_SYS(prlimit64), {SCMP_A2_64(SCMP_CMP_EQ, 0)});  // reading limits, not setting them
   rule(SCMP_ACT_ALLOW, SCMP_SYS(fcntl), {SCMP_A1_32(SCMP_CMP_EQ, F_GETFL)});
@@ -155,7 +156,9 @@ void Sandbox::build_filter() {
 SandboxStrength sandbox_strength() {
   if (kernel_has_filters())
     return {true, "Students' functions run behind a filter of system calls, with limits on time, memory and output."};
-  return {false, "This kernel has no filter of system calls: students' functions run with limits on time, memory and output only."};
+  return {false,
+          "This kernel has no filter of system calls: students' functions run with limits on time, memory and output "
+          "only."};
 }
 
 std::string forbidden_operation(long system_call) {
@@ -170,11 +173,13 @@ std::string forbidden_operation(long system_call) {
 
 #else
 
-Sandbox::Sandbox(const std::filesystem::path& program, SandboxLimits limits) : program_(program.string()), limits_(limits) {}
+Sandbox::Sandbox(const std::filesystem::path& program, SandboxLimits limits)
+    : program_(program.string()), limits_(limits) {}
 
 SandboxStrength sandbox_strength() {
-  return {false,
-          "The checker was built without libseccomp: students' functions run with limits on time, memory and output only."};
+  return {
+      false,
+      "The checker was built without libseccomp: students' functions run with limits on time, memory and output only."};
 }
 
 std::string forbidden_operation(long system_call) { return "make system call number " + std::to_string(system_call); }

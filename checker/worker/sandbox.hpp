@@ -32,7 +32,8 @@ struct SandboxLimits {
   std::size_t stack_bytes = std::size_t{8} << 20;
 };
 
-/// The walls for one program. They go up in the new process before the program starts, so that no line of it runs outside.
+/// The walls for one program. They go up in the new process before the program starts, so that no line of it runs
+/// outside.
 class Sandbox {
  public:
   /// @throws SandboxError
@@ -40,7 +41,8 @@ class Sandbox {
   Sandbox(const Sandbox&) = delete;
   Sandbox& operator=(const Sandbox&) = delete;
 
-  /// The program's path. The filter lets through exec of exactly this pointer, which means nothing in the program itself.
+  /// The program's path. The filter lets through exec of exactly this pointer, which means nothing in the program
+  /// itself.
   const char* program() const { return program_.c_str(); }
 
   /// For Launch::prepare; makes system calls only.

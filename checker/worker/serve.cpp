@@ -102,7 +102,8 @@ int serve_calls(std::size_t argument_count, const Call& call) {
   Arguments arguments;
   frames::RequestHeader request;
   while (read_exactly(&request, sizeof request)) {
-    if (request.magic != frames::request_magic || request.arguments != static_cast<std::int32_t>(argument_count)) return 1;
+    if (request.magic != frames::request_magic || request.arguments != static_cast<std::int32_t>(argument_count))
+      return 1;
     if (!arguments.read(argument_count)) return 1;
     CallResult result;
     result.expected_rows = request.result.rows;

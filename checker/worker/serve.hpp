@@ -43,7 +43,8 @@ int serve(Result (*function)(Parameters...)) {
   return serve_calls(sizeof...(Parameters), [function](const std::vector<NumbersView>& arguments, CallResult& result) {
     [&]<std::size_t... Index>(std::index_sequence<Index...>) {
       result.keep<std::remove_cvref_t<Result>>(function(KindOfParameter<Parameters>::read(arguments[Index])...));
-    }(std::index_sequence_for<Parameters...>{});
+    }
+    (std::index_sequence_for<Parameters...>{});
   });
 }
 

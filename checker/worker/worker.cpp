@@ -88,14 +88,15 @@ Reply Worker::call(const std::vector<Value>& inputs, int rows, int cols) {
   switch (header.status) {
     case frames::Status::returned:
       if (header.result.rows != rows || header.result.cols != cols) return violation("a reply has an impossible shape");
-      if (const Stop stop = exchange(received_.size() + sizeof(double) * static_cast<std::size_t>(rows) *
-                                                            static_cast<std::size_t>(cols));
+      if (const Stop stop = exchange(received_.size() +
+                                     sizeof(double) * static_cast<std::size_t>(rows) * static_cast<std::size_t>(cols));
           stop != Stop::none)
         return stopped(stop);
       reply = returned_value(header, rows, cols);
       break;
     case frames::Status::wrong_shape:
-      if (header.result.rows < 0 || header.result.cols < 0 || (header.result.rows == rows && header.result.cols == cols))
+      if (header.result.rows < 0 || header.result.cols < 0 ||
+          (header.result.rows == rows && header.result.cols == cols))
         return violation("a reply has an impossible shape");
       reply.ending = Ending::wrong_shape;
       reply.value = {header.result.rows, header.result.cols, {}};
@@ -175,7 +176,8 @@ Worker::Stop Worker::exchange(std::size_t wanted) {
 }
 
 void Worker::send_some() {
-  const ssize_t put = ::send(process_.channel(), unsent_.data() + sent_, unsent_.size() - sent_, MSG_NOSIGNAL | MSG_DONTWAIT);
+  const ssize_t put =
+      ::send(process_.channel(), unsent_.data() + sent_, unsent_.size() - sent_, MSG_NOSIGNAL | MSG_DONTWAIT);
   if (put > 0) sent_ += static_cast<std::size_t>(put);
   // If nobody listens any more, the end of the stream will say so.
   if (put < 0 && errno != EAGAIN && errno != EINTR) sent_ = unsent_.size();
@@ -255,7 +257,8 @@ Reply Worker::stopped(Stop reason) {
       break;
     default:
       // A program that ignores SIGXCPU is killed at the hard limit.
-      reply.ending = end.signal == SIGKILL && end.processor_seconds >= processor_seconds_ ? Ending::time_limit : Ending::crashed;
+      reply.ending =
+          end.signal == SIGKILL && end.processor_seconds >= processor_seconds_ ? Ending::time_limit : Ending::crashed;
       if (explained)
         reply.text = last_words_.detail == frames::stack_used_up ? "the stack is used up" : printable(last_words_.text);
   }

@@ -15,11 +15,9 @@
 
 include(CheckCXXSourceCompiles)
 
-set(WORKBOOK_WORKER_SOURCES ${CMAKE_CURRENT_LIST_DIR})
-
 function(workbook_add_workers target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "DIRECTORY" "INCLUDE;EXERCISES")
-  cmake_path(ABSOLUTE_PATH WORKBOOK_WORKER_SOURCES NORMALIZE OUTPUT_VARIABLE sources)
+  set(sources ${CMAKE_CURRENT_FUNCTION_LIST_DIR})
   cmake_path(SET root NORMALIZE ${sources}/../..)
   get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
 
@@ -50,7 +48,7 @@ function(workbook_add_workers target)
   add_custom_command(
     OUTPUT ${arg_DIRECTORY}/prelude.hpp.gch
     COMMAND ${compile} -x c++-header ${arg_DIRECTORY}/prelude.hpp -o ${arg_DIRECTORY}/prelude.hpp.gch
-            -MD -MF ${arg_DIRECTORY}/prelude.d -MT ${arg_DIRECTORY}/prelude.hpp.gch
+            -MD -MF ${arg_DIRECTORY}/prelude.d -MQ ${arg_DIRECTORY}/prelude.hpp.gch
     DEPENDS ${arg_DIRECTORY}/prelude.hpp
     DEPFILE ${arg_DIRECTORY}/prelude.d
     COMMENT "Precompiling the prelude of ${target}"
@@ -61,7 +59,7 @@ function(workbook_add_workers target)
     add_custom_command(
       OUTPUT ${arg_DIRECTORY}/${name}.o
       COMMAND ${compile} ${own_flags} -c ${source} -o ${arg_DIRECTORY}/${name}.o
-              -MD -MF ${arg_DIRECTORY}/${name}.d -MT ${arg_DIRECTORY}/${name}.o
+              -MD -MF ${arg_DIRECTORY}/${name}.d -MQ ${arg_DIRECTORY}/${name}.o
       DEPENDS ${source} ${arg_DIRECTORY}/prelude.hpp.gch
       DEPFILE ${arg_DIRECTORY}/${name}.d
       COMMENT "Compiling the worker's ${name}"
@@ -116,7 +114,9 @@ endfunction()
 # Static, so that a worker opens no file to start; with the quicker linker where there is one, for linking is a good part
 # of the time that a student waits.
 function(workbook_worker_link_flags result)
-  set(CMAKE_REQUIRED_FLAGS "")
+  # Not with the flags of the workbook itself: sanitizers cannot be linked statically.
+  set(CMAKE_CXX_FLAGS "")
+  set(CMAKE_EXE_LINKER_FLAGS "")
   set(CMAKE_REQUIRED_LINK_OPTIONS -static)
   set(program "#include <iostream>\nint main() { std::cout << 1; }")
   check_cxx_source_compiles("${program}" WORKBOOK_LINKS_STATICALLY)

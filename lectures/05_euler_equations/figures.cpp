@@ -96,15 +96,15 @@ void draw_integrators(const std::filesystem::path& directory) {
   std::vector<Vector3d> exact;
   for (int i = 0; i <= steps; ++i) exact.push_back(top.exact(i * h));
   const std::array<Rule, 4> rules = {
-      {{"explicit Euler", "dt 2 lw 2.5 lc rgb '#D55E00'", 8.0, followed(top, explicit_euler(top), h, steps)},
-       {"midpoint", "dt 4 lw 2.5 lc rgb '#E69F00'", 1.5e-2, followed(top, midpoint(top), h, steps)},
-       {"Runge-Kutta", "dt 1 lw 2.5 lc rgb '#0072B2'", 6e-6, followed(top, runge_kutta(top), h, steps)},
+      {{"explicit Euler", "dt 2 lw 2.5 lc rgb '#D55E00'", 1e2, followed(top, explicit_euler(top), h, steps)},
+       {"midpoint", "dt 4 lw 2.5 lc rgb '#E69F00'", 1e-5, followed(top, midpoint(top), h, steps)},
+       {"Runge-Kutta", "dt 1 lw 2.5 lc rgb '#0072B2'", 1e-9, followed(top, runge_kutta(top), h, steps)},
        {"exact", "dt 3 lw 2 lc rgb '#000000'", 4e-14, exact}}};
 
-  workbook::draw_figure(directory, "integrators", {720, 900}, [&](gnuplotio::Gnuplot& gnuplot) {
+  workbook::draw_figure(directory, "integrators", {560, 900}, [&](gnuplotio::Gnuplot& gnuplot) {
     gnuplot << "set multiplot layout 3,1\n"
                "unset key; set lmargin 11; set rmargin 3; set xrange [0:60]; set xtics 10\n"
-               "set title 'body components of ω: exact (lines), explicit Euler (dots), h = 0.1 s' offset 0,-0.5\n"
+               "set title 'ω in the body: exact (lines), explicit Euler (dots)' offset 0,-0.5\n"
                "set ylabel 'ω (rad/s)'; set yrange [-1.9:1.9]; set ytics 1; set xlabel 'time (s)'\n"
                "set label 1 '{/:Italic ω}_1' at 3.2,-0.75 tc rgb '#0072B2'; set label 2 '{/:Italic ω}_2' at 13.4,-1.35 tc rgb '#009E73'\n"
                "set label 3 '{/:Italic ω}_3' at 6.6,0.95 tc rgb '#CC79A7'\n";
@@ -122,7 +122,7 @@ void draw_integrators(const std::filesystem::path& directory) {
       }
     }
 
-    gnuplot << "unset label\nset logscale y; set format y '10^{%T}'; set yrange [3e-17:1e2]; set ytics 1e-16,1e4\n";
+    gnuplot << "unset label\nset logscale y; set format y '10^{%T}'; set yrange [3e-17:1e5]; set ytics 1e-16,1e4; set mytics 1\n";
     for (int invariant = 0; invariant < 2; ++invariant) {
       const char* symbol = invariant == 0 ? "T" : "L²";
       gnuplot << fmt::format("set title 'how far {0} has drifted'; set ylabel '|Δ{0}| / {0}'\n", symbol);
@@ -150,7 +150,7 @@ void draw_skewed_bodies(const std::filesystem::path& directory) {
       {{"thin wheel, I_3 = 2 I_1", Vector3d(1, 1, 2), {{{-1.0, -0.04}, {1.0, -0.04}, {1.0, 0.04}, {-1.0, 0.04}, {-1.0, -0.04}}}},
        {"dumbbell, I_3 = 0", Vector3d(1, 1, 0), {{{0, -1}, {0, 1}}}}}};
 
-  workbook::draw_figure(directory, "skewed_bodies", {720, 420}, [&](gnuplotio::Gnuplot& gnuplot) {
+  workbook::draw_figure(directory, "skewed_bodies", {560, 360}, [&](gnuplotio::Gnuplot& gnuplot) {
     gnuplot << "set multiplot layout 1,2\nunset key; unset border; unset tics; unset grid; unset xlabel; unset ylabel\n"
                "set size ratio -1; set xrange [-1.35:1.35]; set yrange [-1.45:1.75]\n"
                "set lmargin 0.5; set rmargin 0.5; set bmargin 0.5\n";
@@ -168,12 +168,14 @@ void draw_skewed_bodies(const std::filesystem::path& directory) {
       const bool into_page = torque.y() > 0;
 
       gnuplot << "unset label; unset arrow\nset title '" << body.title << "'\n"
-              << "set arrow from 0,-1.35 to 0,1.35 nohead dt 3 lw 1.5 lc rgb '#7F7F7F'\n"
+              << "set arrow from 0,-1.05 to 0,1.35 nohead dt 3 lw 1.5 lc rgb '#7F7F7F'\n"
               << "set arrow from 0,0 to 0,1.35 front filled lw 3 lc rgb '" << colors::blue << "'\n"
               << "set label '{/:Italic ω}' at -0.08,1.55 right tc rgb '" << colors::blue << "'\n"
+              << fmt::format("set arrow from 0,0 to {:.4f},{:.4f} nohead dt 2 lw 1.5 lc rgb '#7F7F7F'\n", 1.3 * std::sin(tilt), 1.3 * std::cos(tilt))
+              << fmt::format("set label 'axis 3' at {:.4f},{:.4f} left tc rgb '#444444'\n", 1.36 * std::sin(tilt), 1.36 * std::cos(tilt))
               << fmt::format("set arrow from 0,0 to {:.4f},{:.4f} front filled lw 3 lc rgb '{}'\n", L_x * drawn, L_y * drawn, colors::vermilion)
-              << fmt::format("set label '{{/:Italic L}}' at {:.4f},{:.4f} center tc rgb '{}'\n", L_x * drawn * 1.13, L_y * drawn * 1.13 + 0.06, colors::vermilion)
-              << fmt::format("set label '{{/:Italic τ}} {}' at -0.66,-1.25 center tc rgb '{}'\n", into_page ? "⊗ into the page" : "⊙ out of the page", colors::green);
+              << fmt::format("set label '{{/:Italic L}}' at {:.4f},{:.4f} center tc rgb '{}'\n", L_x * drawn - (L_x > 0 ? 0.12 : 0.1), L_y * drawn + 0.1, colors::vermilion)
+              << fmt::format("set label '{{/:Italic τ}} {}' at 0,-1.3 center tc rgb '{}'\n", into_page ? "⊗ into the page" : "⊙ out of the page", colors::green);
       gnuplot << "plot ";
       for (std::size_t i = 0; i < body.outline.size(); ++i) gnuplot << "'-' w l lw 4 lc rgb '#444444', ";
       gnuplot << "'-' w p pt 7 ps 2.6 lc rgb '#444444'\n";
@@ -201,7 +203,7 @@ void draw_holding_torque(const std::filesystem::path& directory) {
                                         {"sphere, cube: none", 1.0, "dt 3 lc rgb '#000000'", 45, -0.05},
                                         {"rod, dumbbell, I_3 = 0", 0.0, "dt 4 lc rgb '#0072B2'", 45, -0.55}}};
 
-  workbook::draw_figure(directory, "holding_torque", {720, 440}, [&](gnuplotio::Gnuplot& gnuplot) {
+  workbook::draw_figure(directory, "holding_torque", {560, 400}, [&](gnuplotio::Gnuplot& gnuplot) {
     gnuplot << "unset key; set xlabel 'angle between ω and the body''s axis 3 (degrees)'; set ylabel 'torque / (I_1 ω^2)'\n"
                "set xrange [0:90]; set xtics 15; set yrange [-0.65:0.65]; set ytics 0.25\n";
     for (const Shape& shape : shapes) {
@@ -214,7 +216,7 @@ void draw_holding_torque(const std::filesystem::path& directory) {
       for (int angle = 0; angle <= 90; ++angle) {
         const Vector3d omega(-std::sin(angle * degree), 0, std::cos(angle * degree));
         const Matrix3d I = Vector3d(1, 1, shape.ratio).asDiagonal();
-        curve.emplace_back(angle, -torque_to_hold_rotation(I, omega).y());
+        curve.emplace_back(angle, torque_to_hold_rotation(I, omega).y());
       }
       gnuplot.send1d(curve);
     }

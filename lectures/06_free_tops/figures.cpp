@@ -93,11 +93,11 @@ constexpr const char* no_axes =
     "set size ratio -1\n";
 
 void arrow(Gnuplot& gnuplot, Point from, Point to, const std::string& style) {
-  gnuplot << fmt::format("set arrow from {:.5f},{:.5f} to {:.5f},{:.5f} {} front\n", from.first, from.second, to.first, to.second, style);
+  gnuplot << fmt::format("set arrow from {:.7g},{:.7g} to {:.7g},{:.7g} {} front\n", from.first, from.second, to.first, to.second, style);
 }
 
 void label(Gnuplot& gnuplot, const std::string& text, Point at, const std::string& style) {
-  gnuplot << fmt::format("set label \"{}\" at {:.5f},{:.5f} {} front\n", text, at.first, at.second, style);
+  gnuplot << fmt::format("set label \"{}\" at {:.7g},{:.7g} {} front\n", text, at.first, at.second, style);
 }
 
 /// The outline of the shadow that points cast: their convex hull, closed (monotone chain).
@@ -184,11 +184,11 @@ void draw_polhodes(const std::filesystem::path& directory) {
   }
 
   workbook::draw_figure(directory, "polhodes", {600, 500}, [&](Gnuplot& gnuplot) {
-    gnuplot << no_axes << "set xrange [-1.13:1.1]; set yrange [-0.86:0.98]\n";
+    gnuplot << no_axes << "set xrange [-1.25:1.12]; set yrange [-0.84:0.98]\n";
     // The three axes stick out of the surface.
-    const std::array<double, 3> reach = {1.55, 1.75, 1.6};
+    const std::array<double, 3> reach = {1.32, 1.75, 1.6};
     const std::array<const char*, 3> names = {"axis 1\\n(smallest I)", "axis 2\\n(intermediate I)", "axis 3 (largest I)"};
-    const std::array<Point, 3> shift = {Point(-0.02, -0.04), Point(0.02, -0.04), Point(0.04, 0.02)};
+    const std::array<Point, 3> shift = {Point(0.06, -0.07), Point(0.02, -0.04), Point(0.04, 0.02)};
     const std::array<const char*, 3> align = {"center", "center", "left"};
     for (int i = 0; i < 3; ++i) {
       const Vector3d tip = Vector3d::Unit(i) / std::sqrt(I[i]);
@@ -197,6 +197,7 @@ void draw_polhodes(const std::filesystem::path& directory) {
       const auto k = static_cast<std::size_t>(i);
       label(gnuplot, names[k], {to.first + shift[k].first, to.second + shift[k].second}, align[k]);
     }
+    label(gnuplot, "separatrix", {0.62, 0.62}, fmt::format("left tc rgb '{}'", colors::vermilion));
     // The sense in which ω runs along the curves, where they can be seen.
     const auto mark = [&](const std::vector<Vector3d>& curve, std::size_t index, const char* color) {
       const Vector3d omega = curve[index];
@@ -254,7 +255,7 @@ void draw_cones(const std::filesystem::path& directory) {
   };
   const std::array<Top, 2> tops = {Top{"long top, I_3 = I_1 / 2", 0.5, 26 * degree}, Top{"flattened top, I_3 = 1.8 I_1", 1.8, 42 * degree}};
 
-  workbook::draw_figure(directory, "cones", {680, 380}, [&](Gnuplot& gnuplot) {
+  workbook::draw_figure(directory, "cones", {680, 350}, [&](Gnuplot& gnuplot) {
     gnuplot << "set multiplot\n" << no_axes << "set size ratio -1\n";
     for (std::size_t k = 0; k < 2; ++k) {
       const Top& top = tops[k];
@@ -264,7 +265,7 @@ void draw_cones(const std::filesystem::path& directory) {
       const Cone body{axis, top.opening, 1.0};
       const Cone space{Vector3d::UnitZ(), std::abs(tilt - top.opening), 1.0};
       gnuplot << fmt::format("set origin {},0; set size 0.5,1\nunset arrow; unset label\n", k == 0 ? 0 : 0.5);
-      gnuplot << (k == 0 ? "set xrange [-0.62:1.3]; set yrange [-0.22:1.75]\n" : "set xrange [-0.82:1.1]; set yrange [-0.22:1.75]\n");
+      gnuplot << (k == 0 ? "set xrange [-0.68:1.32]; set yrange [-0.25:1.65]\n" : "set xrange [-0.86:1.14]; set yrange [-0.25:1.65]\n");
       const Point origin = view(Vector3d::Zero());
       const auto draw_arrow = [&](const Vector3d& direction, double length, const char* name, const char* color, Point shift) {
         const Point tip = view(length * direction);
@@ -276,11 +277,11 @@ void draw_cones(const std::filesystem::path& directory) {
       draw_arrow(axis, 1.35, "axis ê_3", colors::blue, k == 0 ? Point(0.06, 0.1) : Point(0.14, 0.08));
       label(gnuplot, top.title, {k == 0 ? 0.34 : 0.14, -0.14}, "center");
       if (k == 0) {
-        label(gnuplot, "space cone", {-0.58, 0.72}, fmt::format("left tc rgb '{}'", "#8A5F00"));
-        label(gnuplot, "body cone", {0.82, 0.42}, fmt::format("left tc rgb '{}'", colors::blue));
+        label(gnuplot, "space\\ncone", {-0.6, 0.5}, fmt::format("left tc rgb '{}'", "#8A5F00"));
+        label(gnuplot, "body cone", {0.72, 0.13}, fmt::format("left tc rgb '{}'", colors::blue));
       } else {
-        label(gnuplot, "space cone\\ninside", {-0.78, 0.5}, fmt::format("left tc rgb '{}'", "#8A5F00"));
-        label(gnuplot, "body cone", {0.66, 0.42}, fmt::format("left tc rgb '{}'", colors::blue));
+        label(gnuplot, "space cone\\ninside", {-0.84, 0.5}, fmt::format("left tc rgb '{}'", "#8A5F00"));
+        label(gnuplot, "body cone", {0.5, 0.1}, fmt::format("left tc rgb '{}'", colors::blue));
       }
       const auto shadow = [&](const Cone& cone) {
         Curve points{origin};
@@ -293,13 +294,16 @@ void draw_cones(const std::filesystem::path& directory) {
         return points;
       };
       gnuplot << fmt::format(
-          "plot '-' with filledcurves closed fs transparent solid 0.22 border lc rgb '{0}', '-' with lines lw 2 lc rgb '{0}', "
-          "'-' with filledcurves closed fs transparent solid 0.45 border lc rgb '{1}', '-' with lines lw 2 dt (6,3) lc rgb '{1}'\n",
+          "plot '-' with filledcurves closed fs transparent solid 0.25 noborder lc rgb '{0}', '-' with lines lw 2 lc rgb '{0}', "
+          "'-' with filledcurves closed fs transparent solid 0.45 noborder lc rgb '{1}', '-' with lines lw 2 dt (6,3) lc rgb '{1}', "
+          "'-' with lines lw 1.5 lc rgb '{0}', '-' with lines lw 1.5 dt (6,3) lc rgb '{1}'\n",
           colors::sky, colors::orange);
       gnuplot.send1d(shadow(body));
       gnuplot.send1d(rim(body));
       gnuplot.send1d(shadow(space));
       gnuplot.send1d(rim(space));
+      gnuplot.send1d(shadow(body));
+      gnuplot.send1d(shadow(space));
     }
     gnuplot << "unset multiplot\n";
   });
@@ -321,10 +325,10 @@ void draw_slip(const std::filesystem::path& directory) {
 
   workbook::draw_figure(directory, "slip", {600, 400}, [&](Gnuplot& gnuplot) {
     gnuplot << "unset key\nset xlabel 'time (s)'; set ylabel 'ω_2 (10^{-5} rad/s)'\n"
-               "set xrange [0:3]; set yrange [-0.85:0.95]; set xzeroaxis lc rgb '#444444'\n";
+               "set xrange [0:3]; set yrange [-0.95:0.95]; set xzeroaxis lc rgb '#444444'\n";
     label(gnuplot, "as printed on the slides", {0.32, 0.72}, fmt::format("left tc rgb '{}'", colors::vermilion));
-    label(gnuplot, "Euler's equations, integrated", {0.32, -0.68}, fmt::format("left tc rgb '{}'", colors::blue));
-    label(gnuplot, "○ formula with sgn(Ω_1)", {0.32, -0.79}, "left");
+    label(gnuplot, "Euler's equations, integrated", {0.32, -0.71}, fmt::format("left tc rgb '{}'", colors::blue));
+    label(gnuplot, "○ formula with sgn(Ω_1)", {0.32, -0.84}, "left");
     gnuplot << fmt::format("plot '-' with lines lw 2.5 dt (9,5) lc rgb '{}', '-' with lines lw 3 lc rgb '{}', '-' with points pt 6 ps 1.3 lw 1.5 lc rgb '{}'\n",
                            colors::vermilion, colors::blue, colors::black);
     gnuplot.send1d(slides);
@@ -349,7 +353,7 @@ void draw_flip(const std::filesystem::path& directory) {
     arrow(gnuplot, {first, 1.22}, {first + interval, 1.22}, "heads size 1,20 filled lc rgb '#222222'");
     label(gnuplot, fmt::format("{:.2f} s", interval), {first + interval / 2, 1.35}, "center");
     label(gnuplot, "ω_2", {5, 1.12}, fmt::format("center tc rgb '{}'", colors::vermilion));
-    label(gnuplot, "ω_1", {first + interval + 3, -0.72}, fmt::format("left tc rgb '{}'", colors::green));
+    label(gnuplot, "ω_1", {first - 2.5, -0.72}, fmt::format("right tc rgb '{}'", colors::green));
     label(gnuplot, "ω_3", {first + 2.5, 0.55}, fmt::format("left tc rgb '{}'", colors::blue));
     gnuplot << fmt::format("plot '-' with lines lw 3 lc rgb '{}', '-' with lines lw 2.5 dt (3,3) lc rgb '{}', '-' with lines lw 2.5 dt (10,4) lc rgb '{}'\n",
                            colors::vermilion, colors::green, colors::blue);
@@ -394,18 +398,19 @@ void draw_growth_rates(const std::filesystem::path& directory) {
 
   const std::array<double, 5> ratios = {0.1, 0.2, 0.35, 0.5, 0.7};
   const std::array<const char*, 5> dashes = {"solid", "(12,4)", "(6,4)", "(3,3)", "(12,4,3,4)"};
+  const std::array<Point, 5> places = {Point(0.93, 0.6), Point(0.86, 0.6), Point(0.735, 0.49), Point(0.75, 0.3), Point(0.85, 0.13)};
   workbook::draw_figure(directory, "growth_rates", {600, 430}, [&](Gnuplot& gnuplot) {
     gnuplot << "unset key\nset xlabel 'I_2 / I_3'; set ylabel 'growth rate σ / |ω_2|'\n"
                "set xrange [0.5:1]; set yrange [0:1.05]\n";
-    label(gnuplot, "no body here:\\nI_1 + I_2 < I_3", {0.55, 0.78}, "left tc rgb '#555555'");
-    label(gnuplot, "flat bodies", {0.565, 0.46}, fmt::format("left rotate by 38 tc rgb '{}'", colors::vermilion));
+    label(gnuplot, "no body here:\\nI_1 + I_2 < I_3", {0.53, 0.85}, "left tc rgb '#555555'");
+    label(gnuplot, "flat bodies: I_1 + I_2 = I_3", {0.755, 0.775}, fmt::format("left rotate by 23 tc rgb '{}'", colors::vermilion));
+    label(gnuplot, "I = (1, 2, 3)", {0.655, 0.62}, "right");
+    gnuplot << fmt::format("set label '' at {:.6f},{:.6f} point pt 7 ps 1.6 lc rgb '#000000' front\n", 2.0 / 3, rate(1.0 / 3, 2.0 / 3));
     std::string plot = fmt::format("plot '-' with filledcurves y1=1.05 fs solid noborder lc rgb '#E8E8E8', '-' with lines lw 3.5 lc rgb '{}'",
                                    colors::vermilion);
     for (std::size_t i = 0; i < ratios.size(); ++i) {
       plot += fmt::format(", '-' with lines lw 2.2 dt {} lc rgb '{}'", dashes[i], colors::blue);
-      const double x = std::max(ratios[i], (1 + std::max(ratios[i], 1 - ratios[i])) / 2);
-      label(gnuplot, fmt::format("I_1/I_3 = {:g}", ratios[i]), {x - (i < 2 ? 0.0 : 0.015), rate(ratios[i], x) + (i < 2 ? -0.14 : 0.035)},
-            fmt::format("{} tc rgb '{}'", i < 2 ? "right" : "center", colors::blue));
+      label(gnuplot, fmt::format("{}{:g}", i < 2 ? "" : "I_1/I_3 = ", ratios[i]), places[i], fmt::format("center tc rgb '{}'", colors::blue));
     }
     gnuplot << plot << "\n";
     gnuplot.send1d(flat);
@@ -446,7 +451,7 @@ struct Flight {
   Matrix3d attitude(const Motion& now) const { return momentum_to_right * now.A; }
 };
 
-/// Draws the racket at one attitude, shifted to `center`: plot elements first, then their data in the same order.
+/// The racket at one attitude, shifted to `center`: first the plot elements, then their data in the same order.
 class RacketPicture {
  public:
   RacketPicture(const Flight& flight, const Motion& now, Point center) : center_(center) {
@@ -458,11 +463,7 @@ class RacketPicture {
     second_axis_ = shifted(flight.view(0.8 * A.col(1)));
   }
 
-  static constexpr const char* elements =
-      "'-' with filledcurves closed fs solid border lc rgb variable, '-' with lines lw 2 lc rgb '#222222', "
-      "'-' with filledcurves closed fs solid border lc rgb '#444444'";
-
-  std::string elements_in_color() const {
+  std::string elements() const {
     return fmt::format("'-' with filledcurves closed fs solid noborder lc rgb '{}', '-' with lines lw 2.5 lc rgb '#222222', "
                        "'-' with filledcurves closed fs solid noborder lc rgb '#555555'",
                        front_ ? colors::sky : colors::orange);
@@ -490,7 +491,11 @@ void draw_racket_stills(const std::filesystem::path& directory) {
   const int columns = 4, rows = 2;
   const auto motion = integrated(flat_body, flight.omega0, flight.half_period * 1.05, columns * rows);
   workbook::draw_figure(directory, "racket", {680, 420}, [&](Gnuplot& gnuplot) {
-    gnuplot << no_axes << "set xrange [-1.15:8.0]; set yrange [-3.85:1.35]\n";
+    gnuplot << no_axes << "set xrange [-1.0:7.85]; set yrange [-3.85:1.6]\n";
+    arrow(gnuplot, {-0.8, 1.35}, {0.6, 1.35}, "lw 2 lc rgb '#222222' size 0.13,20 filled");
+    label(gnuplot, "L, the same at all times", {0.75, 1.35}, "left");
+    arrow(gnuplot, {4.35, 1.35}, {5.15, 1.35}, fmt::format("lw 3 lc rgb '{}' size 0.13,20 filled", colors::vermilion));
+    label(gnuplot, "axis 2 of the racket", {5.3, 1.35}, fmt::format("left tc rgb '{}'", colors::vermilion));
     std::string plot;
     std::vector<RacketPicture> pictures;
     for (int i = 0; i < columns * rows; ++i) {
@@ -499,7 +504,7 @@ void draw_racket_stills(const std::filesystem::path& directory) {
       pictures.emplace_back(flight, now, center);
       pictures.back().set_arrow(gnuplot);
       label(gnuplot, fmt::format("{:.1f} s", now.t), {center.first, center.second - 1.12}, "center");
-      plot += (plot.empty() ? "plot " : ", ") + pictures.back().elements_in_color();
+      plot += (plot.empty() ? "plot " : ", ") + pictures.back().elements();
     }
     gnuplot << plot << "\n";
     for (const RacketPicture& picture : pictures) picture.send(gnuplot);
@@ -518,7 +523,7 @@ void animate_racket(const std::filesystem::path& directory) {
   std::filesystem::remove(file);
   {
     Gnuplot gnuplot("gnuplot");
-    gnuplot << "set encoding utf8\nset terminal gif animate delay 8 loop 0 optimize enhanced size 480,440 font 'Helvetica,13' background '#FFFFFF'\n"
+    gnuplot << "set encoding utf8\nset terminal gif animate delay 8 loop 0 optimize enhanced size 480,440 font 'sans,11' background '#FFFFFF'\n"
             << "set output '" << file.string() << "'\n";
     for (const Motion& now : motion) {
       const RacketPicture picture(flight, now, {0, 0});
@@ -528,12 +533,12 @@ void animate_racket(const std::filesystem::path& directory) {
       arrow(gnuplot, {-0.9, -0.92}, {0.9, -0.92}, "lw 2 lc rgb '#222222' size 0.08,20 filled");
       label(gnuplot, "L", {1.0, -0.92}, "left");
       label(gnuplot, "e_2", {picture.tip().first * 1.12, picture.tip().second * 1.12 + 0.04}, fmt::format("center tc rgb '{}'", colors::vermilion));
-      gnuplot << "plot " << picture.elements_in_color() << "\n";
+      gnuplot << "plot " << picture.elements() << "\n";
       picture.send(gnuplot);
 
       gnuplot << "unset arrow; unset label\nset origin 0,0; set size 1,0.3; set size noratio\n"
                  "set lmargin 8; set rmargin 2; set tmargin 0.5; set bmargin 3\n"
-                 "set border lc rgb '#444444'; set tics; set ytics -1,1,1; set xtics 5; set xlabel 'time (s)'; set ylabel 'ω_2'\n"
+                 "set border lc rgb '#444444'; set tics; set ytics -1,1,1; set xtics 5; set xlabel 'time (s)'; set ylabel 'ω_2 (rad/s)'\n"
               << fmt::format("set xrange [0:{:.3f}]; set yrange [-1.25:1.25]\n", duration)
               << fmt::format("plot '-' with lines lw 2 lc rgb '{0}', '-' with points pt 7 ps 1.6 lc rgb '{0}'\n", colors::vermilion);
       gnuplot.send1d(history);

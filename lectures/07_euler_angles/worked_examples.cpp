@@ -36,13 +36,16 @@ Matrix3d about_x(double angle) {
 /// Three turns about z, x and z: the other convention.
 Matrix3d zxz(const Vector3d& of) { return about_z(of[2]) * about_x(of[1]) * about_z(of[0]); }
 
+//! [differences]
 /// The body components of ω from the motion of the matrix alone: R dRᵀ/dt is the cross matrix of ω.
-Vector3d omega_by_differences(const std::function<Matrix3d(const Vector3d&)>& matrix, const Vector3d& at, const Vector3d& rate) {
+Vector3d omega_by_differences(const std::function<Matrix3d(const Vector3d&)>& matrix, const Vector3d& at,
+                              const Vector3d& rate) {
   const double dt = 1e-5;
   const Matrix3d R_rate = (matrix(at + dt * rate) - matrix(at - dt * rate)) / (2 * dt);
   const Matrix3d cross = matrix(at) * R_rate.transpose();
   return {cross(2, 1), cross(0, 2), cross(1, 0)};
 }
+//! [differences]
 
 /// The matrix E with ω = E (φ̇, θ̇, ψ̇): what each rate alone makes, column by column.
 Matrix3d rate_matrix(const Vector3d& at) {
@@ -52,9 +55,20 @@ Matrix3d rate_matrix(const Vector3d& at) {
 }
 
 /// Angles at which formulas for rotations go wrong, if they do.
-const std::vector<Vector3d> hard_angles = {
-    {0, 0, 0},      {0.4, 0, 0.9},       {0.4, 1e-8, 0.9}, {0.4, -1e-8, 0.9},    {0.3, 0.7, 1.1}, {2.5, 1.2, -2.0}, {0.3, pi / 2, 1.1},
-    {0.4, 3, 0.9},  {0.4, pi - 1e-8, 0.9}, {0.4, pi, 0.9},   {0.4, pi + 1e-8, 0.9}, {0.3, -0.7, 1.1}, {0.3, 4.5, 1.1},  {9, -8, 7}};
+const std::vector<Vector3d> hard_angles = {{0, 0, 0},
+                                           {0.4, 0, 0.9},
+                                           {0.4, 1e-8, 0.9},
+                                           {0.4, -1e-8, 0.9},
+                                           {0.3, 0.7, 1.1},
+                                           {2.5, 1.2, -2.0},
+                                           {0.3, pi / 2, 1.1},
+                                           {0.4, 3, 0.9},
+                                           {0.4, pi - 1e-8, 0.9},
+                                           {0.4, pi, 0.9},
+                                           {0.4, pi + 1e-8, 0.9},
+                                           {0.3, -0.7, 1.1},
+                                           {0.3, 4.5, 1.1},
+                                           {9, -8, 7}};
 
 }  // namespace
 
@@ -64,22 +78,26 @@ TEST_CASE("Three turns, each about an axis of the triad as it stands by then, ma
 
   // On the vectors: take the triad in hand and turn it.
   using Eigen::AngleAxisd;
-  Matrix3d triad = Matrix3d::Identity();                              // columns ê₁, ê₂, ê₃ on the inertial axes
-  triad = AngleAxisd(phi, Vector3d(triad.col(2))) * triad;            // φ about ê₃⁰
-  triad = AngleAxisd(theta, Vector3d(triad.col(1))) * triad;          // θ about the new ê₂′, the line of nodes
-  triad = AngleAxisd(psi, Vector3d(triad.col(2))) * triad;            // ψ about the body's own ê₃
+  Matrix3d triad = Matrix3d::Identity();                      // columns ê₁, ê₂, ê₃ on the inertial axes
+  triad = AngleAxisd(phi, Vector3d(triad.col(2))) * triad;    // φ about ê₃⁰
+  triad = AngleAxisd(theta, Vector3d(triad.col(1))) * triad;  // θ about the new ê₂′, the line of nodes
+  triad = AngleAxisd(psi, Vector3d(triad.col(2))) * triad;    // ψ about the body's own ê₃
 
   // On the components: one passive matrix per turn; the first to act stands on the right.
   const Matrix3d R = about_z(psi) * about_y(theta) * about_z(phi);
 
   CHECK(agrees(rotation_matrix(angles), R, 1e-15));
   CHECK(agrees(rotation_matrix(angles), triad.transpose(), 1e-15));  // row i of R: ê_i on the inertial axes
-  CHECK(agrees(R, Matrix3d{{0.068064579, 0.95392757, -0.29221464}, {-0.78523568, 0.23190061, 0.57413154}, {0.61544466, 0.19037934, 0.76484219}},
+  CHECK(agrees(R,
+               Matrix3d{{0.068064579, 0.95392757, -0.29221464},
+                        {-0.78523568, 0.23190061, 0.57413154},
+                        {0.61544466, 0.19037934, 0.76484219}},
                1e-8));
 
   // Eigen's rotations are active, and of the turns about the moved axes the last stands on the right: A = Rᵀ.
-  const Matrix3d A = (AngleAxisd(phi, Vector3d::UnitZ()) * AngleAxisd(theta, Vector3d::UnitY()) * AngleAxisd(psi, Vector3d::UnitZ()))
-                         .toRotationMatrix();
+  const Matrix3d A =
+      (AngleAxisd(phi, Vector3d::UnitZ()) * AngleAxisd(theta, Vector3d::UnitY()) * AngleAxisd(psi, Vector3d::UnitZ()))
+          .toRotationMatrix();
   CHECK(agrees(A, R.transpose(), 1e-15));
 
   Printed page("three turns");
@@ -104,7 +122,8 @@ TEST_CASE("Of the two orders of the product only R_ψ R_θ R_φ belongs to the o
   CHECK(agrees(omega, angular_velocity_body(angles, rates), 1e-9));
   CHECK(agrees(omega_reversed,
                Vector3d(rates[1] * std::sin(phi) - rates[2] * std::sin(theta) * std::cos(phi),
-                        rates[1] * std::cos(phi) + rates[2] * std::sin(theta) * std::sin(phi), rates[0] + rates[2] * std::cos(theta)),
+                        rates[1] * std::cos(phi) + rates[2] * std::sin(theta) * std::sin(phi),
+                        rates[0] + rates[2] * std::cos(theta)),
                1e-9));
 
   // Negating the angles does not undo a rotation: it gives the transpose of the reversed product.
@@ -124,7 +143,9 @@ TEST_CASE("Rᵀ leads back to the inertial components") {
   const Vector3d V_inertial = inertial_components(V_body, angles);
 
   // The sum of components times axes; row i of R holds the axis ê_i.
-  CHECK(agrees(V_inertial, V_body[0] * R.row(0).transpose() + V_body[1] * R.row(1).transpose() + V_body[2] * R.row(2).transpose(), 1e-15));
+  CHECK(agrees(V_inertial,
+               V_body[0] * R.row(0).transpose() + V_body[1] * R.row(1).transpose() + V_body[2] * R.row(2).transpose(),
+               1e-15));
   CHECK(agrees(V_inertial, Vector3d(0.3439272022, 1.988866815, 3.150575006), 1e-9));
   CHECK(agrees(R * V_inertial, V_body, 1e-15));
   CHECK(agrees(V_inertial.norm(), V_body.norm(), 1e-15));  // components change, the vector does not
@@ -142,8 +163,9 @@ TEST_CASE("The line of nodes is the one direction in which both horizontal plane
 
   const Vector3d nodes = line_of_nodes(psi);
 
-  CHECK(agrees(nodes, about_z(psi) * Vector3d::UnitY(), 1e-15));                              // slide 14
-  CHECK(agrees(nodes, vertical_in_body(theta, psi).cross(Vector3d::UnitZ()) / std::sin(theta), 1e-15));  // across both verticals
+  CHECK(agrees(nodes, about_z(psi) * Vector3d::UnitY(), 1e-15));  // slide 14
+  CHECK(agrees(nodes, vertical_in_body(theta, psi).cross(Vector3d::UnitZ()) / std::sin(theta),
+               1e-15));  // across both verticals
   CHECK(agrees(nodes, Vector3d(0.8912073601, 0.4535961214, 0), 1e-9));
   // On the inertial axes it is the y axis turned by φ: horizontal there as well.
   CHECK(agrees(inertial_components(nodes, angles), Vector3d(-std::sin(phi), std::cos(phi), 0), 1e-15));
@@ -186,7 +208,9 @@ TEST_CASE("Three rates along three axes add up to the angular velocity") {
   const Vector3d omega = angular_velocity_body(angles, rates);
 
   // The sum of slide 13, with the axes of slides 14 and 15.
-  CHECK(agrees(omega, rates[0] * vertical_in_body(theta, psi) + rates[1] * line_of_nodes(psi) + rates[2] * Vector3d::UnitZ(), 1e-15));
+  CHECK(agrees(omega,
+               rates[0] * vertical_in_body(theta, psi) + rates[1] * line_of_nodes(psi) + rates[2] * Vector3d::UnitZ(),
+               1e-15));
   // The motion of the matrix itself, which knows nothing of axes.
   const Vector3d by_differences = omega_by_differences(rotation_matrix, angles, rates);
   CHECK(agrees(omega, by_differences, 1e-9));
@@ -210,11 +234,13 @@ TEST_CASE("On the inertial axes ω has other components and the same length") {
   // A point of the body at r moves with ω × r: differentiate its inertial components.
   const Vector3d r_body(0.2, -0.5, 0.8);
   const double dt = 1e-5;
-  const Vector3d velocity = (inertial_components(r_body, angles + dt * rates) - inertial_components(r_body, angles - dt * rates)) / (2 * dt);
+  const Vector3d velocity =
+      (inertial_components(r_body, angles + dt * rates) - inertial_components(r_body, angles - dt * rates)) / (2 * dt);
   CHECK(agrees(velocity, omega.cross(inertial_components(r_body, angles)), 1e-9));
 
   // It is the body formula with φ and ψ exchanged, but for the sign of the first component.
-  const Vector3d exchanged = angular_velocity_body(Vector3d(angles[2], theta, phi), Vector3d(rates[2], rates[1], rates[0]));
+  const Vector3d exchanged =
+      angular_velocity_body(Vector3d(angles[2], theta, phi), Vector3d(rates[2], rates[1], rates[0]));
   CHECK(agrees(omega, Vector3d(-exchanged[0], exchanged[1], exchanged[2]), 1e-15));
 
   Printed page("angular velocity from outside");
@@ -263,8 +289,10 @@ TEST_CASE("The energy of a symmetric top cannot tell the two conventions apart")
   CHECK(agrees(energy(asymmetric, zxz_omega), energy(Vector3d(2, 1, 3), zyz_omega), 1e-9));
 
   Printed page("blind energy");
-  page.line("I = (1, 1, 3) kg m²: z–y–z {:.9f} J, z–x–z {:.9f} J", energy(symmetric, zyz_omega), energy(symmetric, zxz_omega));
-  page.line("I = (1, 2, 3) kg m²: z–y–z {:.9f} J, z–x–z {:.9f} J", energy(asymmetric, zyz_omega), energy(asymmetric, zxz_omega));
+  page.line("I = (1, 1, 3) kg m²: z–y–z {:.9f} J, z–x–z {:.9f} J", energy(symmetric, zyz_omega),
+            energy(symmetric, zxz_omega));
+  page.line("I = (1, 2, 3) kg m²: z–y–z {:.9f} J, z–x–z {:.9f} J", energy(asymmetric, zyz_omega),
+            energy(asymmetric, zxz_omega));
 }
 //! [blind energy]
 
@@ -290,8 +318,10 @@ TEST_CASE("Every attitude has two sets of angles, and outside θ in [0, π] noth
 
 //! [recovery]
 TEST_CASE("From the matrix back to the angles, at every attitude") {
-  CHECK(agrees(euler_angles(rotation_matrix(Vector3d(0.3, 2.4, 1.1))), Vector3d(0.3, 2.4, 1.1), 1e-14));  // θ beyond a right angle
-  CHECK(agrees(euler_angles(rotation_matrix(Vector3d(2.0, 0.7, 1.1))), Vector3d(2.0, 0.7, 1.1), 1e-14));  // φ beyond a right angle
+  CHECK(agrees(euler_angles(rotation_matrix(Vector3d(0.3, 2.4, 1.1))), Vector3d(0.3, 2.4, 1.1),
+               1e-14));  // θ beyond a right angle
+  CHECK(agrees(euler_angles(rotation_matrix(Vector3d(2.0, 0.7, 1.1))), Vector3d(2.0, 0.7, 1.1),
+               1e-14));  // φ beyond a right angle
 
   for (const Vector3d& hard : hard_angles) {
     CAPTURE(row(hard));
@@ -391,7 +421,8 @@ TEST_CASE("Gimbal lock has a number: the rates are cot(θ/2) times less certain 
   Printed page("gimbal lock");
   page.line("θ (rad)   cond E         cot(θ/2)       φ̇ at |ω| = 1 rad/s");
   for (const double theta : {pi / 2, 0.7, 0.1, 0.01}) {
-    page.line("{:<8.4g}  {:<13.10g}  {:<13.10g}  {:.6g} rad/s", theta, condition(theta), 1 / std::tan(theta / 2), fastest(theta)[0]);
+    page.line("{:<8.4g}  {:<13.10g}  {:<13.10g}  {:.6g} rad/s", theta, condition(theta), 1 / std::tan(theta / 2),
+              fastest(theta)[0]);
   }
 }
 //! [gimbal lock]
@@ -406,7 +437,8 @@ TEST_CASE("The laws of rotations hold at every angle, the awkward ones included"
     CHECK(agrees(R.determinant(), 1, 4e-15));
     CHECK(agrees(vertical_in_body(hard[1], hard[2]), R.col(2), 1e-15, 1));
     CHECK(agrees(inertial_components(Vector3d(1, 2, 3), hard), R.transpose() * Vector3d(1, 2, 3), 1e-15, 8));
-    CHECK(agrees(inertial_components(line_of_nodes(hard[2]), hard), Vector3d(-std::sin(hard[0]), std::cos(hard[0]), 0), 1e-15, 4));
+    CHECK(agrees(inertial_components(line_of_nodes(hard[2]), hard), Vector3d(-std::sin(hard[0]), std::cos(hard[0]), 0),
+                 1e-15, 4));
     CHECK(agrees(rotation_matrix(hard), zxz(hard + Vector3d(pi / 2, 0, -pi / 2)), 1e-15, 8));
 
     // ω exists at every attitude, gimbal lock or not; it is only the way back that fails there.
@@ -422,7 +454,7 @@ TEST_CASE("The laws of rotations hold at every angle, the awkward ones included"
 
 //! [symmetric top]
 TEST_CASE("A free symmetric top: with the vertical along L, φ̇ = L/I₁ and ψ̇ = −Ω") {
-  const Vector3d I(1, 1, 1.8);  // kg m²
+  const Vector3d I(1, 1, 1.8);                                        // kg m²
   const Vector3d omega(0.4 * std::cos(0.3), 0.4 * std::sin(0.3), 2);  // rad/s, on the body axes
 
   // Choose ê₃⁰ along L. On the body axes that unit vector is (−sin θ cos ψ, sin θ sin ψ, cos θ): read θ and ψ off it.
@@ -470,6 +502,7 @@ TEST_CASE("A thrown plate wobbles twice as fast as it turns, not the other way r
   CHECK(agrees(wobble_over_turn(0.7), 1 / (1 - 0.5 * std::cos(0.7)), 1e-14));
 
   Printed page("thrown plate");
-  page.line("wobbles per turn at θ = 10°: {:.5f}, as θ → 0: {:.5f}", wobble_over_turn(10 * pi / 180), wobble_over_turn(1e-4));
+  page.line("wobbles per turn at θ = 10°: {:.5f}, as θ → 0: {:.5f}", wobble_over_turn(10 * pi / 180),
+            wobble_over_turn(1e-4));
 }
 //! [thrown plate]

@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <iterator>
 #include <numeric>
-#include <ranges>
 #include <regex>
 #include <stdexcept>
 
@@ -13,23 +14,34 @@ namespace workbook::site {
 namespace {
 
 /// "03" of "03_inertia_tensor".
-std::string number(const Card& card) { return card.folder.substr(0, card.folder.find('_')); }
+std::string number(const Card& card) { return card.lecture.substr(0, card.lecture.find('_')); }
 
-std::string link(const Card& card) { return fmt::format("\\ref lecture_{} \"{}\"", card.folder, card.title); }
+std::string titled_link(const Card& card, const std::string& title) {
+  return fmt::format("\\ref lecture_{} \"{}\"", card.lecture, title);
+}
 
-std::string link(const Exercise& exercise) { return fmt::format("\\ref exercise_{0} \"{0}\"", exercise.name); }
+std::string link(const Card& card) { return titled_link(card, card.title); }
+
+std::string titled_link(const CardExercise& exercise, const std::string& title) {
+  return fmt::format("\\ref exercise_{} \"{}\"", exercise.name, title);
+}
 
 double points(const Card& card) {
   return std::accumulate(card.exercises.begin(), card.exercises.end(), 0.0,
-                         [](double sum, const Exercise& exercise) { return sum + exercise.points; });
+                         [](double sum, const CardExercise& exercise) { return sum + exercise.points; });
 }
 
 std::string counted(double count, const std::string& singular) {
   return fmt::format("{} {}{}", count, singular, count == 1 ? "" : "s");
 }
 
-const Card& card_of(const std::vector<Card>& course, const std::string& folder) {
-  return *std::ranges::find(course, folder, &Card::folder);
+/// The lectures of the course on which a lecture builds.
+std::vector<Card> foundations(const std::vector<Card>& course, const Card& card) {
+  std::vector<Card> found;
+  std::ranges::copy_if(course, std::back_inserter(found), [&](const Card& other) {
+    return std::ranges::find(card.builds_on, other.lecture) != card.builds_on.end();
+  });
+  return found;
 }
 
 /// A Markdown table's cell cannot hold the bar that ends it.
@@ -39,7 +51,7 @@ std::string in_quotes(const std::string& text) { return '"' + std::regex_replace
 
 std::string table_of_exercises(const Card& card, const std::string& contract, const std::string& link_command) {
   std::string table = "| Exercise | Task | Points |\n|:---------|:-----|-------:|\n";
-  for (const Exercise& exercise : card.exercises) {
+  for (const CardExercise& exercise : card.exercises) {
     table += fmt::format("| {0} exercise_{1} \"{1}\" | {2} | {3} |\n", link_command, exercise.name,
                          cell(first_sentence(card, exercise.name, contract)), exercise.points);
   }
@@ -72,11 +84,9 @@ An arrow leads from a lecture to the ones that build on it.
 \htmlinclude course_map.svg
 \htmlonly[block]</div>\endhtmlonly
 
-| | Lecture | What it is about | Exercises |
-|-:|:--------|:-----------------|:----------|
 )";
   for (const Card& card : course) {
-    page += fmt::format("| {} | {} | {} | {}, {} |\n", number(card), link(card), cell(card.summary),
+    page += fmt::format("- {}: {} *{}, {}.*\n", titled_link(card, number(card) + " " + card.title), card.summary,
                         counted(static_cast<double>(card.exercises.size()), "exercise"), counted(points(card), "point"));
   }
   page += R"(
@@ -101,7 +111,7 @@ std::string exercises_page(const std::vector<Card>& course, const std::vector<st
                      "its errors, where the notes explain it, and how to check yours.\n";
   for (std::size_t lecture = 0; lecture < course.size(); ++lecture) {
     const Card& card = course[lecture];
-    page += fmt::format("\n## {} {} {{#exercises_{}}}\n\nNotes: {}\n\n{}", number(card), card.title, card.folder,
+    page += fmt::format("\n## {} {} {{#exercises_{}}}\n\nNotes: {}\n\n{}", number(card), card.title, card.lecture,
                         link(card), table_of_exercises(card, contracts.at(lecture), "\\subpage"));
   }
   return page;
@@ -110,16 +120,18 @@ std::string exercises_page(const std::vector<Card>& course, const std::vector<st
 std::string exercise_page(const std::vector<Card>& course, std::size_t lecture, std::size_t exercise,
                           const std::string& contract) {
   const Card& card = course.at(lecture);
-  const Exercise& task = card.exercises.at(exercise);
+  const CardExercise& task = card.exercises.at(exercise);
   std::vector<std::string> neighbours;
   if (exercise > 0) {
-    neighbours.push_back("← " + link(card.exercises.at(exercise - 1)));
+    const CardExercise& before = card.exercises.at(exercise - 1);
+    neighbours.push_back(titled_link(before, "← " + before.name));
   }
   neighbours.push_back("\\ref exercises \"All exercises\"");
   if (exercise + 1 < card.exercises.size()) {
-    neighbours.push_back(link(card.exercises.at(exercise + 1)) + " →");
+    const CardExercise& after = card.exercises.at(exercise + 1);
+    neighbours.push_back(titled_link(after, after.name + " →"));
   } else if (lecture + 1 < course.size()) {
-    neighbours.push_back(link(course.at(lecture + 1)) + " →");
+    neighbours.push_back(titled_link(course.at(lecture + 1), course.at(lecture + 1).title + " →"));
   }
   return fmt::format(R"(# {name} {{#exercise_{name}}}
 
@@ -150,29 +162,29 @@ When you are stuck, `./checker/run hint {name}` helps a little, and more each ti
                      fmt::arg("count", card.exercises.size()), fmt::arg("lecture", link(card)),
                      fmt::arg("points", counted(task.points, "point")),
                      fmt::arg("declaration", declaration(card, task.name, contract)), fmt::arg("notes", task.notes),
-                     fmt::arg("folder", card.folder), fmt::arg("neighbours", navigation("Exercises", neighbours)));
+                     fmt::arg("folder", card.lecture), fmt::arg("neighbours", navigation("Exercises", neighbours)));
 }
 
 std::string lecture_card(const std::vector<Card>& course, std::size_t lecture) {
   const Card& card = course.at(lecture);
   std::string text = fmt::format("Slides: {}.", fmt::join(card.slides, "; "));
-  if (!card.builds_on.empty()) {
-    std::vector<std::string> earlier;
-    for (const std::string& folder : card.builds_on) earlier.push_back(link(card_of(course, folder)));
-    text += fmt::format(" Builds on: {}.", fmt::join(earlier, ", "));
-  }
+  std::vector<std::string> links;
+  for (const Card& foundation : foundations(course, card)) links.push_back(link(foundation));
+  if (!links.empty()) text += fmt::format(" Builds on: {}.", fmt::join(links, ", "));
   return fmt::format("<div class=\"lecture-card\">\n{} Contract: `rigid/{}.hpp`.\n</div>\n", text, card.contract);
 }
 
 std::string exercise_table(const Card& card, const std::string& contract) {
-  return table_of_exercises(card, contract, "\\ref");
+  // In a quoted part Doxygen no longer knows formulas: they reach MathJax as HTML.
+  static const std::regex formula(R"(\\f\$(.*?)\\f\$)");
+  return std::regex_replace(table_of_exercises(card, contract, "\\ref"), formula, R"(\htmlonly\($1\)\endhtmlonly)");
 }
 
 std::string lecture_links(const std::vector<Card>& course, std::size_t lecture) {
   std::vector<std::string> neighbours;
-  if (lecture > 0) neighbours.push_back("← " + link(course.at(lecture - 1)));
+  if (lecture > 0) neighbours.push_back(titled_link(course.at(lecture - 1), "← " + course.at(lecture - 1).title));
   neighbours.push_back("\\ref course_map \"Course map\"");
-  if (lecture + 1 < course.size()) neighbours.push_back(link(course.at(lecture + 1)) + " →");
+  if (lecture + 1 < course.size()) neighbours.push_back(titled_link(course.at(lecture + 1), course.at(lecture + 1).title + " →"));
   return navigation("Lectures", neighbours);
 }
 
@@ -183,12 +195,12 @@ std::string course_map(const std::vector<Card>& course) {
                       "  edge [arrowsize=0.7];\n"
                       "  nodesep=0.35; ranksep=0.4; bgcolor=transparent;\n";
   for (const Card& card : course) {
-    graph += fmt::format("  {} [label={}, URL=\"lecture_{}.html\", tooltip={}];\n", in_quotes(card.folder),
-                         in_quotes(number(card) + "  " + card.title), card.folder, in_quotes(card.summary));
+    graph += fmt::format("  {} [label={}, URL=\"lecture_{}.html\", tooltip={}];\n", in_quotes(card.lecture),
+                         in_quotes(number(card) + "  " + card.title), card.lecture, in_quotes(card.summary));
   }
   for (const Card& card : course) {
-    for (const std::string& earlier : card.builds_on) {
-      graph += fmt::format("  {} -> {};\n", in_quotes(earlier), in_quotes(card.folder));
+    for (const Card& foundation : foundations(course, card)) {
+      graph += fmt::format("  {} -> {};\n", in_quotes(foundation.lecture), in_quotes(card.lecture));
     }
   }
   return graph + "}\n";
@@ -213,7 +225,7 @@ std::string declaration(const Card& card, const std::string& function, const std
   std::smatch match;
   if (!std::regex_search(contract, match, pattern)) {
     throw std::runtime_error(fmt::format("include/rigid/{}.hpp does not declare {}, though the card of {} lists it.",
-                                         card.contract, function, card.folder));
+                                         card.contract, function, card.lecture));
   }
   return match[1];
 }

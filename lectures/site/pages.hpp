@@ -3,14 +3,14 @@
 /// Graphviz.
 #pragma once
 
-#include "lectures/site/card.hpp"
+#include "checker/course/card.hpp"
 
 #include <string>
 #include <vector>
 
 namespace workbook::site {
 
-/// The first page: what the course is, the course map, and a table of the lectures.
+/// The first page: what the course is, the course map, and a list of the lectures.
 std::string first_page(const std::vector<Card>& course);
 
 /// All exercises in the order of the course; every page of an exercise hangs below this one.
@@ -36,7 +36,8 @@ std::string exercise_table(const Card& card, const std::string& contract);
 /// Quoted by \\lecture_links.
 std::string lecture_links(const std::vector<Card>& course, std::size_t lecture);
 
-/// The course map in the language of Graphviz: an arrow leads from a lecture to each one that builds on it.
+/// The course map in the language of Graphviz: an arrow leads from a lecture to each one that builds on it. A name that
+/// is no lecture of the course is left out here; the checker's self-check refuses it.
 std::string course_map(const std::vector<Card>& course);
 
 /// The first sentence of a function's comment in a contract.

@@ -10,6 +10,7 @@
 #include <exception>
 #include <filesystem>
 
+using namespace workbook;
 using namespace workbook::site;
 
 namespace {
@@ -32,9 +33,9 @@ void write_pages(const std::filesystem::path& source, const std::filesystem::pat
   write_text(output / "course_map.dot", course_map(course));
   for (std::size_t lecture = 0; lecture < course.size(); ++lecture) {
     const Card& card = course[lecture];
-    write_text(parts / (card.folder + ".card.md"), lecture_card(course, lecture));
-    write_text(parts / (card.folder + ".exercises.md"), exercise_table(card, contracts[lecture]));
-    write_text(parts / (card.folder + ".links.md"), lecture_links(course, lecture));
+    write_text(parts / (card.lecture + ".card.md"), lecture_card(course, lecture));
+    write_text(parts / (card.lecture + ".exercises.md"), exercise_table(card, contracts[lecture]));
+    write_text(parts / (card.lecture + ".links.md"), lecture_links(course, lecture));
     for (std::size_t exercise = 0; exercise < card.exercises.size(); ++exercise) {
       write_text(exercises / (card.exercises[exercise].name + ".md"),
                  exercise_page(course, lecture, exercise, contracts[lecture]));
@@ -51,11 +52,12 @@ int main(int argc, char** argv) {
   }
   try {
     const std::filesystem::path source = argv[1];
-    const std::vector<Card> course = read_course(source, {argv + 4, argv + argc});
+    std::vector<Card> course;
+    for (int i = 4; i < argc; ++i) course.push_back(read_card(source / "lectures", argv[i]));
     bool sound = true;
     for (const Card& card : course) {
-      const std::string shown = "lectures/" + card.folder + "/notes.md";
-      for (const std::string& sentence : faults_of_notes(card.folder, read_text(source / shown, shown), argv[2])) {
+      const std::string shown = "lectures/" + card.lecture + "/notes.md";
+      for (const std::string& sentence : faults_of_notes(card.lecture, read_text(source / shown, shown), argv[2])) {
         fmt::print(stderr, "{}\n", sentence);
         sound = false;
       }

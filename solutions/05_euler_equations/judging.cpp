@@ -78,13 +78,13 @@ Vector3d gyration_with_shifted_differences(const Vector3d& I, const Vector3d& om
 }
 
 const char* const wrong_sign_of_gyration =
-    "The sign of ω × (Iω) is wrong: it stands with + on the side of I ω̇, so it goes with − to the side of the torque.";
+    "The sign of ω × (Iω) is wrong: it stands with + on the side of I dω/dt, so it goes with − to the side of the torque.";
 const char* const gyration_missing =
-    "You solve I ω̇ = τ; the term ω × (Iω), which the turning of the body's axes adds, is missing.";
-const char* const torque_missing = "The torque does not enter your rates; it drives them: I ω̇ = τ − ω × (Iω).";
-const char* const torque_sign = "The sign of the torque is wrong: I ω̇ = τ − ω × (Iω).";
+    "You solve I dω/dt = τ; the term ω × (Iω), which the turning of the body's axes adds, is missing.";
+const char* const torque_missing = "The torque does not enter your rates; it drives them: I dω/dt = τ − ω × (Iω).";
+const char* const torque_sign = "The sign of the torque is wrong: I dω/dt = τ − ω × (Iω).";
 const char* const inertia_not_divided =
-    "You return τ − ω × (Iω), which is I ω̇, the rate of L seen from the body; it is still to be divided by the inertia.";
+    "You return τ − ω × (Iω), which is I dω/dt, the rate of L seen from the body; it is still to be divided by the inertia.";
 const char* const products_do_not_enter =
     "The products of inertia do not enter: you use the diagonal of I as if these were principal axes.";
 const char* const products_sign = "You change the sign of the products of inertia; the tensor already carries their minus.";
@@ -155,7 +155,7 @@ void describe_euler_equations(Lecture& lecture) {
                          [](const Vector3d& I, const Vector3d& omega, const Vector3d& torque) -> Vector3d {
                            return (torque - cross_of(omega, I.cwiseProduct(omega))).cwiseQuotient(shifted(I));
                          });
-  exercise.misconception("multiplied", "You multiply by the moments where you should divide: ω̇ᵢ = (τᵢ − (ω × L)ᵢ) / Iᵢ.",
+  exercise.misconception("multiplied", "You multiply by the moments where you should divide: dωᵢ/dt = (τᵢ − (ω × L)ᵢ) / Iᵢ.",
                          "euler_equations_principal",
                          [](const Vector3d& I, const Vector3d& omega, const Vector3d& torque) -> Vector3d {
                            return (torque - cross_of(omega, I.cwiseProduct(omega))).cwiseProduct(I);
@@ -192,7 +192,7 @@ void describe_euler_equations(Lecture& lecture) {
                  {0, 6.3}, [](double angle) {
                    return MomentsOmegaTorque{example_moments, Vector3d(std::cos(angle), std::sin(angle), 0.5), Vector3d(0.2, 0, 0)};
                  },
-                 {{"ω̇_1", 0, 0}, {"ω̇_2", 1, 0}, {"ω̇_3", 2, 0}});
+                 {{"dω_1/dt", 0, 0}, {"dω_2/dt", 1, 0}, {"dω_3/dt", 2, 0}});
 }
 
 void describe_euler_equations_general(Lecture& lecture) {
@@ -231,7 +231,7 @@ void describe_euler_equations_general(Lecture& lecture) {
                            return torque - cross_of(omega, I * omega);
                          });
   exercise.misconception("divided_by_diagonal",
-                         "You divide by the diagonal entries of I; with products of inertia, I ω̇ = τ − ω × (Iω) is a system of three coupled equations.",
+                         "You divide by the diagonal entries of I; with products of inertia, I dω/dt = τ − ω × (Iω) is a system of three coupled equations.",
                          "euler_equations_general",
                          [](const Matrix3d& I, const Vector3d& omega, const Vector3d& torque) -> Vector3d {
                            return (torque - cross_of(omega, I * omega)).cwiseQuotient(I.diagonal());
@@ -260,7 +260,7 @@ void describe_euler_equations_general(Lecture& lecture) {
                          [](const Matrix3d& I, const Vector3d& omega, const Vector3d& torque) -> Vector3d {
                            return I.inverse() * (-torque - cross_of(omega, I * omega));
                          });
-  exercise.misconception("multiplied", "You multiply by I where you should solve for ω̇: I stands before ω̇ in I ω̇ = τ − ω × (Iω).",
+  exercise.misconception("multiplied", "You multiply by I where you should solve for dω/dt: I stands before dω/dt in I dω/dt = τ − ω × (Iω).",
                          "euler_equations_general",
                          [](const Matrix3d& I, const Vector3d& omega, const Vector3d& torque) -> Vector3d {
                            return I * (torque - cross_of(omega, I * omega));
@@ -299,7 +299,7 @@ void describe_euler_equations_general(Lecture& lecture) {
                  {0, 6.3}, [](double angle) {
                    return TensorOmegaVector{tensor_of_four_masses(), Vector3d(std::cos(angle), std::sin(angle), 0), Vector3d::Zero()};
                  },
-                 {{"ω̇_x", 0, 0}, {"ω̇_y", 1, 0}, {"ω̇_z", 2, 0}});
+                 {{"dω_x/dt", 0, 0}, {"dω_y/dt", 1, 0}, {"dω_z/dt", 2, 0}});
 }
 
 void describe_torque_to_hold_rotation(Lecture& lecture) {
@@ -398,7 +398,7 @@ void describe_angular_momentum_rate(Lecture& lecture) {
   });
 
   exercise.misconception("body_rate_only",
-                         "You return I ω̇, the rate seen from the body; in the inertial frame the tensor turns too, and ω × L is added.",
+                         "You return I dω/dt, the rate seen from the body; in the inertial frame the tensor turns too, and ω × L is added.",
                          "euler_equations_rate",
                          [](const Matrix3d& I, const Vector3d&, const Vector3d& rate) -> Vector3d { return I * rate; });
   exercise.misconception("sign", "The sign of ω × L is wrong: (d/dt) in the inertial frame is (d/dt) in the body *plus* ω×.",
@@ -406,15 +406,15 @@ void describe_angular_momentum_rate(Lecture& lecture) {
                          [](const Matrix3d& I, const Vector3d& omega, const Vector3d& rate) -> Vector3d {
                            return I * rate - cross_of(omega, I * omega);
                          });
-  exercise.misconception("cross_of_rate", "You return ω × (I ω̇); the two summands are I ω̇ and ω × (Iω).", "euler_equations_rate",
+  exercise.misconception("cross_of_rate", "You return ω × (I dω/dt); the two summands are I dω/dt and ω × (Iω).", "euler_equations_rate",
                          [](const Matrix3d& I, const Vector3d& omega, const Vector3d& rate) -> Vector3d {
                            return cross_of(omega, I * rate);
                          });
-  exercise.misconception("cross_of_rate_added", "You add ω × (I ω̇); what ω crosses is L = Iω itself.", "euler_equations_rate",
+  exercise.misconception("cross_of_rate_added", "You add ω × (I dω/dt); what ω crosses is L = Iω itself.", "euler_equations_rate",
                          [](const Matrix3d& I, const Vector3d& omega, const Vector3d& rate) -> Vector3d {
                            return I * rate + cross_of(omega, I * rate);
                          });
-  exercise.misconception("turning_only", "You return ω × L; when ω changes too, I ω̇ is added.", "euler_equations_rate",
+  exercise.misconception("turning_only", "You return ω × L; when ω changes too, I dω/dt is added.", "euler_equations_rate",
                          [](const Matrix3d& I, const Vector3d& omega, const Vector3d&) -> Vector3d { return cross_of(omega, I * omega); });
   exercise.misconception("diagonal_only", products_do_not_enter, "euler_equations_general",
                          [](const Matrix3d& I, const Vector3d& omega, const Vector3d& rate) -> Vector3d {
@@ -430,13 +430,13 @@ void describe_angular_momentum_rate(Lecture& lecture) {
                          [](const Matrix3d& I, const Vector3d& omega, const Vector3d& rate) -> Vector3d {
                            return I * rate + 2 * cross_of(omega, I * omega);
                          });
-  exercise.misconception("rate_crossed", "You take ω̇ × L; the axes turn with ω, so it is ω × L that is added to I ω̇.",
+  exercise.misconception("rate_crossed", "You take dω/dt × L; the axes turn with ω, so it is ω × L that is added to I dω/dt.",
                          "euler_equations_rate",
                          [](const Matrix3d& I, const Vector3d& omega, const Vector3d& rate) -> Vector3d {
                            return I * rate + cross_of(rate, I * omega);
                          });
 
-  exercise.term("I ω̇", 1.0, [](const Matrix3d& I, const Vector3d&, const Vector3d& rate) -> Vector3d { return I * rate; });
+  exercise.term("I dω/dt", 1.0, [](const Matrix3d& I, const Vector3d&, const Vector3d& rate) -> Vector3d { return I * rate; });
   exercise.term("ω × L", 1.0,
                 [](const Matrix3d& I, const Vector3d& omega, const Vector3d&) -> Vector3d { return cross_of(omega, I * omega); });
 
@@ -680,7 +680,7 @@ void describe_free_rotation(Lecture& lecture) {
                                   euler_equations(I, start, Vector3d::Zero()) * times.transpose();
                          });
   exercise.misconception("sign_of_gyration",
-                         "The motion runs backwards: the sign of ω × (Iω) is wrong, for a free body I ω̇ = −ω × (Iω).",
+                         "The motion runs backwards: the sign of ω × (Iω) is wrong, for a free body I dω/dt = −ω × (Iω).",
                          "euler_equations_rate", [](const Vector3d& I, const Vector3d& start, const VectorXd& times) -> Matrix3Xd {
                            return exact_free_rotation(I, start, -times);
                          });
@@ -730,7 +730,7 @@ void describe_free_rotation(Lecture& lecture) {
                            return exact_free_rotation(I, start, sums);
                          });
   exercise.misconception("not_divided",
-                         "Your rate is −ω × (Iω) without the division by the moments: that is I ω̇, not ω̇.",
+                         "Your rate is −ω × (Iω) without the division by the moments: that is I dω/dt, not dω/dt.",
                          "euler_equations_principal", [](const Vector3d& I, const Vector3d& start, const VectorXd& times) -> Matrix3Xd {
                            return follow(start, times, [&](const Vector3d& omega) -> Vector3d {
                              return -cross_of(omega, I.cwiseProduct(omega));

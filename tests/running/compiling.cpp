@@ -6,6 +6,9 @@
 
 #include <doctest/doctest.h>
 
+#include <signal.h>
+#include <sys/resource.h>
+
 #include <fstream>
 
 namespace workbook::testing {
@@ -46,7 +49,8 @@ TEST_CASE("an error inside Eigen is said with the line that asked for it") {
 }
 
 TEST_CASE("a result type that is not the contract's is a compile error") {
-  CHECK(compile_error("rigid::Vector3d rigid::twice(double) { return {}; }").starts_with("Your file does not compile: line 1: "));
+  CHECK(compile_error("rigid::Vector3d rigid::twice(double) { return {}; }")
+            .starts_with("Your file does not compile: line 1: "));
 }
 
 TEST_CASE("a file without the function says what it defines instead") {
@@ -54,14 +58,16 @@ TEST_CASE("a file without the function says what it defines instead") {
   CHECK(missing_function("double twice(double x) { return 2 * x; }") ==
         "Your file does not define `double twice(double x)`; it defines `twice(double)` outside the namespace rigid.");
   CHECK(missing_function("namespace rigid { double twice(const Vector3d& x) { return x[0]; } }") ==
-        "Your file does not define `double twice(double x)`; it defines `rigid::twice(const Vector3d&)`, whose parameters differ.");
+        "Your file does not define `double twice(double x)`; it defines `rigid::twice(const Vector3d&)`, whose "
+        "parameters differ.");
   CHECK(missing_function("namespace rigid { double double_of(double x) { return 2 * x; } }") ==
         "Your file does not define `double twice(double x)`; it defines `rigid::double_of(double)`.");
 }
 
 TEST_CASE("a file that calls another exercise is told that it is compiled alone") {
   CHECK(compile_error("double rigid::twice(double x) { return signed_by(1, x) + signed_by(1, x); }") ==
-        "Your file calls `rigid::signed_by`, which it does not define; each file is compiled alone, so write what you need "
+        "Your file calls `rigid::signed_by`, which it does not define; each file is compiled alone, so write what you "
+        "need "
         "into this one.");
 }
 
@@ -98,18 +104,31 @@ TEST_CASE("templates and includes without end are stopped") {
 }
 
 TEST_CASE("a compilation that takes too long is stopped with all its processes") {
-  const fs::path file = write(fresh_directory("slow") / "slow.cpp",
-                              "constexpr long f(long n) { long sum = 0; for (long i = 0; i < 200000; ++i) sum += i % n; return sum; }\n"
-                              "template <long n> struct F { static constexpr long value = f(n) + F<n - 1>::value; };\n"
-                              "template <> struct F<0> { static constexpr long value = 0; };\n"
-                              "double rigid::twice(double) { return double(F<800>::value); }\n");
+  const fs::path file =
+      write(fresh_directory("slow") / "slow.cpp",
+            "constexpr long f(long n) { long sum = 0; for (long i = 0; i < 200000; ++i) sum += i % n; return sum; }\n"
+            "template <long n> struct F { static constexpr long value = f(n) + F<n - 1>::value; };\n"
+            "template <> struct F<0> { static constexpr long value = 0; };\n"
+            "double rigid::twice(double) { return double(F<800>::value); }\n");
   CompileLimits limits;
   limits.time = std::chrono::milliseconds(500);
   const Compilation compilation = compile(twice_in(file), toolchain(), shared_cache(), limits);
   CHECK(compilation.refusal == Refusal::compile_error);
-  CHECK(compilation.message == "Your file takes too long to compile; look for a template or an #include that never ends.");
+  CHECK(compilation.message ==
+        "Your file takes too long to compile; look for a template or an #include that never ends.");
   CHECK(compilation.seconds < 10.0);
   CHECK(nothing_left_running());
+}
+
+TEST_CASE("a program that would fill the disk is stopped") {
+  const std::string sentence = "Your file makes a program that is too large; look for a huge array.";
+  CHECK(compile_error(std::string(right) + "double huge[1 << 27] = {1.0};\n") == sentence);
+  CHECK(compile_error(std::string(right) + "asm(\".data; .fill 3000000000, 1, 7\");\n") == sentence);
+}
+
+TEST_CASE("a full disk is not believed because the compiler's messages speak of it") {
+  CHECK(compile_error("#error No space left on device\n") ==
+        "Your file does not compile: line 1: #error No space left on device.");
 }
 
 TEST_CASE("the compiler's messages are cut where they become a flood") {
@@ -138,30 +157,33 @@ TEST_CASE("other files cannot be included, in any way") {
 }
 
 TEST_CASE("headers of the course, of Eigen and of the standard library can be included") {
-  CHECK(compile_text(std::string("#include <fixture/contract.hpp>\n#include <rigid/vocabulary.hpp>\n#include <Eigen/Geometry>\n"
-                                 "#include <unsupported/Eigen/MatrixFunctions>\n#include <cmath>\n#include <deque>\n"
-                                 "#include <unistd.h>\n") +
-                     right)
+  CHECK(compile_text(
+            std::string("#include <fixture/contract.hpp>\n#include <rigid/vocabulary.hpp>\n#include <Eigen/Geometry>\n"
+                        "#include <unsupported/Eigen/MatrixFunctions>\n#include <cmath>\n#include <deque>\n"
+                        "#include <unistd.h>\n") +
+            right)
             .executable.has_value());
 }
 
 TEST_CASE("any file name will do") {
   const fs::path directory = fresh_directory("names");
-  for (const std::string name : {"-o worker.cpp", "two words.cpp", "quote\".cpp", "back\\slash.cpp", "semi;colon$(true).cpp",
-                                 "unit.cpp", "Trägheit.cpp", "no-ending", "line\nbreak.cpp"}) {
+  for (const std::string name : {"-o worker.cpp", "two words.cpp", "quote\".cpp", "back\\slash.cpp",
+                                 "semi;colon$(true).cpp", "unit.cpp", "Trägheit.cpp", "no-ending", "line\nbreak.cpp"}) {
     INFO(name);
     const Compilation good = compile(twice_in(write(directory / name, right)), toolchain(), shared_cache());
     INFO(good.message << good.details);
     CHECK(good.executable.has_value());
   }
-  const Compilation bad = compile(twice_in(write(directory / "-x c \"q\".cpp", "\nint\n")), toolchain(), shared_cache());
+  const Compilation bad =
+      compile(twice_in(write(directory / "-x c \"q\".cpp", "\nint\n")), toolchain(), shared_cache());
   CHECK(bad.details.find("-x c \"q\".cpp:2:") != std::string::npos);
   CHECK(bad.message.starts_with("Your file does not compile: line "));
 }
 
 TEST_CASE("line ends of other systems and byte order marks do not matter") {
   const fs::path directory = fresh_directory("encodings");
-  const fs::path dos = write(directory / "dos.cpp", "\xef\xbb\xbf// two lines\r\ndouble rigid::twice(double x) { return 2 * x; }\r\n");
+  const fs::path dos =
+      write(directory / "dos.cpp", "\xef\xbb\xbf// two lines\r\ndouble rigid::twice(double x) { return 2 * x; }\r\n");
   CHECK(compile(twice_in(dos), toolchain(), shared_cache()).executable.has_value());
 }
 
@@ -179,15 +201,19 @@ TEST_CASE("the precompiled prelude is used") {
   Launch launch;
   launch.program = compiler.c_str();
   launch.arguments = toolchain().flags;
-  launch.arguments.insert(launch.arguments.end(), {"-H", "-include", toolchain().prelude.string(), "-fsyntax-only", file.string()});
+  launch.arguments.insert(launch.arguments.end(),
+                          {"-H", "-include", toolchain().prelude.string(), "-fsyntax-only", file.string()});
   launch.environment = {"PATH=/usr/bin:/bin"};
-  CHECK(run_program(launch, std::chrono::seconds(60), 1 << 20).output.starts_with("! " + toolchain().prelude.string() + ".gch"));
+  CHECK(run_program(launch, std::chrono::seconds(60), 1 << 20)
+            .output.starts_with("! " + toolchain().prelude.string() + ".gch"));
 }
 
 TEST_CASE("signatures are told in the words of the contracts") {
-  CHECK(in_contract_words("rigid::f(Eigen::Matrix<double, 3, 3, 0, 3, 3> const&, double)") == "rigid::f(const Matrix3d&, double)");
-  CHECK(in_contract_words("f(std::vector<Eigen::Matrix<double, 3, 3, 0, 3, 3>, std::allocator<Eigen::Matrix<double, 3, 3, 0, 3, "
-                          "3> > > const&, Eigen::Matrix<double, 3, -1, 0, 3, -1> const&)") ==
+  CHECK(in_contract_words("rigid::f(Eigen::Matrix<double, 3, 3, 0, 3, 3> const&, double)") ==
+        "rigid::f(const Matrix3d&, double)");
+  CHECK(in_contract_words(
+            "f(std::vector<Eigen::Matrix<double, 3, 3, 0, 3, 3>, std::allocator<Eigen::Matrix<double, 3, 3, 0, 3, "
+            "3> > > const&, Eigen::Matrix<double, 3, -1, 0, 3, -1> const&)") ==
         "f(const std::vector<Matrix3d>&, const Matrix3Xd&)");
 }
 
@@ -222,10 +248,28 @@ TEST_CASE("an exercise without a worker is a checker error") {
 TEST_CASE("where the checker may not write, it says so") {
   const fs::path directory = fresh_directory("no-room");
   const fs::path in_the_way = write(directory / "file", "");
-  const Compilation compilation = compile(twice_in(write(directory / "twice.cpp", right)), toolchain(), in_the_way / "cache");
+  const Compilation compilation =
+      compile(twice_in(write(directory / "twice.cpp", right)), toolchain(), in_the_way / "cache");
   CHECK(compilation.refusal == Refusal::checker_error);
   CHECK(compilation.message.starts_with("The checker cannot write to "));
   CHECK(compilation.message.ends_with("; this is not your mistake."));
+}
+
+TEST_CASE("where the disk is full, the checker says so and does not blame the student") {
+  const fs::path file = write(fresh_directory("full-disk") / "twice.cpp", "int");
+  const auto compiled_with_room_for = [&](rlim_t bytes) {
+    return in_another_process([&] {
+      // A limit on the size of files stands for a disk without room: writing fails in the same way.
+      ::signal(SIGXFSZ, SIG_IGN);
+      const rlimit room{bytes, RLIM_INFINITY};
+      ::setrlimit(RLIMIT_FSIZE, &room);
+      const Compilation compilation = compile(twice_in(file), toolchain(), shared_cache());
+      return compilation.refusal == Refusal::checker_error &&
+             compilation.message.find("(is the disk full?); this is not your mistake.") != std::string::npos;
+    });
+  };
+  CHECK(compiled_with_room_for(1 << 20));  // not enough for what the compiler makes
+  CHECK(compiled_with_room_for(2));        // not even for the copy of the file
 }
 
 TEST_CASE("a damaged toolchain file is a checker error with file and reason") {
@@ -247,8 +291,10 @@ TEST_CASE("a damaged toolchain file is a checker error with file and reason") {
   CHECK(error(write(directory / "empty.json", "")).find("is damaged") != std::string::npos);
   CHECK(error(write(directory / "list.json", "[]")).find("is damaged") != std::string::npos);
   CHECK(error(write(directory / "poor.json", "{\"format\": 1}")).find("is damaged") != std::string::npos);
-  CHECK(error(write(directory / "type.json", "{\"format\": 1, \"compiler\": 7}")).find("is damaged") != std::string::npos);
-  CHECK(error(write(directory / "new.json", "{\"format\": 2}")).find("has another format than this checker") != std::string::npos);
+  CHECK(error(write(directory / "type.json", "{\"format\": 1, \"compiler\": 7}")).find("is damaged") !=
+        std::string::npos);
+  CHECK(error(write(directory / "new.json", "{\"format\": 2}")).find("has another format than this checker") !=
+        std::string::npos);
 }
 
 }  // namespace workbook::testing

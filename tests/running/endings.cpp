@@ -117,7 +117,8 @@ double rigid::twice(double x) { return behave(x); }
 )code";
 
 std::string with_magic_numbers(std::string text) {
-  for (const auto& [word, number] : {std::pair{"REPLY_MAGIC", frames::reply_magic}, {"REQUEST_MAGIC", frames::request_magic}})
+  for (const auto& [word, number] :
+       {std::pair{"REPLY_MAGIC", frames::reply_magic}, {"REQUEST_MAGIC", frames::request_magic}})
     for (std::size_t at = 0; (at = text.find(word)) != std::string::npos;)
       text.replace(at, std::string(word).size(), std::to_string(number) + "ul");
   return text;
@@ -214,7 +215,8 @@ TEST_CASE("what Eigen complains about becomes a sentence") {
   CHECK(sentence(194) == "too few numbers follow <<; it must fill the whole matrix or vector");
   CHECK(sentence(195) == "too many numbers follow << for this matrix or vector");
   CHECK(sentence(196) == "a matrix or vector is given a size that is negative or that its type does not allow");
-  CHECK(sentence(197) == "A = A.transpose() overwrites A while reading it; use A.transposeInPlace() or A.transpose().eval()");
+  CHECK(sentence(197) ==
+        "A = A.transpose() overwrites A while reading it; use A.transposeInPlace() or A.transpose().eval()");
   CHECK(sentence(198) == "a block, segment, head or tail reaches beyond its matrix or vector");
   CHECK(sentence(199) == "an index lies outside its vector; a vector of size n has the indices 0 to n - 1");
   CHECK(sentence(200) == "row(i) or col(i) is asked for an i that the matrix does not have; indices start at 0");
@@ -257,7 +259,8 @@ TEST_CASE("a program that ends before main has not answered") {
 }
 
 TEST_CASE("an exception before main is a crash with its text") {
-  const Observation observation = run(twice_and("static int early = [] { throw std::runtime_error(\"too early\"); return 1; }();"), {1.0});
+  const Observation observation =
+      run(twice_and("static int early = [] { throw std::runtime_error(\"too early\"); return 1; }();"), {1.0});
   CHECK(observation.replies.at(0).ending == Ending::crashed);
   CHECK(observation.replies.at(0).signal == SIGABRT);
   CHECK(observation.replies.at(0).text == "too early");
@@ -270,15 +273,16 @@ TEST_CASE("processor time is limited, also for a program that ignores the signal
 
 TEST_CASE("time is limited for a program that sleeps or stops itself") {
   RunLimits limits = short_limits();
-  limits.time = std::chrono::milliseconds(300);
+  limits.time = std::chrono::milliseconds(800);
   CHECK(exhausting(131, limits).reply.ending == Ending::time_limit);
   CHECK(exhausting(133, limits).reply.ending == Ending::time_limit);
 }
 
 TEST_CASE("time is limited before main too") {
   RunLimits limits = short_limits();
-  limits.time = std::chrono::milliseconds(300);
-  const Observation observation = run(twice_and("static int early = [] { for (;;) usleep(9); return 1; }();"), {1.0, 2.0}, limits);
+  limits.time = std::chrono::milliseconds(800);
+  const Observation observation =
+      run(twice_and("static int early = [] { for (;;) usleep(9); return 1; }();"), {1.0, 2.0}, limits);
   CHECK(observation.replies.at(0).ending == Ending::time_limit);
   CHECK(observation.replies.at(1).ending == Ending::not_run);
   CHECK(nothing_left_running());
@@ -355,8 +359,9 @@ TEST_CASE("what is forbidden is forbidden before main too") {
 TEST_CASE("replacing the worker's signal handler does not open the walls") {
   if (!sandbox_strength().filters_system_calls) return;
   const Observation observation =
-      run(twice_and("static int early = (std::signal(SIGSYS, [](int) {}), unlink(\"/tmp/workbook-witness\"), kill(getppid(), "
-                    "SIGKILL), fork() == 0 ? (_exit(3), 1) : 1);"),
+      run(twice_and(
+              "static int early = (std::signal(SIGSYS, [](int) {}), unlink(\"/tmp/workbook-witness\"), kill(getppid(), "
+              "SIGKILL), fork() == 0 ? (_exit(3), 1) : 1);"),
           {1.0});
   CHECK(is_right(observation.replies.at(0), 1.0));
   CHECK(nothing_left_running());
@@ -384,28 +389,28 @@ TEST_CASE("a second reply is a protocol violation at this case or, if it comes l
   CHECK(nothing_left_running());
 }
 
-TEST_CASE("half a reply before the end is no reply") {
-  CHECK(at(186).reply.ending == Ending::stopped_early);
-}
+TEST_CASE("half a reply before the end is no reply") { CHECK(at(186).reply.ending == Ending::stopped_early); }
 
 TEST_CASE("a reply before its request is a protocol violation") {
-  const Observation observation = run(
-      twice_and("static int early = [] { unsigned long reply[65] = {REPLY_MAGIC, 0, 1 + (1ul << 32), 1};"
-                " for (int d = 3; d < 64; ++d) (void)!write(d, reply, sizeof reply); return 1; }();"),
-      {1.0, 2.0});
+  const Observation observation =
+      run(twice_and("static int early = [] { unsigned long reply[65] = {REPLY_MAGIC, 0, 1 + (1ul << 32), 1};"
+                    " for (int d = 3; d < 64; ++d) (void)!write(d, reply, sizeof reply); return 1; }();"),
+          {1.0, 2.0});
   CHECK(observation.replies.at(0).ending == Ending::protocol_violation);
   CHECK(observation.replies.at(1).ending == Ending::protocol_violation);
   CHECK(nothing_left_running());
 }
 
 TEST_CASE("one byte after the last reply spoils it") {
-  // The destructor of a thread-local object of the main thread, or of a static one, would be the place; both are skipped.
-  // A reader that takes the worker's place can still try.
-  const Observation observation = run(
-      twice_and("static int early = [] { unsigned long request[6]; double x; (void)!read(3, request, 40); (void)!read(3, &x, 8);"
-                " unsigned long reply[65] = {REPLY_MAGIC, request[1], 1 + (1ul << 32), 1};"
-                " (void)!write(3, reply, sizeof reply); (void)!read(3, &x, 8); (void)!write(3, &x, 1); _exit(0); return 1; }();"),
-      {1.0});
+  // The destructor of a thread-local object of the main thread, or of a static one, would be the place; both are
+  // skipped. A reader that takes the worker's place can still try.
+  const Observation observation =
+      run(twice_and("static int early = [] { unsigned long request[6]; double x; (void)!read(3, request, 40); "
+                    "(void)!read(3, &x, 8);"
+                    " unsigned long reply[65] = {REPLY_MAGIC, request[1], 1 + (1ul << 32), 1};"
+                    " (void)!write(3, reply, sizeof reply); (void)!read(3, &x, 8); (void)!write(3, &x, 1); _exit(0); "
+                    "return 1; }();"),
+          {1.0});
   CHECK(observation.replies.at(0).ending == Ending::protocol_violation);
   CHECK(observation.replies.at(0).text == "something came back after the last reply");
   CHECK(nothing_left_running());

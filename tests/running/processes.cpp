@@ -23,7 +23,9 @@ Launch shell(const std::string& script) {
   return launch;
 }
 
-FinishedProgram finish(const std::string& script) { return run_program(shell(script), std::chrono::seconds(10), 10000); }
+FinishedProgram finish(const std::string& script) {
+  return run_program(shell(script), std::chrono::seconds(10), 10000);
+}
 
 }  // namespace
 
@@ -75,7 +77,8 @@ TEST_CASE("a program that cannot be started says why") {
 
 TEST_CASE("a program and all its children end at the time limit") {
   const auto start = Clock::now();
-  const FinishedProgram finished = run_program(shell("sleep 100 & sleep 100 & wait"), std::chrono::milliseconds(200), 1000);
+  const FinishedProgram finished =
+      run_program(shell("sleep 100 & sleep 100 & wait"), std::chrono::milliseconds(200), 1000);
   CHECK(finished.out_of_time);
   CHECK(finished.end.signal == SIGKILL);
   CHECK(Clock::now() - start < std::chrono::seconds(5));

@@ -36,7 +36,8 @@ TEST_CASE("what is no ordinary file is rejected without waiting") {
   const fs::path directory = fresh_directory("odd-files");
   CHECK(rejection(directory / "absent.cpp") == "absent.cpp does not exist; check the name and the folder.");
   CHECK(rejection(directory) == "odd-files is a folder; name the file with your function.");
-  CHECK(rejection(write(directory / "file", "") / "below.cpp") == "below.cpp does not exist; check the name and the folder.");
+  CHECK(rejection(write(directory / "file", "") / "below.cpp") ==
+        "below.cpp does not exist; check the name and the folder.");
 
   const fs::path pipe = directory / "pipe.cpp";
   REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
@@ -61,7 +62,9 @@ TEST_CASE("a file that is too large is rejected without reading it") {
 TEST_CASE("a file that is no text is rejected") {
   const fs::path directory = fresh_directory("no-text");
   const std::string sentence = " is not a text file; hand in the source file, saved as UTF-8, not a compiled one.";
-  CHECK(rejection(write(directory / "program.cpp", std::string("\x7f" "ELF\0", 5))) == "program.cpp" + sentence);
+  CHECK(rejection(write(directory / "program.cpp", std::string("\x7f"
+                                                               "ELF\0",
+                                                               5))) == "program.cpp" + sentence);
   CHECK(rejection(write(directory / "utf16.cpp", std::string("i\0n\0t\0", 6))) == "utf16.cpp" + sentence);
 }
 

@@ -4,6 +4,7 @@
 
 #include <sys/prctl.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <fstream>
@@ -92,6 +93,14 @@ bool nothing_left_running() {
     if (ended == 0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   return false;
+}
+
+bool in_another_process(const std::function<bool()>& something) {
+  const pid_t process = ::fork();
+  if (process == 0) ::_exit(something() ? 0 : 1);
+  int status = 0;
+  REQUIRE(::waitpid(process, &status, 0) == process);
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
 }  // namespace workbook::testing

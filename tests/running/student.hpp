@@ -6,6 +6,7 @@
 #include "checker/worker/run_exercise.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -38,5 +39,8 @@ Observation run(const std::string& text, const std::vector<double>& inputs, RunL
 
 /// True if no process that a test started, nor any child of it, still exists.
 bool nothing_left_running();
+
+/// Runs something in a copy of the test's process, so that what it does to itself stays there. Returns its result.
+bool in_another_process(const std::function<bool()>& something);
 
 }  // namespace workbook::testing

@@ -126,10 +126,15 @@ void Inspection::look_at(const std::string& page) {
   open(page);
   static const std::string look = script("look.js");
   judge_look(page, browser_.evaluate(look));
+  int width = 0;
   for (const Setting& setting : settings) {
-    resize(browser_, setting.width, setting.height);
     prefer(browser_, setting.colors);
-    settle(browser_);
+    if (setting.width != width) {
+      width = setting.width;
+      resize(browser_, setting.width, setting.height);
+      // The page's own scripts arrange it anew when its width has changed.
+      settle(browser_);
+    }
     static const std::string overflow = script("overflow.js");
     const json found = browser_.evaluate(overflow);
     if (found.is_null()) continue;
@@ -202,7 +207,7 @@ void Inspection::follow(const Link& link) {
   const std::string anchor = hash == std::string::npos ? "" : decoded(link.to.substr(hash + 1));
   const std::string beginning = url("");
   if (!target.starts_with(beginning)) {
-    fault(link.page, fmt::format("{} leads outside the site, to {}.", link.name, target));
+    fault(link.page, fmt::format("{} leads outside the site, to {}.", link.name, target.substr(target.find("//") + 2)));
     return;
   }
   const std::string file = target.substr(beginning.size());
