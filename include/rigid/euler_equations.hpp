@@ -1,5 +1,6 @@
 /// @file
-/// Contract of lecture 05: the rate of angular momentum, Euler's equations and the free rotation that follows from them.
+/// Contract of lecture 05: the rate of angular momentum, Euler's equations and the free rotation that follows from
+/// them.
 #pragma once
 
 #include "rigid/vocabulary.hpp"

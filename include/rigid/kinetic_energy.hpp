@@ -53,9 +53,13 @@ Vector3d canonical_momenta(const Vector3d& I, const Vector3d& angles, const Vect
 
 /// Second derivatives of the Euler angles of a body that turns without torque.
 ///
-/// They solve the Euler–Lagrange equations \f$\frac{d}{dt} \frac{\partial T}{\partial \dot q} = \frac{\partial T}{\partial q}\f$
-/// for \f$q = (\phi, \theta, \psi)\f$, or, which is the same, Euler's equations with
-/// \f$\dot\omega = E\,\ddot q + \dot E\,\dot q\f$ for \f$\omega = E(q)\,\dot q\f$.
+/// They solve the Euler–Lagrange equations for \f$q = (\phi, \theta, \psi)\f$,
+///
+/// \f[ \frac{d}{dt} \frac{\partial T}{\partial \dot q} = \frac{\partial T}{\partial q} , \f]
+///
+/// or, which is the same, Euler's equations with \f$\omega = E(q)\,\dot q\f$:
+///
+/// \f[ \ddot q = E^{-1} \left( \dot\omega - \dot E\,\dot q \right) \f]
 ///
 /// @param I       principal moments, kg m²
 /// @param angles  \f$(\phi, \theta, \psi)\f$, rad; \f$\sin\theta \ne 0\f$, because the angles are singular there

@@ -1,5 +1,5 @@
 /// @file
-/// Contract of lecture 02: acceleration in a turning frame, the fictitious forces, and what they do on the turning Earth.
+/// Contract of lecture 02: acceleration in a turning frame, fictitious forces, and what they do on the turning Earth.
 #pragma once
 
 #include "rigid/vocabulary.hpp"
@@ -25,8 +25,8 @@ Vector3d inertial_acceleration(const Vector3d& a_body, const Vector3d& v_body, c
 
 /// The fictitious force: what must be added to the real forces for Newton's second law to hold in the turning frame.
 ///
-/// \f[ F_{fictitious} = -m\left[\, 2\,\omega\times v_{body} + \alpha\times r + \omega\times(\omega\times r) \right], \qquad
-///     m\, a_{body} = F + F_{fictitious} \f]
+/// \f[ F_{fictitious} = -m\left[\, 2\,\omega\times v_{body} + \alpha\times r + \omega\times(\omega\times r) \right],
+///     \qquad m\, a_{body} = F + F_{fictitious} \f]
 ///
 /// In this order: Coriolis, Euler and centrifugal force, the last pointing away from the axis.
 ///
@@ -37,7 +37,8 @@ Vector3d inertial_acceleration(const Vector3d& a_body, const Vector3d& v_body, c
 /// @param alpha   its rate \f$\dot\omega\f$, rad/s²
 /// @return        force, N, on the axes of the arguments
 /// @par Source    S0 s8, S2 s7, S3 p~6, S4 p~7, brought to the other side of \f$m\,a_{inertial} = F\f$
-Vector3d fictitious_force(double m, const Vector3d& r, const Vector3d& v_body, const Vector3d& omega, const Vector3d& alpha);
+Vector3d fictitious_force(double m, const Vector3d& r, const Vector3d& v_body, const Vector3d& omega,
+                          const Vector3d& alpha);
 
 /// Coriolis acceleration at a place on the Earth.
 ///
@@ -49,7 +50,8 @@ Vector3d fictitious_force(double m, const Vector3d& r, const Vector3d& v_body, c
 /// @param latitude    latitude λ, rad; positive north of the equator, negative south of it
 /// @param earth_rate  angular velocity of the Earth \f$\Omega_E\f$, rad/s (7.292115e-5 for ours)
 /// @return            acceleration east, north, up, m/s²
-/// @par Source        the Coriolis term of S0 s8, S2 s7, S3 p~6, S4 p~7, for the turning Earth of Fetter & Walecka, chapter 2
+/// @par Source        the Coriolis term of S0 s8, S2 s7, S3 p~6, S4 p~7, on the turning Earth:
+///                    Fetter & Walecka, chapter 2
 Vector3d coriolis_acceleration(const Vector3d& v_enu, double latitude, double earth_rate);
 
 /// How far to the east of the plumb line a body lands that is dropped from rest, to first order in the Earth's rate.
@@ -73,7 +75,8 @@ double eastward_deflection(double height, double latitude, double g, double eart
 /// @param latitude      latitude λ on the northern hemisphere, rad, \f$0 < \lambda \le \pi/2\f$
 /// @param sidereal_day  time of one turn of the Earth against the stars, s (86164.0905 for ours)
 /// @return              time of a full turn by 360°, s
-/// @par Source          the Coriolis term of S0 s8, S2 s7, S3 p~6, S4 p~7 applied to a pendulum; Fetter & Walecka, chapter 2
+/// @par Source          the Coriolis term of S0 s8, S2 s7, S3 p~6, S4 p~7 applied to a pendulum;
+///                      Fetter & Walecka, chapter 2
 double foucault_period(double latitude, double sidereal_day);
 
 }  // namespace rigid

@@ -20,7 +20,9 @@ constexpr double pi = std::numbers::pi;
 const Vector3d example_omega(0.3, -0.2, 0.5);
 
 /// Turns a vector by the angle |w|·t about w.
-Vector3d turned(const Vector3d& vector, const Vector3d& w, double t) { return rotated_basis(Matrix3d::Identity(), w, t) * vector; }
+Vector3d turned(const Vector3d& vector, const Vector3d& w, double t) {
+  return rotated_basis(Matrix3d::Identity(), w, t) * vector;
+}
 
 /// The basis of this lecture: turned from the inertial one by the rotation vector (0.2, 0.5, −0.3).
 Matrix3d example_basis() { return rotated_basis(Matrix3d::Identity(), Vector3d(0.2, 0.5, -0.3), 1.0); }
@@ -137,7 +139,8 @@ TEST_CASE("ω× is an antisymmetric matrix") {
   CHECK(agrees(W, -W.transpose()));
 
   // Applied twice it takes away the part along ω and multiplies what is left by −ω²: b a·c − c a·b, as a matrix.
-  const Matrix3d square = example_omega * example_omega.transpose() - example_omega.squaredNorm() * Matrix3d::Identity();
+  const Matrix3d square =
+      example_omega * example_omega.transpose() - example_omega.squaredNorm() * Matrix3d::Identity();
   CHECK(agrees(W * W, square, 1e-15));
   // And it forgets nothing but the part along ω.
   CHECK(agrees(W * example_omega, Vector3d::Zero(), 1e-15, 1));
@@ -175,7 +178,8 @@ TEST_CASE("The transport theorem, against finite differences of a moving frame")
 //! [transport theorem]
 
 //! [painted and pinned]
-TEST_CASE("A vector painted on the frame moves for the inertial observer, and one pinned to the stars moves for the body") {
+TEST_CASE(
+    "A vector painted on the frame moves for the inertial observer, and one pinned to the stars moves for the body") {
   const Vector3d V(1, 2, -1);
 
   // Painted on: the body sees no change, and all that is left is ω × V.
@@ -184,7 +188,8 @@ TEST_CASE("A vector painted on the frame moves for the inertial observer, and on
   // Pinned to the stars: the body must see the rate −ω × V for the inertial one to vanish.
   const SpinningAndPrecessing frame;
   const double t = 0.8;
-  const Vector3d seen = frame.basis(t) * derivative([&](double s) -> Vector3d { return frame.basis(s).transpose() * V; }, t);
+  const Vector3d seen =
+      frame.basis(t) * derivative([&](double s) -> Vector3d { return frame.basis(s).transpose() * V; }, t);
   CHECK(agrees(seen, -frame.omega(t).cross(V), 1e-10));
   CHECK(agrees(inertial_rate(seen, frame.omega(t), V), Vector3d::Zero(), 1e-10, 1));
 
@@ -215,9 +220,11 @@ TEST_CASE("A finite turn by Rodrigues' formula, by Eigen's AngleAxis and by the 
   }
   CHECK(agrees(after, series * E, 1e-14));
 
-  CHECK(agrees(after, Matrix3d{{0.90624152, -0.089874224, 0.41309675},
-                               {0.22728974, 0.92748427, -0.29683717},
-                               {-0.35646273, 0.36289882, 0.86095225}}, 1e-8));
+  CHECK(agrees(after,
+               Matrix3d{{0.90624152, -0.089874224, 0.41309675},
+                        {0.22728974, 0.92748427, -0.29683717},
+                        {-0.35646273, 0.36289882, 0.86095225}},
+               1e-8));
   CHECK(agrees(after.transpose() * after, Matrix3d::Identity(), 1e-14));
 
   Printed page("finite turn");

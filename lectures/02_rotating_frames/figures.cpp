@@ -54,24 +54,26 @@ void draw_puck(const std::filesystem::path& directory) {
     curve_marks.emplace_back(b.x(), b.y());
     const Vector3d away = second == 0 ? Vector3d(0.02, -0.16, 0) : Vector3d(0.16 * b.normalized());
     numbers_line += fmt::format("set label '{}' at {:.3f},{:.3f} center front\n", second, a.x(), a.y() + 0.16);
-    numbers_curve += fmt::format("set label '{}' at {:.3f},{:.3f} center front\n", second, b.x() + away.x(), b.y() + away.y());
+    numbers_curve +=
+        fmt::format("set label '{}' at {:.3f},{:.3f} center front\n", second, b.x() + away.x(), b.y() + away.y());
   }
 
   workbook::draw_figure(directory, "puck_on_turntable", {760, 430}, [&](gnuplotio::Gnuplot& gnuplot) {
-    gnuplot << "set multiplot layout 1,2 margins 0.08,0.99,0.14,0.92 spacing 0.09\n"
-               "unset key; set size ratio -1; set xrange [-1.35:1.35]; set yrange [-1.35:1.35]; set xtics 1; set ytics 1\n"
-               "set xlabel 'x (m)' offset 0,0.4\n"
-               "set title 'beside the turntable (times in s)'; set ylabel 'y (m)' offset 1.5,0\n"
-            << numbers_line << "set label 'starting place' at 0,-0.55 center tc rgb '" << colors::vermilion << "'\n"
-            << "plot '-' w l lw 2 lc rgb '" << colors::grey << "', '-' w l lw 3 dt 3 lc rgb '" << colors::vermilion << "', '-' w l lw 4 lc rgb '"
-            << colors::blue << "', '-' w p pt 7 ps 1.2 lc rgb '" << colors::black << "'\n";
+    gnuplot
+        << "set multiplot layout 1,2 margins 0.08,0.99,0.14,0.92 spacing 0.09\n"
+           "unset key; set size ratio -1; set xrange [-1.35:1.35]; set yrange [-1.35:1.35]; set xtics 1; set ytics 1\n"
+           "set xlabel 'x (m)' offset 0,0.4\n"
+           "set title 'beside the turntable (times in s)'; set ylabel 'y (m)' offset 1.5,0\n"
+        << numbers_line << "set label 'starting place' at 0,-0.55 center tc rgb '" << colors::vermilion << "'\n"
+        << "plot '-' w l lw 2 lc rgb '" << colors::grey << "', '-' w l lw 3 dt 3 lc rgb '" << colors::vermilion
+        << "', '-' w l lw 4 lc rgb '" << colors::blue << "', '-' w p pt 7 ps 1.2 lc rgb '" << colors::black << "'\n";
     gnuplot.send1d(rim);
     gnuplot.send1d(chalk);
     gnuplot.send1d(line);
     gnuplot.send1d(line_marks);
-    gnuplot << "unset label; set title 'riding on it (times in s)'; unset ylabel\n" << numbers_curve
-            << "plot '-' w l lw 2 lc rgb '" << colors::grey << "', '-' w l lw 4 dt (4,2) lc rgb '" << colors::blue << "', '-' w p pt 7 ps 1.2 lc rgb '"
-            << colors::black << "'\n";
+    gnuplot << "unset label; set title 'riding on it (times in s)'; unset ylabel\n"
+            << numbers_curve << "plot '-' w l lw 2 lc rgb '" << colors::grey << "', '-' w l lw 4 dt (4,2) lc rgb '"
+            << colors::blue << "', '-' w p pt 7 ps 1.2 lc rgb '" << colors::black << "'\n";
     gnuplot.send1d(rim);
     gnuplot.send1d(curve);
     gnuplot.send1d(curve_marks);
@@ -79,7 +81,8 @@ void draw_puck(const std::filesystem::path& directory) {
   });
 }
 
-/// How far to its right a shell lands that flies `range` in `time` in the given direction, to first order in the Earth's rate.
+/// How far to its right a shell lands that flies `range` in `time` in the given direction, to first order in the
+/// Earth's rate.
 double drift_to_the_right(double latitude, double azimuth, double range, double time) {
   const double g = 9.81;
   const Vector3d forward(std::sin(azimuth), std::cos(azimuth), 0);
@@ -116,11 +119,13 @@ void draw_over_latitude(const std::filesystem::path& directory) {
                "set title 'Foucault pendulum: turn, clockwise counted positive' offset 0,-0.6\n"
             << "plot '-' w l lw 4 lc rgb '" << colors::green << "'\n";
     gnuplot.send1d(pendulum);
-    gnuplot << "set ylabel 'km'; set yrange [-2.2:2.2]; set ytics 1; set xtics 30 format '%g'; set xlabel 'latitude (degrees), north positive'\n"
+    gnuplot << "set ylabel 'km'; set yrange [-2.2:2.2]; set ytics 1; set xtics 30 format '%g'; set xlabel 'latitude "
+               "(degrees), north positive'\n"
                "set title 'shell, 120 km in 176 s: landing to the right' offset 0,-0.6\n"
             << "set label 'fired south' at -6,0.75 right tc rgb '" << colors::vermilion << "'\n"
             << "set label 'fired north' at 12,-0.95 left tc rgb '" << colors::purple << "'\n"
-            << "plot '-' w l lw 4 lc rgb '" << colors::purple << "', '-' w l lw 4 dt (4,2) lc rgb '" << colors::vermilion << "'\n";
+            << "plot '-' w l lw 4 lc rgb '" << colors::purple << "', '-' w l lw 4 dt (4,2) lc rgb '"
+            << colors::vermilion << "'\n";
     gnuplot.send1d(northward);
     gnuplot.send1d(southward);
     gnuplot << "unset multiplot\n";

@@ -32,7 +32,9 @@ const Vector3d example_r(1, 2, -1);
 const Vector3d example_omega(0.3, -0.2, 0.5);
 const Vector3d example_alpha(0.05, 0.1, -0.04);
 
-Vector3d turned(const Vector3d& vector, const Vector3d& w, double t) { return rotated_basis(Matrix3d::Identity(), w, t) * vector; }
+Vector3d turned(const Vector3d& vector, const Vector3d& w, double t) {
+  return rotated_basis(Matrix3d::Identity(), w, t) * vector;
+}
 
 /// A frame that spins about an axis while that axis turns about another; ω and α are known in closed form.
 struct SpinningAndPrecessing {
@@ -41,7 +43,9 @@ struct SpinningAndPrecessing {
 
   Matrix3d basis(double t) const { return rotated_basis(rotated_basis(Matrix3d::Identity(), spin, t), precession, t); }
   Vector3d omega(double t) const { return precession + turned(spin, precession, t); }
-  Vector3d alpha(double t) const { return precession.cross(turned(spin, precession, t)); }  // only the spin's axis moves
+  Vector3d alpha(double t) const {
+    return precession.cross(turned(spin, precession, t));
+  }  // only the spin's axis moves
 };
 
 /// A path in the moving frame, with its derivatives there.
@@ -69,7 +73,8 @@ struct Motion {
 };
 
 /// Position and velocity after a time, integrated from an acceleration that depends on both.
-Motion moved(const Motion& start, double time, const std::function<Vector3d(const Vector3d&, const Vector3d&)>& acceleration) {
+Motion moved(const Motion& start, double time,
+             const std::function<Vector3d(const Vector3d&, const Vector3d&)>& acceleration) {
   namespace odeint = boost::numeric::odeint;
   using State = std::array<double, 6>;
   using Map = Eigen::Map<const Vector3d>;
@@ -78,12 +83,15 @@ Motion moved(const Motion& start, double time, const std::function<Vector3d(cons
     const Vector3d a = acceleration(Map(now.data()), Map(now.data() + 3));
     rate = {now[3], now[4], now[5], a.x(), a.y(), a.z()};
   };
-  odeint::integrate_adaptive(odeint::make_controlled<odeint::runge_kutta_fehlberg78<State>>(1e-13, 1e-13), system, y, 0.0, time, time / 100);
+  odeint::integrate_adaptive(odeint::make_controlled<odeint::runge_kutta_fehlberg78<State>>(1e-13, 1e-13), system, y,
+                             0.0, time, time / 100);
   return {Map(y.data()), Map(y.data() + 3)};
 }
 
 /// Degrees, minutes and seconds of arc as radians.
-double from_arc(double degrees, double minutes, double seconds) { return (degrees + minutes / 60 + seconds / 3600) * degree; }
+double from_arc(double degrees, double minutes, double seconds) {
+  return (degrees + minutes / 60 + seconds / 3600) * degree;
+}
 
 }  // namespace
 
@@ -95,8 +103,8 @@ TEST_CASE("The four terms of the acceleration, against finite differences of a m
     const Vector3d measured = second_derivative([&](double s) -> Vector3d { return frame.basis(s) * path(s); }, t);
 
     const Matrix3d E = frame.basis(t);
-    const Vector3d by_terms =
-        inertial_acceleration(E * path_acceleration(t), E * path_velocity(t), E * path(t), frame.omega(t), frame.alpha(t));
+    const Vector3d by_terms = inertial_acceleration(E * path_acceleration(t), E * path_velocity(t), E * path(t),
+                                                    frame.omega(t), frame.alpha(t));
 
     CHECK(agrees(by_terms, measured, 1e-8));
   }
@@ -121,7 +129,8 @@ TEST_CASE("Transporting twice gives the same, and shows where the 2 comes from")
   const Vector3d seen_from_body = example_a + example_alpha.cross(example_r) + example_omega.cross(example_v);
   const Vector3d acceleration = inertial_rate(seen_from_body, example_omega, velocity);
 
-  CHECK(agrees(acceleration, inertial_acceleration(example_a, example_v, example_r, example_omega, example_alpha), 1e-14));
+  CHECK(agrees(acceleration, inertial_acceleration(example_a, example_v, example_r, example_omega, example_alpha),
+               1e-14));
 
   Printed page("transport twice");
   page.line("v + ω×r = {} m/s", row(velocity));
@@ -155,7 +164,8 @@ TEST_CASE("The rate of ω is the same in both frames") {
   const double t = 0.8;
 
   const Vector3d inertial = derivative([&](double s) -> Vector3d { return frame.omega(s); }, t);
-  const Vector3d body = frame.basis(t) * derivative([&](double s) -> Vector3d { return frame.basis(s).transpose() * frame.omega(s); }, t);
+  const Vector3d body =
+      frame.basis(t) * derivative([&](double s) -> Vector3d { return frame.basis(s).transpose() * frame.omega(s); }, t);
 
   // The transport theorem applied to ω itself adds ω × ω.
   CHECK(agrees(inertial, body, 1e-10));
@@ -241,7 +251,8 @@ TEST_CASE("Seen from a carousel a tree runs in a circle, and the Coriolis force 
   CHECK(agrees(inertial_acceleration(a_body, v, r, omega, Vector3d::Zero()), Vector3d::Zero(), 1e-15, 1));
 
   Printed page("tree and carousel");
-  page.line("centrifugal {:+.0f} N/kg outwards, Coriolis {:+.0f} N/kg outwards, sum {:+.0f}", centrifugal.y(), coriolis.y(), a_body.y());
+  page.line("centrifugal {:+.0f} N/kg outwards, Coriolis {:+.0f} N/kg outwards, sum {:+.0f}", centrifugal.y(),
+            coriolis.y(), a_body.y());
 }
 //! [tree and carousel]
 
@@ -259,7 +270,8 @@ TEST_CASE("The Coriolis acceleration on the local axes, against the same on axes
   local << 0, -std::sin(latitude), std::cos(latitude),  //
       1, 0, 0,                                          //
       0, std::cos(latitude), std::sin(latitude);
-  const Vector3d on_earths_axes = fictitious_force(1, Vector3d::Zero(), local * v, earth_rate * Vector3d::UnitZ(), Vector3d::Zero());
+  const Vector3d on_earths_axes =
+      fictitious_force(1, Vector3d::Zero(), local * v, earth_rate * Vector3d::UnitZ(), Vector3d::Zero());
   CHECK(agrees(a, local.transpose() * on_earths_axes, 1e-14));
 
   // It does no work, and in the north a level motion is pushed to its right.
@@ -290,7 +302,8 @@ TEST_CASE("At the poles, on the equator and along the Earth's axis the Coriolis 
   CHECK(agrees(coriolis_acceleration(Vector3d::Zero(), 0.7, earth_rate), Vector3d::Zero(), 0.0, 1));
 
   Printed page("special latitudes");
-  page.line("30 m/s to the east on the equator: lighter by {:.4e} m/s²", coriolis_acceleration({30, 0, 0}, 0, earth_rate).z());
+  page.line("30 m/s to the east on the equator: lighter by {:.4e} m/s²",
+            coriolis_acceleration({30, 0, 0}, 0, earth_rate).z());
 }
 //! [special latitudes]
 
@@ -312,7 +325,8 @@ TEST_CASE("A stone dropped from a tower lands to the east, and not by Ωht") {
   // South of the equator it is east too.
   CHECK(agrees(eastward_deflection(h, -latitude, g, earth_rate), east, 1e-15));
 
-  // A popular wrong turn: "the top is faster by Ωh cos λ, and keeps this speed for the time t" gives half as much again.
+  // A popular wrong turn: "the top is faster by Ωh cos λ, and keeps this speed for the time t" gives half as much
+  // again.
   const double popular = earth_rate * h * std::cos(latitude) * t;
   CHECK(agrees(popular, 1.5 * east, 1e-14));
 
@@ -329,15 +343,16 @@ TEST_CASE("Seen from outside the stone is on an orbit, and lands where the Corio
   // On the equator of a round Earth, without any turning frame: Kepler's problem from the top of the tower.
   const double h = 110, R = 6.378e6, GM = 3.986e14;
   const double top = R + h;
-  const double momentum = earth_rate * top * top;                      // angular momentum per mass, conserved
-  const double g = GM / (R * R) - earth_rate * earth_rate * R;         // what a plumb line at the foot feels
+  const double momentum = earth_rate * top * top;               // angular momentum per mass, conserved
+  const double g = GM / (R * R) - earth_rate * earth_rate * R;  // what a plumb line at the foot feels
 
   // How far the stone gets ahead of the tower: ∫ (L/r² − Ω) dt, written over the path r = top − h s² so that nothing
   // is singular at the start, and nothing is lost in differences of nearly equal numbers.
   const double ahead = boost::math::quadrature::gauss<double, 15>::integrate(
       [&](double s) {
         const double r = top - h * s * s;
-        const double speed_per_s = std::sqrt((2 * GM - momentum * momentum * (top + r) / (top * r)) / (top * r));  // |dr/dt| / (√h s)
+        const double speed_per_s =
+            std::sqrt((2 * GM - momentum * momentum * (top + r) / (top * r)) / (top * r));  // |dr/dt| / (√h s)
         const double seconds = 2 * std::sqrt(h) / speed_per_s;
         return earth_rate * h * s * s * (top + r) / (r * r) * seconds;
       },
@@ -364,9 +379,10 @@ TEST_CASE("V39 Reich 1831: 106 stones down a mine shaft of 158.5 m") {
 
   // The motion in full agrees, so it is not the first order that separates theory and observation.
   const double t = std::sqrt(2 * 158.5 / 9.811);
-  const Motion landed = moved({Vector3d::Zero(), Vector3d::Zero()}, t, [](const Vector3d&, const Vector3d& v) -> Vector3d {
-    return coriolis_acceleration(v, from_arc(50, 53, 12.5), earth_rate) - 9.811 * Vector3d::UnitZ();
-  });
+  const Motion landed =
+      moved({Vector3d::Zero(), Vector3d::Zero()}, t, [](const Vector3d&, const Vector3d& v) -> Vector3d {
+        return coriolis_acceleration(v, from_arc(50, 53, 12.5), earth_rate) - 9.811 * Vector3d::UnitZ();
+      });
   CHECK(agrees(1e3 * landed.r.x(), ours, 1e-6));
 
   Printed page("V39");
@@ -391,7 +407,8 @@ TEST_CASE("V43 A tower of 110 m: 45° hides an exchange of sine and cosine, 40°
   CHECK(std::abs(millimetres(40 * degree) - on_equator * std::sin(40 * degree)) > 3);
 
   Printed page("V43");
-  page.line("V43 | 17.907 mm, 19.399 mm | {:.4f} mm, {:.4f} mm | 0.0005 mm", millimetres(45 * degree), millimetres(40 * degree));
+  page.line("V43 | 17.907 mm, 19.399 mm | {:.4f} mm, {:.4f} mm | 0.0005 mm", millimetres(45 * degree),
+            millimetres(40 * degree));
 }
 //! [tower]
 
@@ -441,12 +458,13 @@ TEST_CASE("The pendulum's turn is geometry: a direction carried round a circle o
   };
   Vector3d direction = east_at(0);
   for (int k = 1; k <= steps; ++k) {
-    direction = Eigen::Quaterniond::FromTwoVectors(up_at(2 * pi * (k - 1) / steps), up_at(2 * pi * k / steps)) * direction;
+    direction =
+        Eigen::Quaterniond::FromTwoVectors(up_at(2 * pi * (k - 1) / steps), up_at(2 * pi * k / steps)) * direction;
   }
   // Seen from above, against the east and north of the place.
   const Vector3d north = up_at(0).cross(east_at(0));
   double angle = std::atan2(direction.dot(north), direction.dot(east_at(0)));  // between −π and π
-  if (angle > 0) angle -= 2 * pi;                                             // clockwise in the north
+  if (angle > 0) angle -= 2 * pi;                                              // clockwise in the north
 
   const double per_day = 2 * pi * sidereal_day / foucault_period(latitude, sidereal_day);
   CHECK(agrees(-angle, per_day, 1e-6));
@@ -471,8 +489,9 @@ TEST_CASE("V44 Foucault in Paris: the numbers of the newspapers") {
   CHECK(agrees(2 * pi * std::sqrt(67 / 9.81), 16.5, 0.005));
 
   Printed page("V44");
-  page.line("V44 | 31.788 h, 11.325°/h, 271.8° in 24 h, 16.42 s | {:.3f} h, {:.3f}°/h, {:.1f}° in 24 h, {:.2f} s | 0.5 %", hours, per_hour,
-            24 * per_hour, 2 * pi * std::sqrt(67 / 9.81));
+  page.line(
+      "V44 | 31.788 h, 11.325°/h, 271.8° in 24 h, 16.42 s | {:.3f} h, {:.3f}°/h, {:.1f}° in 24 h, {:.2f} s | 0.5 %",
+      hours, per_hour, 24 * per_hour, 2 * pi * std::sqrt(67 / 9.81));
 }
 //! [paris]
 
@@ -492,9 +511,11 @@ TEST_CASE("V46 The Paris gun: a shell that flies for three minutes drifts by a k
   const Vector3d forward(std::sin(azimuth), std::cos(azimuth), 0);
   const Vector3d right(std::cos(azimuth), -std::sin(azimuth), 0);
   const auto drift = [&](const Vector3d& start, double gravity) {
-    return moved({Vector3d::Zero(), start}, time, [&](const Vector3d&, const Vector3d& v) -> Vector3d {
-             return coriolis_acceleration(v, latitude, earth_rate) - gravity * Vector3d::UnitZ();
-           }).r.dot(right);
+    return moved({Vector3d::Zero(), start}, time,
+                 [&](const Vector3d&, const Vector3d& v) -> Vector3d {
+                   return coriolis_acceleration(v, latitude, earth_rate) - gravity * Vector3d::UnitZ();
+                 })
+        .r.dot(right);
   };
   CHECK(agrees(drift(range / time * forward, 0), level_drift, 0.005));
 
@@ -518,8 +539,11 @@ TEST_CASE("The law does not care how the axes stand: at the angle 0, 1e-8, near 
   for (const double angle : {0.0, 1e-8, 0.7, pi - 1e-8, pi}) {
     CAPTURE(angle);
     const Matrix3d A = rotated_basis(Matrix3d::Identity(), n, angle);
-    CHECK(agrees(inertial_acceleration(A * example_a, A * example_v, A * example_r, A * example_omega, A * example_alpha), A * a, 1e-14));
-    CHECK(agrees(fictitious_force(2, A * example_r, A * example_v, A * example_omega, A * example_alpha), A * force, 1e-14));
+    CHECK(
+        agrees(inertial_acceleration(A * example_a, A * example_v, A * example_r, A * example_omega, A * example_alpha),
+               A * a, 1e-14));
+    CHECK(agrees(fictitious_force(2, A * example_r, A * example_v, A * example_omega, A * example_alpha), A * force,
+                 1e-14));
   }
 }
 

@@ -49,7 +49,8 @@ std::vector<SpaceCurve> wire_frame(const Vector3d& edges) {
   return lines;
 }
 
-/// The surface around `center` that n/√(n·I·n) traces for all directions n, drawn as its cuts with the principal planes.
+/// The surface around `center` that n/√(n·I·n) traces for all directions n, drawn as its cuts with the principal
+/// planes.
 std::vector<SpaceCurve> ellipsoid(const Matrix3d& I, const Vector3d& center, double size) {
   const Vector3d moments = principal_moments(I);
   const Matrix3d axes = principal_axes(I);
@@ -59,7 +60,8 @@ std::vector<SpaceCurve> ellipsoid(const Matrix3d& I, const Vector3d& center, dou
     SpaceCurve circle;
     for (int k = 0; k <= 72; ++k) {
       const double angle = 2 * pi * k / 72;
-      const Vector3d p = center + size * (std::cos(angle) / std::sqrt(moments[i]) * axes.col(i) + std::sin(angle) / std::sqrt(moments[j]) * axes.col(j));
+      const Vector3d p = center + size * (std::cos(angle) / std::sqrt(moments[i]) * axes.col(i) +
+                                          std::sin(angle) / std::sqrt(moments[j]) * axes.col(j));
       circle.emplace_back(p.x(), p.y(), p.z());
     }
     circles.push_back(circle);
@@ -81,8 +83,9 @@ void draw_corner_and_center(const std::filesystem::path& directory) {
       const char* color;
       const char* name;
     };
-    const std::array<Place, 2> places = {Place{box.at_corner(), Vector3d::Zero(), workbook::colors::vermilion, "corner"},
-                                         Place{box.at_center(), box.edges / 2, workbook::colors::blue, "centre"}};
+    const std::array<Place, 2> places = {
+        Place{box.at_corner(), Vector3d::Zero(), workbook::colors::vermilion, "corner"},
+        Place{box.at_center(), box.edges / 2, workbook::colors::blue, "centre"}};
     std::vector<std::pair<std::vector<SpaceCurve>, std::string>> groups;
     groups.emplace_back(wire_frame(box.edges), "lw 2.5 lc rgb '#333333'");
     for (const Place& place : places) {
@@ -92,17 +95,19 @@ void draw_corner_and_center(const std::filesystem::path& directory) {
       for (int i = 0; i < 3; ++i) {
         const Vector3d half = size / std::sqrt(moments[i]) * axes.col(i);
         const Vector3d from = place.origin - half, to = place.origin + half;
-        gnuplot << fmt::format("set arrow from {:.4f},{:.4f},{:.4f} to {:.4f},{:.4f},{:.4f} nohead front lw 3 dt {} lc rgb '{}'\n", from.x(),
-                               from.y(), from.z(), to.x(), to.y(), to.z(), &place == &places[0] ? 1 : 2, place.color);
+        gnuplot << fmt::format(
+            "set arrow from {:.4f},{:.4f},{:.4f} to {:.4f},{:.4f},{:.4f} nohead front lw 3 dt {} lc rgb '{}'\n",
+            from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), &place == &places[0] ? 1 : 2, place.color);
       }
-      gnuplot << fmt::format("set label at {:.4f},{:.4f},{:.4f} point pt 7 ps 1.8 lc rgb '{}' front\n", place.origin.x(), place.origin.y(),
-                             place.origin.z(), place.color);
+      gnuplot << fmt::format("set label at {:.4f},{:.4f},{:.4f} point pt 7 ps 1.8 lc rgb '{}' front\n",
+                             place.origin.x(), place.origin.y(), place.origin.z(), place.color);
     }
     for (int i = 0; i < 2; ++i) {
       const Place& place = places[static_cast<std::size_t>(i)];
       const Vector3d moments = principal_moments(place.I);
-      gnuplot << fmt::format("set label '{{/:Bold {}}}: {:.2f}, {:.2f}, {:.2f} kg m²' at screen 0.55,{} front tc rgb '{}'\n", place.name, moments[0],
-                             moments[1], moments[2], i == 0 ? 0.06 : 0.13, place.color);
+      gnuplot << fmt::format(
+          "set label '{{/:Bold {}}}: {:.2f}, {:.2f}, {:.2f} kg m²' at screen 0.55,{} front tc rgb '{}'\n", place.name,
+          moments[0], moments[1], moments[2], i == 0 ? 0.06 : 0.13, place.color);
     }
     std::string separator = "splot ";
     for (const auto& [curves, style] : groups) {
@@ -124,7 +129,8 @@ void draw_along_the_diagonal(const std::filesystem::path& directory) {
   const Vector3d center = box.edges / 2;
 
   workbook::draw_figure(directory, "origin_on_the_diagonal", {720, 470}, [&](gnuplotio::Gnuplot& gnuplot) {
-    gnuplot << "set xlabel 'place s of the new origin on the diagonal (0: corner, ½: centre)'; set ylabel 'entry of I (kg m²)'\n"
+    gnuplot << "set xlabel 'place s of the new origin on the diagonal (0: corner, ½: centre)'; set ylabel 'entry of I "
+               "(kg m²)'\n"
                "set xrange [-0.25:1.25]; set yrange [-35:65]; unset key; set xtics 0.25\n"
             << fmt::format("set arrow from 0.5,-35 to 0.5,65 nohead dt 3 lc rgb '{}'\n", workbook::colors::grey);
     PlaneCurve xx, xy, mistaken, reversed;
@@ -144,12 +150,16 @@ void draw_along_the_diagonal(const std::filesystem::path& directory) {
     label("I_{yz}", 1.0, -15, workbook::colors::green);
     label("R reversed", 0.12, 58, workbook::colors::vermilion);
     label("no r_{CM} terms", 0.92, 58, workbook::colors::purple);
-    gnuplot << fmt::format("set label at 0,{} point pt 7 ps 1.6 lc rgb '{}' front\n", corner(0, 0), workbook::colors::black)
-            << fmt::format("set label at 0.5,{} point pt 7 ps 1.6 lc rgb '{}' front\n", box.at_center()(0, 0), workbook::colors::black)
-            << fmt::format("plot 0 lc rgb '{}' lw 1, '-' w l lw 4 lc rgb '{}', '-' w l lw 4 dt 2 lc rgb '{}', '-' w l lw 2.5 dt 4 lc rgb '{}', "
-                           "'-' w l lw 2.5 dt 3 lc rgb '{}'\n",
-                           workbook::colors::grey, workbook::colors::blue, workbook::colors::green, workbook::colors::vermilion,
-                           workbook::colors::purple);
+    gnuplot << fmt::format("set label at 0,{} point pt 7 ps 1.6 lc rgb '{}' front\n", corner(0, 0),
+                           workbook::colors::black)
+            << fmt::format("set label at 0.5,{} point pt 7 ps 1.6 lc rgb '{}' front\n", box.at_center()(0, 0),
+                           workbook::colors::black)
+            << fmt::format(
+                   "plot 0 lc rgb '{}' lw 1, '-' w l lw 4 lc rgb '{}', '-' w l lw 4 dt 2 lc rgb '{}', '-' w l lw 2.5 "
+                   "dt 4 lc rgb '{}', "
+                   "'-' w l lw 2.5 dt 3 lc rgb '{}'\n",
+                   workbook::colors::grey, workbook::colors::blue, workbook::colors::green, workbook::colors::vermilion,
+                   workbook::colors::purple);
     gnuplot.send1d(xx);
     gnuplot.send1d(xy);
     gnuplot.send1d(reversed);
@@ -158,7 +168,8 @@ void draw_along_the_diagonal(const std::filesystem::path& directory) {
 }
 
 void draw_moving_origin(const std::filesystem::path& directory) {
-  // A disc with a heavy bead on its rim rolls to +x; z points up. The origin is the disc's middle, which moves on evenly.
+  // A disc with a heavy bead on its rim rolls to +x; z points up. The origin is the disc's middle, which moves on
+  // evenly.
   const double disc = 1, bead = 1, radius = 1, speed = 1;
   const double M = disc + bead;
   const Vector3d v_origin(speed, 0, 0), omega(0, speed / radius, 0);
@@ -171,7 +182,8 @@ void draw_moving_origin(const std::filesystem::path& directory) {
       const double angle = 2 * pi * k / 72, degrees = 5.0 * k;
       const Vector3d bead_place(-radius * std::sin(angle), 0, -radius * std::cos(angle));
       const Vector3d r_cm = bead / M * bead_place;
-      const Matrix3d I = disc * radius * radius / 4 * Matrix3d(Vector3d(1, 2, 1).asDiagonal()) + inertia_of_points(VectorXd{{bead}}, bead_place);
+      const Matrix3d I = disc * radius * radius / 4 * Matrix3d(Vector3d(1, 2, 1).asDiagonal()) +
+                         inertia_of_points(VectorXd{{bead}}, bead_place);
       rotation.emplace_back(degrees, kinetic_energy(I, omega));
       mixed.emplace_back(degrees, M * v_origin.dot(omega.cross(r_cm)));
       translation.emplace_back(degrees, 0.5 * M * v_origin.squaredNorm());
@@ -193,10 +205,12 @@ void draw_moving_origin(const std::filesystem::path& directory) {
     label("½ M v²", 180, 1.19, workbook::colors::green);
     label("½ ω·I·ω", 54, 0.53, workbook::colors::blue);
     label("M v·(ω × r_{CM})", 180, -0.3, workbook::colors::vermilion);
-    gnuplot << fmt::format("plot 0 lc rgb '{}' lw 1, '-' w l lw 3 dt 2 lc rgb '{}', '-' w l lw 3 dt 3 lc rgb '{}', '-' w l lw 3 dt 4 lc rgb '{}', "
-                           "'-' w l lw 4 lc rgb '{}', '-' w p pt 6 ps 1.6 lw 2 lc rgb '{}'\n",
-                           workbook::colors::grey, workbook::colors::blue, workbook::colors::green, workbook::colors::vermilion,
-                           workbook::colors::black, workbook::colors::orange);
+    gnuplot << fmt::format(
+        "plot 0 lc rgb '{}' lw 1, '-' w l lw 3 dt 2 lc rgb '{}', '-' w l lw 3 dt 3 lc rgb '{}', '-' w l lw 3 dt 4 lc "
+        "rgb '{}', "
+        "'-' w l lw 4 lc rgb '{}', '-' w p pt 6 ps 1.6 lw 2 lc rgb '{}'\n",
+        workbook::colors::grey, workbook::colors::blue, workbook::colors::green, workbook::colors::vermilion,
+        workbook::colors::black, workbook::colors::orange);
     gnuplot.send1d(rotation);
     gnuplot.send1d(translation);
     gnuplot.send1d(mixed);

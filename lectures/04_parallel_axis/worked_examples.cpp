@@ -80,9 +80,10 @@ Points quadrature(double mass, const std::array<Rule, 3>& rules, const Place& pl
 /// A tetrahedron with one corner at the origin.
 Points tetrahedron(double mass, const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   const Rule unit = gauss_points(0, 1);
-  return quadrature(mass, {unit, unit, unit},
-                    [&](double u, double v, double w) -> Vector3d { return u * a + (1 - u) * (v * b + (1 - v) * w * c); },
-                    [](double u, double v, double) { return (1 - u) * (1 - u) * (1 - v); });
+  return quadrature(
+      mass, {unit, unit, unit},
+      [&](double u, double v, double w) -> Vector3d { return u * a + (1 - u) * (v * b + (1 - v) * w * c); },
+      [](double u, double v, double) { return (1 - u) * (1 - u) * (1 - v); });
 }
 
 }  // namespace
@@ -287,7 +288,8 @@ TEST_CASE("About an origin that moves, the energy has two more terms") {
   Printed page("moving origin");
   page.line("½ ω·I·ω = {:.6g} J, M v·(ω × r_CM) = {:.6g} J, ½ M v² = {:.6g} J", rotation, mixed, translation);
   page.line("sum {:.6g} J, point by point {:.6g} J", rotation + mixed + translation, by_points);
-  page.line("about the centre of mass: {:.6g} J + {:.6g} J", kinetic_energy(I_cm, omega), 0.5 * body.mass() * v_center.squaredNorm());
+  page.line("about the centre of mass: {:.6g} J + {:.6g} J", kinetic_energy(I_cm, omega),
+            0.5 * body.mass() * v_center.squaredNorm());
 }
 //! [moving origin]
 
@@ -315,9 +317,10 @@ TEST_CASE("Shifts follow one another like vectors, and the laws hold at hard arg
   const double M = body.mass();
   const Matrix3d I = body.inertia();
 
-  // No shift, a tiny one, an ordinary one, a large one, and the exact way to the centre of mass and to its mirror point.
-  for (const Vector3d& R : {Vector3d(0, 0, 0), Vector3d(1e-8, -2e-8, 1e-8), Vector3d(0.5, -1, 2), Vector3d(1e4, 2e4, -3e4),
-                            Vector3d(-body.center()), Vector3d(-2 * body.center())}) {
+  // No shift, a tiny one, an ordinary one, a large one, and the exact way to the centre of mass and to its mirror
+  // point.
+  for (const Vector3d& R : {Vector3d(0, 0, 0), Vector3d(1e-8, -2e-8, 1e-8), Vector3d(0.5, -1, 2),
+                            Vector3d(1e4, 2e4, -3e4), Vector3d(-body.center()), Vector3d(-2 * body.center())}) {
     const double size = 40 + M * R.squaredNorm();
     const Matrix3d there = inertia_about_shifted_origin(I, M, body.center(), R);
     CHECK(agrees(there, body.moved(R).inertia(), 1e-14, size));
@@ -351,9 +354,9 @@ TEST_CASE("The centre of mass does not make a tensor diagonal; symmetry does") {
   // The slides warn: the cuboid is a special case. Take half of it, cut along a face diagonal (a wedge).
   const double M = 3, a = 1, b = 2, c = 3;
   const Rule unit = gauss_points(0, 1);
-  const Points wedge = quadrature(M, {unit, unit, unit},
-                                  [=](double u, double v, double w) { return Vector3d(a * u, b * v * (1 - u), c * w); },
-                                  [](double u, double, double) { return 1 - u; });
+  const Points wedge = quadrature(
+      M, {unit, unit, unit}, [=](double u, double v, double w) { return Vector3d(a * u, b * v * (1 - u), c * w); },
+      [](double u, double, double) { return 1 - u; });
 
   const Matrix3d I_cm = inertia_to_center_of_mass(wedge.inertia(), M, wedge.center());
 
@@ -378,11 +381,12 @@ TEST_CASE("The centre of mass does not make a tensor diagonal; symmetry does") {
 TEST_CASE("V02 A cone about its apex, and about its centre of mass") {
   // Wikipedia, "List of moments of inertia", inertia tensors: solid cone about its apex.
   const double m = 1, r = 1, h = 2;
-  const Points cone = quadrature(m, {gauss_points(0, 1), gauss_points(0, 1), circle_points()},
-                                 [=](double u, double v, double angle) {
-                                   return Vector3d(r * u * v * std::cos(angle), r * u * v * std::sin(angle), h * u);
-                                 },
-                                 [](double u, double v, double) { return u * u * v; });
+  const Points cone = quadrature(
+      m, {gauss_points(0, 1), gauss_points(0, 1), circle_points()},
+      [=](double u, double v, double angle) {
+        return Vector3d(r * u * v * std::cos(angle), r * u * v * std::sin(angle), h * u);
+      },
+      [](double u, double v, double) { return u * u * v; });
   CHECK(agrees(cone.center(), Vector3d(0, 0, 0.75 * h), 1e-14));
 
   const Matrix3d I_cm = inertia_to_center_of_mass(cone.inertia(), m, cone.center());
@@ -402,12 +406,13 @@ TEST_CASE("V03 A solid ellipsoid, also from the tip of an axis") {
   // Wikipedia, "List of moments of inertia", inertia tensors: solid ellipsoid with half axes 1, 2, 3.
   const double m = 5;
   const Vector3d half_axes(1, 2, 3);
-  const Points ellipsoid = quadrature(m, {gauss_points(0, 1), gauss_points(-1, 1), circle_points()},
-                                      [&](double radius, double cosine, double angle) -> Vector3d {
-                                        const double sine = std::sqrt(1 - cosine * cosine);
-                                        return radius * half_axes.cwiseProduct(Vector3d(sine * std::cos(angle), sine * std::sin(angle), cosine));
-                                      },
-                                      [](double radius, double, double) { return radius * radius; });
+  const Points ellipsoid = quadrature(
+      m, {gauss_points(0, 1), gauss_points(-1, 1), circle_points()},
+      [&](double radius, double cosine, double angle) -> Vector3d {
+        const double sine = std::sqrt(1 - cosine * cosine);
+        return radius * half_axes.cwiseProduct(Vector3d(sine * std::cos(angle), sine * std::sin(angle), cosine));
+      },
+      [](double radius, double, double) { return radius * radius; });
 
   // From the tip of the longest axis, then back to the centre.
   const Vector3d tip(0, 0, 3);
@@ -426,9 +431,10 @@ TEST_CASE("V04 A uniform cylinder, cut in two and put together again") {
   // NASA NESC flight simulation check cases, "bodies": 1000 kg, 12 m long; the 1 m stated twice there is the radius.
   const double m = 1000, length = 12, radius = 1;
   const auto cylinder = [&](double mass, double from, double to) {
-    return quadrature(mass, {gauss_points(from, to), gauss_points(0, radius), circle_points()},
-                      [](double x, double rho, double angle) { return Vector3d(x, rho * std::cos(angle), rho * std::sin(angle)); },
-                      [](double, double rho, double) { return rho; });
+    return quadrature(
+        mass, {gauss_points(from, to), gauss_points(0, radius), circle_points()},
+        [](double x, double rho, double angle) { return Vector3d(x, rho * std::cos(angle), rho * std::sin(angle)); },
+        [](double, double rho, double) { return rho; });
   };
   const Points front = cylinder(0.3 * m, 0, 0.3 * length), rear = cylinder(0.7 * m, 0.3 * length, length);
 
@@ -476,10 +482,14 @@ TEST_CASE("V10 A point mass, and a shift within the xy plane") {
   // SymPy, tests of its inertia functions: a point mass at (r, s, t); a body shifted by (a, b, 0).
   const double m = 1.7, r = 0.3, s = -1.2, t = 2.1;
   const Matrix3d of_point = inertia_from_center_of_mass(Matrix3d::Zero(), m, Vector3d(r, s, t));
-  CHECK(agrees(of_point, m * Matrix3d{{s * s + t * t, -r * s, -r * t}, {-r * s, r * r + t * t, -s * t}, {-r * t, -s * t, r * r + s * s}}, 1e-14));
+  CHECK(agrees(
+      of_point,
+      m * Matrix3d{{s * s + t * t, -r * s, -r * t}, {-r * s, r * r + t * t, -s * t}, {-r * t, -s * t, r * r + s * s}},
+      1e-14));
 
   const double Ix = 2, Iy = 3, Iz = 4, a = 0.8, b = -1.5;
-  const Matrix3d expected{{Ix + m * b * b, -m * a * b, 0}, {-m * a * b, Iy + m * a * a, 0}, {0, 0, Iz + m * (a * a + b * b)}};
+  const Matrix3d expected{
+      {Ix + m * b * b, -m * a * b, 0}, {-m * a * b, Iy + m * a * a, 0}, {0, 0, Iz + m * (a * a + b * b)}};
   const Matrix3d shifted = inertia_from_center_of_mass(Vector3d(Ix, Iy, Iz).asDiagonal(), m, Vector3d(a, b, 0));
   CHECK(agrees(shifted, expected, 1e-14));
 

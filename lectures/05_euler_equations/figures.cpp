@@ -3,9 +3,9 @@
 
 #include <rigid/euler_equations.hpp>
 
+#include <fmt/format.h>
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -39,11 +39,13 @@ struct FreeTop {
     const Vector2d invariants = rotation_invariants(I, omega0);
     const double below = invariants[1] - 2 * invariants[0] * I[0], above = 2 * invariants[0] * I[2] - invariants[1];
     const Vector3d amplitudes =
-        Vector3d(above / (I[0] * (I[2] - I[0])), above / (I[1] * (I[2] - I[1])), below / (I[2] * (I[2] - I[0]))).cwiseSqrt();
+        Vector3d(above / (I[0] * (I[2] - I[0])), above / (I[1] * (I[2] - I[1])), below / (I[2] * (I[2] - I[0])))
+            .cwiseSqrt();
     const double k = std::sqrt(above * (I[1] - I[0]) / (below * (I[2] - I[1])));
     const double start = boost::math::ellint_1(k, std::atan2(omega0[1] / amplitudes[1], omega0[0] / amplitudes[0]));
     double cn = 0, dn = 0;
-    const double sn = boost::math::jacobi_elliptic(k, std::sqrt(below * (I[2] - I[1]) / I.prod()) * t + start, &cn, &dn);
+    const double sn =
+        boost::math::jacobi_elliptic(k, std::sqrt(below * (I[2] - I[1]) / I.prod()) * t + start, &cn, &dn);
     return amplitudes.cwiseProduct(Vector3d(cn, sn, dn));
   }
 };
@@ -53,7 +55,9 @@ Step explicit_euler(const FreeTop& top) {
 }
 
 Step midpoint(const FreeTop& top) {
-  return [top](const Vector3d& omega, double h) -> Vector3d { return omega + h * top.rate(omega + h / 2 * top.rate(omega)); };
+  return [top](const Vector3d& omega, double h) -> Vector3d {
+    return omega + h * top.rate(omega + h / 2 * top.rate(omega));
+  };
 }
 
 Step runge_kutta(const FreeTop& top) {
@@ -106,23 +110,27 @@ void draw_integrators(const std::filesystem::path& directory) {
                "unset key; set lmargin 11; set rmargin 3; set xrange [0:60]; set xtics 10\n"
                "set title 'ω in the body: exact (lines), explicit Euler (dots)' offset 0,-0.5\n"
                "set ylabel 'ω (rad/s)'; set yrange [-1.9:1.9]; set ytics 1; set xlabel 'time (s)'\n"
-               "set label 1 '{/:Italic ω}_1' at 3.2,-0.75 tc rgb '#0072B2'; set label 2 '{/:Italic ω}_2' at 13.4,-1.35 tc rgb '#009E73'\n"
+               "set label 1 '{/:Italic ω}_1' at 1.2,-0.95 tc rgb '#0072B2'; set label 2 '{/:Italic ω}_2' at 13.4,-1.35 "
+               "tc rgb '#009E73'\n"
                "set label 3 '{/:Italic ω}_3' at 6.6,0.95 tc rgb '#CC79A7'\n";
     const std::array<const char*, 3> component_colors = {colors::blue, colors::green, colors::purple};
     gnuplot << "plot ";
     for (const char* color : component_colors) gnuplot << fmt::format("'-' w l lw 2.5 lc rgb '{}', ", color);
     for (int i = 0; i < 3; ++i) {
-      gnuplot << fmt::format("'-' w p pt {} ps 0.5 lc rgb '{}'{}", std::array{7, 6, 5}[i], component_colors[i], i < 2 ? ", " : "\n");
+      gnuplot << fmt::format("'-' w p pt {} ps 0.5 lc rgb '{}'{}", std::array{7, 6, 5}[i], component_colors[i],
+                             i < 2 ? ", " : "\n");
     }
     for (const auto& [omega, stride] : {std::pair{rules[3].omega, 1}, std::pair{rules[0].omega, 5}}) {
       for (int i = 0; i < 3; ++i) {
         Curve curve;
-        for (std::size_t k = 0; k < omega.size(); k += stride) curve.emplace_back(static_cast<double>(k) * h, omega[k][i]);
+        for (std::size_t k = 0; k < omega.size(); k += stride)
+          curve.emplace_back(static_cast<double>(k) * h, omega[k][i]);
         gnuplot.send1d(curve);
       }
     }
 
-    gnuplot << "unset label\nset logscale y; set format y '10^{%T}'; set yrange [3e-17:1e5]; set ytics 1e-16,1e4; set mytics 1\n";
+    gnuplot << "unset label\nset logscale y; set format y '10^{%T}'; set yrange [3e-17:1e5]; set ytics 1e-16,1e4; set "
+               "mytics 1\n";
     for (int invariant = 0; invariant < 2; ++invariant) {
       const char* symbol = invariant == 0 ? "T" : "L²";
       gnuplot << fmt::format("set title 'how far {0} has drifted'; set ylabel '|Δ{0}| / {0}'\n", symbol);
@@ -130,7 +138,8 @@ void draw_integrators(const std::filesystem::path& directory) {
         gnuplot << fmt::format("set label {} '{}' at 59,{} right\n", r + 1, rules[r].name, rules[r].label_at);
       }
       gnuplot << "plot ";
-      for (std::size_t r = 0; r < rules.size(); ++r) gnuplot << fmt::format("'-' w l {}{}", rules[r].style, r + 1 < rules.size() ? ", " : "\n");
+      for (std::size_t r = 0; r < rules.size(); ++r)
+        gnuplot << fmt::format("'-' w l {}{}", rules[r].style, r + 1 < rules.size() ? ", " : "\n");
       for (const Rule& rule : rules) gnuplot.send1d(drift_of(top, rule.omega, h, invariant));
     }
     gnuplot << "unset multiplot\n";
@@ -147,7 +156,9 @@ struct SkewedBody {
 void draw_skewed_bodies(const std::filesystem::path& directory) {
   const double tilt = 25 * degree;
   const std::array<SkewedBody, 2> bodies = {
-      {{"thin wheel, I_3 = 2 I_1", Vector3d(1, 1, 2), {{{-1.0, -0.04}, {1.0, -0.04}, {1.0, 0.04}, {-1.0, 0.04}, {-1.0, -0.04}}}},
+      {{"thin wheel, I_3 = 2 I_1",
+        Vector3d(1, 1, 2),
+        {{{-1.0, -0.04}, {1.0, -0.04}, {1.0, 0.04}, {-1.0, 0.04}, {-1.0, -0.04}}}},
        {"dumbbell, I_3 = 0", Vector3d(1, 1, 0), {{{0, -1}, {0, 1}}}}}};
 
   workbook::draw_figure(directory, "skewed_bodies", {560, 360}, [&](gnuplotio::Gnuplot& gnuplot) {
@@ -157,7 +168,8 @@ void draw_skewed_bodies(const std::filesystem::path& directory) {
     for (const SkewedBody& body : bodies) {
       // The body's axis points up to the right; on the page x is across the axle and y along it.
       const auto on_page = [&](double across, double along) {
-        return std::pair{across * std::cos(tilt) + along * std::sin(tilt), -across * std::sin(tilt) + along * std::cos(tilt)};
+        return std::pair{across * std::cos(tilt) + along * std::sin(tilt),
+                         -across * std::sin(tilt) + along * std::cos(tilt)};
       };
       const Vector3d omega_body(-std::sin(tilt), 0, std::cos(tilt));  // upright on the page, |ω| = 1
       const Vector3d L_body = body.moments.cwiseProduct(omega_body);
@@ -171,11 +183,16 @@ void draw_skewed_bodies(const std::filesystem::path& directory) {
               << "set arrow from 0,-1.05 to 0,1.35 nohead dt 3 lw 1.5 lc rgb '#7F7F7F'\n"
               << "set arrow from 0,0 to 0,1.35 front filled lw 3 lc rgb '" << colors::blue << "'\n"
               << "set label '{/:Italic ω}' at -0.08,1.55 right tc rgb '" << colors::blue << "'\n"
-              << fmt::format("set arrow from 0,0 to {:.4f},{:.4f} nohead dt 2 lw 1.5 lc rgb '#7F7F7F'\n", 1.3 * std::sin(tilt), 1.3 * std::cos(tilt))
-              << fmt::format("set label 'axis 3' at {:.4f},{:.4f} left tc rgb '#444444'\n", 1.36 * std::sin(tilt), 1.36 * std::cos(tilt))
-              << fmt::format("set arrow from 0,0 to {:.4f},{:.4f} front filled lw 3 lc rgb '{}'\n", L_x * drawn, L_y * drawn, colors::vermilion)
-              << fmt::format("set label '{{/:Italic L}}' at {:.4f},{:.4f} center tc rgb '{}'\n", L_x * drawn - (L_x > 0 ? 0.12 : 0.1), L_y * drawn + 0.1, colors::vermilion)
-              << fmt::format("set label '{{/:Italic τ}} {}' at 0,-1.3 center tc rgb '{}'\n", into_page ? "⊗ into the page" : "⊙ out of the page", colors::green);
+              << fmt::format("set arrow from 0,0 to {:.4f},{:.4f} nohead dt 2 lw 1.5 lc rgb '#7F7F7F'\n",
+                             1.3 * std::sin(tilt), 1.3 * std::cos(tilt))
+              << fmt::format("set label 'axis 3' at {:.4f},{:.4f} left tc rgb '#444444'\n", 1.36 * std::sin(tilt),
+                             1.36 * std::cos(tilt))
+              << fmt::format("set arrow from 0,0 to {:.4f},{:.4f} front filled lw 3 lc rgb '{}'\n", L_x * drawn,
+                             L_y * drawn, colors::vermilion)
+              << fmt::format("set label '{{/:Italic L}}' at {:.4f},{:.4f} center tc rgb '{}'\n",
+                             L_x * drawn - (L_x > 0 ? 0.12 : 0.1), L_y * drawn + 0.1, colors::vermilion)
+              << fmt::format("set label '{{/:Italic τ}} {}' at 0,-1.3 center tc rgb '{}'\n",
+                             into_page ? "⊗ into the page" : "⊙ out of the page", colors::green);
       gnuplot << "plot ";
       for (std::size_t i = 0; i < body.outline.size(); ++i) gnuplot << "'-' w l lw 4 lc rgb '#444444', ";
       gnuplot << "'-' w p pt 7 ps 2.6 lc rgb '#444444'\n";
@@ -204,13 +221,15 @@ void draw_holding_torque(const std::filesystem::path& directory) {
                                         {"rod, dumbbell, I_3 = 0", 0.0, "dt 4 lc rgb '#0072B2'", 45, -0.55}}};
 
   workbook::draw_figure(directory, "holding_torque", {560, 400}, [&](gnuplotio::Gnuplot& gnuplot) {
-    gnuplot << "unset key; set xlabel 'angle between ω and the body''s axis 3 (degrees)'; set ylabel 'torque / (I_1 ω^2)'\n"
-               "set xrange [0:90]; set xtics 15; set yrange [-0.65:0.65]; set ytics 0.25\n";
+    gnuplot
+        << "unset key; set xlabel 'angle between ω and the body''s axis 3 (degrees)'; set ylabel 'torque / (I_1 ω^2)'\n"
+           "set xrange [0:90]; set xtics 15; set yrange [-0.65:0.65]; set ytics 0.25\n";
     for (const Shape& shape : shapes) {
       gnuplot << fmt::format("set label '{}' at {},{} center\n", shape.name, shape.label_x, shape.label_y);
     }
     gnuplot << "plot ";
-    for (std::size_t i = 0; i < shapes.size(); ++i) gnuplot << "'-' w l lw 3 " << shapes[i].style << (i + 1 < shapes.size() ? ", " : "\n");
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+      gnuplot << "'-' w l lw 3 " << shapes[i].style << (i + 1 < shapes.size() ? ", " : "\n");
     for (const Shape& shape : shapes) {
       Curve curve;
       for (int angle = 0; angle <= 90; ++angle) {

@@ -157,13 +157,14 @@ TEST_CASE("A wheel skewed on its axle shakes its bearings, and so does a tilted 
   const double by_forces = 2 * (m * speed * speed * a * std::sin(tilt)) * (a * std::cos(tilt));
   const Vector3d held = torque_to_hold_rotation(dumbbell, speed * tilted_axle);
   CHECK(agrees(held.norm(), by_forces, 1e-13));
-  CHECK(held[1] > 0);   // the bearings keep the rod from lying down across the axle ...
+  CHECK(held[1] > 0);    // the bearings keep the rod from lying down across the axle ...
   CHECK(torque[1] < 0);  // ... and the wheel from standing square to it: the opposite sense
 
   Printed page("skewed wheel");
   page.line("wheel, skewed by 0.5°:  torque {:.3f} N m, {:.1f} N on each of two bearings {} m apart", torque.norm(),
             torque.norm() / bearings, bearings);
-  page.line("dumbbell, tilted by 30°: torque {:.2f} N m, {:.0f} N on each bearing", held.norm(), held.norm() / bearings);
+  page.line("dumbbell, tilted by 30°: torque {:.2f} N m, {:.0f} N on each bearing", held.norm(),
+            held.norm() / bearings);
 }
 //! [skewed wheel]
 
@@ -177,7 +178,8 @@ TEST_CASE("Without a torque neither T nor L² changes, because dω/dt is at righ
   CHECK(agrees(invariants[1], angular_momentum(I.asDiagonal(), omega).squaredNorm(), 1e-15));
   CHECK(agrees(invariants, Vector2d(0.46, 2.5), 1e-15));
 
-  // dT/dt = Σ I_i ω_i dω_i/dt = ω·(I dω/dt) and d(L²)/dt = 2 L·(I dω/dt), where I dω/dt = −ω × L: both triple products vanish.
+  // dT/dt = Σ I_i ω_i dω_i/dt = ω·(I dω/dt) and d(L²)/dt = 2 L·(I dω/dt), where I dω/dt = −ω × L: both triple products
+  // vanish.
   const Vector3d omega_rate = euler_equations(I, omega, Vector3d::Zero());
   const double T_rate = omega.dot(I.cwiseProduct(omega_rate));
   const double L_squared_rate = 2 * L.dot(I.cwiseProduct(omega_rate));
@@ -228,7 +230,9 @@ class ExactRotation {
     const double twice_T = 2 * invariants[0], L_squared = invariants[1];
     const double below = L_squared - twice_T * I[0], above = twice_T * I[2] - L_squared;
     sense_ = omega[2] < 0 ? -1 : 1;
-    amplitudes_ = Vector3d(above / (I[0] * (I[2] - I[0])), above / (I[1] * (I[2] - I[1])), below / (I[2] * (I[2] - I[0]))).cwiseSqrt();
+    amplitudes_ =
+        Vector3d(above / (I[0] * (I[2] - I[0])), above / (I[1] * (I[2] - I[1])), below / (I[2] * (I[2] - I[0])))
+            .cwiseSqrt();
     rate = std::sqrt(below * (I[2] - I[1]) / I.prod());
     parameter = above * (I[1] - I[0]) / (below * (I[2] - I[1]));
     modulus_ = std::sqrt(parameter);  // Boost takes the modulus k, and takes it first; m = k²
@@ -355,7 +359,9 @@ using Motion = Eigen::Matrix<double, 7, 1>;
 
 Motion from_rest_attitude(const Vector3d& omega) { return (Motion() << 0, 0, 0, 1, omega).finished(); }
 Vector3d omega_of(const Motion& motion) { return motion.tail<3>(); }
-Matrix3d attitude_of(const Motion& motion) { return Eigen::Quaterniond(motion.head<4>()).normalized().toRotationMatrix(); }
+Matrix3d attitude_of(const Motion& motion) {
+  return Eigen::Quaterniond(motion.head<4>()).normalized().toRotationMatrix();
+}
 
 /// Its rate under a torque on the body axes: q̇ = ½ q ω, and Euler's equations.
 Motion motion_rate(const Vector3d& I, const Motion& motion, const Vector3d& torque_body) {
@@ -383,7 +389,8 @@ TEST_CASE("What a rule of integration makes of T and L²") {
     // Half the step divides the error by 2, 4, 16 for rules of order 1, 2, 4.
     const double factor = (coarse - exact).norm() / (fine - exact).norm();
     CHECK(agrees(factor, expected_factor, 0.3));
-    page.line("{:<18}  {:9.1e}     {:+9.1e}     {:+9.1e}     {:5.1f}", name, (coarse - exact).norm(), drift[0], drift[1], factor);
+    page.line("{:<18}  {:9.1e}     {:+9.1e}     {:+9.1e}     {:5.1f}", name, (coarse - exact).norm(), drift[0],
+              drift[1], factor);
     return drift;
   };
   using Rate = decltype(rate);
@@ -441,7 +448,8 @@ TEST_CASE("The tilde matters: ω has other components in space, but dω/dt is on
   Printed page("tilde");
   page.line("ω at 5 s on body axes:      {} rad/s", row(omega_body, "{:.6f}"));
   page.line("ω at 5 s on inertial axes:  {} rad/s", row(omega_inertial(5), "{:.6f}"));
-  page.line("dω/dt from the first:       {} rad/s² on body axes", row(euler_equations(I, omega_body, Vector3d::Zero()), "{:.6f}"));
+  page.line("dω/dt from the first:       {} rad/s² on body axes",
+            row(euler_equations(I, omega_body, Vector3d::Zero()), "{:.6f}"));
   page.line("Euler's rule on the second: {} rad/s², meaningless", row(mistaken, "{:.6f}"));
 }
 //! [tilde]
@@ -461,7 +469,8 @@ TEST_CASE("A torque fixed in the body leaves Euler's equations closed: a thruste
 
   Printed page("body torque");
   page.line("ω({} s) = {} rad/s integrated", t, row(omega, "{:.8f}"));
-  page.line("        = {} rad/s by hand", row(Vector3d(0.4 * std::cos(phase), 0.4 * std::sin(phase), omega3), "{:.8f}"));
+  page.line("        = {} rad/s by hand",
+            row(Vector3d(0.4 * std::cos(phase), 0.4 * std::sin(phase), omega3), "{:.8f}"));
 }
 //! [body torque]
 
@@ -481,7 +490,8 @@ TEST_CASE("A torque fixed in space needs the attitude as well: six equations ins
   CHECK(agrees(L_end, I.cwiseProduct(omega0) + t * torque_inertial, 1e-9));
   // The same three numbers held on the body axes make another motion.
   const auto body_fixed = [&](const Motion& motion) { return motion_rate(I, motion, torque_inertial); };
-  const Motion other = after(from_rest_attitude(omega0), t, 10000, body_fixed, runge_kutta<Motion, decltype(body_fixed)>);
+  const Motion other =
+      after(from_rest_attitude(omega0), t, 10000, body_fixed, runge_kutta<Motion, decltype(body_fixed)>);
   CHECK((omega_of(other) - omega_of(end)).norm() > 0.1);
 
   Printed page("space torque");
@@ -494,10 +504,9 @@ TEST_CASE("A torque fixed in space needs the attitude as well: six equations ins
 
 TEST_CASE("Hard arguments: a sphere, a principal axis and a body at rest stay as they are") {
   const VectorXd times{{-7, 0, 1e-8, 3, 20}};
-  for (const auto& [I, omega0] : {std::pair{Vector3d(2, 2, 2), Vector3d(0.3, -0.2, 0.5)},
-                                  std::pair{Vector3d(1, 2, 3), Vector3d(0, 1, 0)},
-                                  std::pair{Vector3d(1, 2, 3), Vector3d(0, 0, -2)},
-                                  std::pair{Vector3d(1, 2, 3), Vector3d(0, 0, 0)}}) {
+  for (const auto& [I, omega0] :
+       {std::pair{Vector3d(2, 2, 2), Vector3d(0.3, -0.2, 0.5)}, std::pair{Vector3d(1, 2, 3), Vector3d(0, 1, 0)},
+        std::pair{Vector3d(1, 2, 3), Vector3d(0, 0, -2)}, std::pair{Vector3d(1, 2, 3), Vector3d(0, 0, 0)}}) {
     CHECK(agrees(free_rotation(I, omega0, times), omega0.replicate(1, times.size()), 1e-13, 1));
     CHECK(agrees(torque_to_hold_rotation(I.asDiagonal(), omega0), Vector3d::Zero(), 1e-15, 1));
     CHECK(agrees(euler_equations(I, omega0, Vector3d::Zero()), Vector3d::Zero(), 1e-15, 1));

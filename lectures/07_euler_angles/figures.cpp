@@ -128,7 +128,7 @@ void draw_gimbal_lock(const std::filesystem::path& directory) {
                            workbook::colors::vermilion)
             << fmt::format("set label 'θ = 0.01: {:.1f}' at 0.013,280 left tc rgb '{}'\n", condition(0.01),
                            workbook::colors::vermilion)
-            << fmt::format("set label 'θ = π/2: {:.0f}' at 1.25,0.95 right tc rgb '{}'\n", condition(pi / 2),
+            << fmt::format("set label 'θ = π/2: {:.0f}' at 1.1,0.95 right tc rgb '{}'\n", condition(pi / 2),
                            workbook::colors::vermilion)
             << fmt::format("plot '-' w l lw 2.5 lc rgb '{}', '-' w p pt 7 ps 1.2 lc rgb '{}'\n", workbook::colors::blue,
                            workbook::colors::vermilion);

@@ -3,8 +3,8 @@
 
 #include <rigid/kinetic_energy.hpp>
 
-#include <boost/numeric/odeint.hpp>
 #include <fmt/format.h>
+#include <boost/numeric/odeint.hpp>
 
 #include <array>
 #include <cmath>
@@ -48,14 +48,15 @@ std::pair<Vector3d, Vector3d> with_vertical_momentum(const Vector3d& I, const Ve
   const Vector3d L = I.cwiseProduct(omega);
   const double theta = std::acos(L[2] / L.norm()), psi = std::atan2(L[1], -L[0]);
   const double phi_rate = (-omega[0] * std::cos(psi) + omega[1] * std::sin(psi)) / std::sin(theta);
-  return {Vector3d(0, theta, psi),
-          Vector3d(phi_rate, omega[0] * std::sin(psi) + omega[1] * std::cos(psi), omega[2] - phi_rate * std::cos(theta))};
+  return {Vector3d(0, theta, psi), Vector3d(phi_rate, omega[0] * std::sin(psi) + omega[1] * std::cos(psi),
+                                            omega[2] - phi_rate * std::cos(theta))};
 }
 
 void draw_blindness(const std::filesystem::path& directory) {
   const Vector3d rates(1.5, 0.8, 0.4);
   workbook::draw_figure(directory, "blind_to_convention", {720, 470}, [&](gnuplotio::Gnuplot& gnuplot) {
-    gnuplot << "set xlabel 'ψ (degrees)'; set ylabel 'T (J)'; set xrange [0:360]; set xtics 90; set yrange [4.1:5.5]; unset key\n";
+    gnuplot << "set xlabel 'ψ (degrees)'; set ylabel 'T (J)'; set xrange [0:360]; set xtics 90; set yrange [4.1:5.5]; "
+               "unset key\n";
     PlaneCurve right, mistaken, symmetric, symmetric_mistaken;
     for (int degrees = 0; degrees <= 360; degrees += 5) {
       const Vector3d q(0.3, 0.7, degrees * pi / 180);
@@ -70,8 +71,10 @@ void draw_blindness(const std::filesystem::path& directory) {
     label("I = (1, 2, 3), z–y–z", 62, 5.25, workbook::colors::blue);
     label("the same, read as z–x–z", 235, 4.28, workbook::colors::vermilion);
     label("flat: I = (1.5, 1.5, 3), either way", 232, 5.38, workbook::colors::black);
-    gnuplot << fmt::format("plot '-' w l lw 4 lc rgb '{}', '-' w l lw 3 dt 2 lc rgb '{}', '-' w l lw 3 lc rgb '{}', '-' w p pt 6 ps 1.4 lw 2 lc rgb '{}'\n",
-                           workbook::colors::blue, workbook::colors::vermilion, workbook::colors::black, workbook::colors::black);
+    gnuplot << fmt::format(
+        "plot '-' w l lw 4 lc rgb '{}', '-' w l lw 3 dt 2 lc rgb '{}', '-' w l lw 3 lc rgb '{}', '-' w p pt 6 ps 1.4 "
+        "lw 2 lc rgb '{}'\n",
+        workbook::colors::blue, workbook::colors::vermilion, workbook::colors::black, workbook::colors::black);
     gnuplot.send1d(right);
     gnuplot.send1d(mistaken);
     gnuplot.send1d(symmetric);
@@ -102,10 +105,14 @@ void draw_free_top(const std::filesystem::path& directory) {
                "set parametric; set isosamples 13,25; set urange [0:2*pi]; set vrange [0:1.2]; unset hidden3d\n";
     gnuplot << fmt::format("set arrow from 0,0,1 to 0,0,1.42 front lw 4 lc rgb '{}'\n", workbook::colors::purple)
             << fmt::format("set label '{{/:Bold L}}' at 0.08,0,1.42 front tc rgb '{}'\n", workbook::colors::purple)
-            << fmt::format("set label 'I = (1, 1.8, 2.2): precesses and nods' at screen 0.04,0.95 front tc rgb '{}'\n", workbook::colors::blue)
-            << fmt::format("set label 'I = (1.4, 1.4, 2.2): only precesses' at screen 0.04,0.88 front tc rgb '{}'\n", workbook::colors::vermilion);
-    gnuplot << fmt::format("splot cos(u)*sin(v),sin(u)*sin(v),cos(v) w l lw 0.7 lc rgb '#D0D0D0', '-' w l lw 2.5 lc rgb '{}', '-' w l lw 4 dt 2 lc rgb '{}'\n",
-                           workbook::colors::blue, workbook::colors::vermilion);
+            << fmt::format("set label 'I = (1, 1.8, 2.2): precesses and nods' at screen 0.04,0.95 front tc rgb '{}'\n",
+                           workbook::colors::blue)
+            << fmt::format("set label 'I = (1.4, 1.4, 2.2): only precesses' at screen 0.04,0.88 front tc rgb '{}'\n",
+                           workbook::colors::vermilion);
+    gnuplot << fmt::format(
+        "splot cos(u)*sin(v),sin(u)*sin(v),cos(v) w l lw 0.7 lc rgb '#D0D0D0', '-' w l lw 2.5 lc rgb '{}', '-' w l lw "
+        "4 dt 2 lc rgb '{}'\n",
+        workbook::colors::blue, workbook::colors::vermilion);
     gnuplot.send1d(asymmetric);
     gnuplot.send1d(symmetric);
   });
@@ -119,7 +126,8 @@ void draw_effective_potential(const std::filesystem::path& directory) {
     gnuplot << "set xlabel 'θ (degrees)'; set ylabel 'V_{eff} − V_{eff}(30°)  (mJ)'\n"
                "set xrange [20:70]; set yrange [-5:7]; unset key\n";
     const std::array<double, 3> spins = {200, 150, 110};
-    const std::array<const char*, 3> colors = {workbook::colors::blue, workbook::colors::green, workbook::colors::vermilion};
+    const std::array<const char*, 3> colors = {workbook::colors::blue, workbook::colors::green,
+                                               workbook::colors::vermilion};
     const std::array<std::pair<double, double>, 3> places = {{{38.5, 5.8}, {48.8, 4.1}, {55.5, -1.8}}};
     std::vector<PlaneCurve> curves, allowed;
     std::string plot = fmt::format("plot 0 lc rgb '{}' lw 1.5", workbook::colors::grey);
@@ -137,8 +145,10 @@ void draw_effective_potential(const std::filesystem::path& directory) {
       }
       curves.push_back(curve);
       allowed.push_back({between.front(), between.back()});
-      gnuplot << fmt::format("set label '{} rad/s' at {},{} center front tc rgb '{}'\n", spins[k], places[k].first, places[k].second, colors[k]);
-      plot += fmt::format(", '-' w l lw 3.5 dt {} lc rgb '{}', '-' w p pt 7 ps 1.4 lc rgb '{}'", k + 1, colors[k], colors[k]);
+      gnuplot << fmt::format("set label '{} rad/s' at {},{} center front tc rgb '{}'\n", spins[k], places[k].first,
+                             places[k].second, colors[k]);
+      plot += fmt::format(", '-' w l lw 3.5 dt {} lc rgb '{}', '-' w p pt 7 ps 1.4 lc rgb '{}'", k + 1, colors[k],
+                          colors[k]);
     }
     gnuplot << fmt::format("set label 'energy' at 23.5,-0.55 center tc rgb '{}'\n", workbook::colors::grey);
     gnuplot << plot << "\n";

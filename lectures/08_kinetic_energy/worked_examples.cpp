@@ -35,11 +35,12 @@ Matrix3d about(double angle, const Vector3d& axis) { return Eigen::AngleAxisd(an
 
 /// A in V_inertial = A V_body, from Eigen's active rotations.
 Matrix3d attitude(const Vector3d& angles) {
-  return about(angles[0], Vector3d::UnitZ()) * about(angles[1], Vector3d::UnitY()) * about(angles[2], Vector3d::UnitZ());
+  return about(angles[0], Vector3d::UnitZ()) * about(angles[1], Vector3d::UnitY()) *
+         about(angles[2], Vector3d::UnitZ());
 }
 
-/// The three axes about which the angles turn the body, in inertial components: the vertical, the line of nodes, and the
-/// body's third axis.
+/// The three axes about which the angles turn the body, in inertial components: the vertical, the line of nodes, and
+/// the body's third axis.
 Matrix3d turning_axes(const Vector3d& angles) {
   Matrix3d axes;
   axes << Vector3d::UnitZ(), Vector3d(about(angles[0], Vector3d::UnitZ()) * Vector3d::UnitY()), attitude(angles).col(2);
@@ -67,7 +68,8 @@ Number energy_of_slides(const Vector3d& I, const std::array<Number, 3>& q, const
 
 /// d/dt ∂L/∂q̇ − ∂L/∂q at given angles, rates and accelerations, by automatic differentiation of the Lagrangian.
 template <class Lagrangian>
-Vector3d euler_lagrange(const Lagrangian& lagrangian, const Vector3d& angles, const Vector3d& rates, const Vector3d& accelerations) {
+Vector3d euler_lagrange(const Lagrangian& lagrangian, const Vector3d& angles, const Vector3d& rates,
+                        const Vector3d& accelerations) {
   const auto variables = autodiff::make_ftuple<double, 1, 1>(0.0, 0.0);
   const auto& time = std::get<0>(variables);  // moves along the motion
   const auto& step = std::get<1>(variables);  // moves one coordinate or one rate
@@ -105,13 +107,14 @@ State moved(const State& start, double duration, const Accelerations& accelerati
     Vector3d::Map(rate.data()) = rates;
     Vector3d::Map(rate.data() + 3) = accelerations(angles, rates);
   };
-  odeint::integrate_adaptive(odeint::make_controlled(1e-14, 1e-14, odeint::runge_kutta_fehlberg78<Numbers>()), system, x, 0.0, duration,
-                             1e-3 * duration);
+  odeint::integrate_adaptive(odeint::make_controlled(1e-14, 1e-14, odeint::runge_kutta_fehlberg78<Numbers>()), system,
+                             x, 0.0, duration, 1e-3 * duration);
   return {Vector3d::Map(x.data()), Vector3d::Map(x.data() + 3)};
 }
 
 State moved_freely(const Vector3d& I, const State& start, double duration) {
-  return moved(start, duration, [&I](const Vector3d& q, const Vector3d& v) { return euler_angle_accelerations(I, q, v); });
+  return moved(start, duration,
+               [&I](const Vector3d& q, const Vector3d& v) { return euler_angle_accelerations(I, q, v); });
 }
 
 /// Inertial components of L.
@@ -173,8 +176,9 @@ TEST_CASE("For a symmetric top two of the angles disappear from the energy") {
 TEST_CASE("A symmetric top cannot tell z–y–z from z–x–z") {
   // z–x–z angles with the same numbers: the node is the new x axis, so ω has other components.
   const auto energy_zxz = [](const Vector3d& I, const Vector3d& q, const Vector3d& v) {
-    const Vector3d omega = v[0] * Vector3d(std::sin(q[1]) * std::sin(q[2]), std::sin(q[1]) * std::cos(q[2]), std::cos(q[1])) +
-                           v[1] * Vector3d(std::cos(q[2]), -std::sin(q[2]), 0) + v[2] * Vector3d::UnitZ();
+    const Vector3d omega =
+        v[0] * Vector3d(std::sin(q[1]) * std::sin(q[2]), std::sin(q[1]) * std::cos(q[2]), std::cos(q[1])) +
+        v[1] * Vector3d(std::cos(q[2]), -std::sin(q[2]), 0) + v[2] * Vector3d::UnitZ();
     return 0.5 * I.dot(omega.cwiseAbs2());
   };
 
@@ -193,7 +197,8 @@ TEST_CASE("A symmetric top cannot tell z–y–z from z–x–z") {
   CHECK(agrees(zyz, energy_zxz(moments, example_angles + Vector3d(pi / 2, 0, -pi / 2), example_rates), 1e-14));
 
   Printed page("blind to the convention");
-  page.line("I = (1, 1, 3): z–y–z {:.12g} J, z–x–z {:.12g} J", both, energy_zxz(symmetric, example_angles, example_rates));
+  page.line("I = (1, 1, 3): z–y–z {:.12g} J, z–x–z {:.12g} J", both,
+            energy_zxz(symmetric, example_angles, example_rates));
   page.line("I = (1, 2, 3): z–y–z {:.12g} J, z–x–z {:.12g} J", zyz, zxz);
 }
 //! [blind to the convention]
@@ -207,8 +212,9 @@ TEST_CASE("The canonical momenta are components of L along three axes that are n
   // As derivatives of the energy with respect to the rates.
   const auto rates = autodiff::make_ftuple<double, 1, 1, 1>(example_rates[0], example_rates[1], example_rates[2]);
   using Number = std::remove_cvref_t<decltype(std::get<0>(rates) * std::get<1>(rates) * std::get<2>(rates))>;
-  const Number T = energy_of_slides<Number>(moments, {Number(example_angles[0]), Number(example_angles[1]), Number(example_angles[2])},
-                                            {Number(std::get<0>(rates)), Number(std::get<1>(rates)), Number(std::get<2>(rates))});
+  const Number T = energy_of_slides<Number>(
+      moments, {Number(example_angles[0]), Number(example_angles[1]), Number(example_angles[2])},
+      {Number(std::get<0>(rates)), Number(std::get<1>(rates)), Number(std::get<2>(rates))});
   CHECK(agrees(p, Vector3d(T.derivative(1, 0, 0), T.derivative(0, 1, 0), T.derivative(0, 0, 1)), 1e-14));
 
   // As projections: on the vertical, on the line of nodes, on the body's axis.
@@ -238,7 +244,8 @@ TEST_CASE("Lagrange's equations are Euler's equations, projected on the three ax
 
   // ω̃ and its rate along the motion, the rate by a central difference.
   const auto omega = [&](double t) -> Vector3d {
-    return body_axes_of_rates(example_angles + t * example_rates + t * t / 2 * accelerations) * (example_rates + t * accelerations);
+    return body_axes_of_rates(example_angles + t * example_rates + t * t / 2 * accelerations) *
+           (example_rates + t * accelerations);
   };
   const double h = 1e-3;
   const Vector3d omega_rate = (8 * (omega(h) - omega(-h)) - (omega(2 * h) - omega(-2 * h))) / (12 * h);
@@ -266,7 +273,10 @@ TEST_CASE("Without torque the angles accelerate all the same") {
   // and keep L where it is: with constant accelerations it drifts only with the square of the time.
   const Vector3d L = momentum_in_space(moments, {example_angles, example_rates});
   const auto drift = [&](double t) {
-    return (momentum_in_space(moments, {example_angles + t * example_rates + t * t / 2 * accelerations, example_rates + t * accelerations}) - L).norm();
+    return (momentum_in_space(moments, {example_angles + t * example_rates + t * t / 2 * accelerations,
+                                        example_rates + t * accelerations}) -
+            L)
+        .norm();
   };
   CHECK(drift(1e-4) <= 1e-7);
   CHECK(agrees(drift(2e-3) / drift(1e-3), 4, 0.01));  // without the right accelerations the ratio would be 2
@@ -292,10 +302,12 @@ TEST_CASE("The accelerations, read off a motion that knows no angles") {
     Vector3d::Map(x.data()) = body_axes_of_rates(example_angles) * example_rates;
     Matrix3d::Map(x.data() + 3) = attitude(example_angles);
     if (t != 0) {
-      odeint::integrate_adaptive(odeint::make_controlled(1e-15, 1e-15, odeint::runge_kutta_fehlberg78<Numbers>()), system, x, 0.0, t, t / 4);
+      odeint::integrate_adaptive(odeint::make_controlled(1e-15, 1e-15, odeint::runge_kutta_fehlberg78<Numbers>()),
+                                 system, x, 0.0, t, t / 4);
     }
     const Matrix3d A = Matrix3d::Map(x.data() + 3);
-    return {std::atan2(A(1, 2), A(0, 2)), std::atan2(std::hypot(A(0, 2), A(1, 2)), A(2, 2)), std::atan2(A(2, 1), -A(2, 0))};
+    return {std::atan2(A(1, 2), A(0, 2)), std::atan2(std::hypot(A(0, 2), A(1, 2)), A(2, 2)),
+            std::atan2(A(2, 1), -A(2, 0))};
   };
 
   const double h = 0.02;
@@ -329,9 +341,10 @@ TEST_CASE("The matrix of the energy is singular where the angles are") {
 
   Printed page("mass matrix");
   for (const double theta : {1.5, 0.1, 0.01}) {
-    const Vector3d squares = principal_moments(body_axes_of_rates(Vector3d(0, theta, 0)).transpose() * body_axes_of_rates(Vector3d(0, theta, 0)));
-    page.line("θ = {:4}: det M = {:.6g}, errors may grow {:.4g} times", theta, mass_matrix(moments, Vector3d(0, theta, 0)).determinant(),
-              std::sqrt(squares[2] / squares[0]));
+    const Vector3d squares = principal_moments(body_axes_of_rates(Vector3d(0, theta, 0)).transpose() *
+                                               body_axes_of_rates(Vector3d(0, theta, 0)));
+    page.line("θ = {:4}: det M = {:.6g}, errors may grow {:.4g} times", theta,
+              mass_matrix(moments, Vector3d(0, theta, 0)).determinant(), std::sqrt(squares[2] / squares[0]));
   }
 }
 //! [mass matrix]
@@ -347,11 +360,13 @@ TEST_CASE("A free motion in Euler angles keeps T and L, and reaches the exact so
   const double duration = 20;
   const State end = moved_freely(moments, start, duration);
 
-  CHECK(agrees(kinetic_energy_euler(moments, end.angles, end.rates), kinetic_energy_euler(moments, angles, start.rates), 1e-11));
+  CHECK(agrees(kinetic_energy_euler(moments, end.angles, end.rates), kinetic_energy_euler(moments, angles, start.rates),
+               1e-11));
   CHECK(agrees(canonical_momenta(moments, end.angles, end.rates)[0], L_body.norm(), 1e-11));  // φ is cyclic
   CHECK(agrees(momentum_in_space(moments, end), momentum_in_space(moments, start), 1e-11));
   // Exact solution with elliptic functions and integrals (lecture 06): ω̃ and φ after 20 s.
-  CHECK(agrees(body_axes_of_rates(end.angles) * end.rates, Vector3d(0.6760625658002, 0.7435989558382, 0.3987733662439), 1e-10));
+  CHECK(agrees(body_axes_of_rates(end.angles) * end.rates, Vector3d(0.6760625658002, 0.7435989558382, 0.3987733662439),
+               1e-10));
   CHECK(agrees(end.angles[0], 24.258871956344, 1e-11));
   // p_ψ = L̃₃ is not conserved, because ψ is not cyclic for this body.
   CHECK_FALSE(agrees(canonical_momenta(moments, end.angles, end.rates)[2], L_body[2], 0.5));
@@ -360,7 +375,8 @@ TEST_CASE("A free motion in Euler angles keeps T and L, and reaches the exact so
   page.line("φ after 20 s: {:.12g} rad, exactly 24.258871956344", end.angles[0]);
   page.line("T: {:.13g} J at first, {:.13g} J at last", kinetic_energy_euler(moments, angles, start.rates),
             kinetic_energy_euler(moments, end.angles, end.rates));
-  page.line("p_ψ: {:.6g} at first, {:.6g} at last (kg m²/s)", L_body[2], canonical_momenta(moments, end.angles, end.rates)[2]);
+  page.line("p_ψ: {:.6g} at first, {:.6g} at last (kg m²/s)", L_body[2],
+            canonical_momenta(moments, end.angles, end.rates)[2]);
 }
 //! [conservation]
 
@@ -416,14 +432,15 @@ TEST_CASE("Laws at every attitude: upright, nearly upright, ordinary, nearly ups
   // Upright the body knows only the sum of the outer rates, upside down only their difference.
   CHECK(agrees(kinetic_energy_euler(I, Vector3d(0.3, 0, 1.1), Vector3d(0.5, 0, -0.5)), 0, 1e-15, 1));
   CHECK(agrees(kinetic_energy_euler(I, Vector3d(0.3, pi, 1.1), Vector3d(0.5, 0, 0.5)), 0, 1e-15, 1));
-  CHECK(agrees(canonical_momenta(I, Vector3d(0.3, 0, 1.1), rates)[0], canonical_momenta(I, Vector3d(0.3, 0, 1.1), rates)[2], 1e-15));
+  CHECK(agrees(canonical_momenta(I, Vector3d(0.3, 0, 1.1), rates)[0],
+               canonical_momenta(I, Vector3d(0.3, 0, 1.1), rates)[2], 1e-15));
 }
 //! [laws]
 
 //! [V26]
 TEST_CASE("V26 Kinetic energy of a quaternion path, from another program's tests") {
-  // Emmy, tests of its rigid-body functions: q = (1, 2, 3, 4), q̇ = (2, 3, 4, 5), T = (8B + 2C)/225. The quaternion is not
-  // normalised, and need not be: only its direction matters.
+  // Emmy, tests of its rigid-body functions: q = (1, 2, 3, 4), q̇ = (2, 3, 4, 5), T = (8B + 2C)/225. The quaternion is
+  // not normalised, and need not be: only its direction matters.
   const Vector3d I(1.3, 2.1, 2.9);
   const auto variables = autodiff::make_ftuple<double, 1>(0.0);
   const auto& time = std::get<0>(variables);
@@ -449,9 +466,9 @@ namespace {
 
 /// The heavy symmetric top of Sussman and Wisdom: it stands on its tip, the weight acts at a distance from it.
 struct HeavyTop {
-  double I1 = 3.28e-4;       ///< kg m²
-  double I3 = 6.6e-5;        ///< kg m²
-  double weight = 0.0456;    ///< M g l, J
+  double I1 = 3.28e-4;     ///< kg m²
+  double I3 = 6.6e-5;      ///< kg m²
+  double weight = 0.0456;  ///< M g l, J
   Vector3d I{I1, I1, I3};
 
   /// The weight pulls at θ: potential energy M g l cos θ, so the generalised force is M g l sin θ.
@@ -478,15 +495,19 @@ TEST_CASE("V49 The heavy top has two steady precessions, a slow and a fast one")
   const Vector2d precession = top.steady_precession(theta, omega3);
 
   CHECK(agrees(precession, Vector2d(3.758542593804, 42.711113219019), 1e-12));
-  const auto lagrangian = [&](const auto& q, const auto& v) { return energy_of_slides(top.I, q, v) - top.weight * cos(q[1]); };
+  const auto lagrangian = [&](const auto& q, const auto& v) {
+    return energy_of_slides(top.I, q, v) - top.weight * cos(q[1]);
+  };
   for (const double rate : precession) {
     const Vector3d q(0.2, theta, -0.7), v(rate, 0, omega3 - rate * std::cos(theta));
-    // Lagrange's equations hold with all accelerations zero, θ̈ = 0 among them; the torque is compared with the weight's.
+    // Lagrange's equations hold with all accelerations zero, θ̈ = 0 among them; the torque is compared with the
+    // weight's.
     CHECK(agrees(euler_lagrange(lagrangian, q, v, Vector3d::Zero()), Vector3d::Zero(), 1e-12, top.weight));
     // By the workbook's functions: what the weight adds, the gyroscopic terms take back.
     CHECK(agrees(top.accelerations(q, v), Vector3d::Zero(), 1e-12, v.squaredNorm()));
     // And in motion: half a second later the inclination is the same.
-    const State later = moved({q, v}, 0.5, [&](const Vector3d& angles, const Vector3d& rates) { return top.accelerations(angles, rates); });
+    const State later = moved(
+        {q, v}, 0.5, [&](const Vector3d& angles, const Vector3d& rates) { return top.accelerations(angles, rates); });
     CHECK(agrees(later.angles[1], theta, 1e-9));
     CHECK(agrees(later.angles[0], 0.2 + 0.5 * rate, 1e-9));
   }
@@ -497,8 +518,9 @@ TEST_CASE("V49 The heavy top has two steady precessions, a slow and a fast one")
   CHECK(agrees(meeting[0], meeting[1], 1e-5));
 
   Printed page("V49");
-  page.line("V49 | 3.758542593804, 42.711113219019; least spin 109.061312312 rad/s | {:.12f}, {:.12f}; {:.9f} rad/s | 1e-10", precession[0],
-            precession[1], least);
+  page.line(
+      "V49 | 3.758542593804, 42.711113219019; least spin 109.061312312 rad/s | {:.12f}, {:.12f}; {:.9f} rad/s | 1e-10",
+      precession[0], precession[1], least);
 }
 //! [V49]
 
@@ -514,7 +536,10 @@ TEST_CASE("Let go, the heavy top nods: the effective potential tells how far") {
     return across * across / (2 * top.I1) + p[2] * p[2] / (2 * top.I3) + top.weight * std::cos(theta);
   };
   const double energy = effective_potential(start.angles[1]);
-  CHECK(agrees(energy, kinetic_energy_symmetric(top.I1, top.I3, start.angles[1], start.rates) + top.weight * std::cos(start.angles[1]), 1e-14));
+  CHECK(agrees(
+      energy,
+      kinetic_energy_symmetric(top.I1, top.I3, start.angles[1], start.rates) + top.weight * std::cos(start.angles[1]),
+      1e-14));
 
   // Released at rest the top is at one turning point; with u = cos θ the other one solves a quadratic equation.
   const double u0 = std::cos(start.angles[1]), spin = p[2] * p[2] / (4 * top.I1 * top.weight);
@@ -534,7 +559,8 @@ TEST_CASE("Let go, the heavy top nods: the effective potential tells how far") {
   }
   CHECK(reached <= lowest + 1e-9);
   CHECK(agrees(reached, lowest, 1e-5));  // the largest of many moments, not the turning point itself
-  CHECK(agrees(canonical_momenta(top.I, now.angles, now.rates), Vector3d(p[0], canonical_momenta(top.I, now.angles, now.rates)[1], p[2]), 1e-10));
+  CHECK(agrees(canonical_momenta(top.I, now.angles, now.rates),
+               Vector3d(p[0], canonical_momenta(top.I, now.angles, now.rates)[1], p[2]), 1e-10));
 
   Printed page("nutation");
   page.line("p_φ = {:.8g}, p_ψ = {:.8g} kg m²/s stay", p[0], p[2]);

@@ -35,7 +35,8 @@ bool rotates_steadily(const Vector3d& moments, const Vector3d& omega) {
 }  // namespace
 
 double jacobi_amplitude(double u, double complementary_parameter) {
-  if (complementary_parameter == 0) return 2 * std::atan(std::tanh(u / 2));  // the Gudermannian: the mean below would be 0
+  if (complementary_parameter == 0)
+    return 2 * std::atan(std::tanh(u / 2));  // the Gudermannian: the mean below would be 0
   // Gauss's arithmetic-geometric mean (Abramowitz and Stegun 16.4). Boost has these functions too, but takes the
   // modulus k, and next to the separatrix 1 − k² has lost the digits that decide when the body turns over.
   constexpr int most = 60;
@@ -134,7 +135,7 @@ double ExactTop::third_kind(double u) const {
 Matrix3d ExactTop::momentum_frame(double t) const {
   const Vector3d along = moments_.cwiseProduct(omega(t)) / momentum_;
   const Vector3d across = along.cross(Vector3d::Unit(c_)).normalized();  // never zero: L does not meet the axis c
-  Matrix3d to_meridian;  // the meridian plane of the axis c
+  Matrix3d to_meridian;                                                  // the meridian plane of the axis c
   to_meridian << across.cross(along).transpose(), across.transpose(), along.transpose();
 
   const double Ia = moments_[a_], Ic = moments_[c_];

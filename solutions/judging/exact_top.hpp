@@ -29,7 +29,8 @@ namespace workbook::judging {
 ///
 /// The attitude follows from the axis c, which turns about the fixed L through the azimuth
 ///
-/// \f[ \varphi(t) = \frac{L t}{I_c} + \frac{L (I_c - I_a)}{I_a I_c\,\lambda} \int_{u_0}^{u} \frac{du'}{1 - n\,\mathrm{sn}^2 u'},
+/// \f[ \varphi(t) = \frac{L t}{I_c} + \frac{L (I_c - I_a)}{I_a I_c\,\lambda} \int_{u_0}^{u} \frac{du'}{1 -
+/// n\,\mathrm{sn}^2 u'},
 ///     \qquad n = -\frac{I_c (I_b - I_a)}{I_a (I_c - I_b)} , \f]
 ///
 /// an elliptic integral of the third kind.
@@ -64,13 +65,13 @@ class ExactTop {
   Eigen::Vector3d moments_;
   Eigen::Vector3d omega0_;
   bool steady_ = false;
-  int a_ = 0, b_ = 1, c_ = 2;  // the axes of cn, sn and dn
+  int a_ = 0, b_ = 1, c_ = 2;                            // the axes of cn, sn and dn
   Eigen::Vector3d amplitude_ = Eigen::Vector3d::Zero();  // αA, βB, γC in this order
-  double rate_ = 0.0;             // λ
-  double complement_ = 1.0;       // 1 − m
-  double characteristic_ = 0.0;   // n ≤ 0
-  double start_ = 0.0;            // u₀
-  double momentum_ = 0.0;         // |L|
+  double rate_ = 0.0;                                    // λ
+  double complement_ = 1.0;                              // 1 − m
+  double characteristic_ = 0.0;                          // n ≤ 0
+  double start_ = 0.0;                                   // u₀
+  double momentum_ = 0.0;                                // |L|
 };
 
 /// The exact answer to the exercise free_rotation, with its signature: one column of body components per time.

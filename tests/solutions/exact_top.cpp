@@ -1,14 +1,14 @@
 // The exact top judges the students' integrators, so it is judged here: by an integrator of another kind, by Boost's
 // elliptic functions, by the conservation laws, and by numbers computed elsewhere.
+#include "solutions/judging/exact_top.hpp"
 #include "lectures/support/agrees.hpp"
 #include "rigid/euler_equations.hpp"
-#include "solutions/judging/exact_top.hpp"
 #include "solutions/judging/random.hpp"
 
+#include <doctest/doctest.h>
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <boost/numeric/odeint.hpp>
-#include <doctest/doctest.h>
 
 #include <algorithm>
 #include <array>
@@ -46,7 +46,8 @@ Followed follow(const Vector3d& I, const Vector3d& omega0, double t) {
   State y = {omega0.x(), omega0.y(), omega0.z(), 0, 0, 0, 1};
   using namespace boost::numeric::odeint;
   if (t != 0) {
-    integrate_adaptive(make_controlled(1e-14, 1e-14, runge_kutta_fehlberg78<State>()), rate, y, 0.0, t, t > 0 ? 1e-3 : -1e-3);
+    integrate_adaptive(make_controlled(1e-14, 1e-14, runge_kutta_fehlberg78<State>()), rate, y, 0.0, t,
+                       t > 0 ? 1e-3 : -1e-3);
   }
   return {{y[0], y[1], y[2]}, Quaterniond(y[6], y[3], y[4], y[5]).normalized().toRotationMatrix()};
 }
@@ -93,7 +94,9 @@ TEST_CASE("On the separatrix the amplitude is the Gudermannian") {
   CHECK(agrees(std::cos(jacobi_amplitude(-1.3, 0)), 1 / std::cosh(1.3), 1e-15));
 }
 
-TEST_CASE("About the axis of the largest moment, and about the smallest, the exact top has the numbers of an independent computation") {
+TEST_CASE(
+    "About the axis of the largest moment, and about the smallest, the exact top has the numbers of an independent "
+    "computation") {
   const Vector3d I(1, 2, 3);
   const ExactTop tumbling(I, Vector3d(0.1, 1, 0.1));
   CHECK(agrees(1 - tumbling.complementary_parameter(), 0.980582524272, 1e-12));
@@ -111,7 +114,8 @@ TEST_CASE("About the axis of the largest moment, and about the smallest, the exa
 }
 
 TEST_CASE("V20: the exact top and the reference integration both reach the published end of DETEST's problem B5") {
-  // W. H. Enright and J. D. Pryce, as in the worked examples of lecture 05, where a student's integration is allowed 1e-6.
+  // W. H. Enright and J. D. Pryce, as in the worked examples of lecture 05, where a student's integration is allowed
+  // 1e-6.
   const Vector3d I(2, 3, 1), c(std::sqrt(1.53), std::sqrt(0.51), std::sqrt(3.0));
   const Vector3d start = c.cwiseProduct(Vector3d(0, 1, 1));
   const Vector3d published(-0.9396570798729192, -0.3421177754000779, 0.7414126596199957);
