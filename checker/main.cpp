@@ -44,6 +44,7 @@ struct CommandLine {
     add_hint();
     add_plot();
     add_reset();
+    add_examples();
     add_doctor();
     add_self_check();
   }
@@ -90,6 +91,12 @@ struct CommandLine {
     CLI::App* command = app.add_subcommand("reset", "put an exercise back to the beginning; your version is kept");
     command->add_option("exercise", name, "its name")->required();
     command->callback([this] { job = [this](const Course& course) { return reset(course, name); }; });
+  }
+
+  void add_examples() {
+    CLI::App* command = app.add_subcommand("examples", "run the worked examples of a lecture on your own functions");
+    command->add_option("lecture", name, "its name, number or topic")->required();
+    command->callback([this] { job = [this](const Course& course) { return examples(course, name); }; });
   }
 
   void add_doctor() {

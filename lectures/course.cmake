@@ -1,6 +1,13 @@
 # The course: its lectures in order, one line each. All else about a lecture is read from its card.
 set(WORKBOOK_LECTURES
+    01_frame_derivatives
+    02_rotating_frames
     03_inertia_tensor
+    04_parallel_axis
+    05_euler_equations
+    06_free_tops
+    07_euler_angles
+    08_kinetic_energy
     CACHE STRING "the lectures of the course, in order")
 
 # Reads lectures/LECTURE/card.json and defines LECTURE_contract and LECTURE_exercises in the caller's scope.

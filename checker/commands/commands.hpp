@@ -46,6 +46,9 @@ int plot(const Course& course, const PlotOptions& options);
 /// Puts the stub back; what was there is kept beside the progress file.
 int reset(const Course& course, const std::string& name);
 
+/// The worked examples of a lecture on the student's own functions: which of them come out by now.
+int examples(const Course& course, const std::string& lecture);
+
 /// What this machine offers.
 int doctor(const Course& course);
 

@@ -42,6 +42,7 @@ Course::Course(const fs::path& course_file) {
     toolchain_file_ = path("toolchain");
     scratch_ = path("scratch");
     notes_ = path("notes");
+    build_ = path("build");
     lectures = document.at("lectures").get<std::vector<std::string>>();
   } catch (const nlohmann::json::exception& problem) {
     throw CourseError(fmt::format("{}: not usable ({}); build the workbook again.", course_file.string(), problem.what()));

@@ -61,6 +61,9 @@ class Course {
   bool has_solutions() const;
   const std::filesystem::path& toolchain_file() const { return toolchain_file_; }
 
+  /// The build that this program belongs to.
+  const std::filesystem::path& build() const { return build_; }
+
   /// What the program may write: compiled workers, plots, reference results of other seeds.
   const std::filesystem::path& scratch() const { return scratch_; }
 
@@ -80,6 +83,7 @@ class Course {
   std::filesystem::path toolchain_file_;
   std::filesystem::path scratch_;
   std::filesystem::path notes_;
+  std::filesystem::path build_;
   std::vector<Card> cards_;
 };
 

@@ -22,12 +22,11 @@ ReferenceError error_at(const std::filesystem::path& file, const std::string& pl
 }
 
 std::string whole_text(const std::filesystem::path& file) {
+  std::error_code ignored;
   std::ifstream stream(file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (!stream.is_open() || stream.bad() || !std::filesystem::is_regular_file(file)) {
+  if (!stream || !std::filesystem::is_regular_file(file, ignored))
     throw error_at(file, "whole file", "it cannot be read");
-  }
-  return text;
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
 /// "line 12, column 3" of the byte at which the parser gave up.

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <csignal>
 #include <functional>
+#include <tuple>
 
 namespace workbook::sentences {
 
@@ -110,8 +111,7 @@ std::string capitalized(std::string sentence) {
 Advice ended_without_value(const std::string& when, const Reply& reply, const std::string& signature) {
   switch (reply.ending) {
     case Ending::not_started:
-      return {fmt::format(
-                  "The function still reports that it is not started {}, although it returns a value elsewhere.", when),
+      return {fmt::format("The function still reports that it is not started {}, but not everywhere.", when),
               "Remove what is left of the TODO, so that every way through the function returns a result."};
     case Ending::exception:
       return {fmt::format("The function threw an exception {}: {}", when,
@@ -252,13 +252,15 @@ std::string wrong_coefficients(const std::vector<WrongCoefficient>& wrong) {
   constexpr std::size_t most = 2;
   std::string text;
   for (std::size_t k = 0; k < std::min(wrong.size(), most); ++k) {
-    const std::string actual = coefficient_text(wrong[k].actual);
+    std::string actual = coefficient_text(wrong[k].actual);
+    std::string expected = coefficient_text(wrong[k].expected);
+    if (actual == expected) std::tie(actual, expected) = distinct_texts(wrong[k].actual, wrong[k].expected, 4);
     text += k == 0 ? "The term " : ", and the term ";
     text += wrong[k].term;
-    text += actual == "0" ? " is missing"
-                          : fmt::format(" enters with {}, expected {}", actual, coefficient_text(wrong[k].expected));
+    text += actual == "0" ? " is missing" : fmt::format(" enters with {}, expected {}", actual, expected);
   }
-  if (wrong.size() > most) text += fmt::format("; {} more are off", wrong.size() - most);
+  const std::size_t others = wrong.size() - std::min(wrong.size(), most);
+  if (others > 0) text += fmt::format("; {} more {} off", others, others == 1 ? "is" : "are");
   return text + ".";
 }
 

@@ -9,8 +9,8 @@
 
 namespace workbook {
 
-/// The width that all text keeps to where its numbers let it.
-inline constexpr std::size_t page_width = 80;
+/// The width that all text keeps to where its numbers let it: a terminal of 80 columns with a margin.
+inline constexpr std::size_t page_width = 78;
 
 /// Lines of text below a title.
 struct Block {

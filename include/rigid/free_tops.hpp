@@ -105,7 +105,7 @@ int axis_stability(const Vector3d& I, int axis);
 
 /// The time after which the angular velocity of a free top repeats itself in the body: exact, for any amplitude.
 ///
-/// \f[ \tau = \frac{4 K(m)}{\lambda}, \qquad K(m) = \int_0^{\pi/2} \frac{d\alpha}{\sqrt{1 - m \sin^2\alpha}} \f]
+/// \f[ P = \frac{4 K(m)}{\lambda}, \qquad K(m) = \int_0^{\pi/2} \frac{d\alpha}{\sqrt{1 - m \sin^2\alpha}} \f]
 ///
 /// where for \f$L^2 > 2TI_2\f$ (the angular velocity circles axis 3)
 ///
@@ -118,7 +118,7 @@ int axis_stability(const Vector3d& I, int axis);
 ///
 /// @param I       principal moments, \f$I_1 \le I_2 \le I_3\f$, not all equal, kg m²
 /// @param omega0  angular velocity at any one time, body components, with \f$L^2 \ne 2TI_2\f$, rad/s
-/// @return        full period, s
+/// @return        the full period P, s
 /// @par Source  not on the slides; the exact solution behind the approximation of S0 s22, S1 s10–11, S2 s20–22
 double tumbling_period(const Vector3d& I, const Vector3d& omega0);
 

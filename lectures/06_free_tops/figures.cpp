@@ -183,7 +183,7 @@ void draw_polhodes(const std::filesystem::path& directory) {
     }
   }
 
-  workbook::draw_figure(directory, "polhodes", {600, 500}, [&](Gnuplot& gnuplot) {
+  workbook::draw_figure(directory, "polhodes", {540, 450}, [&](Gnuplot& gnuplot) {
     gnuplot << no_axes << "set xrange [-1.25:1.12]; set yrange [-0.84:0.98]\n";
     // The three axes stick out of the surface.
     const std::array<double, 3> reach = {1.32, 1.75, 1.6};
@@ -255,7 +255,7 @@ void draw_cones(const std::filesystem::path& directory) {
   };
   const std::array<Top, 2> tops = {Top{"long top, I_3 = I_1 / 2", 0.5, 26 * degree}, Top{"flattened top, I_3 = 1.8 I_1", 1.8, 42 * degree}};
 
-  workbook::draw_figure(directory, "cones", {680, 350}, [&](Gnuplot& gnuplot) {
+  workbook::draw_figure(directory, "cones", {580, 310}, [&](Gnuplot& gnuplot) {
     gnuplot << "set multiplot\n" << no_axes << "set size ratio -1\n";
     for (std::size_t k = 0; k < 2; ++k) {
       const Top& top = tops[k];
@@ -323,7 +323,7 @@ void draw_slip(const std::filesystem::path& directory) {
     if (i % 12 == 6) corrected.emplace_back(t, 1e5 * linearized_top(I, omega3, amplitude, 0, t)[1]);
   }
 
-  workbook::draw_figure(directory, "slip", {600, 400}, [&](Gnuplot& gnuplot) {
+  workbook::draw_figure(directory, "slip", {540, 370}, [&](Gnuplot& gnuplot) {
     gnuplot << "unset key\nset xlabel 'time (s)'; set ylabel 'ω_2 (10^{-5} rad/s)'\n"
                "set xrange [0:3]; set yrange [-0.95:0.95]; set xzeroaxis lc rgb '#444444'\n";
     label(gnuplot, "as printed on the slides", {0.32, 0.72}, fmt::format("left tc rgb '{}'", colors::vermilion));
@@ -343,7 +343,7 @@ void draw_flip(const std::filesystem::path& directory) {
   const auto motion = integrated(flat_body, omega0, duration, 1200);
   const double interval = tumbling_period(flat_body, omega0) / 2;
 
-  workbook::draw_figure(directory, "flip", {660, 400}, [&](Gnuplot& gnuplot) {
+  workbook::draw_figure(directory, "flip", {560, 370}, [&](Gnuplot& gnuplot) {
     gnuplot << "unset key\nset xlabel 'time (s)'; set ylabel 'body component of ω (rad/s)'\n"
                "set xrange [0:90]; set yrange [-1.35:1.5]; set ytics 0.5\n";
     const double first = interval / 2;
@@ -372,9 +372,9 @@ void draw_flip_law(const std::filesystem::path& directory) {
     exact.emplace_back(disturbance, tumbling_period(flat_body, {0, 1, disturbance}) / 2);
     logarithm.emplace_back(disturbance, std::log(16 * (2 + 6 * squares) / (6 * squares)) / sigma);
   }
-  workbook::draw_figure(directory, "flip_law", {600, 400}, [&](Gnuplot& gnuplot) {
+  workbook::draw_figure(directory, "flip_law", {560, 380}, [&](Gnuplot& gnuplot) {
     gnuplot << "unset key\nset logscale x; set format x '10^{%T}'\n"
-               "set xlabel 'disturbance ω_3 at the start (rad/s), with ω_2 = 1 rad/s'; set ylabel 'time between flips (s)'\n"
+               "set xlabel 'ω_3 at the start (rad/s), with ω_2 = 1 rad/s'; set ylabel 'time between flips (s)'\n"
                "set xrange [1e-6:1]; set yrange [0:60]\n";
     label(gnuplot, "exact, 2K(m)/λ", {2e-5, 47}, fmt::format("left tc rgb '{}'", colors::blue));
     label(gnuplot, "(1/σ) ln(16/(1−m))", {1.5e-6, 30}, fmt::format("left tc rgb '{}'", colors::vermilion));
@@ -399,13 +399,13 @@ void draw_growth_rates(const std::filesystem::path& directory) {
   const std::array<double, 5> ratios = {0.1, 0.2, 0.35, 0.5, 0.7};
   const std::array<const char*, 5> dashes = {"solid", "(12,4)", "(6,4)", "(3,3)", "(12,4,3,4)"};
   const std::array<Point, 5> places = {Point(0.93, 0.6), Point(0.86, 0.6), Point(0.735, 0.49), Point(0.75, 0.3), Point(0.85, 0.13)};
-  workbook::draw_figure(directory, "growth_rates", {600, 430}, [&](Gnuplot& gnuplot) {
+  workbook::draw_figure(directory, "growth_rates", {560, 410}, [&](Gnuplot& gnuplot) {
     gnuplot << "unset key\nset xlabel 'I_2 / I_3'; set ylabel 'growth rate σ / |ω_2|'\n"
                "set xrange [0.5:1]; set yrange [0:1.05]\n";
     label(gnuplot, "no body here:\\nI_1 + I_2 < I_3", {0.53, 0.85}, "left tc rgb '#555555'");
     label(gnuplot, "flat bodies: I_1 + I_2 = I_3", {0.755, 0.775}, fmt::format("left rotate by 23 tc rgb '{}'", colors::vermilion));
     label(gnuplot, "I = (1, 2, 3)", {0.655, 0.62}, "right");
-    gnuplot << fmt::format("set label '' at {:.6f},{:.6f} point pt 7 ps 1.6 lc rgb '#000000' front\n", 2.0 / 3, rate(1.0 / 3, 2.0 / 3));
+    gnuplot << fmt::format("set label '' at {:.6f},{:.6f} point pt 7 ps 0.9 lc rgb '#000000' front\n", 2.0 / 3, rate(1.0 / 3, 2.0 / 3));
     std::string plot = fmt::format("plot '-' with filledcurves y1=1.05 fs solid noborder lc rgb '#E8E8E8', '-' with lines lw 3.5 lc rgb '{}'",
                                    colors::vermilion);
     for (std::size_t i = 0; i < ratios.size(); ++i) {
@@ -490,7 +490,7 @@ void draw_racket_stills(const std::filesystem::path& directory) {
   const Flight flight;
   const int columns = 4, rows = 2;
   const auto motion = integrated(flat_body, flight.omega0, flight.half_period * 1.05, columns * rows);
-  workbook::draw_figure(directory, "racket", {680, 420}, [&](Gnuplot& gnuplot) {
+  workbook::draw_figure(directory, "racket", {580, 360}, [&](Gnuplot& gnuplot) {
     gnuplot << no_axes << "set xrange [-1.0:7.85]; set yrange [-3.85:1.6]\n";
     arrow(gnuplot, {-0.8, 1.35}, {0.6, 1.35}, "lw 2 lc rgb '#222222' size 0.13,20 filled");
     label(gnuplot, "L, the same at all times", {0.75, 1.35}, "left");
@@ -532,6 +532,9 @@ void animate_racket(const std::filesystem::path& directory) {
       picture.set_arrow(gnuplot);
       arrow(gnuplot, {-0.9, -0.92}, {0.9, -0.92}, "lw 2 lc rgb '#222222' size 0.08,20 filled");
       label(gnuplot, "L", {1.0, -0.92}, "left");
+      // The key serves a second purpose: gnuplot takes the colours of all frames from the first one.
+      label(gnuplot, "  one face", {-1.45, 0.85}, fmt::format("left point pt 5 ps 2 lc rgb '{}'", colors::sky));
+      label(gnuplot, "  the other", {-1.45, 0.7}, fmt::format("left point pt 5 ps 2 lc rgb '{}'", colors::orange));
       label(gnuplot, "e_2", {picture.tip().first * 1.12, picture.tip().second * 1.12 + 0.04}, fmt::format("center tc rgb '{}'", colors::vermilion));
       gnuplot << "plot " << picture.elements() << "\n";
       picture.send(gnuplot);

@@ -24,6 +24,7 @@ public:
   std::vector<std::string> faults(const std::filesystem::path& figures) {
     for (const char* part : {"lecture_card", "exercises", "lecture_links"}) require(fmt::format("\\{}{{{}}}", part, folder_));
     refuse_bare_images();
+    refuse_quoted_formulas();
     std::set<std::string> shown_figures;
     static const std::regex figure(R"(\\figure\{([^}]*)\})");
     for (std::sregex_iterator match(text_.begin(), text_.end(), figure), end; match != end; ++match) {
@@ -36,7 +37,8 @@ public:
 private:
   void fault(std::size_t position, const std::string& sentence) {
     const auto line = 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(position), '\n');
-    faults_.push_back(fmt::format("{}:{}: {}", shown_, line, sentence));
+    const std::string whole = fmt::format("{}:{}: {}", shown_, line, sentence);
+    if (std::ranges::find(faults_, whole) == faults_.end()) faults_.push_back(whole);
   }
 
   void require(const std::string& part) {
@@ -48,6 +50,19 @@ private:
     static const std::regex image(R"(\\image\b|<img\b|!\[)");
     for (std::sregex_iterator match(text_.begin(), text_.end(), image), end; match != end; ++match) {
       fault(static_cast<std::size_t>(match->position()), "show pictures by \\figure, which asks for alternative text and caption.");
+    }
+  }
+
+  // Doxygen takes what stands between straight quotes word by word: a formula there stays TeX, and the anchors below it
+  // lead nowhere.
+  void refuse_quoted_formulas() {
+    bool quoted = false;
+    for (std::size_t i = 0; i < text_.size(); ++i) {
+      if (text_.compare(i, 2, "\n\n") == 0) quoted = false;
+      if (text_[i] == '"') quoted = !quoted;
+      if (text_.compare(i, 3, "\\f$") != 0) continue;
+      if (quoted) fault(i, "Doxygen does not read formulas between straight quotes: write “ and ”.");
+      i = std::min(text_.find("\\f$", i + 3), text_.size() - 3) + 2;
     }
   }
 

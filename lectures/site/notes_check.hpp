@@ -8,8 +8,8 @@
 
 namespace workbook::site {
 
-/// Sentences about a lecture's notes: figures that nobody draws, figures without alternative text or caption, and parts
-/// of the page that are derived from the card and missing. Empty when all is well.
+/// Sentences about a lecture's notes: figures that nobody draws, figures without alternative text or caption, formulas
+/// in straight quotes, and parts of the page that are derived from the card and missing. Empty when all is well.
 /// @param folder   of the lecture, "03_inertia_tensor"
 /// @param notes    text of its notes.md
 /// @param figures  folder into which the figures were drawn, a folder per lecture

@@ -3,12 +3,15 @@
 /// after looking at the notes of every lecture.
 #include "lectures/site/notes_check.hpp"
 #include "lectures/site/pages.hpp"
+#include "lectures/site/slides.hpp"
 #include "lectures/site/text_file.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <exception>
 #include <filesystem>
+#include <iterator>
 
 using namespace workbook;
 using namespace workbook::site;
@@ -54,16 +57,22 @@ int main(int argc, char** argv) {
     const std::filesystem::path source = argv[1];
     std::vector<Card> course;
     for (int i = 4; i < argc; ++i) course.push_back(read_card(source / "lectures", argv[i]));
-    bool sound = true;
+    std::vector<std::string> notes;
+    std::map<int, Paragraph> paragraphs;
+    std::vector<std::string> faults;
     for (const Card& card : course) {
       const std::string shown = "lectures/" + card.lecture + "/notes.md";
-      for (const std::string& sentence : faults_of_notes(card.lecture, read_text(source / shown, shown), argv[2])) {
-        fmt::print(stderr, "{}\n", sentence);
-        sound = false;
-      }
+      notes.push_back(read_text(source / shown, shown));
+      paragraphs.merge(paragraphs_of(card.lecture, notes.back()));
+      std::ranges::copy(faults_of_notes(card.lecture, notes.back(), argv[2]), std::back_inserter(faults));
     }
-    if (!sound) return 1;
+    const std::vector<Fact> facts = read_facts(source / "lectures/site/facts.json");
+    std::ranges::copy(faults_of_coverage(facts, paragraphs, course), std::back_inserter(faults));
+    for (const std::string& sentence : faults) fmt::print(stderr, "{}\n", sentence);
+    if (!faults.empty()) return 1;
     write_pages(source, argv[3], course);
+    write_text(std::filesystem::path(argv[3]) / "from_the_slides.md", slides_page(facts, paragraphs));
+    write_text(std::filesystem::path(argv[3]) / "errata.md", errata_page(course, notes));
     return 0;
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());

@@ -51,7 +51,8 @@ CourseCopy::CourseCopy() {
                                  {"reference", (root_ / "reference").string()},
                                  {"toolchain", WORKBOOK_TEST_TOOLCHAIN},
                                  {"scratch", std::string(WORKBOOK_TEST_SCRATCH) + "/shared"},
-                                 {"notes", (root_ / "html").string()}};
+                                 {"notes", (root_ / "html").string()},
+                                 {"build", (root_ / "build").string()}};
   write(root_ / "course.json", course.dump(2));
 }
 

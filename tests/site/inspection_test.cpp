@@ -53,7 +53,8 @@ TEST_CASE("A formula that MathJax cannot read is named with the reason") {
 }
 
 TEST_CASE("A formula that nothing draws is named") {
-  check_same(faults_of("plain_formula.html"), {R"(plain_formula.html: the formula “\(T\).” is shown as plain text.)"});
+  check_same(faults_of("plain_formula.html"), {R"(plain_formula.html: the formula “\(T\).” is shown as plain text.)",
+                                              R"(plain_formula.html: the formula “\f$ L \f$.” is shown as plain text.)"});
 }
 
 TEST_CASE("A picture that does not load is named") {

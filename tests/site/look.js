@@ -37,7 +37,7 @@
     const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
     for (let node = walker.nextNode(); node; node = walker.nextNode()) {
       if (node.parentElement.closest("script, style, code, pre, .fragment")) continue;
-      const raw = node.data.match(/\\\(.*|\\\[.*|\\begin\{.*/);
+      const raw = node.data.match(/\\\(.*|\\\[.*|\\begin\{.*|\\f[$[(].*/);
       if (raw) found.push(raw[0].slice(0, 60));
     }
     return found;

@@ -169,6 +169,13 @@ TEST_CASE("Pictures by other means are refused, whichever they are") {
               "lectures/01_springs/notes.md:6: " + sentence});
 }
 
+TEST_CASE("A formula in straight quotes is refused; beside them and between curly ones it is welcome") {
+  check_same(faults("They write \"let \\f$ x \\f$\nvanish\". Here \\f$ y \\f$ does, “so \\f$ z \\f$ too”, \\ref here \"\\f$ w \\f$\".\n"),
+             {"lectures/01_springs/notes.md:4: Doxygen does not read formulas between straight quotes: write “ and ”.",
+              "lectures/01_springs/notes.md:5: Doxygen does not read formulas between straight quotes: write “ and ”."});
+  check_same(faults("An inch is 1\".\n\nThen \\f$ x \\f$, with an accent: \\f$ \\text{\\\"u}\\f$, and \\f$ y.\n"), {});
+}
+
 TEST_CASE("A file that cannot be read or written is named") {
   CHECK_THROWS_WITH(read_text("/no/such/file", "lectures/01_springs/notes.md"), "lectures/01_springs/notes.md cannot be read.");
   CHECK_THROWS_WITH(write_text("/no/such/folder/file", "text"), "/no/such/folder/file cannot be written.");

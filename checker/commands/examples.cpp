@@ -1,0 +1,116 @@
+#include "checker/commands/commands.hpp"
+#include "checker/report/console.hpp"
+#include "checker/worker/child_process.hpp"
+
+#include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <regex>
+#include <sstream>
+
+namespace workbook {
+
+namespace {
+
+/// How one worked example came out.
+struct Example {
+  std::string title;
+  bool passed = false;
+  bool not_started = false;
+};
+
+FinishedProgram run(const std::string& program, const std::vector<std::string>& arguments, std::chrono::seconds limit) {
+  Launch launch;
+  launch.program = program.c_str();
+  launch.arguments = arguments;
+  const char* path = std::getenv("PATH");
+  launch.environment = {std::string("PATH=") + (path == nullptr ? "/usr/bin:/bin" : path)};
+  return run_program(launch, limit, std::size_t{4} << 20);
+}
+
+bool succeeded(const FinishedProgram& finished) {
+  return !finished.out_of_time && finished.end.signal == 0 && finished.end.exit_status == 0;
+}
+
+/// The student's files that the compiler complains about.
+std::vector<std::string> files_with_errors(const std::string& output) {
+  std::vector<std::string> files;
+  const std::regex pattern(R"(lectures/\w+/exercises/\w+\.cpp(?=:\d+:\d+: error))");
+  for (std::sregex_iterator match(output.begin(), output.end(), pattern), end; match != end; ++match) {
+    if (std::find(files.begin(), files.end(), match->str()) == files.end()) files.push_back(match->str());
+  }
+  return files;
+}
+
+/// doctest's report in XML. @throws boost::property_tree::xml_parser_error if the program died before its end.
+std::vector<Example> read_report(const std::string& xml) {
+  namespace tree = boost::property_tree;
+  std::istringstream in(xml);
+  tree::ptree document;
+  tree::read_xml(in, document);
+  std::vector<Example> examples;
+  for (const auto& [suite, cases] : document.get_child("doctest")) {
+    if (suite != "TestSuite") continue;
+    for (const auto& [kind, example] : cases) {
+      if (kind != "TestCase") continue;
+      Example found;
+      found.title = example.get<std::string>("<xmlattr>.name");
+      found.passed = example.get("OverallResultsAsserts.<xmlattr>.test_case_success", false);
+      found.not_started = example.get("Exception", std::string()).find("not started") != std::string::npos;
+      examples.push_back(found);
+    }
+  }
+  return examples;
+}
+
+std::filesystem::path program_of(const Course& course, const std::string& target) { return course.build() / "lectures" / target; }
+
+}  // namespace
+
+int examples(const Course& course, const std::string& name) {
+  const std::string lecture = course.find(name).front().lecture();
+  const Console console = Console::of_standard_output();
+  const std::string target = "worked_examples_of_the_student_" + lecture;
+
+  if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "Building the worked examples of {} with your functions ...", lecture);
+  const FinishedProgram built = run("/usr/bin/env", {"cmake", "--build", course.build().string(), "--target", target}, std::chrono::minutes(10));
+  if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\033[K");
+  if (!succeeded(built)) {
+    const std::vector<std::string> files = files_with_errors(built.output);
+    if (!files.empty()) {
+      fmt::print("These files do not compile, so the examples cannot run; `checker check` on each says why:\n");
+      for (const std::string& file : files) fmt::print("  {}\n", file);
+      return something_failed;
+    }
+    fmt::print(stderr, "{}\nThe worked examples of {} could not be built.\n", built.output, lecture);
+    return checker_failed;
+  }
+
+  const FinishedProgram finished = run(program_of(course, target).string(), {"--reporters=xml"}, std::chrono::minutes(2));
+  std::vector<Example> found;
+  try {
+    found = read_report(finished.output);
+  } catch (const boost::property_tree::ptree_error&) {
+    fmt::print("The examples ended before their end ({}): a function of yours crashes or never returns; `checker check {}` finds it.\n",
+               finished.out_of_time ? "out of time" : fmt::format("signal {}", finished.end.signal), lecture);
+    return something_failed;
+  }
+  std::size_t passed = 0;
+  for (const Example& example : found) {
+    passed += example.passed ? 1 : 0;
+    const std::string mark = example.passed ? "✓" : example.not_started ? "·" : "✗";
+    const Style style = example.passed ? Style::good : example.not_started ? Style::quiet : Style::bad;
+    const std::string note = example.passed ? "" : example.not_started ? " (needs a function that is not started)" : " (comes out otherwise)";
+    const std::string text = console.wrapped(example.title + note, 2);
+    fmt::print("{} {}\n", console.styled(mark, style), text.substr(2));
+  }
+  fmt::print("\n{} of {} worked examples of {} come out with your functions.\n", passed, found.size(), lecture);
+  return passed == found.size() ? all_passed : something_failed;
+}
+
+}  // namespace workbook

@@ -1,0 +1,6 @@
+// What a worked example says when it meets a function that the student has not written yet.
+#include <rigid/vocabulary.hpp>
+
+#include <doctest/doctest.h>
+
+REGISTER_EXCEPTION_TRANSLATOR(const rigid::NotStarted&) { return "it needs a function that is not started yet"; }
