@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace workbook {
@@ -110,6 +111,7 @@ double Deviation::relative_size() const {
   double largest = 0.0;
   for (std::size_t n = 0; n < difference.numbers.size(); ++n) {
     const double size = std::abs(difference.numbers[n]);
+    if (std::isnan(size)) return std::numeric_limits<double>::infinity();
     if (size > 0) largest = std::max(largest, size / allowed[n] * tolerance);
   }
   return largest;
@@ -145,7 +147,7 @@ std::vector<Deviation> deviations(const ExerciseReference& exercise, std::size_t
       found = eigenvector_deviations(one, actual);
       break;
     case Comparison::attitude_by_angles:
-      found.push_back(uniform_deviation("rotation matrix of yours − that of the expected angles", Kind::matrix3,
+      found.push_back(uniform_deviation("R(yours) − R(expected)", Kind::matrix3,
                                         attitude(actual) - attitude(one.expected), one.tolerance, 1.0));
       break;
   }

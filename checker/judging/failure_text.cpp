@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
-#include <limits>
 #include <numeric>
 #include <optional>
 
@@ -76,7 +75,7 @@ Table matrix_table(const Value& value, std::size_t first_col, int digits, const 
 Table columns_table(const Value& value, std::size_t count) {
   Table table;
   for (std::size_t col = 0; col < count; ++col) {
-    table.labels.push_back(fmt::format("column {}", col + 1));
+    table.labels.push_back(std::to_string(col + 1));
     table.rows.emplace_back();
     for (std::size_t row = 0; row < static_cast<std::size_t>(value.rows); ++row) {
       table.rows.back().push_back(number_text(value.numbers[number_at(value, row, col)], all_digits));
@@ -108,6 +107,7 @@ std::vector<std::string> input_lines(const Argument& argument, const Value& valu
   const auto cols = static_cast<std::size_t>(value.cols);
   switch (argument.kind) {
     case Kind::points: {
+      lines.front() += ", column by column";
       const std::size_t shown = std::min(cols, most_rows);
       append(lines, indented(table_lines(columns_table(value, shown)), indent));
       if (shown < cols) lines.push_back("  " + left_out(cols - shown, "column"));
@@ -118,11 +118,11 @@ std::vector<std::string> input_lines(const Argument& argument, const Value& valu
       for (std::size_t m = 0; m < cols / 3; ++m) {
         blocks.push_back({fmt::format("matrix {}", m + 1), table_lines(matrix_table(value, 3 * m, all_digits))});
       }
-      append(lines, side_by_side(blocks, 0));
+      append(lines, side_by_side(blocks, indent));
       break;
     }
     default:
-      append(lines, indented(table_lines(matrix_table(value, 0, all_digits)), indent - 2));
+      append(lines, indented(table_lines(matrix_table(value, 0, all_digits)), indent));
   }
   return lines;
 }
@@ -199,7 +199,8 @@ std::vector<std::string> component_lines(const Result& result) {
 
   const std::vector<std::size_t> shown = shown_numbers(result);
   for (std::size_t n : shown) {
-    table.labels.push_back(component_label(result.exercise.result_kind, n));
+    const std::string label = component_label(result.exercise.result_kind, n);
+    if (!label.empty()) table.labels.push_back(label);
     std::vector<std::string> row = {number_text(result.expected.numbers[n], result.digits)};
     if (result.actual) row.push_back(number_text(result.actual->numbers[n], result.digits));
     if (result.difference) row.push_back(number_text(result.difference->difference.numbers[n], difference_digits));
@@ -219,10 +220,11 @@ std::vector<std::string> component_lines(const Result& result) {
 /// The columns [first_col, first_col + 3): expected, yours and difference as blocks.
 std::vector<std::string> matrix_lines(const Result& result, std::size_t first_col) {
   const NumberTest differs = [&](std::size_t number) { return result.differs(number); };
+  const NumberTest nothing_differs = [](std::size_t) { return false; };
   const auto block = [&](const char* title, const Value& value, int digits, const NumberTest& is_marked) {
-    return Block{title, table_lines(matrix_table(value, first_col, digits, is_marked))};
+    return Block{std::string(indent, ' ') + title, table_lines(matrix_table(value, first_col, digits, is_marked))};
   };
-  std::vector<Block> blocks = {block("expected", result.expected, result.digits, {})};
+  std::vector<Block> blocks = {block("expected", result.expected, result.digits, nothing_differs)};
   if (result.actual) blocks.push_back(block("yours", *result.actual, result.digits, differs));
   if (result.difference)
     blocks.push_back(block("difference", result.difference->difference, difference_digits, differs));
@@ -292,15 +294,6 @@ std::vector<Deviation> telling_deviations(std::vector<Deviation> all) {
   return all;
 }
 
-double largest_relative_size(const std::vector<Deviation>& beyond, const Value& actual) {
-  if (!is_finite(actual)) return std::numeric_limits<double>::infinity();
-  double largest = 0.0;
-  for (const Deviation& deviation : beyond) {
-    largest = std::max(largest, deviation.relative_size());
-  }
-  return largest;
-}
-
 std::vector<std::string> result_section(const ExerciseReference& exercise, const FirstFailure& failure) {
   const Case& one = exercise.cases.at(failure.case_index);
   Result result{exercise, one.expected, failure.actual, std::nullopt};
@@ -328,10 +321,10 @@ std::vector<std::string> result_section(const ExerciseReference& exercise, const
     lines.push_back("");
     append(lines, whole_deviation_lines(without_rounding_errors(deviation)));
   }
-  // How much the equations of eigenvectors are off says little about the vectors.
-  if (exercise.comparison != Comparison::eigenvectors) {
+  // How much an equation or a sum is off says little about the size of the error.
+  if (!telling.empty() && telling.front().is_entrywise) {
     lines.push_back("");
-    append(lines, wrapped(sentences::error_size(largest_relative_size(telling, *failure.actual), one.tolerance), 0));
+    append(lines, wrapped(sentences::error_size(telling.front().relative_size(), one.tolerance), 0));
   }
   return lines;
 }

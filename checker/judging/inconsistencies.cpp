@@ -102,14 +102,9 @@ void check_misconceptions(const ExerciseReference& exercise, Sentences& found) {
     if (has_twin) continue;
 
     const Judgement judgement = judge_values(exercise, one->outputs);
-    const bool is_named = judgement.diagnoses.size() == 1 && judgement.diagnoses.front().message == one->message;
-    if (judgement.passed()) {
-      found.push_back(fmt::format("The misconception {} passes.", one->name));
-    } else if (!is_named) {
-      found.push_back(
-          fmt::format("The misconception {} is not named when a student has it: {}", one->name,
-                      judgement.diagnoses.empty() ? judgement.message : judgement.diagnoses.front().message));
-    }
+    if (judgement.diagnoses.size() == 1 && judgement.diagnoses.front().message == one->message) continue;
+    found.push_back(fmt::format("The misconception {} is not named when a student has it: {}", one->name,
+                                judgement.diagnoses.empty() ? judgement.message : judgement.diagnoses.front().message));
   }
 }
 
@@ -141,12 +136,8 @@ void check_terms(const ExerciseReference& exercise, Sentences& found) {
 void check_routes(const ExerciseReference& exercise, Sentences& found) {
   for (const Route& route : exercise.routes) {
     const Judgement judgement = judge_values(exercise, route.outputs);
-    if (!judgement.passed()) {
-      found.push_back(fmt::format("The route “{}” does not pass: {}", route.name, judgement.message));
-    } else if (!judgement.diagnoses.empty()) {
-      found.push_back(
-          fmt::format("The route “{}” passes but is accused: {}", route.name, judgement.diagnoses.front().message));
-    }
+    if (judgement.passed()) continue;
+    found.push_back(fmt::format("The route “{}” does not pass: {}", route.name, judgement.message));
   }
 }
 

@@ -16,6 +16,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double coefficient_tolerance = 1e-6;
+constexpr double clear_margin = 10.0;        // times the tolerance
 constexpr Eigen::Index spare_equations = 3;  // an exact fit of so many more equations than terms is no accident
 
 /// Columns of length 1, so that large and small terms count alike.
@@ -28,6 +29,12 @@ bool is_exact(const TermEquations& equations, const VectorXd& coefficients) {
     if (!(std::abs(fitted[row] - equations.values[row]) <= equations.tolerance * size)) return false;
   }
   return true;
+}
+
+/// A coefficient is known only as well as its term shows in the result.
+bool is_clearly_off(const TermEquations& equations, Eigen::Index term, double difference) {
+  const double effect = std::abs(difference) * equations.terms.col(term).cwiseAbs().maxCoeff();
+  return std::abs(difference) > coefficient_tolerance && effect > clear_margin * equations.tolerance;
 }
 
 bool is_multiple_of_right_answer(const VectorXd& coefficients, const VectorXd& right) {
@@ -85,7 +92,7 @@ std::optional<Diagnosis> diagnose_terms(const ExerciseReference& exercise, const
   for (std::size_t t = 0; t < exercise.terms.size(); ++t) {
     const auto index = static_cast<Eigen::Index>(t);
     right[index] = exercise.terms[t].coefficient;
-    if (std::abs(coefficients[index] - right[index]) > coefficient_tolerance) {
+    if (is_clearly_off(equations, index, coefficients[index] - right[index])) {
       wrong.push_back({exercise.terms[t].name, coefficients[index], right[index]});
     }
   }

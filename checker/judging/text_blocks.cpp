@@ -37,10 +37,10 @@ std::vector<std::string> column_texts(const Table& table, std::size_t col) {
   for (const auto& row : table.rows) numbers.push_back(row.at(col));
   std::vector<std::string> cells = aligned_on_point(numbers);
   for (std::size_t row = 0; row < cells.size(); ++row) {
-    const bool is_marked = table.is_marked && table.is_marked(row, col);
-    cells[row] = (is_marked ? std::string(differing_mark) + " " : blanks(2)) + cells[row];
+    if (table.is_marked)
+      cells[row] = (table.is_marked(row, col) ? std::string(differing_mark) + " " : blanks(2)) + cells[row];
   }
-  if (!table.headings.empty()) cells.insert(cells.begin(), blanks(2) + table.headings.at(col));
+  if (!table.headings.empty()) cells.insert(cells.begin(), blanks(table.is_marked ? 2 : 0) + table.headings.at(col));
   const std::size_t width = widest(cells);
   for (std::string& cell : cells) cell = padded_right(cell, width);
   return cells;
@@ -52,6 +52,7 @@ std::vector<std::string> table_lines(const Table& table) {
   if (table.rows.empty()) return {};
   const std::size_t heading = table.headings.empty() ? 0 : 1;
   const std::size_t label_width = widest(table.labels);
+  const std::string gap = blanks(table.is_marked ? 1 : 2);  // there is room beside the marks
 
   std::vector<std::string> lines(table.rows.size() + heading);
   for (std::size_t row = 0; row < lines.size(); ++row) {
@@ -61,7 +62,7 @@ std::vector<std::string> table_lines(const Table& table) {
   for (std::size_t col = 0; col < table.rows.front().size(); ++col) {
     const std::vector<std::string> cells = column_texts(table, col);
     const bool is_leftmost = col == 0 && table.labels.empty();
-    for (std::size_t row = 0; row < lines.size(); ++row) lines[row] += (is_leftmost ? "" : " ") + cells[row];
+    for (std::size_t row = 0; row < lines.size(); ++row) lines[row] += (is_leftmost ? "" : gap) + cells[row];
   }
   for (std::size_t row = 0; row < table.endings.size(); ++row) lines[row + heading] += " " + table.endings[row];
   for (std::string& line : lines) line = without_trailing_blanks(line);
@@ -80,7 +81,7 @@ std::vector<std::string> side_by_side(const std::vector<Block>& blocks, std::siz
   };
 
   for (const Block& block : blocks) {
-    std::vector<std::string> lines = {"  " + block.title};  // marks stand left of the numbers, and so of the title
+    std::vector<std::string> lines = {block.title};
     lines.insert(lines.end(), block.lines.begin(), block.lines.end());
     const std::size_t width = widest(lines);
     if (!band.empty() && indent + band_width + gap + width > page_width) finish_band();

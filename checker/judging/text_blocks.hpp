@@ -18,13 +18,13 @@ struct Block {
   std::vector<std::string> lines;
 };
 
-/// Texts in rows and columns; may have marks, which stand in front of the numbers.
+/// Numbers in rows and columns, perhaps with marks in front of them.
 struct Table {
   std::vector<std::string> headings;           ///< one per column of numbers, or none
   std::vector<std::string> labels;             ///< one per row, or none
   std::vector<std::vector<std::string>> rows;  ///< numbers, aligned on the decimal point column by column
   std::vector<std::string> endings;            ///< one per row, or none: units
-  /// True where a number is to be marked; empty if none is.
+  /// True where a number is to be marked; without it there is no room for marks.
   std::function<bool(std::size_t row, std::size_t col)> is_marked;
 };
 

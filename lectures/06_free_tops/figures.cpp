@@ -329,7 +329,7 @@ void draw_slip(const std::filesystem::path& directory) {
     label(gnuplot, "as printed on the slides", {0.32, 0.72}, fmt::format("left tc rgb '{}'", colors::vermilion));
     label(gnuplot, "Euler's equations, integrated", {0.32, -0.71}, fmt::format("left tc rgb '{}'", colors::blue));
     label(gnuplot, "○ formula with sgn(Ω_1)", {0.32, -0.84}, "left");
-    gnuplot << fmt::format("plot '-' with lines lw 2.5 dt (9,5) lc rgb '{}', '-' with lines lw 3 lc rgb '{}', '-' with points pt 6 ps 1.3 lw 1.5 lc rgb '{}'\n",
+    gnuplot << fmt::format("plot '-' with lines lw 2.5 dt (9,5) lc rgb '{}', '-' with lines lw 3 lc rgb '{}', '-' with points pt 6 ps 0.9 lw 1.5 lc rgb '{}'\n",
                            colors::vermilion, colors::blue, colors::black);
     gnuplot.send1d(slides);
     gnuplot.send1d(exact);

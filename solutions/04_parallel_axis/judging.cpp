@@ -80,10 +80,10 @@ Matrix3d from_quadratic_form(const QuadraticForm& form) {
 
 template <class Exercise>
 void add_properties(Exercise& exercise) {
-  exercise.property(PropertyKind::symmetric, "An inertia tensor is symmetric: I_xy = I_yx.", "inertia_tensor_dyad");
+  exercise.property(PropertyKind::symmetric, "An inertia tensor is symmetric: I_xy = I_yx.", "parallel_axis_theorem");
   exercise.property(PropertyKind::positive_semidefinite,
                     "An inertia tensor has no negative eigenvalue: no rotation has negative energy.",
-                    "inertia_tensor_energy");
+                    "parallel_axis_theorem");
 }
 
 void describe_inertia_from_center_of_mass(Lecture& lecture) {

@@ -20,8 +20,9 @@ void advance(const Vector3d& I, State& state, double from, double to) {
   using namespace boost::numeric::odeint;
   if (from == to) return;
   const auto system = [&I](const State& omega, State& omega_rate, double) {
-    const Vector3d rate = euler_equations(I, as_vector(omega), Vector3d::Zero());
-    omega_rate = {rate[0], rate[1], rate[2]};
+    omega_rate = {omega[1] * omega[2] * (I[1] - I[2]) / I[0],
+                  omega[2] * omega[0] * (I[2] - I[0]) / I[1],
+                  omega[0] * omega[1] * (I[0] - I[1]) / I[2]};
   };
   // The tightest tolerance that double precision honours; it is relative to ω as long as ω is not tiny.
   const auto stepper = make_controlled(1e-14, 1e-14, runge_kutta_fehlberg78<State>());

@@ -203,6 +203,23 @@ TEST_CASE("Terms that depend on each other accuse nobody") {
   CHECK_FALSE(diagnose_terms(exercise, answers).has_value());
 }
 
+TEST_CASE("A term too small to show accuses nobody of rounding errors in it") {
+  ExerciseReference exercise = momentum_with_terms();
+  const Function small = [](const Inputs& inputs) {
+    return vector({3e-8 * std::sin(40 * inputs[1].numbers[1]), 0, 0});
+  };
+  add_term(exercise, "small", 0, small);
+  const auto with_small = [&](double of_v, double of_small) {
+    std::vector<Value> values = outputs(exercise, momentum_with(1, of_v));
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      values[i].numbers[0] += of_small * exercise.terms[2].outputs[i].numbers[0];
+    }
+    return only_message(exercise, values);
+  };
+  CHECK(with_small(1, 1e-3) == "The term m v enters with 1, expected 2.");
+  CHECK(with_small(1, 10) == "The term m v enters with 1, expected 2, and the term small enters with 10, expected 0.");
+}
+
 TEST_CASE("Too few numbers to fit the terms accuse nobody") {
   ExerciseReference exercise = momentum_with_terms();
   const Answers answers = all_answers(outputs(exercise, momentum_with(1, 1)));

@@ -81,7 +81,8 @@ TEST_CASE("Numbers that JSON cannot hold become null, and null becomes NaN") {
 TEST_CASE("JSON of the wrong type or shape is refused, and the reason says what was found") {
   for (const Refused& one : refused) {
     CAPTURE(one.json);
-    CHECK_THROWS_WITH_AS(value_from_json(nlohmann::json::parse(one.json), one.kind), one.reason.c_str(), std::invalid_argument);
+    CHECK_THROWS_WITH_AS(value_from_json(nlohmann::json::parse(one.json), one.kind), one.reason.c_str(),
+                         std::invalid_argument);
   }
 }
 

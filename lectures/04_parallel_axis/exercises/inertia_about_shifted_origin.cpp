@@ -1,5 +1,5 @@
-// The inertia tensor after every position has become r' = r + R. The old origin need not be the centre of mass,
-// which sits at r_cm as seen from there. Mind which way R points: the new origin is at -R.
+// The inertia tensor after every position has become r' = r + R. The old origin need not be the centre of mass, which
+// sits at r_cm as seen from there. Mind which way R points: the new origin is at -R.
 #include <rigid/parallel_axis.hpp>
 
 namespace rigid {

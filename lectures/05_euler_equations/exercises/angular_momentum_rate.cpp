@@ -1,5 +1,5 @@
-// The rate of change of the angular momentum as seen from the inertial frame, on the axes of the body,
-// when the components of omega change at the rates omega_rate.
+// The rate of change of the angular momentum as seen from the inertial frame, on the axes of the body, when the
+// components of omega change at the rates omega_rate.
 #include <rigid/euler_equations.hpp>
 
 namespace rigid {

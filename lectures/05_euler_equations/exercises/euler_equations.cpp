@@ -1,5 +1,5 @@
-// Euler's equations: the rates of change of the components of omega on the principal axes, from the principal
-// moments I and the torque on the same axes.
+// Euler's equations: the rates of change of the components of omega on the principal axes, from the principal moments
+// I and the torque on the same axes.
 #include <rigid/euler_equations.hpp>
 
 namespace rigid {

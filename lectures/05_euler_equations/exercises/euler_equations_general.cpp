@@ -1,5 +1,5 @@
-// Euler's equations on any axes fixed in the body: the angular acceleration from the whole inertia tensor I.
-// The products of inertia need not vanish, so it takes more than a division component by component.
+// Euler's equations on any axes fixed in the body: the angular acceleration from the whole inertia tensor I. The
+// products of inertia need not vanish, so it takes more than a division component by component.
 #include <rigid/euler_equations.hpp>
 
 namespace rigid {

@@ -1,4 +1,5 @@
-// The rates Ω1 and Ω2 of the slides, with their signs, for a small wobble about axis 3. The moments come in any order.
+// The rates Ω1 and Ω2 of the slides, with their signs, for a small wobble about axis 3. The moments come in any
+// order.
 #include <rigid/free_tops.hpp>
 
 namespace rigid {

@@ -1,5 +1,5 @@
-// Euler angles (φ, θ, ψ), θ in [0, π], of the attitude with V_body = R V_inertial.
-// Where θ is 0 or π there is more than one right answer: any that gives R back will do.
+// Euler angles (φ, θ, ψ), θ in [0, π], of the attitude with V_body = R V_inertial. Where θ is 0 or π there is
+// more than one right answer: any that gives R back will do.
 #include <rigid/euler_angles.hpp>
 
 namespace rigid {
