@@ -1,5 +1,6 @@
 /// @file
-/// Contract of lecture 06: bodies that turn free of torque, the symmetric top, the asymmetric top and its unstable axis.
+/// Contract of lecture 06: bodies that turn free of torque, the symmetric top, the asymmetric top and its unstable
+/// axis.
 #pragma once
 
 #include "rigid/vocabulary.hpp"
@@ -112,9 +113,9 @@ int axis_stability(const Vector3d& I, int axis);
 /// \f[ \lambda^2 = \frac{(L^2 - 2TI_1)(I_3 - I_2)}{I_1 I_2 I_3}, \qquad
 ///     m = \frac{(2TI_3 - L^2)(I_2 - I_1)}{(L^2 - 2TI_1)(I_3 - I_2)} \f]
 ///
-/// and for \f$L^2 < 2TI_2\f$ (it circles axis 1) the same with the subscripts 1 and 3 exchanged. For a spin about axis 1
-/// or 3 alone the formula gives the period of an infinitely small wobble. Between the two kinds of motion,
-/// at \f$L^2 = 2TI_2\f$, there is no period.
+/// and for \f$L^2 < 2TI_2\f$ (it circles axis 1) the same with the subscripts 1 and 3 exchanged. For a spin about axis
+/// 1 or 3 alone the formula gives the period of an infinitely small wobble. Between the two kinds of motion, at \f$L^2
+/// = 2TI_2\f$, there is no period.
 ///
 /// @param I       principal moments, \f$I_1 \le I_2 \le I_3\f$, not all equal, kg m²
 /// @param omega0  angular velocity at any one time, body components, with \f$L^2 \ne 2TI_2\f$, rad/s

@@ -135,7 +135,7 @@ TEST_CASE("A cuboid about its corner, by the formula and by cutting it into piec
 //! [cuboid about its corner]
 
 //! [cube]
-TEST_CASE("The cube of the slides: 1/6, 11/12, 11/12") {
+TEST_CASE("V01 The cube of the slides: 1/6, 11/12, 11/12") {
   const Matrix3d I = cuboid_about_corner(1, 1, 1, 1);
 
   const Vector3d moments = principal_moments(I);
@@ -157,6 +157,7 @@ TEST_CASE("The cube of the slides: 1/6, 11/12, 11/12") {
   Printed page("cube");
   page.line("moments / Ma²   = {}", row(moments));
   page.line("1/6, 11/12      = {:.10g}, {:.10g}", 1.0 / 6, 11.0 / 12);
+  Printed("V01").line("V01 | 1/6, 11/12, 11/12 | {} | 1e-13", row(moments, "{:.14f}"));
 }
 //! [cube]
 
@@ -201,7 +202,7 @@ TEST_CASE("The tensor of a turned body has products of inertia that its own axes
 //! [turned body]
 
 //! [space station]
-TEST_CASE("A space station of six modules: real data, awkward axes") {
+TEST_CASE("V11 A space station of six modules: real data, awkward axes") {
   // Six modules as points, from the space-dynamics workbook's example 10 (masses in units of a module's mass).
   const VectorXd m{{3, 4, 7, 5, 4, 3}};
   const Matrix3Xd r{{6, 3, -4, -4, 3, 2}, {-2, 1, 1, -2, 2, -1}, {0, -2, 2, -4, -1, 6}};
@@ -215,11 +216,12 @@ TEST_CASE("A space station of six modules: real data, awkward axes") {
   Printed page("space station");
   page.line("principal moments = {}", row(principal_moments(I), "{:.6f}"));
   page.line("axis of the largest = {}", row(principal_axes(I).col(2).cwiseAbs(), "{:.4f}"));
+  Printed("V11").line("V11 | 293.95245163, 447.74525937, 622.302289 | {} | 1e-8", row(principal_moments(I), "{:.8f}"));
 }
 //! [space station]
 
 //! [validity]
-TEST_CASE("Not every symmetric matrix is an inertia tensor") {
+TEST_CASE("V16 Not every symmetric matrix is an inertia tensor") {
   // Of three moments none may exceed the sum of the other two: I₁ + I₂ − I₃ = 2 Σ m z² ≥ 0.
   const auto belongs_to_a_body = [](const Matrix3d& I) {
     const Vector3d moments = principal_moments(I);
@@ -240,5 +242,7 @@ TEST_CASE("Not every symmetric matrix is an inertia tensor") {
   Printed page("validity");
   const Vector3d moments = principal_moments(first);
   page.line("moments {}: {:.4f} + {:.4f} < {:.4f}", row(moments, "{:.4f}"), moments[0], moments[1], moments[2]);
+  Printed("V16").line("V16 | 0.868629, 2, 3.131371, invalid | {}, {} | 1e-6", row(moments, "{:.6f}"),
+                      belongs_to_a_body(first) ? "valid" : "invalid");
 }
 //! [validity]

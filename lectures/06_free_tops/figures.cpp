@@ -3,8 +3,8 @@
 
 #include <rigid/free_tops.hpp>
 
-#include <boost/numeric/odeint.hpp>
 #include <fmt/format.h>
+#include <boost/numeric/odeint.hpp>
 
 #include <algorithm>
 #include <array>
@@ -33,7 +33,8 @@ const Point pen_up(std::numeric_limits<double>::quiet_NaN(), std::numeric_limits
 
 const Vector3d flat_body(1, 2, 3);
 
-// ---- motion ------------------------------------------------------------------------------------------------------------
+// ---- motion
+// ------------------------------------------------------------------------------------------------------------
 
 struct Motion {
   double t;
@@ -43,7 +44,7 @@ struct Motion {
 
 /// Euler's equations and dA/dt = A [ω]× integrated from A = 1, at `count` equally spaced times.
 std::vector<Motion> integrated(const Vector3d& I, const Vector3d& omega0, double duration, int count) {
-  using State = std::array<double, 12>;
+  using State = std::vector<double>;
   State state{omega0[0], omega0[1], omega0[2], 1, 0, 0, 0, 1, 0, 0, 0, 1};
   const auto system = [&I](const State& now, State& rate, double) {
     const Vector3d omega(now[0], now[1], now[2]);
@@ -51,7 +52,7 @@ std::vector<Motion> integrated(const Vector3d& I, const Vector3d& omega0, double
     std::copy(omega_rate.begin(), omega_rate.end(), rate.begin());
     for (std::size_t i = 3; i < 12; i += 3) {
       const Vector3d turned = Vector3d(now[i], now[i + 1], now[i + 2]).cross(omega);
-      std::copy(turned.begin(), turned.end(), rate.begin() + static_cast<std::ptrdiff_t>(i));
+      std::copy(turned.begin(), turned.end(), &rate[i]);
     }
   };
   std::vector<Motion> motion;
@@ -61,7 +62,8 @@ std::vector<Motion> integrated(const Vector3d& I, const Vector3d& omega0, double
   };
   namespace odeint = boost::numeric::odeint;
   const auto stepper = odeint::make_controlled(1e-15, 1e-13, odeint::runge_kutta_fehlberg78<State>());
-  odeint::integrate_n_steps(stepper, system, state, 0.0, duration / (count - 1), static_cast<std::size_t>(count - 1), observer);
+  odeint::integrate_n_steps(stepper, system, state, 0.0, duration / (count - 1), static_cast<std::size_t>(count - 1),
+                            observer);
   return motion;
 }
 
@@ -71,7 +73,8 @@ Curve component(const std::vector<Motion>& motion, int index, double factor = 1)
   return curve;
 }
 
-// ---- drawing in space ----------------------------------------------------------------------------------------------------
+// ---- drawing in space
+// ----------------------------------------------------------------------------------------------------
 
 /// A parallel view from the direction `towards`, in which `vertical` points up as far as it can.
 class View {
@@ -93,7 +96,8 @@ constexpr const char* no_axes =
     "set size ratio -1\n";
 
 void arrow(Gnuplot& gnuplot, Point from, Point to, const std::string& style) {
-  gnuplot << fmt::format("set arrow from {:.7g},{:.7g} to {:.7g},{:.7g} {} front\n", from.first, from.second, to.first, to.second, style);
+  gnuplot << fmt::format("set arrow from {:.7g},{:.7g} to {:.7g},{:.7g} {} front\n", from.first, from.second, to.first,
+                         to.second, style);
 }
 
 void label(Gnuplot& gnuplot, const std::string& text, Point at, const std::string& style) {
@@ -118,9 +122,11 @@ Curve hull(Curve points) {
   return chain;
 }
 
-// ---- polhodes ------------------------------------------------------------------------------------------------------------
+// ---- polhodes
+// ------------------------------------------------------------------------------------------------------------
 
-/// The curve on the energy ellipsoid 2T = 1 on which L² = momentum_squared, round the extreme axis (2 or 0) on its side.
+/// The curve on the energy ellipsoid 2T = 1 on which L² = momentum_squared, round the extreme axis (2 or 0) on its
+/// side.
 std::vector<Vector3d> polhode(const Vector3d& I, double momentum_squared, int axis, double side) {
   const int other = 2 - axis;
   const double excess = I[axis] - momentum_squared;  // 2T·I − L² with 2T = 1
@@ -152,7 +158,9 @@ std::vector<Vector3d> separatrix(const Vector3d& I, double side) {
 void draw_polhodes(const std::filesystem::path& directory) {
   const Vector3d I = flat_body;
   const View view({0.95, 1.15, 0.62}, Vector3d::UnitZ());
-  const auto visible = [&](const Vector3d& omega) { return I.cwiseProduct(omega).dot(view.towards()) >= 0; };  // the normal is Iω
+  const auto visible = [&](const Vector3d& omega) {
+    return I.cwiseProduct(omega).dot(view.towards()) >= 0;
+  };  // the normal is Iω
 
   // Every curve in two parts: in front, and behind the ellipsoid.
   const auto split = [&](const std::vector<std::vector<Vector3d>>& curves, bool in_front) {
@@ -187,7 +195,8 @@ void draw_polhodes(const std::filesystem::path& directory) {
     gnuplot << no_axes << "set xrange [-1.25:1.12]; set yrange [-0.84:0.98]\n";
     // The three axes stick out of the surface.
     const std::array<double, 3> reach = {1.32, 1.75, 1.6};
-    const std::array<const char*, 3> names = {"axis 1\\n(smallest I)", "axis 2\\n(intermediate I)", "axis 3 (largest I)"};
+    const std::array<const char*, 3> names = {"axis 1\\n(smallest I)", "axis 2\\n(intermediate I)",
+                                              "axis 3 (largest I)"};
     const std::array<Point, 3> shift = {Point(0.06, -0.07), Point(0.02, -0.04), Point(0.04, 0.02)};
     const std::array<const char*, 3> align = {"center", "center", "left"};
     for (int i = 0; i < 3; ++i) {
@@ -203,7 +212,8 @@ void draw_polhodes(const std::filesystem::path& directory) {
       const Vector3d omega = curve[index];
       const Vector3d rate = Vector3d(I.cwiseProduct(omega)).cross(omega).cwiseQuotient(I);
       const Vector3d step = 0.03 * rate.normalized();
-      arrow(gnuplot, view(omega - step), view(omega + step), fmt::format("lw 2.5 lc rgb '{}' size 0.045,22 filled", color));
+      arrow(gnuplot, view(omega - step), view(omega + step),
+            fmt::format("lw 2.5 lc rgb '{}' size 0.045,22 filled", color));
     };
     mark(round_third[0], 40, colors::blue);
     mark(round_third[4], 45, colors::blue);
@@ -215,8 +225,10 @@ void draw_polhodes(const std::filesystem::path& directory) {
     }
     gnuplot << fmt::format(
         "plot '-' with filledcurves closed fs solid noborder lc rgb '#F4F4F4', "
-        "'-' with lines lw 1 lc rgb '#C8C8C8', '-' with lines lw 1 lc rgb '#C8C8C8', '-' with lines lw 1 lc rgb '#C8C8C8', "
-        "'-' with lines lw 1.5 lc rgb '#888888', '-' with lines lw 2 lc rgb '{}', '-' with lines lw 2 dt (9,5) lc rgb '{}', "
+        "'-' with lines lw 1 lc rgb '#C8C8C8', '-' with lines lw 1 lc rgb '#C8C8C8', '-' with lines lw 1 lc rgb "
+        "'#C8C8C8', "
+        "'-' with lines lw 1.5 lc rgb '#888888', '-' with lines lw 2 lc rgb '{}', '-' with lines lw 2 dt (9,5) lc rgb "
+        "'{}', "
         "'-' with lines lw 3.5 lc rgb '{}'\n",
         colors::blue, colors::green, colors::vermilion);
     gnuplot.send1d(outline);
@@ -226,7 +238,8 @@ void draw_polhodes(const std::filesystem::path& directory) {
   });
 }
 
-// ---- cones -----------------------------------------------------------------------------------------------------------------
+// ---- cones
+// -----------------------------------------------------------------------------------------------------------------
 
 struct Cone {
   Vector3d axis;
@@ -238,7 +251,8 @@ struct Cone {
     std::vector<Vector3d> points;
     for (int i = 0; i <= 120; ++i) {
       const double angle = 2 * pi * i / 120;
-      points.push_back(slant * (std::cos(half_angle) * axis + std::sin(half_angle) * (std::cos(angle) * p + std::sin(angle) * q)));
+      points.push_back(
+          slant * (std::cos(half_angle) * axis + std::sin(half_angle) * (std::cos(angle) * p + std::sin(angle) * q)));
     }
     return points;
   }
@@ -253,7 +267,8 @@ void draw_cones(const std::filesystem::path& directory) {
     double ratio;    // I₃/I₁
     double opening;  // between ω and the axis
   };
-  const std::array<Top, 2> tops = {Top{"long top, I_3 = I_1 / 2", 0.5, 26 * degree}, Top{"flattened top, I_3 = 1.8 I_1", 1.8, 42 * degree}};
+  const std::array<Top, 2> tops = {Top{"long top, I_3 = I_1 / 2", 0.5, 26 * degree},
+                                   Top{"flattened top, I_3 = 1.8 I_1", 1.8, 42 * degree}};
 
   workbook::draw_figure(directory, "cones", {580, 310}, [&](Gnuplot& gnuplot) {
     gnuplot << "set multiplot\n" << no_axes << "set size ratio -1\n";
@@ -265,12 +280,15 @@ void draw_cones(const std::filesystem::path& directory) {
       const Cone body{axis, top.opening, 1.0};
       const Cone space{Vector3d::UnitZ(), std::abs(tilt - top.opening), 1.0};
       gnuplot << fmt::format("set origin {},0; set size 0.5,1\nunset arrow; unset label\n", k == 0 ? 0 : 0.5);
-      gnuplot << (k == 0 ? "set xrange [-0.68:1.32]; set yrange [-0.25:1.65]\n" : "set xrange [-0.86:1.14]; set yrange [-0.25:1.65]\n");
+      gnuplot << (k == 0 ? "set xrange [-0.68:1.32]; set yrange [-0.25:1.65]\n"
+                         : "set xrange [-0.86:1.14]; set yrange [-0.25:1.65]\n");
       const Point origin = view(Vector3d::Zero());
-      const auto draw_arrow = [&](const Vector3d& direction, double length, const char* name, const char* color, Point shift) {
+      const auto draw_arrow = [&](const Vector3d& direction, double length, const char* name, const char* color,
+                                  Point shift) {
         const Point tip = view(length * direction);
         arrow(gnuplot, origin, tip, fmt::format("lw 2.5 lc rgb '{}' size 0.07,18 filled", color));
-        label(gnuplot, name, {tip.first + shift.first, tip.second + shift.second}, fmt::format("center tc rgb '{}'", color));
+        label(gnuplot, name, {tip.first + shift.first, tip.second + shift.second},
+              fmt::format("center tc rgb '{}'", color));
       };
       draw_arrow(Vector3d::UnitZ(), 1.45, "L (fixed)", colors::black, k == 0 ? Point(-0.12, 0.1) : Point(0.05, 0.1));
       draw_arrow(omega, 1.3, "ω", colors::vermilion, k == 0 ? Point(0.1, 0.04) : Point(-0.08, 0.07));
@@ -294,8 +312,10 @@ void draw_cones(const std::filesystem::path& directory) {
         return points;
       };
       gnuplot << fmt::format(
-          "plot '-' with filledcurves closed fs transparent solid 0.25 noborder lc rgb '{0}', '-' with lines lw 2 lc rgb '{0}', "
-          "'-' with filledcurves closed fs transparent solid 0.45 noborder lc rgb '{1}', '-' with lines lw 2 dt (6,3) lc rgb '{1}', "
+          "plot '-' with filledcurves closed fs transparent solid 0.25 noborder lc rgb '{0}', '-' with lines lw 2 lc "
+          "rgb '{0}', "
+          "'-' with filledcurves closed fs transparent solid 0.45 noborder lc rgb '{1}', '-' with lines lw 2 dt (6,3) "
+          "lc rgb '{1}', "
           "'-' with lines lw 1.5 lc rgb '{0}', '-' with lines lw 1.5 dt (6,3) lc rgb '{1}'\n",
           colors::sky, colors::orange);
       gnuplot.send1d(shadow(body));
@@ -309,7 +329,8 @@ void draw_cones(const std::filesystem::path& directory) {
   });
 }
 
-// ---- curves over time and over shapes ---------------------------------------------------------------------------------------
+// ---- curves over time and over shapes
+// ---------------------------------------------------------------------------------------
 
 void draw_slip(const std::filesystem::path& directory) {
   const Vector3d I(2, 3, 1);
@@ -329,8 +350,10 @@ void draw_slip(const std::filesystem::path& directory) {
     label(gnuplot, "as printed on the slides", {0.32, 0.72}, fmt::format("left tc rgb '{}'", colors::vermilion));
     label(gnuplot, "Euler's equations, integrated", {0.32, -0.71}, fmt::format("left tc rgb '{}'", colors::blue));
     label(gnuplot, "○ formula with sgn(Ω_1)", {0.32, -0.84}, "left");
-    gnuplot << fmt::format("plot '-' with lines lw 2.5 dt (9,5) lc rgb '{}', '-' with lines lw 3 lc rgb '{}', '-' with points pt 6 ps 0.9 lw 1.5 lc rgb '{}'\n",
-                           colors::vermilion, colors::blue, colors::black);
+    gnuplot << fmt::format(
+        "plot '-' with lines lw 2.5 dt (9,5) lc rgb '{}', '-' with lines lw 3 lc rgb '{}', '-' with points pt 6 ps 0.9 "
+        "lw 1.5 lc rgb '{}'\n",
+        colors::vermilion, colors::blue, colors::black);
     gnuplot.send1d(slides);
     gnuplot.send1d(exact);
     gnuplot.send1d(corrected);
@@ -348,15 +371,18 @@ void draw_flip(const std::filesystem::path& directory) {
                "set xrange [0:90]; set yrange [-1.35:1.5]; set ytics 0.5\n";
     const double first = interval / 2;
     for (int i = 0; i < 3; ++i) {
-      gnuplot << fmt::format("set arrow from {0:.4f},-1.35 to {0:.4f},1.5 nohead dt 3 lc rgb '#888888'\n", first + i * interval);
+      gnuplot << fmt::format("set arrow from {0:.4f},-1.35 to {0:.4f},1.5 nohead dt 3 lc rgb '#888888'\n",
+                             first + i * interval);
     }
     arrow(gnuplot, {first, 1.22}, {first + interval, 1.22}, "heads size 1,20 filled lc rgb '#222222'");
     label(gnuplot, fmt::format("{:.2f} s", interval), {first + interval / 2, 1.35}, "center");
     label(gnuplot, "ω_2", {5, 1.12}, fmt::format("center tc rgb '{}'", colors::vermilion));
     label(gnuplot, "ω_1", {first - 2.5, -0.72}, fmt::format("right tc rgb '{}'", colors::green));
     label(gnuplot, "ω_3", {first + 2.5, 0.55}, fmt::format("left tc rgb '{}'", colors::blue));
-    gnuplot << fmt::format("plot '-' with lines lw 3 lc rgb '{}', '-' with lines lw 2.5 dt (3,3) lc rgb '{}', '-' with lines lw 2.5 dt (10,4) lc rgb '{}'\n",
-                           colors::vermilion, colors::green, colors::blue);
+    gnuplot << fmt::format(
+        "plot '-' with lines lw 3 lc rgb '{}', '-' with lines lw 2.5 dt (3,3) lc rgb '{}', '-' with lines lw 2.5 dt "
+        "(10,4) lc rgb '{}'\n",
+        colors::vermilion, colors::green, colors::blue);
     gnuplot.send1d(component(motion, 1));
     gnuplot.send1d(component(motion, 0));
     gnuplot.send1d(component(motion, 2));
@@ -380,8 +406,10 @@ void draw_flip_law(const std::filesystem::path& directory) {
     label(gnuplot, "(1/σ) ln(16/(1−m))", {1.5e-6, 30}, fmt::format("left tc rgb '{}'", colors::vermilion));
     arrow(gnuplot, {2e-5, 32}, {1.3e-4, 33}, fmt::format("size graph 0.02,20 filled lc rgb '{}'", colors::vermilion));
     label(gnuplot, "2π/σ, a guess that is wrong in kind", {1.5e-6, 13.5}, fmt::format("left tc rgb '{}'", "#555555"));
-    gnuplot << fmt::format("plot '-' with lines lw 4 lc rgb '{}', '-' with lines lw 2 dt (6,5) lc rgb '{}', {} with lines lw 2 dt 3 lc rgb '{}'\n",
-                           colors::sky, colors::vermilion, 2 * pi / sigma, colors::grey);
+    gnuplot << fmt::format(
+        "plot '-' with lines lw 4 lc rgb '{}', '-' with lines lw 2 dt (6,5) lc rgb '{}', {} with lines lw 2 dt 3 lc "
+        "rgb '{}'\n",
+        colors::sky, colors::vermilion, 2 * pi / sigma, colors::grey);
     gnuplot.send1d(exact);
     gnuplot.send1d(logarithm);
   });
@@ -398,19 +426,24 @@ void draw_growth_rates(const std::filesystem::path& directory) {
 
   const std::array<double, 5> ratios = {0.1, 0.2, 0.35, 0.5, 0.7};
   const std::array<const char*, 5> dashes = {"solid", "(12,4)", "(6,4)", "(3,3)", "(12,4,3,4)"};
-  const std::array<Point, 5> places = {Point(0.93, 0.6), Point(0.86, 0.6), Point(0.735, 0.49), Point(0.75, 0.3), Point(0.85, 0.13)};
+  const std::array<Point, 5> places = {Point(0.93, 0.6), Point(0.86, 0.6), Point(0.735, 0.49), Point(0.75, 0.3),
+                                       Point(0.85, 0.13)};
   workbook::draw_figure(directory, "growth_rates", {560, 410}, [&](Gnuplot& gnuplot) {
     gnuplot << "unset key\nset xlabel 'I_2 / I_3'; set ylabel 'growth rate σ / |ω_2|'\n"
                "set xrange [0.5:1]; set yrange [0:1.05]\n";
     label(gnuplot, "no body here:\\nI_1 + I_2 < I_3", {0.53, 0.85}, "left tc rgb '#555555'");
-    label(gnuplot, "flat bodies: I_1 + I_2 = I_3", {0.755, 0.775}, fmt::format("left rotate by 23 tc rgb '{}'", colors::vermilion));
+    label(gnuplot, "flat bodies: I_1 + I_2 = I_3", {0.755, 0.775},
+          fmt::format("left rotate by 23 tc rgb '{}'", colors::vermilion));
     label(gnuplot, "I = (1, 2, 3)", {0.655, 0.62}, "right");
-    gnuplot << fmt::format("set label '' at {:.6f},{:.6f} point pt 7 ps 0.9 lc rgb '#000000' front\n", 2.0 / 3, rate(1.0 / 3, 2.0 / 3));
-    std::string plot = fmt::format("plot '-' with filledcurves y1=1.05 fs solid noborder lc rgb '#E8E8E8', '-' with lines lw 3.5 lc rgb '{}'",
-                                   colors::vermilion);
+    gnuplot << fmt::format("set label '' at {:.6f},{:.6f} point pt 7 ps 0.9 lc rgb '#000000' front\n", 2.0 / 3,
+                           rate(1.0 / 3, 2.0 / 3));
+    std::string plot = fmt::format(
+        "plot '-' with filledcurves y1=1.05 fs solid noborder lc rgb '#E8E8E8', '-' with lines lw 3.5 lc rgb '{}'",
+        colors::vermilion);
     for (std::size_t i = 0; i < ratios.size(); ++i) {
       plot += fmt::format(", '-' with lines lw 2.2 dt {} lc rgb '{}'", dashes[i], colors::blue);
-      label(gnuplot, fmt::format("{}{:g}", i < 2 ? "" : "I_1/I_3 = ", ratios[i]), places[i], fmt::format("center tc rgb '{}'", colors::blue));
+      label(gnuplot, fmt::format("{}{:g}", i < 2 ? "" : "I_1/I_3 = ", ratios[i]), places[i],
+            fmt::format("center tc rgb '{}'", colors::blue));
     }
     gnuplot << plot << "\n";
     gnuplot.send1d(flat);
@@ -418,13 +451,15 @@ void draw_growth_rates(const std::filesystem::path& directory) {
     for (const double first : ratios) {
       const double from = std::max(first, 1 - first);
       Curve curve;
-      for (int i = 0; i <= 100; ++i) curve.emplace_back(from + (1 - from) * i / 100, rate(first, from + (1 - from) * i / 100));
+      for (int i = 0; i <= 100; ++i)
+        curve.emplace_back(from + (1 - from) * i / 100, rate(first, from + (1 - from) * i / 100));
       gnuplot.send1d(curve);
     }
   });
 }
 
-// ---- the racket -------------------------------------------------------------------------------------------------------------
+// ---- the racket
+// -------------------------------------------------------------------------------------------------------------
 
 /// A racket in its own axes: the handle along axis 1 (smallest moment), axis 2 across it in the plane of the strings
 /// (intermediate), axis 3 out of the plane (largest).
@@ -432,8 +467,10 @@ struct Racket {
   std::vector<Vector3d> head, handle;
 
   Racket() {
-    for (int i = 0; i <= 40; ++i) head.emplace_back(0.45 + 0.42 * std::cos(2 * pi * i / 40), 0.3 * std::sin(2 * pi * i / 40), 0);
-    for (const auto& [x, y] : {Point(0.04, 0.045), Point(-0.85, 0.045), Point(-0.85, -0.045), Point(0.04, -0.045), Point(0.04, 0.045)}) {
+    for (int i = 0; i <= 40; ++i)
+      head.emplace_back(0.45 + 0.42 * std::cos(2 * pi * i / 40), 0.3 * std::sin(2 * pi * i / 40), 0);
+    for (const auto& [x, y] :
+         {Point(0.04, 0.045), Point(-0.85, 0.045), Point(-0.85, -0.045), Point(0.04, -0.045), Point(0.04, 0.045)}) {
       handle.emplace_back(x, y, 0);
     }
   }
@@ -464,9 +501,10 @@ class RacketPicture {
   }
 
   std::string elements() const {
-    return fmt::format("'-' with filledcurves closed fs solid noborder lc rgb '{}', '-' with lines lw 2.5 lc rgb '#222222', "
-                       "'-' with filledcurves closed fs solid noborder lc rgb '#555555'",
-                       front_ ? colors::sky : colors::orange);
+    return fmt::format(
+        "'-' with filledcurves closed fs solid noborder lc rgb '{}', '-' with lines lw 2.5 lc rgb '#222222', "
+        "'-' with filledcurves closed fs solid noborder lc rgb '#555555'",
+        front_ ? colors::sky : colors::orange);
   }
   void send(Gnuplot& gnuplot) const {
     gnuplot.send1d(head_);
@@ -523,27 +561,32 @@ void animate_racket(const std::filesystem::path& directory) {
   std::filesystem::remove(file);
   {
     Gnuplot gnuplot("gnuplot");
-    gnuplot << "set encoding utf8\nset terminal gif animate delay 8 loop 0 optimize enhanced size 480,440 font 'sans,11' background '#FFFFFF'\n"
+    gnuplot << "set encoding utf8\nset terminal gif animate delay 8 loop 0 optimize enhanced size 480,440 font "
+               "'sans,11' background '#FFFFFF'\n"
             << "set output '" << file.string() << "'\n";
     for (const Motion& now : motion) {
       const RacketPicture picture(flight, now, {0, 0});
       gnuplot << "set multiplot\nunset arrow; unset label\n"
-              << no_axes << "set origin 0,0.3; set size 1,0.7; set size ratio -1\nset xrange [-1.5:1.5]; set yrange [-1.0:1.0]\n";
+              << no_axes
+              << "set origin 0,0.3; set size 1,0.7; set size ratio -1\nset xrange [-1.5:1.5]; set yrange [-1.0:1.0]\n";
       picture.set_arrow(gnuplot);
       arrow(gnuplot, {-0.9, -0.92}, {0.9, -0.92}, "lw 2 lc rgb '#222222' size 0.08,20 filled");
       label(gnuplot, "L", {1.0, -0.92}, "left");
       // The key serves a second purpose: gnuplot takes the colours of all frames from the first one.
       label(gnuplot, "  one face", {-1.45, 0.85}, fmt::format("left point pt 5 ps 2 lc rgb '{}'", colors::sky));
       label(gnuplot, "  the other", {-1.45, 0.7}, fmt::format("left point pt 5 ps 2 lc rgb '{}'", colors::orange));
-      label(gnuplot, "e_2", {picture.tip().first * 1.12, picture.tip().second * 1.12 + 0.04}, fmt::format("center tc rgb '{}'", colors::vermilion));
+      label(gnuplot, "e_2", {picture.tip().first * 1.12, picture.tip().second * 1.12 + 0.04},
+            fmt::format("center tc rgb '{}'", colors::vermilion));
       gnuplot << "plot " << picture.elements() << "\n";
       picture.send(gnuplot);
 
       gnuplot << "unset arrow; unset label\nset origin 0,0; set size 1,0.3; set size noratio\n"
                  "set lmargin 8; set rmargin 2; set tmargin 0.5; set bmargin 3\n"
-                 "set border lc rgb '#444444'; set tics; set ytics -1,1,1; set xtics 5; set xlabel 'time (s)'; set ylabel 'ω_2 (rad/s)'\n"
+                 "set border lc rgb '#444444'; set tics; set ytics -1,1,1; set xtics 5; set xlabel 'time (s)'; set "
+                 "ylabel 'ω_2 (rad/s)'\n"
               << fmt::format("set xrange [0:{:.3f}]; set yrange [-1.25:1.25]\n", duration)
-              << fmt::format("plot '-' with lines lw 2 lc rgb '{0}', '-' with points pt 7 ps 1.6 lc rgb '{0}'\n", colors::vermilion);
+              << fmt::format("plot '-' with lines lw 2 lc rgb '{0}', '-' with points pt 7 ps 1.6 lc rgb '{0}'\n",
+                             colors::vermilion);
       gnuplot.send1d(history);
       gnuplot.send1d(Curve{{now.t, now.omega[1]}});
       gnuplot << "unset multiplot\n";

@@ -34,17 +34,17 @@ struct Motion {
 // The second route of this lecture: Euler's equations (lecture 05) without torque, and dA/dt = A [ω]× beside them,
 // integrated numerically from A = 1. No formula for tops enters here.
 Motion integrated(const Vector3d& I, const Vector3d& omega0, double t) {
-  using State = std::array<double, 12>;  // ω, then the rows of A
+  using State = std::vector<double>;  // ω, then the rows of A
   State state{omega0[0], omega0[1], omega0[2], 1, 0, 0, 0, 1, 0, 0, 0, 1};
   const auto system = [&I](const State& now, State& rate, double) {
     const Vector3d omega(now[0], now[1], now[2]);
     const Vector3d L = I.cwiseProduct(omega);
     const Vector3d omega_rate = L.cross(omega).cwiseQuotient(I);
     std::copy(omega_rate.begin(), omega_rate.end(), rate.begin());
-    for (int i = 3; i < 12; i += 3) {
+    for (std::size_t i = 3; i < 12; i += 3) {
       // A row of A [ω]× is the cross product of the row of A with ω.
-      const Vector3d turned = Vector3d(Eigen::Map<const Vector3d>(&now[i])).cross(omega);
-      std::copy(turned.begin(), turned.end(), rate.begin() + i);
+      const Vector3d turned = Vector3d(now[i], now[i + 1], now[i + 2]).cross(omega);
+      std::copy(turned.begin(), turned.end(), &rate[i]);
     }
   };
   namespace odeint = boost::numeric::odeint;
@@ -59,7 +59,7 @@ struct Top {
   double I1 = 1, I3 = 1.8;
   double amplitude = 0.4, phase = 0.3, omega3 = 2;
   Vector3d I{I1, I1, I3};
-  Vector3d omega0{amplitude * std::cos(phase), amplitude * std::sin(phase), omega3};
+  Vector3d omega0{amplitude * std::cos(phase), amplitude* std::sin(phase), omega3};
 };
 
 // The flat body of this lecture: the third moment is the sum of the other two.
@@ -77,7 +77,8 @@ std::array<double, 2> zero_crossings(const Vector3d& I, const Vector3d& omega0, 
     if (omega[component] != 0 && omega[component] * next[component] < 0) {
       const auto at = [&](double t) { return integrated(I, omega, t).omega[component]; };
       std::uintmax_t rounds = 60;
-      const auto [low, high] = boost::math::tools::toms748_solve(at, 0.0, step, boost::math::tools::eps_tolerance<double>(50), rounds);
+      const auto [low, high] =
+          boost::math::tools::toms748_solve(at, 0.0, step, boost::math::tools::eps_tolerance<double>(50), rounds);
       found[count++] = i * step + (low + high) / 2;
     }
     omega = next;
@@ -125,7 +126,10 @@ TEST_CASE("The wobble carries energy and momentum, and the body sees L turn with
     const Vector3d omega = symmetric_top(top.I1, top.I3, top.omega0, t);
     const Vector3d L = top.I.cwiseProduct(omega);
     const double angle = rate * t + top.phase;
-    CHECK(agrees(L, Vector3d(top.I1 * top.amplitude * std::cos(angle), top.I1 * top.amplitude * std::sin(angle), top.I3 * top.omega3), 1e-14));
+    CHECK(agrees(L,
+                 Vector3d(top.I1 * top.amplitude * std::cos(angle), top.I1 * top.amplitude * std::sin(angle),
+                          top.I3 * top.omega3),
+                 1e-14));
     CHECK(agrees(0.5 * L.dot(omega), T, 1e-14));
     // The components of L change, its length does not; and on axes at rest even the components stay.
     CHECK(agrees(L.norm(), top.I.cwiseProduct(top.omega0).norm(), 1e-14));
@@ -135,7 +139,8 @@ TEST_CASE("The wobble carries energy and momentum, and the body sees L turn with
   Printed page("energy and momentum");
   page.line("T = ½ I₁A² + ½ I₃ω₃² = {:.4g} + {:.4g} = {:.6g} J", 0.5 * top.I1 * 0.16, 0.5 * top.I3 * 4, T);
   page.line("L in the body at 0 s:   {} kg m²/s", row(top.I.cwiseProduct(top.omega0), "{:.6f}"));
-  page.line("L in the body at 0.7 s: {} kg m²/s", row(top.I.cwiseProduct(symmetric_top(1, 1.8, top.omega0, 0.7)), "{:.6f}"));
+  page.line("L in the body at 0.7 s: {} kg m²/s",
+            row(top.I.cwiseProduct(symmetric_top(1, 1.8, top.omega0, 0.7)), "{:.6f}"));
   page.line("|L| at both:            {:.9f} kg m²/s", top.I.cwiseProduct(top.omega0).norm());
 }
 //! [energy and momentum]
@@ -160,15 +165,16 @@ TEST_CASE("In the inertial frame the axis runs round L at the rate L/I₁, and t
   const double angle = std::atan2(L.normalized().dot(across_at_start.cross(across)), across_at_start.dot(across));
   CHECK(agrees(angle, precession * t, 1e-11));
 
-  const double tilt = std::acos(L.normalized()[2]);                   // between L and the axis
-  const double opening = std::acos(top.omega0.normalized()[2]);       // between ω and the axis
+  const double tilt = std::acos(L.normalized()[2]);              // between L and the axis
+  const double opening = std::acos(top.omega0.normalized()[2]);  // between ω and the axis
   CHECK(agrees(tilt / degree, 6.340191746, 1e-9));
   CHECK(agrees(opening / degree, 11.309932474, 1e-9));
 
   Printed page("two rates");
   page.line("about L:          L/I₁ = {:.9f} rad/s", precession);
   page.line("about its axis:   −Ω   = {:.9f} rad/s", own_spin);
-  page.line("angle L, axis = {:.4f}°; angle ω, axis = {:.4f}°; angle ω, L = {:.4f}°", tilt / degree, opening / degree, (opening - tilt) / degree);
+  page.line("angle L, axis = {:.4f}°; angle ω, axis = {:.4f}°; angle ω, L = {:.4f}°", tilt / degree, opening / degree,
+            (opening - tilt) / degree);
 }
 //! [two rates]
 
@@ -195,7 +201,8 @@ TEST_CASE("The body cone rolls on the space cone without slipping") {
   CHECK(agrees(arc_body, arc_space, 1e-14));
 
   Printed page("rolling");
-  page.line("rim of the body cone:  radius {:.6f}, swept at {:.6f} rad/s: {:.6f} per second", radius_body, 1.6, arc_body);
+  page.line("rim of the body cone:  radius {:.6f}, swept at {:.6f} rad/s: {:.6f} per second", radius_body, 1.6,
+            arc_body);
   page.line("rim of the space cone: radius {:.6f}, swept at {:.6f} rad/s: {:.6f} per second", radius_space,
             space_precession_rate(top.I1, top.I3, top.omega0), arc_space);
 }
@@ -213,7 +220,8 @@ TEST_CASE("The attitude of a symmetric top in one line") {
 
   const Matrix3d by_integration = integrated(top.I, top.omega0, t).A;
   CHECK(agrees(A, by_integration, 1e-12));
-  CHECK(agrees(A * symmetric_top(top.I1, top.I3, top.omega0, t), by_integration * integrated(top.I, top.omega0, t).omega, 1e-12));
+  CHECK(agrees(A * symmetric_top(top.I1, top.I3, top.omega0, t),
+               by_integration * integrated(top.I, top.omega0, t).omega, 1e-12));
 
   Printed page("attitude in one line");
   page.line("A(4 s) in one line =");
@@ -235,9 +243,9 @@ TEST_CASE("From plate to needle: what shapes allow") {
     CHECK(std::abs(rate) <= 1);  // ω never runs round the axis faster than the body spins
     page.line("{:6.3f}  {:8.5f}  {:8.5f}", height, I3 / I1, rate == 0 ? 0.0 : rate);
   }
-  CHECK(agrees(body_precession_rate(0.25, 0.5, 1.0), 1));                         // the plate
-  CHECK(agrees(body_precession_rate(0.5, 0.5, 1.0), 0, 1e-14, 1));                // as round as a sphere: h = √3 r
-  CHECK(agrees(body_precession_rate(1e6 / 12 + 0.25, 0.5, 1.0), -1, 1e-5));       // the needle
+  CHECK(agrees(body_precession_rate(0.25, 0.5, 1.0), 1));                    // the plate
+  CHECK(agrees(body_precession_rate(0.5, 0.5, 1.0), 0, 1e-14, 1));           // as round as a sphere: h = √3 r
+  CHECK(agrees(body_precession_rate(1e6 / 12 + 0.25, 0.5, 1.0), -1, 1e-5));  // the needle
 }
 //! [shapes]
 
@@ -278,7 +286,8 @@ TEST_CASE("V35 Thrown plate: it wobbles nearly twice as fast as it spins") {
   CHECK(agrees(ratio(1e-8), 2, 1e-14));
 
   Printed page("thrown plate");
-  for (const double tilt : {1.0, 5.0, 10.0, 20.0}) page.line("tilt {:4.0f}°: wobble / spin = {:.5f}", tilt, ratio(tilt * degree));
+  for (const double tilt : {1.0, 5.0, 10.0, 20.0})
+    page.line("tilt {:4.0f}°: wobble / spin = {:.5f}", tilt, ratio(tilt * degree));
   Printed table("V35");
   table.line("V35 | 1.97007 | {:.5f} | 1e-5", ratio(10 * degree));
 }
@@ -288,8 +297,8 @@ TEST_CASE("V35 Thrown plate: it wobbles nearly twice as fast as it spins") {
 TEST_CASE("V36 Earth: Euler's ten months") {
   // The precession of the equinoxes gives H = (I₃ − I₁)/I₃ = 0.0032737949. Once round in the body takes 2π/Ω.
   const double H = 0.0032737949;
-  const double I3 = 1, I1 = 1 - H;             // only the ratio matters
-  const double omega3 = 2 * pi;                // one turn per sidereal day
+  const double I3 = 1, I1 = 1 - H;  // only the ratio matters
+  const double omega3 = 2 * pi;     // one turn per sidereal day
   const double sidereal_days = 2 * pi / body_precession_rate(I1, I3, omega3);
   const double solar_days = sidereal_days * 86164.0905 / 86400;
 
@@ -308,7 +317,8 @@ TEST_CASE("V36 Earth: Euler's ten months") {
 }
 //! [Earth]
 
-// ---- the asymmetric top near an axis ---------------------------------------------------------------------------------
+// ---- the asymmetric top near an axis
+// ---------------------------------------------------------------------------------
 
 //! [two linear rates]
 TEST_CASE("Near axis 3, Euler's first two equations become linear") {
@@ -368,12 +378,11 @@ TEST_CASE("A small wobble with a phase: the exercise's numbers, twice") {
 
   // The linear equations themselves, integrated from the wobble's own start.
   const Vector2d rates = linearized_rates(I, 5);
-  std::array<double, 2> state{linearized_top(I, 5, 0.01, 0.3, 0)[0], linearized_top(I, 5, 0.01, 0.3, 0)[1]};
-  const auto system = [&](const std::array<double, 2>& now, std::array<double, 2>& rate, double) {
-    rate = {-rates[0] * now[1], rates[1] * now[0]};
-  };
+  using State = std::vector<double>;
+  State state{linearized_top(I, 5, 0.01, 0.3, 0)[0], linearized_top(I, 5, 0.01, 0.3, 0)[1]};
+  const auto system = [&](const State& now, State& rate, double) { rate = {-rates[0] * now[1], rates[1] * now[0]}; };
   namespace odeint = boost::numeric::odeint;
-  odeint::integrate_adaptive(odeint::make_controlled(1e-17, 1e-14, odeint::runge_kutta_fehlberg78<std::array<double, 2>>()), system,
+  odeint::integrate_adaptive(odeint::make_controlled(1e-17, 1e-14, odeint::runge_kutta_fehlberg78<State>()), system,
                              state, 0.0, 0.2, 0.01);
   CHECK(agrees(omega, Vector2d(state[0], state[1]), 1e-12));
   CHECK(agrees(linearized_top(I, 5, 0.01, 0.3, 0)[0], 0.01 * std::cos(0.3), 1e-14));
@@ -430,7 +439,8 @@ TEST_CASE("Stable about the largest and the smallest moment, unstable about the 
 
     CHECK(axis_stability(I, axis) == (rates.prod() > 0 ? 1 : -1));
     CHECK((axis_stability(I, axis) == 1) == (strayed < 1e-5));
-    page.line("{:4}  {:6}  {:9.5f}  {:9.5f}  {:9.5f}  {:+d}", axis, I[axis], rates[0], rates[1], rates.prod(), axis_stability(I, axis));
+    page.line("{:4}  {:6}  {:9.5f}  {:9.5f}  {:9.5f}  {:+d}", axis, I[axis], rates[0], rates[1], rates.prod(),
+              axis_stability(I, axis));
   }
   CHECK(axis_stability(I, 0) == -1);
   CHECK(axis_stability(I, 1) == 1);
@@ -496,7 +506,8 @@ TEST_CASE("About the intermediate axis a disturbance grows as exp(σt)") {
   Printed page("growth");
   page.line("σ by the formula:   {:.7f} /s", sigma);
   page.line("σ by integration:   {:.5f} /s", by_integration);
-  page.line("in one turn, 2π/ω₂ = {:.4f} s, a disturbance grows {:.1f} times", 2 * pi / omega2, std::exp(sigma * 2 * pi / omega2));
+  page.line("in one turn, 2π/ω₂ = {:.4f} s, a disturbance grows {:.1f} times", 2 * pi / omega2,
+            std::exp(sigma * 2 * pi / omega2));
 }
 //! [growth]
 
@@ -514,11 +525,13 @@ TEST_CASE("Of all bodies with the same I₂/I₃ the flat one is the most unstab
   CHECK(agrees(growth_rate({1, 2, 2}, 1), 0, 1e-14, 1));
 
   Printed page("fastest growth");
-  for (const double x : {0.55, 0.7, 0.9, 0.99}) page.line("I₂/I₃ = {:.2f}: σ/ω₂ at most {:.5f}", x, growth_rate({1 - x, x, 1}, 1));
+  for (const double x : {0.55, 0.7, 0.9, 0.99})
+    page.line("I₂/I₃ = {:.2f}: σ/ω₂ at most {:.5f}", x, growth_rate({1 - x, x, 1}, 1));
 }
 //! [fastest growth]
 
-// ---- the asymmetric top at any amplitude -----------------------------------------------------------------------------
+// ---- the asymmetric top at any amplitude
+// -----------------------------------------------------------------------------
 
 //! [two kinds of motion]
 TEST_CASE("ω circles axis 3 or axis 1, and L² against 2T·I₂ decides which") {
@@ -543,8 +556,8 @@ TEST_CASE("ω circles axis 3 or axis 1, and L² against 2T·I₂ decides which")
     CHECK(changes[circled] == 0);
     CHECK(changes[1] == 2);
     CHECK(changes[2 - circled] == 2);
-    page.line("ω(0) = {}: L² − 2T·I₂ = {:+.4g}, so ω circles axis {}; changes of sign: {}, {}, {}", row(omega0), excess, circled + 1,
-              changes[0], changes[1], changes[2]);
+    page.line("ω(0) = {}: L² − 2T·I₂ = {:+.4g}, so ω circles axis {}; changes of sign: {}, {}, {}", row(omega0), excess,
+              circled + 1, changes[0], changes[1], changes[2]);
   }
 }
 //! [two kinds of motion]
@@ -613,7 +626,8 @@ TEST_CASE("The flip: long rest, quick turn, long rest") {
     CHECK(agrees(second - first, interval, 1e-8));
     // In the middle between them ω has its old size along axis 2, with the opposite sign.
     CHECK(agrees(integrated(flat_body, omega0, interval).omega[1], -1, 1e-7));
-    page.line("ω(0) = {}: the flips follow each other every {:.6f} s; integrated, {:.6f} s", row(omega0), interval, second - first);
+    page.line("ω(0) = {}: the flips follow each other every {:.6f} s; integrated, {:.6f} s", row(omega0), interval,
+              second - first);
   }
   CHECK(agrees(tumbling_period(flat_body, {0, 1, 1e-3}) / 2, 26.828560929, 1e-9));
   CHECK(agrees(tumbling_period(flat_body, {1e-3, 1, 0}) / 2, 28.731424437, 1e-9));
@@ -678,22 +692,25 @@ TEST_CASE("At small amplitude the exact period becomes that of the wobble") {
     // The period differs from its limit only in second order.
     CHECK(std::abs(period / wobble - 1) <= 0.25 * amplitude * amplitude + 1e-14);
   }
-  CHECK(agrees(tumbling_period(flat_body, {0, 0, 2}), wobble, 1e-14));   // exactly at the limit
-  CHECK(agrees(tumbling_period(flat_body, {-2, 0, 0}), 2 * pi / std::sqrt(linearized_rates({2, 3, 1}, -2).prod()), 1e-14));
+  CHECK(agrees(tumbling_period(flat_body, {0, 0, 2}), wobble, 1e-14));  // exactly at the limit
+  CHECK(agrees(tumbling_period(flat_body, {-2, 0, 0}), 2 * pi / std::sqrt(linearized_rates({2, 3, 1}, -2).prod()),
+               1e-14));
   // With two equal moments the elliptic functions are sine and cosine at any amplitude, and the period is 2π/|Ω|.
   CHECK(agrees(tumbling_period({1, 1, 1.8}, {0.4, 0.3, 2}), 2 * pi / body_precession_rate(1, 1.8, 2), 1e-14));
   CHECK(agrees(tumbling_period({0.5, 2, 2}, {2, 0.4, 0.3}), 2 * pi / std::abs(body_precession_rate(2, 0.5, 2)), 1e-14));
 }
 //! [small limit]
 
-// ---- hard arguments ----------------------------------------------------------------------------------------------------
+// ---- hard arguments
+// ----------------------------------------------------------------------------------------------------
 
 //! [sphere]
 TEST_CASE("A sphere has no precession: ω stays where it is, in the body and in space") {
   const Vector3d omega0(0.3, -0.2, 0.5);
   CHECK(body_precession_rate(2, 2, 0.5) == 0);
   CHECK(agrees(symmetric_top(2, 2, omega0, 123.0), omega0, 1e-15));
-  CHECK(agrees(space_precession_rate(2, 2, omega0), omega0.norm(), 1e-15));  // L is along ω: the axis runs round it with ω
+  CHECK(agrees(space_precession_rate(2, 2, omega0), omega0.norm(),
+               1e-15));  // L is along ω: the axis runs round it with ω
   CHECK(agrees(integrated({2, 2, 2}, omega0, 3).omega, omega0, 1e-13));
   for (int axis = 0; axis < 3; ++axis) CHECK(axis_stability({2, 2, 2}, axis) == 0);
 }
