@@ -85,7 +85,7 @@ int status(const Course& course) {
     fmt::print("{}\n", console.wrapped(next->entry->task, 2));
     fmt::print("  file   {}\n", std::filesystem::proximate(course.student_file(*next)).string());
     fmt::print("  notes  {}\n", std::filesystem::proximate(course.notes_page(next->lecture()).value_or(course.notes_file(*next->card))).string());
-    fmt::print("  check  checker check {}\n  hint   checker hint {}\n", next->name(), next->name());
+    fmt::print("  check  ./checker/run check {}\n  hint   ./checker/run hint {}\n", next->name(), next->name());
   }
   print_warning(progress);
   return all_passed;

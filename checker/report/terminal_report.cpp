@@ -71,7 +71,7 @@ std::string first_lines(const std::string& text, std::size_t most, std::size_t m
 }  // namespace
 
 std::string notes_place(const Course& course, const std::string& lecture, const std::string& anchor) {
-  if (const auto page = course.notes_page(lecture)) return page->string() + (anchor.empty() ? "" : "#" + anchor);
+  if (const auto page = course.notes_page(lecture)) return std::filesystem::proximate(*page).string() + (anchor.empty() ? "" : "#" + anchor);
   const std::string source = "lectures/" + lecture + "/notes.md";
   return anchor.empty() ? source : source + ", paragraph " + anchor;
 }
