@@ -18,7 +18,8 @@ namespace rigid {
 ///
 /// @param angles  (φ, θ, ψ), rad, any real numbers: φ about ê₃⁰, then θ about the new ê₂′, then ψ about ê₃
 /// @return        3×3 rotation matrix, from inertial to body components
-/// @par Source  S1 s14–15, s20
+/// @par Source
+/// S1 s14–15, s20
 Matrix3d rotation_matrix(const Vector3d& angles);
 
 /// The inertial components of a vector whose body components are known.
@@ -28,7 +29,8 @@ Matrix3d rotation_matrix(const Vector3d& angles);
 /// @param V_body  components on the body axes, any unit
 /// @param angles  Euler angles (φ, θ, ψ) of the body, rad
 /// @return        components of the same vector on the inertial axes, in the same unit
-/// @par Source  the inverse of S1 s20
+/// @par Source
+/// the inverse of S1 s20
 Vector3d inertial_components(const Vector3d& V_body, const Vector3d& angles);
 
 /// Euler angles of an attitude.
@@ -40,7 +42,8 @@ Vector3d inertial_components(const Vector3d& V_body, const Vector3d& angles);
 ///
 /// @param R  rotation matrix from inertial to body components: \f$V_{body} = R\,V_{inertial}\f$
 /// @return   (φ, θ, ψ), rad, with θ in [0, π]; judged through rotation_matrix(), not angle by angle
-/// @par Source  the inverse of S1 s20; range and singularity are not on the slides
+/// @par Source
+/// the inverse of S1 s20; range and singularity are not on the slides
 Vector3d euler_angles(const Matrix3d& R);
 
 /// The line of nodes ê₂′, the axis of the second turn, in body components.
@@ -49,7 +52,8 @@ Vector3d euler_angles(const Matrix3d& R);
 ///
 /// @param psi  third Euler angle ψ, rad
 /// @return     unit vector, body components
-/// @par Source  S1 s14
+/// @par Source
+/// S1 s14
 Vector3d line_of_nodes(double psi);
 
 /// The inertial vertical ê₃⁰, the axis of the first turn, in body components.
@@ -62,7 +66,8 @@ Vector3d line_of_nodes(double psi);
 /// @param theta  second Euler angle θ, rad
 /// @param psi    third Euler angle ψ, rad
 /// @return       unit vector, body components
-/// @par Source  S1 s15
+/// @par Source
+/// S1 s15
 Vector3d vertical_in_body(double theta, double psi);
 
 /// The angular velocity in body components, from the Euler angles and their rates.
@@ -75,7 +80,8 @@ Vector3d vertical_in_body(double theta, double psi);
 /// @param angles  (φ, θ, ψ), rad; φ does not matter
 /// @param rates   \f$(\dot\phi, \dot\theta, \dot\psi)\f$, rad/s
 /// @return        angular velocity on the body axes, rad/s
-/// @par Source  S1 s13, s16–17
+/// @par Source
+/// S1 s13, s16–17
 Vector3d angular_velocity_body(const Vector3d& angles, const Vector3d& rates);
 
 /// The same angular velocity in inertial components.
@@ -87,7 +93,8 @@ Vector3d angular_velocity_body(const Vector3d& angles, const Vector3d& rates);
 /// @param angles  (φ, θ, ψ), rad; ψ does not matter
 /// @param rates   \f$(\dot\phi, \dot\theta, \dot\psi)\f$, rad/s
 /// @return        angular velocity on the inertial axes, rad/s
-/// @par Source  not on the slides; S1 s13 with each axis written on the inertial triad
+/// @par Source
+/// not on the slides; S1 s13 with each axis written on the inertial triad
 Vector3d angular_velocity_inertial(const Vector3d& angles, const Vector3d& rates);
 
 /// The rates of the Euler angles, from the angular velocity in body components.
@@ -101,7 +108,8 @@ Vector3d angular_velocity_inertial(const Vector3d& angles, const Vector3d& rates
 /// @param angles      (φ, θ, ψ), rad, with sin θ ≠ 0
 /// @param omega_body  angular velocity on the body axes, rad/s
 /// @return            \f$(\dot\phi, \dot\theta, \dot\psi)\f$, rad/s
-/// @par Source  the inverse of S1 s16; not on the slides
+/// @par Source
+/// the inverse of S1 s16; not on the slides
 Vector3d euler_angle_rates(const Vector3d& angles, const Vector3d& omega_body);
 
 }  // namespace rigid

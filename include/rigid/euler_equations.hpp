@@ -15,7 +15,8 @@ namespace rigid {
 /// @param omega   angular velocity, components on the principal axes, rad/s
 /// @param torque  torque about the same point, components on the principal axes, N m
 /// @return        rates of change of the components of omega, rad/s²
-/// @par Source  S0 s19–20, S1 s7–8, S2 s17–18, S3 p~16–17, S4 p~18–19
+/// @par Source
+/// S0 s19–20, S1 s7–8, S2 s17–18, S3 p~16–17, S4 p~18–19
 Vector3d euler_equations(const Vector3d& I, const Vector3d& omega, const Vector3d& torque);
 
 /// Euler's equations on any axes fixed in the body, principal or not.
@@ -26,7 +27,8 @@ Vector3d euler_equations(const Vector3d& I, const Vector3d& omega, const Vector3
 /// @param omega   angular velocity on the same axes, rad/s
 /// @param torque  torque about the same point on the same axes, N m
 /// @return        angular acceleration on the same axes, rad/s²; it is the same vector in the inertial frame
-/// @par Source  the torque equation of S0 s19, S1 s7, S2 s17, S3 p~16, S4 p~18, before the choice of axes
+/// @par Source
+/// the torque equation of S0 s19, S1 s7, S2 s17, S3 p~16, S4 p~18, before the choice of axes
 Vector3d euler_equations_general(const Matrix3d& I, const Vector3d& omega, const Vector3d& torque);
 
 /// The torque that must act on a body for its angular velocity to stay as it is.
@@ -38,7 +40,8 @@ Vector3d euler_equations_general(const Matrix3d& I, const Vector3d& omega, const
 /// @param I      inertia tensor on axes fixed in the body, kg m²
 /// @param omega  angular velocity on the same axes, constant, rad/s
 /// @return       torque on the body, same axes, N m; zero when omega lies along a principal axis
-/// @par Source  S0 s19, S1 s7, S2 s17, S3 p~16, S4 p~18 with \f$\dot\omega = 0\f$
+/// @par Source
+/// S0 s19, S1 s7, S2 s17, S3 p~16, S4 p~18 with \f$\dot\omega = 0\f$
 Vector3d torque_to_hold_rotation(const Matrix3d& I, const Vector3d& omega);
 
 /// The rate of change of the angular momentum in the inertial frame.
@@ -49,7 +52,8 @@ Vector3d torque_to_hold_rotation(const Matrix3d& I, const Vector3d& omega);
 /// @param omega       angular velocity on these axes, rad/s
 /// @param omega_rate  rates of change of the components of omega, rad/s²
 /// @return            the vector dL/dt as seen from the inertial frame, its components taken on the body axes, N m
-/// @par Source  S0 s17–18, S1 s6, S2 s16, S3 p~15, S4 p~17
+/// @par Source
+/// S0 s17–18, S1 s6, S2 s16, S3 p~15, S4 p~17
 Vector3d angular_momentum_rate(const Matrix3d& I, const Vector3d& omega, const Vector3d& omega_rate);
 
 /// What a free rotation conserves: the kinetic energy and the square of the angular momentum.
@@ -59,7 +63,8 @@ Vector3d angular_momentum_rate(const Matrix3d& I, const Vector3d& omega, const V
 /// @param I      principal moments, kg m²
 /// @param omega  angular velocity, components on the principal axes, rad/s
 /// @return       {T in J, L² in (kg m²/s)²}
-/// @par Source  S0 s17, S1 s4 and s6, S2 s16, S3 p~14, S4 p~16
+/// @par Source
+/// S0 s17, S1 s4 and s6, S2 s16, S3 p~14, S4 p~16
 Vector2d rotation_invariants(const Vector3d& I, const Vector3d& omega);
 
 /// The angular velocity of a body on which no torque acts, as time goes by.
@@ -72,7 +77,8 @@ Vector2d rotation_invariants(const Vector3d& I, const Vector3d& omega);
 /// @param omega0  angular velocity at t = 0, components on the principal axes, rad/s
 /// @param times   moments at which it is asked for, s: in any order, negative, zero or repeated, perhaps none
 /// @return        3×n, rad/s: column k holds the components on the principal axes at times[k]
-/// @par Source  S0 s20, S1 s7–8, S2 s18, S3 p~17, S4 p~19
+/// @par Source
+/// S0 s20, S1 s7–8, S2 s18, S3 p~17, S4 p~19
 Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times);
 
 }  // namespace rigid

@@ -15,7 +15,8 @@ namespace rigid {
 ///
 /// @param omega  any vector, here an angular velocity, rad/s
 /// @return       antisymmetric 3×3 matrix on the same axes and in the same unit as omega
-/// @par Source   the ω× of S0 s7–8, S2 s6–7, S3 p~5–6, S4 p~6–7 written as a matrix
+/// @par Source
+/// the ω× of S0 s7–8, S2 s6–7, S3 p~5–6, S4 p~6–7 written as a matrix
 Matrix3d cross_matrix(const Vector3d& omega);
 
 /// Rate of change of a vector in the inertial frame, from its rate in a frame that turns: the transport theorem.
@@ -29,7 +30,8 @@ Matrix3d cross_matrix(const Vector3d& omega);
 /// @param omega      angular velocity of the turning frame, rad/s
 /// @param V          the vector itself, in any unit
 /// @return           rate in the inertial frame, unit of V per s
-/// @par Source       S0 s6, s8; S2 s4, s7; S3 p~3, p~6; S4 p~4, p~7
+/// @par Source
+/// S0 s6, s8; S2 s4, s7; S3 p~3, p~6; S4 p~4, p~7
 Vector3d inertial_rate(const Vector3d& rate_body, const Vector3d& omega, const Vector3d& V);
 
 /// The basis after it has turned for a time dt with constant angular velocity.
@@ -45,7 +47,8 @@ Vector3d inertial_rate(const Vector3d& rate_body, const Vector3d& omega, const V
 /// @param omega  angular velocity in inertial components, constant, rad/s; may vanish
 /// @param dt     time, s; may be negative
 /// @return       3×3 rotation matrix with the turned basis vectors as columns, inertial components
-/// @par Source   S0 s7, S2 s6, S3 p~5, S4 p~6, where the rotation is infinitesimal
+/// @par Source
+/// S0 s7, S2 s6, S3 p~5, S4 p~6, where the rotation is infinitesimal
 Matrix3d rotated_basis(const Matrix3d& E, const Vector3d& omega, double dt);
 
 /// The angular velocity with which a basis turns.
@@ -56,7 +59,8 @@ Matrix3d rotated_basis(const Matrix3d& E, const Vector3d& omega, double dt);
 /// @param E_rate  3×3, the rates \f$\dot{\hat e}_i\f$ as columns, 1/s; they belong to a rotation, so
 ///                \f$\dot E\,E^T\f$ is antisymmetric
 /// @return        angular velocity in inertial components, rad/s
-/// @par Source    the inverse of \f$\dot{\hat e} = \omega\times\hat e\f$: S0 s7, S2 s6, S3 p~5, S4 p~6
+/// @par Source
+/// the inverse of \f$\dot{\hat e} = \omega\times\hat e\f$: S0 s7, S2 s6, S3 p~5, S4 p~6
 Vector3d angular_velocity_of_basis(const Matrix3d& E, const Matrix3d& E_rate);
 
 }  // namespace rigid

@@ -17,7 +17,8 @@ namespace rigid {
 /// @param I3      moment about the symmetry axis, kg m²
 /// @param omega3  body component of the angular velocity along the symmetry axis, rad/s, of either sign
 /// @return        Ω of the slides, rad/s; zero for a sphere
-/// @par Source  S0 s20, S1 s8, S2 s18, S3 p~17, S4 p~19
+/// @par Source
+/// S0 s20, S1 s8, S2 s18, S3 p~17, S4 p~19
 double body_precession_rate(double I1, double I3, double omega3);
 
 /// The angular velocity of a free symmetric top, in body components, at time t.
@@ -32,7 +33,8 @@ double body_precession_rate(double I1, double I3, double omega3);
 /// @param omega0  angular velocity at time 0, body components, rad/s
 /// @param t       time, s; may be negative
 /// @return        angular velocity at time t, body components, rad/s
-/// @par Source  S0 s20–21, S1 s8–9, S2 s18–19, S3 p~17–18, S4 p~19–20
+/// @par Source
+/// S0 s20–21, S1 s8–9, S2 s18–19, S3 p~17–18, S4 p~19–20
 Vector3d symmetric_top(double I1, double I3, const Vector3d& omega0, double t);
 
 /// The rate at which the symmetry axis of a free symmetric top runs round the angular momentum, seen from the inertial
@@ -47,7 +49,8 @@ Vector3d symmetric_top(double I1, double I3, const Vector3d& omega0, double t);
 /// @param I3     moment about the symmetry axis, kg m²
 /// @param omega  angular velocity at any one time, body components, rad/s
 /// @return       rate of precession about the angular momentum, rad/s
-/// @par Source  not on the slides; follows from L of S0 s21, S1 s9, S2 s19
+/// @par Source
+/// not on the slides; follows from L of S0 s21, S1 s9, S2 s19
 double space_precession_rate(double I1, double I3, const Vector3d& omega);
 
 /// The two rates that govern a small wobble of an asymmetric top about axis 3.
@@ -60,7 +63,8 @@ double space_precession_rate(double I1, double I3, const Vector3d& omega);
 /// @param I       principal moments in any order, kg m²
 /// @param omega3  spin about axis 3, rad/s, of either sign
 /// @return        {Ω1, Ω2}, rad/s
-/// @par Source  S0 s22, S1 s10–11, S2 s20–22, S3 p~19–21, S4 p~21–23
+/// @par Source
+/// S0 s22, S1 s10–11, S2 s20–22, S3 p~19–21, S4 p~21–23
 Vector2d linearized_rates(const Vector3d& I, double omega3);
 
 /// The small wobble of an asymmetric top that spins about a stable axis 3.
@@ -77,7 +81,8 @@ Vector2d linearized_rates(const Vector3d& I, double omega3);
 /// @param phase      φ, rad; at time 0 the first component is A cos φ
 /// @param t          time, s; may be negative
 /// @return           the first two body components of the angular velocity at time t, rad/s
-/// @par Source  S1 s11, S2 s22, S3 p~21, S4 p~23, with the sign corrected
+/// @par Source
+/// S1 s11, S2 s22, S3 p~21, S4 p~23, with the sign corrected
 Vector2d linearized_top(const Vector3d& I, double omega3, double amplitude, double phase, double t);
 
 /// The rate at which a small disturbance of a spin about the intermediate axis grows.
@@ -89,7 +94,8 @@ Vector2d linearized_top(const Vector3d& I, double omega3, double amplitude, doub
 /// @param I_ascending  principal moments, \f$I_1 \le I_2 \le I_3\f$, kg m²
 /// @param omega2       spin about the intermediate axis 2, rad/s, of either sign
 /// @return             growth rate, 1/s, never negative; zero if two moments are equal
-/// @par Source  not on the slides; follows from "opposite signs: unstable" of S1 s11, S2 s22, S3 p~21, S4 p~23
+/// @par Source
+/// not on the slides; follows from "opposite signs: unstable" of S1 s11, S2 s22, S3 p~21, S4 p~23
 double growth_rate(const Vector3d& I_ascending, double omega2);
 
 /// Whether a free spin about a principal axis is stable.
@@ -101,14 +107,16 @@ double growth_rate(const Vector3d& I_ascending, double omega2);
 /// @param I     principal moments in any order, kg m²
 /// @param axis  0, 1 or 2: the axis of I[axis]
 /// @return      +1 stable, −1 unstable, 0 neutral
-/// @par Source  the signs of Ω1 and Ω2 on S1 s11, S2 s22, S3 p~21, S4 p~23
+/// @par Source
+/// the signs of Ω1 and Ω2 on S1 s11, S2 s22, S3 p~21, S4 p~23
 int axis_stability(const Vector3d& I, int axis);
 
 /// The time after which the angular velocity of a free top repeats itself in the body: exact, for any amplitude.
 ///
 /// \f[ P = \frac{4 K(m)}{\lambda}, \qquad K(m) = \int_0^{\pi/2} \frac{d\alpha}{\sqrt{1 - m \sin^2\alpha}} \f]
 ///
-/// where for \f$L^2 > 2TI_2\f$ (the angular velocity circles axis 3)
+/// where, with the kinetic energy T and the angular momentum L, for \f$L^2 > 2TI_2\f$ (the angular velocity circles
+/// axis 3)
 ///
 /// \f[ \lambda^2 = \frac{(L^2 - 2TI_1)(I_3 - I_2)}{I_1 I_2 I_3}, \qquad
 ///     m = \frac{(2TI_3 - L^2)(I_2 - I_1)}{(L^2 - 2TI_1)(I_3 - I_2)} \f]
@@ -120,7 +128,8 @@ int axis_stability(const Vector3d& I, int axis);
 /// @param I       principal moments, \f$I_1 \le I_2 \le I_3\f$, not all equal, kg m²
 /// @param omega0  angular velocity at any one time, body components, with \f$L^2 \ne 2TI_2\f$, rad/s
 /// @return        the full period P, s
-/// @par Source  not on the slides; the exact solution behind the approximation of S0 s22, S1 s10–11, S2 s20–22
+/// @par Source
+/// not on the slides; the exact solution behind the approximation of S0 s22, S1 s10–11, S2 s20–22
 double tumbling_period(const Vector3d& I, const Vector3d& omega0);
 
 }  // namespace rigid

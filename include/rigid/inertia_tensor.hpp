@@ -15,7 +15,8 @@ namespace rigid {
 /// @param m  masses of the points, kg
 /// @param r  positions of the points as columns, 3×n, m
 /// @return   symmetric 3×3 matrix, kg m²; zero for no points
-/// @par Source  S0 s10, S1 s3–4, S2 s9, S3 p~8, S4 p~9
+/// @par Source
+/// S0 s10, S1 s3–4, S2 s9, S3 p~8, S4 p~9
 Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r);
 
 /// Kinetic energy of a body that turns with angular velocity omega about the origin of its inertia tensor.
@@ -27,7 +28,8 @@ Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r);
 /// @param I      inertia tensor, kg m²
 /// @param omega  angular velocity on the same axes, rad/s
 /// @return       energy, J
-/// @par Source  S0 s10, S1 s3, S2 s9, S3 p~8, S4 p~9
+/// @par Source
+/// S0 s10, S1 s3, S2 s9, S3 p~8, S4 p~9
 double kinetic_energy(const Matrix3d& I, const Vector3d& omega);
 
 /// Angular momentum about the origin of the inertia tensor.
@@ -39,7 +41,8 @@ double kinetic_energy(const Matrix3d& I, const Vector3d& omega);
 /// @param I      inertia tensor, kg m²
 /// @param omega  angular velocity on the same axes, rad/s
 /// @return       angular momentum on these axes, kg m²/s
-/// @par Source  S1 s5, S4 p~10
+/// @par Source
+/// S1 s5, S4 p~10
 Vector3d angular_momentum(const Matrix3d& I, const Vector3d& omega);
 
 /// Moment of inertia about an axis through the origin.
@@ -49,7 +52,8 @@ Vector3d angular_momentum(const Matrix3d& I, const Vector3d& omega);
 /// @param I     inertia tensor, kg m²
 /// @param axis  direction of the axis; need not be a unit vector, but must not vanish
 /// @return      moment about that axis, kg m²
-/// @par Source  follows from the kinetic energy of S0 s10 with \f$\omega = |\omega|\,\hat n\f$
+/// @par Source
+/// follows from the kinetic energy of S0 s10 with \f$\omega = |\omega|\,\hat n\f$
 double moment_about_axis(const Matrix3d& I, const Vector3d& axis);
 
 /// Inertia tensor of a uniform cuboid about its corner at the origin.
@@ -64,14 +68,16 @@ double moment_about_axis(const Matrix3d& I, const Vector3d& axis);
 /// @param b  edge along +y, m
 /// @param c  edge along +z, m
 /// @return   symmetric 3×3 matrix, kg m²
-/// @par Source  S0 s11, S2 s10, S3 p~9, S4 p~11
+/// @par Source
+/// S0 s11, S2 s10, S3 p~9, S4 p~11
 Matrix3d cuboid_about_corner(double M, double a, double b, double c);
 
 /// Principal moments of inertia: the eigenvalues of the tensor.
 ///
 /// @param I  inertia tensor, kg m²
 /// @return   moments in ascending order, kg m²
-/// @par Source  S0 s12, S2 s11, S3 p~10, S4 p~12
+/// @par Source
+/// S0 s12, S2 s11, S3 p~10, S4 p~12
 Vector3d principal_moments(const Matrix3d& I);
 
 /// Principal axes of inertia: the eigenvectors of the tensor.
@@ -82,7 +88,8 @@ Vector3d principal_moments(const Matrix3d& I);
 ///
 /// @param I  inertia tensor, kg m²
 /// @return   3×3 rotation matrix with the axes as columns
-/// @par Source  S0 s12, s16, S1 s4, S2 s11, s15, S3 p~10, p~14, S4 p~12, p~16
+/// @par Source
+/// S0 s12, s16, S1 s4, S2 s11, s15, S3 p~10, p~14, S4 p~12, p~16
 Matrix3d principal_axes(const Matrix3d& I);
 
 /// The inertia tensor of a turned body, on axes that did not turn.
@@ -92,7 +99,8 @@ Matrix3d principal_axes(const Matrix3d& I);
 /// @param I_body  inertia tensor on axes fixed in the body, kg m²
 /// @param A       rotation matrix from body to inertial components: \f$V_{inertial} = A\,V_{body}\f$
 /// @return        the same tensor on the inertial axes, kg m²
-/// @par Source  follows from L = I ω (S1 s5) written on both sets of axes
+/// @par Source
+/// follows from L = I ω (S1 s5) written on both sets of axes
 Matrix3d rotated_inertia(const Matrix3d& I_body, const Matrix3d& A);
 
 }  // namespace rigid

@@ -20,7 +20,8 @@ namespace rigid {
 /// @param angles  \f$(\phi, \theta, \psi)\f$, any real numbers, rad
 /// @param rates   \f$(\dot\phi, \dot\theta, \dot\psi)\f$, rad/s
 /// @return        energy of rotation, J
-/// @par Source    S1 s18
+/// @par Source
+/// S1 s18
 double kinetic_energy_euler(const Vector3d& I, const Vector3d& angles, const Vector3d& rates);
 
 /// Kinetic energy of a symmetric body, \f$I_1 = I_2\f$: the angles φ and ψ drop out.
@@ -32,7 +33,8 @@ double kinetic_energy_euler(const Vector3d& I, const Vector3d& angles, const Vec
 /// @param theta  angle between the symmetry axis and the fixed z axis, any real number, rad
 /// @param rates  \f$(\dot\phi, \dot\theta, \dot\psi)\f$, rad/s
 /// @return       energy of rotation, J
-/// @par Source   S1 s18
+/// @par Source
+/// S1 s18
 double kinetic_energy_symmetric(double I1, double I3, double theta, const Vector3d& rates);
 
 /// Canonical momenta of the Euler angles.
@@ -48,7 +50,8 @@ double kinetic_energy_symmetric(double I1, double I3, double theta, const Vector
 /// @param angles  \f$(\phi, \theta, \psi)\f$, any real numbers, rad
 /// @param rates   \f$(\dot\phi, \dot\theta, \dot\psi)\f$, rad/s
 /// @return        \f$(p_\phi, p_\theta, p_\psi)\f$, kg m²/s
-/// @par Source    follows from S1 s18; not on the slides
+/// @par Source
+/// follows from S1 s18; not on the slides
 Vector3d canonical_momenta(const Vector3d& I, const Vector3d& angles, const Vector3d& rates);
 
 /// Second derivatives of the Euler angles of a body that turns without torque.
@@ -65,7 +68,8 @@ Vector3d canonical_momenta(const Vector3d& I, const Vector3d& angles, const Vect
 /// @param angles  \f$(\phi, \theta, \psi)\f$, rad; \f$\sin\theta \ne 0\f$, because the angles are singular there
 /// @param rates   \f$(\dot\phi, \dot\theta, \dot\psi)\f$, rad/s
 /// @return        \f$(\ddot\phi, \ddot\theta, \ddot\psi)\f$, rad/s²
-/// @par Source    follows from S1 s18 and Euler's equations, S1 s8; not on the slides
+/// @par Source
+/// follows from S1 s18 and Euler's equations, S1 s8; not on the slides
 Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, const Vector3d& rates);
 
 }  // namespace rigid

@@ -16,7 +16,8 @@ namespace rigid {
 /// @param M     mass, kg
 /// @param d     from the centre of mass to the point, on the axes of the tensor, m
 /// @return      inertia tensor about the point, on the same axes, kg m²
-/// @par Source  S0 s13–14, S2 s12–13, S3 p~11–12, S4 p~13–14, read from the centre of mass outwards
+/// @par Source
+/// S0 s13–14, S2 s12–13, S3 p~11–12, S4 p~13–14, read from the centre of mass outwards
 Matrix3d inertia_from_center_of_mass(const Matrix3d& I_cm, double M, const Vector3d& d);
 
 /// Inertia tensor about the centre of mass, from the tensor about the origin.
@@ -27,7 +28,8 @@ Matrix3d inertia_from_center_of_mass(const Matrix3d& I_cm, double M, const Vecto
 /// @param M         mass, kg
 /// @param r_cm      position of the centre of mass, on the axes of the tensor, m
 /// @return          inertia tensor about the centre of mass, on the same axes, kg m²
-/// @par Source      S0 s14, S2 s13, S3 p~12, S4 p~14: the shift \f$R = -r_{CM}\f$
+/// @par Source
+/// S0 s14, S2 s13, S3 p~12, S4 p~14: the shift \f$R = -r_{CM}\f$
 Matrix3d inertia_to_center_of_mass(const Matrix3d& I_origin, double M, const Vector3d& r_cm);
 
 /// Inertia tensor about a shifted origin, which neither before nor after need be the centre of mass.
@@ -43,7 +45,8 @@ Matrix3d inertia_to_center_of_mass(const Matrix3d& I_origin, double M, const Vec
 /// @param r_cm      position of the centre of mass seen from the old origin, on the axes of the tensor, m
 /// @param R         what is added to every position, on the same axes, m
 /// @return          inertia tensor about the new origin, on the same axes, kg m²
-/// @par Source      S0 s13, S2 s12, S3 p~11, S4 p~13
+/// @par Source
+/// S0 s13, S2 s12, S3 p~11, S4 p~13
 Matrix3d inertia_about_shifted_origin(const Matrix3d& I_origin, double M, const Vector3d& r_cm, const Vector3d& R);
 
 /// Inertia tensor of a uniform cuboid about its centre.
@@ -58,7 +61,8 @@ Matrix3d inertia_about_shifted_origin(const Matrix3d& I_origin, double M, const 
 /// @param b  whole edge along y, m
 /// @param c  whole edge along z, m
 /// @return   diagonal 3×3 matrix, kg m²
-/// @par Source  S0 s15, S2 s14, S3 p~13, S4 p~15
+/// @par Source
+/// S0 s15, S2 s14, S3 p~13, S4 p~15
 Matrix3d cuboid_about_center(double M, double a, double b, double c);
 
 /// Inertia tensor of several bodies fixed to one another, about their common centre of mass.
@@ -70,7 +74,8 @@ Matrix3d cuboid_about_center(double M, double a, double b, double c);
 /// @param centers  their centres of mass as columns, 3×n, m
 /// @param tensors  n inertia tensors, each about the centre of mass of its own body, all on parallel axes, kg m²
 /// @return         inertia tensor of the whole about the common centre of mass, on the same axes, kg m²
-/// @par Source     follows from the change of origin of S0 s13, body by body
+/// @par Source
+/// follows from the change of origin of S0 s13, body by body
 Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, const std::vector<Matrix3d>& tensors);
 
 }  // namespace rigid

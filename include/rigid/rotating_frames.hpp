@@ -19,7 +19,8 @@ namespace rigid {
 /// @param omega   angular velocity of the turning frame, rad/s
 /// @param alpha   its rate \f$\alpha = \dot\omega\f$, the same in both frames, rad/s²
 /// @return        acceleration in the inertial frame, m/s²
-/// @par Source    S0 s8, S2 s7, S3 p~6, S4 p~7 (printed there without the brackets of the last term)
+/// @par Source
+/// S0 s8, S2 s7, S3 p~6, S4 p~7 (printed there without the brackets of the last term)
 Vector3d inertial_acceleration(const Vector3d& a_body, const Vector3d& v_body, const Vector3d& r, const Vector3d& omega,
                                const Vector3d& alpha);
 
@@ -36,7 +37,8 @@ Vector3d inertial_acceleration(const Vector3d& a_body, const Vector3d& v_body, c
 /// @param omega   angular velocity of the turning frame, rad/s
 /// @param alpha   its rate \f$\dot\omega\f$, rad/s²
 /// @return        force, N, on the axes of the arguments
-/// @par Source    S0 s8, S2 s7, S3 p~6, S4 p~7, brought to the other side of \f$m\,a_{inertial} = F\f$
+/// @par Source
+/// S0 s8, S2 s7, S3 p~6, S4 p~7, brought to the other side of \f$m\,a_{inertial} = F\f$
 Vector3d fictitious_force(double m, const Vector3d& r, const Vector3d& v_body, const Vector3d& omega,
                           const Vector3d& alpha);
 
@@ -50,7 +52,8 @@ Vector3d fictitious_force(double m, const Vector3d& r, const Vector3d& v_body, c
 /// @param latitude    latitude λ, rad; positive north of the equator, negative south of it
 /// @param earth_rate  angular velocity of the Earth \f$\Omega_E\f$, rad/s (7.292115e-5 for ours)
 /// @return            acceleration east, north, up, m/s²
-/// @par Source        the Coriolis term of S0 s8, S2 s7, S3 p~6, S4 p~7, on the turning Earth:
+/// @par Source
+/// the Coriolis term of S0 s8, S2 s7, S3 p~6, S4 p~7, on the turning Earth:
 ///                    Fetter & Walecka, chapter 2
 Vector3d coriolis_acceleration(const Vector3d& v_enu, double latitude, double earth_rate);
 
@@ -65,7 +68,8 @@ Vector3d coriolis_acceleration(const Vector3d& v_enu, double latitude, double ea
 /// @param g           acceleration of free fall, m/s²
 /// @param earth_rate  angular velocity of the Earth \f$\Omega_E\f$, rad/s
 /// @return            deflection, m, positive to the east
-/// @par Source        the Coriolis term of S0 s8, S2 s7, S3 p~6, S4 p~7 integrated twice; Fetter & Walecka, chapter 2
+/// @par Source
+/// the Coriolis term of S0 s8, S2 s7, S3 p~6, S4 p~7 integrated twice; Fetter & Walecka, chapter 2
 double eastward_deflection(double height, double latitude, double g, double earth_rate);
 
 /// Time in which the plane of swing of a Foucault pendulum turns once round.
@@ -75,7 +79,8 @@ double eastward_deflection(double height, double latitude, double g, double eart
 /// @param latitude      latitude λ on the northern hemisphere, rad, \f$0 < \lambda \le \pi/2\f$
 /// @param sidereal_day  time of one turn of the Earth against the stars, s (86164.0905 for ours)
 /// @return              time of a full turn by 360°, s
-/// @par Source          the Coriolis term of S0 s8, S2 s7, S3 p~6, S4 p~7 applied to a pendulum;
+/// @par Source
+/// the Coriolis term of S0 s8, S2 s7, S3 p~6, S4 p~7 applied to a pendulum;
 ///                      Fetter & Walecka, chapter 2
 double foucault_period(double latitude, double sidereal_day);
 

@@ -403,8 +403,8 @@ void draw_flip_law(const std::filesystem::path& directory) {
                "set xlabel 'ω_3 at the start (rad/s), with ω_2 = 1 rad/s'; set ylabel 'time between flips (s)'\n"
                "set xrange [1e-6:1]; set yrange [0:60]\n";
     label(gnuplot, "exact, 2K(m)/λ", {2e-5, 47}, fmt::format("left tc rgb '{}'", colors::blue));
-    label(gnuplot, "(1/σ) ln(16/(1−m))", {1.5e-6, 30}, fmt::format("left tc rgb '{}'", colors::vermilion));
-    arrow(gnuplot, {2e-5, 32}, {1.3e-4, 33}, fmt::format("size graph 0.02,20 filled lc rgb '{}'", colors::vermilion));
+    label(gnuplot, "(1/σ) ln(16/(1−m))", {1.5e-6, 28}, fmt::format("left tc rgb '{}'", colors::vermilion));
+    arrow(gnuplot, {4e-5, 30.3}, {1.3e-4, 33}, fmt::format("size graph 0.02,20 filled lc rgb '{}'", colors::vermilion));
     label(gnuplot, "2π/σ, a guess that is wrong in kind", {1.5e-6, 13.5}, fmt::format("left tc rgb '{}'", "#555555"));
     gnuplot << fmt::format(
         "plot '-' with lines lw 4 lc rgb '{}', '-' with lines lw 2 dt (6,5) lc rgb '{}', {} with lines lw 2 dt 3 lc "

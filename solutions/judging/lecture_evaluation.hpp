@@ -2,6 +2,8 @@
 /// The bodies of lecture.hpp's templates.
 #pragma once
 
+#include "solutions/judging/lecture.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>

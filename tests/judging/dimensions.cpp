@@ -147,6 +147,12 @@ TEST_CASE("A result that becomes zero or not finite by a change of units has no 
   CHECK(contains(messages[0], "With masses in g your result grows by no single power of ten"));
 }
 
+TEST_CASE("A sign that changes, as that of an eigenvector may, says nothing about the dimension") {
+  CHECK(dimension_messages(energy(), of_numbers([](double m, double v, double, double) {
+                             return m > 100 ? -m * v * v : m * v * v;
+                           })) == Messages{});
+}
+
 TEST_CASE("Where every number has a unit of its own, the component is named") {
   ExerciseReference exercise = energy();
   exercise.result_kind = Kind::vector2;
