@@ -44,10 +44,31 @@ std::vector<Card> foundations(const std::vector<Card>& course, const Card& card)
   return found;
 }
 
+/// A foundation counts as implied when another foundation of the same lecture builds on it, near or far.
+bool builds_on(const std::vector<Card>& course, const Card& card, const Card& foundation) {
+  return std::ranges::any_of(foundations(course, card), [&](const Card& nearer) {
+    return nearer.lecture == foundation.lecture || builds_on(course, nearer, foundation);
+  });
+}
+
+/// A title in two lines of about the same length when it is long: boxes of like width make a map for small screens.
+std::string in_lines(std::string title) {
+  if (title.size() < 18) return title;
+  const auto before = title.rfind(' ', title.size() / 2);
+  const auto after = title.find(' ', title.size() / 2);
+  if (before == std::string::npos && after == std::string::npos) return title;
+  const bool take_after = before == std::string::npos || (after != std::string::npos && title.size() - after > before);
+  title[take_after ? after : before] = '\n';
+  return title;
+}
+
 /// A Markdown table's cell cannot hold the bar that ends it.
 std::string cell(std::string text) { return std::regex_replace(std::move(text), std::regex(R"(\|)"), "&#124;"); }
 
-std::string in_quotes(const std::string& text) { return '"' + std::regex_replace(text, std::regex(R"(["\\])"), "\\$&") + '"'; }
+std::string in_quotes(const std::string& text) {
+  const std::string escaped = std::regex_replace(text, std::regex(R"(["\\])"), "\\$&");
+  return '"' + std::regex_replace(escaped, std::regex("\n"), "\\n") + '"';
+}
 
 std::string table_of_exercises(const Card& card, const std::string& contract, const std::string& link_command) {
   std::string table = "| Exercise | Task | Points |\n|:---------|:-----|-------:|\n";
@@ -111,8 +132,9 @@ std::string exercises_page(const std::vector<Card>& course, const std::vector<st
                      "its errors, where the notes explain it, and how to check yours.\n";
   for (std::size_t lecture = 0; lecture < course.size(); ++lecture) {
     const Card& card = course[lecture];
-    page += fmt::format("\n## {} {} {{#exercises_{}}}\n\nNotes: {}\n\n{}", number(card), card.title, card.lecture,
-                        link(card), table_of_exercises(card, contracts.at(lecture), "\\subpage"));
+    // Not a heading of Markdown: those would stand before the exercises in the navigation.
+    page += fmt::format("\n<h2>{} {}</h2>\n\nNotes: {}\n\n{}", number(card), card.title, link(card),
+                        table_of_exercises(card, contracts.at(lecture), "\\subpage"));
   }
   return page;
 }
@@ -196,10 +218,12 @@ std::string course_map(const std::vector<Card>& course) {
                       "  nodesep=0.35; ranksep=0.4; bgcolor=transparent;\n";
   for (const Card& card : course) {
     graph += fmt::format("  {} [label={}, URL=\"lecture_{}.html\", tooltip={}];\n", in_quotes(card.lecture),
-                         in_quotes(number(card) + "  " + card.title), card.lecture, in_quotes(card.summary));
+                         in_quotes(number(card) + "\n" + in_lines(card.title)), card.lecture, in_quotes(card.summary));
   }
   for (const Card& card : course) {
-    for (const Card& foundation : foundations(course, card)) {
+    const std::vector<Card> all = foundations(course, card);
+    for (const Card& foundation : all) {
+      if (std::ranges::any_of(all, [&](const Card& nearer) { return builds_on(course, nearer, foundation); })) continue;
       graph += fmt::format("  {} -> {};\n", in_quotes(foundation.lecture), in_quotes(card.lecture));
     }
   }

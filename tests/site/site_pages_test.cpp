@@ -131,7 +131,17 @@ TEST_CASE("The course map has an arrow for each foundation, and quotes its texts
   const std::string map = course_map(course);
   CHECK(holds(map, "\"01_springs\" -> \"02_waves\";"));
   CHECK_FALSE(holds(map, "nowhere"));
-  CHECK(holds(map, R"(label="02  Waves \"on\" springs")"));
+  CHECK(holds(map, R"(label="02\nWaves \"on\"\nsprings")"));
+}
+
+TEST_CASE("The course map leaves out arrows that follow from others") {
+  std::vector<Card> longer = course;
+  longer.push_back(course[1]);
+  longer[2].lecture = "03_sound";
+  longer[2].builds_on = {"01_springs", "02_waves"};
+  const std::string map = course_map(longer);
+  CHECK(holds(map, "\"02_waves\" -> \"03_sound\";"));
+  CHECK_FALSE(holds(map, "\"01_springs\" -> \"03_sound\";"));
 }
 
 TEST_CASE("Sound notes have no faults") {
