@@ -2,8 +2,8 @@
 /// The command line of the checker.
 #include "checker/commands/commands.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <csignal>
 #include <cstdint>
@@ -34,10 +34,15 @@ using Job = std::function<int(const Course&)>;
 struct CommandLine {
   explicit CommandLine(const char* argv0) : course_file(course_file_beside_the_program(argv0)) {
     app.name("checker");
-    app.description("Checks the exercises of the Rigid Body Workbook.\nWithout a command it says where you stand and what is next.");
-    app.footer("Exit status: 0 all that was asked passed, 1 something did not, 2 wrong usage, 3 the checker itself is in trouble.");
+    app.description(
+        "Checks the exercises of the Rigid Body Workbook.\nWithout a command it says where you stand and what is "
+        "next.");
+    app.footer(
+        "Exit status: 0 all that was asked passed, 1 something did not, 2 wrong usage, 3 the checker itself is in "
+        "trouble.");
     app.require_subcommand(0, 1);
-    app.add_option("--course", course_file, "another course.json than the one that was built (for tests of the checker)")
+    app.add_option("--course", course_file,
+                   "another course.json than the one that was built (for tests of the checker)")
         ->group("For maintainers");
     add_check();
     add_list();
@@ -51,7 +56,8 @@ struct CommandLine {
 
   void add_check() {
     CLI::App* command = app.add_subcommand("check", "grade exercises and say what is wrong");
-    command->add_option("name", check_options.names, "exercises or lectures, by name or number; none: the whole course");
+    command->add_option("name", check_options.names,
+                        "exercises or lectures, by name or number; none: the whole course");
     command->add_option("--file", file, "check this file in place of the exercise's own");
     command->add_option("--seed", check_options.seed, "draws other random cases")->capture_default_str();
     command->add_flag("--json", check_options.json, "print one JSON document and nothing else");
@@ -105,7 +111,9 @@ struct CommandLine {
 
   void add_self_check() {
     CLI::App* command = app.add_subcommand("self-check", "for authors: is the workbook itself in order?");
-    command->add_option("--seeds", seed_count, "how many seeds to try, from 1 on")->capture_default_str()->check(CLI::Range(1, 1000));
+    command->add_option("--seeds", seed_count, "how many seeds to try, from 1 on")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1000));
     command->callback([this] {
       job = [this](const Course& course) {
         std::vector<std::uint64_t> seeds;

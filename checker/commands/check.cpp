@@ -23,7 +23,8 @@ std::vector<Exercise> chosen(const Course& course, const std::vector<std::string
   std::vector<Exercise> all;
   for (const std::string& name : names) {
     for (const Exercise& exercise : course.find(name)) {
-      const bool already = std::any_of(all.begin(), all.end(), [&](const Exercise& each) { return each.entry == exercise.entry; });
+      const bool already =
+          std::any_of(all.begin(), all.end(), [&](const Exercise& each) { return each.entry == exercise.entry; });
       if (!already) all.push_back(exercise);
     }
   }
@@ -97,14 +98,16 @@ int check(const Course& course, const CheckOptions& options) {
 
   if (options.json) {
     // What the student printed may hold bytes that are no text; they are replaced, not fatal.
-    fmt::print("{}\n", json_report(results, options.seed).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    fmt::print("{}\n",
+               json_report(results, options.seed).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
   } else if (results.size() > 1) {
     fmt::print("\n{}\n", summary_line(results));
   }
   if (!progress.warning().empty()) fmt::print(stderr, "{}\n", progress.warning());
 
   const auto any = [&](auto condition) { return std::any_of(results.begin(), results.end(), condition); };
-  if (any([](const Checked& checked) { return checked.judgement.verdict == Verdict::checker_error; })) return checker_failed;
+  if (any([](const Checked& checked) { return checked.judgement.verdict == Verdict::checker_error; }))
+    return checker_failed;
   if (any([](const Checked& checked) { return !checked.judgement.passed(); })) return something_failed;
   return all_passed;
 }

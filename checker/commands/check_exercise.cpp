@@ -34,7 +34,8 @@ std::vector<UnitProbe> take_probes(ExerciseRunner& runner, const ExerciseReferen
 
 Observation observe(ExerciseRunner& runner, const ExerciseReference& reference) {
   Observation observation = runner.observe(reference.cases, plan_repeats(reference));
-  if (judge(reference, observation).verdict == Verdict::wrong_value) observation.probes = take_probes(runner, reference);
+  if (judge(reference, observation).verdict == Verdict::wrong_value)
+    observation.probes = take_probes(runner, reference);
   return observation;
 }
 
@@ -42,10 +43,16 @@ Observation observe(ExerciseRunner& runner, const ExerciseReference& reference) 
 
 Checked check_exercise(const Course& course, const Toolchain& toolchain, const Exercise& exercise,
                        const ExerciseReference& reference, const std::filesystem::path& file, const RunLimits& limits) {
-  Checked checked{.exercise = exercise, .file = file, .reference = &reference, .observation = {}, .judgement = {}, .executable = {}};
+  Checked checked{.exercise = exercise,
+                  .file = file,
+                  .reference = &reference,
+                  .observation = {},
+                  .judgement = {},
+                  .executable = {}};
   try {
-    const Compilation compilation = compile({.file = file, .exercise = exercise.name(), .signature = reference.signature},
-                                            toolchain, course.scratch() / "compiled");
+    const Compilation compilation =
+        compile({.file = file, .exercise = exercise.name(), .signature = reference.signature}, toolchain,
+                course.scratch() / "compiled");
     checked.executable = compilation.executable;
     if (compilation.executable) {
       ExerciseRunner runner(*compilation.executable, limits);

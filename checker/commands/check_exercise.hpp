@@ -26,6 +26,7 @@ struct Checked {
 /// Checks one file against reference results. Never throws for anything that a student's file can cause; trouble of our
 /// own comes back as the verdict checker_error.
 Checked check_exercise(const Course& course, const Toolchain& toolchain, const Exercise& exercise,
-                       const ExerciseReference& reference, const std::filesystem::path& file, const RunLimits& limits = {});
+                       const ExerciseReference& reference, const std::filesystem::path& file,
+                       const RunLimits& limits = {});
 
 }  // namespace workbook

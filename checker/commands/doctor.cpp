@@ -33,7 +33,8 @@ int doctor(const Course& course) {
 
   try {
     for (const Card& card : course.cards()) course.reference(card.lecture, 1);
-    report(console, true, "reference", fmt::format("results of {} lectures, {} exercises", course.cards().size(), course.exercises().size()));
+    report(console, true, "reference",
+           fmt::format("results of {} lectures, {} exercises", course.cards().size(), course.exercises().size()));
   } catch (const ReferenceError& problem) {
     well = report(console, false, "reference", problem.what());
   }
@@ -42,16 +43,21 @@ int doctor(const Course& course) {
   report(console, sandbox.filters_system_calls, "sandbox", sandbox.sentence);
 
   const std::string gnuplot = gnuplot_program();
-  report(console, !gnuplot.empty(), "gnuplot", gnuplot.empty() ? "missing: checks work, plots do not (on Debian: apt-get install gnuplot-nox)" : gnuplot);
+  report(console, !gnuplot.empty(), "gnuplot",
+         gnuplot.empty() ? "missing: checks work, plots do not (on Debian: apt-get install gnuplot-nox)" : gnuplot);
 
   const bool writable = access(course.root().c_str(), W_OK) == 0;
-  report(console, writable, "folder", fmt::format("{} {}", course.root().string(), writable ? "is writable" : "is not writable: progress and resets cannot be saved"));
+  report(console, writable, "folder",
+         fmt::format("{} {}", course.root().string(),
+                     writable ? "is writable" : "is not writable: progress and resets cannot be saved"));
 
   const auto notes = course.cards().empty() ? std::nullopt : course.notes_page(course.cards().front().lecture);
   report(console, notes.has_value(), "notes",
-         notes ? notes->parent_path().string() : "not built as pages; read lectures/*/notes.md, or build the target `notes`");
+         notes ? notes->parent_path().string()
+               : "not built as pages; read lectures/*/notes.md, or build the target `notes`");
 
-  report(console, true, "terminal", fmt::format("{} columns, {}", console.width(), console.color() ? "colour" : "no colour"));
+  report(console, true, "terminal",
+         fmt::format("{} columns, {}", console.width(), console.color() ? "colour" : "no colour"));
   return well ? all_passed : checker_failed;
 }
 

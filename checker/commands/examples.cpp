@@ -2,9 +2,9 @@
 #include "checker/report/console.hpp"
 #include "checker/worker/child_process.hpp"
 
+#include <fmt/format.h>
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
-#include <fmt/format.h>
 
 #include <unistd.h>
 
@@ -68,7 +68,9 @@ std::vector<Example> read_report(const std::string& xml) {
   return examples;
 }
 
-std::filesystem::path program_of(const Course& course, const std::string& target) { return course.build() / "lectures" / target; }
+std::filesystem::path program_of(const Course& course, const std::string& target) {
+  return course.build() / "lectures" / target;
+}
 
 }  // namespace
 
@@ -77,8 +79,10 @@ int examples(const Course& course, const std::string& name) {
   const Console console = Console::of_standard_output();
   const std::string target = "worked_examples_of_the_student_" + lecture;
 
-  if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "Building the worked examples of {} with your functions ...", lecture);
-  const FinishedProgram built = run("/usr/bin/env", {"cmake", "--build", course.build().string(), "--target", target}, std::chrono::minutes(10));
+  if (isatty(STDERR_FILENO) != 0)
+    fmt::print(stderr, "Building the worked examples of {} with your functions ...", lecture);
+  const FinishedProgram built =
+      run("/usr/bin/env", {"cmake", "--build", course.build().string(), "--target", target}, std::chrono::minutes(10));
   if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\033[K");
   if (!succeeded(built)) {
     const std::vector<std::string> files = files_with_errors(built.output);
@@ -91,13 +95,16 @@ int examples(const Course& course, const std::string& name) {
     return checker_failed;
   }
 
-  const FinishedProgram finished = run(program_of(course, target).string(), {"--reporters=xml"}, std::chrono::minutes(2));
+  const FinishedProgram finished =
+      run(program_of(course, target).string(), {"--reporters=xml"}, std::chrono::minutes(2));
   std::vector<Example> found;
   try {
     found = read_report(finished.output);
   } catch (const boost::property_tree::ptree_error&) {
-    fmt::print("The examples ended before their end ({}): a function of yours crashes or never returns; `checker check {}` finds it.\n",
-               finished.out_of_time ? "out of time" : fmt::format("signal {}", finished.end.signal), lecture);
+    fmt::print(
+        "The examples ended before their end ({}): a function of yours crashes or never returns; `checker check {}` "
+        "finds it.\n",
+        finished.out_of_time ? "out of time" : fmt::format("signal {}", finished.end.signal), lecture);
     return something_failed;
   }
   std::size_t passed = 0;
@@ -105,7 +112,9 @@ int examples(const Course& course, const std::string& name) {
     passed += example.passed ? 1 : 0;
     const std::string mark = example.passed ? "✓" : example.not_started ? "·" : "✗";
     const Style style = example.passed ? Style::good : example.not_started ? Style::quiet : Style::bad;
-    const std::string note = example.passed ? "" : example.not_started ? " (needs a function that is not started)" : " (comes out otherwise)";
+    const std::string note = example.passed        ? ""
+                             : example.not_started ? " (needs a function that is not started)"
+                                                   : " (comes out otherwise)";
     const std::string text = console.wrapped(example.title + note, 2);
     fmt::print("{} {}\n", console.styled(mark, style), text.substr(2));
   }

@@ -19,12 +19,14 @@ int hint(const Course& course, const std::string& name, bool all) {
   const std::size_t first = all ? 0 : std::min(shown_before, hints.size() - 1);
   const std::size_t last = all ? hints.size() - 1 : first;
   for (std::size_t i = first; i <= last; ++i) {
-    fmt::print("{}\n{}\n\n", console.styled(fmt::format("Hint {} of {}", i + 1, hints.size()), Style::strong), console.wrapped(hints[i], 2));
+    fmt::print("{}\n{}\n\n", console.styled(fmt::format("Hint {} of {}", i + 1, hints.size()), Style::strong),
+               console.wrapped(hints[i], 2));
   }
   if (last + 1 < hints.size()) {
     fmt::print("The same command shows the next one.\n");
   } else {
-    fmt::print("That was the last hint. The paragraph of the notes: lectures/{}/notes.md, {}.\n", exercise.lecture(), exercise.entry->notes);
+    fmt::print("That was the last hint. The paragraph of the notes: lectures/{}/notes.md, {}.\n", exercise.lecture(),
+               exercise.entry->notes);
   }
   progress.remember_hints(name, std::max(shown_before, last + 1));
   if (!progress.warning().empty()) fmt::print(stderr, "{}\n", progress.warning());

@@ -19,7 +19,8 @@ struct State {
 State state_of(const Course& course, const Progress& progress, const Exercise& exercise) {
   const std::string verdict = progress.verdict(exercise.name());
   if (verdict == "passed") {
-    if (progress.passed(exercise.name(), fingerprint(course.student_file(exercise)))) return {"✓", "passed", Style::good};
+    if (progress.passed(exercise.name(), fingerprint(course.student_file(exercise))))
+      return {"✓", "passed", Style::good};
     return {"?", "changed since it passed", Style::warning};
   }
   if (verdict.empty() || verdict == "not_started") return {"·", "not started", Style::quiet};
@@ -50,7 +51,8 @@ int list(const Course& course) {
     fmt::print("{}  {}\n", console.styled(card.lecture, Style::strong), card.title);
     for (const CardExercise& entry : card.exercises) {
       const State state = state_of(course, progress, {&card, &entry});
-      fmt::print("  {} {} {}\n", console.styled(state.mark, state.style), padded(entry.name, 30), console.styled(state.words, state.style));
+      fmt::print("  {} {} {}\n", console.styled(state.mark, state.style), padded(entry.name, 30),
+                 console.styled(state.words, state.style));
     }
     fmt::print("\n");
   }
@@ -78,13 +80,18 @@ int status(const Course& course) {
   }
   fmt::print("\n");
   if (next == nullptr) {
-    fmt::print("{}\n", console.wrapped(fmt::format("All {} exercises pass. You have written the library; `checker check --seed 2` tries it on other numbers.",
-                                                   exercises.size())));
+    fmt::print(
+        "{}\n",
+        console.wrapped(fmt::format(
+            "All {} exercises pass. You have written the library; `checker check --seed 2` tries it on other numbers.",
+            exercises.size())));
   } else {
     fmt::print("Next: {}\n", console.styled(next->name(), Style::strong));
     fmt::print("{}\n", console.wrapped(next->entry->task, 2));
     fmt::print("  file   {}\n", std::filesystem::proximate(course.student_file(*next)).string());
-    fmt::print("  notes  {}\n", std::filesystem::proximate(course.notes_page(next->lecture()).value_or(course.notes_file(*next->card))).string());
+    fmt::print("  notes  {}\n",
+               std::filesystem::proximate(course.notes_page(next->lecture()).value_or(course.notes_file(*next->card)))
+                   .string());
     fmt::print("  check  ./checker/run check {}\n  hint   ./checker/run hint {}\n", next->name(), next->name());
   }
   print_warning(progress);

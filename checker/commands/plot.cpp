@@ -13,7 +13,8 @@ int plot(const Course& course, const PlotOptions& options) {
     for (const Exercise& exercise : course.find(name)) exercises.push_back(exercise);
   }
   if (exercises.empty()) {
-    fmt::print(stderr, "Say which exercise to plot, for example `checker plot {}`, or --all.\n", course.exercises().front().name());
+    fmt::print(stderr, "Say which exercise to plot, for example `checker plot {}`, or --all.\n",
+               course.exercises().front().name());
     return wrong_usage;
   }
   if (options.file && exercises.size() != 1) {
@@ -40,7 +41,8 @@ int plot(const Course& course, const PlotOptions& options) {
       return checker_failed;
     }
     if (overlay.student.empty()) {
-      fmt::print("{}: only the reference is drawn, because your function gave no value. {}\n", exercise.name(), checked.judgement.message);
+      fmt::print("{}: only the reference is drawn, because your function gave no value. {}\n", exercise.name(),
+                 checked.judgement.message);
       worst = something_failed;
     }
   }

@@ -35,7 +35,8 @@ int reset(const Course& course, const std::string& name) {
     const fs::path kept = place_to_keep(course, name);
     fs::create_directories(kept.parent_path(), problem);
     if (!fs::copy_file(file, kept, problem)) {
-      fmt::print(stderr, "{} was not reset, because your version could not be kept as {}: {}.\n", name, kept.string(), problem.message());
+      fmt::print(stderr, "{} was not reset, because your version could not be kept as {}: {}.\n", name, kept.string(),
+                 problem.message());
       return checker_failed;
     }
     fmt::print("Your version is kept as {}.\n", kept.string());

@@ -39,15 +39,18 @@ void end_progress() {
 }
 
 /// Runs one file and complains unless the verdict is the wanted one.
-void require_verdict(const Course& course, const Toolchain& toolchain, const Exercise& exercise, const ExerciseReference& reference,
-                     const std::filesystem::path& file, Verdict wanted, const std::string& consequence, Faults& faults) {
+void require_verdict(const Course& course, const Toolchain& toolchain, const Exercise& exercise,
+                     const ExerciseReference& reference, const std::filesystem::path& file, Verdict wanted,
+                     const std::string& consequence, Faults& faults) {
   if (!std::filesystem::exists(file)) return;  // faults_of_files says so
   const Checked checked = check_exercise(course, toolchain, exercise, reference, file);
   if (checked.judgement.verdict != wanted) {
     faults.add(fmt::format("{}: the verdict is {}, not {}: {} {}", file.lexically_relative(course.root()).string(),
-                           to_string(checked.judgement.verdict), to_string(wanted), checked.judgement.message, consequence));
+                           to_string(checked.judgement.verdict), to_string(wanted), checked.judgement.message,
+                           consequence));
   } else if (!checked.judgement.diagnoses.empty()) {
-    faults.add(fmt::format("{}: passes and is accused all the same: {}", file.lexically_relative(course.root()).string(),
+    faults.add(fmt::format("{}: passes and is accused all the same: {}",
+                           file.lexically_relative(course.root()).string(),
                            checked.judgement.diagnoses.front().message));
   }
 }
@@ -101,8 +104,9 @@ int self_check(const Course& course, const std::vector<std::uint64_t>& seeds) {
     fmt::print("{} thing{} to mend.\n", faults.all().size(), faults.all().size() == 1 ? "" : "s");
     return something_failed;
   }
-  fmt::print("In order: {} lectures, {} exercises, {} right routes, {} wrong answers, {} seed{}.\n", course.cards().size(),
-             course.exercises().size(), routes, misconceptions, seeds.size(), seeds.size() == 1 ? "" : "s");
+  fmt::print("In order: {} lectures, {} exercises, {} right routes, {} wrong answers, {} seed{}.\n",
+             course.cards().size(), course.exercises().size(), routes, misconceptions, seeds.size(),
+             seeds.size() == 1 ? "" : "s");
   return all_passed;
 }
 

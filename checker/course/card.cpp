@@ -76,7 +76,8 @@ Card read_card(const std::filesystem::path& lectures, const std::string& lecture
     card.exercises.push_back({each.get<std::string>("name"), each.get<double>("points"), each.get<std::string>("notes"),
                               each.get<std::string>("task")});
     const CardExercise& exercise = card.exercises.back();
-    if (!names.insert(exercise.name).second) each.fail("name", fmt::format("'{}' stands on the card twice", exercise.name));
+    if (!names.insert(exercise.name).second)
+      each.fail("name", fmt::format("'{}' stands on the card twice", exercise.name));
     if (!(exercise.points > 0)) each.fail("points", "should be a positive number");
   }
   if (card.exercises.empty()) reader.fail("exercises", "is empty");

@@ -32,7 +32,8 @@ void require_exercises_of(const Card& card, const LectureReference& results, con
 
 Course::Course(const fs::path& course_file) {
   std::ifstream in(course_file);
-  if (!in) throw CourseError(fmt::format("{}: the course's file is missing; build the workbook again.", course_file.string()));
+  if (!in)
+    throw CourseError(fmt::format("{}: the course's file is missing; build the workbook again.", course_file.string()));
   std::vector<std::string> lectures;
   try {
     const auto document = nlohmann::json::parse(in);
@@ -45,7 +46,8 @@ Course::Course(const fs::path& course_file) {
     build_ = path("build");
     lectures = document.at("lectures").get<std::vector<std::string>>();
   } catch (const nlohmann::json::exception& problem) {
-    throw CourseError(fmt::format("{}: not usable ({}); build the workbook again.", course_file.string(), problem.what()));
+    throw CourseError(
+        fmt::format("{}: not usable ({}); build the workbook again.", course_file.string(), problem.what()));
   }
   for (const std::string& lecture : lectures) cards_.push_back(read_card(root_ / "lectures", lecture));
 }
@@ -102,7 +104,9 @@ fs::path Course::solution_file(const Exercise& exercise) const {
   return root_ / "solutions" / exercise.lecture() / (exercise.name() + ".cpp");
 }
 
-fs::path Course::contract_file(const Card& card) const { return root_ / "include" / "rigid" / (card.contract + ".hpp"); }
+fs::path Course::contract_file(const Card& card) const {
+  return root_ / "include" / "rigid" / (card.contract + ".hpp");
+}
 
 fs::path Course::notes_file(const Card& card) const { return lectures() / card.lecture / "notes.md"; }
 
@@ -119,9 +123,10 @@ LectureReference Course::reference(const std::string& lecture, std::uint64_t see
   if (seed != published_seed) {
     const fs::path program = reference_ / ("reference_" + lecture);
     if (!fs::exists(program)) {
-      throw ReferenceError(fmt::format(
-          "This copy of the workbook has reference results for seed {} only; other seeds need the solutions, which it does not have.",
-          published_seed));
+      throw ReferenceError(
+          fmt::format("This copy of the workbook has reference results for seed {} only; other seeds need the "
+                      "solutions, which it does not have.",
+                      published_seed));
     }
     file = scratch_ / "reference" / fmt::format("{}-seed-{}.json", lecture, seed);
     std::error_code ignored;
@@ -133,12 +138,14 @@ LectureReference Course::reference(const std::string& lecture, std::uint64_t see
       launch.arguments = {"--lecture", lecture, "--seed", std::to_string(seed), "--out", file.string()};
       const FinishedProgram finished = run_program(launch, std::chrono::seconds(120), 1 << 16);
       if (finished.out_of_time || finished.end.signal != 0 || finished.end.exit_status != 0) {
-        throw ReferenceError(fmt::format("{}: making reference results for seed {} failed: {}", program_name, seed, finished.output));
+        throw ReferenceError(
+            fmt::format("{}: making reference results for seed {} failed: {}", program_name, seed, finished.output));
       }
     }
   }
   LectureReference results = read_reference_results(file);
-  const auto card = std::find_if(cards_.begin(), cards_.end(), [&](const Card& each) { return each.lecture == lecture; });
+  const auto card =
+      std::find_if(cards_.begin(), cards_.end(), [&](const Card& each) { return each.lecture == lecture; });
   require_exercises_of(*card, results, file);
   return results;
 }

@@ -44,7 +44,8 @@ class Course {
   /// All exercises in course order.
   std::vector<Exercise> exercises() const;
 
-  /// The exercises that a name stands for: one exercise, or all of a lecture ("03_inertia_tensor", "03", "inertia_tensor").
+  /// The exercises that a name stands for: one exercise, or all of a lecture ("03_inertia_tensor", "03",
+  /// "inertia_tensor").
   /// @throws UnknownName with a proposal.
   std::vector<Exercise> find(const std::string& name) const;
 

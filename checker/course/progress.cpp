@@ -41,22 +41,26 @@ Progress::Progress(fs::path file) : file_(std::move(file)) {
   } catch (const std::exception&) {
     const fs::path aside = file_.string() + ".damaged";
     fs::rename(file_, aside, problem);
-    warning_ = fmt::format("Your progress file was damaged; it is set aside as {} and counting starts afresh. Your exercises are untouched.",
-                           aside.string());
+    warning_ = fmt::format(
+        "Your progress file was damaged; it is set aside as {} and counting starts afresh. Your exercises are "
+        "untouched.",
+        aside.string());
   }
 }
 
 void Progress::write() {
   nlohmann::json exercises = nlohmann::json::object();
-  for (const auto& [exercise, last] : verdicts_) exercises[exercise] = {{"verdict", last.verdict}, {"source", last.source}};
+  for (const auto& [exercise, last] : verdicts_)
+    exercises[exercise] = {{"verdict", last.verdict}, {"source", last.source}};
   for (const auto& [exercise, count] : hints_) {
     if (count > 0) exercises[exercise]["hints"] = count;
   }
   const nlohmann::json document = {{"format", current_format}, {"exercises", exercises}};
 
   const auto fail = [this] {
-    warning_ = fmt::format("Your progress could not be saved in {}; make that folder writable. The verdict above holds all the same.",
-                           file_.string());
+    warning_ = fmt::format(
+        "Your progress could not be saved in {}; make that folder writable. The verdict above holds all the same.",
+        file_.string());
   };
   std::error_code problem;
   fs::create_directories(file_.parent_path(), problem);

@@ -16,7 +16,8 @@ struct LastVerdict {
 
 class Progress {
  public:
-  /// Reads the file; a missing one is an empty progress. A damaged one is renamed to FILE.damaged and warning() says so.
+  /// Reads the file; a missing one is an empty progress. A damaged one is renamed to FILE.damaged and warning() says
+  /// so.
   explicit Progress(std::filesystem::path file);
 
   /// Remembers a verdict and writes the file, under another name first, so that it is never half written.

@@ -1,8 +1,10 @@
 #include "checker/judging/failure_text.hpp"
 
 #include "checker/judging/comparison.hpp"
+#include "checker/judging/input_text.hpp"
 #include "checker/judging/sentences.hpp"
 #include "checker/judging/text_blocks.hpp"
+#include "checker/judging/value_tables.hpp"
 #include "checker/judging/value_text.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +21,6 @@ namespace {
 
 constexpr std::size_t indent = 2;
 constexpr int difference_digits = 3;
-constexpr std::size_t most_rows = 24;  // of a long list; the checker's JSON has them all
 
 void append(std::vector<std::string>& lines, std::vector<std::string> more) {
   std::ranges::move(more, std::back_inserter(lines));
@@ -40,92 +41,7 @@ std::vector<std::size_t> first_indices(std::size_t count) {
   return indices;
 }
 
-std::string left_out(std::size_t count, const std::string& noun) {
-  return fmt::format("({} more {} not shown)", count, noun + (count == 1 ? "" : "s"));
-}
-
-// --- values as tables
-
 bool is_vector(Kind kind) { return kind == Kind::vector2 || kind == Kind::vector3 || kind == Kind::vector; }
-
-using NumberTest = std::function<bool(std::size_t number)>;
-
-std::size_t number_at(const Value& value, std::size_t row, std::size_t col) {
-  return col * static_cast<std::size_t>(value.rows) + row;
-}
-
-/// The columns [first, first + 3) of a value as a 3×3 table.
-Table matrix_table(const Value& value, std::size_t first_col, int digits, const NumberTest& is_marked = {}) {
-  Table table;
-  for (std::size_t row = 0; row < 3; ++row) {
-    table.rows.emplace_back();
-    for (std::size_t col = 0; col < 3; ++col) {
-      table.rows.back().push_back(number_text(value.numbers[number_at(value, row, first_col + col)], digits));
-    }
-  }
-  if (is_marked) {
-    table.is_marked = [=, rows = value](std::size_t row, std::size_t col) {
-      return is_marked(number_at(rows, row, first_col + col));
-    };
-  }
-  return table;
-}
-
-/// One column of the value per line: a list of points reads better so, and fits on the page.
-Table columns_table(const Value& value, std::size_t count) {
-  Table table;
-  for (std::size_t col = 0; col < count; ++col) {
-    table.labels.push_back(std::to_string(col + 1));
-    table.rows.emplace_back();
-    for (std::size_t row = 0; row < static_cast<std::size_t>(value.rows); ++row) {
-      table.rows.back().push_back(number_text(value.numbers[number_at(value, row, col)], all_digits));
-    }
-  }
-  return table;
-}
-
-// --- inputs
-
-std::vector<std::string> vector_lines(const std::string& name, const std::string& unit, const Value& value) {
-  const std::string line = fmt::format("{} = {}{}", name, format_value(value, Kind::vector), after_blank(unit));
-  if (indent + display_width(line) <= page_width) return {line};
-  std::vector<std::string> texts;
-  for (double number : value.numbers) texts.push_back(number_text(number, all_digits));
-  std::vector<std::string> lines = {name + in_brackets(unit)};
-  append(lines, wrapped_in_columns(aligned_on_point(texts), indent));
-  return lines;
-}
-
-std::vector<std::string> input_lines(const Argument& argument, const Value& value) {
-  const std::string unit = to_string(argument.unit);
-  if (is_vector(argument.kind)) return vector_lines(argument.name, unit, value);
-  if (argument.kind == Kind::number || argument.kind == Kind::integer || value.cols == 0) {
-    return {fmt::format("{} = {}{}", argument.name, format_value(value, argument.kind), after_blank(unit))};
-  }
-
-  std::vector<std::string> lines = {argument.name + in_brackets(unit)};
-  const auto cols = static_cast<std::size_t>(value.cols);
-  switch (argument.kind) {
-    case Kind::points: {
-      lines.front() += ", column by column";
-      const std::size_t shown = std::min(cols, most_rows);
-      append(lines, indented(table_lines(columns_table(value, shown)), indent));
-      if (shown < cols) lines.push_back("  " + left_out(cols - shown, "column"));
-      break;
-    }
-    case Kind::matrices: {
-      std::vector<Block> blocks;
-      for (std::size_t m = 0; m < cols / 3; ++m) {
-        blocks.push_back({fmt::format("matrix {}", m + 1), table_lines(matrix_table(value, 3 * m, all_digits))});
-      }
-      append(lines, side_by_side(blocks, indent));
-      break;
-    }
-    default:
-      append(lines, indented(table_lines(matrix_table(value, 0, all_digits)), indent));
-  }
-  return lines;
-}
 
 std::vector<std::string> inputs_section(const ExerciseReference& exercise, const Case& one) {
   std::vector<std::string> lines = {"Inputs"};
@@ -134,8 +50,6 @@ std::vector<std::string> inputs_section(const ExerciseReference& exercise, const
   }
   return lines;
 }
-
-// --- results
 
 /// Everything that is shown of one result.
 struct Result {
@@ -156,11 +70,6 @@ int digits_needed(const Result& result) {
     digits = std::max(digits, digits_to_tell_apart(result.expected.numbers[n], result.actual->numbers[n]));
   }
   return digits;
-}
-
-std::string unit_of(const ExerciseReference& exercise, std::size_t number) {
-  const auto& units = exercise.result_units;
-  return to_string(units.size() == 1 ? units.front() : units.at(number));
 }
 
 std::string common_unit(const ExerciseReference& exercise) {
@@ -205,7 +114,7 @@ std::vector<std::string> component_lines(const Result& result) {
     if (result.actual) row.push_back(number_text(result.actual->numbers[n], result.digits));
     if (result.difference) row.push_back(number_text(result.difference->difference.numbers[n], difference_digits));
     table.rows.push_back(std::move(row));
-    if (result.exercise.result_units.size() > 1) table.endings.push_back(unit_of(result.exercise, n));
+    if (result.exercise.result_units.size() > 1) table.endings.push_back(to_string(result.exercise.result_units.at(n)));
   }
   table.is_marked = [&](std::size_t row, std::size_t col) { return col == 1 && result.differs(shown[row]); };
 

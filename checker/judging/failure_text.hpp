@@ -10,9 +10,6 @@
 
 namespace workbook {
 
-/// The mark in front of every number that is not within the tolerance.
-inline constexpr const char* differing_mark = "≠";
-
 /// Inputs, expected, yours and their difference, lined up number by number, with units, and the size of the error in
 /// words. Empty if no case failed.
 std::vector<std::string> describe_failure(const ExerciseReference& exercise, const Judgement& judgement);

@@ -1,9 +1,9 @@
 #include "checker/judging/text_blocks.hpp"
 
-#include "checker/judging/failure_text.hpp"
 #include "checker/judging/value_text.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <sstream>
 
 namespace workbook {
@@ -47,6 +47,17 @@ std::vector<std::string> column_texts(const Table& table, std::size_t col) {
 }
 
 }  // namespace
+
+void append(std::vector<std::string>& lines, std::vector<std::string> more) {
+  std::ranges::move(more, std::back_inserter(lines));
+}
+
+std::vector<std::string> indented(std::vector<std::string> lines, std::size_t depth) {
+  for (std::string& line : lines) line.insert(0, depth, ' ');
+  return lines;
+}
+
+std::string in_brackets(const std::string& unit) { return unit.empty() ? "" : " [" + unit + "]"; }
 
 std::vector<std::string> table_lines(const Table& table) {
   if (table.rows.empty()) return {};

@@ -12,6 +12,9 @@ namespace workbook {
 /// The width that all text keeps to where its numbers let it: a terminal of 80 columns with a margin.
 inline constexpr std::size_t page_width = 78;
 
+/// The mark in front of every number that is not within the tolerance.
+inline constexpr const char* differing_mark = "≠";
+
 /// Lines of text below a title.
 struct Block {
   std::string title;
@@ -27,6 +30,13 @@ struct Table {
   /// True where a number is to be marked; without it there is no room for marks.
   std::function<bool(std::size_t row, std::size_t col)> is_marked;
 };
+
+void append(std::vector<std::string>& lines, std::vector<std::string> more);
+
+std::vector<std::string> indented(std::vector<std::string> lines, std::size_t depth);
+
+/// " [kg m²]", or nothing for a pure number.
+std::string in_brackets(const std::string& unit);
 
 /// Every entry below its column's heading; no line ends with a blank.
 std::vector<std::string> table_lines(const Table& table);

@@ -15,17 +15,23 @@ namespace workbook {
 
 namespace {
 
-constexpr std::size_t narrowest = 30;   // below that, wrapping hurts more than it helps
+constexpr std::size_t narrowest = 30;     // below that, wrapping hurts more than it helps
 constexpr std::size_t comfortable = 100;  // longer lines are hard to read
 
 fmt::text_style text_style(Style style) {
   switch (style) {
-    case Style::plain: return {};
-    case Style::strong: return fmt::emphasis::bold;
-    case Style::quiet: return fmt::emphasis::faint;
-    case Style::good: return fmt::fg(fmt::terminal_color::green) | fmt::emphasis::bold;
-    case Style::bad: return fmt::fg(fmt::terminal_color::red) | fmt::emphasis::bold;
-    case Style::warning: return fmt::fg(fmt::terminal_color::yellow);
+    case Style::plain:
+      return {};
+    case Style::strong:
+      return fmt::emphasis::bold;
+    case Style::quiet:
+      return fmt::emphasis::faint;
+    case Style::good:
+      return fmt::fg(fmt::terminal_color::green) | fmt::emphasis::bold;
+    case Style::bad:
+      return fmt::fg(fmt::terminal_color::red) | fmt::emphasis::bold;
+    case Style::warning:
+      return fmt::fg(fmt::terminal_color::yellow);
   }
   return {};
 }
@@ -36,7 +42,8 @@ Console Console::of_standard_output() {
   const char* term = std::getenv("TERM");
   const char* no_color = std::getenv("NO_COLOR");
   const bool terminal = isatty(STDOUT_FILENO) != 0;
-  const bool color = terminal && (no_color == nullptr || *no_color == '\0') && term != nullptr && std::strcmp(term, "dumb") != 0;
+  const bool color =
+      terminal && (no_color == nullptr || *no_color == '\0') && term != nullptr && std::strcmp(term, "dumb") != 0;
   std::size_t width = 80;
   winsize size{};
   if (terminal && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) {

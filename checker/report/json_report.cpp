@@ -42,7 +42,8 @@ ordered_json result_of(const Checked& checked) {
   result["exercise"] = checked.exercise.name();
   result["verdict"] = to_string(judgement.verdict);
   // Trouble of our own is no zero: there is no score at all.
-  result["score"] = judgement.verdict == Verdict::checker_error ? ordered_json(nullptr) : ordered_json(judgement.passed() ? points : 0.0);
+  result["score"] = judgement.verdict == Verdict::checker_error ? ordered_json(nullptr)
+                                                                : ordered_json(judgement.passed() ? points : 0.0);
   result["points"] = points;
   result["cases"] = {{"passed", judgement.cases_passed}, {"total", judgement.cases_total}};
   result["message"] = judgement.message;

@@ -29,7 +29,8 @@ double number_at(const Value& value, const PlotComponent& component, bool magnit
   return magnitude ? std::abs(number) : number;
 }
 
-Points curve(const std::vector<double>& x, const std::vector<Value>& y, const PlotComponent& component, bool magnitude) {
+Points curve(const std::vector<double>& x, const std::vector<Value>& y, const PlotComponent& component,
+             bool magnitude) {
   Points points;
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double value = number_at(y[i], component, magnitude);
@@ -77,12 +78,16 @@ void send_upper_panel(gnuplotio::Gnuplot& gnuplot, const Overlay& overlay) {
         fmt::format("with lines lw 6 lc rgb '{}' title {}", reference_colors[k % 3], quoted(label + " reference")));
     if (!overlay.student.empty()) {
       add(curve(sweep.x, overlay.student, component, overlay.magnitudes),
-          fmt::format("with linespoints lw 1.5 pt {} ps 0.6 pointinterval 4 lc rgb '{}' title {}", k == 0 ? 7 : k == 1 ? 5 : 9,
+          fmt::format("with linespoints lw 1.5 pt {} ps 0.6 pointinterval 4 lc rgb '{}' title {}",
+                      k == 0   ? 7
+                      : k == 1 ? 5
+                               : 9,
                       student_colors[k % 3], quoted(label + " yours")));
     }
     if (overlay.misconception_outputs != nullptr) {
       add(curve(sweep.x, *overlay.misconception_outputs, component, overlay.magnitudes),
-          fmt::format("with lines lw 2 dt (8,6) lc rgb '#000000' title {}", k == 0 ? quoted(overlay.misconception) : "''"));
+          fmt::format("with lines lw 2 dt (8,6) lc rgb '#000000' title {}",
+                      k == 0 ? quoted(overlay.misconception) : "''"));
     }
   }
   gnuplot << plots << "\n";
@@ -93,7 +98,10 @@ void send_lower_panel(gnuplotio::Gnuplot& gnuplot, const Overlay& overlay) {
   const Sweep& sweep = *overlay.sweep;
   std::string plots = "plot 0 with lines lw 1 lc rgb '#888888' notitle";
   for (std::size_t k = 0; k < sweep.components.size(); ++k) {
-    plots += fmt::format(", '-' with linespoints lw 1.5 pt {} ps 0.6 pointinterval 4 lc rgb '{}' title {}", k == 0 ? 7 : k == 1 ? 5 : 9,
+    plots += fmt::format(", '-' with linespoints lw 1.5 pt {} ps 0.6 pointinterval 4 lc rgb '{}' title {}",
+                         k == 0   ? 7
+                         : k == 1 ? 5
+                                  : 9,
                          student_colors[k % 3], quoted(component_label(sweep.components[k], overlay.magnitudes)));
   }
   gnuplot << plots << "\n";
@@ -128,9 +136,9 @@ void send_script(gnuplotio::Gnuplot& gnuplot, const Overlay& overlay) {
              // The key stands above the curves, where it covers none of them.
              "set key outside top center horizontal maxrows 4 width -1\n"
           << fmt::format("set xrange [{}:{}]\n", sweep.x.front(), sweep.x.back())
-          << (overlay.student.empty() ? "" : "set multiplot\n")
-          << "set lmargin 13; set rmargin 3\n"
-          << fmt::format("set title {} noenhanced\n", quoted(sweep.title)) << fmt::format("set ylabel {} noenhanced\n", quoted(sweep.y_label));
+          << (overlay.student.empty() ? "" : "set multiplot\n") << "set lmargin 13; set rmargin 3\n"
+          << fmt::format("set title {} noenhanced\n", quoted(sweep.title))
+          << fmt::format("set ylabel {} noenhanced\n", quoted(sweep.y_label));
   if (overlay.student.empty()) {
     gnuplot << fmt::format("set xlabel {} noenhanced\n", quoted(sweep.x_label));
     send_upper_panel(gnuplot, overlay);
@@ -152,7 +160,8 @@ Overlay overlay_of(const Checked& checked) {
   const ExerciseReference& reference = *checked.reference;
   Overlay overlay;
   overlay.sweep = &reference.sweep;
-  overlay.magnitudes = reference.comparison == Comparison::eigenvectors || reference.comparison == Comparison::up_to_sign;
+  overlay.magnitudes =
+      reference.comparison == Comparison::eigenvectors || reference.comparison == Comparison::up_to_sign;
   if (checked.executable) {
     std::vector<PlannedCall> calls;
     for (std::size_t i = 0; i < reference.sweep.x.size(); ++i) {
@@ -183,7 +192,9 @@ std::vector<fs::path> draw_overlay(const Overlay& overlay, const fs::path& direc
   if (overlay.sweep->x.empty()) throw PlotError(fmt::format("{} has no plot.", name));
   const std::string gnuplot_path = gnuplot_program();
   if (gnuplot_path.empty()) {
-    throw PlotError("There is no plot, because gnuplot is not installed (on Debian: apt-get install gnuplot-nox); the verdict stands without it.");
+    throw PlotError(
+        "There is no plot, because gnuplot is not installed (on Debian: apt-get install gnuplot-nox); the verdict "
+        "stands without it.");
   }
   std::error_code problem;
   fs::create_directories(directory, problem);
@@ -194,14 +205,17 @@ std::vector<fs::path> draw_overlay(const Overlay& overlay, const fs::path& direc
     {
       gnuplotio::Gnuplot gnuplot(gnuplot_path + " 2>/dev/null");
       gnuplot << "set encoding utf8\n"
-              << (format == "svg" ? "set terminal svg noenhanced size 800,640 font 'Helvetica,14' background rgb 'white'\n"
-                                  : "set terminal pngcairo noenhanced size 1600,1280 font 'Helvetica,24' linewidth 2 background rgb 'white'\n")
+              << (format == "svg"
+                      ? "set terminal svg noenhanced size 800,640 font 'Helvetica,14' background rgb 'white'\n"
+                      : "set terminal pngcairo noenhanced size 1600,1280 font 'Helvetica,24' linewidth 2 background "
+                        "rgb 'white'\n")
               << "set output " << quoted(file.string()) << "\n";
       send_script(gnuplot, overlay);
       gnuplot << "set output\n";
     }
     if (!fs::exists(file, problem) || fs::file_size(file, problem) == 0) {
-      throw PlotError(fmt::format("The plot could not be written to {}; make that folder writable, or free some space.", file.string()));
+      throw PlotError(fmt::format("The plot could not be written to {}; make that folder writable, or free some space.",
+                                  file.string()));
     }
     files.push_back(file);
   }

@@ -32,6 +32,7 @@ Overlay overlay_of(const Checked& checked);
 
 /// Draws DIRECTORY/NAME.svg and DIRECTORY/NAME.png. Returns both paths.
 /// @throws PlotError if gnuplot is missing, the folder cannot be written, or gnuplot leaves no picture behind.
-std::vector<std::filesystem::path> draw_overlay(const Overlay& overlay, const std::filesystem::path& directory, const std::string& name);
+std::vector<std::filesystem::path> draw_overlay(const Overlay& overlay, const std::filesystem::path& directory,
+                                                const std::string& name);
 
 }  // namespace workbook

@@ -16,19 +16,27 @@ constexpr std::size_t longest_printout = 12;  // lines of the student's own outp
 
 std::string mark(const Judgement& judgement) {
   switch (judgement.verdict) {
-    case Verdict::passed: return "✓";
-    case Verdict::not_started: return "·";
-    case Verdict::checker_error: return "!";
-    default: return "✗";
+    case Verdict::passed:
+      return "✓";
+    case Verdict::not_started:
+      return "·";
+    case Verdict::checker_error:
+      return "!";
+    default:
+      return "✗";
   }
 }
 
 Style style_of(Verdict verdict) {
   switch (verdict) {
-    case Verdict::passed: return Style::good;
-    case Verdict::not_started: return Style::quiet;
-    case Verdict::checker_error: return Style::warning;
-    default: return Style::bad;
+    case Verdict::passed:
+      return Style::good;
+    case Verdict::not_started:
+      return Style::quiet;
+    case Verdict::checker_error:
+      return Style::warning;
+    default:
+      return Style::bad;
   }
 }
 
@@ -47,13 +55,15 @@ std::string headline(const Checked& checked, const Console& console) {
   }
   return fmt::format("{} {}  {}{}", console.styled(mark(judgement), style_of(judgement.verdict)),
                      console.styled(checked.exercise.name(), Style::strong),
-                     console.styled(in_words(judgement.verdict), style_of(judgement.verdict)), console.styled(count, Style::quiet));
+                     console.styled(in_words(judgement.verdict), style_of(judgement.verdict)),
+                     console.styled(count, Style::quiet));
 }
 
 /// A heading and the text that belongs to it, side by side.
 std::string labelled(const std::string& label, const std::string& text, const Console& console) {
   const std::string body = console.wrapped(text, indent + 7);
-  return std::string(indent, ' ') + console.styled(padded(label, 6), Style::strong) + " " + body.substr(std::min(body.size(), indent + 7)) + "\n";
+  return std::string(indent, ' ') + console.styled(padded(label, 6), Style::strong) + " " +
+         body.substr(std::min(body.size(), indent + 7)) + "\n";
 }
 
 /// The first lines of a long text, and how many more there are.
@@ -71,7 +81,8 @@ std::string first_lines(const std::string& text, std::size_t most, std::size_t m
 }  // namespace
 
 std::string notes_place(const Course& course, const std::string& lecture, const std::string& anchor) {
-  if (const auto page = course.notes_page(lecture)) return std::filesystem::proximate(*page).string() + (anchor.empty() ? "" : "#" + anchor);
+  if (const auto page = course.notes_page(lecture))
+    return std::filesystem::proximate(*page).string() + (anchor.empty() ? "" : "#" + anchor);
   const std::string source = "lectures/" + lecture + "/notes.md";
   return anchor.empty() ? source : source + ", paragraph " + anchor;
 }
@@ -88,15 +99,18 @@ std::string terminal_report(const Course& course, const Checked& checked, const 
   }
   if (judgement.first_failure && checked.reference != nullptr) {
     text += "\n";
-    for (const std::string& line : describe_failure(*checked.reference, judgement)) text += std::string(indent, ' ') + line + "\n";
+    for (const std::string& line : describe_failure(*checked.reference, judgement))
+      text += std::string(indent, ' ') + line + "\n";
   }
   if (!checked.observation.printed.empty()) {
-    text += "\n" + std::string(indent, ' ') + "Your code printed:\n" + first_lines(checked.observation.printed, longest_printout, 2 * indent);
+    text += "\n" + std::string(indent, ' ') + "Your code printed:\n" +
+            first_lines(checked.observation.printed, longest_printout, 2 * indent);
   }
   text += "\n";
   for (const Diagnosis& diagnosis : judgement.diagnoses) {
     text += labelled("Why", diagnosis.message, console);
-    if (!diagnosis.notes.empty()) text += labelled("Read", notes_place(course, checked.exercise.lecture(), diagnosis.notes), console);
+    if (!diagnosis.notes.empty())
+      text += labelled("Read", notes_place(course, checked.exercise.lecture(), diagnosis.notes), console);
   }
   text += labelled("Next", judgement.next_step, console);
   return text;

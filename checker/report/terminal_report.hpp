@@ -10,8 +10,8 @@
 
 namespace workbook {
 
-/// One line for what passed or was not started, and everything that helps for the rest: what failed, why, where to read,
-/// what to do next.
+/// One line for what passed or was not started, and everything that helps for the rest: what failed, why, where to
+/// read, what to do next.
 std::string terminal_report(const Course& course, const Checked& checked, const Console& console);
 
 /// "6 of 8 passed, 1 wrong, 1 not started."

@@ -1,5 +1,6 @@
 /// @file
-/// Contract of lecture 07: Euler angles (z–y–z), the rotation matrix that they make, and the angular velocity from their rates.
+/// Contract of lecture 07: Euler angles (z–y–z), the rotation matrix that they make, and the angular velocity from
+/// their rates.
 #pragma once
 
 #include "rigid/vocabulary.hpp"
@@ -9,9 +10,11 @@ namespace rigid {
 /// The rotation matrix that turns inertial into body components.
 ///
 /// \f[ V_{body} = R\, V_{inertial}, \qquad R = R_\psi R_\theta R_\phi \f]
-/// \f[ R_\phi = \begin{pmatrix} \cos\phi & \sin\phi & 0 \\[2pt] -\sin\phi & \cos\phi & 0 \\[2pt] 0 & 0 & 1 \end{pmatrix},
-///   \qquad R_\theta = \begin{pmatrix} \cos\theta & 0 & -\sin\theta \\[2pt] 0 & 1 & 0 \\[2pt] \sin\theta & 0 & \cos\theta \end{pmatrix},
-///   \qquad R_\psi = \begin{pmatrix} \cos\psi & \sin\psi & 0 \\[2pt] -\sin\psi & \cos\psi & 0 \\[2pt] 0 & 0 & 1 \end{pmatrix} \f]
+/// \f[ R_\phi = \begin{pmatrix} \cos\phi & \sin\phi & 0 \\[2pt] -\sin\phi & \cos\phi & 0 \\[2pt] 0 & 0 & 1
+/// \end{pmatrix},
+///   \qquad R_\theta = \begin{pmatrix} \cos\theta & 0 & -\sin\theta \\[2pt] 0 & 1 & 0 \\[2pt] \sin\theta & 0 &
+///   \cos\theta \end{pmatrix}, \qquad R_\psi = \begin{pmatrix} \cos\psi & \sin\psi & 0 \\[2pt] -\sin\psi & \cos\psi & 0
+///   \\[2pt] 0 & 0 & 1 \end{pmatrix} \f]
 ///
 /// The matrices are passive: the vector stays where it is, the axes turn. Its transpose \f$A = R^T\f$ has the body axes
 /// as columns, in inertial components.
@@ -38,7 +41,8 @@ Vector3d inertial_components(const Vector3d& V_body, const Vector3d& angles);
 /// \f[ R_{33} = \cos\theta, \qquad (R_{31}, R_{32}) = \sin\theta\,(\cos\phi, \sin\phi), \qquad
 ///   (R_{13}, R_{23}) = \sin\theta\,(-\cos\psi, \sin\psi) \f]
 ///
-/// Where \f$\sin\theta = 0\f$ only φ + ψ (θ = 0) or ψ − φ (θ = π) is determined; every choice that gives R back is right.
+/// Where \f$\sin\theta = 0\f$ only φ + ψ (θ = 0) or ψ − φ (θ = π) is determined; every choice that gives R back is
+/// right.
 ///
 /// @param R  rotation matrix from inertial to body components: \f$V_{body} = R\,V_{inertial}\f$
 /// @return   (φ, θ, ψ), rad, with θ in [0, π]; judged through rotation_matrix(), not angle by angle
@@ -48,7 +52,8 @@ Vector3d euler_angles(const Matrix3d& R);
 
 /// The line of nodes ê₂′, the axis of the second turn, in body components.
 ///
-/// \f[ \hat e_2' = \sin\psi\,\hat e_1 + \cos\psi\,\hat e_2 = R_\psi \begin{pmatrix} 0 \\[2pt] 1 \\[2pt] 0 \end{pmatrix} \f]
+/// \f[ \hat e_2' = \sin\psi\,\hat e_1 + \cos\psi\,\hat e_2 = R_\psi \begin{pmatrix} 0 \\[2pt] 1 \\[2pt] 0 \end{pmatrix}
+/// \f]
 ///
 /// @param psi  third Euler angle ψ, rad
 /// @return     unit vector, body components

@@ -22,7 +22,8 @@ constexpr double pi = std::numbers::pi;
 /// The body of both figures: a flat cuboid about its centre, turned so that no axis of it is a coordinate axis.
 struct Body {
   Vector3d edges{3.0, 1.6, 0.6};
-  Matrix3d axes = (Eigen::AngleAxisd(0.5, Vector3d::UnitZ()) * Eigen::AngleAxisd(-0.35, Vector3d::UnitY())).toRotationMatrix();
+  Matrix3d axes =
+      (Eigen::AngleAxisd(0.5, Vector3d::UnitZ()) * Eigen::AngleAxisd(-0.35, Vector3d::UnitY())).toRotationMatrix();
 
   Matrix3d tensor() const {
     const Vector3d squares = edges.cwiseAbs2() / 12;
@@ -89,19 +90,24 @@ void draw_inertia_ellipsoid(const std::filesystem::path& directory) {
                "set lmargin 0; set rmargin 0; set tmargin 0; set bmargin 0\n"
                "set view 55, 62, 2.3; set view equal xyz\n"
                "set xrange [-2.4:2.4]; set yrange [-2.4:2.4]; set zrange [-1.7:1.7]\n";
-    const std::array<const char*, 3> colors = {workbook::colors::vermilion, workbook::colors::green, workbook::colors::purple};
+    const std::array<const char*, 3> colors = {workbook::colors::vermilion, workbook::colors::green,
+                                               workbook::colors::purple};
     for (int i = 0; i < 3; ++i) {
       const Vector3d tip = axes.col(i) * (size / std::sqrt(moments[i]) + 0.45);
       const Vector3d place = axes.col(i) * (size / std::sqrt(moments[i]) + 0.65);
-      gnuplot << fmt::format("set arrow from 0,0,0 to {:.4f},{:.4f},{:.4f} front lw 3 lc rgb '{}'\n", tip.x(), tip.y(), tip.z(), colors[i])
-              << fmt::format("set label '{{/:Bold I_{}}} = {:.2f} kg m²' at {:.4f},{:.4f},{:.4f} front center offset 0,-1.3 tc rgb '{}'\n", i + 1,
-                             moments[i], place.x(), place.y(), place.z(), colors[i]);
+      gnuplot << fmt::format("set arrow from 0,0,0 to {:.4f},{:.4f},{:.4f} front lw 3 lc rgb '{}'\n", tip.x(), tip.y(),
+                             tip.z(), colors[i])
+              << fmt::format(
+                     "set label '{{/:Bold I_{}}} = {:.2f} kg m²' at {:.4f},{:.4f},{:.4f} front center offset 0,-1.3 tc "
+                     "rgb '{}'\n",
+                     i + 1, moments[i], place.x(), place.y(), place.z(), colors[i]);
     }
     const auto mesh = ellipsoid_mesh(I, size);
     const auto frame = wire_frame(body);
     gnuplot << "splot ";
     for (std::size_t i = 0; i < mesh.size(); ++i) gnuplot << "'-' w l lw 1 lc rgb '" << workbook::colors::sky << "', ";
-    for (std::size_t i = 0; i < frame.size(); ++i) gnuplot << "'-' w l lw 2.5 lc rgb '#333333'" << (i + 1 < frame.size() ? ", " : "\n");
+    for (std::size_t i = 0; i < frame.size(); ++i)
+      gnuplot << "'-' w l lw 2.5 lc rgb '#333333'" << (i + 1 < frame.size() ? ", " : "\n");
     for (const Curve& curve : mesh) gnuplot.send1d(curve);
     for (const Curve& curve : frame) gnuplot.send1d(curve);
   });
@@ -125,9 +131,10 @@ void draw_energy_over_direction(const std::filesystem::path& directory) {
         const double azimuth = std::atan2(n.y(), n.x()) * 180 / pi;
         const double polar = std::acos(n.z()) * 180 / pi;
         const char* color = i == 2 ? "white" : "black";
-        gnuplot << fmt::format("set label at {:.2f},{:.2f} point pt 7 ps 1.6 lc rgb '{}' front\n", azimuth, polar, color)
-                << fmt::format("set label '{}e_{}' at {:.2f},{:.2f} left front tc rgb '{}'\n", sign > 0 ? "" : "−", i + 1, azimuth + 6,
-                               polar, color);
+        gnuplot << fmt::format("set label at {:.2f},{:.2f} point pt 7 ps 1.6 lc rgb '{}' front\n", azimuth, polar,
+                               color)
+                << fmt::format("set label '{}e_{}' at {:.2f},{:.2f} left front tc rgb '{}'\n", sign > 0 ? "" : "−",
+                               i + 1, azimuth + 6, polar, color);
       }
     }
     std::vector<Curve> rows;
@@ -141,7 +148,8 @@ void draw_energy_over_direction(const std::filesystem::path& directory) {
       }
       rows.push_back(row);
     }
-    gnuplot << fmt::format("set title 'T at |ω| = 1 rad/s: {:.3f} J along e_1, {:.3f} J along e_3'\n", moments[0] / 2, moments[2] / 2);
+    gnuplot << fmt::format("set title 'T at |ω| = 1 rad/s: {:.3f} J along e_1, {:.3f} J along e_3'\n", moments[0] / 2,
+                           moments[2] / 2);
     gnuplot << "plot '-' with image\n";
     gnuplot.send2d(rows);
   });

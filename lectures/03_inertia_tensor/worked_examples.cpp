@@ -104,7 +104,8 @@ TEST_CASE("About an axis the nine numbers become one") {
 
   CHECK(agrees(moment_about_axis(I, axis), by_distances, 1e-14));
   CHECK(agrees(moment_about_axis(I, axis), 191.0 / 9, 1e-14));
-  CHECK(agrees(moment_about_axis(I, 10 * axis), moment_about_axis(I, axis), 1e-14));  // the length of the arrow is no matter
+  CHECK(agrees(moment_about_axis(I, 10 * axis), moment_about_axis(I, axis),
+               1e-14));  // the length of the arrow is no matter
 
   Printed page("axis");
   page.line("I about (1, 2, 2): {:.10g} kg m²", moment_about_axis(I, axis));
@@ -183,7 +184,8 @@ TEST_CASE("On principal axes energy and momentum lose their cross terms") {
 TEST_CASE("The tensor of a turned body has products of inertia that its own axes do not show") {
   const Matrix3d I_body = Vector3d(1, 2, 3).asDiagonal();
   const Matrix3d A = (Eigen::AngleAxisd(0.3, Vector3d::UnitZ()) * Eigen::AngleAxisd(0.7, Vector3d::UnitY()) *
-                      Eigen::AngleAxisd(1.1, Vector3d::UnitZ())).toRotationMatrix();
+                      Eigen::AngleAxisd(1.1, Vector3d::UnitZ()))
+                         .toRotationMatrix();
 
   const Matrix3d I = rotated_inertia(I_body, A);
 

@@ -1,5 +1,6 @@
 /// @file
-/// The one comparison of the worked examples and tests: with a tolerance relative to a scale, and all digits when it fails.
+/// The one comparison of the worked examples and tests: with a tolerance relative to a scale, and all digits when it
+/// fails.
 #pragma once
 
 #include <Eigen/Dense>

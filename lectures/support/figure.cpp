@@ -19,11 +19,13 @@ constexpr const char* common_style =
 
 std::string terminal(const std::string& format, FigureSize size) {
   if (format == "svg") {
-    return fmt::format("set terminal svg enhanced size {},{} font 'Helvetica,15' background rgb 'white'\n", size.width, size.height);
+    return fmt::format("set terminal svg enhanced size {},{} font 'Helvetica,15' background rgb 'white'\n", size.width,
+                       size.height);
   }
   // Twice the pixels, for sharp text in print and on dense screens.
-  return fmt::format("set terminal pngcairo enhanced size {},{} font 'Helvetica,24' linewidth 2 background rgb 'white'\n",
-                     2 * size.width, 2 * size.height);
+  return fmt::format(
+      "set terminal pngcairo enhanced size {},{} font 'Helvetica,24' linewidth 2 background rgb 'white'\n",
+      2 * size.width, 2 * size.height);
 }
 
 }  // namespace
@@ -44,12 +46,15 @@ void draw_figure(const std::filesystem::path& directory, const std::string& name
     std::filesystem::remove(file);
     {
       gnuplotio::Gnuplot gnuplot("gnuplot");
-      gnuplot << "set encoding utf8\n" << terminal(format, size) << "set output '" << file.string() << "'\n" << common_style;
+      gnuplot << "set encoding utf8\n"
+              << terminal(format, size) << "set output '" << file.string() << "'\n"
+              << common_style;
       draw(gnuplot);
       gnuplot << "\nset output\n";
     }
     if (!std::filesystem::exists(file) || std::filesystem::file_size(file) == 0) {
-      throw std::runtime_error(fmt::format("gnuplot drew no {}: is gnuplot installed, and the script above free of errors?", file.string()));
+      throw std::runtime_error(
+          fmt::format("gnuplot drew no {}: is gnuplot installed, and the script above free of errors?", file.string()));
     }
   }
 }

@@ -20,8 +20,7 @@ void advance(const Vector3d& I, State& state, double from, double to) {
   using namespace boost::numeric::odeint;
   if (from == to) return;
   const auto system = [&I](const State& omega, State& omega_rate, double) {
-    omega_rate = {omega[1] * omega[2] * (I[1] - I[2]) / I[0],
-                  omega[2] * omega[0] * (I[2] - I[0]) / I[1],
+    omega_rate = {omega[1] * omega[2] * (I[1] - I[2]) / I[0], omega[2] * omega[0] * (I[2] - I[0]) / I[1],
                   omega[0] * omega[1] * (I[0] - I[1]) / I[2]};
   };
   // The tightest tolerance that double precision honours; it is relative to ω as long as ω is not tiny.

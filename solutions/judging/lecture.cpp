@@ -16,14 +16,22 @@ namespace {
 
 std::string type_name(Kind kind) {
   switch (kind) {
-    case Kind::number: return "double";
-    case Kind::integer: return "int";
-    case Kind::vector2: return "Vector2d";
-    case Kind::vector3: return "Vector3d";
-    case Kind::vector: return "VectorXd";
-    case Kind::matrix3: return "Matrix3d";
-    case Kind::points: return "Matrix3Xd";
-    case Kind::matrices: return "std::vector<Matrix3d>";
+    case Kind::number:
+      return "double";
+    case Kind::integer:
+      return "int";
+    case Kind::vector2:
+      return "Vector2d";
+    case Kind::vector3:
+      return "Vector3d";
+    case Kind::vector:
+      return "VectorXd";
+    case Kind::matrix3:
+      return "Matrix3d";
+    case Kind::points:
+      return "Matrix3Xd";
+    case Kind::matrices:
+      return "std::vector<Matrix3d>";
   }
   throw std::logic_error("a kind without a C++ type");
 }
@@ -53,7 +61,8 @@ std::uint64_t batch_seed(std::uint64_t seed, const std::string& exercise, const 
 
 void require_usable(const std::string& exercise, const Case& judged) {
   const std::string place = fmt::format("{}, case '{}'", exercise, judged.name);
-  if (!is_finite(judged.expected)) throw std::logic_error(place + ": the reference solution gives a number that is not finite");
+  if (!is_finite(judged.expected))
+    throw std::logic_error(place + ": the reference solution gives a number that is not finite");
   if (judged.scale.size() != 1 && judged.scale.size() != judged.expected.numbers.size()) {
     throw std::logic_error(place + ": give one scale, or one for each number of the result");
   }

@@ -53,7 +53,8 @@ void require_usable(const std::string& exercise, const Case& judged);
 template <class Result, class... Parameters>
 auto Exercise<Result, Parameters...>::argument(std::string name, Unit unit) -> Exercise& {
   const std::vector<std::string> kinds{KindOfParameter<Parameters>::name...};
-  if (result_.arguments.size() == kinds.size()) throw std::logic_error(result_.name + ": more arguments named than the contract has");
+  if (result_.arguments.size() == kinds.size())
+    throw std::logic_error(result_.name + ": more arguments named than the contract has");
   result_.arguments.push_back({std::move(name), kind_from_string(kinds[result_.arguments.size()]), unit});
   return *this;
 }
@@ -108,7 +109,8 @@ auto Exercise<Result, Parameters...>::worked(std::string name, std::remove_cvref
 }
 
 template <class Result, class... Parameters>
-auto Exercise<Result, Parameters...>::special(std::string name, std::remove_cvref_t<Parameters>... inputs) -> Exercise& {
+auto Exercise<Result, Parameters...>::special(std::string name, std::remove_cvref_t<Parameters>... inputs)
+    -> Exercise& {
   worked(std::move(name), std::move(inputs)...);
   batches_.back().prototype.group = Group::special;
   return blind();
@@ -141,14 +143,14 @@ template <class Result, class... Parameters>
 auto Exercise<Result, Parameters...>::angles_read_as_degrees(std::string notes) -> Exercise& {
   std::vector<bool> is_angle;
   for (const Argument& argument : result_.arguments) is_angle.push_back(argument.unit == units::radian);
-  return misconception(
-      "degrees", "You convert the angles from degrees, but they already come in radians.", std::move(notes),
-      [reference = reference_, is_angle](const std::remove_cvref_t<Parameters>&... inputs) {
-        const auto scaled = [&]<std::size_t... index>(std::index_sequence<index...>) {
-          return Inputs{(is_angle[index] ? detail::as_if_degrees(inputs) : inputs)...};
-        };
-        return std::apply(reference, scaled(std::index_sequence_for<Parameters...>{}));
-      });
+  return misconception("degrees", "You convert the angles from degrees, but they already come in radians.",
+                       std::move(notes),
+                       [reference = reference_, is_angle](const std::remove_cvref_t<Parameters>&... inputs) {
+                         const auto scaled = [&]<std::size_t... index>(std::index_sequence<index...>) {
+                           return Inputs{(is_angle[index] ? detail::as_if_degrees(inputs) : inputs)...};
+                         };
+                         return std::apply(reference, scaled(std::index_sequence_for<Parameters...>{}));
+                       });
 }
 
 template <class Result, class... Parameters>

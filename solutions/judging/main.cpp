@@ -2,8 +2,8 @@
 /// Makes the reference results of one lecture from its solutions.
 #include "solutions/judging/lecture.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <cstdint>
 #include <cstdio>

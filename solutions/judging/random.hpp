@@ -23,7 +23,8 @@ class Random {
   /// +1 or −1.
   double sign();
 
-  /// A vector with components of either sign and magnitude between 0.2 and 1 times `size`: never near a coordinate plane.
+  /// A vector with components of either sign and magnitude between 0.2 and 1 times `size`: never near a coordinate
+  /// plane.
   Eigen::Vector3d vector(double size = 1.0);
 
   /// A direction, uniform on the sphere.

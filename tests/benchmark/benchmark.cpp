@@ -1,8 +1,8 @@
 /// @file
 /// How long a student waits: from saved file to verdict, beside the bare compiler and beside a plain CMake + doctest
 /// project doing the same job. All in one run, in turn, because machines are noisy; medians and ratios count.
-#include "checker/course/course.hpp"
 #include "checker/compile/toolchain.hpp"
+#include "checker/course/course.hpp"
 #include "checker/worker/child_process.hpp"
 
 #include <fmt/format.h>
@@ -60,20 +60,23 @@ void run(const std::string& program, const std::vector<std::string>& arguments, 
 }
 
 /// A project as one would write it without the checker: the exercise, and doctest cases with the reference values.
-void write_plain_project(const fs::path& folder, const Course& course, const Exercise& exercise, const std::string& source) {
+void write_plain_project(const fs::path& folder, const Course& course, const Exercise& exercise,
+                         const std::string& source) {
   fs::remove_all(folder);
-  write(folder / "CMakeLists.txt", fmt::format(
-      "cmake_minimum_required(VERSION 3.25)\nproject(plain CXX)\nset(CMAKE_CXX_STANDARD 20)\n"
-      "find_package(Eigen3 REQUIRED NO_MODULE)\nfind_package(doctest REQUIRED)\n"
-      "add_executable(plain main.cpp test.cpp exercise.cpp)\n"
-      "target_include_directories(plain PRIVATE \"{}\")\ntarget_link_libraries(plain PRIVATE Eigen3::Eigen doctest::doctest)\n",
-      (course.root() / "include").string()));
+  write(folder / "CMakeLists.txt",
+        fmt::format("cmake_minimum_required(VERSION 3.25)\nproject(plain CXX)\nset(CMAKE_CXX_STANDARD 20)\n"
+                    "find_package(Eigen3 REQUIRED NO_MODULE)\nfind_package(doctest REQUIRED)\n"
+                    "add_executable(plain main.cpp test.cpp exercise.cpp)\n"
+                    "target_include_directories(plain PRIVATE \"{}\")\ntarget_link_libraries(plain PRIVATE "
+                    "Eigen3::Eigen doctest::doctest)\n",
+                    (course.root() / "include").string()));
   write(folder / "main.cpp", "#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN\n#include <doctest/doctest.h>\n");
   write(folder / "exercise.cpp", source);
-  write(folder / "test.cpp", fmt::format(
-      "#include <doctest/doctest.h>\n#include <rigid/{}.hpp>\n"
-      "TEST_CASE(\"the exercise is there\") {{ auto function = &rigid::{}; CHECK(function != nullptr); }}\n",
-      exercise.card->contract, exercise.name()));
+  write(folder / "test.cpp",
+        fmt::format(
+            "#include <doctest/doctest.h>\n#include <rigid/{}.hpp>\n"
+            "TEST_CASE(\"the exercise is there\") {{ auto function = &rigid::{}; CHECK(function != nullptr); }}\n",
+            exercise.card->contract, exercise.name()));
 }
 
 struct Row {
@@ -89,8 +92,8 @@ Row measure(const Course& course, const Toolchain& toolchain, const std::string&
   std::vector<double> check, compile, edit, from_scratch, unchanged;
 
   std::vector<std::string> compile_arguments = toolchain.flags;
-  for (const std::string& argument : {std::string("-include"), toolchain.prelude.string(), std::string("-c"), file.string(),
-                                      std::string("-o"), (scratch / "object.o").string()}) {
+  for (const std::string& argument : {std::string("-include"), toolchain.prelude.string(), std::string("-c"),
+                                      file.string(), std::string("-o"), (scratch / "object.o").string()}) {
     compile_arguments.push_back(argument);
   }
   write_plain_project(plain, course, exercise, solution);
@@ -134,20 +137,26 @@ int main(int argc, char** argv) {
     }
     if (argc == 4) exercises = course.exercises();
 
-    fmt::print("Seconds, medians of {} runs in turn. check: saved file to verdict; compile: the bare compiler, same flags and precompiled\n"
-               "header; edit, scratch: a plain CMake + doctest project after an edit, and from nothing; again: the same file unchanged.\n\n", argv[3]);
-    fmt::print("{:<30} {:>7} {:>8} {:>7} {:>8} {:>7}  {:>13} {:>10}\n", "exercise", "check", "compile", "edit", "scratch", "again", "check/compile", "check/edit");
+    fmt::print(
+        "Seconds, medians of {} runs in turn. check: saved file to verdict; compile: the bare compiler, same flags and "
+        "precompiled\n"
+        "header; edit, scratch: a plain CMake + doctest project after an edit, and from nothing; again: the same file "
+        "unchanged.\n\n",
+        argv[3]);
+    fmt::print("{:<30} {:>7} {:>8} {:>7} {:>8} {:>7}  {:>13} {:>10}\n", "exercise", "check", "compile", "edit",
+               "scratch", "again", "check/compile", "check/edit");
     std::vector<double> to_compile, to_edit, again;
     for (const Exercise& exercise : exercises) {
       const Row row = measure(course, toolchain, checker, argv[2], scratch, exercise, std::stoi(argv[3]));
       to_compile.push_back(row.check / row.compile);
       to_edit.push_back(row.check / row.edit);
       again.push_back(row.unchanged);
-      fmt::print("{:<30} {:7.3f} {:8.3f} {:7.3f} {:8.3f} {:7.3f}  {:13.2f} {:10.2f}\n", row.exercise, row.check, row.compile, row.edit,
-                 row.scratch, row.unchanged, to_compile.back(), to_edit.back());
+      fmt::print("{:<30} {:7.3f} {:8.3f} {:7.3f} {:8.3f} {:7.3f}  {:13.2f} {:10.2f}\n", row.exercise, row.check,
+                 row.compile, row.edit, row.scratch, row.unchanged, to_compile.back(), to_edit.back());
       std::fflush(stdout);
     }
-    fmt::print("{:<30} {:>7} {:>8} {:>7} {:>8} {:7.3f}  {:13.2f} {:10.2f}\n", "median", "", "", "", "", median(again), median(to_compile), median(to_edit));
+    fmt::print("{:<30} {:>7} {:>8} {:>7} {:>8} {:7.3f}  {:13.2f} {:10.2f}\n", "median", "", "", "", "", median(again),
+               median(to_compile), median(to_edit));
   } catch (const std::exception& problem) {
     fmt::print(stderr, "{}\n", problem.what());
     return 3;

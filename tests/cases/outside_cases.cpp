@@ -1,5 +1,5 @@
-// The numbers that this project did not make, as one table: `ctest -R outside_cases -V` shows it. Each row is printed by a
-// worked example just behind the check that reaches it, so a row stands here only if its check passed.
+// The numbers that this project did not make, as one table: `ctest -R outside_cases -V` shows it. Each row is printed
+// by a worked example just behind the check that reaches it, so a row stands here only if its check passed.
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
@@ -42,9 +42,11 @@ std::map<std::string, Row> read_rows(const std::filesystem::path& directory) {
 TEST_CASE("every case from an outside source is reached by a worked example") {
   const auto rows = read_rows(WORKBOOK_PRINTED_DIRECTORY);
   fmt::print("case | expected | ours | tolerance | lecture\n");
-  for (const auto& [id, row] : rows) fmt::print("{} | {} | {} | {} | {}\n", id, row.expected, row.ours, row.tolerance, row.lecture);
+  for (const auto& [id, row] : rows)
+    fmt::print("{} | {} | {} | {} | {}\n", id, row.expected, row.ours, row.tolerance, row.lecture);
 
-  for (const char* id : {"V01", "V02", "V03", "V04", "V06", "V10", "V11", "V16", "V20", "V26", "V27", "V35", "V36", "V39", "V43", "V44", "V46", "V49"}) {
+  for (const char* id : {"V01", "V02", "V03", "V04", "V06", "V10", "V11", "V16", "V20", "V26", "V27", "V35", "V36",
+                         "V39", "V43", "V44", "V46", "V49"}) {
     CHECK_MESSAGE(rows.contains(id), id);
   }
 }

@@ -139,7 +139,8 @@ TEST_CASE("a folder that cannot be written is named") {
 TEST_CASE("a damaged progress file is set aside and nothing is lost") {
   const CourseCopy course;
   solve(course, "spring_energy");
-  for (const char* damage : {"", "{", "[]", "{\"format\": 1}", "{\"format\": 99, \"exercises\": {}}", "{\"format\": 1, \"exercises\": {\"spring_energy\": 3}}"}) {
+  for (const char* damage : {"", "{", "[]", "{\"format\": 1}", "{\"format\": 99, \"exercises\": {}}",
+                             "{\"format\": 1, \"exercises\": {\"spring_energy\": 3}}"}) {
     CAPTURE(damage);
     write(course.root() / ".workbook/progress.json", damage);
     const Outcome outcome = course.run("list");

@@ -80,7 +80,8 @@ TEST_CASE("damaged reference results are named with the place of the damage") {
       {change([](json& d) { d["format"] = 2; }), "format"},
       {change([](json& d) { d["exercises"][0]["cases"][0]["expected"] = nullptr; }), "exercises[0].cases[0].expected"},
       {change([](json& d) { d["exercises"][0]["cases"][0]["expected"] = "nine"; }), "exercises[0].cases[0].expected"},
-      {change([](json& d) { d["exercises"][0]["cases"][0]["inputs"] = json::array(); }), "exercises[0].cases[0].inputs"},
+      {change([](json& d) { d["exercises"][0]["cases"][0]["inputs"] = json::array(); }),
+       "exercises[0].cases[0].inputs"},
       {change([](json& d) { d["exercises"][0]["cases"][0].erase("tolerance"); }), "exercises[0].cases[0]"},
       {change([](json& d) { d["exercises"] = 3; }), "exercises"},
   };
@@ -106,7 +107,8 @@ TEST_CASE("a course that is not there is a checker error") {
 
 TEST_CASE("trouble of our own is no zero") {
   const CourseCopy course;
-  fs::copy_file(course.solution("spring_energy"), course.exercise("spring_energy"), fs::copy_options::overwrite_existing);
+  fs::copy_file(course.solution("spring_energy"), course.exercise("spring_energy"),
+                fs::copy_options::overwrite_existing);
   // A toolchain whose compiler is gone.
   auto toolchain = nlohmann::json::parse(read(WORKBOOK_TEST_TOOLCHAIN));
   toolchain["compiler"] = "/nowhere/g++";

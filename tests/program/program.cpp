@@ -64,15 +64,18 @@ CourseCopy::~CourseCopy() {
 Outcome CourseCopy::run(const std::string& arguments, const std::string& environment) const {
   const fs::path out = root_ / "stdout.txt";
   const fs::path err = root_ / "stderr.txt";
-  const std::string command = fmt::format("cd '{}' && {} '{}' --course '{}' {} </dev/null >'{}' 2>'{}'", root_.string(), environment,
-                                          WORKBOOK_TEST_CHECKER, (root_ / "course.json").string(), arguments, out.string(), err.string());
+  const std::string command =
+      fmt::format("cd '{}' && {} '{}' --course '{}' {} </dev/null >'{}' 2>'{}'", root_.string(), environment,
+                  WORKBOOK_TEST_CHECKER, (root_ / "course.json").string(), arguments, out.string(), err.string());
   const int raw = std::system(command.c_str());
   return {WIFEXITED(raw) ? WEXITSTATUS(raw) : -1, read(out), read(err)};
 }
 
 void CourseCopy::answer_energy(const std::string& body, const std::string& before) const {
-  write(exercise("spring_energy"), before + "#include <rigid/springs.hpp>\nnamespace rigid {\ndouble spring_energy(double k, const Vector3d& x) {\n" +
-                                       body + "\n}\n}\n");
+  write(exercise("spring_energy"),
+        before +
+            "#include <rigid/springs.hpp>\nnamespace rigid {\ndouble spring_energy(double k, const Vector3d& x) {\n" +
+            body + "\n}\n}\n");
 }
 
 }  // namespace workbook::testing

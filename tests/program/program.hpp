@@ -31,8 +31,12 @@ class CourseCopy {
   Outcome run(const std::string& arguments, const std::string& environment = "") const;
 
   const std::filesystem::path& root() const { return root_; }
-  std::filesystem::path exercise(const std::string& name) const { return root_ / "lectures/01_springs/exercises" / (name + ".cpp"); }
-  std::filesystem::path solution(const std::string& name) const { return root_ / "solutions/01_springs" / (name + ".cpp"); }
+  std::filesystem::path exercise(const std::string& name) const {
+    return root_ / "lectures/01_springs/exercises" / (name + ".cpp");
+  }
+  std::filesystem::path solution(const std::string& name) const {
+    return root_ / "solutions/01_springs" / (name + ".cpp");
+  }
   std::filesystem::path reference() const { return root_ / "reference/01_springs.json"; }
   std::filesystem::path card() const { return root_ / "lectures/01_springs/card.json"; }
   std::filesystem::path notes() const { return root_ / "lectures/01_springs/notes.md"; }

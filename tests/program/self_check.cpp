@@ -40,8 +40,10 @@ TEST_CASE("self-check finds a deleted hint") {
 
 TEST_CASE("self-check finds a stub that is solved") {
   const CourseCopy course;
-  fs::copy_file(course.solution("spring_energy"), course.exercise("spring_energy"), fs::copy_options::overwrite_existing);
-  require_fault(course, "lectures/01_springs/exercises/spring_energy.cpp", "`checker reset spring_energy` puts it back");
+  fs::copy_file(course.solution("spring_energy"), course.exercise("spring_energy"),
+                fs::copy_options::overwrite_existing);
+  require_fault(course, "lectures/01_springs/exercises/spring_energy.cpp",
+                "`checker reset spring_energy` puts it back");
 }
 
 TEST_CASE("self-check finds a solution that is wrong") {
@@ -61,7 +63,9 @@ TEST_CASE("self-check finds a misconception that is no mistake") {
 
 TEST_CASE("self-check finds an exercise on the card that does not exist") {
   const CourseCopy course;
-  replace_in(course.card(), "\"exercises\": [", "\"exercises\": [ {\"name\": \"ghost\", \"points\": 1, \"notes\": \"springs_energy\", \"task\": \"None.\"},");
+  replace_in(
+      course.card(), "\"exercises\": [",
+      "\"exercises\": [ {\"name\": \"ghost\", \"points\": 1, \"notes\": \"springs_energy\", \"task\": \"None.\"},");
   require_fault(course, "lectures/01_springs/exercises/ghost.cpp", "write it, or take it off the card");
   require_fault(course, "01_springs.json", "'ghost' is missing, though the card of 01_springs lists it");
 }
@@ -69,7 +73,8 @@ TEST_CASE("self-check finds an exercise on the card that does not exist") {
 TEST_CASE("self-check finds a stray file") {
   const CourseCopy course;
   write(course.root() / "lectures/01_springs/exercises/spring_old.cpp", "// forgotten\n");
-  require_fault(course, "lectures/01_springs/exercises/spring_old.cpp", "add its exercise to the card, or move the file away");
+  require_fault(course, "lectures/01_springs/exercises/spring_old.cpp",
+                "add its exercise to the card, or move the file away");
 }
 
 TEST_CASE("self-check finds a snippet without its mark") {

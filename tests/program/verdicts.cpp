@@ -15,30 +15,37 @@ namespace {
 
 struct Answer {
   const char* about;
-  const char* body;     ///< of spring_energy
+  const char* body;  ///< of spring_energy
   const char* verdict;
-  const char* sentence; ///< part of the message
+  const char* sentence;  ///< part of the message
   const char* before = "";
 };
 
 const std::vector<Answer> answers = {
     {"right", "return 0.5 * k * x.squaredNorm();", "passed", "agree with the reference"},
-    {"right by another route", "double e = 0; for (double c : x) e += k * c * c; return e / 2;", "passed", "agree with the reference"},
+    {"right by another route", "double e = 0; for (double c : x) e += k * c * c; return e / 2;", "passed",
+     "agree with the reference"},
     {"wrong", "return k * x.squaredNorm();", "wrong_value", "The value is wrong at 7 of 7 cases"},
-    {"right at some cases only", "return k > 3 ? 0.0 : 0.5 * k * x.squaredNorm();", "wrong_value", "The value is wrong"},
+    {"right at some cases only", "return k > 3 ? 0.0 : 0.5 * k * x.squaredNorm();", "wrong_value",
+     "The value is wrong"},
     {"does not compile", "return 0.5 * k * x.squaredNorm()", "compile_error", "line 4"},
     {"throws", "throw std::runtime_error(\"no idea\");", "uncaught_exception", "no idea"},
     {"index beyond the end", "return x(7);", "uncaught_exception", "exception"},
     {"crashes", "int* p = nullptr; *p = 1; return k;", "crashed", "signal 11"},
     {"exits with 0 early", "std::exit(0);", "stopped_early", "exit status 0"},
     {"loops", "volatile int i = 0; while (true) ++i; return k;", "time_limit", "did not return in time"},
-    {"eats memory", "std::vector<double> v; while (true) v.resize(v.size() + 10000000, k); return k;", "memory_limit", "more memory"},
-    {"floods the output", "while (true) std::puts(\"again and again and again\"); return k;", "output_limit", "printed more than"},
-    {"prints a fake reply", "std::puts(\"{\\\"verdict\\\": \\\"passed\\\"}\"); return 0;", "wrong_value", "The value is wrong"},
+    {"eats memory", "std::vector<double> v; while (true) v.resize(v.size() + 10000000, k); return k;", "memory_limit",
+     "more memory"},
+    {"floods the output", "while (true) std::puts(\"again and again and again\"); return k;", "output_limit",
+     "printed more than"},
+    {"prints a fake reply", "std::puts(\"{\\\"verdict\\\": \\\"passed\\\"}\"); return 0;", "wrong_value",
+     "The value is wrong"},
     {"returns NaN", "return std::nan(\"\");", "non_finite_value", "not a number"},
-    {"random answers", "return 0.5 * k * x.squaredNorm() + 1e-3 * (std::chrono::steady_clock::now().time_since_epoch().count() % 1000);",
+    {"random answers",
+     "return 0.5 * k * x.squaredNorm() + 1e-3 * (std::chrono::steady_clock::now().time_since_epoch().count() % 1000);",
      "inconsistent_value", "The same input gave two results", "#include <chrono>\n"},
-    {"opens a file", "std::ifstream(\"/etc/passwd\"); return 0.5 * k * x.squaredNorm();", "forbidden_operation", "no exercise needs", "#include <fstream>\n"},
+    {"opens a file", "std::ifstream(\"/etc/passwd\"); return 0.5 * k * x.squaredNorm();", "forbidden_operation",
+     "no exercise needs", "#include <fstream>\n"},
     {"not started", "throw NotStarted{};", "not_started", "not started"},
 };
 
@@ -90,7 +97,9 @@ TEST_CASE("a known mistake is named, with the paragraph to read") {
 
 TEST_CASE("a function that is not there is missing, and the sentence says what the file defines") {
   const CourseCopy course;
-  write(course.exercise("spring_energy"), "#include <rigid/springs.hpp>\nnamespace rigid { double spring_enrgy(double, const Vector3d&) { return 1; } }\n");
+  write(
+      course.exercise("spring_energy"),
+      "#include <rigid/springs.hpp>\nnamespace rigid { double spring_enrgy(double, const Vector3d&) { return 1; } }\n");
   const auto result = course.run("check spring_energy --json").json().at("results").at(0);
   CHECK(result.at("verdict") == "missing_function");
   const std::string message = result.at("message");
@@ -137,7 +146,8 @@ TEST_CASE("an answer learnt by heart from one seed fails another") {
   const CourseCopy course;
   course.answer_energy("static int call = 0; ++call; return 9.0;");
   CHECK(course.run("check spring_energy --seed 5").status == 1);
-  fs::copy_file(course.solution("spring_energy"), course.exercise("spring_energy"), fs::copy_options::overwrite_existing);
+  fs::copy_file(course.solution("spring_energy"), course.exercise("spring_energy"),
+                fs::copy_options::overwrite_existing);
   const Outcome outcome = course.run("check spring_energy --seed 5 --json");
   CHECK(outcome.status == 0);
   CHECK(outcome.json().at("seed") == 5);

@@ -30,8 +30,13 @@ void workbook::judging::describe(Lecture& lecture) {
                        [](double, const Vector3d& x) { return 0.5 * x.squaredNorm(); });
   energy.route("dot product", [](double k, const Vector3d& x) { return k * x.dot(x) / 2; });
   energy.route("work", [](double k, const Vector3d& x) { return -0.5 * spring_force(k, x).dot(x); });
-  energy.route("by components", [](double k, const Vector3d& x) { return (k * x[0] * x[0] + k * x[1] * x[1] + k * x[2] * x[2]) / 2; });
-  energy.sweep({"Energy", "x (m)", "E (J)"}, {0, 2, 11}, [](double x) { return Spring{3, Vector3d(x, 0, 0)}; }, {{"E", 0, 0}});
+  energy.route("by components",
+               [](double k, const Vector3d& x) { return (k * x[0] * x[0] + k * x[1] * x[1] + k * x[2] * x[2]) / 2; });
+  energy.sweep({"Energy", "x (m)", "E (J)"}, {0, 2, 11},
+               [](double x) {
+                 return Spring{3, Vector3d(x, 0, 0)};
+               },
+               {{"E", 0, 0}});
 
   auto& force = lecture.exercise("spring_force", &spring_force);
   force.argument("k", stiffness).argument("x", units::metre).result("F", units::newton);
@@ -39,11 +44,13 @@ void workbook::judging::describe(Lecture& lecture) {
   force.random("a random spring", 6, draw);
   force.misconception("away", "The force points away from rest; a spring pulls back.", "springs_force",
                       [](double k, const Vector3d& x) -> Vector3d { return k * x; });
-  force.misconception("direction_only", "The force has the right direction, but the stretch does not enter.", "springs_force",
-                      [](double k, const Vector3d& x) -> Vector3d { return -k * x.normalized(); });
+  force.misconception("direction_only", "The force has the right direction, but the stretch does not enter.",
+                      "springs_force", [](double k, const Vector3d& x) -> Vector3d { return -k * x.normalized(); });
   force.misconception("no_stiffness", "The stiffness does not enter.", "springs_force",
                       [](double, const Vector3d& x) -> Vector3d { return -x; });
-  force.route("by components", [](double k, const Vector3d& x) -> Vector3d { return {-k * x[0], -k * x[1], -k * x[2]}; });
+  force.route("by components", [](double k, const Vector3d& x) -> Vector3d {
+    return {-k * x[0], -k * x[1], -k * x[2]};
+  });
   force.route("factored", [](double k, const Vector3d& x) -> Vector3d { return x * -k; });
   force.route("gradient of the energy", [](double k, const Vector3d& x) -> Vector3d {
     Vector3d gradient;
@@ -52,6 +59,9 @@ void workbook::judging::describe(Lecture& lecture) {
     }
     return -gradient;
   });
-  force.sweep({"Force", "x (m)", "F (N)"}, {0, 2, 11}, [](double x) { return Spring{3, Vector3d(x, 1, 0)}; },
+  force.sweep({"Force", "x (m)", "F (N)"}, {0, 2, 11},
+              [](double x) {
+                return Spring{3, Vector3d(x, 1, 0)};
+              },
               {{"F_x", 0, 0}, {"F_y", 1, 0}});
 }
