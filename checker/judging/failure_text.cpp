@@ -22,26 +22,11 @@ namespace {
 constexpr std::size_t indent = 2;
 constexpr int difference_digits = 3;
 
-void append(std::vector<std::string>& lines, std::vector<std::string> more) {
-  std::ranges::move(more, std::back_inserter(lines));
-}
-
-std::vector<std::string> indented(std::vector<std::string> lines, std::size_t depth) {
-  for (std::string& line : lines) line.insert(0, depth, ' ');
-  return lines;
-}
-
-std::string in_brackets(const std::string& unit) { return unit.empty() ? "" : fmt::format(" [{}]", unit); }
-
-std::string after_blank(const std::string& unit) { return unit.empty() ? "" : " " + unit; }
-
 std::vector<std::size_t> first_indices(std::size_t count) {
   std::vector<std::size_t> indices(count);
   std::iota(indices.begin(), indices.end(), std::size_t{0});
   return indices;
 }
-
-bool is_vector(Kind kind) { return kind == Kind::vector2 || kind == Kind::vector3 || kind == Kind::vector; }
 
 std::vector<std::string> inputs_section(const ExerciseReference& exercise, const Case& one) {
   std::vector<std::string> lines = {"Inputs"};

@@ -28,6 +28,8 @@ std::size_t point_position(const std::string& number) { return std::min(number.f
 
 }  // namespace
 
+bool is_vector(Kind kind) { return kind == Kind::vector2 || kind == Kind::vector3 || kind == Kind::vector; }
+
 std::string number_text(double number, int digits) {
   if (std::isnan(number)) return "NaN";  // never "-nan": its sign says nothing
   if (number == 0) return "0";

@@ -11,6 +11,9 @@
 
 namespace workbook {
 
+/// True for the kinds that are one column of numbers.
+bool is_vector(Kind kind);
+
 /// The shortest text that reads back as the same number.
 inline constexpr int all_digits = 0;
 

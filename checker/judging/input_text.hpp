@@ -1,0 +1,15 @@
+/// @file
+/// The inputs of a case as plain text, with every digit that it takes to try them out.
+#pragma once
+
+#include "checker/data/reference_results.hpp"
+
+#include <string>
+#include <vector>
+
+namespace workbook {
+
+/// "omega = (0.3, -0.2, 0.5) rad/s"; matrices and long lists in aligned columns below their name.
+std::vector<std::string> input_lines(const Argument& argument, const Value& value);
+
+}  // namespace workbook
