@@ -104,7 +104,7 @@ std::vector<std::string> component_lines(const Result& result) {
   table.is_marked = [&](std::size_t row, std::size_t col) { return col == 1 && result.differs(shown[row]); };
 
   std::vector<std::string> lines = indented(table_lines(table), indent);
-  if (shown.empty()) lines.push_back("  an empty list");
+  if (shown.empty()) lines.emplace_back("  an empty list");
   if (shown.size() < result.expected.numbers.size()) {
     lines.push_back("  " + left_out(result.expected.numbers.size() - shown.size(), "number"));
   }
@@ -203,11 +203,11 @@ std::vector<std::string> result_section(const ExerciseReference& exercise, const
       fmt::format("Result {}{}", exercise.result_name, in_brackets(common_unit(exercise)))};
   append(lines, result_lines(result));
   if (!failure.actual) {
-    lines.push_back("  No value of yours can be shown.");
+    lines.emplace_back("  No value of yours can be shown.");
     return lines;
   }
   if (exercise.comparison == Comparison::up_to_sign) {
-    lines.push_back("  Expected is this value or its negative, whichever is nearer to yours.");
+    lines.emplace_back("  Expected is this value or its negative, whichever is nearer to yours.");
   }
   const std::vector<Deviation> telling = telling_deviations(std::move(measured));
   for (const Deviation& deviation : telling) {

@@ -52,9 +52,9 @@ void check_parts(const ExerciseReference& exercise, Sentences& found) {
     found.push_back(fmt::format("There are {} deciding cases, fewer than {}.", deciding, fewest_deciding_cases));
   }
   if (std::ranges::find(exercise.cases, Group::worked, &Case::group) == exercise.cases.end()) {
-    found.push_back("No case is a worked one.");
+    found.emplace_back("No case is a worked one.");
   }
-  if (exercise.sweep.x.empty()) found.push_back("There is no sweep to plot.");
+  if (exercise.sweep.x.empty()) found.emplace_back("There is no sweep to plot.");
 }
 
 void check_expected(const ExerciseReference& exercise, Sentences& found) {
@@ -129,7 +129,7 @@ void check_terms(const ExerciseReference& exercise, Sentences& found) {
   }
   const std::vector<Value> expected = expected_values(exercise);
   if (!determine_coefficients(term_equations(exercise, Answers(expected.begin(), expected.end())))) {
-    found.push_back("The terms are not independent at the deciding cases.");
+    found.emplace_back("The terms are not independent at the deciding cases.");
   }
 }
 

@@ -54,6 +54,7 @@ void describe_body_precession_rate(Lecture& lecture) {
       .result("Omega", units::radian_per_second);
 
   exercise.worked("the top of the lecture", 1.0, 1.8, 2.0);
+  exercise.worked("a long top, whose Ω is negative", 2.0, 0.5, 3.0);
   exercise.worked("a long top that spins the other way", 2.0, 0.5, -3.0);
   exercise.special("a sphere", 2.0, 2.0, 1.5);
   exercise.special("a flat plate, I3 = 2 I1", 0.5, 1.0, 3.0);

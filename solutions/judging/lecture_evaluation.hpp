@@ -4,6 +4,8 @@
 
 #include "solutions/judging/lecture.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -218,7 +220,7 @@ ExerciseReference Exercise<Result, Parameters...>::evaluate(std::uint64_t seed) 
     for (int i = 0; i < batch.count; ++i) {
       const Inputs inputs = batch.draw(random);
       Case judged = batch.prototype;
-      if (batch.count > 1) judged.name += " " + std::to_string(i + 1);
+      if (batch.count > 1) judged.name = fmt::format("{} {}", judged.name, i + 1);
       judged.inputs = detail::to_values(inputs);
       judged.expected = value_of(reference_, inputs);
       for (std::size_t k = 0; k < terms_.size(); ++k) out.terms[k].outputs.push_back(value_of(terms_[k], inputs));
