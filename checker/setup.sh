@@ -88,28 +88,27 @@ configure() {  # $1: a preset of CMakePresets.json; further arguments go to cmak
 
 build() {  # targets; shows progress, and nothing at all when there is nothing to do
   local log=$build_directory/build.log
-  if ninja -C "$build_directory" -n "$@" 2>/dev/null | tail -n 1 | grep -q 'no work to do'; then return 0; fi
-  say "Building in ${build_directory#"$PWD"/} (only what changed since the last time) ..."
-  if [ -t 2 ]; then
-    NINJA_STATUS='[%f of %t, %es] ' ninja -C "$build_directory" "$@" 2>&1 | tee "$log" | show_progress
-    [ "${PIPESTATUS[0]}" -eq 0 ] && return 0
-  else
-    NINJA_STATUS='[%f of %t] ' ninja -C "$build_directory" "$@" >"$log" 2>&1 && return 0
-  fi
+  NINJA_STATUS='[%f of %t] ' ninja -C "$build_directory" "$@" 2>&1 | tee "$log" | show_progress "${build_directory#"$PWD"/}"
+  [ "${PIPESTATUS[0]}" -eq 0 ] && return 0
   grep -v '^\[[0-9]* of ' "$log" | head -n 40 >&2
   say "The build failed (the whole story: $log)."
   return 1
 }
 
-show_progress() {  # one line that is written over and over, with a bar as wide as there is room
-  awk -v columns="$(tput cols 2>/dev/null || echo 80)" '
-    /^\[[0-9]+ of [0-9]+/ {
-      done = substr($1, 2) + 0; total = $3 + 0
-      width = columns - 30; if (width > 40) width = 40; if (width < 5) width = 5
-      filled = total > 0 ? int(width * done / total) : 0
-      bar = ""
-      for (i = 0; i < width; i++) bar = bar (i < filled ? "#" : ".")
-      printf "\r  %s %d of %d ", bar, done, total > "/dev/stderr"; fflush("/dev/stderr")
-    }
-    END { printf "\n" > "/dev/stderr" }'
+show_progress() {  # $1: the folder; one line with a bar that is written over and over, on a terminal only
+  local line begun= step='^\[([0-9]+) of ([0-9]+)\]' width=40 filled bar
+  while IFS= read -r line; do
+    [[ $line =~ $step && $line != *"Re-checking globbed"* && $line != *"Re-running CMake"* ]] || continue
+    [ -n "$begun" ] || say "Building in $1 (only what changed since the last time) ..."
+    begun=yes
+    [ -t 2 ] || continue
+    width=$(($(tput cols 2>/dev/null || echo 80) - 30))
+    width=$((width > 40 ? 40 : width < 5 ? 5 : width))
+    filled=$((width * BASH_REMATCH[1] / BASH_REMATCH[2]))
+    printf -v bar '%*s' "$filled" ''
+    bar=${bar// /#}
+    printf -v line '%-*s' "$width" "$bar"
+    printf '\r  %s %d of %d ' "${line// /.}" "${BASH_REMATCH[1]}" "${BASH_REMATCH[2]}" >&2
+  done
+  [ -z "$begun" ] || ! [ -t 2 ] || printf '\n' >&2
 }

@@ -17,12 +17,13 @@ std::string trimmed(const std::string& text) {
 }
 
 class Page {
-public:
+ public:
   Page(const std::string& folder, const std::string& text)
       : shown_("lectures/" + folder + "/notes.md"), folder_(folder), text_(text) {}
 
   std::vector<std::string> faults(const std::filesystem::path& figures) {
-    for (const char* part : {"lecture_card", "exercises", "lecture_links"}) require(fmt::format("\\{}{{{}}}", part, folder_));
+    for (const char* part : {"lecture_card", "exercises", "lecture_links"})
+      require(fmt::format("\\{}{{{}}}", part, folder_));
     refuse_bare_images();
     refuse_quoted_formulas();
     std::set<std::string> shown_figures;
@@ -34,7 +35,7 @@ public:
     return faults_;
   }
 
-private:
+ private:
   void fault(std::size_t position, const std::string& sentence) {
     const auto line = 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(position), '\n');
     const std::string whole = fmt::format("{}:{}: {}", shown_, line, sentence);
@@ -49,7 +50,8 @@ private:
   void refuse_bare_images() {
     static const std::regex image(R"(\\image\b|<img\b|!\[)");
     for (std::sregex_iterator match(text_.begin(), text_.end(), image), end; match != end; ++match) {
-      fault(static_cast<std::size_t>(match->position()), "show pictures by \\figure, which asks for alternative text and caption.");
+      fault(static_cast<std::size_t>(match->position()),
+            "show pictures by \\figure, which asks for alternative text and caption.");
     }
   }
 
@@ -66,9 +68,11 @@ private:
     }
   }
 
-  void look_at_figure(const std::string& name, std::size_t begin, std::size_t after, const std::filesystem::path& figures) {
+  void look_at_figure(const std::string& name, std::size_t begin, std::size_t after,
+                      const std::filesystem::path& figures) {
     if (!std::filesystem::is_regular_file(figures / name)) {
-      fault(begin, fmt::format("the figure {} does not exist; figures.cpp of the lecture draws LECTURE/NAME.svg.", name));
+      fault(begin,
+            fmt::format("the figure {} does not exist; figures.cpp of the lecture draws LECTURE/NAME.svg.", name));
     }
     const auto caption = text_.find("\\caption", after);
     const auto end = text_.find("\\endfigure", after);

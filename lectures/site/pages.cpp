@@ -107,8 +107,9 @@ An arrow leads from a lecture to the ones that build on it.
 
 )";
   for (const Card& card : course) {
-    page += fmt::format("- {}: {} *{}, {}.*\n", titled_link(card, number(card) + " " + card.title), card.summary,
-                        counted(static_cast<double>(card.exercises.size()), "exercise"), counted(points(card), "point"));
+    page +=
+        fmt::format("- {}: {} *{}, {}.*\n", titled_link(card, number(card) + " " + card.title), card.summary,
+                    counted(static_cast<double>(card.exercises.size()), "exercise"), counted(points(card), "point"));
   }
   page += R"(
 ## How to work with it {#how_to_work}
@@ -127,9 +128,10 @@ lecture. The page \ref exercises lists all tasks.
 }
 
 std::string exercises_page(const std::vector<Card>& course, const std::vector<std::string>& contracts) {
-  std::string page = "# Exercises {#exercises}\n\n"
-                     "One function each, in the order of the course. A page shows what the function means, its units and "
-                     "its errors, where the notes explain it, and how to check yours.\n";
+  std::string page =
+      "# Exercises {#exercises}\n\n"
+      "One function each, in the order of the course. A page shows what the function means, its units and "
+      "its errors, where the notes explain it, and how to check yours.\n";
   for (std::size_t lecture = 0; lecture < course.size(); ++lecture) {
     const Card& card = course[lecture];
     // Not a heading of Markdown: those would stand before the exercises in the navigation.
@@ -206,16 +208,18 @@ std::string lecture_links(const std::vector<Card>& course, std::size_t lecture) 
   std::vector<std::string> neighbours;
   if (lecture > 0) neighbours.push_back(titled_link(course.at(lecture - 1), "← " + course.at(lecture - 1).title));
   neighbours.push_back("\\ref course_map \"Course map\"");
-  if (lecture + 1 < course.size()) neighbours.push_back(titled_link(course.at(lecture + 1), course.at(lecture + 1).title + " →"));
+  if (lecture + 1 < course.size())
+    neighbours.push_back(titled_link(course.at(lecture + 1), course.at(lecture + 1).title + " →"));
   return navigation("Lectures", neighbours);
 }
 
 std::string course_map(const std::vector<Card>& course) {
   // Colours come from the style sheet, so that the map follows light and dark.
-  std::string graph = "digraph course {\n"
-                      "  node [shape=box, style=rounded, fontname=\"Helvetica\", fontsize=13, margin=\"0.2,0.1\"];\n"
-                      "  edge [arrowsize=0.7];\n"
-                      "  nodesep=0.35; ranksep=0.4; bgcolor=transparent;\n";
+  std::string graph =
+      "digraph course {\n"
+      "  node [shape=box, style=rounded, fontname=\"Helvetica\", fontsize=13, margin=\"0.2,0.1\"];\n"
+      "  edge [arrowsize=0.7];\n"
+      "  nodesep=0.35; ranksep=0.4; bgcolor=transparent;\n";
   for (const Card& card : course) {
     graph += fmt::format("  {} [label={}, URL=\"lecture_{}.html\", tooltip={}];\n", in_quotes(card.lecture),
                          in_quotes(number(card) + "\n" + in_lines(card.title)), card.lecture, in_quotes(card.summary));
@@ -232,11 +236,12 @@ std::string course_map(const std::vector<Card>& course) {
 
 std::string first_sentence(const Card& card, const std::string& function, const std::string& contract) {
   // A comment of full lines, then the declaration without an empty line between.
-  const std::regex pattern(R"((?:^|\n\n)/// ([^\n]*(?:\n/// [^\n]*)*)(?:\n///[^\n]*)*\n[^/\n][^\n]*\b)" + function + R"(\()");
+  const std::regex pattern(R"((?:^|\n\n)/// ([^\n]*(?:\n/// [^\n]*)*)(?:\n///[^\n]*)*\n[^/\n][^\n]*\b)" + function +
+                           R"(\()");
   std::smatch match;
   if (!std::regex_search(contract, match, pattern)) {
-    throw std::runtime_error(fmt::format("include/rigid/{}.hpp says nothing about {}: write a comment with /// above it.",
-                                         card.contract, function));
+    throw std::runtime_error(fmt::format(
+        "include/rigid/{}.hpp says nothing about {}: write a comment with /// above it.", card.contract, function));
   }
   const std::string paragraph = std::regex_replace(match[1].str(), std::regex(R"(\n/// *)"), " ");
   const auto end = paragraph.find(". ");

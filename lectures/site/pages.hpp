@@ -37,8 +37,8 @@ std::string exercise_table(const Card& card, const std::string& contract);
 std::string lecture_links(const std::vector<Card>& course, std::size_t lecture);
 
 /// The course map in the language of Graphviz: an arrow leads from a lecture to each one that builds on it, but
-/// for arrows that follow from others. A name that is no lecture of the course is left out here; the checker's self-check
-/// refuses it.
+/// for arrows that follow from others. A name that is no lecture of the course is left out here; the checker's
+/// self-check refuses it.
 std::string course_map(const std::vector<Card>& course);
 
 /// The first sentence of a function's comment in a contract.

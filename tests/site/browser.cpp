@@ -102,7 +102,8 @@ json Browser::receive(const std::string& awaited) {
     pollfd ready{from_browser_, POLLIN, 0};
     const int count = ::poll(&ready, 1, static_cast<int>(std::chrono::milliseconds(patience).count()));
     if (count < 0 && errno == EINTR) continue;
-    if (count == 0) throw BrowserError(fmt::format("Chromium did not answer {} within {} seconds.", awaited, patience.count()));
+    if (count == 0)
+      throw BrowserError(fmt::format("Chromium did not answer {} within {} seconds.", awaited, patience.count()));
     std::array<char, 65536> buffer;
     const ssize_t length = count < 0 ? -1 : ::read(from_browser_, buffer.data(), buffer.size());
     if (length <= 0) throw BrowserError("Chromium ended unexpectedly.");
@@ -130,7 +131,8 @@ json Browser::send(const std::string& method, const json& parameters, const std:
       events_.push_back(std::move(message));
     } else if (message["id"] == last_id_) {
       if (message.contains("error")) {
-        throw BrowserError(fmt::format("Chromium refused {}: {}", method, message["error"]["message"].get<std::string>()));
+        throw BrowserError(
+            fmt::format("Chromium refused {}: {}", method, message["error"]["message"].get<std::string>()));
       }
       return message["result"];
     }

@@ -17,7 +17,7 @@ struct BrowserError : std::runtime_error {
 };
 
 class Browser {
-public:
+ public:
   /// Starts Chromium with an empty profile and no way to any other machine.
   /// @throws BrowserError when it does not start.
   explicit Browser(const std::filesystem::path& chromium);
@@ -41,7 +41,7 @@ public:
   /// What happened in the tab since the last call: events as the protocol words them.
   std::vector<nlohmann::json> take_events();
 
-private:
+ private:
   nlohmann::json send(const std::string& method, const nlohmann::json& parameters, const std::string& session);
   nlohmann::json evaluate_with(nlohmann::json parameters, const std::string& expression);
   nlohmann::json receive(const std::string& awaited);

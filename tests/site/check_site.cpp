@@ -2,8 +2,8 @@
 /// check_site: opens every page of the notes in a browser and says what is wrong with it.
 #include "tests/site/inspection.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <chrono>
 #include <exception>
@@ -11,7 +11,8 @@
 using namespace workbook::site;
 
 int main(int argc, char** argv) {
-  CLI::App app("Opens every page of a site in headless Chromium and says, in one sentence each, what is wrong with it.");
+  CLI::App app(
+      "Opens every page of a site in headless Chromium and says, in one sentence each, what is wrong with it.");
   std::filesystem::path root;
   std::filesystem::path chromium = SITE_CHROMIUM;
   std::filesystem::path references;

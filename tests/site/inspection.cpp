@@ -161,12 +161,15 @@ void Inspection::judge_happenings(const std::string& page) {
       if (to.starts_with("file:")) fault(page, fmt::format("{} cannot be loaded.", to.substr(to.rfind('/') + 1)));
     } else if (method == "Runtime.exceptionThrown") {
       const json& details = about["exceptionDetails"];
-      fault(page, "a script stopped: " + details.value("/exception/description"_json_pointer, details.value("text", "")));
+      fault(page,
+            "a script stopped: " + details.value("/exception/description"_json_pointer, details.value("text", "")));
     } else if (method == "Runtime.consoleAPICalled" && (about["type"] == "error" || about["type"] == "assert")) {
       std::string words;
-      for (const json& word : about["args"]) words += " " + word.value("value", json(word.value("description", ""))).dump();
+      for (const json& word : about["args"])
+        words += " " + word.value("value", json(word.value("description", ""))).dump();
       fault(page, "a script reports an error:" + words);
-    } else if (method == "Log.entryAdded" && about["entry"]["level"] == "error" && about["entry"]["source"] != "network") {
+    } else if (method == "Log.entryAdded" && about["entry"]["level"] == "error" &&
+               about["entry"]["source"] != "network") {
       fault(page, "the browser reports an error: " + about["entry"]["text"].get<std::string>());
     }
   }
@@ -186,7 +189,8 @@ void Inspection::judge_look(const std::string& page, const json& look) {
     if (!picture["described"]) fault(page, fmt::format("the picture {} has no alternative text.", name));
   }
   for (const std::string object : look["objects"]) {
-    fault(page, fmt::format("{} is a document within the page, which readers may not see; show it as a picture.", object));
+    fault(page,
+          fmt::format("{} is a document within the page, which readers may not see; show it as a picture.", object));
   }
   anchors_[page] = look["anchors"].get<std::set<std::string>>();
   for (const json& link : look["links"]) links_.push_back({page, link["name"], link["to"]});
@@ -222,8 +226,8 @@ void Inspection::expect_anchors(const std::set<std::string>& names) {
   for (const std::string& name : names) {
     const auto count = std::ranges::count_if(anchors_, [&](const auto& page) { return page.second.contains(name); });
     if (count != 1) {
-      faults_.push_back(fmt::format("#{}, which a diagnosis names for further reading, stands on {} pages instead of one.",
-                                    name, count));
+      faults_.push_back(fmt::format(
+          "#{}, which a diagnosis names for further reading, stands on {} pages instead of one.", name, count));
     }
   }
 }
@@ -239,8 +243,9 @@ void Inspection::search(const std::string& page, const std::string& word) {
   // The results appear in a frame, half a second after the last key.
   for (int tries = 0; tries < 40 && results.empty(); ++tries) {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    const json found = browser_.evaluate_in_frame(
-        "/search/", "[...document.querySelectorAll('.SRResult a[href]')].filter(a => a.getClientRects().length > 0).map(a => a.href)");
+    const json found = browser_.evaluate_in_frame("/search/",
+                                                  "[...document.querySelectorAll('.SRResult a[href]')].filter(a => "
+                                                  "a.getClientRects().length > 0).map(a => a.href)");
     if (found.is_array()) results = found;
   }
   if (results.empty()) fault(page, fmt::format("the search for “{}” finds nothing.", word));
@@ -262,7 +267,8 @@ void Inspection::walk_with_keyboard(const std::string& page) {
       navigation = navigation || focus == "navigation";
       search = search || focus == "search";
     }
-    if (!navigation) fault(page, fmt::format("at a width of {} pixels Tab does not reach the navigation.", setting.width));
+    if (!navigation)
+      fault(page, fmt::format("at a width of {} pixels Tab does not reach the navigation.", setting.width));
     if (!search) fault(page, fmt::format("at a width of {} pixels Tab does not reach the search.", setting.width));
   }
 }
@@ -276,7 +282,8 @@ void Inspection::photograph(const std::string& page, const std::filesystem::path
     settle(browser_);
     // The text scrolls in a column of its own: a window as tall as the column shows all of it.
     const int height = browser_.evaluate(
-        "Math.max(document.documentElement.scrollHeight, 60 + (document.querySelector('#doc-content')?.scrollHeight ?? 0)"
+        "Math.max(document.documentElement.scrollHeight, 60 + (document.querySelector('#doc-content')?.scrollHeight ?? "
+        "0)"
         " + (document.querySelector('#nav-path')?.offsetHeight ?? 0)"
         " + (innerWidth < 768 ? document.querySelector('#top')?.offsetHeight ?? 0 : 0))");
     resize(browser_, setting.width, std::min(height, 16000));
@@ -294,7 +301,8 @@ std::vector<std::string> pages_of(const std::filesystem::path& root) {
       if (file.path().extension() == ".html") pages.push_back(file.path().filename());
     }
   }
-  if (pages.empty()) throw std::runtime_error(fmt::format("{} holds no pages: build the target notes first.", root.string()));
+  if (pages.empty())
+    throw std::runtime_error(fmt::format("{} holds no pages: build the target notes first.", root.string()));
   std::ranges::sort(pages);
   return pages;
 }
@@ -307,7 +315,8 @@ std::set<std::string> anchors_of_diagnoses(const std::filesystem::path& folder) 
     }
   }
   if (notes.empty()) {
-    throw std::runtime_error(fmt::format("{} holds no reference results that name paragraphs of the notes.", folder.string()));
+    throw std::runtime_error(
+        fmt::format("{} holds no reference results that name paragraphs of the notes.", folder.string()));
   }
   return notes;
 }

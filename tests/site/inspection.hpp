@@ -20,7 +20,7 @@ struct Counts {
 };
 
 class Inspection {
-public:
+ public:
   /// @param root the folder of the site, opened as files
   Inspection(Browser& browser, const std::filesystem::path& root);
 
@@ -45,7 +45,7 @@ public:
   const std::vector<std::string>& faults() const { return faults_; }
   const Counts& counts() const { return counts_; }
 
-private:
+ private:
   struct Link {
     std::string page;
     std::string name;

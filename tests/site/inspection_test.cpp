@@ -1,4 +1,5 @@
-// The judge of the site is judged: each page under pages/ has one fault, and the sentence about it is expected word for word.
+// The judge of the site is judged: each page under pages/ has one fault, and the sentence about it is expected word for
+// word.
 #include "tests/site/inspection.hpp"
 
 #include <doctest/doctest.h>
@@ -47,14 +48,16 @@ TEST_CASE("A sound page has no faults, and what it holds is counted") {
 }
 
 TEST_CASE("A formula that MathJax cannot read is named with the reason") {
-  check_same(faults_of("broken_formula.html"),
-             {R"(broken_formula.html: the formula “\notacommand{x}” cannot be shown: Undefined control sequence \notacommand.)",
-              R"(broken_formula.html: the formula “\frac{1}{2” cannot be shown: Missing close brace.)"});
+  check_same(
+      faults_of("broken_formula.html"),
+      {R"(broken_formula.html: the formula “\notacommand{x}” cannot be shown: Undefined control sequence \notacommand.)",
+       R"(broken_formula.html: the formula “\frac{1}{2” cannot be shown: Missing close brace.)"});
 }
 
 TEST_CASE("A formula that nothing draws is named") {
-  check_same(faults_of("plain_formula.html"), {R"(plain_formula.html: the formula “\(T\).” is shown as plain text.)",
-                                              R"(plain_formula.html: the formula “\f$ L \f$.” is shown as plain text.)"});
+  check_same(faults_of("plain_formula.html"),
+             {R"(plain_formula.html: the formula “\(T\).” is shown as plain text.)",
+              R"(plain_formula.html: the formula “\f$ L \f$.” is shown as plain text.)"});
 }
 
 TEST_CASE("A picture that does not load is named") {
@@ -68,9 +71,10 @@ TEST_CASE("A picture of the text without alternative text is named") {
 }
 
 TEST_CASE("A document within the page is refused") {
-  check_same(faults_of("embedded_document.html"),
-             {"embedded_document.html: the element object#square is a document within the page, which readers may not see; "
-              "show it as a picture."});
+  check_same(
+      faults_of("embedded_document.html"),
+      {"embedded_document.html: the element object#square is a document within the page, which readers may not see; "
+       "show it as a picture."});
 }
 
 TEST_CASE("A link to a page, to a paragraph that does not exist, or out of the site is named by its words") {
@@ -99,22 +103,25 @@ TEST_CASE("A script that reports an error or stops is quoted") {
   const Sentences faults = faults_of("failing_script.html");
   REQUIRE(faults.size() == 2);
   CHECK(faults[0] == "failing_script.html: a script reports an error: \"no such angle\"");
-  CHECK(faults[1].starts_with("failing_script.html: a script stopped: ReferenceError: undefinedFunction is not defined"));
+  CHECK(
+      faults[1].starts_with("failing_script.html: a script stopped: ReferenceError: undefinedFunction is not defined"));
 }
 
 TEST_CASE("What makes a narrow page scroll sideways is named, in light and dark") {
-  check_same(faults_of("overflow_narrow.html"),
-             {"overflow_narrow.html: at a width of 390 pixels the page scrolls sideways by 318 pixels because of p#wide (“A "
-              "paragraph of fixed width.”), light.",
-              "overflow_narrow.html: at a width of 390 pixels the page scrolls sideways by 318 pixels because of p#wide (“A "
-              "paragraph of fixed width.”), dark."});
+  check_same(
+      faults_of("overflow_narrow.html"),
+      {"overflow_narrow.html: at a width of 390 pixels the page scrolls sideways by 318 pixels because of p#wide (“A "
+       "paragraph of fixed width.”), light.",
+       "overflow_narrow.html: at a width of 390 pixels the page scrolls sideways by 318 pixels because of p#wide (“A "
+       "paragraph of fixed width.”), dark."});
 }
 
 TEST_CASE("A page that is too wide in the dark only is not sound") {
   const Sentences faults = faults_of("overflow_dark.html");
   REQUIRE(faults.size() == 2);
-  CHECK(faults[0] == "overflow_dark.html: at a width of 1280 pixels the page scrolls sideways by 728 pixels because of p.wide "
-                     "(“A paragraph wide in the dark.”), dark.");
+  CHECK(faults[0] ==
+        "overflow_dark.html: at a width of 1280 pixels the page scrolls sideways by 728 pixels because of p.wide "
+        "(“A paragraph wide in the dark.”), dark.");
 }
 
 TEST_CASE("A column of text that scrolls sideways is as bad as a page that does") {
@@ -155,7 +162,8 @@ TEST_CASE("The paragraphs named by diagnoses are read from wherever they stand i
   std::filesystem::create_directories(folder);
   CHECK_THROWS_WITH(anchors_of_diagnoses(folder),
                     (folder.string() + " holds no reference results that name paragraphs of the notes.").c_str());
-  std::ofstream(folder / "01.json") << R"({"exercises": [{"misconceptions": [{"notes": "here"}], "terms": [{"notes": "there"}]}]})";
+  std::ofstream(folder / "01.json")
+      << R"({"exercises": [{"misconceptions": [{"notes": "here"}], "terms": [{"notes": "there"}]}]})";
   CHECK(anchors_of_diagnoses(folder) == std::set<std::string>{"here", "there"});
   std::filesystem::remove_all(folder);
 }

@@ -76,7 +76,8 @@ void check_same(const std::vector<std::string>& found, const std::vector<std::st
 }  // namespace
 
 TEST_CASE("The declaration of a function is read from its contract, over all its lines") {
-  CHECK(declaration(course[0], "spring_force", springs) == "double spring_force(double k,\n                    double x);");
+  CHECK(declaration(course[0], "spring_force", springs) ==
+        "double spring_force(double k,\n                    double x);");
   CHECK(declaration(course[0], "spring_energy", springs) == "double spring_energy(double k, double x);");
   CHECK_THROWS_WITH(declaration(course[0], "force", springs),
                     "include/rigid/springs.hpp does not declare force, though the card of 01_springs lists it.");
@@ -117,7 +118,8 @@ TEST_CASE("An exercise's page leads to its neighbours, its paragraph and its fil
 }
 
 TEST_CASE("A lecture's card names slides and foundations, and leaves out what is no lecture") {
-  CHECK(lecture_card(course, 0) == "<div class=\"lecture-card\">\nSlides: S0 s1; S1 s2. Contract: `rigid/springs.hpp`.\n</div>\n");
+  CHECK(lecture_card(course, 0) ==
+        "<div class=\"lecture-card\">\nSlides: S0 s1; S1 s2. Contract: `rigid/springs.hpp`.\n</div>\n");
   CHECK(holds(lecture_card(course, 1), "Builds on: \\ref lecture_01_springs \"Springs\". Contract"));
 }
 
@@ -156,9 +158,10 @@ TEST_CASE("Notes without the parts that are made from the card are named with th
 }
 
 TEST_CASE("A figure that nobody draws is named with its line") {
-  check_same(faults("\\figure{01_springs/sphere.svg}\nA sphere.\n\\caption\nA sphere.\n\\endfigure\n"),
-             {"lectures/01_springs/notes.md:4: the figure 01_springs/sphere.svg does not exist; figures.cpp of the lecture "
-              "draws LECTURE/NAME.svg."});
+  check_same(
+      faults("\\figure{01_springs/sphere.svg}\nA sphere.\n\\caption\nA sphere.\n\\endfigure\n"),
+      {"lectures/01_springs/notes.md:4: the figure 01_springs/sphere.svg does not exist; figures.cpp of the lecture "
+       "draws LECTURE/NAME.svg."});
 }
 
 TEST_CASE("A figure needs both texts, and an alternative text that can stand in quotes") {
@@ -167,7 +170,8 @@ TEST_CASE("A figure needs both texts, and an alternative text that can stand in 
   check_same(faults("\\figure{01_springs/cube.svg}\nA cube.\n\\caption\n\\endfigure\n"),
              {"lectures/01_springs/notes.md:4: the figure 01_springs/cube.svg has no caption."});
   check_same(faults("\\figure{01_springs/cube.svg}\nA \"cube\".\n\\caption\nA cube.\n\\endfigure\n"),
-             {"lectures/01_springs/notes.md:4: the alternative text of the figure 01_springs/cube.svg must do without \", < and &."});
+             {"lectures/01_springs/notes.md:4: the alternative text of the figure 01_springs/cube.svg must do without "
+              "\", < and &."});
   check_same(faults("\\figure{01_springs/cube.svg}\nA cube.\n\\endfigure\n"),
              {"lectures/01_springs/notes.md:4: the figure 01_springs/cube.svg needs \\caption and then \\endfigure."});
 }
@@ -180,13 +184,16 @@ TEST_CASE("Pictures by other means are refused, whichever they are") {
 }
 
 TEST_CASE("A formula in straight quotes is refused; beside them and between curly ones it is welcome") {
-  check_same(faults("They write \"let \\f$ x \\f$\nvanish\". Here \\f$ y \\f$ does, “so \\f$ z \\f$ too”, \\ref here \"\\f$ w \\f$\".\n"),
-             {"lectures/01_springs/notes.md:4: Doxygen does not read formulas between straight quotes: write “ and ”.",
-              "lectures/01_springs/notes.md:5: Doxygen does not read formulas between straight quotes: write “ and ”."});
+  check_same(
+      faults("They write \"let \\f$ x \\f$\nvanish\". Here \\f$ y \\f$ does, “so \\f$ z \\f$ too”, \\ref here \"\\f$ w "
+             "\\f$\".\n"),
+      {"lectures/01_springs/notes.md:4: Doxygen does not read formulas between straight quotes: write “ and ”.",
+       "lectures/01_springs/notes.md:5: Doxygen does not read formulas between straight quotes: write “ and ”."});
   check_same(faults("An inch is 1\".\n\nThen \\f$ x \\f$, with an accent: \\f$ \\text{\\\"u}\\f$, and \\f$ y.\n"), {});
 }
 
 TEST_CASE("A file that cannot be read or written is named") {
-  CHECK_THROWS_WITH(read_text("/no/such/file", "lectures/01_springs/notes.md"), "lectures/01_springs/notes.md cannot be read.");
+  CHECK_THROWS_WITH(read_text("/no/such/file", "lectures/01_springs/notes.md"),
+                    "lectures/01_springs/notes.md cannot be read.");
   CHECK_THROWS_WITH(write_text("/no/such/folder/file", "text"), "/no/such/folder/file cannot be written.");
 }
