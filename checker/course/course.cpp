@@ -61,24 +61,26 @@ std::vector<Exercise> Course::exercises() const {
 }
 
 std::vector<Exercise> Course::find(const std::string& name) const {
-  std::vector<Exercise> found;
+  std::vector<Exercise> of_lecture;
   std::vector<std::string> known;
   for (const Exercise& exercise : exercises()) {
+    // An exercise may be called like the topic of a lecture; then the exercise is meant.
+    if (name == exercise.name()) return {exercise};
     const std::string& lecture = exercise.lecture();
     const std::size_t separator = lecture.find('_');
     const std::string number = lecture.substr(0, separator);
     const std::string topic = separator == std::string::npos ? lecture : lecture.substr(separator + 1);
-    if (name == exercise.name() || name == lecture || name == number || name == topic) found.push_back(exercise);
+    if (name == lecture || name == number || name == topic) of_lecture.push_back(exercise);
     known.push_back(exercise.name());
     known.push_back(lecture);
     known.push_back(topic);
   }
-  if (found.empty()) {
+  if (of_lecture.empty()) {
     const std::string proposal = did_you_mean(name, known);
     throw UnknownName(fmt::format("There is no exercise or lecture '{}'.{} `checker list` shows all names.", name,
                                   proposal.empty() ? "" : fmt::format(" Did you mean '{}'?", proposal)));
   }
-  return found;
+  return of_lecture;
 }
 
 Exercise Course::find_exercise(const std::string& name) const {

@@ -59,7 +59,8 @@ void run(const std::string& program, const std::vector<std::string>& arguments, 
   }
 }
 
-/// A project as one would write it without the checker: the exercise, and doctest cases with the reference values.
+/// A project as one would write it without the checker. Its test only asks whether the function is there, which is less
+/// work than comparing values: the comparison is in the plain project's favour.
 void write_plain_project(const fs::path& folder, const Course& course, const Exercise& exercise,
                          const std::string& source) {
   fs::remove_all(folder);
@@ -75,7 +76,7 @@ void write_plain_project(const fs::path& folder, const Course& course, const Exe
   write(folder / "test.cpp",
         fmt::format(
             "#include <doctest/doctest.h>\n#include <rigid/{}.hpp>\n"
-            "TEST_CASE(\"the exercise is there\") {{ auto function = &rigid::{}; CHECK(function != nullptr); }}\n",
+            "TEST_CASE(\"the exercise is there\") {{ const bool there = &rigid::{} != nullptr; CHECK(there); }}\n",
             exercise.card->contract, exercise.name()));
 }
 
