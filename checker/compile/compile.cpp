@@ -158,7 +158,7 @@ class CompilationInProgress {
   }
 
   fs::path link() {
-    const fs::path executable = workspace_ / "worker";
+    fs::path executable = workspace_ / "worker";
     std::vector<std::string> arguments = {"../unit.o", toolchain_.worker_object(task_.exercise).string()};
     for (const fs::path& support : toolchain_.support) arguments.push_back(support.string());
     for (const std::string& flag : toolchain_.link_flags) arguments.push_back(flag);

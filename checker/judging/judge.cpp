@@ -35,7 +35,6 @@ Verdict verdict_of(Ending ending) {
       break;
     // A function that returns at other inputs has been started; what it throws is then an exception like any other.
     case Ending::not_started:
-      return Verdict::uncaught_exception;
     case Ending::exception:
       return Verdict::uncaught_exception;
     case Ending::wrong_shape:

@@ -200,7 +200,7 @@ std::vector<fs::path> draw_overlay(const Overlay& overlay, const fs::path& direc
   fs::create_directories(directory, problem);
   std::vector<fs::path> files;
   for (const std::string format : {"svg", "png"}) {
-    const fs::path file = directory / (name + "." + format);
+    const fs::path file = directory / fmt::format("{}.{}", name, format);
     fs::remove(file, problem);
     {
       gnuplotio::Gnuplot gnuplot(gnuplot_path + " 2>/dev/null");
