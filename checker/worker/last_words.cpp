@@ -34,8 +34,8 @@ void on_forbidden_call(int signal, siginfo_t* info, void*) {
 
 /// An address near the lower end of the stack: only a stack that grew too far touches memory there.
 bool is_stack_overflow(std::uintptr_t address) {
-  constexpr std::uintptr_t margin = 256 * 1024;
-  constexpr std::uintptr_t largest_step = 16 * 1024 * 1024;
+  constexpr std::uintptr_t margin = std::uintptr_t{256} * 1024;
+  constexpr std::uintptr_t largest_step = std::uintptr_t{16} * 1024 * 1024;
   const std::uintptr_t depth = stack_begin - address;
   return address < stack_begin && depth + margin > stack_size && depth < stack_size + largest_step;
 }

@@ -25,7 +25,7 @@ class Session {
     if (used_up_) return {};
     if (budget_.processor_seconds <= 0.0 || Clock::now() >= budget_.deadline) return out_of_time();
     if (!worker_) worker_.emplace(sandbox_, budget_);
-    const Reply reply = worker_->call(inputs, rows, cols);
+    Reply reply = worker_->call(inputs, rows, cols);
     after(reply);
     return reply;
   }
@@ -61,7 +61,7 @@ class Session {
 
 }  // namespace
 
-ExerciseRunner::ExerciseRunner(std::filesystem::path executable, RunLimits limits)
+ExerciseRunner::ExerciseRunner(const std::filesystem::path& executable, RunLimits limits)
     : limits_(limits), sandbox_(executable, limits.sandbox) {}
 
 Observation ExerciseRunner::observe(const std::vector<Case>& cases, const std::vector<std::size_t>& repeats) {
@@ -92,6 +92,7 @@ std::vector<Reply> ExerciseRunner::evaluate(const std::vector<PlannedCall>& call
   Budget budget = full_budget(limits_);
   Session session(sandbox_, budget);
   std::vector<Reply> replies;
+  replies.reserve(calls.size());
   for (const PlannedCall& call : calls) replies.push_back(session.call(call.inputs, call.rows, call.cols));
   if (!replies.empty()) session.finish_process(replies.back());
   return replies;

@@ -32,7 +32,7 @@ class ExerciseRunner {
  public:
   /// @param executable  what compile() made
   /// @throws SandboxError if the walls around the worker cannot be built
-  explicit ExerciseRunner(std::filesystem::path executable, RunLimits limits = {});
+  explicit ExerciseRunner(const std::filesystem::path& executable, RunLimits limits = {});
 
   /// One reply per case; then the cases with the given indices once more, in a fresh process.
   /// If the worker cannot be started at all, the observation is refused with Refusal::checker_error.

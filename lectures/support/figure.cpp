@@ -42,7 +42,7 @@ std::filesystem::path figure_directory(int argc, char** argv) {
 void draw_figure(const std::filesystem::path& directory, const std::string& name, FigureSize size,
                  const std::function<void(gnuplotio::Gnuplot&)>& draw) {
   for (const std::string format : {"svg", "png"}) {
-    const std::filesystem::path file = directory / (name + "." + format);
+    const std::filesystem::path file = directory / fmt::format("{}.{}", name, format);
     std::filesystem::remove(file);
     {
       gnuplotio::Gnuplot gnuplot("gnuplot");
