@@ -159,3 +159,13 @@ TEST_CASE("output that is no terminal has no colour codes") {
     CHECK_FALSE(has(course.run(command).out, "\033["));
   }
 }
+
+TEST_CASE("worked examples that cannot be built are trouble of our own, and an unknown lecture gets a proposal") {
+  const CourseCopy course;  // it has no build of its own
+  const Outcome outcome = course.run("examples springs");
+  CHECK(outcome.status == 3);
+  CHECK_MESSAGE(has(outcome.err, "The worked examples of 01_springs could not be built."), outcome.err);
+  const Outcome unknown = course.run("examples sprigs");
+  CHECK(unknown.status == 2);
+  CHECK_MESSAGE(has(unknown.err, "Did you mean 'springs'?"), unknown.err);
+}
