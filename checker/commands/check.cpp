@@ -4,12 +4,11 @@
 #include "checker/report/console.hpp"
 #include "checker/report/json_report.hpp"
 #include "checker/report/overlay.hpp"
+#include "checker/report/progress_bar.hpp"
 #include "checker/report/terminal_report.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <map>
@@ -17,35 +16,6 @@
 namespace workbook {
 
 namespace {
-
-std::vector<Exercise> chosen(const Course& course, const std::vector<std::string>& names) {
-  if (names.empty()) return course.exercises();
-  std::vector<Exercise> all;
-  for (const std::string& name : names) {
-    for (const Exercise& exercise : course.find(name)) {
-      const bool already =
-          std::any_of(all.begin(), all.end(), [&](const Exercise& each) { return each.entry == exercise.entry; });
-      if (!already) all.push_back(exercise);
-    }
-  }
-  return all;
-}
-
-/// What is being done, while it takes longer than a blink; written over by what comes next.
-class Ticker {
- public:
-  explicit Ticker(bool wanted) : wanted_(wanted && isatty(STDERR_FILENO) != 0) {}
-  ~Ticker() { clear(); }
-  void show(std::size_t number, std::size_t total, const std::string& name) const {
-    if (wanted_) fmt::print(stderr, "\r\033[K[{} of {}] {} ...", number, total, name);
-  }
-  void clear() const {
-    if (wanted_) fmt::print(stderr, "\r\033[K");
-  }
-
- private:
-  bool wanted_;
-};
 
 /// Verdicts on a file elsewhere, or with another seed, are no progress.
 bool counts_as_progress(const CheckOptions& options) { return !options.file && options.seed == 1; }
@@ -63,7 +33,7 @@ void draw(const Course& course, const Checked& checked, bool to_terminal) {
 }  // namespace
 
 int check(const Course& course, const CheckOptions& options) {
-  const std::vector<Exercise> exercises = chosen(course, options.names);
+  const std::vector<Exercise> exercises = course.choose(options.names);
   if (options.file && exercises.size() != 1) {
     fmt::print(stderr, "--file needs the one exercise that the file is for: checker check EXERCISE --file FILE.\n");
     return wrong_usage;
@@ -74,10 +44,10 @@ int check(const Course& course, const CheckOptions& options) {
   std::map<std::string, LectureReference> references;
   std::vector<Checked> results;
   {
-    const Ticker ticker(!options.json);
+    ProgressBar progress_bar(!options.json);
     for (std::size_t i = 0; i < exercises.size(); ++i) {
       const Exercise& exercise = exercises[i];
-      ticker.show(i + 1, exercises.size(), exercise.name());
+      progress_bar.show(i, exercises.size(), exercise.name());
       if (!references.contains(exercise.lecture())) {
         references.emplace(exercise.lecture(), course.reference(exercise.lecture(), options.seed));
       }
@@ -89,7 +59,7 @@ int check(const Course& course, const CheckOptions& options) {
       if (counts_as_progress(options) && checked.judgement.verdict != Verdict::checker_error) {
         progress.remember(exercise.name(), {to_string(checked.judgement.verdict), source});
       }
-      ticker.clear();
+      progress_bar.clear();
       if (!options.json) fmt::print("{}", terminal_report(course, checked, console));
       if (options.plot) draw(course, checked, !options.json);
       if (!options.json) std::fflush(stdout);

@@ -13,7 +13,9 @@ namespace workbook {
 namespace {
 
 bool report(const Console& console, bool good, const std::string& what, const std::string& detail) {
-  fmt::print("{} {} {}\n", console.styled(good ? "✓" : "✗", good ? Style::good : Style::bad), padded(what, 12), detail);
+  const std::string mark = console.plain() ? (good ? "good: " : "not good: ")
+                                           : console.mark(good ? "✓" : "✗", good ? Style::good : Style::bad);
+  fmt::print("{}{} {}\n", mark, padded(what, 12), detail);
   return good;
 }
 

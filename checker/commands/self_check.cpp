@@ -2,11 +2,9 @@
 #include "checker/commands/commands.hpp"
 #include "checker/course/inspection.hpp"
 #include "checker/judging/inconsistencies.hpp"
-#include "checker/report/console.hpp"
+#include "checker/report/progress_bar.hpp"
 
 #include <fmt/format.h>
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -29,14 +27,6 @@ class Faults {
  private:
   std::vector<std::string> all_;
 };
-
-void say_progress(const std::string& what) {
-  if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\033[K{} ...", what);
-}
-
-void end_progress() {
-  if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\033[K");
-}
 
 /// Runs one file and complains unless the verdict is the wanted one.
 void require_verdict(const Course& course, const Toolchain& toolchain, const Exercise& exercise,
@@ -63,9 +53,11 @@ int self_check(const Course& course, const std::vector<std::uint64_t>& seeds) {
   const Toolchain toolchain = read_toolchain(course.toolchain_file());
   std::size_t routes = 0;
   std::size_t misconceptions = 0;
+  ProgressBar progress_bar;
+  std::size_t done = 0;
   const auto check_lecture = [&](const Card& card) {
     for (const std::uint64_t seed : seeds) {
-      say_progress(fmt::format("{}, seed {}", card.lecture, seed));
+      progress_bar.show(done++, course.cards().size() * seeds.size(), fmt::format("{}, seed {}", card.lecture, seed));
       const LectureReference reference = course.reference(card.lecture, seed);
       const bool first = seed == seeds.front();
       if (first) faults.add(faults_of_notes(course, card, reference));
@@ -97,7 +89,7 @@ int self_check(const Course& course, const std::vector<std::uint64_t>& seeds) {
       faults.add(problem.what());
     }
   }
-  end_progress();
+  progress_bar.clear();
 
   for (const std::string& sentence : faults.all()) fmt::print("{}\n", sentence);
   if (!faults.all().empty()) {

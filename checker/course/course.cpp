@@ -83,6 +83,19 @@ std::vector<Exercise> Course::find(const std::string& name) const {
   return of_lecture;
 }
 
+std::vector<Exercise> Course::choose(const std::vector<std::string>& names) const {
+  if (names.empty()) return exercises();
+  std::vector<Exercise> all;
+  for (const std::string& name : names) {
+    for (const Exercise& exercise : find(name)) {
+      const bool already =
+          std::any_of(all.begin(), all.end(), [&](const Exercise& each) { return each.entry == exercise.entry; });
+      if (!already) all.push_back(exercise);
+    }
+  }
+  return all;
+}
+
 Exercise Course::find_exercise(const std::string& name) const {
   std::vector<std::string> known;
   for (const Exercise& exercise : exercises()) {

@@ -49,6 +49,10 @@ class Course {
   /// @throws UnknownName with a proposal.
   std::vector<Exercise> find(const std::string& name) const;
 
+  /// The exercises that all the names together stand for, each once; without names the whole course.
+  /// @throws UnknownName with a proposal.
+  std::vector<Exercise> choose(const std::vector<std::string>& names) const;
+
   /// Exactly one exercise. @throws UnknownName with a proposal.
   Exercise find_exercise(const std::string& name) const;
 

@@ -2,7 +2,7 @@
 
 #include "checker/judging/comparison.hpp"
 #include "checker/judging/sampling.hpp"
-#include "checker/judging/sentences.hpp"
+#include "checker/messages/judging.hpp"
 
 #include <algorithm>
 #include <array>
@@ -61,10 +61,10 @@ std::optional<std::vector<double>> observed_powers(const ExerciseReference& exer
   return powers;
 }
 
-enum class Finding { nothing, single_power, no_single_power };
+enum class UnitFinding { nothing, single_power, no_single_power };
 
 struct Power {
-  Finding finding = Finding::nothing;
+  UnitFinding finding = UnitFinding::nothing;
   double value = 0.0;
 };
 
@@ -76,11 +76,11 @@ Power single_power(const std::vector<double>& powers) {
   for (double power : powers) {
     const double distance = std::abs(power - nearest);
     // Not finite: a number became zero, infinite or NaN by the change of units.
-    if (!std::isfinite(distance)) return {Finding::no_single_power, 0.0};
+    if (!std::isfinite(distance)) return {UnitFinding::no_single_power, 0.0};
     largest_distance = std::max(largest_distance, distance);
   }
-  if (largest_distance <= exact_power) return {Finding::single_power, nearest};
-  return {largest_distance > clearly_off ? Finding::no_single_power : Finding::nothing, 0.0};
+  if (largest_distance <= exact_power) return {UnitFinding::single_power, nearest};
+  return {largest_distance > clearly_off ? UnitFinding::no_single_power : UnitFinding::nothing, 0.0};
 }
 
 }  // namespace
@@ -116,15 +116,15 @@ std::vector<Diagnosis> diagnose_dimensions(const ExerciseReference& exercise, co
       const int decades = static_cast<int>(std::lround(std::log10(probe.factor)));
       const std::optional<std::size_t> component =
           exercise.result_units.size() > 1 ? std::optional(u + 1) : std::nullopt;
-      if (observed.finding == Finding::single_power && observed.value != expected) {
+      if (observed.finding == UnitFinding::single_power && observed.value != expected) {
         wrong_powers.push_back(
             {DiagnosisKind::dimension, std::string(1, probe.base),
-             sentences::wrong_power(probe.base, expected * decades, observed.value * decades, component), ""});
+             messages::wrong_power(probe.base, expected * decades, observed.value * decades, component), ""});
         break;
       }
-      if (observed.finding == Finding::no_single_power) {
+      if (observed.finding == UnitFinding::no_single_power) {
         no_powers.push_back({DiagnosisKind::dimension, std::string(1, probe.base),
-                             sentences::no_single_power(probe.base, component), ""});
+                             messages::no_single_power(probe.base, component), ""});
         break;
       }
     }

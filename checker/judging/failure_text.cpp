@@ -2,10 +2,10 @@
 
 #include "checker/judging/comparison.hpp"
 #include "checker/judging/input_text.hpp"
-#include "checker/judging/sentences.hpp"
 #include "checker/judging/text_blocks.hpp"
 #include "checker/judging/value_tables.hpp"
 #include "checker/judging/value_text.hpp"
+#include "checker/messages/judging.hpp"
 
 #include <fmt/format.h>
 
@@ -218,7 +218,7 @@ std::vector<std::string> result_section(const ExerciseReference& exercise, const
   // How much an equation or a sum is off says little about the size of the error.
   if (!telling.empty() && telling.front().is_entrywise) {
     lines.push_back("");
-    append(lines, wrapped(sentences::error_size(telling.front().relative_size(), one.tolerance), 0));
+    append(lines, wrapped(messages::error_size(telling.front().relative_size(), one.tolerance), 0));
   }
   return lines;
 }

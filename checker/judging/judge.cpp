@@ -3,7 +3,7 @@
 #include "checker/judging/answers.hpp"
 #include "checker/judging/comparison.hpp"
 #include "checker/judging/diagnosis.hpp"
-#include "checker/judging/sentences.hpp"
+#include "checker/messages/judging.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -12,7 +12,7 @@ namespace workbook {
 
 namespace {
 
-using sentences::Advice;
+using messages::Advice;
 
 Verdict verdict_of(Refusal refusal) {
   switch (refusal) {
@@ -75,18 +75,18 @@ Verdict assess(const ExerciseReference& exercise, std::size_t case_index, const 
 Advice advice_on_failure(const ExerciseReference& exercise, std::size_t case_index, const std::vector<Reply>& replies,
                          Verdict verdict, const Judgement& judgement) {
   const Case& one = exercise.cases[case_index];
-  if (case_index >= replies.size()) return sentences::missing_reply(one);
+  if (case_index >= replies.size()) return messages::missing_reply(one);
   const Reply& reply = replies[case_index];
-  if (reply.ending != Ending::returned) return sentences::no_value(exercise, one, reply);
+  if (reply.ending != Ending::returned) return messages::no_value(exercise, one, reply);
   switch (verdict) {
     case Verdict::protocol_violation:
-      return sentences::damaged_value(one);
+      return messages::damaged_value(one);
     case Verdict::wrong_shape:
-      return sentences::wrong_shape(one, exercise.result_kind, reply.value);
+      return messages::wrong_shape(one, exercise.result_kind, reply.value);
     case Verdict::non_finite_value:
-      return sentences::non_finite(one, exercise.result_kind, reply.value);
+      return messages::non_finite(one, exercise.result_kind, reply.value);
     default:
-      return sentences::wrong_value(one, judgement.cases_passed, judgement.cases_total, !judgement.diagnoses.empty());
+      return messages::wrong_value(one, judgement.cases_passed, judgement.cases_total, !judgement.diagnoses.empty());
   }
 }
 
@@ -120,7 +120,7 @@ void decide_inconsistent(Judgement& judgement, const ExerciseReference& exercise
   const std::size_t i = repeat.case_index;
   const Value& first = observation.replies[i].value;
   decide(judgement, Verdict::inconsistent_value,
-         sentences::inconsistent(exercise.cases[i], exercise.result_kind, first, repeat.reply.value));
+         messages::inconsistent(exercise.cases[i], exercise.result_kind, first, repeat.reply.value));
 }
 
 /// All cases have passed; the repeats may still fail.
@@ -130,23 +130,23 @@ void judge_repeats(Judgement& judgement, const ExerciseReference& exercise, cons
     if (i >= exercise.cases.size()) {
       return decide(
           judgement, Verdict::checker_error,
-          sentences::refused(Refusal::checker_error, "A case was repeated that does not exist.", exercise.signature));
+          messages::refused(Refusal::checker_error, "A case was repeated that does not exist.", exercise.signature));
     }
     const Case& one = exercise.cases[i];
     if (repeat.reply.ending != Ending::returned) {
       return decide(judgement, verdict_of(repeat.reply.ending),
-                    sentences::no_value_when_repeated(exercise, one, repeat.reply));
+                    messages::no_value_when_repeated(exercise, one, repeat.reply));
     }
     const Verdict verdict = assess(exercise, i, repeat.reply.value);
-    if (verdict == Verdict::protocol_violation) return decide(judgement, verdict, sentences::damaged_value(one));
+    if (verdict == Verdict::protocol_violation) return decide(judgement, verdict, messages::damaged_value(one));
     if (verdict == Verdict::wrong_shape) {
-      return decide(judgement, verdict, sentences::wrong_shape(one, exercise.result_kind, repeat.reply.value));
+      return decide(judgement, verdict, messages::wrong_shape(one, exercise.result_kind, repeat.reply.value));
     }
   }
   if (const Repeat* repeat = inconsistent_repeat(exercise, observation)) {
     return decide_inconsistent(judgement, exercise, observation, *repeat);
   }
-  decide(judgement, Verdict::passed, sentences::passed(exercise.cases.size()));
+  decide(judgement, Verdict::passed, messages::passed(exercise.cases.size()));
 }
 
 bool is_not_started(const ExerciseReference& exercise, const std::vector<Reply>& replies) {
@@ -162,15 +162,15 @@ Judgement judge(const ExerciseReference& exercise, const Observation& observatio
 
   if (observation.refusal) {
     decide(judgement, verdict_of(*observation.refusal),
-           sentences::refused(*observation.refusal, observation.refusal_message, exercise.signature));
+           messages::refused(*observation.refusal, observation.refusal_message, exercise.signature));
     return judgement;
   }
   if (exercise.cases.empty()) {
-    decide(judgement, Verdict::checker_error, sentences::no_cases(exercise.name));
+    decide(judgement, Verdict::checker_error, messages::no_cases(exercise.name));
     return judgement;
   }
   if (is_not_started(exercise, observation.replies)) {
-    decide(judgement, Verdict::not_started, sentences::not_started());
+    decide(judgement, Verdict::not_started, messages::not_started());
     return judgement;
   }
 
@@ -184,7 +184,7 @@ Judgement judge(const ExerciseReference& exercise, const Observation& observatio
       judge_repeats(judgement, exercise, observation);
     } else {
       decide(judgement, Verdict::protocol_violation,
-             sentences::surplus_replies(observation.replies.size(), exercise.cases.size()));
+             messages::surplus_replies(observation.replies.size(), exercise.cases.size()));
     }
     return judgement;
   }

@@ -14,11 +14,11 @@ namespace workbook {
 /// How one call of the student's function ended.
 enum class Ending {
   returned,
-  not_started,          ///< threw rigid::NotStarted
-  exception,            ///< text: what it said
-  wrong_shape,          ///< value holds only rows and cols, no numbers
-  crashed,              ///< signal
-  stopped_early,        ///< the process ended by itself; exit_status
+  not_started,    ///< threw rigid::NotStarted
+  exception,      ///< text: what it said
+  wrong_shape,    ///< value holds only rows and cols, no numbers
+  crashed,        ///< signal
+  stopped_early,  ///< the process ended by itself; exit_status
   time_limit,
   memory_limit,
   output_limit,
@@ -43,8 +43,8 @@ struct Repeat {
 
 /// The replies at inputs whose numbers were converted to a smaller unit.
 struct UnitProbe {
-  char base = 'm';       ///< 'k' kilogram → gram, 'm' metre → centimetre, 's' second → millisecond
-  double factor = 100.0; ///< how many small units make a base unit
+  char base = 'm';        ///< 'k' kilogram → gram, 'm' metre → centimetre, 's' second → millisecond
+  double factor = 100.0;  ///< how many small units make a base unit
   std::vector<std::size_t> case_indices;
   std::vector<Reply> replies;
 };
@@ -52,10 +52,19 @@ struct UnitProbe {
 /// Why the function never ran.
 enum class Refusal { rejected_file, compile_error, missing_function, checker_error };
 
+/// Something in the student's file that is certainly so and may be what is wrong. It is a help and never a grade.
+struct Finding {
+  int line = 0;          ///< in the student's file; 0: no single line
+  std::string excerpt;   ///< that line as the student wrote it, and below it a caret; may be empty
+  std::string sentence;  ///< what is to be said of it
+};
+
 struct Observation {
   std::optional<Refusal> refusal;
   std::string refusal_message;  ///< one sentence
   std::string refusal_details;  ///< what the compiler printed
+
+  std::vector<Finding> findings;  ///< the first compiler error, or what a closer look at a failure brought to light
 
   std::vector<Reply> replies;  ///< one per case
   std::vector<Repeat> repeats;

@@ -1,8 +1,8 @@
 #include "checker/judging/properties.hpp"
 
 #include "checker/judging/comparison.hpp"
-#include "checker/judging/sentences.hpp"
 #include "checker/judging/value_text.hpp"
+#include "checker/messages/judging.hpp"
 
 #include <fmt/format.h>
 #include <Eigen/Dense>
@@ -194,7 +194,7 @@ std::vector<Diagnosis> diagnose_properties(const ExerciseReference& exercise, co
       if (!clearly_lacks(exercise, property, i, *answers[i])) continue;
       const std::string detail = violation(exercise, property, i, *answers[i]).detail;
       diagnoses.push_back({DiagnosisKind::property, to_string(property.kind),
-                           sentences::broken_property(property.message, detail, exercise.cases[i].name),
+                           messages::broken_property(property.message, detail, exercise.cases[i].name),
                            property.notes});
       break;
     }

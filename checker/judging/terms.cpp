@@ -1,7 +1,7 @@
 #include "checker/judging/terms.hpp"
 
 #include "checker/judging/comparison.hpp"
-#include "checker/judging/sentences.hpp"
+#include "checker/messages/judging.hpp"
 
 #include <Eigen/QR>
 
@@ -88,7 +88,7 @@ std::optional<Diagnosis> diagnose_terms(const ExerciseReference& exercise, const
   if (!is_exact(equations, coefficients)) return std::nullopt;
 
   VectorXd right(coefficients.size());
-  std::vector<sentences::WrongCoefficient> wrong;
+  std::vector<messages::WrongCoefficient> wrong;
   for (std::size_t t = 0; t < exercise.terms.size(); ++t) {
     const auto index = static_cast<Eigen::Index>(t);
     right[index] = exercise.terms[t].coefficient;
@@ -97,7 +97,7 @@ std::optional<Diagnosis> diagnose_terms(const ExerciseReference& exercise, const
     }
   }
   if (wrong.empty() || is_multiple_of_right_answer(coefficients, right)) return std::nullopt;
-  return Diagnosis{DiagnosisKind::term, wrong.front().term, sentences::wrong_coefficients(wrong), ""};
+  return Diagnosis{DiagnosisKind::term, wrong.front().term, messages::wrong_coefficients(wrong), ""};
 }
 
 }  // namespace workbook

@@ -1,7 +1,7 @@
 #include "checker/judging/transforms.hpp"
 
 #include "checker/judging/comparison.hpp"
-#include "checker/judging/sentences.hpp"
+#include "checker/messages/judging.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -58,11 +58,11 @@ Transform scaled(const ExerciseReference& exercise, double factor) {
   constexpr double degrees_per_radian = 180 / std::numbers::pi;
   const auto is_near = [factor](double other) { return std::abs(factor - other) <= 1e-6 * other; };
   const auto apply = [factor](const MatrixXd& right) -> MatrixXd { return factor * right; };
-  if (is_an_angle(exercise) && is_near(degrees_per_radian)) return {"degrees", sentences::degrees_for_radians(), apply};
+  if (is_an_angle(exercise) && is_near(degrees_per_radian)) return {"degrees", messages::degrees_for_radians(), apply};
   if (is_an_angle(exercise) && is_near(1 / degrees_per_radian)) {
-    return {"converted_twice", sentences::radians_taken_for_degrees(), apply};
+    return {"converted_twice", messages::radians_taken_for_degrees(), apply};
   }
-  return {"factor", sentences::common_factor(factor), apply};
+  return {"factor", messages::common_factor(factor), apply};
 }
 
 /// Every other order of the rows: of the components of a vector, or of every column of a list of points.
@@ -71,7 +71,7 @@ std::vector<Transform> permutations(int rows) {
   std::vector<int> order(static_cast<std::size_t>(rows));
   std::iota(order.begin(), order.end(), 0);
   while (std::ranges::next_permutation(order).found) {
-    found.push_back({"permuted", sentences::permuted_components(order),
+    found.push_back({"permuted", messages::permuted_components(order),
                      [order](const MatrixXd& right) { return MatrixXd(right(order, Eigen::all)); }});
   }
   return found;
@@ -85,7 +85,7 @@ std::vector<Transform> reorderings(const ExerciseReference& exercise) {
     case Kind::points:
       return permutations(3);
     case Kind::vector: {
-      std::vector<Transform> found = {{"reversed", sentences::reversed_components(),
+      std::vector<Transform> found = {{"reversed", messages::reversed_components(),
                                        [](const MatrixXd& right) -> MatrixXd { return right.colwise().reverse(); }}};
       const int rows = exercise.cases.front().expected.rows;
       const bool same_length =
@@ -96,7 +96,7 @@ std::vector<Transform> reorderings(const ExerciseReference& exercise) {
     }
     case Kind::matrix3:
       return {
-          {"transposed", sentences::transposed(), [](const MatrixXd& right) -> MatrixXd { return right.transpose(); }}};
+          {"transposed", messages::transposed(), [](const MatrixXd& right) -> MatrixXd { return right.transpose(); }}};
     case Kind::number:
     case Kind::integer:
     case Kind::matrices:

@@ -36,23 +36,36 @@ fmt::text_style text_style(Style style) {
   return {};
 }
 
-}  // namespace
+bool is_set(const char* variable) {
+  const char* value = std::getenv(variable);
+  return value != nullptr && *value != '\0' && std::strcmp(value, "0") != 0;
+}
 
-Console Console::of_standard_output() {
+Console console_of(int descriptor) {
   const char* term = std::getenv("TERM");
   const char* no_color = std::getenv("NO_COLOR");
-  const bool terminal = isatty(STDOUT_FILENO) != 0;
-  const bool color =
-      terminal && (no_color == nullptr || *no_color == '\0') && term != nullptr && std::strcmp(term, "dumb") != 0;
+  const bool terminal = isatty(descriptor) != 0;
+  const bool wants_color = (terminal && term != nullptr && std::strcmp(term, "dumb") != 0) || is_set("CLICOLOR_FORCE");
+  const bool color = wants_color && (no_color == nullptr || *no_color == '\0');
   std::size_t width = 80;
   winsize size{};
-  if (terminal && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) {
+  if (terminal && ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) {
     width = size.ws_col;
   } else if (const char* columns = std::getenv("COLUMNS")) {
     const long said = std::strtol(columns, nullptr, 10);
     if (said > 0) width = static_cast<std::size_t>(said);
   }
-  return Console(std::max(width, narrowest), color);
+  return Console(std::max(width, narrowest), color, is_set("WORKBOOK_PLAIN"));
+}
+
+}  // namespace
+
+Console Console::of_standard_output() { return console_of(STDOUT_FILENO); }
+
+Console Console::of_standard_error() { return console_of(STDERR_FILENO); }
+
+std::string Console::mark(const std::string& mark, Style style) const {
+  return plain_ ? "" : styled(mark, style) + " ";
 }
 
 std::string Console::styled(const std::string& text, Style style) const {
@@ -85,8 +98,19 @@ std::string Console::wrapped(const std::string& text, std::size_t indent) const 
 }
 
 std::string Console::bar(std::size_t done, std::size_t total, std::size_t width) const {
+  if (plain_) return "";
   const std::size_t filled = total > 0 ? width * done / total : 0;
   return styled(std::string(filled, '#'), Style::good) + styled(std::string(width - filled, '.'), Style::quiet);
+}
+
+std::string shortened(const std::string& text, std::size_t width) {
+  if (display_width(text) <= width) return text;
+  std::string shorter = text;
+  while (!shorter.empty() && display_width(shorter) + 1 > width) {
+    while (!shorter.empty() && (static_cast<unsigned char>(shorter.back()) & 0xC0) == 0x80) shorter.pop_back();
+    if (!shorter.empty()) shorter.pop_back();
+  }
+  return width == 0 ? "" : shorter + "…";
 }
 
 std::string padded(const std::string& text, std::size_t width) {

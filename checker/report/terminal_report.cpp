@@ -53,7 +53,7 @@ std::string headline(const Checked& checked, const Console& console) {
   if (judgement.cases_total > 0 && judgement.verdict != Verdict::not_started) {
     count = fmt::format(" ({} of {} cases right)", judgement.cases_passed, judgement.cases_total);
   }
-  return fmt::format("{} {}  {}{}", console.styled(mark(judgement), style_of(judgement.verdict)),
+  return fmt::format("{}{}  {}{}", console.mark(mark(judgement), style_of(judgement.verdict)),
                      console.styled(checked.exercise.name(), Style::strong),
                      console.styled(in_words(judgement.verdict), style_of(judgement.verdict)),
                      console.styled(count, Style::quiet));
@@ -78,6 +78,14 @@ std::string first_lines(const std::string& text, std::size_t most, std::size_t m
   return shown;
 }
 
+/// "line 7: …", the line itself and the caret.
+std::string finding_text(const Finding& finding, const Console& console) {
+  const std::string place = finding.line > 0 ? fmt::format("Line {}: ", finding.line) : "";
+  std::string text = console.wrapped(place + finding.sentence, indent) + "\n";
+  if (!finding.excerpt.empty()) text += first_lines(finding.excerpt, longest_printout, 2 * indent);
+  return text;
+}
+
 }  // namespace
 
 std::string notes_place(const Course& course, const std::string& lecture, const std::string& anchor) {
@@ -94,9 +102,7 @@ std::string terminal_report(const Course& course, const Checked& checked, const 
   if (judgement.verdict == Verdict::not_started) return text;
 
   text += console.wrapped(judgement.message, indent) + "\n";
-  if (!checked.observation.refusal_details.empty()) {
-    text += "\n" + first_lines(checked.observation.refusal_details, longest_printout, 2 * indent);
-  }
+  for (const Finding& finding : checked.observation.findings) text += "\n" + finding_text(finding, console);
   if (judgement.first_failure && checked.reference != nullptr) {
     text += "\n";
     for (const std::string& line : describe_failure(*checked.reference, judgement))

@@ -1,7 +1,7 @@
 // The first failing case in full: what a student sees on a terminal of 80 columns.
 #include "checker/judging/failure_text.hpp"
 #include "checker/judging/judge.hpp"
-#include "checker/judging/sentences.hpp"
+#include "checker/messages/judging.hpp"
 #include "checker/judging/text_blocks.hpp"
 #include "checker/judging/value_text.hpp"
 #include "tests/judging/made_up.hpp"
@@ -336,20 +336,20 @@ TEST_CASE("Every kind fits on the page, with all its digits") {
 }
 
 TEST_CASE("The size of an error is said in words") {
-  CHECK(sentences::error_size(600, 1e-9) ==
+  CHECK(messages::error_size(600, 1e-9) ==
         "The error is 600 times the size of the result: look for a wrong power or unit.");
-  CHECK(sentences::error_size(1.5, 1e-9) ==
+  CHECK(messages::error_size(1.5, 1e-9) ==
         "The error is 1.5 times the size of the result: not rounding, but another formula.");
-  CHECK(sentences::error_size(0.05, 1e-9) ==
+  CHECK(messages::error_size(0.05, 1e-9) ==
         "The error is 5 % of the size of the result: not rounding, but another formula.");
-  CHECK(sentences::error_size(1e-4, 1e-9) ==
+  CHECK(messages::error_size(1e-4, 1e-9) ==
         "The error is about 1 part in 10⁴ of the size of the result: too large for rounding, so look for an "
         "approximation.");
-  CHECK(sentences::error_size(3e-8, 1e-9) ==
+  CHECK(messages::error_size(3e-8, 1e-9) ==
         "The error is about 1 part in 10⁸ of the size of the result, 30 times what is allowed: digits are lost, as "
         "with float or "
         "3.14159.");
-  CHECK(sentences::error_size(infinity, 1e-9) == "The error has no size: a number is missing or infinite.");
+  CHECK(messages::error_size(infinity, 1e-9) == "The error has no size: a number is missing or infinite.");
 }
 
 }  // namespace workbook::testing

@@ -1,4 +1,4 @@
-#include "checker/judging/sentences.hpp"
+#include "checker/messages/judging.hpp"
 
 #include "checker/data/superscript.hpp"
 #include "checker/judging/value_text.hpp"
@@ -11,7 +11,7 @@
 #include <functional>
 #include <tuple>
 
-namespace workbook::sentences {
+namespace workbook::messages {
 
 namespace {
 
@@ -330,4 +330,4 @@ std::string error_size(double relative, double tolerance) {
       one_part, excess < 10 ? fmt::format("{:.2g}", excess) : fmt::format("{:.0f}", excess));
 }
 
-}  // namespace workbook::sentences
+}  // namespace workbook::messages

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace workbook::sentences {
+namespace workbook::messages {
 
 /// What happened, and what to do about it: one sentence each.
 struct Advice {
@@ -73,4 +73,4 @@ std::string no_single_power(char base, std::optional<std::size_t> component);
 /// "The error is about 5 % of the size of the result: ..." for an error relative to the natural size.
 std::string error_size(double relative, double tolerance);
 
-}  // namespace workbook::sentences
+}  // namespace workbook::messages
