@@ -1,10 +1,12 @@
 #include "checker/commands/check_exercise.hpp"
 #include "checker/commands/commands.hpp"
 #include "checker/course/progress.hpp"
+#include "checker/messages/plotting.hpp"
 #include "checker/report/console.hpp"
 #include "checker/report/json_report.hpp"
 #include "checker/report/overlay.hpp"
 #include "checker/report/progress_bar.hpp"
+#include "checker/report/terminal_picture.hpp"
 #include "checker/report/terminal_report.hpp"
 
 #include <fmt/format.h>
@@ -20,11 +22,16 @@ namespace {
 /// Verdicts on a file elsewhere, or with another seed, are no progress.
 bool counts_as_progress(const CheckOptions& options) { return !options.file && options.seed == 1; }
 
-void draw(const Course& course, const Checked& checked, bool to_terminal) {
+/// What --plot asks for. A plot that fails changes no verdict.
+void draw(const Course& course, const Checked& checked, PictureKind picture, const Console& console, bool to_terminal) {
   if (!checked.executable) return;
   try {
-    const auto files = draw_overlay(overlay_of(checked), course.scratch() / "plots", checked.exercise.name());
-    if (to_terminal) fmt::print("  Plot   {}\n", files.front().string());
+    const Overlay overlay = overlay_of(checked);
+    const auto files = draw_overlay(overlay, plots_directory(course), checked.exercise.name());
+    if (!to_terminal) return;
+    fmt::print("{}  Plot   {}\n",
+               terminal_picture(picture, overlay, files, plots_directory(course), console, picture_space(console)),
+               files.front().string());
   } catch (const std::exception& problem) {
     fmt::print(stderr, "{}\n", problem.what());
   }
@@ -35,11 +42,14 @@ void draw(const Course& course, const Checked& checked, bool to_terminal) {
 int check(const Course& course, const CheckOptions& options) {
   const std::vector<Exercise> exercises = course.choose(options.names);
   if (options.file && exercises.size() != 1) {
-    fmt::print(stderr, "--file needs the one exercise that the file is for: checker check EXERCISE --file FILE.\n");
+    fmt::print(stderr, "{}\n", messages::file_needs_one_exercise("check"));
     return wrong_usage;
   }
   const Toolchain toolchain = read_toolchain(course.toolchain_file());
   const Console console = Console::of_standard_output();
+  const PictureKind picture = options.plot && !options.json
+                                  ? choose_picture(options.picture, exercises.size(), traits_of_this_terminal(console))
+                                  : PictureKind::none;
   Progress progress(course.progress_file());
   std::map<std::string, LectureReference> references;
   std::vector<Checked> results;
@@ -61,7 +71,7 @@ int check(const Course& course, const CheckOptions& options) {
       }
       progress_bar.clear();
       if (!options.json) fmt::print("{}", terminal_report(course, checked, console));
-      if (options.plot) draw(course, checked, !options.json);
+      if (options.plot) draw(course, checked, picture, console, !options.json);
       if (!options.json) std::fflush(stdout);
     }
   }

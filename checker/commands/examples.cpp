@@ -1,6 +1,6 @@
+#include "checker/commands/built_programs.hpp"
 #include "checker/commands/commands.hpp"
 #include "checker/report/console.hpp"
-#include "checker/worker/child_process.hpp"
 
 #include <fmt/format.h>
 #include <boost/property_tree/ptree.hpp>
@@ -8,9 +8,7 @@
 
 #include <unistd.h>
 
-#include <algorithm>
-#include <cstdlib>
-#include <regex>
+#include <chrono>
 #include <sstream>
 
 namespace workbook {
@@ -23,29 +21,6 @@ struct Example {
   bool passed = false;
   bool not_started = false;
 };
-
-FinishedProgram run(const std::string& program, const std::vector<std::string>& arguments, std::chrono::seconds limit) {
-  Launch launch;
-  launch.program = program.c_str();
-  launch.arguments = arguments;
-  const char* path = std::getenv("PATH");
-  launch.environment = {std::string("PATH=") + (path == nullptr ? "/usr/bin:/bin" : path)};
-  return run_program(launch, limit, std::size_t{4} << 20);
-}
-
-bool succeeded(const FinishedProgram& finished) {
-  return !finished.out_of_time && finished.end.signal == 0 && finished.end.exit_status == 0;
-}
-
-/// The student's files that the compiler complains about.
-std::vector<std::string> files_with_errors(const std::string& output) {
-  std::vector<std::string> files;
-  const std::regex pattern(R"(lectures/\w+/exercises/\w+\.cpp(?=:\d+:\d+: error))");
-  for (std::sregex_iterator match(output.begin(), output.end(), pattern), end; match != end; ++match) {
-    if (std::find(files.begin(), files.end(), match->str()) == files.end()) files.push_back(match->str());
-  }
-  return files;
-}
 
 /// doctest's report in XML. @throws boost::property_tree::xml_parser_error if the program died before its end.
 std::vector<Example> read_report(const std::string& xml) {
@@ -68,10 +43,6 @@ std::vector<Example> read_report(const std::string& xml) {
   return examples;
 }
 
-std::filesystem::path program_of(const Course& course, const std::string& target) {
-  return course.build() / "lectures" / target;
-}
-
 }  // namespace
 
 int examples(const Course& course, const std::string& name) {
@@ -81,8 +52,7 @@ int examples(const Course& course, const std::string& name) {
 
   if (isatty(STDERR_FILENO) != 0)
     fmt::print(stderr, "Building the worked examples of {} with your functions ...", lecture);
-  const FinishedProgram built =
-      run("/usr/bin/env", {"cmake", "--build", course.build().string(), "--target", target}, std::chrono::minutes(10));
+  const FinishedProgram built = build_target(course, target);
   if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\033[K");
   if (!succeeded(built)) {
     const std::vector<std::string> files = files_with_errors(built.output);
@@ -96,7 +66,7 @@ int examples(const Course& course, const std::string& name) {
   }
 
   const FinishedProgram finished =
-      run(program_of(course, target).string(), {"--reporters=xml"}, std::chrono::minutes(2));
+      run_with_path(lecture_program(course, target).string(), {"--reporters=xml"}, std::chrono::minutes(2));
   std::vector<Example> found;
   try {
     found = read_report(finished.output);
