@@ -63,9 +63,8 @@ std::string student_label(const std::string& component) { return component + " y
 
 std::string difference_label() { return "yours − reference"; }
 
-std::string overlay_description(const std::string& exercise, const std::string& title, bool has_yours,
+std::string overlay_description(const std::string& exercise, const std::string& title,
                                 const std::string& misconception) {
-  if (!has_yours) return fmt::format("Plot of {}: {}. It shows the reference alone.", exercise, title);
   return fmt::format("Plot of {}: {}. It shows the submitted function on the reference{}, and their difference below.",
                      exercise, title, misconception.empty() ? "" : fmt::format(" and on “{}”", misconception));
 }

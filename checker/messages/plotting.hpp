@@ -32,7 +32,7 @@ std::string student_label(const std::string& component);
 std::string difference_label();
 
 /// What a picture shows, for those who do not see it.
-std::string overlay_description(const std::string& exercise, const std::string& title, bool has_yours,
+std::string overlay_description(const std::string& exercise, const std::string& title,
                                 const std::string& misconception);
 
 // --- all pictures at once

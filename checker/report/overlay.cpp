@@ -15,6 +15,9 @@ namespace {
 
 constexpr const char* svg_terminal = "svg noenhanced size 800,640 font 'Helvetica,14' background rgb 'white'";
 
+// Smaller, with letters that are large for their picture: a page is read on a telephone, too.
+constexpr const char* page_terminal = "svg noenhanced size 640,512 font 'Helvetica,14' background rgb 'white'";
+
 // Twice the pixels, for sharp text in print and on dense screens.
 constexpr const char* png_terminal =
     "pngcairo noenhanced size 1600,1280 font 'Helvetica,24' linewidth 2 background rgb 'white'";
@@ -70,7 +73,7 @@ std::vector<fs::path> draw_plot(const Course& course, const Checked& checked) {
 
 std::string overlay_as_svg(const Overlay& overlay, const fs::path& directory) {
   if (overlay.sweep->x.empty()) throw PlotError(messages::no_plot("This exercise"));
-  return drawn_picture(svg_terminal, directory, [&](gnuplotio::Gnuplot& gnuplot) { send_panels(gnuplot, overlay); });
+  return drawn_picture(page_terminal, directory, [&](gnuplotio::Gnuplot& gnuplot) { send_panels(gnuplot, overlay); });
 }
 
 }  // namespace workbook

@@ -176,19 +176,28 @@ void draw_picture(const std::string& terminal, const fs::path& file,
   if (gnuplot_path.empty()) throw PlotError(messages::gnuplot_missing_for_plot());
   std::error_code problem;
   fs::create_directories(file.parent_path(), problem);
-  if (!std::ofstream(file)) throw PlotError(messages::plot_not_written(file.string()));
-  // gnuplot stops at its first error and leaves half a picture; only after the last line it writes this file.
-  const fs::path witness = file.string() + ".complete";
+  // Under another name until it is whole: two checkers may draw the same plot at the same time.
+  const fs::path part = fmt::format("{}.{}.part", file.string(), getpid());
+  if (!std::ofstream(part)) throw PlotError(messages::plot_not_written(file.string()));
+  // After an error gnuplot goes on and leaves half a picture. Only its exit status tells, and the library drops it: so
+  // the shell writes this file where all went well.
+  const fs::path witness = part.string() + ".complete";
   {
-    gnuplotio::Gnuplot gnuplot(shell_quoted(gnuplot_path) + " 2>/dev/null");
-    gnuplot << "set encoding utf8\nset terminal " << terminal << "\nset output " << quoted(file.string()) << "\n";
+    gnuplotio::Gnuplot gnuplot(
+        fmt::format("if {} 2>/dev/null; then : >{}; fi", shell_quoted(gnuplot_path), shell_quoted(witness.string())));
+    gnuplot << "set encoding utf8\nset terminal " << terminal << "\nset output " << quoted(part.string()) << "\n";
     script(gnuplot);
-    gnuplot << "set output\nset print " << quoted(witness.string()) << "\nprint 'complete'\nset print\n";
+    gnuplot << "set output\n";
   }
-  const bool complete = fs::remove(witness, problem);
-  if (!complete || !fs::exists(file, problem) || fs::file_size(file, problem) == 0) {
-    fs::remove(file, problem);
+  const bool complete = fs::remove(witness, problem) && fs::file_size(part, problem) > 0 && !problem;
+  if (!complete) {
+    fs::remove(part, problem);
     throw PlotError(messages::plot_not_drawn(file.string()));
+  }
+  fs::rename(part, file, problem);
+  if (problem) {
+    fs::remove(part, problem);
+    throw PlotError(messages::plot_not_written(file.string()));
   }
 }
 

@@ -38,9 +38,12 @@ std::size_t picture_columns(const PictureSpace& space) {
 std::string sixel_picture(const Overlay& overlay, const std::filesystem::path& directory, const PictureSpace& space) {
   const std::size_t width = picture_columns(space) * space.cell_width;
   const auto height = static_cast<std::size_t>(static_cast<double>(width) / shape);
-  return drawn_picture(
-      fmt::format("sixelgd noenhanced truecolor size {},{} font 'Helvetica,11' background rgb 'white'", width, height),
-      directory, [&](gnuplotio::Gnuplot& gnuplot) { send_panels(gnuplot, overlay); });
+  // Letters and lines shrink with the picture, as far as they can be read.
+  const double scale = std::clamp(static_cast<double>(width) / 800.0, 0.6, 1.5);
+  const std::string terminal = fmt::format(
+      "sixelgd noenhanced truecolor size {},{} font 'Helvetica,{:.0f}' linewidth {:.1f} background rgb 'white'", width,
+      height, 11 * scale, scale);
+  return drawn_picture(terminal, directory, [&](gnuplotio::Gnuplot& gnuplot) { send_panels(gnuplot, overlay); });
 }
 
 std::string without_trailing_blanks(const std::string& text) {
@@ -78,7 +81,8 @@ std::string letter_picture(const Overlay& overlay, const std::filesystem::path& 
       fmt::format("dumb noenhanced size {},{} {}", columns - 1, rows, console.color() ? "ansi256" : "mono"), directory,
       [&](gnuplotio::Gnuplot& gnuplot) { send_letters(gnuplot, overlay, columns); });
   const std::string lines = without_trailing_blanks(drawing);
-  return lines.substr(std::min(lines.size(), lines.find_first_not_of('\n'))) + (console.color() ? "\033[0m" : "") + meaning_of_letters(overlay, console);
+  return lines.substr(std::min(lines.size(), lines.find_first_not_of('\n'))) + (console.color() ? "\033[0m" : "") +
+         meaning_of_letters(overlay, console);
 }
 
 }  // namespace

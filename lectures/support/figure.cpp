@@ -32,6 +32,13 @@ std::string terminal(const std::string& format, FigureSize size) {
       2 * size.width, 2 * size.height);
 }
 
+/// Text inside the shell's single quotes.
+std::string shell_quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char letter : text) result += letter == '\'' ? "'\\''" : std::string(1, letter);
+  return result + "'";
+}
+
 }  // namespace
 
 int draw_figures(int argc, char** argv, const std::vector<Figure>& figures) {
@@ -77,15 +84,16 @@ void draw_figure(const std::filesystem::path& directory, const std::string& name
   for (const std::string format : {"svg", "png"}) {
     const std::filesystem::path file = directory / fmt::format("{}.{}", name, format);
     std::filesystem::remove(file);
-    // gnuplot stops at its first error and leaves half a picture; only after the last line it writes this file.
+    // After an error gnuplot goes on and leaves half a picture. Only its exit status tells, and the library drops it:
+    // so the shell writes this file where all went well.
     const std::filesystem::path witness = file.string() + ".complete";
     {
-      gnuplotio::Gnuplot gnuplot("gnuplot");
+      gnuplotio::Gnuplot gnuplot(fmt::format("if gnuplot; then : >{}; fi", shell_quoted(witness.string())));
       gnuplot << "set encoding utf8\n"
               << terminal(format, size) << "set output '" << file.string() << "'\n"
               << common_style;
       draw(gnuplot);
-      gnuplot << "\nset output\nset print '" << witness.string() << "'\nprint 'complete'\nset print\n";
+      gnuplot << "\nset output\n";
     }
     if (!std::filesystem::remove(witness) || !std::filesystem::exists(file) || std::filesystem::file_size(file) == 0) {
       std::filesystem::remove(file);

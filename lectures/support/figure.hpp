@@ -45,7 +45,7 @@ int draw_figures(int argc, char** argv, const std::vector<Figure>& figures);
 
 /// Draws DIRECTORY/NAME.svg and DIRECTORY/NAME.png: `draw` sends everything after the terminal's settings, and is
 /// called once per format.
-/// @throws std::runtime_error if gnuplot is missing or does not come to the end of the script.
+/// @throws std::runtime_error if gnuplot is missing or finds an error in the script.
 void draw_figure(const std::filesystem::path& directory, const std::string& name, FigureSize size,
                  const std::function<void(gnuplotio::Gnuplot&)>& draw);
 
