@@ -50,6 +50,7 @@ struct CommandLine {
     add_plot();
     add_reset();
     add_examples();
+    add_handout();
     add_doctor();
     add_self_check();
   }
@@ -103,6 +104,12 @@ struct CommandLine {
     CLI::App* command = app.add_subcommand("examples", "run the worked examples of a lecture on your own functions");
     command->add_option("lecture", name, "its name, number or topic")->required();
     command->callback([this] { job = [this](const Course& course) { return examples(course, name); }; });
+  }
+
+  void add_handout() {
+    CLI::App* command = app.add_subcommand("handout", "for instructors: write the copy that students get");
+    command->add_option("folder", out, "a new folder for it")->required();
+    command->callback([this] { job = [this](const Course& course) { return handout(course, out); }; });
   }
 
   void add_doctor() {

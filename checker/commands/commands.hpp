@@ -49,6 +49,9 @@ int reset(const Course& course, const std::string& name);
 /// The worked examples of a lecture on the student's own functions: which of them come out by now.
 int examples(const Course& course, const std::string& lecture);
 
+/// Writes the copy of the workbook that students get: without solutions, with the reference results as data.
+int handout(const Course& course, const std::filesystem::path& directory);
+
 /// What this machine offers.
 int doctor(const Course& course);
 

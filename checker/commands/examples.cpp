@@ -1,15 +1,12 @@
+#include "checker/commands/build_target.hpp"
 #include "checker/commands/commands.hpp"
 #include "checker/report/console.hpp"
-#include "checker/worker/child_process.hpp"
 
 #include <fmt/format.h>
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cstdlib>
 #include <regex>
 #include <sstream>
 
@@ -23,19 +20,6 @@ struct Example {
   bool passed = false;
   bool not_started = false;
 };
-
-FinishedProgram run(const std::string& program, const std::vector<std::string>& arguments, std::chrono::seconds limit) {
-  Launch launch;
-  launch.program = program.c_str();
-  launch.arguments = arguments;
-  const char* path = std::getenv("PATH");
-  launch.environment = {std::string("PATH=") + (path == nullptr ? "/usr/bin:/bin" : path)};
-  return run_program(launch, limit, std::size_t{4} << 20);
-}
-
-bool succeeded(const FinishedProgram& finished) {
-  return !finished.out_of_time && finished.end.signal == 0 && finished.end.exit_status == 0;
-}
 
 /// The student's files that the compiler complains about.
 std::vector<std::string> files_with_errors(const std::string& output) {
@@ -79,12 +63,8 @@ int examples(const Course& course, const std::string& name) {
   const Console console = Console::of_standard_output();
   const std::string target = "worked_examples_of_the_student_" + lecture;
 
-  if (isatty(STDERR_FILENO) != 0)
-    fmt::print(stderr, "Building the worked examples of {} with your functions ...", lecture);
-  const FinishedProgram built =
-      run("/usr/bin/env", {"cmake", "--build", course.build().string(), "--target", target}, std::chrono::minutes(10));
-  if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\033[K");
-  if (!succeeded(built)) {
+  const FinishedProgram built = build_target(course, target);
+  if (!built.succeeded()) {
     const std::vector<std::string> files = files_with_errors(built.output);
     if (!files.empty()) {
       fmt::print("These files do not compile, so the examples cannot run; `checker check` on each says why:\n");
@@ -96,7 +76,7 @@ int examples(const Course& course, const std::string& name) {
   }
 
   const FinishedProgram finished =
-      run(program_of(course, target).string(), {"--reporters=xml"}, std::chrono::minutes(2));
+      run_own_program(program_of(course, target), {"--reporters=xml"}, std::chrono::minutes(2));
   std::vector<Example> found;
   try {
     found = read_report(finished.output);
@@ -116,7 +96,7 @@ int examples(const Course& course, const std::string& name) {
                              : example.not_started ? " (needs a function that is not started)"
                                                    : " (comes out otherwise)";
     const std::string text = console.wrapped(example.title + note, 2);
-    fmt::print("{} {}\n", console.styled(mark, style), text.substr(2));
+    fmt::print("{}{}\n", console.mark(mark, style), text.substr(2));
   }
   fmt::print("\n{} of {} worked examples of {} come out with your functions.\n", passed, found.size(), lecture);
   return passed == found.size() ? all_passed : something_failed;

@@ -71,6 +71,10 @@ int self_check(const Course& course, const std::vector<std::uint64_t>& seeds) {
           routes += judged.routes.size();
           misconceptions += judged.misconceptions.size();
           faults.add(faults_of_hints(course, exercise));
+          faults.add(faults_of_contract(course, exercise, judged));
+        }
+        // Where there are no solutions, the exercises belong to a student, who may have solved them.
+        if (first && course.has_solutions()) {
           faults.add(faults_of_stub(course, exercise, judged));
           require_verdict(course, toolchain, exercise, judged, course.student_file(exercise), Verdict::not_started,
                           fmt::format("`checker reset {}` puts the stub back.", entry.name), faults);

@@ -133,8 +133,10 @@ std::optional<fs::path> Course::notes_page(const std::string& lecture) const {
   return page;
 }
 
+fs::path Course::reference_file(const std::string& lecture) const { return reference_ / (lecture + ".json"); }
+
 LectureReference Course::reference(const std::string& lecture, std::uint64_t seed) const {
-  fs::path file = reference_ / (lecture + ".json");
+  fs::path file = reference_file(lecture);
   if (seed != published_seed) {
     const fs::path program = reference_ / ("reference_" + lecture);
     if (!fs::exists(program)) {

@@ -44,8 +44,8 @@ bool is_backup(const fs::path& file) {
   return name.front() == '.' || name.back() == '~';
 }
 
-/// Complains about expected files that are not there, and about others that are.
-void compare_folder(const Course& course, const fs::path& folder, const std::set<fs::path>& expected,
+/// Complains about expected files that are not there, and perhaps about others that are.
+void compare_folder(const Course& course, const fs::path& folder, const std::set<fs::path>& expected, bool nothing_else,
                     std::vector<std::string>& faults) {
   for (const fs::path& file : expected) {
     if (!fs::is_regular_file(file)) {
@@ -53,7 +53,7 @@ void compare_folder(const Course& course, const fs::path& folder, const std::set
                                    shown(course, file)));
     }
   }
-  if (!fs::is_directory(folder)) return;
+  if (!nothing_else || !fs::is_directory(folder)) return;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     if (entry.is_directory() || is_backup(entry.path()) || expected.contains(entry.path())) continue;
     faults.push_back(fmt::format("{}: no card lists it; add its exercise to the card, or move the file away.",
@@ -105,8 +105,10 @@ std::vector<std::string> faults_of_files(const Course& course) {
       expected.insert({course.student_file(exercise), course.hints_file(exercise)});
       solutions.insert(course.solution_file(exercise));
     }
-    compare_folder(course, folder, expected, faults);
-    if (course.has_solutions()) compare_folder(course, course.root() / "solutions" / card.lecture, solutions, faults);
+    // Where there are no solutions, the folder is a student's, who may keep anything there.
+    compare_folder(course, folder, expected, course.has_solutions(), faults);
+    if (course.has_solutions())
+      compare_folder(course, course.root() / "solutions" / card.lecture, solutions, true, faults);
     if (!fs::is_regular_file(course.contract_file(card))) {
       faults.push_back(fmt::format("{}: missing, though the card of {} names it as the contract.",
                                    shown(course, course.contract_file(card)), card.lecture));
@@ -151,6 +153,12 @@ std::vector<std::string> faults_of_stub(const Course& course, const Exercise& ex
         fmt::format("{}: not the stub that the card makes (is it solved?); `checker reset {}` puts it back.",
                     shown(course, file), exercise.name()));
   }
+  return faults;
+}
+
+std::vector<std::string> faults_of_contract(const Course& course, const Exercise& exercise,
+                                            const ExerciseReference& reference) {
+  std::vector<std::string> faults;
   const fs::path contract = course.contract_file(*exercise.card);
   if (squeezed(text_of(contract)).find(squeezed(reference.signature + ";")) == std::string::npos) {
     faults.push_back(

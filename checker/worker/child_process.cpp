@@ -208,7 +208,8 @@ ProcessEnd ChildProcess::reap() {
   return end;
 }
 
-FinishedProgram run_program(const Launch& launch, std::chrono::duration<double> time_limit, std::size_t output_limit) {
+FinishedProgram run_program(const Launch& launch, std::chrono::duration<double> time_limit, std::size_t output_limit,
+                            const std::function<void(std::string_view)>& listener) {
   const Clock::time_point deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(time_limit);
   ChildProcess process(launch);
   FinishedProgram finished;
@@ -225,6 +226,7 @@ FinishedProgram run_program(const Launch& launch, std::chrono::duration<double> 
     if (got < 0 && (errno == EINTR || errno == EAGAIN)) continue;
     if (got <= 0) break;
     finished.output.append(buffer.data(), static_cast<std::size_t>(got));
+    if (listener) listener({buffer.data(), static_cast<std::size_t>(got)});
     if (finished.output.size() > output_limit) {
       finished.output.resize(output_limit);
       finished.too_much_output = true;

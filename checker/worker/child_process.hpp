@@ -13,6 +13,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace workbook {
@@ -81,9 +82,13 @@ struct FinishedProgram {
   std::string output;
   bool out_of_time = false;
   bool too_much_output = false;
+
+  /// It ended by itself, with exit status 0, within its limits.
+  bool succeeded() const { return !out_of_time && !too_much_output && end.signal == 0 && end.exit_status == 0; }
 };
 
-/// Runs a program and collects what it prints. @throws LaunchError
-FinishedProgram run_program(const Launch& launch, std::chrono::duration<double> time_limit, std::size_t output_limit);
+/// Runs a program and collects what it prints; a listener hears of every piece as it comes. @throws LaunchError
+FinishedProgram run_program(const Launch& launch, std::chrono::duration<double> time_limit, std::size_t output_limit,
+                            const std::function<void(std::string_view)>& listener = {});
 
 }  // namespace workbook
