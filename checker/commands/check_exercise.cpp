@@ -45,6 +45,8 @@ Checked check_exercise(const Course& course, const Toolchain& toolchain, const E
                        const ExerciseReference& reference, const std::filesystem::path& file, const RunLimits& limits) {
   Checked checked{.exercise = exercise,
                   .file = file,
+                  .is_elsewhere = file != course.student_file(exercise),
+                  .seed = 1,
                   .reference = &reference,
                   .observation = {},
                   .judgement = {},

@@ -18,6 +18,9 @@ struct CheckOptions {
   std::vector<std::string> names;  ///< exercises and lectures; none: the whole course
   std::optional<std::filesystem::path> file;
   std::uint64_t seed = 1;
+  std::optional<std::string> case_name;  ///< show this case in full, whether it passes or not
+  bool started = false;                  ///< leave out what is not started
+  bool full = false;                     ///< with all that the compiler says
   bool json = false;
   bool plot = false;
 };

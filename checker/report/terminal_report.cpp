@@ -1,6 +1,8 @@
 #include "checker/report/terminal_report.hpp"
 
 #include "checker/judging/failure_text.hpp"
+#include "checker/messages/program.hpp"
+#include "checker/messages/reporting.hpp"
 
 #include <fmt/format.h>
 
@@ -66,6 +68,11 @@ std::string labelled(const std::string& label, const std::string& text, const Co
          body.substr(std::min(body.size(), indent + 7)) + "\n";
 }
 
+/// A heading and what to type: never broken, so that it can be copied.
+std::string command_line(const std::string& label, const std::string& command, const Console& console) {
+  return std::string(indent, ' ') + console.styled(padded(label, 6), Style::strong) + " " + command + "\n";
+}
+
 /// The first lines of a long text, and how many more there are.
 std::string first_lines(const std::string& text, std::size_t most, std::size_t margin) {
   std::istringstream lines(text);
@@ -74,7 +81,7 @@ std::string first_lines(const std::string& text, std::size_t most, std::size_t m
   for (std::string line; std::getline(lines, line); ++count) {
     if (count < most) shown += std::string(margin, ' ') + line + "\n";
   }
-  if (count > most) shown += std::string(margin, ' ') + fmt::format("… and {} more lines\n", count - most);
+  if (count > most) shown += std::string(margin, ' ') + messages::more_lines(count - most) + "\n";
   return shown;
 }
 
@@ -86,6 +93,23 @@ std::string finding_text(const Finding& finding, const Console& console) {
   return text;
 }
 
+/// The case of judgement.first_failure in full.
+std::string case_text(const Checked& checked) {
+  std::string text;
+  for (const std::string& line : describe_failure(*checked.reference, checked.judgement))
+    text += (line.empty() ? "" : std::string(indent, ' ')) + line + "\n";
+  return text;
+}
+
+/// What to type to see exactly this failure again.
+std::string replay_command(const Checked& checked) {
+  const Case& failed = checked.reference->cases.at(checked.judgement.first_failure->case_index);
+  std::string arguments = fmt::format("check {} --case '{}'", checked.exercise.name(), failed.name);
+  if (checked.seed != 1) arguments += fmt::format(" --seed {}", checked.seed);
+  if (checked.is_elsewhere) arguments += fmt::format(" --file {}", std::filesystem::proximate(checked.file).string());
+  return messages::command(arguments);
+}
+
 }  // namespace
 
 std::string notes_place(const Course& course, const std::string& lecture, const std::string& anchor) {
@@ -95,22 +119,24 @@ std::string notes_place(const Course& course, const std::string& lecture, const 
   return anchor.empty() ? source : source + ", paragraph " + anchor;
 }
 
-std::string terminal_report(const Course& course, const Checked& checked, const Console& console) {
+std::string terminal_report(const Course& course, const Checked& checked, const Console& console,
+                            const ReportOptions& options) {
   const Judgement& judgement = checked.judgement;
   std::string text = headline(checked, console) + "\n";
-  if (judgement.passed()) return text;
   if (judgement.verdict == Verdict::not_started) return text;
+  if (judgement.passed()) return options.one_case ? text + "\n" + case_text(checked) : text;
 
   text += console.wrapped(judgement.message, indent) + "\n";
   for (const Finding& finding : checked.observation.findings) text += "\n" + finding_text(finding, console);
-  if (judgement.first_failure && checked.reference != nullptr) {
-    text += "\n";
-    for (const std::string& line : describe_failure(*checked.reference, judgement))
-      text += std::string(indent, ' ') + line + "\n";
-  }
+  if (judgement.first_failure && checked.reference != nullptr) text += "\n" + case_text(checked);
   if (!checked.observation.printed.empty()) {
-    text += "\n" + std::string(indent, ' ') + "Your code printed:\n" +
+    text += "\n" + std::string(indent, ' ') + messages::your_code_printed() + "\n" +
             first_lines(checked.observation.printed, longest_printout, 2 * indent);
+  }
+  const std::string& compiler_output = checked.observation.refusal_details;
+  if (options.full && !compiler_output.empty()) {
+    text += "\n" + std::string(indent, ' ') + messages::the_compiler_says() + "\n" +
+            first_lines(compiler_output, std::string::npos, 2 * indent);
   }
   text += "\n";
   for (const Diagnosis& diagnosis : judgement.diagnoses) {
@@ -119,6 +145,12 @@ std::string terminal_report(const Course& course, const Checked& checked, const 
       text += labelled("Read", notes_place(course, checked.exercise.lecture(), diagnosis.notes), console);
   }
   text += labelled("Next", judgement.next_step, console);
+  if (judgement.verdict == Verdict::checker_error) return text;
+  const std::string& name = checked.exercise.name();
+  if (judgement.first_failure) text += command_line("Again", replay_command(checked), console);
+  if (!options.full && !compiler_output.empty())
+    text += command_line("More", messages::command(fmt::format("check {} --full", name)), console);
+  text += command_line("Hint", messages::command("hint " + name), console);
   return text;
 }
 
@@ -131,12 +163,7 @@ std::string summary_line(const std::vector<Checked>& results) {
     not_started += checked.judgement.verdict == Verdict::not_started ? 1 : 0;
     errors += checked.judgement.verdict == Verdict::checker_error ? 1 : 0;
   }
-  const std::size_t wrong = results.size() - passed - not_started - errors;
-  std::string line = fmt::format("{} of {} passed", passed, results.size());
-  if (wrong > 0) line += fmt::format(", {} to mend", wrong);
-  if (not_started > 0) line += fmt::format(", {} not started", not_started);
-  if (errors > 0) line += fmt::format(", {} could not be judged (our fault, not yours)", errors);
-  return line + ".";
+  return messages::summary(results.size(), passed, results.size() - passed - not_started - errors, not_started, errors);
 }
 
 }  // namespace workbook
