@@ -51,7 +51,7 @@ int list(const Course& course) {
     fmt::print("{}  {}\n", console.styled(card.lecture, Style::strong), card.title);
     for (const CardExercise& entry : card.exercises) {
       const State state = state_of(course, progress, {&card, &entry});
-      fmt::print("  {} {} {}\n", console.styled(state.mark, state.style), padded(entry.name, 30),
+      fmt::print("  {}{} {}\n", console.mark(state.mark, state.style), padded(entry.name, 30),
                  console.styled(state.words, state.style));
     }
     fmt::print("\n");
