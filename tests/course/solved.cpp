@@ -1,28 +1,19 @@
 // A student's whole course: what the checker calls next is written, checked and passed, until nothing is left.
 #include <doctest/doctest.h>
+#include "tests/support/files.hpp"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <sys/wait.h>
-
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <regex>
-#include <sstream>
 #include <string>
 #include <vector>
 
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string read(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
+using namespace workbook::testing;
 
 struct Outcome {
   int status = -1;
@@ -40,15 +31,15 @@ class FreshCourse {
       fs::copy(workbook / part, root_ / part, fs::copy_options::recursive);
     auto course = nlohmann::json::parse(read(WORKBOOK_COURSE));
     course["root"] = root_.string();
-    std::ofstream(root_ / "course.json") << course.dump(2);
+    write(root_ / "course.json", course.dump(2));
   }
 
   Outcome run(const std::string& arguments) const {
     const fs::path out = root_ / "stdout.txt";
     const std::string command = fmt::format("cd '{}' && '{}' --course course.json {} </dev/null >'{}'", root_.string(),
                                             WORKBOOK_TEST_CHECKER, arguments, out.string());
-    const int raw = std::system(command.c_str());
-    return {WIFEXITED(raw) ? WEXITSTATUS(raw) : -1, read(out)};
+    const int status = run_in_shell(command);
+    return {status, read(out)};
   }
 
   const fs::path& root() const { return root_; }

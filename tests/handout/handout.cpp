@@ -1,36 +1,26 @@
 // The copy that students get: what is in it, what is not, and that its commands work.
 #include <doctest/doctest.h>
+#include "tests/support/files.hpp"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cctype>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <regex>
-#include <sstream>
 #include <string>
 #include <vector>
 
 namespace {
 
 namespace fs = std::filesystem;
+using namespace workbook::testing;
 
-const fs::path workbook = WORKBOOK_ROOT;
+const fs::path project = WORKBOOK_ROOT;
 const fs::path scratch = WORKBOOK_TEST_SCRATCH;
-
-std::string read(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 struct Outcome {
   int status = -1;
@@ -39,8 +29,8 @@ struct Outcome {
 
 Outcome run(const std::string& command) {
   const fs::path said = scratch / "said.txt";
-  const int raw = std::system(fmt::format("{} </dev/null >'{}' 2>&1", command, said.string()).c_str());
-  return {WIFEXITED(raw) ? WEXITSTATUS(raw) : -1, read(said)};
+  const int status = run_in_shell(fmt::format("{} </dev/null >'{}' 2>&1", command, said.string()));
+  return {status, read(said)};
 }
 
 Outcome handout(const fs::path& folder) {
@@ -59,14 +49,6 @@ const fs::path& copy() {
   return folder;
 }
 
-std::vector<fs::path> files_of(const fs::path& folder) {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    if (entry.is_regular_file()) files.push_back(entry.path());
-  }
-  return files;
-}
-
 /// Text without white space, so that only what is written is compared and not how it is laid out.
 std::string squeezed(const std::string& text) {
   std::string result;
@@ -79,8 +61,8 @@ std::string squeezed(const std::string& text) {
 /// The solutions of the exercises by name.
 std::map<std::string, std::string> solutions() {
   std::map<std::string, std::string> all;
-  for (const fs::path& file : files_of(workbook / "solutions")) {
-    const fs::path stub = workbook / "lectures" / file.parent_path().filename() / "exercises" / file.filename();
+  for (const fs::path& file : files_below(project / "solutions")) {
+    const fs::path stub = project / "lectures" / file.parent_path().filename() / "exercises" / file.filename();
     if (fs::exists(stub)) all[file.stem().string()] = read(file);
   }
   return all;
@@ -107,7 +89,7 @@ class CheckerInCopy {
     REQUIRE_MESSAGE(built.status == 0, built.said);
     auto course = nlohmann::json::parse(read(copy() / "build/workbook/checker/course.json"));
     course["toolchain"] = nlohmann::json::parse(read(WORKBOOK_COURSE)).at("toolchain");
-    std::ofstream(copy() / "build/course.json") << course.dump(2);
+    write(copy() / "build/course.json", course.dump(2));
   }
   Outcome operator()(const std::string& arguments) const {
     return run(fmt::format("cd '{}' && '{}' --course build/course.json {}", copy().string(), WORKBOOK_TEST_CHECKER,
@@ -133,7 +115,7 @@ TEST_CASE("no file of the copy holds the body of a solution, or defines an exerc
   const auto all = solutions();
   REQUIRE(all.size() == WORKBOOK_EXERCISES);
   std::map<fs::path, std::string> texts;
-  for (const fs::path& file : files_of(copy())) texts[file] = squeezed(read(file));
+  for (const fs::path& file : files_below(copy())) texts[file] = squeezed(read(file));
   for (const auto& [name, source] : all) {
     const std::string body = squeezed(body_of(name, source));
     REQUIRE_MESSAGE(body.size() > 10, name);
@@ -149,7 +131,7 @@ TEST_CASE("no file of the copy holds the body of a solution, or defines an exerc
 
 TEST_CASE("every exercise of the copy is as at the beginning, also when it has been solved here") {
   for (const auto& [name, source] : solutions()) {
-    for (const fs::path& file : files_of(copy() / "lectures")) {
+    for (const fs::path& file : files_below(copy() / "lectures")) {
       if (file.filename() != name + ".cpp") continue;
       CHECK_MESSAGE(has(read(file), "throw NotStarted{}"), file.string());
     }
@@ -159,7 +141,7 @@ TEST_CASE("every exercise of the copy is as at the beginning, also when it has b
 TEST_CASE("no program of the copy holds a reference implementation") {
   // The copy's programs are built from the same files as these.
   std::vector<fs::path> binaries = {WORKBOOK_TEST_CHECKER};
-  for (const fs::path& file : files_of(fs::path(WORKBOOK_COURSE).parent_path() / "workers")) {
+  for (const fs::path& file : files_below(fs::path(WORKBOOK_COURSE).parent_path() / "workers")) {
     if (file.extension() == ".o") binaries.push_back(file);
   }
   CHECK(binaries.size() > WORKBOOK_EXERCISES);
@@ -177,7 +159,7 @@ TEST_CASE("in the copy the checker works with the reference results as data") {
   const Outcome stub = checker("check inertia_of_points");
   CHECK_MESSAGE(has(stub.said, "not started"), stub.said);
   const fs::path file = copy() / "lectures/03_inertia_tensor/exercises/inertia_of_points.cpp";
-  fs::copy_file(workbook / "solutions/03_inertia_tensor/inertia_of_points.cpp", file,
+  fs::copy_file(project / "solutions/03_inertia_tensor/inertia_of_points.cpp", file,
                 fs::copy_options::overwrite_existing);
   const Outcome right = checker("check inertia_of_points");
   CHECK_MESSAGE(right.status == 0, right.said);
@@ -190,7 +172,7 @@ TEST_CASE("in the copy the checker works with the reference results as data") {
   CHECK(has(again.said, "it has no solutions, so no other copy can be made from it"));
 
   // A student's own files beside the exercises, and solved exercises, are nothing to complain about.
-  std::ofstream(copy() / "lectures/03_inertia_tensor/my notes.txt") << "I = sum m (r^2 1 - r r)\n";
+  write(copy() / "lectures/03_inertia_tensor/my notes.txt", "I = sum m (r^2 1 - r r)\n");
   const Outcome in_order = checker("self-check --seeds 1");
   CHECK_MESSAGE(in_order.status == 0, in_order.said);
   CHECK(checker("reset inertia_of_points").status == 0);
@@ -209,8 +191,7 @@ TEST_CASE("in the copy a lost exercise does not stop the set-up, and can be put 
 
 TEST_CASE("a folder that holds something is not written to") {
   const fs::path folder = copy().parent_path() / "taken";
-  fs::create_directories(folder);
-  std::ofstream(folder / "thesis.txt") << "years of work\n";
+  write(folder / "thesis.txt", "years of work\n");
   const Outcome outcome = handout(folder);
   CHECK(outcome.status == 2);
   CHECK(has(outcome.said, "is there already; name a new or an empty folder, so that nothing in it is lost."));
@@ -219,7 +200,7 @@ TEST_CASE("a folder that holds something is not written to") {
 
 TEST_CASE("a folder that cannot be made is named, and nothing half done is left") {
   const fs::path file = copy().parent_path() / "a file";
-  std::ofstream(file) << "no folder\n";
+  write(file, "no folder\n");
   const Outcome outcome = handout(file / "below");
   CHECK(outcome.status == 3);
   CHECK_MESSAGE(has(outcome.said, "nothing was handed out"), outcome.said);
