@@ -94,9 +94,10 @@ std::string finding_text(const Finding& finding, const Console& console) {
 }
 
 /// The case of judgement.first_failure in full.
-std::string case_text(const Checked& checked) {
+std::string case_text(const Checked& checked, const Console& console) {
+  const Page page{console.width() - indent, console.plain()};
   std::string text;
-  for (const std::string& line : describe_failure(*checked.reference, checked.judgement))
+  for (const std::string& line : describe_failure(*checked.reference, checked.judgement, page))
     text += (line.empty() ? "" : std::string(indent, ' ')) + line + "\n";
   return text;
 }
@@ -106,7 +107,7 @@ std::string replay_command(const Checked& checked) {
   const Case& failed = checked.reference->cases.at(checked.judgement.first_failure->case_index);
   std::string arguments = fmt::format("check {} --case '{}'", checked.exercise.name(), failed.name);
   if (checked.seed != 1) arguments += fmt::format(" --seed {}", checked.seed);
-  if (checked.is_elsewhere) arguments += fmt::format(" --file {}", std::filesystem::proximate(checked.file).string());
+  if (checked.is_elsewhere) arguments += fmt::format(" --file {}", checked.file.string());
   return messages::command(arguments);
 }
 
@@ -124,11 +125,11 @@ std::string terminal_report(const Course& course, const Checked& checked, const 
   const Judgement& judgement = checked.judgement;
   std::string text = headline(checked, console) + "\n";
   if (judgement.verdict == Verdict::not_started) return text;
-  if (judgement.passed()) return options.one_case ? text + "\n" + case_text(checked) : text;
+  if (judgement.passed()) return options.one_case ? text + "\n" + case_text(checked, console) : text;
 
   text += console.wrapped(judgement.message, indent) + "\n";
   for (const Finding& finding : checked.observation.findings) text += "\n" + finding_text(finding, console);
-  if (judgement.first_failure && checked.reference != nullptr) text += "\n" + case_text(checked);
+  if (judgement.first_failure && checked.reference != nullptr) text += "\n" + case_text(checked, console);
   if (!checked.observation.printed.empty()) {
     text += "\n" + std::string(indent, ' ') + messages::your_code_printed() + "\n" +
             first_lines(checked.observation.printed, longest_printout, 2 * indent);
