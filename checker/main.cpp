@@ -1,6 +1,7 @@
 /// @file
 /// The command line of the checker.
 #include "checker/commands/commands.hpp"
+#include "checker/worker/running_programs.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -45,6 +46,7 @@ struct CommandLine {
                    "another course.json than the one that was built (for tests of the checker)")
         ->group("For maintainers");
     add_check();
+    add_watch();
     add_list();
     add_hint();
     add_plot();
@@ -66,6 +68,12 @@ struct CommandLine {
       check_options.file = optional_path(file);
       job = [this](const Course& course) { return check(course, check_options); };
     });
+  }
+
+  void add_watch() {
+    CLI::App* command = app.add_subcommand("watch", "check whatever you save, and go on when it passes");
+    command->add_option("name", name, "where to begin: an exercise or a lecture; none: the next exercise");
+    command->callback([this] { job = [this](const Course& course) { return watch(course, course_file, name); }; });
   }
 
   void add_list() {
@@ -146,6 +154,7 @@ struct CommandLine {
 
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);  // a worker that dies, or a reader like `head` that leaves, is no reason to die
+  running_programs::end_with_the_checker();
   CommandLine command_line(argv[0]);
   try {
     command_line.app.parse(argc, argv);
