@@ -6,6 +6,7 @@
 #include "checker/report/completion_script.hpp"
 #include "checker/report/console.hpp"
 #include "checker/report/help_formatter.hpp"
+#include "checker/worker/running_programs.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -53,6 +54,7 @@ struct CommandLine {
         ->type_name("FILE")
         ->group(messages::for_tests());
     add_check();
+    add_watch();
     add_list();
     add_hint();
     add_plot();
@@ -82,6 +84,13 @@ struct CommandLine {
       check_options.file = optional_path(file);
       job = [this](const Course& course) { return check(course, check_options); };
     });
+  }
+
+  void add_watch() {
+    CLI::App* command = add_command("watch", messages::for_students());
+    command->add_option("name", name, "where to begin: an exercise or a lecture; none: the next exercise")
+        ->type_name("NAME");
+    command->callback([this] { job = [this](const Course& course) { return watch(course, course_file, name); }; });
   }
 
   void add_list() {
@@ -191,6 +200,7 @@ struct CommandLine {
 
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);  // a worker that dies, or a reader like `head` that leaves, is no reason to die
+  running_programs::end_with_the_checker();
   CommandLine command_line(argv[0]);
   try {
     command_line.app.parse(argc, argv);

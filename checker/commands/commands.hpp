@@ -49,6 +49,11 @@ int plot(const Course& course, const PlotOptions& options);
 /// Puts the stub back; what was there is kept beside the progress file.
 int reset(const Course& course, const std::string& name);
 
+/// Checks whatever is saved, until it is told to end.
+/// @param course_file  what the course was read from
+/// @param name         where to begin, an exercise or a lecture; "": the next exercise that does not pass
+int watch(const Course& course, const std::filesystem::path& course_file, const std::string& name);
+
 /// The worked examples of a lecture on the student's own functions: which of them come out by now.
 int examples(const Course& course, const std::string& lecture);
 

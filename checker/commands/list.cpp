@@ -1,6 +1,7 @@
 #include "checker/commands/commands.hpp"
 #include "checker/course/progress.hpp"
 #include "checker/report/console.hpp"
+#include "checker/report/standing.hpp"
 
 #include <fmt/format.h>
 
@@ -29,15 +30,6 @@ State state_of(const Course& course, const Progress& progress, const Exercise& e
   return {"✗", words, Style::bad};
 }
 
-std::size_t count_passed(const Course& course, const Progress& progress, const std::string& lecture) {
-  std::size_t passed = 0;
-  for (const Exercise& exercise : course.exercises()) {
-    if (!lecture.empty() && exercise.lecture() != lecture) continue;
-    passed += progress.passed(exercise.name(), fingerprint(course.student_file(exercise))) ? 1 : 0;
-  }
-  return passed;
-}
-
 void print_warning(const Progress& progress) {
   if (!progress.warning().empty()) fmt::print(stderr, "{}\n", progress.warning());
 }
@@ -63,36 +55,24 @@ int list(const Course& course) {
 int status(const Course& course) {
   const Console console = Console::of_standard_output();
   const Progress progress(course.progress_file());
+  const Standing standing = standing_of(course, progress);
   const std::size_t width = std::clamp<std::size_t>(console.width() / 4, 8, 24);
-  const Exercise* next = nullptr;
-  const std::vector<Exercise> exercises = course.exercises();
   for (const Card& card : course.cards()) {
     const std::size_t total = card.exercises.size();
-    const std::size_t passed = count_passed(course, progress, card.lecture);
+    const std::size_t passed = standing.count_passed(card.lecture);
     fmt::print("{} {} {:>2} of {:<2}  {}\n", padded(card.lecture, 22), console.bar(passed, total, width), passed, total,
                console.width() >= 90 ? card.title : "");
   }
-  for (const Exercise& exercise : exercises) {
-    if (!progress.passed(exercise.name(), fingerprint(course.student_file(exercise)))) {
-      next = &exercise;
-      break;
-    }
-  }
   fmt::print("\n");
-  if (next == nullptr) {
+  if (const Exercise* next = standing.next()) {
+    fmt::print("{}", introduction(course, *next, "Next", console));
+    fmt::print("  check  ./checker/run check {}\n  hint   ./checker/run hint {}\n", next->name(), next->name());
+  } else {
     fmt::print(
         "{}\n",
         console.wrapped(fmt::format(
             "All {} exercises pass. You have written the library; `checker check --seed 2` tries it on other numbers.",
-            exercises.size())));
-  } else {
-    fmt::print("Next: {}\n", console.styled(next->name(), Style::strong));
-    fmt::print("{}\n", console.wrapped(next->entry->task, 2));
-    fmt::print("  file   {}\n", std::filesystem::proximate(course.student_file(*next)).string());
-    fmt::print("  notes  {}\n",
-               std::filesystem::proximate(course.notes_page(next->lecture()).value_or(course.notes_file(*next->card)))
-                   .string());
-    fmt::print("  check  ./checker/run check {}\n  hint   ./checker/run hint {}\n", next->name(), next->name());
+            standing.total())));
   }
   print_warning(progress);
   return all_passed;

@@ -1,8 +1,12 @@
 #include "checker/course/progress.hpp"
 
+#include "checker/worker/descriptor.hpp"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <cstdint>
@@ -21,7 +25,9 @@ constexpr int current_format = 1;
 
 }  // namespace
 
-Progress::Progress(fs::path file) : file_(std::move(file)) {
+Progress::Progress(fs::path file) : file_(std::move(file)) { read(); }
+
+void Progress::read() {
   std::error_code problem;
   if (!fs::exists(file_, problem)) return;
   try {
@@ -48,6 +54,18 @@ Progress::Progress(fs::path file) : file_(std::move(file)) {
   }
 }
 
+void Progress::change(const std::function<void()>& something) {
+  // A hint may be asked for while a check runs: each changes only what is its own. Where a folder cannot be locked,
+  // both are still written whole, one after the other.
+  std::error_code problem;
+  fs::create_directories(file_.parent_path(), problem);
+  const Descriptor folder(::open(file_.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (folder) ::flock(folder.number(), LOCK_EX);
+  read();
+  something();
+  write();
+}
+
 void Progress::write() {
   nlohmann::json exercises = nlohmann::json::object();
   for (const auto& [exercise, last] : verdicts_)
@@ -63,7 +81,6 @@ void Progress::write() {
         file_.string());
   };
   std::error_code problem;
-  fs::create_directories(file_.parent_path(), problem);
   const fs::path fresh = fmt::format("{}.{}", file_.string(), getpid());
   {
     std::ofstream out(fresh);
@@ -78,12 +95,15 @@ void Progress::write() {
 }
 
 void Progress::remember(const std::string& exercise, const LastVerdict& verdict) {
-  verdicts_[exercise] = verdict;
-  write();
+  change([&] { verdicts_[exercise] = verdict; });
 }
 
 void Progress::forget(const std::string& exercise) {
-  if (verdicts_.erase(exercise) + hints_.erase(exercise) > 0) write();
+  if (!verdicts_.contains(exercise) && !hints_.contains(exercise)) return;
+  change([&] {
+    verdicts_.erase(exercise);
+    hints_.erase(exercise);
+  });
 }
 
 std::string Progress::verdict(const std::string& exercise) const {
@@ -102,8 +122,7 @@ std::size_t Progress::hints_shown(const std::string& exercise) const {
 }
 
 void Progress::remember_hints(const std::string& exercise, std::size_t count) {
-  hints_[exercise] = count;
-  write();
+  change([&] { hints_[exercise] = count; });
 }
 
 std::string fingerprint(const fs::path& file) {

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
 #include <sstream>
+#include <system_error>
 
 namespace workbook {
 
@@ -60,6 +62,15 @@ std::string stub_text(const std::string& task, const std::string& contract, cons
       "\n"
       "}}  // namespace rigid\n",
       as_comment(task), contract, wrapped(signature));
+}
+
+bool is_begun(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) return false;
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return in.good() && text.str().find("throw NotStarted") == std::string::npos;
 }
 
 }  // namespace workbook

@@ -64,6 +64,9 @@ class ChildProcess {
   /// How the process ended, or nothing if it still runs at that time.
   std::optional<ProcessEnd> wait_until(Clock::time_point deadline);
 
+  /// Sends it the signal to end (SIGTERM), which it may take its time for, or ignore.
+  void ask_to_end();
+
   /// Ends the process and all its children, if any are left.
   ProcessEnd kill();
 
