@@ -3,6 +3,7 @@
 #include "checker/judging/failure_text.hpp"
 #include "checker/messages/program.hpp"
 #include "checker/messages/reporting.hpp"
+#include "checker/messages/standing.hpp"
 
 #include <fmt/format.h>
 
@@ -42,23 +43,17 @@ Style style_of(Verdict verdict) {
   }
 }
 
-/// "wrong value" for wrong_value.
-std::string in_words(Verdict verdict) {
-  std::string words = to_string(verdict);
-  std::replace(words.begin(), words.end(), '_', ' ');
-  return words;
-}
-
 std::string headline(const Checked& checked, const Console& console) {
   const Judgement& judgement = checked.judgement;
   std::string count;
   if (judgement.cases_total > 0 && judgement.verdict != Verdict::not_started) {
     count = fmt::format(" ({} of {} cases right)", judgement.cases_passed, judgement.cases_total);
   }
-  return fmt::format("{}{}  {}{}", console.mark(mark(judgement), style_of(judgement.verdict)),
-                     console.styled(checked.exercise.name(), Style::strong),
-                     console.styled(in_words(judgement.verdict), style_of(judgement.verdict)),
-                     console.styled(count, Style::quiet));
+  return fmt::format(
+      "{}{}  {}{}", console.mark(mark(judgement), style_of(judgement.verdict)),
+      console.styled(checked.exercise.name(), Style::strong),
+      console.styled(messages::verdict_in_words(to_string(judgement.verdict)), style_of(judgement.verdict)),
+      console.styled(count, Style::quiet));
 }
 
 /// A heading and the text that belongs to it, side by side.

@@ -136,22 +136,6 @@ TEST_CASE("a folder that cannot be written is named") {
   CHECK(has(check.err, "Your progress could not be saved"));
 }
 
-TEST_CASE("a damaged progress file is set aside and nothing is lost") {
-  const CourseCopy course;
-  solve(course, "spring_energy");
-  for (const char* damage : {"", "{", "[]", "{\"format\": 1}", "{\"format\": 99, \"exercises\": {}}",
-                             "{\"format\": 1, \"exercises\": {\"spring_energy\": 3}}"}) {
-    CAPTURE(damage);
-    write(course.root() / ".workbook/progress.json", damage);
-    const Outcome outcome = course.run("list");
-    CHECK(outcome.status == 0);
-    CHECK(has(outcome.err, "set aside"));
-    CHECK(read(course.root() / ".workbook/progress.json.damaged") == damage);
-    CHECK(course.run("check spring_energy").status == 0);
-    CHECK(course.run("list").err.empty());
-  }
-}
-
 TEST_CASE("output that is no terminal has no colour codes") {
   const CourseCopy course;
   course.answer_energy("return 0;");
