@@ -1,9 +1,9 @@
 // The first failing case in full: what a student sees on a terminal of 80 columns.
 #include "checker/judging/failure_text.hpp"
 #include "checker/judging/judge.hpp"
-#include "checker/messages/judging.hpp"
 #include "checker/judging/text_blocks.hpp"
 #include "checker/judging/value_text.hpp"
+#include "checker/messages/judging.hpp"
 #include "tests/judging/made_up.hpp"
 
 #include <doctest/doctest.h>
