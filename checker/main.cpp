@@ -18,6 +18,7 @@
 #include <exception>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -58,6 +59,8 @@ struct CommandLine {
     add_list();
     add_hint();
     add_plot();
+    add_figures();
+    add_report();
     add_reset();
     add_examples();
     add_handout();
@@ -80,6 +83,7 @@ struct CommandLine {
     command->add_flag("--full", check_options.full, "show all that the compiler says, not only its first error");
     command->add_flag("--json", check_options.json, "print one JSON document and nothing else");
     command->add_flag("--plot", check_options.plot, "draw your curve on the reference, as SVG and PNG");
+    add_picture(command, check_options.picture);
     command->callback([this] {
       check_options.file = optional_path(file);
       job = [this](const Course& course) { return check(course, check_options); };
@@ -107,15 +111,59 @@ struct CommandLine {
   void add_plot() {
     CLI::App* command = add_command("plot", messages::for_students());
     command->add_option("name", plot_options.names, "exercises or lectures")->type_name("NAME");
-    command->add_flag("--all", plot_options.all, "every exercise of the course");
+    command->add_flag("--all", plot_options.all, "every exercise, and the figures of every lecture");
     command->add_option("--file", file, "use this file in place of the exercise's own")->type_name("FILE");
     command->add_option("--out", out, "the folder for the pictures")->type_name("FOLDER");
     command->add_option("--seed", plot_options.seed, "as for check")->type_name("NUMBER")->capture_default_str();
+    add_picture(command, plot_options.picture);
     command->callback([this] {
       plot_options.file = optional_path(file);
       plot_options.out = optional_path(out);
       job = [this](const Course& course) { return plot(course, plot_options); };
     });
+  }
+
+  void add_figures() {
+    CLI::App* command = add_command("figures", messages::for_students());
+    command->add_option("lecture", figures_options.lecture, "its name, number or topic")
+        ->required()
+        ->type_name("LECTURE");
+    command->add_option("--out", out, "the folder for the pictures")->type_name("FOLDER");
+    command->add_option("--seconds", figures_options.seconds_per_figure, "the most that one figure may take")
+        ->type_name("NUMBER")
+        ->capture_default_str()
+        ->check(CLI::PositiveNumber);
+    command->callback([this] {
+      figures_options.out = optional_path(out);
+      job = [this](const Course& course) { return figures(course, figures_options); };
+    });
+  }
+
+  void add_report() {
+    CLI::App* command = add_command("report", messages::for_students());
+    command->add_option("--html", html, "the page to write; an older one is replaced")->required()->type_name("FILE");
+    command
+        ->add_option("names", report_options.names, "exercises or lectures, by name or number; none: the whole course")
+        ->type_name("NAME");
+    command->add_option("--name", report_options.student, "whose page it is")->type_name("TEXT");
+    command->add_option("--file", file, "check this file in place of the exercise's own")->type_name("FILE");
+    command->add_option("--seed", report_options.seed, "as for check")->type_name("NUMBER")->capture_default_str();
+    command->callback([this] {
+      report_options.html = html;
+      report_options.file = optional_path(file);
+      job = [this](const Course& course) { return report(course, report_options); };
+    });
+  }
+
+  static void add_picture(CLI::App* command, PictureKind& picture) {
+    static const std::map<std::string, PictureKind> kinds = {{"auto", PictureKind::automatic},
+                                                             {"kitty", PictureKind::kitty},
+                                                             {"sixel", PictureKind::sixel},
+                                                             {"text", PictureKind::text},
+                                                             {"none", PictureKind::none}};
+    command->add_option("--picture", picture, "how to show the plot on the terminal")
+        ->transform(CLI::CheckedTransformer(kinds).description("{auto,kitty,sixel,text,none}"))
+        ->default_str("auto");
   }
 
   void add_reset() {
@@ -189,6 +237,9 @@ struct CommandLine {
  private:
   CheckOptions check_options;
   PlotOptions plot_options;
+  FiguresOptions figures_options;
+  ReportOptions report_options;
+  std::string html;
   std::string file;
   std::string out;
   std::string name;

@@ -14,9 +14,8 @@ foreach(lecture IN LISTS WORKBOOK_LECTURES)
     VERBATIM)
   add_custom_target(printed_${lecture} DEPENDS ${printed})
 
-  add_executable(draw_${lecture} EXCLUDE_FROM_ALL ${lecture}/figures.cpp)
+  add_executable(draw_${lecture} EXCLUDE_FROM_ALL $<TARGET_OBJECTS:figures_objects_${lecture}>)
   target_link_libraries(draw_${lecture} PRIVATE rigid::rigid workbook_figure)
-  target_precompile_headers(draw_${lecture} REUSE_FROM workbook_figure)
   set(figures_drawn ${CMAKE_BINARY_DIR}/figures/${lecture}/drawn)
   add_custom_command(
     OUTPUT ${figures_drawn}

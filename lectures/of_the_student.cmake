@@ -1,4 +1,4 @@
-# Worked examples on the student's own functions, for `checker examples`: by the end of the course the student has written
+# Worked examples and figures on the student's own functions, for `checker examples` and `checker figures`: by the end of the course the student has written
 # rigid::rigid.
 set(exercise_files)
 foreach(lecture IN LISTS WORKBOOK_LECTURES)
@@ -23,4 +23,11 @@ foreach(lecture IN LISTS WORKBOOK_LECTURES)
   add_executable(worked_examples_of_the_student_${lecture} EXCLUDE_FROM_ALL
     support/not_started.cpp $<TARGET_OBJECTS:exercises_of_the_student> $<TARGET_OBJECTS:worked_examples_objects_${lecture}>)
   target_link_libraries(worked_examples_of_the_student_${lecture} PRIVATE rigid_contracts workbook_printed workbook_doctest_main)
+
+  add_library(figures_objects_${lecture} OBJECT EXCLUDE_FROM_ALL ${lecture}/figures.cpp)
+  target_link_libraries(figures_objects_${lecture} PRIVATE rigid_contracts workbook_figure)
+  target_precompile_headers(figures_objects_${lecture} REUSE_FROM workbook_figure)
+  add_executable(draw_of_the_student_${lecture} EXCLUDE_FROM_ALL
+    $<TARGET_OBJECTS:exercises_of_the_student> $<TARGET_OBJECTS:figures_objects_${lecture}>)
+  target_link_libraries(draw_of_the_student_${lecture} PRIVATE rigid_contracts workbook_figure)
 endforeach()

@@ -2,6 +2,7 @@
 #include "checker/commands/commands.hpp"
 #include "checker/course/did_you_mean.hpp"
 #include "checker/course/progress.hpp"
+#include "checker/messages/plotting.hpp"
 #include "checker/messages/program.hpp"
 #include "checker/messages/reporting.hpp"
 #include "checker/report/console.hpp"
@@ -9,6 +10,7 @@
 #include "checker/report/json_report.hpp"
 #include "checker/report/overlay.hpp"
 #include "checker/report/progress_bar.hpp"
+#include "checker/report/terminal_picture.hpp"
 #include "checker/report/terminal_report.hpp"
 
 #include <fmt/format.h>
@@ -24,24 +26,28 @@ namespace {
 /// Verdicts on a file elsewhere, or with another seed, are no progress.
 bool counts_as_progress(const CheckOptions& options) { return !options.file && options.seed == 1; }
 
-/// Draws the plot of one exercise and says where it is.
-void draw(const Course& course, const Checked& checked, bool to_terminal) {
+/// What is drawn of one exercise. A plot that fails changes no verdict.
+void draw(const Course& course, const Checked& checked, PictureKind picture, const Console& console, bool to_terminal) {
   if (!checked.executable) return;
   try {
-    const auto files = draw_overlay(overlay_of(checked), course.scratch() / "plots", checked.exercise.name());
-    if (to_terminal) fmt::print("  Plot   {}\n", std::filesystem::proximate(files.front()).string());
+    const Overlay overlay = overlay_of(checked);
+    const auto files = draw_overlay(overlay, plots_directory(course), checked.exercise.name());
+    if (!to_terminal) return;
+    fmt::print("{}  {}   {}\n",
+               terminal_picture(picture, overlay, files, plots_directory(course), console, picture_space(console)),
+               messages::plot_label(), std::filesystem::proximate(files.front()).string());
   } catch (const std::exception& problem) {
     fmt::print(stderr, "{}\n", problem.what());
   }
 }
 
 /// A wrong value is best seen as a picture. Where there is no gnuplot, `plot` says what to do.
-void draw_unasked(const Course& course, const Checked& checked) {
+void draw_unasked(const Course& course, const Checked& checked, const Console& console) {
   if (checked.judgement.verdict != Verdict::wrong_value) return;
   if (gnuplot_program().empty()) {
-    fmt::print("  Plot   {}\n", messages::command("plot " + checked.exercise.name()));
+    fmt::print("  {}   {}\n", messages::plot_label(), messages::command("plot " + checked.exercise.name()));
   } else {
-    draw(course, checked, true);
+    draw(course, checked, PictureKind::none, console, true);
   }
 }
 
@@ -77,6 +83,9 @@ int check(const Course& course, const CheckOptions& options) {
   }
   const Toolchain toolchain = read_toolchain(course.toolchain_file());
   const Console console = Console::of_standard_output();
+  const PictureKind picture = options.plot && !options.json
+                                  ? choose_picture(options.picture, exercises.size(), traits_of_this_terminal(console))
+                                  : PictureKind::none;
   Progress progress(course.progress_file());
   std::map<std::string, LectureReference> references;
   std::vector<Checked> results;
@@ -105,9 +114,9 @@ int check(const Course& course, const CheckOptions& options) {
         std::fflush(stdout);
       }
       if (options.plot) {
-        draw(course, checked, !options.json);
+        draw(course, checked, picture, console, !options.json);
       } else if (!options.json && exercises.size() == 1) {
-        draw_unasked(course, checked);
+        draw_unasked(course, checked, console);
       }
       results.push_back(std::move(checked));
     }

@@ -1,4 +1,4 @@
-#include "checker/commands/build_target.hpp"
+#include "checker/commands/built_programs.hpp"
 #include "checker/commands/commands.hpp"
 #include "checker/report/console.hpp"
 
@@ -6,8 +6,7 @@
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 
-#include <algorithm>
-#include <regex>
+#include <chrono>
 #include <sstream>
 
 namespace workbook {
@@ -20,16 +19,6 @@ struct Example {
   bool passed = false;
   bool not_started = false;
 };
-
-/// The student's files that the compiler complains about.
-std::vector<std::string> files_with_errors(const std::string& output) {
-  std::vector<std::string> files;
-  const std::regex pattern(R"(lectures/\w+/exercises/\w+\.cpp(?=:\d+:\d+: error))");
-  for (std::sregex_iterator match(output.begin(), output.end(), pattern), end; match != end; ++match) {
-    if (std::find(files.begin(), files.end(), match->str()) == files.end()) files.push_back(match->str());
-  }
-  return files;
-}
 
 /// doctest's report in XML. @throws boost::property_tree::xml_parser_error if the program died before its end.
 std::vector<Example> read_report(const std::string& xml) {
@@ -52,10 +41,6 @@ std::vector<Example> read_report(const std::string& xml) {
   return examples;
 }
 
-std::filesystem::path program_of(const Course& course, const std::string& target) {
-  return course.build() / "lectures" / target;
-}
-
 }  // namespace
 
 int examples(const Course& course, const std::string& name) {
@@ -64,7 +49,7 @@ int examples(const Course& course, const std::string& name) {
   const std::string target = "worked_examples_of_the_student_" + lecture;
 
   const FinishedProgram built = build_target(course, target);
-  if (!built.succeeded()) {
+  if (!succeeded(built)) {
     const std::vector<std::string> files = files_with_errors(built.output);
     if (!files.empty()) {
       fmt::print("These files do not compile, so the examples cannot run; `checker check` on each says why:\n");
@@ -76,7 +61,7 @@ int examples(const Course& course, const std::string& name) {
   }
 
   const FinishedProgram finished =
-      run_own_program(program_of(course, target), {"--reporters=xml"}, std::chrono::minutes(2));
+      run_with_path(lecture_program(course, target).string(), {"--reporters=xml"}, std::chrono::minutes(2));
   std::vector<Example> found;
   try {
     found = read_report(finished.output);

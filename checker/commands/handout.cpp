@@ -1,4 +1,4 @@
-#include "checker/commands/build_target.hpp"
+#include "checker/commands/built_programs.hpp"
 #include "checker/commands/commands.hpp"
 #include "checker/course/stub.hpp"
 #include "checker/messages/handing_out.hpp"

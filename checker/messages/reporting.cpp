@@ -10,6 +10,10 @@ std::string your_code_printed() { return "Your code printed:"; }
 
 std::string the_compiler_says() { return "All that the compiler says:"; }
 
+std::string plot_label() { return "Plot"; }
+
+std::string building() { return "building"; }
+
 std::string more_lines(std::size_t count) {
   return count == 1 ? "… and one more line" : fmt::format("… and {} more lines", count);
 }

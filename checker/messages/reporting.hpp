@@ -10,6 +10,8 @@ namespace workbook::messages {
 
 std::string your_code_printed();
 std::string the_compiler_says();
+std::string plot_label();
+std::string building();
 std::string more_lines(std::size_t count);
 
 /// "6 of 8 passed, 1 to mend, 1 not started."

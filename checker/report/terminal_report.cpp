@@ -116,11 +116,11 @@ std::string notes_place(const Course& course, const std::string& lecture, const 
 }
 
 std::string terminal_report(const Course& course, const Checked& checked, const Console& console,
-                            const ReportOptions& options) {
+                            const Detail& detail) {
   const Judgement& judgement = checked.judgement;
   std::string text = headline(checked, console) + "\n";
   if (judgement.verdict == Verdict::not_started) return text;
-  if (judgement.passed()) return options.one_case ? text + "\n" + case_text(checked, console) : text;
+  if (judgement.passed()) return detail.one_case ? text + "\n" + case_text(checked, console) : text;
 
   text += console.wrapped(judgement.message, indent) + "\n";
   for (const Finding& finding : checked.observation.findings) text += "\n" + finding_text(finding, console);
@@ -130,7 +130,7 @@ std::string terminal_report(const Course& course, const Checked& checked, const 
             first_lines(checked.observation.printed, longest_printout, 2 * indent);
   }
   const std::string& compiler_output = checked.observation.refusal_details;
-  if (options.full && !compiler_output.empty()) {
+  if (detail.full && !compiler_output.empty()) {
     text += "\n" + std::string(indent, ' ') + messages::the_compiler_says() + "\n" +
             first_lines(compiler_output, std::string::npos, 2 * indent);
   }
@@ -144,7 +144,7 @@ std::string terminal_report(const Course& course, const Checked& checked, const 
   if (judgement.verdict == Verdict::checker_error) return text;
   const std::string& name = checked.exercise.name();
   if (judgement.first_failure) text += command_line("Again", replay_command(checked), console);
-  if (!options.full && !compiler_output.empty())
+  if (!detail.full && !compiler_output.empty())
     text += command_line("More", messages::command(fmt::format("check {} --full", name)), console);
   text += command_line("Hint", messages::command("hint " + name), console);
   return text;

@@ -598,16 +598,21 @@ void animate_racket(const std::filesystem::path& directory) {
   }
 }
 
+/// The stills of a page and the same in motion.
+void draw_racket(const std::filesystem::path& directory) {
+  draw_racket_stills(directory);
+  animate_racket(directory);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::filesystem::path directory = workbook::figure_directory(argc, argv);
-  draw_cones(directory);
-  draw_slip(directory);
-  draw_growth_rates(directory);
-  draw_polhodes(directory);
-  draw_flip(directory);
-  draw_flip_law(directory);
-  draw_racket_stills(directory);
-  animate_racket(directory);
+  return workbook::draw_figures(argc, argv,
+                                {{"cones", draw_cones},
+                                 {"slip", draw_slip},
+                                 {"growth_rates", draw_growth_rates},
+                                 {"polhodes", draw_polhodes},
+                                 {"flip", draw_flip},
+                                 {"flip_law", draw_flip_law},
+                                 {"racket", draw_racket}});
 }

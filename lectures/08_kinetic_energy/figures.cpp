@@ -162,8 +162,8 @@ void draw_effective_potential(const std::filesystem::path& directory) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::filesystem::path directory = workbook::figure_directory(argc, argv);
-  draw_blindness(directory);
-  draw_free_top(directory);
-  draw_effective_potential(directory);
+  return workbook::draw_figures(argc, argv,
+                                {{"blind_to_convention", draw_blindness},
+                                 {"free_top", draw_free_top},
+                                 {"effective_potential", draw_effective_potential}});
 }

@@ -1,7 +1,10 @@
-#include "checker/commands/build_target.hpp"
+#include "checker/commands/built_programs.hpp"
 
+#include "checker/messages/reporting.hpp"
 #include "checker/report/progress_bar.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <regex>
 #include <string_view>
@@ -32,7 +35,7 @@ class BuildProgress {
       const std::string line = unread_.substr(0, std::min<std::size_t>(end, 200));
       std::smatch found;
       if (std::regex_search(line, found, step, std::regex_constants::match_continuous))
-        bar_.show(std::stoul(found[1]), std::stoul(found[2]), "building");
+        bar_.show(std::stoul(found[1]), std::stoul(found[2]), messages::building());
     }
   }
 
@@ -43,6 +46,11 @@ class BuildProgress {
 
 }  // namespace
 
+FinishedProgram run_with_path(const std::string& program, const std::vector<std::string>& arguments,
+                              std::chrono::duration<double> limit) {
+  return run_program(launch_of(program, arguments), limit, most_output);
+}
+
 FinishedProgram build_target(const Course& course, const std::string& target) {
   BuildProgress progress;
   const std::string program = "/usr/bin/env";
@@ -50,10 +58,19 @@ FinishedProgram build_target(const Course& course, const std::string& target) {
                      longest_build, most_output, [&](std::string_view piece) { progress.hear(piece); });
 }
 
-FinishedProgram run_own_program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
-                                std::chrono::seconds time_limit) {
-  const std::string path = program.string();
-  return run_program(launch_of(path, arguments), time_limit, most_output);
+bool succeeded(const FinishedProgram& finished) { return finished.succeeded(); }
+
+std::vector<std::string> files_with_errors(const std::string& output) {
+  std::vector<std::string> files;
+  const std::regex pattern(R"(lectures/\w+/exercises/\w+\.cpp(?=:\d+:\d+: error))");
+  for (std::sregex_iterator match(output.begin(), output.end(), pattern), end; match != end; ++match) {
+    if (std::find(files.begin(), files.end(), match->str()) == files.end()) files.push_back(match->str());
+  }
+  return files;
+}
+
+std::filesystem::path lecture_program(const Course& course, const std::string& target) {
+  return course.build() / "lectures" / target;
 }
 
 }  // namespace workbook
