@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <future>
 #include <iterator>
 #include <string>
 #include <utility>
@@ -29,8 +30,7 @@ std::vector<Diagnostic> said_by(const Compiler& compiler, std::vector<std::strin
   return diagnostics(compiler.run(compiler.arguments(std::move(flags))).output, compiler.file_name());
 }
 
-/// The compiler's warnings come only where the whole way of a compilation is gone: -fsyntax-only would miss the
-/// variables that have no value.
+/// Compiled as far as the assembler's text: with -fsyntax-only the compiler does not notice variables without a value.
 std::vector<Finding> warned_of(const Compiler& compiler, const std::string& source) {
   compiler.write(source);
   std::vector<std::string> flags = warning_flags();
@@ -55,10 +55,15 @@ std::vector<Finding> source_findings(const CompileTask& task, const Toolchain& t
     std::vector<Finding> found = text_mistakes(source);
     if (depth == Depth::compiler) {
       const BuildCache cache(std::filesystem::absolute(cache_directory));
-      const Workspace workspace(cache.directory());
-      const Compiler compiler(toolchain, limits, shown_name(task.file), workspace.directory());
-      append(found, kept_in(compiler, source));
-      append(found, warned_of(compiler, source));
+      const auto with_compiler = [&](auto look) {
+        const Workspace workspace(cache.directory());
+        return look(Compiler(toolchain, limits, shown_name(task.file), workspace.directory()), source);
+      };
+      // Side by side: the student waits for both.
+      auto kept = std::async(std::launch::async, [&] { return with_compiler(kept_in); });
+      std::vector<Finding> warned = with_compiler(warned_of);
+      append(found, kept.get());
+      append(found, std::move(warned));
     }
     if (found.size() > most) found.resize(most);
     std::ranges::stable_sort(found, {}, &Finding::line);

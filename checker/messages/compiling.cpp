@@ -240,8 +240,7 @@ std::string method_needs_vector(Operand method) {
 
 std::string standard_vector_is_no_vector() {
   return "A std::vector or an array is only a list: it cannot be added, multiplied or turned into a vector of Eigen. "
-         "Use Vector3d "
-         "or VectorXd for calculating.";
+         "Use Vector3d or VectorXd for calculating.";
 }
 
 std::string array_and_matrix() {
@@ -505,7 +504,7 @@ std::string result_thrown_away(Operand method) {
 
 std::string empty_loop_body(Operand keyword) {
   return fmt::format(
-      "The ; directly behind {}(...) is all that it does: what follows does not belong to it. Leave out this ;",
+      "The ; directly behind {} (...) is all that it does: what follows does not belong to it. Leave out this ;",
       keyword);
 }
 
@@ -536,7 +535,7 @@ std::string missing_return() {
 }
 
 std::string used_before_set(Operand name) {
-  return fmt::format("{} is used here before it was given a value.", quoted(name));
+  return fmt::format("{} is used here before it, or this part of it, was given a value.", quoted(name));
 }
 
 std::string cut_to_whole_number(Operand type) {
@@ -582,8 +581,8 @@ std::string falls_through() {
 
 std::string shadows_local(Operand name) {
   return fmt::format(
-      "This is a second, new {}: the one outside of these braces stays as it was. Leave out the type to change that "
-      "one.",
+      "This is a second, new {}: the one outside of these braces stays as it was. To change that one, leave out the "
+      "type.",
       quoted(name));
 }
 
