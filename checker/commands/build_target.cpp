@@ -1,5 +1,6 @@
 #include "checker/commands/build_target.hpp"
 
+#include "checker/messages/reporting.hpp"
 #include "checker/report/progress_bar.hpp"
 
 #include <cstdlib>
@@ -32,7 +33,7 @@ class BuildProgress {
       const std::string line = unread_.substr(0, std::min<std::size_t>(end, 200));
       std::smatch found;
       if (std::regex_search(line, found, step, std::regex_constants::match_continuous))
-        bar_.show(std::stoul(found[1]), std::stoul(found[2]), "building");
+        bar_.show(std::stoul(found[1]), std::stoul(found[2]), messages::building());
     }
   }
 
