@@ -25,7 +25,7 @@ int list(const Course& course) {
   const Progress progress(course.progress_file());
   fmt::print("{}", exercise_list(course, progress, Console::of_standard_output()));
   if (const Standing standing = standing_of(course, progress); const Exercise* next = standing.next())
-    fmt::print("\n{}: {}\n", messages::next(), next->name());
+    fmt::print("\n{}: {}\n", messages::next_exercise(), next->name());
   print_warning(progress);
   return all_passed;
 }
@@ -37,12 +37,12 @@ int status(const Course& course) {
   fmt::print("{}\n", overview(course, standing, console));
   if (const Exercise* next = standing.next()) {
     const State state = state_of(course, progress, *next);
-    fmt::print("{}", introduction(course, *next, messages::next(), console));
+    fmt::print("{}", introduction(course, *next, messages::next_exercise(), console));
     if (!progress.verdict(next->name()).empty())
-      fmt::print("  {} {}\n", padded(messages::state_label(), 6), console.styled(state.words, state.style));
-    print_command(messages::check_label(), "check " + next->name());
-    print_command(messages::hint_label(), "hint " + next->name());
-    print_command(messages::watch_label(), "watch");
+      fmt::print("  {} {}\n", padded(messages::state_row(), 6), console.styled(state.words, state.style));
+    print_command(messages::check_row(), "check " + next->name());
+    print_command(messages::hint_row(), "hint " + next->name());
+    print_command(messages::watch_row(), "watch");
   } else {
     fmt::print("{}\n", console.wrapped(messages::everything_passes(standing.total())));
   }

@@ -3,6 +3,7 @@
 #include "checker/judging/text_blocks.hpp"
 #include "checker/judging/value_tables.hpp"
 #include "checker/judging/value_text.hpp"
+#include "checker/messages/failures.hpp"
 
 #include <fmt/format.h>
 
@@ -40,16 +41,16 @@ std::vector<std::string> input_lines(const Argument& argument, const Value& valu
   const auto cols = static_cast<std::size_t>(value.cols);
   switch (argument.kind) {
     case Kind::points: {
-      lines.front() += ", column by column";
+      lines.front() = messages::points_heading(argument.name, in_brackets(unit));
       const std::size_t shown = std::min(cols, most_rows);
       append(lines, indented(table_lines(columns_table(value, shown)), indent));
-      if (shown < cols) lines.push_back("  " + left_out(cols - shown, "column"));
+      if (shown < cols) lines.push_back("  " + messages::more_columns(cols - shown));
       break;
     }
     case Kind::matrices: {
       std::vector<Block> blocks;
       for (std::size_t m = 0; m < cols / 3; ++m) {
-        blocks.push_back({fmt::format("matrix {}", m + 1), table_lines(matrix_table(value, 3 * m, all_digits))});
+        blocks.push_back({messages::matrix(m + 1), table_lines(matrix_table(value, 3 * m, all_digits))});
       }
       append(lines, side_by_side(blocks, indent, page));
       break;

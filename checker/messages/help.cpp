@@ -114,6 +114,9 @@ std::string examples_of(const CommandHelp& help) {
   return text;
 }
 
+std::string arguments_heading() { return "Arguments"; }
+std::string command_placeholder() { return "COMMAND"; }
+
 std::string for_students() { return "For students"; }
 std::string for_instructors() { return "For instructors"; }
 std::string for_authors() { return "For authors"; }

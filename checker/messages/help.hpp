@@ -23,6 +23,10 @@ const CommandHelp& help_of(const std::string& command);
 /// "Examples:" and the examples as they are typed.
 std::string examples_of(const CommandHelp& help);
 
+/// The heading above a command's arguments, and what stands for any command.
+std::string arguments_heading();
+std::string command_placeholder();
+
 std::string for_students();
 std::string for_instructors();
 std::string for_authors();

@@ -27,14 +27,14 @@ std::string verdict_in_words(std::string verdict) {
 
 std::string points(double points) { return points == 1 ? "1 point" : fmt::format("{} points", points); }
 
-std::string next() { return "Next"; }
+std::string next_exercise() { return "Next"; }
 
-std::string file_label() { return "file"; }
-std::string notes_label() { return "notes"; }
-std::string state_label() { return "state"; }
-std::string check_label() { return "check"; }
-std::string hint_label() { return "hint"; }
-std::string watch_label() { return "watch"; }
+std::string file_row() { return "file"; }
+std::string notes_row() { return "notes"; }
+std::string state_row() { return "state"; }
+std::string check_row() { return "check"; }
+std::string hint_row() { return "hint"; }
+std::string watch_row() { return "watch"; }
 
 std::string everything_passes(std::size_t total) {
   return fmt::format(

@@ -24,15 +24,15 @@ std::string verdict_in_words(std::string verdict);
 std::string points(double points);
 
 /// Before the name of the next exercise: "Next".
-std::string next();
+std::string next_exercise();
 
 // What stands before a file, a page, a command.
-std::string file_label();
-std::string notes_label();
-std::string state_label();
-std::string check_label();
-std::string hint_label();
-std::string watch_label();
+std::string file_row();
+std::string notes_row();
+std::string state_row();
+std::string check_row();
+std::string hint_row();
+std::string watch_row();
 
 std::string everything_passes(std::size_t total);
 

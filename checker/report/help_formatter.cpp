@@ -1,5 +1,7 @@
 #include "checker/report/help_formatter.hpp"
 
+#include "checker/messages/help.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,8 +29,8 @@ std::string paragraphs(const std::string& text, const Console& console) {
 }  // namespace
 
 HelpFormatter::HelpFormatter(const Console& console) : console_(console) {
-  label("Positionals", "Arguments");
-  label("SUBCOMMAND", "COMMAND");
+  label("Positionals", messages::arguments_heading());
+  label("SUBCOMMAND", messages::command_placeholder());
 }
 
 std::string HelpFormatter::make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const {

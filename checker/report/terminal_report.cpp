@@ -47,13 +47,12 @@ std::string headline(const Checked& checked, const Console& console) {
   const Judgement& judgement = checked.judgement;
   std::string count;
   if (judgement.cases_total > 0 && judgement.verdict != Verdict::not_started) {
-    count = fmt::format(" ({} of {} cases right)", judgement.cases_passed, judgement.cases_total);
+    count = " " + messages::cases_right(judgement.cases_passed, judgement.cases_total);
   }
-  return fmt::format(
-      "{}{}  {}{}", console.mark(mark(judgement), style_of(judgement.verdict)),
-      console.styled(checked.exercise.name(), Style::strong),
-      console.styled(messages::verdict_in_words(to_string(judgement.verdict)), style_of(judgement.verdict)),
-      console.styled(count, Style::quiet));
+  return fmt::format("{}{}  {}{}", console.mark(mark(judgement), style_of(judgement.verdict)),
+                     console.styled(checked.exercise.name(), Style::strong),
+                     console.styled(messages::in_words(judgement.verdict), style_of(judgement.verdict)),
+                     console.styled(count, Style::quiet));
 }
 
 /// A heading and the text that belongs to it, side by side.
@@ -80,10 +79,10 @@ std::string first_lines(const std::string& text, std::size_t most, std::size_t m
   return shown;
 }
 
-/// "line 7: …", the line itself and the caret.
+/// "Line 7: …", the line itself and the caret.
 std::string finding_text(const Finding& finding, const Console& console) {
-  const std::string place = finding.line > 0 ? fmt::format("Line {}: ", finding.line) : "";
-  std::string text = console.wrapped(place + finding.sentence, indent) + "\n";
+  const std::string sentence = finding.line > 0 ? messages::at_line(finding.line, finding.sentence) : finding.sentence;
+  std::string text = console.wrapped(sentence, indent) + "\n";
   if (!finding.excerpt.empty()) text += first_lines(finding.excerpt, longest_printout, 2 * indent);
   return text;
 }
@@ -112,7 +111,7 @@ std::string notes_place(const Course& course, const std::string& lecture, const 
   if (const auto page = course.notes_page(lecture))
     return std::filesystem::proximate(*page).string() + (anchor.empty() ? "" : "#" + anchor);
   const std::string source = "lectures/" + lecture + "/notes.md";
-  return anchor.empty() ? source : source + ", paragraph " + anchor;
+  return anchor.empty() ? source : messages::paragraph(source, anchor);
 }
 
 std::string terminal_report(const Course& course, const Checked& checked, const Console& console,
@@ -136,17 +135,18 @@ std::string terminal_report(const Course& course, const Checked& checked, const 
   }
   text += "\n";
   for (const Diagnosis& diagnosis : judgement.diagnoses) {
-    text += labelled("Why", diagnosis.message, console);
+    text += labelled(messages::why_label(), diagnosis.message, console);
     if (!diagnosis.notes.empty())
-      text += labelled("Read", notes_place(course, checked.exercise.lecture(), diagnosis.notes), console);
+      text +=
+          labelled(messages::read_label(), notes_place(course, checked.exercise.lecture(), diagnosis.notes), console);
   }
-  text += labelled("Next", judgement.next_step, console);
+  text += labelled(messages::next_label(), judgement.next_step, console);
   if (judgement.verdict == Verdict::checker_error) return text;
   const std::string& name = checked.exercise.name();
-  if (judgement.first_failure) text += command_line("Again", replay_command(checked), console);
+  if (judgement.first_failure) text += command_line(messages::again_label(), replay_command(checked), console);
   if (!detail.full && !compiler_output.empty())
-    text += command_line("More", messages::command(fmt::format("check {} --full", name)), console);
-  text += command_line("Hint", messages::command("hint " + name), console);
+    text += command_line(messages::more_label(), messages::command(fmt::format("check {} --full", name)), console);
+  text += command_line(messages::hint_label(), messages::command("hint " + name), console);
   return text;
 }
 

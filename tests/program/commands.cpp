@@ -52,6 +52,12 @@ TEST_CASE("an unknown name gets a proposal") {
   CHECK(has(course.run("check quaternion").err, "There is no exercise or lecture 'quaternion'."));
 }
 
+TEST_CASE("commands are proposed as the program was typed") {
+  const CourseCopy course;
+  const Outcome outcome = course.run("hint quaternion", "WORKBOOK_PROGRAM=./checker/run");
+  CHECK(outcome.err == "There is no exercise 'quaternion'. `./checker/run list` shows all names.\n");
+}
+
 TEST_CASE("wrong usage has a status of its own") {
   const CourseCopy course;
   CHECK(course.run("frobnicate").status == 2);
