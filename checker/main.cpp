@@ -48,10 +48,8 @@ struct CommandLine {
     app.formatter(std::make_shared<HelpFormatter>(Console::of_standard_output()));
     app.require_subcommand(0, 1);
     app.add_flag_callback(
-        "--plain", [] { setenv("WORKBOOK_PLAIN", "1", 1); },
-        "words in place of marks, colours and drawings, for screen readers");
-    app.add_option("--course", course_file,
-                   "another course.json than the one that was built (for tests of the checker)")
+        "--plain", [] { setenv("WORKBOOK_PLAIN", "1", 1); }, messages::option_help("--plain"));
+    app.add_option("--course", course_file, messages::option_help("--course"))
         ->type_name("FILE")
         ->group(messages::for_tests());
     add_check();
@@ -71,18 +69,16 @@ struct CommandLine {
 
   void add_check() {
     CLI::App* command = add_command("check", messages::for_students());
-    command->add_option("name", check_options.names, "exercises or lectures, by name or number; none: the whole course")
-        ->type_name("NAME");
-    command->add_option("--file", file, "check this file in place of the exercise's own")->type_name("FILE");
-    command->add_option("--seed", check_options.seed, "draws other random cases")
+    command->add_option("name", check_options.names, messages::option_help("name"))->type_name("NAME");
+    command->add_option("--file", file, messages::option_help("--file"))->type_name("FILE");
+    command->add_option("--seed", check_options.seed, messages::option_help("--seed"))
         ->type_name("NUMBER")
         ->capture_default_str();
-    command->add_option("--case", check_options.case_name, "show this case in full, whether it passes or not")
-        ->type_name("CASE");
-    command->add_flag("--started", check_options.started, "leave out what is not started");
-    command->add_flag("--full", check_options.full, "show all that the compiler says, not only its first error");
-    command->add_flag("--json", check_options.json, "print one JSON document and nothing else");
-    command->add_flag("--plot", check_options.plot, "draw your curve on the reference, as SVG and PNG");
+    command->add_option("--case", check_options.case_name, messages::option_help("--case"))->type_name("CASE");
+    command->add_flag("--started", check_options.started, messages::option_help("--started"));
+    command->add_flag("--full", check_options.full, messages::option_help("--full"));
+    command->add_flag("--json", check_options.json, messages::option_help("--json"));
+    command->add_flag("--plot", check_options.plot, messages::option_help("--plot"));
     add_picture(command, check_options.picture);
     command->callback([this] {
       check_options.file = optional_path(file);
@@ -92,8 +88,7 @@ struct CommandLine {
 
   void add_watch() {
     CLI::App* command = add_command("watch", messages::for_students());
-    command->add_option("name", name, "where to begin: an exercise or a lecture; none: the next exercise")
-        ->type_name("NAME");
+    command->add_option("name", name, messages::option_help("name"))->type_name("NAME");
     command->callback([this] { job = [this](const Course& course) { return watch(course, course_file, name); }; });
   }
 
@@ -103,18 +98,20 @@ struct CommandLine {
 
   void add_hint() {
     CLI::App* command = add_command("hint", messages::for_students());
-    command->add_option("exercise", name, "its name")->required()->type_name("EXERCISE");
-    command->add_flag("--all", all, "show all hints at once");
+    command->add_option("exercise", name, messages::option_help("exercise"))->required()->type_name("EXERCISE");
+    command->add_flag("--all", all, messages::option_help("--all"));
     command->callback([this] { job = [this](const Course& course) { return hint(course, name, all); }; });
   }
 
   void add_plot() {
     CLI::App* command = add_command("plot", messages::for_students());
-    command->add_option("name", plot_options.names, "exercises or lectures")->type_name("NAME");
-    command->add_flag("--all", plot_options.all, "every exercise, and the figures of every lecture");
-    command->add_option("--file", file, "use this file in place of the exercise's own")->type_name("FILE");
-    command->add_option("--out", out, "the folder for the pictures")->type_name("FOLDER");
-    command->add_option("--seed", plot_options.seed, "as for check")->type_name("NUMBER")->capture_default_str();
+    command->add_option("name", plot_options.names, messages::option_help("name"))->type_name("NAME");
+    command->add_flag("--all", plot_options.all, messages::option_help("--all"));
+    command->add_option("--file", file, messages::option_help("--file"))->type_name("FILE");
+    command->add_option("--out", out, messages::option_help("--out"))->type_name("FOLDER");
+    command->add_option("--seed", plot_options.seed, messages::option_help("--seed"))
+        ->type_name("NUMBER")
+        ->capture_default_str();
     add_picture(command, plot_options.picture);
     command->callback([this] {
       plot_options.file = optional_path(file);
@@ -125,11 +122,11 @@ struct CommandLine {
 
   void add_figures() {
     CLI::App* command = add_command("figures", messages::for_students());
-    command->add_option("lecture", figures_options.lecture, "its name, number or topic")
+    command->add_option("lecture", figures_options.lecture, messages::option_help("lecture"))
         ->required()
         ->type_name("LECTURE");
-    command->add_option("--out", out, "the folder for the pictures")->type_name("FOLDER");
-    command->add_option("--seconds", figures_options.seconds_per_figure, "the most that one figure may take")
+    command->add_option("--out", out, messages::option_help("--out"))->type_name("FOLDER");
+    command->add_option("--seconds", figures_options.seconds_per_figure, messages::option_help("--seconds"))
         ->type_name("NUMBER")
         ->capture_default_str()
         ->check(CLI::PositiveNumber);
@@ -141,13 +138,13 @@ struct CommandLine {
 
   void add_report() {
     CLI::App* command = add_command("report", messages::for_students());
-    command->add_option("--html", html, "the page to write; an older one is replaced")->required()->type_name("FILE");
-    command
-        ->add_option("names", report_options.names, "exercises or lectures, by name or number; none: the whole course")
-        ->type_name("NAME");
-    command->add_option("--name", report_options.student, "whose page it is")->type_name("TEXT");
-    command->add_option("--file", file, "check this file in place of the exercise's own")->type_name("FILE");
-    command->add_option("--seed", report_options.seed, "as for check")->type_name("NUMBER")->capture_default_str();
+    command->add_option("--html", html, messages::option_help("--html"))->required()->type_name("FILE");
+    command->add_option("name", report_options.names, messages::option_help("name"))->type_name("NAME");
+    command->add_option("--name", report_options.student, messages::option_help("--name"))->type_name("TEXT");
+    command->add_option("--file", file, messages::option_help("--file"))->type_name("FILE");
+    command->add_option("--seed", report_options.seed, messages::option_help("--seed"))
+        ->type_name("NUMBER")
+        ->capture_default_str();
     command->callback([this] {
       report_options.html = html;
       report_options.file = optional_path(file);
@@ -161,26 +158,26 @@ struct CommandLine {
                                                              {"sixel", PictureKind::sixel},
                                                              {"text", PictureKind::text},
                                                              {"none", PictureKind::none}};
-    command->add_option("--picture", picture, "how to show the plot on the terminal")
+    command->add_option("--picture", picture, messages::option_help("--picture"))
         ->transform(CLI::CheckedTransformer(kinds).description("{auto,kitty,sixel,text,none}"))
         ->default_str("auto");
   }
 
   void add_reset() {
     CLI::App* command = add_command("reset", messages::for_students());
-    command->add_option("exercise", name, "its name")->required()->type_name("EXERCISE");
+    command->add_option("exercise", name, messages::option_help("exercise"))->required()->type_name("EXERCISE");
     command->callback([this] { job = [this](const Course& course) { return reset(course, name); }; });
   }
 
   void add_examples() {
     CLI::App* command = add_command("examples", messages::for_students());
-    command->add_option("lecture", name, "its name, number or topic")->required()->type_name("LECTURE");
+    command->add_option("lecture", name, messages::option_help("lecture"))->required()->type_name("LECTURE");
     command->callback([this] { job = [this](const Course& course) { return examples(course, name); }; });
   }
 
   void add_handout() {
     CLI::App* command = add_command("handout", messages::for_instructors());
-    command->add_option("folder", out, "a new folder for it")->required()->type_name("FOLDER");
+    command->add_option("folder", out, messages::option_help("folder"))->required()->type_name("FOLDER");
     command->callback([this] { job = [this](const Course& course) { return handout(course, out); }; });
   }
 
@@ -190,7 +187,7 @@ struct CommandLine {
 
   void add_self_check() {
     CLI::App* command = add_command("self-check", messages::for_authors());
-    command->add_option("--seeds", seed_count, "how many seeds to try, from 1 on")
+    command->add_option("--seeds", seed_count, messages::option_help("--seeds"))
         ->capture_default_str()
         ->check(CLI::Range(1, 1000));
     command->callback([this] {

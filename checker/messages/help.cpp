@@ -71,6 +71,32 @@ const std::map<std::string, CommandHelp>& all_help() {
   return help;
 }
 
+const std::map<std::string, std::string>& all_options() {
+  static const std::map<std::string, std::string> options = {
+      {"name", "exercises or lectures, by name or number"},
+      {"exercise", "its name"},
+      {"lecture", "its name, number or topic"},
+      {"folder", "a new folder for the copy"},
+      {"--plain", "words in place of marks, colours and drawings, for screen readers"},
+      {"--course", "another course.json than the one that was built"},
+      {"--file", "take this file in place of the exercise's own"},
+      {"--seed", "draw other random cases"},
+      {"--case", "show this case in full, whether it passes or not"},
+      {"--started", "leave out what is not started"},
+      {"--full", "show all that the compiler says, not only its first error"},
+      {"--json", "print one JSON document and nothing else"},
+      {"--plot", "draw your curve on the reference, as SVG and PNG"},
+      {"--picture", "how to show the plot on the terminal"},
+      {"--all", "all hints; or all plots and the figures of every lecture"},
+      {"--out", "the folder for the pictures"},
+      {"--seconds", "the most that one figure may take"},
+      {"--html", "the page to write; an older one is replaced"},
+      {"--name", "whose page it is"},
+      {"--seeds", "how many seeds to try, from 1 on"},
+  };
+  return options;
+}
+
 }  // namespace
 
 std::string program_description() {
@@ -116,6 +142,8 @@ std::string examples_of(const CommandHelp& help) {
 
 std::string arguments_heading() { return "Arguments"; }
 std::string command_placeholder() { return "COMMAND"; }
+
+const std::string& option_help(const std::string& option) { return all_options().at(option); }
 
 std::string for_students() { return "For students"; }
 std::string for_instructors() { return "For instructors"; }

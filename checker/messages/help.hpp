@@ -27,6 +27,9 @@ std::string examples_of(const CommandHelp& help);
 std::string arguments_heading();
 std::string command_placeholder();
 
+/// What an option or an argument means, by its name. @throws std::out_of_range for one without help
+const std::string& option_help(const std::string& option);
+
 std::string for_students();
 std::string for_instructors();
 std::string for_authors();
