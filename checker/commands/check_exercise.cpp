@@ -1,11 +1,14 @@
 #include "checker/commands/check_exercise.hpp"
 
 #include "checker/compile/compile.hpp"
+#include "checker/compile/source_findings.hpp"
 #include "checker/judging/dimensions.hpp"
 #include "checker/judging/judge.hpp"
 #include "checker/judging/sampling.hpp"
 
+#include <algorithm>
 #include <exception>
+#include <iterator>
 
 namespace workbook {
 
@@ -32,6 +35,13 @@ std::vector<UnitProbe> take_probes(ExerciseRunner& runner, const ExerciseReferen
   return probes;
 }
 
+/// True if the function ran and something was wrong with it.
+bool has_failed(const Checked& checked) {
+  const Verdict verdict = checked.judgement.verdict;
+  return checked.executable && verdict != Verdict::passed && verdict != Verdict::not_started &&
+         verdict != Verdict::checker_error;
+}
+
 Observation observe(ExerciseRunner& runner, const ExerciseReference& reference) {
   Observation observation = runner.observe(reference.cases, plan_repeats(reference));
   if (judge(reference, observation).verdict == Verdict::wrong_value)
@@ -45,14 +55,16 @@ Checked check_exercise(const Course& course, const Toolchain& toolchain, const E
                        const ExerciseReference& reference, const std::filesystem::path& file, const RunLimits& limits) {
   Checked checked{.exercise = exercise,
                   .file = file,
+                  .is_elsewhere = file != course.student_file(exercise),
+                  .seed = 1,
                   .reference = &reference,
                   .observation = {},
                   .judgement = {},
                   .executable = {}};
+  const CompileTask task{.file = file, .exercise = exercise.name(), .signature = reference.signature};
+  const std::filesystem::path compiled = course.scratch() / "compiled";
   try {
-    const Compilation compilation =
-        compile({.file = file, .exercise = exercise.name(), .signature = reference.signature}, toolchain,
-                course.scratch() / "compiled");
+    const Compilation compilation = compile(task, toolchain, compiled);
     checked.executable = compilation.executable;
     if (compilation.executable) {
       ExerciseRunner runner(*compilation.executable, limits);
@@ -65,6 +77,11 @@ Checked check_exercise(const Course& course, const Toolchain& toolchain, const E
     checked.observation = our_own_trouble(problem.what());
   }
   checked.judgement = judge(reference, checked.observation);
+  if (has_failed(checked)) {
+    const Depth depth = checked.judgement.diagnoses.empty() ? Depth::compiler : Depth::text;
+    std::ranges::move(source_findings(task, toolchain, compiled, depth),
+                      std::back_inserter(checked.observation.findings));
+  }
   for (Diagnosis& diagnosis : checked.judgement.diagnoses) {
     if (diagnosis.notes.empty()) diagnosis.notes = exercise.entry->notes;  // the exercise's own paragraph
   }

@@ -19,6 +19,9 @@ struct CheckOptions {
   std::vector<std::string> names;  ///< exercises and lectures; none: the whole course
   std::optional<std::filesystem::path> file;
   std::uint64_t seed = 1;
+  std::optional<std::string> case_name;  ///< show this case in full, whether it passes or not
+  bool started = false;                  ///< leave out what is not started
+  bool full = false;                     ///< with all that the compiler says
   bool json = false;
   bool plot = false;
   PictureKind picture = PictureKind::automatic;  ///< of the plot, on the terminal
@@ -69,8 +72,16 @@ int report(const Course& course, const ReportOptions& options);
 /// Puts the stub back; what was there is kept beside the progress file.
 int reset(const Course& course, const std::string& name);
 
+/// Checks whatever is saved, until it is told to end.
+/// @param course_file  what the course was read from
+/// @param name         where to begin, an exercise or a lecture; "": the next exercise that does not pass
+int watch(const Course& course, const std::filesystem::path& course_file, const std::string& name);
+
 /// The worked examples of a lecture on the student's own functions: which of them come out by now.
 int examples(const Course& course, const std::string& lecture);
+
+/// Writes the copy of the workbook that students get: without solutions, with the reference results as data.
+int handout(const Course& course, const std::filesystem::path& directory);
 
 /// What this machine offers.
 int doctor(const Course& course);

@@ -1,12 +1,11 @@
 #include "checker/commands/built_programs.hpp"
 #include "checker/commands/commands.hpp"
+#include "checker/messages/worked_examples.hpp"
 #include "checker/report/console.hpp"
 
 #include <fmt/format.h>
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
-
-#include <unistd.h>
 
 #include <chrono>
 #include <sstream>
@@ -43,6 +42,21 @@ std::vector<Example> read_report(const std::string& xml) {
   return examples;
 }
 
+/// The example's title, and what is amiss with it.
+std::string in_words(const Example& example) {
+  if (example.passed) return example.title;
+  return example.not_started ? messages::example_is_not_started(example.title)
+                             : messages::example_comes_out_otherwise(example.title);
+}
+
+/// Why the examples left no report.
+std::string without_report(const FinishedProgram& finished, const std::string& lecture) {
+  if (finished.out_of_time) return messages::examples_took_too_long(lecture);
+  if (finished.too_much_output) return messages::examples_printed_too_much();
+  if (finished.end.signal != 0) return messages::examples_crashed(finished.end.signal, lecture);
+  return messages::examples_left_no_report(finished.end.exit_status);
+}
+
 }  // namespace
 
 int examples(const Course& course, const std::string& name) {
@@ -50,18 +64,15 @@ int examples(const Course& course, const std::string& name) {
   const Console console = Console::of_standard_output();
   const std::string target = "worked_examples_of_the_student_" + lecture;
 
-  if (isatty(STDERR_FILENO) != 0)
-    fmt::print(stderr, "Building the worked examples of {} with your functions ...", lecture);
   const FinishedProgram built = build_target(course, target);
-  if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\033[K");
   if (!succeeded(built)) {
     const std::vector<std::string> files = files_with_errors(built.output);
     if (!files.empty()) {
-      fmt::print("These files do not compile, so the examples cannot run; `checker check` on each says why:\n");
+      fmt::print("{}\n", messages::examples_need_files_that_compile());
       for (const std::string& file : files) fmt::print("  {}\n", file);
       return something_failed;
     }
-    fmt::print(stderr, "{}\nThe worked examples of {} could not be built.\n", built.output, lecture);
+    fmt::print(stderr, "{}\n{}\n", built.output, messages::examples_could_not_be_built(lecture));
     return checker_failed;
   }
 
@@ -71,10 +82,7 @@ int examples(const Course& course, const std::string& name) {
   try {
     found = read_report(finished.output);
   } catch (const boost::property_tree::ptree_error&) {
-    fmt::print(
-        "The examples ended before their end ({}): a function of yours crashes or never returns; `checker check {}` "
-        "finds it.\n",
-        finished.out_of_time ? "out of time" : fmt::format("signal {}", finished.end.signal), lecture);
+    fmt::print("{}\n", without_report(finished, lecture));
     return something_failed;
   }
   std::size_t passed = 0;
@@ -82,13 +90,10 @@ int examples(const Course& course, const std::string& name) {
     passed += example.passed ? 1 : 0;
     const std::string mark = example.passed ? "✓" : example.not_started ? "·" : "✗";
     const Style style = example.passed ? Style::good : example.not_started ? Style::quiet : Style::bad;
-    const std::string note = example.passed        ? ""
-                             : example.not_started ? " (needs a function that is not started)"
-                                                   : " (comes out otherwise)";
-    const std::string text = console.wrapped(example.title + note, 2);
-    fmt::print("{} {}\n", console.styled(mark, style), text.substr(2));
+    const std::string text = console.wrapped(in_words(example), 2);
+    fmt::print("{}{}\n", console.mark(mark, style), text.substr(2));
   }
-  fmt::print("\n{} of {} worked examples of {} come out with your functions.\n", passed, found.size(), lecture);
+  fmt::print("\n{}\n", messages::examples_come_out(passed, found.size(), lecture));
   return passed == found.size() ? all_passed : something_failed;
 }
 

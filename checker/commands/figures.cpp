@@ -65,10 +65,7 @@ DrawnFigure draw(const std::string& program, const fs::path& directory, const st
 
 /// Builds the program, or says why that is not possible. Returns all_passed if it is there.
 int build_program(const Course& course, const std::string& lecture, const std::string& target) {
-  const bool watched = isatty(STDERR_FILENO) != 0;
-  if (watched) fmt::print(stderr, "{}", messages::building_figures(lecture));
   const FinishedProgram built = build_target(course, target);
-  if (watched) fmt::print(stderr, "\r\033[K");
   if (succeeded(built)) return all_passed;
   const std::vector<std::string> files = files_with_errors(built.output);
   if (files.empty()) {

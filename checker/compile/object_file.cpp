@@ -1,5 +1,6 @@
 #include "checker/compile/object_file.hpp"
 
+#include "checker/compile/plain_words.hpp"
 #include "checker/worker/child_process.hpp"
 
 #include <cxxabi.h>
@@ -8,7 +9,6 @@
 #include <cstdlib>
 #include <memory>
 #include <optional>
-#include <regex>
 #include <sstream>
 
 namespace workbook {
@@ -24,21 +24,6 @@ std::optional<std::string> demangled(const std::string& linker_name) {
 }
 
 }  // namespace
-
-std::string in_contract_words(std::string signature) {
-  static const std::pair<const char*, const char*> words[] = {{"Eigen::Matrix<double, 2, 1, 0, 2, 1>", "Vector2d"},
-                                                              {"Eigen::Matrix<double, 3, 1, 0, 3, 1>", "Vector3d"},
-                                                              {"Eigen::Matrix<double, -1, 1, 0, -1, 1>", "VectorXd"},
-                                                              {"Eigen::Matrix<double, 3, 3, 0, 3, 3>", "Matrix3d"},
-                                                              {"Eigen::Matrix<double, 3, -1, 0, 3, -1>", "Matrix3Xd"},
-                                                              {"Eigen::Matrix<double, -1, -1, 0, -1, -1>", "MatrixXd"}};
-  for (const auto& [long_name, short_name] : words)
-    for (std::size_t at = 0; (at = signature.find(long_name, at)) != std::string::npos;)
-      signature.replace(at, std::string(long_name).size(), short_name);
-  signature =
-      std::regex_replace(signature, std::regex("std::vector<(\\w+), std::allocator<\\w+ ?> ?>"), "std::vector<$1>");
-  return std::regex_replace(signature, std::regex("([\\w:]+(?:<\\w+>)?) const&"), "const $1&");
-}
 
 bool ObjectFile::defines(const std::string& linker_name) const {
   return std::any_of(defined.begin(), defined.end(),

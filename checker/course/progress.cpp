@@ -1,8 +1,13 @@
 #include "checker/course/progress.hpp"
 
+#include "checker/messages/progress.hpp"
+#include "checker/worker/descriptor.hpp"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <cstdint>
@@ -19,9 +24,20 @@ namespace {
 
 constexpr int current_format = 1;
 
+/// The name itself, or the first of NAME.2, NAME.3, … that is free: what was set aside earlier stays too.
+fs::path name_not_taken(const std::string& name) {
+  std::error_code ignored;
+  fs::path free = name;
+  for (int number = 2; fs::exists(fs::symlink_status(free, ignored)); ++number)
+    free = fmt::format("{}.{}", name, number);
+  return free;
+}
+
 }  // namespace
 
-Progress::Progress(fs::path file) : file_(std::move(file)) {
+Progress::Progress(fs::path file) : file_(std::move(file)) { read(); }
+
+void Progress::read() {
   std::error_code problem;
   if (!fs::exists(file_, problem)) return;
   try {
@@ -30,22 +46,35 @@ Progress::Progress(fs::path file) : file_(std::move(file)) {
     if (document.at("format").get<int>() != current_format) throw std::runtime_error("another format");
     std::map<std::string, LastVerdict> verdicts;
     std::map<std::string, std::size_t> hints;
-    for (const auto& [exercise, entry] : document.at("exercises").items()) {
+    using Object = nlohmann::json::object_t;
+    for (const auto& [exercise, value] : document.at("exercises").get_ref<const Object&>()) {
+      const auto& entry = value.get_ref<const Object&>();
       if (entry.contains("verdict")) {
         verdicts[exercise] = {entry.at("verdict").get<std::string>(), entry.at("source").get<std::string>()};
       }
-      hints[exercise] = entry.value("hints", std::size_t{0});
+      if (entry.contains("hints"))
+        hints[exercise] = entry.at("hints").get_ref<const nlohmann::json::number_unsigned_t&>();
     }
     verdicts_ = std::move(verdicts);
     hints_ = std::move(hints);
   } catch (const std::exception&) {
-    const fs::path aside = file_.string() + ".damaged";
+    const fs::path aside = name_not_taken(file_.string() + ".damaged");
     fs::rename(file_, aside, problem);
-    warning_ = fmt::format(
-        "Your progress file was damaged; it is set aside as {} and counting starts afresh. Your exercises are "
-        "untouched.",
-        aside.string());
+    warning_ = problem ? messages::damaged_progress_stays(file_.string())
+                       : messages::damaged_progress_set_aside(aside.string());
   }
+}
+
+void Progress::change(const std::function<void()>& something) {
+  // A hint may be asked for while a check runs: each changes only what is its own. Where a folder cannot be locked,
+  // both are still written whole, one after the other.
+  std::error_code problem;
+  fs::create_directories(file_.parent_path(), problem);
+  const Descriptor folder(::open(file_.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (folder) ::flock(folder.number(), LOCK_EX);
+  read();
+  something();
+  write();
 }
 
 void Progress::write() {
@@ -57,13 +86,8 @@ void Progress::write() {
   }
   const nlohmann::json document = {{"format", current_format}, {"exercises", exercises}};
 
-  const auto fail = [this] {
-    warning_ = fmt::format(
-        "Your progress could not be saved in {}; make that folder writable. The verdict above holds all the same.",
-        file_.string());
-  };
+  const auto fail = [this] { warning_ = messages::progress_not_saved(file_.string()); };
   std::error_code problem;
-  fs::create_directories(file_.parent_path(), problem);
   const fs::path fresh = fmt::format("{}.{}", file_.string(), getpid());
   {
     std::ofstream out(fresh);
@@ -78,12 +102,15 @@ void Progress::write() {
 }
 
 void Progress::remember(const std::string& exercise, const LastVerdict& verdict) {
-  verdicts_[exercise] = verdict;
-  write();
+  change([&] { verdicts_[exercise] = verdict; });
 }
 
 void Progress::forget(const std::string& exercise) {
-  if (verdicts_.erase(exercise) + hints_.erase(exercise) > 0) write();
+  if (!verdicts_.contains(exercise) && !hints_.contains(exercise)) return;
+  change([&] {
+    verdicts_.erase(exercise);
+    hints_.erase(exercise);
+  });
 }
 
 std::string Progress::verdict(const std::string& exercise) const {
@@ -102,8 +129,7 @@ std::size_t Progress::hints_shown(const std::string& exercise) const {
 }
 
 void Progress::remember_hints(const std::string& exercise, std::size_t count) {
-  hints_[exercise] = count;
-  write();
+  change([&] { hints_[exercise] = count; });
 }
 
 std::string fingerprint(const fs::path& file) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 
@@ -20,8 +21,8 @@ class Progress {
   /// so.
   explicit Progress(std::filesystem::path file);
 
-  /// Remembers a verdict and writes the file, under another name first, so that it is never half written.
-  /// If it cannot be written, warning() says so and the check goes on.
+  /// Remembers a verdict and writes the file, under another name first, so that it is never half written. What another
+  /// checker has written meanwhile is kept. If it cannot be written, warning() says so and the check goes on.
   void remember(const std::string& exercise, const LastVerdict& verdict);
 
   /// Forgets an exercise.
@@ -41,6 +42,8 @@ class Progress {
   const std::string& warning() const { return warning_; }
 
  private:
+  void read();
+  void change(const std::function<void()>& something);
   void write();
 
   std::filesystem::path file_;

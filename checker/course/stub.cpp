@@ -1,8 +1,12 @@
 #include "checker/course/stub.hpp"
 
+#include "checker/messages/course_files.hpp"
+
 #include <fmt/format.h>
 
+#include <fstream>
 #include <sstream>
+#include <system_error>
 
 namespace workbook {
 
@@ -54,12 +58,21 @@ std::string stub_text(const std::string& task, const std::string& contract, cons
       "namespace rigid {{\n"
       "\n"
       "{} {{\n"
-      "  // TODO: write this function; the next line says that you have not started yet.\n"
+      "  // {}\n"
       "  throw NotStarted{{}};\n"
       "}}\n"
       "\n"
       "}}  // namespace rigid\n",
-      as_comment(task), contract, wrapped(signature));
+      as_comment(task), contract, wrapped(signature), messages::stub_comment());
+}
+
+bool is_begun(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) return false;
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return in.good() && text.str().find("throw NotStarted") == std::string::npos;
 }
 
 }  // namespace workbook

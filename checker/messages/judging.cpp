@@ -2,6 +2,7 @@
 
 #include "checker/data/superscript.hpp"
 #include "checker/judging/value_text.hpp"
+#include "checker/messages/program.hpp"
 
 #include <fmt/format.h>
 
@@ -179,12 +180,15 @@ Advice refused(Refusal refusal, const std::string& message, const std::string& s
       break;
   }
   return {message_or("Something went wrong in the checker."),
-          "This is not your fault and costs no points: run `checker doctor`, and tell your instructor if it stays."};
+          fmt::format("This is not your fault and costs no points: run `{}`, and tell your instructor if it stays.",
+                      command("doctor"))};
 }
 
 Advice no_cases(const std::string& exercise) {
   return refused(Refusal::checker_error, fmt::format("The reference results hold no cases for {}.", exercise), "");
 }
+
+Advice repeat_of_no_case() { return refused(Refusal::checker_error, "A case was repeated that does not exist.", ""); }
 
 Advice not_started() {
   return {"You have not started this exercise: the TODO is still there.",

@@ -89,10 +89,6 @@ std::string lecture_figures_not_built(const std::string& lecture) {
   return fmt::format("The figures of {} could not be drawn; `ninja -C build/workbook figures` says why.", lecture);
 }
 
-std::string building_figures(const std::string& lecture) {
-  return fmt::format("Building the figures of {} with your functions ...", lecture);
-}
-
 std::string gnuplot_missing_for_figures() {
   return "Figures need gnuplot, which is not installed (on Debian: apt-get install gnuplot-nox).";
 }

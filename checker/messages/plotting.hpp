@@ -45,7 +45,6 @@ std::string lecture_figures_not_built(const std::string& lecture);
 
 // --- the lecture's figures with the student's own functions
 
-std::string building_figures(const std::string& lecture);
 std::string gnuplot_missing_for_figures();
 std::string figures_need_compiling();
 std::string figures_not_built(const std::string& lecture);

@@ -1,6 +1,7 @@
 #include "checker/worker/child_process.hpp"
 
 #include "checker/worker/frames.hpp"
+#include "checker/worker/running_programs.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -114,6 +115,22 @@ class NewProcess {
   }
 };
 
+/// No signal is delivered while this lives; the new process takes them again by itself.
+class SignalsHeldBack {
+ public:
+  SignalsHeldBack() {
+    sigset_t all;
+    ::sigfillset(&all);
+    ::pthread_sigmask(SIG_SETMASK, &all, &before_);
+  }
+  ~SignalsHeldBack() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  SignalsHeldBack(const SignalsHeldBack&) = delete;
+  SignalsHeldBack& operator=(const SignalsHeldBack&) = delete;
+
+ private:
+  sigset_t before_{};
+};
+
 void set_nonblocking(int descriptor) { ::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) | O_NONBLOCK); }
 
 double seconds(const timeval& time) {
@@ -151,9 +168,14 @@ ChildProcess::ChildProcess(const Launch& launch) {
                    far_end.number(),
                    report.writing.number()};
 
-  process_ = ::fork();
-  if (process_ < 0) launch_failed("start a process", errno);
-  if (process_ == 0) child.become_program();
+  {
+    // A signal to end comes before the new process or after it is known, never between.
+    const SignalsHeldBack held_back;
+    process_ = ::fork();
+    if (process_ < 0) launch_failed("start a process", errno);
+    if (process_ == 0) child.become_program();
+    running_programs::add(process_);
+  }
 
   output_ = std::move(output.reading);
   set_nonblocking(output_.number());
@@ -169,6 +191,10 @@ ChildProcess::ChildProcess(const Launch& launch) {
 }
 
 ChildProcess::~ChildProcess() { kill(); }
+
+void ChildProcess::ask_to_end() {
+  if (!end_) ::kill(process_, SIGTERM);
+}
 
 void ChildProcess::hang_up() { ::shutdown(channel_.number(), SHUT_WR); }
 
@@ -193,6 +219,7 @@ ProcessEnd ChildProcess::kill() {
 ProcessEnd ChildProcess::reap() {
   // While the leader is not waited for, its number cannot name another group.
   ::kill(-process_, SIGKILL);
+  running_programs::remove(process_);
   int status = 0;
   rusage usage{};
   pid_t waited = 0;
@@ -208,7 +235,8 @@ ProcessEnd ChildProcess::reap() {
   return end;
 }
 
-FinishedProgram run_program(const Launch& launch, std::chrono::duration<double> time_limit, std::size_t output_limit) {
+FinishedProgram run_program(const Launch& launch, std::chrono::duration<double> time_limit, std::size_t output_limit,
+                            const std::function<void(std::string_view)>& listener) {
   const Clock::time_point deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(time_limit);
   ChildProcess process(launch);
   FinishedProgram finished;
@@ -225,6 +253,7 @@ FinishedProgram run_program(const Launch& launch, std::chrono::duration<double> 
     if (got < 0 && (errno == EINTR || errno == EAGAIN)) continue;
     if (got <= 0) break;
     finished.output.append(buffer.data(), static_cast<std::size_t>(got));
+    if (listener) listener({buffer.data(), static_cast<std::size_t>(got)});
     if (finished.output.size() > output_limit) {
       finished.output.resize(output_limit);
       finished.too_much_output = true;

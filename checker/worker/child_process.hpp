@@ -13,6 +13,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace workbook {
@@ -63,6 +64,9 @@ class ChildProcess {
   /// How the process ended, or nothing if it still runs at that time.
   std::optional<ProcessEnd> wait_until(Clock::time_point deadline);
 
+  /// Sends it the signal to end (SIGTERM), which it may take its time for, or ignore.
+  void ask_to_end();
+
   /// Ends the process and all its children, if any are left.
   ProcessEnd kill();
 
@@ -81,9 +85,13 @@ struct FinishedProgram {
   std::string output;
   bool out_of_time = false;
   bool too_much_output = false;
+
+  /// It ended by itself, with exit status 0, within its limits.
+  bool succeeded() const { return !out_of_time && !too_much_output && end.signal == 0 && end.exit_status == 0; }
 };
 
-/// Runs a program and collects what it prints. @throws LaunchError
-FinishedProgram run_program(const Launch& launch, std::chrono::duration<double> time_limit, std::size_t output_limit);
+/// Runs a program and collects what it prints; a listener hears of every piece as it comes. @throws LaunchError
+FinishedProgram run_program(const Launch& launch, std::chrono::duration<double> time_limit, std::size_t output_limit,
+                            const std::function<void(std::string_view)>& listener = {});
 
 }  // namespace workbook

@@ -195,7 +195,7 @@ const std::vector<Damage> damages = {
      [](json& d) {
        d["exercises"][1]["properties"][1]["weights"].push_back({1, 2, 3});
      },
-     "exercises[1].properties[1].weights: expected 1 items (one list per case), found 2"},
+     "exercises[1].properties[1].weights: expected 1 item (one per case), found 2"},
     {"eigenvectors of a number", [](json& d) { exercise(d)["comparison"] = "eigenvectors"; },
      "exercises[0].comparison: eigenvectors need a matrix3 as result and as first argument"},
     {"an attitude by nine angles", [](json& d) { d["exercises"][1]["comparison"] = "attitude_by_angles"; },
