@@ -1,5 +1,7 @@
 #include "checker/compile/build_cache.hpp"
 
+#include "checker/messages/compiling.hpp"
+
 #include <stdlib.h>
 
 #include <algorithm>
@@ -31,7 +33,7 @@ std::string checksum(const std::string& bytes) {
 }
 
 [[noreturn]] void cannot_write(const fs::path& where, const std::string& reason) {
-  throw CacheError("The checker cannot write to " + where.string() + " (" + reason + "); this is not your mistake.");
+  throw CacheError(messages::cannot_write_to(where.string(), reason));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "checker/compile/object_file.hpp"
 
 #include "checker/compile/plain_words.hpp"
+#include "checker/messages/compiling.hpp"
 #include "checker/worker/child_process.hpp"
 
 #include <cxxabi.h>
@@ -40,8 +41,7 @@ ObjectFile read_object_file(const std::filesystem::path& object, const Toolchain
   try {
     listing = run_program(launch, std::chrono::seconds(10), std::size_t{16} << 20);
   } catch (const LaunchError& error) {
-    throw ToolchainError("The program " + program + " cannot be used (" + error.what() +
-                         "); build the workbook again.");
+    throw ToolchainError(messages::cannot_use(program, error.what()));
   }
   ObjectFile result;
   std::istringstream lines(listing.output);

@@ -21,6 +21,6 @@ enum class Depth {
 /// only that nothing is found.
 std::vector<Finding> source_findings(const CompileTask& task, const Toolchain& toolchain,
                                      const std::filesystem::path& cache_directory, Depth depth,
-                                     const CompileLimits& limits = {.time = std::chrono::seconds(10)});
+                                     const CompileLimits& limits = {.time = std::chrono::seconds(3)});
 
 }  // namespace workbook

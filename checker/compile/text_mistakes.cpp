@@ -126,6 +126,12 @@ class Reading {
     add(i, messages::bitwise_for_power(base + " ^ " + word(i + 1)));
   }
 
+  /// True for the methods of Eigen that change nothing.
+  static bool is_pure(std::string_view method) {
+    return one_of(method, {"transpose", "normalized", "inverse", "adjoint", "conjugate", "cross", "dot", "cwiseProduct",
+                           "cwiseAbs", "cwiseInverse", "norm", "squaredNorm", "sum", "trace", "determinant", "eval"});
+  }
+
   /// A.transpose(); as a statement
   void look_for_thrown_away_result(std::size_t i) {
     if (has_own_types_ || !is_word(i) || !(i == 0 || one_of(before(i), {";", "{", "}"}))) return;
@@ -138,10 +144,7 @@ class Reading {
       at = *close + 1;
     }
     if (text(at) != ";") return;
-    if (one_of(method, {"transpose", "normalized", "inverse", "adjoint", "conjugate", "cross", "dot", "cwiseProduct",
-                        "cwiseAbs", "cwiseInverse", "norm", "squaredNorm", "sum", "trace", "determinant", "eval",
-                        "matrix", "array"}))
-      add(i, messages::result_thrown_away(method));
+    if (is_pure(method)) add(i, messages::result_thrown_away(method));
   }
 
   /// for (...);
@@ -164,6 +167,7 @@ class Reading {
         if (next != "+=" && next != "-=") return;
         sum = k;
       }
+      if (next == "." && is_pure(text(k + 2))) continue;
       // Anything that may give it a value, on whatever way through the function.
       if (one_of(next, {"=", "<<", ".", "(", "[", "->"}) || one_of(before(k), {"&", "=", "["})) return;
       if (one_of(before(k), {"(", ","}) && one_of(next, {")", ","})) return;

@@ -61,7 +61,10 @@ const std::vector<Mistake>& mistakes() {
        [](W) { return without_effect(); }},
       {"-Wtype-limits", std::regex("comparison of unsigned expression in"), false, [](W) { return never_negative(); }},
       {"-Wmisleading-indentation", std::regex("this '(\\w+)' clause does not guard"), false,
-       [](W at) { return misleading_indentation(at.found[1]); }},
+       [](W at) {
+         const bool is_one_line = matches(at.code, "[;}]\\s*$");  // where nothing is indented
+         return is_one_line ? std::string() : misleading_indentation(at.found[1]);
+       }},
       {"-Wreturn-local-addr", std::regex("local variable '(\\w+)' returned"), false,
        [](W at) { return reference_to_local(at.found[1]); }},
       {"-Wdiv-by-zero", std::regex("division by zero"), false, [](W) { return division_by_zero(); }},

@@ -112,6 +112,58 @@ std::string missing_function(const MissingFunction& missing) {
   return fmt::format("{}; it defines {}.", message, listed(missing.defined));
 }
 
+std::string is_folder(const std::string& file) {
+  return fmt::format("{} is a folder; name the file with your function.", file);
+}
+
+std::string is_symbolic_link(const std::string& file) {
+  return fmt::format("{} is a symbolic link; put the file itself there.", file);
+}
+
+std::string is_no_ordinary_file(const std::string& file) {
+  return fmt::format("{} is not an ordinary file; save your function as an ordinary text file.", file);
+}
+
+std::string does_not_exist(const std::string& file) {
+  return fmt::format("{} does not exist; check the name and the folder.", file);
+}
+
+std::string cannot_be_read(const std::string& file, const std::string& reason) {
+  return fmt::format("{} cannot be read ({}); check its name and permissions.", file, reason);
+}
+
+std::string is_too_large(const std::string& file) {
+  return fmt::format("{} is larger than 1 MiB; hand in the source file only.", file);
+}
+
+std::string is_no_text(const std::string& file) {
+  return fmt::format("{} is not a text file; hand in the source file, saved as UTF-8, not a compiled one.", file);
+}
+
+std::string cannot_write_to(const std::string& directory, const std::string& reason) {
+  return fmt::format("The checker cannot write to {} ({}); this is not your mistake.", directory, reason);
+}
+
+std::string cannot_use(const std::string& program, const std::string& reason) {
+  return fmt::format("The program {} cannot be used ({}); build the workbook again.", program, reason);
+}
+
+std::string part_is_missing(const std::string& role, const std::string& file) {
+  return fmt::format("The {} {} is missing; build the workbook again.", role, file);
+}
+
+std::string toolchain_cannot_be_read(const std::string& file) {
+  return fmt::format("The toolchain file {} cannot be read; build the workbook again.", file);
+}
+
+std::string toolchain_of_another_format(const std::string& file) {
+  return fmt::format("The toolchain file {} has another format than this checker; build the workbook again.", file);
+}
+
+std::string toolchain_is_damaged(const std::string& file, const std::string& reason) {
+  return fmt::format("The toolchain file {} is damaged ({}); build the workbook again.", file, reason);
+}
+
 std::string compiler_says(const std::string& message) {
   return fmt::format("The compiler says: {}", sentence(message));
 }

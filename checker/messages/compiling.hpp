@@ -33,6 +33,25 @@ struct MissingFunction {
 };
 std::string missing_function(const MissingFunction& missing);
 
+// --- why a file cannot be read at all; `file` is its name
+
+std::string is_folder(const std::string& file);
+std::string is_symbolic_link(const std::string& file);
+std::string is_no_ordinary_file(const std::string& file);
+std::string does_not_exist(const std::string& file);
+std::string cannot_be_read(const std::string& file, const std::string& reason);
+std::string is_too_large(const std::string& file);
+std::string is_no_text(const std::string& file);
+
+// --- trouble of our own
+
+std::string cannot_write_to(const std::string& directory, const std::string& reason);
+std::string cannot_use(const std::string& program, const std::string& reason);
+std::string part_is_missing(const std::string& role, const std::string& file);
+std::string toolchain_cannot_be_read(const std::string& file);
+std::string toolchain_of_another_format(const std::string& file);
+std::string toolchain_is_damaged(const std::string& file, const std::string& reason);
+
 // --- the first error, where no mistake is recognized
 
 std::string compiler_says(const std::string& message);
