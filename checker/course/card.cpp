@@ -1,10 +1,14 @@
 #include "checker/course/card.hpp"
 
+#include "checker/data/strict_json.hpp"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <fstream>
+#include <iterator>
 #include <set>
+#include <string>
 
 namespace workbook {
 
@@ -56,9 +60,11 @@ Card read_card(const std::filesystem::path& lectures, const std::string& lecture
   if (!in) throw CardError(fmt::format("{}: the card of the lecture is missing or cannot be read.", file));
   json document;
   try {
-    document = json::parse(in);
+    document = parse_strictly(std::string(std::istreambuf_iterator<char>(in), {}));
   } catch (const json::parse_error& problem) {
     throw CardError(fmt::format("{}: not valid JSON near byte {}.", file, problem.byte));
+  } catch (const RepeatedKey& problem) {
+    throw CardError(fmt::format("{}: {}.", file, problem.what()));
   }
 
   const Reader reader(file, "", document);

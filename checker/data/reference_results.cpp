@@ -2,6 +2,7 @@
 
 #include "checker/data/reference_json.hpp"
 #include "checker/data/reference_names.hpp"
+#include "checker/data/strict_json.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -40,11 +41,13 @@ std::string place_of_byte(const std::string& text, std::size_t byte) {
 nlohmann::json document_in(const std::filesystem::path& file) {
   const std::string text = whole_text(file);
   try {
-    return nlohmann::json::parse(text);
+    return parse_strictly(text);
   } catch (const nlohmann::json::parse_error& error) {
     const bool ends_too_early = error.byte > text.size();
     throw error_at(file, place_of_byte(text, error.byte),
                    ends_too_early ? "the file ends too early: it is truncated" : "this is not JSON");
+  } catch (const RepeatedKey& error) {
+    throw ReferenceError(fmt::format("{}: {}", file.string(), error.what()));
   } catch (const nlohmann::json::exception&) {
     throw error_at(file, "whole file", "it holds a number that is too large");
   }
