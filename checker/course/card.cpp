@@ -1,12 +1,15 @@
 #include "checker/course/card.hpp"
 
+#include "checker/data/strict_json.hpp"
 #include "checker/messages/course_files.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <fstream>
+#include <iterator>
 #include <set>
+#include <string>
 
 namespace workbook {
 
@@ -55,9 +58,11 @@ Card read_card(const std::filesystem::path& lectures, const std::string& lecture
   if (!in) throw CardError(messages::card_is_missing(file));
   json document;
   try {
-    document = json::parse(in);
+    document = parse_strictly(std::string(std::istreambuf_iterator<char>(in), {}));
   } catch (const json::parse_error& problem) {
     throw CardError(messages::card_is_not_json(file, problem.byte));
+  } catch (const RepeatedKey& problem) {
+    throw CardError(fmt::format("{}: {}.", file, problem.what()));
   }
 
   const Reader reader(file, "", document);

@@ -2,6 +2,7 @@
 
 #include "checker/data/reference_json.hpp"
 #include "checker/data/reference_names.hpp"
+#include "checker/data/strict_json.hpp"
 #include "checker/messages/reference_files.hpp"
 
 #include <fmt/format.h>
@@ -41,11 +42,13 @@ std::string place_of_byte(const std::string& text, std::size_t byte) {
 nlohmann::json document_in(const std::filesystem::path& file) {
   const std::string text = whole_text(file);
   try {
-    return nlohmann::json::parse(text);
+    return parse_strictly(text);
   } catch (const nlohmann::json::parse_error& error) {
     const bool ends_too_early = error.byte > text.size();
     throw error_at(file, place_of_byte(text, error.byte),
                    ends_too_early ? messages::ends_too_early() : messages::is_not_json());
+  } catch (const RepeatedKey& error) {
+    throw ReferenceError(fmt::format("{}: {}", file.string(), error.what()));
   } catch (const nlohmann::json::exception&) {
     throw error_at(file, messages::whole_file(), messages::holds_too_large_a_number());
   }

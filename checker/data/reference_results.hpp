@@ -139,8 +139,8 @@ struct ReferenceError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// @throws ReferenceError if the file is missing, truncated, of another format, or holds a wrong type or an unusable
-/// number.
+/// @throws ReferenceError if the file is missing, truncated, of another format, or holds a wrong type, an unusable
+/// number or a key twice.
 LectureReference read_reference_results(const std::filesystem::path& file);
 
 /// Written under another name and renamed, so that nobody reads half a file.

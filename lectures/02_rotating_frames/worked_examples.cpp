@@ -265,10 +265,8 @@ TEST_CASE("The Coriolis acceleration on the local axes, against the same on axes
 
   // On the Earth's own axes, z through the north pole, Ω has one component. East, north and up on the meridian of zero
   // longitude are the columns of this matrix.
-  Matrix3d local;
-  local << 0, -std::sin(latitude), std::cos(latitude),  //
-      1, 0, 0,                                          //
-      0, std::cos(latitude), std::sin(latitude);
+  const double sine = std::sin(latitude), cosine = std::cos(latitude);
+  const Matrix3d local{{0, -sine, cosine}, {1, 0, 0}, {0, cosine, sine}};
   const Vector3d on_earths_axes =
       fictitious_force(1, Vector3d::Zero(), local * v, earth_rate * Vector3d::UnitZ(), Vector3d::Zero());
   CHECK(agrees(a, local.transpose() * on_earths_axes, 1e-14));

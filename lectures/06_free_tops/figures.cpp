@@ -209,7 +209,7 @@ void draw_polhodes(const std::filesystem::path& directory) {
     label(gnuplot, "separatrix", {0.62, 0.62}, fmt::format("left tc rgb '{}'", colors::vermilion));
     // The sense in which ω runs along the curves, where they can be seen.
     const auto mark = [&](const std::vector<Vector3d>& curve, std::size_t index, const char* color) {
-      const Vector3d omega = curve[index];
+      const Vector3d& omega = curve[index];
       const Vector3d rate = Vector3d(I.cwiseProduct(omega)).cross(omega).cwiseQuotient(I);
       const Vector3d step = 0.03 * rate.normalized();
       arrow(gnuplot, view(omega - step), view(omega + step),

@@ -1,13 +1,17 @@
 #include "lectures/site/slides.hpp"
 
+#include "checker/data/strict_json.hpp"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <regex>
 #include <set>
 #include <stdexcept>
+#include <string>
 
 namespace workbook::site {
 
@@ -42,7 +46,7 @@ std::vector<Fact> read_facts(const std::filesystem::path& file) {
   if (!in) throw std::runtime_error(fmt::format("{}: the list of facts is missing.", file.string()));
   try {
     std::vector<Fact> facts;
-    for (const auto& entry : nlohmann::json::parse(in)) {
+    for (const auto& entry : parse_strictly(std::string(std::istreambuf_iterator<char>(in), {}))) {
       facts.push_back({entry.at("number").get<int>(), entry.at("fact").get<std::string>(),
                        entry.at("where").get<std::map<std::string, std::string>>(),
                        entry.at("exercises").get<std::vector<std::string>>()});
@@ -50,6 +54,8 @@ std::vector<Fact> read_facts(const std::filesystem::path& file) {
     return facts;
   } catch (const nlohmann::json::exception& problem) {
     throw std::runtime_error(fmt::format("{}: not a list of facts: {}", file.string(), problem.what()));
+  } catch (const RepeatedKey& problem) {
+    throw std::runtime_error(fmt::format("{}: {}.", file.string(), problem.what()));
   }
 }
 

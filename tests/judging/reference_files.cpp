@@ -282,6 +282,14 @@ TEST_CASE("A file that is not JSON is refused at line and column") {
   CHECK(complaint(file) == file.string() + ": line 2, column 13: this is not JSON");
 }
 
+TEST_CASE("A key that stands twice is refused: nobody could say which of the two counts") {
+  const fs::path file = scratch_file("twice.json");
+  std::string text = readable_text(lecture_to_json(sound_lecture()));
+  text.insert(text.find("\"tolerance\""), "\"tolerance\": 1, ");
+  write_text(file, text);
+  CHECK(complaint(file) == file.string() + ": exercises[0].cases[0]: the key “tolerance” stands here twice");
+}
+
 TEST_CASE("A number too large for the machine is refused") {
   const fs::path file = scratch_file("too_large.json");
   write_text(file, "{\"format\": 1e999}");

@@ -36,6 +36,8 @@ TEST_CASE("a damaged card is named with the place of the damage") {
       {"\"title\": \"Springs\"", "\"title\": 7", "card.json: title has the wrong type."},
       {"\"points\": 2", "\"points\": \"two\"", "card.json: exercises[0].points has the wrong type."},
       {"\"points\": 2", "\"points\": 0", "card.json: exercises[0].points should be a positive number."},
+      {"\"points\": 2", "\"points\": 2, \"points\": 3", "card.json: exercises[0]: the key “points” stands here twice."},
+      {"\"title\"", "\"exercises\": [], \"title\"", "card.json: top level: the key “exercises” stands here twice."},
       {"spring_force", "spring_energy", "'spring_energy' stands on the card twice"},
       {"\"exercises\": [", "\"exercises\": [[], ", "card.json: exercises[0] should be an object"},
       {"\"builds_on\"", "\"built_on\"", "card.json: builds_on is missing."},

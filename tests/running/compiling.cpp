@@ -19,7 +19,7 @@ const char* const right = "double rigid::twice(double x) { return 2 * x; }\n";
 
 /// Compiles a text that cannot be compiled.
 Compilation refused_text(const std::string& text, Refusal refusal) {
-  const Compilation compilation = compile_text(text);
+  Compilation compilation = compile_text(text);
   CHECK_FALSE(compilation.executable.has_value());
   CHECK(compilation.refusal == refusal);
   CHECK(nothing_left_running());
