@@ -335,30 +335,33 @@ std::string nobody_caught(const std::string& text) {
   return what + " is thrown here and cannot be caught on its way out: it meets a destructor or noexcept.";
 }
 
-std::string undefined_behavior(const std::string& kind, const std::string& message) {
-  if (kind == "signed-integer-overflow")
-    return fmt::format("a whole number becomes too large for its type: {}.", message);
-  if (kind == "integer-divide-by-zero" || message.starts_with("division by zero"))
-    return "a whole number is divided by zero.";
-  if (kind == "out-of-bounds-index") {
-    // "index 4 out of bounds for type 'int [3]'"
-    const std::size_t open = message.rfind('[');
-    const std::size_t close = message.rfind(']');
-    long index = 0;
-    long size = 0;
-    constexpr std::string_view begin = "index ";
-    if (message.starts_with(begin) && open != std::string::npos && close != std::string::npos &&
-        std::from_chars(message.data() + begin.size(), message.data() + message.size(), index).ec == std::errc() &&
-        std::from_chars(message.data() + open + 1, message.data() + close, size).ec == std::errc())
-      return index_outside(index, size, "array");
-    return "an index is outside its array.";
-  }
-  if (kind == "missing-return") return "the function comes to its end here without a return.";
-  if (kind == "float-cast-overflow")
-    return "a number that no whole number of this type can hold (too large, infinite or NaN) is converted to one.";
-  if (kind.find("shift") != std::string::npos) return fmt::format("a shift of bits goes wrong: {}.", message);
-  return "";
+std::string whole_number_too_large(long left, const std::string& sign, long right, const std::string& type) {
+  std::string name = type;
+  std::erase(name, '\'');
+  return fmt::format("{} {} {} does not fit into the type {}; calculate in double.", left, sign,
+                     right, name);
 }
+
+std::string division_by_whole_zero() { return "a whole number is divided by zero."; }
+
+std::string shift(long number, long by) {
+  return fmt::format("the bits of {} cannot be shifted by {}. (A power is written with std::pow.)", number, by);
+}
+
+std::string array_index(long index, const std::string& type) {
+  const std::size_t open = type.find('[');
+  long size = 0;
+  if (open == std::string::npos ||
+      std::from_chars(type.data() + open + 1, type.data() + type.size(), size).ec != std::errc())
+    return fmt::format("index {} is outside its array.", index);
+  return index_outside(index, size, "array");
+}
+
+std::string conversion_to_whole_number() {
+  return "a number that no whole number of this type can hold (too large, infinite or NaN) is converted to one.";
+}
+
+std::string missing_return() { return "the function comes to its end here without a return."; }
 
 std::string recursion_without_end() {
   return "the function calls itself here again and again, until the stack is used up.";
@@ -392,7 +395,7 @@ std::string non_finite(NonFinite reason, const std::string& function) {
     case NonFinite::from_function:
       for (const Domain& domain : domains)
         if (domain.function == function) return domain.sentence;
-      break;
+      return "a function of <cmath> is given a number here for which it has no finite result.";
     case NonFinite::other:
       break;
   }

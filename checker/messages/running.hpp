@@ -40,8 +40,14 @@ std::string own_assertion(const std::string& condition);
 std::string thrown(const std::string& text);
 std::string nobody_caught(const std::string& text);
 
-/// What the compiler's checks found. @returns "" for what is not worth a sentence
-std::string undefined_behavior(const std::string& kind, const std::string& message);
+/// "100000 · 100000 does not fit into the type int."
+std::string whole_number_too_large(long left, const std::string& sign, long right, const std::string& type);
+std::string division_by_whole_zero();
+std::string shift(long number, long by);
+/// @param type  of the array, "'int [3]'"
+std::string array_index(long index, const std::string& type);
+std::string conversion_to_whole_number();
+std::string missing_return();
 
 std::string recursion_without_end();
 std::string stack_used_up();
@@ -54,7 +60,7 @@ std::string trap_instruction();
 
 enum class NonFinite { division_by_zero, zero_by_zero, undefined_division, root, too_large, from_function, other };
 
-/// @param function  of the C library that was at work, for NonFinite::from_function
+/// @param function  of the C library that was at work, for NonFinite::from_function; "" if unknown
 std::string non_finite(NonFinite reason, const std::string& function = "");
 
 /// Is there a sentence on what this function of the C library cannot compute?

@@ -192,8 +192,7 @@ bool is_same_number(double one, double other) {
 }  // namespace
 
 bool is_painted(double number) {
-  constexpr std::uint64_t quiet = std::uint64_t{1} << 51;
-  return (std::bit_cast<std::uint64_t>(number) | quiet) == (static_cast<std::uint64_t>(Paint::signalling) | quiet);
+  return std::bit_cast<std::uint64_t>(number) == static_cast<std::uint64_t>(Paint::signalling);
 }
 
 const Sighting* Look::end() const {

@@ -22,7 +22,7 @@ enum class Paint : std::uint64_t {
   signalling = 0x7ff4ab1e'7ff4ab1e     ///< as a double: a NaN that traps at its first use in arithmetic
 };
 
-/// True for what remains of Paint::signalling in a number: as it was, or quieted by a calculation.
+/// True for a number that is still as Paint::signalling left it. Every calculation changes it.
 bool is_painted(double number);
 
 struct LookLimits {

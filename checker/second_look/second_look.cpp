@@ -35,28 +35,33 @@ std::size_t case_to_look_at(const SecondLookTask& task) {
   return 0;
 }
 
+SourceLines lines_of(const std::string& source) {
+  std::istringstream text(source);
+  SourceLines lines;
+  for (std::string line; std::getline(text, line);) lines.push_back(line);
+  return lines;
+}
+
 /// The line as the student wrote it, without the space around it.
-std::string excerpt_of(const std::string& source, int line) {
+std::string excerpt_of(const std::string& line) {
   constexpr std::size_t longest = 100;
-  std::istringstream lines(source);
-  std::string text;
-  for (int number = 0; number < line; ++number)
-    if (!std::getline(lines, text)) return "";
-  text = printable(text);
+  std::string text = printable(line);
   const std::size_t first = text.find_first_not_of(" \t\r");
   if (first == std::string::npos) return "";
   text = text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
   if (text.size() <= longest) return text;
   std::size_t end = longest;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // not inside a character
   return text.substr(0, end) + " …";
 }
 
 /// One second look, at one compiled file.
 class SecondLook {
  public:
-  SecondLook(const SecondLookTask& task, const std::filesystem::path& witness, const std::filesystem::path& addr2line)
+  SecondLook(const SecondLookTask& task, const SourceLines& source, const std::filesystem::path& witness,
+             const std::filesystem::path& addr2line)
       : task_(task),
+        source_(source),
         witness_(witness),
         addr2line_(addr2line),
         failing_(task.reference.cases.at(case_to_look_at(task))),
@@ -95,7 +100,7 @@ class SecondLook {
   }
 
   std::optional<PlacedSentence> sentence(const Sighting& sighting) const {
-    return sentence_of(sighting, places_of({sighting}));
+    return sentence_of(sighting, places_of({sighting}), source_);
   }
 
   /// The function did not return.
@@ -106,11 +111,18 @@ class SecondLook {
     for (const Sighting& sighting : again.sightings) {
       // The abort that follows an assertion or an exception that nobody caught adds nothing.
       if (&sighting != again.end() && sighting.what != What::undefined_behavior) continue;
-      if (const auto one = sentence_of(sighting, places)) found.push_back(*one);
+      if (const auto one = sentence_of(sighting, places, source_)) found.push_back(*one);
     }
     const bool failed_again = again.end() != nullptr && !again.result && again.end()->what != What::not_started;
-    if (failed_again && look(Paint::zero).result) append(found, never_set(look(Paint::zero)));
+    if (!failed_again || !is_harmless(again)) return found;
+    if (const Look zeros = look(Paint::zero); zeros.result) append(found, never_set(zeros));
     return found;
+  }
+
+  /// Did the compiler's checks find nothing?
+  static bool is_harmless(const Look& look) {
+    return std::ranges::none_of(look.sightings,
+                                [](const Sighting& one) { return one.what == What::undefined_behavior; });
   }
 
   /// The function returned, but not what it should.
@@ -120,9 +132,9 @@ class SecondLook {
     for (const Sighting& sighting : first.sightings)
       if (sighting.what == What::undefined_behavior)
         if (const auto one = sentence(sighting)) found.push_back(*one);
-    const std::vector<PlacedSentence> unset = never_set(first);
-    append(found, unset);
-    if (task_.judgement.verdict == Verdict::non_finite_value && unset.empty()) {
+    // What lies outside an array was never set either.
+    if (is_harmless(first)) found = never_set(first);
+    if (task_.judgement.verdict == Verdict::non_finite_value && found.empty()) {
       const Look trapped = look(Paint::zero, Traps::non_finite);
       if (const Sighting* end = trapped.end(); end != nullptr && end->what == What::signal)
         if (const auto one = sentence(*end)) found.push_back(*one);
@@ -167,9 +179,9 @@ class SecondLook {
   /// The function did not return in time, or printed without end.
   std::vector<PlacedSentence> long_run() const {
     LookLimits limits;
-    limits.time = std::chrono::milliseconds(400);
-    limits.between_questions = std::chrono::milliseconds(23);  // no multiple of what loops are likely to take
-    limits.questions = 8;
+    limits.time = std::chrono::milliseconds(300);
+    limits.between_questions = std::chrono::milliseconds(13);  // no multiple of what loops are likely to take
+    limits.questions = 16;
     const Look long_look = look(Paint::as_in_judging, Traps::none, limits);
     if (long_look.end() != nullptr || !(long_look.out_of_time || long_look.too_much_output)) return {};
     std::vector<Sighting> answers;
@@ -189,20 +201,21 @@ class SecondLook {
   }
 
   const SecondLookTask& task_;
+  const SourceLines& source_;
   const std::filesystem::path& witness_;
   const std::filesystem::path& addr2line_;
   const Case& failing_;
   std::string file_name_;
 };
 
-std::vector<Finding> in_full(std::vector<PlacedSentence> sentences, const std::string& source) {
+std::vector<Finding> in_full(std::vector<PlacedSentence> sentences, const SourceLines& source) {
   constexpr std::size_t most = 3;
   std::vector<Finding> findings;
-  std::vector<PlacedSentence> told;
   for (PlacedSentence& one : sentences) {
-    if (findings.size() == most || std::ranges::find(told, one) != told.end()) continue;
-    told.push_back(one);
-    const std::string excerpt = one.line > 0 ? excerpt_of(source, one.line) : "";
+    // Of one line the first is the cause and the others follow from it.
+    const bool told = std::ranges::any_of(findings, [&](const Finding& earlier) { return earlier.line == one.line; });
+    if (findings.size() == most || told) continue;
+    const std::string excerpt = excerpt_of(line_of(source, one.line));
     findings.push_back(
         {one.line, excerpt, one.line > 0 ? one.sentence : messages::at_no_line(std::move(one.sentence))});
   }
@@ -234,7 +247,7 @@ std::vector<Finding> second_look(const SecondLookTask& task, const Toolchain& to
                                  const std::filesystem::path& scratch) {
   if (!deserves_second_look(task.judgement) || toolchain.second_look.empty() || task.reference.cases.empty()) return {};
   try {
-    const std::string source = read_source(task.file);
+    const SourceLines source = lines_of(read_source(task.file));
     const Workspace workspace(scratch);
     CompileLimits limits;
     limits.time = std::chrono::seconds(10);
@@ -242,7 +255,7 @@ std::vector<Finding> second_look(const SecondLookTask& task, const Toolchain& to
         compile({.file = task.file, .exercise = task.reference.name, .signature = task.reference.signature},
                 read_toolchain(toolchain.second_look), workspace.directory(), limits);
     if (!compilation.executable) return {};
-    return in_full(SecondLook(task, *compilation.executable, toolchain.addr2line).take(), source);
+    return in_full(SecondLook(task, source, *compilation.executable, toolchain.addr2line).take(), source);
   } catch (const std::exception&) {
     return {};  // an explanation less; the verdict stands
   }

@@ -44,19 +44,38 @@ bool is_called(const std::vector<std::string>& functions, const std::string& nam
   return std::ranges::find(functions, name) != functions.end();
 }
 
-/// "acos" for the C library's "__ieee754_acos_fma" and its like; "" if none of them is at work.
-std::string function_of_c(const std::vector<std::string>& functions) {
-  static const std::regex inner("_*(?:ieee754_|w_|kernel_)?([a-z]+[0-9]*)(?:_fma4?|_sse2|_avx2?|_finite|_compat)*");
-  for (const std::string& function : functions) {
-    std::smatch found;
-    if (std::regex_match(function, found, inner) && messages::has_domain(found[1])) return found[1];
-  }
-  return "";
+/// "acos" for the C library's "__ieee754_acos_fma", "powf64" and their like; "" for others.
+std::string plain_name(const std::string& function) {
+  static const std::regex inner(
+      "_*(?:ieee754_|w_|kernel_)?([a-z]+?(?:2|10)?)(?:f|f32x?|f64x?)?(?:_fma4?|_sse2|_avx2?|_finite|_compat|_r)*");
+  std::smatch found;
+  return std::regex_match(function, found, inner) ? found[1].str() : "";
 }
 
-std::string floating_point(const Sighting& sighting, const std::vector<std::string>& inside) {
-  const std::string function = function_of_c(inside);
-  if (!function.empty()) return messages::non_finite(NonFinite::from_function, function);
+/// The functions of the C library that the line calls, by their names.
+std::set<std::string> functions_named_in(const std::string& line) {
+  static const std::regex call("([a-z]+[0-9]*)\\s*\\(");
+  std::set<std::string> names;
+  for (auto found = std::sregex_iterator(line.begin(), line.end(), call); found != std::sregex_iterator(); ++found)
+    if (messages::has_domain((*found)[1])) names.insert((*found)[1]);
+  return names;
+}
+
+/// The function of <cmath> at work, "" if it is one but nobody knows which; nothing if it is none.
+std::optional<std::string> function_of_c(const std::vector<std::string>& inside, const std::string& line) {
+  // What is written in C++ has parentheses in its demangled name.
+  const bool is_c = !inside.empty() && inside.front().find('(') == std::string::npos;
+  if (!is_c) return std::nullopt;
+  for (const std::string& function : inside)
+    if (const std::string name = plain_name(function); messages::has_domain(name)) return name;
+  // Some leave the last step to a function that they share, and are gone by then.
+  const std::set<std::string> named = functions_named_in(line);
+  return named.size() == 1 ? *named.begin() : "";
+}
+
+std::string floating_point(const Sighting& sighting, const std::vector<std::string>& inside, const std::string& line) {
+  if (const auto function = function_of_c(inside, line))
+    return messages::non_finite(NonFinite::from_function, *function);
   switch (sighting.detail) {
     case FPE_FLTDIV:
       return messages::non_finite(NonFinite::division_by_zero);
@@ -83,12 +102,12 @@ std::string floating_point(const Sighting& sighting, const std::vector<std::stri
   }
 }
 
-std::string of_signal(const Sighting& sighting, const CallPlaces& places) {
+std::string of_signal(const Sighting& sighting, const CallPlaces& places, const std::string& line) {
   const std::vector<std::string> inside = functions_inside(sighting, places);
   switch (sighting.signal) {
     case SIGFPE:
       if (sighting.detail == FPE_INTDIV) return messages::whole_number_division();
-      return floating_point(sighting, inside);
+      return floating_point(sighting, inside, line);
     case SIGSEGV:
     case SIGBUS: {
       constexpr std::uint64_t first_page = 4096;
@@ -103,6 +122,34 @@ std::string of_signal(const Sighting& sighting, const CallPlaces& places) {
     default:
       return "";
   }
+}
+
+std::string undefined_behavior(const Sighting& sighting, const std::string& type) {
+  using sightings::Undefined;
+  const long first = sighting.facts[0];
+  const long second = sighting.facts[1];
+  switch (static_cast<Undefined>(sighting.detail)) {
+    case Undefined::sum:
+      return messages::whole_number_too_large(first, "+", second, type);
+    case Undefined::difference:
+      return messages::whole_number_too_large(first, "−", second, type);
+    case Undefined::product:
+      return messages::whole_number_too_large(first, "·", second, type);
+    case Undefined::quotient:
+      return second == 0 ? messages::division_by_whole_zero()
+                         : messages::whole_number_too_large(first, "/", second, type);
+    case Undefined::negative:
+      return messages::whole_number_too_large(0, "−", first, type);
+    case Undefined::shift:
+      return messages::shift(first, second);
+    case Undefined::index:
+      return messages::array_index(first, type);
+    case Undefined::conversion:
+      return messages::conversion_to_whole_number();
+    case Undefined::missing_return:
+      return messages::missing_return();
+  }
+  return "";
 }
 
 /// The line from which the student's function calls itself, if the chain shows that it does so without end.
@@ -122,13 +169,19 @@ int recursion_line(const Sighting& sighting, const CallPlaces& places) {
 
 }  // namespace
 
+std::string line_of(const SourceLines& source, int line) {
+  const auto index = static_cast<std::size_t>(line) - 1;
+  return line > 0 && index < source.size() ? source[index] : "";
+}
+
 int student_line(const Sighting& sighting, const CallPlaces& places) {
   for (const CallPlace& place : chain_of(sighting, places))
     if (place.line > 0) return place.line;
   return 0;
 }
 
-std::optional<PlacedSentence> sentence_of(const Sighting& sighting, const CallPlaces& places) {
+std::optional<PlacedSentence> sentence_of(const Sighting& sighting, const CallPlaces& places,
+                                          const SourceLines& source) {
   PlacedSentence result{student_line(sighting, places), ""};
   const std::string text = printable(sighting.text);
   switch (sighting.what) {
@@ -151,10 +204,10 @@ std::optional<PlacedSentence> sentence_of(const Sighting& sighting, const CallPl
       result.sentence = messages::out_of_memory();
       break;
     case What::undefined_behavior:
-      result.sentence = messages::undefined_behavior(printable(sighting.more_text), text);
+      result.sentence = undefined_behavior(sighting, text);
       break;
     case What::signal:
-      result.sentence = of_signal(sighting, places);
+      result.sentence = of_signal(sighting, places, line_of(source, result.line));
       break;
     case What::stack_used_up:
       if (const int line = recursion_line(sighting, places); line > 0)

@@ -11,6 +11,11 @@
 
 namespace workbook {
 
+using SourceLines = std::vector<std::string>;
+
+/// The line with that number, counted from 1; "" if there is none.
+std::string line_of(const SourceLines& source, int line);
+
 /// A finding without the text of its line.
 struct PlacedSentence {
   int line = 0;
@@ -23,7 +28,8 @@ struct PlacedSentence {
 int student_line(const sightings::Sighting& sighting, const CallPlaces& places);
 
 /// What can be said of one sighting; nothing where it says nothing certain, or nothing of the student's file.
-std::optional<PlacedSentence> sentence_of(const sightings::Sighting& sighting, const CallPlaces& places);
+std::optional<PlacedSentence> sentence_of(const sightings::Sighting& sighting, const CallPlaces& places,
+                                          const SourceLines& source);
 
 /// What can be said of several answers to the question where the call is.
 std::optional<PlacedSentence> sentence_of_long_run(const std::vector<sightings::Sighting>& answers,

@@ -42,9 +42,9 @@ function(workbook_add_workers target)
   workbook_add_worker_set(looking
     DIRECTORY ${arg_DIRECTORY}/second_look INCLUDE ${arg_INCLUDE} EXERCISES ${arg_EXERCISES}
     FLAGS -std=c++20 -O0 -g1 -fno-omit-frame-pointer -fno-stack-protector -D_GLIBCXX_ASSERTIONS ${sanitizers}
-    LINK_FLAGS -static ${link_flags} ${sanitizers} ${wrapped}
+    LINK_FLAGS -static ${link_flags} ${wrapped}
     PRELUDE "#define EIGEN_FUNCTORS_PLUGIN \"${witness}/eigen_implies.hpp\"\n#include \"${witness}/prelude.hpp\"\n"
-    PARTS ${witness}/look.cpp ${witness}/eyes.cpp ${witness}/memory.cpp
+    PARTS ${witness}/look.cpp ${witness}/eyes.cpp ${witness}/memory.cpp ${witness}/undefined.cpp
     MAIN "checker/second_look/witness/look.hpp" look)
 
   add_custom_target(${target} DEPENDS ${judging} ${looking})
@@ -171,19 +171,16 @@ function(workbook_worker_link_flags result)
   set(${result} ${flags} PARENT_SCOPE)
 endfunction()
 
-# The compiler's own checks of undefined behaviour, where their library is there to be linked statically. Without them
-# the second look notices less.
+# The compiler's own checks of undefined behaviour; without its library, for the witness has its own. Where the compiler
+# does not know them, the second look notices less.
 function(workbook_worker_sanitizers result)
   set(CMAKE_CXX_FLAGS "")
-  set(CMAKE_EXE_LINKER_FLAGS "")
-  set(flags
-      -fsanitize=signed-integer-overflow,integer-divide-by-zero,float-cast-overflow,shift,bounds,return)
-  set(CMAKE_REQUIRED_FLAGS "${flags}")
-  set(CMAKE_REQUIRED_LINK_OPTIONS -static ${flags})
-  check_cxx_source_compiles("int main(int count, char**) { int numbers[3] = {}; return numbers[count]; }"
-                            WORKBOOK_LINKS_SANITIZERS_STATICALLY)
-  if(WORKBOOK_LINKS_SANITIZERS_STATICALLY)
-    set(${result} ${flags} -DWORKBOOK_HAS_UBSAN=1 PARENT_SCOPE)
+  set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
+  set(flags -fsanitize=signed-integer-overflow,integer-divide-by-zero,float-cast-overflow,shift,bounds,return)
+  set(CMAKE_REQUIRED_FLAGS ${flags})
+  check_cxx_source_compiles("int f(int n) { int numbers[3] = {}; return numbers[n + 1]; }" WORKBOOK_KNOWS_SANITIZERS)
+  if(WORKBOOK_KNOWS_SANITIZERS)
+    set(${result} ${flags} PARENT_SCOPE)
   else()
     set(${result} "" PARENT_SCOPE)
   endif()

@@ -1,10 +1,10 @@
 #include "checker/second_look/witness/eyes.hpp"
 
 #include "checker/second_look/witness/facts.hpp"
+#include "checker/worker/stack.hpp"
 
 #include <fenv.h>
 #include <signal.h>
-#include <sys/resource.h>
 #include <ucontext.h>
 #include <unistd.h>
 #include <unwind.h>
@@ -24,9 +24,8 @@ using sightings::What;
 
 std::uint64_t nonce = 0;
 bool watching = false;
-bool said_undefined_behavior = false;
-std::uintptr_t stack_begin = 0;
-std::uintptr_t stack_size = 0;
+bool said_undefined = false;
+Stack stack;
 std::terminate_handler usual_terminate = nullptr;
 
 /// Made when something is thrown; sent if the function ends with it.
@@ -37,13 +36,17 @@ int throws = 0;
 /// The chain of calls up to here.
 struct Chain {
   Sighting& sighting;
+  std::uint64_t skipped_until;  ///< the instruction that a signal interrupted; 0: nothing is skipped
 
   static _Unwind_Reason_Code add(_Unwind_Context* frame, void* self) {
     auto& chain = *static_cast<Chain*>(self);
     Sighting& sighting = chain.sighting;
     int is_before = 0;
     // A return address points behind its call; that of an interrupted instruction at the instruction itself.
-    const std::uint64_t address = _Unwind_GetIPInfo(frame, &is_before) - (is_before == 0 ? 1 : 0);
+    const std::uint64_t next = _Unwind_GetIPInfo(frame, &is_before);
+    if (next == chain.skipped_until) chain.skipped_until = 0;
+    if (chain.skipped_until != 0) return _URC_NO_REASON;
+    const std::uint64_t address = is_before == 0 ? next - 1 : next;
     constexpr int most = sizeof sighting.calls / sizeof *sighting.calls;
     if (sighting.call_count < most)
       sighting.calls[sighting.call_count++] = address;
@@ -56,13 +59,13 @@ struct Chain {
 
 void copy(char* to, std::size_t size, const char* text) { std::strncpy(to, text ? text : "", size - 1); }
 
-Sighting sighting_of(What what, const char* text) {
+Sighting sighting_of(What what, const char* text, std::uint64_t interrupted = 0) {
   Sighting sighting{};
   sighting.magic = sightings::sighting_magic;
   sighting.nonce = nonce;
   sighting.what = what;
   copy(sighting.text, sizeof sighting.text, text);
-  Chain chain{sighting};
+  Chain chain{sighting, interrupted};
   _Unwind_Backtrace(&Chain::add, &chain);
   return sighting;
 }
@@ -84,13 +87,6 @@ void send(const Sighting& sighting) {
 void set_facts(Sighting& sighting, const Facts& facts) {
   sighting.fact_count = facts.count;
   std::copy(facts.numbers, facts.numbers + Facts::most, sighting.facts);
-}
-
-bool is_stack_overflow(std::uintptr_t address) {
-  constexpr std::uintptr_t margin = std::uintptr_t{256} * 1024;
-  constexpr std::uintptr_t largest_step = std::uintptr_t{16} * 1024 * 1024;
-  const std::uintptr_t depth = stack_begin - address;
-  return address < stack_begin && depth + margin > stack_size && depth < stack_size + largest_step;
 }
 
 #if defined(__x86_64__)
@@ -136,12 +132,22 @@ Arithmetic arithmetic_at(const ucontext_t&) { return Arithmetic::unknown; }
 
 #endif
 
+/// Where a signal came; 0 where that is not known, and the handler stands in the chain of calls too.
+std::uint64_t interrupted_at([[maybe_unused]] const void* context) {
+#if defined(__x86_64__)
+  return static_cast<std::uint64_t>(static_cast<const ucontext_t*>(context)->uc_mcontext.gregs[REG_RIP]);
+#elif defined(__aarch64__)
+  return static_cast<const ucontext_t*>(context)->uc_mcontext.pc;
+#else
+  return 0;
+#endif
+}
+
 /// The handlers are already reset when they run, so raising the signal again ends the process.
 void on_signal(int signal, siginfo_t* info, void* context) {
-  const bool overflow =
-      signal == SIGSEGV && is_stack_overflow(reinterpret_cast<std::uintptr_t>(info->si_addr));
+  const bool overflow = signal == SIGSEGV && stack.overflowed(*info, context);
   const What what = signal == SIGSYS ? What::forbidden_call : overflow ? What::stack_used_up : What::signal;
-  Sighting sighting = sighting_of(what, "");
+  Sighting sighting = sighting_of(what, "", interrupted_at(context));
   sighting.signal = signal;
   sighting.detail = signal == SIGSYS ? info->si_syscall : info->si_code;
   sighting.address = signal == SIGSEGV ? reinterpret_cast<std::uintptr_t>(info->si_addr) : 0;
@@ -150,8 +156,8 @@ void on_signal(int signal, siginfo_t* info, void* context) {
   ::raise(signal);
 }
 
-void on_question(int, siginfo_t*, void*) {
-  if (watching) send(sighting_of(What::still_running, ""));
+void on_question(int, siginfo_t*, void* context) {
+  if (watching) send(sighting_of(What::still_running, "", interrupted_at(context)));
 }
 
 void on_terminate() {
@@ -180,22 +186,11 @@ void handle(int signal, void (*handler)(int, siginfo_t*, void*), int flags) {
   spare.ss_sp = own_stack;
   spare.ss_size = sizeof own_stack;
   ::sigaltstack(&spare, nullptr);
-
-  stack_begin = reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0));
-  rlimit limit{};
-  ::getrlimit(RLIMIT_STACK, &limit);
-  stack_size = static_cast<std::uintptr_t>(limit.rlim_cur);
-
+  stack.measure();
   for (const int signal : {SIGSYS, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
     handle(signal, on_signal, static_cast<int>(SA_RESETHAND));
   handle(SIGALRM, on_question, SA_RESTART);
   usual_terminate = std::set_terminate(on_terminate);
-}
-
-void say_undefined_behavior(const char* kind, const char* message) {
-  Sighting sighting = sighting_of(What::undefined_behavior, message);
-  copy(sighting.more_text, sizeof sighting.more_text, kind);
-  send(sighting);
 }
 
 void say_ended() {
@@ -227,6 +222,15 @@ void say_thrown(What what, const char* text, const void* exception) {
   } else if (what == What::exception) {
     copy(sighting.text, sizeof sighting.text, text);
   }
+  send(sighting);
+}
+
+void say_undefined(sightings::Undefined what, const char* type, const Facts& facts) {
+  if (!watching || said_undefined) return;
+  said_undefined = true;
+  Sighting sighting = sighting_of(What::undefined_behavior, type);
+  sighting.detail = static_cast<std::int64_t>(what);
+  set_facts(sighting, facts);
   send(sighting);
 }
 
@@ -316,24 +320,4 @@ void __wrap___assert_fail(const char* condition, const char*, unsigned, const ch
   ::signal(SIGABRT, SIG_DFL);
   ::abort();
 }
-
-#if WORKBOOK_HAS_UBSAN
-void __ubsan_get_current_report_data(const char** kind, const char** message, const char** file, unsigned* line,
-                                     unsigned* column, char** address);
-void __ubsan_on_report();
-
-// Called by the compiler's own checks instead of nothing at all.
-void __ubsan_on_report() {
-  if (!workbook::watching || workbook::said_undefined_behavior) return;
-  workbook::said_undefined_behavior = true;
-  const char* kind = nullptr;
-  const char* message = nullptr;
-  const char* file = nullptr;
-  unsigned line = 0;
-  unsigned column = 0;
-  char* address = nullptr;
-  __ubsan_get_current_report_data(&kind, &message, &file, &line, &column, &address);
-  workbook::say_undefined_behavior(kind, message);
-}
-#endif
 }

@@ -19,6 +19,9 @@ void say(sightings::What what, const char* text);
 /// @param exception  nullptr if it is not a std::exception
 void say_thrown(sightings::What what, const char* text, const void* exception);
 
+/// The compiler's checks found something; only the first is told. @param type  as they name it
+void say_undefined(sightings::Undefined what, const char* type, const Facts& facts);
+
 void say_returned(int rows, int cols, const double* numbers);
 
 }  // namespace workbook

@@ -56,12 +56,12 @@ void set_traps(Traps traps) {
   if (traps == Traps::non_finite) ::feenableexcept(FE_DIVBYZERO | FE_OVERFLOW);
 }
 
-void ready(void* result, std::size_t size) {
+std::uint64_t ready(void* result, std::size_t size) {
   paint(result, size, question.paint);
   paint_new_memory(question.paint);
   watch();
   set_traps(question.traps);
-  paint_stack(question.paint);
+  return question.paint;
 }
 
 void done() {

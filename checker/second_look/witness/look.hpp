@@ -3,8 +3,10 @@
 #pragma once
 
 #include "checker/data/kinds.hpp"
+#include "checker/second_look/witness/memory.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <new>
 #include <tuple>
@@ -20,10 +22,10 @@ struct WitnessedResult {
   std::vector<double> numbers;
 };
 
-/// Makes the arguments first, so that `ready`, called just before the student's function, has the last word on the
-/// memory that the function finds.
-/// `ready` is given the place of the result.
-using Ready = void (*)(void* result, std::size_t size);
+/// Called before the student's function with the place of the result. Returns the paint for the stack.
+using Ready = std::uint64_t (*)(void* result, std::size_t size);
+
+/// Called after it.
 using Done = void (*)();
 using WitnessedCall =
     std::function<WitnessedResult(const std::vector<NumbersView>& arguments, Ready ready, Done done)>;
@@ -40,8 +42,13 @@ int look(Result (*function)(Parameters...)) {
           std::tuple<std::remove_cvref_t<Parameters>...> values{
               KindOfParameter<Parameters>::read(arguments[Index])...};
           alignas(Plain) static unsigned char place[sizeof(Plain)];
-          ready(place, sizeof place);
-          const Plain* result = new (place) Plain(function(std::get<Index>(values)...));
+          const Plain* const result = std::apply(
+              [&](auto&... value) {
+                const std::uint64_t color = ready(place, sizeof place);
+                // Nothing may be called in between, for it would leave its own numbers on the painted stack.
+                return new (place) Plain((paint_stack(color), function(value...)));
+              },
+              values);
           done();
           WitnessedResult seen;
           seen.rows = KindOf<Plain>::rows(*result);

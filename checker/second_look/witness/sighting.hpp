@@ -39,13 +39,26 @@ enum class What : std::int32_t {
   eigen_assertion,     ///< text: the condition; facts
   library_assertion,   ///< text: the condition; more_text: the function; facts: the two sides
   own_assertion,       ///< text: the condition of an assert() in the student's file
-  undefined_behavior,  ///< text: what the compiler's checks say; the call goes on
+  undefined_behavior,  ///< detail: Undefined; text: the type; facts: the numbers; the call goes on
   terminated,          ///< text: of the exception that nobody could catch
   signal,              ///< signal, detail: its si_code
   stack_used_up,
   forbidden_call,  ///< detail: the number of the system call
   program_ended,   ///< exit() or one of its relatives
   still_running,   ///< the checker has asked where the call is; it goes on
+};
+
+/// What the compiler's checks find.
+enum class Undefined : std::int32_t {
+  sum = 1,
+  difference,
+  product,
+  quotient,
+  negative,
+  shift,
+  index,
+  conversion,
+  missing_return
 };
 
 /// What kind of instruction a floating point trap met.
