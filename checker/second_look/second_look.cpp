@@ -243,11 +243,17 @@ bool deserves_second_look(const Judgement& judgement) {
   }
 }
 
+std::vector<Finding> second_look_with(const std::filesystem::path& witness, const SecondLookTask& task,
+                                      const Toolchain& toolchain) {
+  if (!deserves_second_look(task.judgement) || task.reference.cases.empty()) return {};
+  const SourceLines source = lines_of(read_source(task.file));
+  return in_full(SecondLook(task, source, witness, toolchain.addr2line).take(), source);
+}
+
 std::vector<Finding> second_look(const SecondLookTask& task, const Toolchain& toolchain,
                                  const std::filesystem::path& scratch) {
-  if (!deserves_second_look(task.judgement) || toolchain.second_look.empty() || task.reference.cases.empty()) return {};
+  if (!deserves_second_look(task.judgement) || toolchain.second_look.empty()) return {};
   try {
-    const SourceLines source = lines_of(read_source(task.file));
     const Workspace workspace(scratch);
     CompileLimits limits;
     limits.time = std::chrono::seconds(10);
@@ -255,7 +261,7 @@ std::vector<Finding> second_look(const SecondLookTask& task, const Toolchain& to
         compile({.file = task.file, .exercise = task.reference.name, .signature = task.reference.signature},
                 read_toolchain(toolchain.second_look), workspace.directory(), limits);
     if (!compilation.executable) return {};
-    return in_full(SecondLook(task, source, *compilation.executable, toolchain.addr2line).take(), source);
+    return second_look_with(*compilation.executable, task, toolchain);
   } catch (const std::exception&) {
     return {};  // an explanation less; the verdict stands
   }

@@ -29,4 +29,9 @@ bool deserves_second_look(const Judgement& judgement);
 std::vector<Finding> second_look(const SecondLookTask& task, const Toolchain& toolchain,
                                  const std::filesystem::path& scratch);
 
+/// The same with a file that is compiled for looking already.
+/// @throws LaunchError, SandboxError, RejectedFile
+std::vector<Finding> second_look_with(const std::filesystem::path& witness, const SecondLookTask& task,
+                                      const Toolchain& toolchain);
+
 }  // namespace workbook
