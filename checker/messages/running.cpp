@@ -119,14 +119,12 @@ std::string slice_outside(long i, long rows, long cols, bool is_row) {
 
 std::string block_outside(const std::vector<long>& facts) {
   const long row = facts[0], col = facts[1], height = facts[2], width = facts[3], rows = facts[4], cols = facts[5];
-  if (height < 0 || width < 0)
-    return fmt::format("a part of negative size ({}) is asked for.", shape(height, width));
+  if (height < 0 || width < 0) return fmt::format("a part of negative size ({}) is asked for.", shape(height, width));
   const bool of_vector = cols == 1 && width == 1 && col == 0;
   const bool of_row_vector = rows == 1 && height == 1 && row == 0;
   if (of_vector || of_row_vector) {
     const long start = of_vector ? row : col, length = of_vector ? height : width, size = of_vector ? rows : cols;
-    if (length > size)
-      return fmt::format("{} entries are asked for, but the vector has size {}.", length, size);
+    if (length > size) return fmt::format("{} entries are asked for, but the vector has size {}.", length, size);
     return fmt::format("{} entries from index {} reach outside the vector of size {} ({}).", length, start, size,
                        indices(size));
   }
@@ -157,8 +155,7 @@ std::string too_few_or_many(const std::string& condition, const std::vector<long
 
 std::string with_facts(const std::string& condition, const std::vector<long>& facts) {
   const auto count = facts.size();
-  if (has(condition, "index >= 0 && index < size()") && count == 2)
-    return index_outside(facts[0], facts[1], "vector");
+  if (has(condition, "index >= 0 && index < size()") && count == 2) return index_outside(facts[0], facts[1], "vector");
   if (has(condition, "row >= 0 && row < rows()") && count == 4)
     return entry_outside(facts[0], facts[1], facts[2], facts[3]);
   if (has(condition, "(i>=0) && (") && count == 5)
@@ -209,8 +206,9 @@ constexpr Domain domains[] = {
     {"log", "the logarithm of 0 or of a negative number is infinite or not a number (NaN)."},
     {"log2", "the logarithm of 0 or of a negative number is infinite or not a number (NaN)."},
     {"log10", "the logarithm of 0 or of a negative number is infinite or not a number (NaN)."},
-    {"pow", "pow has no finite result here: look at a negative base with a broken exponent, and at 0 to a negative "
-            "one."},
+    {"pow",
+     "pow has no finite result here: look at a negative base with a broken exponent, and at 0 to a negative "
+     "one."},
     {"exp", "exp of so large a number is infinite."},
     {"acosh", "acosh of a number below 1 is not a number (NaN)."},
     {"atanh", "atanh is only defined between −1 and 1."},
@@ -338,8 +336,7 @@ std::string nobody_caught(const std::string& text) {
 std::string whole_number_too_large(long left, const std::string& sign, long right, const std::string& type) {
   std::string name = type;
   std::erase(name, '\'');
-  return fmt::format("{} {} {} does not fit into the type {}; calculate in double.", left, sign,
-                     right, name);
+  return fmt::format("{} {} {} does not fit into the type {}; calculate in double.", left, sign, right, name);
 }
 
 std::string division_by_whole_zero() { return "a whole number is divided by zero."; }
@@ -431,9 +428,7 @@ std::string still_at_work_between(int first_line, int last_line) {
 }
 std::string still_printing() { return "the function was still printing here when it was stopped."; }
 std::string out_of_memory() { return "more memory is asked for here than an exercise may use."; }
-std::string forbidden(const std::string& operation) {
-  return fmt::format("here the function tries to {}.", operation);
-}
+std::string forbidden(const std::string& operation) { return fmt::format("here the function tries to {}.", operation); }
 std::string program_ended() { return "the program is ended here, before the function returns."; }
 
 }  // namespace workbook::messages

@@ -66,15 +66,31 @@ std::string labelled(const std::string& label, const std::string& text, const Co
          body.substr(std::min(body.size(), indent + 7)) + "\n";
 }
 
-/// The first lines of a long text, and how many more there are.
-std::string first_lines(const std::string& text, std::size_t most, std::size_t margin) {
+/// The beginning of a line that may be very long.
+std::string cut(const std::string& line, std::size_t width) {
+  constexpr std::size_t most_bytes_per_column = 8;
+  std::size_t end = std::min(line.size(), most_bytes_per_column * width);
+  while (end < line.size() && end > 0 && (static_cast<unsigned char>(line[end]) & 0xC0) == 0x80) --end;
+  const std::string text = shortened(line.substr(0, end), width);
+  return end == line.size() || text.ends_with("…") ? text : text + "…";
+}
+
+/// The first lines of a long text, each cut to the width of the terminal, and how many more there are.
+std::string first_lines(const std::string& text, std::size_t most, std::size_t margin, const Console& console) {
+  constexpr std::size_t narrowest = 20;
+  const std::size_t width = std::max(console.width(), margin + narrowest) - margin;
   std::istringstream lines(text);
   std::string shown;
   std::size_t count = 0;
   for (std::string line; std::getline(lines, line); ++count) {
-    if (count < most) shown += std::string(margin, ' ') + line + "\n";
+    if (count >= most) continue;
+    std::replace(line.begin(), line.end(), '\t', ' ');  // a tab is as wide as the terminal likes
+    shown += std::string(margin, ' ') + cut(line, width) + "\n";
   }
-  if (count > most) shown += std::string(margin, ' ') + fmt::format("… and {} more lines\n", count - most);
+  if (count > most) {
+    shown +=
+        std::string(margin, ' ') + fmt::format("… and {} more line{}\n", count - most, count - most == 1 ? "" : "s");
+  }
   return shown;
 }
 
@@ -82,7 +98,7 @@ std::string first_lines(const std::string& text, std::size_t most, std::size_t m
 std::string finding_text(const Finding& finding, const Console& console) {
   const std::string place = finding.line > 0 ? fmt::format("Line {}: ", finding.line) : "";
   std::string text = console.wrapped(place + finding.sentence, indent) + "\n";
-  if (!finding.excerpt.empty()) text += first_lines(finding.excerpt, longest_printout, 2 * indent);
+  if (!finding.excerpt.empty()) text += first_lines(finding.excerpt, longest_printout, 2 * indent, console);
   return text;
 }
 
@@ -110,7 +126,7 @@ std::string terminal_report(const Course& course, const Checked& checked, const 
   }
   if (!checked.observation.printed.empty()) {
     text += "\n" + std::string(indent, ' ') + "Your code printed:\n" +
-            first_lines(checked.observation.printed, longest_printout, 2 * indent);
+            first_lines(checked.observation.printed, longest_printout, 2 * indent, console);
   }
   text += "\n";
   for (const Diagnosis& diagnosis : judgement.diagnoses) {

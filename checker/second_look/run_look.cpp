@@ -204,9 +204,8 @@ bool Look::operator==(const Look& other) const {
   if (out_of_time != other.out_of_time || result.has_value() != other.result.has_value()) return false;
   if ((end() == nullptr) != (other.end() == nullptr)) return false;
   if (end() != nullptr && (end()->what != other.end()->what || end()->signal != other.end()->signal)) return false;
-  return !result ||
-         (result->has_shape_of(*other.result) &&
-          std::ranges::equal(result->numbers, other.result->numbers, is_same_number));
+  return !result || (result->has_shape_of(*other.result) &&
+                     std::ranges::equal(result->numbers, other.result->numbers, is_same_number));
 }
 
 Look run_look(const std::filesystem::path& witness, const std::vector<Value>& inputs, Paint paint,

@@ -103,16 +103,22 @@ class SecondLook {
     return sentence_of(sighting, places_of({sighting}), source_);
   }
 
+  /// What the compiler's checks found, and how the call ended.
+  std::vector<PlacedSentence> told_by(const Look& look) const {
+    const CallPlaces places = places_of(look.sightings);
+    std::vector<PlacedSentence> found;
+    for (const Sighting& sighting : look.sightings) {
+      // The abort that follows an assertion or an exception that nobody caught adds nothing.
+      if (&sighting != look.end() && sighting.what != What::undefined_behavior) continue;
+      if (const auto one = sentence_of(sighting, places, source_)) found.push_back(*one);
+    }
+    return found;
+  }
+
   /// The function did not return.
   std::vector<PlacedSentence> ending() const {
     const Look again = look(Paint::as_in_judging);
-    std::vector<PlacedSentence> found;
-    const CallPlaces places = places_of(again.sightings);
-    for (const Sighting& sighting : again.sightings) {
-      // The abort that follows an assertion or an exception that nobody caught adds nothing.
-      if (&sighting != again.end() && sighting.what != What::undefined_behavior) continue;
-      if (const auto one = sentence_of(sighting, places, source_)) found.push_back(*one);
-    }
+    std::vector<PlacedSentence> found = told_by(again);
     const bool failed_again = again.end() != nullptr && !again.result && again.end()->what != What::not_started;
     if (!failed_again || !is_harmless(again)) return found;
     if (const Look zeros = look(Paint::zero); zeros.result) append(found, never_set(zeros));
@@ -128,12 +134,10 @@ class SecondLook {
   /// The function returned, but not what it should.
   std::vector<PlacedSentence> value() const {
     const Look first = look(Paint::zero);
-    std::vector<PlacedSentence> found;
-    for (const Sighting& sighting : first.sightings)
-      if (sighting.what == What::undefined_behavior)
-        if (const auto one = sentence(sighting)) found.push_back(*one);
+    // What the optimiser had removed, such as a second delete, may also end the call now.
+    std::vector<PlacedSentence> found = told_by(first);
     // What lies outside an array was never set either.
-    if (is_harmless(first)) found = never_set(first);
+    if (is_harmless(first) && first.result) found = never_set(first);
     if (task_.judgement.verdict == Verdict::non_finite_value && found.empty()) {
       const Look trapped = look(Paint::zero, Traps::non_finite);
       if (const Sighting* end = trapped.end(); end != nullptr && end->what == What::signal)

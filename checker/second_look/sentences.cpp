@@ -26,9 +26,7 @@ std::vector<CallPlace> chain_of(const Sighting& sighting, const CallPlaces& plac
   return chain;
 }
 
-std::vector<long> facts_of(const Sighting& sighting) {
-  return {sighting.facts, sighting.facts + sighting.fact_count};
-}
+std::vector<long> facts_of(const Sighting& sighting) { return {sighting.facts, sighting.facts + sighting.fact_count}; }
 
 /// The calls inside the innermost one of the student's file.
 std::vector<std::string> functions_inside(const Sighting& sighting, const CallPlaces& places) {
@@ -111,7 +109,8 @@ std::string of_signal(const Sighting& sighting, const CallPlaces& places, const 
     case SIGSEGV:
     case SIGBUS: {
       constexpr std::uint64_t first_page = 4096;
-      const bool is_null = sighting.signal == SIGSEGV && sighting.detail == SEGV_MAPERR && sighting.address < first_page;
+      const bool is_null =
+          sighting.signal == SIGSEGV && sighting.detail == SEGV_MAPERR && sighting.address < first_page;
       return is_null ? messages::null_pointer() : messages::foreign_memory();
     }
     case SIGABRT:

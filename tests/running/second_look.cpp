@@ -223,11 +223,13 @@ TEST_CASE("an index outside a vector or matrix is named with the line and the si
   CHECK(finding_at(105) == "return A.row(-1).sum(); -> row -1 is outside the 3×4 matrix (rows 0 to 2).");
   CHECK(finding_at(119) == "{ VectorXd empty; return empty[0]; } -> there is no index 0 in an empty vector.");
   CHECK(finding_at(120) == "return list[3]; -> index 3 is outside the vector of size 3 (indices 0 to 2).");
-  CHECK(finding_at(121) == "{ std::array<double, 2> a{}; return a[int(x) - 119]; } -> "
-                           "index 2 is outside the array of size 2 (indices 0 to 1).");
+  CHECK(finding_at(121) ==
+        "{ std::array<double, 2> a{}; return a[int(x) - 119]; } -> "
+        "index 2 is outside the array of size 2 (indices 0 to 1).");
   CHECK(finding_at(122) == "return list.at(9); -> index 9 is outside the vector of size 3 (indices 0 to 2).");
-  CHECK(finding_at(123) == "{ double a[3] = {}; return a[int(x) - 120]; } -> "
-                           "index 3 is outside the array of size 3 (indices 0 to 2).");
+  CHECK(finding_at(123) ==
+        "{ double a[3] = {}; return a[int(x) - 120]; } -> "
+        "index 3 is outside the array of size 3 (indices 0 to 2).");
   CHECK(finding_at(124) ==
         "list.clear(); return list.back(); -> an empty container has no first or last element to give.");
 }
@@ -235,63 +237,75 @@ TEST_CASE("an index outside a vector or matrix is named with the line and the si
 TEST_CASE("parts that reach outside are named with their sizes") {
   CHECK(finding_at(106) ==
         "return A.block(1, 2, 2, 3).sum(); -> a 2×3 block that begins at (1, 2) reaches outside the 3×4 matrix.");
-  CHECK(finding_at(107) == "return four.segment(2, 3).sum(); -> 3 entries from index 2 reach outside the vector of "
-                           "size 4 (indices 0 to 3).");
+  CHECK(finding_at(107) ==
+        "return four.segment(2, 3).sum(); -> 3 entries from index 2 reach outside the vector of "
+        "size 4 (indices 0 to 3).");
   CHECK(finding_at(108) == "return four.head(5).sum(); -> 5 entries are asked for, but the vector has size 4.");
   CHECK(finding_at(109) == "return four.tail<6>().sum(); -> 6 entries are asked for, but the vector has size 4.");
   CHECK(finding_at(118) == "return A.diagonal(7).sum(); -> a 3×4 matrix has no diagonal(7).");
 }
 
 TEST_CASE("sizes that do not fit together are both named") {
-  CHECK(finding_at(110) == "return (three + four).sum(); -> a vector of size 3 and a vector of size 4 cannot be "
-                           "combined entry by entry: the sizes 3×1 and 4×1 differ.");
-  CHECK(finding_at(111) == "three += four; return 0; -> a vector of size 4 is put into, added to or taken from a vector "
-                           "of size 3: the sizes 4×1 and 3×1 differ.");
-  CHECK(finding_at(112) == "return (A * three).sum(); -> matrix product of a 3×4 by a 3×1: left columns (4) must equal "
-                           "right rows (3).");
-  CHECK(finding_at(113) ==
-        "return three.dot(four); -> dot() needs two vectors of the same size; these have 3 and 4.");
-  CHECK(finding_at(114) == "{ Vector3d v; v << 1, x; return v[0]; } -> 2 numbers after << cannot fill a vector of size "
-                           "3: it has 3 entries.");
-  CHECK(finding_at(115) == "{ Vector3d v; v << 1, 2, 3, x; return v[0]; } -> too many numbers after << for a vector of "
-                           "size 3: it has 3 entries.");
+  CHECK(finding_at(110) ==
+        "return (three + four).sum(); -> a vector of size 3 and a vector of size 4 cannot be "
+        "combined entry by entry: the sizes 3×1 and 4×1 differ.");
+  CHECK(finding_at(111) ==
+        "three += four; return 0; -> a vector of size 4 is put into, added to or taken from a vector "
+        "of size 3: the sizes 4×1 and 3×1 differ.");
+  CHECK(finding_at(112) ==
+        "return (A * three).sum(); -> matrix product of a 3×4 by a 3×1: left columns (4) must equal "
+        "right rows (3).");
+  CHECK(finding_at(113) == "return three.dot(four); -> dot() needs two vectors of the same size; these have 3 and 4.");
+  CHECK(finding_at(114) ==
+        "{ Vector3d v; v << 1, x; return v[0]; } -> 2 numbers after << cannot fill a vector of size "
+        "3: it has 3 entries.");
+  CHECK(finding_at(115) ==
+        "{ Vector3d v; v << 1, 2, 3, x; return v[0]; } -> too many numbers after << for a vector of "
+        "size 3: it has 3 entries.");
   CHECK(finding_at(116) ==
         "{ Vector3d v; v = four; return v[0]; } -> a vector of size 4 does not fit into the fixed size 3×1.");
-  CHECK(finding_at(117) == "{ MatrixXd B(2, 2); B << A; return 0; } -> a 3×4 matrix after << is larger than a 2×2 "
-                           "matrix, which it shall fill.");
+  CHECK(finding_at(117) ==
+        "{ MatrixXd B(2, 2); B << A; return 0; } -> a 3×4 matrix after << is larger than a 2×2 "
+        "matrix, which it shall fill.");
 }
 
 TEST_CASE("an exception is traced to the line that throws it") {
-  CHECK(finding_at(130) == "throw std::runtime_error(\"the moon \\x1b[31m is in the way\"); -> "
-                           "the exception “the moon ?[31m is in the way” is thrown here.");
+  CHECK(finding_at(130) ==
+        "throw std::runtime_error(\"the moon \\x1b[31m is in the way\"); -> "
+        "the exception “the moon ?[31m is in the way” is thrown here.");
   CHECK(finding_at(131) == "throw 42; -> the exception is thrown here.");
-  CHECK(finding_at(132) == "throw std::logic_error(\"the second one\"); -> "
-                           "the exception “the second one” is thrown here.");
+  CHECK(finding_at(132) ==
+        "throw std::logic_error(\"the second one\"); -> "
+        "the exception “the second one” is thrown here.");
 }
 
 TEST_CASE("a crash is traced to its line and its cause") {
   CHECK(finding_at(133) == "{ int zero = int(x) - 133; return 5 / zero; } -> a whole number is divided by zero.");
-  CHECK(finding_at(134) == "{ volatile double* p = nullptr; *p = x; return 0; } -> "
-                           "a pointer or reference to nothing is used here.");
-  CHECK(finding_at(135) == "return 1 + for_ever(x + 1); -> "
-                           "the function calls itself here again and again, until the stack is used up.");
+  CHECK(finding_at(134) ==
+        "{ volatile double* p = nullptr; *p = x; return 0; } -> "
+        "a pointer or reference to nothing is used here.");
+  CHECK(finding_at(135) ==
+        "return 1 + for_ever(x + 1); -> "
+        "the function calls itself here again and again, until the stack is used up.");
   CHECK(finding_at(136) ==
         "double deep_array(double x) { -> the stack is used up here; a local array may be too large.");
   CHECK(finding_at(137) == "std::abort(); -> the program is aborted here.");
   CHECK(finding_at(138) == "assert(x < 0); return x; -> your assertion “x < 0” does not hold here.");
-  CHECK(finding_at(139) == "~Late() { throw std::runtime_error(\"too late\"); } }; -> the exception “too late” is thrown "
-                           "here and cannot be caught on its way out: it meets a destructor or noexcept.");
-  CHECK(finding_at(143) == "{ double* p = new double[3]; delete[] p; delete[] p; return x; } -> here memory is found to "
-                           "be damaged: something before wrote beyond its end, or was given back twice.");
+  CHECK(finding_at(139) ==
+        "struct Late { ~Late() { throw std::runtime_error(\"too late\"); } }; -> the exception “too late” is thrown "
+        "here and cannot be caught on its way out: it meets a destructor or noexcept.");
+  CHECK(finding_at(143) ==
+        "{ double* p = new double[3]; delete[] p; delete[] p; return x; } -> here memory is found to "
+        "be damaged: something before wrote beyond its end, or was given back twice.");
 }
 
 TEST_CASE("what an exercise may not do is traced to its line") {
   CHECK(finding_at(140) == "std::exit(0); -> the program is ended here, before the function returns.");
-  CHECK(finding_at(141) == "{ std::vector<std::vector<double>> all; for (;;) all.emplace_back(1 << 20, 1.0); } -> "
-                           "more memory is asked for here than an exercise may use.");
+  CHECK(finding_at(141) ==
+        "{ std::vector<std::vector<double>> all; for (;;) all.emplace_back(1 << 20, 1.0); } -> "
+        "more memory is asked for here than an exercise may use.");
   if (!sandbox_strength().filters_system_calls) return;
-  CHECK(finding_at(142) ==
-        "return fork(); -> here the function tries to start a thread or another process (clone).");
+  CHECK(finding_at(142) == "return fork(); -> here the function tries to start a thread or another process (clone).");
 }
 
 TEST_CASE("a function that does not come to an end is asked where it is") {
@@ -300,8 +314,9 @@ TEST_CASE("a function that does not come to an end is asked where it is") {
   CHECK(loop[0].sentence.starts_with("the function was still at work"));
   CHECK(loop[0].excerpt.starts_with("nothing "));
   CHECK(finding_at(151) == "for (;;) usleep(1000); -> the function was still at work here when it was stopped.");
-  CHECK(finding_at(152) == "for (;;) std::cout << \"again and again\\n\"; -> "
-                           "the function was still printing here when it was stopped.");
+  CHECK(finding_at(152) ==
+        "for (;;) std::cout << \"again and again\\n\"; -> "
+        "the function was still printing here when it was stopped.");
 }
 
 TEST_CASE("the first value that is not finite is traced to its calculation") {
@@ -309,13 +324,16 @@ TEST_CASE("the first value that is not finite is traced to its calculation") {
   CHECK(finding_at(161) ==
         "return nothing / nothing; -> 0/0 is not a number (NaN): numerator and denominator are both zero here.");
   CHECK(finding_at(162) == "return std::sqrt(-x); -> the root of a negative number is not a number (NaN).");
-  CHECK(finding_at(163) == "return std::acos(x); -> acos is only defined from −1 to 1: of a number beyond, even by "
-                           "rounding, it gives NaN.");
-  CHECK(finding_at(164) == "return std::log(nothing); -> the logarithm of 0 or of a negative number is infinite or not "
-                           "a number (NaN).");
+  CHECK(finding_at(163) ==
+        "return std::acos(x); -> acos is only defined from −1 to 1: of a number beyond, even by "
+        "rounding, it gives NaN.");
+  CHECK(finding_at(164) ==
+        "return std::log(nothing); -> the logarithm of 0 or of a negative number is infinite or not "
+        "a number (NaN).");
   CHECK(finding_at(165) == "return std::exp(1000 * x); -> exp of so large a number is infinite.");
-  CHECK(finding_at(166) == "return std::pow(-x, 0.5); -> pow has no finite result here: look at a negative base with a "
-                           "broken exponent, and at 0 to a negative one.");
+  CHECK(finding_at(166) ==
+        "return std::pow(-x, 0.5); -> pow has no finite result here: look at a negative base with a "
+        "broken exponent, and at 0 to a negative one.");
   CHECK(finding_at(167) == "return x * 1e200 * 1e200; -> a number becomes too large here and turns infinite.");
   CHECK(finding_at(168).ends_with("-> 0/0 is not a number (NaN): numerator and denominator are both zero here."));
 }
@@ -325,8 +343,9 @@ TEST_CASE("what was never set is found by what it does to the result") {
       " -> something is used here that was never given a value: a variable, or an entry of a matrix or vector.";
   CHECK(finding_at(170) == "{ double sum; for (int i = 0; i < 2; ++i) sum += x; return sum; }" + here);
   CHECK(finding_at(171) == "{ Matrix3d B; B(0, 0) = x; return B.trace(); }" + here);
-  CHECK(finding_at(172) == "The result depends on something that was never given a value: a variable without = or {}, "
-                           "or a matrix or vector that is not filled.");
+  CHECK(finding_at(172) ==
+        "The result depends on something that was never given a value: a variable without = or {}, "
+        "or a matrix or vector that is not filled.");
   CHECK(finding_at(173) == "The result is never given a value.");
 }
 
@@ -356,10 +375,12 @@ TEST_CASE("entries of a result that were never set are named") {
 
 TEST_CASE("what the language leaves undefined is found in a wrong value") {
   CHECK(finding_at(174) == "double forgets(double x) { -> the function comes to its end here without a return.");
-  CHECK(finding_at(175) == "{ int big = 100000; return big * big * x; } -> 100000 · 100000 does not fit into the type "
-                           "int; calculate in double.");
-  CHECK(finding_at(176) == "return int(x * 1e30); -> a number that no whole number of this type can hold (too large, "
-                           "infinite or NaN) is converted to one.");
+  CHECK(finding_at(175) ==
+        "{ int big = 100000; return big * big * x; } -> 100000 · 100000 does not fit into the type "
+        "int; calculate in double.");
+  CHECK(finding_at(176) ==
+        "return int(x * 1e30); -> a number that no whole number of this type can hold (too large, "
+        "infinite or NaN) is converted to one.");
 }
 
 TEST_CASE("where nothing certain can be said nothing is said") {
@@ -397,13 +418,14 @@ TEST_CASE("a file that defeats the look only goes without an explanation") {
               .empty());
   }
   SUBCASE("it writes noise") {
-    CHECK(full_look(only_when_looked_at("char noise[4000] = \"noise\"; (void)!write(3, noise, sizeof noise);", throws), 1)
-              .empty());
+    CHECK(
+        full_look(only_when_looked_at("char noise[4000] = \"noise\"; (void)!write(3, noise, sizeof noise);", throws), 1)
+            .empty());
   }
   SUBCASE("it writes half a sighting") {
-    CHECK(full_look(only_when_looked_at("char noise[7] = \"noise\"; (void)!write(3, noise, sizeof noise); _exit(0);",
-                                        throws),
-                    1)
+    CHECK(full_look(
+              only_when_looked_at("char noise[7] = \"noise\"; (void)!write(3, noise, sizeof noise); _exit(0);", throws),
+              1)
               .empty());
   }
   SUBCASE("it forges a sighting") {
@@ -430,8 +452,7 @@ TEST_CASE("without its tools there is no second look, and no trouble either") {
 
 TEST_CASE("a second look leaves nothing behind") {
   const std::filesystem::path scratch = fresh_directory("second_look_scratch");
-  const Judged failed =
-      judged("#include <fixture/contract.hpp>\ndouble rigid::twice(double) { throw 1; }\n", 1);
+  const Judged failed = judged("#include <fixture/contract.hpp>\ndouble rigid::twice(double) { throw 1; }\n", 1);
   CHECK(second_look(failed.task(), toolchain(), scratch).size() == 1);
   CHECK(std::filesystem::is_empty(scratch));
   CHECK(nothing_left_running());

@@ -10,11 +10,10 @@
 
 #if defined(__GLIBCXX__) && defined(__glibcxx_assert)
 #undef __glibcxx_assert
-#define __glibcxx_assert(...)                                                                             \
-  do {                                                                                                    \
-    if (!bool(__VA_ARGS__))                                                                               \
-      ::workbook::report_library_assertion(__PRETTY_FUNCTION__, #__VA_ARGS__,                             \
-                                           ::workbook::CatchSides()->*__VA_ARGS__);                       \
+#define __glibcxx_assert(...)                                                                                          \
+  do {                                                                                                                 \
+    if (!bool(__VA_ARGS__))                                                                                            \
+      ::workbook::report_library_assertion(__PRETTY_FUNCTION__, #__VA_ARGS__, ::workbook::CatchSides()->*__VA_ARGS__); \
   } while (false)
 #endif
 
