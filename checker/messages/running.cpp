@@ -224,12 +224,15 @@ std::optional<std::pair<long, long>> range_check(const std::string& text) {
   const std::size_t first = text.find(mark);
   const std::size_t second = first == std::string::npos ? first : text.find(mark, first + 1);
   if (second == std::string::npos || !has(text, ">= ")) return std::nullopt;
-  const auto number = [&](std::size_t at) {
-    unsigned long value = 0;
-    std::from_chars(text.data() + at + mark.size(), text.data() + text.size(), value);
-    return static_cast<long>(value);
+  const auto number = [&](std::size_t at) -> std::optional<long> {
+    long value = 0;
+    const auto read = std::from_chars(text.data() + at + mark.size(), text.data() + text.size(), value);
+    return read.ec == std::errc() ? std::optional(value) : std::nullopt;
   };
-  return std::pair{number(first), number(second)};
+  const std::optional<long> index = number(first);
+  const std::optional<long> size = number(second);
+  if (!index || !size || *index < *size) return std::nullopt;
+  return std::pair{*index, *size};
 }
 
 std::string signal_name(int signal) {
