@@ -89,10 +89,6 @@ std::string read_about(const std::string& diagnosis, const std::string& place) {
   return fmt::format("{} Read {}.", diagnosis, place);
 }
 
-std::string at_line(int line, const std::string& sentence) {
-  return line > 0 ? fmt::format("Line {}: {}", line, sentence) : sentence;
-}
-
 std::string begin_with(const std::string& task) { return fmt::format("Begin with it. {}", task); }
 
 std::string everything_passed() { return "Everything on this page passes; nothing is left to do here."; }

@@ -2,6 +2,7 @@
 
 #include "checker/judging/failure_text.hpp"
 #include "checker/messages/report_page.hpp"
+#include "checker/messages/reporting.hpp"
 #include "checker/report/base64.hpp"
 #include "checker/report/report_page_parts.hpp"
 #include "checker/worker/printable.hpp"
