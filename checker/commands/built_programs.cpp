@@ -58,8 +58,6 @@ FinishedProgram build_target(const Course& course, const std::string& target) {
                      longest_build, most_output, [&](std::string_view piece) { progress.hear(piece); });
 }
 
-bool succeeded(const FinishedProgram& finished) { return finished.succeeded(); }
-
 std::vector<std::string> files_with_errors(const std::string& output) {
   std::vector<std::string> files;
   const std::regex pattern(R"(lectures/\w+/exercises/\w+\.cpp(?=:\d+:\d+: error))");

@@ -19,8 +19,6 @@ FinishedProgram run_with_path(const std::string& program, const std::vector<std:
 /// Builds one target of the workbook's own build. @throws LaunchError
 FinishedProgram build_target(const Course& course, const std::string& target);
 
-bool succeeded(const FinishedProgram& finished);
-
 /// The student's files that the compiler complains about in the output of a build.
 std::vector<std::string> files_with_errors(const std::string& output);
 

@@ -65,7 +65,7 @@ int examples(const Course& course, const std::string& name) {
   const std::string target = "worked_examples_of_the_student_" + lecture;
 
   const FinishedProgram built = build_target(course, target);
-  if (!succeeded(built)) {
+  if (!built.succeeded()) {
     const std::vector<std::string> files = files_with_errors(built.output);
     if (!files.empty()) {
       fmt::print("{}\n", messages::examples_need_files_that_compile());

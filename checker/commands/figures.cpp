@@ -66,7 +66,7 @@ DrawnFigure draw(const std::string& program, const fs::path& directory, const st
 /// Builds the program, or says why that is not possible. Returns all_passed if it is there.
 int build_program(const Course& course, const std::string& lecture, const std::string& target) {
   const FinishedProgram built = build_target(course, target);
-  if (succeeded(built)) return all_passed;
+  if (built.succeeded()) return all_passed;
   const std::vector<std::string> files = files_with_errors(built.output);
   if (files.empty()) {
     fmt::print(stderr, "{}\n{}\n", built.output, messages::figures_not_built(lecture));
@@ -100,7 +100,7 @@ int figures(const Course& course, const FiguresOptions& options) {
   const std::string program = lecture_program(course, target).string();
   const FinishedProgram listed = run_with_path(program, {"--list"}, std::chrono::seconds(10));
   const std::vector<std::string> names = lines_of(listed.output);
-  if (!succeeded(listed) || names.empty()) {
+  if (!listed.succeeded() || names.empty()) {
     fmt::print("{}\n", console.wrapped(messages::figures_not_listed(lecture)));
     return something_failed;
   }

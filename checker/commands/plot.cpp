@@ -2,6 +2,7 @@
 #include "checker/commands/check_exercise.hpp"
 #include "checker/commands/commands.hpp"
 #include "checker/messages/plotting.hpp"
+#include "checker/messages/reporting.hpp"
 #include "checker/report/gnuplot_program.hpp"
 #include "checker/report/overlay.hpp"
 #include "checker/report/progress_bar.hpp"
@@ -131,7 +132,7 @@ int plot_all(const Course& course, const PlotOptions& options) {
   }
   for (const Card& card : course.cards()) {
     progress_bar.show(done++, pieces, messages::figures_of_lecture(card.lecture));
-    if (course.has_solutions() && !succeeded(build_target(course, "figures_" + card.lecture))) {
+    if (course.has_solutions() && !build_target(course, "figures_" + card.lecture).succeeded()) {
       complain(messages::lecture_figures_not_built(card.lecture), checker_failed);
       continue;
     }

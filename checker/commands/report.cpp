@@ -3,6 +3,7 @@
 #include "checker/course/notes.hpp"
 #include "checker/messages/plotting.hpp"
 #include "checker/messages/report_page.hpp"
+#include "checker/messages/reporting.hpp"
 #include "checker/report/gnuplot_program.hpp"
 #include "checker/report/overlay.hpp"
 #include "checker/report/progress_bar.hpp"

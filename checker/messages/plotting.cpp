@@ -38,10 +38,6 @@ std::string say_what_to_plot(const std::string& example) {
   return fmt::format("Say which exercise to plot, for example `checker plot {}`, or --all.", example);
 }
 
-std::string file_needs_one_exercise(const std::string& command) {
-  return fmt::format("--file needs the one exercise that the file is for: checker {} EXERCISE --file FILE.", command);
-}
-
 std::string all_takes_no_names() { return "--all draws the whole course: leave the names or --all away."; }
 
 std::string only_reference_drawn(const std::string& exercise, const std::string& why) {

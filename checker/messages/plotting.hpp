@@ -16,7 +16,6 @@ std::string plot_not_written(const std::string& file);
 std::string plot_not_drawn(const std::string& file);
 std::string folder_not_usable(const std::string& folder, const std::string& reason);
 std::string say_what_to_plot(const std::string& example);
-std::string file_needs_one_exercise(const std::string& command);
 std::string all_takes_no_names();
 
 /// `why` is the verdict's own sentence.

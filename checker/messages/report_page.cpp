@@ -1,8 +1,8 @@
 #include "checker/messages/report_page.hpp"
 
-#include <fmt/format.h>
+#include "checker/messages/reporting.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
 
 namespace workbook::messages {
 
@@ -34,10 +34,7 @@ std::vector<std::pair<std::string, std::string>> report_words() {
 }
 
 std::string verdict_words(Verdict verdict) {
-  if (verdict == Verdict::checker_error) return "could not be judged";
-  std::string words = to_string(verdict);
-  std::replace(words.begin(), words.end(), '_', ' ');
-  return words;
+  return verdict == Verdict::checker_error ? "could not be judged" : in_words(verdict);
 }
 
 std::string report_title(const std::string& student) {
@@ -87,10 +84,6 @@ std::string place_in_notes(const std::string& lecture, const std::string& headin
 
 std::string read_about(const std::string& diagnosis, const std::string& place) {
   return fmt::format("{} Read {}.", diagnosis, place);
-}
-
-std::string at_line(int line, const std::string& sentence) {
-  return line > 0 ? fmt::format("Line {}: {}", line, sentence) : sentence;
 }
 
 std::string begin_with(const std::string& task) { return fmt::format("Begin with it. {}", task); }

@@ -43,7 +43,6 @@ std::string exercise_counts(std::size_t cases_passed, std::size_t cases_total, d
 std::string place_in_notes(const std::string& lecture, const std::string& heading);
 
 std::string read_about(const std::string& diagnosis, const std::string& place);
-std::string at_line(int line, const std::string& sentence);
 std::string begin_with(const std::string& task);
 std::string everything_passed();
 std::string more_to_mend(std::size_t more);

@@ -2,6 +2,7 @@
 
 #include "checker/judging/failure_text.hpp"
 #include "checker/messages/report_page.hpp"
+#include "checker/messages/reporting.hpp"
 #include "checker/report/base64.hpp"
 #include "checker/report/report_page_parts.hpp"
 #include "checker/worker/printable.hpp"
@@ -93,7 +94,8 @@ data findings_of(const Checked& checked) {
   data findings{data::type::list};
   for (const Finding& finding : checked.observation.findings) {
     data entry;
-    entry.set("sentence", shown(messages::at_line(finding.line, finding.sentence)));
+    entry.set("sentence",
+              shown(finding.line > 0 ? messages::at_line(finding.line, finding.sentence) : finding.sentence));
     entry.set("excerpt", text_or_nothing(finding.excerpt));
     findings << entry;
   }
