@@ -5,6 +5,7 @@
 #include "checker/judging/dimensions.hpp"
 #include "checker/judging/judge.hpp"
 #include "checker/judging/sampling.hpp"
+#include "checker/second_look/second_look.hpp"
 
 #include <algorithm>
 #include <exception>
@@ -85,6 +86,9 @@ Checked check_exercise(const Course& course, const Toolchain& toolchain, const E
   for (Diagnosis& diagnosis : checked.judgement.diagnoses) {
     if (diagnosis.notes.empty()) diagnosis.notes = exercise.entry->notes;  // the exercise's own paragraph
   }
+  if (deserves_second_look(checked.judgement))
+    checked.observation.findings =
+        second_look({file, reference, checked.observation, checked.judgement}, toolchain, course.scratch() / "compiled");
   return checked;
 }
 

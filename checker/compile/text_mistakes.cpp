@@ -46,7 +46,7 @@ std::optional<double> decimal_number(const Token& token) {
 class Reading {
  public:
   explicit Reading(const std::string& source)
-      : source_(source), code_(code_only(source)), lines_(lines_of(source)), tokens_(tokens_of(code_)) {
+      : code_(code_only(source)), lines_(lines_of(source)), tokens_(tokens_of(code_)) {
     has_own_types_ = std::ranges::any_of(
         tokens_, [](const Token& token) { return token.is("struct") || token.is("class") || token.is("union"); });
   }
@@ -183,7 +183,6 @@ class Reading {
     if (distance > 1e-15 && distance < 2e-3) add(i, messages::rounded_pi(word(i)));
   }
 
-  const std::string& source_;
   std::string code_;
   std::vector<std::string> lines_;
   std::vector<Token> tokens_;

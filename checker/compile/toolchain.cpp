@@ -39,6 +39,8 @@ Toolchain read_toolchain(const std::filesystem::path& file) {
     toolchain.support = paths(json.at("support"));
     toolchain.link_flags = json.at("link_flags").get<std::vector<std::string>>();
     toolchain.nm = json.at("nm").get<std::string>();
+    toolchain.second_look = json.value("second_look", "");
+    toolchain.addr2line = json.value("addr2line", "");
     return toolchain;
   } catch (const nlohmann::json::exception& error) {
     throw ToolchainError(messages::toolchain_is_damaged(file.string(), error.what()));

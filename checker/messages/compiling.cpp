@@ -389,9 +389,8 @@ std::string python_word(Operand name, Operand word) {
 }
 
 std::string undeclared(Operand name) {
-  return fmt::format(
-      "{} is used here, but never declared: is it spelt as where it was defined, and defined before this line?",
-      quoted(name));
+  return fmt::format("{} is not known here: is it spelt as where it was declared, and was that before this line?",
+                     quoted(name));
 }
 
 std::string did_you_mean(Operand name, Operand suggestion) {

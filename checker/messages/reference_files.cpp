@@ -178,8 +178,6 @@ std::string making_results_failed(const std::string& program, std::uint64_t seed
   return fmt::format("{}: making reference results for seed {} failed: {}", program, seed, output);
 }
 
-std::string top_level() { return "top level"; }
-
 std::string key_stands_twice(const std::string& place, const std::string& key) {
   return fmt::format("{}: the key “{}” stands here twice", place, key);
 }

@@ -91,9 +91,6 @@ std::string only_published_seed(std::uint64_t published);
 /// `output` is what the program said that makes them.
 std::string making_results_failed(const std::string& program, std::uint64_t seed, const std::string& output);
 
-/// The place of the whole document.
-std::string top_level();
-
 /// `place` is the way to the object with the key.
 std::string key_stands_twice(const std::string& place, const std::string& key);
 

@@ -67,15 +67,36 @@ std::string command_line(const std::string& label, const std::string& command, c
   return std::string(indent, ' ') + console.styled(padded(label, 6), Style::strong) + " " + command + "\n";
 }
 
-/// The first lines of a long text, and how many more there are.
-std::string first_lines(const std::string& text, std::size_t most, std::size_t margin) {
+/// The beginning of a line that may be very long.
+std::string cut(const std::string& line, std::size_t width) {
+  constexpr std::size_t most_bytes_per_column = 8;
+  std::size_t end = std::min(line.size(), most_bytes_per_column * width);
+  while (end < line.size() && end > 0 && (static_cast<unsigned char>(line[end]) & 0xC0) == 0x80) --end;
+  const std::string text = shortened(line.substr(0, end), width);
+  return end == line.size() || text.ends_with("…") ? text : text + "…";
+}
+
+/// The first lines of a long text, each cut to the width of the terminal, and how many more there are.
+std::string first_lines(const std::string& text, std::size_t most, std::size_t margin, const Console& console) {
+  constexpr std::size_t narrowest = 20;
+  const std::size_t width = std::max(console.width(), margin + narrowest) - margin;
   std::istringstream lines(text);
   std::string shown;
   std::size_t count = 0;
   for (std::string line; std::getline(lines, line); ++count) {
-    if (count < most) shown += std::string(margin, ' ') + line + "\n";
+    if (count >= most) continue;
+    std::replace(line.begin(), line.end(), '\t', ' ');  // a tab is as wide as the terminal likes
+    shown += std::string(margin, ' ') + cut(line, width) + "\n";
   }
   if (count > most) shown += std::string(margin, ' ') + messages::more_lines(count - most) + "\n";
+  return shown;
+}
+
+/// A text as it is, every line with a margin.
+std::string indented(const std::string& text, std::size_t margin) {
+  std::istringstream lines(text);
+  std::string shown;
+  for (std::string line; std::getline(lines, line);) shown += std::string(margin, ' ') + line + "\n";
   return shown;
 }
 
@@ -83,7 +104,7 @@ std::string first_lines(const std::string& text, std::size_t most, std::size_t m
 std::string finding_text(const Finding& finding, const Console& console) {
   const std::string sentence = finding.line > 0 ? messages::at_line(finding.line, finding.sentence) : finding.sentence;
   std::string text = console.wrapped(sentence, indent) + "\n";
-  if (!finding.excerpt.empty()) text += first_lines(finding.excerpt, longest_printout, 2 * indent);
+  if (!finding.excerpt.empty()) text += first_lines(finding.excerpt, longest_printout, 2 * indent, console);
   return text;
 }
 
@@ -126,12 +147,12 @@ std::string terminal_report(const Course& course, const Checked& checked, const 
   if (judgement.first_failure && checked.reference != nullptr) text += "\n" + case_text(checked, console);
   if (!checked.observation.printed.empty()) {
     text += "\n" + std::string(indent, ' ') + messages::your_code_printed() + "\n" +
-            first_lines(checked.observation.printed, longest_printout, 2 * indent);
+            first_lines(checked.observation.printed, longest_printout, 2 * indent, console);
   }
   const std::string& compiler_output = checked.observation.refusal_details;
   if (detail.full && !compiler_output.empty()) {
-    text += "\n" + std::string(indent, ' ') + messages::the_compiler_says() + "\n" +
-            first_lines(compiler_output, std::string::npos, 2 * indent);
+    text +=
+        "\n" + std::string(indent, ' ') + messages::the_compiler_says() + "\n" + indented(compiler_output, 2 * indent);
   }
   text += "\n";
   for (const Diagnosis& diagnosis : judgement.diagnoses) {

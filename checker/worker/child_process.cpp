@@ -198,6 +198,11 @@ void ChildProcess::ask_to_end() {
 
 void ChildProcess::hang_up() { ::shutdown(channel_.number(), SHUT_WR); }
 
+void ChildProcess::signal(int number) {
+  // Until it is waited for, its number cannot name another process.
+  if (!end_) ::kill(process_, number);
+}
+
 std::optional<ProcessEnd> ChildProcess::wait_until(Clock::time_point deadline) {
   while (!end_) {
     siginfo_t info{};

@@ -61,6 +61,9 @@ class ChildProcess {
   /// Says over the channel that no more will be said.
   void hang_up();
 
+  /// Sends the process a signal, if it still runs.
+  void signal(int number);
+
   /// How the process ended, or nothing if it still runs at that time.
   std::optional<ProcessEnd> wait_until(Clock::time_point deadline);
 

@@ -35,7 +35,8 @@ enum class Status : std::int32_t {
   not_started,
   exception,  ///< text
   out_of_memory,
-  last_words  ///< a signal is about to end the worker: signal, detail, text. Believed only if it then does
+  last_words,      ///< a signal is about to end the worker: signal, detail, text. Believed only if it then does
+  eigen_assertion  ///< text: the condition that did not hold
 };
 
 struct ReplyHeader {

@@ -2,6 +2,7 @@
 
 #include "checker/worker/frames.hpp"
 #include "checker/worker/last_words.hpp"
+#include "checker/worker/prelude.hpp"
 
 #include <rigid/vocabulary.hpp>
 
@@ -83,6 +84,9 @@ frames::ReplyHeader answer(const Call& call, const Arguments& arguments, CallRes
     reply.status = frames::Status::not_started;
   } catch (const std::bad_alloc&) {
     reply.status = frames::Status::out_of_memory;
+  } catch (const EigenError& error) {
+    reply.status = frames::Status::eigen_assertion;
+    set_text(reply, error.what());
   } catch (const std::exception& error) {
     reply.status = frames::Status::exception;
     set_text(reply, error.what());

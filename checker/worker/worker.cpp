@@ -1,5 +1,6 @@
 #include "checker/worker/worker.hpp"
 
+#include "checker/messages/running.hpp"
 #include "checker/worker/printable.hpp"
 
 #include <poll.h>
@@ -107,6 +108,10 @@ Reply Worker::call(const std::vector<Value>& inputs, int rows, int cols) {
     case frames::Status::exception:
       reply.ending = Ending::exception;
       reply.text = printable(header.text);
+      break;
+    case frames::Status::eigen_assertion:
+      reply.ending = Ending::exception;
+      reply.text = messages::eigen_stopped(printable(header.text));
       break;
     case frames::Status::out_of_memory:
       reply.ending = Ending::memory_limit;

@@ -42,7 +42,7 @@ TEST_CASE("the first error is said with its line in the student's file, and show
   CHECK(compilation.findings[0].line == 3);
   CHECK(compilation.findings[0].excerpt == "  return 2 * y;\n             ^");
   CHECK(compilation.findings[0].sentence ==
-        "`y` is used here, but never declared: is it spelt as where it was defined, and defined before this line?");
+        "`y` is not known here: is it spelt as where it was declared, and was that before this line?");
   CHECK(compilation.details.find("twice.cpp:3:14: error:") != std::string::npos);
   CHECK(compilation.details.find("return 2 * y;") != std::string::npos);
   CHECK(compilation.details.find("unit.cpp") == std::string::npos);
