@@ -113,6 +113,10 @@ std::string report_not_written(const std::string& file, const std::string& reaso
 
 std::string report_written(const std::string& file) { return fmt::format("The page is in {}.", file); }
 
+std::string report_template_damaged(const std::string& reason) {
+  return fmt::format("checker/report/report_page.html is no template: {}.", reason);
+}
+
 std::string report_without_pictures(const std::string& reason) {
   return fmt::format("This page has no plots: {}", reason);
 }
