@@ -50,6 +50,29 @@ Observation observe(ExerciseRunner& runner, const ExerciseReference& reference) 
   return observation;
 }
 
+/// Adds findings, but no second one about a line that has been spoken of.
+void add(std::vector<Finding>& findings, std::vector<Finding> more) {
+  for (Finding& finding : more) {
+    const bool is_new = std::ranges::none_of(findings, [&](const Finding& each) {
+      return finding.line > 0 ? each.line == finding.line : each.sentence == finding.sentence;
+    });
+    if (is_new) findings.push_back(std::move(finding));
+  }
+}
+
+/// What can be found out about a failure beyond the verdict: first where it happens, then what in the file is suspect.
+void look_closer(Checked& checked, const CompileTask& task, const Toolchain& toolchain,
+                 const std::filesystem::path& compiled) {
+  std::vector<Finding>& findings = checked.observation.findings;
+  if (deserves_second_look(checked.judgement))
+    add(findings,
+        second_look({checked.file, *checked.reference, checked.observation, checked.judgement}, toolchain, compiled));
+  if (has_failed(checked)) {
+    const Depth depth = checked.judgement.diagnoses.empty() ? Depth::compiler : Depth::text;
+    add(findings, source_findings(task, toolchain, compiled, depth));
+  }
+}
+
 }  // namespace
 
 Checked check_exercise(const Course& course, const Toolchain& toolchain, const Exercise& exercise,
@@ -78,17 +101,10 @@ Checked check_exercise(const Course& course, const Toolchain& toolchain, const E
     checked.observation = our_own_trouble(problem.what());
   }
   checked.judgement = judge(reference, checked.observation);
-  if (has_failed(checked)) {
-    const Depth depth = checked.judgement.diagnoses.empty() ? Depth::compiler : Depth::text;
-    std::ranges::move(source_findings(task, toolchain, compiled, depth),
-                      std::back_inserter(checked.observation.findings));
-  }
+  look_closer(checked, task, toolchain, compiled);
   for (Diagnosis& diagnosis : checked.judgement.diagnoses) {
     if (diagnosis.notes.empty()) diagnosis.notes = exercise.entry->notes;  // the exercise's own paragraph
   }
-  if (deserves_second_look(checked.judgement))
-    checked.observation.findings =
-        second_look({file, reference, checked.observation, checked.judgement}, toolchain, course.scratch() / "compiled");
   return checked;
 }
 

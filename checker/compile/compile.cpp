@@ -107,7 +107,7 @@ class CompilationInProgress {
     // Both lists of dependencies: of the preprocessor, and of the assembler, which can include files too.
     const FinishedProgram compiled = compiler_.run(compiler_.arguments(
         {"-MD", "-MF", "../unit.includes", "-Wa,--MD,../unit.assembled", "-c", "../unit.cpp", "-o", "../unit.o"}));
-    if (succeeded(compiled)) return;
+    if (compiled.succeeded()) return;
     refuse_if_limit_reached(compiled);
     const std::vector<Diagnostic> found = diagnostics(compiled.output, compiler_.file_name());
     if (std::optional<Finding> error = first_error(found, source, task_.signature)) {
@@ -146,7 +146,7 @@ class CompilationInProgress {
     for (const std::string& flag : toolchain_.link_flags) arguments.push_back(flag);
     arguments.insert(arguments.end(), {"-o", executable.string()});
     const FinishedProgram linked = compiler_.run(arguments);
-    if (succeeded(linked)) return executable;
+    if (linked.succeeded()) return executable;
     refuse_if_limit_reached(linked);
     explain_symbols(source, linked.output);
     refuse(Refusal::compile_error, messages::cannot_be_linked(), linked.output);

@@ -79,10 +79,6 @@ FinishedProgram Compiler::run(const std::vector<std::string>& arguments) const {
   }
 }
 
-bool succeeded(const FinishedProgram& program) {
-  return program.end.signal == 0 && program.end.exit_status == 0 && !program.out_of_time && !program.too_much_output;
-}
-
 std::string shown_name(const fs::path& file) {
   std::string name = printable(file.filename().string());
   std::replace(name.begin(), name.end(), '\n', '?');

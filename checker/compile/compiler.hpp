@@ -52,8 +52,6 @@ class Compiler {
   const std::filesystem::path workspace_;
 };
 
-bool succeeded(const FinishedProgram& program);
-
 /// The name of a file as the student knows it, safe to print and on one line.
 std::string shown_name(const std::filesystem::path& file);
 

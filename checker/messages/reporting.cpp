@@ -53,7 +53,9 @@ std::string cases_right(std::size_t passed, std::size_t total) {
                     : fmt::format("({} of {} cases right)", passed, total);
 }
 
-std::string at_line(int line, const std::string& sentence) { return fmt::format("Line {}: {}", line, sentence); }
+std::string at_line(int line, const std::string& sentence) {
+  return line > 0 ? fmt::format("Line {}: {}", line, sentence) : sentence;
+}
 
 std::string paragraph(const std::string& notes, const std::string& anchor) {
   return fmt::format("{}, paragraph {}", notes, anchor);

@@ -361,7 +361,7 @@ std::string conversion_to_whole_number() {
   return "a number that no whole number of this type can hold (too large, infinite or NaN) is converted to one.";
 }
 
-std::string missing_return() { return "the function comes to its end here without a return."; }
+std::string ends_without_return() { return "the function comes to its end here without a return."; }
 
 std::string recursion_without_end() {
   return "the function calls itself here again and again, until the stack is used up.";

@@ -47,7 +47,7 @@ std::string shift(long number, long by);
 /// @param type  of the array, "'int [3]'"
 std::string array_index(long index, const std::string& type);
 std::string conversion_to_whole_number();
-std::string missing_return();
+std::string ends_without_return();
 
 std::string recursion_without_end();
 std::string stack_used_up();

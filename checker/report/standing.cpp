@@ -120,8 +120,7 @@ std::string introduction(const Course& course, const Exercise& exercise, const s
   const fs::path notes = course.notes_page(exercise.lecture()).value_or(course.notes_file(*exercise.card));
   return fmt::format("{}: {}\n{}\n  {} {}\n  {} {}\n", label, console.styled(exercise.name(), Style::strong),
                      console.wrapped(exercise.entry->task, 2), padded(messages::file_row(), label_width),
-                     nearby(course.student_file(exercise)), padded(messages::notes_row(), label_width),
-                     nearby(notes));
+                     nearby(course.student_file(exercise)), padded(messages::notes_row(), label_width), nearby(notes));
 }
 
 }  // namespace workbook

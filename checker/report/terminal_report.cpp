@@ -102,8 +102,7 @@ std::string indented(const std::string& text, std::size_t margin) {
 
 /// "Line 7: …", the line itself and the caret.
 std::string finding_text(const Finding& finding, const Console& console) {
-  const std::string sentence = finding.line > 0 ? messages::at_line(finding.line, finding.sentence) : finding.sentence;
-  std::string text = console.wrapped(sentence, indent) + "\n";
+  std::string text = console.wrapped(messages::at_line(finding.line, finding.sentence), indent) + "\n";
   if (!finding.excerpt.empty()) text += first_lines(finding.excerpt, longest_printout, 2 * indent, console);
   return text;
 }

@@ -146,7 +146,7 @@ std::string undefined_behavior(const Sighting& sighting, const std::string& type
     case Undefined::conversion:
       return messages::conversion_to_whole_number();
     case Undefined::missing_return:
-      return messages::missing_return();
+      return messages::ends_without_return();
   }
   return "";
 }
