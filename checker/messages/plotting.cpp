@@ -1,5 +1,7 @@
 #include "checker/messages/plotting.hpp"
 
+#include "checker/messages/program.hpp"
+
 #include <fmt/format.h>
 
 namespace workbook::messages {
@@ -35,7 +37,7 @@ std::string folder_not_usable(const std::string& folder, const std::string& reas
 }
 
 std::string say_what_to_plot(const std::string& example) {
-  return fmt::format("Say which exercise to plot, for example `checker plot {}`, or --all.", example);
+  return fmt::format("Say which exercise to plot, for example `{}`, or --all.", command("plot " + example));
 }
 
 std::string all_takes_no_names() { return "--all draws the whole course: leave the names or --all away."; }
@@ -90,7 +92,8 @@ std::string gnuplot_missing_for_figures() {
 }
 
 std::string figures_need_compiling() {
-  return "These files do not compile, so the figures cannot be drawn; `checker check` on each says why:";
+  return fmt::format("These files do not compile, so the figures cannot be drawn; `{}` on each says why:",
+                     command("check"));
 }
 
 std::string figures_not_built(const std::string& lecture) {
@@ -99,9 +102,9 @@ std::string figures_not_built(const std::string& lecture) {
 
 std::string figures_not_listed(const std::string& lecture) {
   return fmt::format(
-      "The program of the figures ends before it draws anything: a function of yours does so on being loaded; `checker "
-      "check {}` finds it.",
-      lecture);
+      "The program of the figures ends before it draws anything: a function of yours does so on being loaded; `{}` "
+      "finds it.",
+      command("check " + lecture));
 }
 
 std::string figure_not_started() { return "needs a function that is not started"; }
@@ -111,13 +114,13 @@ std::string figure_failed(const std::string& text) {
 }
 
 std::string figure_crashed(const std::string& signal) {
-  return fmt::format("a function of yours crashed ({}); `checker check` on the lecture's exercises finds it", signal);
+  return fmt::format("a function of yours crashed ({}); `{}` on the lecture's exercises finds it", signal,
+                     command("check"));
 }
 
 std::string figure_out_of_time(double seconds) {
-  return fmt::format(
-      "not ready after {:g} s: a loop of yours may never end; `checker check` on the lecture's exercises finds it",
-      seconds);
+  return fmt::format("not ready after {:g} s: a loop of yours may never end; `{}` on the lecture's exercises finds it",
+                     seconds, command("check"));
 }
 
 std::string figure_ended_early() {

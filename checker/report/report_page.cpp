@@ -94,7 +94,8 @@ data findings_of(const Checked& checked) {
   data findings{data::type::list};
   for (const Finding& finding : checked.observation.findings) {
     data entry;
-    entry.set("sentence", shown(messages::at_line(finding.line, finding.sentence)));
+    entry.set("sentence",
+              shown(finding.line > 0 ? messages::at_line(finding.line, finding.sentence) : finding.sentence));
     entry.set("excerpt", text_or_nothing(finding.excerpt));
     findings << entry;
   }
@@ -268,7 +269,7 @@ std::string report_page(const ReportedCourse& reported) {
 
   kainjow::mustache::mustache form{report_page_template};
   const std::string text = form.render(page);
-  if (!form.is_valid()) throw std::logic_error("the template of the report page: " + form.error_message());
+  if (!form.is_valid()) throw std::logic_error(messages::report_template_damaged(form.error_message()));
   return text;
 }
 
