@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace workbook::messages {
 
@@ -12,8 +13,8 @@ namespace workbook::messages {
 /// "12 of 48"
 std::string passed_of(std::size_t passed, std::size_t total);
 
-/// The keys that can be pressed.
-std::string keys();
+/// The keys that can be pressed, each with its word.
+std::vector<std::string> keys();
 
 /// What to press where there is no keyboard to read.
 std::string no_keyboard();

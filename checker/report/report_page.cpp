@@ -143,9 +143,13 @@ data article_of(const ReportedExercise& reported, const std::map<std::string, st
   return article;
 }
 
-/// A diagnosis says more than the general advice for its verdict.
+/// A diagnosis, or what was found in the file, says more than the general advice for its verdict.
 std::string step_of(const Checked& checked, const std::map<std::string, std::string>& headings) {
-  if (checked.judgement.diagnoses.empty()) return checked.judgement.next_step;
+  if (checked.judgement.diagnoses.empty()) {
+    const std::vector<Finding>& findings = checked.observation.findings;
+    if (findings.empty()) return checked.judgement.next_step;
+    return messages::at_line(findings.front().line, findings.front().sentence);
+  }
   const Diagnosis& diagnosis = checked.judgement.diagnoses.front();
   const std::string place = place_of(diagnosis, checked, headings);
   return place.empty() ? diagnosis.message : messages::read_about(diagnosis.message, place);

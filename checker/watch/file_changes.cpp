@@ -53,7 +53,7 @@ FileStamp stamp_of(const fs::path& file) {
           std::chrono::seconds(status.st_mtim.tv_sec) + std::chrono::nanoseconds(status.st_mtim.tv_nsec)};
 }
 
-FileChanges::FileChanges(std::vector<fs::path> files, Events events) : next_poll_(Clock::now()) {
+FileChanges::FileChanges(std::vector<fs::path> files, Events events) {
   for (fs::path& path : files) {
     const fs::path parent = path.parent_path();
     const auto known =
@@ -70,6 +70,7 @@ FileChanges::FileChanges(std::vector<fs::path> files, Events events) : next_poll
   }
   add_watches();  // before reading, so that no change falls between
   for (File& file : files_) read(file);
+  next_poll_ = Clock::now() + (events_ ? between_looks : between_looks_without_events);
 }
 
 void FileChanges::add_watches() {
@@ -184,6 +185,8 @@ std::vector<std::size_t> FileChanges::collect(Clock::time_point now) {
     if (file.fingerprint != before || file.again) changed.push_back(i);
     file.again = false;
   }
+  std::stable_sort(changed.begin(), changed.end(),
+                   [&](std::size_t a, std::size_t b) { return files_[a].stamp.modified < files_[b].stamp.modified; });
   return changed;
 }
 

@@ -45,11 +45,15 @@ class FileChanges {
   /// Why there are no events although they were wanted: the system's reason, else "".
   const std::string& trouble() const { return trouble_; }
 
-  /// The files that have changed since they were last reported, by their place in the list.
+  /// The files that have changed since they were last reported, by their place in the list; what was saved last comes
+  /// last.
   std::vector<std::size_t> collect(Clock::time_point now = Clock::now());
 
   /// When collect() is to be called at the latest.
   Clock::time_point next_look() const;
+
+  /// Counts content that was seen elsewhere as reported: the next change is one from there.
+  void know(std::size_t index, const std::string& fingerprint) { files_.at(index).fingerprint = fingerprint; }
 
   /// Reports the file soon, whether its content changes or not.
   void report_again(std::size_t index, Clock::time_point now = Clock::now());
