@@ -60,9 +60,16 @@ std::string command_died(int signal) {
   return fmt::format("That ended unexpectedly (signal {}); this is not your mistake. Press the key again.", signal);
 }
 
-std::string cannot_start(const std::string& what, const std::string& reason) {
-  return fmt::format("{} could not be started ({}); this is not your mistake. Save again, or press the key again.",
-                     what, reason);
+std::string check_cannot_start(const std::string& exercise, const std::string& reason) {
+  return fmt::format(
+      "The check of {} could not be started ({}); this is not your mistake. End other programs, then press r.",
+      exercise, reason);
+}
+
+std::string command_cannot_start(const std::string& reason) {
+  return fmt::format(
+      "That could not be started ({}); this is not your mistake. End other programs, then press the key again.",
+      reason);
 }
 
 std::string no_events(const std::string& reason) {

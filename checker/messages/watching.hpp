@@ -49,7 +49,8 @@ std::string last_one_left(const std::string& exercise);
 /// The check ended without an exit status of its own.
 std::string check_died(const std::string& exercise, int signal);
 std::string command_died(int signal);
-std::string cannot_start(const std::string& what, const std::string& reason);
+std::string check_cannot_start(const std::string& exercise, const std::string& reason);
+std::string command_cannot_start(const std::string& reason);
 std::string no_events(const std::string& reason);
 std::string polling_wanted();
 std::string folder_gone(const std::string& folder);

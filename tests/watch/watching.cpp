@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <signal.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #if WORKBOOK_HAS_SECCOMP
 #include <seccomp.h>
@@ -359,6 +361,25 @@ TEST_CASE("trouble of our own is no verdict, and the watch survives it") {
   CHECK(watch.shows({"The factor ½ is missing."}));
 }
 
+TEST_CASE("a check that cannot be started is said, and so is a command") {
+  const CourseCopy course;
+  TerminalOptions options;
+  options.prepare = [] {
+    ::closefrom(STDERR_FILENO + 1);
+    rlimit few{};
+    few.rlim_cur = few.rlim_max = 8;  // descriptors: enough to watch, not enough to start a program
+    ::setrlimit(RLIMIT_NOFILE, &few);
+  };
+  WatchedTerminal watch(course, {}, options);
+  CHECK(watch.shows({"Waiting"}));
+  course.answer_energy(wrong);
+  CHECK(watch.shows({"The check of spring_energy could not be started (open a pipe: Too many", "press r."}));
+  watch.type("h");
+  CHECK(watch.shows({"That could not be started (open a pipe: Too many open files)", "press the key again."}));
+  watch.type("q");
+  CHECK(watch.ends() == 0);
+}
+
 #if WORKBOOK_HAS_SECCOMP
 TEST_CASE("where the system has no events left, the watch says so and looks at the files") {
   const CourseCopy course;
@@ -378,6 +399,17 @@ TEST_CASE("where the system has no events left, the watch says so and looks at t
   }
 }
 #endif
+
+TEST_CASE("a signal that is ignored, as by nohup, does not end the watch") {
+  const CourseCopy course;
+  TerminalOptions options;
+  options.prepare = [] { ::signal(SIGHUP, SIG_IGN); };
+  WatchedTerminal watch(course, {}, options);
+  CHECK(watch.shows({"Waiting"}));
+  watch.send(SIGHUP);
+  course.answer_energy(wrong);
+  CHECK(watch.shows({"The factor ½ is missing."}));
+}
 
 TEST_CASE("Ctrl-Z gives the terminal back, and the watch comes back to it") {
   const CourseCopy course;
