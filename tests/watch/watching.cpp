@@ -134,7 +134,7 @@ TEST_CASE("a key works while a check runs, and neither loses what the other writ
   const CourseCopy course;
   WatchedTerminal watch(course);
   CHECK(watch.shows({"Waiting"}));
-  course.answer_energy("return 0.5 * k * x.squaredNorm();", slow_to_compile(1));
+  course.answer_energy("return 0.5 * k * x.squaredNorm();", slow_to_compile(3));
   CHECK(watch.shows({"checking spring_energy …"}));
   watch.type("h");
   CHECK(watch.shows({"checking spring_energy …", "Hint 1 of 3"}));
