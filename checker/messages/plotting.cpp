@@ -1,5 +1,7 @@
 #include "checker/messages/plotting.hpp"
 
+#include "checker/messages/program.hpp"
+
 #include <fmt/format.h>
 
 namespace workbook::messages {
@@ -13,6 +15,8 @@ std::string counted(std::size_t count, const std::string& noun) {
 }  // namespace
 
 std::string no_plot(const std::string& exercise) { return fmt::format("{} has no plot.", exercise); }
+
+std::string no_plot() { return "This exercise has no plot."; }
 
 std::string gnuplot_missing_for_plot() {
   return "There is no plot, because gnuplot is not installed (on Debian: apt-get install gnuplot-nox); the verdict "
@@ -35,7 +39,7 @@ std::string folder_not_usable(const std::string& folder, const std::string& reas
 }
 
 std::string say_what_to_plot(const std::string& example) {
-  return fmt::format("Say which exercise to plot, for example `checker plot {}`, or --all.", example);
+  return fmt::format("Say which exercise to plot, for example `{}`, or --all.", command("plot " + example));
 }
 
 std::string all_takes_no_names() { return "--all draws the whole course: leave the names or --all away."; }
@@ -90,7 +94,8 @@ std::string gnuplot_missing_for_figures() {
 }
 
 std::string figures_need_compiling() {
-  return "These files do not compile, so the figures cannot be drawn; `checker check` on each says why:";
+  return fmt::format("These files do not compile, so the figures cannot be drawn; `{}` on each says why:",
+                     command("check"));
 }
 
 std::string figures_not_built(const std::string& lecture) {
@@ -99,9 +104,9 @@ std::string figures_not_built(const std::string& lecture) {
 
 std::string figures_not_listed(const std::string& lecture) {
   return fmt::format(
-      "The program of the figures ends before it draws anything: a function of yours does so on being loaded; `checker "
-      "check {}` finds it.",
-      lecture);
+      "The program of the figures ends before it draws anything: a function of yours does so on being loaded; `{}` "
+      "finds it.",
+      command("check " + lecture));
 }
 
 std::string figure_not_started() { return "needs a function that is not started"; }
@@ -111,13 +116,13 @@ std::string figure_failed(const std::string& text) {
 }
 
 std::string figure_crashed(const std::string& signal) {
-  return fmt::format("a function of yours crashed ({}); `checker check` on the lecture's exercises finds it", signal);
+  return fmt::format("a function of yours crashed ({}); `{}` on the lecture's exercises finds it", signal,
+                     command("check"));
 }
 
 std::string figure_out_of_time(double seconds) {
-  return fmt::format(
-      "not ready after {:g} s: a loop of yours may never end; `checker check` on the lecture's exercises finds it",
-      seconds);
+  return fmt::format("not ready after {:g} s: a loop of yours may never end; `{}` on the lecture's exercises finds it",
+                     seconds, command("check"));
 }
 
 std::string figure_ended_early() {

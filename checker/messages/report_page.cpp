@@ -120,4 +120,8 @@ std::string report_without_pictures(const std::string& reason) {
   return fmt::format("This page has no plots: {}", reason);
 }
 
+std::string report_template_is_broken(const std::string& reason) {
+  return fmt::format("the template of the report page: {}", reason);
+}
+
 }  // namespace workbook::messages

@@ -56,4 +56,7 @@ std::string report_not_written(const std::string& file, const std::string& reaso
 std::string report_written(const std::string& file);
 std::string report_without_pictures(const std::string& reason);
 
+/// A fault of the workbook itself: the page cannot be filled in.
+std::string report_template_is_broken(const std::string& reason);
+
 }  // namespace workbook::messages

@@ -64,10 +64,19 @@ std::string command_died(int signal) {
   return fmt::format("That ended unexpectedly (signal {}); this is not your mistake. Press the key again.", signal);
 }
 
-std::string cannot_start(const std::string& what, const std::string& reason) {
-  return fmt::format("{} could not be started ({}); this is not your mistake. Save again, or press the key again.",
-                     what, reason);
+std::string check_cannot_start(const std::string& exercise, const std::string& reason) {
+  return fmt::format(
+      "The check of {} could not be started ({}); this is not your mistake. Save again, or press the key again.",
+      exercise, reason);
 }
+
+std::string command_cannot_start(const std::string& reason) {
+  return fmt::format(
+      "What you asked for could not be started ({}); this is not your mistake. Save again, or press the key again.",
+      reason);
+}
+
+std::string cannot_listen_to_signals() { return "The watch cannot listen to signals"; }
 
 std::string no_events(const std::string& reason) {
   return fmt::format("The system sends no news of files here ({}), so the files are looked at four times a second.",

@@ -72,7 +72,7 @@ std::vector<fs::path> draw_plot(const Course& course, const Checked& checked) {
 }
 
 std::string overlay_as_svg(const Overlay& overlay, const fs::path& directory) {
-  if (overlay.sweep->x.empty()) throw PlotError(messages::no_plot("This exercise"));
+  if (overlay.sweep->x.empty()) throw PlotError(messages::no_plot());
   return drawn_picture(page_terminal, directory, [&](gnuplotio::Gnuplot& gnuplot) { send_panels(gnuplot, overlay); });
 }
 

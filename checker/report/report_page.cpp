@@ -268,7 +268,7 @@ std::string report_page(const ReportedCourse& reported) {
 
   kainjow::mustache::mustache form{report_page_template};
   const std::string text = form.render(page);
-  if (!form.is_valid()) throw std::logic_error("the template of the report page: " + form.error_message());
+  if (!form.is_valid()) throw std::logic_error(messages::report_template_is_broken(form.error_message()));
   return text;
 }
 

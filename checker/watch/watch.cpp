@@ -287,7 +287,7 @@ void Watch::begin_next_check() {
           std::make_unique<Errand>(course_file_, std::vector<std::string>{"check", name(wanted.index)}, console_);
       check_ = std::move(check);
     } catch (const LaunchError& problem) {
-      verdict(messages::cannot_start("The check of " + name(wanted.index), problem.what()));
+      verdict(messages::check_cannot_start(name(wanted.index), problem.what()));
     }
   }
 }
@@ -331,7 +331,7 @@ void Watch::begin_request(Action action) {
   try {
     request_ = Request{action, current_, std::make_unique<Errand>(course_file_, arguments, console_)};
   } catch (const LaunchError& problem) {
-    panel(messages::cannot_start("What you asked for", problem.what()));
+    panel(messages::command_cannot_start(problem.what()));
   }
 }
 
