@@ -2,6 +2,7 @@
 #include "checker/commands/commands.hpp"
 #include "checker/course/stub.hpp"
 #include "checker/messages/handing_out.hpp"
+#include "checker/messages/machine.hpp"
 
 #include <fmt/format.h>
 
@@ -56,7 +57,7 @@ void copy_part(const fs::path& from, const fs::path& to) {
 void write_file(const fs::path& file, const std::string& text) {
   std::ofstream out(file, std::ios::binary);
   out << text;
-  if (!out.flush()) throw HandoutError(messages::cannot_write_handout(file.string(), "is the disk full?"));
+  if (!out.flush()) throw HandoutError(messages::cannot_write_handout(file.string(), messages::disk_may_be_full()));
 }
 
 /// Every exercise as it was at the beginning, whatever has been tried in this copy.

@@ -83,7 +83,7 @@ std::string mixed_sizes(const Situation& at) {
   const auto right = template_argument(at, operation, "Rhs");
   if (left && right) {
     const std::string sign = sign_of(template_argument(at, operation, "BinaryOp").value_or(TypeName{}));
-    return sizes_of_operation(sign.empty() ? "this operation" : sign, *left, *right);
+    return sizes_of_operation(sign, *left, *right);
   }
   const auto target = template_argument(at, "call_assignment_no_alias", "Dst");
   const auto source = template_argument(at, "call_assignment_no_alias", "Src");
@@ -141,24 +141,28 @@ std::string advice_of_eigen(const Situation& at) {
 
 // --- operators and conversions
 
-/// "3×1 part" for "const 3×1 part".
-std::string noun(std::string type) {
-  type = std::regex_replace(type, std::regex("^const |&+$"), "");
-  if (std::string known = noun_for(read_type(type)); !known.empty()) return known;
-  static const std::regex piece("^(\\d+|n)×(\\d+|n) (part|expression)$");
+/// The type of an operand as plain words have it: "const 3×1 part" is the type of such a matrix.
+TypeName type_of(std::string words) {
+  words = std::regex_replace(words, std::regex("^const |&+$"), "");
+  static const std::regex piece("^(\\d+|n)×(\\d+|n) (" + messages::part_noun() + "|" + messages::expression_noun() +
+                                ")$");
   std::smatch sizes;
-  if (!std::regex_match(type, sizes, piece)) return {};
+  if (!std::regex_match(words, sizes, piece)) return read_type(words);
   const auto size = [&](std::size_t i) { return sizes[i] == "n" ? std::string("-1") : sizes[i].str(); };
-  return noun_for(read_type("Eigen::Matrix<double, " + size(1) + ", " + size(2) + ">"));
+  return read_type("Eigen::Matrix<double, " + size(1) + ", " + size(2) + ">");
 }
 
-bool is_matrix_noun(const std::string& noun) { return noun.ends_with("vector") || noun.ends_with("matrix"); }
+std::string noun(const std::string& type) { return noun_for(type_of(type)); }
+
+bool is_one_number(const std::string& type) { return is_number(type_of(type)); }
+
+bool is_matrix(const std::string& type) { return !is_one_number(type) && shape_of(type_of(type)).has_value(); }
 
 std::string assignment_of_number(const Situation& at, const std::string& target) {
-  if (!is_matrix_noun(noun(target))) return {};
+  if (!is_matrix(target)) return {};
   if (matches(at.code, "=[^;=]*,")) return messages::list_needs_shift();
   const std::string type = std::regex_replace(target, std::regex("^const "), "");
-  return short_name(read_type(type)).empty() ? messages::number_and_vector_mixed(noun(target), "number")
+  return short_name(read_type(type)).empty() ? messages::number_and_vector_mixed(noun(target), messages::number_noun())
                                              : messages::number_assigned_to_matrix(type);
 }
 
@@ -170,10 +174,10 @@ bool is_list(const std::string& type) {
 std::string conversion(const Situation& at, const std::string& from, const std::string& to) {
   const std::string given = noun(from);
   const std::string wanted = noun(to);
-  if (is_list(from) && is_matrix_noun(wanted)) return messages::standard_vector_is_no_vector();
+  if (is_list(from) && is_matrix(to)) return messages::standard_vector_is_no_vector();
   if (given.empty() || wanted.empty() || given == wanted) return {};
-  if (given == "1×1 matrix" && wanted == "number") return messages::one_by_one_matrix();
-  if (given == "number" && matches(at.code, "=[^;=]*,") && !matches(at.code, "\\breturn\\b"))
+  if (shape_of(type_of(from)) == Shape{1, 1} && is_one_number(to)) return messages::one_by_one_matrix();
+  if (is_one_number(from) && matches(at.code, "=[^;=]*,") && !matches(at.code, "\\breturn\\b"))
     return messages::list_needs_shift();
   const bool is_returned = at.message.ends_with("in return") || matches(at.code, "^[^;]*\\breturn\\b[^;]*;[^;]*$");
   return is_returned ? messages::returns_wrong_kind(wanted, given) : messages::number_and_vector_mixed(wanted, given);
@@ -193,8 +197,9 @@ std::string operands(const Situation& at) {
   const std::string sign = at.part(1);
   const std::string left = at.part(2);
   const std::string right = at.part(3);
+  const std::string constant = "^const (\\w*(Vector|Matrix)\\w+|[\\dn]+×[\\dn]+ " + messages::part_noun() + ")$";
   const bool assigns = sign == "=" || sign == "+=" || sign == "-=" || sign == "*=" || sign == "/=" || sign == "<<";
-  if (assigns && matches(left, "^const (\\w*(Vector|Matrix)\\w+|[\\dn]+×[\\dn]+ part)$")) {
+  if (assigns && matches(left, constant.c_str())) {
     return messages::changes_constant(assigned_name(at));
   }
   const std::string named_only = "<unresolved overloaded function type>";
@@ -205,12 +210,12 @@ std::string operands(const Situation& at) {
   const std::string right_noun = noun(right);
   if (sign == "^" && !left_noun.empty()) return messages::power_sign("^");
   if (left_noun.empty() || right_noun.empty()) return {};
-  if (sign == "=" && right_noun == "number") return assignment_of_number(at, left);
-  const bool one_is_number = (left_noun == "number") != (right_noun == "number");
+  if (sign == "=" && is_one_number(right)) return assignment_of_number(at, left);
+  const bool one_is_number = is_one_number(left) != is_one_number(right);
   if ((sign == "+" || sign == "-" || sign == "+=" || sign == "-=") && one_is_number)
     return messages::number_plus_matrix(sign);
   if (matches(sign, "^[<>]=?$")) return messages::order_of_vectors();
-  if ((sign == "/" || sign == "/=") && right_noun != "number") return messages::division_by_vector(right_noun);
+  if ((sign == "/" || sign == "/=") && !is_one_number(right)) return messages::division_by_vector(right_noun);
   const bool with_array = left.find("array") != std::string::npos || at.raw.find(".array()") != std::string::npos;
   if (with_array && std::string("+-*").find(sign) != std::string::npos) return messages::array_and_matrix();
   return {};
@@ -307,7 +312,7 @@ std::string no_member(const Situation& at) {
                                                               {"vec", "cross"}};
   std::string suggestion = at.part(4);
   for (const auto& [wrong, right] : known)
-    if (is_matrix_noun(noun(at.part(1))) && at.part(2) == wrong) suggestion = right;
+    if (is_matrix(at.part(1)) && at.part(2) == wrong) suggestion = right;
   std::string type = std::regex_replace(at.part(1), std::regex("^const "), "");
   if (std::string what = noun(type); !what.empty() && short_name(read_type(type)).empty()) type = what;
   return messages::no_such_member(type, at.part(2), suggestion);
@@ -343,14 +348,14 @@ std::string called_value(const Situation& at) { return messages::call_of_value(a
 
 std::string function_of_vector(const Situation& at) {
   const std::string function = at.part(1);
-  const std::string given = noun(std::regex_replace(at.part(2), std::regex("&+$"), ""));
-  if (!is_matrix_noun(given)) return {};
+  const std::string given = std::regex_replace(at.part(2), std::regex("&+$"), "");
+  if (!is_matrix(given)) return {};
   if (function == "inverse") return messages::method_as_function(function);
-  return messages::function_of_vector(function, given);
+  return messages::function_of_vector(function, noun(given));
 }
 
 std::string member_call(const Situation& at) {
-  if (noun(std::regex_replace(at.part(3), std::regex("&+$"), "")) != "number") return {};
+  if (!is_one_number(std::regex_replace(at.part(3), std::regex("&+$"), ""))) return {};
   return messages::method_needs_vector(at.part(2));
 }
 
@@ -445,7 +450,7 @@ const std::vector<Mistake>& mistakes() {
       {on("conversion from '([^']*)' to non-scalar type '([^']*)' requested"), nullptr,
        [](const Situation& at) {
          if (at.part(1) == "<unresolved overloaded function type>") return call_without_parentheses();
-         if (noun(at.part(1)) == "number") return assignment_of_number(at, at.part(2));
+         if (is_one_number(at.part(1))) return assignment_of_number(at, at.part(2));
          return conversion(at, at.part(1), at.part(2));
        }},
       {on("could not convert '.*' from '([^']*)' to '([^']*)'$"), nullptr,

@@ -65,10 +65,11 @@ FinishedProgram Compiler::run(const std::vector<std::string>& arguments) const {
   const rlimit processor{seconds, seconds + 1};
   const rlimit core{0, 0};
   const rlimit file{limits_.file_bytes, limits_.file_bytes};
-  launch.prepare = [&]() -> const char* {
+  launch.prepare = [&]() -> std::optional<messages::LaunchStep> {
     const bool limited = ::setrlimit(RLIMIT_AS, &memory) == 0 && ::setrlimit(RLIMIT_CPU, &processor) == 0 &&
                          ::setrlimit(RLIMIT_CORE, &core) == 0 && ::setrlimit(RLIMIT_FSIZE, &file) == 0;
-    return limited ? nullptr : "limit the compiler";
+    if (!limited) return messages::LaunchStep::limit_compiler;
+    return std::nullopt;
   };
   try {
     FinishedProgram finished = run_program(launch, limits_.time, limits_.output_bytes);

@@ -1,5 +1,7 @@
 #include "checker/compile/eigen_type.hpp"
 
+#include "checker/messages/compiling.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -139,15 +141,9 @@ bool is_number(const TypeName& type) {
 }
 
 std::string noun_for(const TypeName& type) {
-  if (is_number(type)) return "number";
+  if (is_number(type)) return messages::number_noun();
   const std::optional<Shape> shape = shape_of(type);
-  if (!shape) return {};
-  const auto [rows, columns] = *shape;
-  const auto size = [](int count) { return count < 0 ? std::string("n") : std::to_string(count); };
-  const std::string sizes = size(rows) + "×" + size(columns);
-  if (columns == 1 && rows != 1) return rows < 0 ? "vector" : sizes + " vector";
-  if (rows == 1 && columns != 1) return columns < 0 ? "row vector" : sizes + " row vector";
-  return rows < 0 && columns < 0 ? "matrix" : sizes + " matrix";
+  return shape ? messages::matrix_noun(shape->rows, shape->columns) : std::string();
 }
 
 std::string short_name(const TypeName& type) {

@@ -1,6 +1,7 @@
 #include "checker/compile/plain_words.hpp"
 
 #include "checker/compile/eigen_type.hpp"
+#include "checker/messages/compiling.hpp"
 
 #include <cctype>
 #include <charconv>
@@ -65,7 +66,8 @@ std::optional<std::string> shortened_type(std::string_view text) {
   const std::optional<Shape> shape = shape_of(type);
   if (!shape || type.name == "MatrixBase" || type.name == "DenseBase") return std::nullopt;
   const auto size = [](int count) { return count < 0 ? std::string("n") : std::to_string(count); };
-  return size(shape->rows) + "×" + size(shape->columns) + (is_part(type.name) ? " part" : " expression");
+  return size(shape->rows) + "×" + size(shape->columns) + " " +
+         (is_part(type.name) ? messages::part_noun() : messages::expression_noun());
 }
 
 /// Every template type in its short form.

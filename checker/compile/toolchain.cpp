@@ -16,10 +16,10 @@ std::vector<std::filesystem::path> paths(const nlohmann::json& list) {
   return {strings.begin(), strings.end()};
 }
 
-void require_file(const std::filesystem::path& file, const char* role) {
+void require_file(const std::filesystem::path& file, messages::ToolchainPart part) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(file, ignored))
-    throw ToolchainError(messages::part_is_missing(role, file.string()));
+    throw ToolchainError(messages::part_is_missing(part, file.string()));
 }
 
 }  // namespace
@@ -48,10 +48,11 @@ Toolchain read_toolchain(const std::filesystem::path& file) {
 }
 
 void require_complete(const Toolchain& toolchain, const std::string& exercise) {
-  require_file(toolchain.compiler, "compiler");
-  require_file(toolchain.prelude, "prelude");
-  require_file(toolchain.worker_object(exercise), "worker");
-  for (const std::filesystem::path& object : toolchain.support) require_file(object, "worker's part");
+  using messages::ToolchainPart;
+  require_file(toolchain.compiler, ToolchainPart::compiler);
+  require_file(toolchain.prelude, ToolchainPart::prelude);
+  require_file(toolchain.worker_object(exercise), ToolchainPart::worker);
+  for (const std::filesystem::path& object : toolchain.support) require_file(object, ToolchainPart::part_of_worker);
 }
 
 }  // namespace workbook

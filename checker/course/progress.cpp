@@ -43,7 +43,7 @@ void Progress::read() {
   try {
     std::ifstream in(file_);
     const auto document = nlohmann::json::parse(in);
-    if (document.at("format").get<int>() != current_format) throw std::runtime_error("another format");
+    if (document.at("format").get<int>() != current_format) throw std::runtime_error("format");
     std::map<std::string, LastVerdict> verdicts;
     std::map<std::string, std::size_t> hints;
     using Object = nlohmann::json::object_t;

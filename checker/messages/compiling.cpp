@@ -8,6 +8,8 @@ namespace {
 
 std::string quoted(const std::string& code) { return "`" + code + "`"; }
 
+std::string sign_or_not(const std::string& operation) { return operation.empty() ? "this operation" : operation; }
+
 /// "an operand" for "operand".
 std::string one(const std::string& noun) {
   const bool vowel = !noun.empty() && std::string_view("aeiou8").find(noun.front()) != std::string_view::npos;
@@ -148,8 +150,23 @@ std::string cannot_use(const std::string& program, const std::string& reason) {
   return fmt::format("The program {} cannot be used ({}); build the workbook again.", program, reason);
 }
 
-std::string part_is_missing(const std::string& role, const std::string& file) {
-  return fmt::format("The {} {} is missing; build the workbook again.", role, file);
+std::string executable_is_gone() { return "the executable is gone"; }
+
+std::string part_is_missing(ToolchainPart part, const std::string& file) {
+  const auto missing = [&](const char* role) {
+    return fmt::format("The {} {} is missing; build the workbook again.", role, file);
+  };
+  switch (part) {
+    case ToolchainPart::compiler:
+      return missing("compiler");
+    case ToolchainPart::prelude:
+      return missing("prelude");
+    case ToolchainPart::worker:
+      return missing("worker");
+    case ToolchainPart::part_of_worker:
+      break;
+  }
+  return missing("worker's part");
 }
 
 std::string toolchain_cannot_be_read(const std::string& file) {
@@ -170,13 +187,27 @@ std::string compiler_says(const std::string& message) {
 
 std::string eigen_says(const std::string& advice) { return fmt::format("Eigen says: {}", sentence(advice)); }
 
+std::string number_noun() { return "number"; }
+
+std::string matrix_noun(int rows, int columns) {
+  const auto size = [](int count) { return count < 0 ? std::string("n") : std::to_string(count); };
+  const std::string sizes = fmt::format("{}×{} ", size(rows), size(columns));
+  if (columns == 1 && rows != 1) return (rows < 0 ? "" : sizes) + "vector";
+  if (rows == 1 && columns != 1) return (columns < 0 ? "" : sizes) + "row vector";
+  return (rows < 0 && columns < 0 ? "" : sizes) + "matrix";
+}
+
+std::string part_noun() { return "part"; }
+std::string expression_noun() { return "expression"; }
+
 std::string different_sizes(Operand operation, Operand left, Operand right) {
-  return fmt::format("The two sides of {} have different sizes: {} and {}.", operation, one(left), one(right));
+  return fmt::format("The two sides of {} have different sizes: {} and {}.", sign_or_not(operation), one(left),
+                     one(right));
 }
 
 std::string row_and_column(Operand operation, Operand left, Operand right) {
-  return fmt::format("A row and a column meet at {}: {} and {}. Transpose one of them, as in v.transpose().", operation,
-                     one(left), one(right));
+  return fmt::format("A row and a column meet at {}: {} and {}. Transpose one of them, as in v.transpose().",
+                     sign_or_not(operation), one(left), one(right));
 }
 
 std::string does_not_fit_into(Operand source, Operand target) {

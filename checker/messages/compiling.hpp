@@ -47,7 +47,10 @@ std::string is_no_text(const std::string& file);
 
 std::string cannot_write_to(const std::string& directory, const std::string& reason);
 std::string cannot_use(const std::string& program, const std::string& reason);
-std::string part_is_missing(const std::string& role, const std::string& file);
+std::string executable_is_gone();  ///< a reason
+
+enum class ToolchainPart { compiler, prelude, worker, part_of_worker };
+std::string part_is_missing(ToolchainPart part, const std::string& file);
 std::string toolchain_cannot_be_read(const std::string& file);
 std::string toolchain_of_another_format(const std::string& file);
 std::string toolchain_is_damaged(const std::string& file, const std::string& reason);
@@ -62,6 +65,16 @@ std::string eigen_says(const std::string& advice);
 /// What an operand is: "3×1 vector", "number". The article is added here.
 using Operand = const std::string&;
 
+std::string number_noun();
+
+/// "3×1 vector", "1×3 row vector", "3×3 matrix", "matrix"; negative: known at run time only.
+std::string matrix_noun(int rows, int columns);
+
+/// What stands behind the size of a type without a short name: "3×1 part", "3×1 expression".
+std::string part_noun();
+std::string expression_noun();
+
+/// The operation, here and below, is a sign; empty if it is not known.
 std::string different_sizes(Operand operation, Operand left, Operand right);
 std::string row_and_column(Operand operation, Operand left, Operand right);
 std::string does_not_fit_into(Operand source, Operand target);

@@ -86,7 +86,7 @@ const std::map<std::string, std::string>& all_options() {
       {"--full", "show all that the compiler says, not only its first error"},
       {"--json", "print one JSON document and nothing else"},
       {"--plot", "draw your curve on the reference, as SVG and PNG"},
-      {"--picture", "how to show the plot on the terminal"},
+      {"--picture", "how to show the plot on the terminal: auto, kitty, sixel, text or none"},
       {"--all", "all hints; or all plots and the figures of every lecture"},
       {"--out", "the folder for the pictures"},
       {"--seconds", "the most that one figure may take"},

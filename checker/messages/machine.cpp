@@ -20,6 +20,20 @@ std::string results_are_there(std::size_t lectures, std::size_t exercises) {
                      exercises == 1 ? "exercise" : "exercises");
 }
 
+std::string sandbox_is_whole() {
+  return "Students' functions run behind a filter of system calls, with limits on time, memory and output.";
+}
+
+std::string kernel_has_no_filter() {
+  return "This kernel has no filter of system calls: students' functions run with limits on time, memory and output "
+         "only.";
+}
+
+std::string built_without_filter() {
+  return "The checker was built without libseccomp: students' functions run with limits on time, memory and output "
+         "only.";
+}
+
 std::string gnuplot_is_missing() {
   return "missing: checks work, plots do not (on Debian: apt-get install gnuplot-nox)";
 }
@@ -37,5 +51,7 @@ std::string notes_are_not_built() {
 std::string terminal_is(std::size_t columns, bool has_color) {
   return has_color ? fmt::format("{} columns, colour", columns) : fmt::format("{} columns, no colour", columns);
 }
+
+std::string disk_may_be_full() { return "is the disk full?"; }
 
 }  // namespace workbook::messages

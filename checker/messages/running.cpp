@@ -256,8 +256,6 @@ std::string signal_name(int signal) {
   }
 }
 
-constexpr std::string_view stack_text = "the stack is used up";
-
 /// A student's text inside a sentence: on one line, and not for ever.
 std::string quoted(std::string text) {
   constexpr std::size_t longest = 120;
@@ -280,7 +278,7 @@ std::string eigen_stopped(const std::string& condition) {
 }
 
 std::string crash(int signal, const std::string& text) {
-  if (signal == SIGSEGV && text == stack_text)
+  if (signal == SIGSEGV && text == stack_is_used_up())
     return "the stack is used up, by calls that never end or by a very large local array";
   const std::string name = fmt::format("signal {} ({})", signal, signal_name(signal));
   if (signal == SIGABRT && !text.empty()) return fmt::format("{}; nobody caught the exception {}", name, quoted(text));
@@ -288,13 +286,51 @@ std::string crash(int signal, const std::string& text) {
 }
 
 std::string after_crash(int signal, const std::string& text) {
-  if (signal == SIGSEGV && text == stack_text)
+  if (signal == SIGSEGV && text == stack_is_used_up())
     return "Give the recursion an end that every input reaches, or make the array a std::vector.";
   if (signal == SIGFPE) return "Look for a whole number that is divided by a variable which can be 0.";
   if (signal == SIGABRT && !text.empty())
     return "Look for an exception that leaves a destructor or a function marked noexcept.";
   return "Look for an index beyond the end, a reference to something that is gone, or a recursion without an end.";
 }
+
+std::string foreign_exception() { return "something that is not a std::exception"; }
+
+std::string stack_is_used_up() { return "the stack is used up"; }
+
+std::string system_call(Forbidden operation, const std::string& name) {
+  const auto with = [&](const char* what) { return fmt::format("{} ({})", what, name); };
+  switch (operation) {
+    case Forbidden::file:
+      return with("open a file");
+    case Forbidden::process:
+      return with("start a thread or another process");
+    case Forbidden::program:
+      return with("start another program");
+    case Forbidden::network:
+      return with("open a connection");
+    case Forbidden::signal_others:
+      return with("send a signal to another process");
+    case Forbidden::spy:
+      return with("look into another process");
+    case Forbidden::change_files:
+      return with("change files or folders");
+  }
+  return system_call(name);
+}
+
+std::string system_call(const std::string& name) { return fmt::format("make the system call {}", name); }
+std::string system_call(long number) { return fmt::format("make system call number {}", number); }
+std::string writing_a_file() { return "write a file"; }
+
+std::string not_a_reply() { return "what came back is not a reply"; }
+std::string reply_to_something_else() { return "a reply came that does not belong to the request"; }
+std::string reply_too_early() { return "a reply came before its request was read"; }
+std::string reply_of_impossible_shape() { return "a reply has an impossible shape"; }
+std::string reply_of_unknown_status() { return "a reply has an unknown status"; }
+std::string more_than_one_reply() { return "more came back than one reply"; }
+std::string something_after_last_reply() { return "something came back after the last reply"; }
+std::string line_closed() { return "the line to the checker was closed"; }
 
 std::string at_no_line(std::string sentence) {
   if (!sentence.empty() && sentence[0] >= 'a' && sentence[0] <= 'z')

@@ -23,6 +23,32 @@ std::string crash(int signal, const std::string& text);
 /// What to do about a crash.
 std::string after_crash(int signal, const std::string& text);
 
+/// The text of an exception that cannot say anything.
+std::string foreign_exception();
+
+/// The text of a crash whose stack is used up, as crash() and after_crash() know it.
+std::string stack_is_used_up();
+
+/// What a forbidden system call is for.
+enum class Forbidden { file, process, program, network, signal_others, spy, change_files };
+
+/// "open a file (openat)", to follow "tried to".
+std::string system_call(Forbidden operation, const std::string& name);
+std::string system_call(const std::string& name);
+std::string system_call(long number);
+std::string writing_a_file();
+
+// --- what came back from the worker, where it is not the answer of the function
+
+std::string not_a_reply();
+std::string reply_to_something_else();
+std::string reply_too_early();
+std::string reply_of_impossible_shape();
+std::string reply_of_unknown_status();
+std::string more_than_one_reply();
+std::string something_after_last_reply();
+std::string line_closed();
+
 // --- the second look
 
 std::string at_no_line(std::string sentence);

@@ -2,6 +2,7 @@
 /// A program that runs beside the checker and cannot outlive it: the compiler, and the worker.
 #pragma once
 
+#include "checker/messages/starting.hpp"
 #include "checker/worker/descriptor.hpp"
 
 #include <sys/types.h>
@@ -33,8 +34,8 @@ struct Launch {
   std::filesystem::path directory;       ///< where it starts; empty: where the checker stands
   bool with_channel = false;             ///< a socket pair to talk over, frames::channel in the new process
   /// Runs in the new process just before the program, and may only make system calls: between fork and exec nothing
-  /// else is safe. Returns nullptr, or what failed, with the reason in errno.
-  std::function<const char*()> prepare;
+  /// else is safe. Returns nothing, or what failed, with the reason in errno.
+  std::function<std::optional<messages::LaunchStep>()> prepare;
 };
 
 /// How a process ended.

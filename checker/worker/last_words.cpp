@@ -42,7 +42,7 @@ void on_terminate() {
   } catch (const std::exception& error) {
     say(SIGABRT, 0, error.what());
   } catch (...) {
-    say(SIGABRT, 0, "something that is not a std::exception");
+    say(SIGABRT, frames::foreign_exception, "");
   }
   usual_terminate();
 }

@@ -53,8 +53,7 @@ frames::ReplyHeader answer(const Call& call, const Arguments& arguments, CallRes
     reply.status = frames::Status::exception;
     set_text(reply, error.what());
   } catch (...) {
-    reply.status = frames::Status::exception;
-    set_text(reply, "something that is not a std::exception");
+    reply.status = frames::Status::foreign_exception;
   }
   return reply;
 }
