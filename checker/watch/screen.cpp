@@ -40,7 +40,10 @@ std::vector<Letter> letters_of(const std::string& line, std::string& colors) {
   for (std::size_t at = 0; at < line.size();) {
     if (const std::size_t length = length_of_color(line, at); length > 0) {
       const std::string sequence = line.substr(at, length);
-      colors = sequence == colors_off || sequence == "\033[m" ? "" : colors + sequence;
+      if (sequence == colors_off || sequence == "\033[m")
+        colors.clear();
+      else
+        colors += sequence;
       at += length;
       continue;
     }
@@ -107,9 +110,9 @@ std::vector<std::string> rows_of_keys(const std::vector<std::string>& keys, std:
   const std::string between = " · ";
   std::vector<std::string> rows;
   for (const std::string& key : keys) {
-    const bool fits = !rows.empty() && display_width(rows.back() + between + key) <= columns;
-    if (fits)
-      rows.back() += between + key;
+    const std::string added = between + key;
+    if (!rows.empty() && display_width(rows.back()) + display_width(added) <= columns)
+      rows.back() += added;
     else
       rows.push_back(shortened(key, columns));
   }

@@ -261,18 +261,21 @@ void Watch::on_saved(std::size_t index) {
     return;
   }
   if (judged_[index] == content && !content.empty()) return;
-  const bool idle = !check_ && waiting_.empty();
+  if (!only_again && !check_ && waiting_.empty()) notices_.clear();
   // Nobody wants to know how an older version of the file does, nor what nobody has saved.
   if (check_ && (check_->wanted.index == index || check_->wanted.reason != Reason::saved)) check_.reset();
   std::erase_if(waiting_, [&](const Wanted& each) { return each.reason != Reason::saved || each.index == index; });
   waiting_.push_front({index, Reason::saved, content});
-  if (only_again) return;
-  if (idle) notices_.clear();
-  show(index);
+  if (!only_again) show(index);
 }
 
 /// What was saved last is what the student waits for; verdicts on other files become notices.
 void Watch::show(std::size_t index) {
+  const FileStamp stamp = stamp_of(file(index));
+  const bool noticed_late = stamp.exists && stamp.saved < shown_since_;
+  const bool clock_was_put_back = shown_since_ > std::chrono::system_clock::now().time_since_epoch();
+  if (noticed_late && !clock_was_put_back) return;
+  shown_since_ = stamp.saved;
   current_ = index;
   remark_.clear();
   request_.reset();

@@ -11,6 +11,7 @@
 #include "checker/watch/signals.hpp"
 #include "checker/watch/terminal.hpp"
 
+#include <chrono>
 #include <cstddef>
 #include <deque>
 #include <filesystem>
@@ -111,10 +112,11 @@ class Watch {
   std::vector<std::size_t> part_;
   std::string part_name_;
   std::vector<bool> passed_;
-  std::vector<std::string> passed_here_;  ///< fingerprints, in case the progress cannot be saved
-  std::vector<std::string> judged_;       ///< fingerprint of what the last verdict was on
-  std::vector<std::string> doubtful_;     ///< fingerprint of what is to be checked again, and was not saved anew
-  std::size_t current_ = 0;               ///< what the screen is for
+  std::vector<std::string> passed_here_;    ///< fingerprints, in case the progress cannot be saved
+  std::vector<std::string> judged_;         ///< fingerprint of what the last verdict was on
+  std::vector<std::string> doubtful_;       ///< fingerprint of what is to be checked again, and was not saved anew
+  std::size_t current_ = 0;                 ///< what the screen is for
+  std::chrono::nanoseconds shown_since_{};  ///< when the save was that brought it there
 
   Signals signals_;
   Console console_;

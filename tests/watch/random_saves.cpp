@@ -7,10 +7,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <array>
 #include <chrono>
-#include <map>
 #include <random>
+#include <set>
 #include <string>
 
 using namespace workbook::testing;
@@ -47,7 +46,7 @@ void save_at_random(int saves, int saves_between_pauses, unsigned seed, Terminal
   std::mt19937 random(seed);
   const auto below = [&](int bound) { return std::uniform_int_distribution<int>(0, bound - 1)(random); };
   int fresh = 100;
-  std::map<std::string, bool> touched;
+  std::set<std::string> touched;
   for (int i = 1; i <= saves; ++i) {
     const bool pauses = i % saves_between_pauses == 0 || i == saves;
     const std::string name = below(5) == 0 ? "spring_force" : "spring_energy";
@@ -57,7 +56,7 @@ void save_at_random(int saves, int saves_between_pauses, unsigned seed, Terminal
     const Way way = all_ways[below(5)];
     save(course.exercise(name), content(course, name, right, number), way,
          [&] { watch.wait(milliseconds(below(15))); });
-    touched[name] = true;
+    touched.insert(name);
     if (!pauses) {
       watch.wait(milliseconds(below(80)));
       continue;
@@ -66,7 +65,7 @@ void save_at_random(int saves, int saves_between_pauses, unsigned seed, Terminal
     CAPTURE(name);
     CAPTURE(number);
     CAPTURE(std::string(to_string(way)));
-    for (const auto& [each, ignored] : touched) CHECK(watch.until([&] { return is_judged(course, each); }));
+    for (const std::string& each : touched) CHECK(watch.until([&] { return is_judged(course, each); }));
     const bool shown = right ? watch.shows({"✓ " + name + "  passed"})
                              : watch.shows({"✗ " + name + "  uncaught exception", fmt::format("content {}.", number)});
     CHECK_MESSAGE(shown, watch.screen());
