@@ -29,9 +29,10 @@ namespace {
 
 const char* const wrong = "return k * x.squaredNorm();";
 
-/// Keeps the compiler busy, for a second or more per round.
+/// Keeps the compiler busy, for about a second per round, and is never found compiled already.
 std::string slow_to_compile(int rounds) {
-  std::string text =
+  std::string text = fmt::format("// {}\n", std::chrono::system_clock::now().time_since_epoch().count());
+  text +=
       "template <long start>\nconstexpr long sum() {\n  long s = start;\n  for (long i = 0; i < 400; ++i)\n"
       "    for (long j = 0; j < 3000; ++j) s += i ^ j;\n  return s;\n}\n";
   for (int round = 1; round <= rounds; ++round) text += fmt::format("static_assert(sum<{}>() > 0);\n", round);
