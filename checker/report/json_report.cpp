@@ -63,6 +63,7 @@ ordered_json result_of(const Checked& checked) {
   for (const Finding& finding : checked.observation.findings) {
     result["findings"].push_back({{"line", finding.line}, {"excerpt", finding.excerpt}, {"message", finding.sentence}});
   }
+  if (!checked.observation.printed.empty()) result["printed"] = checked.observation.printed;
   if (!checked.observation.refusal_details.empty()) result["details"] = checked.observation.refusal_details;
   result["seconds"] = {{"compile", checked.observation.compile_seconds}, {"run", checked.observation.run_seconds}};
   return result;

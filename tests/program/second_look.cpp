@@ -36,6 +36,8 @@ TEST_CASE("what the function printed is labelled, shortened, and harmless to the
   CHECK(has(screen, "more lines\n"));
   CHECK(screen.find('\x1b') == std::string::npos);
   CHECK(screen.find('\a') == std::string::npos);
+  const auto result = course.run("check spring_energy --json").json().at("results").at(0);
+  CHECK(has(result.at("printed"), "to errors\n"));
 }
 
 TEST_CASE("a line of many thousand letters is cut too") {
