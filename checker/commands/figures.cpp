@@ -1,5 +1,6 @@
 #include "checker/commands/built_programs.hpp"
 #include "checker/commands/commands.hpp"
+#include "checker/commands/picture_folder.hpp"
 #include "checker/messages/plotting.hpp"
 #include "checker/report/gnuplot_program.hpp"
 #include "checker/report/progress_bar.hpp"
@@ -7,13 +8,9 @@
 
 #include <fmt/format.h>
 
-#include <unistd.h>
-
-#include <cerrno>
 #include <chrono>
 #include <cstring>
 #include <sstream>
-#include <system_error>
 
 namespace workbook {
 
@@ -87,13 +84,7 @@ int figures(const Course& course, const FiguresOptions& options) {
     fmt::print(stderr, "{}\n", messages::gnuplot_missing_for_figures());
     return checker_failed;
   }
-  std::error_code problem;
-  fs::create_directories(directory, problem);
-  if (!problem && access(directory.c_str(), W_OK) != 0) problem.assign(errno, std::generic_category());
-  if (problem) {
-    fmt::print(stderr, "{}\n", messages::folder_not_usable(directory.string(), problem.message()));
-    return checker_failed;
-  }
+  if (!make_picture_folder(directory)) return checker_failed;
   const std::string target = "draw_of_the_student_" + lecture;
   if (const int status = build_program(course, lecture, target); status != all_passed) return status;
 

@@ -1,6 +1,7 @@
 #include "checker/commands/built_programs.hpp"
 #include "checker/commands/check_exercise.hpp"
 #include "checker/commands/commands.hpp"
+#include "checker/commands/picture_folder.hpp"
 #include "checker/messages/plotting.hpp"
 #include "checker/messages/reporting.hpp"
 #include "checker/report/gnuplot_program.hpp"
@@ -10,12 +11,8 @@
 
 #include <fmt/format.h>
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cstddef>
-#include <system_error>
 
 namespace workbook {
 
@@ -88,13 +85,7 @@ std::size_t copy_figures(const fs::path& from, const fs::path& to) {
 
 int plot_all(const Course& course, const PlotOptions& options) {
   const fs::path directory = options.out.value_or(plots_directory(course));
-  std::error_code problem;
-  fs::create_directories(directory, problem);
-  if (!problem && access(directory.c_str(), W_OK) != 0) problem.assign(errno, std::generic_category());
-  if (problem) {
-    fmt::print(stderr, "{}\n", messages::folder_not_usable(directory.string(), problem.message()));
-    return checker_failed;
-  }
+  if (!make_picture_folder(directory)) return checker_failed;
   if (gnuplot_program().empty()) {
     fmt::print(stderr, "{}\n", messages::gnuplot_missing_for_plot());
     return checker_failed;

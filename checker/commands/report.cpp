@@ -84,7 +84,7 @@ void add_picture(const Course& course, ReportedExercise& reported) {
   try {
     const Overlay overlay = overlay_of(checked);
     if (overlay.student.empty()) return;  // the reference alone says nothing about the student
-    reported.picture = overlay_as_svg(overlay, plots_directory(course));
+    reported.picture = overlay_as_svg(overlay, plots_directory(course), checked.exercise.name());
     reported.picture_description =
         messages::overlay_description(checked.exercise.name(), overlay.sweep->title, overlay.misconception);
   } catch (const std::runtime_error&) {

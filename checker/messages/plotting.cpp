@@ -16,8 +16,6 @@ std::string counted(std::size_t count, const std::string& noun) {
 
 std::string no_plot(const std::string& exercise) { return fmt::format("{} has no plot.", exercise); }
 
-std::string no_plot() { return "This exercise has no plot."; }
-
 std::string gnuplot_missing_for_plot() {
   return "There is no plot, because gnuplot is not installed (on Debian: apt-get install gnuplot-nox); the verdict "
          "stands without it.";

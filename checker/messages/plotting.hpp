@@ -11,7 +11,6 @@ namespace workbook::messages {
 // --- plots
 
 std::string no_plot(const std::string& exercise);
-std::string no_plot();  ///< of an exercise that is named already
 std::string gnuplot_missing_for_plot();
 std::string plot_not_written(const std::string& file);
 std::string plot_not_drawn(const std::string& file);

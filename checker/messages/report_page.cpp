@@ -1,8 +1,8 @@
 #include "checker/messages/report_page.hpp"
 
-#include <fmt/format.h>
+#include "checker/messages/reporting.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
 
 namespace workbook::messages {
 
@@ -34,10 +34,7 @@ std::vector<std::pair<std::string, std::string>> report_words() {
 }
 
 std::string verdict_words(Verdict verdict) {
-  if (verdict == Verdict::checker_error) return "could not be judged";
-  std::string words = to_string(verdict);
-  std::replace(words.begin(), words.end(), '_', ' ');
-  return words;
+  return verdict == Verdict::checker_error ? "could not be judged" : in_words(verdict);
 }
 
 std::string report_title(const std::string& student) {
@@ -116,12 +113,12 @@ std::string report_not_written(const std::string& file, const std::string& reaso
 
 std::string report_written(const std::string& file) { return fmt::format("The page is in {}.", file); }
 
-std::string report_without_pictures(const std::string& reason) {
-  return fmt::format("This page has no plots: {}", reason);
+std::string report_template_damaged(const std::string& reason) {
+  return fmt::format("checker/report/report_page.html is no template: {}.", reason);
 }
 
-std::string report_template_is_broken(const std::string& reason) {
-  return fmt::format("the template of the report page: {}", reason);
+std::string report_without_pictures(const std::string& reason) {
+  return fmt::format("This page has no plots: {}", reason);
 }
 
 }  // namespace workbook::messages

@@ -54,9 +54,8 @@ std::string report_folder_missing(const std::string& file, const std::string& fo
 std::string report_is_no_file(const std::string& file);
 std::string report_not_written(const std::string& file, const std::string& reason);
 std::string report_written(const std::string& file);
+/// For authors: the template itself is at fault.
+std::string report_template_damaged(const std::string& reason);
 std::string report_without_pictures(const std::string& reason);
-
-/// A fault of the workbook itself: the page cannot be filled in.
-std::string report_template_is_broken(const std::string& reason);
 
 }  // namespace workbook::messages

@@ -6,10 +6,8 @@ namespace workbook::messages {
 
 std::string passed_of(std::size_t passed, std::size_t total) { return fmt::format("{} of {}", passed, total); }
 
-std::string keys() {
-  // The space between a key and its word does not break.
-  return "h\u00a0hint · l\u00a0list · p\u00a0plot · n\u00a0next · b\u00a0back · c\u00a0compiler · r\u00a0again · "
-         "q\u00a0quit";
+std::vector<std::string> keys() {
+  return {"h hint", "l list", "p plot", "n next", "b back", "c compiler", "r again", "q quit"};
 }
 
 std::string no_keyboard() { return "Ctrl-C ends the watch."; }
@@ -24,9 +22,7 @@ std::string unknown_key(const std::string& key) {
   return key.empty() ? "That key does nothing; these do:" : fmt::format("The key “{}” does nothing; these do:", key);
 }
 
-std::string waiting(const std::string& exercise) {
-  return fmt::format("Waiting: save {} to have it checked.", exercise);
-}
+std::string waiting(const std::string& exercise) { return fmt::format("Waiting for a save of {}.", exercise); }
 
 std::string checking(const std::string& exercise, long seconds) {
   return seconds < 1 ? fmt::format("checking {} …", exercise) : fmt::format("checking {} … {} s", exercise, seconds);
@@ -66,13 +62,13 @@ std::string command_died(int signal) {
 
 std::string check_cannot_start(const std::string& exercise, const std::string& reason) {
   return fmt::format(
-      "The check of {} could not be started ({}); this is not your mistake. Save again, or press the key again.",
+      "The check of {} could not be started ({}); this is not your mistake. End other programs, then press r.",
       exercise, reason);
 }
 
 std::string command_cannot_start(const std::string& reason) {
   return fmt::format(
-      "What you asked for could not be started ({}); this is not your mistake. Save again, or press the key again.",
+      "That could not be started ({}); this is not your mistake. End other programs, then press the key again.",
       reason);
 }
 

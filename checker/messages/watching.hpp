@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace workbook::messages {
 
@@ -12,8 +13,8 @@ namespace workbook::messages {
 /// "12 of 48"
 std::string passed_of(std::size_t passed, std::size_t total);
 
-/// The keys that can be pressed.
-std::string keys();
+/// The keys that can be pressed, each with its word.
+std::vector<std::string> keys();
 
 /// What to press where there is no keyboard to read.
 std::string no_keyboard();
@@ -50,10 +51,7 @@ std::string check_died(const std::string& exercise, int signal);
 std::string command_died(int signal);
 std::string check_cannot_start(const std::string& exercise, const std::string& reason);
 std::string command_cannot_start(const std::string& reason);
-
-/// Before ": " and the system's reason.
-std::string cannot_listen_to_signals();
-
+std::string cannot_listen_to_signals();  ///< before ": " and the system's reason
 std::string no_events(const std::string& reason);
 std::string polling_wanted();
 std::string folder_gone(const std::string& folder);

@@ -44,6 +44,6 @@ std::vector<std::filesystem::path> draw_plot(const Course& course, const Checked
 
 /// The picture as the text of an SVG file of 640 by 512 pixels, for a page; `directory` is for files on the way there.
 /// @throws PlotError
-std::string overlay_as_svg(const Overlay& overlay, const std::filesystem::path& directory);
+std::string overlay_as_svg(const Overlay& overlay, const std::filesystem::path& directory, const std::string& name);
 
 }  // namespace workbook

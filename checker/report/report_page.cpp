@@ -94,7 +94,8 @@ data findings_of(const Checked& checked) {
   data findings{data::type::list};
   for (const Finding& finding : checked.observation.findings) {
     data entry;
-    entry.set("sentence", shown(messages::at_line(finding.line, finding.sentence)));
+    entry.set("sentence",
+              shown(finding.line > 0 ? messages::at_line(finding.line, finding.sentence) : finding.sentence));
     entry.set("excerpt", text_or_nothing(finding.excerpt));
     findings << entry;
   }
@@ -142,9 +143,13 @@ data article_of(const ReportedExercise& reported, const std::map<std::string, st
   return article;
 }
 
-/// A diagnosis says more than the general advice for its verdict.
+/// A diagnosis, or what was found in the file, says more than the general advice for its verdict.
 std::string step_of(const Checked& checked, const std::map<std::string, std::string>& headings) {
-  if (checked.judgement.diagnoses.empty()) return checked.judgement.next_step;
+  if (checked.judgement.diagnoses.empty()) {
+    const std::vector<Finding>& findings = checked.observation.findings;
+    if (findings.empty()) return checked.judgement.next_step;
+    return messages::at_line(findings.front().line, findings.front().sentence);
+  }
   const Diagnosis& diagnosis = checked.judgement.diagnoses.front();
   const std::string place = place_of(diagnosis, checked, headings);
   return place.empty() ? diagnosis.message : messages::read_about(diagnosis.message, place);
@@ -268,7 +273,7 @@ std::string report_page(const ReportedCourse& reported) {
 
   kainjow::mustache::mustache form{report_page_template};
   const std::string text = form.render(page);
-  if (!form.is_valid()) throw std::logic_error(messages::report_template_is_broken(form.error_message()));
+  if (!form.is_valid()) throw std::logic_error(messages::report_template_damaged(form.error_message()));
   return text;
 }
 

@@ -10,7 +10,6 @@
 #include <cerrno>
 #include <climits>
 #include <cstdint>
-#include <cstring>
 #include <system_error>
 
 namespace workbook {
@@ -38,6 +37,10 @@ constexpr std::chrono::seconds time_resolution{3};
 constexpr std::uint32_t of_interest =
     IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM | IN_DELETE | IN_CREATE | IN_DELETE_SELF | IN_MOVE_SELF | IN_ONLYDIR;
 
+std::chrono::nanoseconds duration(const timespec& time) {
+  return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+}
+
 bool is_recent(const FileStamp& stamp) {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   const auto age = std::chrono::duration_cast<std::chrono::nanoseconds>(now) - stamp.modified;
@@ -49,11 +52,10 @@ bool is_recent(const FileStamp& stamp) {
 FileStamp stamp_of(const fs::path& file) {
   struct stat status {};
   if (::stat(file.c_str(), &status) != 0) return {};
-  return {true, status.st_ino, status.st_size,
-          std::chrono::seconds(status.st_mtim.tv_sec) + std::chrono::nanoseconds(status.st_mtim.tv_nsec)};
+  return {true, status.st_ino, status.st_size, duration(status.st_mtim), duration(status.st_ctim)};
 }
 
-FileChanges::FileChanges(std::vector<fs::path> files, Events events) : next_poll_(Clock::now()) {
+FileChanges::FileChanges(std::vector<fs::path> files, Events events) {
   for (fs::path& path : files) {
     const fs::path parent = path.parent_path();
     const auto known =
@@ -70,6 +72,7 @@ FileChanges::FileChanges(std::vector<fs::path> files, Events events) : next_poll
   }
   add_watches();  // before reading, so that no change falls between
   for (File& file : files_) read(file);
+  next_poll_ = Clock::now() + (events_ ? between_looks : between_looks_without_events);
 }
 
 void FileChanges::add_watches() {
@@ -102,25 +105,27 @@ void FileChanges::read_events(Clock::time_point now) {
     const ssize_t got = ::read(events_.number(), buffer.data(), buffer.size());
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) return;
-    for (std::size_t at = 0; at + sizeof(inotify_event) <= static_cast<std::size_t>(got);) {
-      inotify_event event{};
-      std::memcpy(&event, buffer.data() + at, sizeof event);
-      const std::string name = event.len > 0 ? buffer.data() + at + sizeof event : "";
-      at += sizeof event + event.len;
-      if (event.mask & IN_Q_OVERFLOW) next_poll_ = now;
-      const auto folder =
-          std::find_if(folders_.begin(), folders_.end(), [&](const Folder& each) { return each.watch == event.wd; });
-      if (event.wd < 0 || folder == folders_.end()) continue;
-      if (event.mask & (IN_DELETE_SELF | IN_MOVE_SELF | IN_IGNORED | IN_UNMOUNT)) drop_watch(*folder);
-      // Only names on the list count: not "x.cpp~", ".x.cpp.swp", "4913" and what else editors leave behind.
-      for (File& file : files_) {
-        const bool meant = &folders_[file.folder] == &*folder && file.path.filename() == name;
-        if (!meant) continue;
-        const bool gone = (event.mask & (IN_DELETE | IN_MOVED_FROM)) != 0;
-        const bool begun = (event.mask & IN_CREATE) != 0;  // closing it comes as another event
-        suspect(file, now, gone || begun ? for_emptiness : after_closing);
-      }
+    const char* const end = buffer.data() + got;
+    for (const char* next = buffer.data(); next < end;) {
+      const auto* event = reinterpret_cast<const inotify_event*>(next);
+      next += sizeof(inotify_event) + event->len;
+      take_event(event->wd, event->mask, event->len > 0 ? event->name : "", now);
     }
+  }
+}
+
+void FileChanges::take_event(int watch, std::uint32_t what, const std::string& name, Clock::time_point now) {
+  if (what & IN_Q_OVERFLOW) next_poll_ = now;
+  const auto same = [&](const Folder& each) { return each.watch == watch; };
+  const auto folder = std::find_if(folders_.begin(), folders_.end(), same);
+  if (watch < 0 || folder == folders_.end()) return;
+  if (what & (IN_DELETE_SELF | IN_MOVE_SELF | IN_IGNORED | IN_UNMOUNT)) drop_watch(*folder);
+  // Only names on the list count: not "x.cpp~", ".x.cpp.swp", "4913" and what else editors leave behind.
+  for (File& file : files_) {
+    if (&folders_[file.folder] != &*folder || file.path.filename() != name) continue;
+    const bool gone = (what & (IN_DELETE | IN_MOVED_FROM)) != 0;
+    const bool begun = (what & IN_CREATE) != 0;  // closing it comes as another event
+    suspect(file, now, gone || begun ? for_emptiness : after_closing);
   }
 }
 
@@ -129,8 +134,9 @@ void FileChanges::look_at_all(Clock::time_point now) {
   for (File& file : files_) {
     if (file.due) continue;
     const FileStamp stamp = stamp_of(file.path);
-    if (stamp == file.stamp && !file.recent) continue;
-    if (stamp == file.stamp) {
+    const bool same = stamp == file.stamp && !file.again;  // or its folder was away when it was to be reported again
+    if (same && !file.recent) continue;
+    if (same) {
       const std::string now_inside = fingerprint(file.path);
       file.recent = is_recent(stamp);
       if (now_inside == file.fingerprint) continue;
@@ -184,6 +190,8 @@ std::vector<std::size_t> FileChanges::collect(Clock::time_point now) {
     if (file.fingerprint != before || file.again) changed.push_back(i);
     file.again = false;
   }
+  std::stable_sort(changed.begin(), changed.end(),
+                   [&](std::size_t a, std::size_t b) { return files_[a].stamp.saved < files_[b].stamp.saved; });
   return changed;
 }
 

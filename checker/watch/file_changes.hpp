@@ -10,6 +10,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -23,8 +24,12 @@ struct FileStamp {
   ino_t inode = 0;
   off_t size = 0;
   std::chrono::nanoseconds modified{};
+  std::chrono::nanoseconds saved{};  ///< when it came to be there as it is; `modified` may be copied from another file
 
-  bool operator==(const FileStamp&) const = default;
+  /// The same state, whatever its name and its permissions went through.
+  bool operator==(const FileStamp& other) const {
+    return exists == other.exists && inode == other.inode && size == other.size && modified == other.modified;
+  }
 };
 
 /// Of a file that cannot be reached: `exists` is false.
@@ -45,11 +50,15 @@ class FileChanges {
   /// Why there are no events although they were wanted: the system's reason, else "".
   const std::string& trouble() const { return trouble_; }
 
-  /// The files that have changed since they were last reported, by their place in the list.
+  /// The files that have changed since they were last reported, by their place in the list; what was saved last comes
+  /// last.
   std::vector<std::size_t> collect(Clock::time_point now = Clock::now());
 
   /// When collect() is to be called at the latest.
   Clock::time_point next_look() const;
+
+  /// Counts content that was seen elsewhere as reported: the next change is one from there.
+  void know(std::size_t index, const std::string& fingerprint) { files_.at(index).fingerprint = fingerprint; }
 
   /// Reports the file soon, whether its content changes or not.
   void report_again(std::size_t index, Clock::time_point now = Clock::now());
@@ -78,6 +87,7 @@ class FileChanges {
   void add_watches();
   void drop_watch(Folder& folder);
   void read_events(Clock::time_point now);
+  void take_event(int watch, std::uint32_t what, const std::string& name, Clock::time_point now);
   void look_at_all(Clock::time_point now);
   void suspect(File& file, Clock::time_point now, std::chrono::milliseconds quiet);
   bool still_being_written(File& file, Clock::time_point now) const;

@@ -27,6 +27,63 @@ std::size_t length_of_letter(const std::string& text, std::size_t at) {
   return length;
 }
 
+/// What takes one column, and the colours that are on there.
+struct Letter {
+  std::string text;
+  std::string colors;
+};
+
+/// A line as letters. @param colors  those that are on before the line, and afterwards those that are on behind it
+std::vector<Letter> letters_of(const std::string& line, std::string& colors) {
+  constexpr std::size_t tab = 4;
+  std::vector<Letter> letters;
+  for (std::size_t at = 0; at < line.size();) {
+    if (const std::size_t length = length_of_color(line, at); length > 0) {
+      const std::string sequence = line.substr(at, length);
+      if (sequence == colors_off || sequence == "\033[m")
+        colors.clear();
+      else
+        colors += sequence;
+      at += length;
+      continue;
+    }
+    const std::size_t length = length_of_letter(line, at);
+    const auto first = static_cast<unsigned char>(line[at]);
+    if (first == '\t') {
+      do letters.push_back({" ", colors});
+      while (letters.size() % tab != 0);
+    } else {
+      letters.push_back({first < 0x20 || first == 0x7f ? "?" : line.substr(at, length), colors});
+    }
+    at += length;
+  }
+  return letters;
+}
+
+/// Where a row that begins there ends: between words, unless that would leave it nearly empty.
+std::size_t end_of_row(const std::vector<Letter>& line, std::size_t begin, std::size_t width) {
+  const std::size_t most = begin + std::max<std::size_t>(width, 1);
+  if (line.size() <= most) return line.size();
+  for (std::size_t stop = most; stop > begin + width / 2; --stop) {
+    if (line[stop].text == " ") return stop;
+  }
+  return most;
+}
+
+std::string row_of(const std::vector<Letter>& line, std::size_t begin, std::size_t end) {
+  std::string row;
+  std::string colors;
+  for (std::size_t i = begin; i < end; ++i) {
+    if (line[i].colors != colors) {
+      if (!colors.empty()) row += colors_off;
+      colors = line[i].colors;
+      row += colors;
+    }
+    row += line[i].text;
+  }
+  return row + (colors.empty() ? "" : colors_off);
+}
+
 /// The exercise on the left, the bar and the count on the right, as far as there is room.
 std::string heading(const Scene& scene, std::size_t columns, const Console& console) {
   constexpr std::size_t gap = 2;
@@ -48,6 +105,20 @@ std::string heading(const Scene& scene, std::size_t columns, const Console& cons
   return console.styled(shortened(scene.exercise, columns), Style::strong);
 }
 
+/// As many beside each other as there is room for; a key stays beside its word.
+std::vector<std::string> rows_of_keys(const std::vector<std::string>& keys, std::size_t columns) {
+  const std::string between = " · ";
+  std::vector<std::string> rows;
+  for (const std::string& key : keys) {
+    const std::string added = between + key;
+    if (!rows.empty() && display_width(rows.back()) + display_width(added) <= columns)
+      rows.back() += added;
+    else
+      rows.push_back(shortened(key, columns));
+  }
+  return rows;
+}
+
 std::string rule(std::size_t columns, const Console& console) {
   std::string line;
   for (std::size_t i = 0; i < columns; ++i) line += "─";
@@ -57,44 +128,21 @@ std::string rule(std::size_t columns, const Console& console) {
 }  // namespace
 
 std::vector<std::string> folded(const std::string& text, std::size_t width) {
-  constexpr std::size_t tab = 4;
   std::vector<std::string> rows;
-  std::string row;
   std::string colors;
-  std::size_t taken = 0;
-  const auto end_row = [&] {
-    rows.push_back(row + (colors.empty() ? "" : colors_off));
-    row = colors;
-    taken = 0;
-  };
   for (std::size_t at = 0; at < text.size();) {
-    if (text[at] == '\n') {
-      end_row();
-      ++at;
-      continue;
-    }
-    if (const std::size_t length = length_of_color(text, at); length > 0) {
-      const std::string sequence = text.substr(at, length);
-      colors = sequence == colors_off || sequence == "\033[m" ? "" : colors + sequence;
-      row += sequence;
-      at += length;
-      continue;
-    }
-    const std::size_t length = length_of_letter(text, at);
-    std::string letter = text.substr(at, length);
-    std::size_t columns = 1;
-    if (letter == "\t") {
-      columns = tab - taken % tab;
-      letter = std::string(columns, ' ');
-    } else if (length == 1 && (static_cast<unsigned char>(letter[0]) < 0x20 || letter[0] == 0x7f)) {
-      letter = "?";
-    }
-    if (taken + columns > width && taken > 0) end_row();
-    row += letter;
-    taken += columns;
-    at += length;
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const std::vector<Letter> line = letters_of(text.substr(at, end - at), colors);
+    std::size_t begin = 0;
+    do {
+      const std::size_t stop = end_of_row(line, begin, width);
+      rows.push_back(row_of(line, begin, stop));
+      begin = stop;
+      // A break takes the place of the spaces there.
+      while (begin < line.size() && line[begin].text == " ") ++begin;
+    } while (begin < line.size());
+    at = end + 1;
   }
-  if (taken > 0 || row != colors) end_row();
   return rows;
 }
 
@@ -104,8 +152,7 @@ Layout lay_out(const Scene& scene, TerminalSize size, const Console& console) {
   const std::size_t height = std::max<std::size_t>(size.rows, 1);
 
   std::vector<std::string> footer;
-  for (const std::string& row : folded(console.wrapped(scene.keys), columns))
-    footer.push_back(console.styled(row, Style::quiet));
+  for (const std::string& row : rows_of_keys(scene.keys, columns)) footer.push_back(console.styled(row, Style::quiet));
   std::vector<std::string> header = {heading(scene, columns, console), rule(columns, console)};
   // A terminal of a few rows is for the verdict, not for its frame.
   constexpr std::size_t least_body = 3;

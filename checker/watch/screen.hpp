@@ -17,11 +17,11 @@ struct Scene {
   std::string exercise;
   std::size_t passed = 0;  ///< of all exercises, for the bar
   std::size_t total = 0;
-  std::string body;           ///< verdicts, hints: as long as they like
-  std::string state;          ///< one line: what goes on; "" if nothing does
-  std::string idle;           ///< in its place then, if the whole body is to be seen
-  std::string keys;           ///< what can be pressed, without colours
-  std::size_t first_row = 0;  ///< of the body, for scrolling
+  std::string body;               ///< verdicts, hints: as long as they like
+  std::string state;              ///< one line: what goes on; "" if nothing does
+  std::string idle;               ///< in its place then, if the whole body is to be seen
+  std::vector<std::string> keys;  ///< what can be pressed, each with its word
+  std::size_t first_row = 0;      ///< of the body, for scrolling
 };
 
 /// The rows of the terminal, from its top to its last.

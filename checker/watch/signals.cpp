@@ -13,7 +13,11 @@ namespace workbook {
 Signals::Signals() {
   sigset_t all;
   ::sigemptyset(&all);
-  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGWINCH, SIGTSTP, SIGCONT}) ::sigaddset(&all, number);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGWINCH, SIGTSTP, SIGCONT}) {
+    struct sigaction action {};
+    const bool ignored = ::sigaction(number, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+    if (!ignored) ::sigaddset(&all, number);  // by nohup, for example
+  }
   ::sigprocmask(SIG_BLOCK, &all, &before_);
   arrived_ = Descriptor(::signalfd(-1, &all, SFD_NONBLOCK | SFD_CLOEXEC));
   if (!arrived_) {

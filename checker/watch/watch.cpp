@@ -73,11 +73,12 @@ Watch::Watch(const Course& course, fs::path course_file, const WatchedPart& part
       part_name_(part.name),
       passed_here_(exercises_.size()),
       judged_(exercises_.size()),
+      doubtful_(exercises_.size()),
       console_(Console::of_standard_output()),
       on_screen_(can_be_drawn_on() && !console_.plain()),
       changes_(files_, events_wanted()) {
   std::iota(everything_.begin(), everything_.end(), std::size_t{0});
-  if (!on_screen_) print(keyboard_.has_keyboard() ? messages::keys() : messages::no_keyboard());
+  if (!on_screen_) print(words_of_keys());
   read_progress();
   if (is_set("WORKBOOK_POLL")) notice(console_.wrapped(messages::polling_wanted()));
   const bool one_exercise = part_.size() == 1 && part_name_.empty();
@@ -130,13 +131,14 @@ void Watch::wait() {
     const Clock::time_point begun = check_ ? check_->errand->begun() : request_->errand->begun();
     until = std::min(until, begun + std::chrono::seconds(seconds_since(begun) + 1));
   }
-  enum Source { signals, keys, files, check, request, count };
+  enum Source { signals, keys, files, check, request, reader, count };
   std::array<pollfd, count> sources{};
   sources[signals] = {signals_.descriptor(), POLLIN, 0};
   sources[keys] = {keyboard_.has_keyboard() ? STDIN_FILENO : -1, POLLIN, 0};
   sources[files] = {changes_.descriptor(), POLLIN, 0};
   sources[check] = {check_ ? check_->errand->descriptor() : -1, POLLIN, 0};
   sources[request] = {request_ ? request_->errand->descriptor() : -1, POLLIN, 0};
+  sources[reader] = {STDOUT_FILENO, 0, 0};  // only whether it is still there
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now()).count();
   const int ready = ::poll(sources.data(), sources.size(), static_cast<int>(std::clamp<long>(left, 0, 60'000)));
   if (ready <= 0) {
@@ -146,6 +148,7 @@ void Watch::wait() {
       print(words_of_check());
     return;
   }
+  if (sources[reader].revents != 0) over_ = true;
   if (sources[signals].revents != 0) on_signals();
   if (sources[keys].revents != 0) on_keys();
   if (sources[request].revents != 0 && request_ && request_->errand->collect()) finish_request();
@@ -225,8 +228,7 @@ void Watch::on_key(const Key& key) {
     case Action::unknown:
       remark_ = messages::unknown_key(key.name);
   }
-  if (!on_screen_ && !remark_.empty())
-    print(key.action == Action::unknown ? remark_ + " " + messages::keys() : remark_);
+  if (!on_screen_ && !remark_.empty()) print(key.action == Action::unknown ? remark_ + " " + words_of_keys() : remark_);
 }
 
 void Watch::on_changes() {
@@ -252,19 +254,35 @@ void Watch::on_changes() {
 
 void Watch::on_saved(std::size_t index) {
   const std::string content = fingerprint(file(index));
-  remark_.clear();
-  if (check_ && check_->wanted.index == index) {
-    if (check_->fingerprint == content) return;
-    check_.reset();  // nobody wants to know how the older version does
-    waiting_.push_front({index, Reason::saved});
+  const bool only_again = std::exchange(doubtful_[index], {}) == content && !content.empty();
+  if (check_ && check_->wanted.index == index && check_->fingerprint == content) {
+    check_->wanted.reason = Reason::saved;
+    if (!only_again && current_ != index) show(index);
     return;
   }
   if (judged_[index] == content && !content.empty()) return;
-  if (check_ && check_->wanted.reason != Reason::saved) check_.reset();
+  if (!only_again && !check_ && waiting_.empty()) notices_.clear();
+  // Nobody wants to know how an older version of the file does, nor what nobody has saved.
+  if (check_ && (check_->wanted.index == index || check_->wanted.reason != Reason::saved)) check_.reset();
   std::erase_if(waiting_, [&](const Wanted& each) { return each.reason != Reason::saved || each.index == index; });
-  if (!check_ && waiting_.empty()) notices_.clear();
+  waiting_.push_front({index, Reason::saved, content});
+  if (!only_again) show(index);
+}
+
+/// What was saved last is what the student waits for; verdicts on other files become notices.
+void Watch::show(std::size_t index) {
+  const FileStamp stamp = stamp_of(file(index));
+  const bool noticed_late = stamp.exists && stamp.saved < shown_since_;
+  const bool clock_was_put_back = shown_since_ > std::chrono::system_clock::now().time_since_epoch();
+  if (noticed_late && !clock_was_put_back) return;
+  shown_since_ = stamp.saved;
+  current_ = index;
+  remark_.clear();
   request_.reset();
-  waiting_.push_back({index, Reason::saved});
+  verdict_.clear();
+  panel_.clear();
+  first_row_ = 0;
+  changed_ = true;
 }
 
 // --- checks and other commands
@@ -273,21 +291,17 @@ void Watch::begin_next_check() {
   while (!check_ && !waiting_.empty()) {
     const Wanted wanted = waiting_.front();
     waiting_.pop_front();
-    current_ = wanted.index;
     changed_ = true;
-    if (wanted.reason == Reason::saved) {
-      verdict_.clear();
-      panel_.clear();
-      first_row_ = 0;
-    }
     Check check{wanted, stamp_of(file(wanted.index)), fingerprint(file(wanted.index)), nullptr, false};
     judged_[wanted.index].clear();
+    const bool saved_since = wanted.reason == Reason::saved && check.fingerprint != wanted.content;
+    if (saved_since && current_ != wanted.index) show(wanted.index);
     try {
       check.errand =
           std::make_unique<Errand>(course_file_, std::vector<std::string>{"check", name(wanted.index)}, console_);
       check_ = std::move(check);
     } catch (const LaunchError& problem) {
-      verdict(messages::check_cannot_start(name(wanted.index), problem.what()));
+      verdict(console_.wrapped(messages::check_cannot_start(name(wanted.index), problem.what())));
     }
   }
 }
@@ -300,10 +314,13 @@ void Watch::finish_check() {
   const ProcessEnd end = check.errand->end();
   if (stamp_of(file(index)) != check.stamp) {
     // The file was written meanwhile: which of the versions was checked, nobody knows.
+    doubtful_[index] = check.fingerprint;
     changes_.report_again(index);
     return;
   }
   judged_[index] = check.fingerprint;
+  // It may be newer than what was reported. If the reported version comes back, that is a change.
+  changes_.know(index, check.fingerprint);
   const bool passes = end.signal == 0 && end.exit_status == 0;
   passed_here_[index] = passes ? check.fingerprint : "";
   read_progress();
@@ -311,12 +328,13 @@ void Watch::finish_check() {
   std::string text = ending_with_newline(check.errand->output());
   if (end.signal != 0) text += console_.wrapped(messages::check_died(name(index), end.signal)) + "\n";
   const bool stays = check.wanted.reason == Reason::asked;
-  if (passes && stays) text += console_.wrapped(messages::passes_already(name(index))) + "\n";
-  const bool passing_by = index != current_ || !waiting_.empty();
-  if (passing_by || (passes && !stays)) {
-    notice(on_screen_ ? first_line(text) : text);
-    if (!passing_by) go_on_after_passing();
+  if (index != current_) {
+    notice(passes || !on_screen_ ? text : first_line(text));
+  } else if (passes && !stays) {
+    notice(text);
+    go_on_after_passing();
   } else {
+    if (passes) text += console_.wrapped(messages::passes_already(name(index))) + "\n";
     verdict(text);
   }
 }
@@ -325,13 +343,13 @@ void Watch::begin_request(Action action) {
   std::vector<std::string> arguments;
   if (action == Action::hint) arguments = {"hint", name(current_)};
   if (action == Action::list) arguments = {"list"};
-  if (action == Action::plot) arguments = {"plot", name(current_)};
+  if (action == Action::plot) arguments = {"plot", name(current_), "--picture", "text"};
   if (action == Action::compiler) arguments = {"check", name(current_)};
   request_.reset();
   try {
     request_ = Request{action, current_, std::make_unique<Errand>(course_file_, arguments, console_)};
   } catch (const LaunchError& problem) {
-    panel(messages::command_cannot_start(problem.what()));
+    panel(console_.wrapped(messages::command_cannot_start(problem.what())));
   }
 }
 
@@ -352,14 +370,14 @@ void Watch::go_to(std::size_t index, Reason reason) {
   verdict(introduction(course_, exercises_[index], messages::label_of_exercise(passed_[index]), console_));
   // A stub has no verdict worth waiting for.
   const bool runs_already = check_ && check_->wanted.index == index;
-  if (!runs_already && is_begun(file(index))) waiting_.push_back({index, reason});
+  if (!runs_already && is_begun(file(index))) waiting_.push_back({index, reason, ""});
 }
 
 void Watch::check_again() {
   if (check_ && check_->wanted.index == current_) return;
   forget_what_is_not_owed();
   verdict_.clear();
-  waiting_.push_front({current_, Reason::asked});
+  waiting_.push_front({current_, Reason::asked, ""});
 }
 
 /// Before something else is looked at. A saved file keeps its right to a verdict.
@@ -437,7 +455,7 @@ void Watch::print(const std::string& text) {
 
 void Watch::scroll(long rows) {
   const long last = static_cast<long>(layout_.body_total - layout_.body_shown);
-  first_row_ = static_cast<std::size_t>(std::clamp(static_cast<long>(layout_.first_row) + rows, 0L, last));
+  first_row_ = static_cast<std::size_t>(std::clamp(std::min(static_cast<long>(first_row_), last) + rows, 0L, last));
   changed_ = true;
 }
 
@@ -453,6 +471,10 @@ std::string Watch::body_above_panel() const {
   if (!body.empty()) body += "\n";
   if (check_ && verdict_.empty()) body += words_of_check() + "\n";
   return body + verdict_ + (panel_.empty() ? "" : "\n");
+}
+
+std::string Watch::words_of_keys() const {
+  return keyboard_.has_keyboard() ? fmt::format("{}", fmt::join(messages::keys(), " · ")) : messages::no_keyboard();
 }
 
 std::string Watch::words_of_check() const {
@@ -474,7 +496,7 @@ Scene Watch::scene() const {
     scene.state = messages::working_for(name(request_->index), seconds_since(request_->errand->begun()));
   }
   if (!check_ && waiting_.empty()) scene.idle = messages::waiting(name(current_));
-  scene.keys = keyboard_.has_keyboard() ? messages::keys() : messages::no_keyboard();
+  scene.keys = keyboard_.has_keyboard() ? messages::keys() : std::vector<std::string>{messages::no_keyboard()};
   scene.first_row = first_row_;
   return scene;
 }

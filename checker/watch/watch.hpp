@@ -11,6 +11,7 @@
 #include "checker/watch/signals.hpp"
 #include "checker/watch/terminal.hpp"
 
+#include <chrono>
 #include <cstddef>
 #include <deque>
 #include <filesystem>
@@ -46,6 +47,7 @@ class Watch {
   struct Wanted {
     std::size_t index = 0;
     Reason reason = Reason::saved;
+    std::string content;  ///< fingerprint of what was saved
   };
   struct Check {
     Wanted wanted;
@@ -67,6 +69,7 @@ class Watch {
   void on_key(const Key& key);
   void on_changes();
   void on_saved(std::size_t index);
+  void show(std::size_t index);
 
   // Checks and other commands.
   void begin_next_check();
@@ -91,6 +94,7 @@ class Watch {
   void print(const std::string& text);
   void scroll(long rows);
   std::string words_of_check() const;
+  std::string words_of_keys() const;
   std::string body_above_panel() const;
   Scene scene() const;
   void draw();
@@ -108,9 +112,11 @@ class Watch {
   std::vector<std::size_t> part_;
   std::string part_name_;
   std::vector<bool> passed_;
-  std::vector<std::string> passed_here_;  ///< fingerprints, in case the progress cannot be saved
-  std::vector<std::string> judged_;       ///< fingerprint of what the last verdict was on
-  std::size_t current_ = 0;
+  std::vector<std::string> passed_here_;    ///< fingerprints, in case the progress cannot be saved
+  std::vector<std::string> judged_;         ///< fingerprint of what the last verdict was on
+  std::vector<std::string> doubtful_;       ///< fingerprint of what is to be checked again, and was not saved anew
+  std::size_t current_ = 0;                 ///< what the screen is for
+  std::chrono::nanoseconds shown_since_{};  ///< when the save was that brought it there
 
   Signals signals_;
   Console console_;

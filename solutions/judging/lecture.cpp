@@ -56,7 +56,7 @@ std::string signature(const ExerciseReference& exercise) {
 std::uint64_t batch_seed(std::uint64_t seed, const std::string& exercise, const std::string& batch) {
   // FNV-1a: a hash that is the same on every machine, unlike std::hash.
   std::uint64_t hash = 0xcbf29ce484222325ULL ^ seed;
-  for (const char letter : exercise + '/' + batch) {
+  for (const char letter : fmt::format("{}/{}", exercise, batch)) {
     hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3ULL;
   }
   return hash;

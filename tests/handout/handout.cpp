@@ -182,6 +182,14 @@ TEST_CASE("in the copy the checker works with the reference results as data") {
   CHECK(checker("reset inertia_of_points").status == 0);
 }
 
+TEST_CASE("editors find how every exercise of the copy is compiled") {
+  const CheckerInCopy checker;
+  const std::string commands = read(copy() / "build/workbook/compile_commands.json");
+  for (const auto& solution : solutions())
+    CHECK_MESSAGE(has(commands, "/" + solution.first + ".cpp\""), solution.first);
+  CHECK(has(read(copy() / ".clangd"), "CompilationDatabase: build/workbook"));
+}
+
 TEST_CASE("in the copy a lost exercise does not stop the set-up, and can be put back") {
   const CheckerInCopy checker;
   const fs::path file = copy() / "lectures/03_inertia_tensor/exercises/kinetic_energy.cpp";

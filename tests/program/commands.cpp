@@ -1,4 +1,5 @@
 // The commands besides check, and the ways to call them wrongly.
+#include "checker/course/progress.hpp"
 #include "tests/program/program.hpp"
 
 #include <doctest/doctest.h>
@@ -140,6 +141,20 @@ TEST_CASE("a folder that cannot be written is named") {
   const Outcome check = course.run("check spring_energy");
   CHECK(check.status == 0);
   CHECK(has(check.err, "Your progress could not be saved"));
+}
+
+TEST_CASE("two checkers at once each keep what the other writes down") {
+  const CourseCopy course;
+  const fs::path file = course.root() / ".workbook/progress.json";
+  workbook::Progress check(file);
+  workbook::Progress hint(file);
+  hint.remember_hints("spring_energy", 2);
+  check.remember("spring_energy", {"passed", "its fingerprint"});
+  hint.remember_hints("spring_force", 1);
+  const workbook::Progress both(file);
+  CHECK(both.passed("spring_energy", "its fingerprint"));
+  CHECK(both.hints_shown("spring_energy") == 2);
+  CHECK(both.hints_shown("spring_force") == 1);
 }
 
 TEST_CASE("output that is no terminal has no colour codes") {

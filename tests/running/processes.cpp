@@ -2,9 +2,11 @@
 #include "tests/running/student.hpp"
 
 #include "checker/worker/child_process.hpp"
+#include "checker/worker/running_programs.hpp"
 
 #include <doctest/doctest.h>
 
+#include <poll.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -131,6 +133,26 @@ TEST_CASE("a checker that is killed leaves no process behind") {
   CHECK(WIFSIGNALED(status));
   CHECK(WTERMSIG(status) == SIGKILL);
   CHECK(nothing_left_running());
+}
+
+TEST_CASE("a checker that is told to end ends its programs with all their children first") {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    CAPTURE(signal);
+    const pid_t checker = ::fork();
+    if (checker == 0) {
+      running_programs::end_with_the_checker();
+      const ChildProcess process(shell("sleep 100 & sleep 100 & echo started; wait"));
+      pollfd started{process.output(), POLLIN, 0};
+      ::poll(&started, 1, 10'000);
+      ::raise(signal);
+      ::_exit(0);
+    }
+    int status = 0;
+    REQUIRE(::waitpid(checker, &status, 0) == checker);
+    CHECK(WIFSIGNALED(status));
+    CHECK(WTERMSIG(status) == signal);
+    CHECK(nothing_left_running());
+  }
 }
 
 TEST_CASE("processor time is counted") {

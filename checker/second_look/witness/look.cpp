@@ -3,12 +3,10 @@
 #include "checker/second_look/witness/eyes.hpp"
 #include "checker/second_look/witness/memory.hpp"
 #include "checker/second_look/witness/sighting.hpp"
+#include "checker/worker/requests.hpp"
 
 #include <rigid/vocabulary.hpp>
 
-#include <unistd.h>
-
-#include <cerrno>
 #include <cfenv>
 #include <cstdlib>
 #include <exception>
@@ -22,33 +20,6 @@ using sightings::Traps;
 using sightings::What;
 
 Question question;
-
-bool read_exactly(void* to, std::size_t size) {
-  char* next = static_cast<char*>(to);
-  while (size > 0) {
-    const ssize_t got = ::read(frames::channel, next, size);
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return false;
-    next += got;
-    size -= static_cast<std::size_t>(got);
-  }
-  return true;
-}
-
-bool read_arguments(std::vector<double>& numbers, std::vector<NumbersView>& views, std::size_t count) {
-  std::vector<frames::Shape> shapes(count);
-  if (!read_exactly(shapes.data(), count * sizeof(frames::Shape))) return false;
-  std::size_t total = 0;
-  for (const frames::Shape& shape : shapes) total += std::size_t(shape.rows) * std::size_t(shape.cols);
-  numbers.resize(total);
-  if (!read_exactly(numbers.data(), total * sizeof(double))) return false;
-  const double* first = numbers.data();
-  for (const frames::Shape& shape : shapes) {
-    views.push_back({shape.rows, shape.cols, first});
-    first += std::size_t(shape.rows) * std::size_t(shape.cols);
-  }
-  return true;
-}
 
 void set_traps(Traps traps) {
   std::feclearexcept(FE_ALL_EXCEPT);
@@ -72,15 +43,13 @@ void done() {
 }  // namespace
 
 int witness(std::size_t argument_count, const WitnessedCall& call) {
-  std::vector<double> numbers;
-  std::vector<NumbersView> arguments;
+  Arguments arguments;
   if (!read_exactly(&question, sizeof question) || question.magic != sightings::question_magic ||
-      question.arguments != static_cast<std::int32_t>(argument_count) ||
-      !read_arguments(numbers, arguments, argument_count))
+      question.arguments != static_cast<std::int32_t>(argument_count) || !arguments.read(argument_count))
     return 1;
   open_eyes(question.nonce);
   try {
-    const WitnessedResult result = call(arguments, ready, done);
+    const WitnessedResult result = call(arguments.views, ready, done);
     say_returned(result.rows, result.cols, result.numbers.data());
   } catch (const rigid::NotStarted&) {
     done();
