@@ -42,7 +42,7 @@ TEST_CASE("a damaged card is named with the place of the damage") {
       {"\"exercises\": [", "\"exercises\": [[], ", "card.json: exercises[0] should be an object"},
       {"\"builds_on\"", "\"built_on\"", "card.json: builds_on is missing."},
       {"}", "", "card.json: not valid JSON"},
-      {"\"summary\"", "\"title\": \"Springs\", \"sumary\"", "card.json: summary is missing."},
+      {"\"summary\"", "\"sumary\"", "card.json: summary is missing."},
       {"\"spring_energy\"", "null", "card.json: exercises[0].name has the wrong type."},
   };
   for (const Damage& damage : damages) {
