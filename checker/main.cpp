@@ -159,8 +159,9 @@ struct CommandLine {
                                                              {"text", PictureKind::text},
                                                              {"none", PictureKind::none}};
     command->add_option("--picture", picture, messages::option_help("--picture"))
-        ->transform(CLI::CheckedTransformer(kinds).description("{auto,kitty,sixel,text,none}"))
-        ->default_str("auto");
+        ->transform(CLI::CheckedTransformer(kinds).description(""))
+        ->default_str("auto")
+        ->type_name("KIND");
   }
 
   void add_reset() {

@@ -25,7 +25,7 @@ const std::map<std::string, CommandHelp>& all_help() {
        {"Check every file as you save it\n\nStarts at the next exercise, or at the one that is named, and waits. Each "
         "time an exercise file is saved, its verdict takes the place of the one before; when it passes, the next "
         "exercise is shown. Keys: h hint, l list, p plot, n next, c all that the compiler says, r again, q quit. Where "
-        "the system reports no changes, or WORKBOOK_POLL is set, the files are looked at every second.",
+        "the system reports no changes, or WORKBOOK_POLL is set, the files are looked at several times a second.",
         "watch\nwatch 03\nwatch inertia_of_points"}},
       {"list", {"Show every exercise with its state", ""}},
       {"hint",
@@ -86,7 +86,7 @@ const std::map<std::string, std::string>& all_options() {
       {"--full", "show all that the compiler says, not only its first error"},
       {"--json", "print one JSON document and nothing else"},
       {"--plot", "draw your curve on the reference, as SVG and PNG"},
-      {"--picture", "how to show the plot on the terminal"},
+      {"--picture", "how to show the plot on the terminal: auto, kitty, sixel, text or none"},
       {"--all", "all hints; or all plots and the figures of every lecture"},
       {"--out", "the folder for the pictures"},
       {"--seconds", "the most that one figure may take"},
@@ -118,7 +118,7 @@ std::string program_footer() {
       "  CLICOLOR_FORCE  colour even where the output is no terminal\n"
       "  COLUMNS         the width of the output where it is no terminal\n"
       "  WORKBOOK_PLAIN  the same as --plain\n"
-      "  WORKBOOK_POLL   watch looks at the files every second, without events\n"
+      "  WORKBOOK_POLL   watch looks at the files again and again, without events\n"
       "\n"
       "Files:\n"
       "  lectures/NN_topic/exercises/*.cpp  what you write\n"

@@ -344,7 +344,7 @@ void Watch::begin_request(Action action) {
   if (action == Action::hint) arguments = {"hint", name(current_)};
   if (action == Action::list) arguments = {"list"};
   if (action == Action::plot) arguments = {"plot", name(current_), "--picture", "text"};
-  if (action == Action::compiler) arguments = {"check", name(current_)};
+  if (action == Action::compiler) arguments = {"check", name(current_), "--full"};
   request_.reset();
   try {
     request_ = Request{action, current_, std::make_unique<Errand>(course_file_, arguments, console_)};

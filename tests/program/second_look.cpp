@@ -7,13 +7,13 @@ using namespace workbook::testing;
 
 TEST_CASE("a failure is shown with the line that caused it, and costs no more than before") {
   const CourseCopy course;
-  course.answer_energy("return k * x(7);");
+  course.answer_energy("return x(7);");
   const auto result = course.run("check spring_energy --json").json().at("results").at(0);
   CHECK(result.at("verdict") == "uncaught_exception");
   CHECK(result.at("score") == 0.0);
-  REQUIRE(result.at("findings").size() == 1);
+  REQUIRE(result.at("findings").size() >= 1);  // where it happened comes first
   CHECK(result.at("findings").at(0).at("line") == 4);
-  CHECK(has(result.at("findings").at(0).at("excerpt"), "return k * x(7);"));
+  CHECK(has(result.at("findings").at(0).at("excerpt"), "return x(7);"));
   CHECK(result.at("findings").at(0).at("message") == "index 7 is outside the vector of size 3 (indices 0 to 2).");
   CHECK(
       has(course.run("check spring_energy").out, "Line 4: index 7 is outside the vector of size 3 (indices 0 to 2)."));

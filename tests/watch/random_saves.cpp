@@ -79,7 +79,8 @@ void save_at_random(int saves, int saves_between_pauses, unsigned seed, Terminal
 
 TEST_CASE("200 saves at random moments, and none is lost") { save_at_random(200, 12, 1, {}); }
 
-TerminalOptions options;
-options.environment = {"WORKBOOK_POLL=1"};
-save_at_random(40, 8, 2, options);
+TEST_CASE("saves at random moments in a folder without events, and none is lost") {
+  TerminalOptions options;
+  options.environment = {"WORKBOOK_POLL=1"};
+  save_at_random(40, 8, 2, options);
 }
