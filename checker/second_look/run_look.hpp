@@ -26,7 +26,7 @@ enum class Paint : std::uint64_t {
 bool is_painted(double number);
 
 struct LookLimits {
-  std::chrono::duration<double> time{1.0};
+  std::chrono::duration<double> time{5.0};
   std::chrono::duration<double> between_questions{0.05};
   int questions = 0;  ///< how often to ask where the call is, at the end of the time; 0: not at all
   std::size_t output_bytes = std::size_t{256} << 10;
