@@ -1,6 +1,11 @@
 /// @file
 /// The command line of the checker.
 #include "checker/commands/commands.hpp"
+#include "checker/messages/help.hpp"
+#include "checker/messages/program.hpp"
+#include "checker/report/completion_script.hpp"
+#include "checker/report/console.hpp"
+#include "checker/report/help_formatter.hpp"
 #include "checker/worker/running_programs.hpp"
 
 #include <fmt/format.h>
@@ -9,9 +14,12 @@
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <functional>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,36 +42,44 @@ using Job = std::function<int(const Course&)>;
 
 struct CommandLine {
   explicit CommandLine(const char* argv0) : course_file(course_file_beside_the_program(argv0)) {
-    app.name("checker");
-    app.description(
-        "Checks the exercises of the Rigid Body Workbook.\nWithout a command it says where you stand and what is "
-        "next.");
-    app.footer(
-        "Exit status: 0 all that was asked passed, 1 something did not, 2 wrong usage, 3 the checker itself is in "
-        "trouble.");
+    app.name(messages::program_name());
+    app.description(messages::program_description());
+    app.footer(messages::program_footer());
+    app.formatter(std::make_shared<HelpFormatter>(Console::of_standard_output()));
     app.require_subcommand(0, 1);
-    app.add_option("--course", course_file,
-                   "another course.json than the one that was built (for tests of the checker)")
-        ->group("For maintainers");
+    app.add_flag_callback(
+        "--plain", [] { setenv("WORKBOOK_PLAIN", "1", 1); }, messages::option_help("--plain"));
+    app.add_option("--course", course_file, messages::option_help("--course"))
+        ->type_name("FILE")
+        ->group(messages::for_tests());
     add_check();
     add_watch();
     add_list();
     add_hint();
     add_plot();
+    add_figures();
+    add_report();
     add_reset();
     add_examples();
+    add_handout();
     add_doctor();
+    add_completion();
     add_self_check();
   }
 
   void add_check() {
-    CLI::App* command = app.add_subcommand("check", "grade exercises and say what is wrong");
-    command->add_option("name", check_options.names,
-                        "exercises or lectures, by name or number; none: the whole course");
-    command->add_option("--file", file, "check this file in place of the exercise's own");
-    command->add_option("--seed", check_options.seed, "draws other random cases")->capture_default_str();
-    command->add_flag("--json", check_options.json, "print one JSON document and nothing else");
-    command->add_flag("--plot", check_options.plot, "draw your curve on the reference, as SVG and PNG");
+    CLI::App* command = add_command("check", messages::for_students());
+    command->add_option("name", check_options.names, messages::option_help("name"))->type_name("NAME");
+    command->add_option("--file", file, messages::option_help("--file"))->type_name("FILE");
+    command->add_option("--seed", check_options.seed, messages::option_help("--seed"))
+        ->type_name("NUMBER")
+        ->capture_default_str();
+    command->add_option("--case", check_options.case_name, messages::option_help("--case"))->type_name("CASE");
+    command->add_flag("--started", check_options.started, messages::option_help("--started"));
+    command->add_flag("--full", check_options.full, messages::option_help("--full"));
+    command->add_flag("--json", check_options.json, messages::option_help("--json"));
+    command->add_flag("--plot", check_options.plot, messages::option_help("--plot"));
+    add_picture(command, check_options.picture);
     command->callback([this] {
       check_options.file = optional_path(file);
       job = [this](const Course& course) { return check(course, check_options); };
@@ -71,29 +87,32 @@ struct CommandLine {
   }
 
   void add_watch() {
-    CLI::App* command = app.add_subcommand("watch", "check whatever you save, and go on when it passes");
-    command->add_option("name", name, "where to begin: an exercise or a lecture; none: the next exercise");
+    CLI::App* command = add_command("watch", messages::for_students());
+    command->add_option("name", name, messages::option_help("name"))->type_name("NAME");
     command->callback([this] { job = [this](const Course& course) { return watch(course, course_file, name); }; });
   }
 
   void add_list() {
-    app.add_subcommand("list", "show every exercise with its state")->callback([this] { job = list; });
+    add_command("list", messages::for_students())->callback([this] { job = list; });
   }
 
   void add_hint() {
-    CLI::App* command = app.add_subcommand("hint", "show the next hint of an exercise");
-    command->add_option("exercise", name, "its name")->required();
-    command->add_flag("--all", all, "show all hints at once");
+    CLI::App* command = add_command("hint", messages::for_students());
+    command->add_option("exercise", name, messages::option_help("exercise"))->required()->type_name("EXERCISE");
+    command->add_flag("--all", all, messages::option_help("--all"));
     command->callback([this] { job = [this](const Course& course) { return hint(course, name, all); }; });
   }
 
   void add_plot() {
-    CLI::App* command = app.add_subcommand("plot", "draw your curve on the reference, as SVG and PNG");
-    command->add_option("name", plot_options.names, "exercises or lectures");
-    command->add_flag("--all", plot_options.all, "every exercise of the course");
-    command->add_option("--file", file, "use this file in place of the exercise's own");
-    command->add_option("--out", out, "the folder for the pictures");
-    command->add_option("--seed", plot_options.seed, "as for check")->capture_default_str();
+    CLI::App* command = add_command("plot", messages::for_students());
+    command->add_option("name", plot_options.names, messages::option_help("name"))->type_name("NAME");
+    command->add_flag("--all", plot_options.all, messages::option_help("--all"));
+    command->add_option("--file", file, messages::option_help("--file"))->type_name("FILE");
+    command->add_option("--out", out, messages::option_help("--out"))->type_name("FOLDER");
+    command->add_option("--seed", plot_options.seed, messages::option_help("--seed"))
+        ->type_name("NUMBER")
+        ->capture_default_str();
+    add_picture(command, plot_options.picture);
     command->callback([this] {
       plot_options.file = optional_path(file);
       plot_options.out = optional_path(out);
@@ -101,25 +120,75 @@ struct CommandLine {
     });
   }
 
+  void add_figures() {
+    CLI::App* command = add_command("figures", messages::for_students());
+    command->add_option("lecture", figures_options.lecture, messages::option_help("lecture"))
+        ->required()
+        ->type_name("LECTURE");
+    command->add_option("--out", out, messages::option_help("--out"))->type_name("FOLDER");
+    command->add_option("--seconds", figures_options.seconds_per_figure, messages::option_help("--seconds"))
+        ->type_name("NUMBER")
+        ->capture_default_str()
+        ->check(CLI::PositiveNumber);
+    command->callback([this] {
+      figures_options.out = optional_path(out);
+      job = [this](const Course& course) { return figures(course, figures_options); };
+    });
+  }
+
+  void add_report() {
+    CLI::App* command = add_command("report", messages::for_students());
+    command->add_option("--html", html, messages::option_help("--html"))->required()->type_name("FILE");
+    command->add_option("name", report_options.names, messages::option_help("name"))->type_name("NAME");
+    command->add_option("--name", report_options.student, messages::option_help("--name"))->type_name("TEXT");
+    command->add_option("--file", file, messages::option_help("--file"))->type_name("FILE");
+    command->add_option("--seed", report_options.seed, messages::option_help("--seed"))
+        ->type_name("NUMBER")
+        ->capture_default_str();
+    command->callback([this] {
+      report_options.html = html;
+      report_options.file = optional_path(file);
+      job = [this](const Course& course) { return report(course, report_options); };
+    });
+  }
+
+  static void add_picture(CLI::App* command, PictureKind& picture) {
+    static const std::map<std::string, PictureKind> kinds = {{"auto", PictureKind::automatic},
+                                                             {"kitty", PictureKind::kitty},
+                                                             {"sixel", PictureKind::sixel},
+                                                             {"text", PictureKind::text},
+                                                             {"none", PictureKind::none}};
+    command->add_option("--picture", picture, messages::option_help("--picture"))
+        ->transform(CLI::CheckedTransformer(kinds).description(""))
+        ->default_str("auto")
+        ->type_name("KIND");
+  }
+
   void add_reset() {
-    CLI::App* command = app.add_subcommand("reset", "put an exercise back to the beginning; your version is kept");
-    command->add_option("exercise", name, "its name")->required();
+    CLI::App* command = add_command("reset", messages::for_students());
+    command->add_option("exercise", name, messages::option_help("exercise"))->required()->type_name("EXERCISE");
     command->callback([this] { job = [this](const Course& course) { return reset(course, name); }; });
   }
 
   void add_examples() {
-    CLI::App* command = app.add_subcommand("examples", "run the worked examples of a lecture on your own functions");
-    command->add_option("lecture", name, "its name, number or topic")->required();
+    CLI::App* command = add_command("examples", messages::for_students());
+    command->add_option("lecture", name, messages::option_help("lecture"))->required()->type_name("LECTURE");
     command->callback([this] { job = [this](const Course& course) { return examples(course, name); }; });
   }
 
+  void add_handout() {
+    CLI::App* command = add_command("handout", messages::for_instructors());
+    command->add_option("folder", out, messages::option_help("folder"))->required()->type_name("FOLDER");
+    command->callback([this] { job = [this](const Course& course) { return handout(course, out); }; });
+  }
+
   void add_doctor() {
-    app.add_subcommand("doctor", "say what this machine offers")->callback([this] { job = doctor; });
+    add_command("doctor", messages::for_students())->callback([this] { job = doctor; });
   }
 
   void add_self_check() {
-    CLI::App* command = app.add_subcommand("self-check", "for authors: is the workbook itself in order?");
-    command->add_option("--seeds", seed_count, "how many seeds to try, from 1 on")
+    CLI::App* command = add_command("self-check", messages::for_authors());
+    command->add_option("--seeds", seed_count, messages::option_help("--seeds"))
         ->capture_default_str()
         ->check(CLI::Range(1, 1000));
     command->callback([this] {
@@ -129,6 +198,29 @@ struct CommandLine {
         return self_check(course, seeds);
       };
     });
+  }
+
+  void add_completion() {
+    add_command("completion", messages::for_students())->callback([this] {
+      job = [this](const Course& course) {
+        std::vector<std::string> exercises;
+        std::vector<std::string> lectures;
+        for (const Card& card : course.cards()) lectures.push_back(card.lecture);
+        for (const Exercise& exercise : course.exercises()) exercises.push_back(exercise.name());
+        fmt::print("{}", completion_script(app, exercises, lectures));
+        return static_cast<int>(all_passed);
+      };
+    });
+  }
+
+  /// A command with the help that belongs to its name.
+  CLI::App* add_command(const std::string& command_name, const std::string& group) {
+    const messages::CommandHelp& help = messages::help_of(command_name);
+    CLI::App* command = app.add_subcommand(command_name, help.description);
+    command->group(group);
+    command->fallthrough();  // --plain may stand behind the command as well
+    command->footer(messages::examples_of(help));
+    return command;
   }
 
   static std::optional<fs::path> optional_path(const std::string& text) {
@@ -143,6 +235,9 @@ struct CommandLine {
  private:
   CheckOptions check_options;
   PlotOptions plot_options;
+  FiguresOptions figures_options;
+  ReportOptions report_options;
+  std::string html;
   std::string file;
   std::string out;
   std::string name;

@@ -8,6 +8,7 @@
 #include "checker/judging/observation.hpp"
 #include "checker/worker/run_exercise.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 
@@ -17,6 +18,8 @@ namespace workbook {
 struct Checked {
   Exercise exercise;
   std::filesystem::path file;
+  bool is_elsewhere = false;  ///< the file is not the exercise's own
+  std::uint64_t seed = 1;
   const ExerciseReference* reference = nullptr;
   Observation observation;
   Judgement judgement;

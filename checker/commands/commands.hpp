@@ -3,6 +3,7 @@
 #pragma once
 
 #include "checker/course/course.hpp"
+#include "checker/report/terminal_graphics.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -18,8 +19,12 @@ struct CheckOptions {
   std::vector<std::string> names;  ///< exercises and lectures; none: the whole course
   std::optional<std::filesystem::path> file;
   std::uint64_t seed = 1;
+  std::optional<std::string> case_name;  ///< show this case in full, whether it passes or not
+  bool started = false;                  ///< leave out what is not started
+  bool full = false;                     ///< with all that the compiler says
   bool json = false;
   bool plot = false;
+  PictureKind picture = PictureKind::automatic;  ///< of the plot, on the terminal
 };
 
 struct PlotOptions {
@@ -28,6 +33,21 @@ struct PlotOptions {
   std::optional<std::filesystem::path> file;
   std::optional<std::filesystem::path> out;
   std::uint64_t seed = 1;
+  PictureKind picture = PictureKind::automatic;
+};
+
+struct FiguresOptions {
+  std::string lecture;
+  std::optional<std::filesystem::path> out;
+  double seconds_per_figure = 60.0;
+};
+
+struct ReportOptions {
+  std::filesystem::path html;
+  std::vector<std::string> names;  ///< exercises and lectures; none: the whole course
+  std::optional<std::filesystem::path> file;
+  std::uint64_t seed = 1;
+  std::string student;  ///< whose page it is; may be empty
 };
 
 /// Where the student stands, and what is next.
@@ -43,6 +63,12 @@ int hint(const Course& course, const std::string& name, bool all);
 
 int plot(const Course& course, const PlotOptions& options);
 
+/// The figures of a lecture, drawn with the student's own functions.
+int figures(const Course& course, const FiguresOptions& options);
+
+/// One page with everything that the checker has to say to one student.
+int report(const Course& course, const ReportOptions& options);
+
 /// Puts the stub back; what was there is kept beside the progress file.
 int reset(const Course& course, const std::string& name);
 
@@ -53,6 +79,9 @@ int watch(const Course& course, const std::filesystem::path& course_file, const 
 
 /// The worked examples of a lecture on the student's own functions: which of them come out by now.
 int examples(const Course& course, const std::string& lecture);
+
+/// Writes the copy of the workbook that students get: without solutions, with the reference results as data.
+int handout(const Course& course, const std::filesystem::path& directory);
 
 /// What this machine offers.
 int doctor(const Course& course);

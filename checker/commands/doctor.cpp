@@ -1,5 +1,6 @@
 #include "checker/commands/commands.hpp"
 #include "checker/compile/toolchain.hpp"
+#include "checker/messages/machine.hpp"
 #include "checker/report/console.hpp"
 #include "checker/report/gnuplot_program.hpp"
 #include "checker/worker/sandbox.hpp"
@@ -13,7 +14,7 @@ namespace workbook {
 namespace {
 
 bool report(const Console& console, bool good, const std::string& what, const std::string& detail) {
-  const std::string mark = console.plain() ? (good ? "good: " : "not good: ")
+  const std::string mark = console.plain() ? (good ? messages::good_mark() : messages::bad_mark())
                                            : console.mark(good ? "✓" : "✗", good ? Style::good : Style::bad);
   fmt::print("{}{} {}\n", mark, padded(what, 12), detail);
   return good;
@@ -28,38 +29,36 @@ int doctor(const Course& course) {
   try {
     const Toolchain toolchain = read_toolchain(course.toolchain_file());
     for (const Exercise& exercise : course.exercises()) require_complete(toolchain, exercise.name());
-    report(console, true, "compiler", toolchain.compiler.string());
+    report(console, true, messages::about_compiler(), toolchain.compiler.string());
   } catch (const ToolchainError& problem) {
-    well = report(console, false, "compiler", problem.what());
+    well = report(console, false, messages::about_compiler(), problem.what());
   }
 
   try {
     for (const Card& card : course.cards()) course.reference(card.lecture, 1);
-    report(console, true, "reference",
-           fmt::format("results of {} lectures, {} exercises", course.cards().size(), course.exercises().size()));
+    report(console, true, messages::about_reference(),
+           messages::results_are_there(course.cards().size(), course.exercises().size()));
   } catch (const ReferenceError& problem) {
-    well = report(console, false, "reference", problem.what());
+    well = report(console, false, messages::about_reference(), problem.what());
   }
 
   const SandboxStrength sandbox = sandbox_strength();
-  report(console, sandbox.filters_system_calls, "sandbox", sandbox.sentence);
+  report(console, sandbox.filters_system_calls, messages::about_sandbox(), sandbox.sentence);
 
   const std::string gnuplot = gnuplot_program();
-  report(console, !gnuplot.empty(), "gnuplot",
-         gnuplot.empty() ? "missing: checks work, plots do not (on Debian: apt-get install gnuplot-nox)" : gnuplot);
+  report(console, !gnuplot.empty(), messages::about_gnuplot(),
+         gnuplot.empty() ? messages::gnuplot_is_missing() : gnuplot);
 
-  const bool writable = access(course.root().c_str(), W_OK) == 0;
-  report(console, writable, "folder",
-         fmt::format("{} {}", course.root().string(),
-                     writable ? "is writable" : "is not writable: progress and resets cannot be saved"));
+  const std::string root = course.root().string();
+  const bool writable = access(root.c_str(), W_OK) == 0;
+  report(console, writable, messages::about_folder(),
+         writable ? messages::folder_is_writable(root) : messages::folder_is_not_writable(root));
 
   const auto notes = course.cards().empty() ? std::nullopt : course.notes_page(course.cards().front().lecture);
-  report(console, notes.has_value(), "notes",
-         notes ? notes->parent_path().string()
-               : "not built as pages; read lectures/*/notes.md, or build the target `notes`");
+  report(console, notes.has_value(), messages::about_notes(),
+         notes ? notes->parent_path().string() : messages::notes_are_not_built());
 
-  report(console, true, "terminal",
-         fmt::format("{} columns, {}", console.width(), console.color() ? "colour" : "no colour"));
+  report(console, true, messages::about_terminal(), messages::terminal_is(console.width(), console.color()));
   return well ? all_passed : checker_failed;
 }
 

@@ -1,16 +1,13 @@
+#include "checker/commands/built_programs.hpp"
 #include "checker/commands/commands.hpp"
+#include "checker/messages/worked_examples.hpp"
 #include "checker/report/console.hpp"
-#include "checker/worker/child_process.hpp"
 
 #include <fmt/format.h>
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 
-#include <unistd.h>
-
-#include <algorithm>
-#include <cstdlib>
-#include <regex>
+#include <chrono>
 #include <sstream>
 
 namespace workbook {
@@ -23,29 +20,6 @@ struct Example {
   bool passed = false;
   bool not_started = false;
 };
-
-FinishedProgram run(const std::string& program, const std::vector<std::string>& arguments, std::chrono::seconds limit) {
-  Launch launch;
-  launch.program = program.c_str();
-  launch.arguments = arguments;
-  const char* path = std::getenv("PATH");
-  launch.environment = {std::string("PATH=") + (path == nullptr ? "/usr/bin:/bin" : path)};
-  return run_program(launch, limit, std::size_t{4} << 20);
-}
-
-bool succeeded(const FinishedProgram& finished) {
-  return !finished.out_of_time && finished.end.signal == 0 && finished.end.exit_status == 0;
-}
-
-/// The student's files that the compiler complains about.
-std::vector<std::string> files_with_errors(const std::string& output) {
-  std::vector<std::string> files;
-  const std::regex pattern(R"(lectures/\w+/exercises/\w+\.cpp(?=:\d+:\d+: error))");
-  for (std::sregex_iterator match(output.begin(), output.end(), pattern), end; match != end; ++match) {
-    if (std::find(files.begin(), files.end(), match->str()) == files.end()) files.push_back(match->str());
-  }
-  return files;
-}
 
 /// doctest's report in XML. @throws boost::property_tree::xml_parser_error if the program died before its end.
 std::vector<Example> read_report(const std::string& xml) {
@@ -68,8 +42,19 @@ std::vector<Example> read_report(const std::string& xml) {
   return examples;
 }
 
-std::filesystem::path program_of(const Course& course, const std::string& target) {
-  return course.build() / "lectures" / target;
+/// The example's title, and what is amiss with it.
+std::string in_words(const Example& example) {
+  if (example.passed) return example.title;
+  return example.not_started ? messages::example_is_not_started(example.title)
+                             : messages::example_comes_out_otherwise(example.title);
+}
+
+/// Why the examples left no report.
+std::string without_report(const FinishedProgram& finished, const std::string& lecture) {
+  if (finished.out_of_time) return messages::examples_took_too_long(lecture);
+  if (finished.too_much_output) return messages::examples_printed_too_much();
+  if (finished.end.signal != 0) return messages::examples_crashed(finished.end.signal, lecture);
+  return messages::examples_left_no_report(finished.end.exit_status);
 }
 
 }  // namespace
@@ -79,32 +64,25 @@ int examples(const Course& course, const std::string& name) {
   const Console console = Console::of_standard_output();
   const std::string target = "worked_examples_of_the_student_" + lecture;
 
-  if (isatty(STDERR_FILENO) != 0)
-    fmt::print(stderr, "Building the worked examples of {} with your functions ...", lecture);
-  const FinishedProgram built =
-      run("/usr/bin/env", {"cmake", "--build", course.build().string(), "--target", target}, std::chrono::minutes(10));
-  if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\033[K");
-  if (!succeeded(built)) {
+  const FinishedProgram built = build_target(course, target);
+  if (!built.succeeded()) {
     const std::vector<std::string> files = files_with_errors(built.output);
     if (!files.empty()) {
-      fmt::print("These files do not compile, so the examples cannot run; `checker check` on each says why:\n");
+      fmt::print("{}\n", messages::examples_need_files_that_compile());
       for (const std::string& file : files) fmt::print("  {}\n", file);
       return something_failed;
     }
-    fmt::print(stderr, "{}\nThe worked examples of {} could not be built.\n", built.output, lecture);
+    fmt::print(stderr, "{}\n{}\n", built.output, messages::examples_could_not_be_built(lecture));
     return checker_failed;
   }
 
   const FinishedProgram finished =
-      run(program_of(course, target).string(), {"--reporters=xml"}, std::chrono::minutes(2));
+      run_with_path(lecture_program(course, target).string(), {"--reporters=xml"}, std::chrono::minutes(2));
   std::vector<Example> found;
   try {
     found = read_report(finished.output);
   } catch (const boost::property_tree::ptree_error&) {
-    fmt::print(
-        "The examples ended before their end ({}): a function of yours crashes or never returns; `checker check {}` "
-        "finds it.\n",
-        finished.out_of_time ? "out of time" : fmt::format("signal {}", finished.end.signal), lecture);
+    fmt::print("{}\n", without_report(finished, lecture));
     return something_failed;
   }
   std::size_t passed = 0;
@@ -112,13 +90,10 @@ int examples(const Course& course, const std::string& name) {
     passed += example.passed ? 1 : 0;
     const std::string mark = example.passed ? "✓" : example.not_started ? "·" : "✗";
     const Style style = example.passed ? Style::good : example.not_started ? Style::quiet : Style::bad;
-    const std::string note = example.passed        ? ""
-                             : example.not_started ? " (needs a function that is not started)"
-                                                   : " (comes out otherwise)";
-    const std::string text = console.wrapped(example.title + note, 2);
-    fmt::print("{} {}\n", console.styled(mark, style), text.substr(2));
+    const std::string text = console.wrapped(in_words(example), 2);
+    fmt::print("{}{}\n", console.mark(mark, style), text.substr(2));
   }
-  fmt::print("\n{} of {} worked examples of {} come out with your functions.\n", passed, found.size(), lecture);
+  fmt::print("\n{}\n", messages::examples_come_out(passed, found.size(), lecture));
   return passed == found.size() ? all_passed : something_failed;
 }
 

@@ -1,6 +1,7 @@
 #include "checker/commands/commands.hpp"
 #include "checker/course/hints.hpp"
 #include "checker/course/progress.hpp"
+#include "checker/messages/hinting.hpp"
 #include "checker/report/console.hpp"
 
 #include <fmt/format.h>
@@ -19,14 +20,14 @@ int hint(const Course& course, const std::string& name, bool all) {
   const std::size_t first = all ? 0 : std::min(shown_before, hints.size() - 1);
   const std::size_t last = all ? hints.size() - 1 : first;
   for (std::size_t i = first; i <= last; ++i) {
-    fmt::print("{}\n{}\n\n", console.styled(fmt::format("Hint {} of {}", i + 1, hints.size()), Style::strong),
+    fmt::print("{}\n{}\n\n", console.styled(messages::hint_heading(i + 1, hints.size()), Style::strong),
                console.wrapped(hints[i], 2));
   }
   if (last + 1 < hints.size()) {
-    fmt::print("The same command shows the next one.\n");
+    fmt::print("{}\n", messages::hint_goes_on());
   } else {
-    fmt::print("That was the last hint. The paragraph of the notes: lectures/{}/notes.md, {}.\n", exercise.lecture(),
-               exercise.entry->notes);
+    const std::string notes = course.notes_file(*exercise.card).lexically_relative(course.root()).string();
+    fmt::print("{}\n", messages::hint_was_the_last(notes, exercise.entry->notes));
   }
   progress.remember_hints(name, std::max(shown_before, last + 1));
   if (!progress.warning().empty()) fmt::print(stderr, "{}\n", progress.warning());

@@ -1,53 +1,31 @@
 #include "checker/commands/commands.hpp"
 #include "checker/course/progress.hpp"
+#include "checker/messages/program.hpp"
+#include "checker/messages/standing.hpp"
 #include "checker/report/console.hpp"
 #include "checker/report/standing.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace workbook {
 
 namespace {
-
-struct State {
-  std::string mark;
-  std::string words;
-  Style style;
-};
-
-State state_of(const Course& course, const Progress& progress, const Exercise& exercise) {
-  const std::string verdict = progress.verdict(exercise.name());
-  if (verdict == "passed") {
-    if (progress.passed(exercise.name(), fingerprint(course.student_file(exercise))))
-      return {"✓", "passed", Style::good};
-    return {"?", "changed since it passed", Style::warning};
-  }
-  if (verdict.empty() || verdict == "not_started") return {"·", "not started", Style::quiet};
-  std::string words = verdict;
-  std::replace(words.begin(), words.end(), '_', ' ');
-  return {"✗", words, Style::bad};
-}
 
 void print_warning(const Progress& progress) {
   if (!progress.warning().empty()) fmt::print(stderr, "{}\n", progress.warning());
 }
 
+void print_command(const std::string& label, const std::string& arguments) {
+  fmt::print("  {} {}\n", padded(label, 6), messages::command(arguments));
+}
+
 }  // namespace
 
 int list(const Course& course) {
-  const Console console = Console::of_standard_output();
   const Progress progress(course.progress_file());
-  for (const Card& card : course.cards()) {
-    fmt::print("{}  {}\n", console.styled(card.lecture, Style::strong), card.title);
-    for (const CardExercise& entry : card.exercises) {
-      const State state = state_of(course, progress, {&card, &entry});
-      fmt::print("  {} {} {}\n", console.styled(state.mark, state.style), padded(entry.name, 30),
-                 console.styled(state.words, state.style));
-    }
-    fmt::print("\n");
-  }
+  fmt::print("{}", exercise_list(course, progress, Console::of_standard_output()));
+  if (const Standing standing = standing_of(course, progress); const Exercise* next = standing.next())
+    fmt::print("\n{}: {}\n", messages::next_exercise(), next->name());
   print_warning(progress);
   return all_passed;
 }
@@ -56,23 +34,17 @@ int status(const Course& course) {
   const Console console = Console::of_standard_output();
   const Progress progress(course.progress_file());
   const Standing standing = standing_of(course, progress);
-  const std::size_t width = std::clamp<std::size_t>(console.width() / 4, 8, 24);
-  for (const Card& card : course.cards()) {
-    const std::size_t total = card.exercises.size();
-    const std::size_t passed = standing.count_passed(card.lecture);
-    fmt::print("{} {} {:>2} of {:<2}  {}\n", padded(card.lecture, 22), console.bar(passed, total, width), passed, total,
-               console.width() >= 90 ? card.title : "");
-  }
-  fmt::print("\n");
+  fmt::print("{}\n", overview(course, standing, console));
   if (const Exercise* next = standing.next()) {
-    fmt::print("{}", introduction(course, *next, "Next", console));
-    fmt::print("  check  ./checker/run check {}\n  hint   ./checker/run hint {}\n", next->name(), next->name());
+    const State state = state_of(course, progress, *next);
+    fmt::print("{}", introduction(course, *next, messages::next_exercise(), console));
+    if (!progress.verdict(next->name()).empty())
+      fmt::print("  {} {}\n", padded(messages::state_row(), 6), console.styled(state.words, state.style));
+    print_command(messages::check_row(), "check " + next->name());
+    print_command(messages::hint_row(), "hint " + next->name());
+    print_command(messages::watch_row(), "watch");
   } else {
-    fmt::print(
-        "{}\n",
-        console.wrapped(fmt::format(
-            "All {} exercises pass. You have written the library; `checker check --seed 2` tries it on other numbers.",
-            standing.total())));
+    fmt::print("{}\n", console.wrapped(messages::everything_passes(standing.total())));
   }
   print_warning(progress);
   return all_passed;

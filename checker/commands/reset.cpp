@@ -1,6 +1,7 @@
 #include "checker/commands/commands.hpp"
 #include "checker/course/progress.hpp"
 #include "checker/course/stub.hpp"
+#include "checker/messages/resetting.hpp"
 
 #include <fmt/format.h>
 
@@ -35,30 +36,29 @@ int reset(const Course& course, const std::string& name) {
     const fs::path kept = place_to_keep(course, name);
     fs::create_directories(kept.parent_path(), problem);
     if (!fs::copy_file(file, kept, problem)) {
-      fmt::print(stderr, "{} was not reset, because your version could not be kept as {}: {}.\n", name, kept.string(),
-                 problem.message());
+      fmt::print(stderr, "{}\n", messages::not_reset_because_not_kept(name, kept.string(), problem.message()));
       return checker_failed;
     }
-    fmt::print("Your version is kept as {}.\n", kept.string());
+    fmt::print("{}\n", messages::version_is_kept(kept.string()));
   }
   const fs::path fresh = file.string() + ".new";
   {
     std::ofstream out(fresh, std::ios::binary);
     out << stub;
     if (!out) {
-      fmt::print(stderr, "{} was not reset: {} cannot be written; make its folder writable.\n", name, fresh.string());
+      fmt::print(stderr, "{}\n", messages::not_reset_because_not_written(name, fresh.string()));
       return checker_failed;
     }
   }
   fs::rename(fresh, file, problem);
   if (problem) {
-    fmt::print(stderr, "{} was not reset: {}.\n", name, problem.message());
+    fmt::print(stderr, "{}\n", messages::not_reset(name, problem.message()));
     fs::remove(fresh, problem);
     return checker_failed;
   }
   Progress progress(course.progress_file());
   progress.forget(name);
-  fmt::print("{} is as it was at the beginning.\n", file.string());
+  fmt::print("{}\n", messages::is_at_the_beginning(file.string()));
   return all_passed;
 }
 

@@ -2,6 +2,7 @@
 #include "checker/commands/commands.hpp"
 #include "checker/course/inspection.hpp"
 #include "checker/judging/inconsistencies.hpp"
+#include "checker/messages/workbook_in_order.hpp"
 #include "checker/report/progress_bar.hpp"
 
 #include <fmt/format.h>
@@ -28,20 +29,19 @@ class Faults {
   std::vector<std::string> all_;
 };
 
-/// Runs one file and complains unless the verdict is the wanted one.
+/// Runs one file, a stub or a solution, and complains unless the verdict is the one that it should have.
 void require_verdict(const Course& course, const Toolchain& toolchain, const Exercise& exercise,
                      const ExerciseReference& reference, const std::filesystem::path& file, Verdict wanted,
-                     const std::string& consequence, Faults& faults) {
+                     Faults& faults) {
   if (!std::filesystem::exists(file)) return;  // faults_of_files says so
   const Checked checked = check_exercise(course, toolchain, exercise, reference, file);
+  const std::string shown = file.lexically_relative(course.root()).string();
   if (checked.judgement.verdict != wanted) {
-    faults.add(fmt::format("{}: the verdict is {}, not {}: {} {}", file.lexically_relative(course.root()).string(),
-                           to_string(checked.judgement.verdict), to_string(wanted), checked.judgement.message,
-                           consequence));
+    faults.add(wanted == Verdict::passed
+                   ? messages::solution_is_judged_otherwise(shown, checked.judgement)
+                   : messages::stub_is_judged_otherwise(shown, checked.judgement, exercise.name()));
   } else if (!checked.judgement.diagnoses.empty()) {
-    faults.add(fmt::format("{}: passes and is accused all the same: {}",
-                           file.lexically_relative(course.root()).string(),
-                           checked.judgement.diagnoses.front().message));
+    faults.add(messages::passes_and_is_accused(shown, checked.judgement.diagnoses.front().message));
   }
 }
 
@@ -51,13 +51,16 @@ int self_check(const Course& course, const std::vector<std::uint64_t>& seeds) {
   Faults faults;
   faults.add(faults_of_files(course));
   const Toolchain toolchain = read_toolchain(course.toolchain_file());
-  std::size_t routes = 0;
-  std::size_t misconceptions = 0;
+  messages::Extent extent{.lectures = course.cards().size(),
+                          .exercises = course.exercises().size(),
+                          .routes = 0,
+                          .misconceptions = 0,
+                          .seeds = seeds.size()};
   ProgressBar progress_bar;
   std::size_t done = 0;
   const auto check_lecture = [&](const Card& card) {
     for (const std::uint64_t seed : seeds) {
-      progress_bar.show(done++, course.cards().size() * seeds.size(), fmt::format("{}, seed {}", card.lecture, seed));
+      progress_bar.show(done++, course.cards().size() * seeds.size(), messages::lecture_and_seed(card.lecture, seed));
       const LectureReference reference = course.reference(card.lecture, seed);
       const bool first = seed == seeds.front();
       if (first) faults.add(faults_of_notes(course, card, reference));
@@ -65,19 +68,22 @@ int self_check(const Course& course, const std::vector<std::uint64_t>& seeds) {
         const Exercise exercise{&card, &entry};
         const ExerciseReference& judged = reference.exercise(entry.name);
         for (const std::string& sentence : inconsistencies(judged)) {
-          faults.add(fmt::format("solutions/{}/judging.cpp: {}: {}", card.lecture, entry.name, sentence));
+          faults.add(messages::judging_is_inconsistent(card.lecture, entry.name, sentence));
         }
         if (first) {
-          routes += judged.routes.size();
-          misconceptions += judged.misconceptions.size();
+          extent.routes += judged.routes.size();
+          extent.misconceptions += judged.misconceptions.size();
           faults.add(faults_of_hints(course, exercise));
+          faults.add(faults_of_contract(course, exercise, judged));
+        }
+        // Where there are no solutions, the exercises belong to a student, who may have solved them.
+        if (first && course.has_solutions()) {
           faults.add(faults_of_stub(course, exercise, judged));
           require_verdict(course, toolchain, exercise, judged, course.student_file(exercise), Verdict::not_started,
-                          fmt::format("`checker reset {}` puts the stub back.", entry.name), faults);
+                          faults);
         }
         if (course.has_solutions()) {
-          require_verdict(course, toolchain, exercise, judged, course.solution_file(exercise), Verdict::passed,
-                          "Mend the solution or its judging.", faults);
+          require_verdict(course, toolchain, exercise, judged, course.solution_file(exercise), Verdict::passed, faults);
         }
       }
     }
@@ -93,12 +99,10 @@ int self_check(const Course& course, const std::vector<std::uint64_t>& seeds) {
 
   for (const std::string& sentence : faults.all()) fmt::print("{}\n", sentence);
   if (!faults.all().empty()) {
-    fmt::print("{} thing{} to mend.\n", faults.all().size(), faults.all().size() == 1 ? "" : "s");
+    fmt::print("{}\n", messages::to_mend(faults.all().size()));
     return something_failed;
   }
-  fmt::print("In order: {} lectures, {} exercises, {} right routes, {} wrong answers, {} seed{}.\n",
-             course.cards().size(), course.exercises().size(), routes, misconceptions, seeds.size(),
-             seeds.size() == 1 ? "" : "s");
+  fmt::print("{}\n", messages::in_order(extent));
   return all_passed;
 }
 

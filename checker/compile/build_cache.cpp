@@ -1,5 +1,8 @@
 #include "checker/compile/build_cache.hpp"
 
+#include "checker/messages/compiling.hpp"
+#include "checker/messages/machine.hpp"
+
 #include <stdlib.h>
 
 #include <algorithm>
@@ -31,7 +34,7 @@ std::string checksum(const std::string& bytes) {
 }
 
 [[noreturn]] void cannot_write(const fs::path& where, const std::string& reason) {
-  throw CacheError("The checker cannot write to " + where.string() + " (" + reason + "); this is not your mistake.");
+  throw CacheError(messages::cannot_write_to(where.string(), reason));
 }
 
 }  // namespace
@@ -62,14 +65,14 @@ std::optional<fs::path> BuildCache::find(const std::string& key) const {
 
 fs::path BuildCache::keep(const fs::path& executable, const std::string& key) const {
   const std::optional<std::string> bytes = content(executable);
-  if (!bytes) cannot_write(executable, "the executable is gone");
+  if (!bytes) cannot_write(executable, messages::executable_is_gone());
   const fs::path prepared = executable.parent_path() / "entry";
   std::error_code error;
   fs::create_directory(prepared, error);
   if (!error) fs::rename(executable, prepared / executable_name, error);
   if (error) cannot_write(prepared, error.message());
   std::ofstream stream(prepared / key_name, std::ios::binary);
-  if (!(stream << checksum(*bytes) << key).flush()) cannot_write(prepared, "is the disk full?");
+  if (!(stream << checksum(*bytes) << key).flush()) cannot_write(prepared, messages::disk_may_be_full());
   stream.close();
 
   const fs::path place = entry(key);

@@ -3,24 +3,16 @@
 #pragma once
 
 #include "checker/compile/build_cache.hpp"
+#include "checker/compile/compiler.hpp"
 #include "checker/compile/toolchain.hpp"
 #include "checker/judging/observation.hpp"
 
-#include <chrono>
-#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace workbook {
-
-/// What the compiler may use for one file.
-struct CompileLimits {
-  std::chrono::duration<double> time{60.0};
-  std::size_t memory_bytes = std::size_t{2} << 30;
-  std::size_t output_bytes = std::size_t{256} << 10;
-  std::size_t file_bytes = std::size_t{64} << 20;  ///< of each file that it writes
-};
 
 /// The exercise that the file is for.
 struct CompileTask {
@@ -36,8 +28,9 @@ struct Compilation {
 
   // Where there is no executable:
   Refusal refusal = Refusal::checker_error;
-  std::string message;  ///< one sentence
-  std::string details;  ///< what the compiler printed
+  std::string message;            ///< one sentence
+  std::string details;            ///< all that the compiler printed
+  std::vector<Finding> findings;  ///< the first error, with its line
 };
 
 /// Compiles the file alone, from a copy, and links it with the worker of its exercise. Never throws for anything that a

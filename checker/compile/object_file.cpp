@@ -1,5 +1,7 @@
 #include "checker/compile/object_file.hpp"
 
+#include "checker/compile/plain_words.hpp"
+#include "checker/messages/compiling.hpp"
 #include "checker/worker/child_process.hpp"
 
 #include <cxxabi.h>
@@ -8,7 +10,6 @@
 #include <cstdlib>
 #include <memory>
 #include <optional>
-#include <regex>
 #include <sstream>
 
 namespace workbook {
@@ -25,21 +26,6 @@ std::optional<std::string> demangled(const std::string& linker_name) {
 
 }  // namespace
 
-std::string in_contract_words(std::string signature) {
-  static const std::pair<const char*, const char*> words[] = {{"Eigen::Matrix<double, 2, 1, 0, 2, 1>", "Vector2d"},
-                                                              {"Eigen::Matrix<double, 3, 1, 0, 3, 1>", "Vector3d"},
-                                                              {"Eigen::Matrix<double, -1, 1, 0, -1, 1>", "VectorXd"},
-                                                              {"Eigen::Matrix<double, 3, 3, 0, 3, 3>", "Matrix3d"},
-                                                              {"Eigen::Matrix<double, 3, -1, 0, 3, -1>", "Matrix3Xd"},
-                                                              {"Eigen::Matrix<double, -1, -1, 0, -1, -1>", "MatrixXd"}};
-  for (const auto& [long_name, short_name] : words)
-    for (std::size_t at = 0; (at = signature.find(long_name, at)) != std::string::npos;)
-      signature.replace(at, std::string(long_name).size(), short_name);
-  signature =
-      std::regex_replace(signature, std::regex("std::vector<(\\w+), std::allocator<\\w+ ?> ?>"), "std::vector<$1>");
-  return std::regex_replace(signature, std::regex("([\\w:]+(?:<\\w+>)?) const&"), "const $1&");
-}
-
 bool ObjectFile::defines(const std::string& linker_name) const {
   return std::any_of(defined.begin(), defined.end(),
                      [&](const Symbol& symbol) { return symbol.linker_name == linker_name; });
@@ -55,8 +41,7 @@ ObjectFile read_object_file(const std::filesystem::path& object, const Toolchain
   try {
     listing = run_program(launch, std::chrono::seconds(10), std::size_t{16} << 20);
   } catch (const LaunchError& error) {
-    throw ToolchainError("The program " + program + " cannot be used (" + error.what() +
-                         "); build the workbook again.");
+    throw ToolchainError(messages::cannot_use(program, error.what()));
   }
   ObjectFile result;
   std::istringstream lines(listing.output);

@@ -28,7 +28,4 @@ struct ObjectFile {
 /// @throws ToolchainError if the symbols cannot be listed
 ObjectFile read_object_file(const std::filesystem::path& object, const Toolchain& toolchain);
 
-/// A C++ signature in the words of the contracts: "const Vector3d&" for "Eigen::Matrix<double, 3, 1, 0, 3, 1> const&".
-std::string in_contract_words(std::string signature);
-
 }  // namespace workbook

@@ -1,5 +1,6 @@
 #include "checker/compile/source_file.hpp"
 
+#include "checker/messages/compiling.hpp"
 #include "checker/worker/descriptor.hpp"
 #include "checker/worker/printable.hpp"
 
@@ -13,15 +14,22 @@
 namespace workbook {
 namespace {
 
-[[noreturn]] void reject(const std::filesystem::path& file, const std::string& reason) {
-  throw RejectedFile(printable(file.filename().string()) + " " + reason);
+/// Refuses a file with one of the sentences for that.
+template <class... Reason>
+[[noreturn]] void reject(const std::filesystem::path& file,
+                         std::string (*sentence)(const std::string&, const Reason&...), const Reason&... reason) {
+  throw RejectedFile(sentence(printable(file.filename().string()), reason...));
+}
+
+[[noreturn]] void reject_unreadable(const std::filesystem::path& file) {
+  reject(file, messages::cannot_be_read, std::generic_category().message(errno));
 }
 
 void require_regular(const std::filesystem::path& file, const struct stat& status) {
   if (S_ISREG(status.st_mode)) return;
-  if (S_ISDIR(status.st_mode)) reject(file, "is a folder; name the file with your function.");
-  if (S_ISLNK(status.st_mode)) reject(file, "is a symbolic link; put the file itself there.");
-  reject(file, "is not an ordinary file; save your function as an ordinary text file.");
+  if (S_ISDIR(status.st_mode)) reject(file, messages::is_folder);
+  if (S_ISLNK(status.st_mode)) reject(file, messages::is_symbolic_link);
+  reject(file, messages::is_no_ordinary_file);
 }
 
 }  // namespace
@@ -30,14 +38,13 @@ std::string read_source(const std::filesystem::path& file) {
   struct stat status {};
   // Looked at before it is opened: opening a device can do things.
   if (::lstat(file.c_str(), &status) != 0) {
-    if (errno == ENOENT || errno == ENOTDIR) reject(file, "does not exist; check the name and the folder.");
-    reject(file, "cannot be read (" + std::generic_category().message(errno) + "); check its name and permissions.");
+    if (errno == ENOENT || errno == ENOTDIR) reject(file, messages::does_not_exist);
+    reject_unreadable(file);
   }
   require_regular(file, status);
   const Descriptor descriptor(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_NOCTTY | O_CLOEXEC));
-  if (!descriptor)
-    reject(file, "cannot be read (" + std::generic_category().message(errno) + "); check its permissions.");
-  if (::fstat(descriptor.number(), &status) != 0) reject(file, "cannot be read.");
+  if (!descriptor) reject_unreadable(file);
+  if (::fstat(descriptor.number(), &status) != 0) reject_unreadable(file);
   require_regular(file, status);
 
   std::string text(largest_source + 1, '\0');
@@ -45,15 +52,14 @@ std::string read_source(const std::filesystem::path& file) {
   while (size < text.size() && static_cast<std::size_t>(status.st_size) <= largest_source) {
     const ssize_t got = ::read(descriptor.number(), text.data() + size, text.size() - size);
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) reject(file, "cannot be read (" + std::generic_category().message(errno) + ").");
+    if (got < 0) reject_unreadable(file);
     if (got == 0) break;
     size += static_cast<std::size_t>(got);
   }
   if (size > largest_source || static_cast<std::size_t>(status.st_size) > largest_source)
-    reject(file, "is larger than 1 MiB; hand in the source file only.");
+    reject(file, messages::is_too_large);
   text.resize(size);
-  if (text.find('\0') != std::string::npos)
-    reject(file, "is not a text file; hand in the source file, saved as UTF-8, not a compiled one.");
+  if (text.find('\0') != std::string::npos) reject(file, messages::is_no_text);
   if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
   return text;
 }

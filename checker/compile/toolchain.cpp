@@ -1,5 +1,7 @@
 #include "checker/compile/toolchain.hpp"
 
+#include "checker/messages/compiling.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <fstream>
@@ -8,28 +10,26 @@ namespace workbook {
 namespace {
 
 constexpr int current_format = 1;
-constexpr const char* remedy = "; build the workbook again.";
 
 std::vector<std::filesystem::path> paths(const nlohmann::json& list) {
   const auto strings = list.get<std::vector<std::string>>();
   return {strings.begin(), strings.end()};
 }
 
-void require_file(const std::filesystem::path& file, const char* role) {
+void require_file(const std::filesystem::path& file, messages::ToolchainPart part) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(file, ignored))
-    throw ToolchainError(std::string("The ") + role + " " + file.string() + " is missing" + remedy);
+    throw ToolchainError(messages::part_is_missing(part, file.string()));
 }
 
 }  // namespace
 
 Toolchain read_toolchain(const std::filesystem::path& file) {
   std::ifstream stream(file);
-  if (!stream) throw ToolchainError("The toolchain file " + file.string() + " cannot be read" + remedy);
+  if (!stream) throw ToolchainError(messages::toolchain_cannot_be_read(file.string()));
   try {
     const nlohmann::json json = nlohmann::json::parse(stream);
-    if (json.at("format") != current_format)
-      throw ToolchainError("The toolchain file " + file.string() + " has another format than this checker" + remedy);
+    if (json.at("format") != current_format) throw ToolchainError(messages::toolchain_of_another_format(file.string()));
     Toolchain toolchain;
     toolchain.compiler = json.at("compiler").get<std::string>();
     toolchain.flags = json.at("flags").get<std::vector<std::string>>();
@@ -39,17 +39,20 @@ Toolchain read_toolchain(const std::filesystem::path& file) {
     toolchain.support = paths(json.at("support"));
     toolchain.link_flags = json.at("link_flags").get<std::vector<std::string>>();
     toolchain.nm = json.at("nm").get<std::string>();
+    toolchain.second_look = json.value("second_look", "");
+    toolchain.addr2line = json.value("addr2line", "");
     return toolchain;
   } catch (const nlohmann::json::exception& error) {
-    throw ToolchainError("The toolchain file " + file.string() + " is damaged (" + error.what() + ")" + remedy);
+    throw ToolchainError(messages::toolchain_is_damaged(file.string(), error.what()));
   }
 }
 
 void require_complete(const Toolchain& toolchain, const std::string& exercise) {
-  require_file(toolchain.compiler, "compiler");
-  require_file(toolchain.prelude, "prelude");
-  require_file(toolchain.worker_object(exercise), "worker");
-  for (const std::filesystem::path& object : toolchain.support) require_file(object, "worker's part");
+  using messages::ToolchainPart;
+  require_file(toolchain.compiler, ToolchainPart::compiler);
+  require_file(toolchain.prelude, ToolchainPart::prelude);
+  require_file(toolchain.worker_object(exercise), ToolchainPart::worker);
+  for (const std::filesystem::path& object : toolchain.support) require_file(object, ToolchainPart::part_of_worker);
 }
 
 }  // namespace workbook

@@ -23,6 +23,8 @@ struct Toolchain {
   std::vector<std::filesystem::path> support;              ///< objects that every worker needs
   std::vector<std::string> link_flags;
   std::filesystem::path nm;
+  std::filesystem::path second_look;  ///< the toolchain file for looking at failures; empty: there is none
+  std::filesystem::path addr2line;    ///< finds the line of an address; empty: there is none
 
   std::filesystem::path worker_object(const std::string& exercise) const { return workers / (exercise + ".o"); }
 };

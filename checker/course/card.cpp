@@ -1,10 +1,15 @@
 #include "checker/course/card.hpp"
 
+#include "checker/data/strict_json.hpp"
+#include "checker/messages/course_files.hpp"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <fstream>
+#include <iterator>
 #include <set>
+#include <string>
 
 namespace workbook {
 
@@ -17,30 +22,27 @@ class Reader {
  public:
   Reader(std::string file, std::string place, const json& object)
       : file_(std::move(file)), place_(std::move(place)), object_(object) {
-    if (!object.is_object()) fail("", "should be an object in braces");
+    if (!object.is_object()) throw CardError(messages::card_needs_an_object(file_, place_));
   }
 
   template <class T>
   T get(const std::string& key) const {
-    if (!object_.contains(key)) fail(key, "is missing");
+    if (!object_.contains(key)) throw CardError(messages::card_lacks(file_, place(key)));
     try {
       return object_.at(key).get<T>();
     } catch (const json::exception&) {
-      fail(key, "has the wrong type");
+      throw CardError(messages::card_has_another_type(file_, place(key)));
     }
   }
 
   const json& list(const std::string& key) const {
-    if (!object_.contains(key)) fail(key, "is missing");
-    if (!object_.at(key).is_array()) fail(key, "should be a list");
+    if (!object_.contains(key)) throw CardError(messages::card_lacks(file_, place(key)));
+    if (!object_.at(key).is_array()) throw CardError(messages::card_needs_a_list(file_, place(key)));
     return object_.at(key);
   }
 
-  [[noreturn]] void fail(const std::string& key, const std::string& reason) const {
-    const std::string separator = place_.empty() || key.empty() ? "" : ".";
-    const std::string place = place_ + separator + key;
-    throw CardError(fmt::format("{}: {} {}.", file_, place.empty() ? "the card" : place, reason));
-  }
+  /// The way to a key: "exercises[0].points".
+  std::string place(const std::string& key) const { return place_.empty() ? key : place_ + "." + key; }
 
  private:
   std::string file_;
@@ -53,12 +55,14 @@ class Reader {
 Card read_card(const std::filesystem::path& lectures, const std::string& lecture) {
   const std::string file = (lectures / lecture / "card.json").string();
   std::ifstream in(file);
-  if (!in) throw CardError(fmt::format("{}: the card of the lecture is missing or cannot be read.", file));
+  if (!in) throw CardError(messages::card_is_missing(file));
   json document;
   try {
-    document = json::parse(in);
+    document = parse_strictly(std::string(std::istreambuf_iterator<char>(in), {}));
   } catch (const json::parse_error& problem) {
-    throw CardError(fmt::format("{}: not valid JSON near byte {}.", file, problem.byte));
+    throw CardError(messages::card_is_not_json(file, problem.byte));
+  } catch (const RepeatedKey& problem) {
+    throw CardError(fmt::format("{}: {}.", file, problem.what()));
   }
 
   const Reader reader(file, "", document);
@@ -77,10 +81,10 @@ Card read_card(const std::filesystem::path& lectures, const std::string& lecture
                               each.get<std::string>("task")});
     const CardExercise& exercise = card.exercises.back();
     if (!names.insert(exercise.name).second)
-      each.fail("name", fmt::format("'{}' stands on the card twice", exercise.name));
-    if (!(exercise.points > 0)) each.fail("points", "should be a positive number");
+      throw CardError(messages::card_names_twice(file, each.place("name"), exercise.name));
+    if (!(exercise.points > 0)) throw CardError(messages::card_needs_a_positive_number(file, each.place("points")));
   }
-  if (card.exercises.empty()) reader.fail("exercises", "is empty");
+  if (card.exercises.empty()) throw CardError(messages::card_has_an_empty(file, "exercises"));
   return card;
 }
 

@@ -1,6 +1,8 @@
 #include "checker/course/course.hpp"
 
 #include "checker/course/did_you_mean.hpp"
+#include "checker/messages/course_files.hpp"
+#include "checker/messages/reference_files.hpp"
 #include "checker/worker/child_process.hpp"
 
 #include <fmt/format.h>
@@ -22,8 +24,7 @@ void require_exercises_of(const Card& card, const LectureReference& results, con
   for (const CardExercise& exercise : card.exercises) {
     const auto same_name = [&](const ExerciseReference& each) { return each.name == exercise.name; };
     if (std::none_of(results.exercises.begin(), results.exercises.end(), same_name)) {
-      throw ReferenceError(fmt::format("{}: exercises: '{}' is missing, though the card of {} lists it.", file.string(),
-                                       exercise.name, card.lecture));
+      throw ReferenceError(messages::results_lack_exercise(file.string(), exercise.name, card.lecture));
     }
   }
 }
@@ -32,8 +33,7 @@ void require_exercises_of(const Card& card, const LectureReference& results, con
 
 Course::Course(const fs::path& course_file) {
   std::ifstream in(course_file);
-  if (!in)
-    throw CourseError(fmt::format("{}: the course's file is missing; build the workbook again.", course_file.string()));
+  if (!in) throw CourseError(messages::course_file_is_missing(course_file.string()));
   std::vector<std::string> lectures;
   try {
     const auto document = nlohmann::json::parse(in);
@@ -46,8 +46,7 @@ Course::Course(const fs::path& course_file) {
     build_ = path("build");
     lectures = document.at("lectures").get<std::vector<std::string>>();
   } catch (const nlohmann::json::exception& problem) {
-    throw CourseError(
-        fmt::format("{}: not usable ({}); build the workbook again.", course_file.string(), problem.what()));
+    throw CourseError(messages::course_file_is_not_usable(course_file.string(), problem.what()));
   }
   for (const std::string& lecture : lectures) cards_.push_back(read_card(root_ / "lectures", lecture));
 }
@@ -75,11 +74,7 @@ std::vector<Exercise> Course::find(const std::string& name) const {
     known.push_back(lecture);
     known.push_back(topic);
   }
-  if (of_lecture.empty()) {
-    const std::string proposal = did_you_mean(name, known);
-    throw UnknownName(fmt::format("There is no exercise or lecture '{}'.{} `checker list` shows all names.", name,
-                                  proposal.empty() ? "" : fmt::format(" Did you mean '{}'?", proposal)));
-  }
+  if (of_lecture.empty()) throw UnknownName(messages::no_such_exercise_or_lecture(name, did_you_mean(name, known)));
   return of_lecture;
 }
 
@@ -102,9 +97,7 @@ Exercise Course::find_exercise(const std::string& name) const {
     if (exercise.name() == name) return exercise;
     known.push_back(exercise.name());
   }
-  const std::string proposal = did_you_mean(name, known);
-  throw UnknownName(fmt::format("There is no exercise '{}'.{} `checker list` shows all names.", name,
-                                proposal.empty() ? "" : fmt::format(" Did you mean '{}'?", proposal)));
+  throw UnknownName(messages::no_such_exercise(name, did_you_mean(name, known)));
 }
 
 fs::path Course::student_file(const Exercise& exercise) const {
@@ -133,16 +126,13 @@ std::optional<fs::path> Course::notes_page(const std::string& lecture) const {
   return page;
 }
 
+fs::path Course::reference_file(const std::string& lecture) const { return reference_ / (lecture + ".json"); }
+
 LectureReference Course::reference(const std::string& lecture, std::uint64_t seed) const {
-  fs::path file = reference_ / (lecture + ".json");
+  fs::path file = reference_file(lecture);
   if (seed != published_seed) {
     const fs::path program = reference_ / ("reference_" + lecture);
-    if (!fs::exists(program)) {
-      throw ReferenceError(
-          fmt::format("This copy of the workbook has reference results for seed {} only; other seeds need the "
-                      "solutions, which it does not have.",
-                      published_seed));
-    }
+    if (!fs::exists(program)) throw ReferenceError(messages::only_published_seed(published_seed));
     file = scratch_ / "reference" / fmt::format("{}-seed-{}.json", lecture, seed);
     std::error_code ignored;
     if (!fs::exists(file) || fs::last_write_time(file, ignored) < fs::last_write_time(program, ignored)) {
@@ -153,8 +143,7 @@ LectureReference Course::reference(const std::string& lecture, std::uint64_t see
       launch.arguments = {"--lecture", lecture, "--seed", std::to_string(seed), "--out", file.string()};
       const FinishedProgram finished = run_program(launch, std::chrono::seconds(120), 1 << 16);
       if (finished.out_of_time || finished.end.signal != 0 || finished.end.exit_status != 0) {
-        throw ReferenceError(
-            fmt::format("{}: making reference results for seed {} failed: {}", program_name, seed, finished.output));
+        throw ReferenceError(messages::making_results_failed(program_name, seed, finished.output));
       }
     }
   }

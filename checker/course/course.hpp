@@ -78,6 +78,9 @@ class Course {
   /// The file of a page of the notes, if the notes have been built.
   std::optional<std::filesystem::path> notes_page(const std::string& lecture) const;
 
+  /// The file of the reference results that come with the build.
+  std::filesystem::path reference_file(const std::string& lecture) const;
+
   /// Reference results of a lecture. Seed 1 comes with the build; other seeds are made from the solutions, once.
   /// @throws ReferenceError if they are not there, cannot be made or cannot be read, or lack an exercise of the card.
   LectureReference reference(const std::string& lecture, std::uint64_t seed) const;

@@ -2,6 +2,7 @@
 
 #include "checker/course/hints.hpp"
 #include "checker/course/stub.hpp"
+#include "checker/messages/workbook_in_order.hpp"
 
 #include <fmt/format.h>
 
@@ -24,6 +25,8 @@ std::string shown(const Course& course, const fs::path& file) {
   return file.lexically_relative(course.root()).string();
 }
 
+std::string shown_card(const std::string& lecture) { return "lectures/" + lecture + "/card.json"; }
+
 std::string text_of(const fs::path& file) {
   std::ifstream in(file);
   std::ostringstream text;
@@ -44,20 +47,18 @@ bool is_backup(const fs::path& file) {
   return name.front() == '.' || name.back() == '~';
 }
 
-/// Complains about expected files that are not there, and about others that are.
-void compare_folder(const Course& course, const fs::path& folder, const std::set<fs::path>& expected,
+/// Complains about expected files that are not there, and perhaps about others that are.
+void compare_folder(const Course& course, const fs::path& folder, const std::set<fs::path>& expected, bool nothing_else,
                     std::vector<std::string>& faults) {
   for (const fs::path& file : expected) {
     if (!fs::is_regular_file(file)) {
-      faults.push_back(fmt::format("{}: missing, though the card names it; write it, or take it off the card.",
-                                   shown(course, file)));
+      faults.push_back(messages::file_on_card_is_missing(shown(course, file)));
     }
   }
-  if (!fs::is_directory(folder)) return;
+  if (!nothing_else || !fs::is_directory(folder)) return;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     if (entry.is_directory() || is_backup(entry.path()) || expected.contains(entry.path())) continue;
-    faults.push_back(fmt::format("{}: no card lists it; add its exercise to the card, or move the file away.",
-                                 shown(course, entry.path())));
+    faults.push_back(messages::file_on_no_card(shown(course, entry.path())));
   }
 }
 
@@ -91,8 +92,7 @@ std::vector<std::string> faults_of_files(const Course& course) {
   for (const Exercise& exercise : course.exercises()) {
     const auto [first, fresh] = lecture_of.emplace(exercise.name(), exercise.lecture());
     if (!fresh) {
-      faults.push_back(fmt::format("lectures/{}/card.json: the exercise '{}' stands on the card of {} too; rename one.",
-                                   exercise.lecture(), exercise.name(), first->second));
+      faults.push_back(messages::exercise_on_two_cards(shown_card(exercise.lecture()), exercise.name(), first->second));
     }
   }
   for (const Card& card : course.cards()) {
@@ -105,18 +105,17 @@ std::vector<std::string> faults_of_files(const Course& course) {
       expected.insert({course.student_file(exercise), course.hints_file(exercise)});
       solutions.insert(course.solution_file(exercise));
     }
-    compare_folder(course, folder, expected, faults);
-    if (course.has_solutions()) compare_folder(course, course.root() / "solutions" / card.lecture, solutions, faults);
+    // Where there are no solutions, the folder is a student's, who may keep anything there.
+    compare_folder(course, folder, expected, course.has_solutions(), faults);
+    if (course.has_solutions())
+      compare_folder(course, course.root() / "solutions" / card.lecture, solutions, true, faults);
     if (!fs::is_regular_file(course.contract_file(card))) {
-      faults.push_back(fmt::format("{}: missing, though the card of {} names it as the contract.",
-                                   shown(course, course.contract_file(card)), card.lecture));
+      faults.push_back(messages::contract_is_missing(shown(course, course.contract_file(card)), card.lecture));
     }
     for (const std::string& earlier : card.builds_on) {
       const auto known = [&](const Card& each) { return each.lecture == earlier; };
       if (std::none_of(course.cards().begin(), course.cards().end(), known)) {
-        faults.push_back(fmt::format(
-            "lectures/{}/card.json: builds_on names '{}', which is no lecture of the course; correct the name.",
-            card.lecture, earlier));
+        faults.push_back(messages::builds_on_unknown(shown_card(card.lecture), earlier));
       }
     }
   }
@@ -129,11 +128,10 @@ std::vector<std::string> faults_of_hints(const Course& course, const Exercise& e
   try {
     const std::vector<std::string> hints = read_hints(file);
     if (hints.size() != hints_wanted) {
-      return {fmt::format("{}: {} hints instead of {}; separate them by lines of three dashes.", shown(course, file),
-                          hints.size(), hints_wanted)};
+      return {messages::another_number_of_hints(shown(course, file), hints.size(), hints_wanted)};
     }
     if (std::set<std::string>(hints.begin(), hints.end()).size() != hints.size()) {
-      return {fmt::format("{}: two hints are the same; write another.", shown(course, file))};
+      return {messages::two_hints_are_the_same(shown(course, file))};
     }
     return {};
   } catch (const HintError& problem) {
@@ -147,15 +145,17 @@ std::vector<std::string> faults_of_stub(const Course& course, const Exercise& ex
   const fs::path file = course.student_file(exercise);
   if (fs::exists(file) &&
       text_of(file) != stub_text(exercise.entry->task, exercise.card->contract, reference.signature)) {
-    faults.push_back(
-        fmt::format("{}: not the stub that the card makes (is it solved?); `checker reset {}` puts it back.",
-                    shown(course, file), exercise.name()));
+    faults.push_back(messages::not_the_stub(shown(course, file), exercise.name()));
   }
+  return faults;
+}
+
+std::vector<std::string> faults_of_contract(const Course& course, const Exercise& exercise,
+                                            const ExerciseReference& reference) {
+  std::vector<std::string> faults;
   const fs::path contract = course.contract_file(*exercise.card);
   if (squeezed(text_of(contract)).find(squeezed(reference.signature + ";")) == std::string::npos) {
-    faults.push_back(
-        fmt::format("{}: does not declare `{}`; make contract and judging agree, names of the arguments included.",
-                    shown(course, contract), reference.signature));
+    faults.push_back(messages::contract_declares_otherwise(shown(course, contract), reference.signature));
   }
   return faults;
 }
@@ -168,33 +168,27 @@ std::vector<std::string> faults_of_notes(const Course& course, const Card& card,
   std::vector<std::string> faults;
 
   std::map<std::string, std::string> anchors;  // and who points there
-  for (const CardExercise& entry : card.exercises) anchors.emplace(entry.notes, "the card");
+  for (const CardExercise& entry : card.exercises) anchors.emplace(entry.notes, messages::the_card_points());
   for (const ExerciseReference& exercise : reference.exercises) {
     for (const Misconception& misconception : exercise.misconceptions)
-      anchors.emplace(misconception.notes, exercise.name + ", " + misconception.name);
+      anchors.emplace(misconception.notes, messages::misconception_points(exercise.name, misconception.name));
     for (const Property& property : exercise.properties)
-      anchors.emplace(property.notes, exercise.name + ", a property");
+      anchors.emplace(property.notes, messages::property_points(exercise.name));
   }
   for (const auto& [anchor, who] : anchors) {
     if (notes.find("{#" + anchor + "}") == std::string::npos) {
-      faults.push_back(fmt::format(
-          "{}: no paragraph has the anchor '{}', to which {} points; add {{#{}}} to a heading, or mend the pointer.",
-          place, anchor, who, anchor));
+      faults.push_back(messages::no_such_anchor(place, anchor, who));
     }
   }
   for (const Snippet& snippet : snippets_of(course, notes)) {
     const std::size_t marks = count_lines_with(text_of(snippet.file), "[" + snippet.region + "]");
     if (marks != 2) {
-      faults.push_back(
-          fmt::format("{}: quotes '{}' of {}, which has {} of the two marks `//! [{}]`; put them around the example.",
-                      place, snippet.region, shown(course, snippet.file), marks, snippet.region));
+      faults.push_back(messages::quoted_without_marks(place, snippet.region, shown(course, snippet.file), marks));
     }
   }
   for (const int fact : card.facts) {
     if (notes.find(fmt::format("<!-- fact {} -->", fact)) == std::string::npos) {
-      faults.push_back(fmt::format(
-          "{}: no paragraph is marked with `<!-- fact {} -->`, though the card says that the lecture teaches it.",
-          place, fact));
+      faults.push_back(messages::fact_is_not_taught(place, fact));
     }
   }
   return faults;

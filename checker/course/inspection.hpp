@@ -16,9 +16,13 @@ std::vector<std::string> faults_of_files(const Course& course);
 /// Hints: three per exercise, each different.
 std::vector<std::string> faults_of_hints(const Course& course, const Exercise& exercise);
 
-/// A stub that differs from what its card makes, or a signature that the contract does not declare.
+/// A stub that differs from what its card makes.
 std::vector<std::string> faults_of_stub(const Course& course, const Exercise& exercise,
                                         const ExerciseReference& reference);
+
+/// A signature that the contract does not declare.
+std::vector<std::string> faults_of_contract(const Course& course, const Exercise& exercise,
+                                            const ExerciseReference& reference);
 
 /// Anchors that the card, a misconception or a property points to and the notes do not have; snippets of the notes
 /// whose marks are missing; facts of the card that no paragraph teaches.

@@ -1,5 +1,6 @@
 #include "checker/course/progress.hpp"
 
+#include "checker/messages/progress.hpp"
 #include "checker/worker/descriptor.hpp"
 
 #include <fmt/format.h>
@@ -23,6 +24,15 @@ namespace {
 
 constexpr int current_format = 1;
 
+/// The name itself, or the first of NAME.2, NAME.3, … that is free: what was set aside earlier stays too.
+fs::path name_not_taken(const std::string& name) {
+  std::error_code ignored;
+  fs::path free = name;
+  for (int number = 2; fs::exists(fs::symlink_status(free, ignored)); ++number)
+    free = fmt::format("{}.{}", name, number);
+  return free;
+}
+
 }  // namespace
 
 Progress::Progress(fs::path file) : file_(std::move(file)) { read(); }
@@ -33,24 +43,25 @@ void Progress::read() {
   try {
     std::ifstream in(file_);
     const auto document = nlohmann::json::parse(in);
-    if (document.at("format").get<int>() != current_format) throw std::runtime_error("another format");
+    if (document.at("format").get<int>() != current_format) throw std::runtime_error("format");
     std::map<std::string, LastVerdict> verdicts;
     std::map<std::string, std::size_t> hints;
-    for (const auto& [exercise, entry] : document.at("exercises").items()) {
+    using Object = nlohmann::json::object_t;
+    for (const auto& [exercise, value] : document.at("exercises").get_ref<const Object&>()) {
+      const auto& entry = value.get_ref<const Object&>();
       if (entry.contains("verdict")) {
         verdicts[exercise] = {entry.at("verdict").get<std::string>(), entry.at("source").get<std::string>()};
       }
-      hints[exercise] = entry.value("hints", std::size_t{0});
+      if (entry.contains("hints"))
+        hints[exercise] = entry.at("hints").get_ref<const nlohmann::json::number_unsigned_t&>();
     }
     verdicts_ = std::move(verdicts);
     hints_ = std::move(hints);
   } catch (const std::exception&) {
-    const fs::path aside = file_.string() + ".damaged";
+    const fs::path aside = name_not_taken(file_.string() + ".damaged");
     fs::rename(file_, aside, problem);
-    warning_ = fmt::format(
-        "Your progress file was damaged; it is set aside as {} and counting starts afresh. Your exercises are "
-        "untouched.",
-        aside.string());
+    warning_ = problem ? messages::damaged_progress_stays(file_.string())
+                       : messages::damaged_progress_set_aside(aside.string());
   }
 }
 
@@ -75,11 +86,7 @@ void Progress::write() {
   }
   const nlohmann::json document = {{"format", current_format}, {"exercises", exercises}};
 
-  const auto fail = [this] {
-    warning_ = fmt::format(
-        "Your progress could not be saved in {}; make that folder writable. The verdict above holds all the same.",
-        file_.string());
-  };
+  const auto fail = [this] { warning_ = messages::progress_not_saved(file_.string()); };
   std::error_code problem;
   const fs::path fresh = fmt::format("{}.{}", file_.string(), getpid());
   {

@@ -1,5 +1,7 @@
 #include "checker/course/stub.hpp"
 
+#include "checker/messages/course_files.hpp"
+
 #include <fmt/format.h>
 
 #include <fstream>
@@ -56,12 +58,12 @@ std::string stub_text(const std::string& task, const std::string& contract, cons
       "namespace rigid {{\n"
       "\n"
       "{} {{\n"
-      "  // TODO: write this function; the next line says that you have not started yet.\n"
+      "  // {}\n"
       "  throw NotStarted{{}};\n"
       "}}\n"
       "\n"
       "}}  // namespace rigid\n",
-      as_comment(task), contract, wrapped(signature));
+      as_comment(task), contract, wrapped(signature), messages::stub_comment());
 }
 
 bool is_begun(const std::filesystem::path& file) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "checker/data/value.hpp"
+#include "checker/messages/reference_files.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -36,8 +37,8 @@ class JsonPlace {
   JsonPlace at(const char* key) const;
   std::vector<JsonPlace> items() const;
 
-  /// As items, where the length is prescribed; `what` says by what: "one per case".
-  std::vector<JsonPlace> items(std::size_t length, const char* what) const;
+  /// As items, where the length is prescribed; `what` says by what.
+  std::vector<JsonPlace> items(std::size_t length, messages::OnePer what) const;
 
   std::string text() const;
   /// A text that names something and therefore is not empty.

@@ -1,5 +1,5 @@
 /// @file
-/// The bridge between the C++ types of the contracts and Value; header-only because the worker needs it without a library.
+/// The bridge between the C++ types of the contracts and Value; header-only because the worker needs it and no library.
 #pragma once
 
 #include <Eigen/Dense>

@@ -1,7 +1,6 @@
 #include "checker/data/reference_json.hpp"
 #include "checker/data/reference_names.hpp"
-
-#include <fmt/format.h>
+#include "checker/messages/reference_files.hpp"
 
 #include <algorithm>
 #include <set>
@@ -10,13 +9,15 @@ namespace workbook {
 
 namespace {
 
+using messages::OnePer;
+
 template <class Choice, std::size_t count>
 Choice choice_from(const JsonPlace& place, const Names<Choice, count>& names) {
   const std::string text = place.text();
   for (const auto& [choice, name] : names) {
     if (text == name) return choice;
   }
-  place.refuse(fmt::format("“{}” is not one of the known choices", text));
+  place.refuse(messages::unknown_choice(text));
 }
 
 /// Reads a list of named things; no two may bear the same name.
@@ -27,7 +28,7 @@ auto named_items(const JsonPlace& list, Function&& read) {
   for (const JsonPlace& item : list.items()) {
     things.push_back(read(item));
     if (!names.insert(things.back().name).second) {
-      item.at("name").refuse(fmt::format("the name “{}” stands here twice", things.back().name));
+      item.at("name").refuse(messages::name_stands_twice(things.back().name));
     }
   }
   return things;
@@ -53,7 +54,7 @@ Argument argument_from(const JsonPlace& place) {
 }
 
 std::vector<Value> inputs_from(const JsonPlace& place, const ExerciseReference& exercise) {
-  const auto items = place.items(exercise.arguments.size(), "one per argument");
+  const auto items = place.items(exercise.arguments.size(), OnePer::argument);
   std::vector<Value> inputs;
   for (std::size_t i = 0; i < items.size(); ++i) inputs.push_back(items[i].finite_value(exercise.arguments[i].kind));
   return inputs;
@@ -72,31 +73,29 @@ Case case_from(const JsonPlace& place, const ExerciseReference& exercise) {
 
   const std::size_t numbers = one.expected.numbers.size();
   if (one.scale.size() != 1 && one.scale.size() != numbers) {
-    place.at("scale").refuse(fmt::format("expected 1 or {} numbers, found {}", numbers, one.scale.size()));
+    place.at("scale").refuse(messages::expected_scales(numbers, one.scale.size()));
   }
   if (exercise.result_units.size() != 1 && exercise.result_units.size() != numbers) {
-    place.at("expected")
-        .refuse(fmt::format("the result has {} units but {} numbers", exercise.result_units.size(), numbers));
+    place.at("expected").refuse(messages::units_do_not_fit(exercise.result_units.size(), numbers));
   }
   if (exercise.comparison == Comparison::attitude_by_angles && numbers != 3) {
-    place.at("expected").refuse("attitudes are compared by 3 angles");
+    place.at("expected").refuse(messages::attitude_needs_three_angles());
   }
   if (exercise.comparison == Comparison::eigenvectors && !(one.inputs.at(0).has_shape_of(one.expected))) {
-    place.at("expected").refuse("eigenvectors must have the shape of the first argument");
+    place.at("expected").refuse(messages::eigenvectors_need_shape_of_argument());
   }
   return one;
 }
 
 /// One value per given one, each of the same shape. Only wrong answers may hold NaN.
-std::vector<Value> outputs_from(const JsonPlace& place, Kind kind, const std::vector<const Value*>& like,
-                                const char* what, bool must_be_finite) {
+std::vector<Value> outputs_from(const JsonPlace& place, Kind kind, const std::vector<const Value*>& like, OnePer what,
+                                bool must_be_finite) {
   const auto items = place.items(like.size(), what);
   std::vector<Value> outputs;
   for (std::size_t i = 0; i < items.size(); ++i) {
     outputs.push_back(must_be_finite ? items[i].finite_value(kind) : items[i].value(kind));
     if (!outputs.back().has_shape_of(*like[i])) {
-      items[i].refuse(fmt::format("expected the shape {}×{}, found {}×{}", like[i]->rows, like[i]->cols,
-                                  outputs.back().rows, outputs.back().cols));
+      items[i].refuse(messages::expected_shape(like[i]->rows, like[i]->cols, outputs.back().rows, outputs.back().cols));
     }
   }
   return outputs;
@@ -105,7 +104,7 @@ std::vector<Value> outputs_from(const JsonPlace& place, Kind kind, const std::ve
 std::vector<Value> outputs_per_case(const JsonPlace& place, const ExerciseReference& exercise, bool must_be_finite) {
   std::vector<const Value*> expected;
   for (const Case& one : exercise.cases) expected.push_back(&one.expected);
-  return outputs_from(place, exercise.result_kind, expected, "one per case", must_be_finite);
+  return outputs_from(place, exercise.result_kind, expected, OnePer::case_of_exercise, must_be_finite);
 }
 
 Misconception misconception_from(const JsonPlace& place, const ExerciseReference& exercise) {
@@ -114,8 +113,8 @@ Misconception misconception_from(const JsonPlace& place, const ExerciseReference
   for (const Value& value : exercise.sweep.expected) expected_over_sweep.push_back(&value);
   return {place.at("name").name(), place.at("message").name(), place.at("notes").text(),
           outputs_per_case(place.at("outputs"), exercise, false),
-          outputs_from(place.at("sweep_outputs"), exercise.result_kind, expected_over_sweep,
-                       "one per point of the sweep", false)};
+          outputs_from(place.at("sweep_outputs"), exercise.result_kind, expected_over_sweep, OnePer::point_of_sweep,
+                       false)};
 }
 
 Term term_from(const JsonPlace& place, const ExerciseReference& exercise) {
@@ -152,8 +151,7 @@ Property property_from(const JsonPlace& place, const ExerciseReference& exercise
   Property property;
   property.kind = choice_from(place.at("kind"), property_names);
   if (!suits(property.kind, exercise.result_kind)) {
-    place.at("kind").refuse(
-        fmt::format("a result of kind {} cannot be {}", to_string(exercise.result_kind), to_string(property.kind)));
+    place.at("kind").refuse(messages::result_cannot_be(to_string(exercise.result_kind), to_string(property.kind)));
   }
 
   switch (property.kind) {
@@ -162,19 +160,19 @@ Property property_from(const JsonPlace& place, const ExerciseReference& exercise
       property.argument = place.at("argument").integer();
       const int arguments = static_cast<int>(exercise.arguments.size());
       if (property.argument < 0 || property.argument >= arguments)
-        place.at("argument").refuse("there is no such argument");
+        place.at("argument").refuse(messages::no_such_argument());
       if (exercise.arguments[static_cast<std::size_t>(property.argument)].kind != exercise.result_kind) {
-        place.at("argument").refuse("the argument is not of the kind of the result");
+        place.at("argument").refuse(messages::argument_of_another_kind());
       }
       break;
     }
     case PropertyKind::constant_weighted_square: {
       place.require_keys({"kind", "message", "notes", "weights"});
-      const auto lists = place.at("weights").items(exercise.cases.size(), "one list per case");
+      const auto lists = place.at("weights").items(exercise.cases.size(), OnePer::case_of_exercise);
       for (std::size_t i = 0; i < lists.size(); ++i) {
         const auto rows = static_cast<std::size_t>(exercise.cases[i].expected.rows);
         std::vector<double> weights;
-        for (const JsonPlace& item : lists[i].items(rows, "one per row")) weights.push_back(item.finite_number());
+        for (const JsonPlace& item : lists[i].items(rows, OnePer::row)) weights.push_back(item.finite_number());
         property.weights.push_back(std::move(weights));
       }
       break;
@@ -193,7 +191,7 @@ PlotComponent plot_component_from(const JsonPlace& place, const std::vector<Valu
   const auto lacks_it = [&](const Value& value) {
     return component.row < 0 || component.col < 0 || component.row >= value.rows || component.col >= value.cols;
   };
-  if (std::ranges::any_of(expected, lacks_it)) place.refuse("the result has no such row and column");
+  if (std::ranges::any_of(expected, lacks_it)) place.refuse(messages::no_such_entry());
   return component;
 }
 
@@ -204,11 +202,11 @@ Sweep sweep_from(const JsonPlace& place, const ExerciseReference& exercise) {
   sweep.x_label = place.at("x_label").text();
   sweep.y_label = place.at("y_label").text();
   for (const JsonPlace& item : place.at("x").items()) sweep.x.push_back(item.finite_number());
-  if (sweep.x.empty()) place.at("x").refuse("a sweep needs points");
-  for (const JsonPlace& item : place.at("inputs").items(sweep.x.size(), "one per point of the sweep")) {
+  if (sweep.x.empty()) place.at("x").refuse(messages::sweep_needs_points());
+  for (const JsonPlace& item : place.at("inputs").items(sweep.x.size(), OnePer::point_of_sweep)) {
     sweep.inputs.push_back(inputs_from(item, exercise));
   }
-  for (const JsonPlace& item : place.at("expected").items(sweep.x.size(), "one per point of the sweep")) {
+  for (const JsonPlace& item : place.at("expected").items(sweep.x.size(), OnePer::point_of_sweep)) {
     sweep.expected.push_back(item.finite_value(exercise.result_kind));
   }
   sweep.components = named_items(place.at("components"),
@@ -230,19 +228,19 @@ ExerciseReference exercise_from(const JsonPlace& place) {
   exercise.result_name = result.at("name").name();
   exercise.result_kind = kind_from(result.at("kind"));
   for (const JsonPlace& unit : result.at("units").items()) exercise.result_units.push_back(unit_from(unit));
-  if (exercise.result_units.empty()) result.at("units").refuse("expected at least one unit, found none");
+  if (exercise.result_units.empty()) result.at("units").refuse(messages::expected_unit());
 
   exercise.comparison = choice_from(place.at("comparison"), comparison_names);
   if (exercise.comparison == Comparison::eigenvectors &&
       (exercise.result_kind != Kind::matrix3 || exercise.arguments.empty() ||
        exercise.arguments.front().kind != Kind::matrix3)) {
-    place.at("comparison").refuse("eigenvectors need a matrix3 as result and as first argument");
+    place.at("comparison").refuse(messages::eigenvectors_need_matrices());
   }
   exercise.tolerance_reason = place.at("tolerance_reason").text();
 
   // Outputs are counted against cases and sweep, so these come first.
   exercise.cases = named_items(place.at("cases"), [&](const JsonPlace& item) { return case_from(item, exercise); });
-  if (exercise.cases.empty()) place.at("cases").refuse("an exercise needs cases");
+  if (exercise.cases.empty()) place.at("cases").refuse(messages::exercise_needs_cases());
   if (place.has("sweep")) exercise.sweep = sweep_from(place.at("sweep"), exercise);
 
   exercise.misconceptions = named_items(place.at("misconceptions"),
@@ -262,8 +260,7 @@ LectureReference lecture_from_json(const JsonPlace& document) {
   LectureReference lecture;
   lecture.format = document.at("format").integer();
   if (lecture.format != LectureReference::current_format) {
-    document.at("format").refuse(fmt::format("this file has format {}, this checker reads format {}", lecture.format,
-                                             LectureReference::current_format));
+    document.at("format").refuse(messages::other_format(lecture.format, LectureReference::current_format));
   }
   document.require_keys({"format", "seed", "lecture", "exercises"});
   lecture.seed = document.at("seed").natural_number();

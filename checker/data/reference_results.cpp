@@ -2,6 +2,8 @@
 
 #include "checker/data/reference_json.hpp"
 #include "checker/data/reference_names.hpp"
+#include "checker/data/strict_json.hpp"
+#include "checker/messages/reference_files.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -18,35 +20,37 @@ namespace workbook {
 namespace {
 
 ReferenceError error_at(const std::filesystem::path& file, const std::string& place, const std::string& reason) {
-  return ReferenceError(fmt::format("{}: {}: {}", file.string(), place, reason));
+  return ReferenceError(messages::at_place_in_file(file.string(), place, reason));
 }
 
 std::string whole_text(const std::filesystem::path& file) {
   std::error_code ignored;
   std::ifstream stream(file, std::ios::binary);
   if (!stream || !std::filesystem::is_regular_file(file, ignored))
-    throw error_at(file, "whole file", "it cannot be read");
+    throw error_at(file, messages::whole_file(), messages::cannot_be_read());
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
 /// "line 12, column 3" of the byte at which the parser gave up.
 std::string place_of_byte(const std::string& text, std::size_t byte) {
   const std::string before = text.substr(0, byte == 0 ? 0 : std::min(byte - 1, text.size()));
-  const auto line = 1 + std::ranges::count(before, '\n');
+  const auto line = 1 + static_cast<std::size_t>(std::ranges::count(before, '\n'));
   const std::size_t line_start = before.rfind('\n') == std::string::npos ? 0 : before.rfind('\n') + 1;
-  return fmt::format("line {}, column {}", line, before.size() - line_start + 1);
+  return messages::line_and_column(line, before.size() - line_start + 1);
 }
 
 nlohmann::json document_in(const std::filesystem::path& file) {
   const std::string text = whole_text(file);
   try {
-    return nlohmann::json::parse(text);
+    return parse_strictly(text);
   } catch (const nlohmann::json::parse_error& error) {
     const bool ends_too_early = error.byte > text.size();
     throw error_at(file, place_of_byte(text, error.byte),
-                   ends_too_early ? "the file ends too early: it is truncated" : "this is not JSON");
+                   ends_too_early ? messages::ends_too_early() : messages::is_not_json());
+  } catch (const RepeatedKey& error) {
+    throw ReferenceError(fmt::format("{}: {}", file.string(), error.what()));
   } catch (const nlohmann::json::exception&) {
-    throw error_at(file, "whole file", "it holds a number that is too large");
+    throw error_at(file, messages::whole_file(), messages::holds_too_large_a_number());
   }
 }
 
@@ -57,7 +61,7 @@ std::string to_string(PropertyKind kind) { return name_of(kind, property_names);
 const ExerciseReference& LectureReference::exercise(const std::string& name) const {
   const auto found = std::ranges::find(exercises, name, &ExerciseReference::name);
   if (found == exercises.end()) {
-    throw ReferenceError(fmt::format("The reference results of {} hold no exercise “{}”.", lecture, name));
+    throw ReferenceError(messages::no_results_of(lecture, name));
   }
   return *found;
 }
@@ -84,7 +88,7 @@ void write_reference_results(const LectureReference& results, const std::filesys
   if (!stream || failure) {
     std::error_code ignored;
     std::filesystem::remove(unfinished, ignored);
-    throw error_at(file, "whole file", "it cannot be written");
+    throw error_at(file, messages::whole_file(), messages::cannot_be_written());
   }
 }
 

@@ -45,8 +45,8 @@ struct Case {
 /// A named, plausible wrong answer.
 struct Misconception {
   std::string name;
-  std::string message;  ///< one sentence in the language of the lecture; equal answers share one message
-  std::string notes;    ///< anchor of the paragraph to read
+  std::string message;               ///< one sentence in the language of the lecture; equal answers share one message
+  std::string notes;                 ///< anchor of the paragraph to read
   std::vector<Value> outputs;        ///< per case
   std::vector<Value> sweep_outputs;  ///< per point of the sweep
 };
@@ -60,15 +60,15 @@ struct Term {
 
 /// What every right result has.
 enum class PropertyKind {
-  symmetric,              ///< matrix = its transpose
-  antisymmetric,          ///< matrix = −its transpose
-  positive_semidefinite,  ///< no negative eigenvalue of the symmetric part
-  rotation_matrix,        ///< orthonormal columns and determinant +1
-  unit_norm,              ///< a vector of length 1
-  ascending,              ///< entries do not decrease
-  nonnegative,            ///< no entry below zero
-  orthogonal_to_argument, ///< result · argument = 0
-  constant_weighted_square ///< Σ weightᵢ yᵢ² is the same in every column, and equals its value in the expected result
+  symmetric,                 ///< matrix = its transpose
+  antisymmetric,             ///< matrix = −its transpose
+  positive_semidefinite,     ///< no negative eigenvalue of the symmetric part
+  rotation_matrix,           ///< orthonormal columns and determinant +1
+  unit_norm,                 ///< a vector of length 1
+  ascending,                 ///< entries do not decrease
+  nonnegative,               ///< no entry below zero
+  orthogonal_to_argument,    ///< result · argument = 0
+  constant_weighted_square,  ///< Σ weightᵢ yᵢ² is the same in every column, and the same as expected
 };
 
 std::string to_string(PropertyKind kind);
@@ -139,10 +139,12 @@ struct ReferenceError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// @throws ReferenceError if the file is missing, truncated, of another format, or holds a wrong type or an unusable number.
+/// @throws ReferenceError if the file is missing, truncated, of another format, or holds a wrong type, an unusable
+/// number or a key twice.
 LectureReference read_reference_results(const std::filesystem::path& file);
 
-/// Written under another name and renamed, so that nobody reads half a file. @throws ReferenceError if it cannot be written.
+/// Written under another name and renamed, so that nobody reads half a file.
+/// @throws ReferenceError if it cannot be written.
 void write_reference_results(const LectureReference& results, const std::filesystem::path& file);
 
 }  // namespace workbook

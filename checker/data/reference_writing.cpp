@@ -27,7 +27,8 @@ ordered_json values_to_json(const std::vector<Value>& values, Kind kind) {
 
 ordered_json inputs_to_json(const std::vector<Value>& inputs, const std::vector<Argument>& arguments) {
   ordered_json list = ordered_json::array();
-  for (std::size_t i = 0; i < inputs.size(); ++i) list.push_back(ordered_json(to_json(inputs[i], arguments.at(i).kind)));
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+    list.push_back(ordered_json(to_json(inputs[i], arguments.at(i).kind)));
   return list;
 }
 

@@ -1,6 +1,7 @@
 #include "checker/data/value.hpp"
 
-#include <fmt/format.h>
+#include "checker/messages/reference_files.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -14,6 +15,7 @@ namespace workbook {
 
 namespace {
 
+using messages::ListOf;
 using nlohmann::json;
 
 constexpr std::array<std::pair<Kind, const char*>, 8> kind_names = {{{Kind::number, "number"},
@@ -51,23 +53,28 @@ json rows_to_json(const Value& value, int first_col, int cols) {
 double number_from_json(const json& part, Kind kind = Kind::number) {
   if (part.is_null()) return std::numeric_limits<double>::quiet_NaN();
   if (!part.is_number()) {
-    throw std::invalid_argument(fmt::format("expected a number, found {}", part.type_name()));
+    throw std::invalid_argument(messages::expected_number(part.type_name()));
   }
   const double number = part.get<double>();
   if (kind == Kind::integer && number != std::trunc(number)) {
-    throw std::invalid_argument(fmt::format("expected a whole number, found {}", number));
+    throw std::invalid_argument(messages::expected_whole_number(part.dump()));
   }
   return number;
 }
 
-const json& list_from_json(const json& part, const std::string& what) {
-  if (!part.is_array()) throw std::invalid_argument(fmt::format("expected {}, found {}", what, part.type_name()));
+const json& list_from_json(const json& part, ListOf what) {
+  if (!part.is_array()) throw std::invalid_argument(messages::expected_list_of(what, part.type_name()));
   return part;
 }
 
-void require_length(const json& list, std::size_t length, const std::string& what) {
+void require_length(const json& list, std::size_t length, ListOf what) {
   if (list_from_json(list, what).size() == length) return;
-  throw std::invalid_argument(fmt::format("expected {}, found a list of {}", what, list.size()));
+  throw std::invalid_argument(messages::expected_list_of(what, list.size()));
+}
+
+void require_row(const json& row, std::size_t length) {
+  if (!row.is_array()) throw std::invalid_argument(messages::expected_row(length, row.type_name()));
+  if (row.size() != length) throw std::invalid_argument(messages::expected_row(length, row.size()));
 }
 
 Value vector_from_json(const json& list) {
@@ -77,9 +84,9 @@ Value vector_from_json(const json& list) {
 }
 
 Value three_rows_from_json(const json& rows) {
-  require_length(rows, 3, "a list of 3 rows");
-  const std::size_t cols = list_from_json(rows[0], "a list of 3 rows").size();
-  for (const json& row : rows) require_length(row, cols, fmt::format("a row of {} numbers", cols));
+  require_length(rows, 3, ListOf::three_rows);
+  const std::size_t cols = list_from_json(rows[0], ListOf::three_rows).size();
+  for (const json& row : rows) require_row(row, cols);
   Value value{3, static_cast<int>(cols), {}};
   for (std::size_t col = 0; col < cols; ++col) {
     for (std::size_t row = 0; row < 3; ++row) value.numbers.push_back(number_from_json(rows[row][col]));
@@ -89,14 +96,13 @@ Value three_rows_from_json(const json& rows) {
 
 Value matrix3_from_json(const json& rows) {
   Value value = three_rows_from_json(rows);
-  if (value.cols != 3)
-    throw std::invalid_argument(fmt::format("expected 3 rows of 3 numbers, found rows of {}", value.cols));
+  if (value.cols != 3) throw std::invalid_argument(messages::expected_square(value.cols));
   return value;
 }
 
 Value matrices_from_json(const json& list) {
   Value side_by_side{3, 0, {}};
-  for (const json& rows : list_from_json(list, "a list of 3×3 matrices")) {
+  for (const json& rows : list_from_json(list, ListOf::matrices)) {
     const Value matrix = matrix3_from_json(rows);
     side_by_side.cols += 3;
     side_by_side.numbers.insert(side_by_side.numbers.end(), matrix.numbers.begin(), matrix.numbers.end());
@@ -115,7 +121,7 @@ Kind kind_from_string(const std::string& name) {
   for (const auto& [kind, kind_name] : kind_names) {
     if (name == kind_name) return kind;
   }
-  throw std::invalid_argument(fmt::format("unknown kind “{}”", name));
+  throw std::invalid_argument(messages::unknown_kind(name));
 }
 
 bool is_finite(const Value& value) {
@@ -143,7 +149,7 @@ json to_json(const Value& value, Kind kind) {
       return list;
     }
   }
-  throw std::invalid_argument("unknown kind");
+  throw std::invalid_argument(messages::unknown_kind(std::to_string(static_cast<int>(kind))));
 }
 
 Value value_from_json(const json& part, Kind kind) {
@@ -152,13 +158,13 @@ Value value_from_json(const json& part, Kind kind) {
     case Kind::integer:
       return {1, 1, {number_from_json(part, kind)}};
     case Kind::vector2:
-      require_length(part, 2, "a list of 2 numbers");
+      require_length(part, 2, ListOf::two_numbers);
       return vector_from_json(part);
     case Kind::vector3:
-      require_length(part, 3, "a list of 3 numbers");
+      require_length(part, 3, ListOf::three_numbers);
       return vector_from_json(part);
     case Kind::vector:
-      return vector_from_json(list_from_json(part, "a list of numbers"));
+      return vector_from_json(list_from_json(part, ListOf::numbers));
     case Kind::matrix3:
       return matrix3_from_json(part);
     case Kind::points:
@@ -166,7 +172,7 @@ Value value_from_json(const json& part, Kind kind) {
     case Kind::matrices:
       return matrices_from_json(part);
   }
-  throw std::invalid_argument("unknown kind");
+  throw std::invalid_argument(messages::unknown_kind(std::to_string(static_cast<int>(kind))));
 }
 
 }  // namespace workbook

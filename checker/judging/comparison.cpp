@@ -1,6 +1,7 @@
 #include "checker/judging/comparison.hpp"
 
 #include "checker/judging/answers.hpp"
+#include "checker/messages/failures.hpp"
 
 #include <Eigen/Dense>
 
@@ -140,14 +141,14 @@ std::vector<Deviation> deviations(const ExerciseReference& exercise, std::size_t
   switch (exercise.comparison) {
     case Comparison::plain:
     case Comparison::up_to_sign:
-      found.push_back(entry_by_entry("yours − expected", exercise.result_kind, one, actual,
+      found.push_back(entry_by_entry(messages::yours_minus_expected(), exercise.result_kind, one, actual,
                                      nearest_expected(exercise, case_index, actual)));
       break;
     case Comparison::eigenvectors:
       found = eigenvector_deviations(one, actual);
       break;
     case Comparison::attitude_by_angles:
-      found.push_back(uniform_deviation("R(yours) − R(expected)", Kind::matrix3,
+      found.push_back(uniform_deviation(messages::attitude_minus_expected(), Kind::matrix3,
                                         attitude(actual) - attitude(one.expected), one.tolerance, 1.0));
       break;
   }

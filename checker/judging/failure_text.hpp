@@ -1,9 +1,10 @@
 /// @file
-/// The first failing case in full, as plain text for a terminal of 80 columns.
+/// The first failing case in full, as plain text.
 #pragma once
 
 #include "checker/data/reference_results.hpp"
 #include "checker/judging/judgement.hpp"
+#include "checker/judging/text_blocks.hpp"
 
 #include <string>
 #include <vector>
@@ -11,7 +12,9 @@
 namespace workbook {
 
 /// Inputs, expected, yours and their difference, lined up number by number, with units, and the size of the error in
-/// words. Empty if no case failed.
-std::vector<std::string> describe_failure(const ExerciseReference& exercise, const Judgement& judgement);
+/// words. On a page too narrow for columns, or a linear one, number by number below each other. Empty if no case
+/// failed.
+std::vector<std::string> describe_failure(const ExerciseReference& exercise, const Judgement& judgement,
+                                          const Page& page = {});
 
 }  // namespace workbook

@@ -5,8 +5,7 @@
 #include "checker/judging/judge.hpp"
 #include "checker/judging/properties.hpp"
 #include "checker/judging/terms.hpp"
-
-#include <fmt/format.h>
+#include "checker/messages/workbook_in_order.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -42,31 +41,30 @@ std::vector<Value> expected_values(const ExerciseReference& exercise) {
 void check_parts(const ExerciseReference& exercise, Sentences& found) {
   const std::size_t deciding = deciding_cases(exercise).size();
   if (exercise.misconceptions.size() < fewest_misconceptions) {
-    found.push_back(fmt::format("There are {} misconceptions, fewer than {}.", exercise.misconceptions.size(),
-                                fewest_misconceptions));
+    found.push_back(messages::few_misconceptions(exercise.misconceptions.size(), fewest_misconceptions));
   }
   if (exercise.routes.size() < fewest_routes) {
-    found.push_back(fmt::format("There are {} routes, fewer than {}.", exercise.routes.size(), fewest_routes));
+    found.push_back(messages::few_routes(exercise.routes.size(), fewest_routes));
   }
   if (deciding < fewest_deciding_cases) {
-    found.push_back(fmt::format("There are {} deciding cases, fewer than {}.", deciding, fewest_deciding_cases));
+    found.push_back(messages::few_deciding_cases(deciding, fewest_deciding_cases));
   }
   if (std::ranges::find(exercise.cases, Group::worked, &Case::group) == exercise.cases.end()) {
-    found.emplace_back("No case is a worked one.");
+    found.push_back(messages::no_worked_case());
   }
-  if (exercise.sweep.x.empty()) found.emplace_back("There is no sweep to plot.");
+  if (exercise.sweep.x.empty()) found.push_back(messages::no_sweep());
 }
 
 void check_expected(const ExerciseReference& exercise, Sentences& found) {
   if (const Judgement judgement = judge_values(exercise, expected_values(exercise)); !judgement.passed()) {
-    found.push_back(fmt::format("The expected values do not pass: {}", judgement.message));
+    found.push_back(messages::expected_values_fail(judgement.message));
   }
   for (const Property& property : exercise.properties) {
     for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
       if (!clearly_lacks(exercise, property, i, exercise.cases[i].expected)) continue;
-      found.push_back(fmt::format("The expected value of the case “{}” is not {}: {}.", exercise.cases[i].name,
-                                  to_string(property.kind),
-                                  violation(exercise, property, i, exercise.cases[i].expected).detail));
+      found.push_back(
+          messages::expected_value_lacks(exercise.cases[i].name, to_string(property.kind),
+                                         violation(exercise, property, i, exercise.cases[i].expected).detail));
     }
   }
 }
@@ -86,7 +84,7 @@ void check_misconceptions(const ExerciseReference& exercise, Sentences& found) {
   const auto& misconceptions = exercise.misconceptions;
   for (auto one = misconceptions.begin(); one != misconceptions.end(); ++one) {
     if (is_right_at_deciding_cases(exercise, *one)) {
-      found.push_back(fmt::format("The misconception {} is right at all deciding cases.", one->name));
+      found.push_back(messages::misconception_is_right(one->name));
       continue;
     }
     bool has_twin = false;
@@ -94,17 +92,15 @@ void check_misconceptions(const ExerciseReference& exercise, Sentences& found) {
       if (one == other || one->message == other->message || !cannot_be_told_apart(exercise, *one, *other)) continue;
       has_twin = true;
       if (one < other) {
-        found.push_back(fmt::format(
-            "The misconceptions {} and {} have different messages but cannot be told apart at the deciding cases.",
-            one->name, other->name));
+        found.push_back(messages::misconceptions_cannot_be_told_apart(one->name, other->name));
       }
     }
     if (has_twin) continue;
 
     const Judgement judgement = judge_values(exercise, one->outputs);
     if (judgement.diagnoses.size() == 1 && judgement.diagnoses.front().message == one->message) continue;
-    found.push_back(fmt::format("The misconception {} is not named when a student has it: {}", one->name,
-                                judgement.diagnoses.empty() ? judgement.message : judgement.diagnoses.front().message));
+    found.push_back(messages::misconception_is_not_named(
+        one->name, judgement.diagnoses.empty() ? judgement.message : judgement.diagnoses.front().message));
   }
 }
 
@@ -124,12 +120,11 @@ void check_terms(const ExerciseReference& exercise, Sentences& found) {
   if (exercise.terms.empty()) return;
   for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
     if (passes(exercise, i, sum_of_terms(exercise, i))) continue;
-    found.push_back(
-        fmt::format("The terms do not add up to the expected value at the case “{}”.", exercise.cases[i].name));
+    found.push_back(messages::terms_do_not_add_up(exercise.cases[i].name));
   }
   const std::vector<Value> expected = expected_values(exercise);
   if (!determine_coefficients(term_equations(exercise, Answers(expected.begin(), expected.end())))) {
-    found.emplace_back("The terms are not independent at the deciding cases.");
+    found.push_back(messages::terms_are_not_independent());
   }
 }
 
@@ -137,7 +132,7 @@ void check_routes(const ExerciseReference& exercise, Sentences& found) {
   for (const Route& route : exercise.routes) {
     const Judgement judgement = judge_values(exercise, route.outputs);
     if (judgement.passed()) continue;
-    found.push_back(fmt::format("The route “{}” does not pass: {}", route.name, judgement.message));
+    found.push_back(messages::route_fails(route.name, judgement.message));
   }
 }
 

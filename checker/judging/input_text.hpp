@@ -3,6 +3,7 @@
 #pragma once
 
 #include "checker/data/reference_results.hpp"
+#include "checker/judging/text_blocks.hpp"
 
 #include <string>
 #include <vector>
@@ -10,6 +11,6 @@
 namespace workbook {
 
 /// "omega = (0.3, -0.2, 0.5) rad/s"; matrices and long lists in aligned columns below their name.
-std::vector<std::string> input_lines(const Argument& argument, const Value& value);
+std::vector<std::string> input_lines(const Argument& argument, const Value& value, const Page& page = {});
 
 }  // namespace workbook

@@ -128,9 +128,7 @@ void judge_repeats(Judgement& judgement, const ExerciseReference& exercise, cons
   for (const Repeat& repeat : observation.repeats) {
     const std::size_t i = repeat.case_index;
     if (i >= exercise.cases.size()) {
-      return decide(
-          judgement, Verdict::checker_error,
-          messages::refused(Refusal::checker_error, "A case was repeated that does not exist.", exercise.signature));
+      return decide(judgement, Verdict::checker_error, messages::repeat_of_no_case());
     }
     const Case& one = exercise.cases[i];
     if (repeat.reply.ending != Ending::returned) {

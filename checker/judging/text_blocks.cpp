@@ -25,12 +25,6 @@ std::string without_trailing_blanks(std::string text) {
   return text;
 }
 
-std::size_t widest(const std::vector<std::string>& texts) {
-  std::size_t width = 0;
-  for (const std::string& text : texts) width = std::max(width, display_width(text));
-  return width;
-}
-
 /// One column of numbers with its heading on top, all of one width.
 std::vector<std::string> column_texts(const Table& table, std::size_t col) {
   std::vector<std::string> numbers;
@@ -47,6 +41,12 @@ std::vector<std::string> column_texts(const Table& table, std::size_t col) {
 }
 
 }  // namespace
+
+std::size_t widest(const std::vector<std::string>& lines) {
+  std::size_t width = 0;
+  for (const std::string& text : lines) width = std::max(width, display_width(text));
+  return width;
+}
 
 void append(std::vector<std::string>& lines, std::vector<std::string> more) {
   std::ranges::move(more, std::back_inserter(lines));
@@ -80,13 +80,13 @@ std::vector<std::string> table_lines(const Table& table) {
   return lines;
 }
 
-std::vector<std::string> side_by_side(const std::vector<Block>& blocks, std::size_t indent) {
+std::vector<std::string> side_by_side(const std::vector<Block>& blocks, std::size_t indent, const Page& page) {
   constexpr std::size_t gap = 3;
-  std::vector<std::string> page;
+  std::vector<std::string> result;
   std::vector<std::string> band;  // blocks that stand beside each other
   std::size_t band_width = 0;
   const auto finish_band = [&] {
-    for (const std::string& line : band) page.push_back(without_trailing_blanks(blanks(indent) + line));
+    for (const std::string& line : band) result.push_back(without_trailing_blanks(blanks(indent) + line));
     band.clear();
     band_width = 0;
   };
@@ -95,19 +95,21 @@ std::vector<std::string> side_by_side(const std::vector<Block>& blocks, std::siz
     std::vector<std::string> lines = {block.title};
     lines.insert(lines.end(), block.lines.begin(), block.lines.end());
     const std::size_t width = widest(lines);
-    if (!band.empty() && indent + band_width + gap + width > page_width) finish_band();
+    const bool fits = !page.is_linear && indent + band_width + gap + width <= page.width;
+    if (!band.empty() && !fits) finish_band();
     const std::size_t start = band.empty() ? 0 : band_width + gap;
     band.resize(std::max(band.size(), lines.size()));
     for (std::size_t row = 0; row < lines.size(); ++row) band[row] = padded_right(band[row], start) + lines[row];
     band_width = start + width;
   }
   finish_band();
-  return page;
+  return result;
 }
 
-std::vector<std::string> wrapped_in_columns(const std::vector<std::string>& texts, std::size_t indent) {
+std::vector<std::string> wrapped_in_columns(const std::vector<std::string>& texts, std::size_t indent,
+                                            const Page& page) {
   const std::size_t width = widest(texts) + 2;
-  const std::size_t per_line = std::max<std::size_t>(1, (page_width - indent + 2) / width);
+  const std::size_t per_line = std::max<std::size_t>(1, (page.width - indent + 2) / width);
   std::vector<std::string> lines;
   for (std::size_t k = 0; k < texts.size(); ++k) {
     if (k % per_line == 0) lines.push_back(blanks(indent));
@@ -117,12 +119,12 @@ std::vector<std::string> wrapped_in_columns(const std::vector<std::string>& text
   return lines;
 }
 
-std::vector<std::string> wrapped(const std::string& sentence, std::size_t indent) {
+std::vector<std::string> wrapped(const std::string& sentence, std::size_t indent, const Page& page) {
   std::vector<std::string> lines = {blanks(indent)};
   std::istringstream words(sentence);
   for (std::string word; words >> word;) {
     const bool is_first = display_width(lines.back()) == indent;
-    if (!is_first && display_width(lines.back()) + 1 + display_width(word) > page_width) {
+    if (!is_first && display_width(lines.back()) + 1 + display_width(word) > page.width) {
       lines.push_back(blanks(indent) + word);
     } else {
       lines.back() += (is_first ? "" : " ") + word;

@@ -9,11 +9,20 @@
 
 namespace workbook {
 
-/// The width that all text keeps to where its numbers let it: a terminal of 80 columns with a margin.
+/// The width of a page for a terminal of 80 columns with a margin.
 inline constexpr std::size_t page_width = 78;
+
+/// What text is laid out on.
+struct Page {
+  std::size_t width = page_width;  ///< all text keeps to it where its numbers let it
+  bool is_linear = false;          ///< nothing beside each other: for screen readers
+};
 
 /// The mark in front of every number that is not within the tolerance.
 inline constexpr const char* differing_mark = "≠";
+
+/// How many columns the widest line takes.
+std::size_t widest(const std::vector<std::string>& lines);
 
 /// Lines of text below a title.
 struct Block {
@@ -42,12 +51,13 @@ std::string in_brackets(const std::string& unit);
 std::vector<std::string> table_lines(const Table& table);
 
 /// Blocks beside each other as long as they fit on the page, each row of blocks below the one before.
-std::vector<std::string> side_by_side(const std::vector<Block>& blocks, std::size_t indent);
+std::vector<std::string> side_by_side(const std::vector<Block>& blocks, std::size_t indent, const Page& page = {});
 
 /// Texts in columns of one width, as many beside each other as fit on the page.
-std::vector<std::string> wrapped_in_columns(const std::vector<std::string>& texts, std::size_t indent);
+std::vector<std::string> wrapped_in_columns(const std::vector<std::string>& texts, std::size_t indent,
+                                            const Page& page = {});
 
 /// Lines of whole words that fit on the page.
-std::vector<std::string> wrapped(const std::string& sentence, std::size_t indent);
+std::vector<std::string> wrapped(const std::string& sentence, std::size_t indent, const Page& page = {});
 
 }  // namespace workbook

@@ -2,13 +2,7 @@
 
 #include "checker/judging/value_text.hpp"
 
-#include <fmt/format.h>
-
 namespace workbook {
-
-std::string left_out(std::size_t count, const std::string& noun) {
-  return fmt::format("({} more {} not shown)", count, noun + (count == 1 ? "" : "s"));
-}
 
 Table matrix_table(const Value& value, std::size_t first_col, int digits, const NumberTest& is_marked) {
   const auto number_at = [first_col](std::size_t row, std::size_t col) { return 3 * (first_col + col) + row; };

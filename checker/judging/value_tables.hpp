@@ -14,9 +14,6 @@ namespace workbook {
 /// Of a long list so many rows are shown; the checker's JSON has them all.
 inline constexpr std::size_t most_rows = 24;
 
-/// "(7 more columns not shown)"
-std::string left_out(std::size_t count, const std::string& noun);
-
 /// True for a number of a value that is to be marked.
 using NumberTest = std::function<bool(std::size_t number)>;
 

@@ -1,5 +1,7 @@
 #include "checker/judging/value_text.hpp"
 
+#include "checker/messages/failures.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -68,7 +70,7 @@ std::string format_value(const Value& value, Kind kind, int digits) {
   switch (kind) {
     case Kind::number:
     case Kind::integer:
-      return value.numbers.empty() ? "nothing" : number_text(value.numbers.front(), digits);
+      return value.numbers.empty() ? messages::no_number() : number_text(value.numbers.front(), digits);
     case Kind::vector2:
     case Kind::vector3:
     case Kind::vector: {
@@ -95,16 +97,16 @@ std::string entry_name(const Value& value, Kind kind, std::size_t number) {
   switch (kind) {
     case Kind::number:
     case Kind::integer:
-      return "the result";
+      return messages::the_result();
     case Kind::vector2:
     case Kind::vector3:
     case Kind::vector:
-      return fmt::format("component {}", row);
+      return messages::component(row);
     case Kind::matrix3:
     case Kind::points:
-      return fmt::format("entry ({},{})", row, col);
+      return messages::entry(row, col);
     case Kind::matrices:
-      return fmt::format("entry ({},{}) of matrix {}", row, (col - 1) % 3 + 1, (col - 1) / 3 + 1);
+      return messages::entry_of_matrix(row, (col - 1) % 3 + 1, (col - 1) / 3 + 1);
   }
   return "";
 }

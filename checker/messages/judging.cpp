@@ -2,12 +2,13 @@
 
 #include "checker/data/superscript.hpp"
 #include "checker/judging/value_text.hpp"
+#include "checker/messages/program.hpp"
+#include "checker/messages/running.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <csignal>
 #include <functional>
 #include <tuple>
 
@@ -27,27 +28,6 @@ std::string quoted(std::string text) {
   std::size_t end = longest;
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // not inside a character
   return text.substr(0, end) + " …";
-}
-
-std::string signal_name(int signal) {
-  switch (signal) {
-    case SIGSEGV:
-      return "segmentation fault";
-    case SIGABRT:
-      return "abort";
-    case SIGFPE:
-      return "arithmetic exception, such as a whole number divided by zero";
-    case SIGILL:
-      return "illegal instruction";
-    case SIGBUS:
-      return "bus error";
-    case SIGKILL:
-      return "killed";
-    case SIGTRAP:
-      return "trap";
-    default:
-      return "unexpected";
-  }
 }
 
 std::string plural(std::size_t count, const std::string& noun) {
@@ -121,9 +101,8 @@ Advice ended_without_value(const std::string& when, const Reply& reply, const st
       return {fmt::format("The result has the wrong shape {}.", when),
               "Read in the header which shape is asked for: " + signature + "."};
     case Ending::crashed:
-      return {
-          fmt::format("The function crashed {}: signal {} ({}).", when, reply.signal, signal_name(reply.signal)),
-          "Look for an index beyond the end, a reference to something that is gone, or a recursion without an end."};
+      return {fmt::format("The function crashed {}: {}.", when, without_full_stop(crash(reply.signal, reply.text))),
+              after_crash(reply.signal, reply.text)};
     case Ending::stopped_early:
       return {fmt::format("The program ended {} before the function returned, with exit status {}.", when,
                           reply.exit_status),
@@ -179,12 +158,15 @@ Advice refused(Refusal refusal, const std::string& message, const std::string& s
       break;
   }
   return {message_or("Something went wrong in the checker."),
-          "This is not your fault and costs no points: run `checker doctor`, and tell your instructor if it stays."};
+          fmt::format("This is not your fault and costs no points: run `{}`, and tell your instructor if it stays.",
+                      command("doctor"))};
 }
 
 Advice no_cases(const std::string& exercise) {
   return refused(Refusal::checker_error, fmt::format("The reference results hold no cases for {}.", exercise), "");
 }
+
+Advice repeat_of_no_case() { return refused(Refusal::checker_error, "A case was repeated that does not exist.", ""); }
 
 Advice not_started() {
   return {"You have not started this exercise: the TODO is still there.",

@@ -24,6 +24,10 @@ struct Advice {
 Advice passed(std::size_t cases);
 Advice refused(Refusal refusal, const std::string& message, const std::string& signature);
 Advice no_cases(const std::string& exercise);
+
+/// A repeat came back of a case that the exercise does not have: our fault.
+Advice repeat_of_no_case();
+
 Advice not_started();
 
 /// A call that gave no value; not for Ending::returned.

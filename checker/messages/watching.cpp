@@ -72,6 +72,8 @@ std::string command_cannot_start(const std::string& reason) {
       reason);
 }
 
+std::string cannot_listen_to_signals() { return "The watch cannot listen to signals"; }
+
 std::string no_events(const std::string& reason) {
   return fmt::format("The system sends no news of files here ({}), so the files are looked at four times a second.",
                      reason);

@@ -51,6 +51,10 @@ std::string check_died(const std::string& exercise, int signal);
 std::string command_died(int signal);
 std::string check_cannot_start(const std::string& exercise, const std::string& reason);
 std::string command_cannot_start(const std::string& reason);
+
+/// Before ": " and the system's reason.
+std::string cannot_listen_to_signals();
+
 std::string no_events(const std::string& reason);
 std::string polling_wanted();
 std::string folder_gone(const std::string& folder);

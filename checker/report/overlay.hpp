@@ -30,9 +30,20 @@ struct Overlay {
 /// Runs the student's function along the sweep. @throws LaunchError or SandboxError if the worker cannot be started.
 Overlay overlay_of(const Checked& checked);
 
+/// Where the plots of students lie, if nobody asks for another place.
+std::filesystem::path plots_directory(const Course& course);
+
 /// Draws DIRECTORY/NAME.svg and DIRECTORY/NAME.png. Returns both paths.
 /// @throws PlotError if gnuplot is missing, the folder cannot be written, or gnuplot leaves no picture behind.
 std::vector<std::filesystem::path> draw_overlay(const Overlay& overlay, const std::filesystem::path& directory,
                                                 const std::string& name);
+
+/// All of it in one go: runs the function along the sweep and draws both pictures into plots_directory().
+/// @throws as overlay_of() and draw_overlay() do.
+std::vector<std::filesystem::path> draw_plot(const Course& course, const Checked& checked);
+
+/// The picture as the text of an SVG file of 640 by 512 pixels, for a page; `directory` is for files on the way there.
+/// @throws PlotError
+std::string overlay_as_svg(const Overlay& overlay, const std::filesystem::path& directory, const std::string& name);
 
 }  // namespace workbook

@@ -27,6 +27,21 @@ struct Standing {
 
 Standing standing_of(const Course& course, const Progress& progress);
 
+/// What is known of one exercise.
+struct State {
+  std::string mark;
+  std::string words;
+  Style style = Style::plain;
+};
+
+State state_of(const Course& course, const Progress& progress, const Exercise& exercise);
+
+/// How much of each lecture passes, line by line, and in all.
+std::string overview(const Course& course, const Standing& standing, const Console& console);
+
+/// Every exercise with its state and points, below its lecture.
+std::string exercise_list(const Course& course, const Progress& progress, const Console& console);
+
 /// What an exercise asks for, its file and where to read: "Next: NAME" and a few lines below it.
 /// @param label  what stands before the name
 std::string introduction(const Course& course, const Exercise& exercise, const std::string& label,

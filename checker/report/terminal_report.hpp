@@ -10,9 +10,16 @@
 
 namespace workbook {
 
+/// What of a verdict is shown.
+struct Detail {
+  bool full = false;      ///< all that the compiler says, not only its first error
+  bool one_case = false;  ///< judgement.first_failure is a case that was asked for by name: show it even if it passed
+};
+
 /// One line for what passed or was not started, and everything that helps for the rest: what failed, why, where to
 /// read, what to do next.
-std::string terminal_report(const Course& course, const Checked& checked, const Console& console);
+std::string terminal_report(const Course& course, const Checked& checked, const Console& console,
+                            const Detail& detail = {});
 
 /// "6 of 8 passed, 1 wrong, 1 not started."
 std::string summary_line(const std::vector<Checked>& results);

@@ -41,8 +41,9 @@ std::unique_ptr<ChildProcess> start(const std::filesystem::path& course_file, co
   launch.arguments.insert(launch.arguments.end(), arguments.begin(), arguments.end());
   launch.environment = environment_for(console);
   // If we are killed, it is told to end, not killed: so it can end its compiler.
-  launch.prepare = []() -> const char* {
-    return ::prctl(PR_SET_PDEATHSIG, SIGTERM) == 0 ? nullptr : "tie its life to the watch";
+  launch.prepare = []() -> std::optional<messages::LaunchStep> {
+    if (::prctl(PR_SET_PDEATHSIG, SIGTERM) != 0) return messages::LaunchStep::tie_to_watch;
+    return std::nullopt;
   };
   return std::make_unique<ChildProcess>(launch);
 }

@@ -1,5 +1,7 @@
 #include "checker/watch/signals.hpp"
 
+#include "checker/messages/watching.hpp"
+
 #include <sys/signalfd.h>
 #include <unistd.h>
 
@@ -21,7 +23,7 @@ Signals::Signals() {
   if (!arrived_) {
     const int reason = errno;
     ::sigprocmask(SIG_SETMASK, &before_, nullptr);
-    throw std::system_error(reason, std::generic_category(), "The watch cannot listen to signals");
+    throw std::system_error(reason, std::generic_category(), messages::cannot_listen_to_signals());
   }
 }
 

@@ -343,7 +343,7 @@ void Watch::begin_request(Action action) {
   std::vector<std::string> arguments;
   if (action == Action::hint) arguments = {"hint", name(current_)};
   if (action == Action::list) arguments = {"list"};
-  if (action == Action::plot) arguments = {"plot", name(current_)};
+  if (action == Action::plot) arguments = {"plot", name(current_), "--picture", "text"};
   if (action == Action::compiler) arguments = {"check", name(current_)};
   request_.reset();
   try {

@@ -15,24 +15,25 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstring>
 #include <system_error>
 #include <thread>
 
 namespace workbook {
 namespace {
 
+using messages::LaunchStep;
+
 /// Sent from the new process when it cannot become the program.
 struct Failure {
-  char step[64];
+  LaunchStep step;
   int reason;
 };
 
 constexpr int report_descriptor = frames::channel + 1;
 constexpr int first_free_descriptor = report_descriptor + 1;
 
-[[noreturn]] void launch_failed(const std::string& step, int reason) {
-  throw LaunchError(step + ": " + std::generic_category().message(reason));
+[[noreturn]] void launch_failed(LaunchStep step, int reason) {
+  throw LaunchError(messages::launch_failed(step, std::generic_category().message(reason)));
 }
 
 struct Pipe {
@@ -41,7 +42,7 @@ struct Pipe {
 
   Pipe() {
     std::array<int, 2> ends{};
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0) launch_failed("open a pipe", errno);
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) launch_failed(LaunchStep::open_pipe, errno);
     reading = Descriptor(ends[0]);
     writing = Descriptor(ends[1]);
   }
@@ -68,17 +69,15 @@ class NewProcess {
 
   [[noreturn]] void become_program() noexcept {
     restore_signals();
-    const char* failed = leave_checker();
+    std::optional<LaunchStep> failed = leave_checker();
     if (!failed) failed = place_descriptors();
-    if (!failed && directory && ::chdir(directory) != 0) failed = "enter its directory";
+    if (!failed && directory && ::chdir(directory) != 0) failed = LaunchStep::enter_directory;
     if (!failed && launch.prepare) failed = launch.prepare();
     if (!failed) {
       ::execve(launch.program, arguments, environment);
-      failed = "start the program";
+      failed = LaunchStep::start_program;
     }
-    Failure failure{};
-    failure.reason = errno;
-    std::strncpy(failure.step, failed, sizeof failure.step - 1);
+    const Failure failure{*failed, errno};
     [[maybe_unused]] const ssize_t unused = ::write(report, &failure, sizeof failure);
     ::_exit(127);
   }
@@ -91,27 +90,27 @@ class NewProcess {
     ::sigprocmask(SIG_SETMASK, &none, nullptr);
   }
 
-  const char* leave_checker() const noexcept {
-    if (::setsid() < 0) return "open its own session";
-    if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) return "tie its life to the checker";
+  std::optional<LaunchStep> leave_checker() const noexcept {
+    if (::setsid() < 0) return LaunchStep::open_session;
+    if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) return LaunchStep::tie_to_checker;
     if (::getppid() != checker) ::_exit(127);  // the checker is gone already
-    return nullptr;
+    return std::nullopt;
   }
 
-  const char* place_descriptors() noexcept {
+  std::optional<LaunchStep> place_descriptors() noexcept {
     // First all out of the way of the places that they shall take.
     for (int* descriptor : {&input, &output, &channel, &report}) {
       if (*descriptor < 0) continue;
       *descriptor = ::fcntl(*descriptor, F_DUPFD_CLOEXEC, first_free_descriptor);
-      if (*descriptor < 0) return "move its descriptors";
+      if (*descriptor < 0) return LaunchStep::move_descriptors;
     }
     if (::dup2(input, STDIN_FILENO) < 0 || ::dup2(output, STDOUT_FILENO) < 0 || ::dup2(output, STDERR_FILENO) < 0 ||
         (channel >= 0 && ::dup2(channel, frames::channel) < 0) || ::dup3(report, report_descriptor, O_CLOEXEC) < 0)
-      return "place its descriptors";
+      return LaunchStep::place_descriptors;
     report = report_descriptor;
     if (channel < 0) ::close(frames::channel);
     ::closefrom(first_free_descriptor);
-    return nullptr;
+    return std::nullopt;
   }
 };
 
@@ -150,7 +149,8 @@ ChildProcess::ChildProcess(const Launch& launch) {
   Descriptor far_end;
   if (launch.with_channel) {
     std::array<int, 2> ends{};
-    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) launch_failed("open a channel", errno);
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
+      launch_failed(LaunchStep::open_channel, errno);
     channel_ = Descriptor(ends[0]);
     far_end = Descriptor(ends[1]);
     set_nonblocking(channel_.number());
@@ -172,7 +172,7 @@ ChildProcess::ChildProcess(const Launch& launch) {
     // A signal to end comes before the new process or after it is known, never between.
     const SignalsHeldBack held_back;
     process_ = ::fork();
-    if (process_ < 0) launch_failed("start a process", errno);
+    if (process_ < 0) launch_failed(LaunchStep::start_process, errno);
     if (process_ == 0) child.become_program();
     running_programs::add(process_);
   }
@@ -187,7 +187,7 @@ ChildProcess::ChildProcess(const Launch& launch) {
   if (got == 0) return;  // closed by exec: the program runs
   kill();
   if (got == sizeof failure) launch_failed(failure.step, failure.reason);
-  launch_failed("hear from the new process", EPIPE);
+  launch_failed(LaunchStep::hear_from_process, EPIPE);
 }
 
 ChildProcess::~ChildProcess() { kill(); }
@@ -197,6 +197,11 @@ void ChildProcess::ask_to_end() {
 }
 
 void ChildProcess::hang_up() { ::shutdown(channel_.number(), SHUT_WR); }
+
+void ChildProcess::signal(int number) {
+  // Until it is waited for, its number cannot name another process.
+  if (!end_) ::kill(process_, number);
+}
 
 std::optional<ProcessEnd> ChildProcess::wait_until(Clock::time_point deadline) {
   while (!end_) {
@@ -235,7 +240,8 @@ ProcessEnd ChildProcess::reap() {
   return end;
 }
 
-FinishedProgram run_program(const Launch& launch, std::chrono::duration<double> time_limit, std::size_t output_limit) {
+FinishedProgram run_program(const Launch& launch, std::chrono::duration<double> time_limit, std::size_t output_limit,
+                            const std::function<void(std::string_view)>& listener) {
   const Clock::time_point deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(time_limit);
   ChildProcess process(launch);
   FinishedProgram finished;
@@ -252,6 +258,7 @@ FinishedProgram run_program(const Launch& launch, std::chrono::duration<double> 
     if (got < 0 && (errno == EINTR || errno == EAGAIN)) continue;
     if (got <= 0) break;
     finished.output.append(buffer.data(), static_cast<std::size_t>(got));
+    if (listener) listener({buffer.data(), static_cast<std::size_t>(got)});
     if (finished.output.size() > output_limit) {
       finished.output.resize(output_limit);
       finished.too_much_output = true;

@@ -2,6 +2,7 @@
 /// A program that runs beside the checker and cannot outlive it: the compiler, and the worker.
 #pragma once
 
+#include "checker/messages/starting.hpp"
 #include "checker/worker/descriptor.hpp"
 
 #include <sys/types.h>
@@ -13,6 +14,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace workbook {
@@ -32,8 +34,8 @@ struct Launch {
   std::filesystem::path directory;       ///< where it starts; empty: where the checker stands
   bool with_channel = false;             ///< a socket pair to talk over, frames::channel in the new process
   /// Runs in the new process just before the program, and may only make system calls: between fork and exec nothing
-  /// else is safe. Returns nullptr, or what failed, with the reason in errno.
-  std::function<const char*()> prepare;
+  /// else is safe. Returns nothing, or what failed, with the reason in errno.
+  std::function<std::optional<messages::LaunchStep>()> prepare;
 };
 
 /// How a process ended.
@@ -60,6 +62,9 @@ class ChildProcess {
   /// Says over the channel that no more will be said.
   void hang_up();
 
+  /// Sends the process a signal, if it still runs.
+  void signal(int number);
+
   /// How the process ended, or nothing if it still runs at that time.
   std::optional<ProcessEnd> wait_until(Clock::time_point deadline);
 
@@ -84,9 +89,13 @@ struct FinishedProgram {
   std::string output;
   bool out_of_time = false;
   bool too_much_output = false;
+
+  /// It ended by itself, with exit status 0, within its limits.
+  bool succeeded() const { return !out_of_time && !too_much_output && end.signal == 0 && end.exit_status == 0; }
 };
 
-/// Runs a program and collects what it prints. @throws LaunchError
-FinishedProgram run_program(const Launch& launch, std::chrono::duration<double> time_limit, std::size_t output_limit);
+/// Runs a program and collects what it prints; a listener hears of every piece as it comes. @throws LaunchError
+FinishedProgram run_program(const Launch& launch, std::chrono::duration<double> time_limit, std::size_t output_limit,
+                            const std::function<void(std::string_view)>& listener = {});
 
 }  // namespace workbook

@@ -35,7 +35,9 @@ enum class Status : std::int32_t {
   not_started,
   exception,  ///< text
   out_of_memory,
-  last_words  ///< a signal is about to end the worker: signal, detail, text. Believed only if it then does
+  last_words,        ///< a signal is about to end the worker: signal, detail, text. Believed only if it then does
+  eigen_assertion,   ///< text: the condition that did not hold
+  foreign_exception  ///< thrown was something that is no std::exception and has no text
 };
 
 struct ReplyHeader {
@@ -44,11 +46,13 @@ struct ReplyHeader {
   Status status;
   Shape result;
   std::int32_t signal;
-  std::int64_t detail;  ///< SIGSYS: the number of the system call; SIGSEGV: stack_used_up or 0
-  char text[472];       ///< ends with a zero byte
+  std::int64_t
+      detail;  ///< SIGSYS: the number of the system call; SIGSEGV: stack_used_up or 0; SIGABRT: foreign_exception or 0
+  char text[472];  ///< ends with a zero byte
 };
 
 inline constexpr std::int64_t stack_used_up = 1;
+inline constexpr std::int64_t foreign_exception = 1;
 
 static_assert(sizeof(RequestHeader) == 32 && sizeof(ReplyHeader) == 512, "no padding may travel");
 

@@ -1,9 +1,9 @@
 #include "checker/worker/last_words.hpp"
 
 #include "checker/worker/frames.hpp"
+#include "checker/worker/stack.hpp"
 
 #include <signal.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cstdint>
@@ -13,8 +13,7 @@
 namespace workbook {
 namespace {
 
-std::uintptr_t stack_begin = 0;
-std::uintptr_t stack_size = 0;
+Stack stack;
 std::terminate_handler usual_terminate = nullptr;
 
 void say(int signal, std::int64_t detail, const char* text) {
@@ -32,17 +31,8 @@ void on_forbidden_call(int signal, siginfo_t* info, void*) {
   ::raise(signal);  // the handler is already reset: this ends the process
 }
 
-/// An address near the lower end of the stack: only a stack that grew too far touches memory there.
-bool is_stack_overflow(std::uintptr_t address) {
-  constexpr std::uintptr_t margin = std::uintptr_t{256} * 1024;
-  constexpr std::uintptr_t largest_step = std::uintptr_t{16} * 1024 * 1024;
-  const std::uintptr_t depth = stack_begin - address;
-  return address < stack_begin && depth + margin > stack_size && depth < stack_size + largest_step;
-}
-
-void on_bad_address(int signal, siginfo_t* info, void*) {
-  const bool overflow = is_stack_overflow(reinterpret_cast<std::uintptr_t>(info->si_addr));
-  say(signal, overflow ? frames::stack_used_up : 0, "");
+void on_bad_address(int signal, siginfo_t* info, void* context) {
+  say(signal, stack.overflowed(*info, context) ? frames::stack_used_up : 0, "");
   ::raise(signal);
 }
 
@@ -52,7 +42,7 @@ void on_terminate() {
   } catch (const std::exception& error) {
     say(SIGABRT, 0, error.what());
   } catch (...) {
-    say(SIGABRT, 0, "something that is not a std::exception");
+    say(SIGABRT, frames::foreign_exception, "");
   }
   usual_terminate();
 }
@@ -71,12 +61,7 @@ void handle(int signal, void (*handler)(int, siginfo_t*, void*)) {
   spare.ss_sp = own_stack;
   spare.ss_size = sizeof own_stack;
   ::sigaltstack(&spare, nullptr);
-
-  stack_begin = reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0));
-  rlimit limit{};
-  ::getrlimit(RLIMIT_STACK, &limit);
-  stack_size = static_cast<std::uintptr_t>(limit.rlim_cur);
-
+  stack.measure();
   handle(SIGSYS, on_forbidden_call);
   handle(SIGSEGV, on_bad_address);
   usual_terminate = std::set_terminate(on_terminate);

@@ -10,12 +10,13 @@
 
 namespace workbook {
 
-/// One of Eigen's own checks failed: an index or a size does not fit.
+/// One of Eigen's own checks failed: an index or a size does not fit. The text is the condition as Eigen writes it; the
+/// checker has the words for it.
 struct EigenError : std::logic_error {
   using std::logic_error::logic_error;
 };
 
-/// Throws EigenError with a sentence for the condition that should have held.
+/// Throws EigenError with the condition that should have held.
 void report_eigen_assertion(const char* condition);
 
 }  // namespace workbook
@@ -28,24 +29,4 @@ void report_eigen_assertion(const char* condition);
 // A matrix that was never filled gives NaN every time, not a number by chance.
 #define EIGEN_INITIALIZE_MATRICES_BY_NAN
 
-#include <Eigen/Dense>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <complex>
-#include <cstddef>
-#include <cstdlib>
-#include <functional>
-#include <iomanip>
-#include <iostream>
-#include <limits>
-#include <map>
-#include <numbers>
-#include <numeric>
-#include <optional>
-#include <random>
-#include <string>
-#include <tuple>
-#include <utility>
-#include <vector>
+#include "headers.hpp"

@@ -1,5 +1,6 @@
 #include "checker/worker/run_exercise.hpp"
 
+#include "checker/messages/starting.hpp"
 #include "checker/worker/printable.hpp"
 #include "checker/worker/worker.hpp"
 
@@ -80,8 +81,7 @@ Observation ExerciseRunner::observe(const std::vector<Case>& cases, const std::v
   } catch (const LaunchError& error) {
     observation = {};
     observation.refusal = Refusal::checker_error;
-    observation.refusal_message = "The checker could not run the compiled function (" + std::string(error.what()) +
-                                  "); this is not your mistake.";
+    observation.refusal_message = messages::cannot_run(error.what());
   }
   observation.printed = printable(budget.printed);
   observation.run_seconds = std::chrono::duration<double>(Clock::now() - start).count();

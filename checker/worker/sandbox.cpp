@@ -1,5 +1,8 @@
 #include "checker/worker/sandbox.hpp"
 
+#include "checker/messages/machine.hpp"
+#include "checker/messages/running.hpp"
+
 #include <sys/prctl.h>
 #include <sys/resource.h>
 
@@ -63,18 +66,14 @@ constexpr int allowed_calls[] = {
     SCMP_SYS(getegid), SCMP_SYS(uname), SCMP_SYS(sysinfo), SCMP_SYS(getrusage), SCMP_SYS(getcpu), SCMP_SYS(sched_yield),
     SCMP_SYS(sched_getaffinity)};
 
+using messages::Forbidden;
+
 struct Purpose {
   const char* call;
-  const char* words;
+  Forbidden operation;
 };
 
-constexpr const char* file = "open a file";
-constexpr const char* process = "start a thread or another process";
-constexpr const char* program = "start another program";
-constexpr const char* network = "open a connection";
-constexpr const char* signal_others = "send a signal to another process";
-constexpr const char* spy = "look into another process";
-constexpr const char* change_files = "change files or folders";
+using enum Forbidden;
 
 constexpr Purpose purposes[] = {
     {"open", file},           {"openat", file},           {"openat2", file},         {"creat", file},
@@ -89,27 +88,28 @@ constexpr Purpose purposes[] = {
 
 }  // namespace
 
-const char* Sandbox::enter(unsigned processor_seconds) noexcept {
+std::optional<messages::LaunchStep> Sandbox::enter(unsigned processor_seconds) noexcept {
+  using messages::LaunchStep;
   // A core limit of 1 and not 0: with 0 a system that hands core dumps to a collector would still start it.
-  if (!limit(RLIMIT_CORE, 1, 1)) return "limit core dumps";
+  if (!limit(RLIMIT_CORE, 1, 1)) return LaunchStep::limit_core_dumps;
   // The hard limit ends a program that ignores the signal of the soft one.
-  if (!limit(RLIMIT_CPU, processor_seconds, rlim_t{processor_seconds} + 1)) return "limit its processor time";
-  if (!limit(RLIMIT_AS, limits_.memory_bytes, limits_.memory_bytes)) return "limit its memory";
-  if (!limit(RLIMIT_STACK, limits_.stack_bytes, limits_.stack_bytes)) return "limit its stack";
-  if (!limit(RLIMIT_FSIZE, 0, 0)) return "limit the size of its files";
-  if (!limit(RLIMIT_NPROC, 0, 0)) return "limit its processes";
-  if (!limit(RLIMIT_NOFILE, 8, 8)) return "limit its open files";
-  if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return "give up privileges";
+  if (!limit(RLIMIT_CPU, processor_seconds, rlim_t{processor_seconds} + 1)) return LaunchStep::limit_processor_time;
+  if (!limit(RLIMIT_AS, limits_.memory_bytes, limits_.memory_bytes)) return LaunchStep::limit_memory;
+  if (!limit(RLIMIT_STACK, limits_.stack_bytes, limits_.stack_bytes)) return LaunchStep::limit_stack;
+  if (!limit(RLIMIT_FSIZE, 0, 0)) return LaunchStep::limit_file_size;
+  if (!limit(RLIMIT_NPROC, 0, 0)) return LaunchStep::limit_processes;
+  if (!limit(RLIMIT_NOFILE, 8, 8)) return LaunchStep::limit_open_files;
+  if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return LaunchStep::give_up_privileges;
 #if WORKBOOK_HAS_SECCOMP
   if (!filter_.empty()) {
     const auto self = static_cast<unsigned>(::getpid());
     for (Instruction& instruction : filter_)
       if (instruction.operand == own_process) instruction.operand = self;
     sock_fprog program{static_cast<unsigned short>(filter_.size()), reinterpret_cast<sock_filter*>(filter_.data())};
-    if (::syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, 0, &program) != 0) return "filter its system calls";
+    if (::syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, 0, &program) != 0) return LaunchStep::filter_system_calls;
   }
 #endif
-  return nullptr;
+  return std::nullopt;
 }
 
 #if WORKBOOK_HAS_SECCOMP
@@ -122,7 +122,7 @@ Sandbox::Sandbox(const std::filesystem::path& program, SandboxLimits limits)
 void Sandbox::build_filter() {
   static_assert(sizeof(Instruction) == sizeof(sock_filter));
   const auto require = [](bool done) {
-    if (!done) throw SandboxError("the filter of system calls cannot be built on this machine");
+    if (!done) throw SandboxError(messages::filter_cannot_be_built());
   };
   // A trap and not a plain kill: the worker's own handler can then say which call it was before it ends.
   const std::unique_ptr<void, decltype(&seccomp_release)> context(seccomp_init(SCMP_ACT_TRAP), &seccomp_release);
@@ -154,21 +154,18 @@ void Sandbox::build_filter() {
 }
 
 SandboxStrength sandbox_strength() {
-  if (kernel_has_filters())
-    return {true, "Students' functions run behind a filter of system calls, with limits on time, memory and output."};
-  return {false,
-          "This kernel has no filter of system calls: students' functions run with limits on time, memory and output "
-          "only."};
+  if (kernel_has_filters()) return {true, messages::sandbox_is_whole()};
+  return {false, messages::kernel_has_no_filter()};
 }
 
 std::string forbidden_operation(long system_call) {
   const std::unique_ptr<char, decltype(&std::free)> name(
       seccomp_syscall_resolve_num_arch(SCMP_ARCH_NATIVE, static_cast<int>(system_call)), &std::free);
-  if (!name) return "make system call number " + std::to_string(system_call);
+  if (!name) return messages::system_call(system_call);
   const std::string call = name.get();
   for (const Purpose& purpose : purposes)
-    if (call == purpose.call) return std::string(purpose.words) + " (" + call + ")";
-  return "make the system call " + call;
+    if (call == purpose.call) return messages::system_call(purpose.operation, call);
+  return messages::system_call(call);
 }
 
 #else
@@ -176,13 +173,9 @@ std::string forbidden_operation(long system_call) {
 Sandbox::Sandbox(const std::filesystem::path& program, SandboxLimits limits)
     : program_(program.string()), limits_(limits) {}
 
-SandboxStrength sandbox_strength() {
-  return {
-      false,
-      "The checker was built without libseccomp: students' functions run with limits on time, memory and output only."};
-}
+SandboxStrength sandbox_strength() { return {false, messages::built_without_filter()}; }
 
-std::string forbidden_operation(long system_call) { return "make system call number " + std::to_string(system_call); }
+std::string forbidden_operation(long system_call) { return messages::system_call(system_call); }
 
 #endif
 

@@ -3,8 +3,11 @@
 /// print, sleep and look at the clock, and nothing else.
 #pragma once
 
+#include "checker/messages/starting.hpp"
+
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -46,7 +49,7 @@ class Sandbox {
   const char* program() const { return program_.c_str(); }
 
   /// For Launch::prepare; makes system calls only.
-  const char* enter(unsigned processor_seconds) noexcept;
+  std::optional<messages::LaunchStep> enter(unsigned processor_seconds) noexcept;
 
  private:
   struct Instruction {  ///< layout of the kernel's sock_filter

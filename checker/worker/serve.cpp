@@ -2,6 +2,8 @@
 
 #include "checker/worker/frames.hpp"
 #include "checker/worker/last_words.hpp"
+#include "checker/worker/prelude.hpp"
+#include "checker/worker/requests.hpp"
 
 #include <rigid/vocabulary.hpp>
 
@@ -16,19 +18,6 @@
 
 namespace workbook {
 namespace {
-
-/// False at the end of input.
-bool read_exactly(void* to, std::size_t size) {
-  char* next = static_cast<char*>(to);
-  while (size > 0) {
-    const ssize_t got = ::read(frames::channel, next, size);
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return false;
-    next += got;
-    size -= static_cast<std::size_t>(got);
-  }
-  return true;
-}
 
 bool write_exactly(const void* from, std::size_t size) {
   const char* next = static_cast<const char*>(from);
@@ -46,32 +35,6 @@ void set_text(frames::ReplyHeader& reply, const char* text) {
   std::strncpy(reply.text, text ? text : "", sizeof reply.text - 1);
 }
 
-/// The arguments of one request, and the views of them that a call needs.
-struct Arguments {
-  std::vector<double> numbers;
-  std::vector<NumbersView> views;
-
-  bool read(std::size_t count) {
-    std::vector<frames::Shape> shapes(count);
-    if (!read_exactly(shapes.data(), count * sizeof(frames::Shape))) return false;
-    std::size_t total = 0;
-    for (const frames::Shape& shape : shapes) total += size(shape);
-    numbers.resize(total);
-    if (!read_exactly(numbers.data(), total * sizeof(double))) return false;
-    const double* first = numbers.data();
-    views.clear();
-    for (const frames::Shape& shape : shapes) {
-      views.push_back({shape.rows, shape.cols, first});
-      first += size(shape);
-    }
-    return true;
-  }
-
-  static std::size_t size(const frames::Shape& shape) {
-    return static_cast<std::size_t>(shape.rows) * static_cast<std::size_t>(shape.cols);
-  }
-};
-
 frames::ReplyHeader answer(const Call& call, const Arguments& arguments, CallResult& result) {
   frames::ReplyHeader reply{};
   reply.magic = frames::reply_magic;
@@ -83,12 +46,14 @@ frames::ReplyHeader answer(const Call& call, const Arguments& arguments, CallRes
     reply.status = frames::Status::not_started;
   } catch (const std::bad_alloc&) {
     reply.status = frames::Status::out_of_memory;
+  } catch (const EigenError& error) {
+    reply.status = frames::Status::eigen_assertion;
+    set_text(reply, error.what());
   } catch (const std::exception& error) {
     reply.status = frames::Status::exception;
     set_text(reply, error.what());
   } catch (...) {
-    reply.status = frames::Status::exception;
-    set_text(reply, "something that is not a std::exception");
+    reply.status = frames::Status::foreign_exception;
   }
   return reply;
 }

@@ -1,5 +1,6 @@
 #include "checker/worker/worker.hpp"
 
+#include "checker/messages/running.hpp"
 #include "checker/worker/printable.hpp"
 
 #include <poll.h>
@@ -50,6 +51,14 @@ frames::ReplyHeader header_in(const std::vector<char>& bytes) {
   return header;
 }
 
+/// What the last words before a signal say, the system call aside.
+std::string text_of_crash(const frames::ReplyHeader& last_words) {
+  if (last_words.signal == SIGSEGV && last_words.detail == frames::stack_used_up) return messages::stack_is_used_up();
+  if (last_words.signal == SIGABRT && last_words.detail == frames::foreign_exception)
+    return messages::foreign_exception();
+  return printable(last_words.text);
+}
+
 Launch launch(Sandbox& sandbox, unsigned processor_seconds) {
   Launch launch;
   launch.program = sandbox.program();
@@ -80,14 +89,15 @@ Reply Worker::call(const std::vector<Value>& inputs, int rows, int cols) {
   if (const Stop stop = receive_header(); stop != Stop::none) return stopped(stop);
 
   const frames::ReplyHeader header = header_in(received_);
-  if (header.magic != frames::reply_magic) return violation("what came back is not a reply");
-  if (header.nonce != nonce) return violation("a reply came that does not belong to the request");
-  if (sent_ < unsent_.size()) return violation("a reply came before its request was read");
+  if (header.magic != frames::reply_magic) return violation(messages::not_a_reply());
+  if (header.nonce != nonce) return violation(messages::reply_to_something_else());
+  if (sent_ < unsent_.size()) return violation(messages::reply_too_early());
 
   Reply reply;
   switch (header.status) {
     case frames::Status::returned:
-      if (header.result.rows != rows || header.result.cols != cols) return violation("a reply has an impossible shape");
+      if (header.result.rows != rows || header.result.cols != cols)
+        return violation(messages::reply_of_impossible_shape());
       if (const Stop stop = exchange(received_.size() +
                                      sizeof(double) * static_cast<std::size_t>(rows) * static_cast<std::size_t>(cols));
           stop != Stop::none)
@@ -97,7 +107,7 @@ Reply Worker::call(const std::vector<Value>& inputs, int rows, int cols) {
     case frames::Status::wrong_shape:
       if (header.result.rows < 0 || header.result.cols < 0 ||
           (header.result.rows == rows && header.result.cols == cols))
-        return violation("a reply has an impossible shape");
+        return violation(messages::reply_of_impossible_shape());
       reply.ending = Ending::wrong_shape;
       reply.value = {header.result.rows, header.result.cols, {}};
       break;
@@ -108,13 +118,21 @@ Reply Worker::call(const std::vector<Value>& inputs, int rows, int cols) {
       reply.ending = Ending::exception;
       reply.text = printable(header.text);
       break;
+    case frames::Status::foreign_exception:
+      reply.ending = Ending::exception;
+      reply.text = messages::foreign_exception();
+      break;
+    case frames::Status::eigen_assertion:
+      reply.ending = Ending::exception;
+      reply.text = messages::eigen_stopped(printable(header.text));
+      break;
     case frames::Status::out_of_memory:
       reply.ending = Ending::memory_limit;
       break;
     default:
-      return violation("a reply has an unknown status");
+      return violation(messages::reply_of_unknown_status());
   }
-  if (has_more_to_say()) return violation("more came back than one reply");
+  if (has_more_to_say()) return violation(messages::more_than_one_reply());
   if (const Stop stop = collect_prints(); stop != Stop::none) return stopped(stop);
   if (reply.ending == Ending::memory_limit) end_process();  // what else it could not allocate, nobody knows
   return reply;
@@ -132,7 +150,7 @@ Reply Worker::finish() {
   budget_.deadline = std::min(deadline, Clock::now() + farewell);
   const Stop stop = exchange(1);
   budget_.deadline = deadline;
-  if (stop == Stop::none) return violation("something came back after the last reply");
+  if (stop == Stop::none) return violation(messages::something_after_last_reply());
   end_process();
   return stop == Stop::output_limit || collect_prints() == Stop::output_limit ? stopped(Stop::output_limit) : reply;
 }
@@ -231,7 +249,7 @@ Reply Worker::stopped(Stop reason) {
     return reply;
   }
   const std::optional<ProcessEnd> ended = process_.wait_until(std::min(budget_.deadline, Clock::now() + farewell));
-  if (!ended) return violation("the line to the checker was closed");
+  if (!ended) return violation(messages::line_closed());
   const ProcessEnd end = end_process();
   if (collect_prints() == Stop::output_limit) {
     reply.ending = Ending::output_limit;
@@ -250,7 +268,7 @@ Reply Worker::stopped(Stop reason) {
       break;
     case SIGXFSZ:
       reply.ending = Ending::forbidden_operation;
-      reply.text = "write a file";
+      reply.text = messages::writing_a_file();
       break;
     case SIGXCPU:
       reply.ending = Ending::time_limit;
@@ -259,8 +277,7 @@ Reply Worker::stopped(Stop reason) {
       // A program that ignores SIGXCPU is killed at the hard limit.
       reply.ending =
           end.signal == SIGKILL && end.processor_seconds >= processor_seconds_ ? Ending::time_limit : Ending::crashed;
-      if (explained)
-        reply.text = last_words_.detail == frames::stack_used_up ? "the stack is used up" : printable(last_words_.text);
+      if (explained) reply.text = text_of_crash(last_words_);
   }
   return reply;
 }

@@ -9,6 +9,7 @@
 #   NAME.o                         the worker's main of each exercise
 #   serve.o, …                     what all workers share
 #   toolchain.json
+#   second_look/                   the same once more, for looking at failures instead of judging
 #
 # Workers are no CMake targets: they must be compiled with exactly the flags of students' files, whatever the build type,
 # sanitizers or coverage of the workbook itself.
@@ -18,12 +19,46 @@ include(CheckCXXSourceCompiles)
 function(workbook_add_workers target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "DIRECTORY" "INCLUDE;EXERCISES")
   set(sources ${CMAKE_CURRENT_FUNCTION_LIST_DIR})
-  cmake_path(SET root NORMALIZE ${sources}/../..)
-  get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+  cmake_path(SET witness NORMALIZE ${sources}/../second_look/witness)
 
   # No -ffast-math, ever: NaN must stay NaN. Uninitialised numbers get a fixed, absurd value, so that the same file gives
   # the same result every time; indices of std::vector are checked.
-  set(flags -std=c++20 -O1 -ftrivial-auto-var-init=pattern -D_GLIBCXX_ASSERTIONS)
+  workbook_worker_link_flags(link_flags)
+  set(second_look ${arg_DIRECTORY}/second_look/toolchain.json)
+  workbook_add_worker_set(judging
+    DIRECTORY ${arg_DIRECTORY} INCLUDE ${arg_INCLUDE} EXERCISES ${arg_EXERCISES}
+    FLAGS -std=c++20 -O1 -ftrivial-auto-var-init=pattern -D_GLIBCXX_ASSERTIONS
+    LINK_FLAGS -static -s ${link_flags}
+    PRELUDE "#include \"${sources}/prelude.hpp\"\n"
+    PARTS ${sources}/serve.cpp ${sources}/last_words.cpp ${sources}/eigen_assertion.cpp
+    MAIN "checker/worker/serve.hpp" serve
+    KEYS "second_look=${second_look}" "addr2line=${CMAKE_ADDR2LINE}")
+
+  # Not optimised, so that every line is where the student wrote it and memory that was never set is really read; the
+  # linker sends to the witness what it wants to know of. See checker/second_look.
+  workbook_worker_sanitizers(sanitizers)
+  set(wrapped malloc __cxa_throw exit _exit _Exit quick_exit __assert_fail)
+  list(TRANSFORM wrapped PREPEND -Wl,--wrap=)
+  workbook_add_worker_set(looking
+    DIRECTORY ${arg_DIRECTORY}/second_look INCLUDE ${arg_INCLUDE} EXERCISES ${arg_EXERCISES}
+    FLAGS -std=c++20 -O0 -g1 -fno-omit-frame-pointer -fno-stack-protector -D_GLIBCXX_ASSERTIONS ${sanitizers}
+    LINK_FLAGS -static ${link_flags} ${wrapped}
+    PRELUDE "#define EIGEN_FUNCTORS_PLUGIN \"${witness}/eigen_implies.hpp\"\n#include \"${witness}/prelude.hpp\"\n"
+    PARTS ${witness}/look.cpp ${witness}/eyes.cpp ${witness}/memory.cpp ${witness}/undefined.cpp
+    MAIN "checker/second_look/witness/look.hpp" look)
+
+  add_custom_target(${target} DEPENDS ${judging} ${looking})
+endfunction()
+
+# One set of workers, for one way of compiling students' files. Sets RESULT to all that must be built.
+#   PRELUDE   the beginning of the prelude; the contracts follow
+#   MAIN      the header and the function that every worker's main needs: it calls FUNCTION(&rigid::EXERCISE)
+#   KEYS      more for toolchain.json, KEY=TEXT
+function(workbook_add_worker_set result)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "DIRECTORY;PRELUDE" "INCLUDE;EXERCISES;FLAGS;LINK_FLAGS;PARTS;MAIN;KEYS")
+  cmake_path(SET root NORMALIZE ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../..)
+  get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+  set(flags ${arg_FLAGS})
   foreach(directory IN LISTS eigen)
     list(APPEND flags -isystem ${directory})
   endforeach()
@@ -32,6 +67,7 @@ function(workbook_add_workers target)
   endforeach()
   set(compile ${CMAKE_CXX_COMPILER} ${flags})
   set(own_flags -I ${root} -include ${arg_DIRECTORY}/prelude.hpp)
+  cmake_path(RELATIVE_PATH arg_DIRECTORY BASE_DIRECTORY ${CMAKE_BINARY_DIR} OUTPUT_VARIABLE shown_directory)
 
   # The prelude, with all contracts.
   set(contracts "")
@@ -40,7 +76,7 @@ function(workbook_add_workers target)
     list(APPEND contracts ${header})
   endforeach()
   list(REMOVE_DUPLICATES contracts)
-  set(prelude "#include \"${sources}/prelude.hpp\"\n")
+  set(prelude "${arg_PRELUDE}")
   foreach(header IN LISTS contracts)
     string(APPEND prelude "#include <${header}>\n")
   endforeach()
@@ -51,7 +87,7 @@ function(workbook_add_workers target)
             -MD -MF ${arg_DIRECTORY}/prelude.d -MQ ${arg_DIRECTORY}/prelude.hpp.gch
     DEPENDS ${arg_DIRECTORY}/prelude.hpp
     DEPFILE ${arg_DIRECTORY}/prelude.d
-    COMMENT "Precompiling the prelude of ${target}"
+    COMMENT "Precompiling the prelude of ${shown_directory}"
     VERBATIM)
 
   # Compiles one source of a worker.
@@ -69,10 +105,12 @@ function(workbook_add_workers target)
 
   set(objects ${arg_DIRECTORY}/prelude.hpp.gch)
   set(support "")
-  foreach(part serve last_words eigen_assertion)
-    worker_object(${part} ${sources}/${part}.cpp)
+  foreach(source IN LISTS arg_PARTS)
+    cmake_path(GET source STEM part)
+    worker_object(${part} ${source})
     list(APPEND support ${arg_DIRECTORY}/${part}.o)
   endforeach()
+  list(POP_FRONT arg_MAIN main_header main_function)
   foreach(exercise IN LISTS arg_EXERCISES)
     string(REGEX MATCH "^([^=]+)=(.+)$" found ${exercise})
     set(name ${CMAKE_MATCH_1})
@@ -80,17 +118,17 @@ function(workbook_add_workers target)
     file(CONFIGURE OUTPUT ${arg_DIRECTORY}/mains/${name}.cpp @ONLY CONTENT
 "#include <@header@>
 
-#include \"checker/worker/serve.hpp\"
+#include \"@main_header@\"
 
-int main() { return workbook::serve(&rigid::@name@); }
+int main() { return workbook::@main_function@(&rigid::@name@); }
 ")
     worker_object(${name} ${arg_DIRECTORY}/mains/${name}.cpp)
   endforeach()
-  add_custom_target(${target} DEPENDS ${objects})
+  set(${result} ${objects} PARENT_SCOPE)
 
   # What the checker must know. Including is allowed from where the system, Eigen and the contracts are.
   set(include_directories ${CMAKE_CXX_IMPLICIT_INCLUDE_DIRECTORIES} ${eigen} ${arg_INCLUDE})
-  workbook_worker_link_flags(link_flags)
+  set(link_flags ${arg_LINK_FLAGS})
   set(toolchain "{\"format\": 1}")
   foreach(key IN ITEMS flags include_directories support link_flags)
     set(list "[]")
@@ -103,8 +141,8 @@ int main() { return workbook::serve(&rigid::@name@); }
     string(JSON toolchain SET "${toolchain}" ${key} "${list}")
   endforeach()
   foreach(pair IN ITEMS "compiler=${CMAKE_CXX_COMPILER}" "nm=${CMAKE_NM}" "workers=${arg_DIRECTORY}"
-                        "prelude=${arg_DIRECTORY}/prelude.hpp")
-    string(REGEX MATCH "^([^=]+)=(.+)$" found "${pair}")
+                        "prelude=${arg_DIRECTORY}/prelude.hpp" LISTS arg_KEYS)
+    string(REGEX MATCH "^([^=]+)=(.*)$" found "${pair}")
     workbook_json_string(item "${CMAKE_MATCH_2}")
     string(JSON toolchain SET "${toolchain}" ${CMAKE_MATCH_1} "${item}")
   endforeach()
@@ -126,11 +164,26 @@ function(workbook_worker_link_flags result)
   endif()
   set(CMAKE_REQUIRED_LINK_OPTIONS -static -fuse-ld=gold)
   check_cxx_source_compiles("${program}" WORKBOOK_LINKS_WITH_GOLD)
-  set(flags -static -s)
+  set(flags "")
   if(WORKBOOK_LINKS_WITH_GOLD)
     list(APPEND flags -fuse-ld=gold)
   endif()
   set(${result} ${flags} PARENT_SCOPE)
+endfunction()
+
+# The compiler's own checks of undefined behaviour; without its library, for the witness has its own. Where the compiler
+# does not know them, the second look notices less.
+function(workbook_worker_sanitizers result)
+  set(CMAKE_CXX_FLAGS "")
+  set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
+  set(flags -fsanitize=signed-integer-overflow,integer-divide-by-zero,float-cast-overflow,shift,bounds,return)
+  set(CMAKE_REQUIRED_FLAGS ${flags})
+  check_cxx_source_compiles("int f(int n) { int numbers[3] = {}; return numbers[n + 1]; }" WORKBOOK_KNOWS_SANITIZERS)
+  if(WORKBOOK_KNOWS_SANITIZERS)
+    set(${result} ${flags} PARENT_SCOPE)
+  else()
+    set(${result} "" PARENT_SCOPE)
+  endif()
 endfunction()
 
 # A string as JSON writes it.

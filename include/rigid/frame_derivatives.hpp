@@ -25,8 +25,7 @@ Matrix3d cross_matrix(const Vector3d& omega);
 ///
 /// All three arguments are expressed on one and the same set of axes, and so is the result; any set will do.
 ///
-/// @param rate_body  \f$\sum_i \dot V_i\,\hat e_i\f$, the rate that an observer on the turning frame sees, unit of V
-///                   per s
+/// @param rate_body  rate that an observer on the turning frame sees, \f$\sum_i \dot V_i\,\hat e_i\f$, unit of V per s
 /// @param omega      angular velocity of the turning frame, rad/s
 /// @param V          the vector itself, in any unit
 /// @return           rate in the inertial frame, unit of V per s

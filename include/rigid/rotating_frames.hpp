@@ -53,8 +53,7 @@ Vector3d fictitious_force(double m, const Vector3d& r, const Vector3d& v_body, c
 /// @param earth_rate  angular velocity of the Earth \f$\Omega_E\f$, rad/s (7.292115e-5 for ours)
 /// @return            acceleration east, north, up, m/s²
 /// @par Source
-/// the Coriolis term of S0 s8, S2 s7, S3 p~6, S4 p~7, on the turning Earth:
-///                    Fetter & Walecka, chapter 2
+/// the Coriolis term of S0 s8, S2 s7, S3 p~6, S4 p~7 on the turning Earth; Fetter & Walecka, chapter 2
 Vector3d coriolis_acceleration(const Vector3d& v_enu, double latitude, double earth_rate);
 
 /// How far to the east of the plumb line a body lands that is dropped from rest, to first order in the Earth's rate.
@@ -65,7 +64,7 @@ Vector3d coriolis_acceleration(const Vector3d& v_enu, double latitude, double ea
 ///
 /// @param height      height of the fall h, m; not negative
 /// @param latitude    latitude λ, rad, north or south
-/// @param g           acceleration of free fall, m/s²
+/// @param g           acceleration of free fall, m/s², positive
 /// @param earth_rate  angular velocity of the Earth \f$\Omega_E\f$, rad/s
 /// @return            deflection, m, positive to the east
 /// @par Source
@@ -80,8 +79,7 @@ double eastward_deflection(double height, double latitude, double g, double eart
 /// @param sidereal_day  time of one turn of the Earth against the stars, s (86164.0905 for ours)
 /// @return              time of a full turn by 360°, s
 /// @par Source
-/// the Coriolis term of S0 s8, S2 s7, S3 p~6, S4 p~7 applied to a pendulum;
-///                      Fetter & Walecka, chapter 2
+/// the Coriolis term of S0 s8, S2 s7, S3 p~6, S4 p~7 applied to a pendulum; Fetter & Walecka, chapter 2
 double foucault_period(double latitude, double sidereal_day);
 
 }  // namespace rigid

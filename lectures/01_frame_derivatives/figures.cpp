@@ -153,8 +153,8 @@ void draw_two_sources(const std::filesystem::path& directory) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::filesystem::path directory = workbook::figure_directory(argc, argv);
-  draw_two_sources(directory);
-  draw_turning_basis(directory);
-  draw_leaving_the_circle(directory);
+  return workbook::draw_figures(argc, argv,
+                                {{"two_sources_of_change", draw_two_sources},
+                                 {"turning_basis", draw_turning_basis},
+                                 {"leaving_the_circle", draw_leaving_the_circle}});
 }

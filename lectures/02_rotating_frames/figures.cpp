@@ -135,7 +135,5 @@ void draw_over_latitude(const std::filesystem::path& directory) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::filesystem::path directory = workbook::figure_directory(argc, argv);
-  draw_puck(directory);
-  draw_over_latitude(directory);
+  return workbook::draw_figures(argc, argv, {{"puck_on_turntable", draw_puck}, {"over_latitude", draw_over_latitude}});
 }

@@ -43,9 +43,8 @@ struct SpinningAndPrecessing {
 
   Matrix3d basis(double t) const { return rotated_basis(rotated_basis(Matrix3d::Identity(), spin, t), precession, t); }
   Vector3d omega(double t) const { return precession + turned(spin, precession, t); }
-  Vector3d alpha(double t) const {
-    return precession.cross(turned(spin, precession, t));
-  }  // only the spin's axis moves
+  /// Only the axis of the spin moves.
+  Vector3d alpha(double t) const { return precession.cross(turned(spin, precession, t)); }
 };
 
 /// A path in the moving frame, with its derivatives there.
@@ -264,12 +263,10 @@ TEST_CASE("The Coriolis acceleration on the local axes, against the same on axes
   const Vector3d a = coriolis_acceleration(v, latitude, earth_rate);
   CHECK(agrees(a, Vector3d(-0.002992129303, -0.002812368702, 0.003351650505), 1e-9));
 
-  // On the Earth's own axes, z through the north pole, Ω has one component. East, north and up on the meridian of
-  // zero longitude are the columns of:
-  Matrix3d local;
-  local << 0, -std::sin(latitude), std::cos(latitude),  //
-      1, 0, 0,                                          //
-      0, std::cos(latitude), std::sin(latitude);
+  // On the Earth's own axes, z through the north pole, Ω has one component. East, north and up on the meridian of zero
+  // longitude are the columns of this matrix.
+  const double sine = std::sin(latitude), cosine = std::cos(latitude);
+  const Matrix3d local{{0, -sine, cosine}, {1, 0, 0}, {0, cosine, sine}};
   const Vector3d on_earths_axes =
       fictitious_force(1, Vector3d::Zero(), local * v, earth_rate * Vector3d::UnitZ(), Vector3d::Zero());
   CHECK(agrees(a, local.transpose() * on_earths_axes, 1e-14));

@@ -158,7 +158,7 @@ void draw_energy_over_direction(const std::filesystem::path& directory) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::filesystem::path directory = workbook::figure_directory(argc, argv);
-  draw_inertia_ellipsoid(directory);
-  draw_energy_over_direction(directory);
+  return workbook::draw_figures(
+      argc, argv,
+      {{"inertia_ellipsoid", draw_inertia_ellipsoid}, {"energy_over_direction", draw_energy_over_direction}});
 }

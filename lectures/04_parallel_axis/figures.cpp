@@ -222,8 +222,8 @@ void draw_moving_origin(const std::filesystem::path& directory) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::filesystem::path directory = workbook::figure_directory(argc, argv);
-  draw_corner_and_center(directory);
-  draw_along_the_diagonal(directory);
-  draw_moving_origin(directory);
+  return workbook::draw_figures(argc, argv,
+                                {{"corner_and_center", draw_corner_and_center},
+                                 {"origin_on_the_diagonal", draw_along_the_diagonal},
+                                 {"moving_origin", draw_moving_origin}});
 }

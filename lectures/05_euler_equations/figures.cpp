@@ -245,8 +245,8 @@ void draw_holding_torque(const std::filesystem::path& directory) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::filesystem::path directory = workbook::figure_directory(argc, argv);
-  draw_skewed_bodies(directory);
-  draw_holding_torque(directory);
-  draw_integrators(directory);
+  return workbook::draw_figures(argc, argv,
+                                {{"skewed_bodies", draw_skewed_bodies},
+                                 {"holding_torque", draw_holding_torque},
+                                 {"integrators", draw_integrators}});
 }

@@ -209,7 +209,7 @@ void draw_polhodes(const std::filesystem::path& directory) {
     label(gnuplot, "separatrix", {0.62, 0.62}, fmt::format("left tc rgb '{}'", colors::vermilion));
     // The sense in which ω runs along the curves, where they can be seen.
     const auto mark = [&](const std::vector<Vector3d>& curve, std::size_t index, const char* color) {
-      const Vector3d omega = curve[index];
+      const Vector3d& omega = curve[index];
       const Vector3d rate = Vector3d(I.cwiseProduct(omega)).cross(omega).cwiseQuotient(I);
       const Vector3d step = 0.03 * rate.normalized();
       arrow(gnuplot, view(omega - step), view(omega + step),
@@ -598,16 +598,21 @@ void animate_racket(const std::filesystem::path& directory) {
   }
 }
 
+/// The stills of a page and the same in motion.
+void draw_racket(const std::filesystem::path& directory) {
+  draw_racket_stills(directory);
+  animate_racket(directory);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::filesystem::path directory = workbook::figure_directory(argc, argv);
-  draw_cones(directory);
-  draw_slip(directory);
-  draw_growth_rates(directory);
-  draw_polhodes(directory);
-  draw_flip(directory);
-  draw_flip_law(directory);
-  draw_racket_stills(directory);
-  animate_racket(directory);
+  return workbook::draw_figures(argc, argv,
+                                {{"cones", draw_cones},
+                                 {"slip", draw_slip},
+                                 {"growth_rates", draw_growth_rates},
+                                 {"polhodes", draw_polhodes},
+                                 {"flip", draw_flip},
+                                 {"flip_law", draw_flip_law},
+                                 {"racket", draw_racket}});
 }

@@ -195,8 +195,7 @@ void draw_two_readings(const std::filesystem::path& directory) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::filesystem::path directory = workbook::figure_directory(argc, argv);
-  draw_three_turns(directory);
-  draw_gimbal_lock(directory);
-  draw_two_readings(directory);
+  return workbook::draw_figures(
+      argc, argv,
+      {{"three_turns", draw_three_turns}, {"gimbal_lock", draw_gimbal_lock}, {"two_readings", draw_two_readings}});
 }

@@ -139,9 +139,10 @@ void draw_effective_potential(const std::filesystem::path& directory) {
         return 1e3 * (across * across / (2 * I1) + weight * (std::cos(theta) - std::cos(start)));
       };
       PlaneCurve curve, between;
-      for (double degrees = 20; degrees <= 70; degrees += 0.1) {
+      for (int tenths = 200; tenths <= 700; ++tenths) {
+        const double degrees = tenths / 10.0;
         curve.emplace_back(degrees, potential(degrees * pi / 180));
-        if (curve.back().second <= 0 && degrees >= 30 - 1e-9) between.emplace_back(degrees, 0);
+        if (curve.back().second <= 0 && degrees >= 30) between.emplace_back(degrees, 0);
       }
       curves.push_back(curve);
       allowed.push_back({between.front(), between.back()});
@@ -162,8 +163,8 @@ void draw_effective_potential(const std::filesystem::path& directory) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::filesystem::path directory = workbook::figure_directory(argc, argv);
-  draw_blindness(directory);
-  draw_free_top(directory);
-  draw_effective_potential(directory);
+  return workbook::draw_figures(argc, argv,
+                                {{"blind_to_convention", draw_blindness},
+                                 {"free_top", draw_free_top},
+                                 {"effective_potential", draw_effective_potential}});
 }

@@ -63,7 +63,7 @@ std::string in_lines(std::string title) {
 }
 
 /// A Markdown table's cell cannot hold the bar that ends it.
-std::string cell(std::string text) { return std::regex_replace(std::move(text), std::regex(R"(\|)"), "&#124;"); }
+std::string cell(const std::string& text) { return std::regex_replace(text, std::regex(R"(\|)"), "&#124;"); }
 
 std::string in_quotes(const std::string& text) {
   const std::string escaped = std::regex_replace(text, std::regex(R"(["\\])"), "\\$&");

@@ -1,6 +1,7 @@
 /// @file
 /// site_pages SOURCE FIGURES OUTPUT LECTURE…: writes into OUTPUT the pages of the site that are derived from the cards,
-/// after looking at the notes of every lecture.
+/// after looking at the notes of every lecture. Exit status: 0 written, 1 not written, for the reasons that are
+/// printed, 2 wrong usage.
 #include "lectures/site/notes_check.hpp"
 #include "lectures/site/pages.hpp"
 #include "lectures/site/slides.hpp"
@@ -74,6 +75,9 @@ int main(int argc, char** argv) {
     write_text(std::filesystem::path(argv[3]) / "from_the_slides.md", slides_page(facts, paragraphs));
     write_text(std::filesystem::path(argv[3]) / "errata.md", errata_page(course, notes));
     return 0;
+  } catch (const std::filesystem::filesystem_error& error) {
+    fmt::print(stderr, "{} cannot be written: {}.\n", error.path1().string(), error.code().message());
+    return 1;
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
     return 1;

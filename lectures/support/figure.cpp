@@ -1,9 +1,13 @@
 #include "lectures/support/figure.hpp"
 
+#include <rigid/vocabulary.hpp>
+
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <csignal>
 #include <cstdio>
-#include <cstdlib>
+#include <exception>
 #include <stdexcept>
 
 namespace workbook {
@@ -28,15 +32,51 @@ std::string terminal(const std::string& format, FigureSize size) {
       2 * size.width, 2 * size.height);
 }
 
+/// Text inside the shell's single quotes.
+std::string shell_quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char letter : text) result += letter == '\'' ? "'\\''" : std::string(1, letter);
+  return result + "'";
+}
+
 }  // namespace
 
-std::filesystem::path figure_directory(int argc, char** argv) {
-  if (argc != 2) {
-    fmt::print(stderr, "usage: {} DIRECTORY\nDraws the figures of the lecture into DIRECTORY.\n", argv[0]);
-    std::exit(2);
+int draw_figures(int argc, char** argv, const std::vector<Figure>& figures) {
+  // gnuplot may end before we have told it everything; that is a figure that failed, not the end of the program.
+  std::signal(SIGPIPE, SIG_IGN);
+  const std::string first = argc > 1 ? argv[1] : "";
+  if (argc == 2 && first == "--list") {
+    for (const Figure& figure : figures) fmt::print("{}\n", figure.name);
+    return figures_drawn;
   }
-  std::filesystem::create_directories(argv[1]);
-  return argv[1];
+  const std::string wanted = argc == 3 ? argv[2] : "";
+  const bool known = wanted.empty() || std::any_of(figures.begin(), figures.end(),
+                                                   [&](const Figure& figure) { return figure.name == wanted; });
+  if (argc < 2 || argc > 3 || !known) {
+    fmt::print(stderr, "usage: {} DIRECTORY [FIGURE], or --list\nDraws the figures of the lecture into DIRECTORY.\n",
+               argv[0]);
+    return figure_wrong_usage;
+  }
+  FigureStatus worst = figures_drawn;
+  const auto fails = [&](const Figure& figure, FigureStatus status, const std::string& why) {
+    if (worst != figure_failed) worst = status;
+    std::fflush(stdout);
+    fmt::print(stderr, "{}: {}\n", figure.name, why);
+  };
+  for (const Figure& figure : figures) {
+    if (!wanted.empty() && figure.name != wanted) continue;
+    try {
+      std::filesystem::create_directories(first);
+      figure.draw(first);
+    } catch (const rigid::NotStarted&) {
+      fails(figure, figure_not_started, "needs a function that is not started");
+    } catch (const std::exception& problem) {
+      fails(figure, figure_failed, problem.what());
+    } catch (...) {
+      fails(figure, figure_failed, "something was thrown that is no std::exception");
+    }
+  }
+  return worst;
 }
 
 void draw_figure(const std::filesystem::path& directory, const std::string& name, FigureSize size,
@@ -44,17 +84,21 @@ void draw_figure(const std::filesystem::path& directory, const std::string& name
   for (const std::string format : {"svg", "png"}) {
     const std::filesystem::path file = directory / fmt::format("{}.{}", name, format);
     std::filesystem::remove(file);
+    // After an error gnuplot goes on and leaves half a picture. Only its exit status tells, and the library drops it:
+    // so the shell writes this file where all went well.
+    const std::filesystem::path witness = file.string() + ".complete";
     {
-      gnuplotio::Gnuplot gnuplot("gnuplot");
+      gnuplotio::Gnuplot gnuplot(fmt::format("if gnuplot; then : >{}; fi", shell_quoted(witness.string())));
       gnuplot << "set encoding utf8\n"
               << terminal(format, size) << "set output '" << file.string() << "'\n"
               << common_style;
       draw(gnuplot);
       gnuplot << "\nset output\n";
     }
-    if (!std::filesystem::exists(file) || std::filesystem::file_size(file) == 0) {
+    if (!std::filesystem::remove(witness) || !std::filesystem::exists(file) || std::filesystem::file_size(file) == 0) {
+      std::filesystem::remove(file);
       throw std::runtime_error(
-          fmt::format("gnuplot drew no {}: is gnuplot installed, and the script above free of errors?", file.string()));
+          fmt::format("gnuplot could not draw {}.{}: is it installed, and is every number finite?", name, format));
     }
   }
 }

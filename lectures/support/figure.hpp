@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace workbook {
 
@@ -28,12 +29,23 @@ struct FigureSize {
   int height = 440;
 };
 
-/// The folder of the lecture's figures, from the program's one argument; explains itself and exits with 2 without it.
-std::filesystem::path figure_directory(int argc, char** argv);
+/// One figure of a lecture by its name, and how to draw it into a folder.
+struct Figure {
+  std::string name;
+  std::function<void(const std::filesystem::path& directory)> draw;
+};
+
+/// How a program of figures ends.
+enum FigureStatus { figures_drawn = 0, figure_failed = 1, figure_wrong_usage = 2, figure_not_started = 3 };
+
+/// The main program of a lecture's figures: `PROGRAM DIRECTORY` draws all, `PROGRAM DIRECTORY NAME` draws one, `PROGRAM
+/// --list` prints the names. Each figure is tried on its own; the last line says "NAME: why" of one that failed.
+/// @return a FigureStatus; figure_not_started if nothing worse happened than that a function is not written yet
+int draw_figures(int argc, char** argv, const std::vector<Figure>& figures);
 
 /// Draws DIRECTORY/NAME.svg and DIRECTORY/NAME.png: `draw` sends everything after the terminal's settings, and is
 /// called once per format.
-/// @throws std::runtime_error if gnuplot is missing or leaves no picture behind.
+/// @throws std::runtime_error if gnuplot is missing or finds an error in the script.
 void draw_figure(const std::filesystem::path& directory, const std::string& name, FigureSize size,
                  const std::function<void(gnuplotio::Gnuplot&)>& draw);
 

@@ -500,7 +500,7 @@ void describe_angular_velocity_of_basis(Lecture& lecture) {
     // ė = ω × e = −[e]× ω: nine equations for three unknowns.
     Eigen::Matrix<double, 9, 3> equations;
     Eigen::Matrix<double, 9, 1> rates;
-    for (int i = 0; i < 3; ++i) {
+    for (Eigen::Index i = 0; i < 3; ++i) {
       equations.middleRows<3>(3 * i) = -cross_matrix(basis.col(i));
       rates.segment<3>(3 * i) = rate.col(i);
     }

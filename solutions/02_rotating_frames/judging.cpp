@@ -504,8 +504,8 @@ void describe_eastward_deflection(Lecture& lecture) {
     return x;
   });
   exercise.route("seen from outside", [](double height, double latitude, double g, double rate) {
-    // The top is ahead by Ωht cos λ, and the plumb line, turning with the Earth, pulls the body back by g Ω t³ cos λ
-    // / 6.
+    // The top is ahead by Ωht cos λ, and the plumb line, turning with the Earth, pulls the body back by
+    // ⅙ g Ω t³ cos λ.
     const double t = std::sqrt(2 * height / g);
     return rate * std::cos(latitude) * (height * t - g * t * t * t / 6);
   });
@@ -576,8 +576,8 @@ void describe_foucault_period(Lecture& lecture) {
   });
   exercise.route("from the colatitude", [](double latitude, double day) { return day / std::cos(pi / 2 - latitude); });
   exercise.route("from the angle that parallel transport leaves", [](double latitude, double day) {
-    // Carried once round the circle of latitude, a direction kept parallel comes back turned by 2π less the solid angle
-    // of the cap.
+    // Carried once round the circle of latitude, a direction kept parallel comes back turned by 2π less the solid
+    // angle of the cap.
     const double solid_angle = 2 * pi * (1 - std::sin(latitude));
     return day * 2 * pi / (2 * pi - solid_angle);
   });

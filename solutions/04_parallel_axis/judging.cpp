@@ -49,7 +49,7 @@ Matrix3d cross_matrix(const Vector3d& r) {
 Matrix3Xd six_equivalent_positions(const Matrix3d& I_cm, double M) {
   const Eigen::SelfAdjointEigenSolver<Matrix3d> second_moment(unit(I_cm.trace() / 2) - I_cm);
   Matrix3Xd positions(3, 6);
-  for (int i = 0; i < 3; ++i) {
+  for (Eigen::Index i = 0; i < 3; ++i) {
     const double reach = std::sqrt(3 * std::max(second_moment.eigenvalues()[i], 0.0) / M);
     positions.col(2 * i) = reach * second_moment.eigenvectors().col(i);
     positions.col(2 * i + 1) = -positions.col(2 * i);

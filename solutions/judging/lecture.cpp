@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace workbook::judging {
 
 namespace detail {
@@ -45,7 +47,8 @@ std::string signature(const ExerciseReference& exercise) {
   for (const Argument& argument : exercise.arguments) {
     if (!parameters.empty()) parameters += ", ";
     const std::string type = type_name(argument.kind);
-    parameters += (passed_by_value(argument.kind) ? type : "const " + type + "&") + " " + argument.name;
+    parameters += passed_by_value(argument.kind) ? fmt::format("{} {}", type, argument.name)
+                                                 : fmt::format("const {}& {}", type, argument.name);
   }
   return fmt::format("{} {}({})", type_name(exercise.result_kind), exercise.name, parameters);
 }
@@ -53,10 +56,17 @@ std::string signature(const ExerciseReference& exercise) {
 std::uint64_t batch_seed(std::uint64_t seed, const std::string& exercise, const std::string& batch) {
   // FNV-1a: a hash that is the same on every machine, unlike std::hash.
   std::uint64_t hash = 0xcbf29ce484222325ULL ^ seed;
-  for (const char letter : exercise + '/' + batch) {
+  for (const char letter : fmt::format("{}/{}", exercise, batch)) {
     hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3ULL;
   }
   return hash;
+}
+
+Case prototype(std::string name, Group group) {
+  Case one;
+  one.name = std::move(name);
+  one.group = group;
+  return one;
 }
 
 void require_usable(const std::string& exercise, const Case& judged) {

@@ -68,10 +68,10 @@ class Exercise final : public AnyExercise {
   Exercise& compare(Comparison comparison);
 
   /// Another tolerance than 1e-9 of the natural scale, for all cases declared so far, and why.
-  Exercise& tolerance(double relative, std::string reason);
+  Exercise& tolerance(double relative, const std::string& reason);
 
   /// Another tolerance for the last case declared (or the last batch of random cases), and why.
-  Exercise& tolerance_of_last_case(double relative, std::string reason);
+  Exercise& tolerance_of_last_case(double relative, const std::string& reason);
 
   /// The natural size of the result, where the largest expected number is not it (it may vanish by cancellation).
   Exercise& scale(Scale scale);

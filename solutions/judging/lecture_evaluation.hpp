@@ -47,6 +47,9 @@ std::string signature(const ExerciseReference& exercise);
 /// A seed of its own for every batch of random cases, so that adding one leaves the others as they were.
 std::uint64_t batch_seed(std::uint64_t seed, const std::string& exercise, const std::string& batch);
 
+/// What the cases of a batch have in common; inputs and expected result come with evaluation.
+Case prototype(std::string name, Group group);
+
 /// @throws std::logic_error if an expected number is not finite or the scale is not a positive number.
 void require_usable(const std::string& exercise, const Case& judged);
 
@@ -76,14 +79,14 @@ auto Exercise<Result, Parameters...>::compare(Comparison comparison) -> Exercise
 }
 
 template <class Result, class... Parameters>
-auto Exercise<Result, Parameters...>::tolerance(double relative, std::string reason) -> Exercise& {
+auto Exercise<Result, Parameters...>::tolerance(double relative, const std::string& reason) -> Exercise& {
   for (Batch& batch : batches_) batch.prototype.tolerance = relative;
   result_.tolerance_reason += (result_.tolerance_reason.empty() ? "" : " ") + reason;
   return *this;
 }
 
 template <class Result, class... Parameters>
-auto Exercise<Result, Parameters...>::tolerance_of_last_case(double relative, std::string reason) -> Exercise& {
+auto Exercise<Result, Parameters...>::tolerance_of_last_case(double relative, const std::string& reason) -> Exercise& {
   batches_.back().prototype.tolerance = relative;
   result_.tolerance_reason += (result_.tolerance_reason.empty() ? "" : " ") + reason;
   return *this;
@@ -104,9 +107,7 @@ auto Exercise<Result, Parameters...>::scales(Scales scales) -> Exercise& {
 template <class Result, class... Parameters>
 auto Exercise<Result, Parameters...>::worked(std::string name, std::remove_cvref_t<Parameters>... inputs) -> Exercise& {
   Inputs fixed{std::move(inputs)...};
-  batches_.push_back({{.name = std::move(name), .group = Group::worked, .inputs = {}, .expected = {}, .scale = {}},
-                      1,
-                      [fixed](Random&) { return fixed; }});
+  batches_.push_back({detail::prototype(std::move(name), Group::worked), 1, [fixed](Random&) { return fixed; }});
   return *this;
 }
 
@@ -121,9 +122,7 @@ auto Exercise<Result, Parameters...>::special(std::string name, std::remove_cvre
 template <class Result, class... Parameters>
 auto Exercise<Result, Parameters...>::random(std::string name, int count, std::function<Inputs(Random&)> draw)
     -> Exercise& {
-  batches_.push_back({{.name = std::move(name), .group = Group::random, .inputs = {}, .expected = {}, .scale = {}},
-                      count,
-                      std::move(draw)});
+  batches_.push_back({detail::prototype(std::move(name), Group::random), count, std::move(draw)});
   return *this;
 }
 

@@ -38,8 +38,8 @@ ExerciseReference momentum_with_terms() {
 ExerciseReference generic_vectors(Kind kind, int size) {
   std::vector<Value> expected;
   for (int k = 1; k <= 4; ++k) {
-    std::vector<double> entries;
-    for (int n = 0; n < size; ++n) entries.push_back(std::sin(3 * k + 7 * n + 1));
+    std::vector<double> entries(size);
+    for (int n = 0; n < size; ++n) entries[n] = std::sin(3 * k + 7 * n + 1);
     expected.push_back(vector(entries));
   }
   return given_results(kind, expected);

@@ -1,9 +1,9 @@
 // The first failing case in full: what a student sees on a terminal of 80 columns.
 #include "checker/judging/failure_text.hpp"
 #include "checker/judging/judge.hpp"
-#include "checker/messages/judging.hpp"
 #include "checker/judging/text_blocks.hpp"
 #include "checker/judging/value_text.hpp"
+#include "checker/messages/judging.hpp"
 #include "tests/judging/made_up.hpp"
 
 #include <doctest/doctest.h>
@@ -333,6 +333,38 @@ TEST_CASE("Every kind fits on the page, with all its digits") {
       CHECK(widest_line(lines) <= (factor == 1e-7 ? page_width + 2 : page_width));
     }
   }
+}
+
+TEST_CASE("On a narrow page the results of every kind fit, one number below the other where columns do not") {
+  for (const Kind kind : {Kind::number, Kind::vector3, Kind::matrix3, Kind::points}) {
+    const int rows = kind == Kind::number ? 1 : 3;
+    const int cols = kind == Kind::matrix3 ? 3 : kind == Kind::points ? 5 : 1;
+    const Value expected = lengthy(rows, cols, 1);
+    Value wrong = expected;
+    for (double& entry : wrong.numbers) entry = std::nextafter(entry, 0);
+    ExerciseReference exercise = given_results(kind, {expected});
+    exercise.cases[0].tolerance = 1e-20;
+    const auto lines = describe_failure(exercise, judge(exercise, observed({wrong})), {.width = 40});
+    CAPTURE(joined(lines));
+    CHECK(widest_line(lines) <= 40);
+    CHECK(contains(joined(lines), "yours ≠ "));
+  }
+}
+
+TEST_CASE("On a linear page every number that differs has lines of its own, and the rest are counted") {
+  std::vector<Value> values = outputs(momentum(), right_momentum);
+  values[0].numbers[2] = -22;
+  const Judgement judgement = judge(momentum(), observed(values));
+  const auto lines = describe_failure(momentum(), judgement, {.is_linear = true});
+  CAPTURE(joined(lines));
+  CHECK(contains("\n" + joined(lines), R"(
+Result p [kg m/s]
+  component 3
+      expected    22
+         yours ≠ -22
+    difference   -44
+  (the other 2 numbers agree)
+)"));
 }
 
 TEST_CASE("The size of an error is said in words") {

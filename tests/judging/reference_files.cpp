@@ -195,7 +195,7 @@ const std::vector<Damage> damages = {
      [](json& d) {
        d["exercises"][1]["properties"][1]["weights"].push_back({1, 2, 3});
      },
-     "exercises[1].properties[1].weights: expected 1 items (one list per case), found 2"},
+     "exercises[1].properties[1].weights: expected 1 item (one per case), found 2"},
     {"eigenvectors of a number", [](json& d) { exercise(d)["comparison"] = "eigenvectors"; },
      "exercises[0].comparison: eigenvectors need a matrix3 as result and as first argument"},
     {"an attitude by nine angles", [](json& d) { d["exercises"][1]["comparison"] = "attitude_by_angles"; },
@@ -280,6 +280,14 @@ TEST_CASE("A file that is not JSON is refused at line and column") {
   const fs::path file = scratch_file("not_json.json");
   write_text(file, "{\n  \"format\": one\n}\n");
   CHECK(complaint(file) == file.string() + ": line 2, column 13: this is not JSON");
+}
+
+TEST_CASE("A key that stands twice is refused: nobody could say which of the two counts") {
+  const fs::path file = scratch_file("twice.json");
+  std::string text = readable_text(lecture_to_json(sound_lecture()));
+  text.insert(text.find("\"tolerance\""), "\"tolerance\": 1, ");
+  write_text(file, text);
+  CHECK(complaint(file) == file.string() + ": exercises[0].cases[0]: the key “tolerance” stands here twice");
 }
 
 TEST_CASE("A number too large for the machine is refused") {

@@ -32,9 +32,10 @@ Observation right_but(Reply reply) {
   return observation;
 }
 
-Reply crashed_with(int signal) {
+Reply crashed_with(int signal, const std::string& text = "") {
   Reply reply = ending(Ending::crashed);
   reply.signal = signal;
+  reply.text = text;
   return reply;
 }
 
@@ -78,9 +79,18 @@ std::vector<Ended> endings() {
       {crashed_with(SIGFPE),
        {"a division of whole numbers", Verdict::crashed,
         "The function crashed at the case “generic 2”: signal 8 (arithmetic exception, such as a whole number divided "
-        "by "
-        "zero).",
-        "Look for an index beyond the end, a reference to something that is gone, or a recursion without an end."}},
+        "by zero).",
+        "Look for a whole number that is divided by a variable which can be 0."}},
+      {crashed_with(SIGSEGV, "the stack is used up"),
+       {"a used-up stack", Verdict::crashed,
+        "The function crashed at the case “generic 2”: the stack is used up, by calls that never end or by a very "
+        "large "
+        "local array.",
+        "Give the recursion an end that every input reaches, or make the array a std::vector."}},
+      {crashed_with(SIGABRT, "too late"),
+       {"an exception that nobody could catch", Verdict::crashed,
+        "The function crashed at the case “generic 2”: signal 6 (abort); nobody caught the exception “too late”.",
+        "Look for an exception that leaves a destructor or a function marked noexcept."}},
       {stopped_with(0),
        {"exit", Verdict::stopped_early,
         "The program ended at the case “generic 2” before the function returned, with exit status 0.",

@@ -36,10 +36,14 @@ TEST_CASE("a damaged card is named with the place of the damage") {
       {"\"title\": \"Springs\"", "\"title\": 7", "card.json: title has the wrong type."},
       {"\"points\": 2", "\"points\": \"two\"", "card.json: exercises[0].points has the wrong type."},
       {"\"points\": 2", "\"points\": 0", "card.json: exercises[0].points should be a positive number."},
+      {"\"points\": 2", "\"points\": 2, \"points\": 3", "card.json: exercises[0]: the key “points” stands here twice."},
+      {"\"title\"", "\"exercises\": [], \"title\"", "card.json: top level: the key “exercises” stands here twice."},
       {"spring_force", "spring_energy", "'spring_energy' stands on the card twice"},
       {"\"exercises\": [", "\"exercises\": [[], ", "card.json: exercises[0] should be an object"},
       {"\"builds_on\"", "\"built_on\"", "card.json: builds_on is missing."},
       {"}", "", "card.json: not valid JSON"},
+      {"\"summary\"", "\"sumary\"", "card.json: summary is missing."},
+      {"\"spring_energy\"", "null", "card.json: exercises[0].name has the wrong type."},
   };
   for (const Damage& damage : damages) {
     CAPTURE(damage.sentence);
@@ -84,6 +88,9 @@ TEST_CASE("damaged reference results are named with the place of the damage") {
        "exercises[0].cases[0].inputs"},
       {change([](json& d) { d["exercises"][0]["cases"][0].erase("tolerance"); }), "exercises[0].cases[0]"},
       {change([](json& d) { d["exercises"] = 3; }), "exercises"},
+      {change([](json& d) { d.erase("seed"); }), "seed"},
+      {change([](json& d) { d["exercises"][0]["cases"][0]["tolerance"] = -1; }), "exercises[0].cases[0].tolerance"},
+      {[](const fs::path& file) { write(file, std::string("\xff\xfe\0\0", 4)); }, "01_springs.json"},
   };
   for (const Case& each : cases) {
     CAPTURE(each.sentence);
@@ -94,6 +101,56 @@ TEST_CASE("damaged reference results are named with the place of the damage") {
     CHECK(outcome.out.empty());
     CHECK_MESSAGE(has(outcome.err, each.sentence), outcome.err);
   }
+}
+
+TEST_CASE("a damaged progress file is set aside in one sentence, byte for byte, and work goes on") {
+  const std::string good = R"({"format": 1, "exercises": {"spring_energy": {"verdict": "passed", "source": "1234"}}})";
+  const std::string damages[] = {
+      "",
+      good.substr(0, good.size() / 2),
+      std::string("\0\xff\xfe\x01", 4) + good,
+      "[1, 2, 3]",
+      R"({"format": 2, "exercises": {}})",
+      R"({"exercises": {}})",
+      R"({"format": "1", "exercises": {}})",
+      R"({"format": 1, "exercises": 7})",
+      R"({"format": 1, "exercises": {"spring_energy": 3}})",
+      R"({"format": 1, "exercises": {"spring_energy": {"verdict": 1, "source": "1234"}}})",
+      R"({"format": 1, "exercises": {"spring_energy": {"verdict": "passed"}}})",
+      R"({"format": 1, "exercises": {"spring_energy": {"hints": -3}}})",
+      R"({"format": 1, "exercises": {"spring_energy": {"hints": "two"}}})",
+      good + good,
+      std::string(100000, '['),
+  };
+  const CourseCopy course;
+  const fs::path file = course.root() / ".workbook/progress.json";
+  fs::copy_file(course.solution("spring_energy"), course.exercise("spring_energy"),
+                fs::copy_options::overwrite_existing);
+  std::size_t set_aside = 0;
+  for (const std::string& damage : damages) {
+    CAPTURE(damage.substr(0, 80));
+    write(file, damage);
+    const Outcome outcome = course.run("check spring_energy");
+    CHECK(outcome.status == 0);
+    CHECK(has(outcome.out, "✓ spring_energy"));
+    ++set_aside;
+    const std::string aside = file.string() + ".damaged" + (set_aside > 1 ? "." + std::to_string(set_aside) : "");
+    CHECK_MESSAGE(has(outcome.err, "it is set aside as " + aside + " and counting starts afresh."), outcome.err);
+    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+    CHECK_MESSAGE((read(aside) == damage), aside);
+    CHECK(course.run("list").err.empty());
+    CHECK(has(course.run("list").out, "✓ spring_energy"));
+  }
+}
+
+TEST_CASE("a folder or a link to nowhere in place of the progress file is set aside too") {
+  const CourseCopy course;
+  const fs::path file = course.root() / ".workbook/progress.json";
+  fs::create_directories(file / "within");
+  CHECK(has(course.run("list").err, "it is set aside as " + file.string() + ".damaged"));
+  CHECK(fs::is_directory(file.string() + ".damaged/within"));
+  CHECK(course.run("hint spring_energy").status == 0);
+  CHECK(has(course.run("hint spring_energy").out, "Hint 2 of 3"));
 }
 
 TEST_CASE("a course that is not there is a checker error") {

@@ -2,41 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <atomic>
-#include <cstdlib>
-#include <fstream>
-#include <sstream>
-#include <stdexcept>
 
 namespace workbook::testing {
 
 namespace fs = std::filesystem;
-
-std::string read(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-void write(const fs::path& file, const std::string& text) {
-  fs::create_directories(file.parent_path());
-  std::ofstream out(file, std::ios::binary);
-  out << text;
-  if (!out) throw std::runtime_error("cannot write " + file.string());
-}
-
-void replace_in(const fs::path& file, const std::string& from, const std::string& to) {
-  std::string text = read(file);
-  const std::size_t at = text.find(from);
-  if (at == std::string::npos) throw std::runtime_error(fmt::format("'{}' is not in {}", from, file.string()));
-  write(file, text.replace(at, from.size(), to));
-}
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 CourseCopy::CourseCopy() {
   static std::atomic<int> number{0};
@@ -67,8 +39,8 @@ Outcome CourseCopy::run(const std::string& arguments, const std::string& environ
   const std::string command =
       fmt::format("cd '{}' && {} '{}' --course '{}' {} </dev/null >'{}' 2>'{}'", root_.string(), environment,
                   WORKBOOK_TEST_CHECKER, (root_ / "course.json").string(), arguments, out.string(), err.string());
-  const int raw = std::system(command.c_str());
-  return {WIFEXITED(raw) ? WEXITSTATUS(raw) : -1, read(out), read(err)};
+  const int status = run_in_shell(command);
+  return {status, read(out), read(err)};
 }
 
 void CourseCopy::answer_energy(const std::string& body, const std::string& before) const {

@@ -2,6 +2,8 @@
 /// Runs the checker as a program on a copy of the tiny course, as a student would.
 #pragma once
 
+#include "tests/support/files.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
@@ -47,14 +49,5 @@ class CourseCopy {
  private:
   std::filesystem::path root_;
 };
-
-std::string read(const std::filesystem::path& file);
-void write(const std::filesystem::path& file, const std::string& text);
-
-/// Replaces the first `from` in the file. @throws if it is not there, so that a test cannot go stale unseen.
-void replace_in(const std::filesystem::path& file, const std::string& from, const std::string& to);
-
-/// Does the text contain the part?
-bool has(const std::string& text, const std::string& part);
 
 }  // namespace workbook::testing

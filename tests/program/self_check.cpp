@@ -23,7 +23,7 @@ TEST_CASE("self-check finds nothing in a course that is in order") {
   const CourseCopy course;
   const Outcome outcome = course.run("self-check --seeds 3");
   CHECK_MESSAGE(outcome.status == 0, (outcome.out + outcome.err));
-  CHECK(has(outcome.out, "In order: 1 lectures, 2 exercises, 6 right routes, 6 wrong answers, 3 seeds."));
+  CHECK(has(outcome.out, "In order: 1 lecture, 2 exercises, 6 right routes, 6 wrong answers, 3 seeds."));
 }
 
 TEST_CASE("self-check finds a deleted hint") {

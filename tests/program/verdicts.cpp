@@ -103,8 +103,50 @@ TEST_CASE("a function that is not there is missing, and the sentence says what t
   const auto result = course.run("check spring_energy --json").json().at("results").at(0);
   CHECK(result.at("verdict") == "missing_function");
   const std::string message = result.at("message");
-  CHECK_MESSAGE(has(message, "does not define `double spring_energy(double k, const Vector3d& x)`"), message);
+  CHECK_MESSAGE(has(message, "does not define `rigid::spring_energy(double, const Vector3d&)`"), message);
   CHECK_MESSAGE(has(message, "spring_enrgy"), message);
+}
+
+TEST_CASE("a compiler error is shown with the line, a caret and the name of the mistake") {
+  const CourseCopy course;
+  course.answer_energy("  return 0.5 * k * x^2;");
+  const std::string screen = course.run("check spring_energy", "NO_COLOR=1").out;
+  CHECK_MESSAGE(has(screen, "Your file does not compile: the first error is in line 4."), screen);
+  CHECK_MESSAGE(has(screen, "Line 4: ^ is not a power in C++ (it combines the bits of whole numbers);"), screen);
+  CHECK_MESSAGE(has(screen, "return 0.5 * k * x^2;\n"), screen);
+  CHECK_MESSAGE(has(screen, "^\n"), screen);
+
+  const auto findings = course.run("check spring_energy --json").json().at("results").at(0).at("findings");
+  REQUIRE(findings.size() == 1);
+  CHECK(findings.at(0).at("line") == 4);
+}
+
+TEST_CASE("a failure that the text explains is shown with its line, and the verdict stays what it was") {
+  const CourseCopy course;
+  const auto result = [&] { return course.run("check spring_energy --json").json().at("results").at(0); };
+
+  // A diagnosis says why; the text alone is looked at.
+  course.answer_energy("  double y = 2;\n  double factor = 1/2 + k;\n  return factor * x.squaredNorm();");
+  CHECK(result().at("verdict") == "wrong_value");
+  CHECK_FALSE(result().at("diagnosis").empty());
+  REQUIRE(result().at("findings").size() == 1);
+  CHECK(has(result().at("findings").at(0).at("message"), "`1/2` divides whole numbers and gives 0"));
+
+  // No diagnosis: the compiler is asked as well.
+  course.answer_energy("  double y = 2;\n  return k > 1e9 ? x(7) : std::nan(\"\") + 1/2;");
+  CHECK(result().at("verdict") == "non_finite_value");
+  CHECK(result().at("diagnosis").empty());
+  REQUIRE(result().at("findings").size() == 2);
+  CHECK(has(result().at("findings").at(0).at("message"), "`y` is declared, but its value is never used."));
+  CHECK(has(result().at("findings").at(1).at("message"), "`1/2` divides whole numbers and gives 0"));
+
+  course.answer_energy("  double y = 2;\n  return 0.5 * k * x.squaredNorm();");
+  CHECK(result().at("verdict") == "passed");
+  CHECK(result().at("findings").empty());
+
+  course.answer_energy("throw NotStarted{};");
+  CHECK(result().at("verdict") == "not_started");
+  CHECK(result().at("findings").empty());
 }
 
 TEST_CASE("what is no ordinary file is rejected at once") {

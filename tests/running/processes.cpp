@@ -69,11 +69,11 @@ TEST_CASE("a program that cannot be started says why") {
   launch.program = "/nowhere/sh";
   CHECK(error(launch) == "start the program: No such file or directory");
   launch = shell("true");
-  launch.prepare = []() -> const char* {
+  launch.prepare = []() -> std::optional<messages::LaunchStep> {
     errno = EPERM;
-    return "build a wall";
+    return messages::LaunchStep::give_up_privileges;
   };
-  CHECK(error(launch) == "build a wall: Operation not permitted");
+  CHECK(error(launch) == "give up privileges: Operation not permitted");
   CHECK(nothing_left_running());
 }
 

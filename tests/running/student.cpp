@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <thread>
@@ -34,7 +35,7 @@ const Toolchain& toolchain() {
 }
 
 fs::path fresh_directory(const std::string& name) {
-  const fs::path directory = fs::path(WORKBOOK_TEST_SCRATCH) / name;
+  fs::path directory = fs::path(WORKBOOK_TEST_SCRATCH) / name;
   fs::remove_all(directory);
   fs::create_directories(directory);
   return directory;
@@ -78,8 +79,8 @@ RunLimits short_limits() {
 }
 
 Observation run(const std::string& text, const std::vector<double>& inputs, RunLimits limits) {
-  std::vector<Case> cases;
-  for (const double x : inputs) cases.push_back(twice_case(x));
+  std::vector<Case> cases(inputs.size());
+  std::ranges::transform(inputs, cases.begin(), twice_case);
   ExerciseRunner runner(executable(text), limits);
   return runner.observe(cases, {});
 }

@@ -1,5 +1,6 @@
 /// @file
-/// check_site: opens every page of the notes in a browser and says what is wrong with it.
+/// check_site: opens every page of the notes in a browser and says what is wrong with it. Exit status: 0 nothing is
+/// wrong, 1 something is, 2 wrong usage, 3 the pages could not be looked at.
 #include "tests/site/inspection.hpp"
 
 #include <fmt/format.h>
@@ -25,7 +26,12 @@ int main(int argc, char** argv) {
   app.add_option("--search", word, "a word that the search of the first page must find");
   app.add_option("--pictures", pictures, "write pictures of the pages into this folder and judge nothing");
   app.add_option("--page", only, "only this page, such as index.html; may be repeated");
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    // Also --help ends here, with status 0.
+    return app.exit(error) == 0 ? 0 : 2;
+  }
   try {
     const auto start = std::chrono::steady_clock::now();
     const std::vector<std::string> pages = only.empty() ? pages_of(root) : only;

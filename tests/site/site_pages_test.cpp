@@ -64,7 +64,7 @@ std::vector<std::string> faults(const std::string& body) {
   std::filesystem::create_directories(figures / "01_springs");
   std::ofstream(figures / "01_springs" / "cube.svg") << "<svg/>";
   const std::string sound = "\\lecture_card{01_springs}\n\\exercises{01_springs}\n\\lecture_links{01_springs}\n";
-  const auto found = faults_of_notes("01_springs", sound + body, figures);
+  auto found = faults_of_notes("01_springs", sound + body, figures);
   std::filesystem::remove_all(figures);
   return found;
 }

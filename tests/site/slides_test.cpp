@@ -47,15 +47,18 @@ TEST_CASE("an empty place in the table is a fault") {
     REQUIRE(faults.size() == 1);
     return faults.front();
   };
-  CHECK(fault({3, "x", {}, {"spring_force"}}) == "fact 3 (x): no paragraph of the notes has `<!-- fact 3 -->` before a heading with an anchor.");
-  CHECK(fault({2, "x", {}, {"spring_force"}}) == "fact 2 (x): its paragraph springs_energy of 01_springs quotes no worked example.");
+  CHECK(fault({3, "x", {}, {"spring_force"}}) ==
+        "fact 3 (x): no paragraph of the notes has `<!-- fact 3 -->` before a heading with an anchor.");
+  CHECK(fault({2, "x", {}, {"spring_force"}}) ==
+        "fact 2 (x): its paragraph springs_energy of 01_springs quotes no worked example.");
   CHECK(fault({1, "x", {}, {}}) == "fact 1 (x): no exercise practises it.");
   CHECK(fault({1, "x", {}, {"spring_entropy"}}) == "fact 1 (x): its exercise 'spring_entropy' is on no card.");
 }
 
 TEST_CASE("the page has a row in the deck that states the fact, and in no other") {
   const std::string page = slides_page({pulls}, paragraphs_of("01_springs", notes));
-  const std::string row = "| s3 | a spring pulls back | \\ref springs_force | pulling | \\ref exercise_spring_force \"spring_force\" |";
+  const std::string row =
+      "| s3 | a spring pulls back | \\ref springs_force | pulling | \\ref exercise_spring_force \"spring_force\" |";
   const std::size_t first = page.find(row);
   CHECK(first != std::string::npos);
   CHECK(first < page.find("## S1"));

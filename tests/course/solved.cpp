@@ -1,0 +1,86 @@
+// A student's whole course: what the checker calls next is written, checked and passed, until nothing is left.
+#include <doctest/doctest.h>
+#include "tests/support/files.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace workbook::testing;
+
+struct Outcome {
+  int status = -1;
+  std::string out;
+};
+
+/// The course with nothing solved, in a folder of its own; compiled files and the rest of the build are shared.
+class FreshCourse {
+ public:
+  FreshCourse() : root_(WORKBOOK_TEST_SCRATCH) {
+    fs::remove_all(root_);
+    fs::create_directories(root_);
+    const fs::path workbook = WORKBOOK_ROOT;
+    for (const char* part : {"lectures", "include"})
+      fs::copy(workbook / part, root_ / part, fs::copy_options::recursive);
+    auto course = nlohmann::json::parse(read(WORKBOOK_COURSE));
+    course["root"] = root_.string();
+    write(root_ / "course.json", course.dump(2));
+  }
+
+  Outcome run(const std::string& arguments) const {
+    const fs::path out = root_ / "stdout.txt";
+    const std::string command = fmt::format("cd '{}' && '{}' --course course.json {} </dev/null >'{}'", root_.string(),
+                                            WORKBOOK_TEST_CHECKER, arguments, out.string());
+    const int status = run_in_shell(command);
+    return {status, read(out)};
+  }
+
+  const fs::path& root() const { return root_; }
+
+ private:
+  fs::path root_;
+};
+
+std::string found_in(const std::string& text, const std::string& pattern) {
+  std::smatch found;
+  return std::regex_search(text, found, std::regex(pattern)) ? found[1].str() : "";
+}
+
+}  // namespace
+
+TEST_CASE("the whole course is solved, one exercise after another, through the commands of a student") {
+  const FreshCourse course;
+  std::vector<std::string> solved;
+  while (true) {
+    const std::string status = course.run("").out;
+    const std::string next = found_in(status, "Next: (\\w+)");
+    if (next.empty()) break;
+    CAPTURE(next);
+    const std::string file = found_in(status, "file +(\\S+)");
+    REQUIRE_MESSAGE(fs::is_regular_file(course.root() / file), status);
+    CHECK(course.run("hint " + next).status == 0);
+    CHECK(course.run("check " + next).status == 1);  // not started yet
+    const std::string lecture = fs::path(file).parent_path().parent_path().filename().string();
+    fs::copy_file(fs::path(WORKBOOK_ROOT) / "solutions" / lecture / (next + ".cpp"), course.root() / file,
+                  fs::copy_options::overwrite_existing);
+    const Outcome checked = course.run("check " + next);
+    REQUIRE_MESSAGE(checked.status == 0, checked.out);
+    CHECK(checked.out.find("✓ " + next) != std::string::npos);
+    solved.push_back(next);
+    REQUIRE(solved.size() <= 1000);
+  }
+  CHECK(solved.size() == WORKBOOK_EXERCISES);
+  const std::string end = course.run("").out;
+  CHECK_MESSAGE(end.find(fmt::format("All {} exercises pass", solved.size())) != std::string::npos, end);
+  // Everything at once, as a student does at the end; compiled files are remembered, so this is quick.
+  const Outcome all = course.run("check");
+  CHECK(all.status == 0);
+  CHECK(all.out.find(fmt::format("{} of {} passed.", solved.size(), solved.size())) != std::string::npos);
+}

@@ -1,0 +1,221 @@
+// The copy that students get: what is in it, what is not, and that its commands work.
+#include <doctest/doctest.h>
+#include "tests/support/files.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <unistd.h>
+
+#include <cctype>
+#include <filesystem>
+#include <map>
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace workbook::testing;
+
+const fs::path project = WORKBOOK_ROOT;
+const fs::path scratch = WORKBOOK_TEST_SCRATCH;
+
+struct Outcome {
+  int status = -1;
+  std::string said;  ///< standard output and standard error
+};
+
+Outcome run(const std::string& command) {
+  const fs::path said = scratch / "said.txt";
+  const int status = run_in_shell(fmt::format("{} </dev/null >'{}' 2>&1", command, said.string()));
+  return {status, read(said)};
+}
+
+Outcome handout(const fs::path& folder) {
+  return run(fmt::format("'{}' handout '{}'", WORKBOOK_TEST_CHECKER, folder.string()));
+}
+
+/// One copy for all tests: making it takes a while.
+const fs::path& copy() {
+  static const fs::path folder = [] {
+    fs::remove_all(scratch);
+    fs::create_directories(scratch);
+    const Outcome made = handout(scratch / "copy");
+    REQUIRE_MESSAGE(made.status == 0, made.said);
+    return scratch / "copy";
+  }();
+  return folder;
+}
+
+/// Text without white space, so that only what is written is compared and not how it is laid out.
+std::string squeezed(const std::string& text) {
+  std::string result;
+  for (const unsigned char letter : text) {
+    if (std::isspace(letter) == 0) result += static_cast<char>(letter);
+  }
+  return result;
+}
+
+/// The solutions of the exercises by name.
+std::map<std::string, std::string> solutions() {
+  std::map<std::string, std::string> all;
+  for (const fs::path& file : files_below(project / "solutions")) {
+    const fs::path stub = project / "lectures" / file.parent_path().filename() / "exercises" / file.filename();
+    if (fs::exists(stub)) all[file.stem().string()] = read(file);
+  }
+  return all;
+}
+
+/// What stands between the braces of a function.
+std::string body_of(const std::string& function, const std::string& source) {
+  const std::size_t begin = source.find('{', source.find(" " + function + "("));
+  std::size_t depth = 0;
+  for (std::size_t at = begin; at < source.size(); ++at) {
+    if (source[at] == '{') ++depth;
+    if (source[at] == '}' && --depth == 0) return source.substr(begin + 1, at - begin - 1);
+  }
+  return "";
+}
+
+/// Runs the checker on the copy, with the workers of this build: they are made from the same files.
+class CheckerInCopy {
+ public:
+  CheckerInCopy() {
+    const Outcome configured = run(fmt::format("cd '{}' && cmake --preset workbook", copy().string()));
+    REQUIRE_MESSAGE(configured.status == 0, configured.said);
+    const Outcome built = run(fmt::format("cd '{}' && ninja -C build/workbook reference_results", copy().string()));
+    REQUIRE_MESSAGE(built.status == 0, built.said);
+    auto course = nlohmann::json::parse(read(copy() / "build/workbook/checker/course.json"));
+    course["toolchain"] = nlohmann::json::parse(read(WORKBOOK_COURSE)).at("toolchain");
+    write(copy() / "build/course.json", course.dump(2));
+  }
+  Outcome operator()(const std::string& arguments) const {
+    return run(fmt::format("cd '{}' && '{}' --course build/course.json {}", copy().string(), WORKBOOK_TEST_CHECKER,
+                           arguments));
+  }
+};
+
+}  // namespace
+
+TEST_CASE("the copy has everything but the solutions, and both commands") {
+  CHECK(!fs::exists(copy() / "solutions"));
+  CHECK(!fs::exists(copy() / ".workbook"));
+  CHECK(!fs::exists(copy() / ".git"));
+  CHECK(!fs::exists(copy() / "build"));
+  for (const char* part : {"README.md", "LICENSE", "CMakeLists.txt", "CMakePresets.json", "include/rigid", "lectures",
+                           ".devcontainer/devcontainer.json", ".github/workflows/check.yml", ".clangd", ".gitignore"})
+    CHECK_MESSAGE(fs::exists(copy() / part), part);
+  for (const char* command : {"checker/run", "tests/run"})
+    CHECK_MESSAGE(access((copy() / command).c_str(), X_OK) == 0, command);
+}
+
+TEST_CASE("no file of the copy holds the body of a solution, or defines an exercise") {
+  const auto all = solutions();
+  REQUIRE(all.size() == WORKBOOK_EXERCISES);
+  std::map<fs::path, std::string> texts;
+  for (const fs::path& file : files_below(copy())) texts[file] = squeezed(read(file));
+  // doctest's assertions are lambdas, and C++20 as clang knows it lets none of them use a structured binding.
+  for (const auto& solution : all) {
+    const std::string& name = solution.first;
+    const std::string body = squeezed(body_of(name, solution.second));
+    REQUIRE_MESSAGE(body.size() > 10, name);
+    const std::regex definition("[A-Za-z0-9>]" + name + "\\([^;{}()]*\\)\\{");
+    for (const auto& copied : texts) {
+      const fs::path& file = copied.first;
+      const std::string& text = copied.second;
+      CHECK_MESSAGE(!has(text, body), name, " is in ", file.string());
+      const bool is_stub = file.filename() == name + ".cpp" && has(file.string(), "exercises");
+      if (file.extension() == ".cpp" || file.extension() == ".hpp")
+        CHECK_MESSAGE(std::regex_search(text, definition) == is_stub, name, " in ", file.string());
+    }
+  }
+}
+
+TEST_CASE("every exercise of the copy is as at the beginning, also when it has been solved here") {
+  for (const auto& [name, source] : solutions()) {
+    for (const fs::path& file : files_below(copy() / "lectures")) {
+      if (file.filename() != name + ".cpp") continue;
+      CHECK_MESSAGE(has(read(file), "throw NotStarted{}"), file.string());
+    }
+  }
+}
+
+TEST_CASE("no program of the copy holds a reference implementation") {
+  // The copy's programs are built from the same files as these.
+  std::vector<fs::path> binaries = {WORKBOOK_TEST_CHECKER};
+  for (const fs::path& file : files_below(fs::path(WORKBOOK_COURSE).parent_path() / "workers")) {
+    if (file.extension() == ".o") binaries.push_back(file);
+  }
+  CHECK(binaries.size() > WORKBOOK_EXERCISES);
+  for (const fs::path& binary : binaries) {
+    const Outcome symbols = run(fmt::format("nm --demangle --defined-only '{}'", binary.string()));
+    for (const auto& [name, source] : solutions())
+      CHECK_MESSAGE(!has(symbols.said, "rigid::" + name + "("), binary.string());
+  }
+}
+
+TEST_CASE("in the copy the checker works with the reference results as data") {
+  const CheckerInCopy checker;
+  CHECK(has(checker("").said, "Next: "));
+  CHECK(checker("hint inertia_of_points").status == 0);
+  const Outcome stub = checker("check inertia_of_points");
+  CHECK_MESSAGE(has(stub.said, "not started"), stub.said);
+  const fs::path file = copy() / "lectures/03_inertia_tensor/exercises/inertia_of_points.cpp";
+  fs::copy_file(project / "solutions/03_inertia_tensor/inertia_of_points.cpp", file,
+                fs::copy_options::overwrite_existing);
+  const Outcome right = checker("check inertia_of_points");
+  CHECK_MESSAGE(right.status == 0, right.said);
+
+  const Outcome other_seed = checker("check inertia_of_points --seed 7");
+  CHECK(other_seed.status == 3);
+  CHECK(has(other_seed.said, "has reference results for seed 1 only"));
+  const Outcome again = checker("handout elsewhere");
+  CHECK(again.status == 2);
+  CHECK(has(again.said, "it has no solutions, so no other copy can be made from it"));
+
+  // A student's own files beside the exercises, and solved exercises, are nothing to complain about.
+  write(copy() / "lectures/03_inertia_tensor/my notes.txt", "I = sum m (r^2 1 - r r)\n");
+  const Outcome in_order = checker("self-check --seeds 1");
+  CHECK_MESSAGE(in_order.status == 0, in_order.said);
+  CHECK(checker("reset inertia_of_points").status == 0);
+}
+
+TEST_CASE("editors find how every exercise of the copy is compiled") {
+  const CheckerInCopy checker;
+  const std::string commands = read(copy() / "build/workbook/compile_commands.json");
+  for (const auto& solution : solutions())
+    CHECK_MESSAGE(has(commands, "/" + solution.first + ".cpp\""), solution.first);
+  CHECK(has(read(copy() / ".clangd"), "CompilationDatabase: build/workbook"));
+}
+
+TEST_CASE("in the copy a lost exercise does not stop the set-up, and can be put back") {
+  const CheckerInCopy checker;
+  const fs::path file = copy() / "lectures/03_inertia_tensor/exercises/kinetic_energy.cpp";
+  fs::remove(file);
+  const Outcome configured = run(fmt::format("cd '{}' && cmake --preset workbook", copy().string()));
+  CHECK_MESSAGE(configured.status == 0, configured.said);
+  CHECK(has(configured.said, "`checker reset kinetic_energy` puts it back"));
+  CHECK(checker("reset kinetic_energy").status == 0);
+  CHECK(has(read(file), "throw NotStarted{}"));
+}
+
+TEST_CASE("a folder that holds something is not written to") {
+  const fs::path folder = copy().parent_path() / "taken";
+  write(folder / "thesis.txt", "years of work\n");
+  const Outcome outcome = handout(folder);
+  CHECK(outcome.status == 2);
+  CHECK(has(outcome.said, "is there already; name a new or an empty folder, so that nothing in it is lost."));
+  CHECK(read(folder / "thesis.txt") == "years of work\n");
+}
+
+TEST_CASE("a folder that cannot be made is named, and nothing half done is left") {
+  const fs::path file = copy().parent_path() / "a file";
+  write(file, "no folder\n");
+  const Outcome outcome = handout(file / "below");
+  CHECK(outcome.status == 3);
+  CHECK_MESSAGE(has(outcome.said, "nothing was handed out"), outcome.said);
+  for (const auto& entry : fs::directory_iterator(copy().parent_path()))
+    CHECK(!has(entry.path().string(), "unfinished"));
+}

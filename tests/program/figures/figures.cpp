@@ -1,0 +1,54 @@
+// Figures that come out in every way in which figures can.
+#include "lectures/support/figure.hpp"
+
+#include <rigid/vocabulary.hpp>
+
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+namespace {
+
+using Directory = std::filesystem::path;
+
+void draw_values(const Directory& directory, const std::string& name, double value) {
+  workbook::draw_figure(directory, name, {320, 240}, [&](gnuplotio::Gnuplot& gnuplot) {
+    gnuplot << "plot '-' with lines\n";
+    gnuplot.send1d(std::vector<double>{value, value, value});
+  });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return workbook::draw_figures(argc, argv,
+                                {{"sound", [](const Directory& directory) { draw_values(directory, "sound", 1.0); }},
+                                 {"idle", [](const Directory&) { throw rigid::NotStarted{}; }},
+                                 {"refused",
+                                  [](const Directory&) {
+                                    std::puts("a printout of the student");
+                                    throw std::runtime_error("no such \033[31mangle");
+                                  }},
+                                 {"thrown", [](const Directory&) { throw 3; }},
+                                 {"not_finite",
+                                  [](const Directory& directory) {
+                                    draw_values(directory, "not_finite", std::numeric_limits<double>::quiet_NaN());
+                                  }},
+                                 {"half_drawn",
+                                  [](const Directory& directory) {
+                                    workbook::draw_figure(directory, "half_drawn", {320, 240},
+                                                          [](gnuplotio::Gnuplot& gnuplot) {
+                                                            gnuplot << "plot sin(x)\nplot no_such_function(x)\n";
+                                                          });
+                                  }},
+                                 {"crashing", [](const Directory&) { std::abort(); }},
+                                 {"leaving", [](const Directory&) { std::exit(0); }},
+                                 {"endless",
+                                  [](const Directory&) {
+                                    for (volatile bool looping = true; looping;) {
+                                    }
+                                  }},
+                                 {"last", [](const Directory& directory) { draw_values(directory, "last", 2.0); }}});
+}

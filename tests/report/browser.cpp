@@ -1,0 +1,111 @@
+// The report page in a real browser, wide and narrow, light and dark.
+#include "tests/site/browser.hpp"
+#include "tests/program/program.hpp"
+#include "tests/report/made_up.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+using namespace workbook;
+using namespace workbook::testing;
+using workbook::site::Browser;
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path scratch = fs::path(WORKBOOK_TEST_SCRATCH);
+
+void set_view(Browser& browser, int width, const std::string& colors) {
+  browser.call("Emulation.setDeviceMetricsOverride",
+               {{"width", width}, {"height", 900}, {"deviceScaleFactor", 1}, {"mobile", width < 768}});
+  browser.call("Emulation.setEmulatedMedia",
+               {{"features", nlohmann::json::array({{{"name", "prefers-color-scheme"}, {"value", colors}}})}});
+  browser.evaluate("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done(0))))");
+}
+
+/// What must hold of every report page.
+void check_page(Browser& browser, const fs::path& file) {
+  const std::string url = "file://" + fs::canonical(file).string();
+  const std::string overflow = read(fs::path(SITE_SCRIPTS) / "overflow.js");
+  set_view(browser, 1280, "light");
+  browser.take_events();
+  browser.open(url);
+  for (const int width : {1280, 390}) {
+    std::string grounds;
+    for (const char* colors : {"light", "dark"}) {
+      CAPTURE(width);
+      CAPTURE(colors);
+      set_view(browser, width, colors);
+      browser.evaluate("document.querySelectorAll('details').forEach(each => each.open = false)");
+      CHECK(browser.evaluate(overflow).dump() == "null");
+      browser.evaluate("document.querySelectorAll('details').forEach(each => each.open = true)");
+      CHECK(browser.evaluate(overflow).dump() == "null");
+      grounds += browser.evaluate("getComputedStyle(document.body).backgroundColor").get<std::string>() + " ";
+    }
+    CHECK(grounds == "rgb(255, 255, 255) rgb(23, 25, 28) ");
+  }
+  CHECK(browser.evaluate("[...document.images].every(each => each.complete && each.naturalWidth > 0)") == true);
+  CHECK(browser.evaluate("[...document.images].every(each => each.alt.trim() !== '')") == true);
+  CHECK(browser.evaluate("document.querySelectorAll('script, iframe, object, embed, link, base, form').length") == 0);
+  CHECK(browser.evaluate("[...document.querySelectorAll('*')].flatMap(each => [...each.attributes])"
+                         ".filter(each => each.name.startsWith('on')).length") == 0);
+  CHECK(browser.evaluate("document.querySelectorAll('h1').length") == 1);
+  CHECK(browser.evaluate("[...document.querySelectorAll('a')].every(each => "
+                         "document.getElementById(decodeURIComponent(each.hash.slice(1))) !== null)") == true);
+  for (const nlohmann::json& event : browser.take_events()) {
+    const std::string method = event["method"];
+    CAPTURE(event.dump());
+    if (method == "Network.requestWillBeSent") {
+      const std::string to = event["params"]["request"]["url"];
+      const bool stays = to == url || to.starts_with("data:");
+      CHECK(stays);
+    }
+    CHECK(method != "Runtime.exceptionThrown");
+    CHECK(method != "Runtime.consoleAPICalled");
+    CHECK(method != "Page.javascriptDialogOpening");
+    CHECK(method != "Log.entryAdded");
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a page full of hostile text is text, at every width and in both colours") {
+  const fs::path file = scratch / "hostile.html";
+  write(file, report_page(hostile_course().reported()));
+  Browser browser(SITE_CHROMIUM);
+  check_page(browser, file);
+  CHECK(browser.evaluate("document.title") == "Report for " + hostile);
+  CHECK(browser.evaluate("document.querySelector('h1').textContent") == "Report for " + hostile);
+  const std::string text = browser.evaluate("document.body.textContent");
+  for (const char* where : {"The function threw an exception: ", "Next. ", "Diagnosed. ", "int ", "Found. ",
+                            "Printed. ", "Compiled. ", "// Source. "}) {
+    CAPTURE(where);
+    CHECK(has(text, where + hostile));
+  }
+  CHECK(browser.evaluate("document.images[0].alt") == "Pictured. " + hostile);
+  CHECK(browser.evaluate("document.images.length") == 6);
+  CHECK(browser.evaluate("[...document.querySelectorAll('pre')].some(each => each.scrollWidth > each.clientWidth)") ==
+        true);
+}
+
+TEST_CASE("the page of a student whose code prints markup is sound, with its real plots") {
+  const CourseCopy course;
+  course.answer_energy(
+      "std::puts(\"</pre><script>document.title='taken'</script>{{name}}\"); return k * x.squaredNorm();",
+      "#include <cstdio>\n");
+  write(course.exercise("spring_force"),
+        "#include <rigid/springs.hpp>\n#include <stdexcept>\nnamespace rigid {\nVector3d spring_force(double, const "
+        "Vector3d&) { throw std::runtime_error(\"\\\"><img src=x onerror=alert(1)>\"); }\n}\n");
+  const Outcome outcome = course.run("report --html page.html --name '<b>Ada</b>'");
+  CHECK_MESSAGE(outcome.status == 0, outcome.err);
+  Browser browser(SITE_CHROMIUM);
+  check_page(browser, course.root() / "page.html");
+  CHECK(browser.evaluate("document.title") == "Report for <b>Ada</b>");
+  const std::string text = browser.evaluate("document.body.textContent");
+  CHECK(has(text, "</pre><script>document.title='taken'</script>{{name}}"));
+  CHECK(has(text, "\"><img src=x onerror=alert(1)>"));
+  CHECK(has(text, "The factor ½ is missing."));
+  CHECK(browser.evaluate("document.images.length") == 1);  // spring_force gave no value, so there is no curve
+}
