@@ -17,6 +17,7 @@ foreach(lecture IN LISTS WORKBOOK_LECTURES)
     DEPENDS ${data}/printed.txt
     COMMENT "Numbers printed by the worked examples of ${lecture}"
     VERBATIM)
+  add_custom_target(printed_${lecture} DEPENDS ${printed})
 
   set(figures_drawn ${CMAKE_BINARY_DIR}/figures/${lecture}/drawn)
   add_custom_command(
@@ -26,7 +27,8 @@ foreach(lecture IN LISTS WORKBOOK_LECTURES)
     DEPENDS ${data}/figures
     COMMENT "Figures of ${lecture}"
     VERBATIM)
-  list(APPEND all_figures ${figures_drawn})
+  add_custom_target(figures_${lecture} DEPENDS ${figures_drawn})
+  list(APPEND all_figures figures_${lecture})
 endforeach()
 add_custom_target(reference_results ALL DEPENDS ${all_results})
 add_custom_target(figures DEPENDS ${all_figures})
