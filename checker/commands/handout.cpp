@@ -83,9 +83,9 @@ void copy_made(const Course& course, const fs::path& copy) {
     place_file(course.reference_file(card.lecture), data / "reference.json");
     place_file(course.build() / "printed" / (card.lecture + ".txt"), data / "printed.txt");
     fs::create_directories(data / "figures");
+    // "drawn" is the build's own mark.
     for (const auto& figure : fs::directory_iterator(course.build() / "figures" / card.lecture)) {
-      const std::string ending = figure.path().extension().string();
-      if (ending == ".svg" || ending == ".png") place_file(figure.path(), data / "figures" / figure.path().filename());
+      if (figure.path().filename() != "drawn") place_file(figure.path(), data / "figures" / figure.path().filename());
     }
   }
 }

@@ -111,6 +111,21 @@ TEST_CASE("the copy has everything but the solutions, and both commands") {
     CHECK_MESSAGE(access((copy() / command).c_str(), X_OK) == 0, command);
 }
 
+TEST_CASE("all that the notes show goes along") {
+  const fs::path build = fs::path(WORKBOOK_COURSE).parent_path().parent_path();
+  std::size_t figures = 0;
+  for (const fs::path& figure : files_below(build / "figures")) {
+    if (figure.filename() == "drawn") continue;
+    const std::string lecture = figure.parent_path().filename().string();
+    CHECK_MESSAGE(fs::exists(copy() / "lectures" / lecture / "handed_out/figures" / figure.filename()),
+                  figure.string());
+    ++figures;
+  }
+  CHECK(figures > 16);
+  for (const fs::path& printed : files_below(build / "printed"))
+    CHECK(read(copy() / "lectures" / printed.stem() / "handed_out/printed.txt") == read(printed));
+}
+
 TEST_CASE("no file of the copy holds the body of a solution, or defines an exercise") {
   const auto all = solutions();
   REQUIRE(all.size() == WORKBOOK_EXERCISES);
