@@ -41,14 +41,13 @@ constexpr bool workbook_implies(bool condition, bool consequence) { return !cond
 #define WORKBOOK_CONTENT(...) __VA_ARGS__,
 
 // Where Eigen is being read: outside all known headers, in general, in Block.h, in CommaInitializer.h.
-#define WORKBOOK_FACTS_OF(condition)                                                                \
-  WORKBOOK_JOIN(WORKBOOK_FACTS_AT_,                                                                 \
-                WORKBOOK_JOIN(WORKBOOK_JOIN(WORKBOOK_JOIN(WORKBOOK_SEEN(EIGEN_DENSECOEFFSBASE_H),   \
-                                                          WORKBOOK_SEEN(EIGEN_BLOCK_H)),            \
-                                            WORKBOOK_JOIN(WORKBOOK_SEEN(EIGEN_VECTORBLOCK_H),       \
-                                                          WORKBOOK_SEEN(EIGEN_COMMAINITIALIZER_H))), \
-                              WORKBOOK_JOIN(WORKBOOK_SEEN(EIGEN_GENERAL_PRODUCT_H),                 \
-                                            WORKBOOK_SEEN(EIGEN_TRIANGULARMATRIX_H))))              \
+#define WORKBOOK_FACTS_OF(condition)                                                                                 \
+  WORKBOOK_JOIN(                                                                                                     \
+      WORKBOOK_FACTS_AT_,                                                                                            \
+      WORKBOOK_JOIN(                                                                                                 \
+          WORKBOOK_JOIN(WORKBOOK_JOIN(WORKBOOK_SEEN(EIGEN_DENSECOEFFSBASE_H), WORKBOOK_SEEN(EIGEN_BLOCK_H)),         \
+                        WORKBOOK_JOIN(WORKBOOK_SEEN(EIGEN_VECTORBLOCK_H), WORKBOOK_SEEN(EIGEN_COMMAINITIALIZER_H))), \
+          WORKBOOK_JOIN(WORKBOOK_SEEN(EIGEN_GENERAL_PRODUCT_H), WORKBOOK_SEEN(EIGEN_TRIANGULARMATRIX_H))))           \
   (condition)
 #define WORKBOOK_FACTS_AT_000000(condition) WORKBOOK_NO_FACTS
 #define WORKBOOK_FACTS_AT_100000(condition) WORKBOOK_FACTS_BY_WORD(condition)
@@ -85,7 +84,7 @@ constexpr bool workbook_implies(bool condition, bool consequence) { return !cond
 #define WORKBOOK_FACTS_BLOCK_i \
   , ::workbook::facts(i, xpr.rows(), xpr.cols(), Eigen::Index(BlockRows), Eigen::Index(BlockCols)),
 
-#define eigen_assert(condition, ...)                                                      \
-  ((condition __VA_OPT__(, ) __VA_ARGS__)                                                 \
-       ? static_cast<void>(0)                                                             \
+#define eigen_assert(condition, ...)      \
+  ((condition __VA_OPT__(, ) __VA_ARGS__) \
+       ? static_cast<void>(0)             \
        : ::workbook::report_eigen_assertion(#condition __VA_OPT__("," #__VA_ARGS__), WORKBOOK_FACTS_OF(condition)))
