@@ -1,4 +1,4 @@
-#include "checker/commands/check_exercise.hpp"
+#include "checker/commands/checking.hpp"
 #include "checker/commands/commands.hpp"
 #include "checker/course/did_you_mean.hpp"
 #include "checker/course/progress.hpp"
@@ -17,7 +17,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <map>
 
 namespace workbook {
 
@@ -81,27 +80,20 @@ int check(const Course& course, const CheckOptions& options) {
     fmt::print(stderr, "{}\n", messages::case_needs_one_exercise());
     return wrong_usage;
   }
-  const Toolchain toolchain = read_toolchain(course.toolchain_file());
+  Checking check_one(course, options.seed, options.file);
   const Console console = Console::of_standard_output();
   const PictureKind picture = options.plot && !options.json
                                   ? choose_picture(options.picture, exercises.size(), traits_of_this_terminal(console))
                                   : PictureKind::none;
   Progress progress(course.progress_file());
-  std::map<std::string, LectureReference> references;
   std::vector<Checked> results;
   {
     ProgressBar progress_bar(!options.json);
     for (std::size_t i = 0; i < exercises.size(); ++i) {
       const Exercise& exercise = exercises[i];
       progress_bar.show(i, exercises.size(), exercise.name());
-      if (!references.contains(exercise.lecture())) {
-        references.emplace(exercise.lecture(), course.reference(exercise.lecture(), options.seed));
-      }
-      const ExerciseReference& reference = references.at(exercise.lecture()).exercise(exercise.name());
-      const std::filesystem::path file = options.file.value_or(course.student_file(exercise));
-      const std::string source = fingerprint(file);
-      Checked checked = check_exercise(course, toolchain, exercise, reference, file);
-      checked.seed = options.seed;
+      const std::string source = fingerprint(check_one.file_of(exercise));
+      Checked checked = check_one(exercise);
       if (counts_as_progress(options) && checked.judgement.verdict != Verdict::checker_error) {
         progress.remember(exercise.name(), {to_string(checked.judgement.verdict), source});
       }

@@ -1,5 +1,5 @@
 #include "checker/commands/built_programs.hpp"
-#include "checker/commands/check_exercise.hpp"
+#include "checker/commands/checking.hpp"
 #include "checker/commands/commands.hpp"
 #include "checker/commands/picture_folder.hpp"
 #include "checker/messages/plotting.hpp"
@@ -20,31 +20,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The exercises that a command line asks for, checked one after the other.
-class Checking {
- public:
-  Checking(const Course& course, const PlotOptions& options)
-      : course_(course), options_(options), toolchain_(read_toolchain(course.toolchain_file())) {}
-
-  /// The result refers to the reference results kept here.
-  Checked operator()(const Exercise& exercise) {
-    if (lecture_.lecture != exercise.lecture()) lecture_ = course_.reference(exercise.lecture(), options_.seed);
-    return check_exercise(course_, toolchain_, exercise, lecture_.exercise(exercise.name()),
-                          options_.file.value_or(course_.student_file(exercise)));
-  }
-
- private:
-  const Course& course_;
-  const PlotOptions& options_;
-  Toolchain toolchain_;
-  LectureReference lecture_;
-};
-
 int plot_some(const Course& course, const PlotOptions& options, const std::vector<Exercise>& exercises) {
   const fs::path directory = options.out.value_or(plots_directory(course));
   const Console console = Console::of_standard_output();
   const PictureKind picture = choose_picture(options.picture, exercises.size(), traits_of_this_terminal(console));
-  Checking check(course, options);
+  Checking check(course, options.seed, options.file);
   int worst = all_passed;
   for (const Exercise& exercise : exercises) {
     const Checked checked = check(exercise);
@@ -104,7 +84,7 @@ int plot_all(const Course& course, const PlotOptions& options) {
     worst = std::max(worst, status);
   };
 
-  Checking check(course, options);
+  Checking check(course, options.seed, options.file);
   for (const Exercise& exercise : exercises) {
     progress_bar.show(done++, pieces, exercise.name());
     const Checked checked = check(exercise);

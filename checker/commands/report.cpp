@@ -1,4 +1,4 @@
-#include "checker/commands/check_exercise.hpp"
+#include "checker/commands/checking.hpp"
 #include "checker/commands/commands.hpp"
 #include "checker/course/notes.hpp"
 #include "checker/messages/plotting.hpp"
@@ -20,7 +20,6 @@
 #include <ctime>
 #include <fstream>
 #include <iterator>
-#include <map>
 #include <system_error>
 
 namespace workbook {
@@ -101,7 +100,7 @@ int report(const Course& course, const ReportOptions& options) {
     return wrong_usage;
   }
   if (const int status = refuse_place(options.html); status != all_passed) return status;
-  const Toolchain toolchain = read_toolchain(course.toolchain_file());
+  Checking check(course, options.seed, options.file);
   const bool has_gnuplot = !gnuplot_program().empty();
 
   ReportedCourse reported;
@@ -111,22 +110,13 @@ int report(const Course& course, const ReportOptions& options) {
   if (!has_gnuplot) reported.picture_trouble = messages::report_without_pictures(messages::gnuplot_missing_for_plot());
   for (const Card& card : course.cards()) reported.headings.merge(read_headings(course.notes_file(card)));
 
-  std::map<std::string, LectureReference> references;
   ProgressBar progress_bar;
   for (std::size_t i = 0; i < exercises.size(); ++i) {
     const Exercise& exercise = exercises[i];
     progress_bar.show(i, exercises.size(), exercise.name());
-    if (!references.contains(exercise.lecture())) {
-      references.emplace(exercise.lecture(), course.reference(exercise.lecture(), options.seed));
-    }
-    const fs::path file = options.file.value_or(course.student_file(exercise));
-    ReportedExercise entry{.checked = check_exercise(course, toolchain, exercise,
-                                                     references.at(exercise.lecture()).exercise(exercise.name()), file),
-                           .source = {},
-                           .picture = {},
-                           .picture_description = {}};
+    ReportedExercise entry{.checked = check(exercise), .source = {}, .picture = {}, .picture_description = {}};
     if (entry.checked.judgement.verdict != Verdict::not_started) {
-      entry.source = text_of(file);
+      entry.source = text_of(check.file_of(exercise));
       if (has_gnuplot) add_picture(course, entry);
     }
     reported.exercises.push_back(std::move(entry));

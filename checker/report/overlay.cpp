@@ -67,10 +67,6 @@ std::vector<fs::path> draw_overlay(const Overlay& overlay, const fs::path& direc
   return files;
 }
 
-std::vector<fs::path> draw_plot(const Course& course, const Checked& checked) {
-  return draw_overlay(overlay_of(checked), plots_directory(course), checked.exercise.name());
-}
-
 std::string overlay_as_svg(const Overlay& overlay, const fs::path& directory, const std::string& name) {
   if (overlay.sweep->x.empty()) throw PlotError(messages::no_plot(name));
   return drawn_picture(page_terminal, directory, [&](gnuplotio::Gnuplot& gnuplot) { send_panels(gnuplot, overlay); });

@@ -38,10 +38,6 @@ std::filesystem::path plots_directory(const Course& course);
 std::vector<std::filesystem::path> draw_overlay(const Overlay& overlay, const std::filesystem::path& directory,
                                                 const std::string& name);
 
-/// All of it in one go: runs the function along the sweep and draws both pictures into plots_directory().
-/// @throws as overlay_of() and draw_overlay() do.
-std::vector<std::filesystem::path> draw_plot(const Course& course, const Checked& checked);
-
 /// The picture as the text of an SVG file of 640 by 512 pixels, for a page; `directory` is for files on the way there.
 /// @throws PlotError
 std::string overlay_as_svg(const Overlay& overlay, const std::filesystem::path& directory, const std::string& name);

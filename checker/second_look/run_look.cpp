@@ -1,6 +1,7 @@
 #include "checker/second_look/run_look.hpp"
 
 #include "checker/worker/child_process.hpp"
+#include "checker/worker/request_bytes.hpp"
 
 #include <poll.h>
 #include <signal.h>
@@ -13,7 +14,6 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <random>
 
 namespace workbook {
 namespace {
@@ -24,18 +24,6 @@ using sightings::What;
 
 constexpr std::size_t most_sightings = 64;
 constexpr std::int32_t most_numbers = 100'000;
-
-template <class T>
-void append(std::vector<char>& bytes, const T* first, std::size_t count = 1) {
-  const char* begin = reinterpret_cast<const char*>(first);
-  bytes.insert(bytes.end(), begin, begin + count * sizeof(T));
-}
-
-/// Never 0: a witness that has not been asked has that one.
-std::uint64_t random_nonce() {
-  std::random_device device;
-  return (std::uint64_t{device()} << 32) | device() | 1;
-}
 
 bool ends_the_call(What what) { return what != What::undefined_behavior && what != What::still_running; }
 
@@ -49,12 +37,8 @@ class Conversation {
     nonce_ = random_nonce();
     const Question question{sightings::question_magic, nonce_, static_cast<std::int32_t>(inputs.size()), traps,
                             static_cast<std::uint64_t>(paint)};
-    append(unsent_, &question);
-    for (const Value& input : inputs) {
-      const frames::Shape shape{input.rows, input.cols};
-      append(unsent_, &shape);
-    }
-    for (const Value& input : inputs) append(unsent_, input.numbers.data(), input.numbers.size());
+    append_bytes(unsent_, &question);
+    append_arguments(unsent_, inputs);
     while (!over_) exchange();
     process_.kill();
     return believable_ ? std::move(look_) : Look{};

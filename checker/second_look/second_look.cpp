@@ -2,6 +2,7 @@
 
 #include "checker/compile/build_cache.hpp"
 #include "checker/compile/compile.hpp"
+#include "checker/compile/compiler.hpp"
 #include "checker/compile/source_file.hpp"
 #include "checker/judging/value_text.hpp"
 #include "checker/messages/running.hpp"
@@ -65,10 +66,7 @@ class SecondLook {
         witness_(witness),
         addr2line_(addr2line),
         failing_(task.reference.cases.at(case_to_look_at(task))),
-        // As compile() names it in its messages.
-        file_name_(printable(task.file.filename().string())) {
-    std::ranges::replace(file_name_, '\n', '?');
-  }
+        file_name_(shown_name(task.file)) {}
 
   std::vector<PlacedSentence> take() {
     switch (task_.judgement.verdict) {
@@ -209,7 +207,7 @@ class SecondLook {
   const std::filesystem::path& witness_;
   const std::filesystem::path& addr2line_;
   const Case& failing_;
-  std::string file_name_;
+  std::string file_name_;  ///< as the compiler was told
 };
 
 std::vector<Finding> in_full(std::vector<PlacedSentence> sentences, const SourceLines& source) {

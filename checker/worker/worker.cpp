@@ -2,6 +2,7 @@
 
 #include "checker/messages/running.hpp"
 #include "checker/worker/printable.hpp"
+#include "checker/worker/request_bytes.hpp"
 
 #include <poll.h>
 #include <signal.h>
@@ -13,7 +14,6 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <random>
 
 namespace workbook {
 namespace {
@@ -21,26 +21,11 @@ namespace {
 /// How long a worker may take to end after it closed the channel or was told that no more comes.
 constexpr std::chrono::milliseconds farewell{500};
 
-template <class T>
-void append(std::vector<char>& bytes, const T* first, std::size_t count = 1) {
-  const char* begin = reinterpret_cast<const char*>(first);
-  bytes.insert(bytes.end(), begin, begin + count * sizeof(T));
-}
-
-std::uint64_t random_nonce() {
-  std::random_device device;
-  return (std::uint64_t{device()} << 32) | device();
-}
-
 std::vector<char> request(const std::vector<Value>& inputs, frames::Shape result, std::uint64_t nonce) {
   const frames::RequestHeader header{frames::request_magic, nonce, static_cast<std::int32_t>(inputs.size()), result, 0};
   std::vector<char> bytes;
-  append(bytes, &header);
-  for (const Value& input : inputs) {
-    const frames::Shape shape{input.rows, input.cols};
-    append(bytes, &shape);
-  }
-  for (const Value& input : inputs) append(bytes, input.numbers.data(), input.numbers.size());
+  append_bytes(bytes, &header);
+  append_arguments(bytes, inputs);
   return bytes;
 }
 
