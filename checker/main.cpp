@@ -1,12 +1,12 @@
 /// @file
 /// The command line of the checker.
+#include "checker/base/process_registry.hpp"
 #include "checker/commands/commands.hpp"
 #include "checker/messages/help.hpp"
 #include "checker/messages/program.hpp"
 #include "checker/report/completion_script.hpp"
 #include "checker/report/console.hpp"
 #include "checker/report/help_formatter.hpp"
-#include "checker/worker/running_programs.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -249,7 +249,7 @@ struct CommandLine {
 
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);  // a worker that dies, or a reader like `head` that leaves, is no reason to die
-  running_programs::end_with_the_checker();
+  process_registry::end_with_the_checker();
   CommandLine command_line(argv[0]);
   try {
     command_line.app.parse(argc, argv);

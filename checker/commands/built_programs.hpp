@@ -2,8 +2,8 @@
 /// Programs of the workbook that are built when somebody asks for them: worked examples and figures.
 #pragma once
 
+#include "checker/base/child_process.hpp"
 #include "checker/course/course.hpp"
-#include "checker/worker/child_process.hpp"
 
 #include <chrono>
 #include <filesystem>

@@ -3,7 +3,7 @@
 #include "checker/messages/machine.hpp"
 #include "checker/report/console.hpp"
 #include "checker/report/gnuplot_program.hpp"
-#include "checker/worker/sandbox.hpp"
+#include "checker/sandbox/sandbox.hpp"
 
 #include <fmt/format.h>
 

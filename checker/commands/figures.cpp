@@ -1,10 +1,10 @@
+#include "checker/base/printable.hpp"
 #include "checker/commands/built_programs.hpp"
 #include "checker/commands/commands.hpp"
 #include "checker/commands/picture_folder.hpp"
 #include "checker/messages/plotting.hpp"
 #include "checker/report/gnuplot_program.hpp"
 #include "checker/report/progress_bar.hpp"
-#include "checker/worker/printable.hpp"
 
 #include <fmt/format.h>
 

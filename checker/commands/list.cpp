@@ -1,9 +1,9 @@
 #include "checker/commands/commands.hpp"
 #include "checker/course/progress.hpp"
+#include "checker/course/progress_summary.hpp"
 #include "checker/messages/program.hpp"
 #include "checker/messages/standing.hpp"
 #include "checker/report/console.hpp"
-#include "checker/report/standing.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
-#include "checker/commands/check_exercise.hpp"
 #include "checker/commands/commands.hpp"
 #include "checker/course/inspection.hpp"
 #include "checker/judging/inconsistencies.hpp"
 #include "checker/messages/workbook_in_order.hpp"
+#include "checker/pipeline/check_exercise.hpp"
 #include "checker/report/progress_bar.hpp"
 
 #include <fmt/format.h>

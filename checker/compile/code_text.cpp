@@ -1,6 +1,6 @@
 #include "checker/compile/code_text.hpp"
 
-#include "checker/worker/printable.hpp"
+#include "checker/base/printable.hpp"
 
 #include <boost/locale/utf.hpp>
 

@@ -1,5 +1,6 @@
 #include "checker/compile/compile.hpp"
 
+#include "checker/base/printable.hpp"
 #include "checker/compile/code_text.hpp"
 #include "checker/compile/compile_mistakes.hpp"
 #include "checker/compile/compiler.hpp"
@@ -7,7 +8,6 @@
 #include "checker/compile/object_file.hpp"
 #include "checker/compile/source_file.hpp"
 #include "checker/messages/compiling.hpp"
-#include "checker/worker/printable.hpp"
 
 #include <signal.h>
 

@@ -5,7 +5,7 @@
 #include "checker/compile/build_cache.hpp"
 #include "checker/compile/compiler.hpp"
 #include "checker/compile/toolchain.hpp"
-#include "checker/judging/observation.hpp"
+#include "checker/data/observation.hpp"
 
 #include <filesystem>
 #include <optional>

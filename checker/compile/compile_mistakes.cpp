@@ -1,10 +1,10 @@
 #include "checker/compile/compile_mistakes.hpp"
 
+#include "checker/base/printable.hpp"
 #include "checker/compile/code_text.hpp"
 #include "checker/compile/eigen_type.hpp"
 #include "checker/compile/plain_words.hpp"
 #include "checker/messages/compiling.hpp"
-#include "checker/worker/printable.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -1,8 +1,8 @@
 #include "checker/compile/compiler.hpp"
 
+#include "checker/base/printable.hpp"
 #include "checker/compile/build_cache.hpp"
 #include "checker/messages/compiling.hpp"
-#include "checker/worker/printable.hpp"
 
 #include <sys/resource.h>
 

@@ -2,8 +2,8 @@
 /// The compiler at work on a student's file, kept within limits.
 #pragma once
 
+#include "checker/base/child_process.hpp"
 #include "checker/compile/toolchain.hpp"
-#include "checker/worker/child_process.hpp"
 
 #include <chrono>
 #include <cstddef>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "checker/compile/diagnostics.hpp"
-#include "checker/judging/observation.hpp"
+#include "checker/data/observation.hpp"
 
 #include <string>
 #include <vector>

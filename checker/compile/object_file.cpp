@@ -1,8 +1,8 @@
 #include "checker/compile/object_file.hpp"
 
+#include "checker/base/child_process.hpp"
 #include "checker/compile/plain_words.hpp"
 #include "checker/messages/compiling.hpp"
-#include "checker/worker/child_process.hpp"
 
 #include <cxxabi.h>
 

@@ -1,8 +1,8 @@
 #include "checker/compile/source_file.hpp"
 
+#include "checker/base/descriptor.hpp"
+#include "checker/base/printable.hpp"
 #include "checker/messages/compiling.hpp"
-#include "checker/worker/descriptor.hpp"
-#include "checker/worker/printable.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>

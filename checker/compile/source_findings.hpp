@@ -4,7 +4,7 @@
 
 #include "checker/compile/compile.hpp"
 #include "checker/compile/toolchain.hpp"
-#include "checker/judging/observation.hpp"
+#include "checker/data/observation.hpp"
 
 #include <filesystem>
 #include <vector>

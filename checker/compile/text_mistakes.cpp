@@ -1,9 +1,9 @@
 #include "checker/compile/text_mistakes.hpp"
 
+#include "checker/base/printable.hpp"
 #include "checker/compile/code_text.hpp"
 #include "checker/compile/tokens.hpp"
 #include "checker/messages/compiling.hpp"
-#include "checker/worker/printable.hpp"
 
 #include <algorithm>
 #include <array>

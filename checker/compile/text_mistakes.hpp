@@ -2,7 +2,7 @@
 /// Mistakes that compile, but can be read off the text of a file: 1/2, sin(30), x ^ 2.
 #pragma once
 
-#include "checker/judging/observation.hpp"
+#include "checker/data/observation.hpp"
 
 #include <string>
 #include <vector>

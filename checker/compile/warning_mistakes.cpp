@@ -1,8 +1,8 @@
 #include "checker/compile/warning_mistakes.hpp"
 
+#include "checker/base/printable.hpp"
 #include "checker/compile/code_text.hpp"
 #include "checker/messages/compiling.hpp"
-#include "checker/worker/printable.hpp"
 
 #include <algorithm>
 #include <functional>

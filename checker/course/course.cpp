@@ -1,9 +1,9 @@
 #include "checker/course/course.hpp"
 
+#include "checker/base/child_process.hpp"
 #include "checker/course/did_you_mean.hpp"
 #include "checker/messages/course_files.hpp"
 #include "checker/messages/reference_files.hpp"
-#include "checker/worker/child_process.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

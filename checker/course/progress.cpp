@@ -1,7 +1,7 @@
 #include "checker/course/progress.hpp"
 
+#include "checker/base/descriptor.hpp"
 #include "checker/messages/progress.hpp"
-#include "checker/worker/descriptor.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 #include "checker/data/unit.hpp"
 
-#include "checker/data/superscript.hpp"
+#include "checker/base/superscript.hpp"
 
 #include <array>
 #include <cstdlib>

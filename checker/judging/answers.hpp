@@ -2,8 +2,8 @@
 /// The student's values, sorted by case: all that the diagnoses look at.
 #pragma once
 
+#include "checker/data/observation.hpp"
 #include "checker/data/reference_results.hpp"
-#include "checker/judging/observation.hpp"
 
 #include <cstddef>
 #include <optional>

@@ -2,9 +2,9 @@
 /// Why an answer is wrong: the most telling of the diagnoses.
 #pragma once
 
+#include "checker/data/observation.hpp"
 #include "checker/judging/answers.hpp"
 #include "checker/judging/judgement.hpp"
-#include "checker/judging/observation.hpp"
 
 #include <vector>
 

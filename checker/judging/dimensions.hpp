@@ -2,9 +2,9 @@
 /// Testing dimensions by a change of units: a quantity in kg m² grows 10⁴ times when lengths are given in centimetres.
 #pragma once
 
+#include "checker/data/observation.hpp"
 #include "checker/judging/answers.hpp"
 #include "checker/judging/judgement.hpp"
-#include "checker/judging/observation.hpp"
 
 #include <cstddef>
 #include <vector>

@@ -2,9 +2,9 @@
 /// The judge: from what was seen of a student's function to what the checker says of it.
 #pragma once
 
+#include "checker/data/observation.hpp"
 #include "checker/data/reference_results.hpp"
 #include "checker/judging/judgement.hpp"
-#include "checker/judging/observation.hpp"
 
 namespace workbook {
 

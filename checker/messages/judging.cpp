@@ -1,6 +1,6 @@
 #include "checker/messages/judging.hpp"
 
-#include "checker/data/superscript.hpp"
+#include "checker/base/superscript.hpp"
 #include "checker/judging/value_text.hpp"
 #include "checker/messages/program.hpp"
 #include "checker/messages/running.hpp"

@@ -2,9 +2,9 @@
 /// Everything that the judge says to a student, in one place.
 #pragma once
 
+#include "checker/data/observation.hpp"
 #include "checker/data/reference_results.hpp"
 #include "checker/judging/judgement.hpp"
-#include "checker/judging/observation.hpp"
 
 #include <cstddef>
 #include <optional>

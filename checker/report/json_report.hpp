@@ -2,7 +2,7 @@
 /// Verdicts as one JSON document, for programs.
 #pragma once
 
-#include "checker/commands/check_exercise.hpp"
+#include "checker/pipeline/check_exercise.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -2,8 +2,8 @@
 /// The plot: the student's curve on the reference results, and the difference below.
 #pragma once
 
-#include "checker/commands/check_exercise.hpp"
-#include "checker/worker/run_exercise.hpp"
+#include "checker/pipeline/check_exercise.hpp"
+#include "checker/sandbox/run_exercise.hpp"
 
 #include <filesystem>
 #include <optional>

@@ -1,11 +1,11 @@
 #include "checker/report/report_page.hpp"
 
+#include "checker/base/base64.hpp"
+#include "checker/base/printable.hpp"
 #include "checker/judging/failure_text.hpp"
 #include "checker/messages/report_page.hpp"
 #include "checker/messages/reporting.hpp"
-#include "checker/report/base64.hpp"
 #include "checker/report/report_page_parts.hpp"
-#include "checker/worker/printable.hpp"
 
 #include <fmt/format.h>
 #include <kainjow/mustache.hpp>

@@ -2,7 +2,7 @@
 /// One student's results as one page that needs nothing beside it: to hand in, or for an instructor to read.
 #pragma once
 
-#include "checker/commands/check_exercise.hpp"
+#include "checker/pipeline/check_exercise.hpp"
 
 #include <cstdint>
 #include <map>

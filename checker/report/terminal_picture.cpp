@@ -1,7 +1,7 @@
 #include "checker/report/terminal_picture.hpp"
 
+#include "checker/base/base64.hpp"
 #include "checker/messages/plotting.hpp"
-#include "checker/report/base64.hpp"
 #include "checker/report/overlay_script.hpp"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 /// A verdict on the terminal.
 #pragma once
 
-#include "checker/commands/check_exercise.hpp"
+#include "checker/pipeline/check_exercise.hpp"
 #include "checker/report/console.hpp"
 
 #include <string>

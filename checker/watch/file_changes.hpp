@@ -3,8 +3,8 @@
 /// look at every file now and then, which also works in folders that send no events (a network, a container).
 #pragma once
 
-#include "checker/worker/child_process.hpp"
-#include "checker/worker/descriptor.hpp"
+#include "checker/base/child_process.hpp"
+#include "checker/base/descriptor.hpp"
 
 #include <sys/types.h>
 

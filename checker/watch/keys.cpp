@@ -1,6 +1,6 @@
 #include "checker/watch/keys.hpp"
 
-#include "checker/worker/printable.hpp"
+#include "checker/base/printable.hpp"
 
 #include <algorithm>
 #include <cctype>

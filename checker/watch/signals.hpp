@@ -2,7 +2,7 @@
 /// Signals as something to read, so that one loop waits for everything.
 #pragma once
 
-#include "checker/worker/descriptor.hpp"
+#include "checker/base/descriptor.hpp"
 
 #include <signal.h>
 

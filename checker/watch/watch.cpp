@@ -1,10 +1,10 @@
 #include "checker/watch/watch.hpp"
 
+#include "checker/base/printable.hpp"
 #include "checker/course/progress.hpp"
+#include "checker/course/progress_summary.hpp"
 #include "checker/course/stub.hpp"
 #include "checker/messages/watching.hpp"
-#include "checker/report/standing.hpp"
-#include "checker/worker/printable.hpp"
 
 #include <fmt/format.h>
 
@@ -128,7 +128,7 @@ void Watch::wait() {
   Clock::time_point until = changes_.next_look();
   if (check_ || request_) {
     // To count the seconds.
-    const Clock::time_point begun = check_ ? check_->errand->begun() : request_->errand->begun();
+    const Clock::time_point begun = check_ ? check_->process->begun() : request_->process->begun();
     until = std::min(until, begun + std::chrono::seconds(seconds_since(begun) + 1));
   }
   enum Source { signals, keys, files, check, request, reader, count };
@@ -136,14 +136,14 @@ void Watch::wait() {
   sources[signals] = {signals_.descriptor(), POLLIN, 0};
   sources[keys] = {keyboard_.has_keyboard() ? STDIN_FILENO : -1, POLLIN, 0};
   sources[files] = {changes_.descriptor(), POLLIN, 0};
-  sources[check] = {check_ ? check_->errand->descriptor() : -1, POLLIN, 0};
-  sources[request] = {request_ ? request_->errand->descriptor() : -1, POLLIN, 0};
+  sources[check] = {check_ ? check_->process->descriptor() : -1, POLLIN, 0};
+  sources[request] = {request_ ? request_->process->descriptor() : -1, POLLIN, 0};
   sources[reader] = {STDOUT_FILENO, 0, 0};  // only whether it is still there
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now()).count();
   const int ready = ::poll(sources.data(), sources.size(), static_cast<int>(std::clamp<long>(left, 0, 60'000)));
   if (ready <= 0) {
     if (check_ || request_) changed_ = true;
-    const bool takes_long = check_ && seconds_since(check_->errand->begun()) >= 1;
+    const bool takes_long = check_ && seconds_since(check_->process->begun()) >= 1;
     if (!on_screen_ && takes_long && !std::exchange(check_->said, true) && ::isatty(STDOUT_FILENO) != 0)
       print(words_of_check());
     return;
@@ -151,8 +151,8 @@ void Watch::wait() {
   if (sources[reader].revents != 0) over_ = true;
   if (sources[signals].revents != 0) on_signals();
   if (sources[keys].revents != 0) on_keys();
-  if (sources[request].revents != 0 && request_ && request_->errand->collect()) finish_request();
-  if (sources[check].revents != 0 && check_ && check_->errand->collect()) finish_check();
+  if (sources[request].revents != 0 && request_ && request_->process->collect()) finish_request();
+  if (sources[check].revents != 0 && check_ && check_->process->collect()) finish_check();
 }
 
 void Watch::on_signals() {
@@ -297,8 +297,8 @@ void Watch::begin_next_check() {
     const bool saved_since = wanted.reason == Reason::saved && check.fingerprint != wanted.content;
     if (saved_since && current_ != wanted.index) show(wanted.index);
     try {
-      check.errand =
-          std::make_unique<Errand>(course_file_, std::vector<std::string>{"check", name(wanted.index)}, console_);
+      check.process = std::make_unique<CheckerProcess>(course_file_,
+                                                       std::vector<std::string>{"check", name(wanted.index)}, console_);
       check_ = std::move(check);
     } catch (const LaunchError& problem) {
       verdict(console_.wrapped(messages::check_cannot_start(name(wanted.index), problem.what())));
@@ -311,7 +311,7 @@ void Watch::finish_check() {
   check_.reset();
   changed_ = true;
   const std::size_t index = check.wanted.index;
-  const ProcessEnd end = check.errand->end();
+  const ProcessEnd end = check.process->end();
   if (stamp_of(file(index)) != check.stamp) {
     // The file was written meanwhile: which of the versions was checked, nobody knows.
     doubtful_[index] = check.fingerprint;
@@ -325,7 +325,7 @@ void Watch::finish_check() {
   passed_here_[index] = passes ? check.fingerprint : "";
   read_progress();
 
-  std::string text = ending_with_newline(check.errand->output());
+  std::string text = ending_with_newline(check.process->output());
   if (end.signal != 0) text += console_.wrapped(messages::check_died(name(index), end.signal)) + "\n";
   const bool stays = check.wanted.reason == Reason::asked;
   if (index != current_) {
@@ -347,7 +347,7 @@ void Watch::begin_request(Action action) {
   if (action == Action::compiler) arguments = {"check", name(current_), "--full"};
   request_.reset();
   try {
-    request_ = Request{action, current_, std::make_unique<Errand>(course_file_, arguments, console_)};
+    request_ = Request{action, current_, std::make_unique<CheckerProcess>(course_file_, arguments, console_)};
   } catch (const LaunchError& problem) {
     panel(console_.wrapped(messages::command_cannot_start(problem.what())));
   }
@@ -356,8 +356,8 @@ void Watch::begin_request(Action action) {
 void Watch::finish_request() {
   const Request request = std::move(*request_);
   request_.reset();
-  const ProcessEnd end = request.errand->end();
-  std::string text = ending_with_newline(request.errand->output());
+  const ProcessEnd end = request.process->end();
+  std::string text = ending_with_newline(request.process->output());
   if (end.signal != 0) text += console_.wrapped(messages::command_died(end.signal)) + "\n";
   panel(text);
 }
@@ -478,7 +478,7 @@ std::string Watch::words_of_keys() const {
 }
 
 std::string Watch::words_of_check() const {
-  return messages::checking(name(check_->wanted.index), seconds_since(check_->errand->begun()));
+  return messages::checking(name(check_->wanted.index), seconds_since(check_->process->begun()));
 }
 
 Scene Watch::scene() const {
@@ -493,7 +493,7 @@ Scene Watch::scene() const {
   } else if (check_ && !verdict_.empty()) {
     scene.state = words_of_check();
   } else if (request_ && (request_->action == Action::plot || request_->action == Action::compiler)) {
-    scene.state = messages::working_for(name(request_->index), seconds_since(request_->errand->begun()));
+    scene.state = messages::working_for(name(request_->index), seconds_since(request_->process->begun()));
   }
   if (!check_ && waiting_.empty()) scene.idle = messages::waiting(name(current_));
   scene.keys = keyboard_.has_keyboard() ? messages::keys() : std::vector<std::string>{messages::no_keyboard()};

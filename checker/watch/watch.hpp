@@ -4,7 +4,7 @@
 
 #include "checker/course/course.hpp"
 #include "checker/report/console.hpp"
-#include "checker/watch/errand.hpp"
+#include "checker/watch/checker_process.hpp"
 #include "checker/watch/file_changes.hpp"
 #include "checker/watch/keys.hpp"
 #include "checker/watch/screen.hpp"
@@ -53,13 +53,13 @@ class Watch {
     Wanted wanted;
     FileStamp stamp;  ///< of the file when the check began
     std::string fingerprint;
-    std::unique_ptr<Errand> errand;
+    std::unique_ptr<CheckerProcess> process;
     bool said = false;  ///< that it takes a while
   };
   struct Request {
     Action action = Action::unknown;
     std::size_t index = 0;
-    std::unique_ptr<Errand> errand;
+    std::unique_ptr<CheckerProcess> process;
   };
 
   // What comes in.

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "checker/data/kinds.hpp"
-#include "checker/worker/frames.hpp"
+#include "checker/worker/protocol.hpp"
 
 #include <unistd.h>
 
@@ -18,7 +18,7 @@ namespace workbook {
 inline bool read_exactly(void* to, std::size_t size) {
   char* next = static_cast<char*>(to);
   while (size > 0) {
-    const ssize_t got = ::read(frames::channel, next, size);
+    const ssize_t got = ::read(protocol::channel, next, size);
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) return false;
     next += got;
@@ -34,15 +34,15 @@ struct Arguments {
 
   /// Reads so many shapes, and then their numbers. False at the end of input.
   bool read(std::size_t count) {
-    std::vector<frames::Shape> shapes(count);
-    if (!read_exactly(shapes.data(), count * sizeof(frames::Shape))) return false;
+    std::vector<protocol::Shape> shapes(count);
+    if (!read_exactly(shapes.data(), count * sizeof(protocol::Shape))) return false;
     std::size_t total = 0;
-    for (const frames::Shape& shape : shapes) total += size(shape);
+    for (const protocol::Shape& shape : shapes) total += size(shape);
     numbers.resize(total);
     if (!read_exactly(numbers.data(), total * sizeof(double))) return false;
     const double* first = numbers.data();
     views.clear();
-    for (const frames::Shape& shape : shapes) {
+    for (const protocol::Shape& shape : shapes) {
       views.push_back({shape.rows, shape.cols, first});
       first += size(shape);
     }
@@ -50,7 +50,7 @@ struct Arguments {
   }
 
  private:
-  static std::size_t size(const frames::Shape& shape) {
+  static std::size_t size(const protocol::Shape& shape) {
     return static_cast<std::size_t>(shape.rows) * static_cast<std::size_t>(shape.cols);
   }
 };

@@ -19,7 +19,7 @@ include(CheckCXXSourceCompiles)
 function(workbook_add_workers target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "DIRECTORY" "INCLUDE;EXERCISES")
   set(sources ${CMAKE_CURRENT_FUNCTION_LIST_DIR})
-  cmake_path(SET witness NORMALIZE ${sources}/../second_look/witness)
+  cmake_path(SET witness NORMALIZE ${sources}/instrumented)
 
   # No -ffast-math, ever: NaN must stay NaN. Uninitialised numbers get a fixed, absurd value, so that the same file gives
   # the same result every time; indices of std::vector are checked.
@@ -30,7 +30,7 @@ function(workbook_add_workers target)
     FLAGS -std=c++20 -O1 -ftrivial-auto-var-init=pattern -D_GLIBCXX_ASSERTIONS
     LINK_FLAGS -static -s ${link_flags}
     PRELUDE "#include \"${sources}/prelude.hpp\"\n"
-    PARTS ${sources}/serve.cpp ${sources}/last_words.cpp ${sources}/eigen_assertion.cpp
+    PARTS ${sources}/serve.cpp ${sources}/crash_handler.cpp ${sources}/eigen_assertion.cpp
     MAIN "checker/worker/serve.hpp" serve
     KEYS "second_look=${second_look}" "addr2line=${CMAKE_ADDR2LINE}")
 
@@ -45,7 +45,7 @@ function(workbook_add_workers target)
     LINK_FLAGS -static ${link_flags} ${wrapped}
     PRELUDE "#define EIGEN_FUNCTORS_PLUGIN \"${witness}/eigen_implies.hpp\"\n#include \"${witness}/prelude.hpp\"\n"
     PARTS ${witness}/look.cpp ${witness}/eyes.cpp ${witness}/memory.cpp ${witness}/undefined.cpp
-    MAIN "checker/second_look/witness/look.hpp" look)
+    MAIN "checker/worker/instrumented/look.hpp" look)
 
   add_custom_target(${target} DEPENDS ${judging} ${looking})
 endfunction()

@@ -1,9 +1,9 @@
 /// @file
 /// How long a student waits: from saved file to verdict, beside the bare compiler and beside a plain CMake + doctest
 /// project doing the same job. All in one run, in turn, because machines are noisy; medians and ratios count.
+#include "checker/base/child_process.hpp"
 #include "checker/compile/toolchain.hpp"
 #include "checker/course/course.hpp"
-#include "checker/worker/child_process.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

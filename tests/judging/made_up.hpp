@@ -2,10 +2,10 @@
 /// Small made-up exercises and students, so that the judge is tested without any lecture.
 #pragma once
 
+#include "checker/data/observation.hpp"
 #include "checker/data/reference_results.hpp"
 #include "checker/judging/answers.hpp"
 #include "checker/judging/judgement.hpp"
-#include "checker/judging/observation.hpp"
 
 #include <functional>
 #include <limits>

@@ -1,5 +1,5 @@
 // Values and units: as JSON, and as people read them.
-#include "checker/data/superscript.hpp"
+#include "checker/base/superscript.hpp"
 #include "checker/data/unit.hpp"
 #include "checker/judging/value_text.hpp"
 #include "tests/judging/made_up.hpp"

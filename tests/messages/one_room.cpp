@@ -41,10 +41,10 @@ const std::vector<Exception> exceptions = {
     {"checker/report/terminal_picture.cpp", "sixelgd", "gnuplot"},
     {"checker/report/terminal_picture.cpp", "dumb", "gnuplot"},
     {"checker/report/terminal_report.cpp", "check {}", "what to type, which is the same in every language"},
-    {"checker/second_look/witness/eyes.cpp", "Too few coefficients", "what Eigen's assertion says"},
-    {"checker/second_look/witness/sighting.hpp", "no padding may travel", "for who changes what is sent"},
+    {"checker/worker/instrumented/eyes.cpp", "Too few coefficients", "what Eigen's assertion says"},
+    {"checker/worker/instrumented/sighting.hpp", "no padding may travel", "for who changes what is sent"},
     {"checker/worker/eigen_assertion.cpp", "Too few coefficients", "what Eigen's assertion says"},
-    {"checker/worker/frames.hpp", "no padding may travel", "for who changes the frames"},
+    {"checker/worker/protocol.hpp", "no padding may travel", "for who changes the frames"},
 };
 
 /// One sentence of one file.

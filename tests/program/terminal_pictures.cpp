@@ -1,5 +1,5 @@
 // Plots on the terminal: the right kind for each terminal, legible, and nothing where nobody looks.
-#include "checker/report/base64.hpp"
+#include "checker/base/base64.hpp"
 #include "checker/report/terminal_graphics.hpp"
 #include "checker/report/terminal_picture.hpp"
 #include "tests/program/program.hpp"

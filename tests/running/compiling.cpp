@@ -1,8 +1,8 @@
 // From a file to an executable, and all that can stand in a file instead of a right function.
 #include "tests/running/student.hpp"
 
+#include "checker/base/child_process.hpp"
 #include "checker/compile/plain_words.hpp"
-#include "checker/worker/child_process.hpp"
 
 #include <doctest/doctest.h>
 

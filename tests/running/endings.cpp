@@ -1,7 +1,7 @@
 // Every way in which a call of a student's function can end, and what the checker sees of it.
 #include "tests/running/student.hpp"
 
-#include "checker/worker/frames.hpp"
+#include "checker/worker/protocol.hpp"
 
 #include <doctest/doctest.h>
 
@@ -120,7 +120,7 @@ double rigid::twice(double x) { return behave(x); }
 
 std::string with_magic_numbers(std::string text) {
   for (const auto& [word, number] :
-       {std::pair{"REPLY_MAGIC", frames::reply_magic}, {"REQUEST_MAGIC", frames::request_magic}})
+       {std::pair{"REPLY_MAGIC", protocol::reply_magic}, {"REQUEST_MAGIC", protocol::request_magic}})
     for (std::size_t at = 0; (at = text.find(word)) != std::string::npos;)
       text.replace(at, std::string(word).size(), std::to_string(number) + "ul");
   return text;

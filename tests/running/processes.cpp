@@ -1,8 +1,8 @@
 // Programs beside the checker: started without a shell, watched, and never left behind.
 #include "tests/running/student.hpp"
 
-#include "checker/worker/child_process.hpp"
-#include "checker/worker/running_programs.hpp"
+#include "checker/base/child_process.hpp"
+#include "checker/base/process_registry.hpp"
 
 #include <doctest/doctest.h>
 
@@ -140,7 +140,7 @@ TEST_CASE("a checker that is told to end ends its programs with all their childr
     CAPTURE(signal);
     const pid_t checker = ::fork();
     if (checker == 0) {
-      running_programs::end_with_the_checker();
+      process_registry::end_with_the_checker();
       const ChildProcess process(shell("sleep 100 & sleep 100 & echo started; wait"));
       pollfd started{process.output(), POLLIN, 0};
       ::poll(&started, 1, 10'000);

@@ -2,8 +2,8 @@
 #include "tests/running/student.hpp"
 
 #include "checker/judging/judge.hpp"
-#include "checker/second_look/second_look.hpp"
-#include "checker/second_look/witness/sighting.hpp"
+#include "checker/sandbox/diagnostic_run.hpp"
+#include "checker/worker/instrumented/sighting.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,8 +1,8 @@
 // What may lie where a student's file should be.
 #include "tests/running/student.hpp"
 
+#include "checker/base/printable.hpp"
 #include "checker/compile/source_file.hpp"
-#include "checker/worker/printable.hpp"
 
 #include <doctest/doctest.h>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "checker/compile/compile.hpp"
-#include "checker/worker/run_exercise.hpp"
+#include "checker/sandbox/run_exercise.hpp"
 
 #include <filesystem>
 #include <functional>

@@ -1,5 +1,5 @@
 // The watch where nothing can be drawn: verdicts come one below the other.
-#include "checker/worker/child_process.hpp"
+#include "checker/base/child_process.hpp"
 #include "tests/program/program.hpp"
 #include "tests/watch/saving.hpp"
 
