@@ -1,14 +1,12 @@
 #include "checker/base/child_process.hpp"
 
-#include "checker/base/process_registry.hpp"
-#include "checker/worker/protocol.hpp"
-
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -21,37 +19,43 @@
 namespace workbook {
 namespace {
 
-using messages::LaunchStep;
-
-/// Sent from the new process when it cannot become the program.
+/// Sent from the new process when it cannot become the program. It is a copy of the checker: a literal stands at the
+/// same address in both.
 struct Failure {
-  LaunchStep step;
+  const char* step;
   int reason;
 };
 
-constexpr int report_descriptor = protocol::channel + 1;
-constexpr int first_free_descriptor = report_descriptor + 1;
+constexpr int first_free_descriptor = program_descriptor + 1;
 
-[[noreturn]] void launch_failed(LaunchStep step, int reason) {
-  throw LaunchError(messages::launch_failed(step, std::generic_category().message(reason)));
-}
-
-struct Pipe {
-  Descriptor reading;
-  Descriptor writing;
-
-  Pipe() {
-    std::array<int, 2> ends{};
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0) launch_failed(LaunchStep::open_pipe, errno);
-    reading = Descriptor(ends[0]);
-    writing = Descriptor(ends[1]);
-  }
+struct Ends {
+  Descriptor ours;
+  Descriptor theirs;
 };
 
+Ends pipe_from_child() {
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw LaunchError("open a pipe", errno);
+  return {Descriptor(ends[0]), Descriptor(ends[1])};
+}
+
+Ends pipe_to_child() {
+  Ends pipe = pipe_from_child();
+  std::swap(pipe.ours, pipe.theirs);
+  return pipe;
+}
+
+Ends socket_pair() {
+  std::array<int, 2> ends{};
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
+    throw LaunchError("open a channel", errno);
+  return {Descriptor(ends[0]), Descriptor(ends[1])};
+}
+
 /// Null-terminated pointers into strings that live on.
-std::vector<char*> pointers(const char* first, const std::vector<std::string>& strings) {
+std::vector<char*> pointers(const std::vector<std::string>& strings, const std::string* first = nullptr) {
   std::vector<char*> result;
-  if (first) result.push_back(const_cast<char*>(first));
+  if (first) result.push_back(const_cast<char*>(first->c_str()));
   for (const std::string& string : strings) result.push_back(const_cast<char*>(string.c_str()));
   result.push_back(nullptr);
   return result;
@@ -69,15 +73,19 @@ class NewProcess {
 
   [[noreturn]] void become_program() noexcept {
     restore_signals();
-    std::optional<LaunchStep> failed = leave_checker();
-    if (!failed) failed = place_descriptors();
-    if (!failed && directory && ::chdir(directory) != 0) failed = LaunchStep::enter_directory;
+    const char* failed = place_descriptors();
+    if (!failed) failed = tie_to_checker();
+    if (!failed && directory && ::chdir(directory) != 0) failed = "enter its directory";
+    if (!failed && launch.with_channel && !open_program()) failed = "start the program";
     if (!failed && launch.prepare) failed = launch.prepare();
     if (!failed) {
-      ::execve(launch.program, arguments, environment);
-      failed = LaunchStep::start_program;
+      if (launch.with_channel)
+        ::syscall(SYS_execveat, program_descriptor, "", arguments, environment, AT_EMPTY_PATH);
+      else
+        ::execve(launch.program.c_str(), arguments, environment);
+      failed = "start the program";
     }
-    const Failure failure{*failed, errno};
+    const Failure failure{failed, errno};
     [[maybe_unused]] const ssize_t unused = ::write(report, &failure, sizeof failure);
     ::_exit(127);
   }
@@ -90,44 +98,39 @@ class NewProcess {
     ::sigprocmask(SIG_SETMASK, &none, nullptr);
   }
 
-  std::optional<LaunchStep> leave_checker() const noexcept {
-    if (::setsid() < 0) return LaunchStep::open_session;
-    if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) return LaunchStep::tie_to_checker;
-    if (::getppid() != checker) ::_exit(127);  // the checker is gone already
-    return std::nullopt;
-  }
-
-  std::optional<LaunchStep> place_descriptors() noexcept {
+  const char* place_descriptors() noexcept {
     // First all out of the way of the places that they shall take.
     for (int* descriptor : {&input, &output, &channel, &report}) {
-      if (*descriptor < 0) continue;
       *descriptor = ::fcntl(*descriptor, F_DUPFD_CLOEXEC, first_free_descriptor);
-      if (*descriptor < 0) return LaunchStep::move_descriptors;
+      if (*descriptor < 0) return "move its descriptors";
     }
     if (::dup2(input, STDIN_FILENO) < 0 || ::dup2(output, STDOUT_FILENO) < 0 || ::dup2(output, STDERR_FILENO) < 0 ||
-        (channel >= 0 && ::dup2(channel, protocol::channel) < 0) || ::dup3(report, report_descriptor, O_CLOEXEC) < 0)
-      return LaunchStep::place_descriptors;
+        ::dup2(channel, channel_descriptor) < 0 || ::dup3(report, report_descriptor, O_CLOEXEC) < 0)
+      return "place its descriptors";
     report = report_descriptor;
-    if (channel < 0) ::close(protocol::channel);
-    ::closefrom(first_free_descriptor);
-    return std::nullopt;
+    ::closefrom(program_descriptor);
+    return nullptr;
   }
-};
 
-/// No signal is delivered while this lives; the new process takes them again by itself.
-class SignalsHeldBack {
- public:
-  SignalsHeldBack() {
-    sigset_t all;
-    ::sigfillset(&all);
-    ::pthread_sigmask(SIG_SETMASK, &all, &before_);
+  /// The kernel ends a program with its parent, but not the children of that program, and a compiler has some. For
+  /// them is the lifeline: when nobody holds its other end any more, the kernel sends the signal to their whole group.
+  const char* tie_to_checker() const noexcept {
+    if (::setsid() < 0) return "open its own session";
+    if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) return "tie its life to the checker";
+    if (!launch.with_channel) {
+      ::fcntl(channel_descriptor, F_SETOWN, -::getpid());
+      ::fcntl(channel_descriptor, F_SETSIG, SIGKILL);
+      ::fcntl(channel_descriptor, F_SETFL, O_ASYNC);
+    }
+    if (::getppid() != checker) ::_exit(127);  // the checker is gone already
+    return nullptr;
   }
-  ~SignalsHeldBack() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-  SignalsHeldBack(const SignalsHeldBack&) = delete;
-  SignalsHeldBack& operator=(const SignalsHeldBack&) = delete;
 
- private:
-  sigset_t before_{};
+  bool open_program() const noexcept {
+    const int program = ::open(launch.program.c_str(), O_PATH | O_CLOEXEC);
+    return program == program_descriptor ||
+           (program >= 0 && ::dup3(program, program_descriptor, O_CLOEXEC) == program_descriptor);
+  }
 };
 
 void set_nonblocking(int descriptor) { ::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) | O_NONBLOCK); }
@@ -136,58 +139,52 @@ double seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-/// Milliseconds for poll, rounded up so that it does not spin at the end.
-int poll_timeout(Clock::time_point deadline) {
+}  // namespace
+
+LaunchError::LaunchError(const char* failed_step, int system_error)
+    : std::runtime_error(std::string(failed_step) + ": " + std::generic_category().message(system_error)),
+      step(failed_step),
+      reason(system_error) {}
+
+int milliseconds_until(Clock::time_point deadline) {
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
   return static_cast<int>(std::clamp<long>(left, 0, 3'600'000));
 }
 
-}  // namespace
-
 ChildProcess::ChildProcess(const Launch& launch) {
-  Pipe input, output, report;
-  Descriptor far_end;
-  if (launch.with_channel) {
-    std::array<int, 2> ends{};
-    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
-      launch_failed(LaunchStep::open_channel, errno);
-    channel_ = Descriptor(ends[0]);
-    far_end = Descriptor(ends[1]);
-    set_nonblocking(channel_.number());
-  }
-  const std::vector<char*> arguments = pointers(launch.program, launch.arguments);
-  const std::vector<char*> environment = pointers(nullptr, launch.environment);
+  const Ends input = pipe_to_child();  // closed at once: there is nothing to read
+  Ends output = pipe_from_child();
+  Ends report = pipe_from_child();
+  Ends channel = launch.with_channel ? socket_pair() : pipe_to_child();
+  const std::vector<char*> arguments = pointers(launch.arguments, &launch.program);
+  const std::vector<char*> environment = pointers(launch.environment);
   const std::string directory = launch.directory.string();
   NewProcess child{launch,
                    arguments.data(),
                    environment.data(),
                    directory.empty() ? nullptr : directory.c_str(),
                    ::getpid(),
-                   input.reading.number(),
-                   output.writing.number(),
-                   far_end.number(),
-                   report.writing.number()};
+                   input.theirs.number(),
+                   output.theirs.number(),
+                   channel.theirs.number(),
+                   report.theirs.number()};
+  process_ = ::fork();
+  if (process_ < 0) throw LaunchError("start a process", errno);
+  if (process_ == 0) child.become_program();
 
-  {
-    // A signal to end comes before the new process or after it is known, never between.
-    const SignalsHeldBack held_back;
-    process_ = ::fork();
-    if (process_ < 0) launch_failed(LaunchStep::start_process, errno);
-    if (process_ == 0) child.become_program();
-    process_registry::add(process_);
-  }
-
-  output_ = std::move(output.reading);
+  output_ = std::move(output.ours);
   set_nonblocking(output_.number());
-  report.writing.close();
+  (launch.with_channel ? channel_ : lifeline_) = std::move(channel.ours);
+  if (launch.with_channel) set_nonblocking(channel_.number());
+  report.theirs.close();
   Failure failure{};
   ssize_t got = 0;
-  do got = ::read(report.reading.number(), &failure, sizeof failure);
+  do got = ::read(report.ours.number(), &failure, sizeof failure);
   while (got < 0 && errno == EINTR);
   if (got == 0) return;  // closed by exec: the program runs
   kill();
-  if (got == sizeof failure) launch_failed(failure.step, failure.reason);
-  launch_failed(LaunchStep::hear_from_process, EPIPE);
+  if (got == sizeof failure) throw LaunchError(failure.step, failure.reason);
+  throw LaunchError("hear from the new process", EPIPE);
 }
 
 ChildProcess::~ChildProcess() { kill(); }
@@ -196,12 +193,7 @@ void ChildProcess::ask_to_end() {
   if (!end_) ::kill(process_, SIGTERM);
 }
 
-void ChildProcess::hang_up() { ::shutdown(channel_.number(), SHUT_WR); }
-
-void ChildProcess::signal(int number) {
-  // Until it is waited for, its number cannot name another process.
-  if (!end_) ::kill(process_, number);
-}
+void ChildProcess::close_write() { ::shutdown(channel_.number(), SHUT_WR); }
 
 std::optional<ProcessEnd> ChildProcess::wait_until(Clock::time_point deadline) {
   while (!end_) {
@@ -224,7 +216,6 @@ ProcessEnd ChildProcess::kill() {
 ProcessEnd ChildProcess::reap() {
   // While the leader is not waited for, its number cannot name another group.
   ::kill(-process_, SIGKILL);
-  process_registry::remove(process_);
   int status = 0;
   rusage usage{};
   pid_t waited = 0;
@@ -248,7 +239,7 @@ FinishedProgram run_program(const Launch& launch, std::chrono::duration<double> 
   std::array<char, 16384> buffer;
   while (!finished.out_of_time && !finished.too_much_output) {
     pollfd watched{process.output(), POLLIN, 0};
-    const int ready = ::poll(&watched, 1, poll_timeout(deadline));
+    const int ready = ::poll(&watched, 1, milliseconds_until(deadline));
     if (ready < 0 && errno == EINTR) continue;
     if (ready == 0) {
       finished.out_of_time = Clock::now() >= deadline;
@@ -259,13 +250,10 @@ FinishedProgram run_program(const Launch& launch, std::chrono::duration<double> 
     if (got <= 0) break;
     finished.output.append(buffer.data(), static_cast<std::size_t>(got));
     if (listener) listener({buffer.data(), static_cast<std::size_t>(got)});
-    if (finished.output.size() > output_limit) {
-      finished.output.resize(output_limit);
-      finished.too_much_output = true;
-    }
+    finished.too_much_output = finished.output.size() > output_limit;
   }
-  const bool closed_its_output = !finished.out_of_time && !finished.too_much_output;
-  if (closed_its_output) {
+  finished.output.resize(std::min(finished.output.size(), output_limit));
+  if (!finished.out_of_time && !finished.too_much_output) {
     if (const std::optional<ProcessEnd> end = process.wait_until(deadline)) {
       finished.end = *end;
       return finished;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "checker/base/descriptor.hpp"
-#include "checker/messages/starting.hpp"
 
 #include <sys/types.h>
 
@@ -21,21 +20,32 @@ namespace workbook {
 
 using Clock = std::chrono::steady_clock;
 
-/// The program could not be started. The text names the step that failed and the system's reason.
+/// What the new process finds behind standard input, output and error.
+inline constexpr int channel_descriptor = 3;  ///< the socket pair to talk over, or the read end of the lifeline
+inline constexpr int report_descriptor = 4;   ///< closed by exec
+inline constexpr int program_descriptor = 5;  ///< with a channel: the program itself; closed by exec
+
+/// The program could not be started.
 struct LaunchError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+  /// @param failed_step  "enter its directory". @param system_error  an errno
+  LaunchError(const char* failed_step, int system_error);
+
+  const char* step;
+  int reason;
 };
 
-/// What to start. All of it must live until the ChildProcess is made.
+/// What to start.
 struct Launch {
-  const char* program = nullptr;         ///< path; nothing is searched, no shell is involved
+  std::string program;                   ///< path; nothing is searched, no shell is involved
   std::vector<std::string> arguments;    ///< without the program's own name
   std::vector<std::string> environment;  ///< "NAME=value"; nothing is inherited
   std::filesystem::path directory;       ///< where it starts; empty: where the checker stands
-  bool with_channel = false;             ///< a socket pair to talk over, protocol::channel in the new process
+  /// A socket pair to talk over. The program is then started by its descriptor and not by its path, so that a filter of
+  /// system calls can let through exactly this one start.
+  bool with_channel = false;
   /// Runs in the new process just before the program, and may only make system calls: between fork and exec nothing
-  /// else is safe. Returns nothing, or what failed, with the reason in errno.
-  std::function<std::optional<messages::LaunchStep>()> prepare;
+  /// else is safe. Returns nullptr, or the step that failed (a literal), with the reason in errno.
+  std::function<const char*()> prepare;
 };
 
 /// How a process ended.
@@ -46,8 +56,8 @@ struct ProcessEnd {
 };
 
 /// A running program with its own process group. Its standard input is empty; standard output and error arrive
-/// together. Nothing of it is left when the object is gone. Linux ties its life to the thread that made it: keep that
-/// thread.
+/// together. Nothing of it is left when the object is gone, nor when the checker is killed. Linux ties the life of a
+/// process to the thread that made it: keep that thread.
 class ChildProcess {
  public:
   /// @throws LaunchError
@@ -56,14 +66,12 @@ class ChildProcess {
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
+  pid_t number() const { return process_; }
   int output() const { return output_.number(); }    ///< does not block
   int channel() const { return channel_.number(); }  ///< does not block
 
   /// Says over the channel that no more will be said.
-  void hang_up();
-
-  /// Sends the process a signal, if it still runs.
-  void signal(int number);
+  void close_write();
 
   /// How the process ended, or nothing if it still runs at that time.
   std::optional<ProcessEnd> wait_until(Clock::time_point deadline);
@@ -80,8 +88,12 @@ class ChildProcess {
   pid_t process_ = -1;
   Descriptor output_;
   Descriptor channel_;
+  Descriptor lifeline_;
   std::optional<ProcessEnd> end_;
 };
+
+/// Milliseconds for poll, rounded up so that it does not spin at the end.
+int milliseconds_until(Clock::time_point deadline);
 
 /// A program that ran to its end, or to one of its limits.
 struct FinishedProgram {

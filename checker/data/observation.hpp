@@ -15,24 +15,55 @@ namespace workbook {
 enum class Ending {
   returned,
   not_started,    ///< threw rigid::NotStarted
-  exception,      ///< text: what it said
+  exception,      ///< text: what it said; or eigen
   wrong_shape,    ///< value holds only rows and cols, no numbers
-  crashed,        ///< signal
+  crashed,        ///< signal, cause
   stopped_early,  ///< the process ended by itself; exit_status
   time_limit,
   memory_limit,
   output_limit,
-  forbidden_operation,  ///< text: which, where it is known
-  protocol_violation,   ///< text: what was odd
+  forbidden_operation,  ///< system_call, where it is known
+  protocol_violation,   ///< violation
   not_run               ///< the limits were used up before this call
+};
+
+/// Why a process crashed, or what was thrown, as far as the worker could tell.
+enum class CrashCause {
+  unknown,
+  stack_overflow,
+  uncaught_exception,  ///< nobody could catch it; text: what it said
+  foreign_exception    ///< it was no std::exception and has no text
+};
+
+/// One of Eigen's own checks that failed.
+struct EigenAssertion {
+  std::string condition;       ///< as Eigen writes it: "index >= 0 && index < size()"
+  std::vector<long> compared;  ///< the sides of its first and its last comparison; only from a diagnostic run
+};
+
+/// Something other than the function answered.
+enum class ProtocolViolation {
+  not_a_reply,
+  another_request,
+  too_early,
+  impossible_shape,
+  unknown_status,
+  second_reply,
+  after_last_reply,
+  closed_channel
 };
 
 struct Reply {
   Ending ending = Ending::not_run;
-  Value value;
-  std::string text;
+  Value value = {};
+  std::string text = {};
+  std::string printed = {};  ///< what the function wrote to standard output and standard error in this call, as it came
+  std::optional<EigenAssertion> eigen = {};
+  CrashCause cause = CrashCause::unknown;
+  ProtocolViolation violation = ProtocolViolation::not_a_reply;
   int signal = 0;
   int exit_status = 0;
+  long system_call = -1;  ///< its number; -1: unknown
 };
 
 /// A case run once more, in a fresh process.
@@ -54,11 +85,11 @@ enum class Refusal { rejected_file, compile_error, missing_function, checker_err
 
 /// Something in the student's file that is certainly so and may be what is wrong. It is a help and never a grade.
 struct Finding {
-  int line = 0;          ///< in the student's file; 0: no single line
-  std::string excerpt;   ///< that line as the student wrote it, and below it a caret; may be empty
-  std::string sentence;  ///< what is to be said of it
-  std::string name;      ///< of the kind of mistake, "integer_division"; the same in `check --json`
-  int column = 0;        ///< in that line, from 1; 0: none
+  int line = 0;               ///< in the student's file; 0: no single line
+  std::string excerpt = {};   ///< that line as the student wrote it, and below it a caret; may be empty
+  std::string sentence = {};  ///< what is to be said of it
+  std::string name = {};      ///< of the kind of mistake, "integer_division"; the same in `check --json`
+  int column = 0;             ///< in that line, from 1; 0: none
 };
 
 struct Observation {
@@ -71,9 +102,16 @@ struct Observation {
   std::vector<Reply> replies;  ///< one per case
   std::vector<Repeat> repeats;
   std::vector<UnitProbe> probes;  ///< taken only after a wrong value
-  std::string printed;            ///< what the student's code wrote to standard output and standard error, as it came
   double compile_seconds = 0.0;
   double run_seconds = 0.0;
 };
+
+/// What the student's code printed in all calls.
+inline std::string printed(const Observation& observation) {
+  std::string text;
+  for (const Reply& reply : observation.replies) text += reply.printed;
+  for (const Repeat& repeat : observation.repeats) text += repeat.reply.printed;
+  return text;
+}
 
 }  // namespace workbook

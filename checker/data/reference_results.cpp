@@ -1,95 +1,227 @@
 #include "checker/data/reference_results.hpp"
 
-#include "checker/data/reference_json.hpp"
-#include "checker/data/reference_names.hpp"
-#include "checker/data/strict_json.hpp"
-#include "checker/messages/reference_files.hpp"
+#include "checker/base/files.hpp"
+#include "checker/base/text.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <fstream>
-#include <iterator>
-#include <system_error>
+#include <cmath>
+#include <set>
 
 namespace workbook {
 
+using nlohmann::json;
+
+NLOHMANN_JSON_SERIALIZE_ENUM(Group, {{Group::worked, "worked"},
+                                     {Group::special, "special"},
+                                     {Group::random, "random"},
+                                     {Group::generated, "generated"}})
+NLOHMANN_JSON_SERIALIZE_ENUM(Comparison, {{Comparison::plain, "plain"},
+                                          {Comparison::up_to_sign, "up_to_sign"},
+                                          {Comparison::eigenvectors, "eigenvectors"},
+                                          {Comparison::attitude_by_angles, "attitude_by_angles"}})
+NLOHMANN_JSON_SERIALIZE_ENUM(PropertyKind, {{PropertyKind::symmetric, "symmetric"},
+                                            {PropertyKind::antisymmetric, "antisymmetric"},
+                                            {PropertyKind::positive_semidefinite, "positive_semidefinite"},
+                                            {PropertyKind::rotation_matrix, "rotation_matrix"},
+                                            {PropertyKind::unit_norm, "unit_norm"},
+                                            {PropertyKind::ascending, "ascending"},
+                                            {PropertyKind::nonnegative, "nonnegative"},
+                                            {PropertyKind::orthogonal_to_argument, "orthogonal_to_argument"},
+                                            {PropertyKind::constant_weighted_square, "constant_weighted_square"}})
+
+static void to_json(json& part, Kind kind) { part = to_string(kind); }
+static void from_json(const json& part, Kind& kind) { kind = kind_from_string(part.get<std::string>()); }
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Unit, kilogram, metre, second, radian)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Argument, name, kind, unit)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Case, name, group, deciding, inputs, expected, scale, tolerance, base, argument,
+                                   entry)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Misconception, name, message, notes, outputs, sweep_outputs)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(InputTransform, name, message, outputs)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Term, name, coefficient, outputs)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Property, kind, message, notes, argument, weights)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Route, name, outputs)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PlotComponent, name, row, col)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Sweep, title, x_label, y_label, x, inputs, expected, components, y_unit)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Adequacy, made, killed, equal, survivors, reasons)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ExerciseReference, name, signature, arguments, result_kind, result_name,
+                                   result_units, comparison, tolerance_reason, cases, misconceptions, input_transforms,
+                                   terms, properties, routes, sweep, adequacy)
+
 namespace {
 
-ReferenceError error_at(const std::filesystem::path& file, const std::string& place, const std::string& reason) {
-  return ReferenceError(messages::at_place_in_file(file.string(), place, reason));
-}
+/// Throws unless the condition holds: what the judge takes for granted of an exercise.
+struct Require {
+  const ExerciseReference& exercise;
 
-std::string whole_text(const std::filesystem::path& file) {
-  std::error_code ignored;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || !std::filesystem::is_regular_file(file, ignored))
-    throw error_at(file, messages::whole_file(), messages::cannot_be_read());
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
-/// "line 12, column 3" of the byte at which the parser gave up.
-std::string place_of_byte(const std::string& text, std::size_t byte) {
-  const std::string before = text.substr(0, byte == 0 ? 0 : std::min(byte - 1, text.size()));
-  const auto line = 1 + static_cast<std::size_t>(std::ranges::count(before, '\n'));
-  const std::size_t line_start = before.rfind('\n') == std::string::npos ? 0 : before.rfind('\n') + 1;
-  return messages::line_and_column(line, before.size() - line_start + 1);
-}
-
-nlohmann::json document_in(const std::filesystem::path& file) {
-  const std::string text = whole_text(file);
-  try {
-    return parse_strictly(text);
-  } catch (const nlohmann::json::parse_error& error) {
-    const bool ends_too_early = error.byte > text.size();
-    throw error_at(file, place_of_byte(text, error.byte),
-                   ends_too_early ? messages::ends_too_early() : messages::is_not_json());
-  } catch (const RepeatedKey& error) {
-    throw ReferenceError(fmt::format("{}: {}", file.string(), error.what()));
-  } catch (const nlohmann::json::exception&) {
-    throw error_at(file, messages::whole_file(), messages::holds_too_large_a_number());
+  void operator()(bool condition, const std::string& reason) const {
+    if (!condition) throw std::invalid_argument(fmt::format("{}: {}", exercise.name, reason));
   }
+
+  /// One value per case (or point of the sweep), each of the shape of the right one.
+  void same_shapes(const std::string& owner, const std::vector<Value>& values, const std::vector<Value>& like) const {
+    const auto has_shape = [](const Value& one, const Value& other) {
+      return one.has_shape_of(other) && one.is_complete();
+    };
+    (*this)(std::ranges::equal(values, like, has_shape), owner + " has not one value of the right shape per case");
+  }
+
+  template <class Named>
+  void distinct_names(const std::vector<Named>& all) const {
+    std::set<std::string> names;
+    for (const Named& each : all)
+      (*this)(!each.name.empty() && names.insert(each.name).second,
+              fmt::format("the name '{}' is empty or used twice", each.name));
+  }
+};
+
+/// A property says something only of results of some kinds.
+bool suits(PropertyKind property, Kind result) {
+  switch (property) {
+    case PropertyKind::symmetric:
+    case PropertyKind::antisymmetric:
+    case PropertyKind::positive_semidefinite:
+    case PropertyKind::rotation_matrix:
+      return result == Kind::matrix3;
+    case PropertyKind::unit_norm:
+    case PropertyKind::ascending:
+    case PropertyKind::orthogonal_to_argument:
+      return is_vector(result);
+    default:
+      return true;
+  }
+}
+
+void require_sound_case(const Require& require, const ExerciseReference& exercise, const Case& one) {
+  const std::size_t numbers = one.expected.numbers.size();
+  const auto is_usable = [](const Value& value) { return value.is_complete() && value.is_finite(); };
+  require(one.inputs.size() == exercise.arguments.size(), one.name + " has not one input per argument");
+  require(std::ranges::all_of(one.inputs, is_usable) && is_usable(one.expected),
+          one.name + " has a number that is not finite");
+  const auto is_positive = [](double size) { return size > 0 && std::isfinite(size); };
+  require(one.scale.size() == 1 || (numbers > 0 && one.scale.size() == numbers),
+          one.name + " needs one scale, or one per number");
+  require(std::ranges::all_of(one.scale, is_positive) && is_positive(one.tolerance),
+          one.name + " needs a positive scale and tolerance");
+  require(one.base < static_cast<int>(exercise.described_cases()) &&
+              one.argument < static_cast<int>(exercise.arguments.size()) &&
+              !(one.deciding && one.group == Group::generated),
+          one.name + " decides although it is generated, or differs from no described case");
+  require(exercise.result_units.size() == 1 || exercise.result_units.size() == numbers,
+          one.name + ": the result needs one unit, or one per number");
+  require(exercise.comparison != Comparison::attitude_by_angles || numbers == 3, "an attitude has three angles");
+  require(exercise.comparison != Comparison::eigenvectors ||
+              (exercise.result_kind == Kind::matrix3 && one.inputs.at(0).has_shape_of(one.expected)),
+          "eigenvectors have the shape of their matrix");
+}
+
+void require_sound(const ExerciseReference& exercise) {
+  const Require require{exercise};
+  require(!exercise.cases.empty() && !exercise.result_units.empty(), "it has no case or no unit");
+  std::vector<Value> expected;
+  for (const Case& one : exercise.cases) {
+    require_sound_case(require, exercise, one);
+    if (one.group != Group::generated) expected.push_back(one.expected);
+  }
+  require(expected.size() == exercise.described_cases(), "its generated cases do not come last");
+  require.distinct_names(exercise.cases);
+  require.distinct_names(exercise.arguments);
+  require.distinct_names(exercise.misconceptions);
+  for (const Misconception& each : exercise.misconceptions) {
+    require.same_shapes(each.name, each.outputs, expected);
+    require.same_shapes(each.name, each.sweep_outputs, exercise.sweep.expected);
+  }
+  for (const InputTransform& each : exercise.input_transforms) require.same_shapes(each.name, each.outputs, expected);
+  for (const Term& each : exercise.terms) require.same_shapes(each.name, each.outputs, expected);
+  for (const Route& each : exercise.routes) require.same_shapes(each.name, each.outputs, expected);
+  for (const Property& each : exercise.properties) {
+    require(suits(each.kind, exercise.result_kind), "a result of this kind cannot be " + to_string(each.kind));
+    if (each.kind == PropertyKind::orthogonal_to_argument) {
+      const auto argument = static_cast<std::size_t>(each.argument);
+      require(argument < exercise.arguments.size() && exercise.arguments[argument].kind == exercise.result_kind,
+              "the result is orthogonal to no argument, or to one of another kind");
+    }
+    if (each.kind == PropertyKind::constant_weighted_square)
+      require(each.weights.size() == exercise.cases.size() &&
+                  std::ranges::equal(each.weights, exercise.cases,
+                                     [](auto& weights, auto& one) {
+                                       return weights.size() == static_cast<std::size_t>(one.expected.rows);
+                                     }),
+              "the weights do not fit the rows");
+  }
+  const Sweep& sweep = exercise.sweep;
+  require(sweep.inputs.size() == sweep.x.size() && sweep.expected.size() == sweep.x.size(), "the sweep is incomplete");
+  for (const PlotComponent& each : sweep.components)
+    for (const Value& value : sweep.expected)
+      require(each.row >= 0 && each.col >= 0 && each.row < value.rows && each.col < value.cols,
+              "the plot has no " + each.name);
+}
+
+LectureReference parsed(const std::string& content) {
+  const std::size_t end = content.find('\n');
+  if (end == std::string::npos) throw std::runtime_error("it ends too early");
+  const json header = json::parse(content.substr(0, end));
+  if (const int format = header.at("format"); format != LectureReference::format)
+    throw std::runtime_error(fmt::format("it has format {}, this checker reads {}", format, LectureReference::format));
+  const std::string rest = content.substr(end + 1);
+  if (header.at("checksum") != fingerprint(rest)) throw std::runtime_error("its checksum does not match its content");
+  const json all = json::parse(rest);
+  LectureReference lecture{all.at("seed"), all.at("lecture"), all.at("exercises")};
+  for (const ExerciseReference& exercise : lecture.exercises) require_sound(exercise);
+  return lecture;
 }
 
 }  // namespace
 
-std::string to_string(PropertyKind kind) { return name_of(kind, property_names); }
+std::string to_string(PropertyKind kind) { return json(kind).get<std::string>(); }
+
+std::string Adequacy::reason(const std::string& survivor) const {
+  const auto found =
+      std::ranges::find_if(reasons, [&](const auto& each) { return survivor.find(each.first) != std::string::npos; });
+  return found == reasons.end() ? "" : found->second;
+}
+
+std::size_t ExerciseReference::described_cases() const {
+  const auto generated = std::ranges::find(cases, Group::generated, &Case::group);
+  return static_cast<std::size_t>(generated - cases.begin());
+}
 
 const ExerciseReference& LectureReference::exercise(const std::string& name) const {
   const auto found = std::ranges::find(exercises, name, &ExerciseReference::name);
-  if (found == exercises.end()) {
-    throw ReferenceError(messages::no_results_of(lecture, name));
-  }
+  if (found == exercises.end())
+    throw ReferenceError(
+        fmt::format("The reference results of {} hold no exercise {}: make them again.", lecture, name));
   return *found;
 }
 
 LectureReference read_reference_results(const std::filesystem::path& file) {
-  const nlohmann::json document = document_in(file);
+  const auto content = read_file(file);
+  if (!content) throw ReferenceError(fmt::format("The reference results {} cannot be read.", shown_path(file)));
   try {
-    return lecture_from_json(JsonPlace(document));
-  } catch (const MisplacedJson& error) {
-    throw ReferenceError(fmt::format("{}: {}", file.string(), error.what()));
+    return parsed(*content);
+  } catch (const std::exception& problem) {
+    throw ReferenceError(
+        fmt::format("The reference results {} are damaged: {}. Delete the file, and it is made again; in "
+                    "a handed-out copy, take it from your instructor's once more.",
+                    shown_path(file), without_full_stop(printable(problem.what()))));
   }
 }
 
 void write_reference_results(const LectureReference& results, const std::filesystem::path& file) {
-  const std::string text = readable_text(lecture_to_json(results));
-  std::filesystem::path unfinished = file;
-  unfinished += fmt::format(".{}.unfinished", ::getpid());
-
-  std::ofstream stream(unfinished, std::ios::binary);
-  stream << text;
-  stream.close();
-  std::error_code failure;
-  if (stream) std::filesystem::rename(unfinished, file, failure);
-  if (!stream || failure) {
-    std::error_code ignored;
-    std::filesystem::remove(unfinished, ignored);
-    throw error_at(file, messages::whole_file(), messages::cannot_be_written());
+  try {
+    for (const ExerciseReference& exercise : results.exercises) require_sound(exercise);
+  } catch (const std::exception& problem) {
+    throw ReferenceError(
+        fmt::format("The reference results of {} are inconsistent: {}.", results.lecture, problem.what()));
   }
+  const json all = {{"lecture", results.lecture}, {"seed", results.seed}, {"exercises", results.exercises}};
+  const std::string content = all.dump() + "\n";
+  const json header = {{"format", LectureReference::format}, {"checksum", fingerprint(content)}};
+  if (const std::string reason = write_file(file, header.dump() + "\n" + content); !reason.empty())
+    throw ReferenceError(fmt::format("The reference results {} cannot be written: {}.", shown_path(file), reason));
 }
 
 }  // namespace workbook

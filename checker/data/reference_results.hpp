@@ -7,14 +7,16 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace workbook {
 
-/// Where a case comes from. A special case is a hard or degenerate input at which wrong answers may be right.
-enum class Group { worked, special, random };
+/// Where a case comes from. A special case is a hard or degenerate input at which wrong answers may be right. Generated
+/// ones come last; they carry inputs and expected values only.
+enum class Group { worked, special, random, generated };
 
 /// How an answer is compared with the expected one.
 enum class Comparison {
@@ -29,6 +31,8 @@ struct Argument {
   std::string name;
   Kind kind = Kind::number;
   Unit unit;
+
+  bool operator==(const Argument&) const = default;
 };
 
 /// One input at which an exercise is judged.
@@ -40,6 +44,13 @@ struct Case {
   Value expected;
   std::vector<double> scale;  ///< natural size of the result: one number for all, or one per number of the result
   double tolerance = 1e-9;    ///< relative to the scale
+
+  // A generated case that differs from another one in one number or one argument only:
+  int base = -1;      ///< the other case
+  int argument = -1;  ///< which argument
+  int entry = -1;     ///< which of its numbers; -1: all of it
+
+  bool operator==(const Case&) const = default;
 };
 
 /// A named, plausible wrong answer.
@@ -47,15 +58,28 @@ struct Misconception {
   std::string name;
   std::string message;               ///< one sentence in the language of the lecture; equal answers share one message
   std::string notes;                 ///< anchor of the paragraph to read
-  std::vector<Value> outputs;        ///< per case
+  std::vector<Value> outputs;        ///< per case that is not generated
   std::vector<Value> sweep_outputs;  ///< per point of the sweep
+
+  bool operator==(const Misconception&) const = default;
+};
+
+/// The right result for changed inputs: "ψ = 0", "the transposed A".
+struct InputTransform {
+  std::string name;            ///< "psi_zero"
+  std::string message;         ///< to follow "yours is the right result for"
+  std::vector<Value> outputs;  ///< per case that is not generated
+
+  bool operator==(const InputTransform&) const = default;
 };
 
 /// One summand of the formula.
 struct Term {
   std::string name;
   double coefficient = 1.0;    ///< the right one
-  std::vector<Value> outputs;  ///< per case
+  std::vector<Value> outputs;  ///< per case that is not generated
+
+  bool operator==(const Term&) const = default;
 };
 
 /// What every right result has.
@@ -79,12 +103,16 @@ struct Property {
   std::string notes;
   int argument = -1;                         ///< for orthogonal_to_argument: which one
   std::vector<std::vector<double>> weights;  ///< for constant_weighted_square: per case, one weight per row
+
+  bool operator==(const Property&) const = default;
 };
 
 /// A right answer by another route; self-check demands that it passes without a diagnosis.
 struct Route {
   std::string name;
-  std::vector<Value> outputs;  ///< per case
+  std::vector<Value> outputs;  ///< per case that is not generated
+
+  bool operator==(const Route&) const = default;
 };
 
 /// One component of the result in the plot.
@@ -92,9 +120,12 @@ struct PlotComponent {
   std::string name;  ///< "I_xx"
   int row = 0;
   int col = 0;
+
+  bool operator==(const PlotComponent&) const = default;
 };
 
-/// How the exercise is plotted: the result over one varying quantity.
+/// How the exercise is plotted: the result over one varying quantity. Where points of the even spacing are left out,
+/// the curve has a gap.
 struct Sweep {
   std::string title;
   std::string x_label;  ///< with unit
@@ -103,6 +134,22 @@ struct Sweep {
   std::vector<std::vector<Value>> inputs;
   std::vector<Value> expected;
   std::vector<PlotComponent> components;
+  double y_unit = 1;  ///< what is drawn is the result divided by it
+
+  bool operator==(const Sweep&) const = default;
+};
+
+/// Typical bugs, made in the reference solution of an exercise: a threshold, a missing sign, float for double.
+struct Adequacy {
+  std::size_t made = 0;
+  std::size_t killed = 0;                      ///< fail at some case
+  std::size_t equal = 0;                       ///< agree with the reference all over the domain
+  std::vector<std::string> survivors;          ///< differ somewhere in the domain where no case can be made of it
+  std::map<std::string, std::string> reasons;  ///< why no case can show survivors whose names contain this
+
+  /// Empty where there is none.
+  std::string reason(const std::string& survivor) const;
+  bool operator==(const Adequacy&) const = default;
 };
 
 /// All about one exercise.
@@ -117,19 +164,25 @@ struct ExerciseReference {
   std::string tolerance_reason;  ///< where the tolerance is wider than usual: why
   std::vector<Case> cases;
   std::vector<Misconception> misconceptions;
+  std::vector<InputTransform> input_transforms;
   std::vector<Term> terms;
   std::vector<Property> properties;
   std::vector<Route> routes;
   Sweep sweep;
+  Adequacy adequacy;
+
+  /// How many cases come before the generated ones.
+  std::size_t described_cases() const;
+  bool operator==(const ExerciseReference&) const = default;
 };
 
 struct LectureReference {
-  static constexpr int current_format = 1;
-  int format = current_format;
+  static constexpr int format = 2;  ///< of the file
   std::uint64_t seed = 1;
   std::string lecture;
   std::vector<ExerciseReference> exercises;
 
+  bool operator==(const LectureReference&) const = default;
   /// @throws ReferenceError if the lecture has no such exercise.
   const ExerciseReference& exercise(const std::string& name) const;
 };
@@ -139,12 +192,11 @@ struct ReferenceError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// @throws ReferenceError if the file is missing, truncated, of another format, or holds a wrong type, an unusable
-/// number or a key twice.
+/// Two lines of JSON: the format and a checksum of the second line, which holds all the rest.
+/// @throws ReferenceError if the file is missing, damaged, of another format, or inconsistent.
 LectureReference read_reference_results(const std::filesystem::path& file);
 
-/// Written under another name and renamed, so that nobody reads half a file.
-/// @throws ReferenceError if it cannot be written.
+/// @throws ReferenceError if the results are inconsistent or the file cannot be written.
 void write_reference_results(const LectureReference& results, const std::filesystem::path& file);
 
 }  // namespace workbook

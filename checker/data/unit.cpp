@@ -1,6 +1,6 @@
 #include "checker/data/unit.hpp"
 
-#include "checker/base/superscript.hpp"
+#include "checker/base/text.hpp"
 
 #include <array>
 #include <cstdlib>

@@ -1,7 +1,5 @@
 #include "checker/data/value.hpp"
 
-#include "checker/messages/reference_files.hpp"
-
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -9,170 +7,96 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <utility>
 
 namespace workbook {
 
-namespace {
-
-using messages::ListOf;
 using nlohmann::json;
 
-constexpr std::array<std::pair<Kind, const char*>, 8> kind_names = {{{Kind::number, "number"},
-                                                                     {Kind::integer, "integer"},
-                                                                     {Kind::vector2, "vector2"},
-                                                                     {Kind::vector3, "vector3"},
-                                                                     {Kind::vector, "vector"},
-                                                                     {Kind::matrix3, "matrix3"},
-                                                                     {Kind::points, "points"},
-                                                                     {Kind::matrices, "matrices"}}};
+namespace {
 
-// --- writing
+/// In the order of Kind.
+constexpr std::array kind_names = {"number", "integer", "vector2", "vector3",
+                                   "vector", "matrix3", "points",  "matrices"};
 
-json number_to_json(double number, Kind kind) {
-  if (!std::isfinite(number)) return nullptr;
-  const bool is_whole = number == std::trunc(number) && std::abs(number) < 9e15;
-  if (kind == Kind::integer && is_whole) return static_cast<std::int64_t>(number);
-  return number;
+json number_to_json(double number) { return std::isfinite(number) ? json(number) : json(nullptr); }
+
+double number_from_json(const json& part) {
+  return part.is_null() ? std::numeric_limits<double>::quiet_NaN() : part.get<double>();
 }
 
 json rows_to_json(const Value& value, int first_col, int cols) {
   json rows = json::array();
   for (int row = 0; row < value.rows; ++row) {
-    json entries = json::array();
-    for (int col = first_col; col < first_col + cols; ++col) {
-      entries.push_back(number_to_json(value.at(row, col), Kind::number));
-    }
-    rows.push_back(std::move(entries));
+    rows.push_back(json::array());
+    for (int col = first_col; col < first_col + cols; ++col) rows.back().push_back(number_to_json(value.at(row, col)));
   }
   return rows;
 }
 
-// --- reading
-
-double number_from_json(const json& part, Kind kind = Kind::number) {
-  if (part.is_null()) return std::numeric_limits<double>::quiet_NaN();
-  if (!part.is_number()) {
-    throw std::invalid_argument(messages::expected_number(part.type_name()));
-  }
-  const double number = part.get<double>();
-  if (kind == Kind::integer && number != std::trunc(number)) {
-    throw std::invalid_argument(messages::expected_whole_number(part.dump()));
-  }
-  return number;
-}
-
-const json& list_from_json(const json& part, ListOf what) {
-  if (!part.is_array()) throw std::invalid_argument(messages::expected_list_of(what, part.type_name()));
-  return part;
-}
-
-void require_length(const json& list, std::size_t length, ListOf what) {
-  if (list_from_json(list, what).size() == length) return;
-  throw std::invalid_argument(messages::expected_list_of(what, list.size()));
-}
-
-void require_row(const json& row, std::size_t length) {
-  if (!row.is_array()) throw std::invalid_argument(messages::expected_row(length, row.type_name()));
-  if (row.size() != length) throw std::invalid_argument(messages::expected_row(length, row.size()));
-}
-
-Value vector_from_json(const json& list) {
-  Value value{static_cast<int>(list.size()), 1, {}};
-  for (const json& entry : list) value.numbers.push_back(number_from_json(entry));
-  return value;
-}
-
-Value three_rows_from_json(const json& rows) {
-  require_length(rows, 3, ListOf::three_rows);
-  const std::size_t cols = list_from_json(rows[0], ListOf::three_rows).size();
-  for (const json& row : rows) require_row(row, cols);
-  Value value{3, static_cast<int>(cols), {}};
-  for (std::size_t col = 0; col < cols; ++col) {
-    for (std::size_t row = 0; row < 3; ++row) value.numbers.push_back(number_from_json(rows[row][col]));
-  }
-  return value;
-}
-
-Value matrix3_from_json(const json& rows) {
-  Value value = three_rows_from_json(rows);
-  if (value.cols != 3) throw std::invalid_argument(messages::expected_square(value.cols));
-  return value;
-}
-
-Value matrices_from_json(const json& list) {
-  Value side_by_side{3, 0, {}};
-  for (const json& rows : list_from_json(list, ListOf::matrices)) {
-    const Value matrix = matrix3_from_json(rows);
-    side_by_side.cols += 3;
-    side_by_side.numbers.insert(side_by_side.numbers.end(), matrix.numbers.begin(), matrix.numbers.end());
-  }
-  return side_by_side;
-}
-
 }  // namespace
 
-std::string to_string(Kind kind) {
-  const auto* entry = std::ranges::find(kind_names, kind, &std::pair<Kind, const char*>::first);
-  return entry->second;
-}
+std::string to_string(Kind kind) { return kind_names.at(static_cast<std::size_t>(kind)); }
 
 Kind kind_from_string(const std::string& name) {
-  for (const auto& [kind, kind_name] : kind_names) {
-    if (name == kind_name) return kind;
-  }
-  throw std::invalid_argument(messages::unknown_kind(name));
+  const auto found = std::find(kind_names.begin(), kind_names.end(), name);
+  if (found == kind_names.end()) throw std::invalid_argument("there is no kind of value \"" + name + "\"");
+  return static_cast<Kind>(found - kind_names.begin());
 }
 
-bool is_finite(const Value& value) {
-  return std::ranges::all_of(value.numbers, [](double number) { return std::isfinite(number); });
+bool Value::is_complete() const {
+  return rows >= 0 && cols >= 0 && numbers.size() == static_cast<std::size_t>(rows) * static_cast<std::size_t>(cols);
 }
 
-json to_json(const Value& value, Kind kind) {
-  switch (kind) {
-    case Kind::number:
-    case Kind::integer:
-      return number_to_json(value.numbers.at(0), kind);
-    case Kind::vector2:
-    case Kind::vector3:
-    case Kind::vector: {
-      json list = json::array();
-      for (double number : value.numbers) list.push_back(number_to_json(number, kind));
-      return list;
-    }
-    case Kind::matrix3:
-    case Kind::points:
-      return rows_to_json(value, 0, value.cols);
-    case Kind::matrices: {
-      json list = json::array();
-      for (int col = 0; col + 3 <= value.cols; col += 3) list.push_back(rows_to_json(value, col, 3));
-      return list;
-    }
-  }
-  throw std::invalid_argument(messages::unknown_kind(std::to_string(static_cast<int>(kind))));
+bool Value::is_finite() const {
+  return std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); });
 }
 
-Value value_from_json(const json& part, Kind kind) {
-  switch (kind) {
-    case Kind::number:
-    case Kind::integer:
-      return {1, 1, {number_from_json(part, kind)}};
-    case Kind::vector2:
-      require_length(part, 2, ListOf::two_numbers);
-      return vector_from_json(part);
-    case Kind::vector3:
-      require_length(part, 3, ListOf::three_numbers);
-      return vector_from_json(part);
-    case Kind::vector:
-      return vector_from_json(list_from_json(part, ListOf::numbers));
-    case Kind::matrix3:
-      return matrix3_from_json(part);
-    case Kind::points:
-      return three_rows_from_json(part);
-    case Kind::matrices:
-      return matrices_from_json(part);
+Eigen::Map<const Eigen::MatrixXd> as_matrix(const Value& value) {
+  return {value.numbers.data(), value.rows, value.cols};
+}
+
+Value to_value(const Eigen::MatrixXd& matrix) {
+  return {
+      static_cast<int>(matrix.rows()), static_cast<int>(matrix.cols()), {matrix.data(), matrix.data() + matrix.size()}};
+}
+
+void to_json(json& part, const Value& value) {
+  if (value.cols != 1) {
+    part = rows_to_json(value, 0, value.cols);
+  } else if (value.rows == 1) {
+    part = number_to_json(value.numbers.at(0));
+  } else {
+    part = json::array();
+    for (const double number : value.numbers) part.push_back(number_to_json(number));
   }
-  throw std::invalid_argument(messages::unknown_kind(std::to_string(static_cast<int>(kind))));
+}
+
+void from_json(const json& part, Value& value) {
+  if (!part.is_array()) {
+    value = {1, 1, {number_from_json(part)}};
+    return;
+  }
+  const std::size_t rows = part.size();
+  const bool is_column = rows == 0 || !part.front().is_array();
+  const std::size_t cols = is_column ? 1 : part.front().size();
+  value = {static_cast<int>(rows), static_cast<int>(cols), std::vector<double>(rows * cols)};
+  for (std::size_t row = 0; row < rows; ++row) {
+    if (!is_column && part[row].size() != cols) throw std::invalid_argument("the rows of a matrix differ in length");
+    for (std::size_t col = 0; col < cols; ++col)
+      value.numbers[col * rows + row] = number_from_json(is_column ? part[row] : part[row].at(col));
+  }
+}
+
+json json_of(const Value& value, Kind kind) {
+  if (kind == Kind::matrices) {
+    json list = json::array();
+    for (int col = 0; col + 3 <= value.cols; col += 3) list.push_back(rows_to_json(value, col, 3));
+    return list;
+  }
+  if (kind == Kind::integer && value.is_finite()) return std::llround(value.numbers.at(0));
+  if (is_vector(kind) && value.rows == 1) return json::array({number_to_json(value.numbers.at(0))});
+  if (kind == Kind::points) return rows_to_json(value, 0, value.cols);
+  return value;
 }
 
 }  // namespace workbook

@@ -2,11 +2,12 @@
 /// A value as it travels between a student's function, the reference results and the judge: numbers and a shape.
 #pragma once
 
+#include <Eigen/Core>
+#include <nlohmann/json_fwd.hpp>
+
 #include <cstddef>
 #include <string>
 #include <vector>
-
-#include <nlohmann/json_fwd.hpp>
 
 namespace workbook {
 
@@ -19,6 +20,9 @@ std::string to_string(Kind kind);
 /// The kind of that name. @throws std::invalid_argument for an unknown name.
 Kind kind_from_string(const std::string& name);
 
+/// True for the kinds that are one column of numbers.
+constexpr bool is_vector(Kind kind) { return kind == Kind::vector2 || kind == Kind::vector3 || kind == Kind::vector; }
+
 /// Numbers in column-major order. A list of n 3×3 matrices stands side by side as 3×3n.
 struct Value {
   int rows = 1;
@@ -29,16 +33,26 @@ struct Value {
 
   double at(int row, int col) const { return numbers.at(static_cast<std::size_t>(col) * rows + row); }
   bool has_shape_of(const Value& other) const { return rows == other.rows && cols == other.cols; }
+
+  /// True if it has as many numbers as its shape says.
+  bool is_complete() const;
+  /// True if no number is NaN or infinite.
+  bool is_finite() const;
 };
 
-/// True if no number is NaN or infinite.
-bool is_finite(const Value& value);
+/// The numbers as a matrix, without a copy.
+Eigen::Map<const Eigen::MatrixXd> as_matrix(const Value& value);
 
-/// A number as a number, a vector as a list, a matrix as a list of rows, matrices as a list of such;
-/// numbers that JSON cannot hold (NaN, infinity) become null.
-nlohmann::json to_json(const Value& value, Kind kind);
+/// The inverse of as_matrix.
+Value to_value(const Eigen::MatrixXd& matrix);
 
-/// The inverse of to_json; null becomes NaN. @throws std::invalid_argument saying what is wrong with the shape.
-Value value_from_json(const nlohmann::json& json, Kind kind);
+/// A 1×1 value as a number, a column as a list, all else as a list of rows; null for what JSON cannot hold.
+void to_json(nlohmann::json& json, const Value& value);
+/// The inverse; null becomes NaN. @throws nlohmann::json::exception
+void from_json(const nlohmann::json& json, Value& value);
+
+/// As the reader of a report expects it: a vector of one component is a list, points are three rows, matrices a
+/// list of matrices.
+nlohmann::json json_of(const Value& value, Kind kind);
 
 }  // namespace workbook

@@ -1,0 +1,75 @@
+#include "checker/base/files.hpp"
+
+#include "checker/base/text.hpp"
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <system_error>
+
+namespace workbook {
+
+namespace fs = std::filesystem;
+
+std::optional<std::string> read_file(const fs::path& file, std::size_t limit) {
+  std::error_code problem;
+  // A pipe or a device would never end.
+  if (!fs::is_regular_file(file, problem) || fs::file_size(file, problem) > limit || problem) return std::nullopt;
+  std::ifstream in(file, std::ios::binary);
+  std::string content((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  if (in.bad() || content.size() > limit) return std::nullopt;
+  return content;
+}
+
+std::string write_file(const fs::path& file, std::string_view content) {
+  std::error_code problem;
+  if (file.has_parent_path()) fs::create_directories(file.parent_path(), problem);
+  const fs::path unfinished = fmt::format("{}.{}.unfinished", file.string(), ::getpid());
+  errno = 0;
+  std::ofstream out(unfinished, std::ios::binary);
+  out << content;
+  out.close();
+  problem = out ? std::error_code() : std::error_code(errno == 0 ? EIO : errno, std::generic_category());
+  if (!problem) fs::rename(unfinished, file, problem);
+  std::error_code ignored;
+  if (problem) fs::remove(unfinished, ignored);
+  return problem ? problem.message() : "";
+}
+
+std::string file_fingerprint(const fs::path& file) {
+  const auto content = read_file(file);
+  return content ? fingerprint(*content) : "";
+}
+
+fs::path free_name(const fs::path& file) {
+  std::error_code ignored;
+  fs::path name = file;
+  for (int number = 2; fs::exists(fs::symlink_status(name, ignored)); ++number)
+    name = fmt::format("{}.{}", file.string(), number);
+  return name;
+}
+
+std::string shown_path(const fs::path& file) {
+  std::error_code problem;
+  const fs::path nearer = fs::proximate(file, problem);
+  return printable((problem ? file : nearer).string());
+}
+
+std::string program_on_path(const std::string& name) {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path == nullptr ? "" : path);
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    const fs::path program = fs::path(folder) / name;
+    std::error_code problem;
+    if (fs::is_regular_file(program, problem) && ::access(program.c_str(), X_OK) == 0) return program.string();
+  }
+  return "";
+}
+
+}  // namespace workbook

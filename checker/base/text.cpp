@@ -1,0 +1,157 @@
+#include "checker/base/text.hpp"
+
+#include <fmt/format.h>
+#include <boost/archive/iterators/base64_from_binary.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
+#include <boost/locale/utf.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <sstream>
+#include <utility>
+
+namespace workbook {
+
+namespace {
+
+bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; }
+
+/// Control characters could drive the terminal; bidirectional ones could show a text in another order than it has.
+bool is_unsafe(boost::locale::utf::code_point point) {
+  const bool is_control = (point < 0x20 && point != '\n' && point != '\t') || (point >= 0x7f && point < 0xa0);
+  const bool is_bidirectional = (point >= 0x202a && point <= 0x202e) || (point >= 0x2066 && point <= 0x2069) ||
+                                point == 0x200e || point == 0x200f || point == 0x61c;
+  return is_control || is_bidirectional;
+}
+
+}  // namespace
+
+std::string printable(std::string_view text) {
+  using Utf8 = boost::locale::utf::utf_traits<char>;
+  std::string result;
+  result.reserve(text.size());
+  for (const char* next = text.begin(); next != text.end();) {
+    const char* const begin = next;
+    const boost::locale::utf::code_point point = Utf8::decode(next, text.end());
+    if (point == boost::locale::utf::incomplete) break;  // cut in the middle of a character
+    if (point == boost::locale::utf::illegal) next = begin + 1;
+    if (point == boost::locale::utf::illegal || is_unsafe(point)) {
+      result += '?';
+    } else {
+      result.append(begin, next);
+    }
+  }
+  return result;
+}
+
+std::string cut(std::string_view text, std::size_t bytes) {
+  std::size_t end = std::min(text.size(), bytes);
+  while (end > 0 && end < text.size() && continues_character(text[end])) --end;
+  return std::string(text.substr(0, end));
+}
+
+std::size_t display_width(std::string_view text) {
+  return text.size() - static_cast<std::size_t>(std::ranges::count_if(text, continues_character));
+}
+
+std::string shortened(const std::string& text, std::size_t width) {
+  if (text.size() <= width || display_width(text) <= width) return text;
+  std::size_t end = 0;
+  for (std::size_t columns = 0; end < text.size(); ++end) {
+    if (!continues_character(text[end]) && ++columns >= width) break;
+  }
+  return width == 0 ? "" : text.substr(0, end) + "…";
+}
+
+std::string padded(const std::string& text, std::size_t width) {
+  return text + std::string(width - std::min(width, display_width(text)), ' ');
+}
+
+std::string padded_left(const std::string& text, std::size_t width) {
+  return std::string(width - std::min(width, display_width(text)), ' ') + text;
+}
+
+std::vector<std::string> lines_of(std::string_view text) {
+  std::vector<std::string> lines;
+  while (!text.empty()) {
+    const std::size_t end = text.find('\n');
+    std::string_view line = text.substr(0, end);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    lines.emplace_back(line);
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  }
+  return lines;
+}
+
+std::vector<std::string> wrapped_lines(std::string_view text, std::size_t width, std::size_t indent) {
+  const std::string margin(indent, ' ');
+  std::vector<std::string> result;
+  for (const std::string& source : lines_of(text)) {
+    std::string line = margin;
+    std::istringstream words(source);
+    for (std::string word; words >> word;) {
+      const bool is_first = line.size() == indent;
+      if (!is_first && display_width(line) + 1 + display_width(word) > width) {
+        result.push_back(std::exchange(line, margin + word));
+      } else {
+        line += (is_first ? "" : " ") + word;
+      }
+    }
+    result.push_back(line.size() == indent ? "" : line);
+  }
+  return result;
+}
+
+std::string plural(std::size_t count, const std::string& noun, const std::string& nouns) {
+  return fmt::format("{} {}", count, count == 1 ? noun : nouns.empty() ? noun + "s" : nouns);
+}
+
+std::string capitalized(std::string sentence) {
+  if (!sentence.empty() && sentence[0] >= 'a' && sentence[0] <= 'z') sentence[0] = static_cast<char>(sentence[0] - 32);
+  return sentence;
+}
+
+std::string without_full_stop(std::string sentence) {
+  if (sentence.ends_with('.')) sentence.pop_back();
+  return sentence;
+}
+
+std::string superscript(int exponent) {
+  static constexpr std::array digits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string raised;
+  for (const char digit : std::to_string(exponent)) raised += digit == '-' ? "⁻" : digits.at(digit - '0');
+  return raised;
+}
+
+std::string base64(std::string_view bytes) {
+  using namespace boost::archive::iterators;
+  using Digits = base64_from_binary<transform_width<std::string_view::const_iterator, 6, 8>>;
+  std::string text(Digits(bytes.begin()), Digits(bytes.end()));
+  text.append((3 - bytes.size() % 3) % 3, '=');
+  return text;
+}
+
+std::string fingerprint(std::string_view bytes) {
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3ULL;
+  return fmt::format("{:016x}", hash);
+}
+
+std::string shell_quoted(const std::string& word) {
+  const bool is_plain = !word.empty() && std::ranges::all_of(word, [](unsigned char letter) {
+    return std::isalnum(letter) || std::string_view("_-./+:=@%,").find(static_cast<char>(letter)) != std::string::npos;
+  });
+  if (is_plain) return word;
+  std::string quoted = "'";
+  for (const char letter : word) quoted += letter == '\'' ? "'\\''" : std::string(1, letter);
+  return quoted + "'";
+}
+
+std::string command(const std::string& arguments) {
+  const char* typed = std::getenv("WORKBOOK_PROGRAM");
+  return fmt::format("{} {}", typed == nullptr || *typed == '\0' ? "checker" : typed, arguments);
+}
+
+}  // namespace workbook

@@ -1,0 +1,59 @@
+/// @file
+/// Text for terminals, pages and JSON. All of it is UTF-8.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace workbook {
+
+/// Text from a student's process or file, safe to show: what is no valid UTF-8, control and bidirectional characters
+/// become "?"; line ends and tabs stay.
+std::string printable(std::string_view text);
+
+/// The beginning of a text, at most that many bytes, never cut inside a character.
+std::string cut(std::string_view text, std::size_t bytes);
+
+/// How many columns of a terminal a text takes; none of our characters is wide.
+std::size_t display_width(std::string_view text);
+
+/// The text if it fits into `width` columns, else its beginning and "…".
+std::string shortened(const std::string& text, std::size_t width);
+
+/// Filled up with spaces to `width` columns, behind the text or in front of it.
+std::string padded(const std::string& text, std::size_t width);
+std::string padded_left(const std::string& text, std::size_t width);
+
+/// The lines of a text, without their ends ("\n" or "\r\n").
+std::vector<std::string> lines_of(std::string_view text);
+
+/// Whole words in lines of at most `width` columns, each beginning with `indent` spaces. Line ends in the text are
+/// kept.
+std::vector<std::string> wrapped_lines(std::string_view text, std::size_t width, std::size_t indent = 0);
+
+/// "1 case", "3 cases"; `nouns` for words that take no s: plural(2, "matrix", "matrices").
+std::string plural(std::size_t count, const std::string& noun, const std::string& nouns = "");
+
+/// "Entry (1,2) …" for "entry (1,2) …".
+std::string capitalized(std::string sentence);
+
+std::string without_full_stop(std::string sentence);
+
+/// "²" for 2, "⁻¹⁰" for −10: exponents of units and powers of ten.
+std::string superscript(int exponent);
+
+/// Base64 with its closing "=" signs and without line breaks.
+std::string base64(std::string_view bytes);
+
+/// Bytes as a 64-bit FNV-1a hash in 16 hexadecimal digits: tells contents apart, guards against damage, not forgery.
+std::string fingerprint(std::string_view bytes);
+
+/// A word as a POSIX shell reads it back: in single quotes where it needs them.
+std::string shell_quoted(const std::string& word);
+
+/// What to type for a command of the checker: "./checker/run check NAME".
+std::string command(const std::string& arguments);
+
+}  // namespace workbook
