@@ -1,16 +1,17 @@
 #include "checker/compile/build_cache.hpp"
 
-#include "checker/messages/compiling.hpp"
-#include "checker/messages/machine.hpp"
+#include "checker/base/files.hpp"
+#include "checker/base/text.hpp"
 
+#include <fmt/format.h>
 #include <stdlib.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <fstream>
+#include <chrono>
 #include <functional>
-#include <sstream>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace workbook {
@@ -18,23 +19,17 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* executable_name = "worker";
-constexpr const char* key_name = "key";
+constexpr const char* seal_name = "made_from";
 constexpr const char* workspace_prefix = "compile-";
 
-std::optional<std::string> content(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  if (!stream || !(text << stream.rdbuf())) return std::nullopt;
-  return std::move(text).str();
-}
-
-/// Notices damage; it need not withstand an enemy, for the key is compared in full.
-std::string checksum(const std::string& bytes) {
-  return std::to_string(bytes.size()) + " " + std::to_string(std::hash<std::string>{}(bytes)) + "\n";
+/// The key, and what notices a damaged executable. It need not withstand an enemy.
+std::string sealed(const std::string& key, const std::string& executable) {
+  return fmt::format("{} {:x} {}\n{}\n", executable.size(), std::hash<std::string>{}(executable), key.size(), key);
 }
 
 [[noreturn]] void cannot_write(const fs::path& where, const std::string& reason) {
-  throw CacheError(messages::cannot_write_to(where.string(), reason));
+  throw CacheError(
+      fmt::format("The checker cannot write to {} ({}); this is not your mistake.", where.string(), reason));
 }
 
 }  // namespace
@@ -46,69 +41,56 @@ BuildCache::BuildCache(fs::path directory, std::size_t most_entries)
   if (error) cannot_write(directory_, error.message());
 }
 
-fs::path BuildCache::entry(const std::string& key) const {
-  std::ostringstream name;
-  name << std::hex << std::hash<std::string>{}(key);
-  return directory_ / name.str();
-}
-
-std::optional<fs::path> BuildCache::find(const std::string& key) const {
-  const fs::path found = entry(key);
-  const std::optional<std::string> kept_key = content(found / key_name);
-  if (!kept_key || !kept_key->ends_with(key)) return std::nullopt;
-  const std::optional<std::string> executable = content(found / executable_name);
-  if (!executable || *kept_key != checksum(*executable) + key) return std::nullopt;
+std::optional<BuiltProgram> BuildCache::find(const std::string& key) const {
+  const fs::path entry = directory_ / fingerprint(key);
+  const std::optional<std::string> seal = read_file(entry / seal_name);
+  const std::optional<std::string> executable = read_file(entry / executable_name);
+  if (!seal || !executable) return std::nullopt;
+  const std::string expected = sealed(key, *executable);
+  if (!seal->starts_with(expected)) return std::nullopt;
   std::error_code ignored;
-  fs::last_write_time(found, fs::file_time_type::clock::now(), ignored);
-  return found / executable_name;
+  fs::last_write_time(entry, fs::file_time_type::clock::now(), ignored);
+  return BuiltProgram{entry / executable_name, seal->substr(expected.size())};
 }
 
-fs::path BuildCache::keep(const fs::path& executable, const std::string& key) const {
-  const std::optional<std::string> bytes = content(executable);
-  if (!bytes) cannot_write(executable, messages::executable_is_gone());
-  const fs::path prepared = executable.parent_path() / "entry";
+BuiltProgram BuildCache::keep(const BuiltProgram& built, const std::string& key) const {
+  const std::optional<std::string> bytes = read_file(built.executable);
+  if (!bytes) cannot_write(built.executable, "the executable is gone");
+  const fs::path prepared = built.executable.parent_path() / "entry";
+  const std::string problem = write_file(prepared / seal_name, sealed(key, *bytes) + built.compiler_output);
+  if (!problem.empty()) cannot_write(prepared, problem);
   std::error_code error;
-  fs::create_directory(prepared, error);
-  if (!error) fs::rename(executable, prepared / executable_name, error);
+  fs::rename(built.executable, prepared / executable_name, error);
   if (error) cannot_write(prepared, error.message());
-  std::ofstream stream(prepared / key_name, std::ios::binary);
-  if (!(stream << checksum(*bytes) << key).flush()) cannot_write(prepared, messages::disk_may_be_full());
-  stream.close();
 
-  const fs::path place = entry(key);
+  const fs::path place = directory_ / fingerprint(key);
   fs::rename(prepared, place, error);
   if (error) {
     // Somebody made it at the same time: theirs is as good. Otherwise it is a damaged one, and nobody uses that.
-    if (const std::optional<fs::path> other = find(key)) return *other;
+    if (const std::optional<BuiltProgram> other = find(key)) return *other;
     std::error_code ignored;
-    fs::rename(place, executable.parent_path() / "damaged", ignored);
+    fs::rename(place, built.executable.parent_path() / "damaged", ignored);
     fs::rename(prepared, place, error);
     if (error) cannot_write(place, error.message());
   }
   drop_oldest();
-  return place / executable_name;
+  return {place / executable_name, built.compiler_output};
 }
 
 void BuildCache::drop_oldest() const {
-  struct Entry {
-    fs::file_time_type used;
-    fs::path path;
-  };
-  std::vector<Entry> entries;
+  std::vector<std::pair<fs::file_time_type, fs::path>> entries;
   std::error_code error;
   const fs::file_time_type now = fs::file_time_type::clock::now();
   for (fs::directory_iterator next(directory_, error), end; !error && next != end; next.increment(error)) {
     std::error_code gone;
     const fs::file_time_type used = fs::last_write_time(next->path(), gone);
-    if (gone) continue;
-    const bool workspace = next->path().filename().string().starts_with(workspace_prefix);
-    if (!workspace) entries.push_back({used, next->path()});
-    if (workspace && now - used > std::chrono::hours(1)) fs::remove_all(next->path(), gone);  // of a killed checker
+    const bool is_workspace = next->path().filename().string().starts_with(workspace_prefix);
+    if (!gone && !is_workspace) entries.emplace_back(used, next->path());
+    // Of a checker that was killed.
+    if (!gone && is_workspace && now - used > std::chrono::hours(1)) fs::remove_all(next->path(), gone);
   }
-  if (entries.size() <= most_entries_) return;
-  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.used < b.used; });
-  entries.resize(entries.size() - most_entries_);
-  for (const Entry& old : entries) fs::remove_all(old.path, error);
+  std::ranges::sort(entries);
+  for (std::size_t i = 0; i + most_entries_ < entries.size(); ++i) fs::remove_all(entries[i].second, error);
 }
 
 Workspace::Workspace(const fs::path& parent) {

@@ -1,55 +1,46 @@
 #include "checker/compile/compile.hpp"
 
-#include "checker/base/printable.hpp"
-#include "checker/compile/code_text.hpp"
-#include "checker/compile/compile_mistakes.hpp"
-#include "checker/compile/compiler.hpp"
-#include "checker/compile/diagnostics.hpp"
-#include "checker/compile/object_file.hpp"
-#include "checker/compile/source_file.hpp"
-#include "checker/messages/compiling.hpp"
+#include "checker/base/text.hpp"
+#include "checker/compile/elf_file.hpp"
+#include "checker/compile/mistakes.hpp"
 
+#include <fmt/format.h>
 #include <signal.h>
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <regex>
-#include <sstream>
 #include <utility>
-#include <vector>
 
 namespace workbook {
 namespace fs = std::filesystem;
 namespace {
 
-/// Ends a compilation; caught in compile().
-struct Refused {
-  Refusal refusal;
-  std::string message;
-  std::string details;
-  std::vector<Finding> findings;
-};
-
-/// Changes whenever the file does.
-std::string stamp(const fs::path& file) {
-  std::error_code ignored;
-  std::ostringstream text;
-  text << file.string() << ' ' << fs::file_size(file, ignored) << ' '
-       << fs::last_write_time(file, ignored).time_since_epoch().count() << '\n';
-  return text.str();
+/// How the file is compiled, beside the toolchain's flags.
+std::vector<std::string> arguments_for(const Submission& submission) {
+  const std::string name = submission.path.filename().string();
+  return {"-Wreturn-type", "-Wuninitialized", "-Wfloat-conversion", "-Wparentheses", "-Wunused-value", "-Wtype-limits",
+          "-Wunused-variable", "-Wunused-parameter", "-Wunused-but-set-variable", "-Wreturn-local-addr",
+          "-Wimplicit-fallthrough", "-Wmisleading-indentation", "-Wshadow=local", "-Wdiv-by-zero",
+          // The student's own name of the file in assertions, and in what debuggers read.
+          fmt::format("-fmacro-prefix-map={}={}", unit_name, name),
+          fmt::format("-fdebug-prefix-map={}=shown/{}", unit_name, name),
+          // Both lists of dependencies: of the preprocessor, and of the assembler, which can include files too.
+          "-MD", "-MF", "unit.includes", "-Wa,--MD,unit.assembled", "-c", unit_name, "-o", "unit.o"};
 }
 
 /// All that an executable depends on.
-std::string cache_key(const Toolchain& toolchain, const std::string& exercise, const std::string& file_name,
-                      const std::string& source) {
-  fs::path precompiled = toolchain.prelude;
-  precompiled += ".gch";
-  std::string key = stamp(toolchain.compiler) + stamp(toolchain.prelude) + stamp(precompiled) +
-                    stamp(toolchain.worker_object(exercise));
-  for (const fs::path& object : toolchain.support) key += stamp(object);
-  for (const std::string& flag : toolchain.flags) key += flag + '\n';
-  for (const std::string& flag : toolchain.link_flags) key += flag + '\n';
-  return key + file_name + '\n' + source;
+std::string cache_key(const CompileTask& task, const Toolchain& toolchain) {
+  std::vector<fs::path> files = toolchain.support;
+  files.insert(files.end(), {toolchain.compiler, toolchain.prelude, toolchain.precompiled(),
+                             toolchain.worker_object(task.exercise)});
+  std::string key = fmt::format("{}\n{}\n{}\n", fmt::join(toolchain.flags, "\n"), fmt::join(toolchain.link_flags, "\n"),
+                                fmt::join(arguments_for(task.submission), "\n"));
+  for (const fs::path& file : files)
+    key += fmt::format("{} {} {}\n", file.string(), fs::file_size(file),
+                       fs::last_write_time(file).time_since_epoch().count());
+  return key + task.submission.text;
 }
 
 /// The files of a list of dependencies as compilers write it for make: "unit.o: a.hpp \\ b\\ c.hpp".
@@ -57,8 +48,8 @@ std::vector<std::string> dependencies(const fs::path& list) {
   std::ifstream stream(list, std::ios::binary);
   std::vector<std::string> names(1);
   for (char letter = 0; stream.get(letter);) {
+    char escaped = '\n';
     if (letter == '\\' || letter == '$') {
-      char escaped = 0;
       if (stream.get(escaped) && escaped != '\n') names.back() += escaped;
     } else if (letter != ' ' && letter != '\n') {
       names.back() += letter;
@@ -71,135 +62,163 @@ std::vector<std::string> dependencies(const fs::path& list) {
   return names;
 }
 
-/// True if a line of the code defines the function as inline or as a template, which others cannot call.
-bool is_marked_inline(const std::string& code, const std::string& function) {
-  const std::regex marked("\\b(inline|template)\\b.*\\b" + function + "\\s*\\(");
-  std::string before;  // a template's head may stand on a line of its own
-  for (std::string line : lines_of(code)) {
-    if (line.size() > 1000) line.resize(1000);  // std::regex recurses over the length of its text
-    if (std::regex_search(before + " " + line, marked)) return true;
-    before = line;
+/// The file that the sandbox kept from compiler or assembler; "" if there is none.
+std::string denied_file(const std::string& output) {
+  static const std::regex denied(
+      "rror: (?:can't open |file not found: )?(/[^:]*?)(?: for reading)?(?:: Permission denied)?");
+  for (const std::string& line : lines_of(output)) {
+    std::smatch found;
+    const bool tells = line.size() < 1000 && (line.ends_with(": Permission denied") ||
+                                              line.find("rror: file not found: ") != std::string::npos);
+    const std::size_t begin = tells ? line.find("rror: ") : std::string::npos;
+    const std::string rest = begin == std::string::npos ? "" : line.substr(begin);
+    if (std::regex_match(rest, found, denied)) return found[1];
   }
-  return false;
+  return "";
 }
 
-bool is_below(const fs::path& file, const fs::path& directory) {
-  std::error_code error;
-  const fs::path parent = fs::canonical(directory, error);
-  return !error && std::mismatch(parent.begin(), parent.end(), file.begin(), file.end()).first == parent.end();
-}
-
-/// From the source to an executable; ends with Refused where there is a reason.
+/// From the source to an executable; ends with a Compilation that says why there is none.
 class CompilationInProgress {
  public:
   CompilationInProgress(const CompileTask& task, const Toolchain& toolchain, const Compiler& compiler)
-      : task_(task), toolchain_(toolchain), compiler_(compiler) {}
+      : task_(task), toolchain_(toolchain), compiler_(compiler), source_(task.submission.text) {}
 
-  fs::path run(const std::string& source) const {
-    compiler_.write(source);
-    compile_unit(source);
-    refuse_foreign_includes();
-    return link(source);
+  BuiltProgram run() const {
+    compiler_.write(task_.submission.text);
+    const std::string warnings = compile_unit();
+    for (const char* list : {"unit.includes", "unit.assembled"})
+      for (const std::string& name : dependencies(compiler_.workspace() / list))
+        if (!compiler_.may_be_included(name)) refuse_foreign_file(name);
+    return {link(), warnings};
   }
 
  private:
-  void compile_unit(const std::string& source) const {
-    // Both lists of dependencies: of the preprocessor, and of the assembler, which can include files too.
-    const FinishedProgram compiled = compiler_.run(compiler_.arguments(
-        {"-MD", "-MF", "../unit.includes", "-Wa,--MD,../unit.assembled", "-c", "../unit.cpp", "-o", "../unit.o"}));
-    if (compiled.succeeded()) return;
-    refuse_if_limit_reached(compiled);
-    const std::vector<Diagnostic> found = diagnostics(compiled.output, compiler_.file_name());
-    if (std::optional<Finding> error = first_error(found, source, task_.signature)) {
-      const int line = error->line;
-      refuse(Refusal::compile_error, messages::does_not_compile(line), compiled.output, {std::move(*error)});
+  std::string compile_unit() const {
+    const FinishedProgram compiled = compiler_.run(compiler_.arguments(arguments_for(task_.submission)));
+    if (compiled.succeeded()) {
+      // Such sections make the linker run another compiler, with options that the file chooses.
+      if (has_section(compiler_.workspace() / "unit.o", ".gnu.lto_"))
+        refuse(Refusal::compile_error,
+               "Your file asks for code to be generated when it is linked; no exercise needs that.");
+      return compiled.output;
     }
-    const auto error = std::ranges::find(found, Severity::error, &Diagnostic::severity);
-    refuse(Refusal::compile_error,
-           error == found.end() ? messages::does_not_compile(0) : messages::does_not_compile(error_text(*error)),
-           compiled.output);
+    refuse_if_limit_reached(compiled);
+    if (const std::string denied = denied_file(compiled.output); !denied.empty()) refuse_foreign_file(denied);
+    const std::string& file = task_.submission.shown_name;
+    const CompilerOutput said = compiler_.read(compiled.output, file);
+    std::optional<Finding> error = first_error(said.diagnostics, source_, task_.signature);
+    if (!said.foreign_file.empty() && (!error || error->line == 0)) refuse_foreign_file(said.foreign_file);
+    std::string message = "Your file does not compile.";
+    if (error && error->line > 0)
+      message = fmt::format("Your file does not compile: the first error is in line {}.", error->line);
+    refuse(Refusal::compile_error, message, said.shown, error ? std::vector{*error} : std::vector<Finding>());
   }
 
-  /// A file that includes others than headers of the course and of the system could include the answers.
-  void refuse_foreign_includes() const {
-    for (const char* list : {"unit.includes", "unit.assembled"})
-      for (const std::string& name : dependencies(compiler_.workspace() / list))
-        if (!may_be_included(name)) refuse(Refusal::compile_error, messages::includes_foreign_file(printable(name)));
+  [[noreturn]] static void refuse(Refusal refusal, const std::string& message, const std::string& details = "",
+                                  const std::vector<Finding>& findings = {}) {
+    throw Compilation{.refusal = refusal, .message = message, .details = details, .findings = findings};
   }
 
-  bool may_be_included(const std::string& name) const {
-    const fs::path path = (compiler_.shown() / name).lexically_normal();
-    // The compiler's own: the unit, by its path and as it calls itself in the assembler's file, which is gone again.
-    if (name == "unit.cpp" || path.parent_path() == compiler_.workspace()) return true;
-    // These mean something else for the compiler than for the checker.
-    if (is_below(path, "/proc") || is_below(path, "/dev")) return false;
-    std::error_code error;
-    const fs::path file = fs::canonical(path, error);
-    return !error && std::any_of(toolchain_.include_directories.begin(), toolchain_.include_directories.end(),
-                                 [&](const fs::path& directory) { return is_below(file, directory); });
+  [[noreturn]] static void refuse_foreign_file(const std::string& name) {
+    refuse(Refusal::compile_error, fmt::format("Your file includes {}, but it is compiled alone: include only headers "
+                                               "of the course, of Eigen and of the standard library.",
+                                               printable(name)));
   }
 
-  fs::path link(const std::string& source) const {
-    fs::path executable = compiler_.workspace() / "worker";
-    std::vector<std::string> arguments = {"../unit.o", toolchain_.worker_object(task_.exercise).string()};
+  fs::path link() const {
+    std::vector<std::string> arguments = {"unit.o", toolchain_.worker_object(task_.exercise).string()};
     for (const fs::path& support : toolchain_.support) arguments.push_back(support.string());
     for (const std::string& flag : toolchain_.link_flags) arguments.push_back(flag);
-    arguments.insert(arguments.end(), {"-o", executable.string()});
+    arguments.insert(arguments.end(), {"-o", "worker"});
     const FinishedProgram linked = compiler_.run(arguments);
-    if (linked.succeeded()) return executable;
+    if (linked.succeeded()) {
+      const bool is_static = std::ranges::find(toolchain_.link_flags, "-static") != toolchain_.link_flags.end();
+      if (is_static && has_interpreter(compiler_.workspace() / "worker"))
+        refuse(Refusal::compile_error,
+               "Your file names a program that shall run it (.interp); no exercise needs that.");
+      return compiler_.workspace() / "worker";
+    }
     refuse_if_limit_reached(linked);
-    explain_symbols(source, linked.output);
-    refuse(Refusal::compile_error, messages::cannot_be_linked(), linked.output);
+    refuse_unlinked(linked.output);
   }
 
-  /// Looks for the usual reasons why linking fails.
-  void explain_symbols(const std::string& source, const std::string& details) const {
-    const ObjectFile student = read_object_file(compiler_.workspace() / "unit.o", toolchain_);
-    const ObjectFile worker = read_object_file(toolchain_.worker_object(task_.exercise), toolchain_);
-    const auto is_contract_function = [](const Symbol& symbol) { return symbol.signature.starts_with("rigid::"); };
-    if (student.defines("main")) refuse(Refusal::compile_error, messages::defines_main(), details);
-    for (const Symbol& needed : worker.undefined)
-      if (is_contract_function(needed) && !student.defines(needed.linker_name))
-        refuse(Refusal::missing_function, messages::missing_function(missing(needed, student, source)), details);
-    for (const Symbol& called : student.undefined)
-      if (is_contract_function(called))
-        refuse(Refusal::compile_error, messages::calls_undefined(called.name()), details);
+  /// As GNU linkers and LLVM's tell it.
+  [[noreturn]] void refuse_unlinked(const std::string& output) const {
+    static const std::regex twice("(multiple definition of|duplicate symbol:) [`']?main\\b");
+    static const std::regex undefined("undefined (?:reference to|symbol:) [`']?([\\w:~]+)(\\([^']*)?");
+    for (const std::string& line : lines_of(output)) {
+      const std::string text = line.substr(0, 1000);
+      std::smatch found;
+      if (std::regex_search(text, twice))
+        refuse_symbol(Refusal::compile_error, "defines_main", "main", output,
+                      "Your file defines main(); leave it out, the checker calls your function itself.");
+      if (!std::regex_search(text, found, undefined)) continue;
+      if (text.find(toolchain_.worker_object(task_.exercise).string()) != std::string::npos)
+        refuse_symbol(
+            Refusal::missing_function, "missing_function", found[1], output,
+            fmt::format("Your file does not define `{}`: it defines {}. Keep namespace, name and parameters of "
+                        "the contract, without inline, static or template.",
+                        in_plain_words(found[1].str() + found[2].str()), defined_functions()));
+      refuse_symbol(Refusal::compile_error, "undefined_function", found[1], output,
+                    fmt::format("Your file uses `{}`, which it does not define; each file is compiled alone, so write "
+                                "what you need into this one.",
+                                found[1].str()));
+    }
+    refuse(Refusal::compile_error, "Your file compiles, but cannot be linked into a program; see what the linker says.",
+           output);
   }
 
-  static messages::MissingFunction missing(const Symbol& needed, const ObjectFile& student, const std::string& source) {
-    messages::MissingFunction missing;
-    missing.needed = printable(needed.signature);
-    for (const Symbol& defined : student.defined)
-      if (!defined.signature.starts_with("std::") && !defined.signature.starts_with("Eigen::"))
-        missing.defined.push_back(printable(defined.signature));
-    const std::string plain_name = needed.name().substr(std::string("rigid::").size());
-    missing.is_inline = missing.defined.empty() && is_marked_inline(code_only(source), plain_name);
-    return missing;
+  /// With the place where the file mentions the function last, for declarations come first.
+  [[noreturn]] void refuse_symbol(Refusal refusal, const char* name, std::string function, const std::string& output,
+                                  const std::string& message) const {
+    function.erase(0, function.rfind(':') + 1);
+    std::vector<Finding> findings;
+    for (const Token& token : source_.tokens())
+      if (token.text == function) findings = {source_.finding(source_.place_of(token.offset), name, message)};
+    const bool is_said = !findings.empty() && refusal == Refusal::missing_function;
+    refuse(refusal, is_said ? "Your file does not define the function of this exercise." : message, output, findings);
+  }
+
+  /// Those that others could call.
+  std::string defined_functions() const {
+    std::string functions;
+    // A name of 900 bytes can stand for a signature of any size: nm has the limits of the compiler.
+    for (const std::string& line : lines_of(compiler_.run_nm({"-p", "-C", "--defined-only", "unit.o"}).output)) {
+      const std::size_t at = line.find(" T ");  // "0000000000000040 T rigid::twice(double)"
+      const bool is_plain = at != std::string::npos && line.size() < 1000 && line.ends_with(')');
+      if (is_plain && functions.size() < 100)
+        functions += (functions.empty() ? "`" : ", `") + in_plain_words(line.substr(at + 3)) + "`";
+    }
+    return functions.empty() ? "no function that others can call" : functions;
   }
 
   void refuse_if_limit_reached(const FinishedProgram& program) const {
-    if (!has_room()) refuse(Refusal::checker_error, messages::no_room_to_compile(), program.output);
-    if (program.out_of_time) refuse(Refusal::compile_error, messages::takes_too_long_to_compile(), program.output);
-    if (ran_out_of_memory(program.output))
-      refuse(Refusal::compile_error, messages::takes_too_much_memory_to_compile(), program.output);
-    if (grew_too_large(program.output) || program.end.signal == SIGXFSZ)
-      refuse(Refusal::compile_error, messages::makes_too_large_a_program(), program.output);
-  }
-
-  /// Tried, not read from the compiler's messages: those a student can write.
-  bool has_room() const {
+    const auto says = [&](std::initializer_list<const char*> phrases) {
+      return std::ranges::any_of(phrases,
+                                 [&](const char* one) { return program.output.find(one) != std::string::npos; });
+    };
+    const auto refuse = [&](Refusal refusal, const char* message) {
+      CompilationInProgress::refuse(refusal, message, program.output);
+    };
+    // Tried, not read from the compiler's messages: those a student can write.
     std::ofstream probe(compiler_.workspace() / "probe", std::ios::binary);
-    return static_cast<bool>((probe << std::string(std::size_t{4} << 20, ' ')).flush());
-  }
-
-  [[noreturn]] static void refuse(Refusal refusal, std::string message, std::string details = {},
-                                  std::vector<Finding> findings = {}) {
-    throw Refused{refusal, std::move(message), std::move(details), std::move(findings)};
+    if (!(probe << std::string(std::size_t{4} << 20, ' ')).flush())
+      refuse(Refusal::checker_error,
+             "There is no room to compile your file (is the disk full?); this is not your mistake.");
+    if (program.out_of_time)
+      refuse(Refusal::compile_error,
+             "Your file takes too long to compile; look for a template or an #include that never ends.");
+    if (says({"out of memory", "memory exhausted", "Killed signal terminated program", "Cannot allocate memory"}))
+      refuse(Refusal::compile_error,
+             "Compiling your file takes too much memory; look for a template or an #include that never ends.");
+    if (says({"File too large", "File size limit exceeded"}) || program.end.signal == SIGXFSZ)
+      refuse(Refusal::compile_error, "Your file makes a program that is too large; look for a huge array.");
   }
 
   const CompileTask& task_;
   const Toolchain& toolchain_;
   const Compiler& compiler_;
+  const SourceText source_;
 };
 
 }  // namespace
@@ -208,35 +227,23 @@ Compilation compile(const CompileTask& task, const Toolchain& toolchain, const f
                     const CompileLimits& limits) {
   const Clock::time_point start = Clock::now();
   Compilation result;
-  const auto refuse = [&](Refusal refusal, const std::string& message) {
-    result.refusal = refusal;
-    result.message = message;
-  };
   try {
-    const std::string source = read_source(task.file);
-    const std::string file_name = shown_name(task.file);
     require_complete(toolchain, task.exercise);
+    const std::string key = cache_key(task, toolchain);
     const BuildCache cache(fs::absolute(cache_directory));
-    const std::string key = cache_key(toolchain, task.exercise, file_name, source);
-    result.executable = cache.find(key);
-    result.from_cache = result.executable.has_value();
-    if (!result.executable) {
+    std::optional<BuiltProgram> built = cache.find(key);
+    result.from_cache = built.has_value();
+    if (!built) {
       const Workspace workspace(cache.directory());
-      const Compiler compiler(toolchain, limits, file_name, workspace.directory());
-      result.executable = cache.keep(CompilationInProgress(task, toolchain, compiler).run(source), key);
+      const Compiler compiler(toolchain, limits, workspace.directory());
+      built = cache.keep(CompilationInProgress(task, toolchain, compiler).run(), key);
     }
-  } catch (const Refused& reason) {
-    refuse(reason.refusal, reason.message);
-    result.details = reason.details;
-    result.findings = reason.findings;
-  } catch (const RejectedFile& error) {
-    refuse(Refusal::rejected_file, error.what());
-  } catch (const ToolchainError& error) {
-    refuse(Refusal::checker_error, error.what());
-  } catch (const CacheError& error) {
-    refuse(Refusal::checker_error, error.what());
-  } catch (const fs::filesystem_error& error) {
-    refuse(Refusal::checker_error, messages::cannot_compile(error.what()));
+    result.executable = built->executable;
+    result.compiler_output = std::move(built->compiler_output);
+  } catch (const Compilation& refused) {
+    result = refused;
+  } catch (const std::runtime_error& error) {  // of the toolchain, the cache, the file system
+    result.message = error.what();
   }
   result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   return result;

@@ -6,6 +6,7 @@
 #include "checker/compile/compiler.hpp"
 #include "checker/compile/toolchain.hpp"
 #include "checker/data/observation.hpp"
+#include "checker/source/submission.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -14,27 +15,28 @@
 
 namespace workbook {
 
-/// The exercise that the file is for.
+/// A file, and the exercise that it is for.
 struct CompileTask {
-  std::filesystem::path file;
+  const Submission& submission;
   std::string exercise;   ///< its worker is found under this name
   std::string signature;  ///< as the contract declares it
 };
 
 struct Compilation {
-  std::optional<std::filesystem::path> executable;
+  std::optional<std::filesystem::path> executable = {};
   bool from_cache = false;
   double seconds = 0.0;
+  std::string compiler_output = {};  ///< the warnings, for source_findings()
 
   // Where there is no executable:
   Refusal refusal = Refusal::checker_error;
   std::string message;            ///< one sentence
-  std::string details;            ///< all that the compiler printed
+  std::string details;            ///< the errors as the compiler printed them
   std::vector<Finding> findings;  ///< the first error, with its line
 };
 
-/// Compiles the file alone, from a copy, and links it with the worker of its exercise. Never throws for anything that a
-/// student or a broken installation can cause.
+/// Compiles the file alone and links it with the worker of its exercise. Never throws for anything that a student or a
+/// broken installation can cause.
 Compilation compile(const CompileTask& task, const Toolchain& toolchain, const std::filesystem::path& cache_directory,
                     const CompileLimits& limits = {});
 

@@ -1,10 +1,10 @@
 #include "checker/compile/compiler.hpp"
 
-#include "checker/base/printable.hpp"
+#include "checker/base/text.hpp"
 #include "checker/compile/build_cache.hpp"
-#include "checker/messages/compiling.hpp"
 
-#include <sys/resource.h>
+#include <fmt/format.h>
+#include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,76 +14,80 @@
 
 namespace workbook {
 namespace fs = std::filesystem;
-namespace {
 
-/// The name as a string literal of C++.
-std::string literal(const std::string& name) {
-  std::string text;
-  for (const char letter : name) {
-    if (letter == '"' || letter == '\\') text += '\\';
-    text += letter;
-  }
-  return '"' + text + '"';
-}
-
-void write_file(const fs::path& file, const std::string& content) {
+void Compiler::write(std::string_view source, const std::string& before) const {
+  const fs::path file = workspace_ / unit_name;
   std::ofstream stream(file, std::ios::binary);
-  if (!(stream << content).flush()) throw CacheError(messages::cannot_write(file.string()));
-}
-
-}  // namespace
-
-Compiler::Compiler(const Toolchain& toolchain, const CompileLimits& limits, std::string file_name, fs::path workspace)
-    : toolchain_(toolchain), limits_(limits), file_name_(std::move(file_name)), workspace_(std::move(workspace)) {}
-
-void Compiler::write(const std::string& source, const std::string& before) const {
-  fs::create_directory(shown());
-  write_file(shown() / file_name_, source);
-  write_file(workspace_ / "unit.cpp", before + "#line 1 " + literal(file_name_) + "\n" + source);
+  // Not without need: behind a #line GCC does not look at the indentation.
+  if (!before.empty()) stream << before << "#line 1 \"" << unit_name << "\"\n";
+  if (!before.empty() && source.starts_with(byte_order_mark)) source.remove_prefix(byte_order_mark.size());
+  if (!(stream << source).flush())
+    throw CacheError(
+        fmt::format("The checker cannot write {} (is the disk full?); this is not your mistake.", file.string()));
 }
 
 std::vector<std::string> Compiler::arguments(const std::vector<std::string>& more) const {
   std::vector<std::string> arguments = toolchain_.flags;
-  for (const char* argument : {"-fdiagnostics-color=never", "-fmax-errors=20", "-x", "c++", "-include"})
-    arguments.push_back(argument);
-  arguments.push_back(toolchain_.prelude.string());
+  arguments.insert(arguments.end(), {"-pipe", "-fdiagnostics-color=never", "-fdiagnostics-column-unit=byte",
+                                     "-fmax-errors=20", "-x", "c++", "-include", toolchain_.prelude.string()});
   arguments.insert(arguments.end(), more.begin(), more.end());
   return arguments;
 }
 
-FinishedProgram Compiler::run(const std::vector<std::string>& arguments) const {
-  const std::string program = toolchain_.compiler.string();
+SandboxProfile Compiler::profile(const CompileLimits& limits) const {
+  std::vector<std::string> inputs = {toolchain_.prelude.parent_path().string(), toolchain_.directory.string(),
+                                     toolchain_.sources.string()};
+  for (const fs::path& directory : toolchain_.include_directories) inputs.push_back(directory.string());
+  SandboxProfile profile = compile_profile(toolchain_.compiler.string(), inputs, workspace_.string());
+  profile.processor_seconds = static_cast<unsigned>(std::ceil(limits.time.count()));
+  profile.memory_bytes = limits.memory_bytes;
+  profile.file_bytes = limits.file_bytes;
+  return profile;
+}
+
+FinishedProgram Compiler::run(const fs::path& program, std::vector<std::string> arguments,
+                              const CompileLimits& limits) const {
   const char* const path = std::getenv("PATH");
   Launch launch;
-  launch.program = program.c_str();
-  launch.arguments = arguments;
-  launch.environment = {std::string("PATH=") + (path ? path : "/usr/local/bin:/usr/bin:/bin"), "LC_ALL=C",
+  launch.program = program;
+  launch.arguments = std::move(arguments);
+  launch.environment = {std::string("PATH=") + (path ? path : "/usr/local/bin:/usr/bin:/bin"), "LC_ALL=C.UTF-8",
                         "TMPDIR=" + workspace_.string()};
-  launch.directory = shown();
-  const rlimit memory{limits_.memory_bytes, limits_.memory_bytes};
-  const auto seconds = static_cast<rlim_t>(std::ceil(limits_.time.count()));
-  const rlimit processor{seconds, seconds + 1};
-  const rlimit core{0, 0};
-  const rlimit file{limits_.file_bytes, limits_.file_bytes};
-  launch.prepare = [&]() -> std::optional<messages::LaunchStep> {
-    const bool limited = ::setrlimit(RLIMIT_AS, &memory) == 0 && ::setrlimit(RLIMIT_CPU, &processor) == 0 &&
-                         ::setrlimit(RLIMIT_CORE, &core) == 0 && ::setrlimit(RLIMIT_FSIZE, &file) == 0;
-    if (!limited) return messages::LaunchStep::limit_compiler;
-    return std::nullopt;
-  };
+  launch.directory = workspace_;
+  launch.prepare = [sandbox = Sandbox(profile(limits))] { return sandbox.enter(); };
   try {
-    FinishedProgram finished = run_program(launch, limits_.time, limits_.output_bytes);
+    FinishedProgram finished = run_program(launch, limits.time, limits.output_bytes);
     finished.output = printable(finished.output);
+    for (const char* quote : {"‘", "’"}) boost::replace_all(finished.output, quote, "'");
     return finished;
   } catch (const LaunchError& error) {
-    throw ToolchainError(messages::compiler_cannot_be_used(program, error.what()));
+    throw ToolchainError(
+        fmt::format("{} cannot be used ({}); build the workbook again.", program.string(), error.what()));
   }
 }
 
-std::string shown_name(const fs::path& file) {
-  std::string name = printable(file.filename().string());
-  std::replace(name.begin(), name.end(), '\n', '?');
-  return name;
+CompilerOutput Compiler::read(std::string_view output, const std::string& shown_name) const {
+  return read_compiler_output(output, shown_name, [this](const std::string& file) {
+    // Parts of the compiler have no path; the prelude is ours.
+    return file.find('/') == std::string::npos || file == toolchain_.prelude || may_be_included(file);
+  });
+}
+
+bool Compiler::may_be_included(const std::string& name) const {
+  const auto is_below = [](const fs::path& file, const fs::path& directory) {
+    return std::mismatch(directory.begin(), directory.end(), file.begin(), file.end()).first == directory.end();
+  };
+  const fs::path path = (workspace_ / name).lexically_normal();
+  // The compiler's own: the unit, and the assembler's file, which is gone again.
+  if (path.parent_path() == workspace_) return true;
+  // These mean something else for the compiler than for the checker.
+  if (is_below(path, "/proc") || is_below(path, "/dev")) return false;
+  std::error_code error;
+  const fs::path file = fs::canonical(path, error);
+  return !error && std::ranges::any_of(toolchain_.include_directories, [&](const fs::path& directory) {
+    const fs::path allowed = fs::canonical(directory, error);
+    return !error && is_below(file, allowed);
+  });
 }
 
 }  // namespace workbook

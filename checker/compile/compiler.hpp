@@ -3,7 +3,9 @@
 #pragma once
 
 #include "checker/base/child_process.hpp"
+#include "checker/compile/diagnostics.hpp"
 #include "checker/compile/toolchain.hpp"
+#include "checker/sandbox/sandbox.hpp"
 
 #include <chrono>
 #include <cstddef>
@@ -21,38 +23,45 @@ struct CompileLimits {
   std::size_t file_bytes = std::size_t{64} << 20;  ///< of each file that it writes
 };
 
-/// One compilation in its own directory:
-///   unit.cpp, unit.o, …   fixed names, whatever the student's file is called
-///   shown/NAME            where the compiler starts, and finds the lines that it shows in its messages
+/// Compilations in one directory, where the file is called unit.cpp, whatever its name is.
 class Compiler {
  public:
-  /// @param file_name  the name under which the student knows the file, without line ends
-  Compiler(const Toolchain& toolchain, const CompileLimits& limits, std::string file_name,
-           std::filesystem::path workspace);
+  Compiler(const Toolchain& toolchain, const CompileLimits& limits, std::filesystem::path workspace)
+      : toolchain_(toolchain), limits_(limits), workspace_(std::move(workspace)) {}
 
-  /// Puts the text to be compiled where the compiler finds it; `before` stands before its first line and is not
-  /// counted.
+  /// Writes unit.cpp; `before` stands before its first line and is not counted.
   /// @throws CacheError if it cannot be written
-  void write(const std::string& source, const std::string& before = {}) const;
+  void write(std::string_view source, const std::string& before = {}) const;
 
-  /// Arguments that compile the unit with the flags of the workers, and some more.
+  /// Arguments that compile with the flags of the workers, and some more.
   std::vector<std::string> arguments(const std::vector<std::string>& more) const;
 
   /// Runs the compiler; what it printed comes back safe to show. @throws ToolchainError if it cannot be started
-  FinishedProgram run(const std::vector<std::string>& arguments) const;
+  FinishedProgram run(std::vector<std::string> arguments) const {
+    return run(toolchain_.compiler, std::move(arguments), limits_);
+  }
+
+  /// Runs nm, which takes a moment and little memory unless a name in the object is made to need more.
+  FinishedProgram run_nm(std::vector<std::string> arguments) const {
+    return run(toolchain_.nm, std::move(arguments), {.time = std::chrono::seconds(5), .memory_bytes = 256u << 20});
+  }
+
+  /// Takes apart what it printed.
+  CompilerOutput read(std::string_view output, const std::string& shown_name) const;
+
+  /// May a student's file include this one? Headers of the course and of the system only: others hold the answers.
+  bool may_be_included(const std::string& file) const;
 
   const std::filesystem::path& workspace() const { return workspace_; }
-  std::filesystem::path shown() const { return workspace_ / "shown"; }
-  const std::string& file_name() const { return file_name_; }
 
  private:
+  SandboxProfile profile(const CompileLimits& limits) const;
+  FinishedProgram run(const std::filesystem::path& program, std::vector<std::string> arguments,
+                      const CompileLimits& limits) const;
+
   const Toolchain& toolchain_;
   const CompileLimits& limits_;
-  const std::string file_name_;
   const std::filesystem::path workspace_;
 };
-
-/// The name of a file as the student knows it, safe to print and on one line.
-std::string shown_name(const std::filesystem::path& file);
 
 }  // namespace workbook

@@ -1,41 +1,45 @@
 /// @file
-/// What the compiler printed, taken apart.
+/// What GCC or clang printed about a student's file, taken apart. (GCC's JSON lacks the chain of templates that leads
+/// from an error inside Eigen to the student's line, so its text is read.)
 #pragma once
 
-#include <optional>
+#include "checker/source/source_text.hpp"
+
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace workbook {
 
-enum class Severity { error, warning };
-
-/// A place in the student's file; line 0: none.
-struct Place {
-  int line = 0;
-  int column = 0;  ///< as terminals show it, from 1, with a tab stop every eight; 0 if the compiler names none
-};
+/// The name under which every student's file is compiled.
+inline const std::string unit_name = "unit.cpp";
 
 /// One error or warning.
 struct Diagnostic {
-  Severity severity = Severity::error;
-  Place place;         ///< in the student's file: of the error itself, or of the line that led to it
+  bool is_error = true;
+  Place place;         ///< in the student's file: of the error itself, or of the line that led to it; line 0: none
   std::string header;  ///< the file with the error, if that is not the student's
   std::string text;
-  std::string option;                ///< "-Wreturn-type"
-  std::vector<std::string> context;  ///< which templates led to it, the innermost first
-  std::vector<std::string> notes;
+  std::string option;   ///< "-Wreturn-type"
+  std::string notes;    ///< line by line
+  std::string context;  ///< the arguments of the templates that led to it, the innermost first, line by line
 };
 
-/// All errors and warnings, in the compiler's order.
-/// @param output     what the compiler printed
-/// @param file_name  the name under which the student knows the file
-std::vector<Diagnostic> diagnostics(const std::string& output, const std::string& file_name);
+struct CompilerOutput {
+  std::vector<Diagnostic> diagnostics;  ///< in the compiler's order
+  std::string shown;                    ///< the errors as the compiler printed them, with the file's own name
+  std::string foreign_file;             ///< the first file that may not be shown
+};
 
-/// True if the compiler stopped because its memory was used up.
-bool ran_out_of_memory(const std::string& output);
+/// @param may_be_shown  is this file one that students may include? Of others nothing comes back, not even quoted
+/// lines.
+CompilerOutput read_compiler_output(std::string_view output, const std::string& shown_name,
+                                    const std::function<bool(const std::string&)>& may_be_shown);
 
-/// True if it stopped because what it made grew too large.
-bool grew_too_large(const std::string& output);
+/// A text of the compiler or the linker without what only authors of templates need: "const Vector3d&" for
+/// "Eigen::Matrix<double, 3, 1> const&", "1×3 row vector" for an expression of that shape, no "[with …]", no "{aka …}",
+/// long template arguments as "<…>".
+std::string in_plain_words(std::string_view text);
 
 }  // namespace workbook

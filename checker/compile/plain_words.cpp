@@ -1,155 +1,107 @@
-#include "checker/compile/plain_words.hpp"
+#include "checker/base/text.hpp"
+#include "checker/compile/diagnostics.hpp"
 
-#include "checker/compile/eigen_type.hpp"
-#include "checker/messages/compiling.hpp"
+#include <fmt/format.h>
+#include <boost/algorithm/string/replace.hpp>
+#include <boost/algorithm/string/split.hpp>
 
-#include <cctype>
-#include <charconv>
+#include <algorithm>
 #include <optional>
 #include <regex>
 
 namespace workbook {
 namespace {
 
-constexpr std::size_t longest_arguments = 30;  // of a template, in letters; longer ones are folded
-constexpr std::size_t none = std::string::npos;
+// What stands for < > and a comma in what has been shortened.
+constexpr char open_mark = '\x01';
+constexpr char close_mark = '\x02';
+constexpr char comma_mark = '\x03';
 
-bool is_letter(char letter) { return std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_'; }
+/// Rows and columns; −1 where they are known at run time only.
+struct Shape {
+  int rows = 0;
+  int columns = 0;
+};
 
-/// Where the bracket that is open at `open` is closed.
-std::size_t closing(std::string_view text, std::size_t open, char opens, char closes) {
-  int level = 0;
-  for (std::size_t at = open; at < text.size(); ++at) {
-    if (text[at] == opens) ++level;
-    if (text[at] == closes && --level == 0) return at;
-  }
-  return none;
+/// "3×1 vector", "Matrix3d", "const RowVector3d&"
+std::optional<Shape> shape_of(const std::string& type) {
+  static const std::regex noun("(\\d+|n)×(\\d+|n) (?:row vector|vector|matrix)");
+  static const std::regex name("(Row)?(Vector|Matrix)([1-4X])([1-4X])?[df]");
+  const auto number = [](const std::string& size) { return size == "n" || size == "X" ? -1 : std::stoi(size); };
+  std::smatch found;
+  if (std::regex_search(type, found, noun)) return Shape{number(found[1]), number(found[2])};
+  if (!std::regex_search(type, found, name)) return std::nullopt;
+  const int size = number(found[3]);
+  if (found[1].matched) return Shape{1, size};
+  return Shape{size, found[2] == "Vector" ? 1 : found[4].matched ? number(found[4]) : size};
 }
 
-/// Without " [with T = …; …]".
-void drop_template_arguments(std::string& text) {
-  for (std::size_t at = 0; (at = text.find(" [with ", at)) != none;) {
-    const std::size_t end = closing(text, at + 1, '[', ']');
-    text.erase(at, end == none ? none : end + 1 - at);
-  }
+std::string noun(Shape shape) {
+  const auto size = [](int count) { return count < 0 ? "n" : std::to_string(count); };
+  return fmt::format("{}×{} {}", size(shape.rows), size(shape.columns),
+                     shape.columns == 1 && shape.rows != 1   ? "vector"
+                     : shape.rows == 1 && shape.columns != 1 ? "row vector"
+                                                             : "matrix");
 }
 
-/// 'A' {aka 'B'} becomes 'A' if A is a short name, else 'B'; inside quotes 'A {aka B}' becomes 'B'.
-void choose_one_name(std::string& text) {
-  for (std::size_t at = 0; (at = text.find(" {aka ", at)) != none;) {
-    const std::size_t end = text.find('}', at);
-    if (end == none || at == 0) break;
-    std::string other = text.substr(at + 6, end - at - 6);
-    const bool quoted = text[at - 1] == '\'';
-    const std::size_t begin = quoted ? (at < 2 ? none : text.rfind('\'', at - 2)) : text.rfind('\'', at - 1);
-    if (begin == none) break;
-    const std::string name = quoted ? text.substr(begin + 1, at - begin - 2) : text.substr(begin + 1, at - begin - 1);
-    if (!short_name(read_type(name)).empty()) {
-      text.erase(at, end + 1 - at);
-      continue;
-    }
-    const std::string better = quoted ? other : "'" + other;
-    text.replace(begin, end + 1 - begin, better);
-    at = begin + better.size();
-  }
+/// Eigen::Matrix<double, 3, 1>, or one that it has no name for.
+std::string matrix(const std::string& scalar, int rows, int columns) {
+  const auto size = [](int count) { return count < 0 ? "X" : std::to_string(count); };
+  if ((scalar != "double" && scalar != "float") || std::max(rows, columns) > 4 || (rows == 1 && columns == 1))
+    return noun({rows, columns});
+  if (columns == 1) return "Vector" + size(rows) + scalar[0];
+  if (rows == 1) return "RowVector" + size(columns) + scalar[0];
+  return "Matrix" + size(rows) + (rows == columns ? "" : size(columns)) + scalar[0];
 }
 
-bool is_part(const std::string& name) {
-  return name == "Block" || name == "VectorBlock" || name == "Transpose" || name == "Diagonal" || name == "Map" ||
-         name == "Ref";
-}
-
-/// The short form of a template type of Eigen.
-std::optional<std::string> shortened_type(std::string_view text) {
-  const TypeName type = read_type(text);
-  if (const std::string name = short_name(type); !name.empty()) return name;
-  const std::optional<Shape> shape = shape_of(type);
-  if (!shape || type.name == "MatrixBase" || type.name == "DenseBase") return std::nullopt;
-  const auto size = [](int count) { return count < 0 ? std::string("n") : std::to_string(count); };
-  return size(shape->rows) + "×" + size(shape->columns) + " " +
-         (is_part(type.name) ? messages::part_noun() : messages::expression_noun());
-}
-
-/// Every template type in its short form.
-std::string with_short_types(std::string_view text) {
-  std::string result;
-  for (std::size_t at = 0; at < text.size();) {
-    const bool begins_word = is_letter(text[at]) && (at == 0 || (!is_letter(text[at - 1]) && text[at - 1] != ':'));
-    if (!begins_word) {
-      result += text[at++];
-      continue;
-    }
-    std::size_t end = at;
-    while (end < text.size() && (is_letter(text[end]) || text[end] == ':')) ++end;
-    // "operator<" and "operator<<" are no templates; nor is a comparison, before which stands a space.
-    const bool is_template = end < text.size() && text[end] == '<' && !text.substr(at, end - at).ends_with("operator");
-    const std::size_t close = is_template ? closing(text, end, '<', '>') : none;
-    if (close == none) {
-      result += text.substr(at, end - at);
-      at = end;
-      continue;
-    }
-    const std::string_view whole = text.substr(at, close + 1 - at);
-    if (const auto shorter = shortened_type(whole)) {
-      result += *shorter;
-    } else {
-      std::string arguments = with_short_types(text.substr(end + 1, close - end - 1));
-      if (whole.starts_with("std::vector<")) arguments = arguments.substr(0, arguments.find(", std::allocator<"));
-      result += text.substr(at, end - at);
-      result += arguments.size() > longest_arguments ? "<…>" : "<" + arguments + ">";
-    }
-    at = close + 1;
-  }
-  return result;
-}
-
-void replace_all(std::string& text, std::string_view from, std::string_view to) {
-  for (std::size_t at = 0; (at = text.find(from, at)) != none; at += to.size()) text.replace(at, from.size(), to);
-}
-
-/// Letters that GCC writes as "\U000003c9".
-void decode_letters(std::string& text) {
-  for (std::size_t at = 0; (at = text.find("\\U", at)) != none; ++at) {
-    unsigned long point = 0;
-    const char* const begin = text.data() + at + 2;
-    if (text.size() < at + 10) return;
-    const auto [stop, error] = std::from_chars(begin, begin + 8, point, 16);
-    if (error != std::errc() || stop != begin + 8 || point < 0xa0 || point > 0x10ffff) continue;
-    std::string letter;
-    const auto tail = [&](int shift) { letter += static_cast<char>(0x80 | ((point >> shift) & 0x3f)); };
-    if (point < 0x800) {
-      letter += static_cast<char>(0xc0 | (point >> 6));
-    } else if (point < 0x10000) {
-      letter += static_cast<char>(0xe0 | (point >> 12));
-      tail(6);
-    } else {
-      letter += static_cast<char>(0xf0 | (point >> 18));
-      tail(12);
-      tail(6);
-    }
-    tail(0);
-    text.replace(at, 10, letter);
-  }
+/// A template whose arguments have been shortened.
+std::string shortened(const std::string& name, const std::string& list) {
+  std::vector<std::string> arguments;
+  boost::split(arguments, boost::replace_all_copy(list, ", ", ","), [](char letter) { return letter == ','; });
+  arguments.resize(std::max<std::size_t>(arguments.size(), 3));
+  const auto is = [&](std::string_view names) { return names.find(" " + name + " ") != std::string_view::npos; };
+  static const std::regex number("-?\\d{1,6}");
+  const bool is_sized = std::regex_match(arguments[1], number) && std::regex_match(arguments[2], number);
+  if (is(" Matrix Array ") && is_sized) return matrix(arguments[0], std::stoi(arguments[1]), std::stoi(arguments[2]));
+  if (is(" Block ") && is_sized) return noun({std::stoi(arguments[1]), std::stoi(arguments[2])});
+  const std::optional<Shape> first = shape_of(arguments[0]);
+  const std::optional<Shape> second = shape_of(arguments[1]);
+  const std::optional<Shape> third = shape_of(arguments[2]);
+  if (is(" Transpose ") && first) return noun({first->columns, first->rows});
+  if (is(" Product ") && first && second && (first->columns == second->rows || first->columns * second->rows < 0))
+    return noun({first->rows, second->columns});
+  if (is(" CwiseBinaryOp ") && second && third)
+    return noun({std::max(second->rows, third->rows), std::max(second->columns, third->columns)});
+  if (is(" CwiseUnaryOp CwiseNullaryOp CwiseUnaryView Solve ") && second) return noun(*second);
+  if (is(" VectorBlock ") && first && std::regex_match(arguments[1], number))
+    return noun(first->rows == 1 ? Shape{1, std::stoi(arguments[1])} : Shape{std::stoi(arguments[1]), 1});
+  if (is(" Map Ref Inverse ArrayWrapper MatrixWrapper NoAlias Reverse Select ") && first) return noun(*first);
+  std::string shown = name == "vector" ? arguments[0] : list;
+  std::ranges::replace(shown, ',', comma_mark);
+  return name + open_mark + (shown.size() > 40 ? "…" : shown) + close_mark;
 }
 
 }  // namespace
 
-std::string in_contract_words(std::string signature) {
-  signature = with_short_types(signature);
-  static const std::regex constant("([\\w:]+(?:<\\w+>)?) const&");
-  if (signature.size() > 2000) return signature;  // std::regex recurses over the length of its text
-  return std::regex_replace(signature, constant, "const $1&");
-}
-
-std::string in_plain_words(std::string_view message) {
-  std::string text(message);
-  drop_template_arguments(text);
-  choose_one_name(text);
-  text = with_short_types(text);
-  for (const std::string_view noise : {"Eigen::", " [-fpermissive]"}) replace_all(text, noise, "");
-  replace_all(text, "'class ", "'");
-  decode_letters(text);
-  return text;
+std::string in_plain_words(std::string_view text) {
+  constexpr std::size_t longest = 2000;  // std::regex recurses over the length of its text
+  static const std::regex noise(R"(\b(class|struct) (?=\w*::)| \[-fpermissive\]| \[with [^\]]*\])");
+  static const std::regex innermost(R"((?:Eigen::)?(?!operator\b)\b(\w+)<([^<>]*?) ?>(::)?)");
+  static const std::regex aka(R"('[^']*' \{aka '([^']*)'\}|'[^'{]* \{aka ([^'}]*)\}')");
+  static const std::regex constant(R"((\w[\w:]*(?:\x01[\w:]+\x02)?) const&)");
+  static const std::regex name(R"(\bEigen::(?=(Row)?(Vector|Matrix)[234X]+[df]\b))");
+  std::string plain = std::regex_replace(cut(text, longest), noise, "");
+  for (std::smatch found; std::regex_search(plain, found, innermost);) {
+    // A member of a template, A<…>::B, has not the shape of A.
+    const std::string type =
+        found[3].matched ? found[1].str() + open_mark + "…" + close_mark + "::" : shortened(found[1], found[2]);
+    plain.replace(static_cast<std::size_t>(found.position()), static_cast<std::size_t>(found.length()), type);
+  }
+  plain = std::regex_replace(std::regex_replace(plain, aka, "'$1$2'"), constant, "const $1&");
+  std::ranges::replace(plain, open_mark, '<');
+  std::ranges::replace(plain, close_mark, '>');
+  std::ranges::replace(plain, comma_mark, ',');
+  return std::regex_replace(plain, name, "");
 }
 
 }  // namespace workbook

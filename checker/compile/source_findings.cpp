@@ -1,79 +1,99 @@
 #include "checker/compile/source_findings.hpp"
 
-#include "checker/compile/code_text.hpp"
-#include "checker/compile/kept_expressions.hpp"
-#include "checker/compile/source_file.hpp"
-#include "checker/compile/text_mistakes.hpp"
-#include "checker/compile/warning_mistakes.hpp"
+#include "checker/compile/mistakes.hpp"
 
 #include <algorithm>
 #include <exception>
-#include <future>
 #include <iterator>
-#include <string>
 #include <utility>
 
 namespace workbook {
 namespace {
 
-constexpr std::size_t most = 4;  // more than these help nobody
+// `auto x = a + b;` keeps an expression of Eigen, not its value. The compiler is asked where that happens: in a copy of
+// the file every `auto` demands a type that holds its own value. An expression is kept if it computes later, from
+// operands that it only refers to. Zero(), Identity() and the like refer to nothing. A transpose or a block is a view,
+// and harmless unless it looks at such an expression.
+constexpr const char* demand_of_values = R"(namespace workbook_values {
+template <class T> struct Refers { static constexpr bool value = true; };
+template <class T> struct Refers<const T> : Refers<T> {};
+template <class F, class P> struct Refers<Eigen::CwiseNullaryOp<F, P>> { static constexpr bool value = false; };
+template <class F, class X> struct Refers<Eigen::CwiseUnaryOp<F, X>> : Refers<X> {};
+template <class F, class L, class R> struct Refers<Eigen::CwiseBinaryOp<F, L, R>> {
+  static constexpr bool value = Refers<L>::value || Refers<R>::value;
+};
+template <class T> struct Kept { static constexpr bool value = std::is_base_of_v<Eigen::ReturnByValue<T>, T>; };
+template <class T> struct Kept<const T> : Kept<T> {};
+template <class F, class X> struct Kept<Eigen::CwiseUnaryOp<F, X>> : Refers<X> {};
+template <class F, class L, class R> struct Kept<Eigen::CwiseBinaryOp<F, L, R>>
+    : Refers<Eigen::CwiseBinaryOp<F, L, R>> {};
+template <class L, class R, int o> struct Kept<Eigen::Product<L, R, o>> { static constexpr bool value = true; };
+template <class X> struct Kept<Eigen::Inverse<X>> { static constexpr bool value = true; };
+template <class D, class R> struct Kept<Eigen::Solve<D, R>> { static constexpr bool value = true; };
+template <class X> struct Kept<Eigen::Transpose<X>> : Kept<X> {};
+template <class X, int r, int c, bool p> struct Kept<Eigen::Block<X, r, c, p>> : Kept<X> {};
+template <class X, int n> struct Kept<Eigen::VectorBlock<X, n>> : Kept<X> {};
+template <class X, int n> struct Kept<Eigen::Diagonal<X, n>> : Kept<X> {};
+template <class X> struct Kept<Eigen::ArrayWrapper<X>> : Kept<X> {};
+template <class X> struct Kept<Eigen::MatrixWrapper<X>> : Kept<X> {};
+template <class T> concept PlainValue = !Kept<std::remove_cvref_t<T>>::value;
+}
+#define auto ::workbook_values::PlainValue auto
+)";
 
-constexpr const char* file_name = "looked_at.cpp";  // nobody sees it
-
-void append(std::vector<Finding>& all, std::vector<Finding> more) {
-  for (Finding& finding : more) {
-    const bool known = std::ranges::any_of(
-        all, [&](const Finding& other) { return other.line == finding.line && other.sentence == finding.sentence; });
-    if (!known) all.push_back(std::move(finding));
+std::vector<Finding> kept_expressions(const SourceText& source, const Compiler& compiler) {
+  const std::vector<Token>& tokens = source.tokens();
+  compiler.write(source.text(), demand_of_values);
+  // Other errors may be many: the demand does not fit everywhere.
+  const FinishedProgram asked = compiler.run(compiler.arguments({"-fsyntax-only", "-w", "-fmax-errors=0", unit_name}));
+  std::vector<Finding> findings;
+  for (const Diagnostic& error : compiler.read(asked.output, "").diagnostics) {
+    const bool of_result = error.text.starts_with("deduced return type does not satisfy");
+    const bool is_kept = of_result || error.text.starts_with("deduced initializer does not satisfy");
+    // The last `auto` before the error is meant, and the name behind it.
+    auto at = std::ranges::lower_bound(tokens, source.offset_of(error.place), {}, &Token::offset);
+    while (is_kept && at != tokens.begin() && (at == tokens.end() || at->text != "auto")) --at;
+    const auto name = std::find_if(at, tokens.end(), [](const Token& token) {
+      return token.text != "auto" && token.text != "const" && token.text != "&" && token.text != "&&";
+    });
+    if (!is_kept || !error.header.empty() || name == tokens.end() || at->text != "auto") continue;
+    findings.push_back(source.finding(
+        source.place_of(at->offset), "kept_expression",
+        "With auto, `" + std::string(name->text) + (of_result ? "` returns" : "` holds") +
+            " no result but a formula that is computed later, at every use, from operands that may have changed or "
+            "gone by then: write the type in place of auto."));
   }
-}
-
-std::vector<Diagnostic> said_by(const Compiler& compiler, std::vector<std::string> flags) {
-  return diagnostics(compiler.run(compiler.arguments(std::move(flags))).output, compiler.file_name());
-}
-
-/// Compiled as far as the assembler's text: with -fsyntax-only the compiler does not notice variables without a value.
-std::vector<Finding> warned_of(const Compiler& compiler, const std::string& source) {
-  compiler.write(source);
-  std::vector<std::string> flags = warning_flags();
-  // The file itself and not the unit: behind a #line the compiler looks at no indentation.
-  flags.insert(flags.end(), {"-S", file_name, "-o", "../unit.s"});
-  return warning_mistakes(said_by(compiler, std::move(flags)), source);
-}
-
-std::vector<Finding> kept_in(const Compiler& compiler, const std::string& source) {
-  const DemandingCopy copy = demanding_copy(source);
-  if (copy.source.empty()) return {};
-  compiler.write(copy.source, copy.before);
-  return kept_expressions(said_by(compiler, {"-fsyntax-only", "../unit.cpp"}), copy, source);
+  return findings;
 }
 
 }  // namespace
 
-std::vector<Finding> source_findings(const CompileTask& task, const Toolchain& toolchain,
-                                     const std::filesystem::path& cache_directory, Depth depth,
+bool is_remark(const Finding& finding) { return finding.name == "never_used"; }
+
+std::vector<Finding> source_findings(const CompileTask& task, const Compilation& compilation,
+                                     const Toolchain& toolchain, const std::filesystem::path& cache_directory,
                                      const CompileLimits& limits) {
+  constexpr std::size_t most = 4;
+  std::vector<Finding> all;
+  const auto add = [&](std::vector<Finding> more) { std::ranges::move(more, std::back_inserter(all)); };
+  const SourceText source(task.submission.text);
   try {
-    const std::string source = read_source(task.file);
-    std::vector<Finding> found = text_mistakes(source);
-    if (depth == Depth::compiler) {
-      const BuildCache cache(std::filesystem::absolute(cache_directory));
-      const auto with_compiler = [&](auto look) {
-        const Workspace workspace(cache.directory());
-        return look(Compiler(toolchain, limits, file_name, workspace.directory()), source);
-      };
-      // Side by side: the student waits for both.
-      auto kept = std::async(std::launch::async, [&] { return with_compiler(kept_in); });
-      std::vector<Finding> warned = with_compiler(warned_of);
-      append(found, kept.get());
-      append(found, std::move(warned));
-    }
-    if (found.size() > most) found.resize(most);
-    std::ranges::stable_sort(found, {}, &Finding::line);
-    return found;
-  } catch (const std::exception&) {
-    return {};  // it is a help only; what matters has been judged
+    const Workspace workspace(BuildCache(std::filesystem::absolute(cache_directory)).directory());
+    const Compiler compiler(toolchain, limits, workspace.directory());
+    if (std::ranges::count(source.tokens(), "auto", &Token::text) > 0) add(kept_expressions(source, compiler));
+    add(text_mistakes(source));
+    add(warned_mistakes(compiler.read(compilation.compiler_output, "").diagnostics, source));
+  } catch (const std::exception&) {  // it is a help only; what matters has been judged
   }
+  std::ranges::stable_partition(all, [](const Finding& finding) { return !is_remark(finding); });
+  std::vector<Finding> found;
+  for (Finding& finding : all) {
+    const bool is_known = std::ranges::any_of(
+        found, [&](const Finding& other) { return other.name == finding.name && other.line == finding.line; });
+    if (!is_known && found.size() < most) found.push_back(std::move(finding));
+  }
+  std::ranges::stable_sort(found, {}, &Finding::line);
+  return found;
 }
 
 }  // namespace workbook

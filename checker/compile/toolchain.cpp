@@ -1,58 +1,80 @@
 #include "checker/compile/toolchain.hpp"
 
-#include "checker/messages/compiling.hpp"
+#include "checker/base/build.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <unistd.h>
+
+#include <algorithm>
 #include <fstream>
 
 namespace workbook {
+
+namespace fs = std::filesystem;
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Toolchain, compiler, flags, prelude, include_directories, directory, support,
+                                   link_flags, nm, second_look, addr2line, main_header, main_function, main_include,
+                                   setup, build, target, sources)
+
 namespace {
 
-constexpr int current_format = 1;
+constexpr int current_toolchain_format = 1;
 
-std::vector<std::filesystem::path> paths(const nlohmann::json& list) {
-  const auto strings = list.get<std::vector<std::string>>();
-  return {strings.begin(), strings.end()};
+void require_file(const fs::path& file) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored))
+    throw ToolchainError(fmt::format("{} is missing; build the workbook again.", file.string()));
 }
 
-void require_file(const std::filesystem::path& file, messages::ToolchainPart part) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(file, ignored))
-    throw ToolchainError(messages::part_is_missing(part, file.string()));
+/// Written under another name first: another checker may be making the same.
+void make_worker_object(const Toolchain& toolchain, const std::string& exercise) {
+  const fs::path source = toolchain.directory / fmt::format("{}.{}.cpp", exercise, getpid());
+  const fs::path object = source.string() + ".o";
+  std::ofstream(source) << fmt::format("#include \"{}\"\nint main() {{ return workbook::{}(&rigid::{}); }}\n",
+                                       toolchain.main_header.string(), toolchain.main_function, exercise);
+  std::vector<std::string> arguments = toolchain.flags;
+  arguments.insert(arguments.end(), {"-I", toolchain.main_include.string(), "-include", toolchain.prelude.string(),
+                                     "-c", source.string(), "-o", object.string()});
+  const FinishedProgram compiled = run_with_path(toolchain.compiler.string(), arguments, std::chrono::minutes(2));
+  std::error_code problem;
+  fs::remove(source, problem);
+  if (compiled.succeeded()) fs::rename(object, toolchain.worker_object(exercise), problem);
+  if (!compiled.succeeded() || problem)
+    throw ToolchainError(fmt::format("The worker of {} could not be compiled{}; does the contract declare it?\n{}",
+                                     exercise, problem ? " (" + problem.message() + ")" : "", compiled.output));
 }
 
 }  // namespace
 
-Toolchain read_toolchain(const std::filesystem::path& file) {
+Toolchain read_toolchain(const fs::path& file) {
   std::ifstream stream(file);
-  if (!stream) throw ToolchainError(messages::toolchain_cannot_be_read(file.string()));
+  if (!stream)
+    throw ToolchainError(fmt::format("The toolchain file {} cannot be read; build the workbook again.", file.string()));
   try {
-    const nlohmann::json json = nlohmann::json::parse(stream);
-    if (json.at("format") != current_format) throw ToolchainError(messages::toolchain_of_another_format(file.string()));
-    Toolchain toolchain;
-    toolchain.compiler = json.at("compiler").get<std::string>();
-    toolchain.flags = json.at("flags").get<std::vector<std::string>>();
-    toolchain.prelude = json.at("prelude").get<std::string>();
-    toolchain.include_directories = paths(json.at("include_directories"));
-    toolchain.workers = json.at("workers").get<std::string>();
-    toolchain.support = paths(json.at("support"));
-    toolchain.link_flags = json.at("link_flags").get<std::vector<std::string>>();
-    toolchain.nm = json.at("nm").get<std::string>();
-    toolchain.second_look = json.value("second_look", "");
-    toolchain.addr2line = json.value("addr2line", "");
-    return toolchain;
+    const auto document = nlohmann::json::parse(stream);
+    if (document.at("format") != current_toolchain_format)
+      throw ToolchainError(fmt::format(
+          "The toolchain file {} has another format than this checker; build the workbook again.", file.string()));
+    return document.get<Toolchain>();
   } catch (const nlohmann::json::exception& error) {
-    throw ToolchainError(messages::toolchain_is_damaged(file.string(), error.what()));
+    throw ToolchainError(
+        fmt::format("The toolchain file {} is damaged ({}); build the workbook again.", file.string(), error.what()));
   }
 }
 
 void require_complete(const Toolchain& toolchain, const std::string& exercise) {
-  using messages::ToolchainPart;
-  require_file(toolchain.compiler, ToolchainPart::compiler);
-  require_file(toolchain.prelude, ToolchainPart::prelude);
-  require_file(toolchain.worker_object(exercise), ToolchainPart::worker);
-  for (const std::filesystem::path& object : toolchain.support) require_file(object, ToolchainPart::part_of_worker);
+  require_file(toolchain.compiler);
+  std::vector<fs::path> parts = toolchain.support;
+  parts.push_back(toolchain.precompiled());
+  std::error_code problem;
+  const auto exists = [&](const fs::path& file) { return fs::is_regular_file(file, problem); };
+  if (!std::ranges::all_of(parts, exists)) make({toolchain.setup, toolchain.build}, {toolchain.target});
+  std::ranges::for_each(parts, require_file);
+  const auto made = fs::last_write_time(toolchain.worker_object(exercise), problem);
+  const auto is_newer = [&](const fs::path& part) { return fs::last_write_time(part) > made; };
+  if (problem || std::ranges::any_of(parts, is_newer)) make_worker_object(toolchain, exercise);
 }
 
 }  // namespace workbook

@@ -1,5 +1,5 @@
 /// @file
-/// How students' files are compiled and linked here; written when the workbook is built.
+/// How students' files are compiled and linked here. CMake writes it; its parts are made when they are needed.
 #pragma once
 
 #include <filesystem>
@@ -14,25 +14,38 @@ struct ToolchainError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The names are the keys of toolchain.json.
 struct Toolchain {
   std::filesystem::path compiler;
   std::vector<std::string> flags;                          ///< the same as the prelude was precompiled with
   std::filesystem::path prelude;                           ///< included before the first line of a student's file
   std::vector<std::filesystem::path> include_directories;  ///< the only places that a student's file may include from
-  std::filesystem::path workers;                           ///< directory of the workers' mains, EXERCISE.o
+  std::filesystem::path directory;                         ///< of all that is made
   std::vector<std::filesystem::path> support;              ///< objects that every worker needs
   std::vector<std::string> link_flags;
   std::filesystem::path nm;
-  std::filesystem::path second_look;  ///< the toolchain file for looking at failures; empty: there is none
-  std::filesystem::path addr2line;    ///< finds the line of an address; empty: there is none
+  std::filesystem::path second_look;   ///< the toolchain file for the diagnostic run; empty: there is none
+  std::filesystem::path addr2line;     ///< finds the line of an address; empty: there is none
+  std::filesystem::path main_header;   ///< declares main_function, which a worker's main calls with the exercise
+  std::string main_function;           ///< in namespace workbook
+  std::filesystem::path main_include;  ///< where main_header includes from
+  std::filesystem::path setup;         ///< checker/setup.sh, which makes the target in the build
+  std::filesystem::path build;
+  std::string target;
+  std::filesystem::path sources;  ///< of the prelude: read where the compiler cannot use the precompiled one
 
-  std::filesystem::path worker_object(const std::string& exercise) const { return workers / (exercise + ".o"); }
+  std::filesystem::path precompiled() const { return prelude.string() + ".gch"; }
+  std::filesystem::path worker_object(const std::string& exercise) const {
+    return directory / (exercise + ".worker.o");
+  }
 };
 
 /// @throws ToolchainError if the file is missing or damaged
 Toolchain read_toolchain(const std::filesystem::path& file);
 
-/// @throws ToolchainError if one of the files that compiling this exercise needs is missing
+/// Makes what compiling this exercise needs and is not there yet: the prelude, what all workers share, its worker's
+/// main.
+/// @throws ToolchainError if something is missing and cannot be made
 void require_complete(const Toolchain& toolchain, const std::string& exercise);
 
 }  // namespace workbook

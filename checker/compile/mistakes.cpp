@@ -1,0 +1,102 @@
+#include "checker/compile/mistakes.hpp"
+
+#include "checker/base/text.hpp"
+
+#include <boost/algorithm/string/erase.hpp>
+#include <boost/algorithm/string/replace.hpp>
+
+#include <algorithm>
+#include <map>
+#include <regex>
+#include <utility>
+
+namespace workbook {
+namespace {
+
+constexpr std::size_t longest_for_patterns = 1500;  // std::regex recurses over the length of its text
+constexpr std::size_t most_warnings = 100;
+
+/// Made once: to make one takes longer than to match it.
+const std::regex& regex_of(const char* pattern) {
+  thread_local std::map<const char*, std::regex> made;
+  if (const auto known = made.find(pattern); known != made.end()) return known->second;
+  std::string text = pattern;
+  const std::string number = "(?:(?:long |unsigned |short )*(?:double|float|int|char|bool|long))";
+  const std::string matrix = "(?:(?:Row)?(?:Vector|Matrix)\\w+|(?:[\\dn]+×[\\dn]+ )?(?:row vector|vector|matrix))";
+  const std::string list = "(?:std::(?:vector|array)<|double(?: \\(&\\))? ?\\[|double\\*)[^']*";
+  for (const auto& [kind, type] : {std::pair{"<number>", number}, std::pair{"<matrix>", "(" + matrix + ")"},
+                                   std::pair{"<value>", "(" + number + "|" + matrix + ")"}, std::pair{"<list>", list},
+                                   std::pair{"<type>", std::string("([^']*?)")}})
+    boost::replace_all(text, kind, "'(?:const )?" + type + "&*'");
+  return made.emplace(pattern, std::regex(text)).first->second;
+}
+
+/// The first mistake of the table that explains what was said.
+std::optional<Finding> recognized(const std::vector<MessageMistake>& table, const Diagnostic& said, Place place,
+                                  const SourceText& source, const std::string& signature) {
+  const auto plain = [](std::string_view text) { return cut(in_plain_words(text), longest_for_patterns); };
+  const std::string message = (said.is_error ? "" : said.option + ": ") + plain(said.text) + "\nin " +
+                              said.header.substr(said.header.rfind('/') + 1) + "\n" + plain(said.notes) + "\n" +
+                              plain(said.context) + "\nraw: " + cut(said.text, longest_for_patterns);
+  const std::string marked_code = source.marked_code(place);
+  const std::string code = boost::erase_first_copy(marked_code, "@");
+  for (const MessageMistake& mistake : table) {
+    std::smatch in_message, in_code;
+    if (!std::regex_search(message, in_message, regex_of(mistake.message))) continue;
+    const std::regex& pattern = regex_of(mistake.code);
+    if (!std::regex_search(marked_code, in_code, pattern) && !std::regex_search(code, in_code, pattern)) continue;
+    std::string sentence = mistake.sentence;
+    const bool of_member = sentence.find("$member") != std::string::npos;
+    const std::string wrong = (of_member ? ";." : ";") + in_message[1].str() + "=";
+    const std::size_t at = spellings.find(wrong);
+    if ((of_member || sentence.find("$right") != std::string::npos) && at == std::string_view::npos) continue;
+    const std::string_view right = at == std::string_view::npos ? "" : spellings.substr(at + wrong.size());
+    for (const char* word : {"$right", "$member"}) boost::replace_all(sentence, word, right.substr(0, right.find(';')));
+    for (std::size_t i = 1; i < 5; ++i) {
+      boost::replace_all(sentence, "$" + std::to_string(i), i < in_message.size() ? in_message[i].str() : "");
+      boost::replace_all(sentence, "%" + std::to_string(i), i < in_code.size() ? in_code[i].str() : "");
+    }
+    boost::replace_all(sentence, "$contract", signature);
+    return source.finding(place, mistake.name, sentence);
+  }
+  return std::nullopt;
+}
+
+/// What is missing before a token belongs behind the one before it, which may stand on an earlier line.
+Place place_to_show(const Diagnostic& error, const SourceText& source) {
+  const auto next = std::ranges::lower_bound(source.tokens(), source.offset_of(error.place), {}, &Token::offset);
+  const bool noticed_late = error.text.find("before") != std::string::npos &&
+                            (error.text.find(";") < 20 || error.text.starts_with("expected initializer"));
+  if (!noticed_late || next == source.tokens().begin()) return error.place;
+  const Place behind = source.place_of((next - 1)->offset + (next - 1)->text.size());
+  return behind.line < error.place.line ? behind : error.place;
+}
+
+}  // namespace
+
+std::optional<Finding> first_error(const std::vector<Diagnostic>& found, const SourceText& source,
+                                   const std::string& signature) {
+  const auto is_placed_error = [](const Diagnostic& one) { return one.is_error && one.place.line > 0; };
+  auto first = std::ranges::find_if(found, is_placed_error);
+  if (first == found.end()) first = std::ranges::find_if(found, &Diagnostic::is_error);
+  if (first == found.end()) return std::nullopt;
+  for (auto next = first; next != found.end(); ++next)
+    if (is_placed_error(*next) && next->place.line == first->place.line)
+      if (auto finding = recognized(error_table, *next, place_to_show(*next, source), source, signature))
+        return finding;
+  constexpr std::size_t longest = 300;
+  const std::string text = in_plain_words(first->text);
+  return source.finding(first->place, "compiler_error",
+                        "The compiler says: " + cut(text, longest) + (text.size() > longest ? " …" : "."));
+}
+
+std::vector<Finding> warned_mistakes(const std::vector<Diagnostic>& found, const SourceText& source) {
+  std::vector<Finding> mistakes;
+  for (std::size_t i = 0; i < std::min(found.size(), most_warnings); ++i)
+    if (!found[i].is_error && found[i].header.empty() && found[i].place.line > 0)
+      if (std::optional<Finding> finding = recognized(warning_table, found[i], found[i].place, source, ""))
+        if (!finding->name.empty()) mistakes.push_back(std::move(*finding));
+  return mistakes;
+}
+
+}  // namespace workbook

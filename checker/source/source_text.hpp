@@ -1,0 +1,60 @@
+/// @file
+/// A student's file as text: its lines and its tokens.
+#pragma once
+
+#include "checker/data/observation.hpp"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace workbook {
+
+inline constexpr std::string_view byte_order_mark = "\ufeff";
+
+/// A word, a number, an operator (one of several letters is one token), or a text in quotation marks.
+struct Token {
+  std::string_view text;
+  std::size_t offset = 0;
+  bool in_directive = false;  ///< of the preprocessor
+
+  bool is_literal() const { return (text[0] < '0' || text[0] > '9') && text.find_first_of("\"'") < 4; }
+};
+
+/// A place in the file. Columns count bytes from 1; 0: the whole line.
+struct Place {
+  int line = 0;
+  int column = 0;
+};
+
+class SourceText {
+ public:
+  explicit SourceText(std::string_view text);  ///< the text must outlive it
+
+  std::string_view text() const { return text_; }
+  const std::vector<Token>& tokens() const { return tokens_; }
+
+  Place place_of(std::size_t offset) const;
+  std::size_t offset_of(Place place) const;
+
+  /// The line with @ at the place, and with every comment and all inside quotation marks turned into spaces; of a long
+  /// line the part around the place.
+  std::string marked_code(Place place) const;
+
+  /// What is to be said of a place, with the line and a caret below it.
+  Finding finding(Place place, std::string name, const std::string& sentence) const;
+
+ private:
+  std::string_view line(int number) const;
+
+  std::string_view text_;
+  std::vector<Token> tokens_;
+  std::vector<std::size_t> line_starts_{0};
+};
+
+/// A line with a caret below that byte column (none if it is 0): tabs as spaces, safe to print, and only the part
+/// around the caret where the line is long.
+std::string excerpt(std::string_view line, int column);
+
+}  // namespace workbook

@@ -1,0 +1,30 @@
+/// @file
+/// A file that somebody handed in, read once: anything may stand under its name.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+namespace workbook {
+
+/// The file cannot be source code: one sentence for the student.
+struct RejectedFile : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+inline constexpr std::size_t largest_source = std::size_t{1} << 20;
+
+/// What is compiled, explained, fingerprinted and reported is this text, whatever happens to the file meanwhile.
+struct Submission {
+  std::filesystem::path path;
+  std::string shown_name;  ///< as seen from the current folder; safe to print, on one line
+  std::string text;
+};
+
+/// Reads a regular file of at most largest_source bytes. Never waits, whatever it is; follows no symbolic link, for a
+/// submission must not reach other files. @throws RejectedFile
+Submission read_submission(const std::filesystem::path& path);
+
+}  // namespace workbook
