@@ -1,269 +1,358 @@
 #include "checker/sandbox/diagnostic_run.hpp"
 
-#include "checker/base/printable.hpp"
+#include "checker/base/text.hpp"
 #include "checker/compile/build_cache.hpp"
 #include "checker/compile/compile.hpp"
-#include "checker/compile/compiler.hpp"
-#include "checker/compile/source_file.hpp"
-#include "checker/judging/value_text.hpp"
-#include "checker/messages/running.hpp"
-#include "checker/sandbox/run_look.hpp"
-#include "checker/sandbox/sentences.hpp"
+#include "checker/judging/run_failures.hpp"
+#include "checker/sandbox/worker_process.hpp"
 
-#include <signal.h>
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
+#include <cstdlib>
 #include <exception>
+#include <iterator>
 #include <optional>
+#include <regex>
+#include <set>
 #include <sstream>
+#include <utility>
 
 namespace workbook {
 namespace {
 
-using sightings::Sighting;
-using sightings::Traps;
-using sightings::What;
+struct KnownEvent {
+  const char* pattern;     ///< of its text
+  const char* name;        ///< of the finding
+  const char* sentence;    ///< with $1, $2 for what the pattern finds
+  bool undefined = false;  ///< the language leaves undefined what follows: wrong by itself, however the call ends
+};
 
-/// The case whose second look promises most.
-std::size_t case_to_look_at(const SecondLookTask& task) {
-  if (task.judgement.first_failure) return task.judgement.first_failure->case_index;
-  for (const Repeat& repeat : task.observation.repeats) {
-    const std::size_t index = repeat.case_index;
-    if (index >= task.reference.cases.size() || index >= task.observation.replies.size()) continue;
-    const Reply& first = task.observation.replies[index];
-    if (repeat.reply.ending != first.ending || !(repeat.reply.value == first.value)) return index;
+/// The first that fits counts.
+// clang-format off
+constexpr KnownEvent known_events[] = {
+    {"(heap|stack|global|dynamic-stack)-buffer-(over|under)flow.*", "memory_out_of_bounds", "memory outside of an array or object is used here: an index before its beginning or beyond its end.", true},
+    {"(heap|stack)-use-after-.*", "use_after_end", "something is used here that is gone already: a reference, a pointer or an expression kept with auto has outlived it.", true},
+    {"(attempting|alloc-dealloc-mismatch).*", "freed_wrongly", "memory is freed here that was freed before, or that did not come from such a new.", true},
+    {"invalid-shift-.*", "invalid_shift", "the bits of a number cannot be shifted so far (a power is written with std::pow).", true},
+    {"integer-divide-by-zero.*", "integer_division_by_zero", "a whole number is divided by zero.", true},
+    {"float-cast-overflow.*", "conversion_out_of_range", "a number that no whole number of this type can hold (too large, infinite or NaN) is converted to one.", true},
+    {"missing-return.*", "missing_return", "the function comes to its end here without a return.", true},
+    {"signed-integer-overflow\\|.*: (.*) cannot be represented in type '(.*)'.*", "integer_overflow", "$1 does not fit into the type $2; calculate in double.", true},
+    {"out-of-bounds-index\\|.*index (-?\\d+) out of bounds for type '.*\\[(\\d+)\\]'.*", "index_out_of_range", "index $1 is outside the array of size $2; indices start at 0.", true},
+    {"index\\|[^|]*\\|(-?\\d+)\\|(\\d+)", "index_out_of_range", "index $1 is outside a container of size $2; indices start at 0."},
+    {"exception\\|(\\w+)::.*\\(which is (\\d+)\\) >= .*\\(which is (\\d+)\\).*", "index_out_of_range", "index $2 is outside the $1 of size $3; indices start at 0."},
+    {"exception\\|(.+)", "exception", "the exception “$1” is thrown here."},
+    {"exception\\|", "exception", "the exception is thrown here."},
+    {"uncaught\\|(.*)", "exception_not_caught", "the exception “$1” is thrown here and cannot be caught on its way out: it meets a destructor or noexcept."},
+    {"library\\|.*empty\\(\\).*", "empty_container", "an empty container has no first or last element to give."},
+    {"(?:library|index)\\|([^|]*).*", "library_assertion", "the standard library asks for something that does not hold: “$1”."},
+    {"assertion\\|(.*)", "assertion_failed", "your assertion “$1” does not hold here."},
+    {"recursion", "endless_recursion", "the function calls itself here again and again, until the stack is used up."},
+    {"stack-overflow.*", "stack_overflow", "the stack is used up here; a local array may be too large."},
+    {"(memory|allocation-size-too-big|out-of-memory).*", "out_of_memory", "more memory is asked for here than an exercise may use."},
+    {"SEGV\\|0x0*[0-9a-f]{1,3}", "null_pointer", "a pointer or reference to nothing is used here."},
+    {"(SEGV|BUS).*", "memory_out_of_bounds", "memory is used here that does not belong to the function: an index beyond an end, or something that is gone."},
+    {"ABRT.*", "aborted", "the program is aborted here."},
+    {"exit", "exit", "the program is ended here; a function hands its result back with return."},
+    {"forbidden\\|(.*)", "forbidden_operation", "here the function tries to $1."},
+    {"FPE\\|division", "division_by_zero", "a division by zero gives no finite number here."},
+    {"FPE\\|sqrt", "outside_domain", "the root of a negative number is not a number (NaN)."},
+    {"FPE\\|a(cos|sin)", "outside_domain", "a$1 is only defined from −1 to 1: of a number beyond, even by rounding, it gives NaN."},
+    {"FPE\\|log(2|10)?", "outside_domain", "the logarithm of 0 or of a negative number is infinite or not a number (NaN)."},
+    {"FPE\\|pow", "outside_domain", "pow has no finite result here: look at a negative base with a fractional exponent, and at 0 to a negative one."},
+    {"FPE\\|exp", "outside_domain", "exp of so large a number is infinite."},
+    {"FPE\\|(.+)", "outside_domain", "$1 is given a number here for which it has no finite result."},
+    {"FPE\\|", "non_finite", "an operation here gives or meets a value that is infinite or not a number (NaN)."},
+    {"never_set here", "never_set", "something is used here that was never given a value: a variable, or an entry of a matrix or vector."},
+    {"never_set", "never_set", "The result depends on something that was never given a value: a variable without = or {}, or a matrix or vector that is not filled."},
+    {"printing\\|.*", "endless_printing", "the function was still printing here when it was stopped."},
+    {"running\\|(\\d+)\\|\\1", "endless_loop", "the function was still at work here when it was stopped."},
+    {"running\\|(\\d+)\\|(\\d+)", "endless_loop", "the function was still at work in lines $1 to $2 when it was stopped."},
+};
+// clang-format on
+
+const KnownEvent* known(const std::string& text, std::smatch& found) {
+  static const auto patterns = [] {
+    std::vector<std::regex> all;
+    for (const KnownEvent& event : known_events) all.emplace_back(event.pattern);
+    return all;
+  }();
+  const auto first =
+      std::ranges::find_if(patterns, [&](const std::regex& pattern) { return std::regex_match(text, found, pattern); });
+  return first == patterns.end() ? nullptr : &known_events[first - patterns.begin()];
+}
+
+bool is_undefined_behavior(const DiagnosticEvent& event) {
+  std::smatch ignored;
+  const KnownEvent* const found = known(event.text, ignored);
+  return found != nullptr && found->undefined;
+}
+
+/// The line from which the student's function calls itself, if the chain of calls shows that it does so without end.
+int recursion_line(const DiagnosticEvent& event) {
+  constexpr int surely_without_end = 40;
+  const auto found = std::ranges::find_if(
+      event.lines, [&](int line) { return std::ranges::count(event.lines, line) >= surely_without_end; });
+  return event.is("stack-overflow") && found != event.lines.end() ? *found : 0;
+}
+
+/// One call in a process of its own.
+struct Run {
+  Reply reply;
+  std::vector<DiagnosticEvent> events;
+
+  bool returned() const { return reply.ending == Ending::returned; }
+  bool is_harmless() const { return std::ranges::none_of(events, is_undefined_behavior); }
+  /// Where the floating-point unit stopped the call; 0: it did not.
+  int trap_line() const { return events.empty() || !events.back().is("FPE") ? 0 : events.back().line(); }
+
+  /// Did the call end in the same way, bit by bit?
+  bool operator==(const Run& other) const {
+    const auto bits = [](double number) { return std::bit_cast<std::uint64_t>(number); };
+    return reply.ending == other.reply.ending && reply.value.has_shape_of(other.reply.value) &&
+           std::ranges::equal(reply.value.numbers, other.reply.value.numbers, {}, bits, bits);
   }
-  return 0;
-}
+};
 
-SourceLines lines_of(const std::string& source) {
-  std::istringstream text(source);
-  SourceLines lines;
-  for (std::string line; std::getline(text, line);) lines.push_back(line);
-  return lines;
-}
-
-/// The line as the student wrote it, without the space around it.
-std::string excerpt_of(const std::string& line) {
-  constexpr std::size_t longest = 100;
-  std::string text = printable(line);
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string::npos) return "";
-  text = text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
-  if (text.size() <= longest) return text;
-  std::size_t end = longest;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // not inside a character
-  return text.substr(0, end) + " …";
-}
-
-/// One second look, at one compiled file.
-class SecondLook {
+class DiagnosticRun {
  public:
-  SecondLook(const SecondLookTask& task, const SourceLines& source, const std::filesystem::path& witness,
-             const std::filesystem::path& addr2line)
-      : task_(task),
-        source_(source),
-        witness_(witness),
-        addr2line_(addr2line),
-        failing_(task.reference.cases.at(case_to_look_at(task))),
-        file_name_(shown_name(task.file)) {}
+  DiagnosticRun(const DiagnosticTask& task, std::size_t case_index, const std::filesystem::path& program,
+                const std::filesystem::path& compiler)
+      : verdict_(task.judgement.verdict),
+        program_(program),
+        profile_(diagnose_profile(compiler.string(), program.string())),
+        file_name_(task.submission.path.filename().string()),
+        source_(lines_of(task.submission.text)),
+        case_(task.reference.cases.at(case_index)),
+        judged_(task.observation.replies.at(case_index)) {}
 
-  std::vector<PlacedSentence> take() {
-    switch (task_.judgement.verdict) {
-      case Verdict::time_limit:
-      case Verdict::output_limit:
-        return long_run();
-      case Verdict::wrong_value:
-      case Verdict::inconsistent_value:
-      case Verdict::non_finite_value:
-        return value();
-      default:
-        return ending();
-    }
+  /// Of one line the first finding is the cause, and the others follow from it.
+  std::vector<Finding> findings() {
+    if (verdict_ == Verdict::time_limit || verdict_ == Verdict::output_limit)
+      explain_long_run();
+    else if (judged_.ending == Ending::returned)
+      explain_value();
+    else
+      explain_ending();
+    return std::move(findings_);
   }
 
  private:
-  Look look(Paint paint, Traps traps = Traps::none, const LookLimits& limits = {}) const {
-    return run_look(witness_, failing_.inputs, paint, traps, limits);
+  Run run(std::int32_t mode) const {
+    Budget budget{Clock::now() + std::chrono::seconds(8), 5.0, std::size_t{1} << 20};
+    Worker worker(program_, profile_, budget);
+    Run result;
+    result.reply = worker.call({case_.inputs, case_.expected.rows, case_.expected.cols}, mode);
+    result.events = read_report(result.reply.printed, file_name_);
+    return result;
   }
 
-  CallPlaces places_of(const std::vector<Sighting>& seen) const {
-    std::vector<std::uint64_t> addresses;
-    for (const Sighting& sighting : seen)
-      addresses.insert(addresses.end(), sighting.calls, sighting.calls + sighting.call_count);
-    std::ranges::sort(addresses);
-    const auto repeated = std::ranges::unique(addresses);
-    addresses.erase(repeated.begin(), repeated.end());
-    return find_places(addr2line_, witness_, addresses, file_name_);
+  std::string source_line(int line) const {
+    const auto index = static_cast<std::size_t>(line) - 1;
+    return line > 0 && index < source_.size() ? cut(printable(source_[index]), 1000) : "";
   }
 
-  std::optional<PlacedSentence> sentence(const Sighting& sighting) const {
-    return sentence_of(sighting, places_of({sighting}), source_);
+  void add(int line, const std::string& name, const std::string& sentence) {
+    constexpr std::size_t most = 3, longest = 100;
+    const auto same_line = [&](const Finding& other) { return other.line == line; };
+    if (findings_.size() == most || std::ranges::any_of(findings_, same_line)) return;
+    std::string excerpt = source_line(line);
+    excerpt.erase(0, excerpt.find_first_not_of(" \t\r"));
+    excerpt.erase(excerpt.find_last_not_of(" \t\r") + 1);
+    if (excerpt.size() > longest) excerpt = cut(excerpt, longest) + " …";
+    findings_.push_back({.line = line, .excerpt = excerpt, .sentence = sentence, .name = name});
   }
 
-  /// What the compiler's checks found, and how the call ended.
-  std::vector<PlacedSentence> told_by(const Look& look) const {
-    const CallPlaces places = places_of(look.sightings);
-    std::vector<PlacedSentence> found;
-    for (const Sighting& sighting : look.sightings) {
-      // The abort that follows an assertion or an exception that nobody caught adds nothing.
-      if (&sighting != look.end() && sighting.what != What::undefined_behavior) continue;
-      if (const auto one = sentence_of(sighting, places, source_)) found.push_back(*one);
+  /// What is known of "NAME|FACT|…".
+  void tell(int line, const std::string& text) {
+    std::smatch found;
+    if (const KnownEvent* const event = known(text, found)) add(line, event->name, found.format(event->sentence));
+  }
+
+  void tell_undefined(const Run& run) {
+    for (const DiagnosticEvent& event : run.events)
+      if (is_undefined_behavior(event) && event.line() > 0) tell(event.line(), event.text);
+  }
+
+  void explain_ending() {
+    const Run again = run(protocol::fill_with_nan);
+    tell_undefined(again);
+    if (again.returned() || again.events.empty() || !again.is_harmless()) return;
+    tell_last_event(again);
+    if (const Run zeros = run(protocol::plain); zeros.returned()) explain_never_set(zeros);
+  }
+
+  void tell_last_event(const Run& run) {
+    const DiagnosticEvent* last = &run.events.back();
+    if (last->is("ABRT") && judged_.cause == CrashCause::uncaught_exception && run.events.size() >= 2) --last;
+    const int line = last->line();
+    if (line == 0) return;
+    // An exception is placed only if it is the one that was seen when the function was judged.
+    const bool is_same = run.reply.ending == judged_.ending && run.reply.text == judged_.text;
+    if (last->is("eigen") && judged_.eigen && is_same) {
+      EigenAssertion assertion = *judged_.eigen;
+      std::istringstream numbers(last->text.substr(std::min(last->text.size(), 6 + assertion.condition.size())));
+      for (char bar = 0; numbers >> bar;) numbers >> assertion.compared.emplace_back();
+      add(line, kind_of(assertion), sentence(assertion) + ".");
+    } else if (last->is("thrown") && judged_.ending == Ending::exception) {
+      if (is_same) tell(line, "exception|" + quoted(judged_.text));
+    } else if (last->is("thrown")) {
+      tell(line, "uncaught|" + quoted(judged_.text));
+    } else if (last->is("forbidden")) {
+      if (judged_.system_call >= 0) tell(line, "forbidden|" + forbidden_operation(judged_.system_call));
+    } else if (const int caller = recursion_line(*last); caller > 0) {
+      tell(caller, "recursion");
+    } else {
+      tell(line, last->text);
     }
-    return found;
   }
 
-  /// The function did not return.
-  std::vector<PlacedSentence> ending() const {
-    const Look again = look(Paint::as_in_judging);
-    std::vector<PlacedSentence> found = told_by(again);
-    const bool failed_again = again.end() != nullptr && !again.result && again.end()->what != What::not_started;
-    if (!failed_again || !is_harmless(again)) return found;
-    if (const Look zeros = look(Paint::zero); zeros.result) append(found, never_set(zeros));
-    return found;
-  }
-
-  /// Did the compiler's checks find nothing?
-  static bool is_harmless(const Look& look) {
-    return std::ranges::none_of(look.sightings,
-                                [](const Sighting& one) { return one.what == What::undefined_behavior; });
-  }
-
-  /// The function returned, but not what it should.
-  std::vector<PlacedSentence> value() const {
-    const Look first = look(Paint::zero);
+  void explain_value() {
+    const Run first = run(protocol::plain);
     // What the optimiser had removed, such as a second delete, may also end the call now.
-    std::vector<PlacedSentence> found = told_by(first);
+    tell_undefined(first);
     // What lies outside an array was never set either.
-    if (is_harmless(first) && first.result) found = never_set(first);
-    if (task_.judgement.verdict == Verdict::non_finite_value && found.empty()) {
-      const Look trapped = look(Paint::zero, Traps::non_finite);
-      if (const Sighting* end = trapped.end(); end != nullptr && end->what == What::signal)
-        if (const auto one = sentence(*end)) found.push_back(*one);
+    if (first.is_harmless() && first.returned()) explain_never_set(first);
+    if (verdict_ != Verdict::non_finite_value || !findings_.empty()) return;
+    const Run trapped = run(protocol::trap_invalid | protocol::trap_non_finite);
+    if (const int line = trapped.trap_line(); line > 0) tell(line, "FPE|" + operation_at(trapped));
+  }
+
+  /// What gave no finite number: a division, as the sanitizer saw it, or the only function of <cmath> that the line
+  /// calls.
+  std::string operation_at(const Run& trapped) const {
+    if (trapped.events.size() >= 2 && trapped.events.rbegin()[1].is("float-divide-by-zero") &&
+        trapped.events.rbegin()[1].line() == trapped.trap_line())
+      return "division";
+    if (!trapped.events.back().in_c_library) return "";
+    static const std::regex call("\\b(sqrt|a?cosh?|a?sinh?|a?tanh?|log(?:2|10)?|pow|exp|fmod)\\s*\\(");
+    const std::string line = source_line(trapped.trap_line());
+    std::set<std::string> functions;
+    for (auto found = std::sregex_iterator(line.begin(), line.end(), call); found != std::sregex_iterator(); ++found)
+      functions.insert((*found)[1]);
+    return functions.size() == 1 ? *functions.begin() : "";
+  }
+
+  /// Does what the function does depend on memory that it never set? Certain where it is the same at every run with the
+  /// same filling, and differs from filling to filling. @param zeros  a run where memory was filled with zeros
+  void explain_never_set(const Run& zeros) {
+    const Run nan = run(protocol::fill_with_nan);
+    if (nan == zeros || !(zeros == run(protocol::plain)) || !(nan == run(protocol::fill_with_nan))) return;
+    // NaN trap where they are first used; with zeros nothing must happen there.
+    const int line = run(protocol::fill_with_nan | protocol::trap_invalid).trap_line();
+    const bool is_certain = line > 0 && run(protocol::trap_invalid).trap_line() == 0;
+    tell(is_certain ? line : 0, is_certain ? "never_set here" : "never_set");
+  }
+
+  void explain_long_run() {
+    const Run long_run = run(protocol::sample);
+    tell_undefined(long_run);
+    std::vector<std::vector<int>> samples;  // of every sample the lines of the student's file, outermost first
+    for (const DiagnosticEvent& event : long_run.events)
+      if (event.is("running") && event.line() > 0) samples.emplace_back(event.lines.rbegin(), event.lines.rend());
+    if (long_run.returned() || samples.size() < 8) return;
+    // The outermost call that moves from sample to sample is the loop; below it lie the calls that it makes.
+    const std::size_t least = std::ranges::min(samples, {}, &std::vector<int>::size).size();
+    int first = 0, last = 0;
+    for (std::size_t depth = 0; depth < least && first == last; ++depth) {
+      const auto at_depth = [&](const std::vector<int>& lines) { return lines[depth]; };
+      first = at_depth(std::ranges::min(samples, {}, at_depth));
+      last = at_depth(std::ranges::max(samples, {}, at_depth));
     }
-    return found;
+    tell(first, fmt::format("{}|{}|{}", verdict_ == Verdict::output_limit ? "printing" : "running", first, last));
   }
 
-  /// Does what the function does depend on memory that it never set? Certain where it is the same at every run with
-  /// the same paint, and differs from paint to paint.
-  /// @param zeros  a look with Paint::zero
-  std::vector<PlacedSentence> never_set(const Look& zeros) const {
-    const Look painted = look(Paint::signalling);
-    const bool depends = !(painted == zeros) && zeros == look(Paint::zero) && painted == look(Paint::signalling) &&
-                         zeros.end() != nullptr && painted.end() != nullptr;
-    if (!depends) return {};
-    if (painted.result) {
-      const std::vector<std::string> entries = entries_never_set(*painted.result);
-      const std::size_t all = painted.result->numbers.size();
-      if (!entries.empty()) return {{0, messages::entries_never_set(entries, all)}};
-    }
-    // A signalling NaN traps where it is first used; with zeros nothing must happen there.
-    const Look trapped = look(Paint::signalling, Traps::invalid);
-    const Look untrapped = look(Paint::zero, Traps::invalid);
-    const Sighting* const end = trapped.end();
-    if (end != nullptr && end->what == What::signal && end->signal == SIGFPE) {
-      const CallPlaces places = places_of({*end});
-      const bool also_with_zeros = untrapped.end() != nullptr && untrapped.end()->what == What::signal;
-      const int line = student_line(*end, places);
-      if (line > 0 && !also_with_zeros) return {{line, messages::never_set_here()}};
-    }
-    return {{0, messages::never_set()}};
-  }
-
-  /// The entries of the result that are still as they were painted.
-  std::vector<std::string> entries_never_set(const Value& result) const {
-    std::vector<std::string> names;
-    for (std::size_t n = 0; n < result.numbers.size(); ++n)
-      if (is_painted(result.numbers[n])) names.push_back(entry_name(result, task_.reference.result_kind, n));
-    return names;
-  }
-
-  /// The function did not return in time, or printed without end.
-  std::vector<PlacedSentence> long_run() const {
-    LookLimits limits;
-    limits.time = std::chrono::milliseconds(300);
-    limits.between_questions = std::chrono::milliseconds(13);  // no multiple of what loops are likely to take
-    limits.questions = 16;
-    const Look long_look = look(Paint::as_in_judging, Traps::none, limits);
-    if (long_look.end() != nullptr || !(long_look.out_of_time || long_look.too_much_output)) return {};
-    std::vector<Sighting> answers;
-    std::vector<PlacedSentence> found;
-    for (const Sighting& sighting : long_look.sightings) {
-      if (sighting.what == What::still_running) answers.push_back(sighting);
-      if (sighting.what == What::undefined_behavior)
-        if (const auto one = sentence(sighting)) found.push_back(*one);
-    }
-    if (const auto one = sentence_of_long_run(answers, places_of(answers), long_look.too_much_output))
-      found.push_back(*one);
-    return found;
-  }
-
-  static void append(std::vector<PlacedSentence>& found, const std::vector<PlacedSentence>& more) {
-    found.insert(found.end(), more.begin(), more.end());
-  }
-
-  const SecondLookTask& task_;
-  const SourceLines& source_;
-  const std::filesystem::path& witness_;
-  const std::filesystem::path& addr2line_;
-  const Case& failing_;
-  std::string file_name_;  ///< as the compiler was told
+  const Verdict verdict_;
+  const std::filesystem::path& program_;
+  const SandboxProfile profile_;
+  const std::string file_name_;  ///< as the compiler was told
+  const std::vector<std::string> source_;
+  const Case& case_;
+  const Reply& judged_;  ///< what was seen of the call when it was judged
+  std::vector<Finding> findings_;
 };
-
-std::vector<Finding> in_full(std::vector<PlacedSentence> sentences, const SourceLines& source) {
-  constexpr std::size_t most = 3;
-  std::vector<Finding> findings;
-  for (PlacedSentence& one : sentences) {
-    // Of one line the first is the cause and the others follow from it.
-    const bool told = std::ranges::any_of(findings, [&](const Finding& earlier) { return earlier.line == one.line; });
-    if (findings.size() == most || told) continue;
-    const std::string excerpt = excerpt_of(line_of(source, one.line));
-    findings.push_back(
-        {one.line, excerpt, one.line > 0 ? one.sentence : messages::at_no_line(std::move(one.sentence))});
-  }
-  return findings;
-}
 
 }  // namespace
 
-bool deserves_second_look(const Judgement& judgement) {
-  switch (judgement.verdict) {
-    case Verdict::wrong_value:
-    case Verdict::non_finite_value:
-    case Verdict::inconsistent_value:
-      return judgement.diagnoses.empty();
-    case Verdict::uncaught_exception:
-    case Verdict::crashed:
-    case Verdict::stopped_early:
-    case Verdict::time_limit:
-    case Verdict::memory_limit:
-    case Verdict::output_limit:
-    case Verdict::forbidden_operation:
-      return true;
-    default:
-      return false;
+std::vector<DiagnosticEvent> read_report(const std::string& text, const std::string& file_name) {
+  constexpr std::size_t longest = 500;  // std::regex recurses over the length of its text
+  static const std::regex memory(
+      "==\\d+==ERROR: AddressSanitizer: ([A-Za-z-]+)(?: on unknown address (0x[0-9a-f]+))?.*");
+  static const std::regex behavior(".*:\\d+:\\d+: runtime error: (.*)");
+  static const std::regex summary("SUMMARY: UndefinedBehaviorSanitizer: ([a-z-]+) .*");
+  static const std::regex assertion(".*: Assertion [`'](.*)' failed\\.");
+  static const std::regex call("frame (\\d+)\\|(.*)\\|([^(]*)(.*)");
+  const std::string student_file = "shown/" + file_name;  // -fdebug-prefix-map
+  std::vector<DiagnosticEvent> events;
+  bool has_calls = true, in_calls = false;  // the last event, the last line
+  for (const std::string& whole : lines_of(text)) {
+    const std::string line = cut(whole, longest);
+    std::smatch found;
+    const auto begin = [&](const std::string& event) {
+      events.push_back({event, {}});
+      has_calls = false;
+    };
+    const bool was_in_calls = std::exchange(in_calls, false);
+    if (!events.empty() && std::regex_match(line, found, call)) {
+      // A report may go on with other chains: who freed the memory, who asked for it.
+      const bool is_students = found[2].str().ends_with(student_file);
+      if (!has_calls) events.back().in_c_library = !is_students && found[4].length() == 0;
+      if ((!has_calls || was_in_calls) && is_students) events.back().lines.push_back(std::atoi(found[1].str().c_str()));
+      in_calls = !has_calls || was_in_calls;
+      has_calls = true;
+    } else if (line.starts_with("event ")) {
+      // What has no calls yet announced what now throws or aborts: an assertion, memory, a forbidden call.
+      if (line != "event thrown" || has_calls) begin(line.substr(6));
+    } else if (std::regex_match(line, found, assertion)) {
+      begin("assertion|" + found[1].str());
+    } else if (std::regex_match(line, found, memory)) {
+      if (found[1] != "ABRT" || has_calls) begin(found[1].str() + "|" + found[2].str());
+    } else if (std::regex_match(line, found, behavior)) {
+      begin("|" + found[1].str());
+    } else if (!events.empty() && events.back().text.starts_with('|') && std::regex_match(line, found, summary)) {
+      events.back().text.insert(0, found[1].str());
+    }
   }
+  return events;
 }
 
-std::vector<Finding> second_look_with(const std::filesystem::path& witness, const SecondLookTask& task,
-                                      const Toolchain& toolchain) {
-  if (!deserves_second_look(task.judgement) || task.reference.cases.empty()) return {};
-  const SourceLines source = lines_of(read_source(task.file));
-  return in_full(SecondLook(task, source, witness, toolchain.addr2line).take(), source);
+bool can_be_explained_by_a_run(const Judgement& judgement) {
+  constexpr Verdict verdicts[] = {Verdict::wrong_value,        Verdict::non_finite_value, Verdict::inconsistent_value,
+                                  Verdict::uncaught_exception, Verdict::crashed,          Verdict::stopped_early,
+                                  Verdict::time_limit,         Verdict::memory_limit,     Verdict::output_limit,
+                                  Verdict::forbidden_operation};
+  return std::ranges::find(verdicts, judgement.verdict) != std::end(verdicts);
 }
 
-std::vector<Finding> second_look(const SecondLookTask& task, const Toolchain& toolchain,
-                                 const std::filesystem::path& scratch) {
-  if (!deserves_second_look(task.judgement) || toolchain.second_look.empty()) return {};
+std::string missing_for_diagnostic_runs(const Toolchain& toolchain) {
+  if (toolchain.second_look.empty()) return "the compiler's sanitizers (on Debian they come with the package g++)";
+  return can_confine_files() ? "" : "Landlock and seccomp in this kernel";
+}
+
+std::vector<Finding> diagnostic_run_of(const std::filesystem::path& program, const DiagnosticTask& task,
+                                       const Toolchain& toolchain) {
+  const std::vector<Repeat>& repeats = task.observation.repeats;
+  const std::size_t case_index = !task.judgement.failing.empty() ? task.judgement.failing.front()
+                                 : repeats.empty()               ? 0
+                                                                 : repeats.front().case_index;
+  if (!can_be_explained_by_a_run(task.judgement) || task.observation.replies.size() <= case_index) return {};
+  return DiagnosticRun(task, case_index, program, toolchain.compiler).findings();
+}
+
+std::vector<Finding> diagnostic_run(const DiagnosticTask& task, const Toolchain& toolchain,
+                                    const std::filesystem::path& scratch) {
+  if (!can_be_explained_by_a_run(task.judgement) || !missing_for_diagnostic_runs(toolchain).empty()) return {};
   try {
     const Workspace workspace(scratch);
     CompileLimits limits;
     limits.time = std::chrono::seconds(10);
     const Compilation compilation =
-        compile({.file = task.file, .exercise = task.reference.name, .signature = task.reference.signature},
+        compile({.submission = task.submission, .exercise = task.reference.name, .signature = task.reference.signature},
                 read_toolchain(toolchain.second_look), workspace.directory(), limits);
-    if (!compilation.executable) return {};
-    return second_look_with(*compilation.executable, task, toolchain);
+    return compilation.executable ? diagnostic_run_of(*compilation.executable, task, toolchain)
+                                  : std::vector<Finding>();
   } catch (const std::exception&) {
     return {};  // an explanation less; the verdict stands
   }

@@ -1,69 +1,86 @@
 /// @file
-/// The walls around a student's code: limits on what it may use, and a filter of system calls that lets it compute,
-/// print, sleep and look at the clock, and nothing else.
+/// The sandbox: what a program that comes from a student, or reads a student's file, may do and use. Resource limits, a
+/// filter of system calls (seccomp) and rules for files (Landlock), set up in the new process before the program
+/// starts.
 #pragma once
 
-#include "checker/messages/starting.hpp"
-
 #include <cstddef>
-#include <filesystem>
-#include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace workbook {
 
-/// The walls cannot be put up; nothing of the student's runs then.
-struct SandboxError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+/// From weakest to strongest.
+enum class SandboxTier {
+  none,     ///< limits on time, memory and output only
+  minimal,  ///< and a filter of system calls: a function reaches nothing, but a compiler can read every file
+  reduced   ///< and rules for files, for the compiler too
 };
 
-/// What this machine offers.
+/// What sandboxes hold back on this machine.
 struct SandboxStrength {
   bool filters_system_calls = false;
-  std::string sentence;
+  int landlock = 0;                ///< its version; 0: this kernel has none
+  std::vector<std::string> holes;  ///< what a program in a sandbox could do although it must not: "read a file"
+
+  SandboxTier tier() const;
+  std::string sentence() const;
 };
 
-SandboxStrength sandbox_strength();
+/// Found out by trying.
+SandboxStrength probe_sandbox();
 
-/// "open a file (openat)": what a forbidden system call is for, to follow "tried to".
-std::string forbidden_operation(long system_call);
+/// Are there both a filter of system calls and rules for files?
+bool can_confine_files();
 
-struct SandboxLimits {
-  std::size_t memory_bytes = std::size_t{512} << 20;
-  std::size_t stack_bytes = std::size_t{8} << 20;
-};
+/// "reduced"
+std::string to_string(SandboxTier tier);
 
-/// The walls for one program. They go up in the new process before the program starts, so that no line of it runs
-/// outside.
-class Sandbox {
- public:
-  /// @throws SandboxError
-  Sandbox(const std::filesystem::path& program, SandboxLimits limits);
-  Sandbox(const Sandbox&) = delete;
-  Sandbox& operator=(const Sandbox&) = delete;
-
-  /// The program's path. The filter lets through exec of exactly this pointer, which means nothing in the program
-  /// itself.
-  const char* program() const { return program_.c_str(); }
-
-  /// For Launch::prepare; makes system calls only.
-  std::optional<messages::LaunchStep> enter(unsigned processor_seconds) noexcept;
-
- private:
-  struct Instruction {  ///< layout of the kernel's sock_filter
-    unsigned short code;
-    unsigned char if_true;
-    unsigned char if_false;
-    unsigned int operand;
+/// What one kind of program may do. Everything that is not named is denied.
+struct SandboxProfile {
+  enum class Calls {
+    compute,           ///< compute, print, sleep, look at the clock
+    compute_and_read,  ///< and open files for reading
+    build              ///< all but what no compiler needs
   };
 
-  void build_filter();
+  Calls calls = Calls::compute;
+  unsigned processor_seconds = 5;
+  std::size_t memory_bytes = std::size_t{512} << 20;  ///< of addresses; 0: not limited
+  std::size_t stack_bytes = std::size_t{8} << 20;
+  std::size_t file_bytes = 0;  ///< of each file that is written
+  unsigned open_files = 8;
+  std::vector<std::string> readable = {};  ///< files and folders with all that is in them; programs there may be run
+  std::vector<std::string> writable = {};  ///< the same
+};
 
-  const std::string program_;
-  const SandboxLimits limits_;
-  std::vector<Instruction> filter_;  ///< empty where the kernel has no filters
+/// A student's function in its worker: linked statically, no files.
+SandboxProfile run_profile();
+
+/// The same function beside the sanitizers' runtimes, which reserve terabytes of addresses and read shared libraries,
+/// their own program and what the kernel tells of it. Whoever starts it must watch its memory.
+SandboxProfile diagnose_profile(const std::string& compiler, const std::string& program);
+
+/// Compiler, assembler and linker.
+/// @param inputs  what they read besides the folders of the system and of the compiler. @param workspace  where they
+/// write
+SandboxProfile compile_profile(const std::string& compiler, const std::vector<std::string>& inputs,
+                               const std::string& workspace);
+
+class Sandbox {
+ public:
+  explicit Sandbox(SandboxProfile profile);
+
+  /// For Launch::prepare. Makes system calls only. Returns the step that failed, or nullptr.
+  const char* enter() const noexcept;
+
+ private:
+  const char* limit_resources() const noexcept;
+  const char* restrict_files() const noexcept;
+  const char* filter_system_calls() const noexcept;
+
+  SandboxProfile profile_;
+  SandboxStrength strength_;
 };
 
 }  // namespace workbook

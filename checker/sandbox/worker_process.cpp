@@ -1,8 +1,6 @@
 #include "checker/sandbox/worker_process.hpp"
 
-#include "checker/base/printable.hpp"
-#include "checker/messages/running.hpp"
-#include "checker/sandbox/request_bytes.hpp"
+#include "checker/base/text.hpp"
 
 #include <poll.h>
 #include <signal.h>
@@ -14,19 +12,44 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <fstream>
+#include <random>
+#include <utility>
 
 namespace workbook {
 namespace {
 
+static_assert(protocol::channel == channel_descriptor);
+
 /// How long a worker may take to end after it closed the channel or was told that no more comes.
 constexpr std::chrono::milliseconds shutdown_timeout{500};
 
-std::vector<char> request(const std::vector<Value>& inputs, protocol::Shape result, std::uint64_t nonce) {
-  const protocol::RequestHeader header{protocol::request_magic, nonce, static_cast<std::int32_t>(inputs.size()), result,
-                                       0};
+/// Of a worker whose addresses cannot be limited.
+constexpr std::size_t most_resident_memory = std::size_t{1} << 30;
+constexpr std::chrono::milliseconds between_looks_at_memory{20};
+
+template <class T>
+void append(std::vector<char>& bytes, const T* first, std::size_t count = 1) {
+  const char* begin = reinterpret_cast<const char*>(first);
+  bytes.insert(bytes.end(), begin, begin + count * sizeof(T));
+}
+
+/// Tells a request from all others. Never 0: what was not asked has that one.
+std::uint64_t random_nonce() {
+  std::random_device device;
+  return (std::uint64_t{device()} << 32) | device() | 1;
+}
+
+std::vector<char> request(const PlannedCall& call, std::uint64_t nonce, std::int32_t mode) {
+  const protocol::RequestHeader header{
+      protocol::request_magic, nonce, static_cast<std::int32_t>(call.inputs.size()), {call.rows, call.cols}, mode};
   std::vector<char> bytes;
-  append_bytes(bytes, &header);
-  append_arguments(bytes, inputs);
+  append(bytes, &header);
+  for (const Value& input : call.inputs) {
+    const protocol::Shape shape{input.rows, input.cols};
+    append(bytes, &shape);
+  }
+  for (const Value& input : call.inputs) append(bytes, input.numbers.data(), input.numbers.size());
   return bytes;
 }
 
@@ -37,64 +60,53 @@ protocol::ReplyHeader header_in(const std::vector<char>& bytes) {
   return header;
 }
 
-/// What the last words before a signal say, the system call aside.
-std::string text_of_crash(const protocol::ReplyHeader& crash_report) {
-  if (crash_report.signal == SIGSEGV && crash_report.detail == protocol::stack_used_up)
-    return messages::stack_is_used_up();
-  if (crash_report.signal == SIGABRT && crash_report.detail == protocol::foreign_exception)
-    return messages::foreign_exception();
-  return printable(crash_report.text);
-}
-
-Launch launch(Sandbox& sandbox, unsigned processor_seconds) {
+Launch launch(const std::filesystem::path& program, SandboxProfile profile) {
   Launch launch;
-  launch.program = sandbox.program();
+  launch.program = program.string();
   launch.with_channel = true;
-  launch.prepare = [&sandbox, processor_seconds] { return sandbox.enter(processor_seconds); };
+  launch.prepare = [sandbox = Sandbox(std::move(profile))] { return sandbox.enter(); };
   return launch;
 }
 
-int milliseconds_until(Clock::time_point deadline) {
-  const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
-  return static_cast<int>(std::clamp<long>(left, 0, 3'600'000));
+SandboxProfile within(SandboxProfile profile, const Budget& budget) {
+  profile.processor_seconds = static_cast<unsigned>(std::max(1.0, std::ceil(budget.processor_seconds)));
+  return profile;
 }
 
 }  // namespace
 
-Worker::Worker(Sandbox& sandbox, Budget& budget)
-    : budget_(budget),
-      processor_seconds_(static_cast<unsigned>(std::max(1.0, std::ceil(budget.processor_seconds)))),
-      process_(launch(sandbox, processor_seconds_)) {}
+Worker::Worker(const std::filesystem::path& program, SandboxProfile profile, Budget& budget)
+    : budget_(budget), profile_(within(std::move(profile), budget)), process_(launch(program, profile_)) {}
 
-Worker::~Worker() { end_process(); }
-
-Reply Worker::call(const std::vector<Value>& inputs, int rows, int cols) {
+Reply Worker::call(const PlannedCall& call, std::int32_t mode) {
   const std::uint64_t nonce = random_nonce();
-  unsent_ = request(inputs, {rows, cols}, nonce);
+  unsent_ = request(call, nonce, mode);
   sent_ = 0;
   received_.clear();
-  if (const Stop stop = receive_header(); stop != Stop::none) return stopped(stop);
+  Reply reply = answer(call, nonce);
+  reply.printed = printable(printed_);
+  printed_.clear();
+  if (reply.ending == Ending::memory_limit) end_process();  // what else it could not allocate, nobody knows
+  return reply;
+}
 
+Reply Worker::answer(const PlannedCall& call, std::uint64_t nonce) {
+  if (const Ending end = receive_header(); end != Ending::returned) return stopped(end);
   const protocol::ReplyHeader header = header_in(received_);
-  if (header.magic != protocol::reply_magic) return violation(messages::not_a_reply());
-  if (header.nonce != nonce) return violation(messages::reply_to_something_else());
-  if (sent_ < unsent_.size()) return violation(messages::reply_too_early());
+  if (header.magic != protocol::reply_magic) return violated(ProtocolViolation::not_a_reply);
+  if (header.nonce != nonce) return violated(ProtocolViolation::another_request);
+  if (sent_ < unsent_.size()) return violated(ProtocolViolation::too_early);
 
   Reply reply;
   switch (header.status) {
     case protocol::Status::returned:
-      if (header.result.rows != rows || header.result.cols != cols)
-        return violation(messages::reply_of_impossible_shape());
-      if (const Stop stop = exchange(received_.size() +
-                                     sizeof(double) * static_cast<std::size_t>(rows) * static_cast<std::size_t>(cols));
-          stop != Stop::none)
-        return stopped(stop);
-      reply = returned_value(header, rows, cols);
+      reply = returned(header, call);
+      if (reply.ending != Ending::returned) return reply;
       break;
     case protocol::Status::wrong_shape:
       if (header.result.rows < 0 || header.result.cols < 0 ||
-          (header.result.rows == rows && header.result.cols == cols))
-        return violation(messages::reply_of_impossible_shape());
+          (header.result.rows == call.rows && header.result.cols == call.cols))
+        return violated(ProtocolViolation::impossible_shape);
       reply.ending = Ending::wrong_shape;
       reply.value = {header.result.rows, header.result.cols, {}};
       break;
@@ -102,26 +114,37 @@ Reply Worker::call(const std::vector<Value>& inputs, int rows, int cols) {
       reply.ending = Ending::not_started;
       break;
     case protocol::Status::exception:
-      reply.ending = Ending::exception;
-      reply.text = printable(header.text);
-      break;
     case protocol::Status::foreign_exception:
       reply.ending = Ending::exception;
-      reply.text = messages::foreign_exception();
+      reply.text = printable(header.text);
+      if (header.status == protocol::Status::foreign_exception) reply.cause = CrashCause::foreign_exception;
       break;
     case protocol::Status::eigen_assertion:
       reply.ending = Ending::exception;
-      reply.text = messages::eigen_stopped(printable(header.text));
+      reply.eigen = EigenAssertion{printable(header.text), {}};
       break;
     case protocol::Status::out_of_memory:
       reply.ending = Ending::memory_limit;
       break;
     default:
-      return violation(messages::reply_of_unknown_status());
+      return violated(ProtocolViolation::unknown_status);
   }
-  if (has_more_to_say()) return violation(messages::more_than_one_reply());
-  if (const Stop stop = collect_prints(); stop != Stop::none) return stopped(stop);
-  if (reply.ending == Ending::memory_limit) end_process();  // what else it could not allocate, nobody knows
+  char byte;
+  if (::recv(process_.channel(), &byte, 1, MSG_PEEK | MSG_DONTWAIT) > 0)
+    return violated(ProtocolViolation::second_reply);
+  if (const Ending end = collect_prints(); end != Ending::returned) return stopped(end);
+  return reply;
+}
+
+Reply Worker::returned(const protocol::ReplyHeader& header, const PlannedCall& call) {
+  if (header.result.rows != call.rows || header.result.cols != call.cols)
+    return violated(ProtocolViolation::impossible_shape);
+  const std::size_t count = static_cast<std::size_t>(call.rows) * static_cast<std::size_t>(call.cols);
+  if (const Ending end = exchange(sizeof header + sizeof(double) * count); end != Ending::returned) return stopped(end);
+  Reply reply;
+  reply.ending = Ending::returned;
+  reply.value = {call.rows, call.cols, std::vector<double>(count)};
+  std::copy(received_.begin() + sizeof header, received_.end(), reinterpret_cast<char*>(reply.value.numbers.data()));
   return reply;
 }
 
@@ -129,55 +152,52 @@ Reply Worker::finish() {
   Reply reply;
   reply.ending = Ending::returned;
   if (!running_) return reply;
-  process_.hang_up();
+  process_.close_write();
   unsent_.clear();
   sent_ = 0;
   received_.clear();
   const Clock::time_point deadline = budget_.deadline;
   budget_.deadline = std::min(deadline, Clock::now() + shutdown_timeout);
-  const Stop stop = exchange(1);
+  const Ending end = exchange(1);
   budget_.deadline = deadline;
-  if (stop == Stop::none) return violation(messages::something_after_last_reply());
+  if (end == Ending::returned) return violated(ProtocolViolation::after_last_reply);
   end_process();
-  return stop == Stop::output_limit || collect_prints() == Stop::output_limit ? stopped(Stop::output_limit) : reply;
-}
-
-Reply Worker::returned_value(const protocol::ReplyHeader& header, int rows, int cols) {
-  Reply reply;
-  reply.ending = Ending::returned;
-  reply.value = {rows, cols, std::vector<double>((received_.size() - sizeof header) / sizeof(double))};
-  std::copy(received_.begin() + sizeof header, received_.end(), reinterpret_cast<char*>(reply.value.numbers.data()));
+  if (end == Ending::output_limit || collect_prints() == Ending::output_limit) reply.ending = Ending::output_limit;
   return reply;
 }
 
-Worker::Stop Worker::receive_header() {
+Ending Worker::receive_header() {
   while (true) {
-    if (const Stop stop = exchange(sizeof(protocol::ReplyHeader)); stop != Stop::none) return stop;
+    if (const Ending end = exchange(sizeof(protocol::ReplyHeader)); end != Ending::returned) return end;
     const protocol::ReplyHeader header = header_in(received_);
-    const bool is_last_words = header.magic == protocol::reply_magic && header.status == protocol::Status::crash_report;
-    if (!is_last_words || crash_report_.magic != 0) return Stop::none;
+    const bool crashes = header.magic == protocol::reply_magic && header.status == protocol::Status::crash_report;
+    if (!crashes || crash_report_) return Ending::returned;
     crash_report_ = header;  // now the signal should follow, and end the stream
     received_.clear();
   }
 }
 
-Worker::Stop Worker::exchange(std::size_t wanted) {
+Ending Worker::exchange(std::size_t wanted) {
+  const bool watches_memory = profile_.memory_bytes == 0;
   while (received_.size() < wanted) {
     const bool sending = sent_ < unsent_.size();
     std::array<pollfd, 2> watched{{{process_.channel(), static_cast<short>(sending ? POLLIN | POLLOUT : POLLIN), 0},
                                    {process_.output(), POLLIN, 0}}};
+    const auto wake =
+        watches_memory ? std::min(budget_.deadline, Clock::now() + between_looks_at_memory) : budget_.deadline;
     // A worker that closed its standard output would wake us for ever.
-    const int ready = ::poll(watched.data(), output_closed_ ? 1 : 2, milliseconds_until(budget_.deadline));
+    const int ready = ::poll(watched.data(), output_closed_ ? 1 : 2, milliseconds_until(wake));
     if (ready < 0 && errno == EINTR) continue;
-    if (ready <= 0) return Stop::out_of_time;
+    if (Clock::now() >= budget_.deadline) return Ending::time_limit;
+    if (watches_memory && uses_too_much_memory()) return Ending::memory_limit;
+    if (ready <= 0) continue;
     if (!output_closed_ && watched[1].revents != 0)
-      if (const Stop stop = collect_prints(); stop != Stop::none) return stop;
+      if (const Ending end = collect_prints(); end != Ending::returned) return end;
     if ((watched[0].revents & POLLOUT) != 0) send_some();
     if ((watched[0].revents & (POLLIN | POLLHUP | POLLERR)) != 0)
-      if (const Stop stop = receive_some(wanted); stop != Stop::none) return stop;
-    if (Clock::now() >= budget_.deadline) return Stop::out_of_time;
+      if (const Ending end = receive_some(wanted); end != Ending::returned) return end;
   }
-  return Stop::none;
+  return Ending::returned;
 }
 
 void Worker::send_some() {
@@ -188,86 +208,90 @@ void Worker::send_some() {
   if (put < 0 && errno != EAGAIN && errno != EINTR) sent_ = unsent_.size();
 }
 
-Worker::Stop Worker::receive_some(std::size_t wanted) {
+Ending Worker::receive_some(std::size_t wanted) {
   const std::size_t before = received_.size();
   received_.resize(wanted);
   const ssize_t got = ::recv(process_.channel(), received_.data() + before, wanted - before, MSG_DONTWAIT);
   received_.resize(before + static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
-  if (got > 0 || (got < 0 && (errno == EAGAIN || errno == EINTR))) return Stop::none;
-  return Stop::end_of_stream;
+  if (got > 0 || (got < 0 && (errno == EAGAIN || errno == EINTR))) return Ending::returned;
+  return Ending::stopped_early;
 }
 
-Worker::Stop Worker::collect_prints() {
+Ending Worker::collect_prints() {
   std::array<char, 16384> buffer;
   while (!output_closed_) {
     const ssize_t got = ::read(process_.output(), buffer.data(), buffer.size());
     if (got < 0 && errno == EINTR) continue;
     if (got < 0 && errno == EAGAIN) break;
-    if (got <= 0) {
-      output_closed_ = true;
-      break;
-    }
-    const std::size_t kept = std::min(static_cast<std::size_t>(got), budget_.output_bytes);
-    budget_.printed.append(buffer.data(), kept);
+    output_closed_ = got <= 0;
+    const std::size_t kept = std::min(static_cast<std::size_t>(std::max<ssize_t>(got, 0)), budget_.output_bytes);
+    printed_.append(buffer.data(), kept);
     budget_.output_bytes -= kept;
-    if (kept < static_cast<std::size_t>(got)) return Stop::output_limit;
+    if (got > static_cast<ssize_t>(kept)) return Ending::output_limit;
   }
-  return Stop::none;
+  return Ending::returned;
 }
 
-bool Worker::has_more_to_say() const {
-  char byte;
-  return ::recv(process_.channel(), &byte, 1, MSG_PEEK | MSG_DONTWAIT) > 0;
+bool Worker::uses_too_much_memory() const {
+  std::ifstream statistics("/proc/" + std::to_string(process_.number()) + "/statm");
+  std::size_t pages = 0, resident_pages = 0;
+  statistics >> pages >> resident_pages;
+  return resident_pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)) > most_resident_memory;
 }
 
-Reply Worker::violation(const std::string& text) {
+Reply Worker::violated(ProtocolViolation violation) {
   end_process();
   Reply reply;
   reply.ending = Ending::protocol_violation;
-  reply.text = text;
+  reply.violation = violation;
   return reply;
 }
 
-Reply Worker::stopped(Stop reason) {
+Reply Worker::stopped(Ending reason) {
   Reply reply;
-  if (reason == Stop::out_of_time || reason == Stop::output_limit) {
+  reply.ending = reason;
+  if (reason != Ending::stopped_early) {
     end_process();
-    reply.ending = reason == Stop::out_of_time ? Ending::time_limit : Ending::output_limit;
     return reply;
   }
-  const std::optional<ProcessEnd> ended =
-      process_.wait_until(std::min(budget_.deadline, Clock::now() + shutdown_timeout));
-  if (!ended) return violation(messages::line_closed());
+  if (!process_.wait_until(std::min(budget_.deadline, Clock::now() + shutdown_timeout)))
+    return violated(ProtocolViolation::closed_channel);
   const ProcessEnd end = end_process();
-  if (collect_prints() == Stop::output_limit) {
-    reply.ending = Ending::output_limit;
-    return reply;
-  }
+  reply.ending = collect_prints();
+  if (reply.ending == Ending::output_limit) return reply;
   reply.signal = end.signal;
   reply.exit_status = end.exit_status;
-  const bool explained = crash_report_.magic != 0 && crash_report_.signal == end.signal;
   switch (end.signal) {
     case 0:
       reply.ending = Ending::stopped_early;
       break;
     case SIGSYS:
-      reply.ending = Ending::forbidden_operation;
-      if (explained) reply.text = forbidden_operation(crash_report_.detail);
-      break;
     case SIGXFSZ:
       reply.ending = Ending::forbidden_operation;
-      reply.text = messages::writing_a_file();
       break;
     case SIGXCPU:
       reply.ending = Ending::time_limit;
       break;
     default:
       // A program that ignores SIGXCPU is killed at the hard limit.
-      reply.ending =
-          end.signal == SIGKILL && end.processor_seconds >= processor_seconds_ ? Ending::time_limit : Ending::crashed;
-      if (explained) reply.text = text_of_crash(crash_report_);
+      reply.ending = end.signal == SIGKILL && end.processor_seconds >= profile_.processor_seconds ? Ending::time_limit
+                                                                                                  : Ending::crashed;
   }
+  if (crash_report_ && crash_report_->signal == end.signal) set_crash(reply, end.signal);
   return reply;
+}
+
+/// What the worker said before the signal.
+void Worker::set_crash(Reply& reply, int signal) const {
+  if (signal == SIGSYS) {
+    reply.system_call = static_cast<long>(crash_report_->detail);
+  } else if (crash_report_->detail == protocol::stack_overflow) {
+    reply.cause = CrashCause::stack_overflow;
+  } else if (crash_report_->detail != protocol::nothing_known) {
+    const bool has_text = crash_report_->detail == protocol::exception_with_text;
+    reply.cause = has_text ? CrashCause::uncaught_exception : CrashCause::foreign_exception;
+    reply.text = printable(crash_report_->text);
+  }
 }
 
 ProcessEnd Worker::end_process() {

@@ -9,6 +9,8 @@
 #include "checker/worker/protocol.hpp"
 
 #include <cstddef>
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,50 +21,58 @@ struct Budget {
   Clock::time_point deadline;
   double processor_seconds = 0.0;
   std::size_t output_bytes = 0;
-  std::string printed;  ///< standard output and standard error, as far as the limit lets it through
+};
+
+/// One call of the student's function: what goes in, and the shape that should come out.
+struct PlannedCall {
+  std::vector<Value> inputs;
+  int rows = 1;
+  int cols = 1;
 };
 
 /// Anything but an answer ends the conversation: the worker is then gone, and the next call needs a new one.
 class Worker {
  public:
   /// @throws LaunchError
-  Worker(Sandbox& sandbox, Budget& budget);
-  ~Worker();
+  Worker(const std::filesystem::path& program, SandboxProfile profile, Budget& budget);
+  ~Worker() { end_process(); }
 
-  /// Calls the student's function once and waits for what becomes of it.
-  /// @param rows, cols  the shape that the result should have
-  Reply call(const std::vector<Value>& inputs, int rows, int cols);
+  /// Calls the student's function once and waits for what becomes of it. @param mode  bits of protocol::Mode
+  Reply call(const PlannedCall& call, std::int32_t mode = protocol::plain);
 
-  /// Hangs up and waits for the end. Returns a protocol violation if the worker still had something to say.
+  /// Closes its side and waits for the end. Returns a protocol violation if the worker still had something to say.
   Reply finish();
 
   bool running() const { return running_; }
 
  private:
-  enum class Stop { none, end_of_stream, out_of_time, output_limit };
+  Reply answer(const PlannedCall& call, std::uint64_t nonce);
+  Reply returned(const protocol::ReplyHeader& header, const PlannedCall& call);
 
-  /// Exchanges bytes until `wanted` bytes are in `received_`. Prints are collected meanwhile.
-  Stop exchange(std::size_t wanted);
-  Stop receive_header();
+  /// Exchanges bytes until `wanted` bytes are in `received_`. Prints are collected meanwhile. Returns Ending::returned,
+  /// or what came in between; stopped_early is the end of the stream.
+  Ending exchange(std::size_t wanted);
+  Ending receive_header();
   void send_some();
-  Stop receive_some(std::size_t wanted);
-  Stop collect_prints();
-  bool has_more_to_say() const;
-  Reply returned_value(const protocol::ReplyHeader& header, int rows, int cols);
+  Ending receive_some(std::size_t wanted);
+  Ending collect_prints();
+  bool uses_too_much_memory() const;
 
-  Reply stopped(Stop reason);
-  Reply violation(const std::string& text);
+  Reply stopped(Ending reason);
+  void set_crash(Reply& reply, int signal) const;
+  Reply violated(ProtocolViolation violation);
   ProcessEnd end_process();
 
   Budget& budget_;
-  unsigned processor_seconds_;
+  SandboxProfile profile_;
   ChildProcess process_;
   bool running_ = true;
   bool output_closed_ = false;
+  std::string printed_;
   std::vector<char> unsent_;
   std::size_t sent_ = 0;
   std::vector<char> received_;
-  protocol::ReplyHeader crash_report_{};
+  std::optional<protocol::ReplyHeader> crash_report_;
 };
 
 }  // namespace workbook

@@ -3,7 +3,7 @@
 /// settings that turn silent mistakes into something one can read.
 ///
 /// The generated prelude of a course adds its contracts, so that a result type that differs from the contract's is a
-/// compile error and not an undefined call.
+/// compile error and not an undefined call. For diagnostic runs it defines WORKBOOK_DIAGNOSE first.
 #pragma once
 
 #include <stdexcept>
@@ -17,16 +17,42 @@ struct EigenError : std::logic_error {
 };
 
 /// Throws EigenError with the condition that should have held.
-void report_eigen_assertion(const char* condition);
+void throw_eigen_error(const char* condition);
 
 }  // namespace workbook
-
-#define eigen_assert(...) ((__VA_ARGS__) ? static_cast<void>(0) : ::workbook::report_eigen_assertion(#__VA_ARGS__))
 
 // The end of `v << 1, 2` is checked in a destructor, which may throw only if Eigen is told so.
 #define VERIFY_RAISES_ASSERT
 
-// A matrix that was never filled gives NaN every time, not a number by chance.
-#define EIGEN_INITIALIZE_MATRICES_BY_NAN
+#if defined(WORKBOOK_DIAGNOSE)
+#include "diagnostic_assertions.hpp"
+#else
+#define eigen_assert(...) ((__VA_ARGS__) ? static_cast<void>(0) : ::workbook::throw_eigen_error(#__VA_ARGS__))
 
-#include "headers.hpp"
+// A matrix that was never filled gives NaN every time, not a number by chance. In a diagnostic run all memory is
+// filled.
+#define EIGEN_INITIALIZE_MATRICES_BY_NAN
+#endif
+
+// What students' files may use without including it.
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdlib>
+#include <functional>
+#include <iomanip>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <random>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>

@@ -1,9 +1,7 @@
 #include "checker/worker/serve.hpp"
 
-#include "checker/worker/crash_handler.hpp"
 #include "checker/worker/prelude.hpp"
 #include "checker/worker/protocol.hpp"
-#include "checker/worker/requests.hpp"
 
 #include <rigid/vocabulary.hpp>
 
@@ -14,34 +12,68 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <iostream>
 #include <new>
+#include <string_view>
+
+extern "C" int workbook_variant;  // which variant of the function is to be called, where there are several
+int workbook_variant = 0;
 
 namespace workbook {
 namespace {
 
-bool write_exactly(const void* from, std::size_t size) {
-  const char* next = static_cast<const char*>(from);
+/// All bytes, through read() or write(). False at the end of input.
+template <class Byte, class Transfer>
+bool transfer(Transfer step, Byte* next, std::size_t size) {
   while (size > 0) {
-    const ssize_t put = ::write(protocol::channel, next, size);
-    if (put < 0 && errno == EINTR) continue;
-    if (put <= 0) return false;
-    next += put;
-    size -= static_cast<std::size_t>(put);
+    const ssize_t done = step(protocol::channel, next, size);
+    if (done < 0 && errno == EINTR) continue;
+    if (done <= 0) return false;
+    next += done;
+    size -= static_cast<std::size_t>(done);
   }
   return true;
 }
+
+bool receive(void* to, std::size_t size) { return transfer(::read, static_cast<char*>(to), size); }
+
+bool send(const void* from, std::size_t size) { return transfer(::write, static_cast<const char*>(from), size); }
+
+/// The arguments of one request, and the views of them that a call needs.
+struct Arguments {
+  std::vector<double> numbers;
+  std::vector<NumbersView> views;
+
+  /// So many shapes, and then their numbers.
+  bool receive(std::size_t count) {
+    std::vector<protocol::Shape> shapes(count);
+    if (!workbook::receive(shapes.data(), count * sizeof(protocol::Shape))) return false;
+    std::size_t total = 0;
+    for (const protocol::Shape& shape : shapes) total += size(shape);
+    numbers.resize(total);
+    if (!workbook::receive(numbers.data(), total * sizeof(double))) return false;
+    const double* first = numbers.data();
+    views.clear();
+    for (const protocol::Shape& shape : shapes) {
+      views.push_back({shape.rows, shape.cols, first});
+      first += size(shape);
+    }
+    return true;
+  }
+
+  static std::size_t size(const protocol::Shape& shape) {
+    return static_cast<std::size_t>(shape.rows) * static_cast<std::size_t>(shape.cols);
+  }
+};
 
 void set_text(protocol::ReplyHeader& reply, const char* text) {
   std::strncpy(reply.text, text ? text : "", sizeof reply.text - 1);
 }
 
-protocol::ReplyHeader answer(const Call& call, const Arguments& arguments, CallResult& result) {
-  protocol::ReplyHeader reply{};
-  reply.magic = protocol::reply_magic;
+/// The exception that is being handled.
+void set_exception(protocol::ReplyHeader& reply) {
   try {
-    call(arguments.views, result);
-    reply.status = result.has_expected_shape() ? protocol::Status::returned : protocol::Status::wrong_shape;
-    reply.result = {result.rows, result.cols};
+    throw;
   } catch (const rigid::NotStarted&) {
     reply.status = protocol::Status::not_started;
   } catch (const std::bad_alloc&) {
@@ -55,30 +87,55 @@ protocol::ReplyHeader answer(const Call& call, const Arguments& arguments, CallR
   } catch (...) {
     reply.status = protocol::Status::foreign_exception;
   }
+}
+
+protocol::ReplyHeader answer(const Call& call, const Arguments& arguments, CallResult& result) {
+  protocol::ReplyHeader reply{};
+  reply.magic = protocol::reply_magic;
+  try {
+    call(arguments.views, result);
+    reply.status = result.has_expected_shape() ? protocol::Status::returned : protocol::Status::wrong_shape;
+    reply.result = {result.rows, result.cols};
+  } catch (...) {
+    after_call();
+    set_exception(reply);
+  }
   return reply;
 }
 
 }  // namespace
 
+void throw_eigen_error(const char* condition) {
+  // While `v << 1, f(), 3` is left because f threw, its destructor finds numbers missing; the first exception counts.
+  if (std::uncaught_exceptions() == 0 ||
+      std::string_view(condition).find("Too few coefficients") == std::string_view::npos)
+    throw EigenError(condition);
+}
+
+[[gnu::weak]] void before_call(std::int32_t) {}
+[[gnu::weak]] void fill_memory(void*, std::size_t) {}
+[[gnu::weak]] void after_call() {}
+
 int serve_calls(std::size_t argument_count, const Call& call) {
-  // What a student prints before a crash should be seen: do not keep whole pages of it back.
-  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
-  keep_crash_handler_linked();
+  std::setvbuf(stdout, nullptr, _IONBF, 0);  // what is printed before a crash must be seen
   Arguments arguments;
   protocol::RequestHeader request;
-  while (read_exactly(&request, sizeof request)) {
+  while (receive(&request, sizeof request)) {
     if (request.magic != protocol::request_magic || request.arguments != static_cast<std::int32_t>(argument_count))
       return 1;
-    if (!arguments.read(argument_count)) return 1;
+    if (!arguments.receive(argument_count)) return 1;
     CallResult result;
     result.expected_rows = request.result.rows;
     result.expected_cols = request.result.cols;
+    workbook_variant = request.mode >> protocol::variant_shift;
+    before_call(request.mode);
     protocol::ReplyHeader reply = answer(call, arguments, result);
     reply.nonce = request.nonce;
-    std::fflush(stdout);
-    if (!write_exactly(&reply, sizeof reply)) return 1;
+    std::cout.flush();  // what the student's function prints belongs to this call
+    std::clog.flush();
+    if (!send(&reply, sizeof reply)) return 1;
     if (reply.status == protocol::Status::returned &&
-        !write_exactly(result.numbers.data(), result.numbers.size() * sizeof(double)))
+        !send(result.numbers.data(), result.numbers.size() * sizeof(double)))
       return 1;
   }
   // Not `return 0`: destructors of a student's static objects are no part of the exercise.

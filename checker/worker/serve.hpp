@@ -5,7 +5,11 @@
 #include "checker/data/kinds.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <memory>
+#include <new>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -34,15 +38,30 @@ struct CallResult {
 
 using Call = std::function<void(const std::vector<NumbersView>& arguments, CallResult& result)>;
 
-/// Answers requests until the checker hangs up. Returns the exit status of the worker.
+/// Answers requests until the checker closes its side. Returns the exit status of the worker.
 int serve_calls(std::size_t argument_count, const Call& call);
+
+// What a diagnostic run does around a call; it does nothing in judging.
+void before_call(std::int32_t mode);
+void fill_memory(void* result, std::size_t size);  ///< the place of the result, and the stack
+void after_call();
 
 /// Makes the student's function answer requests.
 template <class Result, class... Parameters>
 int serve(Result (*function)(Parameters...)) {
-  return serve_calls(sizeof...(Parameters), [function](const std::vector<NumbersView>& arguments, CallResult& result) {
+  using Plain = std::remove_cvref_t<Result>;
+  return serve_calls(sizeof...(Parameters), [function](const std::vector<NumbersView>& views, CallResult& seen) {
     [&]<std::size_t... Index>(std::index_sequence<Index...>) {
-      result.keep<std::remove_cvref_t<Result>>(function(KindOfParameter<Parameters>::read(arguments[Index])...));
+      std::tuple<std::remove_cvref_t<Parameters>...> arguments{KindOfParameter<Parameters>::read(views[Index])...};
+      alignas(Plain) unsigned char place[sizeof(Plain)];
+      // Nothing may be called in between, for it would leave its own numbers where memory was filled.
+      const auto call = [&](auto&... argument) {
+        return new (place) Plain((fill_memory(place, sizeof place), function(argument...)));
+      };
+      Plain* const result = std::apply(call, arguments);
+      after_call();
+      seen.keep(*result);
+      std::destroy_at(result);
     }
     (std::index_sequence_for<Parameters...>{});
   });
