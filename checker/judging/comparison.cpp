@@ -1,8 +1,5 @@
 #include "checker/judging/comparison.hpp"
 
-#include "checker/judging/answers.hpp"
-#include "checker/messages/failures.hpp"
-
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -40,16 +37,16 @@ Value negative(Value value) {
 
 /// Signs and order of eigenvectors of equal moments are free, so the equations are tested and not the entries.
 std::vector<Deviation> eigenvector_deviations(const Case& one, const Value& actual) {
-  const MatrixXd I = as_matrix(one.inputs.at(0));
-  const MatrixXd V = as_matrix(actual);
-  const MatrixXd expected = as_matrix(one.expected);
-  const MatrixXd D = (expected.transpose() * I * expected).diagonal().asDiagonal();
-  const MatrixXd identity = MatrixXd::Identity(V.cols(), V.cols());
+  // Of fixed size, which also compiles in a fraction of the time.
+  const Matrix3d I = as_matrix(one.inputs.at(0));
+  const Matrix3d V = as_matrix(actual);
+  const Matrix3d expected = as_matrix(one.expected);
+  const Matrix3d D = (expected.transpose() * I * expected).diagonal().asDiagonal();
   const MatrixXd determinant = MatrixXd::Constant(1, 1, V.determinant() - 1);
   // The determinant only tells right-handed from left-handed: its size follows from Vᵀ V = 1, with an error three
   // halves as large.
   return {uniform_deviation("I V − V D", Kind::matrix3, I * V - V * D, one.tolerance, I.norm()),
-          uniform_deviation("Vᵀ V − 1", Kind::matrix3, V.transpose() * V - identity, one.tolerance, 1.0),
+          uniform_deviation("Vᵀ V − 1", Kind::matrix3, V.transpose() * V - Matrix3d::Identity(), one.tolerance, 1.0),
           uniform_deviation("det V − 1", Kind::number, determinant, one.tolerance, 4.0)};
 }
 
@@ -122,11 +119,30 @@ double scale_at(const Case& one, std::size_t number) {
   return one.scale.size() == 1 ? one.scale[0] : one.scale.at(number);
 }
 
-Eigen::Map<const MatrixXd> as_matrix(const Value& value) { return {value.numbers.data(), value.rows, value.cols}; }
+bool has_usable_value(const Reply& reply, const Case& one) {
+  return reply.ending == Ending::returned && reply.value.has_shape_of(one.expected) && reply.value.is_complete();
+}
 
-Value to_value(const MatrixXd& matrix) {
-  return {
-      static_cast<int>(matrix.rows()), static_cast<int>(matrix.cols()), {matrix.data(), matrix.data() + matrix.size()}};
+Answers answers_of(const ExerciseReference& exercise, const std::vector<Reply>& replies) {
+  Answers answers(exercise.cases.size());
+  for (std::size_t i = 0; i < std::min(answers.size(), replies.size()); ++i) {
+    if (has_usable_value(replies[i], exercise.cases[i])) answers[i] = replies[i].value;
+  }
+  return answers;
+}
+
+std::vector<std::size_t> deciding_cases(const ExerciseReference& exercise) {
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
+    if (exercise.cases[i].deciding) indices.push_back(i);
+  }
+  return indices;
+}
+
+bool all_deciding_cases_answered(const ExerciseReference& exercise, const Answers& answers) {
+  const auto deciding = deciding_cases(exercise);
+  return !deciding.empty() &&
+         std::ranges::all_of(deciding, [&](std::size_t i) { return i < answers.size() && answers[i].has_value(); });
 }
 
 Value nearest_expected(const ExerciseReference& exercise, std::size_t case_index, const Value& actual) {
@@ -141,14 +157,14 @@ std::vector<Deviation> deviations(const ExerciseReference& exercise, std::size_t
   switch (exercise.comparison) {
     case Comparison::plain:
     case Comparison::up_to_sign:
-      found.push_back(entry_by_entry(messages::yours_minus_expected(), exercise.result_kind, one, actual,
+      found.push_back(entry_by_entry("yours − expected", exercise.result_kind, one, actual,
                                      nearest_expected(exercise, case_index, actual)));
       break;
     case Comparison::eigenvectors:
       found = eigenvector_deviations(one, actual);
       break;
     case Comparison::attitude_by_angles:
-      found.push_back(uniform_deviation(messages::attitude_minus_expected(), Kind::matrix3,
+      found.push_back(uniform_deviation("R(yours) − R(expected)", Kind::matrix3,
                                         attitude(actual) - attitude(one.expected), one.tolerance, 1.0));
       break;
   }
@@ -176,7 +192,7 @@ Deviation drift(const ExerciseReference& exercise, const Property& property, std
 }
 
 bool passes(const ExerciseReference& exercise, std::size_t case_index, const Value& actual) {
-  if (!actual.has_shape_of(exercise.cases.at(case_index).expected) || !is_complete(actual) || !is_finite(actual))
+  if (!actual.has_shape_of(exercise.cases.at(case_index).expected) || !actual.is_complete() || !actual.is_finite())
     return false;
   return std::ranges::all_of(deviations(exercise, case_index, actual),
                              [](const Deviation& deviation) { return deviation.is_within(); });

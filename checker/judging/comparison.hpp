@@ -2,15 +2,20 @@
 /// Comparing an answer with the expected one, with the freedom that the exercise leaves.
 #pragma once
 
+#include "checker/data/observation.hpp"
 #include "checker/data/reference_results.hpp"
 
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace workbook {
+
+/// How many times the tolerance a deviation must be to be told from rounding.
+inline constexpr double clear_margin = 10.0;
 
 /// One way in which an answer is measured against the expected one.
 struct Deviation {
@@ -32,11 +37,18 @@ struct Deviation {
 /// The natural size of one number of the result.
 double scale_at(const Case& one, std::size_t number);
 
-/// The numbers as a matrix, without a copy.
-Eigen::Map<const Eigen::MatrixXd> as_matrix(const Value& value);
+/// True if a complete value of the shape of the expected one came back. It may hold NaN.
+bool has_usable_value(const Reply& reply, const Case& one);
 
-/// The inverse of as_matrix.
-Value to_value(const Eigen::MatrixXd& matrix);
+/// The usable values of a student, one per case; empty where there is none.
+using Answers = std::vector<std::optional<Value>>;
+Answers answers_of(const ExerciseReference& exercise, const std::vector<Reply>& replies);
+
+/// The cases at which wrong answers cannot be right.
+std::vector<std::size_t> deciding_cases(const ExerciseReference& exercise);
+
+/// True if every deciding case has an answer: only then can a whole answer be recognised.
+bool all_deciding_cases_answered(const ExerciseReference& exercise, const Answers& answers);
 
 /// The expected value, or its negative where the exercise is compared up to sign and the negative is nearer.
 Value nearest_expected(const ExerciseReference& exercise, std::size_t case_index, const Value& actual);

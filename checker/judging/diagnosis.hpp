@@ -1,19 +1,136 @@
 /// @file
-/// Why an answer is wrong: the most telling of the diagnoses.
+/// Why an answer is wrong, as far as its values tell. Each mechanism is a pure function, and silent when it is not
+/// sure.
 #pragma once
 
-#include "checker/data/observation.hpp"
-#include "checker/judging/answers.hpp"
-#include "checker/judging/judgement.hpp"
+#include "checker/judging/comparison.hpp"
 
+#include <Eigen/Core>
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace workbook {
 
-/// A misconception that gives the student's answers explains them wholly, and so does a wrong coefficient or a
-/// transform of the whole: then it stands alone. Otherwise: what properties and dimensions tell. Empty where nothing
-/// certain can be said.
+enum class DiagnosisKind {
+  misconception,    ///< a named wrong answer
+  term,             ///< a wrong coefficient
+  transform,        ///< the right result, changed as a whole
+  input_transform,  ///< the right result for changed inputs
+  difference,       ///< what a component lacks or has too much
+  split,            ///< what the failing cases have in common
+  independence,     ///< an input that never changes the result
+  entry,            ///< entries that hold something else
+  place,            ///< which components are wrong, and where
+  property,
+  dimension
+};
+std::string to_string(DiagnosisKind kind);
+
+/// Either true or absent.
+struct Diagnosis {
+  DiagnosisKind kind = DiagnosisKind::misconception;
+  std::string name;
+  std::string message;  ///< one sentence
+  std::string notes;    ///< anchor of the paragraph to read; may be empty
+};
+void to_json(nlohmann::json& json, const Diagnosis& diagnosis);
+void from_json(const nlohmann::json& json, Diagnosis& diagnosis);
+
+/// The most telling of the diagnoses. A misconception that gives the student's answers explains them wholly, and so
+/// does a wrong coefficient or a transform of the whole: then it stands alone. Otherwise: what properties and
+/// dimensions tell. Empty where nothing certain can be said.
 std::vector<Diagnosis> diagnose(const ExerciseReference& exercise, const Answers& answers,
                                 const std::vector<UnitProbe>& probes);
+
+// --- recognising a whole answer (whole_answer.cpp)
+
+/// The misconception that gives the student's answers at all deciding cases; none if two with different messages fit,
+/// or if the student is not wrong at any of them.
+std::optional<Diagnosis> diagnose_misconception(const ExerciseReference& exercise, const Answers& answers);
+
+/// A common factor (−1, 2, ½, degrees for radians, or any other), a transposed matrix, or components in another order.
+std::optional<Diagnosis> diagnose_transform(const ExerciseReference& exercise, const Answers& answers);
+
+/// The right result for changed inputs, at all deciding cases.
+std::optional<Diagnosis> diagnose_input_transform(const ExerciseReference& exercise, const Answers& answers);
+
+// --- what a wrong component lacks or has too much (regression.cpp)
+
+/// The error of every wrong component as exactly one or two products of the inputs with simple coefficients.
+std::optional<Diagnosis> diagnose_difference(const ExerciseReference& exercise, const Answers& answers);
+
+// --- where it is wrong, and what that has in common (patterns.cpp)
+
+/// "Only component 3 is wrong, at all 14 cases": always true, and silent where all components are wrong.
+std::optional<Diagnosis> diagnose_place(const ExerciseReference& exercise, const Answers& answers);
+
+/// The one feature of the inputs (a sign, a zero, an equality, an order, a count) that tells wrong cases from right
+/// ones.
+std::optional<Diagnosis> diagnose_split(const ExerciseReference& exercise, const Answers& answers);
+
+/// The one misconception that fits all failing cases, where others are right.
+std::optional<Diagnosis> diagnose_conditional(const ExerciseReference& exercise, const Answers& answers);
+
+/// Inputs that never change the student's result although the right one depends on them.
+std::optional<Diagnosis> diagnose_independence(const ExerciseReference& exercise, const Answers& answers);
+
+/// Entries that hold what belongs in others, or that one misconception explains, while the rest is right.
+std::optional<Diagnosis> diagnose_entries(const ExerciseReference& exercise, const Answers& answers);
+
+// --- wrong coefficients (terms.cpp)
+
+/// Says which coefficients are off, if the student's answers are exactly a sum of the terms. Silent where the whole
+/// answer is a multiple of the right one, which is better said of the whole.
+std::optional<Diagnosis> diagnose_terms(const ExerciseReference& exercise, const Answers& answers);
+
+/// The terms as columns and the given values as a vector, one row per number of every deciding case, each divided by
+/// its natural size.
+struct TermEquations {
+  Eigen::MatrixXd terms;
+  Eigen::VectorXd values;
+  double tolerance = 0.0;  ///< the widest of the cases
+
+  /// True if there are clearly more equations than terms, and no term is a combination of the others.
+  bool determine_coefficients() const;
+};
+/// @pre every deciding case has a value.
+TermEquations term_equations(const ExerciseReference& exercise, const Answers& values);
+
+// --- properties (properties.cpp)
+
+/// How far a value is from having a property.
+struct Violation {
+  double size = 0.0;   ///< relative to the natural size of the result; 0 if the value has the property
+  std::string detail;  ///< where it shows: "entry (1,2) is 3, entry (2,1) is -3"
+};
+Violation violation(const ExerciseReference& exercise, const Property& property, std::size_t case_index,
+                    const Value& value);
+
+/// True if the value lacks the property by clearly more than the tolerance of its case.
+bool clearly_lacks(const ExerciseReference& exercise, const Property& property, std::size_t case_index,
+                   const Value& value);
+
+/// One diagnosis for each property that all expected values have and a student's value at some deciding case clearly
+/// lacks.
+std::vector<Diagnosis> diagnose_properties(const ExerciseReference& exercise, const Answers& answers);
+
+// --- dimensions by a change of units: a quantity in kg m² grows 10⁴ times when lengths are given in centimetres
+// (dimensions.cpp)
+
+/// The probes worth taking: for each base unit that an argument has, at up to three deciding cases. Their replies are
+/// empty.
+std::vector<UnitProbe> plan_probes(const ExerciseReference& exercise);
+
+/// The inputs of a case with their numbers converted to the probe's small unit.
+std::vector<Value> probe_inputs(const ExerciseReference& exercise, const UnitProbe& probe, std::size_t case_index);
+
+/// One diagnosis for each base unit in which the student's result has a clearly wrong exponent; else one that says that
+/// it has no single exponent; else none.
+std::vector<Diagnosis> diagnose_dimensions(const ExerciseReference& exercise, const Answers& answers,
+                                           const std::vector<UnitProbe>& probes);
 
 }  // namespace workbook

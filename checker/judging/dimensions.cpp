@@ -1,8 +1,9 @@
-#include "checker/judging/dimensions.hpp"
+#include "checker/base/text.hpp"
+#include "checker/judging/diagnosis.hpp"
+#include "checker/judging/judge.hpp"
+#include "checker/judging/value_text.hpp"
 
-#include "checker/judging/comparison.hpp"
-#include "checker/judging/sampling.hpp"
-#include "checker/messages/judging.hpp"
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -83,6 +84,37 @@ Power single_power(const std::vector<double>& powers) {
   return {largest_distance > clearly_off ? UnitFinding::no_single_power : UnitFinding::nothing, 0.0};
 }
 
+std::string unit_change(char base) {
+  return base == 'k' ? "With masses in g" : base == 'm' ? "With lengths in cm" : "With times in ms";
+}
+
+std::string growth(double decades, const char* grow, const char* shrink, const char* unchanged) {
+  const double size = std::abs(decades);
+  if (size == 0) return unchanged;
+  const std::string times =
+      size == std::round(size) ? "10" + superscript(static_cast<int>(size)) : number_text(std::pow(10, size), 3);
+  return fmt::format("{} {} times", decades > 0 ? grow : shrink, times);
+}
+
+/// "the result", or one component of it
+std::string part(const std::string& owner, std::optional<std::size_t> component) {
+  return component ? fmt::format("component {} of {} result", *component, owner) : owner + " result";
+}
+
+std::string wrong_power(char base, double expected_decades, double actual_decades,
+                        std::optional<std::size_t> component) {
+  return fmt::format("{} {} {}, yours {}.", unit_change(base), part("the", component),
+                     growth(expected_decades, "should grow", "should shrink", "should not change"),
+                     growth(actual_decades, "grows", "shrinks", "does not change"));
+}
+
+std::string no_single_power(char base, std::optional<std::size_t> component) {
+  return fmt::format(
+      "{} {} grows by no single power of ten: quantities of different dimension are being added, or a "
+      "number in the formula hides a unit.",
+      unit_change(base), part("your", component));
+}
+
 }  // namespace
 
 std::vector<UnitProbe> plan_probes(const ExerciseReference& exercise) {
@@ -117,14 +149,13 @@ std::vector<Diagnosis> diagnose_dimensions(const ExerciseReference& exercise, co
       const std::optional<std::size_t> component =
           exercise.result_units.size() > 1 ? std::optional(u + 1) : std::nullopt;
       if (observed.finding == UnitFinding::single_power && observed.value != expected) {
-        wrong_powers.push_back(
-            {DiagnosisKind::dimension, std::string(1, probe.base),
-             messages::wrong_power(probe.base, expected * decades, observed.value * decades, component), ""});
+        wrong_powers.push_back({DiagnosisKind::dimension, std::string(1, probe.base),
+                                wrong_power(probe.base, expected * decades, observed.value * decades, component), ""});
         break;
       }
       if (observed.finding == UnitFinding::no_single_power) {
-        no_powers.push_back({DiagnosisKind::dimension, std::string(1, probe.base),
-                             messages::no_single_power(probe.base, component), ""});
+        no_powers.push_back(
+            {DiagnosisKind::dimension, std::string(1, probe.base), no_single_power(probe.base, component), ""});
         break;
       }
     }

@@ -1,9 +1,8 @@
-#include "checker/judging/properties.hpp"
-
-#include "checker/judging/comparison.hpp"
+#include "checker/base/text.hpp"
+#include "checker/judging/diagnosis.hpp"
 #include "checker/judging/value_text.hpp"
-#include "checker/messages/broken_properties.hpp"
-#include "checker/messages/judging.hpp"
+
+#include <fmt/format.h>
 
 #include <Eigen/Dense>
 
@@ -15,10 +14,10 @@ namespace workbook {
 namespace {
 
 using Eigen::Index;
+using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 
-constexpr double clear_margin = 10.0;  // times the tolerance
-constexpr int digits = 6;
+constexpr int shown_digits = 6;
 
 /// Keeps the worst violation seen.
 class Worst {
@@ -33,13 +32,10 @@ class Worst {
   Violation worst_;
 };
 
-/// Rows and columns as people count them.
-std::size_t from_one(Index index) { return static_cast<std::size_t>(index) + 1; }
-
 std::string entry_and_entry(Index row, Index col, double one, Index other_row, Index other_col, double other) {
-  const auto [first, second] = distinct_texts(one, other, digits);
-  return messages::two_entries_are(from_one(row), from_one(col), first, from_one(other_row), from_one(other_col),
-                                   second);
+  const auto [first, second] = distinct_texts(one, other, shown_digits);
+  return fmt::format("entry ({},{}) is {}, entry ({},{}) is {}", row + 1, col + 1, first, other_row + 1, other_col + 1,
+                     second);
 }
 
 /// matrix = sign × its transpose
@@ -49,7 +45,7 @@ Violation transposition_violation(const MatrixXd& matrix, double sign, double sc
     for (Index col = row; col < matrix.cols(); ++col) {
       const double entry = matrix(row, col), mirrored = matrix(col, row);
       worst.consider(std::abs(entry - sign * mirrored) / scale, [&] {
-        return row == col ? messages::entry_is(from_one(row), from_one(row), number_text(entry, digits))
+        return row == col ? fmt::format("entry ({},{}) is {}", row + 1, row + 1, number_text(entry, shown_digits))
                           : entry_and_entry(row, col, entry, col, row, mirrored);
       });
     }
@@ -57,38 +53,41 @@ Violation transposition_violation(const MatrixXd& matrix, double sign, double sc
   return worst.take();
 }
 
-Violation negative_eigenvalue(const MatrixXd& matrix, double scale) {
-  const MatrixXd symmetric_part = (matrix + matrix.transpose()) / 2;
+Violation negative_eigenvalue(const Matrix3d& matrix, double scale) {
+  const Matrix3d symmetric_part = (matrix + matrix.transpose()) / 2;
   const double smallest =
-      Eigen::SelfAdjointEigenSolver<MatrixXd>(symmetric_part, Eigen::EigenvaluesOnly).eigenvalues()[0];
+      Eigen::SelfAdjointEigenSolver<Matrix3d>(symmetric_part, Eigen::EigenvaluesOnly).eigenvalues()[0];
   Worst worst;
-  worst.consider(-smallest / scale, [&] { return messages::smallest_eigenvalue_is(number_text(smallest, digits)); });
+  worst.consider(-smallest / scale,
+                 [&] { return "its smallest eigenvalue is " + number_text(smallest, shown_digits); });
   return worst.take();
 }
 
-Violation rotation_violation(const MatrixXd& matrix) {
-  const MatrixXd products = matrix.transpose() * matrix;
+Violation rotation_violation(const Matrix3d& matrix) {
+  const Matrix3d products = matrix.transpose() * matrix;
   Worst worst;
   for (Index i = 0; i < products.rows(); ++i) {
     for (Index j = i; j < products.cols(); ++j) {
       worst.consider(std::abs(products(i, j) - (i == j ? 1 : 0)), [&] {
-        return i == j ? messages::column_has_length(from_one(i),
-                                                    distinct_texts(std::sqrt(products(i, i)), 1, digits).first)
-                      : messages::columns_have_product(from_one(i), from_one(j), number_text(products(i, j), digits));
+        return i == j ? fmt::format("column {} has the length {}", i + 1,
+                                    distinct_texts(std::sqrt(products(i, i)), 1, shown_digits).first)
+                      : fmt::format("columns {} and {} have the dot product {}", i + 1, j + 1,
+                                    number_text(products(i, j), shown_digits));
       });
     }
   }
   const double determinant = matrix.determinant();
   // With orthonormal columns the determinant can only be off by its sign.
   if (determinant < 0)
-    worst.consider(1 - determinant, [&] { return messages::determinant_is(number_text(determinant, digits)); });
+    worst.consider(1 - determinant, [&] { return "its determinant is " + number_text(determinant, shown_digits); });
   return worst.take();
 }
 
 Violation length_violation(const Value& value) {
   const double length = as_matrix(value).norm();
   Worst worst;
-  worst.consider(std::abs(length - 1), [&] { return messages::length_is(distinct_texts(length, 1, digits).first); });
+  worst.consider(std::abs(length - 1),
+                 [&] { return "its length is " + distinct_texts(length, 1, shown_digits).first; });
   return worst.take();
 }
 
@@ -97,8 +96,8 @@ Violation descent(const Value& value, double scale) {
   for (std::size_t n = 1; n < value.numbers.size(); ++n) {
     const double before = value.numbers[n - 1], here = value.numbers[n];
     worst.consider((before - here) / scale, [&] {
-      const auto [first, second] = distinct_texts(before, here, digits);
-      return messages::two_components_are(n, first, n + 1, second);
+      const auto [first, second] = distinct_texts(before, here, shown_digits);
+      return fmt::format("component {} is {}, component {} is {}", n, first, n + 1, second);
     });
   }
   return worst.take();
@@ -108,7 +107,7 @@ Violation negative_entry(const Value& value, Kind kind, const Case& one) {
   Worst worst;
   for (std::size_t n = 0; n < value.numbers.size(); ++n) {
     worst.consider(-value.numbers[n] / scale_at(one, n), [&] {
-      return messages::part_is(entry_name(value, kind, n), number_text(value.numbers[n], digits));
+      return fmt::format("{} is {}", entry_name(value, kind, n), number_text(value.numbers[n], shown_digits));
     });
   }
   return worst.take();
@@ -119,8 +118,9 @@ Violation oblique_angle(const Value& value, const Value& argument, const std::st
   if (length == 0) return {};
   const double product = as_matrix(value).cwiseProduct(as_matrix(argument)).sum();
   Worst worst;
-  worst.consider(std::abs(product) / (length * scale),
-                 [&] { return messages::product_with_argument_is(argument_name, number_text(product, digits)); });
+  worst.consider(std::abs(product) / (length * scale), [&] {
+    return fmt::format("its dot product with {} is {}", argument_name, number_text(product, shown_digits));
+  });
   return worst.take();
 }
 
@@ -135,8 +135,8 @@ Violation drift_violation(const ExerciseReference& exercise, const Property& pro
   for (std::size_t col = 0; col < deviation.allowed.size(); ++col) {
     const double difference = deviation.difference.numbers[col];
     worst.consider(std::abs(difference) / deviation.allowed[col] * one.tolerance, [&] {
-      const auto [yours, right] = distinct_texts(constant + difference, constant, digits);
-      return messages::in_column_it_is(col + 1, yours, right);
+      const auto [yours, right] = distinct_texts(constant + difference, constant, shown_digits);
+      return fmt::format("in column {} it is {} instead of {}", col + 1, yours, right);
     });
   }
   return worst.take();
@@ -188,12 +188,14 @@ std::vector<Diagnosis> diagnose_properties(const ExerciseReference& exercise, co
     if (!all_expected_have_it) continue;
 
     for (std::size_t i : deciding_cases(exercise)) {
-      if (i >= answers.size() || !answers[i] || !is_finite(*answers[i])) continue;
+      if (i >= answers.size() || !answers[i] || !answers[i]->is_finite()) continue;
       if (!clearly_lacks(exercise, property, i, *answers[i])) continue;
       const std::string detail = violation(exercise, property, i, *answers[i]).detail;
-      diagnoses.push_back({DiagnosisKind::property, to_string(property.kind),
-                           messages::broken_property(property.message, detail, exercise.cases[i].name),
-                           property.notes});
+      diagnoses.push_back(
+          {DiagnosisKind::property, to_string(property.kind),
+           fmt::format("{}; with yours, {} (case “{}”).", capitalized(without_full_stop(property.message)), detail,
+                       exercise.cases[i].name),
+           property.notes});
       break;
     }
   }

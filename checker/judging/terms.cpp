@@ -1,12 +1,13 @@
-#include "checker/judging/terms.hpp"
+#include "checker/judging/diagnosis.hpp"
+#include "checker/judging/value_text.hpp"
 
-#include "checker/judging/comparison.hpp"
-#include "checker/messages/judging.hpp"
+#include <fmt/format.h>
 
 #include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace workbook {
 
@@ -16,8 +17,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double coefficient_tolerance = 1e-6;
-constexpr double clear_margin = 10.0;        // times the tolerance
-constexpr Eigen::Index spare_equations = 3;  // an exact fit of so many more equations than terms is no accident
+constexpr Eigen::Index spare_term_equations = 3;  // an exact fit of so many more equations than terms is no accident
 
 /// Columns of length 1, so that large and small terms count alike.
 MatrixXd normalized(const MatrixXd& columns) { return columns.colwise().normalized(); }
@@ -41,6 +41,27 @@ bool is_multiple_of_right_answer(const VectorXd& coefficients, const VectorXd& r
   if (right.size() < 2) return false;
   const double factor = coefficients.dot(right) / right.squaredNorm();
   return (coefficients - factor * right).cwiseAbs().maxCoeff() <= coefficient_tolerance;
+}
+
+struct WrongCoefficient {
+  std::string term;
+  double actual;
+  double expected;
+};
+
+std::string sentence_of(const std::vector<WrongCoefficient>& wrong) {
+  constexpr std::size_t most = 2;
+  std::string text;
+  for (std::size_t k = 0; k < std::min(wrong.size(), most); ++k) {
+    std::string actual = coefficient_text(wrong[k].actual);
+    std::string expected = coefficient_text(wrong[k].expected);
+    if (actual == expected) std::tie(actual, expected) = distinct_texts(wrong[k].actual, wrong[k].expected, 4);
+    text += (k == 0 ? "The term " : ", and the term ") + wrong[k].term;
+    text += actual == "0" ? " is missing" : fmt::format(" enters with {}, expected {}", actual, expected);
+  }
+  const std::size_t others = wrong.size() - std::min(wrong.size(), most);
+  if (others > 0) text += fmt::format("; {} more {} off", others, others == 1 ? "is" : "are");
+  return text + ".";
 }
 
 }  // namespace
@@ -68,12 +89,12 @@ TermEquations term_equations(const ExerciseReference& exercise, const Answers& v
   return equations;
 }
 
-bool determine_coefficients(const TermEquations& equations) {
-  const Eigen::Index unknowns = equations.terms.cols();
+bool TermEquations::determine_coefficients() const {
+  const Eigen::Index unknowns = terms.cols();
   // A row of zeros says nothing about the coefficients.
-  const Eigen::Index telling = (equations.terms.array() != 0.0).rowwise().any().count();
-  if (unknowns == 0 || telling < unknowns + spare_equations) return false;
-  Eigen::ColPivHouseholderQR<MatrixXd> decomposition(normalized(equations.terms));
+  const Eigen::Index telling = (terms.array() != 0.0).rowwise().any().count();
+  if (unknowns == 0 || telling < unknowns + spare_term_equations) return false;
+  Eigen::ColPivHouseholderQR<MatrixXd> decomposition(normalized(terms));
   decomposition.setThreshold(1e-6);
   return decomposition.rank() == unknowns;
 }
@@ -82,13 +103,13 @@ std::optional<Diagnosis> diagnose_terms(const ExerciseReference& exercise, const
   if (exercise.terms.empty() || exercise.comparison != Comparison::plain) return std::nullopt;
   if (!all_deciding_cases_answered(exercise, answers)) return std::nullopt;
   const TermEquations equations = term_equations(exercise, answers);
-  if (!equations.values.allFinite() || !determine_coefficients(equations)) return std::nullopt;
+  if (!equations.values.allFinite() || !equations.determine_coefficients()) return std::nullopt;
 
   const VectorXd coefficients = equations.terms.colPivHouseholderQr().solve(equations.values);
   if (!is_exact(equations, coefficients)) return std::nullopt;
 
   VectorXd right(coefficients.size());
-  std::vector<messages::WrongCoefficient> wrong;
+  std::vector<WrongCoefficient> wrong;
   for (std::size_t t = 0; t < exercise.terms.size(); ++t) {
     const auto index = static_cast<Eigen::Index>(t);
     right[index] = exercise.terms[t].coefficient;
@@ -97,7 +118,7 @@ std::optional<Diagnosis> diagnose_terms(const ExerciseReference& exercise, const
     }
   }
   if (wrong.empty() || is_multiple_of_right_answer(coefficients, right)) return std::nullopt;
-  return Diagnosis{DiagnosisKind::term, wrong.front().term, messages::wrong_coefficients(wrong), ""};
+  return Diagnosis{DiagnosisKind::term, wrong.front().term, sentence_of(wrong), ""};
 }
 
 }  // namespace workbook

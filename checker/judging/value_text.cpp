@@ -1,6 +1,6 @@
 #include "checker/judging/value_text.hpp"
 
-#include "checker/messages/failures.hpp"
+#include "checker/base/text.hpp"
 
 #include <fmt/format.h>
 
@@ -29,8 +29,6 @@ std::string rows_text(const Value& value, int first, int cols, int digits) {
 std::size_t point_position(const std::string& number) { return std::min(number.find_first_of(".e"), number.size()); }
 
 }  // namespace
-
-bool is_vector(Kind kind) { return kind == Kind::vector2 || kind == Kind::vector3 || kind == Kind::vector; }
 
 std::string number_text(double number, int digits) {
   if (std::isnan(number)) return "NaN";  // never "-nan": its sign says nothing
@@ -70,7 +68,7 @@ std::string format_value(const Value& value, Kind kind, int digits) {
   switch (kind) {
     case Kind::number:
     case Kind::integer:
-      return value.numbers.empty() ? messages::no_number() : number_text(value.numbers.front(), digits);
+      return value.numbers.empty() ? "nothing" : number_text(value.numbers.front(), digits);
     case Kind::vector2:
     case Kind::vector3:
     case Kind::vector: {
@@ -97,24 +95,18 @@ std::string entry_name(const Value& value, Kind kind, std::size_t number) {
   switch (kind) {
     case Kind::number:
     case Kind::integer:
-      return messages::the_result();
+      return "the result";
     case Kind::vector2:
     case Kind::vector3:
     case Kind::vector:
-      return messages::component(row);
+      return fmt::format("component {}", row);
     case Kind::matrix3:
     case Kind::points:
-      return messages::entry(row, col);
+      return fmt::format("entry ({},{})", row, col);
     case Kind::matrices:
-      return messages::entry_of_matrix(row, (col - 1) % 3 + 1, (col - 1) / 3 + 1);
+      return fmt::format("entry ({},{}) of matrix {}", row, (col - 1) % 3 + 1, (col - 1) / 3 + 1);
   }
   return "";
-}
-
-std::size_t display_width(const std::string& text) {
-  // In UTF-8 every byte but the continuation bytes begins a character; none of ours is wide.
-  return static_cast<std::size_t>(
-      std::ranges::count_if(text, [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0) != 0x80; }));
 }
 
 std::vector<std::string> aligned_on_point(const std::vector<std::string>& numbers) {

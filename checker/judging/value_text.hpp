@@ -11,9 +11,6 @@
 
 namespace workbook {
 
-/// True for the kinds that are one column of numbers.
-bool is_vector(Kind kind);
-
 /// The shortest text that reads back as the same number.
 inline constexpr int all_digits = 0;
 
@@ -34,9 +31,6 @@ std::string format_value(const Value& value, Kind kind, int digits = all_digits)
 
 /// What one of the value's numbers is called: "the result", "component 2", "entry (1,3)", "entry (1,3) of matrix 2".
 std::string entry_name(const Value& value, Kind kind, std::size_t number);
-
-/// How many columns of a terminal a text takes.
-std::size_t display_width(const std::string& text);
 
 /// Texts of one width, with their decimal points below each other.
 std::vector<std::string> aligned_on_point(const std::vector<std::string>& numbers);

@@ -1,0 +1,361 @@
+#include "checker/explain/variants.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <map>
+#include <optional>
+#include <set>
+#include <string_view>
+
+namespace workbook {
+
+namespace {
+
+constexpr std::size_t last_token_looked_at = 4000;
+constexpr std::size_t most_variants = 160;
+
+bool is_identifier(std::string_view text) {
+  return !text.empty() && (std::isalpha(static_cast<unsigned char>(text[0])) != 0 || text[0] == '_');
+}
+
+bool is_numeral(std::string_view text) {
+  return !text.empty() && std::isdigit(static_cast<unsigned char>(text[0])) != 0;
+}
+
+/// Makes the variants of one file.
+class Slips {
+ public:
+  Slips(const SourceText& source, const ExerciseReference& exercise) : source_(source) {
+    for (const Argument& argument : exercise.arguments) types_[argument.name] = to_string(argument.kind);
+    find_locals();
+  }
+
+  std::vector<Variant> all() {
+    const std::vector<Token>& tokens = source_.tokens();
+    find_body();
+    for (at_ = first_; at_ < std::min(last_, last_token_looked_at) && found_.size() < most_variants; ++at_) {
+      if (tokens[at_].in_directive) continue;
+      signs();
+      numbers();
+      names();
+      functions();
+      factors();
+    }
+    if (found_.size() > most_variants) found_.resize(most_variants);
+    return std::move(found_);
+  }
+
+ private:
+  std::string_view token(std::size_t index) const {
+    return index < source_.tokens().size() ? source_.tokens()[index].text : std::string_view();
+  }
+  std::string_view here() const { return token(at_); }
+  std::string_view before() const { return at_ == 0 ? std::string_view() : token(at_ - 1); }
+  std::string_view after() const { return token(at_ + 1); }
+
+  /// Only what stands between the first { of a function and the end is changed, not its head.
+  void find_body() {
+    const std::vector<Token>& tokens = source_.tokens();
+    last_ = tokens.size();
+    for (first_ = 0; first_ < tokens.size(); ++first_) {
+      if (tokens[first_].text == ")" && token(first_ + 1) == "{") break;
+    }
+  }
+
+  /// "double a = 1, b = 2;" and "int i = 0" in a loop: names of one type may have been mixed up.
+  void find_locals() {
+    std::string type;  // of the declaration that we are in
+    int depth = 0;     // of brackets in it
+    for (std::size_t k = 1; k < std::min(source_.tokens().size(), last_token_looked_at); ++k) {
+      const std::string_view left = token(k - 1), here = token(k), right = token(k + 1);
+      const bool is_named =
+          right == "=" || right == ";" || right == "," || right == "(" || right == "{" || right == ":";
+      const bool next_parameter = here == "," && is_identifier(right) && is_identifier(token(k + 2));
+      if (here == ";" || next_parameter || depth < 0) type.clear();
+      if (here == "(" || here == "{" || here == "[") ++depth;
+      if (here == ")" || here == "}" || here == "]") --depth;
+      if (!is_identifier(here) || !is_named) continue;
+      static const std::set<std::string_view> no_types = {"return", "else", "new",      "throw",
+                                                          "case",   "goto", "namespace"};
+      if (is_identifier(left) && !no_types.contains(left) && type.empty()) {
+        type = left;
+        depth = 0;
+        types_.emplace(here, type);
+      } else if (left == "," && depth == 0 && !type.empty() && right != ";" && right != ",") {
+        types_.emplace(here, type);
+      }
+    }
+  }
+
+  void add(const char* kind, const char* words, std::string_view replacement, std::size_t index) {
+    const Token& changed = source_.tokens()[index];
+    found_.push_back({kind,
+                      words,
+                      source_.place_of(changed.offset),
+                      {{changed.offset, changed.text.size(), std::string(replacement)}},
+                      fmt::format("`{}` in place of `{}`", replacement, changed.text)});
+  }
+  void add(const char* kind, const char* words, std::string_view replacement) { add(kind, words, replacement, at_); }
+
+  bool follows_operand() const {
+    return is_identifier(before()) ? before() != "return" : is_numeral(before()) || before() == ")" || before() == "]";
+  }
+
+  void signs() {
+    if (here() == "+") add("sign", "another sign", "-");
+    if (here() == "-") add("sign", "another sign", follows_operand() ? "+" : " ");
+    if (here() == "+=") add("sign", "another sign", "-=");
+    if (here() == "-=") add("sign", "another sign", "+=");
+    const bool begins_expression =
+        here() == "return" || here() == "=" || here() == "(" || here() == "," || here() == "{" || here() == "<<";
+    if (begins_expression && (is_identifier(after()) || is_numeral(after())) && !is_index(at_ + 1))
+      insert_behind("sign", "another sign", "-");
+  }
+
+  /// Is the number an index, as in `I(0, 2)`, `r[1]` or `row(2)`?
+  bool is_index(std::size_t index) const {
+    if (!is_numeral(token(index)) || token(index).size() != 1) return false;
+    const std::string_view left = token(index - 1), right = token(index + 1);
+    const bool opens = left == "(" || left == "[" || left == ",";
+    const bool closes = right == ")" || right == "]" || right == ",";
+    if (!opens || !closes) return false;
+    std::size_t open = index - 1;
+    if (left == ",") open = index >= 3 ? index - 3 : 0;
+    return token(open) == "[" || (token(open) == "(" && open > 0 && is_identifier(token(open - 1)));
+  }
+
+  void numbers() {
+    if (!is_numeral(here())) return;
+    if (is_index(at_)) {
+      for (const char* other : {"0", "1", "2"})
+        if (here() != other) add("index", "another index", other);
+      if (token(at_ + 1) == "," && is_index(at_ + 2) && here() != token(at_ + 2)) exchange(at_ + 2);
+      return;
+    }
+    double value = 0;
+    const auto [end, problem] = std::from_chars(here().data(), here().data() + here().size(), value);
+    if (problem != std::errc() || end != here().data() + here().size() || value == 0) return;
+    const bool is_whole = here().find_first_of(".e") == std::string_view::npos;
+    for (const double factor : {2.0, 0.5, 4.0, 0.25, 3.0, 1.0 / 3, 1.5, -1.0}) {
+      const double changed = value * factor;
+      if (is_whole && changed != static_cast<long>(changed)) continue;
+      add("number", "another number",
+          is_whole ? fmt::format("{}", static_cast<long>(changed)) : fmt::format("{}", changed));
+    }
+  }
+
+  /// The two indices of `I(0, 2)` the other way round.
+  void exchange(std::size_t other) {
+    const Token& one = source_.tokens()[at_];
+    const Token& two = source_.tokens()[other];
+    found_.push_back(
+        {"index",
+         "the two indices the other way round",
+         source_.place_of(one.offset),
+         {{one.offset, one.text.size(), std::string(two.text)}, {two.offset, two.text.size(), std::string(one.text)}},
+         "indices exchanged"});
+  }
+
+  void names() {
+    const auto type = types_.find(std::string(here()));
+    if (type == types_.end() || before() == "." || before() == "::" || before() == type->second) return;
+    for (const auto& [other, other_type] : types_)
+      if (other != here() && other_type == type->second) add("name", "another name", other);
+  }
+
+  void functions() {
+    static const std::map<std::string_view, std::vector<const char*>> others = {
+        {"sin", {"cos", "tan"}},    {"cos", {"sin"}},          {"tan", {"sin", "std::atan"}},
+        {"asin", {"acos", "atan"}}, {"acos", {"asin"}},        {"sqrt", {"", "std::abs"}},
+        {"cosh", {"sinh"}},         {"sinh", {"cosh"}},        {"min", {"max"}},
+        {"max", {"min"}},           {"norm", {"squaredNorm"}}, {"squaredNorm", {"norm"}},
+        {"row", {"col"}},           {"col", {"row"}},          {"x", {"y", "z"}},
+        {"y", {"x", "z"}},          {"z", {"x", "y"}}};
+    const bool is_called = after() == "(";
+    const auto found = others.find(here());
+    const bool is_coordinate = here() == "x" || here() == "y" || here() == "z";
+    if (found != others.end() && is_called && (!is_coordinate || before() == "."))
+      for (const char* other : found->second) {
+        if (*other != '\0') add("function", "another function", other);
+      }
+    if ((here() == "abs" || here() == "fabs") && is_called) drop("function", "the absolute value left out", 0);
+    if (here() == "sqrt" && is_called) drop("function", "the root left out", 0);
+    if (here() == "static") add("static", "without static", " ");
+    if (here() == "." && after() == "transpose" && token(at_ + 2) == "(" && token(at_ + 3) == ")") {
+      const Token& first = source_.tokens()[at_];
+      const Token& last = source_.tokens()[at_ + 3];
+      found_.push_back({"transpose",
+                        "without the transpose",
+                        source_.place_of(first.offset),
+                        {{first.offset, last.offset + 1 - first.offset, ""}},
+                        "without .transpose()"});
+    }
+    if (here() == "cross" && before() == ".") negate_cross();
+  }
+
+  /// `a.cross(b)` as `b.cross(a)`, that is with the other sign.
+  void negate_cross() {
+    const std::string_view operand = at_ >= 2 ? token(at_ - 2) : std::string_view();
+    if (!is_identifier(operand) || after() != "(" || !is_identifier(token(at_ + 2)) || token(at_ + 3) != ")") return;
+    const Token& one = source_.tokens()[at_ - 2];
+    const Token& two = source_.tokens()[at_ + 2];
+    found_.push_back(
+        {"order",
+         "the other order of a cross product",
+         source_.place_of(one.offset),
+         {{one.offset, one.text.size(), std::string(two.text)}, {two.offset, two.text.size(), std::string(one.text)}},
+         "operands exchanged"});
+  }
+
+  /// The function's name in front of its bracket is left out, with a std:: before it.
+  void drop(const char* kind, const char* words, std::size_t) {
+    std::size_t from = at_;
+    if (before() == "::" && at_ >= 2 && token(at_ - 2) == "std") from = at_ - 2;
+    const Token& first = source_.tokens()[from];
+    const Token& last = source_.tokens()[at_];
+    found_.push_back({kind,
+                      words,
+                      source_.place_of(last.offset),
+                      {{first.offset, last.offset + last.text.size() - first.offset, ""}},
+                      fmt::format("without {}", last.text)});
+  }
+
+  void insert_behind(const char* kind, const char* words, const std::string& text) {
+    const Token& behind = source_.tokens()[at_];
+    found_.push_back({kind,
+                      words,
+                      source_.place_of(source_.tokens()[at_ + 1].offset),
+                      {{behind.offset + behind.text.size(), 0, " " + text}},
+                      fmt::format("`{}` inserted", text)});
+  }
+
+  /// A factor in front of a term: behind return, =, + or -.
+  void factors() {
+    const bool begins_term =
+        here() == "return" || here() == "=" || here() == "+" || here() == "-" || here() == "+=" || here() == "-=";
+    if (!begins_term || !(is_identifier(after()) || is_numeral(after()) || after() == "(")) return;
+    if (is_identifier(after()) && (after() == "std" || after() == "static_cast") && token(at_ + 2) != "::") return;
+    for (const char* factor : {"2.0 *", "0.5 *", "0.0 *"})
+      insert_behind("factor", factor[0] == '0' && factor[2] == '0' ? "one term left out" : "another factor", factor);
+  }
+
+  const SourceText& source_;
+  std::map<std::string, std::string> types_;  ///< of arguments and local variables
+  std::vector<Variant> found_;
+  std::size_t at_ = 0, first_ = 0, last_ = 0;
+};
+
+std::string edited(std::string_view text, std::vector<Edit> edits) {
+  std::ranges::sort(edits, {}, &Edit::offset);
+  std::string result;
+  std::size_t at = 0;
+  for (const Edit& edit : edits) {
+    result += text.substr(at, edit.offset - at);
+    result += edit.replacement;
+    at = edit.offset + edit.length;
+  }
+  return result.append(text.substr(at));
+}
+
+/// The first token on that line with this text, at or behind the column.
+const Token* token_at(const SourceText& source, const Finding& finding, std::string_view text) {
+  for (const Token& token : source.tokens()) {
+    const Place place = source.place_of(token.offset);
+    if (place.line == finding.line && place.column + static_cast<int>(token.text.size()) > finding.column &&
+        token.text == text)
+      return &token;
+  }
+  return nullptr;
+}
+
+/// `1 / 2` as `1.0 / 2`, `0,5` as `0.5`, `int` and `float` as `double`, `auto x = a;` as a value.
+std::vector<Edit> fix_of(const SourceText& source, const Finding& finding) {
+  if (finding.name == "integer_division") {
+    const std::vector<Token>& tokens = source.tokens();
+    for (std::size_t i = 1; i < tokens.size(); ++i) {
+      const Place place = source.place_of(tokens[i].offset);
+      if (tokens[i].text != "/" || place.line != finding.line || place.column < finding.column) continue;
+      return {{tokens[i].offset, 1, "* 1.0 /"}};
+    }
+  }
+  if (finding.name == "comma_in_number") {
+    if (const Token* comma = token_at(source, finding, ",")) return {{comma->offset, 1, "."}};
+  }
+  if (finding.name == "narrowing" || finding.name == "float_precision") {
+    for (const char* type : {"int", "float", "long", "unsigned"})
+      if (const Token* word = token_at(source, {finding.line, "", "", "", 0}, type))
+        return {{word->offset, word->text.size(), "double"}};
+  }
+  if (finding.name == "kept_expression") {
+    const Token* word = token_at(source, {finding.line, "", "", "", 0}, "auto");
+    if (word == nullptr) return {};
+    const std::size_t equals = source.text().find('=', word->offset);
+    const std::size_t end = source.text().find(';', word->offset);
+    if (equals == std::string_view::npos || end == std::string_view::npos || equals > end) return {};
+    return {{equals + 1, 0, " workbook_value("}, {end, 0, ")"}};
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<Variant> one_token_variants(const SourceText& source, const ExerciseReference& exercise) {
+  return Slips(source, exercise).all();
+}
+
+std::vector<Variant> fixed_variants(const SourceText& source, const std::vector<Finding>& findings) {
+  std::vector<Variant> variants;
+  for (const Finding& finding : findings) {
+    std::vector<Edit> fix = fix_of(source, finding);
+    if (!fix.empty()) variants.push_back({finding.name, "", {finding.line, finding.column}, std::move(fix), ""});
+  }
+  return variants;
+}
+
+VariantUnit::VariantUnit(std::string_view source, const std::vector<Variant>& variants,
+                         const ExerciseReference& exercise) {
+  // Lines of the preprocessor stand once, before all variants: headers must not be read inside a namespace.
+  std::vector<Edit> without_directives;
+  std::size_t at = source.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
+  if (at > 0) without_directives.push_back({0, at, ""});
+  while (at < source.size()) {
+    const std::size_t end = std::min(source.find('\n', at), source.size());
+    const std::size_t first = source.find_first_not_of(" \t", at);
+    if (first < end && source[first] == '#') {
+      text_ += std::string(source.substr(at, end - at)) + "\n";
+      without_directives.push_back({at, end - at, ""});
+    }
+    at = end + 1;
+  }
+  text_ +=
+      "template <class T> auto workbook_value(const T& value) {\n"
+      "  if constexpr (requires { value.eval(); }) return typename T::PlainObject(value);\n"
+      "  else return value;\n}\nextern \"C\" int workbook_variant;\n";
+  const auto next_line = [&] { return 1 + static_cast<int>(std::ranges::count(text_, '\n')); };
+  std::string table, names;
+  for (std::size_t k = 0; k < variants.size(); ++k) {
+    std::vector<Edit> edits = without_directives;
+    edits.insert(edits.end(), variants[k].edits.begin(), variants[k].edits.end());
+    first_lines_.push_back(next_line());
+    text_ += fmt::format("namespace variant_{} {{ namespace rigid {{ using namespace ::rigid; {}; }}\n{}\n}}\n", k,
+                         exercise.signature, edited(source, edits));
+    table += fmt::format("{}&variant_{}::rigid::{}", table.empty() ? "" : ", ", k, exercise.name);
+  }
+  end_line_ = next_line();
+  for (const Argument& argument : exercise.arguments) names += (names.empty() ? "" : ", ") + argument.name;
+  text_ += fmt::format(
+      "namespace rigid {{\n{} {{\n  static constexpr decltype(&::rigid::{}) variants[] = {{{}}};\n"
+      "  return variants[workbook_variant]({});\n}}\n}}\n",
+      exercise.signature, exercise.name, table, names);
+}
+
+int VariantUnit::variant_at(int line) const {
+  if (first_lines_.empty() || line < first_lines_.front() || line >= end_line_) return -1;
+  return static_cast<int>(std::ranges::upper_bound(first_lines_, line) - first_lines_.begin()) - 1;
+}
+
+}  // namespace workbook

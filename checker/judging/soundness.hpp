@@ -1,0 +1,16 @@
+/// @file
+/// What is wrong with the reference results of an exercise, for its author.
+#pragma once
+
+#include "checker/data/reference_results.hpp"
+
+#include <string>
+#include <vector>
+
+namespace workbook {
+
+/// One sentence for every contradiction and every missing part: misconceptions that cannot be told apart, terms that do
+/// not add up to the expected result, routes that do not pass, too few cases. Empty for a sound exercise.
+std::vector<std::string> unsound_parts(const ExerciseReference& exercise);
+
+}  // namespace workbook

@@ -1,0 +1,182 @@
+#include "checker/judging/diagnosis.hpp"
+#include "checker/judging/value_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <numeric>
+
+namespace workbook {
+
+namespace {
+
+using Eigen::MatrixXd;
+
+constexpr std::size_t telling_numbers = 3;  // a factor common to so many numbers is no accident
+constexpr int largest_permuted_size = 4;
+
+bool fits(const ExerciseReference& exercise, const Answers& answers, const Misconception& misconception) {
+  const auto deciding = deciding_cases(exercise);
+  const auto agrees = [&](std::size_t i) {
+    return is_same_answer(exercise, i, *answers[i], misconception.outputs.at(i));
+  };
+  // Where both are wrong, the agreement says something.
+  const auto both_are_wrong = [&](std::size_t i) {
+    return !passes(exercise, i, *answers[i]) && !passes(exercise, i, misconception.outputs.at(i));
+  };
+  return std::ranges::all_of(deciding, agrees) && std::ranges::any_of(deciding, both_are_wrong);
+}
+
+struct Transform {
+  std::string name;
+  std::string message;
+  std::function<MatrixXd(const MatrixXd&)> apply;
+};
+
+bool explains(const ExerciseReference& exercise, const Answers& answers, const Transform& transform) {
+  return std::ranges::all_of(deciding_cases(exercise), [&](std::size_t i) {
+    const MatrixXd transformed = transform.apply(as_matrix(exercise.cases[i].expected));
+    return is_same_answer(exercise, i, *answers[i], to_value(transformed));
+  });
+}
+
+/// The factor by least squares, each number measured in its natural size.
+std::optional<double> common_factor(const ExerciseReference& exercise, const Answers& answers) {
+  double product = 0.0;
+  double square = 0.0;
+  std::size_t telling = 0;
+  for (std::size_t i : deciding_cases(exercise)) {
+    const Case& one = exercise.cases[i];
+    for (std::size_t n = 0; n < one.expected.numbers.size(); ++n) {
+      const double scale = scale_at(one, n);
+      const double expected = one.expected.numbers[n] / scale;
+      product += expected * answers[i]->numbers[n] / scale;
+      square += expected * expected;
+      if (std::abs(expected) > 1e-6) ++telling;
+    }
+  }
+  if (telling < telling_numbers || !std::isfinite(product)) return std::nullopt;
+  return product / square;
+}
+
+bool is_an_angle(const ExerciseReference& exercise) {
+  return std::ranges::any_of(exercise.result_units, [](const Unit& unit) { return unit.radian != 0; });
+}
+
+std::string factor_sentence(double factor) {
+  const std::string text = coefficient_text(factor);
+  if (text == "0") return "Your result is zero everywhere, also where the expected one is not.";
+  if (text == "−1")
+    return "Your result is the negative of the expected one at every case: a sign is lost or one too many.";
+  if (text == "1/2") return "Your result is half of the expected one at every case.";
+  return fmt::format("Your result is {} times the expected one at every case.", text);
+}
+
+Transform scaled(const ExerciseReference& exercise, double factor) {
+  constexpr double degrees_per_radian = 180 / std::numbers::pi;
+  const auto is_near = [factor](double other) { return std::abs(factor - other) <= 1e-6 * other; };
+  const auto apply = [factor](const MatrixXd& right) -> MatrixXd { return factor * right; };
+  if (is_an_angle(exercise) && is_near(degrees_per_radian))
+    return {"degrees", "Your result is in degrees; angles here are in radians.", apply};
+  if (is_an_angle(exercise) && is_near(1 / degrees_per_radian)) {
+    return {"converted_twice",
+            "Your result is converted from degrees to radians once too often: it is π/180 times the expected one.",
+            apply};
+  }
+  return {"factor", factor_sentence(factor), apply};
+}
+
+/// Every other order of the rows: of the components of a vector, or of every column of a list of points.
+std::vector<Transform> permutations(int rows) {
+  std::vector<Transform> found;
+  std::vector<int> order(static_cast<std::size_t>(rows));
+  std::iota(order.begin(), order.end(), 0);
+  while (std::ranges::next_permutation(order).found) {
+    std::vector<int> numbered = order;
+    for (int& component : numbered) ++component;
+    found.push_back(
+        {"permuted",
+         fmt::format("Your components are the expected ones in another order: {}.", fmt::join(numbered, ", ")),
+         [order](const MatrixXd& right) { return MatrixXd(right(order, Eigen::all)); }});
+  }
+  return found;
+}
+
+std::vector<Transform> reorderings(const ExerciseReference& exercise) {
+  switch (exercise.result_kind) {
+    case Kind::vector2:
+      return permutations(2);
+    case Kind::vector3:
+    case Kind::points:
+      return permutations(3);
+    case Kind::vector: {
+      std::vector<Transform> found = {{"reversed", "Your components are the expected ones in reverse order.",
+                                       [](const MatrixXd& right) -> MatrixXd { return right.colwise().reverse(); }}};
+      const int rows = exercise.cases.front().expected.rows;
+      const bool same_length =
+          std::ranges::all_of(exercise.cases, [rows](const Case& one) { return one.expected.rows == rows; });
+      if (same_length && rows <= largest_permuted_size)
+        std::ranges::move(permutations(rows), std::back_inserter(found));
+      return found;
+    }
+    case Kind::matrix3:
+      return {{"transposed", "Your matrix is the transpose of the expected one: rows and columns are exchanged.",
+               [](const MatrixXd& right) -> MatrixXd { return right.transpose(); }}};
+    case Kind::number:
+    case Kind::integer:
+    case Kind::matrices:
+      return {};
+  }
+  return {};
+}
+
+}  // namespace
+
+std::optional<Diagnosis> diagnose_misconception(const ExerciseReference& exercise, const Answers& answers) {
+  if (!all_deciding_cases_answered(exercise, answers)) return std::nullopt;
+  std::optional<Diagnosis> named;
+  for (const Misconception& misconception : exercise.misconceptions) {
+    if (!fits(exercise, answers, misconception)) continue;
+    if (named && named->message != misconception.message) return std::nullopt;
+    if (!named) named = {DiagnosisKind::misconception, misconception.name, misconception.message, misconception.notes};
+  }
+  return named;
+}
+
+std::optional<Diagnosis> diagnose_transform(const ExerciseReference& exercise, const Answers& answers) {
+  if (!all_deciding_cases_answered(exercise, answers)) return std::nullopt;
+  const bool is_wrong_somewhere =
+      std::ranges::any_of(deciding_cases(exercise), [&](std::size_t i) { return !passes(exercise, i, *answers[i]); });
+  if (!is_wrong_somewhere) return std::nullopt;
+
+  std::vector<Transform> candidates;
+  const std::optional<double> factor = common_factor(exercise, answers);
+  // A factor within the tolerance of 1 would say that the answer is right.
+  if (factor && std::abs(*factor - 1) > 1e-6) candidates.push_back(scaled(exercise, *factor));
+  std::ranges::move(reorderings(exercise), std::back_inserter(candidates));
+
+  for (const Transform& transform : candidates) {
+    if (explains(exercise, answers, transform)) {
+      return Diagnosis{DiagnosisKind::transform, transform.name, transform.message, ""};
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Diagnosis> diagnose_input_transform(const ExerciseReference& exercise, const Answers& answers) {
+  if (!all_deciding_cases_answered(exercise, answers)) return std::nullopt;
+  const auto deciding = deciding_cases(exercise);
+  for (const InputTransform& transform : exercise.input_transforms) {
+    const auto agrees = [&](std::size_t i) { return is_same_answer(exercise, i, *answers[i], transform.outputs[i]); };
+    const auto is_wrong = [&](std::size_t i) { return !passes(exercise, i, *answers[i]); };
+    if (!std::ranges::all_of(deciding, agrees) || !std::ranges::any_of(deciding, is_wrong)) continue;
+    return Diagnosis{DiagnosisKind::input_transform, transform.name,
+                     fmt::format("At every case yours is the right result for {}.", transform.message), ""};
+  }
+  return std::nullopt;
+}
+
+}  // namespace workbook
