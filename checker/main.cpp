@@ -1,33 +1,202 @@
 /// @file
 /// The command line of the checker.
-#include "checker/base/process_registry.hpp"
+#include "checker/base/console.hpp"
+#include "checker/base/text.hpp"
 #include "checker/commands/commands.hpp"
-#include "checker/messages/help.hpp"
-#include "checker/messages/program.hpp"
-#include "checker/report/completion_script.hpp"
-#include "checker/report/console.hpp"
-#include "checker/report/help_formatter.hpp"
+#include "checker/course/did_you_mean.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
 #include <csignal>
-#include <cstdint>
-#include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <memory>
-#include <optional>
+#include <numeric>
 #include <string>
+#include <system_error>
+#include <type_traits>
 #include <vector>
 
 namespace {
 
 using namespace workbook;
 namespace fs = std::filesystem;
+
+constexpr const char* program_description =
+    "The checker of the Rigid Body Workbook.\n\nIt compiles your functions, compares what they compute with reference "
+    "results, and says what is wrong in the language of the lecture. Without a command it shows your progress and what "
+    "is next.";
+
+constexpr const char* program_footer = R"(Exit status:
+  0  everything that was asked for passed
+  1  something did not
+  2  wrong usage
+  3  internal error of the checker (never counted as your zero)
+
+Environment:
+  NO_COLOR        disables colour
+  CLICOLOR_FORCE  colour even where the output is not a terminal
+  COLUMNS         width of the output where it is not a terminal
+  WORKBOOK_PLAIN  the same as --plain
+  WORKBOOK_POLL   watch reads the files several times a second
+
+Files:
+  lectures/NN_topic/exercises/*.cpp  your functions
+  .workbook/progress.json            your progress
+  .workbook/kept/                    your versions from before a reset
+  build/workbook/scratch/            plots and compiled exercises; disposable
+
+)";
+
+constexpr const char* students = "For students";
+constexpr const char* instructors = "For instructors";
+constexpr const char* authors = "For authors";
+
+std::vector<const CLI::App*> commands_of(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
+/// "--seed", "-h": every way to write an option.
+std::vector<std::string> spellings(const CLI::Option* option) {
+  std::vector<std::string> all;
+  for (const std::string& name : option->get_lnames()) all.push_back("--" + name);
+  for (const std::string& name : option->get_snames()) all.push_back("-" + name);
+  return all;
+}
+
+/// CLI11's help in lines that fit the terminal.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  HelpFormatter() {
+    column_width(std::clamp<std::size_t>(console_.width() / 3, 12, 26));
+    label("Positionals", "Arguments");
+    label("SUBCOMMAND", "COMMAND");
+  }
+
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+    std::string text;
+    for (const std::string& line : lines_of(Formatter::make_help(app, std::move(name), mode))) {
+      if (line.empty() && text.ends_with("\n\n")) continue;
+      text += (line.starts_with("Usage") ? "\n" : "") + fitted(line) + "\n";
+    }
+    return text;
+  }
+
+ private:
+  std::string fitted(const std::string& line) const {
+    if (display_width(line) <= console_.width() || line.starts_with("  " + command(""))) return line;
+    if (!line.starts_with(' ')) return console_.wrapped(line);
+    // A name and behind a gap what it means, side by side, or one below the other on a narrow terminal.
+    const std::size_t column = get_column_width();
+    const std::size_t name = line.find_first_not_of(' ');
+    const std::size_t gap = name >= column ? 0 : std::min(line.find("  ", name), column - 1);
+    const std::size_t end = line.find_first_of(' ', gap) == gap ? gap : line.find("  ", name);
+    if (end == std::string::npos) return console_.wrapped(line, name);
+    const std::string meaning = console_.wrapped(line.substr(end), column);
+    return line.substr(0, end) + (end < column ? meaning.substr(end) : "\n" + meaning);
+  }
+
+  Console console_ = Console::of_standard_output();
+};
+
+/// A script for bash to source: per command its options and the names that its argument may be; else files.
+std::string completion_script(const CLI::App& app, const Course& course) {
+  std::string lectures;
+  std::string exercises;
+  for (const Card& card : course.cards()) lectures += " " + card.lecture;
+  for (const Exercise& exercise : course.exercises()) exercises += " " + exercise.name();
+  const std::map<std::string, std::string> arguments = {
+      {"LECTURE", lectures}, {"EXERCISE", exercises}, {"NAME", exercises + lectures}};
+  std::string branches;
+  std::string commands = "--help --plain";
+  for (const CLI::App* each : commands_of(app)) {
+    commands += " " + each->get_name();
+    std::string words;
+    for (const CLI::Option* option : each->get_options()) {
+      const auto argument = arguments.find(option->get_name());
+      words += argument == arguments.end() ? fmt::format(" {}", fmt::join(spellings(option), " ")) : argument->second;
+    }
+    branches += fmt::format("    {}) words='{}' ;;\n", each->get_name(), words);
+  }
+  return fmt::format(R"(# Completion for the checker of the Rigid Body Workbook: source this file in bash.
+_rigid_body_workbook() {{
+  local words='{}'
+  [ "$COMP_CWORD" -eq 1 ] || case ${{COMP_WORDS[1]}} in
+{}  esac
+  mapfile -t COMPREPLY < <(compgen -W "$words" -- "${{COMP_WORDS[COMP_CWORD]}}")
+}}
+
+complete -o default -F _rigid_body_workbook checker checker/run ./checker/run
+)",
+                     commands, branches);
+}
+
+/// What is wrong with a command line that was not understood, what was perhaps meant, and where help is.
+std::string usage_sentence(const CLI::App& app, const CLI::ParseError& problem, const fs::path& course_file) {
+  const bool has_command = !app.get_subcommands().empty();
+  const CLI::App& parsed = has_command ? *app.get_subcommands().front() : app;
+  const std::string help =
+      fmt::format("`{}` shows what there is.", command((has_command ? parsed.get_name() + " " : "") + "--help"));
+  const std::vector<std::string> unexpected = app.remaining(true);
+  if (unexpected.empty()) return fmt::format("{}. {}", printable(problem.what()), help);
+  const std::string& word = unexpected.front();
+  const bool is_option = word.starts_with('-');
+  std::vector<std::string> known;
+  if (is_option) {
+    for (const CLI::Option* option : parsed.get_options())
+      std::ranges::copy(spellings(option), std::back_inserter(known));
+  } else if (!has_command) {
+    for (const CLI::App* each : commands_of(app)) known.push_back(each->get_name());
+  }
+  std::string meant = did_you_mean(word, known);
+  if (meant.empty() && !is_option && !has_command) {
+    try {
+      Course(course_file).find(word);
+      meant = "check " + word;
+    } catch (const std::runtime_error&) {  // neither a command nor an exercise
+    }
+  }
+  return fmt::format("There is no {} '{}'. {}{}",
+                     is_option     ? "option"
+                     : has_command ? "further argument"
+                                   : "command",
+                     printable(word), meant.empty() ? "" : fmt::format("Did you mean '{}'? ", meant), help);
+}
+
+/// The name on the card for what was typed: "3" for a lecture, or the path of an exercise's own file or of a lecture's
+/// folder. All else as it is. @throws UsageError for a file that is no exercise's own
+std::string known_name(const Course& course, const std::string& typed) {
+  int number = 0;
+  const char* const end = typed.data() + typed.size();
+  if (const auto read = std::from_chars(typed.data(), end, number); read.ec == std::errc() && read.ptr == end) {
+    for (const Card& card : course.cards())
+      if (std::stoi("0" + card.lecture.substr(0, card.lecture.find('_'))) == number) return card.lecture;
+  }
+  const fs::path path = typed;
+  if (path.extension() != ".cpp")
+    return typed.ends_with('/') ? path.parent_path().filename().string() : path.filename().string();
+  const bool is_there = fs::exists(path);
+  std::string named = "EXERCISE";
+  for (const Exercise& exercise : course.exercises()) {
+    if (exercise.name() != path.stem()) continue;
+    named = exercise.name();
+    std::error_code ignored;
+    if (!is_there && !path.has_parent_path()) return exercise.name();
+    if (is_there && fs::equivalent(path, course.student_file(exercise), ignored)) return exercise.name();
+  }
+  if (!is_there) throw UsageError(fmt::format("There is no file {}.", printable(typed)));
+  throw UsageError(fmt::format("{} is not an exercise's own file. To check it: `{}`.", printable(typed),
+                               command("check " + named + " --file " + shell_quoted(printable(typed)))));
+}
 
 /// The build writes course.json beside the program.
 fs::path course_file_beside_the_program(const char* argv0) {
@@ -37,234 +206,253 @@ fs::path course_file_beside_the_program(const char* argv0) {
   return program.parent_path() / "course.json";
 }
 
-/// What the command line asks for, to be done once the course is read.
-using Job = std::function<int(const Course&)>;
-
-struct CommandLine {
-  explicit CommandLine(const char* argv0) : course_file(course_file_beside_the_program(argv0)) {
-    app.name(messages::program_name());
-    app.description(messages::program_description());
-    app.footer(messages::program_footer());
-    app.formatter(std::make_shared<HelpFormatter>(Console::of_standard_output()));
-    app.require_subcommand(0, 1);
-    app.add_flag_callback(
-        "--plain", [] { setenv("WORKBOOK_PLAIN", "1", 1); }, messages::option_help("--plain"));
-    app.add_option("--course", course_file, messages::option_help("--course"))
+class CommandLine {
+ public:
+  explicit CommandLine(const char* argv0) : course_file_(course_file_beside_the_program(argv0)) {
+    app_.name(command("").substr(0, command("").size() - 1));
+    app_.description(program_description);
+    app_.footer(program_footer + fmt::format("More about one command: {}", command("COMMAND --help")));
+    app_.formatter(std::make_shared<HelpFormatter>());
+    app_.require_subcommand(0, 1);
+    app_.add_flag_callback(
+        "--plain", [] { setenv("WORKBOOK_PLAIN", "1", 1); },
+        "words in place of marks, colours and drawings, for screen readers");
+    app_.add_option("--course", course_file_, "another course.json than the one that was built")
         ->type_name("FILE")
-        ->group(messages::for_tests());
-    add_check();
-    add_watch();
-    add_list();
-    add_hint();
-    add_plot();
-    add_figures();
-    add_report();
-    add_reset();
-    add_examples();
-    add_handout();
-    add_doctor();
-    add_completion();
-    add_self_check();
+        ->group("For tests of the checker");
+    declare_options();
+    add_commands_of_the_exercises();
+    add_commands_of_the_course();
   }
 
-  void add_check() {
-    CLI::App* command = add_command("check", messages::for_students());
-    command->add_option("name", check_options.names, messages::option_help("name"))->type_name("NAME");
-    command->add_option("--file", file, messages::option_help("--file"))->type_name("FILE");
-    command->add_option("--seed", check_options.seed, messages::option_help("--seed"))
-        ->type_name("NUMBER")
-        ->capture_default_str();
-    command->add_option("--case", check_options.case_name, messages::option_help("--case"))->type_name("CASE");
-    command->add_flag("--started", check_options.started, messages::option_help("--started"));
-    command->add_flag("--full", check_options.full, messages::option_help("--full"));
-    command->add_flag("--json", check_options.json, messages::option_help("--json"));
-    command->add_flag("--plot", check_options.plot, messages::option_help("--plot"));
-    add_picture(command, check_options.picture);
-    command->callback([this] {
-      check_options.file = optional_path(file);
-      job = [this](const Course& course) { return check(course, check_options); };
-    });
+  int run(int argc, char** argv) {
+    try {
+      app_.parse(argc, argv);
+    } catch (const CLI::ParseError& problem) {
+      if (problem.get_exit_code() != 0) throw UsageError(usage_sentence(app_, problem, course_file_));
+      return app_.exit(problem);  // --help
+    }
+    const Course course(course_file_);
+    for (std::string& name : options_.names) name = known_name(course, name);
+    if (!options_.name.empty()) options_.name = known_name(course, options_.name);
+    return job_(course);
   }
-
-  void add_watch() {
-    CLI::App* command = add_command("watch", messages::for_students());
-    command->add_option("name", name, messages::option_help("name"))->type_name("NAME");
-    command->callback([this] { job = [this](const Course& course) { return watch(course, course_file, name); }; });
-  }
-
-  void add_list() {
-    add_command("list", messages::for_students())->callback([this] { job = list; });
-  }
-
-  void add_hint() {
-    CLI::App* command = add_command("hint", messages::for_students());
-    command->add_option("exercise", name, messages::option_help("exercise"))->required()->type_name("EXERCISE");
-    command->add_flag("--all", all, messages::option_help("--all"));
-    command->callback([this] { job = [this](const Course& course) { return hint(course, name, all); }; });
-  }
-
-  void add_plot() {
-    CLI::App* command = add_command("plot", messages::for_students());
-    command->add_option("name", plot_options.names, messages::option_help("name"))->type_name("NAME");
-    command->add_flag("--all", plot_options.all, messages::option_help("--all"));
-    command->add_option("--file", file, messages::option_help("--file"))->type_name("FILE");
-    command->add_option("--out", out, messages::option_help("--out"))->type_name("FOLDER");
-    command->add_option("--seed", plot_options.seed, messages::option_help("--seed"))
-        ->type_name("NUMBER")
-        ->capture_default_str();
-    add_picture(command, plot_options.picture);
-    command->callback([this] {
-      plot_options.file = optional_path(file);
-      plot_options.out = optional_path(out);
-      job = [this](const Course& course) { return plot(course, plot_options); };
-    });
-  }
-
-  void add_figures() {
-    CLI::App* command = add_command("figures", messages::for_students());
-    command->add_option("lecture", figures_options.lecture, messages::option_help("lecture"))
-        ->required()
-        ->type_name("LECTURE");
-    command->add_option("--out", out, messages::option_help("--out"))->type_name("FOLDER");
-    command->add_option("--seconds", figures_options.seconds_per_figure, messages::option_help("--seconds"))
-        ->type_name("NUMBER")
-        ->capture_default_str()
-        ->check(CLI::PositiveNumber);
-    command->callback([this] {
-      figures_options.out = optional_path(out);
-      job = [this](const Course& course) { return figures(course, figures_options); };
-    });
-  }
-
-  void add_report() {
-    CLI::App* command = add_command("report", messages::for_students());
-    command->add_option("--html", html, messages::option_help("--html"))->required()->type_name("FILE");
-    command->add_option("name", report_options.names, messages::option_help("name"))->type_name("NAME");
-    command->add_option("--name", report_options.student, messages::option_help("--name"))->type_name("TEXT");
-    command->add_option("--file", file, messages::option_help("--file"))->type_name("FILE");
-    command->add_option("--seed", report_options.seed, messages::option_help("--seed"))
-        ->type_name("NUMBER")
-        ->capture_default_str();
-    command->callback([this] {
-      report_options.html = html;
-      report_options.file = optional_path(file);
-      job = [this](const Course& course) { return report(course, report_options); };
-    });
-  }
-
-  static void add_picture(CLI::App* command, PictureKind& picture) {
-    static const std::map<std::string, PictureKind> kinds = {{"auto", PictureKind::automatic},
-                                                             {"kitty", PictureKind::kitty},
-                                                             {"sixel", PictureKind::sixel},
-                                                             {"text", PictureKind::text},
-                                                             {"none", PictureKind::none}};
-    command->add_option("--picture", picture, messages::option_help("--picture"))
-        ->transform(CLI::CheckedTransformer(kinds).description(""))
-        ->default_str("auto")
-        ->type_name("KIND");
-  }
-
-  void add_reset() {
-    CLI::App* command = add_command("reset", messages::for_students());
-    command->add_option("exercise", name, messages::option_help("exercise"))->required()->type_name("EXERCISE");
-    command->callback([this] { job = [this](const Course& course) { return reset(course, name); }; });
-  }
-
-  void add_examples() {
-    CLI::App* command = add_command("examples", messages::for_students());
-    command->add_option("lecture", name, messages::option_help("lecture"))->required()->type_name("LECTURE");
-    command->callback([this] { job = [this](const Course& course) { return examples(course, name); }; });
-  }
-
-  void add_handout() {
-    CLI::App* command = add_command("handout", messages::for_instructors());
-    command->add_option("folder", out, messages::option_help("folder"))->required()->type_name("FOLDER");
-    command->callback([this] { job = [this](const Course& course) { return handout(course, out); }; });
-  }
-
-  void add_doctor() {
-    add_command("doctor", messages::for_students())->callback([this] { job = doctor; });
-  }
-
-  void add_self_check() {
-    CLI::App* command = add_command("self-check", messages::for_authors());
-    command->add_option("--seeds", seed_count, messages::option_help("--seeds"))
-        ->capture_default_str()
-        ->check(CLI::Range(1, 1000));
-    command->callback([this] {
-      job = [this](const Course& course) {
-        std::vector<std::uint64_t> seeds;
-        for (int seed = 1; seed <= seed_count; ++seed) seeds.push_back(static_cast<std::uint64_t>(seed));
-        return self_check(course, seeds);
-      };
-    });
-  }
-
-  void add_completion() {
-    add_command("completion", messages::for_students())->callback([this] {
-      job = [this](const Course& course) {
-        std::vector<std::string> exercises;
-        std::vector<std::string> lectures;
-        for (const Card& card : course.cards()) lectures.push_back(card.lecture);
-        for (const Exercise& exercise : course.exercises()) exercises.push_back(exercise.name());
-        fmt::print("{}", completion_script(app, exercises, lectures));
-        return static_cast<int>(all_passed);
-      };
-    });
-  }
-
-  /// A command with the help that belongs to its name.
-  CLI::App* add_command(const std::string& command_name, const std::string& group) {
-    const messages::CommandHelp& help = messages::help_of(command_name);
-    CLI::App* command = app.add_subcommand(command_name, help.description);
-    command->group(group);
-    command->fallthrough();  // --plain may stand behind the command as well
-    command->footer(messages::examples_of(help));
-    return command;
-  }
-
-  static std::optional<fs::path> optional_path(const std::string& text) {
-    if (text.empty()) return std::nullopt;
-    return fs::path(text);
-  }
-
-  CLI::App app;
-  fs::path course_file;
-  Job job = status;
 
  private:
-  CheckOptions check_options;
-  PlotOptions plot_options;
-  FiguresOptions figures_options;
-  ReportOptions report_options;
-  std::string html;
-  std::string file;
-  std::string out;
-  std::string name;
-  bool all = false;
-  int seed_count = 3;
+  using Job = std::function<int(const Course&)>;
+
+  /// Every option and argument once; a command names those that it takes. Words behind the first one tell apart
+  /// options of one name.
+  void declare_options() {
+    option("NAME", "", options_.names, "exercises or lectures, by name or number; none: all");
+    option("NAME of one", "", options_.name, "an exercise or a lecture");
+    option("EXERCISE", "", options_.name, "its name", true);
+    option("EXERCISE or next", "", options_.name, "its name; none: the next one that does not pass");
+    option("LECTURE", "", options_.name, "its name, number or topic", true);
+    option("FOLDER", "", folder_, "a new folder for the copy", true);
+    option("--file", "FILE", options_.file, "check this file instead of the exercise's own");
+    option("--seed", "NUMBER", options_.seed, "draw other random cases");
+    option("--case", "CASE", options_.case_name, "show this case in full, by number or name, even if it passes");
+    option("--started", "", options_.started, "leave out what is not started");
+    option("--full", "", options_.full, "show everything: all failing cases, long lists, all compiler messages");
+    option("--json", "", options_.json, "print one JSON document and nothing else");
+    option("--plot", "", options_.plot, "draw your curve on the reference, as SVG and PNG");
+    option("--all hints", "", options_.all, "show all three");
+    option("--all plots", "", options_.all, "all plots, and the figures of every lecture");
+    option("--out", "FOLDER", options_.out, "the folder for the pictures");
+    option("--seconds", "NUMBER", options_.seconds_per_figure, "time limit of one figure");
+    option("--html", "FILE", options_.html, "the page to write; an older one is replaced", true);
+    option("--name", "TEXT", options_.student, "whose page it is");
+    option("--seeds", "NUMBER", seeds_, "how many seeds to try, from 1 on");
+    declared_["--picture"] = [this](CLI::App& command) {
+      static const std::map<std::string, PictureKind> kinds = {{"auto", PictureKind::automatic},
+                                                               {"kitty", PictureKind::kitty},
+                                                               {"sixel", PictureKind::sixel},
+                                                               {"text", PictureKind::text},
+                                                               {"none", PictureKind::none}};
+      const auto known = [](const std::string& kind) {
+        return kinds.contains(kind) ? "" : fmt::format("{} is none of auto, kitty, sixel, text and none", kind);
+      };
+      command.add_option("--picture", options_.picture, "the plot on the terminal: auto, kitty, sixel, text or none")
+          ->transform(CLI::Transformer(kinds).description(""))
+          ->transform(CLI::Validator(known, ""))
+          ->default_str("auto")
+          ->type_name("KIND");
+    };
+  }
+
+  void add_commands_of_the_exercises() {
+    add("check", students,
+        "Grade exercises and explain what is wrong\n\nCompiles each exercise, runs it in a process of its own on the "
+        "cases of the reference results, and compares. A failure is explained as far as the reason is certain, with "
+        "where to read; then come the inputs, the expected value and yours for the first failing case. Verdicts on "
+        "the exercise's own file with seed 1 are saved as your progress.",
+        {"check inertia_of_points", "check 3", "check 03 --started", "check inertia_of_points --case 2",
+         "check inertia_of_points --file draft.cpp --plot", "check --seed 7 --json"},
+        {"NAME", "--file", "--seed", "--case", "--started", "--full", "--json", "--plot", "--picture"},
+        [this](const Course& course) { return check(course, options_); });
+    add("watch", students,
+        "Check every file as you save it\n\nStarts at the next exercise, or at the one that is named, and waits. Each "
+        "time an exercise file is saved, its verdict replaces the one before; when it passes, the next exercise is "
+        "shown. Keys: h hint, l list, p plot, n next, c all compiler messages, r check again, q quit.",
+        {"watch", "watch 03", "watch inertia_of_points"}, {"NAME of one"},
+        [this](const Course& course) { return watch(course, course_file_, options_.name); });
+    add("list", students, "Show every exercise with its state", {}, {}, list);
+    add("hint", students,
+        "Show the next hint of an exercise\n\nEvery exercise has three hints, weakest first. Each call shows one more; "
+        "the last one stays. Without a name: the next exercise that does not pass.",
+        {"hint", "hint inertia_of_points", "hint inertia_of_points --all"}, {"EXERCISE or next", "--all hints"},
+        [this](const Course& course) { return hint(course, options_); });
+    add("plot", students,
+        "Draw your curve on the reference\n\nWrites an SVG and a PNG with your curve on the reference and the "
+        "difference below, and shows the picture in the terminal: as graphics where it knows the kitty or the sixel "
+        "protocol, else as text. For instructors: --all --out DIR draws every exercise and copies every figure of the "
+        "lectures.",
+        {"plot inertia_of_points", "plot 03", "plot --all --out pictures"},
+        {"NAME", "--all plots", "--file", "--out", "--seed", "--picture"},
+        [this](const Course& course) { return plot(course, options_); });
+    add("report", students,
+        "Write one page about your work, to hand in or to read\n\nThe page needs no other file: verdicts, reasons, "
+        "plots, your files, and what to read next.",
+        {"report --html report.html", "report --html inertia.html 03 --name 'YOUR NAME'"},
+        {"NAME", "--html", "--name", "--file", "--seed"},
+        [this](const Course& course) { return report(course, options_); });
+    add("reset", students,
+        "Put an exercise back to the beginning\n\nYour version is kept in the folder .workbook/kept.",
+        {"reset inertia_of_points"}, {"EXERCISE"},
+        [this](const Course& course) { return reset(course, options_.name); });
+  }
+
+  void add_commands_of_the_course() {
+    add("figures", students,
+        "Redraw the figures of a lecture with your own functions\n\nA figure that needs a function you have not "
+        "started is left out, and the function is named.",
+        {"figures 03"}, {"LECTURE", "--out", "--seconds"},
+        [this](const Course& course) { return figures(course, options_); });
+    add("examples", students,
+        "Run the worked examples of a lecture on your own functions\n\nShows which of them hold, which need a function "
+        "that is not started, and for the others the check that failed, with both numbers.",
+        {"examples 03"}, {"LECTURE"}, [this](const Course& course) { return examples(course, options_); });
+    add("doctor", students, "Check what is installed and writable on this machine", {}, {}, doctor);
+    add("completion", students, "Print a script that lets bash complete commands, options and names", {}, {},
+        [this](const Course& course) {
+          fmt::print("{}", completion_script(app_, course));
+          return static_cast<int>(all_passed);
+        })
+        .footer(fmt::format("Put this line into ~/.bashrc, with the path of your workbook:\n  source <({})",
+                            command("completion")));
+    add("handout", instructors,
+        "Write the copy of the workbook that students get\n\nThe copy has no solutions: reference results, printed "
+        "numbers and figures are data, and every exercise is back at the beginning. Students type the same commands "
+        "in it.",
+        {"handout ../phy711-students"}, {"FOLDER"}, [this](const Course& course) { return handout(course, folder_); });
+    add("self-check", authors,
+        "Check the workbook itself\n\nTries every stub, solution, right route, wrong answer, hint and pointer of the "
+        "course, and names the file and the fix for everything that is wrong.",
+        {"self-check --seeds 20", "self-check 03"}, {"NAME", "--seeds"},
+        [this](const Course& course) {
+          std::vector<std::uint64_t> seeds(static_cast<std::size_t>(seeds_));
+          std::iota(seeds.begin(), seeds.end(), std::uint64_t{1});
+          return self_check(course, options_.names, seeds);
+        })
+        .get_option("--seeds")
+        ->check(CLI::Range(1, 1000));
+    add_new();
+  }
+
+  void add_new() {
+    CLI::App& added = *app_.add_subcommand("new", "Write the skeleton of a lecture or of an exercise")->group(authors);
+    added.require_subcommand(1)->fallthrough();
+    added.footer(fmt::format("The skeleton builds at once; `{}` says what remains to be written. The page for authors in "
+                             "the notes walks through one exercise.\n\nExamples:\n  {}\n  {}",
+                             command("self-check NAME"), command("new lecture 09_gyroscopes"),
+                             command("new exercise precession_rate --lecture 09 --signature "
+                                     "'double precession_rate(const Vector3d& L, double torque)'")));
+    CLI::App* lecture = added.add_subcommand("lecture", "Write the skeleton of a lecture");
+    lecture->add_option("folder", new_name_, "NN_topic; the number says where in the course it stands")
+        ->required()
+        ->type_name("FOLDER");
+    lecture->callback([this] { job_ = [this](const Course& course) { return new_lecture(course, new_name_); }; });
+    CLI::App* exercise = added.add_subcommand("exercise", "Write the skeleton of an exercise");
+    exercise->add_option("name", new_name_, "the name of its function")->required()->type_name("NAME");
+    exercise->add_option("--lecture", new_lecture_, "its lecture")->required()->type_name("LECTURE");
+    exercise->add_option("--signature", signature_, "its declaration: 'Vector3d f(const Matrix3d& I, double t)'")
+        ->required()
+        ->type_name("TEXT");
+    exercise->callback([this] {
+      job_ = [this](const Course& course) { return new_exercise(course, new_name_, new_lecture_, signature_); };
+    });
+  }
+
+  /// @param help  its first line stands in the list of commands, the rest below the options
+  CLI::App& add(const std::string& name, const char* group, const std::string& help,
+                const std::vector<std::string>& examples, const std::vector<std::string>& options, Job job) {
+    const std::size_t first_line = std::min(help.find('\n'), help.size());
+    CLI::App& added = *app_.add_subcommand(name, help.substr(0, first_line))->group(group);
+    added.fallthrough();  // --plain may stand behind the command
+    std::string footer = help.substr(std::min(first_line + 2, help.size())) + (examples.empty() ? "" : "\n\nExamples:");
+    for (const std::string& example : examples) footer += "\n  " + command(example);
+    added.footer(footer);
+    for (const std::string& option : options) declared_.at(option)(added);
+    added.callback([this, job = std::move(job)] { job_ = job; });
+    return added;
+  }
+
+  template <class T>
+  void option(const std::string& key, const char* type, T& target, const char* help, bool required = false) {
+    declared_[key] = [&target, name = key.substr(0, key.find(' ')), type, help, required](CLI::App& command) {
+      if constexpr (std::is_same_v<T, bool>) {
+        command.add_flag(name, target, help);
+      } else {
+        CLI::Option* added = command.add_option(name, target, help)->type_name(type)->required(required);
+        if constexpr (std::is_arithmetic_v<T>) added->capture_default_str();
+      }
+    };
+  }
+
+  CLI::App app_;
+  fs::path course_file_;
+  Options options_;
+  fs::path folder_;
+  int seeds_ = 3;
+  std::string new_name_, new_lecture_, signature_;
+  std::map<std::string, std::function<void(CLI::App&)>> declared_;
+  Job job_ = status;
 };
+
+/// A standard stream that is closed would lend its number to the next file or worker, which would then get what is meant
+/// for people. In its place comes one that cannot be written to.
+void occupy_standard_descriptors() {
+  int descriptor = 0;
+  while (descriptor >= 0 && descriptor <= STDERR_FILENO) descriptor = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+  if (descriptor >= 0) ::close(descriptor);
+}
+
+int run(int argc, char** argv) {
+  const auto fail = [](const std::exception& problem, ExitStatus status) {
+    const bool is_read_by_people = isatty(STDERR_FILENO) != 0;
+    fmt::print(stderr, "{}\n",
+               is_read_by_people ? Console::of_standard_error().wrapped(problem.what()) : problem.what());
+    return status;
+  };
+  try {
+    return CommandLine(argv[0]).run(argc, argv);
+  } catch (const UsageError& problem) {
+    return fail(problem, wrong_usage);
+  } catch (const UnknownName& problem) {
+    return fail(problem, wrong_usage);
+  } catch (const std::exception& problem) {
+    return fail(problem, checker_failed);
+  }
+}
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  occupy_standard_descriptors();
   std::signal(SIGPIPE, SIG_IGN);  // a worker that dies, or a reader like `head` that leaves, is no reason to die
-  process_registry::end_with_the_checker();
-  CommandLine command_line(argv[0]);
-  try {
-    command_line.app.parse(argc, argv);
-  } catch (const CLI::ParseError& problem) {
-    const bool asked_for_help = problem.get_exit_code() == 0;
-    command_line.app.exit(problem);
-    return asked_for_help ? all_passed : wrong_usage;
-  }
-  try {
-    return command_line.job(Course(command_line.course_file));
-  } catch (const UnknownName& problem) {
-    fmt::print(stderr, "{}\n", problem.what());
-    return wrong_usage;
-  } catch (const std::exception& problem) {
-    fmt::print(stderr, "{}\n", problem.what());
-    return checker_failed;
-  }
+  const int status = run(argc, argv);
+  if (std::fflush(stdout) == 0 || errno == EPIPE) return status;
+  fmt::print(stderr, "The output could not be written ({}).\n", std::generic_category().message(errno));
+  return checker_failed;
 }

@@ -1,5 +1,9 @@
-# Sourced by checker/run and tests/run: installs what is missing, configures, builds.
+# Installs what is missing, configures, builds. Sourced by checker/run and tests/run, which it takes to the top folder;
+# started as a program it builds: setup.sh FOLDER TARGET...
 # Everything it says goes to standard error, so that the standard output belongs to the program started afterwards.
+
+setup_script=$(realpath "${BASH_SOURCE[0]}")
+cd "${setup_script%/*/*}" || exit 3
 
 say() { printf '%s\n' "$*" >&2; }
 
@@ -20,7 +24,6 @@ libboost-system-dev     needed by gnuplot-iostream
 libgnuplot-iostream-dev plots and figures from C++
 gnuplot-nox             draws the plots and figures
 libkainjow-mustache-dev the template of the report page
-libseccomp-dev          keeps student code inside its process
 '
 
 missing_packages() {  # the names on standard input that are not installed
@@ -34,9 +37,9 @@ missing_packages() {  # the names on standard input that are not installed
 
 explain_other_systems() {
   say "This script installs packages with apt-get, which this system does not have. Install these yourself, then start again:"
-  say "  Homebrew: brew install cmake ninja eigen fmt nlohmann-json cli11 doctest boost gnuplot doxygen graphviz (and gnuplot-iostream.h and kainjow's mustache.hpp from their authors)"
-  say "  Fedora:   dnf install gcc-c++ libstdc++-static glibc-static cmake ninja-build eigen3-devel fmt-devel json-devel cli11-devel doctest-devel boost-devel gnuplot gnuplot-iostream-devel libseccomp-devel doxygen graphviz (and kainjow's mustache.hpp from its author)"
-  say "  Arch:     pacman -S base-devel cmake ninja eigen fmt nlohmann-json cli11 doctest boost gnuplot libseccomp doxygen graphviz (and gnuplot-iostream from the user repository, and kainjow's mustache.hpp from its author)"
+  say "  Homebrew: brew install cmake ninja eigen fmt nlohmann-json cli11 doctest boost gnuplot doxygen (and gnuplot-iostream.h and kainjow's mustache.hpp from their authors)"
+  say "  Fedora:   dnf install gcc-c++ libstdc++-static glibc-static cmake ninja-build eigen3-devel fmt-devel json-devel cli11-devel doctest-devel boost-devel gnuplot gnuplot-iostream-devel doxygen (and kainjow's mustache.hpp from its author)"
+  say "  Arch:     pacman -S base-devel cmake ninja eigen fmt nlohmann-json cli11 doctest boost gnuplot doxygen (and gnuplot-iostream from the user repository, and kainjow's mustache.hpp from its author)"
   say "If they are installed already, set WORKBOOK_SKIP_PACKAGES=1 and start again."
 }
 
@@ -64,52 +67,67 @@ install_packages() {  # $1: the table of packages; $2: the stamp that remembers 
       fi
       as_root=sudo
     fi
-    local log=$build_directory/packages.log
-    mkdir -p "$build_directory"
+    local log=${stamp%/*}/packages.log
+    mkdir -p "${stamp%/*}"
     if ! { $as_root apt-get update && DEBIAN_FRONTEND=noninteractive $as_root $command; } >"$log" 2>&1; then
       tail -n 5 "$log" >&2
-      say "The packages could not be installed (the whole story: $log). Check the network, or type: $as_root apt-get update && $as_root $command"
+      say "The packages could not be installed (the whole output: $log). Check the network, or type: $as_root apt-get update && $as_root $command"
       return 1
     fi
     say "Installed."
   fi
-  mkdir -p "$build_directory" && : >"$stamp"
+  { mkdir -p "${stamp%/*}" && : >"$stamp"; } 2>/dev/null || true  # build says what is wrong with the folder
 }
 
-configure() {  # $1: a preset of CMakePresets.json; further arguments go to cmake
-  local preset=$1 log=$build_directory/configure.log
+build() (  # $1: the folder, build/PRESET; then targets. Says nothing when there is nothing to do.
+  folder=$1 log=$1/build.log
   shift
-  mkdir -p "$build_directory"
-  if ! cmake --preset "$preset" "$@" >"$log" 2>&1; then
-    sed -n '/CMake Error/,$p' "$log" >&2
-    say "Configuring failed (the whole story: $log)."
-    return 1
+  if ! mkdir -p "$folder" 2>/dev/null || ! { : >>"$log"; } 2>/dev/null; then
+    say "$PWD cannot be written: copy the folder to a place of your own and start there."
+    return 3
   fi
-}
-
-build() {  # targets; shows progress, and nothing at all when there is nothing to do
-  local log=$build_directory/build.log
-  NINJA_STATUS='[%f of %t] ' ninja -C "$build_directory" "$@" 2>&1 | tee "$log" | show_progress "${build_directory#"$PWD"/}"
+  trap 'say "Stopped. The next start goes on from here."; exit 130' INT
+  exec 9>"$folder/.lock"
+  if command -v flock >/dev/null && ! flock --nonblock 9; then
+    say "Waiting for another build in $folder ..."
+    flock 9
+  fi
+  # A folder that was copied or moved still names the old one here; everything in it was built for that.
+  if [ ! -e "$folder/build.ninja" ] || ! grep -qsxF "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "$folder/CMakeCache.txt"; then
+    rm -f "$folder/build.ninja"
+    if ! cmake --preset "${folder##*/}" --fresh >"$log" 2>&1; then
+      grep -A 20 'CMake Error' "$log" >&2 || tail -n 5 "$log" >&2
+      say "Configuring failed (the whole output: $log)."
+      return 3
+    fi
+  fi
+  NINJA_STATUS='[%f/%t %e] ' ninja -C "$folder" "$@" 2>&1 | tee "$log" | show_progress "$folder"
   [ "${PIPESTATUS[0]}" -eq 0 ] && return 0
-  grep -v '^\[[0-9]* of ' "$log" | head -n 40 >&2
-  say "The build failed (the whole story: $log)."
-  return 1
-}
+  [ -z "${WORKBOOK_PROGRESS:-}" ] || return 3  # the checker asked, and says what that means
+  grep -v '^\[[0-9]*/' "$log" | head -n 40 >&2
+  say "The build failed (the whole output: $log)."
+  return 3
+)
 
-show_progress() {  # $1: the folder; one line with a bar that is written over and over, on a terminal only
-  local line begun= step='^\[([0-9]+) of ([0-9]+)\]' width=40 filled bar
+show_progress() {  # $1: the folder. One line that is written over and over; where no terminal is, one every ten seconds.
+  local terminal= line text begun= shown=0 finished total elapsed left step='^\[([0-9]+)/([0-9]+) ([0-9]+)'
+  if [ -t 2 ] || [ "${WORKBOOK_PROGRESS:-}" = terminal ]; then terminal=yes; fi
   while IFS= read -r line; do
     [[ $line =~ $step && $line != *"Re-checking globbed"* && $line != *"Re-running CMake"* ]] || continue
-    [ -n "$begun" ] || say "Building in $1 (only what changed since the last time) ..."
+    finished=${BASH_REMATCH[1]} total=${BASH_REMATCH[2]} elapsed=${BASH_REMATCH[3]}
+    [ -n "$begun" ] || say "Building in $1 (only what has changed) ..."
     begun=yes
-    [ -t 2 ] || continue
-    width=$(($(tput cols 2>/dev/null || echo 80) - 30))
-    width=$((width > 40 ? 40 : width < 5 ? 5 : width))
-    filled=$((width * BASH_REMATCH[1] / BASH_REMATCH[2]))
-    printf -v bar '%*s' "$filled" ''
-    bar=${bar// /#}
-    printf -v line '%-*s' "$width" "$bar"
-    printf '\r  %s %d of %d ' "${line// /.}" "${BASH_REMATCH[1]}" "${BASH_REMATCH[2]}" >&2
+    left=$((finished == 0 ? 0 : elapsed * (total - finished) / finished))
+    text="  $finished of $total steps"
+    [ "$left" -eq 0 ] || [ "$finished" -lt 3 ] || text+=", about $left s left"
+    if [ "$terminal" ]; then
+      printf '\r%-40s' "$text" >&2
+    elif [ $((elapsed - shown)) -ge 10 ]; then
+      say "$text"
+      shown=$elapsed
+    fi
   done
-  [ -z "$begun" ] || ! [ -t 2 ] || printf '\n' >&2
+  if [ -n "$begun" ] && [ "$terminal" ]; then printf '\r%-40s\r' '' >&2; fi
 }
+
+if [ "${BASH_SOURCE[0]}" = "$0" ]; then build "$@"; fi

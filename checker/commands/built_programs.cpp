@@ -1,74 +1,53 @@
 #include "checker/commands/built_programs.hpp"
 
-#include "checker/messages/reporting.hpp"
-#include "checker/report/progress_bar.hpp"
+#include "checker/base/text.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <cstddef>
-#include <cstdlib>
 #include <regex>
-#include <string_view>
+#include <set>
+#include <stdexcept>
 
 namespace workbook {
 
-namespace {
+namespace fs = std::filesystem;
 
-constexpr std::chrono::minutes longest_build{30};
-constexpr std::size_t most_output = std::size_t{4} << 20;
+FinishedProgram build_target(const Course& course, const std::string& target) { return make(course.build(), {target}); }
 
-Launch launch_of(const std::string& program, const std::vector<std::string>& arguments) {
-  Launch launch;
-  launch.program = program.c_str();
-  launch.arguments = arguments;
-  const char* path = std::getenv("PATH");
-  launch.environment = {std::string("PATH=") + (path == nullptr ? "/usr/bin:/bin" : path)};
-  return launch;
+std::string student_program(const Course& course, const std::string& target, const std::string& what) {
+  const FinishedProgram built = build_target(course, target);
+  if (built.succeeded()) return (course.build().directory / "lectures" / target).string();
+  std::set<std::string> exercises;
+  static const std::regex error(R"(lectures/\w+/exercises/(\w+)\.cpp:\d+:\d+: error)");
+  for (std::sregex_iterator match(built.output.begin(), built.output.end(), error), end; match != end; ++match)
+    exercises.insert((*match)[1]);
+  if (exercises.empty()) throw std::runtime_error(fmt::format("{}\nThe {} could not be built.", built.output, what));
+  fmt::print("The {} need files of yours that do not compile:\n", what);
+  for (const std::string& exercise : exercises) fmt::print("  {}\n", command("check " + exercise));
+  return "";
 }
 
-/// Shows how far the build is, from the "[12/40] …" at the beginning of its lines.
-class BuildProgress {
- public:
-  void hear(std::string_view piece) {
-    unread_ += piece;
-    static const std::regex step(R"(\[(\d{1,6})/(\d{1,6})\] )");
-    for (std::size_t end = 0; (end = unread_.find('\n')) != std::string::npos; unread_.erase(0, end + 1)) {
-      const std::string line = unread_.substr(0, std::min<std::size_t>(end, 200));
-      std::smatch found;
-      if (std::regex_search(line, found, step, std::regex_constants::match_continuous))
-        bar_.show(std::stoul(found[1]), std::stoul(found[2]), messages::building());
-    }
+std::size_t copy_figures(const Course& course, const std::string& lecture, const fs::path& to) {
+  const fs::path from = course.build().directory / "figures" / lecture;
+  std::size_t count = 0;
+  if (!fs::exists(from)) return count;
+  fs::create_directories(to);
+  for (const auto& picture : fs::directory_iterator(from)) {
+    if (picture.path().filename() == "drawn") continue;  // the build's own mark
+    fs::copy_file(picture.path(), to / picture.path().filename(), fs::copy_options::overwrite_existing);
+    count += picture.path().extension() == ".svg" ? 1 : 0;
   }
-
- private:
-  ProgressBar bar_;
-  std::string unread_;
-};
-
-}  // namespace
-
-FinishedProgram run_with_path(const std::string& program, const std::vector<std::string>& arguments,
-                              std::chrono::duration<double> limit) {
-  return run_program(launch_of(program, arguments), limit, most_output);
+  return count;
 }
 
-FinishedProgram build_target(const Course& course, const std::string& target) {
-  BuildProgress progress;
-  const std::string program = "/usr/bin/env";
-  return run_program(launch_of(program, {"cmake", "--build", course.build().string(), "--target", target}),
-                     longest_build, most_output, [&](std::string_view piece) { progress.hear(piece); });
-}
-
-std::vector<std::string> files_with_errors(const std::string& output) {
-  std::vector<std::string> files;
-  const std::regex pattern(R"(lectures/\w+/exercises/\w+\.cpp(?=:\d+:\d+: error))");
-  for (std::sregex_iterator match(output.begin(), output.end(), pattern), end; match != end; ++match) {
-    if (std::find(files.begin(), files.end(), match->str()) == files.end()) files.push_back(match->str());
-  }
-  return files;
-}
-
-std::filesystem::path lecture_program(const Course& course, const std::string& target) {
-  return course.build() / "lectures" / target;
+void print_outcome(const Console& console, const std::string& name, const Outcome& outcome) {
+  const Style style = outcome.is_good() ? Style::good : outcome.is_not_started ? Style::quiet : Style::bad;
+  const std::string mark = console.mark(outcome.is_good() ? "✓" : outcome.is_not_started ? "·" : "✗", style);
+  const std::size_t indent = mark.empty() ? 0 : 2;
+  const std::string text = outcome.is_good() ? name : name + ": " + outcome.trouble;
+  fmt::print("{}{}\n", mark, console.wrapped(text, indent).substr(indent));
+  std::fflush(stdout);
 }
 
 }  // namespace workbook

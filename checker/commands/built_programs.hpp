@@ -1,28 +1,36 @@
 /// @file
-/// Programs of the workbook that are built when somebody asks for them: worked examples and figures.
+/// Programs of the workbook that are built when they are asked for: worked examples and figures.
 #pragma once
 
-#include "checker/base/child_process.hpp"
+#include "checker/base/build.hpp"
+#include "checker/base/console.hpp"
 #include "checker/course/course.hpp"
 
-#include <chrono>
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace workbook {
 
-/// Runs a program that finds others on PATH and inherits nothing else. @throws LaunchError
-FinishedProgram run_with_path(const std::string& program, const std::vector<std::string>& arguments,
-                              std::chrono::duration<double> limit);
-
 /// Builds one target of the workbook's own build. @throws LaunchError
 FinishedProgram build_target(const Course& course, const std::string& target);
 
-/// The student's files that the compiler complains about in the output of a build.
-std::vector<std::string> files_with_errors(const std::string& output);
+/// Builds a lecture's program on the student's functions and returns its path. Where files of the student do not
+/// compile, names them and returns "". @throws std::runtime_error if it cannot be built for another reason
+std::string student_program(const Course& course, const std::string& target, const std::string& what);
 
-/// Where the build puts the programs of the lectures.
-std::filesystem::path lecture_program(const Course& course, const std::string& target);
+/// Copies the pictures of a lecture into a folder; returns how many figures they show.
+/// @throws std::filesystem::filesystem_error
+std::size_t copy_figures(const Course& course, const std::string& lecture, const std::filesystem::path& to);
+
+/// What became of a worked example or a figure.
+struct Outcome {
+  std::string trouble;  ///< empty: none
+  bool is_not_started = false;
+
+  bool is_good() const { return trouble.empty(); }
+};
+void print_outcome(const Console& console, const std::string& name, const Outcome& outcome);
 
 }  // namespace workbook

@@ -1,12 +1,10 @@
+#include "checker/base/console.hpp"
+#include "checker/base/files.hpp"
+#include "checker/base/text.hpp"
 #include "checker/commands/commands.hpp"
 #include "checker/course/did_you_mean.hpp"
 #include "checker/course/progress.hpp"
-#include "checker/messages/plotting.hpp"
-#include "checker/messages/program.hpp"
-#include "checker/messages/reporting.hpp"
-#include "checker/pipeline/checking.hpp"
-#include "checker/report/console.hpp"
-#include "checker/report/gnuplot_program.hpp"
+#include "checker/pipeline/check_job.hpp"
 #include "checker/report/json_report.hpp"
 #include "checker/report/overlay.hpp"
 #include "checker/report/progress_bar.hpp"
@@ -14,122 +12,121 @@
 #include "checker/report/terminal_report.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <charconv>
 
 namespace workbook {
 
 namespace {
 
-/// Verdicts on a file elsewhere, or with another seed, are no progress.
-bool counts_as_progress(const CheckOptions& options) { return !options.file && options.seed == 1; }
-
 /// What is drawn of one exercise. A plot that fails changes no verdict.
-void draw(const Course& course, const Checked& checked, PictureKind picture, const Console& console, bool to_terminal) {
-  if (!checked.executable) return;
+void draw(const Course& course, const CheckResult& checked, PictureKind picture, const Console& console,
+          bool to_terminal) {
+  if (checked.executable.empty()) return;
   try {
     const Overlay overlay = overlay_of(checked);
-    const auto files = draw_overlay(overlay, plots_directory(course), checked.exercise.name());
+    const auto files = draw_overlay(overlay, plots_directory(course), checked.name());
     if (!to_terminal) return;
-    fmt::print("{}  {}   {}\n",
-               terminal_picture(picture, overlay, files, plots_directory(course), console, picture_space(console)),
-               messages::plot_label(), std::filesystem::proximate(files.front()).string());
+    fmt::print("{}  Plot   {}\n", terminal_picture(picture, overlay, files.back(), console), shown_path(files.front()));
   } catch (const std::exception& problem) {
     fmt::print(stderr, "{}\n", problem.what());
   }
 }
 
 /// A wrong value is best seen as a picture. Where there is no gnuplot, `plot` says what to do.
-void draw_unasked(const Course& course, const Checked& checked, const Console& console) {
+void draw_unasked(const Course& course, const CheckResult& checked, const Console& console) {
   if (checked.judgement.verdict != Verdict::wrong_value) return;
-  if (gnuplot_program().empty()) {
-    fmt::print("  {}   {}\n", messages::plot_label(), messages::command("plot " + checked.exercise.name()));
+  std::fflush(stdout);  // the verdict does not wait for its picture
+  if (program_on_path("gnuplot").empty()) {
+    fmt::print("  Plot   {}\n", command("plot " + checked.name()));
   } else {
     draw(course, checked, PictureKind::none, console, true);
   }
 }
 
-/// Makes the case with that name the one that is shown. @throws UnknownName
-void show_case(Checked& checked, const std::string& name) {
-  const std::vector<Case>& cases = checked.reference->cases;
-  const auto found = std::find_if(cases.begin(), cases.end(), [&](const Case& one) { return one.name == name; });
-  if (found == cases.end()) {
-    std::vector<std::string> known;
-    for (const Case& one : cases) known.push_back(one.name);
-    throw UnknownName(messages::no_such_case(checked.exercise.name(), name, did_you_mean(name, known), known));
-  }
-  const auto index = static_cast<std::size_t>(found - cases.begin());
-  FirstFailure shown{index, std::nullopt};
-  if (index < checked.observation.replies.size()) {
-    const Reply& reply = checked.observation.replies[index];
-    if (reply.ending == Ending::returned) shown.actual = reply.value;
-  }
-  checked.judgement.first_failure = shown;
+/// The case of that number, counted from 1, or name. @throws UnknownName
+std::size_t find_case(const ExerciseReference& exercise, const std::string& asked) {
+  const std::vector<Case>& cases = exercise.cases;
+  std::size_t number = 0;
+  const auto [end, problem] = std::from_chars(asked.data(), asked.data() + asked.size(), number);
+  if (problem == std::errc() && end == asked.data() + asked.size() && number >= 1 && number <= cases.size())
+    return number - 1;
+  const auto found = std::ranges::find(cases, asked, &Case::name);
+  if (found != cases.end()) return static_cast<std::size_t>(found - cases.begin());
+  std::vector<std::string> known;
+  for (std::size_t i = 0; i < exercise.described_cases(); ++i) known.push_back(cases[i].name);
+  const std::string proposal = did_you_mean(asked, known);
+  throw UnknownName(fmt::format("{} has no case '{}'. {}", exercise.name, printable(asked),
+                                proposal.empty() ? fmt::format("Its cases have the numbers 1 to {}; the first are: {}.",
+                                                               cases.size(), fmt::join(known, "; "))
+                                                 : fmt::format("Did you mean '{}'?", proposal)));
+}
+
+int exit_status(const std::vector<CheckResult>& results) {
+  if (!std::ranges::all_of(results, &CheckResult::is_judged)) return checker_failed;
+  const auto passed = [](const CheckResult& checked) { return checked.judgement.passed(); };
+  return std::ranges::all_of(results, passed) ? all_passed : something_failed;
 }
 
 }  // namespace
 
-int check(const Course& course, const CheckOptions& options) {
+std::vector<CheckTask> tasks_of(const Course& course, const Options& options) {
   const std::vector<Exercise> exercises = course.choose(options.names);
-  if (options.file && exercises.size() != 1) {
-    fmt::print(stderr, "{}\n", messages::file_needs_one_exercise("check"));
-    return wrong_usage;
-  }
-  if (options.case_name && exercises.size() != 1) {
-    fmt::print(stderr, "{}\n", messages::case_needs_one_exercise());
-    return wrong_usage;
-  }
-  Checking check_one(course, options.seed, options.file);
+  if ((options.file || options.case_name) && exercises.size() != 1)
+    throw UsageError(
+        fmt::format("--file and --case need one exercise, for example `{}`.", command("check EXERCISE --file FILE")));
+  std::vector<CheckTask> tasks;
+  tasks.reserve(exercises.size());
+  for (const Exercise& exercise : exercises) tasks.push_back(check_task(course, exercise, options.seed, options.file));
+  return tasks;
+}
+
+int check(const Course& course, const Options& options) {
+  CheckContext context(course);
+  const std::vector<CheckTask> tasks = tasks_of(course, options);
+  Detail detail{options.full, {}};
+  if (options.case_name) detail.case_index = find_case(context.reference(tasks.front()), *options.case_name);
+
   const Console console = Console::of_standard_output();
   const PictureKind picture = options.plot && !options.json
-                                  ? choose_picture(options.picture, exercises.size(), traits_of_this_terminal(console))
+                                  ? choose_picture(options.picture, tasks.size(), traits_of_this_terminal(console))
                                   : PictureKind::none;
   Progress progress(course.progress_file());
-  std::vector<Checked> results;
-  {
-    ProgressBar progress_bar(!options.json);
-    for (std::size_t i = 0; i < exercises.size(); ++i) {
-      const Exercise& exercise = exercises[i];
-      progress_bar.show(i, exercises.size(), exercise.name());
-      const std::string source = fingerprint(check_one.file_of(exercise));
-      Checked checked = check_one(exercise);
-      if (counts_as_progress(options) && checked.judgement.verdict != Verdict::checker_error) {
-        progress.remember(exercise.name(), {to_string(checked.judgement.verdict), source});
-      }
-      progress_bar.clear();
-      if (options.started && checked.judgement.verdict == Verdict::not_started) continue;
-      if (options.case_name) show_case(checked, *options.case_name);
-      if (!options.json) {
-        fmt::print("{}", terminal_report(course, checked, console,
-                                         {.full = options.full, .one_case = options.case_name.has_value()}));
-        std::fflush(stdout);
-      }
-      if (options.plot) {
-        draw(course, checked, picture, console, !options.json);
-      } else if (!options.json && exercises.size() == 1) {
-        draw_unasked(course, checked, console);
-      }
-      results.push_back(std::move(checked));
+  std::vector<CheckResult> results;
+  ProgressBar progress_bar(!options.json);
+  std::size_t done = 0;
+  const auto show_progress = [&] {
+    if (done < tasks.size()) progress_bar.show(done, tasks.size(), tasks[done].exercise.name());
+  };
+  show_progress();
+  check_all(context, tasks, [&](CheckResult checked) {
+    ++done;
+    if (checked.task.counts_as_progress() && checked.is_judged())
+      progress.remember(checked.name(), {to_string(checked.judgement.verdict), fingerprint(checked.source)});
+    progress_bar.clear();
+    if (options.started && !checked.is_started()) return;
+    if (!options.json) fmt::print("{}", terminal_report(checked, course, console, detail));
+    if (options.plot) {
+      draw(course, checked, picture, console, !options.json);
+    } else if (!options.json && tasks.size() == 1) {
+      draw_unasked(course, checked, console);
     }
-  }
+    std::fflush(stdout);
+    results.push_back(std::move(checked));
+    show_progress();
+  });
+  progress_bar.clear();
 
   if (options.json) {
-    // What the student printed may hold bytes that are no text; they are replaced, not fatal.
-    fmt::print("{}\n",
-               json_report(results, options.seed).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    fmt::print("{}\n", json_report(results, options.seed));
   } else if (results.size() > 1) {
     fmt::print("\n{}\n", summary_line(results));
   } else if (results.empty()) {
-    fmt::print("{}\n", messages::nothing_started());
+    fmt::print("No exercise is started, so there was nothing to check.\n");
   }
   if (!progress.warning().empty()) fmt::print(stderr, "{}\n", progress.warning());
-
-  const auto any = [&](auto condition) { return std::any_of(results.begin(), results.end(), condition); };
-  if (any([](const Checked& checked) { return checked.judgement.verdict == Verdict::checker_error; }))
-    return checker_failed;
-  if (any([](const Checked& checked) { return !checked.judgement.passed(); })) return something_failed;
-  return all_passed;
+  return exit_status(results);
 }
 
 }  // namespace workbook

@@ -3,11 +3,12 @@
 #pragma once
 
 #include "checker/course/course.hpp"
-#include "checker/report/terminal_graphics.hpp"
+#include "checker/report/terminal_picture.hpp"
 
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,15 @@ namespace workbook {
 
 enum ExitStatus { all_passed = 0, something_failed = 1, wrong_usage = 2, checker_failed = 3 };
 
-struct CheckOptions {
+/// The command was typed in a way that means nothing; the sentence says what to type.
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// What the command line said; a command reads what it takes.
+struct Options {
   std::vector<std::string> names;  ///< exercises and lectures; none: the whole course
+  std::string name;                ///< one exercise or lecture; "": the command's own choice
   std::optional<std::filesystem::path> file;
   std::uint64_t seed = 1;
   std::optional<std::string> case_name;  ///< show this case in full, whether it passes or not
@@ -24,29 +32,11 @@ struct CheckOptions {
   bool full = false;                     ///< with all that the compiler says
   bool json = false;
   bool plot = false;
-  PictureKind picture = PictureKind::automatic;  ///< of the plot, on the terminal
-};
-
-struct PlotOptions {
-  std::vector<std::string> names;
-  bool all = false;
-  std::optional<std::filesystem::path> file;
-  std::optional<std::filesystem::path> out;
-  std::uint64_t seed = 1;
+  bool all = false;  ///< all hints, or all plots and figures
   PictureKind picture = PictureKind::automatic;
-};
-
-struct FiguresOptions {
-  std::string lecture;
-  std::optional<std::filesystem::path> out;
+  std::optional<std::filesystem::path> out;  ///< folder for pictures
   double seconds_per_figure = 60.0;
-};
-
-struct ReportOptions {
   std::filesystem::path html;
-  std::vector<std::string> names;  ///< exercises and lectures; none: the whole course
-  std::optional<std::filesystem::path> file;
-  std::uint64_t seed = 1;
   std::string student;  ///< whose page it is; may be empty
 };
 
@@ -56,18 +46,25 @@ int status(const Course& course);
 /// Every exercise with its state.
 int list(const Course& course);
 
-int check(const Course& course, const CheckOptions& options);
+/// What is to be checked. @throws UnknownName, and UsageError where --file or --case is given for several exercises
+std::vector<CheckTask> tasks_of(const Course& course, const Options& options);
+
+int check(const Course& course, const Options& options);
 
 /// The next hint of an exercise, or all of them.
-int hint(const Course& course, const std::string& name, bool all);
+int hint(const Course& course, const Options& options);
 
-int plot(const Course& course, const PlotOptions& options);
+/// Student's curves on the reference.
+int plot(const Course& course, const Options& options);
 
 /// The figures of a lecture, drawn with the student's own functions.
-int figures(const Course& course, const FiguresOptions& options);
+int figures(const Course& course, const Options& options);
+
+/// The worked examples of a lecture on the student's own functions: which of them hold.
+int examples(const Course& course, const Options& options);
 
 /// One page with everything that the checker has to say to one student.
-int report(const Course& course, const ReportOptions& options);
+int report(const Course& course, const Options& options);
 
 /// Puts the stub back; what was there is kept beside the progress file.
 int reset(const Course& course, const std::string& name);
@@ -77,16 +74,20 @@ int reset(const Course& course, const std::string& name);
 /// @param name         where to begin, an exercise or a lecture; "": the next exercise that does not pass
 int watch(const Course& course, const std::filesystem::path& course_file, const std::string& name);
 
-/// The worked examples of a lecture on the student's own functions: which of them come out by now.
-int examples(const Course& course, const std::string& lecture);
-
 /// Writes the copy of the workbook that students get: without solutions, with the reference results as data.
 int handout(const Course& course, const std::filesystem::path& directory);
 
 /// What this machine offers.
 int doctor(const Course& course);
 
-/// Is the workbook itself in order? For authors.
-int self_check(const Course& course, const std::vector<std::uint64_t>& seeds);
+/// Are these exercises and lectures in order, or the whole workbook? For authors.
+int self_check(const Course& course, const std::vector<std::string>& names, const std::vector<std::uint64_t>& seeds);
+
+/// Writes the skeleton of a lecture: its card, contract, notes, worked examples and figures.
+int new_lecture(const Course& course, const std::string& folder);
+
+/// Writes the skeleton of an exercise that builds and is not started.
+int new_exercise(const Course& course, const std::string& name, const std::string& lecture,
+                 const std::string& signature);
 
 }  // namespace workbook

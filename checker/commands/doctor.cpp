@@ -1,8 +1,9 @@
+#include "checker/base/console.hpp"
+#include "checker/base/files.hpp"
+#include "checker/base/text.hpp"
 #include "checker/commands/commands.hpp"
 #include "checker/compile/toolchain.hpp"
-#include "checker/messages/machine.hpp"
-#include "checker/report/console.hpp"
-#include "checker/report/gnuplot_program.hpp"
+#include "checker/sandbox/diagnostic_run.hpp"
 #include "checker/sandbox/sandbox.hpp"
 
 #include <fmt/format.h>
@@ -11,55 +12,62 @@
 
 namespace workbook {
 
-namespace {
-
-bool report(const Console& console, bool good, const std::string& what, const std::string& detail) {
-  const std::string mark = console.plain() ? (good ? messages::good_mark() : messages::bad_mark())
-                                           : console.mark(good ? "✓" : "✗", good ? Style::good : Style::bad);
-  fmt::print("{}{} {}\n", mark, padded(what, 12), detail);
-  return good;
-}
-
-}  // namespace
-
 int doctor(const Course& course) {
   const Console console = Console::of_standard_output();
-  bool well = true;
+  bool can_check = true;
+  const auto report = [&](bool good, const std::string& what, const std::string& detail) {
+    const std::string mark = console.plain() ? (good ? "good: " : "not good: ")
+                                             : console.mark(good ? "✓" : "✗", good ? Style::good : Style::bad);
+    fmt::print("{}{} {}\n", mark, padded(what, 12), detail);
+  };
 
   try {
     const Toolchain toolchain = read_toolchain(course.toolchain_file());
-    for (const Exercise& exercise : course.exercises()) require_complete(toolchain, exercise.name());
-    report(console, true, messages::about_compiler(), toolchain.compiler.string());
+    if (!course.exercises().empty()) require_complete(toolchain, course.exercises().front().name());
+    report(true, "compiler", toolchain.compiler.string());
+    const std::string missing = missing_for_diagnostic_runs(toolchain);
+    report(missing.empty(), "reasons",
+           missing.empty() ? "a function that fails is run again under the compiler's sanitizers to find its line"
+                           : "a function that fails is not run again to find its line: missing are " + missing);
   } catch (const ToolchainError& problem) {
-    well = report(console, false, messages::about_compiler(), problem.what());
+    can_check = false;
+    report(false, "compiler", problem.what());
   }
 
   try {
-    for (const Card& card : course.cards()) course.reference(card.lecture, 1);
-    report(console, true, messages::about_reference(),
-           messages::results_are_there(course.cards().size(), course.exercises().size()));
+    std::size_t made = 0;
+    for (const Card& card : course.cards()) {
+      if (course.has_solutions() && !std::filesystem::exists(course.reference_file(card.lecture))) continue;
+      read_reference_results(course.reference_file(card.lecture));
+      ++made;
+    }
+    report(true, "reference",
+           fmt::format("results of {} of {}{}", made, plural(course.cards().size(), "lecture"),
+                       made < course.cards().size() ? "; the others are made at their first check" : ""));
   } catch (const ReferenceError& problem) {
-    well = report(console, false, messages::about_reference(), problem.what());
+    can_check = false;
+    report(false, "reference", problem.what());
   }
 
-  const SandboxStrength sandbox = sandbox_strength();
-  report(console, sandbox.filters_system_calls, messages::about_sandbox(), sandbox.sentence);
+  const SandboxStrength sandbox = probe_sandbox();
+  report(sandbox.tier() == SandboxTier::reduced, "sandbox", sandbox.sentence());
 
-  const std::string gnuplot = gnuplot_program();
-  report(console, !gnuplot.empty(), messages::about_gnuplot(),
-         gnuplot.empty() ? messages::gnuplot_is_missing() : gnuplot);
+  const std::string gnuplot = program_on_path("gnuplot");
+  report(!gnuplot.empty(), "gnuplot",
+         gnuplot.empty() ? "missing: checks work, plots do not (on Debian: apt-get install gnuplot-nox)" : gnuplot);
 
   const std::string root = course.root().string();
   const bool writable = access(root.c_str(), W_OK) == 0;
-  report(console, writable, messages::about_folder(),
-         writable ? messages::folder_is_writable(root) : messages::folder_is_not_writable(root));
+  report(writable, "folder",
+         root + (writable ? " is writable" : " is not writable: progress and resets cannot be saved"));
 
   const auto notes = course.cards().empty() ? std::nullopt : course.notes_page(course.cards().front().lecture);
-  report(console, notes.has_value(), messages::about_notes(),
-         notes ? notes->parent_path().string() : messages::notes_are_not_built());
+  report(notes.has_value(), "notes",
+         notes ? notes->parent_path().string()
+               : "not built as pages; read lectures/*/notes.md, or type: cmake --build --preset notes");
 
-  report(console, true, messages::about_terminal(), messages::terminal_is(console.width(), console.color()));
-  return well ? all_passed : checker_failed;
+  report(true, "terminal", fmt::format("{} columns, {}", console.width(), console.color() ? "colour" : "no colour"));
+  return can_check ? all_passed : checker_failed;
 }
 
 }  // namespace workbook

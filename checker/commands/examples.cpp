@@ -1,100 +1,121 @@
+#include "checker/base/console.hpp"
+#include "checker/base/text.hpp"
 #include "checker/commands/built_programs.hpp"
 #include "checker/commands/commands.hpp"
-#include "checker/messages/worked_examples.hpp"
-#include "checker/report/console.hpp"
 
 #include <fmt/format.h>
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 
 #include <chrono>
+#include <regex>
+#include <set>
 #include <sstream>
 
 namespace workbook {
 
 namespace {
 
-/// How one worked example came out.
+namespace tree = boost::property_tree;
+
 struct Example {
   std::string title;
   bool passed = false;
-  bool not_started = false;
+  std::set<std::string> missing;    ///< functions that are not started
+  std::vector<std::string> failed;  ///< one text per failed check: place, check, numbers
 };
 
-/// doctest's report in XML. @throws boost::property_tree::xml_parser_error if the program died before its end.
+std::string shown(const std::string& text) {
+  const std::vector<std::string> lines = wrapped_lines(printable(text), std::string::npos);
+  return fmt::format("{}", fmt::join(lines, " "));
+}
+
+/// A check, or the example as a whole, that threw or failed.
+void add_failure(Example& example, const tree::ptree& failure) {
+  const std::string thrown = shown(failure.get("Exception", failure.data()));
+  static const std::regex not_started("not started: (\\w+)");  // as lectures/support/not_started.cpp has it
+  if (std::smatch match; std::regex_search(thrown, match, not_started)) {
+    example.missing.insert(match[1]);
+    return;
+  }
+  const std::string file = failure.get("<xmlattr>.filename", "");
+  const std::size_t lectures = file.rfind("lectures/");
+  std::string text = file.empty() ? ""
+                                  : fmt::format("{}:{}: ", file.substr(lectures == std::string::npos ? 0 : lectures),
+                                                failure.get("<xmlattr>.line", ""));
+  text += shown(failure.get("Original", "an exception ended it"));
+  const std::string values = shown(failure.get("Expanded", ""));
+  example.failed.push_back(text + "\n" + (values.empty() ? "threw an exception: " + thrown : values));
+}
+
+/// doctest's report in XML. @throws boost::property_tree::ptree_error if the program did not run to its end
 std::vector<Example> read_report(const std::string& xml) {
-  namespace tree = boost::property_tree;
   std::istringstream in(xml);
   tree::ptree document;
   tree::read_xml(in, document);
   std::vector<Example> examples;
   for (const auto& [suite, cases] : document.get_child("doctest")) {
     if (suite != "TestSuite") continue;
-    for (const auto& [kind, example] : cases) {
+    for (const auto& [kind, content] : cases) {
       if (kind != "TestCase") continue;
-      Example found;
-      found.title = example.get<std::string>("<xmlattr>.name");
-      found.passed = example.get("OverallResultsAsserts.<xmlattr>.test_case_success", false);
-      found.not_started = example.get("Exception", std::string()).find("not started") != std::string::npos;
-      examples.push_back(found);
+      Example example;
+      example.title = content.get<std::string>("<xmlattr>.name");
+      example.passed = content.get("OverallResultsAsserts.<xmlattr>.test_case_success", false);
+      for (const auto& [part, failure] : content)
+        if (part == "Expression" || part == "Exception") add_failure(example, failure);
+      examples.push_back(example);
     }
   }
   return examples;
 }
 
-/// The example's title, and what is amiss with it.
-std::string in_words(const Example& example) {
-  if (example.passed) return example.title;
-  return example.not_started ? messages::example_is_not_started(example.title)
-                             : messages::example_comes_out_otherwise(example.title);
-}
-
 /// Why the examples left no report.
 std::string without_report(const FinishedProgram& finished, const std::string& lecture) {
-  if (finished.out_of_time) return messages::examples_took_too_long(lecture);
-  if (finished.too_much_output) return messages::examples_printed_too_much();
-  if (finished.end.signal != 0) return messages::examples_crashed(finished.end.signal, lecture);
-  return messages::examples_left_no_report(finished.end.exit_status);
+  const std::string check = command("check " + lecture);
+  if (finished.out_of_time)
+    return fmt::format("The examples ran out of time: a function of yours is slow or never returns; `{}` finds it.",
+                       check);
+  if (finished.too_much_output) return "The examples print too much: remove the output of your functions.";
+  if (finished.end.signal != 0)
+    return fmt::format(
+        "The examples crashed (signal {}): a function of yours crashes or uses up the memory; `{}` finds "
+        "it.",
+        finished.end.signal, check);
+  return fmt::format(
+      "The examples left no readable report (exit status {}): a function of yours prints something or "
+      "ends the program.",
+      finished.end.exit_status);
 }
 
 }  // namespace
 
-int examples(const Course& course, const std::string& name) {
-  const std::string lecture = course.find(name).front().lecture();
+int examples(const Course& course, const Options& options) {
+  const std::string lecture = course.find(options.name).front().lecture();
   const Console console = Console::of_standard_output();
-  const std::string target = "worked_examples_of_the_student_" + lecture;
-
-  const FinishedProgram built = build_target(course, target);
-  if (!built.succeeded()) {
-    const std::vector<std::string> files = files_with_errors(built.output);
-    if (!files.empty()) {
-      fmt::print("{}\n", messages::examples_need_files_that_compile());
-      for (const std::string& file : files) fmt::print("  {}\n", file);
-      return something_failed;
-    }
-    fmt::print(stderr, "{}\n{}\n", built.output, messages::examples_could_not_be_built(lecture));
-    return checker_failed;
-  }
-
-  const FinishedProgram finished =
-      run_with_path(lecture_program(course, target).string(), {"--reporters=xml"}, std::chrono::minutes(2));
-  std::vector<Example> found;
+  const std::string program =
+      student_program(course, "worked_examples_of_the_student_" + lecture, "worked examples of " + lecture);
+  if (program.empty()) return something_failed;
+  const FinishedProgram finished = run_with_path(program, {"--reporters=xml"}, std::chrono::minutes(2));
+  std::vector<Example> all;
   try {
-    found = read_report(finished.output);
-  } catch (const boost::property_tree::ptree_error&) {
-    fmt::print("{}\n", without_report(finished, lecture));
+    all = read_report(finished.output);
+  } catch (const tree::ptree_error&) {
+    fmt::print("{}\n", console.wrapped(without_report(finished, lecture)));
     return something_failed;
   }
   std::size_t passed = 0;
-  for (const Example& example : found) {
+  for (const Example& example : all) {
     passed += example.passed ? 1 : 0;
-    const std::string mark = example.passed ? "✓" : example.not_started ? "·" : "✗";
-    const Style style = example.passed ? Style::good : example.not_started ? Style::quiet : Style::bad;
-    const std::string text = console.wrapped(in_words(example), 2);
-    fmt::print("{}{}\n", console.mark(mark, style), text.substr(2));
+    const bool is_not_started = !example.missing.empty();
+    const std::string trouble = example.passed ? ""
+                                : is_not_started
+                                    ? fmt::format("needs {} (not started)", fmt::join(example.missing, ", "))
+                                    : plural(example.failed.size(), "check") + " failed";
+    print_outcome(console, example.title, {trouble, is_not_started});
+    for (const std::string& check : example.failed) fmt::print("{}\n", console.wrapped(check, 4));
   }
-  fmt::print("\n{}\n", messages::examples_come_out(passed, found.size(), lecture));
-  return passed == found.size() ? all_passed : something_failed;
+  fmt::print("\n{} of {} worked examples of {} hold with your functions.\n", passed, all.size(), lecture);
+  return passed == all.size() ? all_passed : something_failed;
 }
 
 }  // namespace workbook

@@ -1,8 +1,8 @@
+#include "checker/base/files.hpp"
+#include "checker/base/text.hpp"
 #include "checker/commands/built_programs.hpp"
 #include "checker/commands/commands.hpp"
 #include "checker/course/stub.hpp"
-#include "checker/messages/handing_out.hpp"
-#include "checker/messages/machine.hpp"
 
 #include <fmt/format.h>
 
@@ -10,9 +10,7 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <set>
-#include <string_view>
+#include <stdexcept>
 #include <system_error>
 
 namespace workbook {
@@ -23,14 +21,10 @@ namespace {
 
 /// What students get, relative to the top level. What is not named here stays at home: the solutions first of all.
 constexpr std::array handed_out = {
-    ".clang-format",        ".clangd",   ".devcontainer", ".github",       ".gitignore", "CMakeLists.txt",
-    "CMakePresets.json",    "LICENSE",   "README.md",     "checker",       "include",    "lectures",
-    "tests/CMakeLists.txt", "tests/run", "tests/judging", "tests/running", "tests/setup"};
-
-/// The copy could not be made; one sentence.
-struct HandoutError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+    ".clang-format",        ".clangd",   ".devcontainer", ".github",       ".gitignore",  "CMakeLists.txt",
+    "CMakePresets.json",    "LICENSE",   "README.md",     "checker",       "include",     "lectures",
+    "tests/CMakeLists.txt", "tests/run", "tests/judging", "tests/running", "tests/setup", "tests/support",
+    "tests/support"};
 
 bool is_left_behind(const fs::path& file) {
   const std::string name = file.filename().string();
@@ -54,24 +48,18 @@ void copy_part(const fs::path& from, const fs::path& to) {
   }
 }
 
-void write_file(const fs::path& file, const std::string& text) {
-  std::ofstream out(file, std::ios::binary);
-  out << text;
-  if (!out.flush()) throw HandoutError(messages::cannot_write_handout(file.string(), messages::disk_may_be_full()));
-}
-
 /// Every exercise as it was at the beginning, whatever has been tried in this copy.
 void write_stubs(const Course& course, const fs::path& copy) {
   for (const Card& card : course.cards()) {
-    const LectureReference reference = course.reference(card.lecture, 1);
     const fs::path exercises = copy / "lectures" / card.lecture / "exercises";
     fs::remove_all(exercises);
     fs::create_directories(exercises);
     for (const CardExercise& entry : card.exercises) {
       const Exercise exercise{&card, &entry};
       place_file(course.hints_file(exercise), exercises / course.hints_file(exercise).filename());
-      write_file(exercises / (entry.name + ".cpp"),
-                 stub_text(entry.task, card.contract, reference.exercise(entry.name).signature));
+      const std::string problem = write_file(exercises / (entry.name + ".cpp"),
+                                             stub_text(entry, card.contract, declared_signature(course, exercise)));
+      if (!problem.empty()) throw std::runtime_error(problem);
     }
   }
 }
@@ -81,12 +69,8 @@ void copy_made(const Course& course, const fs::path& copy) {
   for (const Card& card : course.cards()) {
     const fs::path data = copy / "lectures" / card.lecture / "handed_out";
     place_file(course.reference_file(card.lecture), data / "reference.json");
-    place_file(course.build() / "printed" / (card.lecture + ".txt"), data / "printed.txt");
-    fs::create_directories(data / "figures");
-    // "drawn" is the build's own mark.
-    for (const auto& figure : fs::directory_iterator(course.build() / "figures" / card.lecture)) {
-      if (figure.path().filename() != "drawn") place_file(figure.path(), data / "figures" / figure.path().filename());
-    }
+    place_file(course.build().directory / "printed" / (card.lecture + ".txt"), data / "printed.txt");
+    copy_figures(course, card.lecture, data / "figures");
   }
 }
 
@@ -101,21 +85,26 @@ void make_copy(const Course& course, const fs::path& copy) {
 }  // namespace
 
 int handout(const Course& course, const fs::path& directory) {
-  if (!course.has_solutions()) {
-    fmt::print(stderr, "{}\n", messages::handout_needs_solutions());
-    return wrong_usage;
-  }
+  const auto stop = [](ExitStatus status, const std::string& sentence) {
+    fmt::print(stderr, "{}\n", sentence);
+    return status;
+  };
+  if (!course.has_solutions())
+    return stop(wrong_usage,
+                "This copy was handed out itself: it has no solutions, so no other copy can be made from it. Copy the "
+                "folder.");
   std::error_code problem;
   const fs::file_status there = fs::status(directory, problem);
-  if (fs::exists(there) && !(fs::is_directory(there) && fs::is_empty(directory, problem))) {
-    fmt::print(stderr, "{}\n", messages::handout_needs_a_new_folder(directory.string()));
-    return wrong_usage;
-  }
-  const FinishedProgram built = build_target(course, "handed_out");
-  if (!built.succeeded()) {
-    fmt::print(stderr, "{}\n{}\n", built.output, messages::handout_could_not_be_built());
-    return checker_failed;
-  }
+  if (fs::exists(there) && !(fs::is_directory(there) && fs::is_empty(directory, problem)))
+    return stop(wrong_usage,
+                fmt::format("{} exists and is not empty; name a new or an empty folder, so that nothing is "
+                            "lost.",
+                            directory.string()));
+  const FinishedProgram built = make(course.build(), {"handed_out"});
+  if (!built.succeeded())
+    return stop(checker_failed, fmt::format("{}\nNothing was handed out, because the reference results, figures and "
+                                            "numbers of the notes could not be made; fix what the lines above name.",
+                                            built.output));
   // Under another name first, so that there is a whole copy or none.
   const fs::path target = fs::absolute(directory).lexically_normal();
   const fs::path whole = target.has_filename() ? target : target.parent_path();
@@ -126,10 +115,15 @@ int handout(const Course& course, const fs::path& directory) {
     fs::rename(unfinished, whole);
   } catch (const std::exception& reason) {
     fs::remove_all(unfinished, problem);
-    fmt::print(stderr, "{}\n", messages::cannot_write_handout(directory.string(), reason.what()));
-    return checker_failed;
+    return stop(checker_failed, fmt::format("{} could not be written ({}); nothing was handed out. Name a folder in a "
+                                            "place that is writable.",
+                                            directory.string(), reason.what()));
   }
-  fmt::print("{}\n", messages::handed_out(directory.string(), course.cards().size(), course.exercises().size()));
+  fmt::print(
+      "{} holds {} with {}, and no solutions. Students type ./checker/run in it; put it into an archive or a "
+      "repository "
+      "of its own.\n",
+      directory.string(), plural(course.cards().size(), "lecture"), plural(course.exercises().size(), "exercise"));
   return all_passed;
 }
 

@@ -1,9 +1,9 @@
+#include "checker/base/console.hpp"
+#include "checker/base/text.hpp"
 #include "checker/commands/commands.hpp"
+#include "checker/course/inspection.hpp"
 #include "checker/course/progress.hpp"
-#include "checker/course/progress_summary.hpp"
-#include "checker/messages/program.hpp"
-#include "checker/messages/standing.hpp"
-#include "checker/report/console.hpp"
+#include "checker/report/progress_report.hpp"
 
 #include <fmt/format.h>
 
@@ -11,12 +11,10 @@ namespace workbook {
 
 namespace {
 
-void print_warning(const Progress& progress) {
+void print_remarks(const Course& course, const Progress& progress) {
   if (!progress.warning().empty()) fmt::print(stderr, "{}\n", progress.warning());
-}
-
-void print_command(const std::string& label, const std::string& arguments) {
-  fmt::print("  {} {}\n", padded(label, 6), messages::command(arguments));
+  for (const Card& card : course.cards())
+    for (const std::string& remark : stray_exercises(course, card)) fmt::print(stderr, "{}\n", remark);
 }
 
 }  // namespace
@@ -24,29 +22,30 @@ void print_command(const std::string& label, const std::string& arguments) {
 int list(const Course& course) {
   const Progress progress(course.progress_file());
   fmt::print("{}", exercise_list(course, progress, Console::of_standard_output()));
-  if (const Standing standing = standing_of(course, progress); const Exercise* next = standing.next())
-    fmt::print("\n{}: {}\n", messages::next_exercise(), next->name());
-  print_warning(progress);
+  if (const ProgressSummary summary = summary_of(course, progress); const Exercise* next = summary.next())
+    fmt::print("\nNext: {}\n", next->name());
+  print_remarks(course, progress);
   return all_passed;
 }
 
 int status(const Course& course) {
   const Console console = Console::of_standard_output();
   const Progress progress(course.progress_file());
-  const Standing standing = standing_of(course, progress);
-  fmt::print("{}\n", overview(course, standing, console));
-  if (const Exercise* next = standing.next()) {
+  const ProgressSummary summary = summary_of(course, progress);
+  fmt::print("{}\n", overview(course, summary, console));
+  if (const Exercise* next = summary.next()) {
     const State state = state_of(course, progress, *next);
-    fmt::print("{}", introduction(course, *next, messages::next_exercise(), console));
-    if (!progress.verdict(next->name()).empty())
-      fmt::print("  {} {}\n", padded(messages::state_row(), 6), console.styled(state.words, state.style));
-    print_command(messages::check_row(), "check " + next->name());
-    print_command(messages::hint_row(), "hint " + next->name());
-    print_command(messages::watch_row(), "watch");
+    fmt::print("{}", introduction(course, *next, console));
+    if (!progress.verdict(next->name()).empty()) fmt::print("  state  {}\n", console.styled(state.words, state.style));
+    fmt::print("  check  {}\n  hint   {}\n  watch  {}\n", command("check " + next->name()),
+               command("hint " + next->name()), command("watch"));
   } else {
-    fmt::print("{}\n", console.wrapped(messages::everything_passes(standing.total())));
+    fmt::print("{}\n",
+               console.wrapped(fmt::format("All {} exercises pass. You have written the library; `{}` runs the "
+                                           "worked examples of a lecture on it, `{}` draws its figures.",
+                                           summary.exercises.size(), command("examples 03"), command("figures 03"))));
   }
-  print_warning(progress);
+  print_remarks(course, progress);
   return all_passed;
 }
 

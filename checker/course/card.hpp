@@ -9,6 +9,7 @@
 
 namespace workbook {
 
+/// The names are the keys of card.json, here and below.
 struct CardExercise {
   std::string name;
   double points = 1.0;
@@ -17,7 +18,7 @@ struct CardExercise {
 };
 
 struct Card {
-  std::string lecture;  ///< the folder's name, "03_inertia_tensor"
+  std::string lecture;  ///< the folder's name, "03_inertia_tensor"; not on the card
   std::string title;
   std::string summary;
   std::vector<std::string> slides;

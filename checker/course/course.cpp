@@ -1,15 +1,15 @@
 #include "checker/course/course.hpp"
 
-#include "checker/base/child_process.hpp"
+#include "checker/base/files.hpp"
+#include "checker/base/text.hpp"
 #include "checker/course/did_you_mean.hpp"
-#include "checker/messages/course_files.hpp"
-#include "checker/messages/reference_files.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <fstream>
+#include <set>
 
 namespace workbook {
 
@@ -19,22 +19,68 @@ namespace {
 
 constexpr std::uint64_t published_seed = 1;
 
-/// The results must fit the card: every exercise there, nothing else.
+/// The results must fit the card: every exercise there.
 void require_exercises_of(const Card& card, const LectureReference& results, const fs::path& file) {
   for (const CardExercise& exercise : card.exercises) {
-    const auto same_name = [&](const ExerciseReference& each) { return each.name == exercise.name; };
-    if (std::none_of(results.exercises.begin(), results.exercises.end(), same_name)) {
-      throw ReferenceError(messages::results_lack_exercise(file.string(), exercise.name, card.lecture));
-    }
+    if (std::ranges::find(results.exercises, exercise.name, &ExerciseReference::name) == results.exercises.end())
+      throw ReferenceError(
+          fmt::format("{}: '{}' is missing, though the card lists it; `{}` names what is to be written.", file.string(),
+                      exercise.name, command("self-check " + exercise.name)));
   }
+}
+
+bool is_newer(const fs::path& file, const fs::path& than) {
+  std::error_code problem;
+  const auto time = fs::last_write_time(than, problem);
+  return problem || fs::last_write_time(file, problem) > time;
+}
+
+/// What the compiler complains about first.
+std::string first_errors(const std::string& output) {
+  constexpr int most_errors = 3;
+  std::string text;
+  int count = 0;
+  for (const std::string& line : lines_of(output)) {
+    if (line.find("error: ") != std::string::npos && count++ < most_errors) text += "\n" + line;
+  }
+  return text;
+}
+
+bool any_is_newer(const fs::path& folder, const fs::path& than) {
+  std::error_code ignored;
+  const fs::recursive_directory_iterator files(folder, ignored);
+  return std::any_of(begin(files), end(files), [&](const auto& file) { return is_newer(file, than); });
+}
+
+[[noreturn]] void throw_unknown(const std::string& what, const std::string& name,
+                                const std::vector<std::string>& known) {
+  const std::string meant = did_you_mean(name, known);
+  throw UnknownName(fmt::format("There is no {} '{}'.{} `{}` shows all names.", what, name,
+                                meant.empty() ? "" : fmt::format(" Did you mean '{}'?", meant), command("list")));
+}
+
+/// What was typed without folders, ending and leading zeros: "exercises/cross_matrix.cpp" means "cross_matrix".
+std::string bare(const std::string& typed) {
+  const fs::path file = typed;
+  const std::string name = file.extension() == ".cpp" ? file.stem().string() : typed;
+  return name.substr(std::min(name.find_first_not_of('0'), name.size()));
+}
+
+std::string topic_of(const Card& card) {
+  return card.lecture.substr(std::min(card.lecture.find('_'), card.lecture.size() - 1) + 1);
+}
+
+bool is_named(const Card& card, const std::string& name) {
+  const std::string number = card.lecture.substr(0, card.lecture.find('_'));
+  const std::string wanted = bare(name);
+  return wanted == bare(card.lecture) || wanted == bare(number) || wanted == topic_of(card);
 }
 
 }  // namespace
 
 Course::Course(const fs::path& course_file) {
   std::ifstream in(course_file);
-  if (!in) throw CourseError(messages::course_file_is_missing(course_file.string()));
-  std::vector<std::string> lectures;
+  if (!in) throw CourseError(fmt::format("{}: missing; build the workbook again.", course_file.string()));
   try {
     const auto document = nlohmann::json::parse(in);
     const auto path = [&](const char* key) { return fs::path(document.at(key).get<std::string>()); };
@@ -43,12 +89,19 @@ Course::Course(const fs::path& course_file) {
     toolchain_file_ = path("toolchain");
     scratch_ = path("scratch");
     notes_ = path("notes");
-    build_ = path("build");
-    lectures = document.at("lectures").get<std::vector<std::string>>();
+    build_ = {document.value("setup", ""), path("build")};
   } catch (const nlohmann::json::exception& problem) {
-    throw CourseError(messages::course_file_is_not_usable(course_file.string(), problem.what()));
+    throw CourseError(
+        fmt::format("{}: not usable ({}); build the workbook again.", course_file.string(), problem.what()));
   }
-  for (const std::string& lecture : lectures) cards_.push_back(read_card(root_ / "lectures", lecture));
+  std::error_code problem;
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(lectures(), problem)) {
+    // Notes without a card are a lecture that has lost it.
+    if (fs::exists(entry.path() / "card.json") || fs::exists(entry.path() / "notes.md"))
+      names.insert(entry.path().filename().string());
+  }
+  for (const std::string& name : names) cards_.push_back(read_card(lectures(), name));
 }
 
 std::vector<Exercise> Course::exercises() const {
@@ -59,22 +112,25 @@ std::vector<Exercise> Course::exercises() const {
   return all;
 }
 
+const Card& Course::find_lecture(const std::string& name) const {
+  std::vector<std::string> known;
+  for (const Card& card : cards_) {
+    if (is_named(card, name)) return card;
+    known.insert(known.end(), {card.lecture, topic_of(card)});
+  }
+  throw_unknown("lecture", name, known);
+}
+
 std::vector<Exercise> Course::find(const std::string& name) const {
   std::vector<Exercise> of_lecture;
   std::vector<std::string> known;
   for (const Exercise& exercise : exercises()) {
     // An exercise may be called like the topic of a lecture; then the exercise is meant.
-    if (name == exercise.name()) return {exercise};
-    const std::string& lecture = exercise.lecture();
-    const std::size_t separator = lecture.find('_');
-    const std::string number = lecture.substr(0, separator);
-    const std::string topic = separator == std::string::npos ? lecture : lecture.substr(separator + 1);
-    if (name == lecture || name == number || name == topic) of_lecture.push_back(exercise);
-    known.push_back(exercise.name());
-    known.push_back(lecture);
-    known.push_back(topic);
+    if (bare(name) == exercise.name()) return {exercise};
+    if (is_named(*exercise.card, name)) of_lecture.push_back(exercise);
+    known.insert(known.end(), {exercise.name(), exercise.lecture(), topic_of(*exercise.card)});
   }
-  if (of_lecture.empty()) throw UnknownName(messages::no_such_exercise_or_lecture(name, did_you_mean(name, known)));
+  if (of_lecture.empty()) throw_unknown("exercise or lecture", name, known);
   return of_lecture;
 }
 
@@ -94,10 +150,10 @@ std::vector<Exercise> Course::choose(const std::vector<std::string>& names) cons
 Exercise Course::find_exercise(const std::string& name) const {
   std::vector<std::string> known;
   for (const Exercise& exercise : exercises()) {
-    if (exercise.name() == name) return exercise;
+    if (exercise.name() == bare(name)) return exercise;
     known.push_back(exercise.name());
   }
-  throw UnknownName(messages::no_such_exercise(name, did_you_mean(name, known)));
+  throw_unknown("exercise", name, known);
 }
 
 fs::path Course::student_file(const Exercise& exercise) const {
@@ -110,6 +166,10 @@ fs::path Course::hints_file(const Exercise& exercise) const {
 
 fs::path Course::solution_file(const Exercise& exercise) const {
   return root_ / "solutions" / exercise.lecture() / (exercise.name() + ".cpp");
+}
+
+fs::path Course::judging_file(const Exercise& exercise) const {
+  return root_ / "solutions" / exercise.lecture() / (exercise.name() + ".judging.cpp");
 }
 
 fs::path Course::contract_file(const Card& card) const {
@@ -126,31 +186,47 @@ std::optional<fs::path> Course::notes_page(const std::string& lecture) const {
   return page;
 }
 
-fs::path Course::reference_file(const std::string& lecture) const { return reference_ / (lecture + ".json"); }
+fs::path Course::reference_file(const std::string& lecture) const {
+  const fs::path handed_out = lectures() / lecture / "handed_out" / "reference.json";
+  return fs::exists(handed_out) ? handed_out : reference_ / (lecture + ".json");
+}
+
+void Course::make_reference(const std::string& lecture) const {
+  const fs::path file = reference_ / (lecture + ".json");
+  const fs::path solutions = root_ / "solutions";
+  if (build_.setup.empty() || !(any_is_newer(solutions / lecture, file) || any_is_newer(solutions / "judging", file) ||
+                                any_is_newer(root_ / "include", file)))
+    return;
+  const FinishedProgram made = make(build_, {"reference_results_" + lecture});
+  if (!made.succeeded())
+    throw ReferenceError(fmt::format("The reference results of {} could not be made; {} says why.{}", lecture,
+                                     shown_path(build_.directory / "build.log"), first_errors(made.output)));
+}
+
+fs::path Course::reference_of_seed(const std::string& lecture, std::uint64_t seed) const {
+  const fs::path program = reference_ / ("reference_" + lecture);
+  if (!fs::exists(program))
+    throw ReferenceError(fmt::format(
+        "This copy of the workbook has reference results for seed {} only; other seeds need the solutions, which it "
+        "does not have.",
+        published_seed));
+  fs::path file = scratch_ / "reference" / fmt::format("{}-seed-{}.json", lecture, seed);
+  if (!is_newer(program, file)) return file;
+  fs::create_directories(file.parent_path());
+  const FinishedProgram made =
+      run_with_path(program.string(), {"--lecture", lecture, "--seed", std::to_string(seed), "--out", file.string()},
+                    std::chrono::seconds(120));
+  if (!made.succeeded())
+    throw ReferenceError(
+        fmt::format("{}: making reference results for seed {} failed: {}", program.string(), seed, made.output));
+  return file;
+}
 
 LectureReference Course::reference(const std::string& lecture, std::uint64_t seed) const {
-  fs::path file = reference_file(lecture);
-  if (seed != published_seed) {
-    const fs::path program = reference_ / ("reference_" + lecture);
-    if (!fs::exists(program)) throw ReferenceError(messages::only_published_seed(published_seed));
-    file = scratch_ / "reference" / fmt::format("{}-seed-{}.json", lecture, seed);
-    std::error_code ignored;
-    if (!fs::exists(file) || fs::last_write_time(file, ignored) < fs::last_write_time(program, ignored)) {
-      fs::create_directories(file.parent_path());
-      Launch launch;
-      const std::string program_name = program.string();
-      launch.program = program_name.c_str();
-      launch.arguments = {"--lecture", lecture, "--seed", std::to_string(seed), "--out", file.string()};
-      const FinishedProgram finished = run_program(launch, std::chrono::seconds(120), 1 << 16);
-      if (finished.out_of_time || finished.end.signal != 0 || finished.end.exit_status != 0) {
-        throw ReferenceError(messages::making_results_failed(program_name, seed, finished.output));
-      }
-    }
-  }
+  if (has_solutions()) make_reference(lecture);
+  const fs::path file = seed == published_seed ? reference_file(lecture) : reference_of_seed(lecture, seed);
   LectureReference results = read_reference_results(file);
-  const auto card =
-      std::find_if(cards_.begin(), cards_.end(), [&](const Card& each) { return each.lecture == lecture; });
-  require_exercises_of(*card, results, file);
+  require_exercises_of(*std::ranges::find(cards_, lecture, &Card::lecture), results, file);
   return results;
 }
 

@@ -2,6 +2,7 @@
 /// The course as the checker sees it: where everything lies, and which exercises there are.
 #pragma once
 
+#include "checker/base/build.hpp"
 #include "checker/course/card.hpp"
 #include "checker/data/reference_results.hpp"
 
@@ -33,7 +34,8 @@ struct Exercise {
   const std::string& lecture() const { return card->lecture; }
 };
 
-/// Made from the file course.json that the build writes.
+/// Made from the file course.json that the build writes, and from the cards: every folder of lectures/ with a card is a
+/// lecture, in the order of their names.
 class Course {
  public:
   /// @throws CourseError or CardError.
@@ -44,10 +46,13 @@ class Course {
   /// All exercises in course order.
   std::vector<Exercise> exercises() const;
 
-  /// The exercises that a name stands for: one exercise, or all of a lecture ("03_inertia_tensor", "03",
-  /// "inertia_tensor").
+  /// The exercises that a name stands for: one exercise (a file of that name will do), or all of a lecture
+  /// ("03_inertia_tensor", "03", "3", "inertia_tensor").
   /// @throws UnknownName with a proposal.
   std::vector<Exercise> find(const std::string& name) const;
+
+  /// The lecture of that name, number or topic; it may have no exercise yet. @throws UnknownName with a proposal.
+  const Card& find_lecture(const std::string& name) const;
 
   /// The exercises that all the names together stand for, each once; without names the whole course.
   /// @throws UnknownName with a proposal.
@@ -61,13 +66,14 @@ class Course {
   std::filesystem::path student_file(const Exercise& exercise) const;
   std::filesystem::path hints_file(const Exercise& exercise) const;
   std::filesystem::path solution_file(const Exercise& exercise) const;  ///< absent in what students get
+  std::filesystem::path judging_file(const Exercise& exercise) const;   ///< likewise
   std::filesystem::path contract_file(const Card& card) const;
   std::filesystem::path notes_file(const Card& card) const;
   bool has_solutions() const;
   const std::filesystem::path& toolchain_file() const { return toolchain_file_; }
 
   /// The build that this program belongs to.
-  const std::filesystem::path& build() const { return build_; }
+  const Build& build() const { return build_; }
 
   /// What the program may write: compiled workers, plots, reference results of other seeds.
   const std::filesystem::path& scratch() const { return scratch_; }
@@ -78,20 +84,25 @@ class Course {
   /// The file of a page of the notes, if the notes have been built.
   std::optional<std::filesystem::path> notes_page(const std::string& lecture) const;
 
-  /// The file of the reference results that come with the build.
+  /// Where the reference results of a lecture are: in the copies that students get, beside the lecture; else in the
+  /// build, as soon as they have been needed.
   std::filesystem::path reference_file(const std::string& lecture) const;
 
-  /// Reference results of a lecture. Seed 1 comes with the build; other seeds are made from the solutions, once.
+  /// Reference results of a lecture. Where there are solutions, they are made from them on first need and when a
+  /// solution has changed.
   /// @throws ReferenceError if they are not there, cannot be made or cannot be read, or lack an exercise of the card.
   LectureReference reference(const std::string& lecture, std::uint64_t seed) const;
 
  private:
+  void make_reference(const std::string& lecture) const;
+  std::filesystem::path reference_of_seed(const std::string& lecture, std::uint64_t seed) const;
+
   std::filesystem::path root_;
   std::filesystem::path reference_;
   std::filesystem::path toolchain_file_;
   std::filesystem::path scratch_;
   std::filesystem::path notes_;
-  std::filesystem::path build_;
+  Build build_;
   std::vector<Card> cards_;
 };
 

@@ -1,6 +1,6 @@
 #include "checker/course/hints.hpp"
 
-#include "checker/messages/course_files.hpp"
+#include <fmt/format.h>
 
 #include <fstream>
 
@@ -8,7 +8,7 @@ namespace workbook {
 
 std::vector<std::string> read_hints(const std::filesystem::path& file) {
   std::ifstream in(file);
-  if (!in) throw HintError(messages::hints_are_missing(file.string()));
+  if (!in) throw HintError(fmt::format("{}: missing; take the file from the workbook again.", file.string()));
   std::vector<std::string> hints(1);
   for (std::string line; std::getline(in, line);) {
     if (line == "---") {
@@ -23,7 +23,8 @@ std::vector<std::string> read_hints(const std::filesystem::path& file) {
     hint = first == std::string::npos ? "" : hint.substr(first, last - first + 1);
   }
   std::erase(hints, "");
-  if (hints.empty()) throw HintError(messages::no_hint_in(file.string()));
+  if (hints.empty())
+    throw HintError(fmt::format("{}: there is no hint in it; write three, weakest first.", file.string()));
   return hints;
 }
 

@@ -1,17 +1,17 @@
 #include "checker/course/inspection.hpp"
 
+#include "checker/base/files.hpp"
+#include "checker/base/text.hpp"
+#include "checker/course/did_you_mean.hpp"
 #include "checker/course/hints.hpp"
 #include "checker/course/stub.hpp"
-#include "checker/messages/workbook_in_order.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <regex>
 #include <set>
-#include <sstream>
 
 namespace workbook {
 
@@ -21,64 +21,69 @@ namespace {
 
 constexpr std::size_t hints_wanted = 3;
 
-std::string shown(const Course& course, const fs::path& file) {
+std::string in_course(const Course& course, const fs::path& file) {
   return file.lexically_relative(course.root()).string();
 }
 
-std::string shown_card(const std::string& lecture) { return "lectures/" + lecture + "/card.json"; }
+std::string text_of(const fs::path& file) { return read_file(file).value_or(""); }
 
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
+bool has_anchor(const std::string& notes, const std::string& anchor) {
+  return notes.find("{#" + anchor + "}") != std::string::npos;
 }
 
-/// Text with all white space squeezed out, so that only words are compared.
-std::string squeezed(const std::string& text) {
-  std::string result;
-  std::copy_if(text.begin(), text.end(), std::back_inserter(result),
-               [](unsigned char letter) { return std::isspace(letter) == 0; });
-  return result;
-}
+/// Collects what is missing, to be named in one message.
+class MissingParts {
+ public:
+  MissingParts(const Course& course, std::string what) : course_(course), what_(std::move(what)) {}
 
-bool is_backup(const fs::path& file) {
-  const std::string name = file.filename().string();
-  return name.front() == '.' || name.back() == '~';
-}
-
-/// Complains about expected files that are not there, and perhaps about others that are.
-void compare_folder(const Course& course, const fs::path& folder, const std::set<fs::path>& expected, bool nothing_else,
-                    std::vector<std::string>& faults) {
-  for (const fs::path& file : expected) {
-    if (!fs::is_regular_file(file)) {
-      faults.push_back(messages::file_on_card_is_missing(shown(course, file)));
-    }
+  void require(const fs::path& file, bool is_there, const std::string& cure) {
+    if (!is_there) lines_ += fmt::format("\n  {}: {}", in_course(course_, file), cure);
   }
-  if (!nothing_else || !fs::is_directory(folder)) return;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    if (entry.is_directory() || is_backup(entry.path()) || expected.contains(entry.path())) continue;
-    faults.push_back(messages::file_on_no_card(shown(course, entry.path())));
+  void require_file(const fs::path& file, const std::string& cure) { require(file, fs::is_regular_file(file), cure); }
+
+  Sentences message() const {
+    if (lines_.empty()) return {};
+    return {fmt::format("{}: write what is missing, or remove the entry from the card.{}", what_, lines_)};
+  }
+
+ private:
+  const Course& course_;
+  std::string what_;
+  std::string lines_;
+};
+
+/// Files of a folder that belong to nothing. Dot-files and editors' backups do not count.
+void name_strays(const Course& course, const fs::path& folder, const std::set<fs::path>& known, Sentences& faults) {
+  if (!fs::is_directory(folder)) return;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (entry.is_directory() || name.starts_with('.') || name.ends_with('~') || known.contains(entry.path())) continue;
+    faults.push_back(fmt::format("{}: no card lists it; add its exercise to the card, or move the file away.",
+                                 in_course(course, entry.path())));
   }
 }
 
-struct Snippet {
+struct Quote {
   fs::path file;
   std::string region;
 };
 
-std::vector<Snippet> snippets_of(const Course& course, const std::string& notes) {
-  std::vector<Snippet> snippets;
-  const std::regex pattern(R"(\\snippet\s+(\S+)\s+([^\n]+))");
-  for (std::sregex_iterator match(notes.begin(), notes.end(), pattern), end; match != end; ++match) {
-    std::string region = (*match)[2];
-    region.erase(region.find_last_not_of(' ') + 1);
-    snippets.push_back({course.lectures() / (*match)[1].str(), region});
+/// What the notes quote: marked regions of files. A worked example is quoted twice, its lines in brief and the whole of
+/// it.
+std::vector<Quote> quotes_of(const Course& course, const std::string& notes) {
+  std::vector<Quote> quotes;
+  const std::regex snippet(R"(\\snippet\s+(\S+)\s+([^\n]*\S))");
+  const std::regex computed(R"(\\computed\{([^,}]+),([^}]+)\})");
+  for (std::sregex_iterator match(notes.begin(), notes.end(), snippet), end; match != end; ++match)
+    quotes.push_back({course.lectures() / (*match)[1].str(), (*match)[2]});
+  for (std::sregex_iterator match(notes.begin(), notes.end(), computed), end; match != end; ++match) {
+    for (const char* part : {"", " in brief"})
+      quotes.push_back({course.lectures() / (*match)[1].str() / "worked_examples.cpp", (*match)[2].str() + part});
   }
-  return snippets;
+  return quotes;
 }
 
-std::size_t count_lines_with(const std::string& text, const std::string& mark) {
+std::size_t occurrences(const std::string& text, const std::string& mark) {
   std::size_t count = 0;
   for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + mark.size())) ++count;
   return count;
@@ -86,110 +91,136 @@ std::size_t count_lines_with(const std::string& text, const std::string& mark) {
 
 }  // namespace
 
-std::vector<std::string> faults_of_files(const Course& course) {
-  std::vector<std::string> faults;
+Sentences faults_of_cards(const Course& course) {
+  Sentences faults;
   std::map<std::string, std::string> lecture_of;
   for (const Exercise& exercise : course.exercises()) {
-    const auto [first, fresh] = lecture_of.emplace(exercise.name(), exercise.lecture());
-    if (!fresh) {
-      faults.push_back(messages::exercise_on_two_cards(shown_card(exercise.lecture()), exercise.name(), first->second));
-    }
-  }
-  for (const Card& card : course.cards()) {
-    const fs::path folder = course.lectures() / card.lecture;
-    std::set<fs::path> expected{folder / "card.json", folder / "notes.md", folder / "worked_examples.cpp",
-                                folder / "figures.cpp"};
-    std::set<fs::path> solutions{course.root() / "solutions" / card.lecture / "judging.cpp"};
-    for (const CardExercise& entry : card.exercises) {
-      const Exercise exercise{&card, &entry};
-      expected.insert({course.student_file(exercise), course.hints_file(exercise)});
-      solutions.insert(course.solution_file(exercise));
-    }
-    // Where there are no solutions, the folder is a student's, who may keep anything there.
-    compare_folder(course, folder, expected, course.has_solutions(), faults);
-    if (course.has_solutions())
-      compare_folder(course, course.root() / "solutions" / card.lecture, solutions, true, faults);
-    if (!fs::is_regular_file(course.contract_file(card))) {
-      faults.push_back(messages::contract_is_missing(shown(course, course.contract_file(card)), card.lecture));
-    }
-    for (const std::string& earlier : card.builds_on) {
-      const auto known = [&](const Card& each) { return each.lecture == earlier; };
-      if (std::none_of(course.cards().begin(), course.cards().end(), known)) {
-        faults.push_back(messages::builds_on_unknown(shown_card(card.lecture), earlier));
-      }
-    }
+    const auto [first, is_new] = lecture_of.emplace(exercise.name(), exercise.lecture());
+    if (!is_new)
+      faults.push_back(fmt::format("lectures/{}/card.json: the exercise '{}' is on the card of {} too; rename one.",
+                                   exercise.lecture(), exercise.name(), first->second));
   }
   return faults;
 }
 
-std::vector<std::string> faults_of_hints(const Course& course, const Exercise& exercise) {
-  const fs::path file = course.hints_file(exercise);
-  if (!fs::exists(file)) return {};  // faults_of_files says so
+Sentences faults_of_lecture(const Course& course, const Card& card) {
+  const fs::path folder = course.lectures() / card.lecture;
+  MissingParts parts(course, card.lecture);
+  parts.require_file(course.contract_file(card), "the contract that the card names");
+  parts.require_file(folder / "notes.md", "the notes");
+  parts.require_file(folder / "worked_examples.cpp", "the worked examples, as cases of doctest");
+  parts.require_file(folder / "figures.cpp", "the program that draws the figures");
+  Sentences faults = parts.message();
+  for (const std::string& earlier : card.builds_on) {
+    if (std::ranges::find(course.cards(), earlier, &Card::lecture) == course.cards().end())
+      faults.push_back(fmt::format("lectures/{}/card.json: builds_on names '{}', which is no lecture of the course.",
+                                   card.lecture, earlier));
+  }
+  if (!course.has_solutions()) return faults;  // a student may keep any file there
+  std::set<fs::path> exercises;
+  std::set<fs::path> solutions;
+  for (const CardExercise& entry : card.exercises) {
+    const Exercise exercise{&card, &entry};
+    exercises.insert({course.student_file(exercise), course.hints_file(exercise)});
+    solutions.insert({course.solution_file(exercise), course.judging_file(exercise)});
+  }
+  const fs::path solution_folder = course.root() / "solutions" / card.lecture;
+  solutions.insert(solution_folder / "shared.hpp");
+  name_strays(course, folder / "exercises", exercises, faults);
+  name_strays(course, solution_folder, solutions, faults);
+  return faults;
+}
+
+Sentences stray_exercises(const Course& course, const Card& card) {
+  std::vector<std::string> names;
+  for (const CardExercise& entry : card.exercises) names.push_back(entry.name);
+  Sentences remarks;
+  std::error_code problem;
+  for (const auto& entry : fs::directory_iterator(course.lectures() / card.lecture / "exercises", problem)) {
+    const std::string name = entry.path().stem().string();
+    if (entry.path().extension() != ".cpp" || name.starts_with('.') || std::ranges::count(names, name) > 0) continue;
+    const std::string meant = did_you_mean(name, names);
+    remarks.push_back(fmt::format("{} is no exercise of the course and is not checked.{}",
+                                  in_course(course, entry.path()),
+                                  meant.empty() ? "" : fmt::format(" Did you mean {}.cpp?", meant)));
+  }
+  return remarks;
+}
+
+Sentences faults_of_parts(const Course& course, const Exercise& exercise) {
+  const Card& card = *exercise.card;
+  MissingParts parts(course, card.lecture + ", " + exercise.name());
+  parts.require(course.contract_file(card), !declared_signature(course, exercise).empty(),
+                fmt::format("the declaration `TYPE {}(...);`", exercise.name()));
+  parts.require_file(course.hints_file(exercise), "three hints, weakest first, with lines of three dashes between");
+  parts.require(course.notes_file(card), has_anchor(text_of(course.notes_file(card)), exercise.entry->notes),
+                fmt::format("a heading with the anchor {{#{}}}, to which the card points", exercise.entry->notes));
+  if (course.has_solutions()) {
+    parts.require_file(course.student_file(exercise),
+                       fmt::format("the stub; `{}` writes it", command("reset " + exercise.name())));
+    parts.require_file(course.solution_file(exercise), "the solution");
+    parts.require_file(course.judging_file(exercise), "how it is judged");
+  }
+  return parts.message();
+}
+
+Sentences faults_of_texts(const Course& course, const Exercise& exercise, const ExerciseReference& reference) {
+  Sentences faults;
+  const fs::path hints_file = course.hints_file(exercise);
   try {
-    const std::vector<std::string> hints = read_hints(file);
-    if (hints.size() != hints_wanted) {
-      return {messages::another_number_of_hints(shown(course, file), hints.size(), hints_wanted)};
-    }
-    if (std::set<std::string>(hints.begin(), hints.end()).size() != hints.size()) {
-      return {messages::two_hints_are_the_same(shown(course, file))};
-    }
-    return {};
+    const std::vector<std::string> hints = read_hints(hints_file);
+    if (hints.size() != hints_wanted)
+      faults.push_back(fmt::format("{}: {} instead of {}; separate them by lines of three dashes.",
+                                   in_course(course, hints_file), plural(hints.size(), "hint"), hints_wanted));
+    if (std::set<std::string>(hints.begin(), hints.end()).size() != hints.size())
+      faults.push_back(fmt::format("{}: two hints are the same; write another.", in_course(course, hints_file)));
   } catch (const HintError& problem) {
-    return {problem.what()};
+    faults.emplace_back(problem.what());
   }
-}
-
-std::vector<std::string> faults_of_stub(const Course& course, const Exercise& exercise,
-                                        const ExerciseReference& reference) {
-  std::vector<std::string> faults;
-  const fs::path file = course.student_file(exercise);
-  if (fs::exists(file) &&
-      text_of(file) != stub_text(exercise.entry->task, exercise.card->contract, reference.signature)) {
-    faults.push_back(messages::not_the_stub(shown(course, file), exercise.name()));
-  }
+  const std::string declared = declared_signature(course, exercise);
+  if (declared != reference.signature)
+    faults.push_back(fmt::format(
+        "{}: declares `{}`, but `{}` is judged; make contract and judging agree, names of the arguments included.",
+        in_course(course, course.contract_file(*exercise.card)), declared, reference.signature));
+  // Where there are no solutions, the exercises belong to a student, who may have solved them.
+  const fs::path stub = course.student_file(exercise);
+  if (course.has_solutions() && text_of(stub) != stub_text(*exercise.entry, exercise.card->contract, declared))
+    faults.push_back(fmt::format("{}: not the stub that the card makes (is it solved?); `{}` puts it back.",
+                                 in_course(course, stub), command("reset " + exercise.name())));
   return faults;
 }
 
-std::vector<std::string> faults_of_contract(const Course& course, const Exercise& exercise,
-                                            const ExerciseReference& reference) {
-  std::vector<std::string> faults;
-  const fs::path contract = course.contract_file(*exercise.card);
-  if (squeezed(text_of(contract)).find(squeezed(reference.signature + ";")) == std::string::npos) {
-    faults.push_back(messages::contract_declares_otherwise(shown(course, contract), reference.signature));
-  }
-  return faults;
-}
-
-std::vector<std::string> faults_of_notes(const Course& course, const Card& card, const LectureReference& reference) {
+Sentences faults_of_notes(const Course& course, const Card& card, const LectureReference& reference) {
   const fs::path file = course.notes_file(card);
-  if (!fs::exists(file)) return {};  // faults_of_files says so
   const std::string notes = text_of(file);
-  const std::string place = shown(course, file);
-  std::vector<std::string> faults;
-
-  std::map<std::string, std::string> anchors;  // and who points there
-  for (const CardExercise& entry : card.exercises) anchors.emplace(entry.notes, messages::the_card_points());
+  const std::string place = in_course(course, file);
+  std::map<std::string, std::string> anchors;  // and what points there
   for (const ExerciseReference& exercise : reference.exercises) {
     for (const Misconception& misconception : exercise.misconceptions)
-      anchors.emplace(misconception.notes, messages::misconception_points(exercise.name, misconception.name));
+      anchors.emplace(misconception.notes, exercise.name + ", " + misconception.name);
     for (const Property& property : exercise.properties)
-      anchors.emplace(property.notes, messages::property_points(exercise.name));
+      anchors.emplace(property.notes, exercise.name + ", a property");
   }
-  for (const auto& [anchor, who] : anchors) {
-    if (notes.find("{#" + anchor + "}") == std::string::npos) {
-      faults.push_back(messages::no_such_anchor(place, anchor, who));
-    }
+  anchors.erase("");  // the anchor of the card
+  Sentences faults;
+  for (const auto& [anchor, what] : anchors) {
+    if (!has_anchor(notes, anchor))
+      faults.push_back(fmt::format(
+          "{}: no paragraph has the anchor '{}', to which {} points; add {{#{}}} to a heading, or correct the pointer.",
+          place, anchor, what, anchor));
   }
-  for (const Snippet& snippet : snippets_of(course, notes)) {
-    const std::size_t marks = count_lines_with(text_of(snippet.file), "[" + snippet.region + "]");
-    if (marks != 2) {
-      faults.push_back(messages::quoted_without_marks(place, snippet.region, shown(course, snippet.file), marks));
-    }
+  for (const Quote& quote : quotes_of(course, notes)) {
+    const std::size_t marks = occurrences(text_of(quote.file), "[" + quote.region + "]");
+    if (marks != 2)
+      faults.push_back(
+          fmt::format("{}: quotes '{}' of {}, which has {} of the two marks `//! [{}]`; put them around the example.",
+                      place, quote.region, in_course(course, quote.file), marks, quote.region));
   }
   for (const int fact : card.facts) {
-    if (notes.find(fmt::format("<!-- fact {} -->", fact)) == std::string::npos) {
-      faults.push_back(messages::fact_is_not_taught(place, fact));
-    }
+    if (notes.find(fmt::format("<!-- fact {} -->", fact)) == std::string::npos)
+      faults.push_back(fmt::format(
+          "{}: no paragraph is marked with `<!-- fact {} -->`, though the card says that the lecture teaches it.",
+          place, fact));
   }
   return faults;
 }

@@ -10,22 +10,27 @@
 
 namespace workbook {
 
-/// Exercise names that stand on two cards, parts of a lecture that are missing, files that no card lists.
-std::vector<std::string> faults_of_files(const Course& course);
+using Sentences = std::vector<std::string>;
 
-/// Hints: three per exercise, each different.
-std::vector<std::string> faults_of_hints(const Course& course, const Exercise& exercise);
+/// Exercises that stand on two cards.
+Sentences faults_of_cards(const Course& course);
 
-/// A stub that differs from what its card makes.
-std::vector<std::string> faults_of_stub(const Course& course, const Exercise& exercise,
-                                        const ExerciseReference& reference);
+/// Parts of a lecture that are missing, all of them in one message; files that belong to no exercise; lectures that it
+/// builds on and that do not exist.
+Sentences faults_of_lecture(const Course& course, const Card& card);
 
-/// A signature that the contract does not declare.
-std::vector<std::string> faults_of_contract(const Course& course, const Exercise& exercise,
-                                            const ExerciseReference& reference);
+/// Files among the exercises of a lecture that are none: a slip in a name, or something of the student's own.
+Sentences stray_exercises(const Course& course, const Card& card);
 
-/// Anchors that the card, a misconception or a property points to and the notes do not have; snippets of the notes
-/// whose marks are missing; facts of the card that no paragraph teaches.
-std::vector<std::string> faults_of_notes(const Course& course, const Card& card, const LectureReference& reference);
+/// Parts of an exercise that are missing, all of them in one message.
+Sentences faults_of_parts(const Course& course, const Exercise& exercise);
+
+/// Hints that are too few or the same, a stub that is not the one its card makes, a contract that declares another
+/// function than is judged.
+Sentences faults_of_texts(const Course& course, const Exercise& exercise, const ExerciseReference& reference);
+
+/// Anchors that a misconception or a property points to and the notes do not have; examples quoted by the notes whose
+/// marks are missing; facts of the card that no paragraph teaches.
+Sentences faults_of_notes(const Course& course, const Card& card, const LectureReference& reference);
 
 }  // namespace workbook

@@ -1,7 +1,7 @@
 #include "checker/course/progress.hpp"
 
 #include "checker/base/descriptor.hpp"
-#include "checker/messages/progress.hpp"
+#include "checker/base/files.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -10,9 +10,8 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include <cstdint>
+#include <algorithm>
 #include <fstream>
-#include <iterator>
 #include <system_error>
 #include <utility>
 
@@ -23,15 +22,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int current_format = 1;
-
-/// The name itself, or the first of NAME.2, NAME.3, … that is free: what was set aside earlier stays too.
-fs::path name_not_taken(const std::string& name) {
-  std::error_code ignored;
-  fs::path free = name;
-  for (int number = 2; fs::exists(fs::symlink_status(free, ignored)); ++number)
-    free = fmt::format("{}.{}", name, number);
-  return free;
-}
 
 }  // namespace
 
@@ -58,10 +48,16 @@ void Progress::read() {
     verdicts_ = std::move(verdicts);
     hints_ = std::move(hints);
   } catch (const std::exception&) {
-    const fs::path aside = name_not_taken(file_.string() + ".damaged");
+    const fs::path aside = free_name(file_.string() + ".damaged");
     fs::rename(file_, aside, problem);
-    warning_ = problem ? messages::damaged_progress_stays(file_.string())
-                       : messages::damaged_progress_set_aside(aside.string());
+    warning_ = problem ? fmt::format(
+                             "Your progress file {} is damaged and cannot be renamed; make its folder writable. "
+                             "Your exercises are untouched.",
+                             file_.string())
+                       : fmt::format(
+                             "Your progress file was damaged; it is kept as {} and counting starts again. Your "
+                             "exercises are untouched.",
+                             aside.string());
   }
 }
 
@@ -86,19 +82,11 @@ void Progress::write() {
   }
   const nlohmann::json document = {{"format", current_format}, {"exercises", exercises}};
 
-  const auto fail = [this] { warning_ = messages::progress_not_saved(file_.string()); };
-  std::error_code problem;
-  const fs::path fresh = fmt::format("{}.{}", file_.string(), getpid());
-  {
-    std::ofstream out(fresh);
-    out << document.dump(2) << '\n';
-    if (!out) return fail();
-  }
-  fs::rename(fresh, file_, problem);
-  if (problem) {
-    fail();
-    fs::remove(fresh, problem);
-  }
+  if (!write_file(file_, document.dump(2) + "\n").empty())
+    warning_ = fmt::format(
+        "Your progress could not be saved in {}; make that folder writable. The verdict above is valid "
+        "all the same.",
+        file_.string());
 }
 
 void Progress::remember(const std::string& exercise, const LastVerdict& verdict) {
@@ -132,15 +120,26 @@ void Progress::remember_hints(const std::string& exercise, std::size_t count) {
   change([&] { hints_[exercise] = count; });
 }
 
-std::string fingerprint(const fs::path& file) {
-  std::error_code problem;
-  if (!fs::is_regular_file(file, problem)) return "";
-  std::ifstream in(file, std::ios::binary);
-  std::uint64_t hash = 0xcbf29ce484222325ULL;  // FNV-1a
-  for (std::istreambuf_iterator<char> byte(in), end; byte != end; ++byte) {
-    hash = (hash ^ static_cast<unsigned char>(*byte)) * 0x100000001b3ULL;
-  }
-  return in.bad() ? "" : fmt::format("{:016x}", hash);
+std::size_t ProgressSummary::count_passed() const {
+  return static_cast<std::size_t>(std::count(passed.begin(), passed.end(), true));
+}
+
+std::size_t ProgressSummary::count_passed(const std::string& lecture) const {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < exercises.size(); ++i) count += passed[i] && exercises[i].lecture() == lecture ? 1 : 0;
+  return count;
+}
+
+const Exercise* ProgressSummary::next() const {
+  const auto found = std::find(passed.begin(), passed.end(), false);
+  return found == passed.end() ? nullptr : &exercises[static_cast<std::size_t>(found - passed.begin())];
+}
+
+ProgressSummary summary_of(const Course& course, const Progress& progress) {
+  ProgressSummary summary{course.exercises(), {}};
+  for (const Exercise& exercise : summary.exercises)
+    summary.passed.push_back(progress.passed(exercise.name(), file_fingerprint(course.student_file(exercise))));
+  return summary;
 }
 
 }  // namespace workbook

@@ -2,10 +2,13 @@
 /// What the student has done so far. Survives restarts; a damaged file is set aside, never fatal.
 #pragma once
 
+#include "checker/course/course.hpp"
+
 #include <filesystem>
 #include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace workbook {
 
@@ -52,7 +55,16 @@ class Progress {
   std::string warning_;
 };
 
-/// A short fingerprint of a file's content; "" if it cannot be read.
-std::string fingerprint(const std::filesystem::path& file);
+/// Which exercises of the course pass as their files stand now, in course order.
+struct ProgressSummary {
+  std::vector<Exercise> exercises;
+  std::vector<bool> passed;
+
+  std::size_t count_passed() const;
+  std::size_t count_passed(const std::string& lecture) const;
+  /// The first exercise that does not pass, or nullptr if all do.
+  const Exercise* next() const;
+};
+ProgressSummary summary_of(const Course& course, const Progress& progress);
 
 }  // namespace workbook

@@ -1,48 +1,33 @@
 #include "checker/course/stub.hpp"
 
-#include "checker/messages/course_files.hpp"
+#include "checker/base/files.hpp"
+#include "checker/base/text.hpp"
 
 #include <fmt/format.h>
 
-#include <fstream>
+#include <regex>
 #include <sstream>
-#include <system_error>
 
 namespace workbook {
 
 namespace {
 
-constexpr std::size_t line_width = 118;
-
-/// The task as `//` lines.
-std::string as_comment(const std::string& task) {
-  std::istringstream words(task);
-  std::string text;
-  std::string line = "//";
-  for (std::string word; words >> word;) {
-    if (line.size() + 1 + word.size() > line_width) {
-      text += line + "\n";
-      line = "//";
-    }
-    line += " " + word;
-  }
-  return text + line + "\n";
-}
+constexpr std::size_t stub_width = 118;
 
 /// A long list of parameters goes on below its own beginning.
-std::string wrapped(const std::string& signature) {
-  const std::string indent(signature.find('(') + 1, ' ');
+std::string wrapped_parameters(const std::string& signature) {
+  const std::string margin(signature.find('(') + 1, ' ');
   std::string text;
   std::string line;
   std::istringstream parts(signature);
   for (std::string part; std::getline(parts, part, ',');) {
-    const bool first = line.empty();
-    const std::string piece = first ? part : "," + part;
-    if (!first && line.size() + piece.size() + 3 > line_width) {
+    if (line.empty()) {
+      line = part;
+    } else if (line.size() + part.size() + 4 > stub_width) {
       text += line + ",\n";
-      line = indent + part.substr(1);
+      line = margin + part.substr(1);
     } else {
-      line += piece;
+      line += "," + part;
     }
   }
   return text + line;
@@ -50,7 +35,17 @@ std::string wrapped(const std::string& signature) {
 
 }  // namespace
 
-std::string stub_text(const std::string& task, const std::string& contract, const std::string& signature) {
+std::string declared_signature(const Course& course, const Exercise& exercise) {
+  const std::string header = read_file(course.contract_file(*exercise.card)).value_or("");
+  std::smatch found;
+  const std::regex declaration("(?:^|\n)([A-Za-z][^;{}/\n]*\\b" + exercise.name() + "\\([^;{}]*\\));");
+  if (!std::regex_search(header, found, declaration)) return "";
+  return std::regex_replace(found[1].str(), std::regex("\\s+"), " ");
+}
+
+std::string stub_text(const CardExercise& entry, const std::string& contract, const std::string& signature) {
+  std::string task;
+  for (const std::string& line : wrapped_lines(entry.task, stub_width - 3)) task += "// " + line + "\n";
   return fmt::format(
       "{}"
       "#include <rigid/{}.hpp>\n"
@@ -58,21 +53,17 @@ std::string stub_text(const std::string& task, const std::string& contract, cons
       "namespace rigid {{\n"
       "\n"
       "{} {{\n"
-      "  // {}\n"
+      "  // TODO: write this function; the next line says that you have not started yet.\n"
       "  throw NotStarted{{}};\n"
       "}}\n"
       "\n"
       "}}  // namespace rigid\n",
-      as_comment(task), contract, wrapped(signature), messages::stub_comment());
+      task, contract, wrapped_parameters(signature));
 }
 
 bool is_begun(const std::filesystem::path& file) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(file, ignored)) return false;
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return in.good() && text.str().find("throw NotStarted") == std::string::npos;
+  const std::optional<std::string> text = read_file(file);
+  return text && text->find("throw NotStarted") == std::string::npos;
 }
 
 }  // namespace workbook

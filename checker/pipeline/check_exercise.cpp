@@ -1,26 +1,22 @@
 #include "checker/pipeline/check_exercise.hpp"
 
+#include "checker/base/files.hpp"
+#include "checker/base/text.hpp"
 #include "checker/compile/compile.hpp"
 #include "checker/compile/source_findings.hpp"
-#include "checker/judging/dimensions.hpp"
-#include "checker/judging/judge.hpp"
-#include "checker/judging/sampling.hpp"
+#include "checker/explain/repair.hpp"
 #include "checker/sandbox/diagnostic_run.hpp"
+#include "checker/sandbox/run_exercise.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <exception>
-#include <iterator>
+#include <utility>
 
 namespace workbook {
 
 namespace {
-
-Observation our_own_trouble(const std::string& sentence) {
-  Observation observation;
-  observation.refusal = Refusal::checker_error;
-  observation.refusal_message = sentence;
-  return observation;
-}
 
 /// What the function returns when the same inputs are given in smaller units.
 std::vector<UnitProbe> take_probes(ExerciseRunner& runner, const ExerciseReference& reference) {
@@ -36,20 +32,6 @@ std::vector<UnitProbe> take_probes(ExerciseRunner& runner, const ExerciseReferen
   return probes;
 }
 
-/// True if the function ran and something was wrong with it.
-bool has_failed(const Checked& checked) {
-  const Verdict verdict = checked.judgement.verdict;
-  return checked.executable && verdict != Verdict::passed && verdict != Verdict::not_started &&
-         verdict != Verdict::checker_error;
-}
-
-Observation observe(ExerciseRunner& runner, const ExerciseReference& reference) {
-  Observation observation = runner.observe(reference.cases, plan_repeats(reference));
-  if (judge(reference, observation).verdict == Verdict::wrong_value)
-    observation.probes = take_probes(runner, reference);
-  return observation;
-}
-
 /// Adds findings, but no second one about a line that has been spoken of.
 void add(std::vector<Finding>& findings, std::vector<Finding> more) {
   for (Finding& finding : more) {
@@ -60,52 +42,125 @@ void add(std::vector<Finding>& findings, std::vector<Finding> more) {
   }
 }
 
-/// What can be found out about a failure beyond the verdict: first where it happens, then what in the file is suspect.
-void look_closer(Checked& checked, const CompileTask& task, const Toolchain& toolchain,
-                 const std::filesystem::path& compiled) {
-  std::vector<Finding>& findings = checked.observation.findings;
-  if (deserves_second_look(checked.judgement))
-    add(findings,
-        second_look({checked.file, *checked.reference, checked.observation, checked.judgement}, toolchain, compiled));
-  if (has_failed(checked)) {
-    const Depth depth = checked.judgement.diagnoses.empty() ? Depth::compiler : Depth::text;
-    add(findings, source_findings(task, toolchain, compiled, depth));
+/// True, but a consequence: of a reason that it does not name.
+bool is_symptom(const Diagnosis& diagnosis) {
+  return diagnosis.kind == DiagnosisKind::place || diagnosis.kind == DiagnosisKind::property ||
+         diagnosis.kind == DiagnosisKind::dimension;
+}
+
+bool has_values(Verdict verdict) { return verdict == Verdict::wrong_value || verdict == Verdict::non_finite_value; }
+
+Explanation explain(const CheckResult& checked, const CompileTask& compile_task, const Compilation& compilation,
+                    const Toolchain& toolchain, const std::filesystem::path& cache, ExerciseRunner& runner) {
+  Explanation explanation{checked.observation.findings, {}};
+  const Verdict verdict = checked.judgement.verdict;
+  if (verdict == Verdict::passed || verdict == Verdict::not_started || verdict == Verdict::checker_error)
+    return explanation;
+  const ExerciseReference& reference = *checked.reference;
+  std::vector<Finding> in_code = source_findings(compile_task, compilation, toolchain, cache);
+  const auto run_again = [&] {
+    return diagnostic_run({compile_task.submission, reference, checked.observation, checked.judgement}, toolchain,
+                          cache);
+  };
+  if (!has_values(verdict)) {
+    add(explanation.findings, run_again());
+    std::erase_if(in_code, is_remark);
+    add(explanation.findings, std::move(in_code));
+    return explanation;
   }
+  const WrongFile wrong{compile_task.submission, reference, checked.judgement, toolchain, cache};
+  // A slip of C++ that explains everything is not explained as physics.
+  if (const auto decisive = decisive_finding(wrong, in_code)) {
+    explanation.findings = {*decisive};
+    return explanation;
+  }
+  explanation.diagnoses =
+      diagnose(reference, answers_of(reference, checked.observation.replies),
+               verdict == Verdict::wrong_value ? take_probes(runner, reference) : std::vector<UnitProbe>{});
+  for (Diagnosis& diagnosis : explanation.diagnoses)
+    if (diagnosis.notes.empty()) diagnosis.notes = checked.task.exercise.entry->notes;
+  if (!std::ranges::all_of(explanation.diagnoses, is_symptom)) {
+    add(explanation.findings, std::move(in_code));
+    return explanation;
+  }
+  std::vector<Finding> deeper = run_again();
+  if (!deeper.empty()) {
+    explanation.diagnoses.clear();
+  } else if (verdict == Verdict::wrong_value) {
+    if (auto slip = slip_of_one_token(wrong)) deeper.push_back(std::move(*slip));
+    if (!deeper.empty())
+      std::erase_if(explanation.diagnoses, [](const Diagnosis& each) { return each.kind != DiagnosisKind::place; });
+  }
+  add(explanation.findings, std::move(deeper));
+  add(explanation.findings, std::move(in_code));
+  return explanation;
 }
 
 }  // namespace
 
-Checked check_exercise(const Course& course, const Toolchain& toolchain, const Exercise& exercise,
-                       const ExerciseReference& reference, const std::filesystem::path& file, const RunLimits& limits) {
-  Checked checked{.exercise = exercise,
-                  .file = file,
-                  .is_elsewhere = file != course.student_file(exercise),
-                  .seed = 1,
-                  .reference = &reference,
-                  .observation = {},
-                  .judgement = {},
-                  .executable = {}};
-  const CompileTask task{.file = file, .exercise = exercise.name(), .signature = reference.signature};
-  const std::filesystem::path compiled = course.scratch() / "compiled";
-  try {
-    const Compilation compilation = compile(task, toolchain, compiled);
-    checked.executable = compilation.executable;
-    if (compilation.executable) {
-      ExerciseRunner runner(*compilation.executable, limits);
-      checked.observation = observe(runner, reference);
-      checked.observation.compile_seconds = compilation.seconds;
-    } else {
-      checked.observation = refused(compilation);
-    }
-  } catch (const std::exception& problem) {
-    checked.observation = our_own_trouble(problem.what());
-  }
-  checked.judgement = judge(reference, checked.observation);
-  look_closer(checked, task, toolchain, compiled);
-  for (Diagnosis& diagnosis : checked.judgement.diagnoses) {
-    if (diagnosis.notes.empty()) diagnosis.notes = exercise.entry->notes;  // the exercise's own paragraph
-  }
+std::string CheckResult::next_step() const {
+  const bool is_explained = has_values(judgement.verdict) && !explanation.is_empty();
+  return is_explained ? "Fix what the reason names, and check again." : judgement.next_step;
+}
+
+CheckTask check_task(const Course& course, const Exercise& exercise, std::uint64_t seed,
+                     const std::optional<std::filesystem::path>& file) {
+  const std::filesystem::path own = course.student_file(exercise);
+  return {exercise, file.value_or(own), seed, file && *file != own};
+}
+
+CheckResult failed_check(const CheckTask& task, const std::string& reason) {
+  CheckResult checked;
+  checked.task = task;
+  checked.observation.refusal = Refusal::checker_error;
+  checked.observation.refusal_message = reason;
+  checked.judgement = judge({}, checked.observation);
   return checked;
+}
+
+CheckResult check_exercise(const Course& course, const Toolchain& toolchain, const CheckTask& task,
+                           const ExerciseReference& reference,
+                           const std::function<void(const CheckResult&)>& on_verdict) {
+  try {
+    CheckResult checked;
+    checked.task = task;
+    checked.reference = &reference;
+    const std::filesystem::path cache = course.scratch() / "compiled";
+    if (!task.is_elsewhere && !std::filesystem::exists(task.file)) {
+      checked.observation.replies.assign(reference.cases.size(), Reply{.ending = Ending::not_started});
+      checked.judgement = judge(reference, checked.observation);
+      checked.judgement.message = "You have not started this exercise: its file is missing.";
+      checked.judgement.next_step = fmt::format("The file {} is missing: `{}` writes it.", shown_path(task.file),
+                                                command("reset " + checked.name()));
+      return checked;
+    }
+    const Submission submission = read_submission(task.file);
+    checked.source = submission.text;
+    const CompileTask compile_task{
+        .submission = submission, .exercise = reference.name, .signature = reference.signature};
+    const Compilation compilation = compile(compile_task, toolchain, cache);
+    if (!compilation.executable) {
+      checked.observation = refused(compilation);
+      checked.judgement = judge(reference, checked.observation);
+      checked.explanation.findings = checked.observation.findings;
+      return checked;
+    }
+    checked.executable = *compilation.executable;
+    ExerciseRunner runner(checked.executable);
+    checked.observation = runner.observe(reference.cases, plan_repeats(reference));
+    checked.observation.compile_seconds = compilation.seconds;
+    checked.judgement = judge(reference, checked.observation);
+    if (on_verdict && !checked.judgement.passed()) on_verdict(checked);
+    checked.explanation = explain(checked, compile_task, compilation, toolchain, cache, runner);
+    return checked;
+  } catch (const RejectedFile& reason) {
+    CheckResult checked = failed_check(task, reason.what());
+    checked.observation.refusal = Refusal::rejected_file;
+    checked.judgement = judge(reference, checked.observation);
+    return checked;
+  } catch (const std::exception& problem) {
+    return failed_check(task, problem.what());
+  }
 }
 
 }  // namespace workbook

@@ -8,62 +8,57 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json inputs_of(const ExerciseReference& reference, const Case& failed) {
-  ordered_json inputs = ordered_json::object();
-  for (std::size_t i = 0; i < reference.arguments.size(); ++i) {
-    inputs[reference.arguments[i].name] = to_json(failed.inputs[i], reference.arguments[i].kind);
-  }
-  return inputs;
-}
-
-ordered_json first_failure(const Checked& checked) {
+/// The case at which it first failed: what went in, what should have come out, and what did.
+ordered_json first_failure(const CheckResult& checked) {
+  if (checked.judgement.failing.empty() || checked.reference == nullptr || checked.observation.replies.empty())
+    return nullptr;
   const ExerciseReference& reference = *checked.reference;
-  const FirstFailure& failure = *checked.judgement.first_failure;
-  const Case& failed = reference.cases[failure.case_index];
-  ordered_json result;
-  result["case"] = failed.name;
-  result["inputs"] = inputs_of(reference, failed);
-  result["expected"] = to_json(failed.expected, reference.result_kind);
+  const std::size_t index = checked.judgement.failing.front();
+  const Case& failed = reference.cases[index];
+  ordered_json inputs = ordered_json::object();
+  for (std::size_t i = 0; i < reference.arguments.size(); ++i)
+    inputs[reference.arguments[i].name] = json_of(failed.inputs[i], reference.arguments[i].kind);
   // A value of another shape than the contract's is told by its shape alone.
-  if (failure.actual && failure.actual->has_shape_of(failed.expected)) {
-    result["actual"] = to_json(*failure.actual, reference.result_kind);
-  } else {
-    result["actual"] = nullptr;
-  }
-  result["tolerance"] = failed.tolerance;
-  return result;
+  const std::optional<Value> actual = answers_of(reference, checked.observation.replies)[index];
+  return {{"case", failed.name},
+          {"number", index + 1},
+          {"inputs", inputs},
+          {"expected", json_of(failed.expected, reference.result_kind)},
+          {"actual", actual ? json_of(*actual, reference.result_kind) : nlohmann::json(nullptr)},
+          {"tolerance", failed.tolerance}};
 }
 
-ordered_json result_of(const Checked& checked) {
+ordered_json result_of(const CheckResult& checked) {
   const Judgement& judgement = checked.judgement;
-  const double points = checked.exercise.entry->points;
   ordered_json result;
-  result["lecture"] = checked.exercise.lecture();
-  result["exercise"] = checked.exercise.name();
+  result["lecture"] = checked.task.exercise.lecture();
+  result["exercise"] = checked.name();
   result["verdict"] = to_string(judgement.verdict);
   // Trouble of our own is no zero: there is no score at all.
-  result["score"] = judgement.verdict == Verdict::checker_error ? ordered_json(nullptr)
-                                                                : ordered_json(judgement.passed() ? points : 0.0);
-  result["points"] = points;
-  result["cases"] = {{"passed", judgement.cases_passed}, {"total", judgement.cases_total}};
+  result["score"] = checked.is_judged() ? ordered_json(checked.score()) : ordered_json(nullptr);
+  result["points"] = checked.points();
+  ordered_json failing = ordered_json::array();
+  for (const std::size_t i : judgement.failing) failing.push_back(i + 1);
+  result["cases"] = {{"passed", judgement.cases_passed()}, {"total", judgement.cases_total}, {"failing", failing}};
   result["message"] = judgement.message;
+  result["next"] = checked.next_step();
   result["diagnosis"] = ordered_json::array();
-  for (const Diagnosis& diagnosis : judgement.diagnoses) {
+  for (const Diagnosis& diagnosis : checked.explanation.diagnoses)
     result["diagnosis"].push_back({{"kind", to_string(diagnosis.kind)},
                                    {"name", diagnosis.name},
                                    {"message", diagnosis.message},
                                    {"notes", diagnosis.notes}});
-  }
-  if (judgement.first_failure && checked.reference != nullptr) {
-    result["first_failure"] = first_failure(checked);
-  } else {
-    result["first_failure"] = nullptr;
-  }
+  result["first_failure"] = first_failure(checked);
   result["findings"] = ordered_json::array();
-  for (const Finding& finding : checked.observation.findings) {
-    result["findings"].push_back({{"line", finding.line}, {"excerpt", finding.excerpt}, {"message", finding.sentence}});
-  }
-  if (!checked.observation.printed.empty()) result["printed"] = checked.observation.printed;
+  for (const Finding& finding : checked.explanation.findings)
+    result["findings"].push_back({{"name", finding.name},
+                                  {"line", finding.line},
+                                  {"column", finding.column},
+                                  {"excerpt", finding.excerpt},
+                                  {"message", finding.sentence}});
+  for (std::size_t index = 0; index < checked.observation.replies.size(); ++index)
+    if (const std::string& text = checked.observation.replies[index].printed; !text.empty())
+      result["printed"].push_back({{"case", index + 1}, {"text", text}});
   if (!checked.observation.refusal_details.empty()) result["details"] = checked.observation.refusal_details;
   result["seconds"] = {{"compile", checked.observation.compile_seconds}, {"run", checked.observation.run_seconds}};
   return result;
@@ -71,13 +66,11 @@ ordered_json result_of(const Checked& checked) {
 
 }  // namespace
 
-nlohmann::ordered_json json_report(const std::vector<Checked>& results, std::uint64_t seed) {
-  ordered_json document;
-  document["format"] = 1;
-  document["seed"] = seed;
-  document["results"] = ordered_json::array();
-  for (const Checked& checked : results) document["results"].push_back(result_of(checked));
-  return document;
+std::string json_report(const std::vector<CheckResult>& results, std::uint64_t seed) {
+  ordered_json document = {{"format", 2}, {"seed", seed}, {"results", ordered_json::array()}};
+  for (const CheckResult& checked : results) document["results"].push_back(result_of(checked));
+  // What the student printed may hold bytes that are no text; they are replaced, not fatal.
+  return document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 }  // namespace workbook

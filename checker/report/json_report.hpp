@@ -4,14 +4,13 @@
 
 #include "checker/pipeline/check_exercise.hpp"
 
-#include <nlohmann/json_fwd.hpp>
-
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace workbook {
 
 /// The document of `check --json`; its form is described in the README.
-nlohmann::ordered_json json_report(const std::vector<Checked>& results, std::uint64_t seed);
+std::string json_report(const std::vector<CheckResult>& results, std::uint64_t seed);
 
 }  // namespace workbook

@@ -3,43 +3,61 @@
 #pragma once
 
 #include "checker/pipeline/check_exercise.hpp"
-#include "checker/sandbox/run_exercise.hpp"
 
+#include <cstddef>
 #include <filesystem>
-#include <optional>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace workbook {
 
-/// No picture came about; one sentence says why and what to do.
+/// There is no picture; one sentence says why and what to do.
 struct PlotError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// All curves of one exercise. Where the student's function gave no value, there is NaN.
+inline constexpr const char* gnuplot_is_missing =
+    "gnuplot is not installed (on Debian: apt-get install gnuplot-nox), so there are no plots and figures; everything "
+    "else works without it.";
+
+/// One curve per component of the result. Where there is no value, there is NaN.
 struct Overlay {
+  using Curves = std::vector<std::vector<double>>;
+
   const Sweep* sweep = nullptr;
-  std::vector<Value> student;  ///< empty: only the reference is drawn
-  std::string misconception;   ///< name of the recognised misconception; empty: none
-  const std::vector<Value>* misconception_outputs = nullptr;
-  bool magnitudes = false;  ///< compare |component|, where the sign of the result is free
+  std::vector<std::string> labels;  ///< of the components: "E", or "|E|" where the sign is free
+  Curves reference;
+  Curves student;                  ///< empty: no value at all
+  Curves misconception;            ///< empty: none is recognised
+  std::string misconception_name;  ///< "no half"
+  /// The smallest step that no line may join: an angle that starts again at −π, a whole number that changes.
+  double jump = std::numeric_limits<double>::infinity();
+  bool has_whole_numbers = false;
+  bool has_turns = false;  ///< angles that differ by full turns are one attitude
 };
 
-/// Runs the student's function along the sweep. @throws LaunchError or SandboxError if the worker cannot be started.
-Overlay overlay_of(const Checked& checked);
+/// Runs the student's function along the sweep.
+/// @throws PlotError if there is no sweep, LaunchError or SandboxError if the worker cannot be started
+Overlay overlay_of(const CheckResult& checked);
 
-/// Where the plots of students lie, if nobody asks for another place.
+/// Where plots lie unless another place is asked for.
 std::filesystem::path plots_directory(const Course& course);
 
 /// Draws DIRECTORY/NAME.svg and DIRECTORY/NAME.png. Returns both paths.
-/// @throws PlotError if gnuplot is missing, the folder cannot be written, or gnuplot leaves no picture behind.
+/// @throws PlotError if gnuplot is missing, the folder cannot be written, or gnuplot fails
 std::vector<std::filesystem::path> draw_overlay(const Overlay& overlay, const std::filesystem::path& directory,
                                                 const std::string& name);
 
-/// The picture as the text of an SVG file of 640 by 512 pixels, for a page; `directory` is for files on the way there.
+/// What gnuplot draws on a terminal of the given name and options: the curves, and below them the difference.
+/// @param directory  for files on the way
 /// @throws PlotError
-std::string overlay_as_svg(const Overlay& overlay, const std::filesystem::path& directory, const std::string& name);
+std::string drawn_overlay(const Overlay& overlay, const std::string& terminal, const std::filesystem::path& directory);
+
+/// The curves alone, made of letters on such a terminal, and what the letters mean.
+std::string drawn_letters(const Overlay& overlay, const std::string& terminal, std::size_t columns,
+                          const std::filesystem::path& directory);
+std::string meaning_of_letters(const Overlay& overlay);
 
 }  // namespace workbook

@@ -1,7 +1,7 @@
 #include "checker/report/progress_bar.hpp"
 
-#include "checker/messages/reporting.hpp"
-#include "checker/report/console.hpp"
+#include "checker/base/console.hpp"
+#include "checker/base/text.hpp"
 
 #include <fmt/format.h>
 
@@ -20,7 +20,7 @@ ProgressBar::~ProgressBar() { clear(); }
 void ProgressBar::show(std::size_t done, std::size_t total, const std::string& what) {
   if (!wanted_) return;
   const Console console = Console::of_standard_error();
-  const std::string count = " " + messages::done_so_far(done, total) + "  ";
+  const std::string count = fmt::format(" {} of {}  ", done, total);
   const std::size_t bar_width = std::clamp<std::size_t>(console.width() / 4, 5, 24);
   // A line that is wider than the terminal would break and could not be written over.
   const std::size_t left = console.width() - std::min(console.width(), bar_width + display_width(count) + 1);

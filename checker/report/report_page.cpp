@@ -1,279 +1,204 @@
 #include "checker/report/report_page.hpp"
 
-#include "checker/base/base64.hpp"
-#include "checker/base/printable.hpp"
-#include "checker/judging/failure_text.hpp"
-#include "checker/messages/report_page.hpp"
-#include "checker/messages/reporting.hpp"
-#include "checker/report/report_page_parts.hpp"
+#include "checker/base/text.hpp"
+#include "checker/report/failure_text.hpp"
+#include "checker/report/terminal_report.hpp"
 
 #include <fmt/format.h>
 #include <kainjow/mustache.hpp>
+#include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <stdexcept>
 
 namespace workbook {
 
+// report_page.html. It is part of the program, which then works wherever it is copied and never meets a template of
+// another version.
+extern const char* const report_page_template;
+
 namespace {
 
 using kainjow::mustache::data;
+using nlohmann::json;
 
 constexpr std::size_t most_steps = 5;
 constexpr std::size_t longest_text = std::size_t{48} << 10;  // of one printout or file, in bytes
 
-/// Text on the page: valid, without control characters, and not without end. The template escapes it.
-std::string shown(std::string text) {
-  std::erase(text, '\r');
-  const bool cut = text.size() > longest_text;
-  if (cut) text.resize(longest_text);
-  return printable(text) + (cut ? "\n" + messages::cut_off() : "");
-}
-
-/// Mustache skips a section whose value is false; text that is empty must not open one.
-data text_or_nothing(const std::string& text) { return text.empty() ? data(false) : data(shown(text)); }
-
-struct Look {
-  const char* tone;
-  const char* mark;  ///< in front of the words, for the eye only
-};
-
-Look look_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::passed:
-      return {"good", "✓"};
-    case Verdict::not_started:
-      return {"idle", "·"};
-    case Verdict::checker_error:
-      return {"unclear", "!"};
-    default:
-      return {"bad", "✗"};
+/// Everything that goes into the template passes here: valid text without control characters. The template escapes it.
+/// What is empty opens no section.
+data for_template(const json& value) {
+  if (value.is_object()) {
+    data object;
+    for (const auto& [name, part] : value.items()) object.set(name, for_template(part));
+    return object;
   }
+  if (value.is_boolean()) return data(value.get<bool>());
+  if (value.is_array()) {
+    data list{data::type::list};
+    for (const json& part : value) list << for_template(part);
+    return list;
+  }
+  std::string text = value.get<std::string>();
+  std::erase(text, '\r');
+  return text.empty() ? data(false) : data(printable(text));
 }
 
-bool is_judged(const Checked& checked) { return checked.judgement.verdict != Verdict::checker_error; }
-bool is_started(const Checked& checked) { return checked.judgement.verdict != Verdict::not_started; }
+std::string shortened_end(const std::string& text) {
+  return text.size() <= longest_text ? text : cut(text, longest_text) + "\n… (the rest is too long to be shown here)";
+}
 
 struct Score {
   double points = 0.0;
   double possible = 0.0;
 
-  void add(const Checked& checked) {
-    if (!is_judged(checked)) return;
-    possible += checked.exercise.entry->points;
-    points += checked.judgement.passed() ? checked.exercise.entry->points : 0.0;
+  void add(const CheckResult& checked) {
+    if (checked.is_judged()) possible += checked.points();
+    points += checked.score();
   }
+  std::string text() const { return fmt::format("{:g} of {:g} point{}", points, possible, possible == 1 ? "" : "s"); }
 };
 
-std::string joined(const std::vector<std::string>& lines) { return fmt::format("{}", fmt::join(lines, "\n")); }
-
-std::string link_to(const Checked& checked) { return "exercise-" + shown(checked.exercise.name()); }
-
-/// Where to read, as the lecture calls it; "" if the diagnosis names no place.
-std::string place_of(const Diagnosis& diagnosis, const Checked& checked,
-                     const std::map<std::string, std::string>& headings) {
-  if (diagnosis.notes.empty()) return "";
-  const auto heading = headings.find(diagnosis.notes);
-  return messages::place_in_notes(checked.exercise.lecture(),
-                                  heading == headings.end() ? diagnosis.notes : heading->second);
+/// Where to read, as the lecture calls it.
+std::string place_of(const std::string& anchor, const ReportedExercise& exercise, const ReportedCourse& course) {
+  if (anchor.empty()) return "";
+  const auto heading = course.headings.find(anchor);
+  return fmt::format("lectures/{}/notes.md, “{}”", exercise.checked.task.exercise.lecture(),
+                     heading == course.headings.end() ? anchor : heading->second);
 }
 
-/// What the table of contents and the article have in common.
-data entry_of(const Checked& checked) {
-  const Look look = look_of(checked.judgement.verdict);
-  data entry;
-  entry.set("name", shown(checked.exercise.name()));
-  entry.set("link", is_started(checked) ? data(link_to(checked)) : data(false));
-  entry.set("verdict", messages::verdict_words(checked.judgement.verdict));
-  entry.set("tone", look.tone);
-  entry.set("mark", look.mark);
+/// "kinetic_energy.cpp:8:3", without the folders of the machine that made the page.
+std::string place_of(const Finding& finding, const CheckResult& checked) {
+  if (finding.line <= 0) return "";
+  return fmt::format("{}:{}:{}", checked.task.file.filename().string(), finding.line, std::max(finding.column, 1));
+}
+
+/// The first failing case in full, and the numbers of all.
+void add_failing_cases(json& entry, const CheckResult& checked) {
+  const std::vector<std::size_t>& failing = checked.judgement.failing;
+  if (failing.empty() || checked.reference == nullptr || checked.observation.replies.empty()) return;
+  const Answers answers = answers_of(*checked.reference, checked.observation.replies);
+  const auto lines = describe_case(*checked.reference, failing.front(), answers[failing.front()], {.most_rows = 24});
+  entry["case"] = fmt::format("{}", fmt::join(lines, "\n"));
+  if (failing.size() < 2) return;
+  std::string names;
+  for (const std::size_t i : failing)
+    names += fmt::format("{}{} “{}”", names.empty() ? "" : ", ", i + 1, checked.reference->cases[i].name);
+  entry["failing"] = names;
+}
+
+json entry_of(const ReportedExercise& exercise, const ReportedCourse& course) {
+  const CheckResult& checked = exercise.checked;
+  const Judgement& judgement = checked.judgement;
+  const bool passed = judgement.passed();
+  const bool is_judged = checked.is_judged();
+  Score score;
+  score.add(checked);
+  const json look = passed                  ? json{{"tone", "good"}, {"mark", "✓"}}
+                    : !checked.is_started() ? json{{"tone", "idle"}, {"mark", "·"}}
+                    : is_judged             ? json{{"tone", "bad"}, {"mark", "✗"}}
+                                            : json{{"tone", "unclear"}, {"mark", "!"}};
+  json entry = {
+      {"name", checked.name()},
+      {"started", checked.is_started()},
+      {"passed", passed},
+      {"verdict", is_judged ? in_words(to_string(judgement.verdict)) : "could not be judged"},
+      {"look", look},
+      {"score", is_judged ? score.text() : ""},
+      {"cases",
+       judgement.cases_total == 0 ? "" : fmt::format("{} of {}", judgement.cases_passed(), judgement.cases_total)},
+      {"message", passed ? "" : judgement.message},
+      {"next", passed ? "" : checked.next_step()},
+      {"findings", json::array()},
+      {"diagnoses", json::array()},
+      {"case", ""},
+      {"failing", ""},
+      {"printed", shortened_end(printed(checked.observation))},
+      {"compiler", shortened_end(checked.observation.refusal_details)},
+      {"source", checked.is_started() ? shortened_end(checked.source) : ""},
+      {"picture", base64(exercise.picture)},
+      {"description", exercise.picture_description}};
+  for (const Finding& finding : checked.explanation.findings)
+    entry["findings"].push_back(
+        {{"place", place_of(finding, checked)}, {"sentence", finding.sentence}, {"excerpt", finding.excerpt}});
+  for (const Diagnosis& diagnosis : checked.explanation.diagnoses)
+    entry["diagnoses"].push_back(
+        {{"message", diagnosis.message}, {"read", place_of(diagnosis.notes, exercise, course)}});
+  add_failing_cases(entry, checked);
   return entry;
 }
 
-data findings_of(const Checked& checked) {
-  data findings{data::type::list};
-  for (const Finding& finding : checked.observation.findings) {
-    data entry;
-    entry.set("sentence",
-              shown(finding.line > 0 ? messages::at_line(finding.line, finding.sentence) : finding.sentence));
-    entry.set("excerpt", text_or_nothing(finding.excerpt));
-    findings << entry;
+/// A reason says more than the general advice for its verdict.
+std::string step_of(const ReportedExercise& exercise, const ReportedCourse& course) {
+  const CheckResult& checked = exercise.checked;
+  if (!checked.explanation.diagnoses.empty()) {
+    const Diagnosis& diagnosis = checked.explanation.diagnoses.front();
+    const std::string place = place_of(diagnosis.notes, exercise, course);
+    return diagnosis.message + (place.empty() ? "" : " Read " + place + ".");
   }
-  return findings;
+  if (checked.explanation.findings.empty()) return checked.next_step();
+  const Finding& finding = checked.explanation.findings.front();
+  return place_of(finding, checked) + (finding.line > 0 ? ": " : "") + finding.sentence;
 }
 
-data diagnoses_of(const Checked& checked, const std::map<std::string, std::string>& headings) {
-  data diagnoses{data::type::list};
-  for (const Diagnosis& diagnosis : checked.judgement.diagnoses) {
-    data entry;
-    entry.set("message", shown(diagnosis.message));
-    entry.set("read", text_or_nothing(place_of(diagnosis, checked, headings)));
-    diagnoses << entry;
-  }
-  return diagnoses;
-}
-
-data article_of(const ReportedExercise& reported, const std::map<std::string, std::string>& headings) {
-  const Checked& checked = reported.checked;
-  const Judgement& judgement = checked.judgement;
-  const double possible = checked.exercise.entry->points;
-  const bool wants_words = !judgement.passed();
-  data article = entry_of(checked);
-  article.set("counts", messages::exercise_counts(judgement.cases_passed, judgement.cases_total,
-                                                  judgement.passed() ? possible : 0.0, possible, is_judged(checked)));
-  article.set("message", text_or_nothing(wants_words ? judgement.message : ""));
-  article.set("next_step", text_or_nothing(wants_words ? judgement.next_step : ""));
-  article.set("findings", findings_of(checked));
-  article.set("diagnoses", diagnoses_of(checked, headings));
-  article.set("failure", text_or_nothing(judgement.first_failure && checked.reference != nullptr
-                                             ? joined(describe_failure(*checked.reference, judgement))
-                                             : ""));
-  article.set("printed", text_or_nothing(checked.observation.printed));
-  article.set("compiler", text_or_nothing(checked.observation.refusal_details));
-  article.set("source", text_or_nothing(reported.source));
-  data picture(false);
-  if (!reported.picture.empty()) {
-    picture = data();
-    picture.set("data", base64(reported.picture));
-    picture.set("description", shown(reported.picture_description));
-  }
-  // What passed is folded away, so that what needs a reader stands out.
-  article.set("open_picture", judgement.passed() ? data(false) : picture);
-  article.set("folded_picture", judgement.passed() ? picture : data(false));
-  return article;
-}
-
-/// A diagnosis, or what was found in the file, says more than the general advice for its verdict.
-std::string step_of(const Checked& checked, const std::map<std::string, std::string>& headings) {
-  if (checked.judgement.diagnoses.empty()) {
-    const std::vector<Finding>& findings = checked.observation.findings;
-    if (findings.empty()) return checked.judgement.next_step;
-    return messages::at_line(findings.front().line, findings.front().sentence);
-  }
-  const Diagnosis& diagnosis = checked.judgement.diagnoses.front();
-  const std::string place = place_of(diagnosis, checked, headings);
-  return place.empty() ? diagnosis.message : messages::read_about(diagnosis.message, place);
-}
-
-/// What is worth doing first: mend in course order, then begin what is not begun.
-data steps_of(const ReportedCourse& reported) {
-  data steps{data::type::list};
-  const auto add = [&](const Checked* about, const std::string& text) {
-    data step;
-    step.set("link", about == nullptr ? data(false) : data(link_to(*about)));
-    step.set("exercise", about == nullptr ? "" : shown(about->exercise.name()));
-    step.set("text", shown(text));
-    steps << step;
-  };
-  std::size_t to_mend = 0;
-  const Checked* first_not_started = nullptr;
-  bool all_passed = true;
-  for (const ReportedExercise& exercise : reported.exercises) {
-    const Checked& checked = exercise.checked;
-    all_passed = all_passed && checked.judgement.passed();
-    if (!is_started(checked)) {
-      if (first_not_started == nullptr) first_not_started = &checked;
-    } else if (is_judged(checked) && !checked.judgement.passed()) {
-      if (++to_mend <= most_steps) add(&checked, step_of(checked, reported.headings));
+/// What is worth doing first: fix in course order, then start what is not started.
+json steps_of(const ReportedCourse& course) {
+  json steps = json::array();
+  std::size_t failing = 0;
+  json start;
+  for (const ReportedExercise& exercise : course.exercises) {
+    const CheckResult& checked = exercise.checked;
+    const std::string& name = checked.name();
+    if (!checked.is_started()) {
+      if (start.is_null())
+        start = {{"name", name}, {"text", "Start it. " + checked.task.exercise.entry->task}, {"link", false}};
+    } else if (checked.is_judged() && !checked.judgement.passed() && ++failing <= most_steps) {
+      steps.push_back({{"name", name}, {"text", step_of(exercise, course)}, {"link", true}});
     }
   }
-  if (to_mend > most_steps) add(nullptr, messages::more_to_mend(to_mend - most_steps));
-  if (first_not_started != nullptr)
-    add(nullptr,
-        first_not_started->exercise.name() + ": " + messages::begin_with(first_not_started->exercise.entry->task));
-  if (all_passed) add(nullptr, messages::everything_passed());
+  if (failing > most_steps)
+    steps.push_back({{"name", ""}, {"text", fmt::format("Then the other {} failing below.", failing - most_steps)}});
+  if (!start.is_null()) steps.push_back(start);
   return steps;
-}
-
-/// A lecture as the exercises show it: those of the page that belong to one card.
-struct ReportedLecture {
-  const Card* card = nullptr;
-  std::vector<const ReportedExercise*> exercises;
-};
-
-std::vector<ReportedLecture> lectures_of(const ReportedCourse& reported) {
-  std::vector<ReportedLecture> lectures;
-  for (const ReportedExercise& exercise : reported.exercises) {
-    const Card* card = exercise.checked.exercise.card;
-    if (lectures.empty() || lectures.back().card != card) lectures.push_back({card, {}});
-    lectures.back().exercises.push_back(&exercise);
-  }
-  return lectures;
 }
 
 }  // namespace
 
-std::string report_page(const ReportedCourse& reported) {
-  data page;
-  data words;
-  for (const auto& [name, text] : messages::report_words()) words.set(name, text);
-  page.set("words", words);
-  page.set("style", report_page_style);
-  page.set("title", shown(messages::report_title(reported.student)));
-  page.set("when", shown(messages::report_date(reported.date, reported.seed)));
-
+std::string report_page(const ReportedCourse& course) {
   Score score;
-  double points_not_judged = 0.0;
-  messages::VerdictCounts counts;
-  for (const ReportedExercise& exercise : reported.exercises) {
-    const Checked& checked = exercise.checked;
-    score.add(checked);
-    if (!is_judged(checked)) {
-      ++counts.not_judged;
-      points_not_judged += checked.exercise.entry->points;
-    } else if (checked.judgement.passed()) {
-      ++counts.passed;
-    } else if (is_started(checked)) {
-      ++counts.to_mend;
-    } else {
-      ++counts.not_started;
+  Score lecture_score;
+  json lectures = json::array();
+  std::vector<CheckResult> results;
+  for (const ReportedExercise& exercise : course.exercises) {
+    score.add(exercise.checked);
+    results.push_back(exercise.checked);
+    const Card& card = *exercise.checked.task.exercise.card;
+    const std::string heading = card.lecture.substr(0, card.lecture.find('_')) + "  " + card.title;
+    if (lectures.empty() || lectures.back()["heading"] != heading) {
+      lectures.push_back({{"heading", heading}, {"exercises", json::array()}, {"any_started", false}});
+      lecture_score = {};
     }
+    json& lecture = lectures.back();
+    lecture_score.add(exercise.checked);
+    lecture["score"] = lecture_score.text();
+    lecture["exercises"].push_back(entry_of(exercise, course));
+    lecture["any_started"] = lecture["any_started"] || exercise.checked.is_started();
   }
-  page.set("score", messages::report_score(score.points, score.possible));
-  page.set("summary", messages::report_summary(counts));
-  page.set("not_judged",
-           text_or_nothing(counts.not_judged == 0 ? "" : messages::not_judged(counts.not_judged, points_not_judged)));
-  page.set("picture_trouble", text_or_nothing(reported.picture_trouble));
-  page.set("steps", steps_of(reported));
-
-  data lectures{data::type::list};
-  data not_started{data::type::list};
-  for (const ReportedLecture& each : lectures_of(reported)) {
-    Score lecture_score;
-    data entries{data::type::list};
-    data articles{data::type::list};
-    std::vector<std::string> idle;
-    for (const ReportedExercise* exercise : each.exercises) {
-      lecture_score.add(exercise->checked);
-      entries << entry_of(exercise->checked);
-      if (is_started(exercise->checked)) {
-        articles << article_of(*exercise, reported.headings);
-      } else {
-        idle.push_back(exercise->checked.exercise.name());
-      }
-    }
-    const std::string heading = shown(messages::lecture_heading(each.card->lecture, each.card->title));
-    data lecture;
-    lecture.set("heading", heading);
-    lecture.set("score", messages::report_score(lecture_score.points, lecture_score.possible));
-    lecture.set("exercises", entries);
-    lecture.set("has_articles", !articles.is_empty_list());
-    lecture.set("articles", articles);
-    lectures << lecture;
-    if (!idle.empty()) {
-      data entry;
-      entry.set("heading", heading);
-      entry.set("names", shown(fmt::format("{}", fmt::join(idle, ", "))));
-      not_started << entry;
-    }
-  }
-  page.set("lectures", lectures);
-  page.set("has_not_started", !not_started.is_empty_list());
-  page.set("not_started", not_started);
-
+  const auto is_left = [](const CheckResult& checked) { return !checked.judgement.passed(); };
+  const json page = {{"student", course.student},
+                     {"date", course.date},
+                     {"seed", std::to_string(course.seed)},
+                     {"score", score.text()},
+                     {"summary", summary_line(results)},
+                     {"picture_trouble", course.picture_trouble},
+                     {"all_passed", std::ranges::none_of(results, is_left)},
+                     {"steps", steps_of(course)},
+                     {"lectures", lectures}};
   kainjow::mustache::mustache form{report_page_template};
-  const std::string text = form.render(page);
-  if (!form.is_valid()) throw std::logic_error(messages::report_template_damaged(form.error_message()));
+  std::string text = form.render(for_template(page));
+  if (!form.is_valid())
+    throw std::logic_error("checker/report/report_page.html is no template: " + form.error_message());
   return text;
 }
 

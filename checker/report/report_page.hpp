@@ -11,10 +11,8 @@
 
 namespace workbook {
 
-/// One exercise on the page, with what lies outside the verdict.
 struct ReportedExercise {
-  Checked checked;
-  std::string source;               ///< the student's file as it came; empty: there is none to show
+  CheckResult checked;
   std::string picture;              ///< the plot as SVG; empty: none
   std::string picture_description;  ///< what it shows, in words
 };
@@ -28,8 +26,8 @@ struct ReportedCourse {
   std::string picture_trouble;                  ///< why there are no plots; empty: there is no trouble
 };
 
-/// The page as HTML. Whatever came from the student is text on it, never markup. It holds no script, and it asks for no
-/// other file.
+/// The page as HTML, made from report_page.html. Whatever came from the student is text on it, never markup. It holds
+/// no script, and it asks for no other file.
 std::string report_page(const ReportedCourse& reported);
 
 }  // namespace workbook

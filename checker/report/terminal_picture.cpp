@@ -1,93 +1,189 @@
 #include "checker/report/terminal_picture.hpp"
 
-#include "checker/base/base64.hpp"
-#include "checker/messages/plotting.hpp"
-#include "checker/report/overlay_script.hpp"
+#include "checker/base/files.hpp"
+#include "checker/base/text.hpp"
 
 #include <fmt/format.h>
 
+#include <poll.h>
+#include <sys/ioctl.h>
+#include <termios.h>
+#include <unistd.h>
+
 #include <algorithm>
-#include <fstream>
-#include <iterator>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <regex>
 
 namespace workbook {
 
 namespace {
 
-constexpr std::size_t longest_chunk = 4096;  // of base64 in one escape sequence, by kitty's rules
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds patience{200};
+constexpr char interrupt_key = '\003';
+
+/// One pixel, only tried; then the device attributes, which every terminal answers: so we need not wait for a "no".
+constexpr std::string_view question = "\033_Gi=31,s=1,v=1,a=q,t=d,f=24;AAAA\033\\\033[c";
+
 constexpr double shape = 1.25;               // width over height of the drawn pictures
-constexpr std::size_t widest = 100;          // in columns; larger pictures say no more
+constexpr std::size_t widest_picture = 100;  // in columns; larger ones show no more
 constexpr std::size_t rows_for_text = 4;     // the paths and the next prompt stay in sight
 
-std::string bytes_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+std::string variable(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? "" : value;
 }
 
-std::size_t rows_for_picture(const PictureSpace& space) {
-  return std::max<std::size_t>(10, space.rows - std::min(space.rows, rows_for_text));
+/// Lets single letters through, unechoed, as long as it lives.
+class UnbufferedInput {
+ public:
+  UnbufferedInput() : changed_(tcgetattr(STDIN_FILENO, &before_) == 0) {
+    if (!changed_) return;
+    termios raw = before_;
+    // Without the interrupt key as well: a process ended here would leave the terminal mute.
+    raw.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO | ISIG);
+    raw.c_cc[VMIN] = 0;
+    raw.c_cc[VTIME] = 0;
+    changed_ = tcsetattr(STDIN_FILENO, TCSADRAIN, &raw) == 0;
+  }
+  ~UnbufferedInput() {
+    if (changed_) tcsetattr(STDIN_FILENO, TCSADRAIN, &before_);
+  }
+  UnbufferedInput(const UnbufferedInput&) = delete;
+  UnbufferedInput& operator=(const UnbufferedInput&) = delete;
+
+  explicit operator bool() const { return changed_; }
+
+ private:
+  termios before_{};
+  bool changed_;
+};
+
+bool has_input(std::chrono::milliseconds wait) {
+  pollfd input{STDIN_FILENO, POLLIN, 0};
+  return poll(&input, 1, static_cast<int>(wait.count())) == 1 && (input.revents & POLLIN) != 0;
 }
 
-/// The most columns at which the picture is not taller than the window.
-std::size_t picture_columns(const PictureSpace& space) {
-  const double cells = shape * static_cast<double>(space.cell_height) / static_cast<double>(space.cell_width);
-  const auto columns = static_cast<std::size_t>(static_cast<double>(rows_for_picture(space)) * cells);
-  return std::min({columns, space.columns, widest});
+const std::regex& device_attributes() {
+  static const std::regex pattern("\033\\[\\?[0-9]+((;[0-9]+)*)c");
+  return pattern;
 }
 
-std::string sixel_picture(const Overlay& overlay, const std::filesystem::path& directory, const PictureSpace& space) {
-  const std::size_t width = picture_columns(space) * space.cell_width;
-  const auto height = static_cast<std::size_t>(static_cast<double>(width) / shape);
+/// Everything up to the end of the second answer, or what came in time.
+std::string question_and_answer() {
+  std::string reply;
+  const UnbufferedInput input;
+  if (!input || has_input(std::chrono::milliseconds(0))) return reply;
+  if (write(STDOUT_FILENO, question.data(), question.size()) != static_cast<ssize_t>(question.size())) return reply;
+  const Clock::time_point deadline = Clock::now() + patience;
+  while (!std::regex_search(reply, device_attributes()) && reply.find(interrupt_key) == std::string::npos) {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
+    if (left.count() <= 0 || !has_input(left)) break;
+    char letters[256];
+    const ssize_t count = read(STDIN_FILENO, letters, sizeof letters);
+    if (count <= 0) break;
+    reply.append(letters, static_cast<std::size_t>(count));
+  }
+  return reply;
+}
+
+/// The place for a picture, so that the whole of it is seen at once.
+struct Space {
+  std::size_t rows = 24 - rows_for_text;
+  std::size_t columns = 80;
+  std::size_t cell_width = 8;    // in pixels
+  std::size_t cell_height = 16;  // in pixels
+};
+
+Space space_on(const Console& console) {
+  Space space;
+  winsize size{};
+  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_row > 0 && size.ws_col > 0) {
+    space.rows = std::max<std::size_t>(10, size.ws_row - std::min<std::size_t>(size.ws_row, rows_for_text));
+    if (size.ws_xpixel >= size.ws_col && size.ws_ypixel >= size.ws_row) {
+      space.cell_width = size.ws_xpixel / size.ws_col;
+      space.cell_height = size.ws_ypixel / size.ws_row;
+    }
+  }
+  const auto highest = shape * static_cast<double>(space.rows * space.cell_height);
+  space.columns = std::min(
+      {static_cast<std::size_t>(highest / static_cast<double>(space.cell_width)), console.width(), widest_picture});
+  return space;
+}
+
+std::string sixel_picture(const Overlay& overlay, const std::filesystem::path& directory, const Space& space) {
+  const std::size_t width = space.columns * space.cell_width;
   // Letters and lines shrink with the picture, as far as they can be read.
   const double scale = std::clamp(static_cast<double>(width) / 800.0, 0.6, 1.5);
-  const std::string terminal = fmt::format(
-      "sixelgd noenhanced truecolor size {},{} font 'Helvetica,{:.0f}' linewidth {:.1f} background rgb 'white'", width,
-      height, 11 * scale, scale);
-  return drawn_picture(terminal, directory, [&](gnuplotio::Gnuplot& gnuplot) { send_panels(gnuplot, overlay); });
+  return drawn_overlay(
+      overlay,
+      fmt::format("sixelgd noenhanced truecolor size {},{:.0f} font 'Helvetica,{:.0f}' linewidth {:.1f} background rgb "
+                  "'white'",
+                  width, static_cast<double>(width) / shape, 11 * scale, scale),
+      directory);
 }
 
-std::string without_trailing_blanks(const std::string& text) {
-  std::string result;
-  std::string blanks;
-  for (const char letter : text) {
-    if (letter == ' ') {
-      blanks += letter;
-      continue;
-    }
-    if (letter != '\n') result += blanks;
-    blanks.clear();
-    if (letter != '\f') result += letter;  // gnuplot begins with a new page
-  }
-  return result;
-}
-
-std::string meaning_of_letters(const Overlay& overlay, const Console& console) {
+std::string letter_picture(const Overlay& overlay, const std::filesystem::path& directory, const Console& console) {
+  const std::size_t columns = std::min(console.width(), widest_picture) - 1;
+  const std::size_t rows = std::clamp<std::size_t>(space_on(console).rows, 12, 28);
+  const std::string terminal =
+      fmt::format("dumb noenhanced size {},{} {}", columns, rows, console.color() ? "ansi256" : "mono");
+  const std::string drawing = drawn_letters(overlay, terminal, columns, directory);
   std::string text;
-  for (std::size_t k = 0; k < overlay.sweep->components.size(); ++k) {
-    const std::string label = component_label(overlay, overlay.sweep->components[k]);
-    text += (k == 0 ? "" : ";  ") + messages::letters_of_component(label, student_letters[k % 9],
-                                                                   reference_letters[k % 3], !overlay.student.empty());
+  for (std::string line : lines_of(drawing)) {
+    std::erase(line, '\f');  // gnuplot begins with a new page
+    line.erase(line.find_last_not_of(' ') + 1);
+    if (!text.empty() || !line.empty()) text += line + "\n";
   }
-  if (overlay.misconception_outputs != nullptr)
-    text += ";  " + messages::letters_of_misconception(misconception_letter, overlay.misconception);
-  return console.wrapped(text, 2) + "\n";
-}
-
-std::string letter_picture(const Overlay& overlay, const std::filesystem::path& directory, const Console& console,
-                           const PictureSpace& space) {
-  const std::size_t columns = std::min(console.width(), widest);
-  const std::size_t rows = std::clamp<std::size_t>(rows_for_picture(space), 12, 28);
-  const std::string drawing = drawn_picture(
-      fmt::format("dumb noenhanced size {},{} {}", columns - 1, rows, console.color() ? "ansi256" : "mono"), directory,
-      [&](gnuplotio::Gnuplot& gnuplot) { send_letters(gnuplot, overlay, columns); });
-  const std::string lines = without_trailing_blanks(drawing);
-  return lines.substr(std::min(lines.size(), lines.find_first_not_of('\n'))) + (console.color() ? "\033[0m" : "") +
-         meaning_of_letters(overlay, console);
+  return text + (console.color() ? "\033[0m" : "") + console.wrapped(meaning_of_letters(overlay), 2) + "\n";
 }
 
 }  // namespace
 
+TerminalTraits traits_of_this_terminal(const Console& console) {
+  TerminalTraits traits;
+  // A job in the background may not change the terminal: it would be stopped.
+  traits.is_watched = isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) != 0 && tcgetpgrp(STDIN_FILENO) == getpgrp();
+  traits.is_plain = console.plain();
+  traits.term = variable("TERM");
+  traits.term_program = variable("TERM_PROGRAM");
+  traits.has_kitty_window = !variable("KITTY_WINDOW_ID").empty();
+  traits.is_multiplexed =
+      !variable("TMUX").empty() || traits.term.starts_with("screen") || traits.term.starts_with("tmux");
+  return traits;
+}
+
+GraphicsAnswer read_graphics_answer(std::string_view reply) {
+  std::match_results<std::string_view::const_iterator> match;
+  const bool has_attributes = std::regex_search(reply.begin(), reply.end(), match, device_attributes());
+  return {.kitty = reply.find("\033_Gi=31;OK\033\\") != std::string_view::npos,
+          .sixel = has_attributes && (match[1].str() + ";").find(";4;") != std::string::npos};
+}
+
+GraphicsAnswer ask_terminal() {
+  const std::string reply = question_and_answer();
+  if (reply.find(interrupt_key) != std::string::npos) std::raise(SIGINT);
+  return read_graphics_answer(reply);
+}
+
+PictureKind choose_picture(PictureKind wanted, std::size_t plots, const TerminalTraits& traits,
+                           const std::function<GraphicsAnswer()>& ask) {
+  if (wanted != PictureKind::automatic) return wanted;
+  if (plots != 1 || !traits.is_watched || traits.is_plain) return PictureKind::none;
+  if (traits.term.empty() || traits.term == "dumb") return PictureKind::text;
+  // These are inherited through a multiplexer, and may be wrong there.
+  const bool is_kitty = traits.term == "xterm-kitty" || traits.term == "xterm-ghostty" || traits.has_kitty_window ||
+                        traits.term_program == "ghostty" || traits.term_program == "WezTerm";
+  if (is_kitty && !traits.is_multiplexed) return PictureKind::kitty;
+  const GraphicsAnswer answer = ask();
+  return answer.kitty ? PictureKind::kitty : answer.sixel ? PictureKind::sixel : PictureKind::text;
+}
+
 std::string kitty_picture(std::string_view png, std::size_t columns) {
+  constexpr std::size_t longest_chunk = 4096;  // of base64 in one escape sequence, by kitty's rules
   const std::string text = base64(png);
   std::string result;
   for (std::size_t begin = 0; begin < text.size(); begin += longest_chunk) {
@@ -99,16 +195,16 @@ std::string kitty_picture(std::string_view png, std::size_t columns) {
   return result;
 }
 
-std::string terminal_picture(PictureKind kind, const Overlay& overlay, const std::vector<std::filesystem::path>& drawn,
-                             const std::filesystem::path& directory, const Console& console,
-                             const PictureSpace& space) {
+std::string terminal_picture(PictureKind kind, const Overlay& overlay, const std::filesystem::path& png,
+                             const Console& console) {
+  const std::filesystem::path directory = png.parent_path();
   switch (kind) {
     case PictureKind::kitty:
-      return kitty_picture(bytes_of(drawn.back()), picture_columns(space)) + "\n";
+      return kitty_picture(read_file(png).value_or(""), space_on(console).columns) + "\n";
     case PictureKind::sixel:
-      return sixel_picture(overlay, directory, space) + "\n";
+      return sixel_picture(overlay, directory, space_on(console)) + "\n";
     case PictureKind::text:
-      return letter_picture(overlay, directory, console, space);
+      return letter_picture(overlay, directory, console);
     case PictureKind::automatic:
     case PictureKind::none:
       break;

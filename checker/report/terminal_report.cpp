@@ -1,34 +1,21 @@
 #include "checker/report/terminal_report.hpp"
 
-#include "checker/judging/failure_text.hpp"
-#include "checker/messages/program.hpp"
-#include "checker/messages/reporting.hpp"
-#include "checker/messages/standing.hpp"
+#include "checker/base/files.hpp"
+#include "checker/base/text.hpp"
+#include "checker/course/notes.hpp"
+#include "checker/report/failure_text.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <sstream>
 
 namespace workbook {
 
 namespace {
 
-constexpr std::size_t indent = 2;
-constexpr std::size_t longest_printout = 12;  // lines of the student's own output that are shown
-
-std::string mark(const Judgement& judgement) {
-  switch (judgement.verdict) {
-    case Verdict::passed:
-      return "✓";
-    case Verdict::not_started:
-      return "·";
-    case Verdict::checker_error:
-      return "!";
-    default:
-      return "✗";
-  }
-}
+constexpr std::size_t report_indent = 2;
+constexpr std::size_t label_width = 6;
+constexpr std::size_t longest_printout = 6;  // lines of the student's own output that are shown unless all is asked for
 
 Style style_of(Verdict verdict) {
   switch (verdict) {
@@ -43,143 +30,214 @@ Style style_of(Verdict verdict) {
   }
 }
 
-std::string headline(const Checked& checked, const Console& console) {
-  const Judgement& judgement = checked.judgement;
-  std::string count;
-  if (judgement.cases_total > 0 && judgement.verdict != Verdict::not_started) {
-    count = " " + messages::cases_right(judgement.cases_passed, judgement.cases_total);
+/// The text of one report, line by line.
+class Report {
+ public:
+  Report(const CheckResult& checked, const Course& course, const Console& console, const Detail& detail)
+      : checked_(checked), course_(course), console_(console), detail_(detail) {}
+
+  std::string text() && {
+    headline();
+    const Judgement& judgement = checked_.judgement;
+    if (judgement.verdict == Verdict::not_started) {
+      if (checked_.source.empty()) text_ += console_.wrapped(judgement.next_step, report_indent) + "\n";  // no file
+      return text_;
+    }
+    if (!judgement.passed()) explain();
+    if (shown_case()) add_case(*shown_case());
+    printed();
+    if (judgement.passed()) return text_;
+    const std::string& compiler_output = checked_.observation.refusal_details;
+    if (detail_.full && !compiler_output.empty()) {
+      text_ += "\n  All that the compiler says:\n";
+      for (const std::string& line : lines_of(compiler_output)) text_ += "    " + line + "\n";
+    }
+    if (checked_.is_judged() && !detail_.by_keys) commands();
+    return text_;
   }
-  return fmt::format("{}{}  {}{}", console.mark(mark(judgement), style_of(judgement.verdict)),
-                     console.styled(checked.exercise.name(), Style::strong),
-                     console.styled(messages::in_words(judgement.verdict), style_of(judgement.verdict)),
-                     console.styled(count, Style::quiet));
-}
 
-/// A heading and the text that belongs to it, side by side.
-std::string labelled(const std::string& label, const std::string& text, const Console& console) {
-  const std::string body = console.wrapped(text, indent + 7);
-  return std::string(indent, ' ') + console.styled(padded(label, 6), Style::strong) + " " +
-         body.substr(std::min(body.size(), indent + 7)) + "\n";
-}
-
-/// A heading and what to type: never broken, so that it can be copied.
-std::string command_line(const std::string& label, const std::string& command, const Console& console) {
-  return std::string(indent, ' ') + console.styled(padded(label, 6), Style::strong) + " " + command + "\n";
-}
-
-/// The beginning of a line that may be very long.
-std::string cut(const std::string& line, std::size_t width) {
-  constexpr std::size_t most_bytes_per_column = 8;
-  std::size_t end = std::min(line.size(), most_bytes_per_column * width);
-  while (end < line.size() && end > 0 && (static_cast<unsigned char>(line[end]) & 0xC0) == 0x80) --end;
-  const std::string text = shortened(line.substr(0, end), width);
-  return end == line.size() || text.ends_with("…") ? text : text + "…";
-}
-
-/// The first lines of a long text, each cut to the width of the terminal, and how many more there are.
-std::string first_lines(const std::string& text, std::size_t most, std::size_t margin, const Console& console) {
-  constexpr std::size_t narrowest = 20;
-  const std::size_t width = std::max(console.width(), margin + narrowest) - margin;
-  std::istringstream lines(text);
-  std::string shown;
-  std::size_t count = 0;
-  for (std::string line; std::getline(lines, line); ++count) {
-    if (count >= most) continue;
-    std::replace(line.begin(), line.end(), '\t', ' ');  // a tab is as wide as the terminal likes
-    shown += std::string(margin, ' ') + cut(line, width) + "\n";
+ private:
+  void headline() {
+    const Judgement& judgement = checked_.judgement;
+    const Style style = style_of(judgement.verdict);
+    const char* mark = judgement.passed() ? "✓" : !checked_.is_started() ? "·" : checked_.is_judged() ? "✗" : "!";
+    text_ += fmt::format("{}{}  {}", console_.mark(mark, style), console_.styled(checked_.name(), Style::strong),
+                         console_.styled(in_words(to_string(judgement.verdict)), style));
+    if (!checked_.observation.replies.empty() && checked_.is_started() && checked_.is_judged())
+      text_ += console_.styled(
+          fmt::format(" ({} of {} right)", judgement.cases_passed(), plural(judgement.cases_total, "case")),
+          Style::quiet);
+    text_ += "\n";
   }
-  if (count > most) shown += std::string(margin, ' ') + messages::more_lines(count - most) + "\n";
-  return shown;
-}
 
-/// A text as it is, every line with a margin.
-std::string indented(const std::string& text, std::size_t margin) {
-  std::istringstream lines(text);
-  std::string shown;
-  for (std::string line; std::getline(lines, line);) shown += std::string(margin, ' ') + line + "\n";
-  return shown;
-}
+  void explain() {
+    const Judgement& judgement = checked_.judgement;
+    const Explanation& explanation = checked_.explanation;
+    // Of wrong values headline and case say as much.
+    if (judgement.verdict != Verdict::wrong_value) text_ += console_.wrapped(judgement.message, report_indent) + "\n";
+    for (const Finding& finding : explanation.findings) {
+      labelled("Why", finding_line(checked_, finding));
+      for (const std::string& line : lines_of(finding.excerpt)) text_ += "    " + fitted(line, 4) + "\n";
+    }
+    std::string last_place;
+    for (const Diagnosis& diagnosis : explanation.diagnoses) {
+      labelled("Why", diagnosis.message);
+      const std::string place =
+          diagnosis.notes.empty() ? "" : notes_place(course_, checked_.task.exercise, diagnosis.notes);
+      if (!place.empty() && place != last_place) labelled("Read", place);
+      last_place = place;
+    }
+    labelled("Next", checked_.next_step());
+  }
 
-/// "Line 7: …", the line itself and the caret.
-std::string finding_text(const Finding& finding, const Console& console) {
-  std::string text = console.wrapped(messages::at_line(finding.line, finding.sentence), indent) + "\n";
-  if (!finding.excerpt.empty()) text += first_lines(finding.excerpt, longest_printout, 2 * indent, console);
-  return text;
-}
+  /// The case to be shown in full, if any.
+  std::optional<std::size_t> shown_case() const {
+    if (checked_.reference == nullptr || checked_.observation.replies.empty()) return std::nullopt;
+    if (detail_.case_index) return detail_.case_index;
+    const std::vector<std::size_t>& failing = checked_.judgement.failing;
+    return failing.empty() ? std::nullopt : std::optional(failing.front());
+  }
 
-/// The case of judgement.first_failure in full.
-std::string case_text(const Checked& checked, const Console& console) {
-  const Page page{console.width() - indent, console.plain()};
-  std::string text;
-  for (const std::string& line : describe_failure(*checked.reference, checked.judgement, page))
-    text += (line.empty() ? "" : std::string(indent, ' ')) + line + "\n";
-  return text;
-}
+  void add_case(std::size_t index) {
+    const ExerciseReference& reference = *checked_.reference;
+    const Answers answers = answers_of(reference, checked_.observation.replies);
+    Page page{console_.width() - report_indent, console_.plain()};
+    if (detail_.full) page.most_rows = 10000;
+    text_ += "\n";
+    for (const std::string& line : describe_case(reference, index, answers.at(index), page))
+      text_ += (line.empty() ? "" : "  ") + line + "\n";
+    if (checked_.judgement.passed()) return;
+    if (checked_.explanation.is_empty()) {
+      const std::string size = error_size(reference, checked_.judgement.failing, answers);
+      if (!size.empty()) text_ += console_.wrapped(size, report_indent) + "\n";
+    }
+    failing_cases();
+  }
 
-/// What to type to see exactly this failure again.
-std::string replay_command(const Checked& checked) {
-  const Case& failed = checked.reference->cases.at(checked.judgement.first_failure->case_index);
-  std::string arguments = fmt::format("check {} --case '{}'", checked.exercise.name(), failed.name);
-  if (checked.seed != 1) arguments += fmt::format(" --seed {}", checked.seed);
-  if (checked.is_elsewhere) arguments += fmt::format(" --file {}", checked.file.string());
-  return messages::command(arguments);
-}
+  /// All failing cases by number, the first with their names, as far as two lines go.
+  void failing_cases() {
+    const std::vector<std::size_t>& failing = checked_.judgement.failing;
+    if (failing.size() < 2) return;
+    const std::size_t room =
+        detail_.full ? std::string::npos : 2 * (console_.width() - report_indent - label_width - 8);
+    std::string list;
+    std::size_t shown = 0;
+    for (const std::size_t i : failing) {
+      const std::string next =
+          fmt::format("{}{} “{}”", list.empty() ? "" : ", ", i + 1, checked_.reference->cases[i].name);
+      if (shown > 0 && display_width(list) + display_width(next) > room) break;
+      list += next;
+      ++shown;
+    }
+    while (shown < failing.size()) {  // runs of three and more as "5–70"
+      std::size_t last = shown;
+      while (last + 1 < failing.size() && failing[last + 1] == failing[last] + 1) ++last;
+      if (last < shown + 2) last = shown;
+      list += fmt::format(", {}", failing[shown] + 1);
+      if (last > shown) list += fmt::format("–{}", failing[last] + 1);
+      shown = last + 1;
+    }
+    labelled("Failed", list);
+  }
+
+  /// What the student's code printed: at the shown case, or case by case where all is asked for or all is well.
+  void printed() {
+    const std::vector<Reply>& replies = checked_.observation.replies;
+    const bool shows_all = detail_.full || checked_.judgement.passed();
+    std::size_t left_out = 0;
+    for (std::size_t index = 0; index < replies.size(); ++index) {
+      const std::vector<std::string> lines = lines_of(replies[index].printed);
+      if (lines.empty()) continue;
+      const bool is_shown = shown_case() == index;
+      const std::size_t most = shows_all || detail_.case_index == index ? lines.size()
+                               : is_shown                               ? longest_printout
+                                                                        : 0;
+      if (most > 0) text_ += fmt::format("\n  Your code printed at case {}:\n", index + 1);
+      for (std::size_t k = 0; k < std::min(most, lines.size()); ++k) text_ += "    " + fitted(lines[k], 4) + "\n";
+      left_out += lines.size() - std::min(most, lines.size());
+    }
+    if (left_out > 0)
+      text_ += fmt::format("  Your code printed {} ({} shows all).\n", plural(left_out, "more line", "more lines"),
+                           detail_.by_keys ? "c" : "--full");
+  }
+
+  /// What to type: never broken, so that it can be copied.
+  void commands() {
+    const std::string& name = checked_.name();
+    std::string again = "check " + name;
+    if (const auto shown = shown_case()) again += fmt::format(" --case {}", *shown + 1);
+    if (checked_.task.seed != 1) again += fmt::format(" --seed {}", checked_.task.seed);
+    if (checked_.task.is_elsewhere) again += " --file " + shell_quoted(printable(checked_.task.file.string()));
+    command_line("Again", shown_case() ? again : "");
+    command_line("More",
+                 !detail_.full && !checked_.observation.refusal_details.empty() ? "check " + name + " --full" : "");
+    command_line("Hint", "hint " + name);
+  }
+
+  void command_line(const std::string& label, const std::string& arguments) {
+    if (!arguments.empty())
+      text_ += "  " + console_.styled(padded(label, label_width), Style::strong) + " " + command(arguments) + "\n";
+  }
+
+  /// A heading and the text that belongs to it, side by side.
+  void labelled(const std::string& label, const std::string& text) {
+    const std::string body = console_.wrapped(text, report_indent + label_width + 1);
+    text_ += "  " + console_.styled(padded(label, label_width), Style::strong) + " " +
+             body.substr(std::min(body.size(), report_indent + label_width + 1)) + "\n";
+  }
+
+  /// One line cut to the width of the terminal; a tab is as wide as the terminal likes.
+  std::string fitted(const std::string& line, std::size_t margin) const {
+    constexpr std::size_t narrowest = 20;
+    constexpr std::size_t most_bytes_per_column = 8;
+    const std::size_t width = std::max(console_.width(), margin + narrowest) - margin;
+    std::string text = cut(line, most_bytes_per_column * width);
+    std::ranges::replace(text, '\t', ' ');
+    return shortened(text.size() < line.size() ? text + "…" : text, width);
+  }
+
+  const CheckResult& checked_;
+  const Course& course_;
+  const Console& console_;
+  const Detail& detail_;
+  std::string text_;
+};
 
 }  // namespace
 
-std::string notes_place(const Course& course, const std::string& lecture, const std::string& anchor) {
-  if (const auto page = course.notes_page(lecture))
-    return std::filesystem::proximate(*page).string() + (anchor.empty() ? "" : "#" + anchor);
-  const std::string source = "lectures/" + lecture + "/notes.md";
-  return anchor.empty() ? source : messages::paragraph(source, anchor);
+std::string notes_place(const Course& course, const Exercise& exercise, const std::string& anchor) {
+  if (const auto page = course.notes_page(exercise.lecture()))
+    return shown_path(*page) + (anchor.empty() ? "" : "#" + anchor);
+  const std::string source = "lectures/" + exercise.lecture() + "/notes.md";
+  const auto headings = read_headings(course.notes_file(*exercise.card));
+  const auto heading = headings.find(anchor);
+  return heading == headings.end() ? source : fmt::format("{}, “{}”", source, heading->second);
 }
 
-std::string terminal_report(const Course& course, const Checked& checked, const Console& console,
+std::string finding_line(const CheckResult& checked, const Finding& finding) {
+  if (finding.line <= 0) return finding.sentence;
+  return fmt::format("{}:{}:{}: {}", shown_path(checked.task.file), finding.line, std::max(finding.column, 1),
+                     finding.sentence);
+}
+
+std::string terminal_report(const CheckResult& checked, const Course& course, const Console& console,
                             const Detail& detail) {
-  const Judgement& judgement = checked.judgement;
-  std::string text = headline(checked, console) + "\n";
-  if (judgement.verdict == Verdict::not_started) return text;
-  if (judgement.passed()) return detail.one_case ? text + "\n" + case_text(checked, console) : text;
-
-  text += console.wrapped(judgement.message, indent) + "\n";
-  for (const Finding& finding : checked.observation.findings) text += "\n" + finding_text(finding, console);
-  if (judgement.first_failure && checked.reference != nullptr) text += "\n" + case_text(checked, console);
-  if (!checked.observation.printed.empty()) {
-    text += "\n" + std::string(indent, ' ') + messages::your_code_printed() + "\n" +
-            first_lines(checked.observation.printed, longest_printout, 2 * indent, console);
-  }
-  const std::string& compiler_output = checked.observation.refusal_details;
-  if (detail.full && !compiler_output.empty()) {
-    text +=
-        "\n" + std::string(indent, ' ') + messages::the_compiler_says() + "\n" + indented(compiler_output, 2 * indent);
-  }
-  text += "\n";
-  for (const Diagnosis& diagnosis : judgement.diagnoses) {
-    text += labelled(messages::why_label(), diagnosis.message, console);
-    if (!diagnosis.notes.empty())
-      text +=
-          labelled(messages::read_label(), notes_place(course, checked.exercise.lecture(), diagnosis.notes), console);
-  }
-  text += labelled(messages::next_label(), judgement.next_step, console);
-  if (judgement.verdict == Verdict::checker_error) return text;
-  const std::string& name = checked.exercise.name();
-  if (judgement.first_failure) text += command_line(messages::again_label(), replay_command(checked), console);
-  if (!detail.full && !compiler_output.empty())
-    text += command_line(messages::more_label(), messages::command(fmt::format("check {} --full", name)), console);
-  text += command_line(messages::hint_label(), messages::command("hint " + name), console);
-  return text;
+  return Report(checked, course, console, detail).text();
 }
 
-std::string summary_line(const std::vector<Checked>& results) {
-  std::size_t passed = 0;
-  std::size_t not_started = 0;
-  std::size_t errors = 0;
-  for (const Checked& checked : results) {
-    passed += checked.judgement.passed() ? 1 : 0;
-    not_started += checked.judgement.verdict == Verdict::not_started ? 1 : 0;
-    errors += checked.judgement.verdict == Verdict::checker_error ? 1 : 0;
-  }
-  return messages::summary(results.size(), passed, results.size() - passed - not_started - errors, not_started, errors);
+std::string summary_line(const std::vector<CheckResult>& results) {
+  const auto count = [&](auto condition) {
+    return static_cast<std::size_t>(std::ranges::count_if(results, condition));
+  };
+  const std::size_t passed = count([](const CheckResult& checked) { return checked.judgement.passed(); });
+  const std::size_t not_started = count([](const CheckResult& checked) { return !checked.is_started(); });
+  const std::size_t errors = count([](const CheckResult& checked) { return !checked.is_judged(); });
+  const std::size_t failing = results.size() - passed - not_started - errors;
+  std::string line = fmt::format("{} of {} passed", passed, results.size());
+  if (failing > 0) line += fmt::format(", {} failing", failing);
+  if (not_started > 0) line += fmt::format(", {} not started", not_started);
+  if (errors > 0) line += fmt::format(", {} could not be judged (our fault, not yours)", errors);
+  return line + ".";
 }
 
 }  // namespace workbook

@@ -2,9 +2,10 @@
 /// A verdict on the terminal.
 #pragma once
 
+#include "checker/base/console.hpp"
 #include "checker/pipeline/check_exercise.hpp"
-#include "checker/report/console.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,19 +13,23 @@ namespace workbook {
 
 /// What of a verdict is shown.
 struct Detail {
-  bool full = false;      ///< all that the compiler says, not only its first error
-  bool one_case = false;  ///< judgement.first_failure is a case that was asked for by name: show it even if it passed
+  bool full = false;                      ///< every failing case by name, long lists and all that the compiler says
+  std::optional<std::size_t> case_index;  ///< this case, whether it passed or not; else the first failing one
+  bool by_keys = false;                   ///< in the watch, whose keys do what is to be typed elsewhere
 };
 
-/// One line for what passed or was not started, and everything that helps for the rest: what failed, why, where to
-/// read, what to do next.
-std::string terminal_report(const Course& course, const Checked& checked, const Console& console,
+/// One line for what passed or was not started, and everything that helps for the rest: why, what to do next, the
+/// numbers, which other cases fail.
+std::string terminal_report(const CheckResult& checked, const Course& course, const Console& console,
                             const Detail& detail = {});
 
-/// "6 of 8 passed, 1 wrong, 1 not started."
-std::string summary_line(const std::vector<Checked>& results);
+/// "6 of 8 passed, 1 failing, 1 not started."
+std::string summary_line(const std::vector<CheckResult>& results);
 
-/// Where a paragraph of the notes can be read: the built page if there is one, else its source.
-std::string notes_place(const Course& course, const std::string& lecture, const std::string& anchor);
+/// "kinetic_energy.cpp:8:3: …" as editors jump to it, or the sentence alone.
+std::string finding_line(const CheckResult& checked, const Finding& finding);
+
+/// Where a paragraph of the notes can be read: the built page if there is one, else its source and the heading.
+std::string notes_place(const Course& course, const Exercise& exercise, const std::string& anchor);
 
 }  // namespace workbook

@@ -6,9 +6,9 @@
 #include "checker/base/child_process.hpp"
 #include "checker/base/descriptor.hpp"
 
-#include <sys/types.h>
+#include <sys/stat.h>
 
-#include <chrono>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -18,86 +18,53 @@
 
 namespace workbook {
 
-/// What tells two states of a file apart without reading it.
-struct FileStamp {
-  bool exists = false;
-  ino_t inode = 0;
-  off_t size = 0;
-  std::chrono::nanoseconds modified{};
-  std::chrono::nanoseconds saved{};  ///< when it came to be there as it is; `modified` may be copied from another file
-
-  /// The same state, whatever its name and its permissions went through.
-  bool operator==(const FileStamp& other) const {
-    return exists == other.exists && inode == other.inode && size == other.size && modified == other.modified;
-  }
-};
-
-/// Of a file that cannot be reached: `exists` is false.
-FileStamp stamp_of(const std::filesystem::path& file);
-
 /// Reports a file when its content has changed and whoever wrote it seems to have finished: an editor that writes in
-/// place, in pieces, or under another name first. The same content saved again is no change.
+/// place, in pieces, or under another name first. The same content saved again is no change. An event only makes the
+/// next look come at once, so nothing depends on what it says or on whether one is lost.
 class FileChanges {
  public:
-  enum class Events { wanted, unwanted };
-
   /// The files as they are now count as known. None of them needs to exist.
-  explicit FileChanges(std::vector<std::filesystem::path> files, Events events = Events::wanted);
+  explicit FileChanges(const std::vector<std::filesystem::path>& files, bool with_events = true);
 
-  /// Becomes readable when something happened; −1 where the system gives no events.
+  /// Becomes readable when something happened; −1 without events.
   int descriptor() const { return events_.number(); }
 
-  /// Why there are no events although they were wanted: the system's reason, else "".
-  const std::string& trouble() const { return trouble_; }
+  /// Why there are no events; "" if there are.
+  const std::string& events_missing() const { return events_missing_; }
 
   /// The files that have changed since they were last reported, by their place in the list; what was saved last comes
   /// last.
-  std::vector<std::size_t> collect(Clock::time_point now = Clock::now());
+  std::vector<std::size_t> collect();
 
   /// When collect() is to be called at the latest.
-  Clock::time_point next_look() const;
-
-  /// Counts content that was seen elsewhere as reported: the next change is one from there.
-  void know(std::size_t index, const std::string& fingerprint) { files_.at(index).fingerprint = fingerprint; }
-
-  /// Reports the file soon, whether its content changes or not.
-  void report_again(std::size_t index, Clock::time_point now = Clock::now());
+  Clock::time_point next_look() const { return next_look_; }
 
   /// The folders of the files that are not there now. Their files are not reported as changed.
-  std::vector<std::filesystem::path> missing_folders() const;
+  const std::vector<std::filesystem::path>& missing_folders() const { return missing_; }
 
  private:
+  /// Two states of a file that differ have different stamps, unless they follow each other within the clock's tick.
+  using Stamp = std::array<std::int64_t, 6>;
   struct File {
     std::filesystem::path path;
-    std::size_t folder = 0;
-    FileStamp stamp;          ///< when it was last read
-    std::string fingerprint;  ///< of what was read
-    bool recent = false;      ///< changed so shortly before it was read that its time cannot show one more change
-    bool again = false;       ///< to be reported in any case
-    std::optional<Clock::time_point> due;  ///< when to read it
-    Clock::time_point suspected;           ///< since when
-    FileStamp suspected_stamp;             ///< as it was then
-  };
-  struct Folder {
-    std::filesystem::path path;
-    int watch = -1;
-    bool missing = false;
+    std::string fingerprint;                 ///< of what was read; "" if there was no file
+    Stamp stamp{};                           ///< when it was read
+    bool is_recent = false;                  ///< changed so shortly before that the stamp cannot show one more change
+    Stamp seen{};                            ///< at the last look
+    std::optional<Clock::time_point> since;  ///< when it was first seen to be different
   };
 
-  void add_watches();
-  void drop_watch(Folder& folder);
-  void read_events(Clock::time_point now);
-  void take_event(int watch, std::uint32_t what, const std::string& name, Clock::time_point now);
-  void look_at_all(Clock::time_point now);
-  void suspect(File& file, Clock::time_point now, std::chrono::milliseconds quiet);
-  bool still_being_written(File& file, Clock::time_point now) const;
-  void read(File& file) const;
+  static Stamp stamp_of(const std::filesystem::path& file);
+  static bool read(File& file, const Stamp& stamp);
+  void find_folders();
+  bool drain_events() const;
 
   std::vector<File> files_;
-  std::vector<Folder> folders_;
+  std::vector<std::filesystem::path> folders_;
+  std::vector<std::filesystem::path> missing_;
   Descriptor events_;
-  std::string trouble_;
-  Clock::time_point next_poll_;
+  std::string events_missing_;
+  Clock::time_point next_look_ = Clock::now();
 };
 
 }  // namespace workbook
