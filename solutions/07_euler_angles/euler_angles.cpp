@@ -4,7 +4,8 @@
 
 namespace rigid {
 
-Vector3d euler_angles(const Matrix3d& R) {
+Vector3d euler_angles(const Matrix3d& R_body_from_inertial) {
+  const Matrix3d& R = R_body_from_inertial;
   // The third row is the body axis ê₃ in inertial components: θ and φ are its polar angles.
   const double theta = std::atan2(std::hypot(R(2, 0), R(2, 1)), R(2, 2));
   const double phi = std::atan2(R(2, 1), R(2, 0));

@@ -13,12 +13,12 @@ Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, co
                        phi_rate * c + psi_rate);
   const Vector3d omega_rate = -omega.cross(I.cwiseProduct(omega)).cwiseQuotient(I);  // Euler's equations, no torque
 
-  // ω changes even at constant rates, because the axes ê3⁰ and ê2' turn as seen from the body: Ė q̇.
+  // ω changes even at constant rates, because the axes ê3⁰ and ê2' turn as seen from the body: Ḃ q̇.
   const Vector3d from_turning_axes(
       -phi_rate * (theta_rate * c * c_psi - psi_rate * s * s_psi) + theta_rate * psi_rate * c_psi,
       phi_rate * (theta_rate * c * s_psi + psi_rate * s * c_psi) - theta_rate * psi_rate * s_psi,
       -phi_rate * theta_rate * s);
-  const Vector3d rest = omega_rate - from_turning_axes;  // = E q̈
+  const Vector3d rest = omega_rate - from_turning_axes;  // = B q̈
 
   const double phi_acceleration = (-rest[0] * c_psi + rest[1] * s_psi) / s;
   return {phi_acceleration, rest[0] * s_psi + rest[1] * c_psi, rest[2] - c * phi_acceleration};

@@ -1,17 +1,14 @@
 #include "solutions/judging/exact_top.hpp"
 
 #include <boost/math/special_functions/ellint_rf.hpp>
-#include <boost/math/special_functions/ellint_rj.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace workbook::judging {
 
-using Eigen::Matrix3d;
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
@@ -55,10 +52,7 @@ double jacobi_amplitude(double u, double complementary_parameter) {
   return amplitude;
 }
 
-ExactTop::ExactTop(const Vector3d& moments, const Vector3d& omega0) : moments_(moments), omega0_(omega0) {
-  const Vector3d& I = moments_;
-  momentum_ = I.cwiseProduct(omega0).norm();
-  steady_ = rotates_steadily(I, omega0);
+ExactTop::ExactTop(const Vector3d& I, const Vector3d& omega0) : omega0_(omega0), steady_(rotates_steadily(I, omega0)) {
   if (steady_) return;
 
   // Name the axes: b in the middle, c the one that L circles.
@@ -80,7 +74,6 @@ ExactTop::ExactTop(const Vector3d& moments, const Vector3d& omega0) : moments_(m
   const double C = std::sqrt(square(wc) + Ib * (Ib - Ia) / (Ic * (Ic - Ia)) * square(wb));
   rate_ = C * std::sqrt((Ic - Ia) * (Ic - Ib) / (Ia * Ib));
   complement_ = std::min(1.0, excess / (square(C) * Ic * (Ic - Ib)));
-  characteristic_ = -Ic * (Ib - Ia) / (Ia * (Ic - Ib));
 
   const double parity = (b_ - a_ + 3) % 3 == 1 ? 1.0 : -1.0;
   const double alpha = sign(wa), gamma = sign(wc);
@@ -94,7 +87,7 @@ ExactTop::ExactTop(const Vector3d& moments, const Vector3d& omega0) : moments_(m
 
 Vector3d ExactTop::omega(double t) const {
   if (steady_) return omega0_;
-  const double u = argument(t);
+  const double u = rate_ * t + start_;
   double sn, cn, dn;
   if (complement_ == 0) {
     sn = std::tanh(u);
@@ -110,47 +103,6 @@ Vector3d ExactTop::omega(double t) const {
   result[b_] = amplitude_[1] * sn;
   result[c_] = amplitude_[2] * dn;
   return result;
-}
-
-/// \f$\int_0^u du' / (1 - n\,\mathrm{sn}^2 u')\f$
-double ExactTop::third_kind(double u) const {
-  const double n = characteristic_;
-  if (complement_ == 0) {
-    const double root = std::sqrt(-n);
-    return (u + root * std::atan(root * std::tanh(u))) / (1 - n);
-  }
-  // Carlson's form, with the integral of the first kind taken as the u that it is. The amplitude is reduced to within
-  // a quarter turn of 0; each half turn taken off adds two complete integrals.
-  const double angle = jacobi_amplitude(u, complement_);
-  const double half_turns = std::round(angle / std::numbers::pi);
-  const auto beyond_first_kind = [&](double sn, double cn) {
-    const double dn2 = complement_ + (1 - complement_) * square(cn);
-    return n / 3 * sn * square(sn) * boost::math::ellint_rj(square(cn), dn2, 1.0, 1 - n * square(sn));
-  };
-  const double rest = angle - half_turns * std::numbers::pi;
-  return u + 2 * half_turns * beyond_first_kind(1, 0) + beyond_first_kind(std::sin(rest), std::cos(rest));
-}
-
-/// From body components to a frame at rest whose third axis is L and whose first saw the axis c pass at t = 0.
-Matrix3d ExactTop::momentum_frame(double t) const {
-  const Vector3d along = moments_.cwiseProduct(omega(t)) / momentum_;
-  const Vector3d across = along.cross(Vector3d::Unit(c_)).normalized();  // never zero: L does not meet the axis c
-  Matrix3d to_meridian;                                                  // the meridian plane of the axis c
-  to_meridian << across.cross(along).transpose(), across.transpose(), along.transpose();
-
-  const double Ia = moments_[a_], Ic = moments_[c_];
-  const double azimuth =
-      momentum_ * (t / Ic + (Ic - Ia) / (Ia * Ic * rate_) * (third_kind(argument(t)) - third_kind(start_)));
-  return Eigen::AngleAxisd(azimuth, Vector3d::UnitZ()) * to_meridian;
-}
-
-Matrix3d ExactTop::attitude(double t) const {
-  if (steady_) {
-    const double speed = omega0_.norm();
-    if (speed == 0) return Matrix3d::Identity();
-    return Eigen::AngleAxisd(speed * t, omega0_ / speed).toRotationMatrix();
-  }
-  return momentum_frame(0).transpose() * momentum_frame(t);
 }
 
 double ExactTop::period() const {

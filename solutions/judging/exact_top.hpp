@@ -26,14 +26,6 @@ namespace workbook::judging {
 /// m = 0 is the symmetric top (cosine and sine), m = 1 the separatrix (hyperbolic functions). A start on a principal
 /// axis, and every start of a sphere, is a steady rotation. Elliptic functions enter through 1 − m, the complementary
 /// parameter: near the separatrix m itself has lost it.
-///
-/// The attitude follows from the axis c, which turns about the fixed L through the azimuth
-///
-/// \f[ \varphi(t) = \frac{L t}{I_c} + \frac{L (I_c - I_a)}{I_a I_c\,\lambda} \int_{u_0}^{u} \frac{du'}{1 -
-/// n\,\mathrm{sn}^2 u'},
-///     \qquad n = -\frac{I_c (I_b - I_a)}{I_a (I_c - I_b)} , \f]
-///
-/// an elliptic integral of the third kind.
 class ExactTop {
  public:
   /// @param moments  principal moments in any order, positive, kg m²
@@ -42,11 +34,6 @@ class ExactTop {
 
   /// Body components of ω, rad/s.
   Eigen::Vector3d omega(double t) const;
-
-  /// Rotation matrix from body to inertial components, the unit matrix at t = 0.
-  /// Right to rounding, except where two moments agree in all but their last digits and ω starts in their plane:
-  /// there it keeps half of its digits.
-  Eigen::Matrix3d attitude(double t) const;
 
   /// Full period of ω in the body, s; infinite on the separatrix, and 0 for a steady rotation.
   double period() const;
@@ -58,20 +45,13 @@ class ExactTop {
   double rate() const { return rate_; }
 
  private:
-  double argument(double t) const { return rate_ * t + start_; }
-  double third_kind(double u) const;
-  Eigen::Matrix3d momentum_frame(double t) const;
-
-  Eigen::Vector3d moments_;
   Eigen::Vector3d omega0_;
   bool steady_ = false;
   int a_ = 0, b_ = 1, c_ = 2;                            // the axes of cn, sn and dn
   Eigen::Vector3d amplitude_ = Eigen::Vector3d::Zero();  // αA, βB, γC in this order
   double rate_ = 0.0;                                    // λ
   double complement_ = 1.0;                              // 1 − m
-  double characteristic_ = 0.0;                          // n ≤ 0
   double start_ = 0.0;                                   // u₀
-  double momentum_ = 0.0;                                // |L|
 };
 
 /// The exact answer to the exercise free_rotation, with its signature: one column of body components per time.

@@ -1,31 +1,27 @@
 /// @file
 /// Makes the reference results of one lecture from its solutions.
-#include "solutions/judging/lecture.hpp"
+#include "solutions/judging/exercise.hpp"
 
-#include <fmt/format.h>
-#include <CLI/CLI.hpp>
-
-#include <cstdint>
 #include <cstdio>
 #include <exception>
+#include <map>
 #include <string>
 
 int main(int argc, char** argv) {
-  CLI::App app{"Makes the reference results of one lecture from its solutions."};
-  std::uint64_t seed = 1;
-  std::string lecture_name;
-  std::string file;
-  app.add_option("--seed", seed, "draws the random cases")->capture_default_str();
-  app.add_option("--lecture", lecture_name, "the lecture's folder name, written into the file")->required();
-  app.add_option("--out", file, "the JSON file to write")->required();
-  CLI11_PARSE(app, argc, argv);
-
+  std::map<std::string, std::string> options{{"--seed", "1"}};
+  for (int i = 1; i + 1 < argc; i += 2) options[argv[i]] = argv[i + 1];
+  if (argc % 2 == 0 || options.size() != 3 || !options.contains("--lecture") || !options.contains("--out")) {
+    std::fprintf(stderr, "usage: %s --lecture FOLDER --out FILE [--seed N]\n", argv[0]);
+    return 2;
+  }
   try {
     workbook::judging::Lecture lecture;
     workbook::judging::describe(lecture);
-    workbook::write_reference_results(lecture.evaluate(lecture_name, seed), file);
+    const auto results = lecture.evaluate(options["--lecture"], std::stoull(options["--seed"]));
+    workbook::write_reference_results(results, options["--out"]);
   } catch (const std::exception& problem) {
-    fmt::print(stderr, "{}: the reference results could not be made: {}\n", lecture_name, problem.what());
+    std::fprintf(stderr, "%s: the reference results could not be made: %s\n", options["--lecture"].c_str(),
+                 problem.what());
     return 3;
   }
   return 0;

@@ -1,0 +1,90 @@
+#pragma once
+
+#include "rigid/euler_angles.hpp"
+#include "solutions/judging/judging.hpp"
+
+using Eigen::Quaterniond;
+
+inline const Vector3d example_angles(0.3, 0.7, 1.1), example_rates(0.5, -0.2, 0.9);
+
+// One mistake, one sentence: these serve several exercises.
+inline constexpr const char* zxz_notes = "euler_angles_zxz";
+inline constexpr const char* turns_notes = "euler_angles_turns";
+inline constexpr const char* vertical_notes = "euler_angles_vertical";
+inline constexpr const char* nodes_notes = "euler_angles_nodes";
+inline constexpr const char* omega_notes = "euler_angles_omega";
+inline constexpr const char* inertial_notes = "euler_angles_inertial";
+inline const Sentence turned_about_x{"Your middle turn is about x (z–x–z); on the slides it is about y′ (z–y–z).",
+                                     zxz_notes};
+inline const Sentence yaw_pitch_roll{"Your last turn is about x (yaw, pitch, roll); on the slides it is about z again.",
+                                     zxz_notes};
+inline const Sentence omega_of_zxz{"This is ω for z–x–z angles (Goldstein, Landau); the slides' line of nodes is y′.",
+                                   zxz_notes};
+
+// Elementary matrices, passive as on the slides.
+inline Matrix3d about_x(double angle) { return turn(x_axis, -angle); }
+inline Matrix3d about_y(double angle) { return turn(y_axis, -angle); }
+inline Matrix3d about_z(double angle) { return turn(z_axis, -angle); }
+
+/// Three turns as in Goldstein, Landau and Wikipedia's figure; yaw, pitch and roll, as for aircraft.
+inline Matrix3d zxz(const Vector3d& angles) { return about_z(angles[2]) * about_x(angles[1]) * about_z(angles[0]); }
+inline Matrix3d zyx(const Vector3d& angles) { return about_x(angles[2]) * about_y(angles[1]) * about_z(angles[0]); }
+
+inline Quaterniond body_to_inertial(const Vector3d& q) {
+  return Quaterniond(turn(z_axis, q[0])) * Quaterniond(turn(y_axis, q[1])) * Quaterniond(turn(z_axis, q[2]));
+}
+
+/// The three turns done on a triad, each about an axis of the triad as it stands by then. Columns: the body axes.
+inline Matrix3d turned_triad(const Vector3d& angles) {
+  Matrix3d axes = Matrix3d::Identity();
+  for (const int k : {0, 1, 2}) axes = turn(axes.col(k == 1 ? 1 : 2), angles[k]) * axes;
+  return axes;
+}
+
+/// The matrix E with the three axes of rotation as columns, in body components: ω = E (rates).
+inline Matrix3d rates_to_omega(const Vector3d& q) {
+  return (Matrix3d() << turned_triad(q).row(2).transpose(), about_z(q[2]).col(1), z_axis).finished();
+}
+
+/// The rotation matrix and its rate of change, by a step along the imaginary axis: nothing is subtracted, so no digit
+/// is lost however small the step.
+inline std::pair<Matrix3d, Matrix3d> matrix_and_rate(const Vector3d& angles, const Vector3d& rates) {
+  constexpr double step = 1e-30;
+  const auto about = [&](int axis, int angle) {
+    const std::complex<double> z(angles[angle], step * rates[angle]);
+    const Eigen::Vector3cd n = Vector3d::Unit(axis).cast<std::complex<double>>();
+    const Eigen::Matrix3cd N = skew(Vector3d::Unit(axis)).cast<std::complex<double>>(), along = n * n.transpose();
+    return along + cos(z) * (Eigen::Matrix3cd::Identity() - along) - sin(z) * N;
+  };
+  const Eigen::Matrix3cd R = about(2, 2) * about(1, 1) * about(2, 0);
+  return {R.real(), R.imag() / step};
+}
+
+/// A random attitude that no simple symmetry marks out, and rates or components of generic size.
+inline tuple<Vector3d, Vector3d> angles_and_vector(Random& random) {
+  const Vector3d angles = random.euler_angles();
+  return {angles, random.vector(3.0)};
+}
+
+/// An angle away from the multiples of π/4.
+inline double oblique_angle(Random& random) {
+  return random.whole(-4, 3) * pi / 2 + pi / 4 + random.sign() * random.uniform(0.15, 0.65);
+}
+
+/// What turns z–y–z into z–x–z components.
+inline constexpr auto quarter_turn = [](Vector3d& v) { v = Vector3d(v[1], -v[0], v[2]); };
+
+/// The cases of both angular velocities.
+template <class Exercise>
+void add_angles_and_rates(Exercise& e) {
+  e.worked("angles and rates of the lecture", example_angles, example_rates);
+  e.special("at rest", example_angles, zero);
+  e.special("all angles zero", zero, example_rates);
+  e.special("θ = 0: φ̇ and ψ̇ add up", {0.4, 0, 0.9}, example_rates);
+  e.special("θ = π: φ̇ and ψ̇ are opposed", {0.4, pi, 0.9}, example_rates);
+  e.special("θ = π/2", {0.4, pi / 2, 0.9}, example_rates);
+  e.special("φ = ψ and equal rates of both", {0.6, 1.2, 0.6}, {0.5, 0.3, 0.5});
+  e.special("a tiny θ", {-2.5, 1e-8, 0.3}, example_rates);
+  e.random("any attitude and rates", 8, angles_and_vector);
+  e.scale([](auto&, auto& rates) { return max(rates.norm(), 1e-3); });
+}

@@ -1,0 +1,711 @@
+#include "solutions/judging/corners.hpp"
+
+#include "checker/judging/comparison.hpp"
+#include "checker/judging/quantities.hpp"
+
+#include <fmt/format.h>
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <set>
+
+namespace workbook::judging {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr std::size_t most_bases = 3;  // described cases that others are made from
+
+bool is_symmetric(const Value& matrix) {
+  const auto m = as_matrix(matrix);
+  return m.rows() == m.cols() && (m - m.transpose()).norm() <= 1e-12 * m.norm();
+}
+
+/// One number of an argument that can be changed by itself: of a symmetric matrix together with its mirror image.
+struct Handle {
+  std::size_t argument;
+  std::size_t entry;
+  std::string name;
+  Unit unit;
+  bool has_mirror = false;
+
+  /// A list of another case may be shorter.
+  bool is_in(const Values& inputs) const { return entry < inputs[argument].numbers.size(); }
+  double get(const Values& inputs) const { return inputs[argument].numbers[entry]; }
+  void set(Values& inputs, double number) const {
+    inputs[argument].numbers[entry] = number;
+    if (has_mirror) inputs[argument].numbers[entry % 3 * 3 + entry / 3] = number;
+  }
+};
+
+std::string entry_name(const Argument& argument, std::size_t entry) {
+  if (argument.kind == Kind::vector) return fmt::format("{}_{}", argument.name, entry + 1);
+  if (argument.kind == Kind::points) return fmt::format("{}_{}{}", argument.name, "xyz"[entry % 3], entry / 3 + 1);
+  return argument.name + entry_suffix(argument.kind, entry);
+}
+
+std::vector<Handle> handles_of(const ExerciseReference& exercise, const Values& inputs) {
+  std::vector<Handle> handles;
+  for (std::size_t a = 0; a < inputs.size(); ++a) {
+    const Argument& argument = exercise.arguments[a];
+    if (argument.kind == Kind::integer || argument.kind == Kind::matrices) continue;
+    const bool mirrored = argument.kind == Kind::matrix3 && is_symmetric(inputs[a]);
+    for (std::size_t n = 0; n < std::min<std::size_t>(inputs[a].numbers.size(), argument.kind == Kind::matrix3 ? 9 : 4);
+         ++n) {
+      if (mirrored && n % 3 > n / 3) continue;
+      handles.push_back({a, n, entry_name(argument, n), argument.unit, mirrored && n % 3 != n / 3});
+    }
+  }
+  return handles;
+}
+
+/// "omega_2 = 0", "omega_2 × 1.37".
+std::string scaled(const std::string& name, double factor) {
+  return factor == 0 ? name + " = 0" : factor == -1 ? "−" + name : fmt::format("{} × {:.3g}", name, factor);
+}
+
+void scale(Value& value, double factor) {
+  for (double& number : value.numbers) number *= factor;
+}
+
+double norm(const Value& value) { return as_matrix(value).norm(); }
+
+/// An input that may become a case.
+struct Candidate {
+  Values inputs;
+  std::string name;  ///< "omega_2 = 0"
+  int base = -1;
+  int argument = -1;
+  int entry = -1;
+};
+
+/// All candidates that are made from one described case.
+class Neighbours {
+ public:
+  Neighbours(const ExerciseReference& exercise, std::size_t base)
+      : exercise_(exercise),
+        base_(base),
+        inputs_(exercise.cases[base].inputs),
+        handles_(handles_of(exercise, inputs_)) {}
+
+  std::vector<Candidate> all() {
+    single_numbers({0, -1, 1.37, 1e-3, 1e-6});
+    whole_arguments({0, -1, 1e-3, 1e-2, 1. / 30, 30, 1e2, 1e3});
+    equalities();
+    units_together();
+    directions();
+    angles();
+    relations();
+    return std::move(found_);
+  }
+
+  /// Every number and every argument somewhat changed: enough to see on what a result depends.
+  std::vector<Candidate> probes() {
+    single_numbers({1.37});
+    whole_arguments({2});
+    return std::move(found_);
+  }
+
+  /// Besides these every number and every argument through all orders of magnitude, times but a few, and every rotation
+  /// matrix next to those with zeros.
+  std::vector<Candidate> dense() {
+    for (int decade = -12; decade <= 4; ++decade) {
+      const double factor = std::pow(10.0, decade);
+      for (const Handle& handle : handles_) {
+        for (const double number : {0.7 * factor, -0.7 * factor}) {
+          if (handle.unit == units::second && decade > 1) continue;
+          Values changed = inputs_;
+          handle.set(changed, number);
+          add(fmt::format("{} = {:.3g}", handle.name, number), changed);
+        }
+      }
+      for (std::size_t a = 0; a < inputs_.size(); ++a) {
+        if (exercise_.arguments[a].unit == units::second && decade > 1) continue;
+        Values changed = inputs_;
+        scale(changed[a], factor);
+        add(scaled(name_of(a), factor), changed);
+      }
+    }
+    for (std::size_t a = 0; a < inputs_.size(); ++a) {
+      if (exercise_.arguments[a].kind == Kind::matrix3 && !is_symmetric(inputs_[a])) attitudes(a);
+    }
+    return all();
+  }
+
+ private:
+  const std::string& name_of(std::size_t argument) const { return exercise_.arguments[argument].name; }
+
+  void add(const std::string& name, Values inputs, int argument = -1, int entry = -1) {
+    found_.push_back({std::move(inputs), fmt::format("{} ({})", name, exercise_.cases[base_].name),
+                      static_cast<int>(base_), argument, entry});
+  }
+
+  void single_numbers(const std::vector<double>& factors) {
+    for (const Handle& handle : handles_) {
+      for (const double factor : factors) {
+        Values changed = inputs_;
+        handle.set(changed, factor * handle.get(inputs_));
+        add(scaled(handle.name, factor), changed, static_cast<int>(handle.argument), static_cast<int>(handle.entry));
+      }
+    }
+  }
+
+  void whole_arguments(const std::vector<double>& factors) {
+    for (std::size_t a = 0; a < inputs_.size(); ++a) {
+      const Unit unit = exercise_.arguments[a].unit;
+      if (exercise_.arguments[a].kind == Kind::integer || unit == units::radian) continue;
+      for (const double factor : factors) {
+        if (unit == units::second && (factor > 30 || factor < 0)) continue;
+        Values changed = inputs_;
+        scale(changed[a], factor);
+        add(scaled(name_of(a), factor), changed, static_cast<int>(a));
+      }
+    }
+  }
+
+  void equalities() {
+    for (std::size_t i = 0; i < handles_.size(); ++i) {
+      for (std::size_t k = i + 1; k < handles_.size(); ++k) {
+        if (!(handles_[i].unit == handles_[k].unit) || handles_[i].unit == units::none) continue;
+        for (const double factor : {1.0, -1.0, 1 + 1e-3, 1 + 1e-6}) {
+          Values changed = inputs_;
+          handles_[k].set(changed, factor * handles_[i].get(inputs_));
+          add(fmt::format("{} = {}{}", handles_[k].name,
+                          factor == 1    ? ""
+                          : factor == -1 ? "−"
+                                         : fmt::format("{} ", factor),
+                          handles_[i].name),
+              changed);
+        }
+      }
+    }
+  }
+
+  /// A rotation matrix close to one with zeros. What else is no symmetric matrix turns along: a rate of it stays one.
+  void attitudes(std::size_t a) {
+    const Eigen::Vector3d axes[] = {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()};
+    for (const Eigen::Vector3d& about : axes) {
+      for (const Eigen::Vector3d& off : axes) {
+        for (const double angle : {0.0, pi / 2, pi}) {
+          for (const double small : {0.1, 1e-2, 3e-3, 3e-4, 1e-5, 1e-7, 1e-10}) {
+            const Eigen::Matrix3d wanted = (Eigen::AngleAxisd(angle, about) * Eigen::AngleAxisd(small, off)).matrix();
+            Values changed = inputs_;
+            for (std::size_t b = 0; b < inputs_.size(); ++b) {
+              if (exercise_.arguments[b].kind == Kind::matrix3 && !is_symmetric(inputs_[b]))
+                changed[b] = to_value(wanted * as_matrix(inputs_[a]).transpose() * as_matrix(inputs_[b]));
+            }
+            add(fmt::format("{} turned by {:.3g} about {} and {} about {}", name_of(a), angle, "xyz"[&about - axes],
+                            small, "xyz"[&off - axes]),
+                changed);
+          }
+        }
+      }
+    }
+  }
+
+  void units_together() {
+    const auto power = [](Unit unit, char base) {
+      return base == 'k' ? unit.kilogram : base == 'm' ? unit.metre : unit.second;
+    };
+    for (const char base : {'k', 'm', 's'}) {
+      for (const double factor : {1e-6, 1e-3, 1e3, 1e6}) {
+        Values changed = inputs_;
+        for (std::size_t a = 0; a < changed.size(); ++a)
+          scale(changed[a], std::pow(factor, power(exercise_.arguments[a].unit, base)));
+        if (changed != inputs_)
+          add(scaled(base == 'k' ? "all masses" : base == 'm' ? "all lengths" : "all times", factor), changed);
+      }
+    }
+  }
+
+  void directions() {
+    for (std::size_t a = 0; a < inputs_.size(); ++a) {
+      if (exercise_.arguments[a].kind != Kind::vector3 || !(exercise_.arguments[a].unit == units::none)) continue;
+      for (const double length : {0.9, 0.95, 0.99, 0.999, 1.0, 1.001, 1.01, 1.05, 1.1}) {
+        Values changed = inputs_;
+        scale(changed[a], length / norm(inputs_[a]));
+        add(fmt::format("{} of length {}", name_of(a), length), changed);
+      }
+    }
+  }
+
+  void angles() {
+    for (const Handle& handle : handles_) {
+      if (!(handle.unit == units::radian)) continue;
+      for (const double around : {0.0, pi / 2, pi, -pi / 2}) {
+        for (const double off : {0.0, 1e-6, -1e-3, 1e-2}) set_angle(handle, around + off);
+      }
+      for (const double angle : {-0.7, 4.0, 2 * pi + 0.4, -pi - 0.4, 20.3}) set_angle(handle, angle);
+    }
+  }
+
+  void set_angle(const Handle& handle, double angle) {
+    Values changed = inputs_;
+    handle.set(changed, angle);
+    add(fmt::format("{} = {:.7g}", handle.name, angle), changed, static_cast<int>(handle.argument),
+        static_cast<int>(handle.entry));
+  }
+
+  void relations() {
+    for (std::size_t a = 0; a < inputs_.size(); ++a) {
+      const Argument& argument = exercise_.arguments[a];
+      if (argument.kind == Kind::matrix3 && is_symmetric(inputs_[a])) {
+        Values changed = inputs_;
+        changed[a] = to_value(Eigen::Matrix3d::Identity() * as_matrix(inputs_[a]).trace() / 3);
+        add(name_of(a) + " a multiple of the unit matrix", changed);
+        changed[a] = to_value(Eigen::MatrixXd(as_matrix(inputs_[a]).diagonal().asDiagonal()));
+        add(name_of(a) + " diagonal", changed);
+      } else if (argument.kind == Kind::matrix3) {
+        Values changed = inputs_;
+        const std::pair<const char*, Eigen::Matrix3d> turns[] = {
+            {"the unit matrix", Eigen::Matrix3d::Identity()},
+            {"a quarter turn about x", Eigen::AngleAxisd(pi / 2, Eigen::Vector3d::UnitX()).toRotationMatrix()},
+            {"half a turn about z", Eigen::AngleAxisd(pi, Eigen::Vector3d::UnitZ()).toRotationMatrix()}};
+        for (const auto& [name, turn] : turns) {
+          changed[a] = to_value(turn);
+          add(name_of(a) + " " + name, changed);
+        }
+      }
+      if (argument.kind != Kind::vector3) continue;
+      for (std::size_t b = 0; b < inputs_.size(); ++b) {
+        if (b == a || exercise_.arguments[b].kind != Kind::vector3) continue;
+        const Eigen::Vector3d u = as_matrix(inputs_[a]), v = as_matrix(inputs_[b]);
+        const std::pair<const char*, Eigen::Vector3d> relatives[] = {
+            {"parallel to", u * (v.norm() / u.norm())},
+            {"minus", -u},
+            {"equal to", u},
+            {"at right angles to", v - u * (u.dot(v) / u.squaredNorm())}};
+        for (const auto& [relation, w] : relatives) {
+          Values changed = inputs_;
+          changed[b] = to_value(w);
+          add(fmt::format("{} {} {}", name_of(b), relation, name_of(a)), changed);
+        }
+      }
+    }
+  }
+
+  const ExerciseReference& exercise_;
+  std::size_t base_;
+  const Values& inputs_;
+  std::vector<Handle> handles_;
+  std::vector<Candidate> found_;
+};
+
+/// The described cases that others are made from: generic ones.
+std::vector<std::size_t> bases_of(const ExerciseReference& exercise) {
+  std::vector<std::size_t> bases;
+  for (std::size_t i = 0; i < exercise.cases.size() && bases.size() < most_bases; ++i) {
+    if (exercise.cases[i].group == Group::random) bases.push_back(i);
+  }
+  return bases;
+}
+
+/// What a function gives, or nothing where it throws or its result is not finite.
+std::optional<Value> attempt(const std::function<Value(const Values&)>& function, const Values& inputs) {
+  try {
+    Value value = function(inputs);
+    if (value.is_finite() && value.is_complete()) return value;
+  } catch (const std::exception&) {
+  }
+  return std::nullopt;
+}
+
+/// What decides whether an answer passes, and nothing else: it is copied for every answer.
+ExerciseReference without_outputs(const ExerciseReference& exercise, const Case& one) {
+  ExerciseReference alone;
+  alone.name = exercise.name;
+  alone.arguments = exercise.arguments;
+  alone.result_kind = exercise.result_kind;
+  alone.result_units = exercise.result_units;
+  alone.comparison = exercise.comparison;
+  alone.cases = {one};
+  return alone;
+}
+
+bool passes_at(const Subject& subject, const Case& one, const std::optional<Value>& value) {
+  return value && passes(without_outputs(subject.described, one), 0, *value);
+}
+
+/// This candidate with the reference's value, be it within the reach of other routes or not.
+std::optional<Case> unchecked_case_at(const Subject& subject, const Candidate& candidate) {
+  const auto is_finite = [](const Value& value) { return value.is_finite(); };
+  if (!std::ranges::all_of(candidate.inputs, is_finite) || !subject.legal(candidate.inputs)) return std::nullopt;
+  try {
+    Case one = subject.judged(candidate.inputs);
+    one.name = candidate.name;
+    one.base = candidate.base;
+    one.argument = candidate.argument;
+    one.entry = candidate.entry;
+    return one;
+  } catch (const std::logic_error&) {
+    return std::nullopt;
+  }
+}
+
+/// A case of this candidate, if it is legal and all routes agree there. They must agree better than an answer must, so
+/// that a right answer by yet another route passes.
+std::optional<Case> case_at(const Subject& subject, const Candidate& candidate) {
+  std::optional<Case> one = unchecked_case_at(subject, candidate);
+  if (!one) return std::nullopt;
+  Case strict = *one;
+  strict.tolerance /= 5;
+  const auto agrees = [&](const auto& route) { return passes_at(subject, strict, attempt(route, strict.inputs)); };
+  if (!std::ranges::all_of(subject.routes, agrees)) return std::nullopt;
+  return one;
+}
+
+// --- small whole numbers
+
+constexpr std::size_t rungs = 7, most_rungs = 3;
+
+Eigen::Vector3d small_vector(std::size_t rung, std::size_t argument) {
+  if (rung == 0) return Eigen::Vector3d::Unit(static_cast<Eigen::Index>(argument % 3));
+  if (rung == 1) return Eigen::Vector3d::Ones() - Eigen::Vector3d::Unit(static_cast<Eigen::Index>(argument % 3));
+  const Eigen::Vector3d vectors[] = {{1, 2, 3}, {2, -1, 1}, {1, 1, -2}, {3, 0, 1}, {0, 2, -1}};
+  return vectors[(argument + rung) % 5];
+}
+
+Eigen::Matrix3d small_tensor(std::size_t rung) {
+  if (rung < 2)
+    return Eigen::Vector3d(1, 1.0 + static_cast<double>(rung), 1.0 + static_cast<double>(rung)).asDiagonal();
+  return Eigen::Matrix3d{{3, -1, 0}, {-1, 3, 0}, {0, 0, 4}} * std::pow(10.0, static_cast<double>(rung - 2) / 2);
+}
+
+Eigen::Matrix3d small_rotation(std::size_t rung) {
+  const Eigen::Matrix3d rotations[] = {Eigen::Matrix3d::Identity(), Eigen::Matrix3d{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
+                                       Eigen::Matrix3d{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}};
+  return rotations[std::min<std::size_t>(rung, 2)];
+}
+
+Eigen::MatrixXd small_input(const Argument& argument, std::size_t a, std::size_t rung) {
+  const auto n = static_cast<double>(rung + 1);
+  const bool is_angle = argument.unit == units::radian;
+  const auto count = static_cast<Eigen::Index>(std::min<std::size_t>(rung, 2) + 1);
+  switch (argument.kind) {
+    case Kind::number:
+      return Eigen::MatrixXd::Constant(1, 1, is_angle ? n - 1 : rung == 0 ? 1 : n + static_cast<double>(a) - 1);
+    case Kind::integer:
+      return Eigen::MatrixXd::Constant(1, 1, static_cast<double>(rung % 3));
+    case Kind::vector2:
+      return small_vector(rung, a).head<2>();
+    case Kind::vector3:
+      if (is_angle) return Eigen::Vector3d(rung > 0 ? 1 : 0, rung > 1 ? 2 : 1, rung > 1 ? 3 : 0);
+      if (argument.unit == units::kilogram * units::metre * units::metre)
+        return rung < 2 ? Eigen::Vector3d(1, n, n) : Eigen::Vector3d(2, 3, 4);
+      return small_vector(rung, a);
+    case Kind::vector:
+      return Eigen::VectorXd::LinSpaced(count, 1, static_cast<double>(count));
+    case Kind::points: {
+      Eigen::MatrixXd points(3, count);
+      for (Eigen::Index k = 0; k < count; ++k) points.col(k) = small_vector(rung, static_cast<std::size_t>(k));
+      return points;
+    }
+    case Kind::matrix3:
+      return argument.unit == units::none ? small_rotation(rung) : small_tensor(rung);
+    case Kind::matrices:
+      return small_tensor(rung).replicate(1, count);
+  }
+  return {};
+}
+
+// --- changed inputs
+
+using Change = std::function<void(Values&)>;
+
+struct NamedChange {
+  std::string name;
+  std::string words;
+  Change change;
+};
+
+void add_changes_of(std::vector<NamedChange>& changes, const Argument& argument, std::size_t a) {
+  const std::string& name = argument.name;
+  const auto add = [&](const std::string& key, const std::string& words, const Change& change) {
+    changes.push_back({name + "_" + key, words, change});
+  };
+  const auto each = [a](const std::function<double(double)>& f) {
+    return [a, f](Values& inputs) {
+      for (double& number : inputs[a].numbers) number = f(number);
+    };
+  };
+  add("negated", "−" + name, each([](double x) { return -x; }));
+  add("zero", name + " = 0", each([](double) { return 0.0; }));
+  add("absolute", "|" + name + "|", each([](double x) { return std::abs(x); }));
+  add("doubled", "2·" + name, each([](double x) { return 2 * x; }));
+  add("halved", name + "/2", each([](double x) { return x / 2; }));
+  if (argument.unit == units::radian) {
+    add("degrees", name + " read as degrees", each([](double x) { return x * pi / 180; }));
+    add("complement", "π/2 − " + name, each([](double x) { return pi / 2 - x; }));
+  }
+  if (argument.kind == Kind::vector3 || argument.kind == Kind::vector2) {
+    const std::size_t size = argument.kind == Kind::vector3 ? 3 : 2;
+    for (std::size_t n = 0; n < size; ++n) {
+      const std::string entry = fmt::format("{}_{}", name, n + 1);
+      add(fmt::format("{}_zero", n + 1), entry + " = 0", [a, n](Values& inputs) { inputs[a].numbers[n] = 0; });
+      add(fmt::format("{}_negated", n + 1), fmt::format("−{0} in place of {0}", entry),
+          [a, n](Values& inputs) { inputs[a].numbers[n] *= -1; });
+      for (std::size_t k = n + 1; k < size; ++k)
+        add(fmt::format("{}_{}_exchanged", n + 1, k + 1),
+            fmt::format("{} with components {} and {} exchanged", name, n + 1, k + 1),
+            [a, n, k](Values& inputs) { std::swap(inputs[a].numbers[n], inputs[a].numbers[k]); });
+    }
+    if (size == 3)
+      for (const int shift : {1, 2})
+        add(fmt::format("shifted_{}", shift), fmt::format("{} with its components shifted round by {}", name, shift),
+            [a, shift](Values& inputs) {
+              std::rotate(inputs[a].numbers.begin(), inputs[a].numbers.begin() + shift, inputs[a].numbers.end());
+            });
+    add("unit", name + " divided by its length", [a](Values& inputs) { scale(inputs[a], 1 / norm(inputs[a])); });
+  }
+  if (argument.kind == Kind::matrix3) {
+    add("transposed", "the transpose of " + name,
+        [a](Values& inputs) { inputs[a] = to_value(as_matrix(inputs[a]).transpose()); });
+    add("diagonal", "the diagonal part of " + name,
+        [a](Values& inputs) { inputs[a] = to_value(Eigen::MatrixXd(as_matrix(inputs[a]).diagonal().asDiagonal())); });
+    add("off_diagonal_negated", name + " with the opposite signs off its diagonal", [a](Values& inputs) {
+      const Eigen::MatrixXd diagonal = as_matrix(inputs[a]).diagonal().asDiagonal();
+      inputs[a] = to_value(2 * diagonal - as_matrix(inputs[a]));
+    });
+  }
+  if (argument.kind == Kind::vector || argument.kind == Kind::points) {
+    const auto drop = [a, is_list = argument.kind == Kind::points](bool first) {
+      return [=](Values& inputs) {
+        const Eigen::MatrixXd all = as_matrix(inputs[a]);
+        const Eigen::Index left = (is_list ? all.cols() : all.rows()) - 1;
+        if (left < 1) return;
+        inputs[a] = is_list ? to_value(first ? all.rightCols(left) : all.leftCols(left))
+                            : to_value(first ? all.bottomRows(left) : all.topRows(left));
+      };
+    };
+    add("without_last", name + " without its last entry", drop(false));
+    add("without_first", name + " without its first entry", drop(true));
+  }
+}
+
+std::vector<NamedChange> changes_of(const ExerciseReference& exercise) {
+  std::vector<NamedChange> changes;
+  for (std::size_t a = 0; a < exercise.arguments.size(); ++a) {
+    if (exercise.arguments[a].kind != Kind::integer) add_changes_of(changes, exercise.arguments[a], a);
+    for (std::size_t b = a + 1; b < exercise.arguments.size(); ++b) {
+      if (exercise.arguments[a].kind != exercise.arguments[b].kind) continue;
+      const std::string names = exercise.arguments[a].name + " and " + exercise.arguments[b].name;
+      changes.push_back({exercise.arguments[a].name + "_" + exercise.arguments[b].name + "_exchanged",
+                         names + " exchanged", [a, b](Values& inputs) { std::swap(inputs[a], inputs[b]); }});
+      changes.push_back({exercise.arguments[b].name + "_is_" + exercise.arguments[a].name,
+                         exercise.arguments[a].name + " in place of " + exercise.arguments[b].name,
+                         [a, b](Values& inputs) { inputs[b] = inputs[a]; }});
+    }
+  }
+  return changes;
+}
+
+bool same_outputs(const Subject& subject, const std::vector<Value>& one, const std::vector<Value>& other) {
+  const ExerciseReference& exercise = subject.described;
+  return std::ranges::all_of(deciding_cases(exercise),
+                             [&](std::size_t i) { return is_same_answer(exercise, i, one[i], other[i]); });
+}
+
+// --- bug templates
+
+std::function<Value(const Values&)> with_changed_input(const Subject& subject, Change change) {
+  return [right = subject.right, change = std::move(change)](const Values& inputs) {
+    Values changed = inputs;
+    change(changed);
+    return right(changed);
+  };
+}
+
+std::function<Value(const Values&)> with_changed_output(const Subject& subject, std::function<double(double)> change) {
+  return [right = subject.right, change = std::move(change)](const Values& inputs) {
+    Value value = right(inputs);
+    for (double& number : value.numbers) number = change(number);
+    return value;
+  };
+}
+
+void add_threshold_templates(std::vector<BugTemplate>& templates, const Subject& subject, const Handle& handle) {
+  const auto on_entry = [&](const std::string& name, const std::function<double(double)>& f) {
+    templates.push_back({name, with_changed_input(subject, [handle, f](Values& inputs) {
+                           if (handle.is_in(inputs)) handle.set(inputs, f(handle.get(inputs)));
+                         })});
+  };
+  for (const double threshold : {1e-3, 1e-6, 1e-9})
+    on_entry(fmt::format("|{}| below {} taken for zero", handle.name, threshold),
+             [threshold](double x) { return std::abs(x) < threshold ? 0.0 : x; });
+  on_entry(fmt::format("|{}| in place of {}", handle.name, handle.name), [](double x) { return std::abs(x); });
+  for (const double limit : {10.0, 1000.0})
+    on_entry(fmt::format("{} limited to {}", handle.name, limit),
+             [limit](double x) { return std::clamp(x, -limit, limit); });
+  if (!(handle.unit == units::radian)) return;
+  on_entry(handle.name + " limited to 0 … π", [](double x) { return std::clamp(x, 0.0, pi); });
+  on_entry(handle.name + " limited to −π … π", [](double x) { return std::clamp(x, -pi, pi); });
+  on_entry(handle.name + " taken modulo π", [](double x) { return std::fmod(x, pi); });
+  on_entry(handle.name + " taken modulo 2π", [](double x) { return std::fmod(x, 2 * pi); });
+}
+
+}  // namespace
+
+std::vector<Values> ladder(const Subject& subject) {
+  std::vector<Values> found;
+  const std::vector<Argument>& arguments = subject.described.arguments;
+  for (std::size_t rung = 0; rung < rungs && found.size() < most_rungs; ++rung) {
+    Values inputs;
+    for (std::size_t a = 0; a < arguments.size(); ++a) {
+      Eigen::MatrixXd input = small_input(arguments[a], a, rung);
+      const bool is_rate =
+          arguments[a].kind == Kind::matrix3 && a > 0 && arguments[a].unit == units::none / units::second;
+      if (is_rate) {  // of the rotation matrix before it
+        const Eigen::Vector3d omega = small_vector(rung, 2);
+        input = as_matrix(inputs[a - 1]);
+        for (Eigen::Index k = 0; k < 3; ++k) input.col(k) = omega.cross(Eigen::Vector3d(input.col(k)));
+      }
+      inputs.push_back(to_value(input));
+    }
+    if (case_at(subject, {inputs, "small whole numbers"})) found.push_back(std::move(inputs));
+  }
+  return found;
+}
+
+std::vector<Case> corner_cases(const Subject& subject) {
+  std::vector<Candidate> candidates;
+  for (const std::size_t base : bases_of(subject.described)) {
+    Neighbours neighbours(subject.described, base);
+    std::ranges::move(candidates.empty() ? neighbours.all() : neighbours.probes(), std::back_inserter(candidates));
+  }
+  std::vector<Case> cases;
+  std::set<std::vector<double>> seen;
+  for (const Candidate& candidate : candidates) {
+    std::vector<double> key;
+    for (const Value& value : candidate.inputs) key.insert(key.end(), value.numbers.begin(), value.numbers.end());
+    if (!seen.insert(key).second) continue;
+    if (std::optional<Case> one = case_at(subject, candidate)) cases.push_back(std::move(*one));
+  }
+  return cases;
+}
+
+std::vector<InputTransform> input_transforms(const Subject& subject) {
+  const ExerciseReference& exercise = subject.described;
+  std::vector<Value> expected;
+  for (const Case& one : exercise.cases) expected.push_back(one.expected);
+  std::vector<InputTransform> transforms;
+  for (const NamedChange& each : changes_of(exercise)) {
+    InputTransform transform{each.name, each.words, {}};
+    bool is_usable = true;
+    for (const Case& one : exercise.cases) {
+      Values changed = one.inputs;
+      each.change(changed);
+      const bool legal = subject.legal(changed);
+      const std::optional<Value> value = legal ? attempt(subject.right, changed) : std::nullopt;
+      const bool fits = value && value->has_shape_of(one.expected);
+      is_usable = is_usable && (fits || !one.deciding);
+      if (!is_usable) break;
+      transform.outputs.push_back(fits ? *value : one.expected);
+    }
+    if (!is_usable || same_outputs(subject, transform.outputs, expected)) continue;
+    const bool is_known = std::ranges::any_of(transforms, [&](const InputTransform& other) {
+      return same_outputs(subject, transform.outputs, other.outputs);
+    });
+    if (!is_known) transforms.push_back(std::move(transform));
+  }
+  return transforms;
+}
+
+std::vector<BugTemplate> bug_templates(const Subject& subject) {
+  std::vector<BugTemplate> templates;
+  const auto bases = bases_of(subject.described);
+  if (bases.empty()) return templates;
+  const Values& generic = subject.described.cases[bases.front()].inputs;
+  const std::vector<Handle> handles = handles_of(subject.described, generic);
+  for (const Handle& handle : handles) add_threshold_templates(templates, subject, handle);
+  for (std::size_t a = 0; a < generic.size(); ++a) {
+    const Argument& argument = subject.described.arguments[a];
+    if (argument.kind == Kind::integer || generic[a].numbers.size() == 1) continue;
+    for (const double threshold : {1e-3, 1e-6, 1e-9})
+      templates.push_back({fmt::format("the length of {} below {} taken for zero", argument.name, threshold),
+                           with_changed_input(subject, [a, threshold](Values& inputs) {
+                             if (norm(inputs[a]) < threshold) scale(inputs[a], 0);
+                           })});
+  }
+  for (std::size_t i = 0; i < handles.size(); ++i) {
+    for (std::size_t k = i + 1; k < handles.size(); ++k) {
+      const Handle &one = handles[i], &other = handles[k];
+      if (!(one.unit == other.unit) || one.unit == units::none) continue;
+      for (const double threshold : {1e-2, 1e-4})
+        templates.push_back({fmt::format("{} within {} of {} taken for equal", other.name, threshold, one.name),
+                             with_changed_input(subject, [one, other, threshold](Values& inputs) {
+                               if (!one.is_in(inputs) || !other.is_in(inputs)) return;
+                               const double x = one.get(inputs), y = other.get(inputs);
+                               if (std::abs(x - y) < threshold * std::max(std::abs(x), std::abs(y)))
+                                 other.set(inputs, x);
+                             })});
+    }
+  }
+  for (const double threshold : {1e-3, 1e-6, 1e-9, 1e-12})
+    templates.push_back(
+        {fmt::format("results below {} replaced by zero", threshold),
+         with_changed_output(subject, [threshold](double x) { return std::abs(x) < threshold ? 0.0 : x; })});
+  templates.push_back({"results in float", with_changed_output(subject, [](double x) { return double(float(x)); })});
+  templates.push_back(
+      {"absolute value of the result", with_changed_output(subject, [](double x) { return std::abs(x); })});
+  templates.push_back({"inputs in float", with_changed_input(subject, [](Values& inputs) {
+                         for (Value& value : inputs)
+                           for (double& number : value.numbers) number = static_cast<float>(number);
+                       })});
+  const auto first = std::make_shared<std::optional<Value>>();
+  templates.push_back({"the value of the first call kept", [first, right = subject.right](const Values& inputs) {
+                         if (!*first) *first = right(inputs);
+                         return **first;
+                       }});
+  return templates;
+}
+
+void prove_adequacy(const Subject& subject, std::vector<Case>& cases, Adequacy& adequacy) {
+  struct Point {
+    Candidate candidate;
+    std::optional<Value> right;
+    bool is_tried = false;  // as a case
+    std::optional<Case> one = {};
+  };
+  std::vector<Point> sample;
+  for (const std::size_t base : bases_of(subject.described)) {
+    for (Candidate& candidate : Neighbours(subject.described, base).dense()) {
+      if (!subject.legal(candidate.inputs)) continue;
+      const std::optional<Value> right = attempt(subject.right, candidate.inputs);
+      if (right) sample.push_back({std::move(candidate), right});
+    }
+  }
+
+  for (const BugTemplate& bug : bug_templates(subject)) {
+    ++adequacy.made;
+    const auto fails_at = [&](const Case& one) { return !passes_at(subject, one, attempt(bug.buggy, one.inputs)); };
+    if (std::ranges::any_of(subject.described.cases, fails_at) || std::ranges::any_of(cases, fails_at)) {
+      ++adequacy.killed;
+      continue;
+    }
+    bool differs = false;
+    const auto shows_at = [&](Point& point) {
+      const auto buggy = attempt(bug.buggy, point.candidate.inputs);
+      if (buggy && buggy->numbers == point.right->numbers) return false;
+      if (!point.is_tried) point.one = case_at(subject, point.candidate);
+      point.is_tried = true;
+      const std::optional<Case> one = point.one ? point.one : unchecked_case_at(subject, point.candidate);
+      if (!one || passes_at(subject, *one, buggy)) return false;
+      differs = true;
+      return point.one.has_value();
+    };
+    if (const auto point = std::ranges::find_if(sample, shows_at); point != sample.end()) {
+      cases.push_back(*point->one);
+      ++adequacy.killed;
+    } else if (differs) {
+      adequacy.survivors.push_back(bug.name);
+    } else {
+      ++adequacy.equal;
+    }
+  }
+}
+
+}  // namespace workbook::judging

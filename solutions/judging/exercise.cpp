@@ -1,0 +1,261 @@
+#include "solutions/judging/exercise.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace workbook::judging {
+
+namespace detail {
+
+template <class T>
+Value to_value(const T& typed) {
+  Value value{KindOf<T>::rows(typed), KindOf<T>::cols(typed), {}};
+  value.numbers.resize(static_cast<std::size_t>(value.rows) * value.cols);
+  KindOf<T>::write(typed, value.numbers.data());
+  return value;
+}
+
+template <class T>
+T from_value(const Value& value) {
+  return KindOf<T>::read({value.rows, value.cols, value.numbers.data()});
+}
+
+/// Makes both for all types of the contracts.
+template <class... T>
+struct Made {
+  static inline const std::tuple all{&to_value<T>..., &from_value<T>...};
+};
+template struct Made<double, int, Vector2d, Vector3d, VectorXd, Matrix3d, Matrix3Xd, std::vector<Matrix3d>>;
+
+}  // namespace detail
+
+namespace {
+
+/// "Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r)".
+std::string signature_of(const ExerciseReference& exercise) {
+  constexpr const char* types[] = {"double",   "int",      "Vector2d",  "Vector3d",  // in the order of Kind
+                                   "VectorXd", "Matrix3d", "Matrix3Xd", "std::vector<Matrix3d>"};
+  std::vector<std::string> parameters;
+  for (const auto& [name, kind, unit] : exercise.arguments) {
+    const bool by_value = kind == Kind::number || kind == Kind::integer;
+    const std::string type = types[static_cast<int>(kind)];
+    parameters.push_back(fmt::format("{} {}", by_value ? type : fmt::format("const {}&", type), name));
+  }
+  return fmt::format("{} {}({})", types[static_cast<int>(exercise.result_kind)], exercise.name,
+                     fmt::join(parameters, ", "));
+}
+
+/// A seed of its own for every batch of random cases, so that adding one leaves the others as they were.
+std::uint64_t batch_seed(std::uint64_t seed, const std::string& exercise, const std::string& batch) {
+  // FNV-1a: a hash that is the same on every machine, unlike std::hash.
+  std::uint64_t hash = 0xcbf29ce484222325ULL ^ seed;
+  for (const char letter : fmt::format("{}/{}", exercise, batch))
+    hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3ULL;
+  return hash;
+}
+
+double largest(const Value& value) {
+  double result = 0.0;
+  for (const double number : value.numbers) result = std::max(result, std::abs(number));
+  return result;
+}
+
+/// Finite, and neither products nor quotients of such numbers overflow or underflow.
+bool has_ordinary_size(double number) { return number == 0 || (std::abs(number) > 1e-100 && std::abs(number) < 1e100); }
+
+void append(std::string& reasons, const std::string& reason) { reasons += (reasons.empty() ? "" : " ") + reason; }
+
+/// The outputs of the functions at these inputs, each to its part.
+template <class Part>
+void add_outputs(std::vector<Part>& parts, const std::vector<OnValues<Value>>& functions, const Values& inputs,
+                 std::vector<Value> Part::*outputs) {
+  for (std::size_t k = 0; k < functions.size(); ++k) (parts[k].*outputs).push_back(functions[k](inputs));
+}
+
+}  // namespace
+
+void AnyExercise::set_signature(const std::vector<Named>& arguments, const std::vector<std::string>& kinds,
+                                const Named& result, const std::string& result_kind) {
+  if (arguments.size() != kinds.size())
+    throw std::logic_error(result_.name + ": every parameter of the contract needs a name and a unit");
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    sorts_.push_back(arguments[i].sort);
+    result_.arguments.push_back({arguments[i].name, kind_from_string(kinds[i]), arguments[i].sort.unit});
+  }
+  result_.result_kind = kind_from_string(result_kind);
+  result_.result_name = result.name;
+  result_.result_units = {result.sort.unit};
+  result_.signature = signature_of(result_);
+}
+
+void AnyExercise::tolerance(double relative, const std::string& reason) {
+  for (Batch& batch : batches_) batch.prototype.tolerance = relative;
+  append(result_.tolerance_reason, reason);
+}
+
+void AnyExercise::tolerance_of_last_case(double relative, const std::string& reason) {
+  batches_.back().prototype.tolerance = relative;
+  append(result_.tolerance_reason, reason);
+}
+
+void AnyExercise::wrong_terms(Sentence says, std::string name, const Doubles& coefficients) {
+  if (coefficients.size() != terms_.size())
+    throw std::logic_error(result_.name + ", " + name + ": give one coefficient for every term declared");
+  add_wrong(std::move(says), std::move(name), [terms = terms_, coefficients](const Values& inputs) {
+    Value result;
+    for (std::size_t k = 0; k < terms.size(); ++k) {
+      const Value summand = terms[k](inputs);
+      if (k == 0) result = {summand.rows, summand.cols, Doubles(summand.numbers.size())};
+      for (std::size_t i = 0; i < summand.numbers.size(); ++i)
+        result.numbers[i] += coefficients[k] * summand.numbers[i];
+    }
+    return result;
+  });
+}
+
+void AnyExercise::property(PropertyKind kind, Sentence says, int argument) {
+  result_.properties.push_back({kind, std::move(says.text), std::move(says.notes), argument, {}});
+  weights_.emplace_back();
+}
+
+void AnyExercise::is_inertia_tensor(const char* symmetry_notes, const char* energy_notes) {
+  property(Is::symmetric, {"An inertia tensor is symmetric: I_xy = I_yx.", symmetry_notes});
+  property(Is::positive_semidefinite,
+           {"An inertia tensor has no negative eigenvalue: no rotation has negative energy.", energy_notes});
+}
+
+void AnyExercise::add_batch(std::string name, Group group, int count, std::function<Values(Random&)> draw) {
+  Case prototype;
+  prototype.name = std::move(name);
+  prototype.group = group;
+  prototype.deciding = group != Group::special;
+  batches_.push_back({std::move(prototype), count, std::move(draw)});
+}
+
+void AnyExercise::add_wrong(Sentence says, std::string name, Function wrong) {
+  result_.misconceptions.push_back({std::move(name), std::move(says.text), std::move(says.notes), {}, {}});
+  misconceptions_.push_back(std::move(wrong));
+}
+
+void AnyExercise::add_term(std::string name, double coefficient, Function summand) {
+  result_.terms.push_back({std::move(name), coefficient, {}});
+  terms_.push_back(std::move(summand));
+}
+
+void AnyExercise::add_route(std::string name, Function other) {
+  result_.routes.push_back({std::move(name), {}});
+  routes_.push_back(std::move(other));
+}
+
+void AnyExercise::set_sweep(const SweepLabels& labels, const std::vector<Drawn>& components, SweepRange range,
+                            std::function<Values(double)> inputs_at) {
+  result_.sweep = {labels.title, labels.x, labels.y, {}, {}, {}, {}, labels.y_unit};
+  for (const Drawn& each : components) {
+    const int place = static_cast<int>(result_.sweep.components.size());
+    result_.sweep.components.push_back({each.name, each.row < 0 ? place : each.row, each.col});
+  }
+  sweep_range_ = range;
+  sweep_inputs_ = std::move(inputs_at);
+}
+
+bool AnyExercise::is_legal(const Values& inputs) const {
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    if (!std::ranges::all_of(inputs[i].numbers, has_ordinary_size)) return false;
+    if (sorts_[i].is_legal && !sorts_[i].is_legal(inputs[i])) return false;
+  }
+  return !domain_ || domain_(inputs);
+}
+
+Case AnyExercise::case_at(const Case& prototype, const Values& inputs) const {
+  const std::string place = result_.name + ", case '" + prototype.name + "'";
+  if (!is_legal(inputs)) throw std::logic_error(place + ": the input lies outside the domain of the contract");
+  Case judged = prototype;
+  judged.inputs = inputs;
+  judged.expected = reference_(inputs);
+  if (scale_) {
+    judged.scale = scale_(inputs);
+  } else {
+    judged.scale = {largest(judged.expected)};
+    for (std::size_t k = 0; k < terms_.size(); ++k)
+      judged.scale[0] = std::max(judged.scale[0], std::abs(result_.terms[k].coefficient) * largest(terms_[k](inputs)));
+  }
+  if (!judged.expected.is_finite())
+    throw std::logic_error(place + ": the reference solution gives a number that is not finite");
+  if (judged.scale.size() != 1 && judged.scale.size() != judged.expected.numbers.size())
+    throw std::logic_error(place + ": give one scale, or one for each number of the result");
+  for (const double scale : judged.scale) {
+    if (!(scale > 0) || !std::isfinite(scale))
+      throw std::logic_error(place + ": the expected result is zero, so say its natural scale with scale(...)");
+  }
+  return judged;
+}
+
+void AnyExercise::add_case(const Case& prototype, const Values& inputs, ExerciseReference& out) const {
+  out.cases.push_back(case_at(prototype, inputs));
+  add_outputs(out.terms, terms_, inputs, &Term::outputs);
+  add_outputs(out.misconceptions, misconceptions_, inputs, &Misconception::outputs);
+  add_outputs(out.routes, routes_, inputs, &Route::outputs);
+}
+
+Subject AnyExercise::subject_of(const ExerciseReference& out) const {
+  const auto legal = [this](const Values& inputs) { return is_legal(inputs) && (!moderate_ || moderate_(inputs)); };
+  Case prototype;
+  prototype.group = Group::generated;
+  prototype.deciding = false;
+  prototype.tolerance = batches_.back().prototype.tolerance;
+  return {out, reference_, routes_, legal, [=, this](const Values& inputs) { return case_at(prototype, inputs); }};
+}
+
+void AnyExercise::add_sweep(ExerciseReference& out) const {
+  for (int i = 0; sweep_inputs_ && i < sweep_range_.points; ++i) {
+    const double x = sweep_range_.from + (sweep_range_.to - sweep_range_.from) * i / (sweep_range_.points - 1);
+    const Values inputs = sweep_inputs_(x);
+    if (!is_legal(inputs)) continue;
+    out.sweep.x.push_back(x);
+    out.sweep.inputs.push_back(inputs);
+    out.sweep.expected.push_back(reference_(inputs));
+    add_outputs(out.misconceptions, misconceptions_, inputs, &Misconception::sweep_outputs);
+  }
+}
+
+ExerciseReference AnyExercise::evaluate(std::uint64_t seed) const {
+  ExerciseReference out = result_;
+  const Subject subject = subject_of(out);
+  for (const Values& inputs : ladder(subject)) {
+    Case prototype;
+    prototype.name = "small whole numbers " + std::to_string(out.cases.size() + 1);
+    prototype.group = Group::special;
+    prototype.deciding = false;
+    prototype.tolerance = batches_.back().prototype.tolerance;
+    add_case(prototype, inputs, out);
+  }
+  for (const Batch& batch : batches_) {
+    Random random(batch_seed(seed, out.name, batch.prototype.name));
+    for (int i = 1; i <= batch.count; ++i) {
+      Case prototype = batch.prototype;
+      if (batch.count > 1) prototype.name += " " + std::to_string(i);
+      add_case(prototype, batch.draw(random), out);
+    }
+  }
+  std::vector<Case> corners = corner_cases(subject);
+  prove_adequacy(subject, corners, out.adequacy);
+  out.input_transforms = input_transforms(subject);
+  std::ranges::move(corners, std::back_inserter(out.cases));
+  for (std::size_t k = 0; k < weights_.size(); ++k) {
+    if (!weights_[k]) continue;
+    for (const Case& one : out.cases) out.properties[k].weights.push_back(weights_[k](one.inputs));
+  }
+  add_sweep(out);
+  return out;
+}
+
+LectureReference Lecture::evaluate(std::string name, std::uint64_t seed) const {
+  LectureReference result{seed, std::move(name), {}};
+  for (const auto& exercise : exercises_) result.exercises.push_back(exercise->evaluate(seed));
+  return result;
+}
+
+}  // namespace workbook::judging

@@ -1,0 +1,123 @@
+/// @file
+/// What the judging of several lectures needs: small formulas, the notes' running example, and what a quantity is: its
+/// unit, and which values are legal, up to rounding.
+#pragma once
+
+#include "checker/data/unit.hpp"
+#include "checker/data/value.hpp"
+#include "rigid/vocabulary.hpp"
+#include "solutions/judging/algebra.hpp"
+
+#include <numbers>
+
+namespace workbook::judging {
+
+using namespace rigid;
+
+inline constexpr double pi = std::numbers::pi;
+inline constexpr double degree = pi / 180;
+
+inline const Vector3d zero = Vector3d::Zero();
+inline const Vector3d x_axis = Vector3d::UnitX(), y_axis = Vector3d::UnitY(), z_axis = Vector3d::UnitZ();
+
+/// The angular velocity of the running example.
+inline const Vector3d example_omega(0.3, -0.2, 0.5);
+
+/// The four masses of lecture 03 about the origin: 10 kg at (0.5, 0.8, 1.3) m.
+inline const Matrix3d tensor_of_four_masses{{43, -4, -4}, {-4, 36, -4}, {-4, -4, 17}};
+
+inline Vector3d cross(const Vector3d& a, const Vector3d& b) { return a.cross(b); }
+
+/// The matrix that does what w× does, and back.
+inline Matrix3d skew(const Vector3d& w) { return Matrix3d{{0, -w[2], w[1]}, {w[2], 0, -w[0]}, {-w[1], w[0], 0}}; }
+inline Vector3d axial(const Matrix3d& W) { return {W(2, 1), W(0, 2), W(1, 0)}; }
+
+/// r r, the matrix with entries rᵢ rⱼ.
+inline Matrix3d dyad(const Vector3d& r) { return r * r.transpose(); }
+
+/// The active rotation about an axis of any length; about the zero vector nothing turns.
+inline Matrix3d turn(const Vector3d& axis, double angle) {
+  return Eigen::AngleAxisd(angle, axis.stableNormalized()).toRotationMatrix();
+}
+
+/// The attitude with these Euler angles: A in V_inertial = A V_body.
+inline Matrix3d attitude(const Vector3d& angles) {
+  return turn(z_axis, angles[0]) * turn(y_axis, angles[1]) * turn(z_axis, angles[2]);
+}
+
+inline Matrix3d diagonal_part(const Matrix3d& I) { return I.diagonal().asDiagonal(); }
+
+/// The tensor with the signs of its products of inertia flipped.
+inline Matrix3d products_flipped(const Matrix3d& I) { return 2 * diagonal_part(I) - I; }
+
+/// The tensor of a unit mass at r: r² 1 − r r.
+inline Matrix3d of_unit_mass(const Vector3d& r) { return r.squaredNorm() * Matrix3d::Identity() - dyad(r); }
+Matrix3d of_unit_mass_by_entries(const Vector3d& r);
+
+/// Σ m r r
+Matrix3d second_moment(const VectorXd& m, const Matrix3Xd& r);
+
+inline Vector3d center_of_mass(const VectorXd& m, const Matrix3Xd& r) { return r * m / m.sum(); }
+
+/// M (b² + c²) and so on with the factor `diagonal`, M ab and so on with the factor `product` off the diagonal.
+Matrix3d of_cuboid(double M, const Vector3d& edges, double diagonal, double product);
+
+/// Eight points about the centre of a cuboid; with an eighth of its mass each they have its second moments.
+Matrix3Xd gauss_points_of_cuboid(const Vector3d& edges);
+
+/// Principal moments in ascending order, and the axes as columns of a right-handed triad.
+struct PrincipalFrame {
+  explicit PrincipalFrame(const Matrix3d& I);
+  Vector3d moments;
+  Matrix3d axes;
+};
+
+/// One step of the classical Runge-Kutta method.
+template <class State, class RateOf>
+State one_step_on(const State& state, double h, const RateOf& rate) {
+  const State k1 = rate(state), k2 = rate(State(state + h / 2 * k1)), k3 = rate(State(state + h / 2 * k2));
+  return state + h / 6 * (k1 + 2 * k2 + 2 * k3 + rate(State(state + h * k3)));
+}
+
+/// A quantity that vanishes needs some natural size all the same.
+inline double or_one(double size) { return size > 0 ? size : 1.0; }
+
+namespace legal {
+bool is_inertia_tensor(const Matrix3d& I);
+bool positive(const Value& value);
+bool not_negative(const Value& value);
+bool nonzero(const Value& value);
+bool ascending(const Value& value);
+bool inertia_tensors(const Value& value);
+bool regular_tensors(const Value& value);
+bool rotation(const Value& value);
+bool latitude(const Value& value);
+bool off_gimbal_lock(const Value& value);
+}  // namespace legal
+using legal::is_inertia_tensor;
+
+/// A unit, and which values are legal: all finite ones if there is no predicate.
+struct Sort {
+  constexpr Sort(Unit of, bool (*predicate)(const Value&) = nullptr) : unit(of), is_legal(predicate) {}
+  Unit unit;
+  bool (*is_legal)(const Value&);
+};
+
+inline constexpr Unit none{}, kg = units::kilogram, metre = units::metre, second = units::second, rad = units::radian;
+inline constexpr Unit per_s = none / second, rad_per_s = rad / second, rad_per_s2 = rad_per_s / second;
+inline constexpr Unit m_per_s = metre / second, m_per_s2 = m_per_s / second, newton = kg * m_per_s2;
+inline constexpr Unit joule = newton * metre, newton_metre = joule, kg_m2 = kg * metre * metre;
+inline constexpr Unit kg_m2_per_s = kg_m2 / second;
+
+/// Every number of it is > 0, or ≥ 0; a vector of any length but 0.
+constexpr Sort positive(Unit unit) { return {unit, legal::positive}; }
+constexpr Sort not_negative(Unit unit) { return {unit, legal::not_negative}; }
+constexpr Sort nonzero(Unit unit) { return {unit, legal::nonzero}; }
+
+/// 0 < I₁ ≤ I₂ ≤ I₃; one tensor or several, symmetric and with positive semidefinite ½ tr I − I; not that of a body on
+/// one straight line through the origin; |λ| ≤ π/2; |sin θ| > 10⁻⁶.
+inline constexpr Sort ascending_moments{kg_m2, legal::ascending}, inertia_tensor{kg_m2, legal::inertia_tensors},
+    regular_tensor{kg_m2, legal::regular_tensors}, rotation{none, legal::rotation}, latitude{rad, legal::latitude},
+    angles_off_gimbal_lock{rad, legal::off_gimbal_lock};
+
+}  // namespace workbook::judging
