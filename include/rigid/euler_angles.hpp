@@ -7,17 +7,18 @@
 
 namespace rigid {
 
-/// The rotation matrix that turns inertial into body components.
+/// The rotation matrix that takes inertial components to body components.
 ///
-/// \f[ V_{body} = R\, V_{inertial}, \qquad R = R_\psi R_\theta R_\phi \f]
-/// \f[ R_\phi = \begin{pmatrix} \cos\phi & \sin\phi & 0 \\[2pt] -\sin\phi & \cos\phi & 0 \\[2pt] 0 & 0 & 1
+/// \f[ \vec V_\bodyframe = \mat R\,\vec V_\inertialframe, \qquad \mat R = \mat R_\psi \mat R_\theta \mat R_\phi \f]
+/// \f[ \mat R_\phi = \begin{pmatrix} \cos\phi & \sin\phi & 0 \\[2pt] -\sin\phi & \cos\phi & 0 \\[2pt] 0 & 0 & 1
 /// \end{pmatrix},
-///   \qquad R_\theta = \begin{pmatrix} \cos\theta & 0 & -\sin\theta \\[2pt] 0 & 1 & 0 \\[2pt] \sin\theta & 0 &
-///   \cos\theta \end{pmatrix}, \qquad R_\psi = \begin{pmatrix} \cos\psi & \sin\psi & 0 \\[2pt] -\sin\psi & \cos\psi & 0
+///   \qquad \mat R_\theta = \begin{pmatrix} \cos\theta & 0 & -\sin\theta \\[2pt] 0 & 1 & 0 \\[2pt] \sin\theta & 0 &
+///   \cos\theta \end{pmatrix}, \qquad \mat R_\psi = \begin{pmatrix} \cos\psi & \sin\psi & 0 \\[2pt] -\sin\psi &
+///   \cos\psi & 0
 ///   \\[2pt] 0 & 0 & 1 \end{pmatrix} \f]
 ///
-/// The matrices are passive: the vector stays where it is, the axes turn. Its transpose \f$A = R^T\f$ has the body axes
-/// as columns, in inertial components.
+/// The matrices are passive: the vector does not move, the axes do. The transpose \f$\mat A = \mat R\T\f$ has the body
+/// axes as columns, in inertial components.
 ///
 /// @param angles  (φ, θ, ψ), rad, any real numbers: φ about ê₃⁰, then θ about the new ê₂′, then ψ about ê₃
 /// @return        3×3 rotation matrix, from inertial to body components
@@ -27,10 +28,11 @@ Matrix3d rotation_matrix(const Vector3d& angles);
 
 /// The inertial components of a vector whose body components are known.
 ///
-/// \f[ V_{inertial} = R^T V_{body} = R_\phi^T R_\theta^T R_\psi^T\, V_{body} \f]
+/// \f[ \vec V_\inertialframe = \mat R\T\,\vec V_\bodyframe = \mat R_\phi\T \mat R_\theta\T \mat R_\psi\T\,\vec
+/// V_\bodyframe \f]
 ///
 /// @param V_body  components on the body axes, any unit
-/// @param angles  Euler angles (φ, θ, ψ) of the body, rad
+/// @param angles  Euler angles (φ, θ, ψ) of the body, any real numbers, rad
 /// @return        components of the same vector on the inertial axes, in the same unit
 /// @par Source
 /// the inverse of S1 s20
@@ -44,32 +46,33 @@ Vector3d inertial_components(const Vector3d& V_body, const Vector3d& angles);
 /// Where \f$\sin\theta = 0\f$ only φ + ψ (θ = 0) or ψ − φ (θ = π) is determined; every choice that gives R back is
 /// right.
 ///
-/// @param R  rotation matrix from inertial to body components: \f$V_{body} = R\,V_{inertial}\f$
-/// @return   (φ, θ, ψ), rad, with θ in [0, π]; judged through rotation_matrix(), not angle by angle
+/// @param R_body_from_inertial  rotation matrix R: \f$\vec V_\bodyframe = \mat R\,\vec V_\inertialframe\f$
+/// @return                      (φ, θ, ψ), rad, with θ in [0, π]
+/// @pre RᵀR = 1 and det R = +1; sin θ = 0 is legal
 /// @par Source
 /// the inverse of S1 s20; range and singularity are not on the slides
-Vector3d euler_angles(const Matrix3d& R);
+Vector3d euler_angles(const Matrix3d& R_body_from_inertial);
 
-/// The line of nodes ê₂′, the axis of the second turn, in body components.
+/// The line of nodes ê₂′, the axis of the second rotation, in body components.
 ///
-/// \f[ \hat e_2' = \sin\psi\,\hat e_1 + \cos\psi\,\hat e_2 = R_\psi \begin{pmatrix} 0 \\[2pt] 1 \\[2pt] 0 \end{pmatrix}
-/// \f]
+/// \f[ \unit e_2' = \sin\psi\,\unit e_1 + \cos\psi\,\unit e_2 = \mat R_\psi \begin{pmatrix} 0 \\[2pt] 1 \\[2pt] 0
+/// \end{pmatrix} \f]
 ///
-/// @param psi  third Euler angle ψ, rad
+/// @param psi  third Euler angle ψ, any real number, rad
 /// @return     unit vector, body components
 /// @par Source
 /// S1 s14
 Vector3d line_of_nodes(double psi);
 
-/// The inertial vertical ê₃⁰, the axis of the first turn, in body components.
+/// The inertial vertical ê₃⁰, the axis of the first rotation, in body components.
 ///
-/// \f[ \hat e_3^0 = -\sin\theta\cos\psi\,\hat e_1 + \sin\theta\sin\psi\,\hat e_2 + \cos\theta\,\hat e_3
-///   = R_\psi R_\theta \begin{pmatrix} 0 \\[2pt] 0 \\[2pt] 1 \end{pmatrix} \f]
+/// \f[ \unit e^0_3 = -\sin\theta\cos\psi\,\unit e_1 + \sin\theta\sin\psi\,\unit e_2 + \cos\theta\,\unit e_3
+///   = \mat R_\psi \mat R_\theta \begin{pmatrix} 0 \\[2pt] 0 \\[2pt] 1 \end{pmatrix} \f]
 ///
-/// It is the third column of R, and independent of φ.
+/// It is the third column of R and independent of φ.
 ///
-/// @param theta  second Euler angle θ, rad
-/// @param psi    third Euler angle ψ, rad
+/// @param theta  second Euler angle θ, any real number, rad
+/// @param psi    third Euler angle ψ, any real number, rad
 /// @return       unit vector, body components
 /// @par Source
 /// S1 s15
@@ -77,12 +80,12 @@ Vector3d vertical_in_body(double theta, double psi);
 
 /// The angular velocity in body components, from the Euler angles and their rates.
 ///
-/// \f[ \tilde\omega = \dot\phi\,\hat e_3^0 + \dot\theta\,\hat e_2' + \dot\psi\,\hat e_3
+/// \f[ \tilde{\vec\omega} = \dot\phi\,\unit e^0_3 + \dot\theta\,\unit e_2' + \dot\psi\,\unit e_3
 ///   = \begin{pmatrix} -\dot\phi\sin\theta\cos\psi + \dot\theta\sin\psi \\[2pt]
 ///     \dot\phi\sin\theta\sin\psi + \dot\theta\cos\psi \\[2pt]
 ///     \dot\phi\cos\theta + \dot\psi \end{pmatrix} \f]
 ///
-/// @param angles  (φ, θ, ψ), rad; φ does not matter
+/// @param angles  (φ, θ, ψ), any real numbers, rad; φ does not matter
 /// @param rates   \f$(\dot\phi, \dot\theta, \dot\psi)\f$, rad/s
 /// @return        angular velocity on the body axes, rad/s
 /// @par Source
@@ -91,28 +94,29 @@ Vector3d angular_velocity_body(const Vector3d& angles, const Vector3d& rates);
 
 /// The same angular velocity in inertial components.
 ///
-/// \f[ \omega = \begin{pmatrix} -\dot\theta\sin\phi + \dot\psi\sin\theta\cos\phi \\[2pt]
+/// \f[ \vec\omega_\inertialframe = \begin{pmatrix} -\dot\theta\sin\phi + \dot\psi\sin\theta\cos\phi \\[2pt]
 ///     \dot\theta\cos\phi + \dot\psi\sin\theta\sin\phi \\[2pt]
 ///     \dot\phi + \dot\psi\cos\theta \end{pmatrix} \f]
 ///
-/// @param angles  (φ, θ, ψ), rad; ψ does not matter
+/// @param angles  (φ, θ, ψ), any real numbers, rad; ψ does not matter
 /// @param rates   \f$(\dot\phi, \dot\theta, \dot\psi)\f$, rad/s
 /// @return        angular velocity on the inertial axes, rad/s
 /// @par Source
-/// not on the slides; S1 s13 with each axis written on the inertial triad
+/// not on the slides; S1 s13 with each axis in inertial components
 Vector3d angular_velocity_inertial(const Vector3d& angles, const Vector3d& rates);
 
 /// The rates of the Euler angles, from the angular velocity in body components.
 ///
-/// \f[ \dot\phi = \frac{-\omega_1\cos\psi + \omega_2\sin\psi}{\sin\theta}, \qquad
-///   \dot\theta = \omega_1\sin\psi + \omega_2\cos\psi, \qquad
-///   \dot\psi = \omega_3 + \cot\theta\,(\omega_1\cos\psi - \omega_2\sin\psi) \f]
+/// \f[ \dot\phi = \frac{-\tilde\omega_1\cos\psi + \tilde\omega_2\sin\psi}{\sin\theta}, \qquad
+///   \dot\theta = \tilde\omega_1\sin\psi + \tilde\omega_2\cos\psi, \qquad
+///   \dot\psi = \tilde\omega_3 + \cot\theta\,(\tilde\omega_1\cos\psi - \tilde\omega_2\sin\psi) \f]
 ///
 /// At \f$\sin\theta = 0\f$ there is no answer: two of the three axes coincide.
 ///
-/// @param angles      (φ, θ, ψ), rad, with sin θ ≠ 0
+/// @param angles      (φ, θ, ψ), rad
 /// @param omega_body  angular velocity on the body axes, rad/s
 /// @return            \f$(\dot\phi, \dot\theta, \dot\psi)\f$, rad/s
+/// @pre |sin θ| > 10⁻⁶; at sin θ = 0 the angles are singular (gimbal lock)
 /// @par Source
 /// the inverse of S1 s16; not on the slides
 Vector3d euler_angle_rates(const Vector3d& angles, const Vector3d& omega_body);

@@ -1,5 +1,5 @@
 /// @file
-/// Contract of lecture 01: how a vector changes when its basis turns, and the angular velocity of a basis.
+/// Contract of lecture 01: how a vector changes when its basis rotates, and the angular velocity of a basis.
 #pragma once
 
 #include "rigid/vocabulary.hpp"
@@ -13,51 +13,53 @@ namespace rigid {
 ///   \omega_z & 0 & -\omega_x \\[2pt]
 ///   -\omega_y & \omega_x & 0 \end{pmatrix}, \qquad [\omega]_\times V = \omega \times V \f]
 ///
-/// @param omega  any vector, here an angular velocity, rad/s
+/// @param omega  any vector, here an angular velocity, rad/s; may be zero
 /// @return       antisymmetric 3×3 matrix on the same axes and in the same unit as omega
 /// @par Source
 /// the ω× of S0 s7–8, S2 s6–7, S3 p~5–6, S4 p~6–7 written as a matrix
 Matrix3d cross_matrix(const Vector3d& omega);
 
-/// Rate of change of a vector in the inertial frame, from its rate in a frame that turns: the transport theorem.
+/// Rate of change of a vector in the inertial frame, from its rate in a rotating frame: the transport theorem.
 ///
 /// \f[ \left(\frac{dV}{dt}\right)_{inertial} = \left(\frac{dV}{dt}\right)_{body} + \omega \times V \f]
 ///
 /// All three arguments are expressed on one and the same set of axes, and so is the result; any set will do.
 ///
-/// @param rate_body  rate that an observer on the turning frame sees, \f$\sum_i \dot V_i\,\hat e_i\f$, unit of V per s
-/// @param omega      angular velocity of the turning frame, rad/s
+/// @param rate_body  rate that an observer in the rotating frame sees, \f$\sum_i \dot V_i\,\hat e_i\f$, unit of V per s
+/// @param omega      angular velocity of the rotating frame, rad/s
 /// @param V          the vector itself, in any unit
 /// @return           rate in the inertial frame, unit of V per s
 /// @par Source
 /// S0 s6, s8; S2 s4, s7; S3 p~3, p~6; S4 p~4, p~7
 Vector3d inertial_rate(const Vector3d& rate_body, const Vector3d& omega, const Vector3d& V);
 
-/// The basis after it has turned for a time dt with constant angular velocity.
+/// The basis after it has rotated for a time dt with constant angular velocity.
 ///
-/// Every basis vector obeys \f$\dot{\hat e}_i = \omega \times \hat e_i\f$. With \f$\theta = |\omega|\,dt\f$ and
+/// Every basis vector obeys \f$\dot{\hat e}_i = \omega \times \hat e_i\f$. With \f$\Theta = |\omega|\,dt\f$ and
 /// \f$\hat n = \omega/|\omega|\f$ the exact solution (Rodrigues) is
-/// \f[ \hat e_i(dt) = \hat e_i + \sin\theta\;\hat n \times \hat e_i
-///                  + (1 - \cos\theta)\;\hat n \times (\hat n \times \hat e_i) . \f]
+/// \f[ \hat e_i(dt) = \hat e_i + \sin\Theta\;\hat n \times \hat e_i
+///                  + (1 - \cos\Theta)\;\hat n \times (\hat n \times \hat e_i) . \f]
 ///
 /// Exact for every angle, not only to first order in dt; with omega = 0 or dt = 0 the basis stays as it is.
 ///
 /// @param E      3×3 rotation matrix: its columns are the basis vectors in inertial components
-/// @param omega  angular velocity in inertial components, constant, rad/s; may vanish
+/// @param omega  angular velocity in inertial components, constant, rad/s; may be zero
 /// @param dt     time, s; may be negative
-/// @return       3×3 rotation matrix with the turned basis vectors as columns, inertial components
+/// @return       3×3 rotation matrix with the rotated basis vectors as columns, inertial components
+/// @pre EᵀE = 1 and det E = +1
 /// @par Source
 /// S0 s7, S2 s6, S3 p~5, S4 p~6, where the rotation is infinitesimal
 Matrix3d rotated_basis(const Matrix3d& E, const Vector3d& omega, double dt);
 
-/// The angular velocity with which a basis turns.
+/// The angular velocity with which a basis rotates.
 ///
 /// \f[ [\omega]_\times = \dot E\, E^{T}, \qquad \omega = \tfrac12 \sum_i \hat e_i \times \dot{\hat e}_i \f]
 ///
 /// @param E       3×3 rotation matrix: its columns are the basis vectors in inertial components
-/// @param E_rate  3×3, the rates \f$\dot{\hat e}_i\f$ as columns, 1/s; they belong to a rotation, so
-///                \f$\dot E\,E^T\f$ is antisymmetric
+/// @param E_rate  3×3, the rates \f$\dot{\hat e}_i\f$ as columns, 1/s; zero for a basis at rest
 /// @return        angular velocity in inertial components, rad/s
+/// @pre EᵀE = 1 and det E = +1
+/// @pre the rates belong to a rotation: \f$\dot E\,E^T\f$ is antisymmetric
 /// @par Source
 /// the inverse of \f$\dot{\hat e} = \omega\times\hat e\f$: S0 s7, S2 s6, S3 p~5, S4 p~6
 Vector3d angular_velocity_of_basis(const Matrix3d& E, const Matrix3d& E_rate);

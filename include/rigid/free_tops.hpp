@@ -1,5 +1,5 @@
 /// @file
-/// Contract of lecture 06: bodies that turn free of torque, the symmetric top, the asymmetric top and its unstable
+/// Contract of lecture 06: bodies that rotate free of torque, the symmetric top, the asymmetric top and its unstable
 /// axis.
 #pragma once
 
@@ -17,22 +17,24 @@ namespace rigid {
 /// @param I3      moment about the symmetry axis, kg m²
 /// @param omega3  body component of the angular velocity along the symmetry axis, rad/s, of either sign
 /// @return        Ω of the slides, rad/s; zero for a sphere
+/// @pre I1 > 0 and I3 > 0: a thin rod, I3 = 0, is excluded; a sphere, I3 = I1, is legal
 /// @par Source
 /// S0 s20, S1 s8, S2 s18, S3 p~17, S4 p~19
 double body_precession_rate(double I1, double I3, double omega3);
 
 /// The angular velocity of a free symmetric top, in body components, at time t.
 ///
-/// \f[ \tilde\omega_1 = A \cos(\Omega t + \varphi), \qquad \tilde\omega_2 = A \sin(\Omega t + \varphi), \qquad
-///     \tilde\omega_3 = \text{const} \f]
+/// \f[ \tilde\omega_1 = \omega_\perp \cos(\Omega t + \delta), \qquad
+///     \tilde\omega_2 = \omega_\perp \sin(\Omega t + \delta), \qquad \tilde\omega_3 = \text{const} \f]
 ///
-/// A and φ follow from omega0.
+/// ω⊥ and δ follow from omega0; the slides call them A and φ.
 ///
 /// @param I1      moment about each of the two equal axes, kg m²
 /// @param I3      moment about the symmetry axis (axis 3), kg m²
 /// @param omega0  angular velocity at time 0, body components, rad/s
 /// @param t       time, s; may be negative
 /// @return        angular velocity at time t, body components, rad/s
+/// @pre I1 > 0 and I3 > 0: a thin rod, I3 = 0, is excluded; a sphere, I3 = I1, is legal
 /// @par Source
 /// S0 s20–21, S1 s8–9, S2 s18–19, S3 p~17–18, S4 p~19–20
 Vector3d symmetric_top(double I1, double I3, const Vector3d& omega0, double t);
@@ -49,6 +51,7 @@ Vector3d symmetric_top(double I1, double I3, const Vector3d& omega0, double t);
 /// @param I3     moment about the symmetry axis, kg m²
 /// @param omega  angular velocity at any one time, body components, rad/s
 /// @return       rate of precession about the angular momentum, rad/s
+/// @pre I1 > 0 and I3 > 0: a thin rod, I3 = 0, is excluded; a sphere, I3 = I1, is legal
 /// @par Source
 /// not on the slides; follows from L of S0 s21, S1 s9, S2 s19
 double space_precession_rate(double I1, double I3, const Vector3d& omega);
@@ -63,24 +66,27 @@ double space_precession_rate(double I1, double I3, const Vector3d& omega);
 /// @param I       principal moments in any order, kg m²
 /// @param omega3  spin about axis 3, rad/s, of either sign
 /// @return        {Ω1, Ω2}, rad/s
+/// @pre each moment > 0; equal moments are legal
 /// @par Source
 /// S0 s22, S1 s10–11, S2 s20–22, S3 p~19–21, S4 p~21–23
 Vector2d linearized_rates(const Vector3d& I, double omega3);
 
 /// The small wobble of an asymmetric top that spins about a stable axis 3.
 ///
-/// \f[ \tilde\omega_1 = A \cos(\sqrt{\Omega_1 \Omega_2}\, t + \varphi), \qquad
-///     \tilde\omega_2 = \operatorname{sgn}(\Omega_1)\, A \sqrt{\Omega_2 / \Omega_1}\,
-///     \sin(\sqrt{\Omega_1 \Omega_2}\, t + \varphi) \f]
+/// \f[ \tilde\omega_1 = \omega_\perp \cos(\sqrt{\Omega_1 \Omega_2}\, t + \delta), \qquad
+///     \tilde\omega_2 = \operatorname{sgn}(\Omega_1)\, \omega_\perp \sqrt{\Omega_2 / \Omega_1}\,
+///     \sin(\sqrt{\Omega_1 \Omega_2}\, t + \delta) \f]
 ///
 /// The factor sgn(Ω1) is missing on the slides; the root of the product is the positive one.
 ///
-/// @param I          principal moments, kg m²; axis 3 has the largest or the smallest, so that Ω1 and Ω2 have one sign
-/// @param omega3     spin about axis 3, rad/s, of either sign, not zero
-/// @param amplitude  A, the largest value of the first component, rad/s
-/// @param phase      φ, rad; at time 0 the first component is A cos φ
+/// @param I          principal moments, kg m²; I₃ is the largest or the smallest
+/// @param omega3     spin about axis 3, rad/s, of either sign
+/// @param amplitude  ω⊥, the largest value of the first component, rad/s; A on the slides
+/// @param phase      δ, rad; at time 0 the first component is ω⊥ cos δ; φ on the slides
 /// @param t          time, s; may be negative
 /// @return           the first two body components of the angular velocity at time t, rad/s
+/// @pre each moment > 0
+/// @pre Ω1 Ω2 > 0: omega3 ≠ 0, and I₃ is larger than both other moments or smaller than both; these two may be equal
 /// @par Source
 /// S1 s11, S2 s22, S3 p~21, S4 p~23, with the sign corrected
 Vector2d linearized_top(const Vector3d& I, double omega3, double amplitude, double phase, double t);
@@ -91,9 +97,10 @@ Vector2d linearized_top(const Vector3d& I, double omega3, double amplitude, doub
 ///
 /// The disturbance grows as \f$e^{\sigma t}\f$ as long as it is small.
 ///
-/// @param I_ascending  principal moments, \f$I_1 \le I_2 \le I_3\f$, kg m²
+/// @param I_ascending  principal moments in ascending order, kg m²
 /// @param omega2       spin about the intermediate axis 2, rad/s, of either sign
-/// @return             growth rate, 1/s, never negative; zero if two moments are equal
+/// @return             growth rate, 1/s, never negative; zero if I₂ equals another moment
+/// @pre 0 < I₁ ≤ I₂ ≤ I₃; equal moments are legal
 /// @par Source
 /// not on the slides; follows from "opposite signs: unstable" of S1 s11, S2 s22, S3 p~21, S4 p~23
 double growth_rate(const Vector3d& I_ascending, double omega2);
@@ -101,33 +108,37 @@ double growth_rate(const Vector3d& I_ascending, double omega2);
 /// Whether a free spin about a principal axis is stable.
 ///
 /// Stable about the axis of the largest and of the smallest moment, unstable about the intermediate one. An axis whose
-/// moment equals another one is neutral: a disturbance neither stays small nor grows exponentially (so is every axis of
-/// a sphere). The symmetry axis of a symmetric top is stable.
+/// moment equals another one is neutral, as every axis of a sphere is: a disturbance does not grow exponentially, but
+/// nothing restores it either. The symmetry axis of a symmetric top is stable.
 ///
 /// @param I     principal moments in any order, kg m²
 /// @param axis  0, 1 or 2: the axis of I[axis]
 /// @return      +1 stable, −1 unstable, 0 neutral
+/// @pre each moment > 0
+/// @pre axis is 0, 1 or 2
 /// @par Source
 /// the signs of Ω1 and Ω2 on S1 s11, S2 s22, S3 p~21, S4 p~23
 int axis_stability(const Vector3d& I, int axis);
 
 /// The time after which the angular velocity of a free top repeats itself in the body: exact, for any amplitude.
 ///
-/// \f[ P = \frac{4 K(m)}{\lambda}, \qquad K(m) = \int_0^{\pi/2} \frac{d\alpha}{\sqrt{1 - m \sin^2\alpha}} \f]
+/// \f[ P = \frac{4 K(m)}{\nu}, \qquad K(m) = \int_0^{\pi/2} \frac{d\alpha}{\sqrt{1 - m \sin^2\alpha}} \f]
 ///
 /// where, with the kinetic energy T and the angular momentum L, for \f$L^2 > 2TI_2\f$ (the angular velocity circles
 /// axis 3)
 ///
-/// \f[ \lambda^2 = \frac{(L^2 - 2TI_1)(I_3 - I_2)}{I_1 I_2 I_3}, \qquad
-///     m = \frac{(2TI_3 - L^2)(I_2 - I_1)}{(L^2 - 2TI_1)(I_3 - I_2)} \f]
+/// \f[ \nu^2 = \frac{(L^2 - 2TI_1)(I_3 - I_2)}{I_1 I_2 I_3}, \qquad
+///     m = k^2 = \frac{(2TI_3 - L^2)(I_2 - I_1)}{(L^2 - 2TI_1)(I_3 - I_2)} \f]
 ///
 /// and for \f$L^2 < 2TI_2\f$ (it circles axis 1) the same with the subscripts 1 and 3 exchanged. For a spin about axis
 /// 1 or 3 alone the formula gives the period of an infinitely small wobble. Between the two kinds of motion, at \f$L^2
 /// = 2TI_2\f$, there is no period.
 ///
-/// @param I       principal moments, \f$I_1 \le I_2 \le I_3\f$, not all equal, kg m²
-/// @param omega0  angular velocity at any one time, body components, with \f$L^2 \ne 2TI_2\f$, rad/s
+/// @param I       principal moments in ascending order, kg m²
+/// @param omega0  angular velocity at any one time, body components, rad/s
 /// @return        the full period P, s
+/// @pre 0 < I₁ ≤ I₂ ≤ I₃, not all equal; a symmetric top is legal
+/// @pre \f$L^2 \ne 2TI_2\f$: 1 − m > 10⁻⁹, which excludes rest and a spin about axis 2 alone
 /// @par Source
 /// not on the slides; the exact solution behind the approximation of S0 s22, S1 s10–11, S2 s20–22
 double tumbling_period(const Vector3d& I, const Vector3d& omega0);

@@ -20,6 +20,7 @@ namespace rigid {
 /// @param angles  \f$(\phi, \theta, \psi)\f$, any real numbers, rad
 /// @param rates   \f$(\dot\phi, \dot\theta, \dot\psi)\f$, rad/s
 /// @return        energy of rotation, J
+/// @pre each moment > 0
 /// @par Source
 /// S1 s18
 double kinetic_energy_euler(const Vector3d& I, const Vector3d& angles, const Vector3d& rates);
@@ -33,41 +34,45 @@ double kinetic_energy_euler(const Vector3d& I, const Vector3d& angles, const Vec
 /// @param theta  angle between the symmetry axis and the fixed z axis, any real number, rad
 /// @param rates  \f$(\dot\phi, \dot\theta, \dot\psi)\f$, rad/s
 /// @return       energy of rotation, J
+/// @pre I1 > 0 and I3 > 0: a thin rod, I3 = 0, is excluded; a sphere, I3 = I1, is legal
 /// @par Source
 /// S1 s18
 double kinetic_energy_symmetric(double I1, double I3, double theta, const Vector3d& rates);
 
 /// Canonical momenta of the Euler angles.
 ///
-/// \f[ p_\phi = \frac{\partial T}{\partial \dot\phi} = L \cdot \hat e^0_3, \qquad
-///     p_\theta = \frac{\partial T}{\partial \dot\theta} = L \cdot \hat e_2', \qquad
-///     p_\psi = \frac{\partial T}{\partial \dot\psi} = L \cdot \hat e_3 \f]
+/// \f[ p_\phi = \frac{\partial T}{\partial \dot\phi} = \vec L \cdot \unit e^0_3, \qquad
+///     p_\theta = \frac{\partial T}{\partial \dot\theta} = \vec L \cdot \unit e_2', \qquad
+///     p_\psi = \frac{\partial T}{\partial \dot\psi} = \vec L \cdot \unit e_3 \f]
 ///
-/// Each is the component of the angular momentum along the axis about which its angle turns the body. The three axes
+/// Each is the component of the angular momentum along the axis about which its angle rotates the body. The three axes
 /// are not orthogonal, so these are no Cartesian components of L.
 ///
 /// @param I       principal moments, kg m²
 /// @param angles  \f$(\phi, \theta, \psi)\f$, any real numbers, rad
 /// @param rates   \f$(\dot\phi, \dot\theta, \dot\psi)\f$, rad/s
 /// @return        \f$(p_\phi, p_\theta, p_\psi)\f$, kg m²/s
+/// @pre each moment > 0; θ = 0 and θ = π are legal
 /// @par Source
 /// follows from S1 s18; not on the slides
 Vector3d canonical_momenta(const Vector3d& I, const Vector3d& angles, const Vector3d& rates);
 
-/// Second derivatives of the Euler angles of a body that turns without torque.
+/// Second derivatives of the Euler angles of a body that rotates without torque.
 ///
 /// They solve the Euler–Lagrange equations for \f$q = (\phi, \theta, \psi)\f$,
 ///
 /// \f[ \frac{d}{dt} \frac{\partial T}{\partial \dot q} = \frac{\partial T}{\partial q} , \f]
 ///
-/// or, which is the same, Euler's equations with \f$\omega = E(q)\,\dot q\f$:
+/// or, which is the same, Euler's equations with \f$\tilde{\vec\omega} = \mat B(q)\,\dot q\f$:
 ///
-/// \f[ \ddot q = E^{-1} \left( \dot\omega - \dot E\,\dot q \right) \f]
+/// \f[ \ddot q = \mat B^{-1} \left( \dot{\tilde{\vec\omega}} - \dot{\mat B}\,\dot q \right) \f]
 ///
 /// @param I       principal moments, kg m²
-/// @param angles  \f$(\phi, \theta, \psi)\f$, rad; \f$\sin\theta \ne 0\f$, because the angles are singular there
+/// @param angles  \f$(\phi, \theta, \psi)\f$, any real numbers, rad
 /// @param rates   \f$(\dot\phi, \dot\theta, \dot\psi)\f$, rad/s
 /// @return        \f$(\ddot\phi, \ddot\theta, \ddot\psi)\f$, rad/s²
+/// @pre each moment > 0
+/// @pre |sin θ| > 10⁻⁶; at sin θ = 0 the angles are singular
 /// @par Source
 /// follows from S1 s18 and Euler's equations, S1 s8; not on the slides
 Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, const Vector3d& rates);

@@ -10,6 +10,16 @@
 ///
 /// SI units and radians everywhere. A vector named `I` holds principal moments; an `omega` beside it then has its
 /// components on the principal axes. A name says its frame: `_body` components turn with the body, `_inertial` do not.
+/// `A_inertial_from_body` makes inertial components of body components, \f$V_{inertial} = A\,V_{body}\f$, and its
+/// transpose `R_body_from_inertial` goes back.
+///
+/// An inertia tensor is symmetric, and none of its principal moments is larger than the sum of the two others. Zero (a
+/// point mass) and the tensor of a body on one straight line are legal where they are not excluded.
+///
+/// All numbers must be finite, and either zero or of a magnitude from 10⁻¹⁰⁰ to 10¹⁰⁰, so that no product of a few
+/// overflows. What else must hold stands under "Precondition"; a function may return anything where it does not hold.
+/// Conditions on the entries of a matrix (symmetric, rotation matrix) hold up to rounding. What is not excluded is
+/// legal: zero vectors, zero angles, negative times, equal moments.
 namespace rigid {
 
 using Eigen::Matrix3d;
@@ -19,6 +29,8 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 /// What the body of an exercise throws until a student has written it.
-struct NotStarted {};
+struct NotStarted {
+  const char* function = __builtin_FUNCTION();  ///< the one that throws it
+};
 
 }  // namespace rigid
