@@ -1,153 +1,210 @@
 // Figures of lecture 01.
-#include "lectures/support/figure.hpp"
+#include "lectures/support/sketch.hpp"
 
 #include <rigid/frame_derivatives.hpp>
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
-#include <utility>
 #include <vector>
 
 using namespace rigid;
+using workbook::arc;
+using workbook::Side;
+using workbook::Sketch;
 namespace colors = workbook::colors;
 
 namespace {
 
-using Curve = std::vector<std::pair<double, double>>;
+using Curve = std::vector<Vector3d>;
 
 constexpr double pi = std::numbers::pi;
+const Vector3d origin = Vector3d::Zero();
+const Vector3d x_axis = Vector3d::UnitX(), y_axis = Vector3d::UnitY(), z_axis = Vector3d::UnitZ();
 
-/// Position in the y–z plane, seen from the tip of the x axis.
-std::pair<double, double> in_plane(const Vector3d& vector) { return {vector.y(), vector.z()}; }
-
-Vector3d turned(const Vector3d& vector, const Vector3d& rotation_vector) {
-  return rotated_basis(Matrix3d::Identity(), rotation_vector, 1.0) * vector;
+Vector3d rotated(const Vector3d& vector, const Vector3d& axis, double angle) {
+  return rotated_basis(Matrix3d::Identity(), axis, angle) * vector;
 }
 
-std::string arrow(const Vector3d& from, const Vector3d& to, const char* color, const std::string& style) {
-  return fmt::format("set arrow from {:.5f},{:.5f} to {:.5f},{:.5f} {} lc rgb '{}' front\n", from.y(), from.z(), to.y(),
-                     to.z(), style, color);
+/// A child walks outwards on a merry-go-round; seen from above.
+void draw_two_sources(const std::filesystem::path& directory) {
+  const double rate = 2 * pi / 12, now = 3, radius = 4.3;
+  const Vector3d omega = rate * z_axis;
+  const auto place = [&](double t) { return rotated((1 + 0.5 * t) * x_axis, z_axis, rate * t); };
+  const Vector3d V = place(now);
+  const Matrix3d basis = rotated_basis(Matrix3d::Identity(), omega, now);
+  const Vector3d seen = 0.5 * basis.col(0), added = omega.cross(V), sum = inertial_rate(seen, omega, V);
+
+  Sketch sketch;
+  sketch.line(arc(origin, radius, x_axis, y_axis, -0.1, pi + 0.1), colors::grey, 1.5);
+  sketch.line(arc(origin, 0.88 * radius, x_axis, y_axis, 0.1, 0.4), colors::grey, 2);
+  sketch.arrow(rotated(0.88 * radius * x_axis, z_axis, 0.4), rotated(0.88 * radius * x_axis, z_axis, 0.44),
+               colors::grey, "ω", Side::left, 2);
+  Curve path;
+  for (int k = 0; k <= 60; ++k) path.push_back(place(4.4 * k / 60));
+  sketch.line(path, colors::grey, 2);
+  sketch.text(place(0.9), "path", colors::grey, Side::right);
+  sketch.arrow(origin, 0.8 * basis.col(0), colors::vermilion, "{/:Bold e}_1", Side::right);
+  sketch.arrow(origin, 0.8 * basis.col(1), colors::green, "{/:Bold e}_2", Side::below);
+  sketch.line({origin, V}, colors::black, 2);
+  sketch.text(0.72 * V, "{/:Bold V}", colors::black, Side::right);
+  sketch.line({V + seen, V + sum}, colors::pale, 1.5);
+  sketch.line({V + added, V + sum}, colors::pale, 1.5);
+  sketch.arrow(V, V + seen, colors::blue, "(d{/:Bold V}/dt)_{body}", Side::right);
+  sketch.arrow(V, V + added, colors::orange, "{/:Bold ω} × {/:Bold V}", Side::below);
+  sketch.arrow(V, V + sum, colors::purple, "(d{/:Bold V}/dt)_{inertial}", Side::above);
+  sketch.dot(V, colors::black, 0.9);
+  sketch.draw(directory, "two_sources_of_change", 440);
 }
 
-/// A dashed arrow whose head is whole.
-std::string dashed_arrow(const Vector3d& from, const Vector3d& to, const char* color) {
-  const Vector3d neck = from + 0.9 * (to - from);
-  return arrow(from, neck, color, "nohead lw 3 dt (4,2)") + arrow(neck, to, color, "lw 3");
+/// e_y and e_z, where they rotate to, and the first-order step between.
+void draw_small_rotation(const std::filesystem::path& directory) {
+  const double angle = 0.42;
+  const Vector3d dTheta = angle * z_axis;  // the sketch lies in the plane of y (to the right) and z (up)
+  Sketch sketch;
+  sketch.line(arc(origin, 1, x_axis, y_axis, -0.12, pi / 2 + 0.65), colors::grey, 1.5);
+  sketch.line(arc(origin, 0.3, x_axis, y_axis, 0, angle), colors::grey, 1.5);
+  sketch.text(rotated(0.3 * x_axis, z_axis, angle / 2), "dΘ", colors::grey, Side::right);
+  const std::array<const char*, 2> names{"y", "z"}, hues{colors::green, colors::purple};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Vector3d e = i == 0 ? x_axis : y_axis;
+    const std::string name = std::string("{/:Bold e}_") + names[i];
+    sketch.line({origin, 0.94 * rotated(e, z_axis, angle)}, hues[i], 2, "dt (5,4)");
+    sketch.arrow(0.94 * rotated(e, z_axis, angle), rotated(e, z_axis, angle), hues[i]);
+    sketch.arrow(origin, e, hues[i]);
+    sketch.text(0.6 * e, name, hues[i], i == 0 ? Side::below : Side::right);
+    sketch.arrow(e, e + dTheta.cross(e), colors::black, fmt::format("d{0} = d{{/:Bold Θ}} × {0}", name),
+                 i == 0 ? Side::right : Side::above);
+  }
+  sketch.dot(origin, colors::vermilion, 1);
+  sketch.text(origin, "d{/:Bold Θ}, towards you", colors::vermilion, Side::below);
+  sketch.draw(directory, "small_rotation", 480);
 }
 
-std::string label(const std::string& text, double x, double y, const char* color, const std::string& style = "center") {
-  return fmt::format("set label \"{}\" at {:.4f},{:.4f} {} front tc rgb '{}'\n", text, x, y, style, color);
+/// A wind turbine: the rotor spins about the shaft, the shaft yaws about the tower.
+void draw_turbine(const std::filesystem::path& directory) {
+  Sketch sketch({1.0, -0.75, 0.35});
+  const Vector3d hub = 0.35 * x_axis;
+  sketch.face({Vector3d(0, -0.06, -1.4), Vector3d(0, 0.06, -1.4), Vector3d(0, 0.04, 0), Vector3d(0, -0.04, 0)},
+              colors::grey, 0.5);
+  sketch.line({-0.35 * x_axis, hub}, colors::grey, 12);
+  sketch.line(arc(hub, 1.25, y_axis, z_axis), colors::grey, 1.2, "dt (5,4)");
+  for (int k = 0; k < 3; ++k) {
+    const Vector3d along = rotated(z_axis, x_axis, 0.7 + 2 * pi * k / 3), across = x_axis.cross(along);
+    sketch.face({hub - 0.04 * across, hub + 1.25 * along, hub + 0.3 * along + 0.12 * across, hub + 0.04 * across},
+                colors::black, 0.65);
+  }
+  const Vector3d spin = 1.35 * x_axis, yaw = 0.75 * z_axis;
+  sketch.arrow(hub, hub + spin, colors::blue);
+  sketch.text(hub + 0.62 * spin - 0.1 * z_axis, "{/:Bold ω}_2, spin", colors::blue, Side::below);
+  sketch.arrow(hub, hub + yaw, colors::green, "{/:Bold ω}_1, yaw", Side::above);
+  sketch.line({hub + spin, hub + spin + yaw}, colors::pale, 1.5);
+  sketch.line({hub + yaw, hub + spin + yaw}, colors::pale, 1.5);
+  sketch.arrow(hub, hub + spin + yaw, colors::vermilion, "{/:Bold ω}", Side::above);
+  sketch.draw(directory, "turbine", 300);
 }
 
-Curve circle() {
-  Curve points;
-  for (int k = 0; k <= 180; ++k)
-    points.push_back(in_plane(turned(Vector3d::UnitY(), 2 * pi * k / 180 * Vector3d::UnitX())));
-  return points;
+/// Rodrigues: the part along the axis stays, the part across it goes round a circle.
+void draw_rodrigues(const std::filesystem::path& directory) {
+  Sketch sketch({1.0, -0.45, 0.7});
+  const double theta = 1.05, height = 1.35, radius = 1;
+  const Vector3d foot = height * z_axis, e = foot + radius * rotated(x_axis, z_axis, -1.0);
+  const Vector3d across = e - foot, quarter = z_axis.cross(e), after = rotated(e, z_axis, theta);
+  sketch.line(arc(foot, radius, x_axis, y_axis), colors::grey, 1.2, "dt (5,4)");
+  sketch.arrow(origin, 1.75 * z_axis, colors::grey, "{/:Bold n}", Side::left, 2);
+  sketch.arrow(origin, foot, colors::purple);
+  sketch.text(0.4 * foot, "{/:Bold e}_∥", colors::purple, Side::right);
+  sketch.arrow(foot, e, colors::blue);
+  sketch.text(foot + 0.6 * across + 0.12 * z_axis, "{/:Bold e}_⊥", colors::blue, Side::left);
+  sketch.arrow(foot, foot + quarter, colors::green, "{/:Bold n} × {/:Bold e}", Side::right);
+  const Vector3d corner = foot + std::cos(theta) * across;
+  sketch.line({corner, after}, colors::green, 2);
+  sketch.line({foot, corner}, colors::blue, 5);
+  sketch.line({foot, after}, colors::grey, 1.5);
+  sketch.line(arc(foot, 0.36, across.normalized(), quarter.normalized(), 0, theta), colors::grey, 1.5);
+  sketch.text(foot + 0.5 * rotated(across, z_axis, 0.8 * theta), "Θ", colors::grey);
+  sketch.arrow(origin, e, colors::black);
+  sketch.text(0.6 * e, "{/:Bold e}", colors::black, Side::left);
+  sketch.arrow(origin, after, colors::vermilion, "{/:Bold e}(t)", Side::right);
+  sketch.draw(directory, "rodrigues", 420);
 }
 
-/// e_y and e_z, where they turn to, and the first-order step between.
-void draw_turning_basis(const std::filesystem::path& directory) {
-  const double angle = 0.45;
-  const Vector3d dTheta(angle, 0, 0);
-  workbook::draw_figure(directory, "turning_basis", {720, 560}, [&](gnuplotio::Gnuplot& gnuplot) {
-    gnuplot << "unset key; set size ratio -1; set xrange [-0.75:1.65]; set yrange [-0.2:1.4]\n"
-               "set xlabel 'component along y'; set ylabel 'component along z'; set xtics 0.5; set ytics 0.5\n";
-    struct Entry {
-      Vector3d e;
-      const char* color;
-    };
-    const Entry entries[] = {{Vector3d::UnitY(), colors::blue}, {Vector3d::UnitZ(), colors::vermilion}};
-    for (const auto& [e, color] : entries) {
-      const Vector3d after = turned(e, dTheta);
-      gnuplot << arrow(Vector3d::Zero(), e, color, "lw 3") << dashed_arrow(Vector3d::Zero(), after, color)
-              << arrow(e, e + dTheta.cross(e), colors::black, "lw 3");
-    }
-    gnuplot << label("{/:Bold e_y}", 0.62, -0.08, colors::blue)
-            << label("{/:Bold e_y} turned", 0.49, 0.40, colors::blue)
-            << label("{/:Bold e_z}", 0.09, 0.62, colors::vermilion)
-            << label("{/:Bold e_z} turned", -0.46, 0.52, colors::vermilion)
-            << label("d{/:Bold e}_y = d{/:Bold Θ} × {/:Bold e}_y", 1.03, 0.30, colors::black, "left")
-            << label("d{/:Bold e}_z = d{/:Bold Θ} × {/:Bold e}_z", -0.22, 1.10, colors::black)
-            << label("dΘ", 0.40, 0.09, colors::grey)
-            << label("x axis and d{/:Bold Θ}: towards you", 0.55, 1.28, colors::grey);
-    Curve arc;
-    for (int k = 0; k <= 20; ++k) {
-      const auto [y, z] = in_plane(0.32 * turned(Vector3d::UnitY(), angle * k / 20 * Vector3d::UnitX()));
-      arc.emplace_back(y, z);
-    }
-    gnuplot << "plot '-' w l lw 2 lc rgb '" << colors::grey << "', '-' w l lw 2 lc rgb '" << colors::grey
-            << "', '-' w p pt 7 ps 1.3 lc rgb '" << colors::grey << "'\n";
-    gnuplot.send1d(circle());
-    gnuplot.send1d(arc);
-    gnuplot.send1d(Curve{{0, 0}});
-  });
-}
-
-/// One turn in twelve steps, by the first order and exactly.
+/// One revolution in twelve steps, by the first order and exactly.
 void draw_leaving_the_circle(const std::filesystem::path& directory) {
   const int steps = 12;
-  const Vector3d dTheta = 2 * pi / steps * Vector3d::UnitX();
-  Vector3d first_order = Vector3d::UnitY();
-  Matrix3d exact = Matrix3d::Identity();
-  Curve spiral{in_plane(first_order)}, points{in_plane(exact.col(1))};
+  const Vector3d dTheta = 2 * pi / steps * z_axis;
+  Vector3d e = x_axis;
+  Curve spiral{e};
+  Sketch sketch;
   for (int k = 0; k < steps; ++k) {
-    first_order += dTheta.cross(first_order);
-    exact = rotated_basis(exact, dTheta, 1.0);
-    spiral.push_back(in_plane(first_order));
-    points.push_back(in_plane(exact.col(1)));
+    e += dTheta.cross(e);
+    spiral.push_back(e);
+    sketch.dot(rotated(x_axis, dTheta, k), colors::blue, 0.9);
   }
-  workbook::draw_figure(directory, "leaving_the_circle", {720, 600}, [&](gnuplotio::Gnuplot& gnuplot) {
-    gnuplot << "unset key; set size ratio -1; set xrange [-3.2:4.8]; set yrange [-4:2.2]\n"
-               "set xlabel 'component along y'; set ylabel 'component along z'\n"
-            << label("start", 1.25, -0.35, colors::black, "left")
-            << label(fmt::format("first order, 12 steps: length {:.3f}", first_order.norm()), 0.8, -3.65,
-                     colors::vermilion)
-            << label("exact: back at the start", 0, -1.4, colors::blue)
-            << arrow(Vector3d::Zero(), Vector3d::UnitY(), colors::black, "lw 3");
-    gnuplot << "plot '-' w l lw 2 lc rgb '" << colors::grey << "', '-' w lp lw 3 dt (4,2) pt 9 ps 1.3 lc rgb '"
-            << colors::vermilion << "', '-' w p pt 7 ps 1.4 lc rgb '" << colors::blue << "'\n";
-    gnuplot.send1d(circle());
-    gnuplot.send1d(spiral);
-    gnuplot.send1d(points);
-  });
+  sketch.line(arc(origin, 1, x_axis, y_axis), colors::blue, 2);
+  sketch.line(spiral, colors::vermilion, 2.5);
+  for (const Vector3d& tip : spiral) sketch.dot(tip, colors::vermilion, 0.7);
+  for (int k = 0; k < 3; ++k) sketch.line({origin, spiral[static_cast<std::size_t>(k)]}, colors::grey, 1.2);
+  sketch.text(spiral.back(), "after 12 steps", colors::vermilion, Side::above);
+  sketch.text(-1.0 * y_axis, "exact steps", colors::blue, Side::below);
+  sketch.text(spiral[7], "steps {/:Bold ω} × {/:Bold e} dt", colors::vermilion, Side::left);
+  sketch.draw(directory, "leaving_the_circle", 480);
 }
 
-/// The tip of a vector that grows on a turning basis, and the two parts of its velocity.
-void draw_two_sources(const std::filesystem::path& directory) {
-  const Vector3d omega(0.9, 0, 0);
-  const Vector3d along(0, 1, 0);  // on the basis, V points along e_y and grows
-  const double growth = 0.55;
-  const auto length = [&](double t) { return 0.6 + growth * t; };
-  const auto vector = [&](double t) -> Vector3d { return turned(length(t) * along, t * omega); };
-  const double now = 1.1;
+/// The faces of a box that are seen, with a title on its cover, so that its attitude can be told.
+void draw_book(Sketch& sketch, const Vector3d& center, const Matrix3d& attitude) {
+  const Vector3d half(0.38, 0.55, 0.11);
+  const auto at = [&](double x, double y, double z) -> Vector3d {
+    return center + attitude * Vector3d(x * half[0], y * half[1], z * half[2]);
+  };
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double side : {1.0, -1.0}) {
+      if (!sketch.faces_reader(side * attitude.col(axis))) continue;
+      Curve face;
+      for (const auto& [a, b] : {std::pair{1.0, 1.0}, {-1.0, 1.0}, {-1.0, -1.0}, {1.0, -1.0}}) {
+        Vector3d corner;
+        corner[axis] = side;
+        corner[(axis + 1) % 3] = a;
+        corner[(axis + 2) % 3] = b;
+        face.push_back(at(corner[0], corner[1], corner[2]));
+      }
+      const bool is_cover = axis == 2, is_spine = axis == 0 && side < 0;
+      sketch.face(face, is_cover || is_spine ? colors::blue : colors::pale, is_spine ? 0.75 : is_cover ? 0.4 : 0.9);
+      face.push_back(face.front());
+      sketch.line(face, colors::black, 1.5);
+      if (is_cover && side > 0) {
+        sketch.face({at(-0.6, 0.3, 1), at(0.6, 0.3, 1), at(0.6, 0.65, 1), at(-0.6, 0.65, 1)}, colors::black, 0.9);
+        sketch.line({at(-0.6, -0.55, 1), at(0.2, -0.55, 1)}, colors::black, 2);
+      }
+    }
+  }
+}
 
-  const Vector3d V = vector(now);
-  const Vector3d rate_body = turned(growth * along, now * omega);
-  const Vector3d rate = inertial_rate(rate_body, omega, V);
-  Curve trail;
-  for (int k = 0; k <= 120; ++k) trail.push_back(in_plane(vector(2.2 * k / 120)));
-
-  workbook::draw_figure(directory, "two_sources_of_change", {720, 560}, [&](gnuplotio::Gnuplot& gnuplot) {
-    gnuplot << "unset key; set size ratio -1; set xrange [-1.3:1.6]; set yrange [-0.25:2.25]\n"
-               "set xlabel 'component along y (m)'; set ylabel 'component along z (m)'; set xtics 0.5; set ytics 0.5\n"
-            << arrow(Vector3d::Zero(), V, colors::black, "lw 3") << arrow(V, V + rate_body, colors::blue, "lw 3")
-            << dashed_arrow(V, V + rate - rate_body, colors::vermilion) << arrow(V, V + rate, colors::green, "lw 4")
-            << label("{/:Bold V}", 0.38, 0.38, colors::black)
-            << label("(d{/:Bold V}/dt)_{body}", 1.0, 1.42, colors::blue, "left")
-            << label("{/:Bold ω} × {/:Bold V}", 0.02, 1.18, colors::vermilion, "center")
-            << label("(d{/:Bold V}/dt)_{inertial}", 0.16, 2.12, colors::green, "left")
-            << label("path of the tip", 0.86, 0.35, colors::grey, "left");
-    const auto ghost = [](const Vector3d& a, const Vector3d& b) { return Curve{in_plane(a), in_plane(b)}; };
-    gnuplot << "plot '-' w l lw 2.5 lc rgb '" << colors::grey << "', '-' w l lw 1 dt 3 lc rgb '" << colors::grey
-            << "', '-' w l lw 1 dt 3 lc rgb '" << colors::grey << "'\n";
-    gnuplot.send1d(trail);
-    gnuplot.send1d(ghost(V + rate_body, V + rate));
-    gnuplot.send1d(ghost(V + rate - rate_body, V + rate));
-  });
+/// Two quarter rotations of a book, in both orders.
+void draw_book_orders(const std::filesystem::path& directory) {
+  Sketch sketch({0.75, -1.0, 0.75});
+  const Vector3d right = z_axis.cross(sketch.towards()).normalized(), up = sketch.towards().cross(right);
+  for (int row = 0; row < 2; ++row) {
+    Matrix3d attitude = Matrix3d::Identity();
+    for (int step = 0; step < 3; ++step) {
+      const Vector3d center = 2.2 * step * right - 1.8 * row * up;
+      draw_book(sketch, center, attitude);
+      const Vector3d axis = (row + step) % 2 == 0 ? x_axis : z_axis;
+      if (step == 2) continue;
+      attitude = rotated_basis(attitude, axis, pi / 2);
+      const Vector3d between = center + 1.1 * right;
+      sketch.arrow(between - 0.17 * right, between + 0.17 * right, colors::grey);
+      sketch.text(between, (row + step) % 2 == 0 ? "about x" : "about z", colors::vermilion, Side::above);
+    }
+  }
+  const Vector3d corner = -0.95 * right - 1.0 * up;
+  sketch.arrow(corner, corner + 0.5 * x_axis, colors::vermilion, "x", Side::right, 2);
+  sketch.arrow(corner, corner + 0.5 * y_axis, colors::grey, "y", Side::right, 2);
+  sketch.arrow(corner, corner + 0.5 * z_axis, colors::vermilion, "z", Side::left, 2);
+  sketch.draw(directory, "book", 600);
 }
 
 }  // namespace
@@ -155,6 +212,9 @@ void draw_two_sources(const std::filesystem::path& directory) {
 int main(int argc, char** argv) {
   return workbook::draw_figures(argc, argv,
                                 {{"two_sources_of_change", draw_two_sources},
-                                 {"turning_basis", draw_turning_basis},
-                                 {"leaving_the_circle", draw_leaving_the_circle}});
+                                 {"small_rotation", draw_small_rotation},
+                                 {"turbine", draw_turbine},
+                                 {"rodrigues", draw_rodrigues},
+                                 {"leaving_the_circle", draw_leaving_the_circle},
+                                 {"book", draw_book_orders}});
 }

@@ -1,5 +1,5 @@
 // Figures of lecture 03.
-#include "lectures/support/figure.hpp"
+#include "lectures/support/sketch.hpp"
 
 #include <rigid/inertia_tensor.hpp>
 
@@ -8,157 +8,205 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <tuple>
 #include <vector>
 
 using namespace rigid;
+using workbook::arc;
+using workbook::Side;
+using workbook::Sketch;
+namespace colors = workbook::colors;
 
 namespace {
 
-using Curve = std::vector<std::tuple<double, double, double>>;
+using Curve = std::vector<Vector3d>;
 
 constexpr double pi = std::numbers::pi;
+const Vector3d origin = Vector3d::Zero();
+const Vector3d x_axis = Vector3d::UnitX(), y_axis = Vector3d::UnitY(), z_axis = Vector3d::UnitZ();
 
-/// The body of both figures: a flat cuboid about its centre, turned so that no axis of it is a coordinate axis.
-struct Body {
-  Vector3d edges{3.0, 1.6, 0.6};
-  Matrix3d axes =
-      (Eigen::AngleAxisd(0.5, Vector3d::UnitZ()) * Eigen::AngleAxisd(-0.35, Vector3d::UnitY())).toRotationMatrix();
+/// A mass on its circle about the axis.
+void draw_circle_of_a_point(const std::filesystem::path& directory) {
+  Sketch sketch({0.5, -1.0, 0.42});
+  const double distance = 1.25, height = 1.0, azimuth = -0.5;
+  const Vector3d center(0, 0, height);
+  const Vector3d outward(std::cos(azimuth), std::sin(azimuth), 0);
+  const Vector3d r = center + distance * outward;
+  sketch.line(arc(center, distance, x_axis, y_axis), colors::grey, 1.5, "dt (5,4)");
+  sketch.line({center, r}, colors::grey, 2);
+  sketch.text(center + 0.5 * distance * outward, "d", colors::grey, Side::above);
+  sketch.arrow(origin, {0, 0, 1.75}, colors::vermilion, "{/:Bold ω}", Side::left);
+  sketch.arrow(origin, r, colors::black);
+  sketch.text(0.55 * r, "{/:Bold r}", colors::black, Side::below);
+  sketch.arrow(r, r + 0.8 * z_axis.cross(outward), colors::blue, "{/:Bold v} = {/:Bold ω} × {/:Bold r}", Side::right);
+  sketch.dot(r, colors::black, 1.2);
+  sketch.text(r + Vector3d(0.05, 0, -0.12), "m", colors::black, Side::right);
+  sketch.dot(origin, colors::grey, 0.6);
+  sketch.text(origin, "O", colors::grey, Side::left);
+  sketch.draw(directory, "circle_of_a_point", 560);
+}
 
-  Matrix3d tensor() const {
-    const Vector3d squares = edges.cwiseAbs2() / 12;
-    return rotated_inertia((squares.sum() - squares.array()).matrix().asDiagonal(), axes);
+/// Two equal masses on a rod that is not at right angles to the axis: L turns with the rod.
+void draw_skew_dumbbell(const std::filesystem::path& directory) {
+  Sketch sketch({0.35, -1.0, 0.32});
+  const double inclination = pi / 6;
+  const Vector3d r(1.5 * std::sin(inclination), 0, 1.5 * std::cos(inclination));
+  const Vector3d L = 1.25 * Vector3d(-std::cos(inclination), 0, std::sin(inclination));
+  sketch.line({-1.5 * z_axis, 1.2 * z_axis}, colors::grey, 1.5);
+  sketch.line(arc({0, 0, L.z()}, L.x(), x_axis, y_axis), colors::blue, 1.2, "dt (5,4)");
+  for (const double sign : {1.0, -1.0})
+    sketch.line(arc({0, 0, sign * r.z()}, r.x(), x_axis, y_axis), colors::grey, 1.2, "dt (5,4)");
+  sketch.line({-r, r}, colors::black, 4);
+  sketch.arrow(origin, 1.75 * z_axis, colors::vermilion, "{/:Bold ω}", Side::left);
+  sketch.arrow(origin, L, colors::blue, "{/:Bold L}", Side::left);
+  for (const double sign : {1.0, -1.0}) {
+    sketch.dot(sign * r, colors::black, 1.4);
+    sketch.arrow(sign * r, sign * (r + 0.85 * y_axis), colors::green, "m{/:Bold v}",
+                 sign > 0 ? Side::right : Side::left);
   }
+  sketch.text(1.03 * r + Vector3d(0.1, 0, -0.1), "{/:Bold r}", colors::black, Side::right);
+  sketch.text(-1.03 * r + Vector3d(-0.1, 0, 0.1), "−{/:Bold r}", colors::black, Side::left);
+  sketch.draw(directory, "skew_dumbbell", 400);
+}
+
+/// The cube about its corner: one axis along the diagonal, every direction across it.
+void draw_cube_axes(const std::filesystem::path& directory) {
+  Sketch sketch({1.3, -0.9, 0.9});
+  const Matrix3d V = principal_axes(cuboid_about_corner(1, 1, 1, 1));
+  const Vector3d diagonal = (V.col(0).sum() > 0 ? 1 : -1) * V.col(0);
+  const Vector3d across = (x_axis - y_axis).normalized(), other = diagonal.cross(across);
+  sketch.face(arc(origin, 0.85, across, other), colors::blue, 0.18);
+  sketch.box(origin, Matrix3d::Identity());
+  for (int i = 0; i < 3; ++i) {
+    const double angle = 0.35 + i * pi / 3;
+    const Vector3d direction = std::cos(angle) * across + std::sin(angle) * other;
+    sketch.line({-0.85 * direction, 0.85 * direction}, colors::blue, 2);
+  }
+  sketch.text(-0.9 * (std::cos(0.35 + pi / 3) * across + std::sin(0.35 + pi / 3) * other),
+              "I_2 = I_3 = {/*0.85 11/12} Ma^2", colors::blue, Side::left);
+  sketch.arrow(origin, 2.15 * diagonal, colors::vermilion, "I_1 = {/*0.85 1/6} Ma^2", Side::right);
+  sketch.dot(origin, colors::black, 0.7);
+  sketch.draw(directory, "cube_axes", 590);
+}
+
+/// A flat box about its centre, turned so that no axis of it is a coordinate axis. 1 kg, edges in metres.
+struct Box {
+  Vector3d edges{3.0, 1.6, 0.6};
+  Matrix3d axes = (Eigen::AngleAxisd(0.5, z_axis) * Eigen::AngleAxisd(-0.35, y_axis)).toRotationMatrix();
+  Vector3d squares = edges.cwiseAbs2() / 12;
+  Vector3d moments = Vector3d::Constant(squares.sum()) - squares;
 };
 
-Curve line(const Vector3d& from, const Vector3d& to) {
-  return {{from.x(), from.y(), from.z()}, {to.x(), to.y(), to.z()}};
-}
-
-/// The twelve edges of the cuboid.
-std::vector<Curve> wire_frame(const Body& body) {
-  std::vector<Curve> edges;
-  for (int corner = 0; corner < 8; ++corner) {
-    const auto position = [&](int bits) -> Vector3d {
-      const Vector3d sign((bits & 1) ? 1 : -1, (bits & 2) ? 1 : -1, (bits & 4) ? 1 : -1);
-      return body.axes * (0.5 * sign.cwiseProduct(body.edges));
-    };
-    for (int axis = 0; axis < 3; ++axis) {
-      if ((corner >> axis & 1) == 0) edges.push_back(line(position(corner), position(corner | 1 << axis)));
-    }
-  }
-  return edges;
-}
-
-/// Circles of latitude and meridians of the surface n·I·n = 1 along which the figure draws the ellipsoid.
-std::vector<Curve> ellipsoid_mesh(const Matrix3d& I, double size) {
-  const Vector3d moments = principal_moments(I);
-  const Matrix3d axes = principal_axes(I);
-  const auto point = [&](double polar, double azimuth) -> Vector3d {
-    const Vector3d n(std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth), std::cos(polar));
-    return size * (axes * n.cwiseQuotient(moments.cwiseSqrt()));
-  };
-  std::vector<Curve> mesh;
-  for (int k = 1; k < 8; ++k) {
-    Curve circle;
-    for (int i = 0; i <= 72; ++i) {
-      const Vector3d p = point(pi * k / 8, 2 * pi * i / 72);
-      circle.emplace_back(p.x(), p.y(), p.z());
-    }
-    mesh.push_back(circle);
-  }
-  for (int k = 0; k < 12; ++k) {
-    Curve meridian;
-    for (int i = 0; i <= 36; ++i) {
-      const Vector3d p = point(pi * i / 36, 2 * pi * k / 12);
-      meridian.emplace_back(p.x(), p.y(), p.z());
-    }
-    mesh.push_back(meridian);
-  }
-  return mesh;
-}
+const std::array<const char*, 3> axis_colors{colors::vermilion, colors::green, colors::purple};
 
 void draw_inertia_ellipsoid(const std::filesystem::path& directory) {
-  const Body body;
-  const Matrix3d I = body.tensor();
-  const Vector3d moments = principal_moments(I);
-  const Matrix3d axes = principal_axes(I);
-  const double size = 1.0;
-
-  workbook::draw_figure(directory, "inertia_ellipsoid", {720, 480}, [&](gnuplotio::Gnuplot& gnuplot) {
-    gnuplot << "unset key; unset border; unset tics; unset grid\n"
-               "set lmargin 0; set rmargin 0; set tmargin 0; set bmargin 0\n"
-               "set view 55, 62, 2.3; set view equal xyz\n"
-               "set xrange [-2.4:2.4]; set yrange [-2.4:2.4]; set zrange [-1.7:1.7]\n";
-    const std::array<const char*, 3> colors = {workbook::colors::vermilion, workbook::colors::green,
-                                               workbook::colors::purple};
-    for (int i = 0; i < 3; ++i) {
-      const Vector3d tip = axes.col(i) * (size / std::sqrt(moments[i]) + 0.45);
-      const Vector3d place = axes.col(i) * (size / std::sqrt(moments[i]) + 0.65);
-      gnuplot << fmt::format("set arrow from 0,0,0 to {:.4f},{:.4f},{:.4f} front lw 3 lc rgb '{}'\n", tip.x(), tip.y(),
-                             tip.z(), colors[i])
-              << fmt::format(
-                     "set label '{{/:Bold I_{}}} = {:.2f} kg m²' at {:.4f},{:.4f},{:.4f} front center offset 0,-1.3 tc "
-                     "rgb '{}'\n",
-                     i + 1, moments[i], place.x(), place.y(), place.z(), colors[i]);
+  const Box box;
+  Sketch sketch({0.75, -1.0, 0.75});
+  const Matrix3d edges = box.axes * box.edges.asDiagonal();
+  sketch.box(-0.5 * edges.rowwise().sum(), edges, true);
+  // The side of the ellipsoid that faces the reader, in circles about its long axis and in meridians.
+  const Vector3d half_axes = box.moments.cwiseSqrt().cwiseInverse();
+  const auto point = [&](double polar, double azimuth) -> Vector3d {
+    const Vector3d n(std::cos(polar), std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth));
+    return box.axes * n.cwiseProduct(half_axes);
+  };
+  const auto draw_front = [&](const auto& at) {
+    Curve piece;
+    for (int i = 0; i <= 72; ++i) {
+      const Vector3d p = at(i / 72.0);
+      const Vector3d normal = box.axes * box.moments.asDiagonal() * box.axes.transpose() * p;
+      if (sketch.faces_reader(normal)) {
+        piece.push_back(p);
+      } else if (!piece.empty()) {
+        sketch.line(piece, colors::sky, 1.2);
+        piece.clear();
+      }
     }
-    const auto mesh = ellipsoid_mesh(I, size);
-    const auto frame = wire_frame(body);
-    gnuplot << "splot ";
-    for (std::size_t i = 0; i < mesh.size(); ++i) gnuplot << "'-' w l lw 1 lc rgb '" << workbook::colors::sky << "', ";
-    for (std::size_t i = 0; i < frame.size(); ++i)
-      gnuplot << "'-' w l lw 2.5 lc rgb '#333333'" << (i + 1 < frame.size() ? ", " : "\n");
-    for (const Curve& curve : mesh) gnuplot.send1d(curve);
-    for (const Curve& curve : frame) gnuplot.send1d(curve);
-  });
+    if (piece.size() > 1) sketch.line(piece, colors::sky, 1.2);
+  };
+  for (int k = 1; k < 8; ++k) draw_front([&](double s) { return point(pi * k / 8, 2 * pi * s + 1); });
+  for (int k = 0; k < 12; ++k) draw_front([&](double s) { return point(pi * s, 2 * pi * k / 12); });
+  // Its outline: where the normal is at right angles to the line of sight.
+  const Vector3d sight = half_axes.cwiseInverse().cwiseProduct(box.axes.transpose() * sketch.towards()).normalized();
+  const Vector3d across = sight.unitOrthogonal();
+  Curve outline = arc(origin, 1, across, sight.cross(across));
+  for (Vector3d& n : outline) n = box.axes * n.cwiseProduct(half_axes);
+  sketch.line(outline, colors::sky, 2);
+  for (int i = 0; i < 3; ++i) {
+    const double sign = i == 1 ? -1 : 1;
+    sketch.arrow(origin, sign * box.axes.col(i) * (half_axes[i] + (i == 0 ? 0.5 : 0.9)),
+                 axis_colors[static_cast<std::size_t>(i)], fmt::format("I_{} = {:.2f} kg m²", i + 1, box.moments[i]),
+                 i == 0   ? Side::right
+                 : i == 1 ? Side::below
+                          : Side::above);
+  }
+  sketch.draw(directory, "inertia_ellipsoid", 590);
 }
 
-void draw_energy_over_direction(const std::filesystem::path& directory) {
-  const Body body;
-  const Matrix3d I = body.tensor();
-  const Vector3d moments = principal_moments(I);
-  const Matrix3d axes = principal_axes(I);
+/// One level line of the energy on the unit sphere of directions, round ±e₁ or ±e₃, on principal axes.
+Curve level_line(const Vector3d& I, double level, double sign) {
+  Curve curve;
+  const bool low = level < I[1];
+  const int pole = low ? 0 : 2, far = low ? 2 : 0;
+  const double a = std::sqrt((level - I[pole]) / (I[1] - I[pole])),
+               b = std::sqrt((level - I[pole]) / (I[far] - I[pole]));
+  for (int i = 0; i <= 180; ++i) {
+    Vector3d n;
+    n[1] = a * std::cos(2 * pi * i / 180);
+    n[far] = b * std::sin(2 * pi * i / 180);
+    n[pole] = sign * std::sqrt(std::max(0.0, 1 - n[1] * n[1] - n[far] * n[far]));
+    curve.push_back(n);
+  }
+  return curve;
+}
 
-  workbook::draw_figure(directory, "energy_over_direction", {720, 470}, [&](gnuplotio::Gnuplot& gnuplot) {
-    gnuplot << "set xlabel 'azimuth of ω (degrees)'; set ylabel 'angle of ω from the z axis (degrees)'\n"
-               "set xrange [-180:180]; set yrange [180:0]; set xtics 60; set ytics 30\n"
-               "set cblabel 'T (J)'; unset key; unset grid\n"
-               // Light to dark, so that the map also reads in grey print.
-               "set palette defined (0 '#FFFFE0', 1 '#C7E9B4', 2 '#41B6C4', 3 '#225EA8', 4 '#081D58')\n";
+/// Kinetic energy over the directions of ω, on the two hemispheres.
+void draw_energy_on_sphere(const std::filesystem::path& directory) {
+  const Vector3d I = Box().moments;
+  Sketch sketch;
+  for (const double side : {1.0, -1.0}) {
+    const Vector3d towards = side * Vector3d(0.75, 1.0, 0.6).normalized();
+    const Vector3d right = z_axis.cross(towards).normalized(), up = towards.cross(right);
+    const Vector3d center(-1.15 * side, 0, 0);
+    const auto place = [&](const Vector3d& n) -> Vector3d { return center + Vector3d(n.dot(right), n.dot(up), 0); };
+    const auto draw_front = [&](const Curve& curve, const char* color, double width) {
+      Curve piece;
+      for (const Vector3d& n : curve) {
+        if (n.dot(towards) >= 0) {
+          piece.push_back(place(n));
+        } else {
+          if (piece.size() > 1) sketch.line(piece, color, width);
+          piece.clear();
+        }
+      }
+      if (piece.size() > 1) sketch.line(piece, color, width);
+    };
+    sketch.line(arc(center, 1, x_axis, y_axis), colors::grey, 1.5);
+    for (const double sign : {1.0, -1.0}) {
+      for (const double part : {0.1, 0.35, 0.65, 0.9}) {
+        draw_front(level_line(I, I[0] + part * (I[1] - I[0]), sign), colors::vermilion, 1.8);
+        draw_front(level_line(I, I[2] + part * (I[1] - I[2]), sign), colors::purple, 1.8);
+      }
+      // The level through ±e₂: two great circles.
+      const Vector3d across = Vector3d(std::sqrt(I[2] - I[1]), 0, sign * std::sqrt(I[1] - I[0])).normalized();
+      draw_front(arc(origin, 1, across, y_axis), colors::black, 2.4);
+    }
     for (int i = 0; i < 3; ++i) {
-      for (const double sign : {1.0, -1.0}) {
-        const Vector3d n = sign * axes.col(i);
-        const double azimuth = std::atan2(n.y(), n.x()) * 180 / pi;
-        const double polar = std::acos(n.z()) * 180 / pi;
-        const char* color = i == 2 ? "white" : "black";
-        gnuplot << fmt::format("set label at {:.2f},{:.2f} point pt 7 ps 1.6 lc rgb '{}' front\n", azimuth, polar,
-                               color)
-                << fmt::format("set label '{}e_{}' at {:.2f},{:.2f} left front tc rgb '{}'\n", sign > 0 ? "" : "−",
-                               i + 1, azimuth + 6, polar, color);
-      }
+      const Vector3d n = side * Vector3d::Unit(i);
+      sketch.dot(place(n), axis_colors[static_cast<std::size_t>(i)], 0.8);
+      sketch.text(place(n), fmt::format("{}{{/:Bold e}}_{}", side > 0 ? "" : "−", i + 1),
+                  axis_colors[static_cast<std::size_t>(i)], Side::right);
     }
-    std::vector<Curve> rows;
-    for (int j = 0; j <= 60; ++j) {
-      Curve row;
-      for (int i = 0; i <= 120; ++i) {
-        const double azimuth = -pi + 2 * pi * i / 120;
-        const double polar = pi * j / 60;
-        const Vector3d omega(std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth), std::cos(polar));
-        row.emplace_back(azimuth * 180 / pi, polar * 180 / pi, kinetic_energy(I, omega));
-      }
-      rows.push_back(row);
-    }
-    gnuplot << fmt::format("set title 'T at |ω| = 1 rad/s: {:.3f} J along e_1, {:.3f} J along e_3'\n", moments[0] / 2,
-                           moments[2] / 2);
-    gnuplot << "plot '-' with image\n";
-    gnuplot.send2d(rows);
-  });
+  }
+  sketch.draw(directory, "energy_on_sphere", 590);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return workbook::draw_figures(
-      argc, argv,
-      {{"inertia_ellipsoid", draw_inertia_ellipsoid}, {"energy_over_direction", draw_energy_over_direction}});
+  return workbook::draw_figures(argc, argv,
+                                {{"circle_of_a_point", draw_circle_of_a_point},
+                                 {"skew_dumbbell", draw_skew_dumbbell},
+                                 {"cube_axes", draw_cube_axes},
+                                 {"inertia_ellipsoid", draw_inertia_ellipsoid},
+                                 {"energy_on_sphere", draw_energy_on_sphere}});
 }

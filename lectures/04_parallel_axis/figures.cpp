@@ -1,5 +1,5 @@
 // Figures of lecture 04.
-#include "lectures/support/figure.hpp"
+#include "lectures/support/sketch.hpp"
 
 #include <rigid/inertia_tensor.hpp>
 #include <rigid/parallel_axis.hpp>
@@ -10,21 +10,104 @@
 #include <cmath>
 #include <numbers>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 using namespace rigid;
+using gnuplotio::Gnuplot;
+using workbook::arc;
+using workbook::Side;
+using workbook::Sketch;
+namespace colors = workbook::colors;
 
 namespace {
 
+using Curve = std::vector<std::pair<double, double>>;
+
 constexpr double pi = std::numbers::pi;
+const Vector3d x_axis = Vector3d::UnitX(), y_axis = Vector3d::UnitY(), z_axis = Vector3d::UnitZ();
 
-using SpaceCurve = std::vector<std::tuple<double, double, double>>;
-using PlaneCurve = std::vector<std::pair<double, double>>;
+void label(Gnuplot& gnuplot, const std::string& text, double x, double y, const char* color) {
+  gnuplot << fmt::format("set label '{}' at {},{} center front tc rgb '{}'\n", text, x, y, color);
+}
 
-/// The cuboid of the worked examples.
-struct Box {
+/// Two origins, the centre of mass and one point of the body.
+void draw_origins(const std::filesystem::path& directory) {
+  Sketch sketch;
+  const Vector3d O(0.75, -0.1, 0), O_new(-1.6, -0.5, 0), center(2.05, 0.4, 0), p(1.6, 1.4, 0);
+  std::vector<Vector3d> body;
+  for (int i = 0; i <= 90; ++i) {
+    const double angle = 2 * pi * i / 90, radius = 1 + 0.12 * std::cos(2 * angle - 1) + 0.09 * std::cos(3 * angle);
+    body.push_back(center + radius * Vector3d(1.75 * std::cos(angle), 1.35 * std::sin(angle), 0));
+  }
+  sketch.face(body, colors::grey, 0.15);
+  sketch.line(body, colors::grey, 1.5);
+  const auto vector = [&](const Vector3d& from, const Vector3d& to, const char* color, const char* name, Side side) {
+    sketch.arrow(from, to, color);
+    sketch.text(0.5 * (from + to), name, color, side);
+  };
+  vector(O_new, O, colors::vermilion, "{/:Bold R}", Side::below);
+  vector(O, p, colors::blue, "{/:Bold r}", Side::right);
+  vector(O_new, p, colors::green, "{/:Bold r}′ = {/:Bold r} + {/:Bold R}", Side::left);
+  vector(O, center, colors::grey, "{/:Bold r}_{CM}", Side::below);
+  sketch.dot(O, colors::black);
+  sketch.text(O, "O", colors::black, Side::below);
+  sketch.dot(O_new, colors::black);
+  sketch.text(O_new, "O′", colors::black, Side::left);
+  sketch.dot(center, colors::grey);
+  sketch.text(center, "CM", colors::grey, Side::right);
+  sketch.dot(p, colors::black);
+  sketch.text(p, "p", colors::black, Side::right);
+  sketch.draw(directory, "origins", 560);
+}
+
+/// A ruler on a nail, and its period for every place of the nail.
+void draw_pendulum(const std::filesystem::path& directory) {
+  const double g = 9.81, d0 = 1 / std::sqrt(12.0);
+  const auto period = [&](double d) { return 2 * pi * std::sqrt((d0 * d0 + d * d) / (g * d)); };
+  const double d = 0.42;
+  Sketch ruler;
+  const Vector3d along(std::sin(0.2), -std::cos(0.2), 0), across(along.y(), -along.x(), 0);
+  const auto at = [&](double from_center, double aside) -> Vector3d {
+    return from_center * along + 0.045 * aside * across;
+  };
+  const std::vector<Vector3d> outline{at(-0.5, 1), at(0.5, 1), at(0.5, -1), at(-0.5, -1), at(-0.5, 1)};
+  ruler.face(outline, colors::grey, 0.2);
+  ruler.line(outline, colors::black);
+  ruler.line({at(-d, 0), Vector3d(at(-d, 0) - 0.75 * y_axis)}, colors::grey, 1, "dt (4,4)");
+  ruler.dot(at(-d, 0), colors::black, 1);
+  ruler.text(at(-d, 1.6), "nail", colors::black, Side::left);
+  ruler.dot(at(0, 0), colors::grey, 1);
+  ruler.text(at(0, 1), "CM", colors::grey, Side::left);
+  ruler.text(at(-d / 2, -1), "d", colors::blue, Side::right);
+  ruler.dot(at(d0 * d0 / d, 0), colors::vermilion, 1);
+  ruler.text(at(d0 * d0 / d, -1), "d_0^2/d", colors::vermilion, Side::right);
+
+  workbook::draw_figure(directory, "pendulum", {590, 340}, [&](Gnuplot& gnuplot) {
+    gnuplot << "set multiplot\nset origin 0,0; set size 0.3,1\n";
+    ruler.send(gnuplot, {180, 340}, 0.34);
+    gnuplot << "unset label; unset arrow\nset origin 0.3,0; set size 0.7,1\n"
+               "set border; set tics; set grid\nset lmargin 8; set rmargin 2; set tmargin 1; set bmargin 3.5\n"
+               "set xlabel 'd, from the nail to the centre of mass (m)'; set ylabel 'period (s)'\n"
+               "set xrange [0:0.52]; set yrange [1.4:2.6]; set xtics 0.1; set ytics 0.2\n"
+            << fmt::format("set arrow from {0},{2} to {1},{2} nohead lw 1.5 dt (5,4) lc rgb '{3}'\n", d0 * d0 / 0.5,
+                           0.5, period(0.5), colors::vermilion)
+            << fmt::format("set arrow from {0},1.4 to {0},{1} nohead lw 1.5 dt (5,4) lc rgb '{2}'\n", d0, period(d0),
+                           colors::grey);
+    label(gnuplot, "the same period", 1 / 3.0, period(0.5) + 0.07, colors::vermilion);
+    label(gnuplot, "d_0", d0 + 0.02, 1.45, colors::grey);
+    Curve curve;
+    for (double nail = 0.03; nail < 0.501; nail += 0.0025) curve.emplace_back(nail, period(nail));
+    gnuplot << fmt::format("plot '-' w l lw 3 lc rgb '{}', '-' w p pt 7 ps 1.2 lc rgb '{}'\n", colors::blue,
+                           colors::vermilion);
+    gnuplot.send1d(curve);
+    gnuplot.send1d(Curve{{d0 * d0 / 0.5, period(0.5)}, {0.5, period(0.5)}});
+    gnuplot << "unset multiplot\n";
+  });
+}
+
+/// The block of the next two figures: 6 kg, edges in metres.
+struct Block {
   double M = 6;
   Vector3d edges{1, 2, 3};
 
@@ -32,190 +115,169 @@ struct Box {
   Matrix3d at_corner() const { return cuboid_about_corner(M, edges.x(), edges.y(), edges.z()); }
 };
 
-SpaceCurve line(const Vector3d& from, const Vector3d& to) {
-  return {{from.x(), from.y(), from.z()}, {to.x(), to.y(), to.z()}};
+void draw_along_the_diagonal(const std::filesystem::path& directory) {
+  const Block block;
+  const Matrix3d corner = block.at_corner();
+  workbook::draw_figure(directory, "origin_on_the_diagonal", {590, 400}, [&](Gnuplot& gnuplot) {
+    gnuplot << "set xlabel 'new origin on the diagonal (0: corner, ½: centre)'\n"
+               "set ylabel 'entry of I (kg m²)'\n"
+               "set xrange [-0.25:1.25]; set yrange [-25:65]; unset key; set xtics 0.25\n";
+    Curve xx, yz, mistaken, reversed;
+    for (int k = 0; k <= 150; ++k) {
+      const double s = -0.25 + 0.01 * k;
+      const Vector3d R = -s * block.edges;
+      const Matrix3d I = inertia_about_shifted_origin(corner, block.M, block.edges / 2, R);
+      xx.emplace_back(s, I(0, 0));
+      yz.emplace_back(s, I(1, 2));
+      mistaken.emplace_back(s, inertia_from_center_of_mass(corner, block.M, R)(0, 0));
+      reversed.emplace_back(s, inertia_about_shifted_origin(corner, block.M, block.edges / 2, -R)(0, 0));
+    }
+    label(gnuplot, "I_{xx}", 1.1, 25, colors::blue);
+    label(gnuplot, "I_{yz}", 1.1, -8, colors::green);
+    label(gnuplot, "I_{xx}, {/:Bold R} reversed", 0.1, 57, colors::vermilion);
+    label(gnuplot, "I_{xx} without {/:Bold r}_{CM}", 0.95, 57, colors::purple);
+    gnuplot << fmt::format(
+        "plot 0 lc rgb '{}' lw 1, '-' w l lw 3.5 lc rgb '{}', '-' w l lw 3.5 lc rgb '{}', '-' w l lw 2.5 dt (10,5) lc "
+        "rgb '{}', '-' w l lw 2.5 dt (3,4) lc rgb '{}', '-' w p pt 7 ps 1.2 lc rgb '{}'\n",
+        colors::grey, colors::blue, colors::green, colors::vermilion, colors::purple, colors::black);
+    gnuplot.send1d(xx);
+    gnuplot.send1d(yz);
+    gnuplot.send1d(reversed);
+    gnuplot.send1d(mistaken);
+    gnuplot.send1d(Curve{{0, corner(0, 0)}, {0.5, block.at_center()(0, 0)}});
+  });
 }
 
-std::vector<SpaceCurve> wire_frame(const Vector3d& edges) {
-  std::vector<SpaceCurve> lines;
-  for (int corner = 0; corner < 8; ++corner) {
-    const auto position = [&](int bits) -> Vector3d {
-      return edges.cwiseProduct(Vector3d((bits & 1) ? 1 : 0, (bits & 2) ? 1 : 0, (bits & 4) ? 1 : 0));
-    };
-    for (int axis = 0; axis < 3; ++axis) {
-      if ((corner >> axis & 1) == 0) lines.push_back(line(position(corner), position(corner | 1 << axis)));
-    }
+/// The inertia ellipsoid about a point, as its outline and its axes with the moments.
+void draw_ellipsoid(Sketch& sketch, const Matrix3d& I, const Vector3d& center, const char* color,
+                    const std::array<Side, 3>& sides, const Vector3d& signs) {
+  const double size = 2.6;
+  const Vector3d moments = principal_moments(I), half_axes = size * moments.cwiseSqrt().cwiseInverse();
+  Matrix3d axes = principal_axes(I);
+  // An axis has no sign of its own: here the largest component has the one that is asked for.
+  for (int i = 0; i < 3; ++i) {
+    Eigen::Index largest = 0;
+    axes.col(i).cwiseAbs().maxCoeff(&largest);
+    axes.col(i) *= signs[i] * (axes(largest, i) > 0 ? 1 : -1);
   }
-  return lines;
-}
-
-/// The surface around `center` that n/√(n·I·n) traces for all directions n, drawn as its cuts with the principal
-/// planes.
-std::vector<SpaceCurve> ellipsoid(const Matrix3d& I, const Vector3d& center, double size) {
-  const Vector3d moments = principal_moments(I);
-  const Matrix3d axes = principal_axes(I);
-  std::vector<SpaceCurve> circles;
-  for (int skip = 0; skip < 3; ++skip) {
-    const int i = (skip + 1) % 3, j = (skip + 2) % 3;
-    SpaceCurve circle;
-    for (int k = 0; k <= 72; ++k) {
-      const double angle = 2 * pi * k / 72;
-      const Vector3d p = center + size * (std::cos(angle) / std::sqrt(moments[i]) * axes.col(i) +
-                                          std::sin(angle) / std::sqrt(moments[j]) * axes.col(j));
-      circle.emplace_back(p.x(), p.y(), p.z());
-    }
-    circles.push_back(circle);
+  const Vector3d sight = moments.cwiseSqrt().cwiseProduct(axes.transpose() * sketch.towards()).normalized();
+  const Vector3d across = sight.unitOrthogonal();
+  std::vector<Vector3d> outline = arc(Vector3d::Zero(), 1, across, sight.cross(across));
+  for (Vector3d& n : outline) n = center + axes * half_axes.cwiseProduct(n);
+  sketch.face(outline, color, 0.15);
+  sketch.line(outline, color, 1.5);
+  for (int i = 0; i < 3; ++i) {
+    const Vector3d tip = half_axes[i] * axes.col(i);
+    sketch.line({center - tip, center + tip}, color, 2.5);
+    sketch.text(center + tip, fmt::format("{:.3g}", moments[i]), color, sides[static_cast<std::size_t>(i)]);
   }
-  return circles;
+  sketch.dot(center, color, 0.9);
 }
 
 void draw_corner_and_center(const std::filesystem::path& directory) {
-  const Box box;
-  const double size = 2.6;
-  workbook::draw_figure(directory, "corner_and_center", {720, 560}, [&](gnuplotio::Gnuplot& gnuplot) {
-    gnuplot << "unset key; unset border; unset tics; unset grid\n"
-               "set lmargin 0; set rmargin 0; set tmargin 0; set bmargin 0\n"
-               "set view 70, 118, 1.85; set view equal xyz\n"
-               "set xrange [-1.8:2.2]; set yrange [-1.8:2.6]; set zrange [-1.5:3.3]\n";
-    struct Place {
-      Matrix3d I;
-      Vector3d origin;
-      const char* color;
-      const char* name;
-    };
-    const std::array<Place, 2> places = {
-        Place{box.at_corner(), Vector3d::Zero(), workbook::colors::vermilion, "corner"},
-        Place{box.at_center(), box.edges / 2, workbook::colors::blue, "centre"}};
-    std::vector<std::pair<std::vector<SpaceCurve>, std::string>> groups;
-    groups.emplace_back(wire_frame(box.edges), "lw 2.5 lc rgb '#333333'");
-    for (const Place& place : places) {
-      const Vector3d moments = principal_moments(place.I);
-      const Matrix3d axes = principal_axes(place.I);
-      groups.emplace_back(ellipsoid(place.I, place.origin, size), fmt::format("lw 1.5 lc rgb '{}'", place.color));
-      for (int i = 0; i < 3; ++i) {
-        const Vector3d half = size / std::sqrt(moments[i]) * axes.col(i);
-        const Vector3d from = place.origin - half, to = place.origin + half;
-        gnuplot << fmt::format(
-            "set arrow from {:.4f},{:.4f},{:.4f} to {:.4f},{:.4f},{:.4f} nohead front lw 3 dt {} lc rgb '{}'\n",
-            from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), &place == &places[0] ? 1 : 2, place.color);
-      }
-      gnuplot << fmt::format("set label at {:.4f},{:.4f},{:.4f} point pt 7 ps 1.8 lc rgb '{}' front\n",
-                             place.origin.x(), place.origin.y(), place.origin.z(), place.color);
-    }
-    for (int i = 0; i < 2; ++i) {
-      const Place& place = places[static_cast<std::size_t>(i)];
-      const Vector3d moments = principal_moments(place.I);
-      gnuplot << fmt::format(
-          "set label '{{/:Bold {}}}: {:.2f}, {:.2f}, {:.2f} kg m²' at screen 0.55,{} front tc rgb '{}'\n", place.name,
-          moments[0], moments[1], moments[2], i == 0 ? 0.06 : 0.13, place.color);
-    }
-    std::string separator = "splot ";
-    for (const auto& [curves, style] : groups) {
-      for (std::size_t k = 0; k < curves.size(); ++k) {
-        gnuplot << separator << "'-' w l " << style;
-        separator = ", ";
-      }
-    }
-    gnuplot << "\n";
-    for (const auto& [curves, style] : groups) {
-      for (const SpaceCurve& curve : curves) gnuplot.send1d(curve);
-    }
-  });
+  const Block block;
+  Sketch sketch({1.0, 0.62, 0.5});
+  sketch.box(Vector3d::Zero(), block.edges.asDiagonal());
+  sketch.text({0.5, 2, 0}, "a", colors::black, Side::right);
+  sketch.text({1, 1, 0}, "b", colors::black, Side::below);
+  sketch.text({1, 0, 1.5}, "c", colors::black, Side::left);
+  draw_ellipsoid(sketch, block.at_corner(), Vector3d::Zero(), colors::vermilion, {Side::left, Side::right, Side::above},
+                 {1, 1, 1});
+  draw_ellipsoid(sketch, block.at_center(), block.edges / 2, colors::blue, {Side::left, Side::above, Side::left},
+                 {1, 1, 1});
+  sketch.draw(directory, "corner_and_center", 380);
 }
 
-void draw_along_the_diagonal(const std::filesystem::path& directory) {
-  const Box box;
-  const Matrix3d corner = box.at_corner();
-  const Vector3d center = box.edges / 2;
-
-  workbook::draw_figure(directory, "origin_on_the_diagonal", {720, 470}, [&](gnuplotio::Gnuplot& gnuplot) {
-    gnuplot << "set xlabel 'place s of the new origin on the diagonal (0: corner, ½: centre)'; set ylabel 'entry of I "
-               "(kg m²)'\n"
-               "set xrange [-0.25:1.25]; set yrange [-35:65]; unset key; set xtics 0.25\n"
-            << fmt::format("set arrow from 0.5,-35 to 0.5,65 nohead dt 3 lc rgb '{}'\n", workbook::colors::grey);
-    PlaneCurve xx, xy, mistaken, reversed;
-    for (int k = 0; k <= 150; ++k) {
-      const double s = -0.25 + 0.01 * k;
-      const Vector3d R = -s * box.edges;  // the new origin lies at s × (1, 2, 3) m
-      const Matrix3d I = inertia_about_shifted_origin(corner, box.M, center, R);
-      xx.emplace_back(s, I(0, 0));
-      xy.emplace_back(s, I(1, 2));
-      mistaken.emplace_back(s, inertia_from_center_of_mass(corner, box.M, R)(0, 0));
-      reversed.emplace_back(s, inertia_about_shifted_origin(corner, box.M, center, -R)(0, 0));
-    }
-    const auto label = [&](const char* text, double x, double y, const char* color) {
-      gnuplot << fmt::format("set label '{}' at {},{} center front tc rgb '{}'\n", text, x, y, color);
-    };
-    label("I_{xx}", 1.0, 20, workbook::colors::blue);
-    label("I_{yz}", 1.0, -15, workbook::colors::green);
-    label("R reversed", 0.12, 58, workbook::colors::vermilion);
-    label("no r_{CM} terms", 0.92, 58, workbook::colors::purple);
-    gnuplot << fmt::format("set label at 0,{} point pt 7 ps 1.6 lc rgb '{}' front\n", corner(0, 0),
-                           workbook::colors::black)
-            << fmt::format("set label at 0.5,{} point pt 7 ps 1.6 lc rgb '{}' front\n", box.at_center()(0, 0),
-                           workbook::colors::black)
-            << fmt::format(
-                   "plot 0 lc rgb '{}' lw 1, '-' w l lw 4 lc rgb '{}', '-' w l lw 4 dt 2 lc rgb '{}', '-' w l lw 2.5 "
-                   "dt 4 lc rgb '{}', "
-                   "'-' w l lw 2.5 dt 3 lc rgb '{}'\n",
-                   workbook::colors::grey, workbook::colors::blue, workbook::colors::green, workbook::colors::vermilion,
-                   workbook::colors::purple);
-    gnuplot.send1d(xx);
-    gnuplot.send1d(xy);
-    gnuplot.send1d(reversed);
-    gnuplot.send1d(mistaken);
-  });
+/// The door wedge of the worked example, with its principal axes; lengths in centimetres.
+void draw_wedge(const std::filesystem::path& directory) {
+  const double a = 12, b = 4, c = 3;
+  const double Ixx = b * b / 18 + c * c / 12, Iyy = a * a / 18 + c * c / 12, Ixy = a * b / 36;
+  const double tilt = 0.5 * std::atan(2 * Ixy / (Ixx - Iyy));
+  Sketch sketch;
+  const std::vector<Vector3d> corners{{0, 0, 0}, {a, 0, 0}, {0, b, 0}, {0, 0, 0}};
+  sketch.face(corners, colors::grey, 0.2);
+  sketch.line(corners, colors::black);
+  const Vector3d center(a / 3, b / 3, 0), first(std::cos(tilt), std::sin(tilt), 0), second(-first.y(), first.x(), 0);
+  sketch.line({center - 4.6 * x_axis, center + 8.6 * x_axis}, colors::grey, 1, "dt (4,4)");
+  sketch.arrow(center - 2.9 * first, center + 8.6 * first, colors::vermilion, "{/:Bold e}_1", Side::right);
+  sketch.arrow(center - 2.2 * second, center + 3.4 * second, colors::green, "{/:Bold e}_2", Side::right);
+  sketch.line(arc(center, 6, x_axis, y_axis, tilt, 0), colors::black, 1.5);
+  sketch.text(center + 6.45 * Vector3d(std::cos(tilt / 2), std::sin(tilt / 2), 0), "α");
+  sketch.dot(center, colors::black);
+  sketch.text({a / 2, 0, 0}, "a", colors::black, Side::below);
+  sketch.text({0, b / 2, 0}, "b", colors::black, Side::left);
+  sketch.draw(directory, "wedge", 560);
 }
 
+/// The T-handle of the worked example; lengths in centimetres.
+void draw_handle(const std::filesystem::path& directory) {
+  Sketch sketch({0.45, -0.3, 1.0}, y_axis);
+  const auto part = [&](const Vector3d& center, const Vector3d& edges) {
+    sketch.box(center - edges / 2, edges.asDiagonal(), true);
+  };
+  part({0, -3.1, 0}, {1.2, 5, 1.2});
+  part({0, 0, 0}, {10, 1.2, 1.2});
+  const Vector3d center(0, -1.04, 0);
+  sketch.arrow(center, center + 6.6 * x_axis, colors::vermilion, "I_1", Side::right);
+  sketch.arrow(center, center + 3.6 * y_axis, colors::green, "I_2", Side::right);
+  sketch.arrow(center, center + 8.5 * z_axis, colors::purple, "I_3", Side::left);
+  sketch.dot(center, colors::black);
+  sketch.draw(directory, "handle", 480);
+}
+
+/// A disc with a bead on its rim rolls to +x; z points up. The origin is the middle of the disc, which moves evenly.
 void draw_moving_origin(const std::filesystem::path& directory) {
-  // A disc with a heavy bead on its rim rolls to +x; z points up. The origin is the disc's middle, which moves on
-  // evenly.
-  const double disc = 1, bead = 1, radius = 1, speed = 1;
-  const double M = disc + bead;
+  const double disc = 1, bead = 1, radius = 1, speed = 1, M = disc + bead;
   const Vector3d v_origin(speed, 0, 0), omega(0, speed / radius, 0);
-
-  workbook::draw_figure(directory, "moving_origin", {720, 470}, [&](gnuplotio::Gnuplot& gnuplot) {
-    gnuplot << "set xlabel 'turn of the wheel (degrees; bead at the bottom at 0)'; set ylabel 'energy (J)'\n"
-               "set xrange [0:360]; set yrange [-1.4:3.3]; set xtics 90; unset key\n";
-    PlaneCurve rotation, mixed, translation, total, by_points;
+  const auto bead_at = [&](double angle) -> Vector3d {
+    return radius * Vector3d(-std::sin(angle), 0, -std::cos(angle));
+  };
+  const workbook::FigureSize size{590, 430};
+  workbook::draw_figure(directory, "moving_origin", size, [&](Gnuplot& gnuplot) {
+    gnuplot << "set xlabel 'angle of the wheel (degrees)'; set ylabel 'energy (J)'\n"
+               "set xrange [0:360]; set yrange [-1.4:3.3]; set xtics 90; set ytics 1; unset key\n"
+               "set lmargin at screen 0.1; set rmargin at screen 0.93\n"
+               "set bmargin at screen 0.17; set tmargin at screen 0.8\n";
+    // The wheel above its angles.
+    for (int degrees = 0; degrees <= 360; degrees += 90) {
+      const double wheel = 0.04, x = 0.1 + 0.83 * degrees / 360, y = 0.9;
+      const Vector3d place = bead_at(degrees * pi / 180);
+      gnuplot << fmt::format(
+                     "set object circle at screen {:.4f},{:.4f} size screen {} fs empty border lc rgb '{}' lw 2\n", x,
+                     y, wheel, colors::grey)
+              << fmt::format("set label '' at screen {:.4f},{:.4f} point pt 7 ps 1.3 lc rgb '{}'\n",
+                             x + wheel * place.x(), y + wheel * place.z() * size.width / size.height,
+                             colors::vermilion);
+    }
+    Curve rotation, mixed, translation, total, by_points;
     for (int k = 0; k <= 72; ++k) {
-      const double angle = 2 * pi * k / 72, degrees = 5.0 * k;
-      const Vector3d bead_place(-radius * std::sin(angle), 0, -radius * std::cos(angle));
-      const Vector3d r_cm = bead / M * bead_place;
+      const double degrees = 5.0 * k;
+      const Vector3d place = bead_at(degrees * pi / 180), r_cm = bead / M * place;
       const Matrix3d I = disc * radius * radius / 4 * Matrix3d(Vector3d(1, 2, 1).asDiagonal()) +
-                         inertia_of_points(VectorXd{{bead}}, bead_place);
+                         inertia_of_points(VectorXd{{bead}}, place);
       rotation.emplace_back(degrees, kinetic_energy(I, omega));
       mixed.emplace_back(degrees, M * v_origin.dot(omega.cross(r_cm)));
       translation.emplace_back(degrees, 0.5 * M * v_origin.squaredNorm());
       total.emplace_back(degrees, rotation.back().second + mixed.back().second + translation.back().second);
       if (k % 6 != 0) continue;
       // Each point on its own: the bead, and the disc as two rings of equal mass.
-      double energy = 0.5 * bead * (v_origin + omega.cross(bead_place)).squaredNorm();
+      double energy = 0.5 * bead * (v_origin + omega.cross(place)).squaredNorm();
       for (int i = 0; i < 24; ++i) {
         const double around = 2 * pi * i / 12, distance = radius * std::sqrt(i < 12 ? 0.25 : 0.75);
-        const Vector3d place(distance * std::sin(around), 0, distance * std::cos(around));
-        energy += 0.5 * disc / 24 * (v_origin + omega.cross(place)).squaredNorm();
+        const Vector3d point(distance * std::sin(around), 0, distance * std::cos(around));
+        energy += 0.5 * disc / 24 * (v_origin + omega.cross(point)).squaredNorm();
       }
       by_points.emplace_back(degrees, energy);
     }
-    const auto label = [&](const char* text, double x, double y, const char* color) {
-      gnuplot << fmt::format("set label '{}' at {},{} center front tc rgb '{}'\n", text, x, y, color);
-    };
-    label("whole energy", 180, 2.98, workbook::colors::black);
-    label("½ M v²", 180, 1.19, workbook::colors::green);
-    label("½ ω·I·ω", 54, 0.53, workbook::colors::blue);
-    label("M v·(ω × r_{CM})", 180, -0.3, workbook::colors::vermilion);
+    label(gnuplot, "whole energy", 180, 2.98, colors::black);
+    label(gnuplot, "½ M v_O^2", 180, 1.19, colors::green);
+    label(gnuplot, "½ {/:Bold ω}·I·{/:Bold ω}", 54, 0.53, colors::blue);
+    label(gnuplot, "mixed term", 180, 0.35, colors::vermilion);
     gnuplot << fmt::format(
-        "plot 0 lc rgb '{}' lw 1, '-' w l lw 3 dt 2 lc rgb '{}', '-' w l lw 3 dt 3 lc rgb '{}', '-' w l lw 3 dt 4 lc "
-        "rgb '{}', "
-        "'-' w l lw 4 lc rgb '{}', '-' w p pt 6 ps 1.6 lw 2 lc rgb '{}'\n",
-        workbook::colors::grey, workbook::colors::blue, workbook::colors::green, workbook::colors::vermilion,
-        workbook::colors::black, workbook::colors::orange);
-    gnuplot.send1d(rotation);
-    gnuplot.send1d(translation);
-    gnuplot.send1d(mixed);
-    gnuplot.send1d(total);
-    gnuplot.send1d(by_points);
+        "plot 0 lc rgb '{}' lw 1, '-' w l lw 2.5 lc rgb '{}', '-' w l lw 2.5 lc rgb '{}', '-' w l lw 2.5 lc "
+        "rgb '{}', '-' w l lw 3.5 lc rgb '{}', '-' w p pt 6 ps 1.4 lw 2 lc rgb '{}'\n",
+        colors::grey, colors::blue, colors::green, colors::vermilion, colors::black, colors::orange);
+    for (const Curve& curve : {rotation, translation, mixed, total, by_points}) gnuplot.send1d(curve);
   });
 }
 
@@ -223,7 +285,11 @@ void draw_moving_origin(const std::filesystem::path& directory) {
 
 int main(int argc, char** argv) {
   return workbook::draw_figures(argc, argv,
-                                {{"corner_and_center", draw_corner_and_center},
+                                {{"origins", draw_origins},
+                                 {"pendulum", draw_pendulum},
                                  {"origin_on_the_diagonal", draw_along_the_diagonal},
+                                 {"corner_and_center", draw_corner_and_center},
+                                 {"wedge", draw_wedge},
+                                 {"handle", draw_handle},
                                  {"moving_origin", draw_moving_origin}});
 }

@@ -1,456 +1,333 @@
 // Figures of lecture 06.
-#include "lectures/support/figure.hpp"
+#include "lectures/support/motion.hpp"
+#include "lectures/support/sketch.hpp"
 
 #include <rigid/free_tops.hpp>
 
 #include <fmt/format.h>
-#include <boost/numeric/odeint.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <functional>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 using namespace rigid;
 using gnuplotio::Gnuplot;
+using workbook::arc;
+using workbook::history;
+using workbook::integrated;
+using workbook::Motion;
+using workbook::Side;
+using workbook::Sketch;
+namespace colors = workbook::colors;
 
 namespace {
 
-namespace colors = workbook::colors;
+using Point = std::pair<double, double>;
+using Plot = std::vector<Point>;
+using Curve = std::vector<Vector3d>;
 
 constexpr double pi = std::numbers::pi;
 constexpr double degree = pi / 180;
-
-using Point = std::pair<double, double>;
-using Curve = std::vector<Point>;
-/// Between two parts of a curve: gnuplot lifts the pen.
-const Point pen_up(std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN());
+const Vector3d origin = Vector3d::Zero();
+const Vector3d x_axis = Vector3d::UnitX(), y_axis = Vector3d::UnitY(), z_axis = Vector3d::UnitZ();
+const std::array<const char*, 3> axis_colors{colors::vermilion, colors::green, colors::purple};
 
 const Vector3d flat_body(1, 2, 3);
 
-// ---- motion
-// ------------------------------------------------------------------------------------------------------------
-
-struct Motion {
-  double t;
-  Vector3d omega;  // body components
-  Matrix3d A;      // V_inertial = A V_body
-};
-
-/// Euler's equations and dA/dt = A [ω]× integrated from A = 1, at `count` equally spaced times.
-std::vector<Motion> integrated(const Vector3d& I, const Vector3d& omega0, double duration, int count) {
-  using State = std::vector<double>;
-  State state{omega0[0], omega0[1], omega0[2], 1, 0, 0, 0, 1, 0, 0, 0, 1};
-  const auto system = [&I](const State& now, State& rate, double) {
-    const Vector3d omega(now[0], now[1], now[2]);
-    const Vector3d omega_rate = Vector3d(I.cwiseProduct(omega)).cross(omega).cwiseQuotient(I);
-    std::copy(omega_rate.begin(), omega_rate.end(), rate.begin());
-    for (std::size_t i = 3; i < 12; i += 3) {
-      const Vector3d turned = Vector3d(now[i], now[i + 1], now[i + 2]).cross(omega);
-      std::copy(turned.begin(), turned.end(), &rate[i]);
-    }
-  };
-  std::vector<Motion> motion;
-  const auto observer = [&motion](const State& now, double t) {
-    const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> A(&now[3]);
-    motion.push_back({t, {now[0], now[1], now[2]}, A});
-  };
-  namespace odeint = boost::numeric::odeint;
-  const auto stepper = odeint::make_controlled(1e-15, 1e-13, odeint::runge_kutta_fehlberg78<State>());
-  odeint::integrate_n_steps(stepper, system, state, 0.0, duration / (count - 1), static_cast<std::size_t>(count - 1),
-                            observer);
-  return motion;
+/// dω/dt of a free body.
+Vector3d rate_of(const Vector3d& I, const Vector3d& omega) {
+  return I.cwiseProduct(omega).cross(omega).cwiseQuotient(I);
 }
 
-Curve component(const std::vector<Motion>& motion, int index, double factor = 1) {
-  Curve curve;
-  for (const Motion& now : motion) curve.emplace_back(now.t, factor * now.omega[index]);
+Plot component(const std::vector<Motion>& motion, double duration, int index, double factor = 1) {
+  Plot curve;
+  for (std::size_t i = 0; i < motion.size(); ++i)
+    curve.emplace_back(duration * static_cast<double>(i) / static_cast<double>(motion.size() - 1),
+                       factor * motion[i].omega[index]);
   return curve;
 }
 
-// ---- drawing in space
-// ----------------------------------------------------------------------------------------------------
-
-/// A parallel view from the direction `towards`, in which `vertical` points up as far as it can.
-class View {
- public:
-  View(const Vector3d& towards, const Vector3d& vertical)
-      : towards_(towards.normalized()), right_(vertical.cross(towards_).normalized()), up_(towards_.cross(right_)) {}
-
-  Point operator()(const Vector3d& point) const { return {right_.dot(point), up_.dot(point)}; }
-  const Vector3d& towards() const { return towards_; }
-
- private:
-  Vector3d towards_, right_, up_;
-};
-
-/// Quiet paper for pictures that need no axes.
-constexpr const char* no_axes =
-    "unset key; unset border; unset tics; unset grid; unset xlabel; unset ylabel\n"
-    "set lmargin 0; set rmargin 0; set tmargin 0; set bmargin 0\n"
-    "set size ratio -1\n";
-
-void arrow(Gnuplot& gnuplot, Point from, Point to, const std::string& style) {
-  gnuplot << fmt::format("set arrow from {:.7g},{:.7g} to {:.7g},{:.7g} {} front\n", from.first, from.second, to.first,
-                         to.second, style);
+/// Those pieces of a curve on a closed surface that the reader sees; `normal` gives the outward normal at a point.
+void draw_front(Sketch& sketch, const Curve& curve, const std::function<Vector3d(const Vector3d&)>& normal,
+                const char* color, double width, const std::string& style = "") {
+  Curve piece;
+  for (const Vector3d& point : curve) {
+    if (sketch.faces_reader(normal(point))) {
+      piece.push_back(point);
+    } else {
+      if (piece.size() > 1) sketch.line(piece, color, width, style);
+      piece.clear();
+    }
+  }
+  if (piece.size() > 1) sketch.line(piece, color, width, style);
 }
 
-void label(Gnuplot& gnuplot, const std::string& text, Point at, const std::string& style) {
-  gnuplot << fmt::format("set label \"{}\" at {:.7g},{:.7g} {} front\n", text, at.first, at.second, style);
+// ---- the symmetric top
+
+/// As arc(), with fewer points: moving pictures hold many.
+Curve circle(const Vector3d& center, double radius, const Vector3d& first, const Vector3d& second) {
+  Curve points;
+  for (int i = 0; i <= 36; ++i)
+    points.emplace_back(center + radius * (std::cos(i * pi / 18) * first + std::sin(i * pi / 18) * second));
+  return points;
 }
 
-/// The outline of the shadow that points cast: their convex hull, closed (monotone chain).
-Curve hull(Curve points) {
-  std::sort(points.begin(), points.end());
-  Curve chain;
-  const auto turns_right = [](Point a, Point b, Point c) {
-    return (b.first - a.first) * (c.second - a.second) - (b.second - a.second) * (c.first - a.first) <= 0;
+/// A cone with its apex at `apex`, filled, with its outline and lines that are fixed in it.
+void draw_cone(Sketch& sketch, const Vector3d& apex, const Vector3d& axis, const Vector3d& first, double half_angle,
+               const char* color, const std::string& dash, int lines) {
+  const Vector3d second = axis.cross(first);
+  const auto rim = [&](double angle) -> Vector3d {
+    return apex + std::cos(half_angle) * axis +
+           std::sin(half_angle) * (std::cos(angle) * first + std::sin(angle) * second);
   };
-  for (int side = 0; side < 2; ++side) {
-    const std::size_t begin = chain.size();
-    for (const Point& point : points) {
-      while (chain.size() >= begin + 2 && turns_right(chain[chain.size() - 2], chain.back(), point)) chain.pop_back();
-      chain.push_back(point);
-    }
-    std::reverse(points.begin(), points.end());
+  const Curve opening = circle(apex + std::cos(half_angle) * axis, std::sin(half_angle), first, second);
+  // The outline touches the rim where the surface turns away from the reader.
+  const double u = first.dot(sketch.towards()), v = second.dot(sketch.towards());
+  const double turn = std::tan(half_angle) * axis.dot(sketch.towards()) / std::hypot(u, v);
+  if (std::abs(turn) < 1) {
+    const double middle = std::atan2(v, u), side = std::acos(turn);
+    sketch.face({apex, rim(middle - side), rim(middle + side)}, color, 0.2);
+    sketch.line({rim(middle - side), apex, rim(middle + side)}, color, 1.5, dash);
   }
-  return chain;
+  sketch.face(opening, color, 0.2);
+  sketch.line(opening, color, 2, dash);
+  Curve star;
+  for (int i = 0; i < lines; ++i) star.insert(star.end(), {apex, rim(2 * pi * i / lines)});
+  if (lines > 0) sketch.line(star, color, 0.7);
 }
 
-// ---- polhodes
-// ------------------------------------------------------------------------------------------------------------
-
-/// The curve on the energy ellipsoid 2T = 1 on which L² = momentum_squared, round the extreme axis (2 or 0) on its
-/// side.
-std::vector<Vector3d> polhode(const Vector3d& I, double momentum_squared, int axis, double side) {
-  const int other = 2 - axis;
-  const double excess = I[axis] - momentum_squared;  // 2T·I − L² with 2T = 1
-  const double across = std::sqrt(excess / (I[other] * (I[axis] - I[other])));
-  const double middle = std::sqrt(excess / (I[1] * (I[axis] - I[1])));
-  std::vector<Vector3d> curve;
-  for (int i = 0; i <= 240; ++i) {
-    Vector3d omega;
-    omega[other] = across * std::cos(2 * pi * i / 240);
-    omega[1] = middle * std::sin(2 * pi * i / 240);
-    omega[axis] = side * std::sqrt((1 - I[other] * omega[other] * omega[other] - I[1] * omega[1] * omega[1]) / I[axis]);
-    curve.push_back(omega);
-  }
-  return curve;
-}
-
-/// One of the two plane curves L² = 2T·I₂ through the ends of the intermediate axis.
-std::vector<Vector3d> separatrix(const Vector3d& I, double side) {
-  const double slope = side * std::sqrt(I[0] * (I[1] - I[0]) / (I[2] * (I[2] - I[1])));
-  const double first = 1 / std::sqrt(I[0] + I[2] * slope * slope);
-  std::vector<Vector3d> curve;
-  for (int i = 0; i <= 240; ++i) {
-    const double c = std::cos(2 * pi * i / 240), s = std::sin(2 * pi * i / 240);
-    curve.emplace_back(first * c, s / std::sqrt(I[1]), slope * first * c);
-  }
-  return curve;
-}
-
-void draw_polhodes(const std::filesystem::path& directory) {
-  const Vector3d I = flat_body;
-  const View view({0.95, 1.15, 0.62}, Vector3d::UnitZ());
-  const auto visible = [&](const Vector3d& omega) {
-    return I.cwiseProduct(omega).dot(view.towards()) >= 0;
-  };  // the normal is Iω
-
-  // Every curve in two parts: in front, and behind the ellipsoid.
-  const auto split = [&](const std::vector<std::vector<Vector3d>>& curves, bool in_front) {
-    Curve part;
-    for (const auto& curve : curves) {
-      for (const Vector3d& omega : curve) part.push_back(visible(omega) == in_front ? view(omega) : pen_up);
-      part.push_back(pen_up);
-    }
-    return part;
+/// The body cone rolls on the space cone: a long top and a flattened one.
+void animate_cones(const std::filesystem::path& directory) {
+  struct Top {
+    const char* name;
+    double ratio;  // I₃/I₁
+    double tilt;   // of the axis from L, so that the motion repeats after one round
+    int lines;
+    double place;
   };
-  std::vector<std::vector<Vector3d>> round_third, round_first, boundary{separatrix(I, 1), separatrix(I, -1)};
-  for (const double momentum_squared : {2.1, 2.35, 2.65, 2.92}) {
-    for (const double side : {1.0, -1.0}) round_third.push_back(polhode(I, momentum_squared, 2, side));
-  }
-  for (const double momentum_squared : {1.08, 1.35, 1.65, 1.9}) {
-    for (const double side : {1.0, -1.0}) round_first.push_back(polhode(I, momentum_squared, 0, side));
-  }
-
-  // The outline: where the surface turns away from the viewer.
-  Curve outline;
-  {
-    const Vector3d root = I.cwiseSqrt();
-    const Vector3d pole = root.cwiseProduct(view.towards()).normalized();
-    const Vector3d p = pole.unitOrthogonal(), q = pole.cross(p);
-    for (int i = 0; i <= 240; ++i) {
-      const double angle = 2 * pi * i / 240;
-      outline.push_back(view((std::cos(angle) * p + std::sin(angle) * q).cwiseQuotient(root)));
+  const std::array<Top, 2> tops{{{"long, I_3 = I_1 / 2", 0.5, std::acos(0.75), 8, -1.15},
+                                 {"flattened, I_3 = 1.8 I_1", 1.8, std::acos(0.9), 10, 1.2}}};
+  const int frames = 30;
+  const workbook::FigureSize size{600, 320};
+  workbook::draw_animation(directory, "cones", size, frames, 15, [&](Gnuplot& gnuplot, int frame) {
+    Sketch sketch({0, -1, 0.42});
+    for (const Top& top : tops) {
+      const Vector3d at(top.place, 0, -0.7);
+      const double opening = std::atan(top.ratio * std::tan(top.tilt));  // of ω from the axis
+      // At the rates of the lecture: dφ/dt = L/I₁ and dψ/dt = −Ω.
+      const Vector3d omega(std::tan(opening), 0, 1);
+      const double round = 2 * pi * frame / frames + 0.8;
+      const double own = -round * body_precession_rate(1, top.ratio, 1) / space_precession_rate(1, top.ratio, omega);
+      const Vector3d outward(std::cos(round), std::sin(round), 0);
+      const auto leaning = [&](double angle) -> Vector3d {
+        return std::sin(angle) * outward + std::cos(angle) * z_axis;
+      };
+      const Vector3d axis = leaning(top.tilt);
+      const Vector3d first = Eigen::AngleAxisd(own, axis) * leaning(top.tilt - pi / 2);
+      draw_cone(sketch, at, axis, first, opening, colors::blue, "", top.lines);
+      draw_cone(sketch, at, z_axis, x_axis, std::abs(top.tilt - opening), colors::orange, "dt (6,3)", 0);
+      const auto name = [&](const Vector3d& direction, double length, const char* color, const char* text) {
+        sketch.arrow(at, at + length * direction, color);
+        sketch.text(at + (length + 0.17) * direction, text, color);
+      };
+      name(axis, 1.35, colors::purple, "{/:Bold e}_3");
+      name(z_axis, 1.4, colors::blue, "{/:Bold L}");
+      name(leaning(top.tilt - opening), 1.2, colors::vermilion, "{/:Bold ω}");
+      sketch.text(Vector3d(top.place, 0, -1.0), top.name);
     }
-  }
+    sketch.send(gnuplot, size, 2.1);
+  });
+}
 
-  workbook::draw_figure(directory, "polhodes", {540, 450}, [&](Gnuplot& gnuplot) {
-    gnuplot << no_axes << "set xrange [-1.25:1.12]; set yrange [-0.84:0.98]\n";
-    // The three axes stick out of the surface.
-    const std::array<double, 3> reach = {1.32, 1.75, 1.6};
-    const std::array<const char*, 3> names = {"axis 1\\n(smallest I)", "axis 2\\n(intermediate I)",
-                                              "axis 3 (largest I)"};
-    const std::array<Point, 3> shift = {Point(0.06, -0.07), Point(0.02, -0.04), Point(0.04, 0.02)};
-    const std::array<const char*, 3> align = {"center", "center", "left"};
-    for (int i = 0; i < 3; ++i) {
-      const Vector3d tip = Vector3d::Unit(i) / std::sqrt(I[i]);
-      const Point from = view(tip), to = view(reach[static_cast<std::size_t>(i)] * tip);
-      arrow(gnuplot, from, to, "lw 2 lc rgb '#222222' size 0.04,20 filled");
-      const auto k = static_cast<std::size_t>(i);
-      label(gnuplot, names[k], {to.first + shift[k].first, to.second + shift[k].second}, align[k]);
-    }
-    label(gnuplot, "separatrix", {0.62, 0.62}, fmt::format("left tc rgb '{}'", colors::vermilion));
-    // The sense in which ω runs along the curves, where they can be seen.
-    const auto mark = [&](const std::vector<Vector3d>& curve, std::size_t index, const char* color) {
-      const Vector3d& omega = curve[index];
-      const Vector3d rate = Vector3d(I.cwiseProduct(omega)).cross(omega).cwiseQuotient(I);
-      const Vector3d step = 0.03 * rate.normalized();
-      arrow(gnuplot, view(omega - step), view(omega + step),
-            fmt::format("lw 2.5 lc rgb '{}' size 0.045,22 filled", color));
-    };
-    mark(round_third[0], 40, colors::blue);
-    mark(round_third[4], 45, colors::blue);
-    mark(round_first[4], 45, colors::green);
-    mark(round_first[0], 60, colors::green);
-    for (const auto& curve : boundary) {
-      mark(curve, 30, colors::vermilion);
-      mark(curve, 90, colors::vermilion);
+/// Ω/ω₃ of uniform cylinders, from the plate to the pencil.
+void draw_cylinders(const std::filesystem::path& directory) {
+  const auto rate = [](double x) { return body_precession_rate((3 + x * x) / 12, 0.5, 1); };  // x = h/r
+  Plot curve;
+  for (int i = 0; i <= 160; ++i) curve.emplace_back(0.04 * i, rate(0.04 * i));
+  struct Body {
+    const char* name;
+    double x, dx, dy;
+  };
+  const std::array<Body, 4> bodies{{{"plate, coin", 0.02, 0.3, 0.06},
+                                    {"ice-hockey puck", 2 / 3.0, 0.15, 0.05},
+                                    {"behaves like a sphere: h = √3 r", std::sqrt(3.0), 0.15, 0.1},
+                                    {"tin of food", 2.97, 0.15, 0.09}}};
+  workbook::draw_figure(directory, "cylinders", {560, 340}, [&](Gnuplot& gnuplot) {
+    gnuplot << "unset key; set xlabel 'height / radius of the cylinder'; set ylabel 'Ω / ω_3'\n"
+               "set xrange [0:6.4]; set yrange [-1.1:1.15]; set ytics 0.5\n"
+            << fmt::format("set label 'pencil →' at 6.2,-0.68 right front tc rgb '{}'\n", colors::black)
+            << fmt::format("set xzeroaxis lt 1 lw 1 lc rgb '{}'\n", colors::grey);
+    Plot dots;
+    for (const Body& body : bodies) {
+      dots.emplace_back(body.x, rate(body.x));
+      gnuplot << fmt::format("set label '{}' at {},{} left front tc rgb '{}'\n", body.name, body.x + body.dx,
+                             rate(body.x) + body.dy, colors::black);
     }
     gnuplot << fmt::format(
-        "plot '-' with filledcurves closed fs solid noborder lc rgb '#F4F4F4', "
-        "'-' with lines lw 1 lc rgb '#C8C8C8', '-' with lines lw 1 lc rgb '#C8C8C8', '-' with lines lw 1 lc rgb "
-        "'#C8C8C8', "
-        "'-' with lines lw 1.5 lc rgb '#888888', '-' with lines lw 2 lc rgb '{}', '-' with lines lw 2 dt (9,5) lc rgb "
-        "'{}', "
-        "'-' with lines lw 3.5 lc rgb '{}'\n",
-        colors::blue, colors::green, colors::vermilion);
-    gnuplot.send1d(outline);
-    for (const auto* family : {&round_third, &round_first, &boundary}) gnuplot.send1d(split(*family, false));
-    gnuplot.send1d(outline);
-    for (const auto* family : {&round_third, &round_first, &boundary}) gnuplot.send1d(split(*family, true));
+        "plot -1 with lines lw 1.5 dt (5,4) lc rgb '{}', '-' with lines lw 3 lc rgb '{}', '-' with "
+        "points pt 7 ps 0.7 lc rgb '{}'\n",
+        colors::grey, colors::blue, colors::black);
+    gnuplot.send1d(curve);
+    gnuplot.send1d(dots);
   });
 }
 
-// ---- cones
-// -----------------------------------------------------------------------------------------------------------------
-
-struct Cone {
-  Vector3d axis;
-  double half_angle;
-  double slant;
-
-  std::vector<Vector3d> rim() const {
-    const Vector3d p = axis.unitOrthogonal(), q = axis.cross(p);
-    std::vector<Vector3d> points;
-    for (int i = 0; i <= 120; ++i) {
-      const double angle = 2 * pi * i / 120;
-      points.push_back(
-          slant * (std::cos(half_angle) * axis + std::sin(half_angle) * (std::cos(angle) * p + std::sin(angle) * q)));
-    }
-    return points;
+/// A plate in flight, at eight moments of one turn of its emblem.
+void draw_plate(const std::filesystem::path& directory) {
+  const double tilt = 20 * degree, radius = 0.95;
+  Sketch sketch({0, -1, 0.8});
+  const Vector3d right = x_axis, up = sketch.towards().cross(x_axis);
+  const std::array<const char*, 8> parts{"", "1/8", "1/4", "3/8", "1/2", "5/8", "3/4", "7/8"};
+  for (int i = 0; i < 8; ++i) {
+    // The emblem goes round by φ + ψ, and the tilt by φ, with dψ/dt = −½ cos θ dφ/dt.
+    const double emblem = 2 * pi * i / 8, phi = emblem / (1 - std::cos(tilt) / 2), psi = emblem - phi;
+    const Matrix3d A =
+        (Eigen::AngleAxisd(phi, z_axis) * Eigen::AngleAxisd(tilt, y_axis) * Eigen::AngleAxisd(psi, z_axis))
+            .toRotationMatrix();
+    const int column = i % 4, row = i / 4;
+    const Vector3d center = 2.35 * (column * right - row * up);
+    const Vector3d e1 = A.col(0), e2 = A.col(1), e3 = A.col(2);
+    sketch.face(arc(center, radius, e1, e2), colors::sky, 0.35);
+    sketch.line(arc(center, radius, e1, e2), colors::black, 2);
+    sketch.line(arc(center, 0.6 * radius, e1, e2), colors::grey, 1);
+    sketch.dot(center - 0.8 * radius * e2, colors::vermilion, 0.9);
+    sketch.line({center, center + 0.75 * z_axis}, colors::blue, 1.5, "dt (5,4)");
+    sketch.arrow(center, center + 0.85 * e3, colors::purple);
+    sketch.text(center - 1.08 * up, i == 0 ? "start" : fmt::format("{} turn", parts[static_cast<std::size_t>(i)]));
   }
-};
-
-void draw_cones(const std::filesystem::path& directory) {
-  // L upright, and L, ω, ê₃ in the plane of the paper, seen a little from above.
-  const View view({0, -1, 0.3}, Vector3d::UnitZ());
-  const auto in_plane = [](double angle) { return Vector3d(std::sin(angle), 0, std::cos(angle)); };
-  struct Top {
-    const char* title;
-    double ratio;    // I₃/I₁
-    double opening;  // between ω and the axis
-  };
-  const std::array<Top, 2> tops = {Top{"long top, I_3 = I_1 / 2", 0.5, 26 * degree},
-                                   Top{"flattened top, I_3 = 1.8 I_1", 1.8, 42 * degree}};
-
-  workbook::draw_figure(directory, "cones", {580, 310}, [&](Gnuplot& gnuplot) {
-    gnuplot << "set multiplot\n" << no_axes << "set size ratio -1\n";
-    for (std::size_t k = 0; k < 2; ++k) {
-      const Top& top = tops[k];
-      // tan(angle between L and the axis) = I₁ω⊥ / (I₃ω₃).
-      const double tilt = std::atan(std::tan(top.opening) / top.ratio);
-      const Vector3d axis = in_plane(tilt), omega = in_plane(tilt - top.opening);
-      const Cone body{axis, top.opening, 1.0};
-      const Cone space{Vector3d::UnitZ(), std::abs(tilt - top.opening), 1.0};
-      gnuplot << fmt::format("set origin {},0; set size 0.5,1\nunset arrow; unset label\n", k == 0 ? 0 : 0.5);
-      gnuplot << (k == 0 ? "set xrange [-0.68:1.32]; set yrange [-0.25:1.65]\n"
-                         : "set xrange [-0.86:1.14]; set yrange [-0.25:1.65]\n");
-      const Point origin = view(Vector3d::Zero());
-      const auto draw_arrow = [&](const Vector3d& direction, double length, const char* name, const char* color,
-                                  Point shift) {
-        const Point tip = view(length * direction);
-        arrow(gnuplot, origin, tip, fmt::format("lw 2.5 lc rgb '{}' size 0.07,18 filled", color));
-        label(gnuplot, name, {tip.first + shift.first, tip.second + shift.second},
-              fmt::format("center tc rgb '{}'", color));
-      };
-      draw_arrow(Vector3d::UnitZ(), 1.45, "L (fixed)", colors::black, k == 0 ? Point(-0.12, 0.1) : Point(0.05, 0.1));
-      draw_arrow(omega, 1.3, "ω", colors::vermilion, k == 0 ? Point(0.1, 0.04) : Point(-0.08, 0.07));
-      draw_arrow(axis, 1.35, "axis ê_3", colors::blue, k == 0 ? Point(0.06, 0.1) : Point(0.14, 0.08));
-      label(gnuplot, top.title, {k == 0 ? 0.34 : 0.14, -0.14}, "center");
-      if (k == 0) {
-        label(gnuplot, "space\\ncone", {-0.6, 0.5}, fmt::format("left tc rgb '{}'", "#8A5F00"));
-        label(gnuplot, "body cone", {0.72, 0.13}, fmt::format("left tc rgb '{}'", colors::blue));
-      } else {
-        label(gnuplot, "space cone\\ninside", {-0.84, 0.5}, fmt::format("left tc rgb '{}'", "#8A5F00"));
-        label(gnuplot, "body cone", {0.5, 0.1}, fmt::format("left tc rgb '{}'", colors::blue));
-      }
-      const auto shadow = [&](const Cone& cone) {
-        Curve points{origin};
-        for (const Vector3d& point : cone.rim()) points.push_back(view(point));
-        return hull(points);
-      };
-      const auto rim = [&](const Cone& cone) {
-        Curve points;
-        for (const Vector3d& point : cone.rim()) points.push_back(view(point));
-        return points;
-      };
-      gnuplot << fmt::format(
-          "plot '-' with filledcurves closed fs transparent solid 0.25 noborder lc rgb '{0}', '-' with lines lw 2 lc "
-          "rgb '{0}', "
-          "'-' with filledcurves closed fs transparent solid 0.45 noborder lc rgb '{1}', '-' with lines lw 2 dt (6,3) "
-          "lc rgb '{1}', "
-          "'-' with lines lw 1.5 lc rgb '{0}', '-' with lines lw 1.5 dt (6,3) lc rgb '{1}'\n",
-          colors::sky, colors::orange);
-      gnuplot.send1d(shadow(body));
-      gnuplot.send1d(rim(body));
-      gnuplot.send1d(shadow(space));
-      gnuplot.send1d(rim(space));
-      gnuplot.send1d(shadow(body));
-      gnuplot.send1d(shadow(space));
-    }
-    gnuplot << "unset multiplot\n";
-  });
+  sketch.draw(directory, "plate", 600);
 }
 
-// ---- curves over time and over shapes
-// ---------------------------------------------------------------------------------------
+// ---- near an axis
 
 void draw_slip(const std::filesystem::path& directory) {
   const Vector3d I(2, 3, 1);
   const double omega3 = 5, amplitude = 1e-5, duration = 3;
   const Vector2d rates = linearized_rates(I, omega3);
-  const Curve exact = component(integrated(I, {amplitude, 0, omega3}, duration, 301), 1, 1e5);
-  Curve slides, corrected;
-  for (int i = 0; i <= 300; ++i) {
-    const double t = duration * i / 300;
-    slides.emplace_back(t, 1e5 * amplitude * std::sqrt(rates[1] / rates[0]) * std::sin(std::sqrt(rates.prod()) * t));
-    if (i % 12 == 6) corrected.emplace_back(t, 1e5 * linearized_top(I, omega3, amplitude, 0, t)[1]);
+  const Plot exact = component(history(I, {{amplitude, 0, omega3}}, duration, 151), duration, 1, 1e5);
+  Plot slides, corrected;
+  for (int i = 0; i <= 150; ++i) {
+    const double t = duration * i / 150;
+    slides.emplace_back(t, std::sqrt(rates[1] / rates[0]) * std::sin(std::sqrt(rates.prod()) * t));
+    if (i % 6 == 3) corrected.emplace_back(t, 1e5 * linearized_top(I, omega3, amplitude, 0, t)[1]);
   }
-
-  workbook::draw_figure(directory, "slip", {540, 370}, [&](Gnuplot& gnuplot) {
-    gnuplot << "unset key\nset xlabel 'time (s)'; set ylabel 'ω_2 (10^{-5} rad/s)'\n"
-               "set xrange [0:3]; set yrange [-0.95:0.95]; set xzeroaxis lc rgb '#444444'\n";
-    label(gnuplot, "as printed on the slides", {0.32, 0.72}, fmt::format("left tc rgb '{}'", colors::vermilion));
-    label(gnuplot, "Euler's equations, integrated", {0.32, -0.71}, fmt::format("left tc rgb '{}'", colors::blue));
-    label(gnuplot, "○ formula with sgn(Ω_1)", {0.32, -0.84}, "left");
-    gnuplot << fmt::format(
-        "plot '-' with lines lw 2.5 dt (9,5) lc rgb '{}', '-' with lines lw 3 lc rgb '{}', '-' with points pt 6 ps 0.9 "
-        "lw 1.5 lc rgb '{}'\n",
-        colors::vermilion, colors::blue, colors::black);
+  workbook::draw_figure(directory, "slip", {560, 360}, [&](Gnuplot& gnuplot) {
+    gnuplot << "unset key; set xlabel 'time (s)'; set ylabel 'ω_2 (10^{-5} rad/s)'\n"
+               "set xrange [0:3]; set yrange [-0.95:0.95]; set ytics 0.5\n"
+            << fmt::format("set xzeroaxis lt 1 lw 1 lc rgb '{}'\n", colors::grey)
+            << fmt::format("set label 'as printed on the slides' at 0.3,0.74 left front tc rgb '{}'\n",
+                           colors::vermilion)
+            << fmt::format("set label 'Euler''s equations' at 0.3,-0.72 left front tc rgb '{}'\n", colors::blue)
+            << fmt::format("set label '○ formula with sgn(Ω_1)' at 1.55,-0.72 left front tc rgb '{}'\n", colors::black)
+            << fmt::format(
+                   "plot '-' with lines lw 2.5 dt (9,5) lc rgb '{}', '-' with lines lw 3 lc rgb '{}', '-' with "
+                   "points pt 6 ps 0.9 lw 1.5 lc rgb '{}'\n",
+                   colors::vermilion, colors::blue, colors::black);
     gnuplot.send1d(slides);
     gnuplot.send1d(exact);
     gnuplot.send1d(corrected);
   });
 }
 
-void draw_flip(const std::filesystem::path& directory) {
-  const Vector3d omega0(0, 1, 1e-3);
-  const double duration = 90;
-  const auto motion = integrated(flat_body, omega0, duration, 1200);
-  const double interval = tumbling_period(flat_body, omega0) / 2;
-
-  workbook::draw_figure(directory, "flip", {560, 370}, [&](Gnuplot& gnuplot) {
-    gnuplot << "unset key\nset xlabel 'time (s)'; set ylabel 'body component of ω (rad/s)'\n"
-               "set xrange [0:90]; set yrange [-1.35:1.5]; set ytics 0.5\n";
-    const double first = interval / 2;
-    for (int i = 0; i < 3; ++i) {
-      gnuplot << fmt::format("set arrow from {0:.4f},-1.35 to {0:.4f},1.5 nohead dt 3 lc rgb '#888888'\n",
-                             first + i * interval);
+/// How the two small components move near each axis.
+void draw_portraits(const std::filesystem::path& directory) {
+  const Vector3d I = flat_body;
+  Sketch sketch;
+  const std::array<const char*, 3> names{"smallest moment", "intermediate moment", "largest moment"};
+  for (int axis = 0; axis < 3; ++axis) {
+    const int one = (axis + 1) % 3, two = (axis + 2) % 3;
+    const Vector3d center(2.5 * axis, 0, 0);
+    // p ω_one² + q ω_two² is constant.
+    const double p = I[one] * (I[one] - I[axis]), q = I[two] * (I[two] - I[axis]);
+    const char* color = axis_colors[static_cast<std::size_t>(axis)];
+    const auto mark = [&](double u, double v) {
+      Vector3d omega = Vector3d::Unit(axis);
+      omega[one] = 1e-3 * u;
+      omega[two] = 1e-3 * v;
+      const Vector3d rate = rate_of(I, omega);
+      const Vector3d step = 0.12 * Vector3d(rate[one], rate[two], 0).normalized();
+      sketch.arrow(center + Vector3d(u, v, 0) - step, center + Vector3d(u, v, 0) + step, color, "", Side::right, 2);
+    };
+    sketch.line({center - 1.1 * x_axis, center + 1.1 * x_axis}, colors::grey, 1);
+    sketch.line({center - 1.1 * y_axis, center + 1.25 * y_axis}, colors::grey, 1);
+    if (p * q > 0) {
+      const double longest = std::max(1 / std::sqrt(std::abs(p)), 1 / std::sqrt(std::abs(q)));
+      for (const double size : {0.35, 0.65, 0.95}) {
+        const double a = size / std::sqrt(std::abs(p)) / longest, b = size / std::sqrt(std::abs(q)) / longest;
+        sketch.line(arc(center, 1, a * x_axis, b * y_axis), color, 2);
+        if (size > 0.9) mark(a, 0), mark(-a, 0);
+      }
+    } else {
+      const double slope = std::sqrt(-p / q);
+      const double reach = 1 / std::max(1.0, slope);
+      for (const double sign : {1.0, -1.0}) {
+        sketch.line({center - reach * Vector3d(1, sign * slope, 0), center + reach * Vector3d(1, sign * slope, 0)},
+                    colors::black, 2.4);
+        for (const double size : {0.3, 0.6}) {
+          Curve left, upper;
+          for (int i = -24; i <= 24; ++i) {
+            const double s = std::sinh(i / 10.0), c = std::cosh(i / 10.0);
+            const Vector3d through_x(sign * size * c, size * slope * s, 0);
+            const Vector3d through_y(size * s / slope * 0.58, sign * size * c * 0.58, 0);
+            if (through_x.cwiseAbs().maxCoeff() < 1.02) left.push_back(center + through_x);
+            if (through_y.cwiseAbs().maxCoeff() < 1.02) upper.push_back(center + through_y);
+          }
+          sketch.line(left, color, 2);
+          sketch.line(upper, color, 2);
+        }
+        mark(sign * 0.6, 0);
+        for (const double end : {0.7, -0.7}) mark(end * reach, end * sign * slope * reach);
+      }
     }
-    arrow(gnuplot, {first, 1.22}, {first + interval, 1.22}, "heads size 1,20 filled lc rgb '#222222'");
-    label(gnuplot, fmt::format("{:.2f} s", interval), {first + interval / 2, 1.35}, "center");
-    label(gnuplot, "ω_2", {5, 1.12}, fmt::format("center tc rgb '{}'", colors::vermilion));
-    label(gnuplot, "ω_1", {first - 2.5, -0.72}, fmt::format("right tc rgb '{}'", colors::green));
-    label(gnuplot, "ω_3", {first + 2.5, 0.55}, fmt::format("left tc rgb '{}'", colors::blue));
-    gnuplot << fmt::format(
-        "plot '-' with lines lw 3 lc rgb '{}', '-' with lines lw 2.5 dt (3,3) lc rgb '{}', '-' with lines lw 2.5 dt "
-        "(10,4) lc rgb '{}'\n",
-        colors::vermilion, colors::green, colors::blue);
-    gnuplot.send1d(component(motion, 1));
-    gnuplot.send1d(component(motion, 0));
-    gnuplot.send1d(component(motion, 2));
-  });
-}
-
-void draw_flip_law(const std::filesystem::path& directory) {
-  Curve exact, logarithm;
-  const double sigma = growth_rate(flat_body, 1);
-  for (int i = 0; i <= 120; ++i) {
-    const double disturbance = std::pow(10.0, -6 + 6.0 * i / 120);
-    const double squares = disturbance * disturbance;
-    exact.emplace_back(disturbance, tumbling_period(flat_body, {0, 1, disturbance}) / 2);
-    logarithm.emplace_back(disturbance, std::log(16 * (2 + 6 * squares) / (6 * squares)) / sigma);
+    sketch.text(center + Vector3d(1.16, -0.24, 0), fmt::format("ω_{}", one + 1));
+    sketch.text(center + Vector3d(-0.24, 1.22, 0), fmt::format("ω_{}", two + 1));
+    sketch.text(center - 1.3 * y_axis, fmt::format("near axis {}", axis + 1), color);
+    sketch.text(center - 1.58 * y_axis, names[static_cast<std::size_t>(axis)]);
   }
-  workbook::draw_figure(directory, "flip_law", {560, 380}, [&](Gnuplot& gnuplot) {
-    gnuplot << "unset key\nset logscale x; set format x '10^{%T}'\n"
-               "set xlabel 'ω_3 at the start (rad/s), with ω_2 = 1 rad/s'; set ylabel 'time between flips (s)'\n"
-               "set xrange [1e-6:1]; set yrange [0:60]\n";
-    label(gnuplot, "exact, 2K(m)/λ", {2e-5, 47}, fmt::format("left tc rgb '{}'", colors::blue));
-    label(gnuplot, "(1/σ) ln(16/(1−m))", {1.5e-6, 28}, fmt::format("left tc rgb '{}'", colors::vermilion));
-    arrow(gnuplot, {4e-5, 30.3}, {1.3e-4, 33}, fmt::format("size graph 0.02,20 filled lc rgb '{}'", colors::vermilion));
-    label(gnuplot, "2π/σ, a guess that is wrong in kind", {1.5e-6, 13.5}, fmt::format("left tc rgb '{}'", "#555555"));
-    gnuplot << fmt::format(
-        "plot '-' with lines lw 4 lc rgb '{}', '-' with lines lw 2 dt (6,5) lc rgb '{}', {} with lines lw 2 dt 3 lc "
-        "rgb '{}'\n",
-        colors::sky, colors::vermilion, 2 * pi / sigma, colors::grey);
-    gnuplot.send1d(exact);
-    gnuplot.send1d(logarithm);
-  });
+  sketch.draw(directory, "portraits", 600);
 }
 
 void draw_growth_rates(const std::filesystem::path& directory) {
   const auto rate = [](double first, double middle) { return growth_rate({first, middle, 1}, 1); };
-  Curve flat;
-  for (int i = 0; i <= 200; ++i) {
-    const double x = 0.5 + 0.5 * i / 200;
-    if (i < 200) flat.emplace_back(x, rate(1 - x, x));
-  }
+  Plot flat;
+  for (int i = 0; i < 200; ++i) flat.emplace_back(0.5 + 0.0025 * i, rate(0.5 - 0.0025 * i, 0.5 + 0.0025 * i));
   flat.emplace_back(1, 1);  // the limit of a flat needle
-
-  const std::array<double, 5> ratios = {0.1, 0.2, 0.35, 0.5, 0.7};
-  const std::array<const char*, 5> dashes = {"solid", "(12,4)", "(6,4)", "(3,3)", "(12,4,3,4)"};
-  const std::array<Point, 5> places = {Point(0.93, 0.6), Point(0.86, 0.6), Point(0.735, 0.49), Point(0.75, 0.3),
-                                       Point(0.85, 0.13)};
-  workbook::draw_figure(directory, "growth_rates", {560, 410}, [&](Gnuplot& gnuplot) {
-    gnuplot << "unset key\nset xlabel 'I_2 / I_3'; set ylabel 'growth rate σ / |ω_2|'\n"
-               "set xrange [0.5:1]; set yrange [0:1.05]\n";
-    label(gnuplot, "no body here:\\nI_1 + I_2 < I_3", {0.53, 0.85}, "left tc rgb '#555555'");
-    label(gnuplot, "flat bodies: I_1 + I_2 = I_3", {0.755, 0.775},
-          fmt::format("left rotate by 23 tc rgb '{}'", colors::vermilion));
-    label(gnuplot, "I = (1, 2, 3)", {0.655, 0.62}, "right");
-    gnuplot << fmt::format("set label '' at {:.6f},{:.6f} point pt 7 ps 0.9 lc rgb '#000000' front\n", 2.0 / 3,
-                           rate(1.0 / 3, 2.0 / 3));
+  const std::array<double, 5> ratios{0.1, 0.2, 0.35, 0.5, 0.7};
+  const std::array<const char*, 5> dashes{"solid", "(12,4)", "(6,4)", "(3,3)", "(12,4,3,4)"};
+  const std::array<Point, 5> places{{{0.928, 0.62}, {0.83, 0.635}, {0.73, 0.49}, {0.745, 0.3}, {0.85, 0.13}}};
+  workbook::draw_figure(directory, "growth_rates", {560, 400}, [&](Gnuplot& gnuplot) {
+    gnuplot << "unset key; set xlabel 'I_2 / I_3'; set ylabel 'growth rate σ / |ω_2|'\n"
+               "set xrange [0.5:1]; set yrange [0:1.05]\n"
+            << fmt::format("set label \"no body here:\\nI_1 + I_2 < I_3\" at 0.53,0.88 left front tc rgb '{}'\n",
+                           colors::grey)
+            << fmt::format(
+                   "set label 'flat bodies: I_1 + I_2 = I_3' at 0.745,0.775 left rotate by 25 front tc rgb '{}'\n",
+                   colors::vermilion)
+            << fmt::format("set label '(1, 2, 3)' at 0.655,0.62 right front tc rgb '{}'\n", colors::black)
+            << fmt::format("set label '' at {:.6f},{:.6f} point pt 7 ps 0.7 lc rgb '{}' front\n", 2.0 / 3,
+                           rate(1.0 / 3, 2.0 / 3), colors::black)
+            << fmt::format("set label 'racket' at 0.937,0.835 left front tc rgb '{}'\n", colors::black)
+            << fmt::format("set label '' at {:.6f},{:.6f} point pt 7 ps 0.7 lc rgb '{}' front\n", 16.38 / 17.48,
+                           rate(1.21 / 17.48, 16.38 / 17.48), colors::black);
     std::string plot = fmt::format(
-        "plot '-' with filledcurves y1=1.05 fs solid noborder lc rgb '#E8E8E8', '-' with lines lw 3.5 lc rgb '{}'",
-        colors::vermilion);
+        "plot '-' with filledcurves y1=1.05 fs solid noborder lc rgb '{}', '-' with lines lw 3.5 lc rgb '{}'",
+        colors::shade, colors::vermilion);
     for (std::size_t i = 0; i < ratios.size(); ++i) {
       plot += fmt::format(", '-' with lines lw 2.2 dt {} lc rgb '{}'", dashes[i], colors::blue);
-      label(gnuplot, fmt::format("{}{:g}", i < 2 ? "" : "I_1/I_3 = ", ratios[i]), places[i],
-            fmt::format("center tc rgb '{}'", colors::blue));
+      gnuplot << fmt::format("set label '{}{:g}' at {},{} center front tc rgb '{}'\n",
+                             i < 2 ? "" : "I_1/I_3 = ", ratios[i], places[i].first, places[i].second, colors::blue);
     }
     gnuplot << plot << "\n";
     gnuplot.send1d(flat);
     gnuplot.send1d(flat);
     for (const double first : ratios) {
       const double from = std::max(first, 1 - first);
-      Curve curve;
+      Plot curve;
       for (int i = 0; i <= 100; ++i)
         curve.emplace_back(from + (1 - from) * i / 100, rate(first, from + (1 - from) * i / 100));
       gnuplot.send1d(curve);
@@ -458,161 +335,251 @@ void draw_growth_rates(const std::filesystem::path& directory) {
   });
 }
 
-// ---- the racket
-// -------------------------------------------------------------------------------------------------------------
+// ---- any amplitude
 
-/// A racket in its own axes: the handle along axis 1 (smallest moment), axis 2 across it in the plane of the strings
-/// (intermediate), axis 3 out of the plane (largest).
-struct Racket {
-  std::vector<Vector3d> head, handle;
+/// The curve on the ellipsoid Σ e_i x_i² = 1 on which Σ e_i f_i x_i² = level, round ±axis (2 or 0), for ascending or
+/// descending f.
+Curve level_curve(const Vector3d& e, const Vector3d& f, double level, int axis, double side) {
+  const int other = 2 - axis;
+  const double excess = f[axis] - level;
+  const double across = std::sqrt(excess / (e[other] * (f[axis] - f[other])));
+  const double middle = std::sqrt(excess / (e[1] * (f[axis] - f[1])));
+  Curve curve;
+  for (int i = 0; i <= 240; ++i) {
+    Vector3d x;
+    x[other] = across * std::cos(2 * pi * i / 240);
+    x[1] = middle * std::sin(2 * pi * i / 240);
+    x[axis] = side * std::sqrt((1 - e[other] * x[other] * x[other] - e[1] * x[1] * x[1]) / e[axis]);
+    curve.push_back(x);
+  }
+  return curve;
+}
 
-  Racket() {
-    for (int i = 0; i <= 40; ++i)
-      head.emplace_back(0.45 + 0.42 * std::cos(2 * pi * i / 40), 0.3 * std::sin(2 * pi * i / 40), 0);
-    for (const auto& [x, y] :
-         {Point(0.04, 0.045), Point(-0.85, 0.045), Point(-0.85, -0.045), Point(0.04, -0.045), Point(0.04, 0.045)}) {
-      handle.emplace_back(x, y, 0);
+/// One of the two plane curves of that kind through the ends of the middle axis.
+Curve separatrix(const Vector3d& e, const Vector3d& f, double side) {
+  const double slope = side * std::sqrt(e[0] * (f[1] - f[0]) / (e[2] * (f[2] - f[1])));
+  const double first = 1 / std::sqrt(e[0] + e[2] * slope * slope);
+  return arc(origin, 1, first * Vector3d(1, 0, slope), y_axis / std::sqrt(e[1]));
+}
+
+/// The surface Σ e_i x_i² = 1 with level curves of Σ e_i f_i x_i², and the sense in which a free body runs along them.
+void draw_surface(Sketch& sketch, const Vector3d& e, const Vector3d& f,
+                  const std::array<std::vector<double>, 2>& levels,
+                  const std::function<Vector3d(const Vector3d&)>& rate) {
+  const auto normal = [&](const Vector3d& x) -> Vector3d { return e.cwiseProduct(x); };
+  const Vector3d root = e.cwiseSqrt();
+  const Vector3d pole = sketch.towards().cwiseProduct(root).normalized(), across = pole.unitOrthogonal();
+  Curve outline = arc(origin, 1, across, pole.cross(across));
+  for (Vector3d& x : outline) x = x.cwiseQuotient(root);
+  sketch.face(outline, colors::pale, 0.25);
+  const auto mark = [&](const Curve& curve, std::size_t index, const char* color) {
+    const Vector3d& x = curve[index];
+    const Vector3d step = 0.04 / root.minCoeff() * rate(x).normalized();
+    if (sketch.faces_reader(normal(x))) sketch.arrow(x - step, x + step, color, "", Side::right, 2);
+  };
+  for (int family = 0; family < 2; ++family) {
+    const int axis = 2 * family;
+    for (std::size_t i = 0; i < levels[static_cast<std::size_t>(family)].size(); ++i) {
+      for (const double side : {1.0, -1.0}) {
+        const Curve curve = level_curve(e, f, levels[static_cast<std::size_t>(family)][i], axis, side);
+        draw_front(sketch, curve, normal, axis_colors[static_cast<std::size_t>(axis)], 2);
+        if (side > 0 && i % 2 == 0) mark(curve, 45, axis_colors[static_cast<std::size_t>(axis)]);
+      }
     }
   }
-};
-
-/// The motion of the animation: the flat body of the lecture, turning about its intermediate axis, with L to the right.
-struct Flight {
-  static constexpr double disturbance = 0.03;
-  Vector3d omega0{0, 1, disturbance};
-  Matrix3d momentum_to_right =
-      Eigen::Quaterniond::FromTwoVectors(flat_body.cwiseProduct(omega0), Vector3d::UnitX()).toRotationMatrix();
-  double half_period = tumbling_period(flat_body, omega0) / 2;
-  View view{{0.45, -1, 0.35}, Vector3d::UnitZ()};
-
-  Matrix3d attitude(const Motion& now) const { return momentum_to_right * now.A; }
-};
-
-/// The racket at one attitude, shifted to `center`: first the plot elements, then their data in the same order.
-class RacketPicture {
- public:
-  RacketPicture(const Flight& flight, const Motion& now, Point center) : center_(center) {
-    const Matrix3d A = flight.attitude(now);
-    const Racket racket;
-    for (const Vector3d& point : racket.head) head_.push_back(shifted(flight.view(A * point)));
-    for (const Vector3d& point : racket.handle) handle_.push_back(shifted(flight.view(A * point)));
-    front_ = A.col(2).dot(flight.view.towards()) > 0;
-    second_axis_ = shifted(flight.view(0.8 * A.col(1)));
+  for (const double side : {1.0, -1.0}) {
+    const Curve curve = separatrix(e, f, side);
+    draw_front(sketch, curve, normal, colors::black, 3);
+    for (const std::size_t index : {9U, 27U}) mark(curve, index, colors::black);
   }
+  sketch.line(outline, colors::grey, 1.5);
+}
 
-  std::string elements() const {
-    return fmt::format(
-        "'-' with filledcurves closed fs solid noborder lc rgb '{}', '-' with lines lw 2.5 lc rgb '#222222', "
-        "'-' with filledcurves closed fs solid noborder lc rgb '#555555'",
-        front_ ? colors::sky : colors::orange);
+void draw_polhodes(const std::filesystem::path& directory) {
+  Sketch sketch({0.95, 1.15, 0.62});
+  const Vector3d I = flat_body;
+  draw_surface(sketch, I, I, {{{1.08, 1.35, 1.65, 1.9}, {2.92, 2.65, 2.35, 2.1}}},
+               [&](const Vector3d& omega) { return rate_of(I, omega); });
+  const std::array<const char*, 3> names{"axis 1\\n(smallest I)", "axis 2\\n(intermediate I)", "axis 3 (largest I)"};
+  for (int i = 0; i < 3; ++i) {
+    const Vector3d tip = Vector3d::Unit(i) / std::sqrt(I[i]);
+    sketch.arrow(tip,
+                 (i == 0   ? 1.25
+                  : i == 1 ? 1.8
+                           : 1.5) *
+                     tip,
+                 axis_colors[static_cast<std::size_t>(i)], names[static_cast<std::size_t>(i)],
+                 i == 2 ? Side::right : Side::below, 2.5);
   }
-  void send(Gnuplot& gnuplot) const {
-    gnuplot.send1d(head_);
-    gnuplot.send1d(head_);
-    gnuplot.send1d(handle_);
+  sketch.text({-0.55, 0.1, 0.55}, "separatrix", colors::black, Side::right);
+  sketch.draw(directory, "polhodes", 600);
+}
+
+/// All motions with one L, and what friction does: on the sphere of L in the body, with level curves of the energy.
+void draw_momentum_sphere(const std::filesystem::path& directory) {
+  Sketch sketch({1.0, 0.62, 0.62});
+  const Vector3d I = flat_body;
+  const auto rate = [&](const Vector3d& L) -> Vector3d { return L.cross(L.cwiseQuotient(I)); };
+  draw_surface(sketch, Vector3d::Ones(), I.cwiseInverse(), {{{0.95, 0.8, 0.65, 0.54}, {0.345, 0.38, 0.43, 0.48}}},
+               rate);
+  // The simplest friction that keeps |L|: dL/dt = L × ω + κ L × (L × ω).
+  Curve path;
+  Vector3d L = Vector3d(1, -0.104, 0.06).normalized();
+  for (int i = 0; i < 40000; ++i) {
+    if (i % 10 == 0) path.push_back(L);
+    const auto slope = [&](const Vector3d& x) -> Vector3d { return rate(x) + 0.12 * x.cross(rate(x)); };
+    const double h = 0.005;
+    L = (L + h * slope(L + h / 2 * slope(L))).normalized();
   }
-  void set_arrow(Gnuplot& gnuplot) const {
-    arrow(gnuplot, center_, second_axis_, fmt::format("lw 3 lc rgb '{}' size 0.13,20 filled", colors::vermilion));
+  draw_front(
+      sketch, path, [](const Vector3d& x) { return x; }, colors::blue, 3.5);
+  const std::array<const char*, 3> names{"{/:Bold e}_1, T highest", "{/:Bold e}_2", "{/:Bold e}_3, T lowest"};
+  for (int i = 0; i < 3; ++i) {
+    sketch.arrow(Vector3d::Unit(i), (i == 0 ? 1.5 : 1.3) * Vector3d::Unit(i), axis_colors[static_cast<std::size_t>(i)],
+                 names[static_cast<std::size_t>(i)], i == 0 ? Side::left : Side::right, 2.5);
   }
-  Point tip() const { return second_axis_; }
+  sketch.draw(directory, "momentum_sphere", 500);
+}
 
- private:
-  Point shifted(Point point) const { return {point.first + center_.first, point.second + center_.second}; }
-
-  Point center_, second_axis_;
-  Curve head_, handle_;
-  bool front_ = false;
-};
-
-void draw_racket_stills(const std::filesystem::path& directory) {
-  const Flight flight;
-  const int columns = 4, rows = 2;
-  const auto motion = integrated(flat_body, flight.omega0, flight.half_period * 1.05, columns * rows);
-  workbook::draw_figure(directory, "racket", {580, 360}, [&](Gnuplot& gnuplot) {
-    gnuplot << no_axes << "set xrange [-1.0:7.85]; set yrange [-3.85:1.6]\n";
-    arrow(gnuplot, {-0.8, 1.35}, {0.6, 1.35}, "lw 2 lc rgb '#222222' size 0.13,20 filled");
-    label(gnuplot, "L, the same at all times", {0.75, 1.35}, "left");
-    arrow(gnuplot, {4.35, 1.35}, {5.15, 1.35}, fmt::format("lw 3 lc rgb '{}' size 0.13,20 filled", colors::vermilion));
-    label(gnuplot, "axis 2 of the racket", {5.3, 1.35}, fmt::format("left tc rgb '{}'", colors::vermilion));
-    std::string plot;
-    std::vector<RacketPicture> pictures;
-    for (int i = 0; i < columns * rows; ++i) {
-      const Point center(2.28 * (i % columns), i < columns ? 0.0 : -2.55);
-      const Motion& now = motion[static_cast<std::size_t>(i)];
-      pictures.emplace_back(flight, now, center);
-      pictures.back().set_arrow(gnuplot);
-      label(gnuplot, fmt::format("{:.1f} s", now.t), {center.first, center.second - 1.12}, "center");
-      plot += (plot.empty() ? "plot " : ", ") + pictures.back().elements();
+void draw_flip(const std::filesystem::path& directory) {
+  const Vector3d omega0(0, 1, 1e-3);
+  const double duration = 90, interval = tumbling_period(flat_body, omega0) / 2, first = interval / 2;
+  const auto motion = history(flat_body, {omega0}, duration, 601);
+  workbook::draw_figure(directory, "flip", {560, 360}, [&](Gnuplot& gnuplot) {
+    gnuplot << "unset key; set xlabel 'time (s)'; set ylabel 'component of ω in the body (rad/s)'\n"
+               "set xrange [0:90]; set yrange [-1.35:1.55]; set ytics 0.5\n";
+    for (int i = 0; i < 3; ++i) {
+      gnuplot << fmt::format("set arrow from {0:.4f},-1.35 to {0:.4f},1.55 nohead dt (3,4) lc rgb '{1}'\n",
+                             first + i * interval, colors::grey);
     }
-    gnuplot << plot << "\n";
-    for (const RacketPicture& picture : pictures) picture.send(gnuplot);
+    gnuplot << fmt::format("set arrow from {:.4f},1.22 to {:.4f},1.22 heads filled size 1.5,18 lc rgb '{}' front\n",
+                           first, first + interval, colors::black)
+            << fmt::format("set label '{:.2f} s' at {},1.38 center front tc rgb '{}'\n", interval, first + interval / 2,
+                           colors::black);
+    const std::array<Point, 3> places{{{first - 4, -0.72}, {5, 1.14}, {first + 4, 0.62}}};
+    std::string plot = "plot ";
+    for (std::size_t i = 0; i < 3; ++i) {
+      gnuplot << fmt::format("set label 'ω_{}' at {},{} center front tc rgb '{}'\n", i + 1, places[i].first,
+                             places[i].second, axis_colors[i]);
+      plot += fmt::format("'-' with lines lw 3 lc rgb '{}'{}", axis_colors[i], i < 2 ? ", " : "\n");
+    }
+    gnuplot << plot;
+    for (int i = 0; i < 3; ++i) gnuplot.send1d(component(motion, duration, i));
   });
 }
 
-/// The same flight as an animated picture; gnuplot's gif terminal makes one frame of each plot.
-void animate_racket(const std::filesystem::path& directory) {
-  const Flight flight;
-  const int frames = 120;
-  const double duration = 2 * flight.half_period;
-  const auto motion = integrated(flat_body, flight.omega0, duration, frames);
-  const Curve history = component(motion, 1);
-
-  const std::filesystem::path file = directory / "racket.gif";
-  std::filesystem::remove(file);
-  {
-    Gnuplot gnuplot("gnuplot");
-    gnuplot << "set encoding utf8\nset terminal gif animate delay 8 loop 0 optimize enhanced size 480,440 font "
-               "'sans,11' background '#FFFFFF'\n"
-            << "set output '" << file.string() << "'\n";
-    for (const Motion& now : motion) {
-      const RacketPicture picture(flight, now, {0, 0});
-      gnuplot << "set multiplot\nunset arrow; unset label\n"
-              << no_axes
-              << "set origin 0,0.3; set size 1,0.7; set size ratio -1\nset xrange [-1.5:1.5]; set yrange [-1.0:1.0]\n";
-      picture.set_arrow(gnuplot);
-      arrow(gnuplot, {-0.9, -0.92}, {0.9, -0.92}, "lw 2 lc rgb '#222222' size 0.08,20 filled");
-      label(gnuplot, "L", {1.0, -0.92}, "left");
-      // The key serves a second purpose: gnuplot takes the colours of all frames from the first one.
-      label(gnuplot, "  one face", {-1.45, 0.85}, fmt::format("left point pt 5 ps 2 lc rgb '{}'", colors::sky));
-      label(gnuplot, "  the other", {-1.45, 0.7}, fmt::format("left point pt 5 ps 2 lc rgb '{}'", colors::orange));
-      label(gnuplot, "e_2", {picture.tip().first * 1.12, picture.tip().second * 1.12 + 0.04},
-            fmt::format("center tc rgb '{}'", colors::vermilion));
-      gnuplot << "plot " << picture.elements() << "\n";
-      picture.send(gnuplot);
-
-      gnuplot << "unset arrow; unset label\nset origin 0,0; set size 1,0.3; set size noratio\n"
-                 "set lmargin 8; set rmargin 2; set tmargin 0.5; set bmargin 3\n"
-                 "set border lc rgb '#444444'; set tics; set ytics -1,1,1; set xtics 5; set xlabel 'time (s)'; set "
-                 "ylabel 'ω_2 (rad/s)'\n"
-              << fmt::format("set xrange [0:{:.3f}]; set yrange [-1.25:1.25]\n", duration)
-              << fmt::format("plot '-' with lines lw 2 lc rgb '{0}', '-' with points pt 7 ps 1.6 lc rgb '{0}'\n",
-                             colors::vermilion);
-      gnuplot.send1d(history);
-      gnuplot.send1d(Curve{{now.t, now.omega[1]}});
-      gnuplot << "unset multiplot\n";
-    }
-    gnuplot << "set output\n";
+void draw_flip_law(const std::filesystem::path& directory) {
+  Plot exact, logarithm;
+  const double sigma = growth_rate(flat_body, 1);
+  for (int i = 0; i <= 120; ++i) {
+    const double disturbance = std::pow(10.0, -6 + 6.0 * i / 120), squared = disturbance * disturbance;
+    exact.emplace_back(disturbance, tumbling_period(flat_body, {0, 1, disturbance}) / 2);
+    logarithm.emplace_back(disturbance, std::log(16 * (2 + 6 * squared) / (6 * squared)) / sigma);
   }
-  if (!std::filesystem::exists(file) || std::filesystem::file_size(file) == 0) {
-    throw std::runtime_error(fmt::format("gnuplot drew no {}: does it know the terminal 'gif'?", file.string()));
-  }
+  workbook::draw_figure(directory, "flip_law", {560, 360}, [&](Gnuplot& gnuplot) {
+    gnuplot << "unset key; set logscale x; set format x '10^{%T}'; set mxtics 1\n"
+               "set xlabel 'ω_3 at the start (rad/s)'; set ylabel 'time between flips (s)'\n"
+               "set xrange [1e-6:1]; set yrange [0:60]\n"
+            << fmt::format("set label 'exact, 2K(k)/ν' at 3e-5,46 left front tc rgb '{}'\n", colors::blue)
+            << fmt::format("set label '(1/σ) ln(16/(1−k²))' at 1.4e-6,25 left front tc rgb '{}'\n", colors::vermilion)
+            << fmt::format("set arrow from 1.7e-4,25.4 to 5e-4,28.2 head filled size graph 0.02,18 lc rgb '{}' front\n",
+                           colors::vermilion)
+            << fmt::format("set label '2π/σ, a guess that is wrong in kind' at 1.4e-6,14 left front tc rgb '{}'\n",
+                           colors::grey)
+            << fmt::format(
+                   "plot '-' with lines lw 5 lc rgb '{}', '-' with lines lw 2 dt (6,5) lc rgb '{}', {} with "
+                   "lines lw 2 dt (3,4) lc rgb '{}'\n",
+                   colors::sky, colors::vermilion, 2 * pi / sigma, colors::grey);
+    gnuplot.send1d(exact);
+    gnuplot.send1d(logarithm);
+  });
 }
 
-/// The stills of a page and the same in motion.
+// ---- the racket
+
+/// A tennis racket in flight, thrown end over end, with L to the right.
+struct Flight {
+  Vector3d I{1.21e-3, 16.38e-3, 17.48e-3};  // kg m²; axis 1 along the handle, axis 3 out of the strings
+  Vector3d omega0{0, 10, 0.5};              // rad/s
+  Motion start{omega0,
+               Eigen::Quaterniond::FromTwoVectors(I.cwiseProduct(omega0), Vector3d::UnitX()).toRotationMatrix()};
+  double period = tumbling_period(I, omega0);
+};
+
+/// The racket at one attitude, 1.7 long, its two faces in different colours.
+void draw_racket_at(Sketch& sketch, const Vector3d& center, const Matrix3d& A, double handle) {
+  const auto placed = [&](double x, double y) -> Vector3d { return center + A * Vector3d(x, y, 0); };
+  const Curve head = circle(placed(0.45, 0), 1, 0.42 * A.col(0), 0.3 * A.col(1));
+  const char* color = sketch.faces_reader(A.col(2)) ? colors::sky : colors::orange;
+  sketch.face(head, color, 0.6);
+  sketch.line(head, colors::black, 3);
+  sketch.line({placed(0.03, 0), placed(-0.85, 0)}, colors::black, handle);
+}
+
+const Vector3d towards_racket(0.45, -1, 0.35);
+
 void draw_racket(const std::filesystem::path& directory) {
-  draw_racket_stills(directory);
-  animate_racket(directory);
+  const Flight flight;
+  const auto motion = history(flight.I, flight.start, flight.period / 2, 8);
+  Sketch sketch(towards_racket);
+  const Vector3d right = z_axis.cross(sketch.towards()).normalized(), up = sketch.towards().cross(right);
+  for (int i = 0; i < 8; ++i) {
+    const int column = i % 4, row = i / 4;
+    const Vector3d center = 2.1 * column * right - 2.35 * row * up;
+    const Matrix3d& A = motion[static_cast<std::size_t>(i)].A;
+    draw_racket_at(sketch, center, A, 6);
+    sketch.arrow(center, center + 0.75 * A.col(1), colors::green);
+    sketch.text(center - 1.08 * up, fmt::format("{:.2f} s", flight.period / 2 * i / 7));
+  }
+  sketch.arrow(1.2 * up + 0.2 * right, 1.2 * up + 0.2 * right + 0.8 * x_axis, colors::blue, "{/:Bold L}, always",
+               Side::right);
+  sketch.arrow(1.2 * up + 4.2 * right, 1.2 * up + 4.7 * right, colors::green, "{/:Bold e}_2 of the racket",
+               Side::right);
+  sketch.draw(directory, "racket", 600);
+}
+
+void animate_racket(const std::filesystem::path& directory) {
+  const Flight flight;
+  const int frames = 40;
+  const auto motion = history(flight.I, flight.start, flight.period, frames + 1);
+  const Plot curve = component(history(flight.I, flight.start, flight.period, 61), flight.period, 1);
+  workbook::draw_animation(directory, "racket_moving", {480, 440}, frames, 11, [&](Gnuplot& gnuplot, int frame) {
+    const Motion& now = motion[static_cast<std::size_t>(frame)];
+    Sketch sketch(towards_racket);
+    draw_racket_at(sketch, origin, now.A, 9);
+    sketch.arrow(origin, 0.8 * now.A.col(1), colors::green);
+    sketch.text(0.95 * now.A.col(1), "{/:Bold e}_2", colors::green);
+    sketch.arrow(Vector3d(-0.5, 0, -0.95), Vector3d(0.7, 0, -0.95), colors::blue, "{/:Bold L}");
+    gnuplot << "set multiplot\nset origin 0,0.35; set size 1,0.65\n";
+    sketch.send(gnuplot, {480, 286}, 1.7);
+    gnuplot << "unset arrow; unset label\nset origin 0,0; set size 1,0.35\n"
+               "set lmargin 8; set rmargin 2; set tmargin 0.5; set bmargin 3\n"
+            << fmt::format("set border 3 lc rgb '{}'; set ytics nomirror -10,10,10; set xtics nomirror 0.5\n",
+                           colors::grey)
+            << "set xlabel 'time (s)'; set ylabel 'ω_2 (rad/s)'\n"
+            << fmt::format("set xrange [0:{:.3f}]; set yrange [-12.5:12.5]\n", flight.period)
+            << fmt::format("plot '-' with lines lw 2 lc rgb '{0}', '-' with points pt 7 ps 1.0 lc rgb '{0}'\n",
+                           colors::green);
+    gnuplot.send1d(curve);
+    gnuplot.send1d(Plot{{flight.period * frame / frames, now.omega[1]}});
+    gnuplot << "unset multiplot\n";
+  });
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   return workbook::draw_figures(argc, argv,
-                                {{"cones", draw_cones},
+                                {{"cones", animate_cones},
+                                 {"cylinders", draw_cylinders},
+                                 {"plate", draw_plate},
                                  {"slip", draw_slip},
+                                 {"portraits", draw_portraits},
                                  {"growth_rates", draw_growth_rates},
                                  {"polhodes", draw_polhodes},
+                                 {"momentum_sphere", draw_momentum_sphere},
                                  {"flip", draw_flip},
                                  {"flip_law", draw_flip_law},
-                                 {"racket", draw_racket}});
+                                 {"racket", draw_racket},
+                                 {"racket_moving", animate_racket}});
 }

@@ -1,5 +1,5 @@
 // Figures of lecture 07.
-#include "lectures/support/figure.hpp"
+#include "lectures/support/sketch.hpp"
 
 #include <rigid/euler_angles.hpp>
 
@@ -10,192 +10,268 @@
 #include <functional>
 #include <numbers>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 using namespace rigid;
+using gnuplotio::Gnuplot;
+using workbook::arc;
+using workbook::Side;
+using workbook::Sketch;
+namespace colors = workbook::colors;
 
 namespace {
 
-using Curve = std::vector<std::tuple<double, double, double>>;
-using PlaneCurve = std::vector<std::pair<double, double>>;
+using Curve = std::vector<std::pair<double, double>>;
 
 constexpr double pi = std::numbers::pi;
-
-// ---- the three turns
-// --------------------------------------------------------------------------------------------------
+constexpr double degree = pi / 180;
+const Vector3d origin = Vector3d::Zero();
+const Vector3d x_axis = Vector3d::UnitX(), y_axis = Vector3d::UnitY(), z_axis = Vector3d::UnitZ();
 
 /// The body axes as columns, on the inertial axes.
 Matrix3d triad(const Vector3d& angles) { return rotation_matrix(angles).transpose(); }
 
-/// What one panel shows: a triad, the triad before it, and the axis about which it has turned.
-struct Turn {
-  const char* title;
-  Vector3d before;
-  Vector3d after;
-  int axis;
-  const char* angle_name;
-  std::array<const char*, 3> old_names;
-  std::array<const char*, 3> names;
+// ---- the three rotations ----
+
+constexpr const char* vertical_name = "{/:Bold e}@^0_3";
+
+/// Sketches side by side in one: a panel is an offset in the plane of the picture.
+class Panels {
+ public:
+  Panels() : right_(z_axis.cross(sketch_.towards()).normalized()), up_(sketch_.towards().cross(right_)) {}
+
+  /// What follows is drawn in the panel with its origin here.
+  void move_to(double right, double up) { offset_ = right * right_ + up * up_; }
+  void title(const std::string& text, double up) { sketch_.text(offset_ + up * up_, text); }
+  void disc(const Vector3d& first, const Vector3d& second, const char* color) {
+    sketch_.face(arc(offset_, 1, first, second), color, 0.15);
+    sketch_.line(arc(offset_, 1, first, second), color, 1.2);
+  }
+  void axis(const Vector3d& along, const char* color, const std::string& name, Side side, double width = 2.5) {
+    sketch_.arrow(offset_, offset_ + 1.2 * along, color, name, side, width);
+  }
+  void old_axis(const Vector3d& along, const std::string& name, Side side) {
+    sketch_.line({offset_, offset_ + 1.2 * along}, colors::grey, 1.5, "dt (5,4)");
+    if (!name.empty()) sketch_.text(offset_ + 1.2 * along, name, colors::grey, side);
+  }
+  void angle(const Vector3d& from, const Vector3d& to, const std::string& name, double radius = 0.75) {
+    const Vector3d across = (to - to.dot(from) * from).normalized();
+    const double size = std::acos(to.dot(from));
+    sketch_.line(arc(offset_, radius, from, across, 0, size), colors::black, 2);
+    if (!name.empty()) sketch_.text(offset_ + (radius + 0.14) * (from + to).normalized(), name);
+  }
+  void line(const Vector3d& from, const Vector3d& to, const char* color) {
+    sketch_.line({offset_ + from, offset_ + to}, color, 2, "dt (8,5)");
+  }
+  void draw(const std::filesystem::path& directory, const std::string& name, int width) const {
+    sketch_.draw(directory, name, width);
+  }
+
+ private:
+  Sketch sketch_{{-0.1, 1.0, 0.5}};
+  Vector3d right_, up_, offset_ = origin;
 };
 
-/// The path of an axis while the turn goes on.
-Curve arc(const Turn& turn, int which, double radius) {
-  Curve curve;
-  for (int i = 0; i <= 24; ++i) {
-    const Vector3d angles = turn.before + (turn.after - turn.before) * i / 24.0;
-    const Vector3d p = radius * triad(angles).col(which);
-    curve.emplace_back(p.x(), p.y(), p.z());
-  }
-  return curve;
-}
-
-void draw_panel(gnuplotio::Gnuplot& gnuplot, const Turn& turn) {
-  const Matrix3d old_axes = triad(turn.before);
-  const Matrix3d new_axes = triad(turn.after);
-  const std::array<const char*, 3> colors = {workbook::colors::vermilion, workbook::colors::green,
-                                             workbook::colors::blue};
-
-  gnuplot << "unset arrow; unset label\n" << fmt::format("set title '{}' offset 0,0.4\n", turn.title);
-  for (int i = 0; i < 3; ++i) {
-    const Vector3d old_tip = old_axes.col(i);
-    const Vector3d tip = new_axes.col(i);
-    const Vector3d place = (i == 2 ? 1.3 : 1.22) * tip;  // ê₃ is foreshortened: keep its name off the arrow
-    if (i != turn.axis) {
-      gnuplot << fmt::format("set arrow from 0,0,0 to {:.4f},{:.4f},{:.4f} nohead dt 2 lw 1.5 lc rgb '{}'\n",
-                             old_tip.x(), old_tip.y(), old_tip.z(), workbook::colors::grey)
-              << fmt::format("set label '{}' at {:.4f},{:.4f},{:.4f} center front tc rgb '#555555'\n",
-                             turn.old_names[i], 1.3 * old_tip.x(), 1.3 * old_tip.y(), 1.3 * old_tip.z());
-    }
-    gnuplot << fmt::format("set arrow from 0,0,0 to {:.4f},{:.4f},{:.4f} front size 0.12,20 filled lw {} lc rgb '{}'\n",
-                           tip.x(), tip.y(), tip.z(), i == turn.axis ? 5 : 2.5, colors[i])
-            << fmt::format("set label '{}' at {:.4f},{:.4f},{:.4f} center front tc rgb '{}'\n", turn.names[i],
-                           place.x(), place.y(), place.z(), colors[i]);
-  }
-  // The two axes that move leave an arc behind; the angle is written at the first of them.
-  const int first = (turn.axis + 1) % 3, second = (turn.axis + 2) % 3;
-  const auto middle = arc(turn, first, 0.88)[12];
-  gnuplot << fmt::format("set label '{{/:Bold {}}}' at {:.4f},{:.4f},{:.4f} center front\n", turn.angle_name,
-                         std::get<0>(middle), std::get<1>(middle), std::get<2>(middle));
-  gnuplot << "splot '-' w l lw 2 lc rgb '#222222', '-' w l lw 2 lc rgb '#222222'\n";
-  gnuplot.send1d(arc(turn, first, 0.7));
-  gnuplot.send1d(arc(turn, second, 0.7));
-}
-
 void draw_three_turns(const std::filesystem::path& directory) {
-  const double phi = 0.7, theta = 0.6, psi = 0.9;
-  const std::vector<Turn> turns = {
-      {"1: φ about ê_3^0", {0, 0, 0}, {phi, 0, 0}, 2, "φ", {"ê_1^0", "ê_2^0", ""}, {"", "ê_2′", "ê_3^0"}},
-      {"2: θ about ê_2′", {phi, 0, 0}, {phi, theta, 0}, 1, "θ", {"", "", "ê_3^0"}, {"ê_1′", "ê_2′", "ê_3"}},
-      {"3: ψ about ê_3", {phi, theta, 0}, {phi, theta, psi}, 2, "ψ", {"ê_1′", "ê_2′", ""}, {"ê_1", "ê_2", "ê_3"}},
+  const double phi = 35 * degree, theta = 50 * degree, psi = 45 * degree;
+  const Matrix3d first = triad({phi, 0, 0}), second = triad({phi, theta, 0}), third = triad({phi, theta, psi});
+  const Vector3d nodes = first.col(1);
+  Panels panels;
+  const auto place = [&](int column, int row, const char* title) {
+    panels.move_to(3.1 * column, -2.9 * row);
+    panels.title(title, 1.5);
   };
-  workbook::draw_figure(directory, "three_turns", {420, 960}, [&](gnuplotio::Gnuplot& gnuplot) {
-    gnuplot << "unset key; unset border; unset tics; unset grid\n"
-               "set lmargin 0; set rmargin 0; set tmargin 0; set bmargin 0\n"
-               "set view 66, 168, 1.55; set view equal xyz; set xyplane 0\n"
-               "set xrange [-1.05:1.05]; set yrange [-1.05:1.05]; set zrange [-0.85:1.2]\n"
-               "set multiplot layout 3,1\n";
-    for (const Turn& turn : turns) draw_panel(gnuplot, turn);
-    gnuplot << "unset multiplot\n";
-  });
+
+  place(0, 0, "1: φ about the vertical");
+  panels.disc(x_axis, y_axis, colors::grey);
+  panels.old_axis(x_axis, "{/:Bold e}@^0_1", Side::left);
+  panels.old_axis(y_axis, "{/:Bold e}@^0_2", Side::below);
+  panels.axis(first.col(0), colors::vermilion, "", Side::below);
+  panels.axis(nodes, colors::green, "{/:Bold e}_2′", Side::right);
+  panels.axis(z_axis, colors::blue, vertical_name, Side::right, 5);
+  panels.angle(x_axis, first.col(0), "φ");
+  panels.angle(y_axis, nodes, "φ");
+
+  place(1, 0, "2: θ about the line of nodes");
+  panels.disc(z_axis, first.col(0), colors::green);
+  panels.old_axis(first.col(0), "", Side::left);
+  panels.old_axis(z_axis, vertical_name, Side::right);
+  panels.axis(second.col(0), colors::vermilion, "{/:Bold e}_1′", Side::below);
+  panels.axis(second.col(2), colors::purple, "{/:Bold e}_3", Side::left);
+  panels.axis(nodes, colors::green, "{/:Bold e}_2′", Side::right, 5);
+  panels.angle(first.col(0), second.col(0), "θ");
+  panels.angle(z_axis, second.col(2), "θ");
+
+  place(0, 1, "3: ψ about the body's axis");
+  panels.disc(second.col(0), nodes, colors::purple);
+  panels.old_axis(second.col(0), "{/:Bold e}_1′", Side::below);
+  panels.old_axis(nodes, "{/:Bold e}_2′", Side::right);
+  panels.axis(third.col(0), colors::vermilion, "{/:Bold e}_1", Side::below);
+  panels.axis(third.col(1), colors::green, "{/:Bold e}_2", Side::right);
+  panels.axis(third.col(2), colors::purple, "{/:Bold e}_3", Side::left, 5);
+  panels.angle(second.col(0), third.col(0), "ψ");
+  panels.angle(nodes, third.col(1), "ψ");
+
+  place(1, 1, "all three");
+  panels.disc(x_axis, y_axis, colors::grey);
+  panels.disc(second.col(0), nodes, colors::purple);
+  panels.line(-1.2 * nodes, 1.2 * nodes, colors::green);
+  panels.old_axis(y_axis, "{/:Bold e}@^0_2", Side::below);
+  panels.axis(z_axis, colors::blue, vertical_name, Side::right);
+  panels.axis(third.col(2), colors::purple, "{/:Bold e}_3", Side::left);
+  panels.axis(nodes, colors::green, "{/:Bold e}_2′", Side::right);
+  panels.axis(third.col(1), colors::black, "{/:Bold e}_2", Side::right);
+  panels.angle(y_axis, nodes, "φ");
+  panels.angle(z_axis, third.col(2), "θ");
+  panels.angle(nodes, third.col(1), "ψ", 0.6);
+  panels.draw(directory, "three_turns", 590);
 }
 
-// ---- gimbal lock
-// ------------------------------------------------------------------------------------------------------
+/// The vertical in the plane of the second rotation, and the line of nodes in the plane of the third.
+void draw_two_planes(const std::filesystem::path& directory) {
+  const double theta = 35 * degree, psi = 30 * degree;
+  Sketch sketch;
+  const auto ray = [](double angle) { return Vector3d(std::cos(angle), std::sin(angle), 0); };
+  const auto projection = [&](const Vector3d& from, const Vector3d& foot) {
+    sketch.line({from, foot}, colors::grey, 1.2, "dt (4,4)");
+  };
+  // Left: seen along the line of nodes, which points away from the reader.
+  const Vector3d e3 = ray(pi / 2 - theta), e1 = ray(-theta);
+  sketch.line({-0.75 * e1, origin}, colors::vermilion, 1, "dt (5,4)");
+  sketch.arrow(origin, 1.25 * e1, colors::vermilion, "{/:Bold e}_1′", Side::right);
+  sketch.arrow(origin, 1.25 * e3, colors::purple, "{/:Bold e}_3", Side::right);
+  sketch.arrow(origin, y_axis, colors::blue, vertical_name, Side::above);
+  sketch.line(arc(origin, 0.5, x_axis, y_axis, pi / 2 - theta, pi / 2), colors::black, 1.5);
+  sketch.text(0.62 * ray(pi / 2 - theta / 2), "θ");
+  projection(y_axis, std::cos(theta) * e3);
+  projection(y_axis, -std::sin(theta) * e1);
+  sketch.text(0.62 * std::cos(theta) * e3, "cos θ", colors::purple, Side::right);
+  sketch.text(-0.5 * std::sin(theta) * e1, "−sin θ", colors::vermilion, Side::left);
+  sketch.dot(origin, colors::green, 0.9);
+  sketch.text({-0.1, -0.2, 0}, "{/:Bold e}_2′, into the page", colors::green, Side::left);
+  // Right: seen from the tip of the body's third axis.
+  const Vector3d at(3.2, 0, 0), first = ray(psi), second = ray(psi + pi / 2);
+  sketch.arrow(at, at + 1.25 * first, colors::vermilion, "{/:Bold e}_1", Side::right);
+  sketch.arrow(at, at + 1.25 * second, colors::black, "{/:Bold e}_2", Side::left);
+  sketch.arrow(at, at + 1.1 * x_axis, colors::grey, "{/:Bold e}_1′", Side::right, 1.5);
+  sketch.arrow(at, at + y_axis, colors::green, "{/:Bold e}_2′", Side::above);
+  sketch.line(arc(at, 0.5, x_axis, y_axis, pi / 2, pi / 2 + psi), colors::black, 1.5);
+  sketch.text(at + 0.62 * ray(pi / 2 + psi / 2), "ψ");
+  projection(at + y_axis, at + std::cos(psi) * second);
+  projection(at + y_axis, at + std::sin(psi) * first);
+  sketch.text(at + 0.55 * std::cos(psi) * second, "cos ψ", colors::black, Side::left);
+  sketch.text(at + 0.62 * std::sin(psi) * first + Vector3d(0.12, -0.02, 0), "sin ψ", colors::vermilion, Side::right);
+  sketch.dot(at, colors::purple, 0.9);
+  sketch.text(at, "{/:Bold e}_3, out of the page", colors::purple, Side::below);
+  sketch.draw(directory, "two_planes", 590);
+}
 
+// ---- gimbal lock ----
+
+/// A rotor in two rings, and the axes of the three rates, for three inclinations.
 void draw_gimbal_lock(const std::filesystem::path& directory) {
-  const auto condition = [](double theta) {
-    Matrix3d E;
-    for (int i = 0; i < 3; ++i) E.col(i) = angular_velocity_body(Vector3d(0.3, theta, 1.1), Vector3d::Unit(i));
-    const Vector3d stretches = Eigen::JacobiSVD<Matrix3d>(E).singularValues();
-    return stretches[0] / stretches[2];
-  };
-  PlaneCurve formula, computed;
-  for (int i = 0; i <= 200; ++i) {
-    const double theta = std::pow(10, -3 + 3.19 * i / 200);
-    formula.emplace_back(theta, 1 / std::tan(theta / 2));
+  const Vector3d towards(1.0, 0.3, 0.3);
+  Sketch sketch(towards);
+  const Vector3d right = z_axis.cross(towards).normalized(), up = sketch.towards().cross(right);
+  int panel = 0;
+  for (const double theta : {60.0, 15.0, 2.0}) {
+    const Vector3d at = 2.9 * panel++ * right;
+    const Matrix3d axes = triad({-20 * degree, theta * degree, 0});
+    const Vector3d &across = axes.col(0), &nodes = axes.col(1), &spin = axes.col(2);
+    sketch.text(at - 1.35 * up, fmt::format("θ = {}°", theta));
+    sketch.face(arc(at, 0.5, across, nodes), colors::purple, 0.25);
+    sketch.line(arc(at, 0.5, across, nodes), colors::purple, 1.2);
+    sketch.line(arc(at, 1, z_axis, nodes), colors::blue, 3);
+    sketch.line(arc(at, 0.85, spin, nodes), colors::purple, 3);
+    sketch.arrow(at, at + 1.45 * z_axis, colors::blue, theta > 10 ? vertical_name : "", Side::right);
+    sketch.arrow(at, at + 1.45 * spin, colors::purple, theta > 10 ? "{/:Bold e}_3" : "{/:Bold e}@^0_3, {/:Bold e}_3",
+                 theta > 10 ? Side::left : Side::right);
+    sketch.arrow(at, at + 1.35 * nodes, colors::green, "{/:Bold e}_2′", Side::right);
   }
-  for (const double theta : {0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 0.7, pi / 2})
-    computed.emplace_back(theta, condition(theta));
+  sketch.draw(directory, "gimbal_lock", 590);
+}
 
-  workbook::draw_figure(directory, "gimbal_lock", {560, 420}, [&](gnuplotio::Gnuplot& gnuplot) {
-    gnuplot << "set logscale xy; set format xy '10^{%T}'\n"
-               "set xlabel 'θ (rad)'; set ylabel 'condition number of E (pure number)'\n"
-               "set xrange [0.0007:2.2]; set yrange [0.7:4000]; unset key\n"
-            << fmt::format("set label 'cot(θ/2)' at 0.0042,900 left tc rgb '{}'\n", workbook::colors::blue)
-            << fmt::format("set label 'θ = 0.1: {:.2f}' at 0.13,28 left tc rgb '{}'\n", condition(0.1),
-                           workbook::colors::vermilion)
-            << fmt::format("set label 'θ = 0.01: {:.1f}' at 0.013,280 left tc rgb '{}'\n", condition(0.01),
-                           workbook::colors::vermilion)
-            << fmt::format("set label 'θ = π/2: {:.0f}' at 1.1,0.95 right tc rgb '{}'\n", condition(pi / 2),
-                           workbook::colors::vermilion)
-            << fmt::format("plot '-' w l lw 2.5 lc rgb '{}', '-' w p pt 7 ps 1.2 lc rgb '{}'\n", workbook::colors::blue,
-                           workbook::colors::vermilion);
-    gnuplot.send1d(formula);
-    gnuplot.send1d(computed);
+/// A body that rotates steadily about an axis near the horizontal: its third axis passes close to the vertical.
+void draw_passage(const std::filesystem::path& directory) {
+  workbook::draw_figure(directory, "passage", {590, 410}, [](Gnuplot& gnuplot) {
+    gnuplot << "set xlabel 'angle of the steady rotation (degrees)'; set ylabel 'φ (degrees)'\n"
+               "set xrange [-90:90]; set yrange [-110:110]; set xtics 30; set ytics 30; unset key\n";
+    struct Pass {
+      double closest;
+      const char* color;
+      double x, y;
+    };
+    const std::array<Pass, 3> passes{
+        {{30, colors::green, 54, 56}, {10, colors::blue, 42, 69}, {2, colors::vermilion, 24, 96}}};
+    std::string plot;
+    std::vector<Curve> curves;
+    for (const Pass& pass : passes) {
+      const double closest = pass.closest * degree;
+      const Vector3d axis(-std::cos(closest), 0, std::sin(closest));
+      Curve phi, sum;
+      for (int i = -360; i <= 360; ++i) {
+        const Matrix3d A = Eigen::AngleAxisd(0.25 * i * degree, axis) * triad({0, closest, 0});
+        const Vector3d angles = euler_angles(A.transpose());
+        phi.emplace_back(0.25 * i, angles[0] / degree);
+        sum.emplace_back(0.25 * i, std::remainder(angles[0] + angles[2], 2 * pi) / degree);
+      }
+      plot += fmt::format("{} '-' w l lw 3 lc rgb '{}'", plot.empty() ? "plot" : ",", pass.color);
+      curves.push_back(phi);
+      gnuplot << fmt::format("set label '{}°' at {},{} center front tc rgb '{}'\n", pass.closest, pass.x, pass.y,
+                             pass.color);
+      if (&pass == &passes.back()) {
+        plot += fmt::format(", '-' w l lw 2 dt (6,4) lc rgb '{}'", pass.color);
+        curves.push_back(sum);
+        gnuplot << fmt::format("set label 'φ + ψ, at 2°' at -55,9 center front tc rgb '{}'\n", pass.color);
+      }
+    }
+    gnuplot << plot << "\n";
+    for (const Curve& curve : curves) gnuplot.send1d(curve);
   });
 }
 
-// ---- one list of numbers, two motions
-// -----------------------------------------------------------------------------------
+// ---- one list of numbers, two motions ----
 
 void draw_two_readings(const std::filesystem::path& directory) {
   // A nodding top: it goes round steadily and dips five times in two turns.
   const auto angles_at = [](double turns) {
     return Vector3d(2 * pi * turns, 0.7 + 0.25 * std::cos(2 * pi * 2.5 * turns), 0);
   };
-  const auto tip_zyz = [&](double turns) -> Vector3d {
-    return inertial_components(Vector3d::UnitZ(), angles_at(turns));
-  };
-  // z–x–z: the same numbers, but the second turn goes about the x′ axis.
+  const auto tip_zyz = [&](double turns) -> Vector3d { return inertial_components(z_axis, angles_at(turns)); };
+  // z–x–z: the same numbers, but the second rotation is about the x′ axis.
   const auto tip_zxz = [&](double turns) -> Vector3d {
     const Vector3d angles = angles_at(turns);
-    return Eigen::AngleAxisd(angles[0], Vector3d::UnitZ()) *
-           (Eigen::AngleAxisd(angles[1], Vector3d::UnitX()) * Vector3d::UnitZ());
+    return Eigen::AngleAxisd(angles[0], z_axis) * (Eigen::AngleAxisd(angles[1], x_axis) * z_axis);
   };
-  const double shown = 0.6;
-  const auto track = [shown](const std::function<Vector3d(double)>& tip) {
-    PlaneCurve curve;
-    for (int i = 0; i <= 300; ++i) {
-      const Vector3d p = tip(shown * i / 300);
-      curve.emplace_back(p.x(), p.y());
+  Sketch sketch;
+  sketch.line(arc(origin, 1, x_axis, y_axis), colors::grey, 1.5);
+  sketch.text({0, 0.9, 0}, "θ = 90°", colors::grey);
+  sketch.dot(origin, colors::grey, 0.5);
+  sketch.text(origin, vertical_name, colors::grey, Side::left);
+  const auto track = [&](const auto& tip, const char* color, const char* style, const char* name, Side side) {
+    std::vector<Vector3d> curve;
+    for (int i = 0; i <= 200; ++i) {
+      const Vector3d p = tip(0.6 * i / 200);
+      curve.emplace_back(p.x(), p.y(), 0);
     }
-    return curve;
+    sketch.line(curve, color, 3, style);
+    sketch.dot(curve.front(), color, 1);
+    sketch.text(curve.front(), name, color, side);
+    sketch.arrow(curve[190], curve[200], color, "", side, 3);
   };
-  PlaneCurve horizon;
-  for (int i = 0; i <= 180; ++i) horizon.emplace_back(std::cos(pi * i / 90), std::sin(pi * i / 90));
-
-  workbook::draw_figure(directory, "two_readings", {520, 540}, [&](gnuplotio::Gnuplot& gnuplot) {
-    gnuplot
-        << "set size ratio -1; set xrange [-1.1:1.1]; set yrange [-1.1:1.1]; set xtics 0.5; set ytics 0.5; unset key\n"
-           "set xlabel 'x component of ê_3 (pure number)'; set ylabel 'y component of ê_3'\n";
-    const auto mark = [&gnuplot](const Vector3d& from, const Vector3d& to, const char* color, const std::string& name,
-                                 double dx, double dy, const char* side) {
-      gnuplot << fmt::format("set label at {:.4f},{:.4f} point pt 7 ps 1.3 lc rgb '{}' front\n", from.x(), from.y(),
-                             color)
-              << fmt::format(
-                     "set arrow from {:.4f},{:.4f} to {:.4f},{:.4f} front size 0.07,22 filled lw 2.5 lc rgb '{}'\n",
-                     from.x(), from.y(), to.x(), to.y(), color)
-              << fmt::format("set label '{}' at {:.4f},{:.4f} {} front tc rgb '{}'\n", name, from.x() + dx,
-                             from.y() + dy, side, color);
-    };
-    gnuplot << "set label 'θ = π/2' at 0,0.92 center tc rgb '#444444'\n";
-    mark(tip_zyz(0), tip_zyz(0.03), workbook::colors::blue, "z–y–z", 0, -0.1, "center");
-    mark(tip_zxz(0), tip_zxz(0.03), workbook::colors::vermilion, "z–x–z", 0, -0.1, "center");
-    gnuplot << fmt::format(
-        "plot '-' w l lw 1 lc rgb '{}', '-' w l lw 3 lc rgb '{}', '-' w l dt (12,6) lw 3 lc rgb '{}'\n",
-        workbook::colors::grey, workbook::colors::blue, workbook::colors::vermilion);
-    gnuplot.send1d(horizon);
-    gnuplot.send1d(track(tip_zyz));
-    gnuplot.send1d(track(tip_zxz));
-  });
+  track(tip_zyz, colors::blue, "", "z–y–z", Side::below);
+  track(tip_zxz, colors::vermilion, "dt (10,5)", "z–x–z", Side::below);
+  sketch.draw(directory, "two_readings", 400);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return workbook::draw_figures(
-      argc, argv,
-      {{"three_turns", draw_three_turns}, {"gimbal_lock", draw_gimbal_lock}, {"two_readings", draw_two_readings}});
+  return workbook::draw_figures(argc, argv,
+                                {{"three_turns", draw_three_turns},
+                                 {"two_planes", draw_two_planes},
+                                 {"two_readings", draw_two_readings},
+                                 {"passage", draw_passage},
+                                 {"gimbal_lock", draw_gimbal_lock}});
 }

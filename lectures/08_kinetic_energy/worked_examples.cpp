@@ -1,23 +1,28 @@
-// Worked examples of lecture 08. Each case is a paragraph of the notes that computes its own numbers.
+// Worked examples of lecture 08. Each case computes the numbers of one paragraph of the notes, which quotes its lines
+// between the marks [NAME in brief], what it prints, and the whole of it.
 #include "lectures/support/agrees.hpp"
-#include "lectures/support/printed.hpp"
+#include "lectures/support/motion.hpp"
+#include "lectures/support/result.hpp"
 
+#include <rigid/euler_angles.hpp>
 #include <rigid/inertia_tensor.hpp>
 #include <rigid/kinetic_energy.hpp>
 
 #include <boost/math/differentiation/autodiff.hpp>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/math/special_functions/ellint_1.hpp>
+#include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <boost/numeric/odeint.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 using namespace rigid;
 using workbook::agrees;
-using workbook::Printed;
-using workbook::row;
+using workbook::result;
+using workbook::result_table;
 
 namespace {
 
@@ -25,11 +30,7 @@ namespace autodiff = boost::math::differentiation;
 namespace odeint = boost::numeric::odeint;
 
 constexpr double pi = std::numbers::pi;
-
-// The body, attitude and motion of this lecture.
-const Vector3d moments(1, 2, 3);
-const Vector3d example_angles(0.3, 0.7, 1.1);
-const Vector3d example_rates(0.5, -0.2, 0.9);
+constexpr double degree = pi / 180;
 
 Matrix3d about(double angle, const Vector3d& axis) { return Eigen::AngleAxisd(angle, axis).toRotationMatrix(); }
 
@@ -39,16 +40,15 @@ Matrix3d attitude(const Vector3d& angles) {
          about(angles[2], Vector3d::UnitZ());
 }
 
-/// The three axes about which the angles turn the body, in inertial components: the vertical, the line of nodes, and
-/// the body's third axis.
-Matrix3d turning_axes(const Vector3d& angles) {
+/// The axes of the three rates as columns, in inertial components: the vertical, the line of nodes, the body's axis.
+Matrix3d axes_of_rates(const Vector3d& angles) {
   Matrix3d axes;
   axes << Vector3d::UnitZ(), Vector3d(about(angles[0], Vector3d::UnitZ()) * Vector3d::UnitY()), attitude(angles).col(2);
   return axes;
 }
 
-/// E in ω̃ = E q̇.
-Matrix3d body_axes_of_rates(const Vector3d& angles) { return attitude(angles).transpose() * turning_axes(angles); }
+/// B in ω̃ = B q̇: the same axes in body components.
+Matrix3d rate_matrix(const Vector3d& angles) { return attitude(angles).transpose() * axes_of_rates(angles); }
 
 /// The matrix M of the energy, T = ½ q̇·M q̇: momenta are linear in the rates, p = M q̇.
 Matrix3d mass_matrix(const Vector3d& I, const Vector3d& angles) {
@@ -119,290 +119,406 @@ State moved_freely(const Vector3d& I, const State& start, double duration) {
 
 /// Inertial components of L.
 Vector3d momentum_in_space(const Vector3d& I, const State& state) {
-  return attitude(state.angles) * I.cwiseProduct(body_axes_of_rates(state.angles) * state.rates);
+  return attitude(state.angles) * I.cwiseProduct(rate_matrix(state.angles) * state.rates);
 }
 
 }  // namespace
 
-//! [energy in three ways]
-TEST_CASE("The energy of the slides, by the axes in space and by the points of a body") {
-  const double T = kinetic_energy_euler(moments, example_angles, example_rates);
+//! [energy]
+TEST_CASE("energy: From the angles and their rates, on the axes of the body and on axes at rest") {
+  //! [energy in brief]
+  const Vector3d I(1.21e-3, 16.38e-3, 17.48e-3);          // kg m²: a tennis racket
+  const Vector3d angles(0.3, 0.7, 1.1), rates(5, -2, 9);  // rad, rad/s
+  const double T = kinetic_energy_euler(I, angles, rates);
 
-  // In space: ω is a sum of three turns, and the tensor of the turned body has all nine entries.
-  const Vector3d omega = turning_axes(example_angles) * example_rates;
-  CHECK(agrees(T, kinetic_energy(rotated_inertia(moments.asDiagonal(), attitude(example_angles)), omega), 1e-14));
+  const Matrix3d A = rotation_matrix(angles).transpose();
+  const Matrix3d I_inertial = rotated_inertia(I.asDiagonal(), A);
+  const Vector3d omega = angular_velocity_inertial(angles, rates);
+  const double T_inertial = kinetic_energy(I_inertial, omega);
+  //! [energy in brief]
 
+  CHECK(agrees(T, T_inertial, 1e-14));
+  CHECK(agrees(omega, axes_of_rates(angles) * rates, 1e-14));
+  CHECK(agrees(A, attitude(angles), 1e-14));
   // Point by point: a cross of four masses of 1 kg in the plane of the first two axes has the moments 1, 2, 3.
+  const Vector3d moments(1, 2, 3);
   const double half = std::sqrt(0.5);
   const Matrix3Xd r{{1, -1, 0, 0}, {0, 0, half, -half}, {0, 0, 0, 0}};
   CHECK(agrees(inertia_of_points(VectorXd::Ones(4), r), Matrix3d(moments.asDiagonal()), 1e-14));
-  const auto places = [&](double t) -> Matrix3Xd { return attitude(example_angles + t * example_rates) * r; };
-  const double h = 1e-3;
+  const auto places = [&](double t) -> Matrix3Xd { return attitude(angles + t * rates) * r; };
+  const double h = 1e-4;
   const Matrix3Xd velocities = (8 * (places(h) - places(-h)) - (places(2 * h) - places(-2 * h))) / (12 * h);
-  CHECK(agrees(T, 0.5 * velocities.squaredNorm(), 1e-11));
+  CHECK(agrees(kinetic_energy_euler(moments, angles, rates), 0.5 * velocities.squaredNorm(), 1e-10));
+  CHECK(agrees(kinetic_energy_euler(moments, angles, rates / 10), 2.55805882913, 1e-11));
+  // φ does not enter: rotating the whole experiment about the vertical changes nothing.
+  CHECK(agrees(kinetic_energy_euler(I, angles + Vector3d(2, 0, 0), rates), T, 1e-15));
 
-  CHECK(agrees(T, 2.55805882913, 1e-11));
-  // φ does not enter: turning the whole experiment about the vertical changes nothing.
-  CHECK(agrees(kinetic_energy_euler(moments, example_angles + Vector3d(2, 0, 0), example_rates), T, 1e-15));
-
-  Printed page("energy in three ways");
-  page.line("T from angles and rates  = {:.12g} J", T);
-  page.line("T from four moving masses = {:.10g} J", 0.5 * velocities.squaredNorm());
+  result("T", T, "J", "and the same on the axes at rest");
 }
-//! [energy in three ways]
+//! [energy]
 
-//! [symmetric top]
-TEST_CASE("For a symmetric top two of the angles disappear from the energy") {
-  const double I1 = 2, I3 = 3, theta = 0.7;
+//! [symmetric]
+TEST_CASE("symmetric: For a symmetric top two of the angles disappear from the energy") {
+  //! [symmetric in brief]
+  const double I1 = 3.28e-4, I3 = 6.6e-5;  // kg m²: a toy top, about its tip
+  const double theta = 30 * degree;
+  const Vector3d rates(4, 0, 200);  // rad/s
+  const double T = kinetic_energy_symmetric(I1, I3, theta, rates);
+  //! [symmetric in brief]
 
-  const double T = kinetic_energy_symmetric(I1, I3, theta, example_rates);
+  for (const double psi : {0.0, 0.4, 1.1, -2.9})
+    CHECK(agrees(kinetic_energy_euler(Vector3d(I1, I1, I3), Vector3d(-psi, theta, psi), rates), T, 1e-14));
+  // By ω alone: ½ I₁ |ω|² and what the third axis has more, with |ω|² from the angle between the vertical and the axis.
+  const Vector3d other(0.5, -0.2, 0.9);
+  const double along = other[0] * std::cos(0.7) + other[2];
+  const double squared = other.squaredNorm() + 2 * other[0] * other[2] * std::cos(0.7);
+  CHECK(agrees(kinetic_energy_symmetric(2, 3, 0.7, other), 0.5 * 2 * squared + 0.5 * (3 - 2) * along * along, 1e-14));
+  CHECK(agrees(kinetic_energy_symmetric(2, 3, 0.7, other), 2.610659899, 1e-9));
 
-  CHECK(agrees(T, 2.610659899, 1e-9));
-  // The general formula gives the same for every ψ and every φ.
-  for (const double psi : {0.0, 0.4, 1.1, -2.9}) {
-    CHECK(agrees(kinetic_energy_euler(Vector3d(I1, I1, I3), Vector3d(-psi, theta, psi), example_rates), T, 1e-14));
-  }
-  // And by ω alone: ½ I₁ |ω|² plus what the third axis has more, with |ω|² from the angle between ê3⁰ and ê3.
-  const double along = example_rates[0] * std::cos(theta) + example_rates[2];
-  const double squared = example_rates.squaredNorm() + 2 * example_rates[0] * example_rates[2] * std::cos(theta);
-  CHECK(agrees(T, 0.5 * I1 * squared + 0.5 * (I3 - I1) * along * along, 1e-14));
-
-  Printed page("symmetric top");
-  page.line("T = {:.10g} J for every φ and ψ", T);
+  result("T", T, "J", R"(for every \(\phi\) and \(\psi\))");
 }
-//! [symmetric top]
+//! [symmetric]
 
-//! [blind to the convention]
-TEST_CASE("A symmetric top cannot tell z–y–z from z–x–z") {
-  // z–x–z angles with the same numbers: the node is the new x axis, so ω has other components.
-  const auto energy_zxz = [](const Vector3d& I, const Vector3d& q, const Vector3d& v) {
-    const Vector3d omega =
-        v[0] * Vector3d(std::sin(q[1]) * std::sin(q[2]), std::sin(q[1]) * std::cos(q[2]), std::cos(q[1])) +
-        v[1] * Vector3d(std::cos(q[2]), -std::sin(q[2]), 0) + v[2] * Vector3d::UnitZ();
-    return 0.5 * I.dot(omega.cwiseAbs2());
+//! [convention]
+TEST_CASE("convention: A symmetric top cannot tell z–y–z from z–x–z") {
+  //! [convention in brief]
+  const Vector3d racket(1.21e-3, 16.38e-3, 17.48e-3);     // kg m²
+  const Vector3d ball(8e-3, 8e-3, 4e-3);                  // a rugby ball
+  const Vector3d angles(0.3, 0.7, 1.1), rates(5, -2, 9);  // rad, rad/s
+  const Vector3d omega = angular_velocity_body(angles, rates);
+  const Vector3d omega_zxz(omega[1], -omega[0], omega[2]);
+  const auto T = [](const Vector3d& I, const Vector3d& w) {
+    const Vector3d squares = w.cwiseAbs2();
+    return 0.5 * I.dot(squares);
   };
+  //! [convention in brief]
 
-  const Vector3d symmetric(1, 1, 3);
-  const double both = kinetic_energy_euler(symmetric, example_angles, example_rates);
-  CHECK(agrees(both, energy_zxz(symmetric, example_angles, example_rates), 1e-14));
-  CHECK(agrees(both, 2.53878284570, 1e-11));
-
-  const double zyz = kinetic_energy_euler(moments, example_angles, example_rates);
-  const double zxz = energy_zxz(moments, example_angles, example_rates);
-  CHECK(agrees(zyz, 2.55805882913, 1e-11));
-  CHECK(agrees(zxz, 2.59138391583, 1e-11));
+  // z–x–z angles with the same numbers, written out.
+  const auto written_out = [](const Vector3d& q, const Vector3d& v) -> Vector3d {
+    return v[0] * Vector3d(std::sin(q[1]) * std::sin(q[2]), std::sin(q[1]) * std::cos(q[2]), std::cos(q[1])) +
+           v[1] * Vector3d(std::cos(q[2]), -std::sin(q[2]), 0) + v[2] * Vector3d::UnitZ();
+  };
+  CHECK(agrees(omega_zxz, written_out(angles, rates), 1e-14));
+  CHECK(agrees(T(racket, omega), kinetic_energy_euler(racket, angles, rates), 1e-14));
+  CHECK(agrees(T(ball, omega), T(ball, omega_zxz), 1e-14));
   // The mistake looks like another one: first and second moment exchanged.
-  CHECK(agrees(zxz, kinetic_energy_euler(Vector3d(2, 1, 3), example_angles, example_rates), 1e-14));
-  // Read rightly, the same attitude has other z–x–z angles, and then the energies agree.
-  CHECK(agrees(zyz, energy_zxz(moments, example_angles + Vector3d(pi / 2, 0, -pi / 2), example_rates), 1e-14));
+  const Vector3d exchanged(racket[1], racket[0], racket[2]);
+  CHECK(agrees(T(racket, omega_zxz), kinetic_energy_euler(exchanged, angles, rates), 1e-14));
+  // Converted, the same attitude has the same energy.
+  CHECK(agrees(T(racket, written_out(angles + Vector3d(pi / 2, 0, -pi / 2), rates)), T(racket, omega), 1e-14));
 
-  Printed page("blind to the convention");
-  page.line("I = (1, 1, 3): z–y–z {:.12g} J, z–x–z {:.12g} J", both,
-            energy_zxz(symmetric, example_angles, example_rates));
-  page.line("I = (1, 2, 3): z–y–z {:.12g} J, z–x–z {:.12g} J", zyz, zxz);
+  result("T", Vector2d(T(racket, omega), T(racket, omega_zxz)), "J", "of the racket: z–y–z, z–x–z", 5);
+  result(R"(T_{\text{ball}})", Vector2d(T(ball, omega), T(ball, omega_zxz)), "J", "of a rugby ball: z–y–z, z–x–z", 5);
 }
-//! [blind to the convention]
+//! [convention]
 
 //! [momenta]
-TEST_CASE("The canonical momenta are components of L along three axes that are not orthogonal") {
-  const Vector3d p = canonical_momenta(moments, example_angles, example_rates);
+TEST_CASE("momenta: The derivatives of T are projections of L on three axes that are not orthogonal") {
+  //! [momenta in brief]
+  const Vector3d I(1.21e-3, 16.38e-3, 17.48e-3);          // kg m²: a tennis racket
+  const Vector3d angles(0.3, 0.7, 1.1), rates(5, -2, 9);  // rad, rad/s
+  const Vector3d p = canonical_momenta(I, angles, rates);
 
-  CHECK(agrees(p, Vector3d(3.262786224, -0.1109379674, 3.847263281), 1e-9));
+  const Vector3d L = I.cwiseProduct(angular_velocity_body(angles, rates));
+  const Vector3d vertical = vertical_in_body(angles[1], angles[2]);
+  const Vector3d projected(L.dot(vertical), L.dot(line_of_nodes(angles[2])), L[2]);
+  //! [momenta in brief]
 
+  CHECK(agrees(p, projected, 1e-14));
+  CHECK(agrees(canonical_momenta(Vector3d(1, 2, 3), angles, rates / 10),
+               Vector3d(3.262786224, -0.1109379674, 3.847263281), 1e-9));
   // As derivatives of the energy with respect to the rates.
-  const auto rates = autodiff::make_ftuple<double, 1, 1, 1>(example_rates[0], example_rates[1], example_rates[2]);
-  using Number = std::remove_cvref_t<decltype(std::get<0>(rates) * std::get<1>(rates) * std::get<2>(rates))>;
-  const Number T = energy_of_slides<Number>(
-      moments, {Number(example_angles[0]), Number(example_angles[1]), Number(example_angles[2])},
-      {Number(std::get<0>(rates)), Number(std::get<1>(rates)), Number(std::get<2>(rates))});
+  const auto moving = autodiff::make_ftuple<double, 1, 1, 1>(rates[0], rates[1], rates[2]);
+  using Number = std::remove_cvref_t<decltype(std::get<0>(moving) * std::get<1>(moving) * std::get<2>(moving))>;
+  const Number T =
+      energy_of_slides<Number>(I, {Number(angles[0]), Number(angles[1]), Number(angles[2])},
+                               {Number(std::get<0>(moving)), Number(std::get<1>(moving)), Number(std::get<2>(moving))});
   CHECK(agrees(p, Vector3d(T.derivative(1, 0, 0), T.derivative(0, 1, 0), T.derivative(0, 0, 1)), 1e-14));
-
-  // As projections: on the vertical, on the line of nodes, on the body's axis.
-  const Vector3d L = momentum_in_space(moments, {example_angles, example_rates});
-  CHECK(agrees(p, turning_axes(example_angles).transpose() * L, 1e-14));
-  CHECK(agrees(p[0], L.z(), 1e-14));
-
-  // They hold the energy: T = ½ p·q̇. But their squares do not add up to L².
-  CHECK(agrees(0.5 * p.dot(example_rates), kinetic_energy_euler(moments, example_angles, example_rates), 1e-14));
+  // They hold the energy, T = ½ p·q̇. Their squares do not add up to L², unless the angle between the outer axes counts.
+  CHECK(agrees(0.5 * p.dot(rates), kinetic_energy_euler(I, angles, rates), 1e-14));
   CHECK_FALSE(agrees(p.squaredNorm(), L.squaredNorm(), 0.1));
-  // With the angle between the two outer axes in the account they do.
-  const double c = std::cos(example_angles[1]), s = std::sin(example_angles[1]);
+  const double c = std::cos(angles[1]), s = std::sin(angles[1]);
   CHECK(agrees(std::pow((p[0] - p[2] * c) / s, 2) + p[1] * p[1] + p[2] * p[2], L.squaredNorm(), 1e-14));
+  CHECK(agrees(p[0], momentum_in_space(I, {angles, rates}).z(), 1e-14));
 
-  Printed page("momenta");
-  page.line("(p_φ, p_θ, p_ψ) = {} kg m²/s", row(p));
-  page.line("L in space      = {} kg m²/s", row(L));
+  result(R"((p_\phi,\ p_\theta,\ p_\psi))", p, "kg m²/s");
+  result(R"(\sqrt{p_\phi^2 + p_\theta^2 + p_\psi^2})", p.norm(), "kg m²/s", "which is not");
+  result("L", L.norm(), "kg m²/s");
 }
 //! [momenta]
 
-//! [Euler from Lagrange]
-TEST_CASE("Lagrange's equations are Euler's equations, projected on the three axes") {
-  // At any accelerations, whether the motion is free or not.
-  const Vector3d accelerations(0.7, -1.3, 0.4);
-  const auto lagrangian = [](const auto& q, const auto& v) { return energy_of_slides(moments, q, v); };
-  const Vector3d residual = euler_lagrange(lagrangian, example_angles, example_rates, accelerations);
+//! [lagrange]
+TEST_CASE("lagrange: Lagrange's equations are Euler's, projected on the three axes") {
+  //! [lagrange in brief]
+  const Vector3d I(1.21e-3, 16.38e-3, 17.48e-3);          // kg m²: a tennis racket
+  const Vector3d angles(0.3, 0.7, 1.1), rates(5, -2, 9);  // rad, rad/s
+  const Vector3d accelerations(7, -13, 4);                // rad/s²: any, as by a hand
+  const auto T = [&](auto& q, auto& v) { return energy_of_slides(I, q, v); };
+  // d/dt ∂T/∂q̇ − ∂T/∂q, differentiated automatically:
+  const Vector3d Q = euler_lagrange(T, angles, rates, accelerations);
+  //! [lagrange in brief]
 
   // ω̃ and its rate along the motion, the rate by a central difference.
   const auto omega = [&](double t) -> Vector3d {
-    return body_axes_of_rates(example_angles + t * example_rates + t * t / 2 * accelerations) *
-           (example_rates + t * accelerations);
+    return rate_matrix(angles + t * rates + t * t / 2 * accelerations) * (rates + t * accelerations);
   };
-  const double h = 1e-3;
+  const double h = 1e-4;
   const Vector3d omega_rate = (8 * (omega(h) - omega(-h)) - (omega(2 * h) - omega(-2 * h))) / (12 * h);
-  const Vector3d torque = moments.cwiseProduct(omega_rate) + omega(0).cross(moments.cwiseProduct(omega(0)));
-
-  CHECK(agrees(residual, body_axes_of_rates(example_angles).transpose() * torque, 1e-10));
+  const Vector3d torque = I.cwiseProduct(omega_rate) + omega(0).cross(I.cwiseProduct(omega(0)));
+  CHECK(agrees(Q, rate_matrix(angles).transpose() * torque, 1e-9));
   // The equation of ψ is Euler's third equation, word for word.
-  const double third = moments[2] * omega_rate[2] + omega(0)[0] * omega(0)[1] * (moments[1] - moments[0]);
-  CHECK(agrees(residual[2], third, 1e-10));
+  CHECK(agrees(Q[2], I[2] * omega_rate[2] + omega(0)[0] * omega(0)[1] * (I[1] - I[0]), 1e-9));
 
-  Printed page("Euler from Lagrange");
-  page.line("Lagrange: {}", row(residual, "{:.8f}"));
-  page.line("Eᵀ Euler: {}", row(body_axes_of_rates(example_angles).transpose() * torque, "{:.8f}"));
+  result(R"((Q_\phi,\ Q_\theta,\ Q_\psi))", 1e3 * Q, "10⁻³ N m", R"(by differentiating \(T\))", 5);
+  result(R"(\mat B\T\,\tilde{\vec\tau})", 1e3 * rate_matrix(angles).transpose() * torque, "10⁻³ N m",
+         "from Euler's equations", 5);
 }
-//! [Euler from Lagrange]
+//! [lagrange]
 
 //! [accelerations]
-TEST_CASE("Without torque the angles accelerate all the same") {
-  const Vector3d accelerations = euler_angle_accelerations(moments, example_angles, example_rates);
+TEST_CASE("accelerations: Without torque the angles accelerate all the same") {
+  //! [accelerations in brief]
+  const Vector3d racket(1.21e-3, 16.38e-3, 17.48e-3);     // kg m²
+  const Vector3d ball(1e-4, 1e-4, 1e-4);                  // a ball
+  const Vector3d angles(0.3, 0.7, 1.1), rates(5, -2, 9);  // rad, rad/s
+  const Vector3d of_racket = euler_angle_accelerations(racket, angles, rates);
+  const Vector3d of_ball = euler_angle_accelerations(ball, angles, rates);
+  //! [accelerations in brief]
 
-  CHECK(agrees(accelerations, Vector3d(-0.5588173177, -0.7029771348, 0.3842135462), 1e-9));
-  // They solve Lagrange's equations,
-  const auto lagrangian = [](const auto& q, const auto& v) { return energy_of_slides(moments, q, v); };
-  CHECK(agrees(euler_lagrange(lagrangian, example_angles, example_rates, accelerations), Vector3d::Zero(), 1e-14, 3));
-  // and keep L where it is: with constant accelerations it drifts only with the square of the time.
-  const Vector3d L = momentum_in_space(moments, {example_angles, example_rates});
-  const auto drift = [&](double t) {
-    return (momentum_in_space(moments, {example_angles + t * example_rates + t * t / 2 * accelerations,
-                                        example_rates + t * accelerations}) -
-            L)
-        .norm();
-  };
-  CHECK(drift(1e-4) <= 1e-7);
-  CHECK(agrees(drift(2e-3) / drift(1e-3), 4, 0.01));  // without the right accelerations the ratio would be 2
+  const Vector3d moments(1, 2, 3);
+  CHECK(agrees(euler_angle_accelerations(moments, angles, rates / 10),
+               Vector3d(-0.5588173177, -0.7029771348, 0.3842135462), 1e-9));
+  for (const Vector3d& I : {racket, ball, moments}) {
+    const Vector3d found = euler_angle_accelerations(I, angles, rates);
+    // They solve Lagrange's equations,
+    const auto lagrangian = [&](const auto& q, const auto& v) { return energy_of_slides(I, q, v); };
+    CHECK(agrees(euler_lagrange(lagrangian, angles, rates, found), Vector3d::Zero(), 1e-13, 100 * I[2]));
+    // and keep L where it is: with constant accelerations it drifts only with the square of the time.
+    const Vector3d L = momentum_in_space(I, {angles, rates});
+    const auto drift = [&](double t) {
+      return (momentum_in_space(I, {angles + t * rates + t * t / 2 * found, rates + t * found}) - L).norm();
+    };
+    CHECK(agrees(drift(2e-4) / drift(1e-4), 4, 0.01));  // without the right accelerations the ratio would be 2
+  }
 
-  Printed page("accelerations");
-  page.line("(φ̈, θ̈, ψ̈) = {} rad/s²", row(accelerations));
-}
-//! [accelerations]
-
-//! [against the attitude]
-TEST_CASE("The accelerations, read off a motion that knows no angles") {
-  // Euler's equations for ω̃ together with dA/dt = A [ω̃]: no Euler angle is used until the end.
-  using Numbers = std::array<double, 12>;
-  const auto system = [](const Numbers& now, Numbers& rate, double) {
-    const Vector3d omega = Vector3d::Map(now.data());
-    const Matrix3d A = Matrix3d::Map(now.data() + 3);
-    Vector3d::Map(rate.data()) = moments.cwiseProduct(omega).cross(omega).cwiseQuotient(moments);
-    const Matrix3d cross{{0, -omega[2], omega[1]}, {omega[2], 0, -omega[0]}, {-omega[1], omega[0], 0}};
-    Matrix3d::Map(rate.data() + 3) = A * cross;
-  };
+  // A motion without any angle, Euler's equations together with dA/dt = A [ω̃]×; the angles are found at its end.
   const auto angles_at = [&](double t) -> Vector3d {
-    Numbers x;
-    Vector3d::Map(x.data()) = body_axes_of_rates(example_angles) * example_rates;
-    Matrix3d::Map(x.data() + 3) = attitude(example_angles);
-    if (t != 0) {
-      odeint::integrate_adaptive(odeint::make_controlled(1e-15, 1e-15, odeint::runge_kutta_fehlberg78<Numbers>()),
-                                 system, x, 0.0, t, t / 4);
-    }
-    const Matrix3d A = Matrix3d::Map(x.data() + 3);
+    const Matrix3d A = workbook::integrated(racket, {rate_matrix(angles) * rates, attitude(angles)}, t).A;
     return {std::atan2(A(1, 2), A(0, 2)), std::atan2(std::hypot(A(0, 2), A(1, 2)), A(2, 2)),
             std::atan2(A(2, 1), -A(2, 0))};
   };
-
-  const double h = 0.02;
+  const double h = 2e-3;
   const Vector3d by_differences =
       (16 * (angles_at(h) + angles_at(-h)) - (angles_at(2 * h) + angles_at(-2 * h)) - 30 * angles_at(0)) / (12 * h * h);
+  CHECK(agrees(of_racket, by_differences, 1e-6));
 
-  const Vector3d accelerations = euler_angle_accelerations(moments, example_angles, example_rates);
-  CHECK(agrees(accelerations, by_differences, 1e-6));
-
-  Printed page("against the attitude");
-  page.line("by the function:    {} rad/s²", row(accelerations, "{:.8f}"));
-  page.line("by second differences: {} rad/s²", row(by_differences, "{:.8f}"));
+  result(R"((\ddot\phi,\ \ddot\theta,\ \ddot\psi))", of_racket, "rad/s²", "of the racket", 5);
+  result(R"((\ddot\phi,\ \ddot\theta,\ \ddot\psi)_{\text{ball}})", of_ball, "rad/s²",
+         R"(of a ball, whose \(\vec\omega\) is constant)", 5);
 }
-//! [against the attitude]
+//! [accelerations]
 
-//! [mass matrix]
-TEST_CASE("The matrix of the energy is singular where the angles are") {
-  for (const double theta : {1.5, 0.7, 0.1, 0.01}) {
+//! [singular]
+TEST_CASE("singular: What becomes infinite near the vertical, and what does not") {
+  const Vector3d I(1.21e-3, 16.38e-3, 17.48e-3);
+  //! [singular in brief]
+  const Vector3d omega(3, 4, 5);  // rad/s, of the racket, on its axes
+  Eigen::MatrixXd table(4, 4);
+  for (int row = 0; const double theta : {90.0, 10.0, 1.0, 179.0}) {
+    const Vector3d angles(0.3, theta * degree, 1.1);
+    const Vector3d rates = euler_angle_rates(angles, omega);
+    table.row(row++) << theta, kinetic_energy_euler(I, angles, rates), rates[0],
+        euler_angle_accelerations(I, angles, rates)[0];
+  }
+  //! [singular in brief]
+
+  CHECK(agrees(table.col(1), Eigen::VectorXd::Constant(4, 0.5 * I.dot(omega.cwiseAbs2())), 1e-13));
+  for (const double theta : {1.5, 0.7, 0.1, 0.01, 3.1}) {
     const Vector3d angles(0.3, theta, 1.1);
-    const Matrix3d M = mass_matrix(moments, angles), E = body_axes_of_rates(angles);
-    CHECK(agrees(M, E.transpose() * moments.asDiagonal() * E, 1e-14));
-    CHECK(agrees(M.determinant(), moments.prod() * std::pow(std::sin(theta), 2), 1e-12, moments.prod()));
-    // The inverse of E by hand.
+    const Matrix3d M = mass_matrix(I, angles), B = rate_matrix(angles);
+    CHECK(agrees(M, B.transpose() * I.asDiagonal() * B, 1e-14));
+    CHECK(agrees(M.determinant(), I.prod() * std::pow(std::sin(theta), 2), 1e-12, I.prod()));
+    // The inverse of B by hand.
     const double s = std::sin(theta), cot = std::cos(theta) / s, sp = std::sin(1.1), cp = std::cos(1.1);
     const Matrix3d inverse{{-cp / s, sp / s, 0}, {sp, cp, 0}, {cot * cp, -cot * sp, 1}};
-    CHECK(agrees(inverse * E, Matrix3d::Identity(), 1e-13, 1 / s));
-    // The singular values of E are 1 and √(1 ± cos θ): near θ = 0 small errors of ω become large ones of the rates.
-    const Vector3d squares = principal_moments(E.transpose() * E);
-    CHECK(agrees(squares, Vector3d(1 - std::cos(theta), 1, 1 + std::cos(theta)), 1e-13));
+    CHECK(agrees(inverse * B, Matrix3d::Identity(), 1e-13, 1 / s));
   }
 
-  Printed page("mass matrix");
-  for (const double theta : {1.5, 0.1, 0.01}) {
-    const Vector3d squares = principal_moments(body_axes_of_rates(Vector3d(0, theta, 0)).transpose() *
-                                               body_axes_of_rates(Vector3d(0, theta, 0)));
-    page.line("θ = {:4}: det M = {:.6g}, errors may grow {:.4g} times", theta,
-              mass_matrix(moments, Vector3d(0, theta, 0)).determinant(), std::sqrt(squares[2] / squares[0]));
-  }
+  result_table({R"(\(\theta\) / °)", R"(\(T\) / J)", R"(\(\dot\phi\) / (rad/s))", R"(\(\ddot\phi\) / (rad/s²))"}, table,
+               4);
 }
-//! [mass matrix]
+//! [singular]
 
-//! [conservation]
-TEST_CASE("A free motion in Euler angles keeps T and L, and reaches the exact solution") {
-  // The asymmetric top of lecture 06, with L along the vertical: then cos θ = I₃ω̃₃/L and ψ = atan2(I₂ω̃₂, −I₁ω̃₁).
-  const Vector3d omega(0.1, 1, 0.1), L_body = moments.cwiseProduct(omega);
-  const Vector3d angles(0, std::acos(L_body[2] / L_body.norm()), std::atan2(L_body[1], -L_body[0]));
-  const State start{angles, body_axes_of_rates(angles).partialPivLu().solve(omega)};
-  CHECK(agrees(momentum_in_space(moments, start), L_body.norm() * Vector3d::UnitZ(), 1e-14));
+//! [free]
+TEST_CASE("free: A free body in Euler angles keeps T and L, and nods") {
+  //! [free in brief]
+  const Vector3d I(1, 2, 3), omega(0.1, 1, 0.1);  // kg m², rad/s: a flat body
+  const Vector3d L = I.cwiseProduct(omega);
+  const double theta = std::acos(L[2] / L.norm()), psi = std::atan2(L[1], -L[0]);
+  const Vector3d angles(0, theta, psi);  // L points upwards
+  const Vector3d rates = euler_angle_rates(angles, omega);
+  const State end = moved_freely(I, {angles, rates}, 20);  // s
+  const Vector3d p = canonical_momenta(I, end.angles, end.rates);
+  //! [free in brief]
 
-  const double duration = 20;
-  const State end = moved_freely(moments, start, duration);
+  CHECK(agrees(momentum_in_space(I, {angles, rates}), L.norm() * Vector3d::UnitZ(), 1e-14));
+  CHECK(agrees(kinetic_energy_euler(I, end.angles, end.rates), 0.5 * L.dot(omega), 1e-11));
+  CHECK(agrees(p[0], L.norm(), 1e-11));  // φ is cyclic
+  CHECK(agrees(momentum_in_space(I, end), momentum_in_space(I, {angles, rates}), 1e-11));
+  CHECK_FALSE(agrees(p[2], L[2], 0.5));  // ψ is not
 
-  CHECK(agrees(kinetic_energy_euler(moments, end.angles, end.rates), kinetic_energy_euler(moments, angles, start.rates),
-               1e-11));
-  CHECK(agrees(canonical_momenta(moments, end.angles, end.rates)[0], L_body.norm(), 1e-11));  // φ is cyclic
-  CHECK(agrees(momentum_in_space(moments, end), momentum_in_space(moments, start), 1e-11));
-  // Exact solution with elliptic functions and integrals (lecture 06): ω̃ and φ after 20 s.
-  CHECK(agrees(body_axes_of_rates(end.angles) * end.rates, Vector3d(0.6760625658002, 0.7435989558382, 0.3987733662439),
-               1e-10));
-  CHECK(agrees(end.angles[0], 24.258871956344, 1e-11));
-  // p_ψ = L̃₃ is not conserved, because ψ is not cyclic for this body.
-  CHECK_FALSE(agrees(canonical_momenta(moments, end.angles, end.rates)[2], L_body[2], 0.5));
+  // The exact solution with Jacobi's functions gives ω̃₃; T and L then give ω̃₁² and ω̃₂², and dφ/dt = L (2T − I₃ω̃₃²) /
+  // (L² − I₃²ω̃₃²). One integral is left.
+  const double twice_T = L.dot(omega), L2 = L.squaredNorm();
+  const double a2 = std::sqrt((twice_T * I[2] - L2) / (I[1] * (I[2] - I[1])));
+  const double a3 = std::sqrt((L2 - twice_T * I[0]) / (I[2] * (I[2] - I[0])));
+  const double nu = std::sqrt((I[2] - I[1]) * (L2 - twice_T * I[0]) / I.prod());
+  const double k = std::sqrt((I[1] - I[0]) * (twice_T * I[2] - L2) / ((I[2] - I[1]) * (L2 - twice_T * I[0])));
+  const double start = boost::math::ellint_1(k, std::asin(omega[1] / a2));
+  const auto omega3 = [&](double t) { return a3 * boost::math::jacobi_dn(k, nu * t + start); };
+  CHECK(agrees(omega3(0), omega[2], 1e-13));
+  CHECK(agrees(I[2] * omega3(20), p[2], 1e-10));
+  const auto phi_rate = [&](double t) {
+    const double w = I[2] * omega3(t) * omega3(t);
+    return std::sqrt(L2) * (twice_T - w) / (L2 - I[2] * w);
+  };
+  const double phi = boost::math::quadrature::gauss_kronrod<double, 61>::integrate(phi_rate, 0.0, 20.0, 10, 1e-13);
+  CHECK(agrees(end.angles[0], phi, 1e-11));
+  CHECK(agrees(phi, 24.258871956344, 1e-12));  // and by elliptic integrals of the third kind, to fifty digits
 
-  Printed page("conservation");
-  page.line("φ after 20 s: {:.12g} rad, exactly 24.258871956344", end.angles[0]);
-  page.line("T: {:.13g} J at first, {:.13g} J at last", kinetic_energy_euler(moments, angles, start.rates),
-            kinetic_energy_euler(moments, end.angles, end.rates));
-  page.line("p_ψ: {:.6g} at first, {:.6g} at last (kg m²/s)", L_body[2],
-            canonical_momenta(moments, end.angles, end.rates)[2]);
+  result(R"(p_\phi)", p[0], "kg m²/s", R"(which is still \(L\))");
+  result(R"(p_\psi)", Vector2d(L[2], p[2]), "kg m²/s", "at the start and after 20 s", 4);
+  result(R"(\phi(20\,\mathrm s))", end.angles[0], "rad", "", 10);
+  result(R"(\int\dot\phi\,\dd t)", phi, "rad", "from the exact solution", 10);
 }
-//! [conservation]
+//! [free]
 
-//! [steady free precession]
-TEST_CASE("The free symmetric top precesses steadily: φ̇ = L/I₁, ψ̇ = −Ω") {
+// Not on the page: the free symmetric top precesses steadily, and keeps all three momenta.
+TEST_CASE("precession: The free symmetric top in Euler angles") {
   const double I1 = 1, I3 = 1.8;
-  const Vector3d I(I1, I1, I3), omega(0.4, 0, 2), L_body = I.cwiseProduct(omega);
-  const Vector3d angles(0, std::acos(L_body[2] / L_body.norm()), std::atan2(L_body[1], -L_body[0]));
-  const Vector3d rates(L_body.norm() / I1, 0, -omega[2] * (I3 - I1) / I1);
-
-  // With these rates the body has the ω̃ that we wanted, and no angle accelerates.
-  CHECK(agrees(body_axes_of_rates(angles) * rates, omega, 1e-14));
+  const Vector3d I(I1, I1, I3), omega(0.4, 0, 2), L = I.cwiseProduct(omega);
+  const Vector3d angles(0, std::acos(L[2] / L.norm()), std::atan2(L[1], -L[0]));
+  const Vector3d rates(L.norm() / I1, 0, -omega[2] * (I3 - I1) / I1);
+  CHECK(agrees(rate_matrix(angles) * rates, omega, 1e-14));
   CHECK(agrees(euler_angle_accelerations(I, angles, rates), Vector3d::Zero(), 1e-13, rates.squaredNorm()));
-  CHECK(agrees(rates, Vector3d(3.622154055255, 0, -1.6), 1e-12));
-  CHECK(agrees(angles[1] * 180 / pi, 6.340191746, 1e-9));
-  // All three momenta are conserved now: T does not depend on φ and ψ, and θ does not move.
   const State end = moved_freely(I, {angles, rates}, 10);
   CHECK(agrees(canonical_momenta(I, end.angles, end.rates), canonical_momenta(I, angles, rates), 1e-11));
-
-  Printed page("steady free precession");
-  page.line("φ̇ = {:.12g} rad/s, ψ̇ = {:.6g} rad/s at θ = {:.9g}°", rates[0], rates[2], angles[1] * 180 / pi);
 }
-//! [steady free precession]
 
-//! [laws]
-TEST_CASE("Laws at every attitude: upright, nearly upright, ordinary, nearly upside down, upside down") {
+namespace {
+
+/// The heavy symmetric top of Sussman and Wisdom: it stands on its tip, the weight acts at a distance from it.
+struct HeavyTop {
+  double I1 = 3.28e-4;  ///< kg m²
+  double I3 = 6.6e-5;   ///< kg m²
+  double Mgl = 0.0456;  ///< J
+  Vector3d I{I1, I1, I3};
+
+  /// The potential energy is M g l cos θ, so the generalised force on θ is M g l sin θ.
+  Vector3d accelerations(const Vector3d& q, const Vector3d& v) const {
+    return euler_angle_accelerations(I, q, v) + mass_matrix(I, q).ldlt().solve(Vector3d(0, Mgl * std::sin(q[1]), 0));
+  }
+  State moved(const State& start, double duration) const {
+    return ::moved(start, duration, [this](const Vector3d& q, const Vector3d& v) { return accelerations(q, v); });
+  }
+};
+
+}  // namespace
+
+//! [steady]
+TEST_CASE("steady: The heavy top has two steady precessions, a slow and a fast one") {
+  //! [steady in brief]
+  const double I1 = 3.28e-4, I3 = 6.6e-5, Mgl = 0.0456;  // kg m², kg m², J: a toy top
+  const double theta = 30 * degree, omega3 = 200;        // rad/s
+  const double a = I1 * std::cos(theta), b = I3 * omega3;
+  const double larger = (b + std::sqrt(b * b - 4 * a * Mgl)) / 2;
+  const double slow = Mgl / larger, fast = larger / a;  // no digits cancel
+  const double least = 2 * std::sqrt(a * Mgl) / I3;
+  //! [steady in brief]
+
+  const HeavyTop top;
+  const auto lagrangian = [&](const auto& q, const auto& v) {
+    return energy_of_slides(top.I, q, v) - top.Mgl * cos(q[1]);
+  };
+  for (const double rate : {slow, fast}) {
+    const Vector3d q(0.2, theta, -0.7), v(rate, 0, omega3 - rate * std::cos(theta));
+    // Lagrange's equations hold with all accelerations zero; so do the functions of the course; and in motion the
+    // inclination is the same half a second later.
+    CHECK(agrees(euler_lagrange(lagrangian, q, v, Vector3d::Zero()), Vector3d::Zero(), 1e-12, Mgl));
+    CHECK(agrees(top.accelerations(q, v), Vector3d::Zero(), 1e-12, v.squaredNorm()));
+    const State later = top.moved({q, v}, 0.5);
+    CHECK(agrees(Vector2d(later.angles[0], later.angles[1]), Vector2d(0.2 + 0.5 * rate, theta), 1e-9));
+  }
+  // At the least spin the two roots meet.
+  CHECK(agrees(I3 * I3 * least * least, 4 * a * Mgl, 1e-14));
+  // Lying low, below the horizontal, a top precesses either way at any spin.
+  const double hanging = I1 * std::cos(120 * degree);
+  const double up = (b + std::sqrt(b * b - 4 * hanging * Mgl)) / 2;
+  CHECK(Mgl / up > 0);
+  CHECK(up / hanging < 0);
+
+  result(R"((\dot\phi_{\text{slow}},\ \dot\phi_{\text{fast}}))", Vector2d(slow, fast), "rad/s");
+  result(R"(Mg\ell/(I_3\tilde\omega_3))", Mgl / b, "rad/s", "of the gyroscope formula, for comparison");
+  result(R"(\tilde\omega_{3,\min})", least, "rad/s", "the least spin for a steady precession at this angle");
+}
+//! [steady]
+
+//! [nutation]
+TEST_CASE("nutation: Released, the heavy top nods between two angles") {
+  //! [nutation in brief]
+  const double I1 = 3.28e-4, I3 = 6.6e-5, Mgl = 0.0456;  // kg m², kg m², J: a toy top
+  const double theta0 = 30 * degree, omega3 = 200;       // rad/s; its axis is at rest
+  const double beta = std::pow(I3 * omega3, 2) / (4 * I1 * Mgl), u0 = std::cos(theta0);
+  const double u1 = beta - std::sqrt(beta * beta - 2 * beta * u0 + 1);
+  const double theta1 = std::acos(u1);
+  //! [nutation in brief]
+
+  const HeavyTop top;
+  const Vector3d angles(0, theta0, 0), rates(0, 0, omega3);
+  const Vector3d p = canonical_momenta(top.I, angles, rates);
+  const auto effective_potential = [&](double theta) {
+    const double across = (p[0] - p[2] * std::cos(theta)) / std::sin(theta);
+    return across * across / (2 * I1) + p[2] * p[2] / (2 * I3) + Mgl * std::cos(theta);
+  };
+  const double energy = effective_potential(theta0);
+  CHECK(agrees(energy, kinetic_energy_symmetric(I1, I3, theta0, rates) + Mgl * u0, 1e-14));
+  CHECK(agrees(effective_potential(theta1), energy, 1e-13));
+
+  // Followed in small steps: how far it gets, and when it is back at rest.
+  State now{angles, rates};
+  double reached = 0, period = 0;
+  const double h = 2e-4;
+  for (int step = 1; step <= 1600 && period == 0; ++step) {
+    const double before = now.rates[1];
+    now = top.moved(now, h);
+    reached = std::max(reached, now.angles[1]);
+    REQUIRE(agrees(kinetic_energy_euler(top.I, now.angles, now.rates) + Mgl * std::cos(now.angles[1]), energy, 1e-10));
+    if (before < 0 && now.rates[1] >= 0) period = h * (step - now.rates[1] / (now.rates[1] - before));
+  }
+  CHECK(reached <= theta1 + 1e-9);
+  CHECK(agrees(reached, theta1, 1e-4));  // the largest of many moments, not the turning point itself
+  const Vector3d p_later = canonical_momenta(top.I, now.angles, now.rates);
+  CHECK(agrees(Vector2d(p_later[0], p_later[2]), Vector2d(p[0], p[2]), 1e-10));
+
+  // With u̇² = (2Mgl/I₁)(u₀ − u)(u − u₁)(u₂ − u) the period is an integral.
+  const double u2 = beta + std::sqrt(beta * beta - 2 * beta * u0 + 1);
+  const auto inverse_rate = [&](double x) {
+    const double u = (u0 + u1) / 2 + (u0 - u1) / 2 * std::cos(x);
+    return 2 / std::sqrt(2 * Mgl / I1 * (u2 - u));
+  };
+  CHECK(agrees(period, boost::math::quadrature::gauss_kronrod<double, 61>::integrate(inverse_rate, 0.0, pi), 1e-4));
+
+  result(R"(\theta_1)", theta1 / degree, "°", "where it turns back", 5);
+  result(R"(\theta_{\max})", reached / degree, "°", "in the integrated motion", 5);
+  result(R"(\theta_0 + \sin\theta_0/(2\beta))", (theta0 + std::sin(theta0) / (2 * beta)) / degree, "°",
+         "for a fast top", 5);
+  result(R"((P,\ 2\pi I_1/(I_3\tilde\omega_3)))", 1e3 * Vector2d(period, 2 * pi * I1 / (I3 * omega3)), "ms",
+         "the period of the nodding, and for a fast top", 4);
+}
+//! [nutation]
+
+// Not on the page.
+TEST_CASE("laws: At every attitude, upright and upside down among them") {
   const Vector3d I(1.3, 2, 2.9), rates(0.5, -0.2, 0.9);
   for (const double theta : {0.0, 1e-8, 0.7, pi / 2, pi - 1e-8, pi, -0.7, 4.0}) {
     const Vector3d q(0.3, theta, 1.1);
@@ -410,7 +526,7 @@ TEST_CASE("Laws at every attitude: upright, nearly upright, ordinary, nearly ups
     const Vector3d p = canonical_momenta(I, q, rates);
     // Energy and momenta are well defined even where the angles are not unique.
     CHECK(agrees(0.5 * p.dot(rates), T, 1e-14));
-    const Vector3d omega = turning_axes(q) * rates;
+    const Vector3d omega = axes_of_rates(q) * rates;
     CHECK(agrees(T, kinetic_energy(rotated_inertia(I.asDiagonal(), attitude(q)), omega), 1e-14));
     // The same attitude has a second set of angles, (φ + π, −θ, ψ − π); nothing physical may change.
     const Vector3d other = q + Vector3d(pi, -2 * theta, -pi);
@@ -429,16 +545,15 @@ TEST_CASE("Laws at every attitude: upright, nearly upright, ordinary, nearly ups
     CHECK(agrees(euler_angle_accelerations(I, q, 3 * rates), 9 * a, 1e-14));  // quadratic in the rates
   }
 
-  // Upright the body knows only the sum of the outer rates, upside down only their difference.
+  // Upright only the sum of the outer rates counts, upside down only their difference.
   CHECK(agrees(kinetic_energy_euler(I, Vector3d(0.3, 0, 1.1), Vector3d(0.5, 0, -0.5)), 0, 1e-15, 1));
   CHECK(agrees(kinetic_energy_euler(I, Vector3d(0.3, pi, 1.1), Vector3d(0.5, 0, 0.5)), 0, 1e-15, 1));
   CHECK(agrees(canonical_momenta(I, Vector3d(0.3, 0, 1.1), rates)[0],
                canonical_momenta(I, Vector3d(0.3, 0, 1.1), rates)[2], 1e-15));
 }
-//! [laws]
 
-//! [V26]
-TEST_CASE("V26 Kinetic energy of a quaternion path, from another program's tests") {
+// Not on the page: a number that this project did not make.
+TEST_CASE("quaternion: Kinetic energy of a path of quaternions, from another program's tests") {
   // Emmy, tests of its rigid-body functions: q = (1, 2, 3, 4), q̇ = (2, 3, 4, 5), T = (8B + 2C)/225. The quaternion is
   // not normalised, and need not be: only its direction matters.
   const Vector3d I(1.3, 2.1, 2.9);
@@ -457,113 +572,5 @@ TEST_CASE("V26 Kinetic energy of a quaternion path, from another program's tests
   const double T = kinetic_energy_euler(I, angles, rates);
   CHECK(agrees(T, (8 * I[1] + 2 * I[2]) / 225, 1e-14));
 
-  Printed page("V26");
-  page.line("V26 | (8·2.1 + 2·2.9)/225 = {:.15g} | {:.15g} | 1e-14", (8 * I[1] + 2 * I[2]) / 225, T);
+  result("T", T, "J");
 }
-//! [V26]
-
-namespace {
-
-/// The heavy symmetric top of Sussman and Wisdom: it stands on its tip, the weight acts at a distance from it.
-struct HeavyTop {
-  double I1 = 3.28e-4;     ///< kg m²
-  double I3 = 6.6e-5;      ///< kg m²
-  double weight = 0.0456;  ///< M g l, J
-  Vector3d I{I1, I1, I3};
-
-  /// The weight pulls at θ: potential energy M g l cos θ, so the generalised force is M g l sin θ.
-  Vector3d accelerations(const Vector3d& q, const Vector3d& v) const {
-    return euler_angle_accelerations(I, q, v) + mass_matrix(I, q).ldlt().solve(Vector3d(0, weight * std::sin(q[1]), 0));
-  }
-
-  /// Rates of precession at which θ stays: roots of I₁ cos θ φ̇² − I₃ ω̃₃ φ̇ + M g l = 0.
-  Vector2d steady_precession(double theta, double omega3) const {
-    const double a = I1 * std::cos(theta), b = I3 * omega3;
-    const double larger = (b + std::sqrt(b * b - 4 * a * weight)) / 2;  // no digits cancel in the larger root
-    return {weight / larger, larger / a};
-  }
-};
-
-}  // namespace
-
-//! [V49]
-TEST_CASE("V49 The heavy top has two steady precessions, a slow and a fast one") {
-  // Moments and M g l of Sussman and Wisdom's top; ω̃₃ = 200 rad/s, θ = 30°.
-  const HeavyTop top;
-  const double theta = pi / 6, omega3 = 200;
-
-  const Vector2d precession = top.steady_precession(theta, omega3);
-
-  CHECK(agrees(precession, Vector2d(3.758542593804, 42.711113219019), 1e-12));
-  const auto lagrangian = [&](const auto& q, const auto& v) {
-    return energy_of_slides(top.I, q, v) - top.weight * cos(q[1]);
-  };
-  for (const double rate : precession) {
-    const Vector3d q(0.2, theta, -0.7), v(rate, 0, omega3 - rate * std::cos(theta));
-    // Lagrange's equations hold with all accelerations zero, θ̈ = 0 among them; the torque is compared with the
-    // weight's.
-    CHECK(agrees(euler_lagrange(lagrangian, q, v, Vector3d::Zero()), Vector3d::Zero(), 1e-12, top.weight));
-    // By the workbook's functions: what the weight adds, the gyroscopic terms take back.
-    CHECK(agrees(top.accelerations(q, v), Vector3d::Zero(), 1e-12, v.squaredNorm()));
-    // And in motion: half a second later the inclination is the same.
-    const State later = moved(
-        {q, v}, 0.5, [&](const Vector3d& angles, const Vector3d& rates) { return top.accelerations(angles, rates); });
-    CHECK(agrees(later.angles[1], theta, 1e-9));
-    CHECK(agrees(later.angles[0], 0.2 + 0.5 * rate, 1e-9));
-  }
-  // Below a least spin there is no steady precession: the two roots meet.
-  const double least = 2 * std::sqrt(top.I1 * top.weight * std::cos(theta)) / top.I3;
-  CHECK(agrees(least, 109.061312312, 1e-10));
-  const Vector2d meeting = top.steady_precession(theta, least * (1 + 1e-12));
-  CHECK(agrees(meeting[0], meeting[1], 1e-5));
-
-  Printed page("V49");
-  page.line(
-      "V49 | 3.758542593804, 42.711113219019; least spin 109.061312312 rad/s | {:.12f}, {:.12f}; {:.9f} rad/s | 1e-10",
-      precession[0], precession[1], least);
-}
-//! [V49]
-
-//! [nutation]
-TEST_CASE("Let go, the heavy top nods: the effective potential tells how far") {
-  const HeavyTop top;
-  const State start{Vector3d(0, pi / 6, 0), Vector3d(0, 0, 200)};  // held at 30°, spinning, then released
-  const Vector3d p = canonical_momenta(top.I, start.angles, start.rates);
-
-  // φ and ψ are cyclic, so p_φ and p_ψ are numbers, and θ moves as if alone in the effective potential.
-  const auto effective_potential = [&](double theta) {
-    const double across = (p[0] - p[2] * std::cos(theta)) / std::sin(theta);
-    return across * across / (2 * top.I1) + p[2] * p[2] / (2 * top.I3) + top.weight * std::cos(theta);
-  };
-  const double energy = effective_potential(start.angles[1]);
-  CHECK(agrees(
-      energy,
-      kinetic_energy_symmetric(top.I1, top.I3, start.angles[1], start.rates) + top.weight * std::cos(start.angles[1]),
-      1e-14));
-
-  // Released at rest the top is at one turning point; with u = cos θ the other one solves a quadratic equation.
-  const double u0 = std::cos(start.angles[1]), spin = p[2] * p[2] / (4 * top.I1 * top.weight);
-  const double u = spin - std::sqrt(spin * spin - 2 * spin * u0 + 1);
-  const double lowest = std::acos(u);
-  CHECK(agrees(effective_potential(lowest), energy, 1e-13));
-
-  // Follow the motion in small steps and look how far it gets.
-  const auto law = [&](const Vector3d& q, const Vector3d& v) { return top.accelerations(q, v); };
-  State now = start;
-  double reached = 0;
-  for (int step = 0; step < 800; ++step) {
-    now = moved(now, 2e-4, law);
-    reached = std::max(reached, now.angles[1]);
-    const double T = kinetic_energy_euler(top.I, now.angles, now.rates);
-    REQUIRE(agrees(T + top.weight * std::cos(now.angles[1]), energy, 1e-10));
-  }
-  CHECK(reached <= lowest + 1e-9);
-  CHECK(agrees(reached, lowest, 1e-5));  // the largest of many moments, not the turning point itself
-  CHECK(agrees(canonical_momenta(top.I, now.angles, now.rates),
-               Vector3d(p[0], canonical_momenta(top.I, now.angles, now.rates)[1], p[2]), 1e-10));
-
-  Printed page("nutation");
-  page.line("p_φ = {:.8g}, p_ψ = {:.8g} kg m²/s stay", p[0], p[2]);
-  page.line("θ nods between 30° and {:.4f}°; the motion reached {:.4f}°", lowest * 180 / pi, reached * 180 / pi);
-}
-//! [nutation]

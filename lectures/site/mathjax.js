@@ -10,3 +10,24 @@ MathJax.Hub.Register.StartupHook("mml Jax Ready", function () {
   MathJax.Hub.config.menuSettings.assistiveMML = true;
   return MathJax.Ajax.Require("[MathJax]/extensions/AssistiveMML.js");
 });
+// Browsers break lines around a formula even where a comma follows it or a bracket precedes it: both stay with it.
+MathJax.Hub.Register.StartupHook("End", function () {
+  for (const script of document.querySelectorAll("script[type='math/tex']")) {
+    const formula = script.previousSibling, before = formula.previousSibling, after = script.nextSibling;
+    const kept = document.createElement("span");
+    kept.style.whiteSpace = "nowrap";
+    formula.before(kept);
+    const opening = before && before.previousSibling && before.previousSibling.nodeType === Node.TEXT_NODE
+      ? before.previousSibling.data.match(/[(“]$/) : null;
+    if (opening) {
+      before.previousSibling.data = before.previousSibling.data.slice(0, -1);
+      kept.append(opening[0]);
+    }
+    kept.append(formula, script);
+    const closing = after && after.nodeType === Node.TEXT_NODE ? after.data.match(/^[.,;:!?)”]+/) : null;
+    if (closing) {
+      after.data = after.data.slice(closing[0].length);
+      kept.append(closing[0]);
+    }
+  }
+});

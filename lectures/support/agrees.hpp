@@ -19,7 +19,7 @@ namespace workbook {
 /// What agrees() found; true in a CHECK if the numbers agree.
 struct Agreement {
   bool holds = false;
-  std::string account;  ///< both values with 17 digits, for the report of a failed check
+  std::string account;  ///< both values with all digits, for the report of a failed check
 
   explicit operator bool() const { return holds; }
 };
@@ -34,10 +34,11 @@ Eigen::MatrixXd as_matrix(const Eigen::MatrixBase<Derived>& matrix) {
 }
 
 inline std::string all_digits(const Eigen::MatrixXd& matrix) {
+  if (matrix.size() == 1) return fmt::format("{}", matrix(0, 0));
   std::string text;
   for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
     text += i == 0 ? "[" : "; ";
-    for (Eigen::Index j = 0; j < matrix.cols(); ++j) text += fmt::format("{}{:.17g}", j == 0 ? "" : " ", matrix(i, j));
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j) text += fmt::format("{}{}", j == 0 ? "" : " ", matrix(i, j));
   }
   return text + "]";
 }
@@ -53,7 +54,7 @@ Agreement agrees(const Actual& actual, const Expected& expected, double toleranc
   const Eigen::MatrixXd a = detail::as_matrix(actual);
   const Eigen::MatrixXd e = detail::as_matrix(expected);
   if (a.rows() != e.rows() || a.cols() != e.cols()) {
-    return {false, fmt::format("{}×{} against {}×{}", a.rows(), a.cols(), e.rows(), e.cols())};
+    return {false, fmt::format("{}×{} where {}×{} is expected", a.rows(), a.cols(), e.rows(), e.cols())};
   }
   if (scale == 0.0) scale = e.size() > 0 ? e.cwiseAbs().maxCoeff() : 1.0;
   if (scale == 0.0) throw std::invalid_argument("agrees() needs a scale when the expected value is zero");
@@ -64,7 +65,7 @@ Agreement agrees(const Actual& actual, const Expected& expected, double toleranc
     holds = holds && difference <= tolerance * scale;
     largest = std::isnan(difference) ? difference : std::max(largest, difference);
   }
-  return {holds, fmt::format("{} against {}: they differ by {:.3g}, allowed {:.3g}", detail::all_digits(a),
+  return {holds, fmt::format("{} where {} is expected (difference {:.3g}, allowed {:.3g})", detail::all_digits(a),
                              detail::all_digits(e), largest, tolerance * scale)};
 }
 

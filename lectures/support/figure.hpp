@@ -1,5 +1,6 @@
 /// @file
-/// Figures of the notes: one gnuplot script, drawn as SVG for the pages and as PNG for everything else.
+/// Figures of the notes: one gnuplot script, drawn as SVG for the pages, which follows light and dark, and as PNG in
+/// the same size and colours for everything else.
 #pragma once
 
 #include <gnuplot-iostream.h>
@@ -11,22 +12,26 @@
 
 namespace workbook {
 
-/// Colours that the colour-blind tell apart (Okabe and Ito 2008), also by lightness in print.
+/// Colours that the colour-blind tell apart. Each has a counterpart for dark pages in site/style.css. Text may have all
+/// but pale and sky, which are too light to read.
 namespace colors {
-inline constexpr const char* black = "#000000";
-inline constexpr const char* blue = "#0072B2";
-inline constexpr const char* orange = "#E69F00";
-inline constexpr const char* green = "#009E73";
-inline constexpr const char* vermilion = "#D55E00";
-inline constexpr const char* sky = "#56B4E9";
-inline constexpr const char* purple = "#CC79A7";
-inline constexpr const char* grey = "#7F7F7F";
+inline constexpr const char* black = "#222222";
+inline constexpr const char* grey = "#5F6B73";
+inline constexpr const char* shade = "#EEF1F3";
+inline constexpr const char* pale = "#CFD8DD";
+inline constexpr const char* blue = "#0068A8";
+inline constexpr const char* vermilion = "#B84300";
+inline constexpr const char* green = "#00734F";
+inline constexpr const char* purple = "#A3427F";
+inline constexpr const char* orange = "#8A5A00";
+inline constexpr const char* sky = "#4C9FD0";
 }  // namespace colors
 
-/// Size of a figure on the page, in pixels.
+/// Size of a figure on the page, in pixels. Text has 16 pixels; no wider than 590, so that telephones show it legibly
+/// and whole.
 struct FigureSize {
-  int width = 720;
-  int height = 440;
+  int width = 590;
+  int height = 400;
 };
 
 /// One figure of a lecture by its name, and how to draw it into a folder.
@@ -48,5 +53,12 @@ int draw_figures(int argc, char** argv, const std::vector<Figure>& figures);
 /// @throws std::runtime_error if gnuplot is missing or finds an error in the script.
 void draw_figure(const std::filesystem::path& directory, const std::string& name, FigureSize size,
                  const std::function<void(gnuplotio::Gnuplot&)>& draw);
+
+/// Draws a moving picture of `frames` frames into DIRECTORY/NAME.svg, which the page plays and pauses, and frame
+/// `still` of it as DIRECTORY/NAME.png; print shows that frame too. `draw` is called once per frame with its number;
+/// what all frames share is kept once and lies below the rest.
+/// @throws std::runtime_error as draw_figure()
+void draw_animation(const std::filesystem::path& directory, const std::string& name, FigureSize size, int frames,
+                    int still, const std::function<void(gnuplotio::Gnuplot&, int frame)>& draw);
 
 }  // namespace workbook

@@ -3,4 +3,6 @@
 
 #include <doctest/doctest.h>
 
-REGISTER_EXCEPTION_TRANSLATOR(const rigid::NotStarted&) { return "it needs a function that is not started yet"; }
+REGISTER_EXCEPTION_TRANSLATOR(const rigid::NotStarted& missing) {
+  return doctest::String("not started: ") + missing.function;
+}

@@ -1,4 +1,4 @@
-// The rate of change of V in the inertial frame, from the rate that is seen in a frame turning with omega. All
+// The rate of change of V in the inertial frame, from the rate that is seen in a frame rotating with omega. All
 // vectors are on the same axes.
 #include <rigid/frame_derivatives.hpp>
 

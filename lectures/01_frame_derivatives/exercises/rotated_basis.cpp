@@ -1,5 +1,5 @@
-// The basis E (its columns are the basis vectors) after turning for a time dt with the constant angular velocity
-// omega. All components are inertial. The turn is finite: the first-order step ω × e dt will not do. omega may
+// The basis E (its columns are the basis vectors) after rotating for a time dt with the constant angular velocity
+// omega. All components are inertial. The rotation is finite: the first-order step ω × e dt will not do. omega may
 // vanish.
 #include <rigid/frame_derivatives.hpp>
 

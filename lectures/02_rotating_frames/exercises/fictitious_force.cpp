@@ -1,4 +1,4 @@
-// The force that must be added to the real ones so that Newton's second law holds in the turning frame.
+// The force that must be added to the real ones so that Newton's second law holds in the rotating frame.
 #include <rigid/rotating_frames.hpp>
 
 namespace rigid {

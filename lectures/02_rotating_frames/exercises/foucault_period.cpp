@@ -1,4 +1,4 @@
-// The time in which the plane of a Foucault pendulum on the northern hemisphere turns by 360°. The latitude is in
+// The time in which the plane of a Foucault pendulum on the northern hemisphere rotates by 360°. The latitude is in
 // radians.
 #include <rigid/rotating_frames.hpp>
 

@@ -1,5 +1,5 @@
 // The acceleration in the inertial frame of a point that has position r, velocity v_body and acceleration a_body in a
-// frame turning with omega, whose own rate is alpha. All vectors are on the same axes.
+// frame rotating with omega, whose own rate is alpha. All vectors are on the same axes.
 #include <rigid/rotating_frames.hpp>
 
 namespace rigid {

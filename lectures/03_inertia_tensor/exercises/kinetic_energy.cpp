@@ -1,4 +1,4 @@
-// The kinetic energy of a body with inertia tensor I that turns with angular velocity omega about the tensor's
+// The kinetic energy of a body with inertia tensor I that rotates with angular velocity omega about the tensor's
 // origin.
 #include <rigid/inertia_tensor.hpp>
 

@@ -1,4 +1,4 @@
-// The torque that a body with inertia tensor I needs to go on turning with the constant angular velocity omega.
+// The torque that a body with inertia tensor I needs to go on rotating with the constant angular velocity omega.
 #include <rigid/euler_equations.hpp>
 
 namespace rigid {

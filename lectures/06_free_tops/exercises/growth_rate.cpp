@@ -1,5 +1,5 @@
-// The rate σ at which a small disturbance grows, e^(σt), when a body spins about its intermediate axis 2. The
-// moments come in ascending order; the spin may have either sign, the rate is never negative.
+// The rate σ at which a small disturbance grows, e^(σt), when a body spins about its intermediate axis 2. The moments
+// come in ascending order; the spin may have either sign, the rate is never negative.
 #include <rigid/free_tops.hpp>
 
 namespace rigid {

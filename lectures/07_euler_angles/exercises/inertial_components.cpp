@@ -1,5 +1,5 @@
-// The inertial components of a vector, from its components V_body on the axes of a body with the Euler angles (φ,
-// θ, ψ).
+// The inertial components of a vector, from its components V_body on the axes of a body with the Euler angles (φ, θ,
+// ψ).
 #include <rigid/euler_angles.hpp>
 
 namespace rigid {

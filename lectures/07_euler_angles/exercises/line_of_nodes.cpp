@@ -1,4 +1,4 @@
-// The line of nodes ê₂′ (the axis of the second turn) in body components.
+// The line of nodes ê₂′ (the axis of the second rotation) in body components.
 #include <rigid/euler_angles.hpp>
 
 namespace rigid {

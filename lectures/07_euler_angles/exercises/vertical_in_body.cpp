@@ -1,4 +1,4 @@
-// The inertial vertical ê₃⁰ (the axis of the first turn) in body components.
+// The inertial vertical ê₃⁰ (the axis of the first rotation) in body components.
 #include <rigid/euler_angles.hpp>
 
 namespace rigid {

@@ -1,4 +1,4 @@
-// The canonical momenta (p_phi, p_theta, p_psi): the derivatives of the kinetic energy with respect to the rates.
+// The canonical momenta (p_φ, p_θ, p_ψ): the derivatives of the kinetic energy with respect to the rates.
 #include <rigid/kinetic_energy.hpp>
 
 namespace rigid {

@@ -1,4 +1,4 @@
-// The second derivatives of (phi, theta, psi) for a body that turns without torque. sin(theta) does not vanish.
+// The second derivatives of (φ, θ, ψ) for a body that rotates without torque. sin θ is not zero.
 #include <rigid/kinetic_energy.hpp>
 
 namespace rigid {

@@ -1,5 +1,5 @@
-// The kinetic energy of a body with principal moments I, from its Euler angles (phi, theta, psi) and their rates. The
-// angles are the slides': z-y-z, with the line of nodes along the new y axis.
+// The kinetic energy of a body with principal moments I, from its Euler angles (φ, θ, ψ) and their rates. The angles
+// are the slides': z–y–z, with the line of nodes along the new y axis.
 #include <rigid/kinetic_energy.hpp>
 
 namespace rigid {

@@ -1,4 +1,4 @@
-// The kinetic energy of a symmetric body (I1 = I2), from the angle theta and the rates of (phi, theta, psi).
+// The kinetic energy of a symmetric body (I₁ = I₂), from the angle θ and the rates of (φ, θ, ψ).
 #include <rigid/kinetic_energy.hpp>
 
 namespace rigid {

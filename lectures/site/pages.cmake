@@ -1,0 +1,151 @@
+# Writes what follows from the cards: the list of lectures, a page for each exercise, the parts of pages that notes.md
+# quotes, and the header of every page with the navigation.
+#   cmake -D source=… -D output=… -D lectures=… -P pages.cmake
+cmake_minimum_required(VERSION 3.25)
+
+file(REMOVE_RECURSE ${output})
+file(READ ${CMAKE_CURRENT_LIST_DIR}/header.html header)
+
+# VARIABLE = the value of a key of the card, or "" without it.
+macro(read_card variable)
+  string(JSON ${variable} ERROR_VARIABLE problem GET "${card}" ${ARGN})
+  if(problem)
+    set(${variable} "")
+  endif()
+endmacro()
+
+# VARIABLE = "03 The inertia tensor" for a lecture.
+function(title_of variable lecture)
+  file(READ ${source}/lectures/${lecture}/card.json card)
+  read_card(title title)
+  string(SUBSTRING ${lecture} 0 2 number)
+  set(${variable} "${number} ${title}" PARENT_SCOPE)
+endfunction()
+
+# The pages of the lectures in their order: ID and title. Besides its own, a lecture has one for each line
+# "\page lecture_ID TITLE" of its notes.md.
+set(sequence)
+foreach(lecture IN LISTS lectures)
+  title_of(title_of_${lecture} ${lecture})
+  set(parts_of_${lecture})
+  list(APPEND sequence ${lecture})
+  file(STRINGS ${source}/lectures/${lecture}/notes.md parts REGEX "^.page lecture_")
+  foreach(part IN LISTS parts)
+    string(REGEX MATCH "^.page lecture_([a-z0-9_]+) (.+)$" part "${part}")
+    set(title_of_${CMAKE_MATCH_1} "${CMAKE_MATCH_2}")
+    list(APPEND parts_of_${lecture} ${CMAKE_MATCH_1})
+    list(APPEND sequence ${CMAKE_MATCH_1})
+  endforeach()
+endforeach()
+set(before)
+foreach(page IN LISTS sequence)
+  if(before)
+    string(APPEND links_of_${page} "\\ref lecture_${before} \"← ${title_of_${before}}\" ")
+    string(APPEND links_of_${before} "\\ref lecture_${page} \"${title_of_${page}} →\"")
+  endif()
+  set(before ${page})
+endforeach()
+foreach(page IN LISTS sequence)
+  file(WRITE ${output}/parts/${page}.links.md
+    "<div class=\"neighbours\" role=\"navigation\" aria-label=\"Lectures\">${links_of_${page}}</div>\n")
+endforeach()
+
+set(course)        # the list of the first page
+set(all_exercises) # the page of all exercises
+set(navigation)
+foreach(lecture IN LISTS lectures)
+  set(title "${title_of_${lecture}}")
+  file(READ ${source}/lectures/${lecture}/card.json card)
+  read_card(summary summary)
+  read_card(contract contract)
+  file(READ ${source}/include/rigid/${contract}.hpp declarations)
+  string(JSON count LENGTH "${card}" exercises)
+  math(EXPR last "${count} - 1")
+
+  set(points 0)
+  set(names)
+  set(table "| Exercise | Task | Points |\n|:---------|:-----|-------:|\n")
+  set(pages_of_exercises)
+  foreach(index RANGE ${last})
+    read_card(name exercises ${index} name)
+    read_card(worth exercises ${index} points)
+    read_card(anchor exercises ${index} notes)
+    read_card(task exercises ${index} task)
+    # Points may be fractions, which CMake cannot add.
+    if(points AND worth MATCHES "^[0-9]+$")
+      math(EXPR points "${points} + ${worth}")
+    elseif(worth MATCHES "^[0-9]+$")
+      set(points ${worth})
+    endif()
+    list(APPEND names ${name})
+    string(APPEND table "| \\ref exercise_${name} \"${name}\" | ${task} | ${worth} |\n")
+    string(APPEND pages_of_exercises "<li><a href=\"exercise_${name}.html\">${name}</a></li>")
+    # From the start of a line that holds NAME( and is no comment, to the semicolon.
+    if(NOT declarations MATCHES "\n([^/\n][^\n]*[ &]${name}\\([^;]*;)")
+      message(FATAL_ERROR "include/rigid/${contract}.hpp does not declare ${name}, though the card of ${lecture} lists it.")
+    endif()
+    set(declaration "${CMAKE_MATCH_1}")
+    string(CONFIGURE [[# @name@ {#exercise_@name@}
+
+@task@
+
+Lecture \ref lecture_@lecture@ "@title@", points: @worth@; to read first: \ref @anchor@.
+
+```{.cpp}
+@declaration@
+```
+
+\copydoc rigid::@name@
+
+## Check yours {#exercise_@name@_check}
+
+Write it in `lectures/@lecture@/exercises/@name@.cpp`, then
+
+```
+./checker/run check @name@
+```
+
+When you are stuck, `./checker/run hint @name@` gives a hint, and a further one each time you ask.
+]] text @ONLY)
+    file(WRITE ${output}/exercises/${name}.md "${text}")
+  endforeach()
+
+  set(foundations)
+  string(JSON count LENGTH "${card}" builds_on)
+  if(count)
+    math(EXPR last "${count} - 1")
+    foreach(index RANGE ${last})
+      read_card(earlier builds_on ${index})
+      list(APPEND foundations "\\ref lecture_${earlier} \"${title_of_${earlier}}\"")
+    endforeach()
+    list(JOIN foundations ", " foundations)
+    set(foundations "Builds on ${foundations}. ")
+  endif()
+  set(parts)
+  foreach(part IN LISTS parts_of_${lecture})
+    string(REGEX REPLACE "^.*: " "" part_title "${title_of_${part}}")
+    string(APPEND parts "<li><a href=\"lecture_${part}.html\">${part_title}</a></li>")
+  endforeach()
+  if(parts)
+    set(parts "<ul>${parts}</ul>")
+  endif()
+
+  file(WRITE ${output}/parts/${lecture}.card.md
+    "<div class=\"lecture-card\">${foundations}Its functions: `rigid/${contract}.hpp`.</div>\n")
+  file(WRITE ${output}/parts/${lecture}.exercises.md "<div class=\"exercise-table\">\n\n${table}\n</div>\n")
+  list(LENGTH names count)
+  string(APPEND course "- \\ref lecture_${lecture} \"${title}\": ${summary} *Exercises: ${count}.*\n")
+  # Not a heading of Markdown, whose anchor would need a name.
+  string(APPEND all_exercises "\n<h2>${title}</h2>\n\n${table}")
+  string(APPEND navigation "<li><a href=\"lecture_${lecture}.html\">${title}</a>${parts}"
+    "<details><summary aria-label=\"${count} exercises of ${title}\">${count} exercises</summary><ul>${pages_of_exercises}</ul></details></li>\n")
+endforeach()
+
+file(WRITE ${output}/parts/course.md "${course}")
+file(WRITE ${output}/exercises.md "# Exercises {#exercises}
+
+One function each, in the order of the course. A page shows what the function means, its units and its errors, and where the
+notes explain it.
+${all_exercises}")
+string(REPLACE "@navigation@" "${navigation}" header "${header}")
+file(WRITE ${output}/header.html "${header}")

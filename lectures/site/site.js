@@ -1,0 +1,153 @@
+// What the pages do by themselves: search, the current place, moving pictures, phones. No server, no other machine.
+
+/** Light and dark: the theme's own switch, as a button that the keyboard reaches. */
+function offer_dark_mode() {
+  const button = document.createElement("button");
+  button.title = "Light or dark";
+  button.setAttribute("aria-label", "Light or dark");
+  const show = () => button.innerHTML = DoxygenAwesomeDarkModeToggle.darkModeEnabled
+    ? DoxygenAwesomeDarkModeToggle.darkModeIcon : DoxygenAwesomeDarkModeToggle.lightModeIcon;
+  button.onclick = () => { DoxygenAwesomeDarkModeToggle.userPreference = !DoxygenAwesomeDarkModeToggle.userPreference; show(); };
+  show();
+  document.querySelector("#tools").append(button);
+}
+
+/** The page in the navigation, the exercises of its lecture, and the section that is being read. */
+function mark_place() {
+  const here = location.pathname.split("/").pop() || "index.html";
+  const link = document.querySelector(`#course a[href="${here}"]`);
+  if (link) {
+    link.setAttribute("aria-current", "page");
+    const exercises = link.closest("details") || link.closest("#course > ul > li")?.querySelector("details");
+    if (exercises) exercises.open = true;
+    const course = document.querySelector("#course");
+    course.scrollTop = link.offsetTop - course.clientHeight / 2;
+  }
+  const sections = [...document.querySelectorAll(".toc a")]
+    .map(entry => [entry, document.getElementById(decodeURIComponent(entry.hash.slice(1)))]);
+  const mark = () => {
+    const current = sections.filter(([, heading]) => heading.getBoundingClientRect().top < 120).pop();
+    for (const [entry] of sections) entry.toggleAttribute("aria-current", current !== undefined && entry === current[0]);
+  };
+  if (sections.length) { addEventListener("scroll", mark, { passive: true }); mark(); }
+}
+
+/** The paragraphs that hold all words of a question, best first: in the title, as a phrase, often. */
+function search(question) {
+  const folded = text => text.toLowerCase().normalize("NFD").replace(/[\u0300-\u036f]/g, "");
+  const phrase = folded(question).trim();
+  const words = phrase.split(/[^\p{L}\p{N}_]+/u).filter(Boolean);
+  if (!words.length) return [];
+  const starts = words.map(word => new RegExp(`(?<![\\p{L}\\p{N}])${word}`, "gu"));
+  const found = [];
+  for (const [address, page, title, text] of paragraphs) {
+    const [head, body] = [folded(page + " " + title), folded(text)];
+    const counts = starts.map(start => (body.match(start) || []).length + (head.match(start) || []).length);
+    if (counts.includes(0)) continue;
+    let score = Math.min(...counts, 5);
+    if (head.includes(phrase)) score += 20;
+    if (words.length > 1 && body.includes(phrase)) score += 10;
+    if (address.startsWith("lecture_")) score += 5;
+    const at = Math.max(body.search(starts[0]), 0);
+    found.push({ score, address, page, title, excerpt: (at > 40 ? "… " : "") + text.slice(Math.max(at - 40, 0), at + 80) + " …" });
+  }
+  return found.sort((a, b) => b.score - a.score).slice(0, 12);
+}
+
+/** Loads the words of the site, once; a script, because a file may not fetch a file. */
+function with_words(use) {
+  if (typeof paragraphs !== "undefined") return use();
+  const script = document.getElementById("words")
+    ?? document.head.appendChild(Object.assign(document.createElement("script"), { id: "words", src: "search.js" }));
+  script.addEventListener("load", use);
+}
+
+/** The checker names a paragraph by its lecture, and the paragraph may stand on another page of it: goes there. */
+function find_paragraph() {
+  if (!location.hash || document.getElementById(decodeURIComponent(location.hash.slice(1)))) return;
+  with_words(() => {
+    const place = paragraphs.find(([address]) => address.endsWith(location.hash));
+    if (place) location.replace(place[0]);
+  });
+}
+
+function offer_search() {
+  const [query, status, places] = ["query", "found", "places"].map(id => document.getElementById(id));
+  const show = () => {
+    const question = query.value.trim();
+    const found = question.length > 1 ? search(question) : [];
+    status.textContent = question.length < 2 ? "" : found.length ? `${found.length} places` : "No place has these words.";
+    places.replaceChildren(...found.map(place => {
+      const link = Object.assign(document.createElement("a"), { href: place.address });
+      const [title, excerpt] = [document.createElement("strong"), document.createElement("span")];
+      title.textContent = place.title === place.page ? place.page : `${place.page}: ${place.title}`;
+      excerpt.textContent = place.excerpt;
+      link.append(title, excerpt);
+      const item = document.createElement("li");
+      item.append(link);
+      return item;
+    }));
+  };
+  query.oninput = () => with_words(show);
+  document.querySelector("#MSearchBox").onkeydown = event => {
+    const links = [...places.querySelectorAll("a")];
+    const at = links.indexOf(document.activeElement);
+    if (event.key === "Escape") { query.value = ""; show(); query.focus(); }
+    else if (event.key === "ArrowDown" && links.length) links[Math.min(at + 1, links.length - 1)].focus();
+    else if (event.key === "ArrowUp" && at >= 0) (at ? links[at - 1] : query).focus();
+    else if (event.key === "Enter" && at < 0 && links.length) links[0].click();
+    else return;
+    event.preventDefault();
+  };
+  addEventListener("keydown", event => {
+    if (event.key !== "/" || event.target.closest("input, textarea")) return;
+    event.preventDefault();
+    query.focus();
+  });
+}
+
+/** A moving picture stands still until it is started; its slider shows any moment of it. */
+function offer_motion(picture) {
+  const frames = picture.querySelectorAll(".frame");
+  const controls = document.createElement("div");
+  controls.className = "controls";
+  const button = document.createElement("button");
+  const slider = Object.assign(document.createElement("input"), { type: "range", min: 0, max: frames.length - 1 });
+  slider.setAttribute("aria-label", "Moment of the moving picture");
+  slider.value = [...frames].findIndex(frame => frame.style.display !== "none");
+  let timer = null;
+  const show = () => frames.forEach((frame, i) => frame.style.display = i === +slider.value ? "" : "none");
+  const play = playing => {
+    clearInterval(timer);
+    timer = playing ? setInterval(() => { slider.value = (+slider.value + 1) % frames.length; show(); }, 80) : null;
+    button.textContent = playing ? "Pause" : "Play";
+  };
+  button.onclick = () => play(timer === null);
+  slider.oninput = () => { play(false); show(); };
+  play(false);
+  controls.append(button, slider);
+  picture.after(controls);
+}
+
+/** Doxygen keeps the indentation of quoted code. */
+function shift_to_the_left(fragment) {
+  const lines = [...fragment.querySelectorAll(".line")].filter(line => line.textContent.trim());
+  const indentation = Math.min(...lines.map(line => line.textContent.search(/\S/)));
+  for (const line of lines) {
+    if (indentation && line.firstChild.nodeType === Node.TEXT_NODE)
+      line.firstChild.data = line.firstChild.data.slice(indentation);
+  }
+}
+
+document.querySelectorAll(".fragment").forEach(shift_to_the_left);
+// The book has neither navigation nor anything to press.
+if (document.querySelector("#course")) {
+  DoxygenAwesomeFragmentCopyButton.init();
+  offer_dark_mode();
+  mark_place();
+  offer_search();
+  find_paragraph();
+  document.querySelectorAll("figure > svg:has(.frame)").forEach(offer_motion);
+  const menu = document.querySelector("#menu");
+  menu.onclick = () => menu.setAttribute("aria-expanded", document.querySelector("#course").classList.toggle("open"));
+}

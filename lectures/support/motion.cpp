@@ -1,0 +1,49 @@
+#include "lectures/support/motion.hpp"
+
+#include <boost/numeric/odeint.hpp>
+
+#include <algorithm>
+
+namespace workbook {
+
+using Eigen::Vector3d;
+
+namespace {
+
+using State = std::vector<double>;  // ω, then the rows of A
+using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+
+Motion motion_of(const State& state) { return {Vector3d(state[0], state[1], state[2]), RowMajor::Map(&state[3])}; }
+
+}  // namespace
+
+Motion integrated(const Vector3d& I, const Motion& start, double time, const Torque& torque) {
+  State state(12);
+  std::copy(start.omega.begin(), start.omega.end(), state.begin());
+  RowMajor::Map(&state[3]) = start.A;
+  const auto system = [&](const State& now, State& rate, double) {
+    const Motion motion = motion_of(now);
+    Vector3d L_rate = I.cwiseProduct(motion.omega).cross(motion.omega);
+    if (torque) L_rate += torque(motion);
+    const Vector3d omega_rate = L_rate.cwiseQuotient(I);
+    std::copy(omega_rate.begin(), omega_rate.end(), rate.begin());
+    // A row of A [ω]× is the cross product of the row of A with ω.
+    for (int i = 0; i < 3; ++i) {
+      const Vector3d row = motion.A.row(i);
+      Vector3d::Map(&rate[3 + 3 * static_cast<std::size_t>(i)]) = row.cross(motion.omega);
+    }
+  };
+  namespace odeint = boost::numeric::odeint;
+  const auto stepper = odeint::make_controlled(1e-17, 1e-14, odeint::runge_kutta_fehlberg78<State>());
+  if (time != 0) odeint::integrate_adaptive(stepper, system, state, 0.0, time, time / 100);
+  return motion_of(state);
+}
+
+std::vector<Motion> history(const Vector3d& I, const Motion& start, double duration, int count) {
+  std::vector<Motion> motion{start};
+  while (static_cast<int>(motion.size()) < count)
+    motion.push_back(integrated(I, motion.back(), duration / (count - 1)));
+  return motion;
+}
+
+}  // namespace workbook

@@ -1,0 +1,83 @@
+/// @file
+/// Sketches of bodies and vectors, in the plane or in space, for figures that are no plots.
+#pragma once
+
+#include "lectures/support/figure.hpp"
+
+#include <Eigen/Dense>
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace workbook {
+
+/// Where a text stands at its place.
+enum class Side { left, right, above, below, centre };
+
+/// What is added first lies below; arrows, dots and texts lie above all lines and faces.
+///
+/// @code
+/// Sketch sketch({1.0, -2.0, 0.8});                       // from where one looks; without it, the x–y plane
+/// sketch.line(circle, colors::grey);
+/// sketch.arrow(origin, tip, colors::blue, "{/:Bold L}");  // a vector is set in bold
+/// sketch.draw(directory, "name", 560);
+/// @endcode
+class Sketch {
+ public:
+  explicit Sketch(const Eigen::Vector3d& towards = Eigen::Vector3d::UnitZ(),
+                  const Eigen::Vector3d& up = Eigen::Vector3d::UnitZ());
+
+  /// @param style more words of gnuplot, such as "dt (4,4)"
+  void line(const std::vector<Eigen::Vector3d>& points, const std::string& color, double width = 2,
+            const std::string& style = "");
+  /// A filled polygon; opacity from 0 to 1.
+  void face(const std::vector<Eigen::Vector3d>& corners, const std::string& color, double opacity = 0.2);
+  /// With a text at its tip.
+  void arrow(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const std::string& color,
+             const std::string& text = "", Side side = Side::right, double width = 3);
+  /// The edges of a box that starts at a corner, those that are hidden dashed; `edges` has the three edges as columns.
+  void box(const Eigen::Vector3d& corner, const Eigen::Matrix3d& edges, bool shaded = false);
+  void dot(const Eigen::Vector3d& at, const std::string& color, double size = 0.8);
+  void text(const Eigen::Vector3d& at, const std::string& text, const std::string& color = colors::black,
+            Side side = Side::centre);
+
+  const Eigen::Vector3d& towards() const { return towards_; }
+  /// Does a surface with this outward normal face the reader?
+  bool faces_reader(const Eigen::Vector3d& normal) const { return normal.dot(towards_) > 0; }
+
+  /// Everything at the same scale in both directions; the height follows from the width in pixels.
+  void draw(const std::filesystem::path& directory, const std::string& name, int width) const;
+  /// The same as a part of something else, such as a frame of an animation; the scale follows from `half_width` in
+  /// units of the sketch around its origin, so that frames do not jump.
+  void send(gnuplotio::Gnuplot& gnuplot, FigureSize size, double half_width) const;
+
+ private:
+  using Point = std::pair<double, double>;
+
+  Point project(const Eigen::Vector3d& point);
+  void send(gnuplotio::Gnuplot& gnuplot, double x_min, double x_max, double y_min, double y_max) const;
+
+  Eigen::Vector3d towards_, right_, up_;
+  std::vector<std::pair<std::string, std::vector<Point>>> curves_;  ///< style and data of each
+  struct Arrow {
+    Point from, to;
+    std::string style;
+  };
+  std::vector<Arrow> arrows_;
+  struct Text {
+    Point at;
+    std::string text, color;
+    Side side;
+  };
+  std::vector<Text> texts_;
+  std::string dots_;
+  double x_min_ = 1e300, x_max_ = -1e300, y_min_ = 1e300, y_max_ = -1e300;
+};
+
+/// Points of a circle about `center` in the plane of two unit vectors; angles in radians.
+std::vector<Eigen::Vector3d> arc(const Eigen::Vector3d& center, double radius, const Eigen::Vector3d& first,
+                                 const Eigen::Vector3d& second, double from = 0, double to = 6.283185307179586);
+
+}  // namespace workbook
