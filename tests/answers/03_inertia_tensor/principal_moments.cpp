@@ -1,0 +1,135 @@
+//! wrong: descending
+#include <rigid/inertia_tensor.hpp>
+
+namespace rigid {
+
+Vector3d principal_moments(const Matrix3d& I) {
+  const Vector3d moments = Eigen::SelfAdjointEigenSolver<Matrix3d>(I).eigenvalues();
+  return moments.reverse();
+}
+
+}  // namespace rigid
+
+//! wrong: the diagonal
+#include <rigid/inertia_tensor.hpp>
+
+#include <algorithm>
+
+namespace rigid {
+
+Vector3d principal_moments(const Matrix3d& I) {
+  Vector3d moments = I.diagonal();
+  std::sort(moments.data(), moments.data() + 3);
+  return moments;
+}
+
+}  // namespace rigid
+
+//! wrong: in the order of the general solver
+#include <rigid/inertia_tensor.hpp>
+
+namespace rigid {
+
+Vector3d principal_moments(const Matrix3d& I) { return Eigen::EigenSolver<Matrix3d>(I).eigenvalues().real(); }
+
+}  // namespace rigid
+
+//! wrong: squares, from the singular values of the square
+#include <rigid/inertia_tensor.hpp>
+
+namespace rigid {
+
+Vector3d principal_moments(const Matrix3d& I) {
+  const Matrix3d square = I * I;
+  Vector3d moments = Eigen::SelfAdjointEigenSolver<Matrix3d>(square).eigenvalues();
+  return moments;
+}
+
+}  // namespace rigid
+
+//! wrong: single precision
+#include <rigid/inertia_tensor.hpp>
+
+namespace rigid {
+
+Vector3d principal_moments(const Matrix3d& I) {
+  const Eigen::Matrix3f single = I.cast<float>();
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f>(single).eigenvalues().cast<double>();
+}
+
+}  // namespace rigid
+
+//! wrong: only the product of inertia of x and y is seen
+#include <rigid/inertia_tensor.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rigid {
+
+Vector3d principal_moments(const Matrix3d& I) {
+  const double mean = (I(0, 0) + I(1, 1)) / 2, half = (I(0, 0) - I(1, 1)) / 2;
+  const double root = std::sqrt(half * half + I(0, 1) * I(0, 1));
+  Vector3d moments(mean - root, mean + root, I(2, 2));
+  std::sort(moments.data(), moments.data() + 3);
+  return moments;
+}
+
+}  // namespace rigid
+
+//! right: singular values, which are the moments because none is negative
+#include <rigid/inertia_tensor.hpp>
+
+namespace rigid {
+
+Vector3d principal_moments(const Matrix3d& I) {
+  const Eigen::JacobiSVD<Matrix3d> svd(I);
+  return svd.singularValues().reverse();
+}
+
+}  // namespace rigid
+
+//! right: general solver, then sorted
+#include <rigid/inertia_tensor.hpp>
+
+#include <algorithm>
+
+namespace rigid {
+
+Vector3d principal_moments(const Matrix3d& I) {
+  Vector3d moments = Eigen::EigenSolver<Matrix3d>(I).eigenvalues().real();
+  std::sort(moments.data(), moments.data() + 3);
+  return moments;
+}
+
+}  // namespace rigid
+
+//! right: Jacobi rotations
+#include <rigid/inertia_tensor.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rigid {
+
+Vector3d principal_moments(const Matrix3d& I) {
+  Matrix3d D = I;
+  for (int sweep = 0; sweep < 30; ++sweep) {
+    for (int p = 0; p < 2; ++p) {
+      for (int q = p + 1; q < 3; ++q) {
+        if (D(p, q) == 0) continue;
+        const double angle = 0.5 * std::atan2(2 * D(p, q), D(q, q) - D(p, p));
+        Matrix3d J = Matrix3d::Identity();
+        J(p, p) = J(q, q) = std::cos(angle);
+        J(p, q) = std::sin(angle);
+        J(q, p) = -std::sin(angle);
+        D = (J.transpose() * D * J).eval();
+      }
+    }
+  }
+  Vector3d moments = D.diagonal();
+  std::sort(moments.data(), moments.data() + 3);
+  return moments;
+}
+
+}  // namespace rigid

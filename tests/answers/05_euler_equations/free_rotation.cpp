@@ -1,0 +1,231 @@
+//! wrong: one long step of Euler's method
+#include <rigid/euler_equations.hpp>
+
+namespace rigid {
+
+Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
+  Matrix3Xd result(3, times.size());
+  for (int k = 0; k < times.size(); ++k) {
+    const Vector3d L = I.cwiseProduct(omega0);
+    result.col(k) = omega0 - omega0.cross(L).cwiseQuotient(I) * times[k];
+  }
+  return result;
+}
+
+}  // namespace rigid
+
+//! wrong: sign of Euler's equations
+#include <rigid/euler_equations.hpp>
+
+namespace rigid {
+
+static Vector3d rate(const Vector3d& I, const Vector3d& w) { return w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
+
+Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
+  Matrix3Xd result(3, times.size());
+  for (int k = 0; k < times.size(); ++k) {
+    Vector3d w = omega0;
+    const int steps = 4000;
+    const double h = times[k] / steps;
+    for (int i = 0; i < steps; ++i) {
+      const Vector3d k1 = rate(I, w), k2 = rate(I, w + h / 2 * k1), k3 = rate(I, w + h / 2 * k2),
+                     k4 = rate(I, w + h * k3);
+      w += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+    }
+    result.col(k) = w;
+  }
+  return result;
+}
+
+}  // namespace rigid
+
+//! wrong: the times are taken for steps
+#include <rigid/euler_equations.hpp>
+
+namespace rigid {
+
+static Vector3d rate(const Vector3d& I, const Vector3d& w) { return -w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
+
+Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
+  Matrix3Xd result(3, times.size());
+  Vector3d w = omega0;
+  for (int k = 0; k < times.size(); ++k) {
+    const int steps = 4000;
+    const double h = times[k] / steps;
+    for (int i = 0; i < steps; ++i) {
+      const Vector3d k1 = rate(I, w), k2 = rate(I, w + h / 2 * k1), k3 = rate(I, w + h / 2 * k2),
+                     k4 = rate(I, w + h * k3);
+      w += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+    }
+    result.col(k) = w;
+  }
+  return result;
+}
+
+}  // namespace rigid
+
+//! wrong: negative times are not reached
+#include <rigid/euler_equations.hpp>
+
+namespace rigid {
+
+static Vector3d rate(const Vector3d& I, const Vector3d& w) { return -w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
+
+Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
+  Matrix3Xd result(3, times.size());
+  for (int k = 0; k < times.size(); ++k) {
+    Vector3d w = omega0;
+    const double h = 0.001 / (1 + omega0.norm());
+    double t = 0;
+    while (t < times[k]) {
+      const double s = std::min(h, times[k] - t);
+      const Vector3d k1 = rate(I, w), k2 = rate(I, w + s / 2 * k1), k3 = rate(I, w + s / 2 * k2),
+                     k4 = rate(I, w + s * k3);
+      w += s / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+      t += s;
+    }
+    result.col(k) = w;
+  }
+  return result;
+}
+
+}  // namespace rigid
+
+//! wrong: the solution of the symmetric top for every body
+#include <rigid/euler_equations.hpp>
+
+namespace rigid {
+
+Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
+  const double Omega = omega0[2] * (I[2] - I[0]) / I[0];
+  Matrix3Xd result(3, times.size());
+  for (int k = 0; k < times.size(); ++k)
+    result.col(k) = Eigen::AngleAxisd(Omega * times[k], Vector3d::UnitZ()) * omega0;
+  return result;
+}
+
+}  // namespace rigid
+
+//! wrong: whole steps only, the remainder is dropped
+#include <rigid/euler_equations.hpp>
+
+namespace rigid {
+
+static Vector3d rate(const Vector3d& I, const Vector3d& w) { return -w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
+
+Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
+  Matrix3Xd result(3, times.size());
+  for (int k = 0; k < times.size(); ++k) {
+    const double h = times[k] < 0 ? -0.01 : 0.01;
+    const int steps = times[k] / h;
+    Vector3d w = omega0;
+    for (int i = 0; i < steps; ++i) {
+      const Vector3d k1 = rate(I, w), k2 = rate(I, w + h / 2 * k1), k3 = rate(I, w + h / 2 * k2),
+                     k4 = rate(I, w + h * k3);
+      w += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+    }
+    result.col(k) = w;
+  }
+  return result;
+}
+
+}  // namespace rigid
+
+//! wrong: the last time is looked up even if there is none
+#include <rigid/euler_equations.hpp>
+
+namespace rigid {
+
+static Vector3d rate(const Vector3d& I, const Vector3d& w) { return -w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
+
+Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
+  const double end = times.maxCoeff();
+  Matrix3Xd result(3, times.size());
+  for (int k = 0; k < times.size(); ++k) {
+    Vector3d w = omega0;
+    const int steps = times[k] == end ? 20000 : 19000;
+    const double h = times[k] / steps;
+    for (int i = 0; i < steps; ++i) {
+      const Vector3d k1 = rate(I, w), k2 = rate(I, w + h / 2 * k1), k3 = rate(I, w + h / 2 * k2),
+                     k4 = rate(I, w + h * k3);
+      w += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+    }
+    result.col(k) = w;
+  }
+  return result;
+}
+
+}  // namespace rigid
+
+//! right: Taylor series of every step
+#include <rigid/euler_equations.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace rigid {
+
+static Vector3d taylor(const Vector3d& I, const Vector3d& start, double time) {
+  const Vector3d factors((I[1] - I[2]) / I[0], (I[2] - I[0]) / I[1], (I[0] - I[1]) / I[2]);
+  Vector3d w = start;
+  double rest = time;
+  while (rest != 0) {
+    const double speed = w.cwiseAbs().maxCoeff() * std::max(1.0, factors.cwiseAbs().maxCoeff());
+    double h = rest;
+    if (speed * std::abs(h) > 0.25) h = std::copysign(0.25 / speed, rest);
+    std::array<Vector3d, 25> a;
+    a[0] = w;
+    for (std::size_t n = 0; n + 1 < a.size(); ++n) {
+      Vector3d sum = Vector3d::Zero();
+      for (std::size_t j = 0; j <= n; ++j)
+        for (int i = 0; i < 3; ++i) sum[i] += a[j][(i + 1) % 3] * a[n - j][(i + 2) % 3];
+      a[n + 1] = h * factors.cwiseProduct(sum) / static_cast<double>(n + 1);
+    }
+    w = a[24];
+    for (std::size_t n = 24; n-- > 0;) w += a[n];
+    rest -= h;
+  }
+  return w;
+}
+
+Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
+  Matrix3Xd result(3, times.size());
+  for (Eigen::Index k = 0; k < times.size(); ++k) result.col(k) = taylor(I, omega0, times[k]);
+  return result;
+}
+
+}  // namespace rigid
+
+//! right: Bulirsch-Stoer of the library
+#include <rigid/euler_equations.hpp>
+
+#include <boost/numeric/odeint.hpp>
+
+#include <array>
+
+namespace rigid {
+
+Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
+  using State = std::array<double, 3>;
+  const double scale = omega0.norm();
+  Matrix3Xd result = Matrix3Xd::Zero(3, times.size());
+  if (scale == 0) return result;
+  const auto system = [&](const State& w, State& rate, double) {
+    rate[0] = w[1] * w[2] * (I[1] - I[2]) / I[0];
+    rate[1] = w[2] * w[0] * (I[2] - I[0]) / I[1];
+    rate[2] = w[0] * w[1] * (I[0] - I[1]) / I[2];
+  };
+  for (Eigen::Index k = 0; k < times.size(); ++k) {
+    State w = {omega0[0] / scale, omega0[1] / scale, omega0[2] / scale};
+    const double end = times[k] * scale;
+    if (end != 0) {
+      boost::numeric::odeint::bulirsch_stoer<State> stepper(1e-13, 1e-13);
+      boost::numeric::odeint::integrate_adaptive(stepper, system, w, 0.0, end, end / 1000);
+    }
+    for (int i = 0; i < 3; ++i) result(i, k) = w[static_cast<std::size_t>(i)] * scale;
+  }
+  return result;
+}
+
+}  // namespace rigid
