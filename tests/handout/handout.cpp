@@ -85,8 +85,6 @@ class CheckerInCopy {
   CheckerInCopy() {
     const Outcome configured = run(fmt::format("cd '{}' && cmake --preset workbook", copy().string()));
     REQUIRE_MESSAGE(configured.status == 0, configured.said);
-    const Outcome built = run(fmt::format("cd '{}' && ninja -C build/workbook reference_results", copy().string()));
-    REQUIRE_MESSAGE(built.status == 0, built.said);
     auto course = nlohmann::json::parse(read(copy() / "build/workbook/checker/course.json"));
     course["toolchain"] = nlohmann::json::parse(read(WORKBOOK_COURSE)).at("toolchain");
     write(copy() / "build/course.json", course.dump(2));
@@ -160,7 +158,7 @@ TEST_CASE("every exercise of the copy is as at the beginning, also when it has b
 TEST_CASE("no program of the copy holds a reference implementation") {
   // The copy's programs are built from the same files as these.
   std::vector<fs::path> binaries = {WORKBOOK_TEST_CHECKER};
-  for (const fs::path& file : files_below(fs::path(WORKBOOK_COURSE).parent_path() / "workers")) {
+  for (const fs::path& file : files_below(fs::path(WORKBOOK_COURSE).parent_path() / "toolchain")) {
     if (file.extension() == ".o") binaries.push_back(file);
   }
   CHECK(binaries.size() > WORKBOOK_EXERCISES);
@@ -211,7 +209,7 @@ TEST_CASE("in the copy a lost exercise does not stop the set-up, and can be put 
   fs::remove(file);
   const Outcome configured = run(fmt::format("cd '{}' && cmake --preset workbook", copy().string()));
   CHECK_MESSAGE(configured.status == 0, configured.said);
-  CHECK(has(configured.said, "`checker reset kinetic_energy` puts it back"));
+  CHECK(has(checker("check kinetic_energy").said, "reset kinetic_energy"));
   CHECK(checker("reset kinetic_energy").status == 0);
   CHECK(has(read(file), "throw NotStarted{}"));
 }
@@ -221,7 +219,7 @@ TEST_CASE("a folder that holds something is not written to") {
   write(folder / "thesis.txt", "years of work\n");
   const Outcome outcome = handout(folder);
   CHECK(outcome.status == 2);
-  CHECK(has(outcome.said, "is there already; name a new or an empty folder, so that nothing in it is lost."));
+  CHECK(has(outcome.said, "is not empty"));
   CHECK(read(folder / "thesis.txt") == "years of work\n");
 }
 

@@ -1,146 +1,87 @@
-// The commands besides check, and the ways to call them wrongly.
+// The commands of a student, one after another, as they change what is remembered.
+#include "checker/base/text.hpp"
+#include "checker/course/course.hpp"
 #include "checker/course/progress.hpp"
 #include "tests/program/program.hpp"
 
 #include <doctest/doctest.h>
 
 #include <filesystem>
+#include <regex>
 
 using namespace workbook::testing;
 namespace fs = std::filesystem;
 
 namespace {
 
-void solve(const CourseCopy& course, const std::string& name) {
-  fs::copy_file(course.solution(name), course.exercise(name), fs::copy_options::overwrite_existing);
+/// What bash would offer after these words; the last one is being typed.
+std::string completed(const CourseCopy& course, const std::string& words) {
+  write(course.root() / "completion.bash", course.run("completion").out);
+  write(course.root() / "try.bash", ". ./completion.bash\nCOMP_WORDS=(" + words +
+                                        ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_rigid_body_workbook\n"
+                                        "printf '%s ' \"${COMPREPLY[@]}\" >completed\n");
+  REQUIRE(run_in_shell("cd '" + course.root().string() + "' && bash try.bash") == 0);
+  return read(course.root() / "completed");
+}
+
+std::string verdict(const CourseCopy& course, const std::string& arguments) {
+  return course.run("check --json " + arguments).result().at("verdict");
 }
 
 }  // namespace
 
-TEST_CASE("without a command the checker says what is next, and remembers what passed") {
+TEST_CASE("the checker remembers what passed, as long as the file is the same") {
   const CourseCopy course;
-  CHECK(has(course.run("").out, "Next: spring_energy"));
-  solve(course, "spring_energy");
+  const fs::path progress = course.root() / ".workbook/progress.json";
+  const auto next = [&] {
+    std::smatch name;
+    const std::string status = course.run("").out;
+    return std::regex_search(status, name, std::regex("Next: (\\w+)")) ? name[1].str() : "";
+  };
+  CHECK(next() == "spring_energy");
+  course.solve("spring_energy");
+  CHECK(verdict(course, "spring_energy --seed 2") == "passed");
+  CHECK(verdict(course, "spring_energy --file " + course.solution("spring_energy").string()) == "passed");
+  CHECK(next() == "spring_energy");  // another seed or file is no progress
   CHECK(course.run("check spring_energy").status == 0);
-  CHECK(has(course.run("").out, "Next: spring_force"));
-  CHECK(has(course.run("list").out, "✓ spring_energy"));
+  CHECK(next() == "spring_force");
   course.answer_energy("return 0;");
-  CHECK(has(course.run("list").out, "changed since it passed"));
-  solve(course, "spring_energy");
-  solve(course, "spring_force");
-  const Outcome all = course.run("check");
-  CHECK(all.status == 0);
-  CHECK(has(all.out, "2 of 2 passed."));
-  CHECK(has(course.run("").out, "All 2 exercises pass"));
+  CHECK(next() == "spring_energy");
+  course.solve("spring_energy");
+  course.solve("spring_force");
+  CHECK(course.run("check").status == 0);
+  CHECK(next() == "");
 }
 
-TEST_CASE("a lecture is known by its name, its number and its topic") {
+TEST_CASE("an exercise and a lecture have names, numbers and files") {
   const CourseCopy course;
-  for (const char* name : {"01_springs", "01", "springs"}) {
-    CAPTURE(name);
-    CHECK(course.run(std::string("check --json ") + name).json().at("results").size() == 2);
-  }
-}
+  course.solve("spring_energy");
+  for (const char* name : {"01_springs", "01", "1", "springs", "lectures/01_springs/", "spring_energy spring_force"})
+    CHECK_MESSAGE(course.run(std::string("check --json ") + name).json().at("results").size() == 2, name);
+  for (const char* name : {"spring_energy", "spring_energy.cpp", "lectures/01_springs/exercises/spring_energy.cpp",
+                           "./lectures/01_springs/exercises/../exercises/spring_energy.cpp"})
+    CHECK_MESSAGE(verdict(course, name) == "passed", name);
+  CHECK(course.run("check draft.cpp").status == 2);
 
-TEST_CASE("an unknown name gets a proposal") {
-  const CourseCopy course;
-  for (const char* command : {"check spring_enrgy", "hint spring_enrgy", "plot spring_enrgy", "reset spring_enrgy"}) {
-    CAPTURE(command);
-    const Outcome outcome = course.run(command);
-    CHECK(outcome.status == 2);
-    CHECK_MESSAGE(has(outcome.err, "Did you mean 'spring_energy'?"), outcome.err);
-  }
-  CHECK(has(course.run("check quaternion").err, "There is no exercise or lecture 'quaternion'."));
-}
-
-TEST_CASE("commands are proposed as the program was typed") {
-  const CourseCopy course;
-  const Outcome outcome = course.run("hint quaternion", "WORKBOOK_PROGRAM=./checker/run");
-  CHECK(outcome.err == "There is no exercise 'quaternion'. `./checker/run list` shows all names.\n");
-}
-
-TEST_CASE("wrong usage has a status of its own") {
-  const CourseCopy course;
-  CHECK(course.run("frobnicate").status == 2);
-  CHECK(course.run("check --no-such-option").status == 2);
-  CHECK(course.run("check --seed many").status == 2);
-  const Outcome two_for_one = course.run("check --file x.cpp");
-  CHECK(two_for_one.status == 2);
-  CHECK(has(two_for_one.err, "--file needs the one exercise"));
-  CHECK(course.run("plot").status == 2);
-  CHECK(course.run("--help").status == 0);
-  CHECK(has(course.run("--help").out, "self-check"));
+  // The lecture becomes 01_spring_force, whose topic is the name of one of its exercises: then the exercise is meant.
+  fs::rename(course.root() / "lectures/01_springs", course.root() / "lectures/01_spring_force");
+  const workbook::Course renamed(course.root() / "course.json");
+  CHECK(renamed.find("spring_force").size() == 1);
+  CHECK(renamed.find("01_spring_force").size() == 2);
+  CHECK_THROWS_AS(renamed.find("02"), workbook::UnknownName);
 }
 
 TEST_CASE("hints come one at a time, and the last one stays") {
   const CourseCopy course;
-  CHECK(has(course.run("hint spring_energy").out, "Hint 1 of 3\n  Read."));
-  CHECK(has(course.run("hint spring_energy").out, "Hint 2 of 3\n  Think."));
-  CHECK(has(course.run("hint spring_energy").out, "Hint 3 of 3\n  Write."));
-  CHECK(has(course.run("hint spring_energy").out, "That was the last hint."));
-  CHECK(has(course.run("hint spring_force --all").out, "Hint 1 of 3"));
+  for (const char* hint : {"Read.", "Think.", "Write.", "Write."})
+    CHECK(has(course.run("hint spring_energy").out, hint));
+  CHECK(has(course.run("hint").out, "Write."));  // of the next exercise
+  const std::string all = course.run("hint spring_force --all").out;
+  CHECK((has(all, "Read.") && has(all, "Think.") && has(all, "Write.")));
   fs::remove(course.root() / "lectures/01_springs/exercises/spring_force.hints.md");
   const Outcome missing = course.run("hint spring_force");
   CHECK(missing.status == 3);
-  CHECK(has(missing.err, "the hints are missing"));
-}
-
-TEST_CASE("reset puts the stub back and keeps what was there") {
-  const CourseCopy course;
-  const std::string stub = read(course.exercise("spring_energy"));
-  course.answer_energy("return 42;");
-  const std::string answer = read(course.exercise("spring_energy"));
-  const Outcome outcome = course.run("reset spring_energy");
-  CHECK(outcome.status == 0);
-  CHECK(read(course.exercise("spring_energy")) == stub);
-  CHECK(read(course.root() / ".workbook/kept/spring_energy.1.cpp") == answer);
-  CHECK(has(outcome.out, "Your version is kept as"));
-}
-
-TEST_CASE("plots are written as SVG and PNG, with the misconception by name") {
-  const CourseCopy course;
-  course.answer_energy("return k * x.squaredNorm();");
-  const Outcome outcome = course.run("plot spring_energy --out pictures");
-  CHECK(outcome.status == 0);
-  const std::string svg = read(course.root() / "pictures/spring_energy.svg");
-  CHECK(has(svg, "E yours"));
-  CHECK(has(svg, "E reference"));
-  CHECK(has(svg, "no half"));
-  CHECK(has(svg, "x (m)"));
-  CHECK(read(course.root() / "pictures/spring_energy.png").substr(1, 3) == "PNG");
-  CHECK(has(course.run("check spring_energy --plot").out, "spring_energy.svg"));
-}
-
-TEST_CASE("a plot without a function shows the reference and says so") {
-  const CourseCopy course;
-  const Outcome outcome = course.run("plot spring_energy --out pictures");
-  CHECK(outcome.status == 1);
-  CHECK(has(outcome.out, "only the reference is drawn"));
-  CHECK(fs::exists(course.root() / "pictures/spring_energy.svg"));
-}
-
-TEST_CASE("without gnuplot the check works and says what is missing") {
-  const CourseCopy course;
-  solve(course, "spring_energy");
-  const Outcome outcome = course.run("check spring_energy --plot --json", "PATH=/nowhere");
-  CHECK(outcome.status == 0);
-  CHECK(outcome.json().at("results").at(0).at("verdict") == "passed");
-  CHECK(has(outcome.err, "gnuplot is not installed"));
-  CHECK(has(course.run("doctor", "PATH=/nowhere").out, "checks work, plots do not"));
-}
-
-TEST_CASE("a folder that cannot be written is named") {
-  const CourseCopy course;
-  solve(course, "spring_energy");
-  write(course.root() / "pictures", "a file where the folder should be");
-  const Outcome plot = course.run("plot spring_energy --out pictures");
-  CHECK(plot.status == 3);
-  CHECK(has(plot.err, "The plot could not be written to pictures"));
-
-  write(course.root() / ".workbook", "a file where the folder should be");
-  const Outcome check = course.run("check spring_energy");
-  CHECK(check.status == 0);
-  CHECK(has(check.err, "Your progress could not be saved"));
+  CHECK(has(missing.err, "spring_force.hints.md"));
 }
 
 TEST_CASE("two checkers at once each keep what the other writes down") {
@@ -157,20 +98,84 @@ TEST_CASE("two checkers at once each keep what the other writes down") {
   CHECK(both.hints_shown("spring_force") == 1);
 }
 
-TEST_CASE("output that is no terminal has no colour codes") {
+TEST_CASE("the report says what to type to see the same failure again, and it is the same") {
   const CourseCopy course;
-  course.answer_energy("return 0;");
-  for (const char* command : {"", "list", "check", "doctor", "hint spring_energy"}) {
-    CHECK_FALSE(has(course.run(command).out, "\033["));
+  course.answer_energy("return x.squaredNorm() * k * (k > 1.5 ? 1.0 : 0.5);");
+  for (const char* seed : {"", " --seed 5"}) {
+    const Outcome first = course.run(std::string("check spring_energy") + seed, "WORKBOOK_PROGRAM=./checker/run");
+    std::smatch again;
+    REQUIRE(std::regex_search(first.out, again, std::regex("Again +\\./checker/run ([^\n]+)")));
+    CHECK(has(again[1], seed));
+    CHECK(course.run(again[1], "WORKBOOK_PROGRAM=./checker/run").out == first.out);
   }
 }
 
-TEST_CASE("worked examples that cannot be built are trouble of our own, and an unknown lecture gets a proposal") {
-  const CourseCopy course;  // it has no build of its own
-  const Outcome outcome = course.run("examples springs");
-  CHECK(outcome.status == 3);
-  CHECK_MESSAGE(has(outcome.err, "The worked examples of 01_springs could not be built."), outcome.err);
-  const Outcome unknown = course.run("examples sprigs");
-  CHECK(unknown.status == 2);
-  CHECK_MESSAGE(has(unknown.err, "Did you mean 'springs'?"), unknown.err);
+TEST_CASE("a case is shown by number or by name, even if it passes") {
+  const CourseCopy course;
+  course.solve("spring_energy");
+  const std::string name = "2 N/m stretched by 3 m";
+  for (const std::string& asked : {std::string("4"), "'" + name + "'"}) {
+    const Outcome outcome = course.run("check spring_energy --case " + asked);
+    CHECK(outcome.status == 0);
+    CHECK(has(outcome.out, name));
+  }
+}
+
+TEST_CASE("what is not started can be left out") {
+  const CourseCopy course;
+  CHECK(course.run("check --started").status == 0);
+  course.solve("spring_energy");
+  const Outcome one = course.run("check --started --json");
+  CHECK(one.status == 0);
+  CHECK(one.json().at("results").size() == 1);
+}
+
+TEST_CASE("all compiler messages are one option away") {
+  const CourseCopy course;
+  course.answer_energy("return first_mistake + second_mistake;");
+  CHECK_FALSE(has(course.run("check spring_energy").out, "second_mistake' was not declared"));
+  CHECK(has(course.run("check spring_energy --full").out, "second_mistake' was not declared"));
+}
+
+TEST_CASE("bash completes commands, options, exercises and lectures, and else files") {
+  const CourseCopy course;
+  CHECK(completed(course, "checker che") == "check ");
+  CHECK(completed(course, "./checker/run hint spring_f") == "spring_force ");
+  CHECK(completed(course, "checker examples 0") == "01_springs ");
+  CHECK(completed(course, "checker check --se") == "--seed ");
+  CHECK(completed(course, "checker check --file cou") == " ");  // bash then completes files
+}
+
+TEST_CASE("no line is wider than the terminal, except for what is typed or opened") {
+  const CourseCopy course;
+  course.answer_energy("return k * x.squaredNorm();");
+  for (const char* width : {"80", "44"}) {
+    for (const char* command : {"--help", "check --help", "plot --help", "", "list", "hint", "hint spring_energy"}) {
+      for (const std::string& line : workbook::lines_of(course.run(command, std::string("COLUMNS=") + width).out)) {
+        const bool is_typed_or_opened = has(line, "checker ") || has(line, "/");
+        CHECK_MESSAGE((is_typed_or_opened || workbook::display_width(line) <= std::stoul(width)), line);
+      }
+    }
+  }
+}
+
+TEST_CASE("colour comes on request, NO_COLOR wins, and the plain mode has words for marks and no drawings") {
+  const CourseCopy course;
+  course.answer_energy("return 0;");
+  for (const char* command : {"", "list", "check", "doctor", "hint spring_energy"}) {
+    CAPTURE(command);
+    CHECK_FALSE(has(course.run(command).out, "\033["));
+    CHECK_FALSE(has(course.run(command, "CLICOLOR_FORCE=1 NO_COLOR=1").out, "\033["));
+    const std::string plain = course.run(std::string(command) + " --plain", "CLICOLOR_FORCE=1").out;
+    for (const char* mark : {"✓", "✗", "·", "\033", "###", "..."}) CHECK_MESSAGE(!has(plain, mark), plain);
+  }
+  CHECK(has(course.run("list", "CLICOLOR_FORCE=1").out, "\033["));
+}
+
+TEST_CASE("doctor names what is missing") {
+  const CourseCopy course;
+  const Outcome outcome = course.run("doctor", without_programs);
+  CHECK(outcome.status == 0);
+  for (const char* part : {"compiler", "reference", "sandbox", "gnuplot", "notes", "terminal"})
+    CHECK_MESSAGE(has(outcome.out, part), part);
 }

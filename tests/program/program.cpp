@@ -1,10 +1,17 @@
 #include "tests/program/program.hpp"
 
+#include "tests/support/golden.hpp"
+
 #include <fmt/format.h>
 
+#include <fcntl.h>
+#include <pty.h>
+#include <sys/wait.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include <atomic>
+#include <stdexcept>
 
 namespace workbook::testing {
 
@@ -19,13 +26,14 @@ CourseCopy::CourseCopy() {
   fs::copy(WORKBOOK_TEST_REFERENCE, root_ / "reference", fs::copy_options::recursive);
   // Compiled workers are shared between tests, so that each stub and solution is compiled once.
   const nlohmann::json course = {{"root", root_.string()},
-                                 {"lectures", {"01_springs"}},
                                  {"reference", (root_ / "reference").string()},
                                  {"toolchain", WORKBOOK_TEST_TOOLCHAIN},
                                  {"scratch", std::string(WORKBOOK_TEST_SCRATCH) + "/shared"},
                                  {"notes", (root_ / "html").string()},
-                                 {"build", (root_ / "build").string()}};
+                                 {"build", (root_ / "build").string()},
+                                 {"setup", (root_ / "setup.sh").string()}};
   write(root_ / "course.json", course.dump(2));
+  stand_in("setup.sh", "exit 0");  // as if all were built
 }
 
 CourseCopy::~CourseCopy() {
@@ -33,14 +41,69 @@ CourseCopy::~CourseCopy() {
   fs::remove_all(root_, ignored);
 }
 
+std::string CourseCopy::shell_command(const std::string& arguments, const std::string& environment) const {
+  return fmt::format("cd '{}' && {} '{}' --course '{}' {}", root_.string(), environment, WORKBOOK_TEST_CHECKER,
+                     (root_ / "course.json").string(), arguments);
+}
+
 Outcome CourseCopy::run(const std::string& arguments, const std::string& environment) const {
   const fs::path out = root_ / "stdout.txt";
   const fs::path err = root_ / "stderr.txt";
-  const std::string command =
-      fmt::format("cd '{}' && {} '{}' --course '{}' {} </dev/null >'{}' 2>'{}'", root_.string(), environment,
-                  WORKBOOK_TEST_CHECKER, (root_ / "course.json").string(), arguments, out.string(), err.string());
-  const int status = run_in_shell(command);
+  const int status = run_in_shell(
+      fmt::format("{} </dev/null >'{}' 2>'{}'", shell_command(arguments, environment), out.string(), err.string()));
   return {status, read(out), read(err)};
+}
+
+TerminalOutcome CourseCopy::run_on_terminal(const std::string& arguments, const TerminalWindow& window,
+                                            const std::string& environment) const {
+  winsize size{};
+  size.ws_col = static_cast<unsigned short>(window.columns);
+  size.ws_row = static_cast<unsigned short>(window.rows);
+  const std::string command = shell_command(arguments, "exec env -i PATH=\"$PATH\" " + environment);
+  int terminal = -1;
+  const pid_t child = forkpty(&terminal, nullptr, nullptr, &size);
+  if (child < 0) throw std::runtime_error("no pseudo terminal");
+  if (child == 0) {
+    alarm(120);  // survives exec: a checker that hangs ends the test
+    execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+    _exit(127);
+  }
+  const auto type = [&](const std::string& text) {
+    if (::write(terminal, text.data(), text.size()) != static_cast<ssize_t>(text.size()))
+      throw std::runtime_error("the pseudo terminal takes no input");
+  };
+  if (!window.typed_ahead.empty()) type(window.typed_ahead);
+  TerminalOutcome outcome;
+  fcntl(terminal, F_SETFL, O_NONBLOCK);
+  int status = 0;
+  for (bool ended = false; !ended;) {
+    ended = waitpid(child, &status, WNOHANG) != 0;
+    char buffer[65536];
+    for (ssize_t count = 0; (count = ::read(terminal, buffer, sizeof buffer)) > 0;)
+      outcome.shown.append(buffer, static_cast<std::size_t>(count));
+    if (!outcome.was_asked && has(outcome.shown, "\033[c")) {
+      outcome.was_asked = true;
+      if (!window.answer.empty()) type(window.answer);
+    }
+    usleep(5000);
+  }
+  termios after{};
+  outcome.echoes_afterwards =
+      tcgetattr(terminal, &after) == 0 && (after.c_lflag & ECHO) != 0 && (after.c_lflag & ICANON) != 0;
+  outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  close(terminal);
+  return outcome;
+}
+
+std::string CourseCopy::screens(const std::vector<std::string>& commands, const std::string& environment) const {
+  std::string text;
+  for (const std::string& command : commands) {
+    const Outcome outcome = run(command, environment);
+    text += fmt::format("$ checker {}\n{}{}[{}]\n\n", command, outcome.out, outcome.err, outcome.status);
+  }
+  for (std::size_t at = 0; (at = text.find(root_.string(), at)) != std::string::npos;)
+    text.replace(at, root_.string().size(), "COURSE");
+  return text;
 }
 
 void CourseCopy::answer_energy(const std::string& body, const std::string& before) const {
@@ -48,6 +111,19 @@ void CourseCopy::answer_energy(const std::string& body, const std::string& befor
         before +
             "#include <rigid/springs.hpp>\nnamespace rigid {\ndouble spring_energy(double k, const Vector3d& x) {\n" +
             body + "\n}\n}\n");
+}
+
+void CourseCopy::solve(const std::string& name) const {
+  fs::copy_file(solution(name), exercise(name), fs::copy_options::overwrite_existing);
+}
+
+void CourseCopy::stand_in(const std::string& program, const std::string& script) const {
+  write(root_ / program, "#!/bin/sh\n" + script + "\n");
+  fs::permissions(root_ / program, fs::perms::owner_all);
+}
+
+void check_golden(const std::string& name, const std::string& text) {
+  compare_with_golden(fs::path(WORKBOOK_TEST_COURSE).parent_path() / "golden" / (name + ".txt"), text);
 }
 
 }  // namespace workbook::testing

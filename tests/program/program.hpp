@@ -19,6 +19,22 @@ struct Outcome {
 
   /// Standard output as JSON. @throws if it is not one document and nothing else.
   nlohmann::json json() const { return nlohmann::json::parse(out); }
+  /// The first result of `check --json`.
+  nlohmann::json result() const { return json().at("results").at(0); }
+};
+
+/// A terminal that the test plays.
+struct TerminalWindow {
+  int columns = 80;
+  int rows = 40;
+  std::string answer = {};       ///< to the question for device attributes; empty: the terminal keeps silent
+  std::string typed_ahead = {};  ///< typed before the checker begins
+};
+struct TerminalOutcome {
+  int status = -1;
+  std::string shown;  ///< standard output and standard error, as the terminal got them
+  bool was_asked = false;
+  bool echoes_afterwards = false;  ///< the terminal is as it was
 };
 
 /// A copy of the tiny course in a folder of its own, gone at the end of the test.
@@ -32,6 +48,13 @@ class CourseCopy {
   /// Runs `checker ARGUMENTS`, quoted as for a shell; `environment` stands before it ("NO_COLOR=1").
   Outcome run(const std::string& arguments, const std::string& environment = "") const;
 
+  /// The same on a terminal, with an environment that holds nothing else but PATH.
+  TerminalOutcome run_on_terminal(const std::string& arguments, const TerminalWindow& window,
+                                  const std::string& environment) const;
+
+  /// Commands with what they print and how they end, for a golden file.
+  std::string screens(const std::vector<std::string>& commands, const std::string& environment = "COLUMNS=80") const;
+
   const std::filesystem::path& root() const { return root_; }
   std::filesystem::path exercise(const std::string& name) const {
     return root_ / "lectures/01_springs/exercises" / (name + ".cpp");
@@ -43,11 +66,22 @@ class CourseCopy {
   std::filesystem::path card() const { return root_ / "lectures/01_springs/card.json"; }
   std::filesystem::path notes() const { return root_ / "lectures/01_springs/notes.md"; }
 
-  /// Writes an answer to spring_energy whose body is `body`.
+  /// Writes an answer to spring_energy whose body is `body`, from line 4 on.
   void answer_energy(const std::string& body, const std::string& before = "") const;
+  /// Puts the solution in place of the student's file.
+  void solve(const std::string& name) const;
+  /// A shell script in place of a program of the build, or of checker/setup.sh, which makes them: setup.sh.
+  void stand_in(const std::string& program, const std::string& script) const;
 
  private:
+  std::string shell_command(const std::string& arguments, const std::string& environment) const;
+
   std::filesystem::path root_;
 };
+
+inline const std::string without_programs = "PATH=/nowhere";
+
+/// Compares with tests/program/golden/NAME.txt, as a whole; see tests/support/golden.hpp.
+void check_golden(const std::string& name, const std::string& text);
 
 }  // namespace workbook::testing

@@ -73,7 +73,9 @@ void check_page(Browser& browser, const fs::path& file) {
 
 TEST_CASE("a page full of hostile text is text, at every width and in both colours") {
   const fs::path file = scratch / "hostile.html";
-  write(file, report_page(hostile_course().reported()));
+  MadeUpCourse course;
+  fill_with_hostile_text(course);
+  write(file, report_page(course.page));
   Browser browser(SITE_CHROMIUM);
   check_page(browser, file);
   CHECK(browser.evaluate("document.title") == "Report for " + hostile);
@@ -106,6 +108,5 @@ TEST_CASE("the page of a student whose code prints markup is sound, with its rea
   const std::string text = browser.evaluate("document.body.textContent");
   CHECK(has(text, "</pre><script>document.title='taken'</script>{{name}}"));
   CHECK(has(text, "\"><img src=x onerror=alert(1)>"));
-  CHECK(has(text, "The factor ½ is missing."));
   CHECK(browser.evaluate("document.images.length") == 1);  // spring_force gave no value, so there is no curve
 }

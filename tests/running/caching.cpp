@@ -28,7 +28,7 @@ struct Course {
   fs::path cache = directory / "cache";
   Toolchain tools = toolchain();
 
-  Compilation check() const { return compile({file, "twice", "double twice(double x)"}, tools, cache); }
+  Compilation check() const { return compile({read_submission(file), "twice", signature("twice")}, tools, cache); }
 };
 
 }  // namespace
@@ -56,12 +56,10 @@ TEST_CASE("an unchanged file is compiled once, a changed one again") {
 
 TEST_CASE("another worker, prelude or compiler needs another executable") {
   Course course{fresh_directory("tools")};
-  const fs::path workers = course.directory / "workers";
-  fs::copy(toolchain().workers, workers);
-  course.tools.workers = workers;
+  course.tools.directory = course.directory;  // where its worker is made
   CHECK_FALSE(course.check().from_cache);
   CHECK(course.check().from_cache);
-  fs::last_write_time(workers / "twice.o", fs::file_time_type::clock::now() + std::chrono::seconds(5));
+  fs::last_write_time(course.tools.worker_object("twice"), fs::file_time_type::clock::now() + std::chrono::seconds(5));
   CHECK_FALSE(course.check().from_cache);
   fs::create_symlink(toolchain().compiler, course.directory / "compiler");
   course.tools.compiler = course.directory / "compiler";
@@ -81,7 +79,7 @@ TEST_CASE("a damaged entry is compiled again") {
   Course course{fresh_directory("damaged")};
   const fs::path executable = course.check().executable.value();
   const fs::path entry = executable.parent_path();
-  const auto mended_after = [&](const char* damage) {
+  const auto compiled_again_after = [&](const char* damage) {
     INFO(damage);
     const Compilation again = course.check();
     CHECK_FALSE(again.from_cache);
@@ -91,25 +89,25 @@ TEST_CASE("a damaged entry is compiled again") {
     CHECK(entries(course.cache) == 1);
   };
   fs::resize_file(executable, 1000);
-  mended_after("a cut executable");
+  compiled_again_after("a cut executable");
   {
     std::fstream file(executable, std::ios::in | std::ios::out | std::ios::binary);
     file.seekp(5000).put('?');
   }
-  mended_after("a wrong byte in the executable");
+  compiled_again_after("a wrong byte in the executable");
   fs::remove(executable);
-  mended_after("no executable");
-  fs::remove(entry / "key");
-  mended_after("no key");
-  fs::resize_file(entry / "key", 20);
-  mended_after("a cut key");
-  fs::resize_file(entry / "key", 0);
-  mended_after("an empty key");
+  compiled_again_after("no executable");
+  fs::remove(entry / "made_from");
+  compiled_again_after("no key");
+  fs::resize_file(entry / "made_from", 20);
+  compiled_again_after("a cut key");
+  fs::resize_file(entry / "made_from", 0);
+  compiled_again_after("an empty key");
   fs::remove_all(entry);
   write(entry, "?");
-  mended_after("a file instead of the entry");
+  compiled_again_after("a file instead of the entry");
   fs::remove_all(course.cache);
-  mended_after("no cache at all");
+  compiled_again_after("no cache at all");
 }
 
 TEST_CASE("the cache drops what was not used for longest") {
@@ -117,7 +115,7 @@ TEST_CASE("the cache drops what was not used for longest") {
   const BuildCache cache(directory / "cache", 2);
   const auto keep = [&](const std::string& name) {
     const Workspace workspace(cache.directory());
-    cache.keep(write(workspace.directory() / "worker", "program " + name), "key " + name);
+    cache.keep({write(workspace.directory() / "worker", "program " + name), "warnings of " + name}, "key " + name);
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   };
   keep("a");
@@ -127,7 +125,8 @@ TEST_CASE("the cache drops what was not used for longest") {
   keep("c");
   CHECK(cache.find("key a").has_value());
   CHECK_FALSE(cache.find("key b").has_value());
-  CHECK(cache.find("key c").has_value());
+  REQUIRE(cache.find("key c").has_value());
+  CHECK(cache.find("key c")->compiler_output == "warnings of c");
   CHECK(entries(cache.directory()) == 2);
 }
 
@@ -139,7 +138,7 @@ TEST_CASE("what a killed checker left in the cache is cleared away after an hour
   write(young / "unit.cpp", "");
   fs::last_write_time(old, fs::file_time_type::clock::now() - std::chrono::hours(2));
   const Workspace workspace(cache.directory());
-  cache.keep(write(workspace.directory() / "worker", "program"), "key");
+  cache.keep({write(workspace.directory() / "worker", "program"), ""}, "key");
   CHECK_FALSE(fs::exists(old));
   CHECK(fs::exists(young));
 }

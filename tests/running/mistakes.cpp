@@ -1,353 +1,383 @@
-// The mistakes that compilers complain about: each file is compiled as a student's, and the sentence must name the
-// mistake.
+// The mistakes in students' files, by name and place; the sentences are in golden/compile_findings.txt.
+#include "checker/compile/mistakes.hpp"
+#include "checker/compile/source_findings.hpp"
 #include "tests/running/student.hpp"
+#include "tests/support/golden.hpp"
 
-#include "checker/compile/code_text.hpp"
+#include "checker/base/files.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
-#include <string>
-#include <utility>
-#include <vector>
+#include <algorithm>
+#include <atomic>
+#include <thread>
 
 namespace workbook::testing {
+namespace fs = std::filesystem;
 namespace {
 
-/// The body of `double twice(double x)` inside the namespace, from line 3 on.
+struct Mistaken {
+  std::string expected;  ///< "undeclared_name 3:8; narrowing 4:2"
+  std::string text;
+};
+
+/// The body of `double twice(double x)`, from line 3 on.
 std::string body(const std::string& text) {
   return "namespace rigid {\ndouble twice(double x) {\n" + text + "\n}\n}\n";
 }
 
 /// The body of `Matrix3d scaled(const Matrix3d& A, double factor)`.
-std::string matrix_body(const std::string& text) {
+std::string scaled(const std::string& text) {
   return "namespace rigid {\nMatrix3d scaled(const Matrix3d& A, double factor) {\n" + text + "\n}\n}\n";
 }
 
-struct BrokenFile {
-  std::string about;
-  std::string text;
-  int line;
-  const char* at;  ///< the code above the caret begins so; empty: behind the end of the line
-  std::string sentence;
+const std::vector<Mistaken> files_that_do_not_compile = {
+    {"different_sizes 4:13", body("Vector3d a; Vector2d b;\nreturn (a + b)(0);")},
+    {"different_sizes 4:6", body("Vector3d a; Matrix3d b;\na -= b; return x;")},
+    {"different_sizes 4:14", body("Matrix3d b;\nVector3d a = b; return a(0);")},
+    {"different_sizes 4:30", body("Vector3d a;\nVector3d b = a * a.transpose(); return b(0);")},
+    {"row_and_column 4:20", body("Vector3d a; Matrix3d I;\nreturn (a + I.row(0))(0);")},
+    {"product_sizes 4:25", body("Vector3d a; Matrix3d I;\nreturn (I * a.transpose())(0);")},
+    {"product_of_two_vectors 4:12", body("Vector3d a, b;\nreturn a * b;")},
+    {"product_of_two_vectors 4:18", body("Vector3d a, b;\nVector3d c = a * b; return c(0);")},
+    {"cross_size 4:15", body("VectorXd a(3), b(3);\nreturn a.cross(b)(0);")},
+    {"dot_of_matrix 4:13", body("Vector3d a; Matrix3d I;\nreturn a.dot(I);")},
+    {"component_count 3:16", body("Vector3d a(x, x);\nreturn a(0);")},
+    {"component_count 3:25", body("Vector3d a = {x, x, x, x};\nreturn a(0);")},
+    {"matrix_constructor 3:37", body("Matrix3d a(1, 2, 3, 4, 5, 6, 7, 8, 9);\nreturn a(0, 0);")},
+    {"matrix_constructor 3:13", body("Matrix3d a(0);\nreturn a(0, 0);")},
+    {"xor_for_power 3:9", body("return x^2;")},
+    {"xor_for_power 4:22", body("Vector3d v;\nreturn 0.5 * v.norm()^2;")},
+    {"double_star_for_power 3:10", body("return x**2;")},
+    {"list_with_equals 4:5", body("Vector3d v;\nv = 1, 2, x; return v(0);")},
+    {"list_with_equals 3:14", body("Vector3d v = 1, 2, x; return v(0);")},
+    {"number_for_matrix 3:14", body("Matrix3d I = 0; return I(0, 0);")},
+    {"number_plus_matrix 3:10", scaled("return A + 1;")},
+    {"division_by_vector 4:11", body("Vector3d a, b;\nreturn (a / b)(0);")},
+    {"function_of_vector 4:16", body("Vector3d a;\nreturn std::pow(a, 2);")},
+    {"returned_kind 4:10", body("Vector3d a;\nreturn 2 * a;")},
+    {"returned_kind 3:8", scaled("return factor;")},
+    {"one_by_one_matrix 4:32", body("Vector3d a, b;\nreturn x * (a.transpose() * b) / (b.transpose() * b);")},
+    {"std_vector_as_vector 4:11", body("std::vector<double> v(3);\nreturn (v + v)[0];")},
+    {"modulo_of_double 3:10", body("return x % 2;")},
+    {"arrow_for_comparison 3:8", body("if (x => 0) return 1;\nreturn x;")},
+    {"matrix_brackets 4:5", scaled("Matrix3d B;\nB[0][1] = factor; return B;")},
+    {"matrix_brackets 4:7", scaled("Matrix3d B;\nB[0, 1] = factor; return B;")},
+    {"call_of_value 4:5", scaled("Matrix3d B;\nB(0)(1) = factor; return B;")},
+    {"missing_multiplication 3:8", body("return 2x;")},
+    {"missing_call 3:20", scaled("return A.transpose * A;")},
+    {"missing_call 4:10", body("Vector3d v;\nreturn v.norm;")},
+    {"missing_call 3:18", scaled("return Matrix3d::Zero;")},
+    {"missing_call 3:8", body("return sin x;")},
+    {"method_as_function 4:14", body("Vector3d a, b;\nVector3d c = cross(a, b); return c(0);")},
+    {"types_in_call 3:15", body("return scaled(const Matrix3d& A, double f)(0, 0);")},
+    {"dot_for_colons 3:22", body("Matrix3d A = Matrix3d.Identity(); return A(0, 0);")},
+    {"changed_constant 3:9", scaled("A(0, 1) = factor;\nreturn A;")},
+    {"changed_constant 3:3", scaled("A *= factor;\nreturn A;")},
+    {"changed_constant 3:14", scaled("A = factor * A;\nreturn A;")},
+    {"changed_constant 3:19", scaled("A.transposeInPlace();\nreturn A;")},
+    {"result_type 2:10", "namespace rigid {\nVector3d twice(double x) { return {x, x, x}; }\n}\n"},
+    {"missing_result_type 2:1", "namespace rigid {\ntwice(double x) { return 2 * x; }\n}\n"},
+    {"parameter_types 1:30", "double rigid::twice(double& x) { return 2 * x; }\n"},
+    {"const_behind_parameters 2:24", "namespace rigid {\ndouble twice(double x) const { return x; }\n}\n"},
+    {"storage_class 2:15", "namespace rigid {\nstatic double twice(double x) { return x; }\n}\n"},
+    {"missing_namespace 2:3", "double twice(double x) {\n  Vector3d v;\n  return 2 * x;\n}\n"},
+    {"missing_namespace 1:1", "Vector3d twice(double x) { return {x, x, x}; }\n"},
+    {"undeclared_name 4:8", body("double result = 2 * x;\nreturn reslut;")},
+    {"undeclared_member 4:10", body("Vector3d v;\nreturn v.squaredNrom();")},
+    {"undeclared_member 4:10", body("Vector3d v;\nreturn v.length();")},
+    {"member_of_number 3:10", body("return x.norm();")},
+    {"undeclared_name 3:1", body("y = 2 * x; return y;")},
+    {"missing_prefix 3:1", body("vector<double> v; return x;")},
+    {"missing_prefix 3:1", body("RowVector3d v; return x;")},
+    {"undeclared_name 3:8", body("return pi * x;")},
+    {"undeclared_name 3:8", body("return PI * x;")},
+    {"degrees_function 3:8", body("return sind(x);")},
+    {"missing_header 3:6", body("std::set<int> s; return x;")},
+    {"missing_header 1:10", "#include <Eigen>\n" + body("return x;")},
+    {"missing_hash 1:10", "include <cmath>\n" + body("return x;")},
+    {"redeclaration 4:10", body("Vector3d v;\nVector3d v; return x;")},
+    {"shadowed_parameter 3:8", body("double x = 3; return x;")},
+    {"missing_semicolon 3:17", body("double y = 2 * x\nreturn y;")},
+    {"missing_semicolon 3:17", body("double y = 2 * x  // twice\n\nreturn y;")},
+    {"missing_semicolon 3:13", body("return 2 * x")},
+    {"missing_semicolon 3:11", body("Vector3d v\nv << 1, 2, 3; return v(0);")},
+    {"missing_operator 3:19", body("return 2 * (x + 1) x;")},
+    {"missing_brace 7:2", body("  if (x > 0) {\n    return 2 * x;\n  return x;")},
+    {"surplus_brace 6:1", body("return 2 * x;\n}")},
+    {"missing_parenthesis 3:18", body("return 2 * (x + 1;")},
+    {"surplus_parenthesis 3:17", body("return 2 * x + 1);")},
+    {"condition_parentheses 3:4", body("if x > 0 return x;\nreturn 0;")},
+    {"else_without_if 3:20", body("if (x > 0); x = 1; else x = 2;\nreturn x;")},
+    {"apostrophe_for_transpose 4:9", body("Vector3d a;\nreturn a' * a;")},
+    {"invalid_character 3:10", body("return 2 − x;")},
+    {"invalid_character 3:9", body("return 2 · x;")},
+    {"list_in_brackets 3:15", body("Vector3d v = [1, 2, 3]; return v(0);")},
+    {"unterminated_comment 3:15", body("return 2 * x; /* twice")},
+    {"compiler_error 2:2", "// a comment\n#error \"not today\"\n"},
+    {"undeclared_name 1:24", "#define HALF(a) ((a) / y)\n" + body("return HALF(x);")},
+    {"different_sizes 2:5",
+     "template <class T> void f(T t) {\n  t += Eigen::Vector2d(1, 2);\n}\n" + body("f(Vector3d(x, x, x)); return x;")},
+    {"compiler_error 4:8", body("Vector3d a;\nreturn !a;")},
+    {"eigen_assertion 4:14", body("Vector3d a, b;\nreturn (a || b)(0);")},
+    {"compiler_error 1:7", "class rigid { double twice(double x) { return x; } };\n"},
+    {"compiler_error 3:1", body("inline double v; return x;")},
+    {"own_header 1:10", "#include \"helper.hpp\"\n" + body("return x;")},
+    {"missing_header 1:10", "#include \"Eigen\"\n" + body("return x;")},
+    {"missing_header 1:10", "#include <rigid/nothing.hpp>\n" + body("return x;")},
+    {"newer_library 1:10", "#include <format>\n" + body("return x;")},
+    {"newer_library 3:6", body("std::format(\"{}\", x); return x;")},
+    {"compiler_error 4:14", body("std::vector<int> v(3);\nstd::ranges::foo(v); return x;")},
+    {"assignment_in_condition 4:7", body("const double p = x;\nif (p = 0) return 1;\nreturn x;")},
+    {"assignment_in_condition 4:9", body("const Vector3d p(x, x, x);\nif (p = 0) return 1;\nreturn x;")},
+    {"comparison_of_vectors 4:7", body("Vector3d p(x, x, x);\nif (p == 0) return 1;\nreturn x;")},
+    {"comparison_of_vectors 4:7", body("Vector3d p(x, x, x), q(1,2,3);\nif (p < q) return 1;\nreturn x;")},
+    {"mixed_precision 4:21", body("Vector3d omega(x, x, x);\nEigen::Vector3f w = omega;\nreturn w(0);")},
+    {"mixed_precision 4:18", body("Eigen::Vector3f w(1, 2, 3);\nVector3d v = x * w; return v(0);")},
+    {"row_and_column 4:25", body("Vector3d a; \nreturn (a.transpose() + a)(0);")},
+    {"changed_constant 3:38", scaled("A.row(0) = Vector3d(1,2,3).transpose();\nreturn A;")},
+    {"function_of_vector 3:36", body("Vector3d a(x,x,x); return std::sqrt(a);")},
+    {"number_for_vector 3:34", body("Vector3d a(x,x,x); return a.cross(2)(0);")},
+    {"method_as_function 3:15", scaled("return inverse(A);")},
+    {"array_and_matrix 3:18", scaled("return A.array() + A;")},
+    {"assignment_to_value 3:3", body("2 * x = 3; return x;")},
+    {"arrow_for_dot 3:28", body("Vector3d v(1,2,3); return v->norm();")},
+    {"compiler_error 4:16", body("auto f = [](double a) { return a; };\nreturn std::pow(x);")},
+    {"argument_count 4:9", "double h(double a, double b) { return a + b; }\n" + body("return h(x);")},
+    {"argument_count 4:9", "double h(double a) { return a; }\n" + body("return h(x, 2);")},
+    {"argument_kind 4:10", "double h(const Eigen::Vector3d& a) { return a(0); }\n" + body("return h(x);")},
+    {"argument_kind 4:22", "double h(double a) { return a; }\n" + body("Vector3d v; return h(v);")},
+    {"number_for_matrix 3:14", body("Vector3d v = 3; return v(0);")},
+    {"wrong_kind 3:31", body("Vector3d v(1,2,3); double y = v; return y;")},
+    {"std_vector_as_vector 3:40", body("std::vector<double> s(3); Vector3d v = s; return v(0);")},
+    {"return_without_value 3:1", body("return;")},
+    {"redefinition 7:8", body("return x;\n}\n}\nnamespace rigid {\ndouble twice(double x) {\nreturn x;")},
+    {"ambiguous_call 4:13", "namespace rigid { double twice(float x) { return x; } }\n" + body("return twice(1);")},
+    {"result_by_assignment 3:7", body("twice = 2 * x;")},
+    {"nested_function 3:20", body("double h(double a) { return a; }\nreturn h(x);")},
+    {"column_by_colon 3:10", scaled("return A(:, 0);")},
+    {"unterminated_text 3:14", body("std::cout << \"a; return x;")},
+    {"std_vector_parentheses 3:35", body("std::vector<double> v(3); return v(0);")},
+    {"unterminated_text 3:10", body("char c = 'a; return x;")},
+    {"changed_constant 3:37", scaled("for (int i = 0; i < 3; ++i) A(i, i) = 0;\nreturn A;")},
+    {"missing_header 4:23", body("std::vector<int> v(3);\nfor (int i : v | std::views::reverse) x += i;\nreturn x;")},
+    {"newer_library 3:6", body("std::println(\"{}\", x); return x;")},
+    {"undeclared_name 3:13", body("return std::pi;")},
+    {"missing_header 3:13", scaled("return A.exp();")},
+    {"undeclared_member 2:12",
+     "template <class T> T f(T t) {\n  return t.foo();\n}\ntemplate <class T> T g(T t) { return f(t); }\n" +
+         body("return g(Eigen::Vector3d(x, x, x))(0);")},
+    {"size_not_whole 3:15", body("VectorXd v(2.5); return v(0);")},
+    {"vector_method_on_matrix 3:21", scaled("return A(0) * A.head(2);")},
+    {"number_brackets 3:9", body("return x[0];")},
+    {"branch_types 3:19", scaled("return factor > 0 ? A.transpose() : 2.0;")},
+    // Places: without a last line end, with those of another system, behind tabs, letters of two bytes, a raw text.
+    {"undeclared_name 1:51", "namespace rigid { double twice(double x) { return y; } }"},
+    {"undeclared_name 3:10", "namespace rigid {\r\ndouble twice(double x) {\r\n  return y;\r\n}\r\n}\r\n"},
+    {"undeclared_name 3:27", body("\tdouble a = 1;\treturn a + y;")},
+    {"undeclared_name 3:28", body("double ω = x; return ω + q;")},
+    {"undeclared_name 5:12", body("const char* s = R\"(\n  1/2\n)\"; return y;")},
+    {"compiler_error 500:5", "#line 500\nint rigid;\n"},
+    {"compiler_error 0:0", "#line 7 \"elsewhere.cpp\"\nint rigid;\n"},
 };
 
-/// What stands above the caret.
-std::string code_at_caret(const std::string& excerpt) {
-  const std::size_t end = excerpt.find('\n');
-  const std::size_t caret = excerpt.find('^', end);
-  if (end == std::string::npos || caret == std::string::npos) return "no caret";
-  const std::string line = excerpt.substr(0, end);
-  return line.substr(byte_at_column(line, static_cast<int>(caret - end)));
+const std::vector<Mistaken> files_that_compile = {
+    {"integer_division 4:1", body("return\n1/2 * x;")},
+    {"integer_division 3:13", body("return x * (3 / 2);")},
+    {"degrees_literal 3:17", body("return x * std::sin(30);")},
+    {"degrees_literal 3:12", body("return x * cos(-90.0);")},
+    {"degrees_argument 3:13", body("return std::tan(x * 180 / std::numbers::pi);")},
+    {"xor_for_power 4:13", body("int n = 3;\nreturn x * (n^2);")},
+    {"discarded_result 4:1", body("Matrix3d A = x * Matrix3d::Identity();\nA.transpose(); return A(0, 1);")},
+    {"empty_body 3:1", body("for (int i = 0; i < 3; ++i);\nx += 1; return x;")},
+    {"uninitialized_variable 4:29",
+     body("Matrix3d I;\nfor (int i = 0; i < 3; ++i) I += x * Matrix3d::Identity();\nreturn I.trace();")},
+    {"rounded_pi 3:8", body("return 3.1416 * x;")},
+    {"float_precision 3:1", body("float y = 2;\nreturn y * x;")},
+    {"missing_return 4:1", body("x *= 2;")},
+    {"missing_return 5:1", body("if (x > 0) return 2 * x;\nelse if (x < 0) return -2 * x;")},
+    {"uninitialized_variable 4:31", body("double s;\nfor (int i = 0; i < 2; ++i) s += x;\nreturn s;")},
+    {"narrowing 3:13", body("int y = 0.5 * x;\nreturn y;")},
+    {"assignment_in_condition 3:7", body("if (x = 2) return 1;\nreturn 2 * x;")},
+    {"chained_comparison 3:7", body("if (0 < x < 2) return 1;\nreturn 2 * x;")},
+    {"comma_in_number 3:8", body("return 0,5 * x;")},
+    {"unused_value 3:3", body("x == 2;\nreturn x;")},
+    {"unsigned_comparison 3:24", body("for (unsigned i = 3; i >= 0; --i) x += i;\nreturn x;")},
+    {"shadowed_variable 4:10", body("double y = 2;\n{ double y = 3; y += x; }\nreturn y;")},
+    {"fall_through 4:11", body("switch (int(x)) {\ncase 1: x = 2;\ncase 2: x = 3;\n}\nreturn x;")},
+    {"never_used 3:8", body("double y = 2 * x;\nreturn 2;")},
+    {"never_used 2:21", body("return 2;")},
+    {"reference_to_local 3:10",
+     "const Eigen::Vector3d& f(double x) {\n  Eigen::Vector3d a(x, x, x);\n  return a;\n}\n" + body("return f(x)(0);")},
+    {"misleading_indentation 3:3", body("  for (int i = 0; i < 3; ++i)\n    x += i;\n    x *= 2;\n  return x;")},
+    {"kept_expression 4:1", body("Vector3d a(x, x, x);\nauto b = a + a; return b(0);")},
+    {"kept_expression 3:26", body("Vector3d a(x,x,x); const auto& r = a + a; return r(0);")},
+    {"kept_expression 1:1",
+     "auto helper(const Eigen::Vector3d& a) { return 2 * a; }\n" + body("return helper(Vector3d(x,x,x))(0);")},
+    {"kept_expression 7:1", "#include <set>\n#include <ranges>\n#include <random>\n" +
+                                body("Vector3d a(x,x,x);\nauto v = a.transpose() * 2; return v(0);")},
+    {"kept_expression 5:1",
+     body("Vector3d a(x,x,x);\nauto f = [](auto v) { return v; }; auto y = f(a); for (auto z : {1.0, 2.0}) x += z; "
+          "auto [p, q] = std::pair(1, 2);\nauto w = y - a; return w(0) + p + q;")},
+    {"integer_division_by_zero 3:14", body("return x + 1 / 0;")},
+    {"never_used 2:21; integer_division 3:22; float_precision 3:27; uninitialized_variable 3:49",
+     body("double a; double b = 1/2; float c = 3; return a + b + c;")},
+    // Right code that looks like a mistake.
+    {"", "// 1/2, sin(30), x ^ 2 and 3.14 in a comment\n/* 1/2\n 1/2 */\n#include <cmath>\n#define HALF 1/2\n" +
+             body(R"code(const char* text = "1/2 sin(30) 3.14 float"; char letter = '/';
+const char* raw = R"(1/2 sin(30))"; (void)text; (void)letter; (void)raw;
+double a = 4/2 + 1.0/2 + 1/2.0 + x*1/2 + x/1/2 + (double)1/2 + 1./2 + 1e0/2 + 0x10/3.0;
+double b = std::sin(0.5) + std::cos(30 * std::numbers::pi / 180) + std::sin(2) + std::cos(0);
+int mask = 3; mask = mask ^ mask; int n = static_cast<int>(x); int k = std::lround(x);
+Matrix3d I = Matrix3d::Zero(); I += Matrix3d::Identity(); I.transposeInPlace(); I.setZero();
+Matrix3d J; J.setZero(); J += I; Matrix3d K; K << 1, 2, 3, 4, 5, 6, 7, 8, 9; K += J;
+double s = 0; for (int i = 0; i < 3; ++i) s += i; while (s > 100) s /= 2;
+std::vector<int> v(3); std::size_t m = v.size() - 1; s += v[m/2] + v[1/2];
+double pi = 3.14159265358979323846; do { s -= 1; } while (s > 1e6);
+return a + b + mask + n + k + K(0, 0) + s + pi;)code")},
+    // auto that holds a value.
+    {"", "#include <random>\n#include <ranges>\n" +
+             body("Vector3d a(x, 1, 2), b(x, x, x); static auto zero = Vector3d(0, 0, 0);\n"
+                  "auto n = a.norm(); auto c = a.cross(b); auto d = a.dot(b); auto u = a.normalized();\n"
+                  "auto I = Matrix3d::Identity(); auto two = 2 * Matrix3d::Identity(); auto e = (a + b).eval();\n"
+                  "auto t = a.transpose(); auto first = a.head(2); auto f = [&](double y) { return y * n; };\n"
+                  "auto g = [](const Vector3d& v) -> Vector3d { return 2 * v; }; auto i = 3; auto s = x;\n"
+                  "for (auto y : std::vector<double>{x}) s += y; const auto& r = a; auto [p, q] = std::pair(1, 2);\n"
+                  "auto h = [](auto y) { return y; }; decltype(auto) w = (a); auto* at = &a; s += h(zero(0)) + w(0) + "
+                  "at->x();\n"
+                  "return c(0) + d + u(0) + I(0, 0) + two(0, 0) + e(0) + t(0) + first(0) + f(1) + g(a)(0) + i + s + "
+                  "r(0) + p + q;")},
+    // A sum that another statement may have given a value; a method of one's own type may do anything.
+    {"", body("Matrix3d I;\nif (x > 0) I += Matrix3d::Identity(); else I = Matrix3d::Zero();\nreturn I.trace();")},
+    {"", body("auto fill = [](Matrix3d& A) { A.setZero(); };\nMatrix3d I;\nfill(I); I += Matrix3d::Identity(); return "
+              "x * I.trace();")},
+    {"", body("static Matrix3d I;\nI += Matrix3d::Identity(); return x * I(0, 0);")},
+    {"", "struct Frame { void transpose() {} };\n" + body("Frame f;\nf.transpose(); return x;")},
+};
+
+struct Result {
+  bool compiles = false;
+  std::vector<Finding> findings;
+};
+
+Result findings_in(const std::string& text) {
+  const std::string exercise =
+      text.find("scaled(const Matrix3d& A, double factor) {") == std::string::npos ? "twice" : "scaled";
+  const Submission submission = submit(text, exercise);
+  const CompileTask task{submission, exercise, signature(exercise)};
+  const Compilation compilation = compile(task, toolchain(), shared_cache());
+  const bool compiles = compilation.executable.has_value();
+  return {compiles, compiles ? source_findings(task, compilation, toolchain(), shared_cache()) : compilation.findings};
 }
 
-Finding first_error_of(const std::string& text) {
-  const Compilation compilation =
-      compile_text(text, text.find("scaled(const") == std::string::npos ? "twice" : "scaled");
-  CHECK_FALSE(compilation.executable.has_value());
-  CHECK(compilation.refusal == Refusal::compile_error);
-  CHECK_FALSE(compilation.details.empty());
-  REQUIRE(compilation.findings.size() == 1);
-  const Finding& finding = compilation.findings.front();
-  CHECK(compilation.message ==
-        "Your file does not compile: the first error is in line " + std::to_string(finding.line) + ".");
-  CHECK(refused(compilation).findings.size() == 1);
-  return finding;
+/// Compiled on all processors.
+std::vector<Result> findings_in(const std::vector<Mistaken>& files) {
+  std::vector<Result> results(files.size());
+  std::atomic<std::size_t> next = 0;
+  std::vector<std::jthread> threads;
+  for (unsigned i = 0; i < std::thread::hardware_concurrency(); ++i)
+    threads.emplace_back([&] {
+      for (std::size_t file = next++; file < files.size(); file = next++) results[file] = findings_in(files[file].text);
+    });
+  threads.clear();
+  return results;
 }
 
-void check(const std::vector<BrokenFile>& files) {
-  for (const BrokenFile& file : files) {
-    CAPTURE(file.about);
-    const Finding finding = first_error_of(file.text);
-    CHECK(finding.line == file.line);
-    CHECK(finding.sentence == file.sentence);
-    CHECK(finding.sentence.size() <= 210);
-    const std::string code = code_at_caret(finding.excerpt);
-    CHECK_MESSAGE((*file.at == '\0' ? code.empty() : code.starts_with(file.at)), finding.excerpt);
-  }
+std::string names_of(const std::vector<Finding>& findings) {
+  std::string names;
+  for (const Finding& one : findings)
+    names += fmt::format("{}{} {}:{}", names.empty() ? "" : "; ", one.name, one.line, one.column);
+  return names;
 }
-
-const char* const power =
-    "^ is not a power in C++ (it combines the bits of whole numbers); write x * x or std::pow(x, 2).";
-const char* const uncalled =
-    "A function is named here, but not called: its parentheses are missing, as in A.transpose(), v.norm() or cos(x).";
-const char* const brackets =
-    "An entry of a matrix is A(i, j), with parentheses; the brackets [ ] work with vectors only.";
-const char* const list = "A list of numbers is put into a vector or matrix with <<, not with =, as in v << 1, 2, 3;";
-const char* const two_vectors =
-    "Two vectors cannot be multiplied by *: write a.dot(b) for the scalar product, or a.cross(b) for the cross "
-    "product.";
-const char* const constant_A = "`A` is const and cannot be changed; make a variable of your own for the result.";
-const char* const no_pi = "C++ has no pi of that name: write std::numbers::pi.";
-const char* const semicolon = "A ; is missing here, at the end of the statement.";
-const char* const outside =
-    "`Vector3d` is known in the namespace rigid only: your function must stand between `namespace rigid {` and its "
-    "`}`.";
-const char* const foreign =
-    "Here stands a character that C++ does not know, perhaps copied from a document: type the operators and quotation "
-    "marks on the keyboard.";
 
 }  // namespace
 
-TEST_CASE("mistakes with sizes are named") {
-  check({
-      {"two sizes added", body("Vector3d a; Vector2d b;\nreturn (a + b)(0);"), 4, "b)",
-       "The two sides of + have different sizes: a 3×1 vector and a 2×1 vector."},
-      {"two sizes subtracted in place", body("Vector3d a; Matrix3d b;\na -= b; return x;"), 4, "b;",
-       "The two sides of -= have different sizes: a 3×1 vector and a 3×3 matrix."},
-      {"assigned to a smaller one", body("Matrix3d b;\nVector3d a = b; return a(0);"), 4, "b;",
-       "A 3×3 matrix does not fit into a 3×1 vector."},
-      {"an outer product where a vector is meant", body("Vector3d a;\nVector3d b = a * a.transpose(); return b(0);"), 4,
-       ")", "A 3×3 matrix does not fit into a 3×1 vector."},
-      {"a row where a column is meant", body("Vector3d a; Matrix3d I;\nreturn (a + I.row(0))(0);"), 4, ")",
-       "A row and a column meet at +: a 3×1 vector and a 1×3 row vector. Transpose one of them, as in v.transpose()."},
-      {"a matrix times a row", body("Vector3d a; Matrix3d I;\nreturn (I * a.transpose())(0);"), 4, ")",
-       "In a product, the left side must have as many columns as the right side has rows; here a 3×3 matrix with 3 "
-       "columns stands before a 1×3 row vector with 1 row."},
-      {"* for the scalar product", body("Vector3d a, b;\nreturn a * b;"), 4, "b;", two_vectors},
-      {"* for the cross product", body("Vector3d a, b;\nVector3d c = a * b; return c(0);"), 4, "b;", two_vectors},
-      {"cross product of long vectors", body("VectorXd a(3), b(3);\nreturn a.cross(b)(0);"), 4, "(b)",
-       "cross() needs two vectors with exactly three components, and the types must say so: use Vector3d, not "
-       "VectorXd."},
-      {"dot product with a matrix", body("Vector3d a; Matrix3d I;\nreturn a.dot(I);"), 4, "(I)",
-       "dot() needs two vectors with the same number of components; multiply a matrix and a vector by *."},
-      {"too few numbers", body("Vector3d a(x, x);\nreturn a(0);"), 3, ");",
-       "The number of values in the parentheses or braces does not fit a Vector3d."},
-      {"too many numbers", body("Vector3d a = {x, x, x, x};\nreturn a(0);"), 3, "};",
-       "The number of values in the parentheses or braces does not fit a Vector3d."},
-      {"numbers of a matrix in parentheses", body("Matrix3d a(1, 2, 3, 4, 5, 6, 7, 8, 9);\nreturn a(0, 0);"), 3, ");",
-       "The numbers of a matrix do not go into its parentheses: define the matrix, then fill it with <<, as in A << 1, "
-       "2, 3, ...;"},
-      {"a matrix of zeros by (0)", body("Matrix3d a(0);\nreturn a(0, 0);"), 3, ");",
-       "One number in parentheses does not make a Matrix3d: write Matrix3d::Zero(), Matrix3d::Identity() or "
-       "Matrix3d::Constant(number)."},
-  });
+TEST_CASE("mistakes have a name, a place and a sentence") {
+  std::string sentences;
+  for (const auto* files : {&files_that_do_not_compile, &files_that_compile}) {
+    const std::vector<Result> results = findings_in(*files);
+    for (std::size_t i = 0; i < files->size(); ++i) {
+      CAPTURE((*files)[i].text);
+      CHECK(results[i].compiles == (files == &files_that_compile));
+      CHECK(names_of(results[i].findings) == (*files)[i].expected);
+      for (const Finding& finding : results[i].findings) {
+        CHECK(finding.sentence.size() <= 200);
+        CHECK((finding.excerpt.empty() || finding.excerpt.ends_with("^")));
+        const std::string sentence = finding.name + ": " + finding.sentence + "\n";
+        if (sentences.find(sentence) == std::string::npos) sentences += sentence;
+      }
+    }
+  }
+  compare_with_golden(golden("compile_findings.txt"), sentences);
 }
 
-TEST_CASE("mistakes with operators are named") {
-  check({
-      {"^ for power", body("return x^2;"), 3, "^2", power},
-      {"^ for the power of a norm", body("Vector3d v;\nreturn 0.5 * v.norm()^2;"), 4, "^2", power},
-      {"** for power", body("return x**2;"), 3, "*2", "** is not a power in C++; write x * x or std::pow(x, 2)."},
-      {"= for <<", body("Vector3d v;\nv = 1, 2, x; return v(0);"), 4, "1, 2", list},
-      {"= with a list at once", body("Vector3d v = 1, 2, x; return v(0);"), 3, "1, 2", list},
-      {"a number assigned to a matrix", body("Matrix3d I = 0; return I(0, 0);"), 3, "0;",
-       "A number is assigned to a Matrix3d: write Matrix3d::Zero() for zeros, or Matrix3d::Constant(number)."},
-      {"a number added to a matrix", matrix_body("return A + 1;"), 3, "+ 1",
-       "A number and a matrix or vector cannot be joined by +; multiply the number by Identity() if a matrix is meant, "
-       "as in x * Matrix3d::Identity()."},
-      {"division by a vector", body("Vector3d a, b;\nreturn (a / b)(0);"), 4, "/ b",
-       "One cannot divide by a 3×1 vector: a.cwiseQuotient(b) divides component by component, and A.inverse() is the "
-       "inverse of a matrix."},
-      {"pow of a vector", body("Vector3d a;\nreturn std::pow(a, 2);"), 4, "(a",
-       "pow takes a number, but here it is given a 3×1 vector; a vector's length is v.norm(), its square "
-       "v.squaredNorm()."},
-      {"a vector returned for a number", body("Vector3d a;\nreturn 2 * a;"), 4, "* a",
-       "The function returns a number, but what is returned here is a 3×1 vector."},
-      {"a number returned for a matrix", matrix_body("return factor;"), 3, "factor",
-       "The function returns a 3×3 matrix, but what is returned here is a number."},
-      {"a matrix with one entry for a number",
-       body("Vector3d a, b;\nreturn x * (a.transpose() * b) / (b.transpose() * b);"), 4, "/ (b",
-       "This is a matrix with one entry, not a number: write a.dot(b) in place of a.transpose() * b, or put .value() "
-       "behind the product in parentheses."},
-      {"std::vector as a vector", body("std::vector<double> v(3);\nreturn (v + v)[0];"), 4, "+ v",
-       "A std::vector or an array is only a list: it cannot be added, multiplied or turned into a vector of Eigen. Use "
-       "Vector3d or VectorXd for calculating."},
-      {"% of doubles", body("return x % 2;"), 3, "% 2",
-       "% is the remainder of whole numbers only; for doubles write std::fmod(a, b)."},
-      {"=> for >=", body("if (x => 0) return 1;\nreturn x;"), 3, "> 0",
-       "=> does not exist in C++; greater or equal is >=."},
-  });
+TEST_CASE("every mistake of the tables is in a file here, or made by another compiler") {
+  std::string expected;
+  for (const auto* files : {&files_that_do_not_compile, &files_that_compile})
+    for (const Mistaken& file : *files) expected += "; " + file.expected;
+  for (const auto* table : {&error_table, &warning_table})
+    for (const MessageMistake& mistake : *table) {
+      INFO(mistake.name);
+      CHECK((*mistake.name == '\0' || expected.find(std::string("; ") + mistake.name + " ") != std::string::npos));
+    }
 }
 
-TEST_CASE("mistakes with brackets and calls are named") {
-  check({
-      {"A[i][j]", matrix_body("Matrix3d B;\nB[0][1] = factor; return B;"), 4, "[1]", brackets},
-      {"A[i, j]", matrix_body("Matrix3d B;\nB[0, 1] = factor; return B;"), 4, "] =", brackets},
-      {"A(i)(j)", matrix_body("Matrix3d B;\nB(0)(1) = factor; return B;"), 4, "(1)",
-       "What stands here is no function, but ( stands behind it: write * if a product is meant; an entry of a matrix "
-       "is A(i, j)."},
-      {"a missing * before a parenthesis", body("return x(x + 1);"), 3, "(x",
-       "`x` is no function, but ( stands behind it: write * if a product is meant; an entry of a matrix is A(i, j)."},
-      {"a missing * after a number", body("return 2x;"), 3, "2x",
-       "A * is missing behind a number: a product is written 2 * x, not 2x."},
-      {"a method without parentheses", matrix_body("return A.transpose * A;"), 3, "* A", uncalled},
-      {"norm without parentheses", body("Vector3d v;\nreturn v.norm;"), 4, "norm", uncalled},
-      {"Zero without parentheses", matrix_body("return Matrix3d::Zero;"), 3, "Zero", uncalled},
-      {"sin without parentheses", body("return sin x;"), 3, "sin", uncalled},
-      {"cross as a free function", body("Vector3d a, b;\nVector3d c = cross(a, b); return c(0);"), 4, "cross",
-       "`cross` is a method: it stands behind a vector or matrix and a dot, as in a.cross(b)."},
-      {"types in a call", body("return scaled(const Matrix3d& A, double f)(0, 0);"), 3, "const",
-       "Where a function is called, only values stand in the parentheses, without their types."},
-      {"a dot for ::", body("Matrix3d A = Matrix3d.Identity(); return A(0, 0);"), 3, ".Identity",
-       "Behind the name of a type or namespace stands ::, not a dot, as in Matrix3d::Identity() or std::sqrt(x)."},
-  });
+// Students' copies of the workbook have no solutions.
+TEST_CASE("no solution of the course has a mistake in its text" * doctest::skip(!fs::exists(WORKBOOK_TEST_SOLUTIONS))) {
+  std::size_t solutions = 0;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(WORKBOOK_TEST_SOLUTIONS)) {
+    const std::string name = entry.path().filename().string();
+    const std::string text = entry.path().extension() == ".cpp" ? read_file(entry.path()).value_or("") : "";
+    if (name == "judging.cpp" || name == "main.cpp" || text.find("namespace rigid {") == std::string::npos) continue;
+    CAPTURE(name);
+    CHECK(names_of(text_mistakes(SourceText(text))) == "");
+    ++solutions;
+  }
+  CHECK(solutions >= 48);
 }
 
-TEST_CASE("mistakes with const, types and names are named") {
-  check({
-      {"an entry of an argument changed", matrix_body("A(0, 1) = factor;\nreturn A;"), 3, "= factor", constant_A},
-      {"an argument scaled", matrix_body("A *= factor;\nreturn A;"), 3, "*= factor", constant_A},
-      {"an argument assigned", matrix_body("A = factor * A;\nreturn A;"), 3, "A;", constant_A},
-      {"an argument transposed in place", matrix_body("A.transposeInPlace();\nreturn A;"), 3, "(", constant_A},
-      {"another result type", "namespace rigid {\nVector3d twice(double x) { return {x, x, x}; }\n}\n", 2, "twice",
-       "The result type differs from the contract: it says `double twice(double x)`."},
-      {"no result type", "namespace rigid {\ntwice(double x) { return 2 * x; }\n}\n", 2, "twice",
-       "The result type is missing before the name of the function, as the double in double f(double x)."},
-      {"other parameters", "double rigid::twice(double& x) { return 2 * x; }\n", 1, ")",
-       "The contract has no `double rigid::twice(double&)`; keep the result, the name and the parameters of `double "
-       "twice(double x)`."},
-      {"const behind the parentheses", "namespace rigid {\ndouble twice(double x) const { return x; }\n}\n", 2, "const",
-       "The const behind the parentheses is for methods of a class only; leave it out."},
-      {"a static function", "namespace rigid {\nstatic double twice(double x) { return x; }\n}\n", 2, "twice",
-       "The function of an exercise must not be static: leave out this word."},
-      {"outside the namespace", "double twice(double x) {\n  Vector3d v;\n  return 2 * x;\n}\n", 2, "Vector3d",
-       outside},
-      {"a result type outside the namespace", "Vector3d twice(double x) { return {x, x, x}; }\n", 1, "Vector3d",
-       outside},
-      {"a misspelt name", body("double result = 2 * x;\nreturn reslut;"), 4, "reslut",
-       "There is no `reslut`; did you mean `result`?"},
-      {"a misspelt method", body("Vector3d v;\nreturn v.squaredNrom();"), 4, "squaredNrom",
-       "A Vector3d has nothing called `squaredNrom`; did you mean `squaredNorm`?"},
-      {"length for norm", body("Vector3d v;\nreturn v.length();"), 4, "length",
-       "A Vector3d has nothing called `length`; did you mean `norm`?"},
-      {"a method of a number", body("return x.norm();"), 3, "norm", "`x` is a number and has no `norm`."},
-      {"an undeclared name", body("y = 2 * x; return y;"), 3, "y",
-       "`y` is not known here: is it spelt as where it was declared, and was that before this line?"},
-      {"std:: left out", body("vector<double> v; return x;"), 3, "vector",
-       "The namespace is missing: write `std::vector` for `vector`."},
-      {"Eigen:: left out", body("RowVector3d v; return x;"), 3, "RowVector3d",
-       "The namespace is missing: write `Eigen::RowVector3d` for `RowVector3d`."},
-      {"pi", body("return pi * x;"), 3, "pi", no_pi},
-      {"M_Pi", body("return PI * x;"), 3, "PI", no_pi},
-      {"sine of degrees", body("return sind(x);"), 3, "sind",
-       "There is no function `sind`: sin and its relatives work in radians, as all angles of the course do."},
-      {"a missing header", body("std::set<int> s; return x;"), 3, "set",
-       "`std::set` needs a header: write #include <set> at the top of your file."},
-      {"a wrong header", "#include <Eigen>\n" + body("return x;"), 1, "<Eigen>",
-       "There is no header `Eigen`: Eigen is <Eigen/Dense>, and the header of the lecture is named at the top of the "
-       "file you were given."},
-      {"include without #", "include <cmath>\n" + body("return x;"), 1, "cmath", "A # is missing: write #include."},
-      {"declared twice", body("Vector3d v;\nVector3d v; return x;"), 4, "v;",
-       "`v` is declared for the second time; to give it a new value, leave out the type."},
-      {"an argument declared again", body("double x = 3; return x;"), 3,
-       "x =", "`x` is an argument of the function already: leave out the type to change it, or choose another name."},
-  });
+TEST_CASE("at most four mistakes are named, in the order of the lines") {
+  CHECK(names_of(findings_in(body("double a;\ndouble b = 1/2;\ndouble c = 1/3;\ndouble d = 1/4;\ndouble e = 1/5;"
+                                  "\ndouble f = 1/6;\nreturn x;"))
+                     .findings) ==
+        "integer_division 4:12; integer_division 5:12; integer_division 6:12; integer_division 7:12");
 }
 
-TEST_CASE("mistakes with punctuation are named, where they were made") {
-  check({
-      {"a missing ; before the next line", body("double y = 2 * x\nreturn y;"), 3, "", semicolon},
-      {"a missing ; before a comment", body("double y = 2 * x  // twice\n\nreturn y;"), 3, " ", semicolon},
-      {"a missing ; before a brace", body("return 2 * x"), 3, "", semicolon},
-      {"a missing ; after a declaration", body("Vector3d v\nv << 1, 2, 3; return v(0);"), 3, "", semicolon},
-      {"a missing operator", body("return 2 * (x + 1) x;"), 3, " x;",
-       "Before `x` something is missing, such as an operator (a * is never left out), a comma or a ;"},
-      {"a missing }",
-       "namespace rigid {\ndouble twice(double x) {\n  if (x > 0) {\n    return 2 * x;\n  return x;\n}\n}\n", 7, "",
-       "A closing brace } is missing: the file ends while a { is still open. Count the braces from here upwards."},
-      {"a } too many", body("return 2 * x;\n}"), 6, "}",
-       "There is one } too many: all braces are closed before this one."},
-      {"a missing )", body("return 2 * (x + 1;"), 3, ";", "A ) is missing here."},
-      {"a ) too many", body("return 2 * x + 1);"), 3, ")", "There is a ) too many, or its ( is missing."},
-      {"if without parentheses", body("if x > 0 return x;\nreturn 0;"), 3, "x >",
-       "Behind if, for and while stand parentheses, as in if (x > 0) or for (int i = 0; i < 3; ++i)."},
-      {"; behind if", body("if (x > 0); x = 1; else x = 2;\nreturn x;"), 3, "else",
-       "This else belongs to no if: look for a ; directly behind the if (...), or put the statements before the else "
-       "into braces."},
-      {"' for the transpose", body("Vector3d a;\nreturn a' * a;"), 4, "' *",
-       "An apostrophe does not transpose in C++; write A.transpose()."},
-      {"a minus sign from a document", body("return 2 − x;"), 3, "−", foreign},
-      {"a centred dot", body("return 2 · x;"), 3, " ·", foreign},
-      {"a list in brackets", body("Vector3d v = [1, 2, 3]; return v(0);"), 3, "1",
-       "A list of numbers stands in braces or behind <<, not in [ ]: write Vector3d v(1, 2, 3);"},
-      {"a comment without end", body("return 2 * x; /* twice"), 3, "/*",
-       "The comment that begins here has no end: */ is missing."},
-  });
+TEST_CASE("a message of a template without end stays short") {
+  const std::vector<Finding> found =
+      findings_in(
+          "template <int n, class T> struct Deep { using type = typename Deep<n - 1, std::vector<T>>::type; };\n"
+          "template <class T> struct Deep<0, T> { using type = typename T::missing; };\n" +
+          body("Deep<8, double>::type d; return x;"))
+          .findings;
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].line > 0);
+  CHECK(found[0].sentence.size() <= 400);
 }
 
-TEST_CASE("of an error without a name, the line, the caret and the compiler's words are shown") {
-  check({
-      {"an #error", "// a comment\n#error \"not today\"\n", 2, "error", "The compiler says: #error \"not today\"."},
-      {"an error in a macro", "#define HALF(a) ((a) / y)\n" + body("return HALF(x);"), 1, "y)",
-       "`y` is not known here: is it spelt as where it was declared, and was that before this line?"},
-      {"inside a template that another one calls",
-       "template <class T> T f(T t) {\n  return t.foo();\n}\ntemplate <class T> T g(T t) { return f(t); }\n" +
-           body("return g(Eigen::Vector3d(x, x, x))(0);"),
-       2, "foo", "A Vector3d has nothing called `foo`."},
-      {"sizes inside a template",
-       "template <class T> void f(T t) {\n  t += Eigen::Vector2d(1, 2);\n}\n" + body("f(Vector3d(x, x, x)); return x;"),
-       2, "+=", "The two sides of += have different sizes: a 3×1 vector and a 2×1 vector."},
-      {"on the last line, which has no end", "namespace rigid { double twice(double x) { return y; } }", 1, "y;",
-       "`y` is not known here: is it spelt as where it was declared, and was that before this line?"},
-      {"in lines with the ends of another system",
-       "namespace rigid {\r\ndouble twice(double x) {\r\n  return y;\r\n}\r\n}\r\n", 3, "y;",
-       "`y` is not known here: is it spelt as where it was declared, and was that before this line?"},
-      {"behind tabs", body("\tdouble a = 1;\treturn a + y;"), 3, "y;",
-       "`y` is not known here: is it spelt as where it was declared, and was that before this line?"},
-      {"in a foreign alphabet, which is none", body("double ω = x; return ω + q;"), 3, "q;",
-       "`q` is not known here: is it spelt as where it was declared, and was that before this line?"},
-      {"behind a text over several lines", body("const char* s = R\"(\n  1/2\n)\"; return y;"), 5, "y;",
-       "`y` is not known here: is it spelt as where it was declared, and was that before this line?"},
-      {"an operator that nobody has", body("Vector3d a;\nreturn !a;"), 4, "!a",
-       "The compiler says: no match for 'operator!' (operand type is 'Vector3d')."},
-      {"advice of Eigen", body("Vector3d a, b;\nreturn (a || b)(0);"), 4, "b)",
-       "Eigen says: this method is only for expressions of bool."},
-      {"a class in place of the namespace", "class rigid { double twice(double x) { return x; } };\n", 1, "rigid",
-       "The compiler says: 'struct rigid' redeclared as different kind of entity."},
-      {"a wrong use of a keyword", body("inline double v; return x;"), 3, "inline",
-       "The compiler says: 'inline' specifier invalid for variable 'v' declared at block scope."},
-  });
+TEST_CASE("a line that is too long, or holds control characters, is shown in part and safely") {
+  for (const std::string& text :
+       {body("/* " + std::string(2000, 'a') + " */ return y; // " + std::string(8000, 'b')),
+        body("double z = 0" + std::string(20000, ' ') + "+ y; return z;"), body("/* \x1b[31m */ return y;")}) {
+    const std::vector<Finding> found = findings_in(text).findings;
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].line == 3);
+    CHECK(found[0].excerpt.size() < 250);
+    CHECK(found[0].excerpt.find('\x1b') == std::string::npos);
+  }
 }
 
-TEST_CASE("the caret finds its place behind wide and accented letters") {
-  const Finding finding = first_error_of(body("/* Trägheit ω 角速度 */ return y;"));
-  CHECK(finding.line == 3);
-  // Three letters that are two columns wide.
-  CHECK(finding.excerpt == "/* Trägheit ω 角速度 */ return y;\n" + std::string(31, ' ') + "^");
-}
-
-TEST_CASE("of a very long line, the part around the caret is shown") {
-  const Finding finding =
-      first_error_of(body("/* " + std::string(2000, 'a') + " */ return y; // " + std::string(8000, 'b')));
-  CHECK(finding.line == 3);
-  CHECK(finding.excerpt.find("return y;") != std::string::npos);
-  CHECK(finding.excerpt.starts_with("…"));
-  CHECK(finding.excerpt.size() < 250);
-}
-
-TEST_CASE("a line too long for the compiler to count is shown with its beginning") {
-  const Finding finding = first_error_of(body("double z = 0" + std::string(20000, ' ') + "+ y; return z;"));
-  CHECK(finding.line == 3);
-  CHECK(finding.excerpt.size() < 250);
-}
-
-TEST_CASE("an error message of a template without end stays short") {
-  const Finding finding = first_error_of(
-      "template <int n, class T> struct Deep { using type = typename Deep<n - 1, std::vector<T>>::type; };\n"
-      "template <class T> struct Deep<0, T> { using type = typename T::missing; };\n" +
-      body("Deep<8, double>::type d; return x;"));
-  CHECK(finding.line > 0);
-  CHECK(finding.sentence.size() <= 400);
-  CHECK_FALSE(finding.excerpt.empty());
-}
-
-TEST_CASE("control characters of the file do not reach the terminal") {
-  const Finding finding = first_error_of(body("/* \x1b[31m */ return y;"));
-  CHECK(finding.excerpt.find('\x1b') == std::string::npos);
-  CHECK(finding.excerpt.find("return y;") != std::string::npos);
-}
-
-TEST_CASE("an error that a file places in another file has no line") {
-  const Compilation compilation = compile_text("#line 7 \"elsewhere.cpp\"\nint rigid;\n");
-  CHECK(compilation.refusal == Refusal::compile_error);
-  CHECK(compilation.findings.empty());
-  CHECK(compilation.message.starts_with("Your file does not compile: 'int rigid' redeclared"));
-}
-
-TEST_CASE("an error behind the end of the file, as the file counts, has no excerpt") {
-  const Finding finding = first_error_of("#line 500\nint rigid;\n");
-  CHECK(finding.line == 500);
-  CHECK(finding.excerpt.empty());
+TEST_CASE("where the search for mistakes itself fails, it finds nothing and says nothing") {
+  const fs::path directory = fresh_directory("findings-trouble");
+  const Submission submission = submit(body("Vector3d a;\nauto b = a + a; return x + b(0);"), "twice");
+  const CompileTask task{submission, "twice", "double twice(double x)"};
+  Toolchain broken = toolchain();
+  broken.compiler = "/nowhere/c++";
+  CHECK(source_findings(task, {}, broken, shared_cache()).empty());
+  CHECK(source_findings(task, {}, toolchain(), write(directory / "in-the-way", "") / "cache").empty());
+  CHECK(source_findings(task, {}, toolchain(), shared_cache(), {.time = std::chrono::milliseconds(1)}).empty());
+  CHECK(nothing_left_running());
 }
 
 }  // namespace workbook::testing

@@ -1,117 +1,162 @@
 // Reading source texts and compilers' messages, without any compiler.
-#include "checker/compile/code_text.hpp"
+#include "checker/base/text.hpp"
 #include "checker/compile/diagnostics.hpp"
-#include "checker/compile/eigen_type.hpp"
-#include "checker/compile/plain_words.hpp"
-#include "checker/compile/tokens.hpp"
+#include "checker/compile/mistakes.hpp"
+#include "checker/source/source_text.hpp"
 
 #include <doctest/doctest.h>
 
+#include <ctime>
 #include <string>
 
 namespace workbook::testing {
+namespace {
 
-TEST_CASE("comments and texts become spaces, and lines keep their length") {
-  CHECK(code_only("a // b\nc") == "a     \nc");
-  CHECK(code_only("a /* b\nc */ d") == "a     \n     d");
-  CHECK(code_only("f(\"a\\\"b\", 'c')") == "f(\"    \", ' ')");
-  CHECK(code_only("R\"x(1/2)\" )x\" + 1") == "R\"          \" + 1");
-  CHECK(code_only("1'000'000 + 'a'") == "1'000'000 + ' '");
-  CHECK(code_only("// goes on \\\n1/2\n3") == "            \n   \n3");
-  CHECK(code_only("\"not closed\n1/2") == "\"          \n1/2");
+std::string code_of(const std::string& text) {
+  const SourceText source(text);
+  std::string code;
+  for (int line = 1; line <= 3; ++line) code += source.marked_code({line, 1}).substr(1) + "|";
+  return code;
 }
 
-TEST_CASE("signs of two letters are one token, numbers keep their exponents, and the preprocessor is left out") {
-  const std::string code = "#define A 1/2\nx+=1.5e-3*v.y::z<<2;";
+CompilerOutput read(const std::string& output) {
+  return read_compiler_output(output, "a.cpp", [](const std::string& file) { return file.starts_with("/allowed/"); });
+}
+
+}  // namespace
+
+TEST_CASE("comments and texts become spaces, and lines keep their length") {
+  CHECK(code_of("a // b\nc") == "a     |c||");
+  CHECK(code_of("a /* b\nc */ d") == "a     |     d||");
+  CHECK(code_of("f(\"ab\", 'c')") == "f(\"  \", ' ')|||");
+  CHECK(code_of("R\"x(1/2)\" )x\" + 1") == " \"      \"   \" + 1|||");
+  CHECK(code_of("1'000'000 + 'a'") == "1'000'000 + ' '|||");
+  CHECK(code_of("// goes on \\\n1/2\n3") == "            |   |3|");
+  CHECK(code_of("\"not closed\n1/2") == "\"          |1/2||");
+}
+
+TEST_CASE("an operator is one token, numbers keep their exponents, and lines of the preprocessor are marked") {
+  const std::string code = "#define A \\\n 1/2\nx+=1.5e-3*v.y::z<<2;";
   std::string joined;
-  for (const Token& token : tokens_of(code)) joined += std::string(token.text) + " ";
-  CHECK(joined == "x += 1.5e-3 * v . y :: z << 2 ; ");
+  const SourceText source(code);
+  for (const Token& token : source.tokens()) joined += std::string(token.text) + (token.in_directive ? "# " : " ");
+  CHECK(joined == "## define# A# 1# /# 2# x += 1.5e-3 * v . y :: z << 2 ; ");
 }
 
 TEST_CASE("a caret stands where a terminal shows the column") {
   CHECK(excerpt("return y;", 8) == "return y;\n       ^");
-  CHECK(excerpt("\treturn y;", 16) == "        return y;\n               ^");
+  CHECK(excerpt("\treturn y;", 9) == " return y;\n        ^");
   CHECK(excerpt("x", 0) == "x");
   CHECK(excerpt("", 1) == "\n^");
   CHECK(excerpt("x", 100) == "x\n ^");
   CHECK(excerpt("a\x1b[0m", 1) == "a?[0m\n^");
-  CHECK(byte_at_column("ä = 角 + y", 10) == 11);
-  CHECK(column_of("ä = 角 + y", 11) == 10);
-}
-
-TEST_CASE("a long line is cut around its caret") {
+  CHECK(excerpt("/* ä ω */ y;", 13) == "/* ä ω */ y;\n" + std::string(10, ' ') + "^");
   const std::string shown = excerpt(std::string(300, 'a') + "X" + std::string(300, 'b'), 301);
-  const std::size_t end = shown.find('\n');
-  CHECK(shown.starts_with("…a"));
-  CHECK(shown.substr(0, end).ends_with("b…"));
-  const std::string line = shown.substr(0, end);
-  CHECK(line.substr(byte_at_column(line, static_cast<int>(shown.size() - end - 1)), 1) == "X");
-}
-
-TEST_CASE("the shapes of Eigen's types are understood") {
-  const auto noun = [](const char* type) { return noun_for(read_type(type)); };
-  CHECK(noun("Eigen::Matrix<double, 3, 1>") == "3×1 vector");
-  CHECK(noun("const Eigen::Transpose<Eigen::Matrix<double, 3, 1, 0, 3, 1> >") == "1×3 row vector");
-  CHECK(noun("Eigen::Product<Eigen::Transpose<Eigen::Matrix<double, 3, 1> >, Eigen::Matrix<double, 3, 3>, 0>") ==
-        "1×3 row vector");
-  CHECK(noun("Eigen::Product<Eigen::Matrix<double, 3, 1>, Eigen::Matrix<double, 3, 1>, 0>") == "");
-  CHECK(noun("Eigen::Matrix<double, -1, -1>") == "matrix");
-  CHECK(noun("Eigen::Matrix3Xd") == "3×n matrix");
-  CHECK(noun("double") == "number");
-  CHECK(noun("std::string") == "");
-  CHECK(short_name(read_type("Eigen::Matrix<double, 3, -1>")) == "Matrix3Xd");
-  CHECK(short_name(read_type("Eigen::Matrix<int, 3, 1>")) == "");
-}
-
-TEST_CASE("what is no type does no harm") {
-  for (const char* text : {"", "<", ">", "<>", "A<", "A<>", "A<,>", "A<B>::C<D>", "Matrix<", "Eigen::Matrix<double>",
-                           "Eigen::Matrix<double, x, y>"})
-    CHECK(noun_for(read_type(text)).empty());
-  std::string deep;
-  for (int i = 0; i < 5000; ++i) deep += "A<";
-  CHECK(noun_for(read_type(deep + std::string(5000, '>'))).empty());
+  CHECK(shown.starts_with("…" + std::string(48, 'a') + "X" + std::string(20, 'b')));
+  CHECK(shown.ends_with("b…\n" + std::string(49, ' ') + "^"));
 }
 
 TEST_CASE("messages are told without the noise of templates") {
-  CHECK(in_plain_words("'Eigen::Vector3d' {aka 'class Eigen::Matrix<double, 3, 3>'} has no member named 'x'") ==
-        "'Vector3d' has no member named 'x'");
-  CHECK(in_plain_words("cannot convert 'const Eigen::CwiseUnaryOp<Eigen::internal::scalar_opposite_op<double>, const "
-                       "Eigen::Matrix<double, 3, 1> >' to 'double' in return") ==
-        "cannot convert 'const 3×1 expression' to 'double' in return");
-  CHECK(in_plain_words("in 'T f(T) [with T = Eigen::Matrix<double, 3, 1>; int n = 3]': no") == "in 'T f(T)': no");
-  CHECK(
-      in_plain_words("no match for 'operator<<' in 'std::map<int, std::vector<std::string, std::allocator<std::string> "
-                     "> >'") == "no match for 'operator<<' in 'std::map<int, std::vector<std::string> >'");
-  CHECK(in_plain_words("'\\U000003c9' was not declared") == "'ω' was not declared");
-  CHECK(in_plain_words("{aka ' [with ") == "{aka '");
+  const std::pair<const char*, const char*> cases[] = {
+      {"'Eigen::Vector3d' {aka 'class Eigen::Matrix<double, 3, 3>'} has no member", "'Matrix3d' has no member"},
+      {"convert 'const Eigen::CwiseUnaryOp<Eigen::internal::scalar_opposite_op<double>, const Eigen::Matrix<double, 3, "
+       "1> >' to",
+       "convert 'const 3×1 vector' to"},
+      {"in 'T f(T) [with T = Eigen::Matrix<double, 3, 1>; int n = 3]': no", "in 'T f(T)': no"},
+      {"'operator<<' in 'std::map<int, std::vector<std::string, std::allocator<std::string> > >'",
+       "'operator<<' in 'std::map<int, std::vector<std::string>>'"},
+      {"f(std::vector<Eigen::Matrix<double, 3, 3, 0, 3, 3>, std::allocator<Eigen::Matrix<double, 3, 3, 0, 3, 3> > > "
+       "const&, Eigen::Matrix<double, 3, -1, 0, 3, -1> const&)",
+       "f(const std::vector<Matrix3d>&, const Matrix3Xd&)"},
+      {"const Eigen::Transpose<Eigen::Matrix<double, 3, 1, 0, 3, 1> >", "const 1×3 row vector"},
+      {"Eigen::Product<Eigen::Transpose<Eigen::Matrix<double, 3, 1> >, Eigen::Matrix<double, 3, 3>, 0>",
+       "1×3 row vector"},
+      {"Eigen::Product<Eigen::Matrix<double, 3, 1>, Eigen::Matrix<double, 3, 1>, 0>", "Product<Vector3d, Vector3d, 0>"},
+      {"Eigen::Matrix<double, -1, -1>", "MatrixXd"},
+      {"Eigen::Matrix<int, 3, 1>", "3×1 vector"},
+      {"Eigen::DenseBase<Eigen::Matrix<double, 3, 1> >::Scalar", "DenseBase<…>::Scalar"},
+      {"{aka ' [with ", "{aka ' [with "},
+      {"A<B>::C<D>", "A<…>::C<D>"},
+      {"A< <> A<,> Matrix< Eigen::Matrix<double>", "A< <> A<,> Matrix< Matrix<double>"}};
+  for (const auto& [said, plain] : cases) CHECK(in_plain_words(said) == plain);
 }
 
 TEST_CASE("an error in a header has the place of the line that led to it") {
-  const auto found = diagnostics(
-      "In file included from /somewhere/Core:164,\n                 from <command-line>:\n"
-      "/somewhere/Dot.h: In instantiation of 'f() [with T = int]':\n"
-      "a.cpp:4:9:   required from 'T g(T)'\na.cpp:8:3:   required from here\n"
-      "/somewhere/Dot.h:75:3: error: static assertion failed: NO_WAY\n   75 |   a.cpp:1:1: error: no\n      |   ^~\n"
-      "/somewhere/Dot.h:75:3: note: because\n"
-      "a.cpp: In function 'h()':\na.cpp:9:1: warning: odd [-Wodd]\na.cpp:10: error: no column\n",
-      "a.cpp");
-  REQUIRE(found.size() == 3);
+  const CompilerOutput output = read(
+      "In file included from /allowed/Core:164,\n                 from <command-line>:\n"
+      "/allowed/Dot.h: In instantiation of 'f() [with T = int]':\n"
+      "unit.cpp:4:9:   required from 'T g(T)'\nunit.cpp:8:3:   required from here\n"
+      "/allowed/Dot.h:75:3: error: static assertion failed: NO_WAY\n   75 |   unit.cpp:1:1: error: no\n      |   ^~\n"
+      "/allowed/Dot.h:75:3: note: because\n"
+      "unit.cpp: In function 'h()':\nunit.cpp:9:1: warning: odd [-Wodd]\n    9 | odd\nunit.cpp:10: error: no column\n"
+      "In file included from unit.cpp:2:\n/allowed/deque:7:1: error: odd\n"
+      // As clang says it.
+      "/allowed/Dot.h:5:1: error: other\nunit.cpp:12:7: note: in instantiation of 'g' requested here\n");
+  const std::vector<Diagnostic>& found = output.diagnostics;
+  REQUIRE(found.size() == 5);
   CHECK(found[0].place.line == 4);
   CHECK(found[0].place.column == 9);
-  CHECK(found[0].header == "/somewhere/Dot.h");
+  CHECK(found[0].header == "/allowed/Dot.h");
   CHECK(found[0].text == "static assertion failed: NO_WAY");
-  CHECK(found[0].notes == std::vector<std::string>{"because"});
-  CHECK(found[1].severity == Severity::warning);
+  CHECK(found[0].context == "T = int]':\n");
+  CHECK(found[0].notes == "because\n");
+  CHECK_FALSE(found[1].is_error);
   CHECK(found[1].option == "-Wodd");
   CHECK(found[1].text == "odd");
   CHECK(found[2].place.line == 10);
   CHECK(found[2].place.column == 0);
+  CHECK(found[3].place.line == 2);
+  CHECK(found[4].place.line == 12);
+  CHECK(output.foreign_file.empty());
+  CHECK(output.shown.find("a.cpp:10: error: no column\n") != std::string::npos);
+  CHECK(output.shown.find("odd [-Wodd]") == std::string::npos);
+  CHECK(output.shown.find("unit.cpp: In") == std::string::npos);
 }
 
-TEST_CASE("an error in a header that the file includes has the place of the #include") {
-  const auto found = diagnostics("In file included from a.cpp:2:\n/somewhere/deque:7:1: error: odd\n", "a.cpp");
-  REQUIRE(found.size() == 1);
-  CHECK(found[0].place.line == 2);
+TEST_CASE("of a file that may not be included nothing is shown") {
+  const CompilerOutput output = read(
+      "In file included from unit.cpp:1:\n/etc/secret:1:1: error: 'word' does not name a type\n    1 | word:x:0\n"
+      "      | ^~~~\n/etc/secret: In function 'word':\nunit.cpp:3:1: error: mine\n    3 | mine\n"
+      "/etc/secret:2: Error: no such instruction: `word'\n/etc/secret:3:1: note: word\n");
+  CHECK(output.foreign_file == "/etc/secret");
+  CHECK(output.shown == "a.cpp:3:1: error: mine\n    3 | mine\n");
+  REQUIRE(output.diagnostics.size() == 1);
+  CHECK(output.diagnostics[0].notes.empty());
+}
+
+TEST_CASE("hostile texts take milliseconds") {
+  const auto repeated = [](const std::string& text, std::size_t bytes) {
+    std::string all;
+    while (all.size() < bytes) all += text;
+    return all;
+  };
+  constexpr std::size_t mebibyte = std::size_t{1} << 20;
+  std::vector<std::string> sources = {"",     "\n", "/*",   "\"", "'",  "R\"(", "R\"x",
+                                      "auto", "1/", "sin(", "#",  "\\", "\xff"};
+  for (const char* text : {"Matrix3d a; ", "1'", "(", "}", "{", "sin(", "1/2;", "float ", "/*", "'", "R\"(", "//\\\n",
+                           "x^2;", "a . transpose (", "\t", "\xe8\xa7\x92", "\n"})
+    sources.push_back(repeated(text, mebibyte));
+  for (const std::string& text : sources) {
+    CAPTURE(text.substr(0, 20));
+    const std::clock_t start = std::clock();
+    const SourceText source(text);
+    (void)text_mistakes(source);
+    std::vector<Diagnostic> warnings(
+        1000, {false, source.place_of(text.size() / 2), "", "unused variable 'x'", "-Wunused", "", ""});
+    CHECK(warned_mistakes(warnings, source).size() <= 100);
+    CHECK(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC < 1.5);
+  }
+  for (const char* text :
+       {"A<", "(", "[with ", "{aka '", "'", "a.h:1:1: error: A<", "unit.cpp:1:1:   required from A<"}) {
+    CAPTURE(text);
+    const std::clock_t start = std::clock();
+    const std::string line = repeated(text, 256 << 10);
+    (void)in_plain_words("unit.cpp:1:1: error: " + line);
+    const CompilerOutput output =
+        read("unit.cpp:1:1: error: " + line + "\n" + repeated(text + std::string("\n"), 256 << 10));
+    (void)first_error(output.diagnostics, SourceText("int x;"), "");
+    CHECK(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC < 1.5);
+  }
 }
 
 }  // namespace workbook::testing

@@ -1,15 +1,12 @@
 // Whole runs: all kinds of values, shapes, repeats, probes, and a checker that cannot run anything.
 #include "tests/running/student.hpp"
+#include "tests/support/system_calls.hpp"
 
 #include <doctest/doctest.h>
 
-#include <linux/filter.h>
-#include <linux/seccomp.h>
-#include <sys/prctl.h>
 #include <sys/syscall.h>
-#include <unistd.h>
 
-#include <cstddef>
+#include <cerrno>
 #include <numeric>
 
 namespace workbook::testing {
@@ -192,10 +189,7 @@ TEST_CASE("an executable that cannot be started is a checker error") {
   ExerciseRunner runner(fresh_directory("absent") / "worker", short_limits());
   const Observation observation = runner.observe({twice_case(1)}, {});
   CHECK(observation.refusal == Refusal::checker_error);
-  CHECK(observation.refusal_message ==
-        "The checker could not run the compiled function (start the program: No such file or directory); this is not "
-        "your "
-        "mistake.");
+  CHECK(observation.refusal_message.find("(start the program: No such file or directory)") != std::string::npos);
   CHECK(observation.replies.empty());
   CHECK(nothing_left_running());
 }
@@ -210,26 +204,15 @@ TEST_CASE("a file that is no program is a checker error") {
 }
 
 TEST_CASE("where the filter of system calls cannot be loaded, nothing runs and the checker says so") {
-  if (!sandbox_strength().filters_system_calls) return;
+  if (!probe_sandbox().filters_system_calls) return;
   const std::filesystem::path program = executable("double rigid::twice(double x) { return 2 * x; }");
   const bool refused = in_another_process([&] {
-    // A system that refuses seccomp(), as some containers do.
-    sock_filter refuse[] = {BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
-                            BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_seccomp, 0, 1),
-                            BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | EPERM),
-                            BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW)};
-    const sock_fprog filter{4, refuse};
-    ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
-    if (::syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, 0, &filter) != 0) return false;
+    if (!refuse_system_call(SYS_seccomp, EPERM)) return false;  // as some containers do
     const Observation observation = ExerciseRunner(program, short_limits()).observe({twice_case(1)}, {});
     return observation.refusal == Refusal::checker_error && observation.replies.empty() &&
            observation.refusal_message.find("filter its system calls: Operation not permitted") != std::string::npos;
   });
   CHECK(refused);
-}
-
-TEST_CASE("the machine says how strong its walls are") {
-  CHECK(sandbox_strength().sentence.find("limits on time, memory and output") != std::string::npos);
 }
 
 TEST_CASE("an unchanged file is checked in an instant") {

@@ -2,32 +2,15 @@
 
 #include <doctest/doctest.h>
 
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <fstream>
 #include <thread>
 
 namespace workbook::testing {
 namespace fs = std::filesystem;
-
-namespace {
-
-/// Orphans of a test's children become children of the test, where waitpid sees them.
-const int adopts_orphans = ::prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0);
-
-std::string signature(const std::string& exercise) {
-  if (exercise == "twice") return "double twice(double x)";
-  if (exercise == "signed_by") return "double signed_by(int n, double x)";
-  if (exercise == "scaled") return "Matrix3d scaled(const Matrix3d& A, double factor)";
-  if (exercise == "counted") return "VectorXd counted(int n)";
-  return "Matrix3Xd moved(const std::vector<Matrix3d>& matrices, const Matrix3Xd& points)";
-}
-
-}  // namespace
 
 const Toolchain& toolchain() {
   static const Toolchain read = read_toolchain(WORKBOOK_TEST_TOOLCHAIN);
@@ -43,17 +26,20 @@ fs::path fresh_directory(const std::string& name) {
 
 fs::path shared_cache() { return fs::path(WORKBOOK_TEST_SCRATCH) / "cache"; }
 
-fs::path write(const fs::path& file, const std::string& text) {
-  fs::create_directories(file.parent_path());
-  std::ofstream stream(file, std::ios::binary);
-  stream << text;
-  REQUIRE(stream.flush());
-  return file;
+std::string signature(const std::string& exercise) {
+  if (exercise == "twice") return "double twice(double x)";
+  if (exercise == "signed_by") return "double signed_by(int n, double x)";
+  if (exercise == "scaled") return "Matrix3d scaled(const Matrix3d& A, double factor)";
+  if (exercise == "counted") return "VectorXd counted(int n)";
+  return "Matrix3Xd moved(const std::vector<Matrix3d>& matrices, const Matrix3Xd& points)";
+}
+
+Submission submit(const std::string& text, const std::string& exercise) {
+  return {exercise + ".cpp", exercise + ".cpp", text};
 }
 
 Compilation compile_text(const std::string& text, const std::string& exercise) {
-  const fs::path file = write(fs::path(WORKBOOK_TEST_SCRATCH) / "students" / (exercise + ".cpp"), text);
-  return compile({file, exercise, signature(exercise)}, toolchain(), shared_cache());
+  return compile({submit(text, exercise), exercise, signature(exercise)}, toolchain(), shared_cache());
 }
 
 fs::path executable(const std::string& text, const std::string& exercise) {
@@ -78,23 +64,14 @@ RunLimits short_limits() {
   return limits;
 }
 
-Observation run(const std::string& text, const std::vector<double>& inputs, RunLimits limits) {
+Observation run(const std::string& text, const std::vector<double>& inputs, const RunLimits& limits) {
   std::vector<Case> cases(inputs.size());
   std::ranges::transform(inputs, cases.begin(), twice_case);
   ExerciseRunner runner(executable(text), limits);
   return runner.observe(cases, {});
 }
 
-bool nothing_left_running() {
-  REQUIRE(adopts_orphans == 0);
-  // What was killed a moment ago may still be dying.
-  for (int tries = 0; tries < 200; ++tries) {
-    const pid_t ended = ::waitpid(-1, nullptr, WNOHANG);
-    if (ended == -1) return errno == ECHILD;
-    if (ended == 0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  return false;
-}
+fs::path golden(const std::string& name) { return fs::path(WORKBOOK_TEST_SOURCES) / "golden" / name; }
 
 bool in_another_process(const std::function<bool()>& something) {
   const pid_t process = ::fork();

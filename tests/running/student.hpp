@@ -4,6 +4,8 @@
 
 #include "checker/compile/compile.hpp"
 #include "checker/sandbox/run_exercise.hpp"
+#include "tests/support/files.hpp"
+#include "tests/support/processes.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -21,7 +23,11 @@ std::filesystem::path fresh_directory(const std::string& name);
 /// The directory in which all tests keep their executables, so that a second run of the tests is quick.
 std::filesystem::path shared_cache();
 
-std::filesystem::path write(const std::filesystem::path& file, const std::string& text);
+/// As the contract declares an exercise.
+std::string signature(const std::string& exercise);
+
+/// The text as an answer to an exercise, handed in as EXERCISE.cpp.
+Submission submit(const std::string& text, const std::string& exercise);
 
 /// Compiles the text as an answer to an exercise of the fixture contract.
 Compilation compile_text(const std::string& text, const std::string& exercise = "twice");
@@ -35,10 +41,10 @@ Case twice_case(double x);
 /// Short limits, so that the tests are quick.
 RunLimits short_limits();
 
-Observation run(const std::string& text, const std::vector<double>& inputs, RunLimits limits = short_limits());
+Observation run(const std::string& text, const std::vector<double>& inputs, const RunLimits& limits = short_limits());
 
-/// True if no process that a test started, nor any child of it, still exists.
-bool nothing_left_running();
+/// A file of sentences in tests/running/golden. To rewrite them all: WORKBOOK_REWRITE_GOLDEN=1 ./tests/run -R running
+std::filesystem::path golden(const std::string& name);
 
 /// Runs something in a copy of the test's process, so that what it does to itself stays there. Returns its result.
 bool in_another_process(const std::function<bool()>& something);

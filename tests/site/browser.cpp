@@ -141,23 +141,9 @@ json Browser::send(const std::string& method, const json& parameters, const std:
 
 json Browser::call(const std::string& method, const json& parameters) { return send(method, parameters, session_); }
 
-json Browser::evaluate(const std::string& expression) { return evaluate_with(json::object(), expression); }
-
-json Browser::evaluate_in_frame(const std::string& word, const std::string& expression) {
-  const json tree = call("Page.getFrameTree")["frameTree"];
-  for (const json& child : tree.value("childFrames", json::array())) {
-    const json& frame = child["frame"];
-    if (frame["url"].get<std::string>().find(word) == std::string::npos) continue;
-    // A page opened as a file may not look into its frames; a world of our own may.
-    const json world = call("Page.createIsolatedWorld", {{"frameId", frame["id"]}});
-    return evaluate_with({{"contextId", world["executionContextId"]}}, expression);
-  }
-  return nullptr;
-}
-
-json Browser::evaluate_with(json parameters, const std::string& expression) {
-  parameters.update({{"expression", expression}, {"returnByValue", true}, {"awaitPromise", true}});
-  const json result = call("Runtime.evaluate", parameters);
+json Browser::evaluate(const std::string& expression) {
+  const json result =
+      call("Runtime.evaluate", {{"expression", expression}, {"returnByValue", true}, {"awaitPromise", true}});
   if (result.contains("exceptionDetails")) {
     const json& details = result["exceptionDetails"];
     throw BrowserError("The script in the page failed: " +

@@ -32,9 +32,6 @@ class Browser {
   /// The value of a JavaScript expression in the page; a promise is awaited.
   nlohmann::json evaluate(const std::string& expression);
 
-  /// The value of an expression in the frame whose address contains a word; null as long as there is no such frame.
-  nlohmann::json evaluate_in_frame(const std::string& word, const std::string& expression);
-
   /// Opens a page and waits until it has loaded.
   void open(const std::string& url);
 
@@ -43,7 +40,6 @@ class Browser {
 
  private:
   nlohmann::json send(const std::string& method, const nlohmann::json& parameters, const std::string& session);
-  nlohmann::json evaluate_with(nlohmann::json parameters, const std::string& expression);
   nlohmann::json receive(const std::string& awaited);
   bool happened(const std::string& event) const;
   void stop();

@@ -11,19 +11,39 @@
 
 using namespace workbook::site;
 
+namespace {
+
+constexpr double most_code = 30, least_figures = 15;
+
+/// Prints the shares of every lecture; judges those that are not excused.
+void judge_shares(Inspection& inspection, const std::vector<std::string>& pages) {
+  fmt::print("{:<36} code and output   figures\n", "share of the height of a lecture");
+  for (const std::string& page : pages) {
+    if (!page.starts_with("lecture_")) continue;
+    const Shares shares = inspection.measure(page);
+    fmt::print("{:<36} {:13.0f} % {:7.0f} %\n", page, shares.code, shares.figures);
+    if (shares.code > most_code)
+      inspection.fault(page, fmt::format("code and output take {:.0f} % of the height, more than {:.0f} %.",
+                                         shares.code, most_code));
+    if (shares.figures < least_figures)
+      inspection.fault(
+          page, fmt::format("figures take {:.0f} % of the height, less than {:.0f} %.", shares.figures, least_figures));
+  }
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   CLI::App app(
       "Opens every page of a site in headless Chromium and says, in one sentence each, what is wrong with it.");
-  std::filesystem::path root;
+  std::filesystem::path root, references, pictures, axe_file;
   std::filesystem::path chromium = SITE_CHROMIUM;
-  std::filesystem::path references;
-  std::filesystem::path pictures;
-  std::vector<std::string> only;
-  std::string word;
+  std::vector<std::string> only, words;
   app.add_option("SITE", root, "folder of the built site")->required();
   app.add_option("--chromium", chromium, "the browser")->capture_default_str();
   app.add_option("--references", references, "folder of reference results; the paragraphs they name must exist");
-  app.add_option("--search", word, "a word that the search of the first page must find");
+  app.add_option("--search", words, "words that the search of the first page must find; may be repeated");
+  app.add_option("--axe", axe_file, "axe.min.js of axe-core, which judges accessibility");
   app.add_option("--pictures", pictures, "write pictures of the pages into this folder and judge nothing");
   app.add_option("--page", only, "only this page, such as index.html; may be repeated");
   try {
@@ -35,19 +55,29 @@ int main(int argc, char** argv) {
   try {
     const auto start = std::chrono::steady_clock::now();
     const std::vector<std::string> pages = only.empty() ? pages_of(root) : only;
+    const std::string axe = axe_file.empty() ? "" : read_text(axe_file);
     Browser browser(chromium);
     Inspection inspection(browser, root);
     if (!pictures.empty()) {
       for (const std::string& page : pages) inspection.photograph(page, pictures);
       return 0;
     }
-    for (const std::string& page : pages) inspection.look_at(page);
-    inspection.follow_links();
-    if (!word.empty()) {
-      inspection.search("index.html", word);
-      inspection.walk_with_keyboard("index.html");
+    // All pages of exercises are made alike: the first speaks for the others.
+    bool exercise_judged = false;
+    for (const std::string& page : pages) {
+      const bool is_exercise = page.starts_with("exercise_");
+      if (is_exercise && exercise_judged) {
+        inspection.look_at(page, "", Inspection::Widths::smallest);
+      } else {
+        inspection.look_at(page, axe);
+      }
+      exercise_judged = exercise_judged || is_exercise;
     }
+    inspection.follow_links();
+    for (const std::string& phrase : words) inspection.search("index.html", phrase);
+    if (!words.empty()) inspection.walk_with_keyboard("index.html");
     if (!references.empty()) inspection.expect_anchors(anchors_of_diagnoses(references));
+    judge_shares(inspection, pages);
     for (const std::string& fault : inspection.faults()) fmt::print("{}\n", fault);
     const Counts& counts = inspection.counts();
     fmt::print("{} pages, {} formulas, {} pictures, {} links: {} faults, in {:.0f} s.\n", counts.pages, counts.formulas,

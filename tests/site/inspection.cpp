@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <string_view>
 #include <thread>
 
@@ -16,25 +18,18 @@ using nlohmann::json;
 namespace {
 
 struct Setting {
-  const char* name;
   int width;
-  int height;
   const char* colors;
 };
 
-constexpr std::array settings{Setting{"wide-light", 1280, 900, "light"}, Setting{"wide-dark", 1280, 900, "dark"},
-                              Setting{"narrow-light", 390, 844, "light"}, Setting{"narrow-dark", 390, 844, "dark"}};
-
-std::string read(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw std::runtime_error(fmt::format("{} cannot be read.", file.string()));
-  return {std::istreambuf_iterator<char>(in), {}};
-}
+constexpr std::array settings{Setting{1280, "light"}, Setting{1280, "dark"}, Setting{1024, "dark"},
+                              Setting{1024, "light"}, Setting{390, "light"}, Setting{390, "dark"},
+                              Setting{1600, "dark"},  Setting{1600, "light"}};
 
 /// A script of this folder, to be evaluated in the page.
-std::string script(const char* name) { return read(std::filesystem::path(SITE_SCRIPTS) / name); }
+std::string script(const char* name) { return read_text(std::filesystem::path(SITE_SCRIPTS) / name); }
 
-void resize(Browser& browser, int width, int height) {
+void resize(Browser& browser, int width, int height = 900) {
   browser.call("Emulation.setDeviceMetricsOverride",
                {{"width", width}, {"height", height}, {"deviceScaleFactor", 1}, {"mobile", width < 768}});
 }
@@ -81,15 +76,20 @@ std::string from_base64(const std::string& text) {
   return bytes;
 }
 
-void press(Browser& browser, const char* key, int code) {
-  for (const char* type : {"rawKeyDown", "keyUp"}) {
-    browser.call("Input.dispatchKeyEvent",
-                 {{"type", type}, {"key", key}, {"code", key}, {"windowsVirtualKeyCode", code}});
-  }
+void press(Browser& browser, const std::string& key, int code) {
+  json event{{"type", "rawKeyDown"}, {"key", key}, {"code", key}, {"windowsVirtualKeyCode", code}};
+  if (key.size() == 1) event.update({{"type", "keyDown"}, {"text", key}});
+  browser.call("Input.dispatchKeyEvent", event);
+  event.erase("text");
+  event["type"] = "keyUp";
+  browser.call("Input.dispatchKeyEvent", event);
 }
 
+/// Without a paragraph of its own, a diagnosis has an empty name: it leads to that of its exercise.
 void collect_notes(const json& part, std::set<std::string>& notes) {
-  if (part.is_object() && part.contains("notes") && part["notes"].is_string()) notes.insert(part["notes"]);
+  if (part.is_object() && part.contains("notes") && part["notes"].is_string() &&
+      !part["notes"].get_ref<const std::string&>().empty())
+    notes.insert(part["notes"]);
   if (part.is_structured()) {
     for (const json& below : part) collect_notes(below, notes);
   }
@@ -118,31 +118,47 @@ void Inspection::open(const std::string& page) {
   if (!drawn) fault(page, "the formulas are still not drawn after 10 seconds.");
 }
 
-void Inspection::look_at(const std::string& page) {
+void Inspection::look_at(const std::string& page, const std::string& axe, Widths widths) {
   ++counts_.pages;
-  resize(browser_, settings.front().width, settings.front().height);
+  resize(browser_, settings.front().width);
   prefer(browser_, settings.front().colors);
   browser_.take_events();
   open(page);
-  static const std::string look = script("look.js");
+  static const std::string look = script("look.js"), fit = script("fit.js");
   judge_look(page, browser_.evaluate(look));
-  int width = 0;
+  if (!axe.empty()) judge_accessibility(page, axe);
   for (const Setting& setting : settings) {
+    if (widths == Widths::smallest && setting.width != 390) continue;
     prefer(browser_, setting.colors);
-    if (setting.width != width) {
-      width = setting.width;
-      resize(browser_, setting.width, setting.height);
-      // The page's own scripts arrange it anew when its width has changed.
-      settle(browser_);
-    }
-    static const std::string overflow = script("overflow.js");
-    const json found = browser_.evaluate(overflow);
-    if (found.is_null()) continue;
-    fault(page, fmt::format("at a width of {} pixels the page scrolls sideways by {} pixels because of {} (“{}”), {}.",
-                            setting.width, found["pixels"].get<int>(), found["element"].get<std::string>(),
-                            found["text"].get<std::string>(), setting.colors));
+    resize(browser_, setting.width);
+    settle(browser_);
+    for (const std::string found : browser_.evaluate(fit))
+      fault(page, fmt::format("at a width of {} pixels, {}, {}.", setting.width, setting.colors, found));
   }
   judge_happenings(page);
+}
+
+void Inspection::judge_accessibility(const std::string& page, const std::string& axe) {
+  // Everything open, so that nothing is left unjudged.
+  browser_.evaluate("document.querySelectorAll('details').forEach(part => part.open = true), null");
+  browser_.evaluate(axe + ";null");
+  // All rules in light; in the dark only the colours differ.
+  for (const auto& [colors, rules] : {std::pair{"light", ""}, {"dark", ", runOnly: ['color-contrast']"}}) {
+    prefer(browser_, colors);
+    settle(browser_);
+    const json violations =
+        browser_.evaluate(fmt::format("axe.run(document, {{ resultTypes: ['violations'], preload: false{} }})", rules) +
+                          ".then(report => report.violations"
+                          ".filter(found => ['serious', 'critical'].includes(found.impact))"
+                          ".map(found => [found.id, found.help, found.nodes.length, found.nodes[0].html.slice(0, 120),"
+                          " (found.nodes[0].any[0]?.message ?? '').slice(0, 160)]))");
+    for (const json& found : violations) {
+      fault(page, fmt::format("{}: {} ({} times, first at {}; {}), {}.", found[0].get<std::string>(),
+                              found[1].get<std::string>(), found[2].get<int>(), found[3].get<std::string>(),
+                              found[4].get<std::string>(), colors));
+    }
+  }
+  browser_.evaluate("document.querySelectorAll('.contents details').forEach(part => part.open = false), null");
 }
 
 void Inspection::judge_happenings(const std::string& page) {
@@ -180,9 +196,9 @@ void Inspection::judge_look(const std::string& page, const json& look) {
     fault(page, fmt::format("the formula “{}” cannot be shown: {}.", error["formula"].get<std::string>(),
                             error["reason"].get<std::string>()));
   }
-  for (const std::string formula : look["raw_formulas"]) {
-    fault(page, fmt::format("the formula “{}” is shown as plain text.", formula));
-  }
+  for (const std::string text : look["raw_texts"]) fault(page, fmt::format("“{}” is not meant for readers.", text));
+  for (const std::string picture : look["stuck"]) fault(page, fmt::format("{} does not move.", picture));
+  for (const std::string landmark : look["landmarks"]) fault(page, fmt::format("the page has no <{}>.", landmark));
   for (const json& picture : look["pictures"]) {
     const std::string name = picture["name"];
     if (!picture["loaded"]) fault(page, fmt::format("the picture {} is not shown.", name));
@@ -232,64 +248,95 @@ void Inspection::expect_anchors(const std::set<std::string>& names) {
   }
 }
 
-void Inspection::search(const std::string& page, const std::string& word) {
-  resize(browser_, settings.front().width, settings.front().height);
+void Inspection::search(const std::string& page, const std::string& words) {
+  resize(browser_, 1280);
   open(page);
-  browser_.evaluate("document.querySelector('#MSearchField')?.focus()");
-  browser_.call("Input.insertText", {{"text", word}});
-  // The search listens to keys; one that types nothing tells it that the text has changed.
-  press(browser_, "Shift", 16);
-  json results = json::array();
-  // The results appear in a frame, half a second after the last key.
-  for (int tries = 0; tries < 40 && results.empty(); ++tries) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    const json found = browser_.evaluate_in_frame("/search/",
-                                                  "[...document.querySelectorAll('.SRResult a[href]')].filter(a => "
-                                                  "a.getClientRects().length > 0).map(a => a.href)");
-    if (found.is_array()) results = found;
+  browser_.evaluate("document.querySelector('#query')?.focus()");
+  browser_.call("Input.insertText", {{"text", words}});
+  json link;
+  // The words of the site are loaded at the first letter.
+  for (int tries = 0; tries < 30 && link.is_null(); ++tries) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    link = browser_.evaluate("document.querySelector('#places a')?.href ?? null");
   }
-  if (results.empty()) fault(page, fmt::format("the search for “{}” finds nothing.", word));
-  for (const std::string result : results) follow({page, fmt::format("a result of the search for “{}”", word), result});
+  if (link.is_null()) return fault(page, fmt::format("the search for “{}” finds nothing.", words));
+  follow({page, fmt::format("a result of the search for “{}”", words), link});
+  const std::string address = link;
+  browser_.open("about:blank");  // or else only the place on the page would change
+  browser_.open(address);
+  // From the heading with the anchor, or from the top, to the next heading.
+  const std::string paragraph = browser_.evaluate(R"((() => {
+    const anchor = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+    let element = anchor ? anchor.closest("h1, h2, h3, h4") ?? anchor : document.querySelector(".textblock").firstElementChild;
+    let text = document.title;
+    do { text += " " + element.textContent; element = element.nextElementSibling; }
+    while (element && !/^H\d$/.test(element.tagName));
+    return text.toLowerCase().replace(/\s+/g, " ");
+  })())");
+  std::istringstream wanted(words);
+  for (std::string word; wanted >> word;) {
+    std::ranges::transform(word, word.begin(), [](unsigned char letter) { return std::tolower(letter); });
+    if (paragraph.find(word) == std::string::npos) {
+      fault(page, fmt::format("the search for “{}” leads to {}, which does not have “{}”.", words,
+                              address.substr(address.rfind('/') + 1), word));
+    }
+  }
   judge_happenings(page);
 }
 
 void Inspection::walk_with_keyboard(const std::string& page) {
-  for (const Setting& setting : {settings.front(), settings.back()}) {
-    resize(browser_, setting.width, setting.height);
+  for (const int width : {1280, 390}) {
+    resize(browser_, width);
     open(page);
-    bool navigation = false;
-    bool search = false;
-    for (int tabs = 0; tabs < 60 && !(navigation && search); ++tabs) {
+    std::set<std::string> reached;
+    for (int tabs = 0; tabs < 60 && reached.size() < 3; ++tabs) {
       press(browser_, "Tab", 9);
-      const std::string focus = browser_.evaluate(
-          "document.activeElement.closest('#MSearchBox') ? 'search'"
-          " : document.activeElement.closest('#nav-tree, #main-nav, #main-menu-state') ? 'navigation' : ''");
-      navigation = navigation || focus == "navigation";
-      search = search || focus == "search";
+      reached.insert(
+          browser_.evaluate("document.activeElement.closest('#MSearchBox') ? 'search'"
+                            " : document.activeElement.closest('nav, #menu') ? 'navigation' : ''"));
     }
-    if (!navigation)
-      fault(page, fmt::format("at a width of {} pixels Tab does not reach the navigation.", setting.width));
-    if (!search) fault(page, fmt::format("at a width of {} pixels Tab does not reach the search.", setting.width));
+    for (const char* part : {"navigation", "search"}) {
+      // On a telephone the search stands in the menu.
+      if (!reached.contains(part) && !(width == 390 && std::string(part) == "search" && reached.contains("navigation")))
+        fault(page, fmt::format("at a width of {} pixels Tab does not reach the {}.", width, part));
+    }
   }
+  resize(browser_, 1280, 300);
+  for (const auto& [key, code] : {std::pair{"PageDown", 34}, {" ", 32}, {"End", 35}, {"ArrowDown", 40}}) {
+    open(page);
+    press(browser_, key, code);
+    bool moved = false;
+    for (int tries = 0; tries < 20 && !moved; ++tries) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      moved = browser_.evaluate("scrollY > 0");
+    }
+    if (!moved) fault(page, fmt::format("the key “{}” does not move the page.", key));
+  }
+}
+
+Shares Inspection::measure(const std::string& page) {
+  resize(browser_, 1280);
+  prefer(browser_, "light");
+  open(page);
+  settle(browser_);
+  static const std::string shares = script("shares.js");
+  const json found = browser_.evaluate(shares);
+  return {found["code"], found["figures"]};
 }
 
 void Inspection::photograph(const std::string& page, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   open(page);
   for (const Setting& setting : settings) {
-    resize(browser_, setting.width, setting.height);
+    resize(browser_, setting.width);
     prefer(browser_, setting.colors);
     settle(browser_);
-    // The text scrolls in a column of its own: a window as tall as the column shows all of it.
-    const int height = browser_.evaluate(
-        "Math.max(document.documentElement.scrollHeight, 60 + (document.querySelector('#doc-content')?.scrollHeight ?? "
-        "0)"
-        " + (document.querySelector('#nav-path')?.offsetHeight ?? 0)"
-        " + (innerWidth < 768 ? document.querySelector('#top')?.offsetHeight ?? 0 : 0))");
+    const int height = browser_.evaluate("document.documentElement.scrollHeight");
     resize(browser_, setting.width, std::min(height, 16000));
     settle(browser_);
     const json picture = browser_.call("Page.captureScreenshot", {{"format", "png"}});
-    const auto file = folder / fmt::format("{}.{}.png", std::filesystem::path(page).stem().string(), setting.name);
+    const auto file = folder / fmt::format("{}.{}.{}.png", std::filesystem::path(page).stem().string(), setting.width,
+                                           setting.colors);
     std::ofstream(file, std::ios::binary) << from_base64(picture["data"]);
   }
 }
@@ -311,7 +358,13 @@ std::set<std::string> anchors_of_diagnoses(const std::filesystem::path& folder) 
   std::set<std::string> notes;
   if (std::filesystem::is_directory(folder)) {
     for (const auto& file : std::filesystem::directory_iterator(folder)) {
-      if (file.path().extension() == ".json") collect_notes(json::parse(read(file.path())), notes);
+      if (file.path().extension() != ".json") continue;
+      // A line with the checksum precedes the results.
+      std::istringstream in(read_text(file.path()));
+      for (json value; (in >> std::ws).peek() != EOF;) {
+        in >> value;
+        collect_notes(value, notes);
+      }
     }
   }
   if (notes.empty()) {
@@ -319,6 +372,12 @@ std::set<std::string> anchors_of_diagnoses(const std::filesystem::path& folder) 
         fmt::format("{} holds no reference results that name paragraphs of the notes.", folder.string()));
   }
   return notes;
+}
+
+std::string read_text(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw std::runtime_error(fmt::format("{} cannot be read.", file.string()));
+  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 }  // namespace workbook::site

@@ -19,18 +19,28 @@ struct Counts {
   int links = 0;
 };
 
+/// Of the height of a lecture, with everything folded, in percent.
+struct Shares {
+  double code = 0;  ///< with printed output
+  double figures = 0;
+};
+
 class Inspection {
  public:
   /// @param root the folder of the site, opened as files
   Inspection(Browser& browser, const std::filesystem::path& root);
 
-  /// Opens a page and judges all that can be seen on it alone. `page` is its name below the root.
-  void look_at(const std::string& page);
+  /// How closely to look: at four widths, or for one of many pages made alike at the smallest; in light and dark.
+  enum class Widths { all, smallest };
 
-  /// Types a word into the search box and expects results that lead to pages of the site.
-  void search(const std::string& page, const std::string& word);
+  /// Opens a page and judges all that can be seen on it alone.
+  /// @param axe  the text of axe-core, which judges accessibility in light and dark; "" leaves that out
+  void look_at(const std::string& page, const std::string& axe = "", Widths widths = Widths::all);
 
-  /// Presses Tab until the navigation and the search have had the focus.
+  /// Expects the first result of a search to lead to a paragraph that holds the words.
+  void search(const std::string& page, const std::string& words);
+
+  /// Presses Tab until the navigation and the search have had the focus, and the keys that turn pages.
   void walk_with_keyboard(const std::string& page);
 
   /// Judges the links between the pages looked at so far.
@@ -39,11 +49,15 @@ class Inspection {
   /// Expects each name, such as a diagnosis gives for further reading, to be an anchor on exactly one page.
   void expect_anchors(const std::set<std::string>& names);
 
-  /// Writes pictures of the whole page: narrow and wide, light and dark.
+  Shares measure(const std::string& page);
+
+  /// Writes pictures of the page at every width, light and dark.
   void photograph(const std::string& page, const std::filesystem::path& folder);
 
   const std::vector<std::string>& faults() const { return faults_; }
   const Counts& counts() const { return counts_; }
+
+  void fault(const std::string& page, const std::string& sentence);
 
  private:
   struct Link {
@@ -53,10 +67,10 @@ class Inspection {
   };
 
   std::string url(const std::string& page) const;
-  void fault(const std::string& page, const std::string& sentence);
   void open(const std::string& page);
   void judge_happenings(const std::string& page);
   void judge_look(const std::string& page, const nlohmann::json& look);
+  void judge_accessibility(const std::string& page, const std::string& axe);
   void follow(const Link& link);
 
   Browser& browser_;
@@ -75,5 +89,8 @@ std::vector<std::string> pages_of(const std::filesystem::path& root);
 /// files of a folder.
 /// @throws std::runtime_error when the folder holds no such file.
 std::set<std::string> anchors_of_diagnoses(const std::filesystem::path& folder);
+
+/// @throws std::runtime_error when the file cannot be read.
+std::string read_text(const std::filesystem::path& file);
 
 }  // namespace workbook::site

@@ -31,16 +31,34 @@
     return { count: all.length, errors };
   }
 
-  /** TeX that nothing has turned into a formula. */
-  function raw_formulas() {
+  /** TeX that nothing has turned into a formula, and labels that only the authors know. */
+  function raw_texts() {
     const found = [];
-    const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+    const walker = document.createTreeWalker(document.querySelector(".contents") || document.body, NodeFilter.SHOW_TEXT);
     for (let node = walker.nextNode(); node; node = walker.nextNode()) {
       if (node.parentElement.closest("script, style, code, pre, .fragment")) continue;
-      const raw = node.data.match(/\\\(.*|\\\[.*|\\begin\{.*|\\f[$[(].*/);
+      const raw = node.data.match(/\\\(.*|\\\[.*|\\begin\{.*|\\f[$[(].*|\bV\d\d\b.*/);
       if (raw) found.push(raw[0].slice(0, 60));
     }
     return found;
+  }
+
+  const figures = [...document.querySelectorAll("figure")].filter(figure => figure.querySelector(":scope > svg"));
+
+  /** Moving pictures that cannot be started, or do not show another moment when their slider moves. */
+  function stuck_pictures() {
+    return figures.filter(figure => figure.querySelector(".frame")).filter(figure => {
+      const shown = () => [...figure.querySelectorAll(".frame")].findIndex(frame => frame.style.display !== "none");
+      const [button, slider] = [figure.querySelector(".controls button"), figure.querySelector(".controls input")];
+      if (!button || !slider) return true;
+      const [before, still] = [shown(), slider.value];
+      for (const value of [(+still + 1) % (+slider.max + 1), still]) {
+        slider.value = value;
+        slider.dispatchEvent(new Event("input"));
+        if (value !== still && shown() === before) return true;
+      }
+      return shown() !== before;
+    }).map(named);
   }
 
   const absolute = element => new URL(element.href.baseVal ?? element.href, document.baseURI).href;
@@ -48,15 +66,24 @@
   return {
     title: document.title,
     formulas: formulas(),
-    raw_formulas: raw_formulas(),
-    pictures: [...document.images].map(image => ({
-      name: image.getAttribute("src"),
-      loaded: image.complete && image.naturalWidth > 0,
-      // Ornaments of the frame may be passed over in silence; pictures of the text may not.
-      described: image.getClientRects().length === 0 ||
-        (image.closest(".contents") ? (image.getAttribute("alt") || "").trim() !== "" : image.hasAttribute("alt")),
-    })),
-    objects: [...document.querySelectorAll("object, embed, iframe")].filter(e => !e.closest("#MSearchResultsWindow")).map(named),
+    raw_texts: raw_texts(),
+    pictures: [
+      ...[...document.images].map(image => ({
+        name: image.getAttribute("src"),
+        loaded: image.complete && image.naturalWidth > 0,
+        // Ornaments of the frame may be passed over in silence; pictures of the text may not.
+        described: image.getClientRects().length === 0 ||
+          (image.closest(".contents") ? (image.getAttribute("alt") || "").trim() !== "" : image.hasAttribute("alt")),
+      })),
+      ...figures.map(figure => ({
+        name: (figure.querySelector("figcaption")?.textContent || "").trim().slice(0, 40),
+        loaded: figure.querySelector(":scope > svg").getBoundingClientRect().height > 20,
+        described: [...figure.querySelectorAll(":scope > p")].some(p => p.textContent.trim() !== "") &&
+          (figure.querySelector("figcaption")?.textContent || "").trim() !== "",
+      }))],
+    stuck: stuck_pictures(),
+    objects: [...document.querySelectorAll("object, embed, iframe")].map(named),
+    landmarks: ["main", "nav", "header"].filter(name => !document.querySelector(name)),
     links: [...document.querySelectorAll("a[href], area[href], svg a")].filter(a => a.href)
       .map(a => ({ to: absolute(a), name: named(a) })),
     anchors: [...document.querySelectorAll("[id], a[name]")].flatMap(e => [e.id, e.getAttribute("name")]).filter(Boolean),

@@ -16,8 +16,6 @@
 #include <limits>
 #include <numbers>
 
-using Eigen::Matrix3d;
-using Eigen::Quaterniond;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 using workbook::agrees;
@@ -27,39 +25,28 @@ using workbook::judging::jacobi_amplitude;
 
 namespace {
 
-/// ω in the body and the quaternion of the attitude, followed together by a Runge-Kutta method of order 8.
-struct Followed {
-  Vector3d omega;
-  Matrix3d attitude;
-};
-
-Followed follow(const Vector3d& I, const Vector3d& omega0, double t) {
-  using State = std::array<double, 7>;  // ω, then the quaternion x, y, z, w
+/// ω in the body, followed by a Runge-Kutta method of order 8.
+Vector3d followed(const Vector3d& I, const Vector3d& omega0, double t) {
+  using State = std::array<double, 3>;
   const auto rate = [&I](const State& y, State& dy, double) {
     const Vector3d omega(y[0], y[1], y[2]);
-    const Vector3d L = I.cwiseProduct(omega);
-    const Vector3d omega_rate = L.cross(omega).cwiseQuotient(I);
-    const Quaterniond q(y[6], y[3], y[4], y[5]);
-    const Quaterniond q_rate = q * Quaterniond(0, omega.x() / 2, omega.y() / 2, omega.z() / 2);
-    dy = {omega_rate.x(), omega_rate.y(), omega_rate.z(), q_rate.x(), q_rate.y(), q_rate.z(), q_rate.w()};
+    const Vector3d omega_rate = I.cwiseProduct(omega).cross(omega).cwiseQuotient(I);
+    dy = {omega_rate.x(), omega_rate.y(), omega_rate.z()};
   };
-  State y = {omega0.x(), omega0.y(), omega0.z(), 0, 0, 0, 1};
+  State y = {omega0.x(), omega0.y(), omega0.z()};
   using namespace boost::numeric::odeint;
   if (t != 0) {
     integrate_adaptive(make_controlled(1e-14, 1e-14, runge_kutta_fehlberg78<State>()), rate, y, 0.0, t,
                        t > 0 ? 1e-3 : -1e-3);
   }
-  return {{y[0], y[1], y[2]}, Quaterniond(y[6], y[3], y[4], y[5]).normalized().toRotationMatrix()};
+  return {y[0], y[1], y[2]};
 }
 
 void check_against_integration(const Vector3d& I, const Vector3d& omega0, double t, double tolerance = 1e-11) {
   CAPTURE(I.transpose());
   CAPTURE(omega0.transpose());
   CAPTURE(t);
-  const ExactTop top(I, omega0);
-  const Followed followed = follow(I, omega0, t);
-  CHECK(agrees(top.omega(t), followed.omega, tolerance, omega0.norm()));
-  CHECK(agrees(top.attitude(t), followed.attitude, tolerance));
+  CHECK(agrees(ExactTop(I, omega0).omega(t), followed(I, omega0, t), tolerance, omega0.norm()));
 }
 
 }  // namespace
@@ -103,9 +90,6 @@ TEST_CASE(
   CHECK(agrees(tumbling.rate(), 0.585946527708, 1e-12));
   CHECK(agrees(tumbling.period(), 22.996262944122, 1e-13));
   CHECK(agrees(tumbling.omega(20), Vector3d(.6760625658002, .7435989558382, .3987733662439), 1e-12));
-  const Quaterniond q(tumbling.attitude(20));
-  const Eigen::Vector4d expected(-.3031012358653, -.3290751190338, .0065321165755, .8943134452209);  // x, y, z, w
-  CHECK(agrees(Eigen::Vector4d(q.coeffs() * (q.w() < 0 ? -1 : 1)), expected, 1e-12));
 
   const ExactTop spinning(I, Vector3d(1, .5, .25));
   CHECK(agrees(1 - spinning.complementary_parameter(), 0.35, 1e-13));
@@ -175,10 +159,7 @@ TEST_CASE("Two moments may be nearly equal") {
   for (const double difference : {1e-4, 1e-9, 1e-15}) {
     check_against_integration(Vector3d(1, 1 + difference, 1.5), Vector3d(0.3, 0.5, 0.8), 9.0);
     check_against_integration(Vector3d(1, 1.5, 1.5 + difference), Vector3d(0.6, 0.5, 0.4), -9.0);
-    // Here ω creeps along the plane of the near-equal moments at the rate λ ~ √difference, and the attitude is found
-    // from a difference of two integrals divided by λ.
-    const double tolerance = std::max(1e-11, 4 * std::numeric_limits<double>::epsilon() / std::sqrt(difference));
-    check_against_integration(Vector3d(1, 1.5, 1.5 + difference), Vector3d(0, 0.5, 0.4), 9.0, tolerance);
+    check_against_integration(Vector3d(1, 1.5, 1.5 + difference), Vector3d(0, 0.5, 0.4), 9.0);
   }
 }
 
@@ -190,7 +171,6 @@ TEST_CASE("A sphere, a principal axis and a body at rest rotate steadily") {
   for (int axis = 0; axis < 3; ++axis) check_against_integration(Vector3d(1, 2, 2.5), 0.8 * Vector3d::Unit(axis), -3.0);
   const ExactTop resting(Vector3d(1, 2, 2.5), Vector3d::Zero());
   CHECK(agrees(resting.omega(5), Vector3d::Zero(), 0, 1));
-  CHECK(agrees(resting.attitude(5), Matrix3d::Identity(), 0));
 }
 
 TEST_CASE("On the separatrix the middle axis is approached once and for ever") {
@@ -217,7 +197,7 @@ TEST_CASE("Next to the separatrix the body still turns over in the right moment"
   check_against_integration(Vector3d(1, 2, 3), Vector3d(0, 1, 1e-6), 30.0, 1e-8);
 }
 
-TEST_CASE("Energy and angular momentum are conserved, the latter as a vector in space") {
+TEST_CASE("Energy and the square of the angular momentum are conserved") {
   workbook::judging::Random random(5);
   for (int i = 0; i < 20; ++i) {
     const Vector3d I = random.principal_moments();
@@ -226,7 +206,7 @@ TEST_CASE("Energy and angular momentum are conserved, the latter as a vector in 
     const ExactTop top(I, omega0);
     const Vector3d omega = top.omega(t);
     CHECK(agrees(I.dot(omega.cwiseAbs2()), I.dot(omega0.cwiseAbs2()), 1e-13));
-    CHECK(agrees(top.attitude(t) * I.cwiseProduct(omega), I.cwiseProduct(omega0), 1e-12));
+    CHECK(agrees(I.cwiseProduct(omega).squaredNorm(), I.cwiseProduct(omega0).squaredNorm(), 1e-13));
     CHECK(agrees(top.omega(t + top.period()), omega, 1e-10));
   }
 }

@@ -20,11 +20,12 @@ std::string read(const fs::path& file) {
   return text.str();
 }
 
-void write(const fs::path& file, const std::string& text) {
+fs::path write(const fs::path& file, const std::string& text) {
   fs::create_directories(file.parent_path());
   std::ofstream out(file, std::ios::binary);
   out << text;
-  if (!out) throw std::runtime_error("cannot write " + file.string());
+  if (!out.flush()) throw std::runtime_error("cannot write " + file.string());
+  return file;
 }
 
 void replace_in(const fs::path& file, const std::string& from, const std::string& to) {

@@ -9,7 +9,8 @@
 namespace workbook::testing {
 
 std::string read(const std::filesystem::path& file);
-void write(const std::filesystem::path& file, const std::string& text);
+/// Returns the file. @throws if it cannot be written
+std::filesystem::path write(const std::filesystem::path& file, const std::string& text);
 
 /// Replaces the first `from` in the file. @throws if it is not there, so that a test cannot go stale unseen.
 void replace_in(const std::filesystem::path& file, const std::string& from, const std::string& to);

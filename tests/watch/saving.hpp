@@ -2,29 +2,66 @@
 /// The ways in which editors save a file.
 #pragma once
 
+#include "tests/support/files.hpp"
+
+#include <array>
+#include <chrono>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <string>
+#include <thread>
 
 namespace workbook::testing {
 
-enum class Way {
-  directly,        ///< truncated and written
-  in_pieces,       ///< truncated, then written slowly
-  in_many_writes,  ///< opened and closed for every piece
-  by_renaming,     ///< written under another name, which is then given to the file
-  with_backup      ///< the old file gets another name, then a new one is written
+using Pause = std::function<void()>;  ///< between two steps of a slow way
+
+struct Way {
+  const char* name;
+  void (*save)(const std::filesystem::path& file, const std::string& text, const Pause& pause);
 };
 
-inline constexpr Way all_ways[] = {Way::directly, Way::in_pieces, Way::in_many_writes, Way::by_renaming,
-                                   Way::with_backup};
+inline std::filesystem::path beside(const std::filesystem::path& file, const std::string& name) {
+  return file.parent_path() / name;
+}
 
-const char* to_string(Way way);
+inline const std::array<Way, 5> ways = {{
+    {"directly", [](const auto& file, const auto& text, const Pause&) { write(file, text); }},
+    {"in pieces",
+     [](const auto& file, const auto& text, const Pause& pause) {
+       std::ofstream out(file, std::ios::binary | std::ios::trunc);
+       for (std::size_t at = 0, piece = text.size() / 3 + 1; at < text.size(); at += piece) {
+         out << text.substr(at, piece) << std::flush;
+         pause();
+       }
+     }},
+    {"opened and closed for every piece",
+     [](const auto& file, const auto& text, const Pause& pause) {
+       std::filesystem::resize_file(file, 0);
+       for (std::size_t at = 0, piece = text.size() / 3 + 1; at < text.size(); at += piece) {
+         std::ofstream(file, std::ios::binary | std::ios::app) << text.substr(at, piece);
+         pause();
+       }
+     }},
+    {"under another name, then renamed",
+     [](const auto& file, const auto& text, const Pause& pause) {
+       write(beside(file, ".unfinished"), text);
+       pause();
+       std::filesystem::rename(beside(file, ".unfinished"), file);
+     }},
+    {"with a backup",
+     [](const auto& file, const auto& text, const Pause& pause) {
+       write(beside(file, "4913"), "");  // an editor asks whether it may write here
+       std::filesystem::remove(beside(file, "4913"));
+       std::filesystem::rename(file, file.string() + "~");
+       pause();
+       write(file, text);
+       std::filesystem::remove(file.string() + "~");
+     }},
+}};
 
-/// @param pause  what is done between two steps of a slow way
-void save(const std::filesystem::path& file, const std::string& text, Way way, const std::function<void()>& pause);
-
-/// Saves with short pauses.
-void save(const std::filesystem::path& file, const std::string& text, Way way = Way::directly);
+inline void save(const std::filesystem::path& file, const std::string& text, const Way& way = ways[0]) {
+  way.save(file, text, [] { std::this_thread::sleep_for(std::chrono::milliseconds(3)); });
+}
 
 }  // namespace workbook::testing

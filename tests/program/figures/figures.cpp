@@ -13,6 +13,8 @@ namespace {
 
 using Directory = std::filesystem::path;
 
+void spring_force() { throw rigid::NotStarted{}; }
+
 void draw_values(const Directory& directory, const std::string& name, double value) {
   workbook::draw_figure(directory, name, {320, 240}, [&](gnuplotio::Gnuplot& gnuplot) {
     gnuplot << "plot '-' with lines\n";
@@ -25,7 +27,7 @@ void draw_values(const Directory& directory, const std::string& name, double val
 int main(int argc, char** argv) {
   return workbook::draw_figures(argc, argv,
                                 {{"sound", [](const Directory& directory) { draw_values(directory, "sound", 1.0); }},
-                                 {"idle", [](const Directory&) { throw rigid::NotStarted{}; }},
+                                 {"idle", [](const Directory&) { spring_force(); }},
                                  {"refused",
                                   [](const Directory&) {
                                     std::puts("a printout of the student");

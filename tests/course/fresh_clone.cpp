@@ -1,0 +1,156 @@
+// A clone of the workbook with a small course, in a folder whose name has a space: the first check, a lecture and an
+// exercise written by an author, and the same folder moved and copied.
+#include <doctest/doctest.h>
+#include "tests/support/files.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace workbook::testing;
+
+const fs::path project = WORKBOOK_ROOT;
+const fs::path scratch = WORKBOOK_TEST_SCRATCH;
+
+struct Outcome {
+  int status = -1;
+  std::string out;
+  std::string err;
+};
+
+/// Types a command in a folder.
+Outcome run(const fs::path& folder, const std::string& command) {
+  const fs::path out = scratch / "stdout.txt", err = scratch / "stderr.txt";
+  const int status = run_in_shell(fmt::format("cd '{}' && WORKBOOK_SKIP_PACKAGES=1 {} </dev/null >'{}' 2>'{}'",
+                                              folder.string(), command, out.string(), err.string()));
+  return {status, read(out), read(err)};
+}
+
+std::string verdict(const fs::path& folder, const std::string& exercise) {
+  const Outcome outcome = run(folder, "./checker/run check --json " + exercise);
+  INFO(outcome.err);
+  const auto document = nlohmann::json::parse(outcome.out, nullptr, false);
+  REQUIRE(!document.is_discarded());
+  return document.at("results").at(0).at("verdict");
+}
+
+/// All that is not the course, and the small course.
+fs::path clone(const std::string& name) {
+  const fs::path folder = scratch / name;
+  const fs::path course = project / "tests/program/course";
+  fs::create_directories(folder / "include/rigid");
+  for (const char* part :
+       {"CMakeLists.txt", "CMakePresets.json", "checker", "include/rigid/vocabulary.hpp", "lectures/CMakeLists.txt",
+        "lectures/site", "lectures/support", "solutions/CMakeLists.txt", "solutions/judging"}) {
+    fs::create_directories((folder / part).parent_path());
+    fs::copy(project / part, folder / part, fs::copy_options::recursive);
+  }
+  for (const auto& file : fs::directory_iterator(project / "lectures"))
+    if (file.path().extension() == ".cmake") fs::copy(file, folder / "lectures" / file.path().filename());
+  fs::copy(course, folder, fs::copy_options::recursive);
+  write(folder / "tests/CMakeLists.txt", "# The tests are those of the workbook.\n");
+  return folder;
+}
+
+constexpr const char *period_judging = R"cpp(#include "rigid/pendulums.hpp"
+#include "solutions/judging/judging.hpp"
+
+void judge_pendulum_period(workbook::judging::Lecture& lecture) {
+  using namespace workbook::judging;
+  auto& e = lecture.exercise("pendulum_period", &rigid::pendulum_period, {{"length", metre}, {"g", m_per_s2}},
+                             {"T", second});
+  e.worked("a metre on Earth", 1, 9.81);
+  e.random("a pendulum", 8, [](Random& random) { return std::tuple{random.uniform(0.5, 3), random.uniform(1.5, 12)}; });
+  e.wrong_output("The factor 2π is missing.", "no_two_pi", times(1 / (2 * pi)));
+  e.wrong("Length and gravity have changed places.", "inverted",
+          [](double length, double g) { return 2 * pi * std::sqrt(g / length); });
+  e.wrong("The root is missing.", "no_root", [](double length, double g) { return 2 * pi * length / g; });
+  e.route("from the frequency", [](double length, double g) { return 2 * pi / std::sqrt(g / length); });
+  e.route("by powers", [](double length, double g) { return 2 * pi * std::pow(length, 0.5) * std::pow(g, -0.5); });
+  e.route("squared", [](double length, double g) { return std::sqrt(4 * pi * pi * length / g); });
+  e.sweep({"Period", "length (m)",
+                     "T (s)"
+}, {{"T"}}, {0.5, 3}, [](double length) {
+  return std::tuple{length, 9.81}; });
+}
+)cpp";
+
+void solve_as_author(const fs::path& folder) {
+  const fs::path solution = folder / "solutions/02_pendulums/pendulum_period.cpp";
+  write(solution,
+        "#include \"rigid/pendulums.hpp\"\n\n#include <cmath>\n#include <numbers>\n\nnamespace rigid {\n\n"
+        "double pendulum_period(double length, double g) {\n"
+        "  return 2 * std::numbers::pi * std::sqrt(length / g);\n}\n\n}  // namespace rigid\n");
+  write(folder / "solutions/02_pendulums/pendulum_period.judging.cpp", period_judging);
+}
+
+}  // namespace
+
+TEST_CASE("a fresh clone checks, grows by a lecture, and is graded where it lies") {
+  fs::remove_all(scratch);
+  const fs::path first = clone("first clone");
+
+  // The first check makes what it needs, and no more.
+  CHECK(verdict(first, "spring_energy") == "not_started");
+  CHECK(!fs::exists(first / "build/workbook/printed"));
+  CHECK(!fs::exists(first / "build/workbook/checker/toolchain/diagnostic/prelude.hpp.gch"));
+
+  // A lecture and an exercise from their skeletons build at once.
+  const Outcome lecture = run(first, "./checker/run new lecture 02_pendulums");
+  CHECK_MESSAGE(lecture.status == 0, lecture.err);
+  const Outcome exercise = run(first,
+                               "./checker/run new exercise pendulum_period --lecture 02 --signature "
+                               "'double pendulum_period(double length, double g)'");
+  CHECK_MESSAGE(exercise.status == 0, exercise.err);
+  CHECK(verdict(first, "pendulum_period") == "not_started");
+  const Outcome unfinished = run(first, "./checker/run self-check --seeds 1 pendulum_period");
+  CHECK(unfinished.status == 1);
+  CHECK_MESSAGE(has(unfinished.out, "solutions/02_pendulums/pendulum_period.judging.cpp: "), unfinished.out);
+
+  // An author writes it, and a student solves it.
+  solve_as_author(first);
+  const Outcome green = run(first, "./checker/run self-check --seeds 2 02");
+  CHECK_MESSAGE(green.status == 0, (green.out + green.err));
+  const fs::path answer = "lectures/02_pendulums/exercises/pendulum_period.cpp";
+  fs::copy_file(first / "solutions/02_pendulums/pendulum_period.cpp", first / answer,
+                fs::copy_options::overwrite_existing);
+  CHECK(verdict(first, "pendulum_period") == "passed");
+
+  // Refused with a sentence, and nothing written.
+  for (const char* refused : {"lecture 02_pendulums", "lecture pendulums",
+                              "exercise pendulum_period --lecture 01 --signature 'double pendulum_period(double x)'",
+                              "exercise other --lecture 01 --signature 'float other(double x)'"})
+    CHECK_MESSAGE(run(first, std::string("./checker/run new ") + refused).status == 2, refused);
+  CHECK(!fs::exists(first / "lectures/01_springs/exercises/other.cpp"));
+
+  // A copy is graded itself, not the folder that it was copied from.
+  const fs::path copy = scratch / "a copy";
+  REQUIRE(run(scratch, fmt::format("cp -a '{}' '{}'", first.string(), copy.string())).status == 0);
+  const std::string progress = read(first / ".workbook/progress.json");
+  replace_in(copy / answer, "2 * std::numbers::pi", "3 * std::numbers::pi");
+  CHECK(verdict(copy, "pendulum_period") == "wrong_value");
+  CHECK(read(first / ".workbook/progress.json") == progress);
+  CHECK(has(read(copy / ".workbook/progress.json"), "wrong_value"));
+
+  // A moved folder is built where it is now.
+  const fs::path moved = scratch / "moved";
+  fs::rename(first, moved);
+  const Outcome built = run(moved, "bash checker/setup.sh build/workbook toolchain");
+  CHECK_MESSAGE(built.status == 0, built.err);
+  const auto course = nlohmann::json::parse(read(moved / "build/workbook/checker/course.json"));
+  CHECK(course.at("root") == moved.string());
+  CHECK(!has(read(moved / "build/workbook/build.ninja"), first.string()));
+}
+
+TEST_CASE("a folder that cannot be written is named in one sentence") {
+  const fs::path folder = clone("read only");
+  write(folder / "build", "a file where the folder should be\n");
+  const Outcome outcome = run(folder, "./checker/run list");
+  CHECK(outcome.status == 3);
+  CHECK_MESSAGE(has(outcome.err, "cannot be written"), outcome.err);
+}

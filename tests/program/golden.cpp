@@ -1,0 +1,99 @@
+// What people read, screen by screen. See check_golden() for how these files are written anew.
+#include "tests/program/program.hpp"
+
+#include <doctest/doctest.h>
+
+#include <regex>
+
+using namespace workbook::testing;
+
+namespace {
+
+/// A course in which one exercise has a known mistake.
+struct CourseWithMistake : CourseCopy {
+  CourseWithMistake() { answer_energy("return k * x.squaredNorm();"); }
+};
+
+const std::vector<std::string> tour = {"", "check", "list", "", "hint spring_energy", "hint", "hint", "hint --all"};
+
+}  // namespace
+
+TEST_CASE("a tour at 80 columns, at 44 columns, and plain") {
+  for (const char* name : {"80_columns", "44_columns", "plain"}) {
+    const CourseWithMistake course;
+    const std::string width = std::string(name) == "44_columns" ? "44" : "80";
+    const std::string plain = std::string(name) == "plain" ? " WORKBOOK_PLAIN=1" : "";
+    std::string screens = course.screens(tour, "COLUMNS=" + width + plain);
+    course.solve("spring_energy");
+    screens += course.screens({"check spring_energy", "check spring_energy --case 2", ""}, "COLUMNS=" + width + plain);
+    course.solve("spring_force");
+    screens += course.screens({"check", "", "hint"}, "COLUMNS=" + width + plain);
+    check_golden(name, screens);
+  }
+}
+
+TEST_CASE("screens of failures") {
+  const CourseCopy course;
+  std::string screens;
+  for (const char* body : {"return 0.5 * k * x^2;", "return x(7);", "int* p = nullptr; *p = 1; return k;", "throw 3;",
+                           "std::cout << \"k = \" << k << \"\\n\"; return k > 3 ? 0.0 : 0.5 * k * x.squaredNorm();",
+                           "return 0.5000001 * k * x.squaredNorm();"}) {
+    course.answer_energy(body);
+    screens += std::string("{ ") + body + " }\n" + course.screens({"check spring_energy"});
+  }
+  check_golden("failures", screens);
+}
+
+TEST_CASE("the help") {
+  const CourseCopy course;
+  const std::string help = course.run("--help", "COLUMNS=80").out;
+  std::string screens = course.screens({"--help"});
+  const std::regex entry("\n  ([a-z][a-z-]+) +[A-Z]");
+  for (std::sregex_iterator match(help.begin(), help.end(), entry), end; match != end; ++match)
+    screens += course.screens({(*match)[1].str() + " --help"});
+  check_golden("help", screens);
+}
+
+TEST_CASE("wrong usage and names that mean nothing") {
+  const CourseCopy course;
+  course.solve("spring_energy");
+  write(course.root() / "draft.cpp", read(course.solution("spring_energy")));
+  write(course.root() / "blocked", "a file where a folder should be");
+  check_golden("wrong_usage", course.screens({"chek",
+                                              "spring_energy",
+                                              "quaternion",
+                                              "check --sed 5",
+                                              "check --seed many",
+                                              "hint spring_energy spring_force",
+                                              "check spring_enrgy",
+                                              "check quaternion",
+                                              "check 7",
+                                              "check draft.cpp",
+                                              "check nowhere/spring_energy.cpp",
+                                              "check --file draft.cpp",
+                                              "check --case one",
+                                              "check spring_energy --case on",
+                                              "check spring_energy --case quaternion",
+                                              "plot",
+                                              "plot --all spring_energy",
+                                              "plot springs --file draft.cpp",
+                                              "plot spring_energy --picture oil",
+                                              "plot spring_energy --out blocked",
+                                              "plot spring_energy --out blocked/below",
+                                              "report",
+                                              "report --html blocked/page.html",
+                                              "report --html lectures",
+                                              "report --html page.html --file draft.cpp",
+                                              "hint spring_enrgy",
+                                              "reset spring_enrgy",
+                                              "examples sprigs",
+                                              "figures sprigs"}));
+}
+
+TEST_CASE("without gnuplot") {
+  const CourseWithMistake course;
+  check_golden("without_gnuplot",
+               course.screens({"plot spring_energy", "plot --all", "figures springs", "check spring_energy",
+                               "check spring_energy --plot", "report --html page.html"},
+                              without_programs));
+}

@@ -1,0 +1,328 @@
+// Plots in files and on the terminal, figures, worked examples, and every picture at once.
+#include "checker/base/text.hpp"
+#include "checker/report/terminal_picture.hpp"
+#include "tests/program/program.hpp"
+
+#include <doctest/doctest.h>
+
+#include <boost/archive/iterators/binary_from_base64.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <regex>
+
+using namespace workbook;
+using namespace workbook::testing;
+namespace fs = std::filesystem;
+
+namespace {
+
+const char* const kitty_and_attributes = "\033_Gi=31;OK\033\\\033[?62;c";
+const char* const sixel_attributes = "\033[?62;4;22c";
+const char* const no_graphics = "\033[?1;2c";
+
+const std::string plot = "plot spring_energy --out pictures";
+const std::string letters_of_student = "A your E";
+
+struct CourseWithMistake : CourseCopy {
+  CourseWithMistake() { answer_energy("return k * x.squaredNorm();"); }
+};
+
+/// The picture in the escape sequences of kitty's protocol.
+std::string picture_in(const std::string& shown) {
+  std::string text;
+  const std::regex chunk("\033_G([^;\033]*m=([01]));([A-Za-z0-9+/=]*)\033\\\\");
+  for (std::sregex_iterator match(shown.begin(), shown.end(), chunk), end; match != end; ++match) {
+    CHECK((*match)[3].length() <= 4096);
+    text += (*match)[3];
+    if ((*match)[2] == "0") break;
+  }
+  using namespace boost::archive::iterators;
+  using Bytes = transform_width<binary_from_base64<std::string::const_iterator>, 8, 6>;
+  const auto padding = static_cast<std::size_t>(std::ranges::count(text, '='));
+  std::ranges::replace(text, '=', 'A');
+  std::string bytes(Bytes(text.cbegin()), Bytes(text.cend()));
+  bytes.resize(bytes.size() - padding);
+  return bytes;
+}
+
+TerminalTraits watched(const std::string& term) {
+  TerminalTraits traits;
+  traits.is_watched = true;
+  traits.term = term;
+  return traits;
+}
+
+GraphicsAnswer never_asked() {
+  FAIL("the terminal must not be asked here");
+  return {};
+}
+
+/// A build that leaves its output in a file, as checker/setup.sh does.
+constexpr const char* failed_build =
+    "mkdir -p build; echo ../lectures/01_springs/exercises/spring_energy.cpp:3:4: error: no >build/build.log; exit 1";
+
+/// As if the build had made the program of the lecture's figures.
+void give_figures(const CourseCopy& course) {
+  fs::create_directories(course.root() / "build/lectures");
+  fs::copy_file(WORKBOOK_TEST_FIGURES, course.root() / "build/lectures/draw_of_the_student_01_springs");
+}
+
+/// `checker examples springs`, where building does the first and running the second.
+std::string examples(const CourseCopy& course, const std::string& build, const std::string& run) {
+  course.stand_in("setup.sh", build);
+  course.stand_in("build/lectures/worked_examples_of_the_student_01_springs", run);
+  return course.screens({"examples springs"});
+}
+
+}  // namespace
+
+TEST_CASE("kitty's escape sequences hold the whole picture in chunks of at most 4096 letters") {
+  for (const std::size_t size : {1, 2, 3, 3071, 3072, 3073, 10000}) {
+    CAPTURE(size);
+    std::string picture;
+    for (std::size_t i = 0; i < size; ++i) picture += static_cast<char>(i * 37 % 251);
+    const std::string text = kitty_picture(picture, 60);
+    CHECK(text.starts_with("\033_Ga=T,f=100,q=2,c=60,"));
+    CHECK(picture_in(text) == picture);
+  }
+}
+
+TEST_CASE("a terminal's answer is read for kitty's protocol and for sixel") {
+  CHECK(read_graphics_answer(kitty_and_attributes).kitty);
+  CHECK_FALSE(read_graphics_answer(kitty_and_attributes).sixel);
+  CHECK(read_graphics_answer(sixel_attributes).sixel);
+  CHECK(read_graphics_answer("\033[?62;1;4c").sixel);
+  CHECK_FALSE(read_graphics_answer(no_graphics).sixel);
+  CHECK_FALSE(read_graphics_answer("\033[?4;6c").sixel);    // a VT132, no attribute
+  CHECK_FALSE(read_graphics_answer("\033[?62;14c").sixel);  // another attribute
+  CHECK_FALSE(read_graphics_answer("\033_Gi=31;ENOTSUPPORTED\033\\\033[?62c").kitty);
+  CHECK_FALSE(read_graphics_answer("").kitty);
+}
+
+TEST_CASE("the kind of picture follows the wish, then the terminal") {
+  const auto says_kitty = [] { return GraphicsAnswer{true, true}; };
+  const auto says_sixel = [] { return GraphicsAnswer{false, true}; };
+  const auto says_nothing = [] { return GraphicsAnswer{}; };
+  const TerminalTraits xterm = watched("xterm-256color");
+  CHECK(choose_picture(PictureKind::automatic, 1, xterm, says_kitty) == PictureKind::kitty);
+  CHECK(choose_picture(PictureKind::automatic, 1, xterm, says_sixel) == PictureKind::sixel);
+  CHECK(choose_picture(PictureKind::automatic, 1, xterm, says_nothing) == PictureKind::text);
+  CHECK(choose_picture(PictureKind::automatic, 2, xterm, never_asked) == PictureKind::none);
+  CHECK(choose_picture(PictureKind::text, 2, {}, never_asked) == PictureKind::text);
+  CHECK(choose_picture(PictureKind::none, 1, xterm, never_asked) == PictureKind::none);
+  CHECK(choose_picture(PictureKind::automatic, 1, watched("dumb"), never_asked) == PictureKind::text);
+  CHECK(choose_picture(PictureKind::automatic, 1, watched("xterm-kitty"), never_asked) == PictureKind::kitty);
+  TerminalTraits inherited = watched("tmux-256color");
+  inherited.has_kitty_window = true;
+  inherited.is_multiplexed = true;
+  CHECK(choose_picture(PictureKind::automatic, 1, inherited, says_nothing) == PictureKind::text);
+  TerminalTraits plain = xterm;
+  plain.is_plain = true;
+  CHECK(choose_picture(PictureKind::automatic, 1, plain, never_asked) == PictureKind::none);
+  CHECK(choose_picture(PictureKind::automatic, 1, {}, never_asked) == PictureKind::none);
+}
+
+TEST_CASE("plots are written as SVG and PNG, with the misconception by name") {
+  const CourseWithMistake course;
+  const Outcome outcome = course.run(plot);
+  CHECK(outcome.status == 0);
+  CHECK(outcome.out == "pictures/spring_energy.svg\npictures/spring_energy.png\n");
+  const std::string svg = read(course.root() / "pictures/spring_energy.svg");
+  for (const char* part : {"E yours", "E reference", "no half", "x (m)"}) CHECK_MESSAGE(has(svg, part), part);
+  CHECK(read(course.root() / "pictures/spring_energy.png").substr(1, 3) == "PNG");
+  CHECK(std::distance(fs::directory_iterator(course.root() / "pictures"), fs::directory_iterator()) == 2);
+  for (const char* command : {"check spring_energy", "check spring_energy --plot"})  // a wrong value is drawn unasked
+    CHECK(has(course.run(command).out, "spring_energy.svg"));
+}
+
+TEST_CASE("a curve breaks where there is no value") {
+  const CourseCopy course;
+  course.answer_energy("if (x[0] > 0.7 && x[0] < 1.3) throw 1; return 0.5 * k * x.squaredNorm();");
+  const auto lines_of_student = [&] {
+    REQUIRE(course.run(plot).status == 0);
+    const std::string svg = read(course.root() / "pictures/spring_energy.svg");
+    const std::regex moves("<path stroke='rgb\\( *0, +75, 122\\)' +d='M([^']*)'");
+    std::smatch path;
+    REQUIRE(std::regex_search(svg, path, moves));
+    return std::ranges::count(path[1].str(), 'M');  // the first one is the sample in the key
+  };
+  CHECK(lines_of_student() == 2);
+  course.solve("spring_energy");
+  CHECK(lines_of_student() == 1);
+}
+
+TEST_CASE("a terminal of kitty's kind gets the very picture that lies in the folder") {
+  const CourseWithMistake course;
+  const TerminalOutcome outcome = course.run_on_terminal(plot, {.answer = kitty_and_attributes}, "TERM=xterm-256color");
+  CHECK(outcome.status == 0);
+  CHECK(outcome.was_asked);
+  CHECK(outcome.echoes_afterwards);
+  CHECK(picture_in(outcome.shown) == read(course.root() / "pictures/spring_energy.png"));
+}
+
+TEST_CASE("a terminal with sixel gets sixel, no larger than its window") {
+  const CourseWithMistake course;
+  const TerminalOutcome outcome =
+      course.run_on_terminal(plot, {.columns = 60, .rows = 24, .answer = sixel_attributes}, "TERM=xterm");
+  CHECK(outcome.status == 0);
+  std::smatch size;
+  const std::regex raster("\033P[0-9;]*q\"[0-9]+;[0-9]+;([0-9]+);([0-9]+)");
+  REQUIRE(std::regex_search(outcome.shown, size, raster));
+  CHECK(std::stoi(size[1]) <= 60 * 8);
+  CHECK(std::stoi(size[2]) <= 24 * 16);
+}
+
+TEST_CASE("any other terminal gets letters, no wider than it is, and a line that says what they mean") {
+  const CourseWithMistake course;
+  for (const int columns : {30, 80, 160}) {
+    CAPTURE(columns);
+    const TerminalOutcome outcome =
+        course.run_on_terminal(plot, {.columns = columns, .answer = no_graphics}, "TERM=xterm-256color NO_COLOR=1");
+    CHECK(outcome.status == 0);
+    CHECK(has(outcome.shown, ".."));
+    CHECK(has(outcome.shown, letters_of_student));
+    std::string text = outcome.shown.substr(outcome.shown.find("\033[c") + 3);
+    std::erase(text, '\r');
+    for (const std::string& line : lines_of(text)) CHECK_MESSAGE(display_width(line) <= columns, line);
+  }
+  const TerminalOutcome check =
+      course.run_on_terminal("check spring_energy --plot", {.answer = no_graphics}, "TERM=xterm");
+  CHECK(check.status == 1);
+  CHECK(has(check.shown, letters_of_student));
+}
+
+TEST_CASE("a terminal that keeps silent gets letters after a moment, and one that was typed on is not asked") {
+  const CourseWithMistake course;
+  const TerminalOutcome silent = course.run_on_terminal(plot, {}, "TERM=xterm");
+  CHECK(silent.was_asked);
+  CHECK(silent.echoes_afterwards);
+  CHECK(has(silent.shown, letters_of_student));
+  const TerminalOutcome typed = course.run_on_terminal(plot, {.typed_ahead = "ls\n"}, "TERM=xterm");
+  CHECK_FALSE(typed.was_asked);
+  CHECK(has(typed.shown, letters_of_student));
+}
+
+TEST_CASE("the plain mode and --picture none show no picture, and ask nothing") {
+  const CourseWithMistake course;
+  const TerminalWindow window = {.answer = kitty_and_attributes};
+  for (const TerminalOutcome& outcome : {course.run_on_terminal(plot, window, "TERM=xterm WORKBOOK_PLAIN=1"),
+                                         course.run_on_terminal(plot + " --picture none", window, "TERM=xterm")}) {
+    CHECK(outcome.status == 0);
+    CHECK_FALSE(outcome.was_asked);
+    CHECK_FALSE(has(outcome.shown, letters_of_student));
+    CHECK(has(outcome.shown, "spring_energy.png"));
+  }
+}
+
+TEST_CASE("without a terminal, a kind that is named is shown; without a value, the reference alone") {
+  const CourseWithMistake course;
+  const Outcome letters = course.run("plot springs --out pictures --picture text");
+  CHECK(letters.status == 1);
+  CHECK(has(letters.out, letters_of_student));
+  CHECK_FALSE(has(letters.out, "\033"));
+  check_golden("letters", letters.out);
+  CHECK(fs::exists(course.root() / "pictures/spring_force.svg"));
+}
+
+TEST_CASE("values that no picture can hold leave no half picture, and the verdict stands") {
+  const CourseCopy course;
+  course.answer_energy("return 1.7e308;");
+  const Outcome outcome = course.run(plot);
+  CHECK(outcome.status == 3);
+  CHECK(std::ranges::count(outcome.err, '\n') == 1);
+  CHECK(fs::is_empty(course.root() / "pictures"));
+  CHECK(course.run("check spring_energy --plot").status == 1);
+}
+
+TEST_CASE("each figure is tried on its own, and says what became of it") {
+  const CourseCopy course;
+  give_figures(course);
+  check_golden("figures", course.screens({"figures springs --out pictures --seconds 2"}));
+  CHECK(read(course.root() / "pictures/sound.png").substr(1, 3) == "PNG");
+  CHECK_FALSE(fs::exists(course.root() / "pictures/not_finite.svg"));
+  CHECK_FALSE(fs::exists(course.root() / "pictures/sound.svg.complete"));
+}
+
+TEST_CASE("figures that cannot be built or listed say why") {
+  const CourseCopy course;
+  course.stand_in("setup.sh", "exit 1");
+  const Outcome not_built = course.run("figures springs");
+  CHECK(not_built.status == 3);
+  course.stand_in("setup.sh", failed_build);
+  std::string screens = course.screens({"figures springs"});
+  course.stand_in("setup.sh", "exit 0");
+  course.stand_in("build/lectures/draw_of_the_student_01_springs", "kill -SEGV $$");
+  screens += course.screens({"figures springs"});
+  check_golden("figures_not_drawn", screens);
+}
+
+TEST_CASE("the program of the figures refuses a name that it does not know, and ends badly if a figure does") {
+  const CourseCopy course;
+  const auto status = [&](const std::string& arguments) {
+    return run_in_shell("cd '" + course.root().string() + "' && " WORKBOOK_TEST_FIGURES " " + arguments +
+                        " >said 2>&1");
+  };
+  CHECK(status("pictures sound") == 0);
+  CHECK(status("pictures idle") == 3);
+  CHECK(status("pictures refused") == 1);
+  CHECK(status("pictures no_such_figure") == 2);
+  CHECK(status("") == 2);
+}
+
+TEST_CASE("each worked example says whether it holds, what it needs, or which check failed with both numbers") {
+  const CourseCopy course;
+  const std::string success = "<OverallResultsAsserts test_case_success=\"true\"/>";
+  const std::string failure = "<OverallResultsAsserts test_case_success=\"false\"/>";
+  const std::string place =
+      " success=\"false\" type=\"CHECK\" filename=\"/w/lectures/01_springs/worked_examples.cpp\" ";
+  const auto report = [](const std::string& cases) {
+    return "cat <<'END'\n<?xml version=\"1.0\"?><doctest><TestSuite>" + cases + "</TestSuite></doctest>\nEND";
+  };
+  const auto example = [](const std::string& name, const std::string& content) {
+    return "<TestCase name=\"" + name + "\">" + content + "</TestCase>";
+  };
+  std::string screens = examples(
+      course, "true",
+      report(
+          example("A spring stores energy", success) +
+          example("A spring pulls back", "<Exception crash=\"false\">not started: spring_force</Exception>" + failure) +
+          example("Energy from force", "<Expression" + place +
+                                           "line=\"8\"><Original> agrees(work(k), E) </Original><Exception>not "
+                                           "started: spring_force</Exception></Expression>" +
+                                           failure) +
+          example("A spring swings", "<Expression" + place +
+                                         "line=\"12\"><Original> agrees(T, 3.2) </Original><Expanded> 7.1 where "
+                                         "3.2 is expected (difference 3.9, allowed 1e-12) </Expanded></Expression>" +
+                                         failure)));
+  screens += examples(course, "true", report(example("A spring stores energy", success)));
+  screens += examples(course, failed_build, "true");
+  for (const char* run : {"kill -SEGV $$", "echo '<mine'; exit 4", "true", "head -c 9000000 /dev/zero"})
+    screens += examples(course, "true", run);
+  check_golden("examples", screens);
+  CHECK(examples(course, "rm build/build.log; exit 1", "true").ends_with("[3]\n\n"));
+}
+
+TEST_CASE("plot --all draws every overlay and brings the figures of every lecture, or says what is missing") {
+  const CourseCopy course;
+  course.answer_energy("return k * x.squaredNorm();");
+  write(course.root() / "build/figures/01_springs/spring.svg", "<svg/>");
+  write(course.root() / "build/figures/01_springs/spring.png", "png");
+  write(course.root() / "build/figures/01_springs/drawn", "");
+  std::string screens = course.screens({"plot --all --out pictures"});
+  for (const char* file :
+       {"overlays/01_springs/spring_energy.svg", "overlays/01_springs/spring_energy.png",
+        "overlays/01_springs/spring_force.svg", "figures/01_springs/spring.svg", "figures/01_springs/spring.png"})
+    CHECK_MESSAGE(fs::exists(course.root() / "pictures" / file), file);
+  CHECK_FALSE(fs::exists(course.root() / "pictures/figures/01_springs/drawn"));
+
+  course.solve("spring_energy");
+  course.solve("spring_force");
+  course.stand_in("setup.sh", "exit 1");
+  screens += course.screens({"plot --all --out pictures"});
+  fs::remove_all(course.root() / "solutions");  // what students are given
+  fs::remove_all(course.root() / "build/figures");
+  screens += course.screens({"plot --all --out pictures"});
+  check_golden("plot_all", screens);
+}

@@ -1,0 +1,11 @@
+// How much of the height of this page code with printed output and figures take, in percent. Runs inside the page.
+(() => {
+  const height = selector => [...document.querySelectorAll(selector)]
+    .filter(element => element.checkVisibility())
+    .reduce((sum, element) => sum + element.getBoundingClientRect().height, 0);
+  const whole = document.querySelector(".contents .textblock").getBoundingClientRect().height;
+  return {
+    code: 100 * height(".contents .fragment, .contents .result") / whole,
+    figures: 100 * height(".contents figure") / whole,
+  };
+})()
