@@ -43,8 +43,8 @@ Vector3d inertial_components(const Vector3d& V_body, const Vector3d& angles);
 /// \f[ R_{33} = \cos\theta, \qquad (R_{31}, R_{32}) = \sin\theta\,(\cos\phi, \sin\phi), \qquad
 ///   (R_{13}, R_{23}) = \sin\theta\,(-\cos\psi, \sin\psi) \f]
 ///
-/// Where \f$\sin\theta = 0\f$ only φ + ψ (θ = 0) or ψ − φ (θ = π) is determined; every choice that gives R back is
-/// right.
+/// Where \f$\sin\theta = 0\f$ only φ + ψ (θ = 0) or ψ − φ (θ = π) is determined. The convention is θ in [0, π];
+/// (φ + π, −θ, ψ − π) is the same attitude. Every choice that gives R back is right.
 ///
 /// @param R_body_from_inertial  rotation matrix R: \f$\vec V_\bodyframe = \mat R\,\vec V_\inertialframe\f$
 /// @return                      (φ, θ, ψ), rad, with θ in [0, π]

@@ -20,6 +20,8 @@ void judge_euler_angles(Lecture& lecture) {
   e.tolerance_of_last_case(1e-7);
   e.special("θ = 0 up to rounding", about_z(0.9) + Matrix3d{{0, 0, -4e-17}, {0, 0, -1e-17}, {3e-17, -2e-17, 0}});
   e.tolerance_of_last_case(1e-7);
+  e.special("R₃₃ larger than 1 by rounding", about_z(0.9) + Matrix3d{{0, 0, 0}, {0, 0, 0}, {0, 0, 2.3e-16}});
+  e.tolerance_of_last_case(1e-7);
   e.random("any attitude", 8, [](auto& random) { return rotation_matrix(random.euler_angles()); });
   e.scale(1);
   e.sweep({"A steady turn about an axis almost level: φ and ψ leap where θ is nearly 0 or π", "angle turned (rad)",

@@ -94,7 +94,7 @@ Vector3d euler_angles(const Matrix3d& R_body_from_inertial) {
 
 }  // namespace rigid
 
-//! wrong: theta between minus and plus pi
+//! right: the library's angles, with theta between minus and plus pi
 #include <rigid/euler_angles.hpp>
 
 namespace rigid {
