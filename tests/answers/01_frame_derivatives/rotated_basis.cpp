@@ -1,99 +1,74 @@
 //! wrong: about the axes of the body
 #include <rigid/frame_derivatives.hpp>
-
 namespace rigid {
-
 Matrix3d rotated_basis(const Matrix3d& E, const Vector3d& omega, double dt) {
   if (omega.isZero(0)) return E;
   const Eigen::AngleAxisd rotation(omega.norm() * dt, omega / omega.norm());
   return E * rotation.toRotationMatrix();
 }
-
 }  // namespace rigid
 
 //! wrong: only to first order
 #include <rigid/frame_derivatives.hpp>
-
 namespace rigid {
-
 Matrix3d rotated_basis(const Matrix3d& E, const Vector3d& omega, double dt) {
   Matrix3d result;
   for (int i = 0; i < 3; ++i) result.col(i) = E.col(i) + omega.cross(E.col(i)) * dt;
   return result;
 }
-
 }  // namespace rigid
 
 //! wrong: the other way round
 #include <rigid/frame_derivatives.hpp>
-
 namespace rigid {
-
 Matrix3d rotated_basis(const Matrix3d& E, const Vector3d& omega, double dt) {
   const double angle = -omega.norm() * dt;
   return Eigen::AngleAxisd(angle, omega.normalized()) * E;
 }
-
 }  // namespace rigid
 
 //! wrong: divides by zero at rest
 #include <rigid/frame_derivatives.hpp>
-
 namespace rigid {
-
 Matrix3d rotated_basis(const Matrix3d& E, const Vector3d& omega, double dt) {
   const Vector3d n = omega / omega.norm();
   return Eigen::AngleAxisd(omega.norm() * dt, n).toRotationMatrix() * E;
 }
-
 }  // namespace rigid
 
 //! wrong: the axis is not normalised
 #include <rigid/frame_derivatives.hpp>
-
 namespace rigid {
-
 Matrix3d rotated_basis(const Matrix3d& E, const Vector3d& omega, double dt) {
   return Eigen::AngleAxisd(omega.norm() * dt, omega).toRotationMatrix() * E;
 }
-
 }  // namespace rigid
 
 //! wrong: every slow rotation is taken for none
 #include <rigid/frame_derivatives.hpp>
-
 namespace rigid {
-
 Matrix3d rotated_basis(const Matrix3d& E, const Vector3d& omega, double dt) {
   const double speed = omega.norm();
   if (speed < 1e-3) return E;
   return Eigen::AngleAxisd(speed * dt, omega / speed).toRotationMatrix() * E;
 }
-
 }  // namespace rigid
 
 //! wrong: negative times run forwards
-#include <rigid/frame_derivatives.hpp>
-
 #include <cmath>
-
+#include <rigid/frame_derivatives.hpp>
 namespace rigid {
-
 Matrix3d rotated_basis(const Matrix3d& E, const Vector3d& omega, double dt) {
   const double angle = omega.norm() * std::abs(dt);
   if (angle == 0) return E;
   return Eigen::AngleAxisd(angle, omega.normalized()).toRotationMatrix() * E;
 }
-
 }  // namespace rigid
 
 //! wrong: cos instead of one minus cos
-#include <rigid/frame_derivatives.hpp>
-
 #include <cmath>
-
+#include <rigid/frame_derivatives.hpp>
 namespace rigid {
-
 Matrix3d rotated_basis(const Matrix3d& E, const Vector3d& omega, double dt) {
   const double speed = omega.norm();
   if (speed == 0) return E;
@@ -105,16 +80,12 @@ Matrix3d rotated_basis(const Matrix3d& E, const Vector3d& omega, double dt) {
   }
   return result;
 }
-
 }  // namespace rigid
 
 //! right: Rodrigues, column by column
-#include <rigid/frame_derivatives.hpp>
-
 #include <cmath>
-
+#include <rigid/frame_derivatives.hpp>
 namespace rigid {
-
 Matrix3d rotated_basis(const Matrix3d& E, const Vector3d& omega, double dt) {
   const double speed = omega.norm();
   if (speed == 0) return E;
@@ -127,34 +98,26 @@ Matrix3d rotated_basis(const Matrix3d& E, const Vector3d& omega, double dt) {
   }
   return result;
 }
-
 }  // namespace rigid
 
 //! right: a quaternion
-#include <rigid/frame_derivatives.hpp>
-
 #include <cmath>
-
+#include <rigid/frame_derivatives.hpp>
 namespace rigid {
-
 Matrix3d rotated_basis(const Matrix3d& E, const Vector3d& omega, double dt) {
   const double half = omega.norm() * dt / 2;
   const Vector3d n = omega.normalized();
   const Eigen::Quaterniond q(std::cos(half), n.x() * std::sin(half), n.y() * std::sin(half), n.z() * std::sin(half));
   return q.toRotationMatrix() * E;
 }
-
 }  // namespace rigid
 
 //! right: the same rotation about the axes of the body
 #include <rigid/frame_derivatives.hpp>
-
 namespace rigid {
-
 Matrix3d rotated_basis(const Matrix3d& E, const Vector3d& omega, double dt) {
   if (omega.norm() == 0) return E;
   const Vector3d omega_body = E.transpose() * omega;
   return E * Eigen::AngleAxisd(omega_body.norm() * dt, omega_body.normalized()).toRotationMatrix();
 }
-
 }  // namespace rigid

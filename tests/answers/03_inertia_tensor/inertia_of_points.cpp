@@ -1,8 +1,6 @@
 //! wrong: products of inertia without the minus sign
 #include <rigid/inertia_tensor.hpp>
-
 namespace rigid {
-
 Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
   Matrix3d I = Matrix3d::Zero();
   for (int p = 0; p < m.size(); ++p) {
@@ -13,41 +11,32 @@ Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
   }
   return I;
 }
-
 }  // namespace rigid
 
 //! wrong: the square of the coordinate itself on the diagonal
 #include <rigid/inertia_tensor.hpp>
-
 namespace rigid {
-
 Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
   Matrix3d I = Matrix3d::Zero();
   for (int p = 0; p < m.size(); ++p) I += m[p] * r.col(p) * r.col(p).transpose();
   return I;
 }
-
 }  // namespace rigid
 
 //! wrong: the masses are forgotten
 #include <rigid/inertia_tensor.hpp>
-
 namespace rigid {
-
 Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
   Matrix3d I = Matrix3d::Zero();
   for (int p = 0; p < m.size(); ++p)
     I += r.col(p).squaredNorm() * Matrix3d::Identity() - r.col(p) * r.col(p).transpose();
   return I;
 }
-
 }  // namespace rigid
 
 //! wrong: about the centre of mass
 #include <rigid/inertia_tensor.hpp>
-
 namespace rigid {
-
 Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
   Matrix3d I = Matrix3d::Zero();
   if (m.size() == 0) return I;
@@ -58,14 +47,11 @@ Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
   }
   return I;
 }
-
 }  // namespace rigid
 
 //! wrong: the sum is never set to zero
 #include <rigid/inertia_tensor.hpp>
-
 namespace rigid {
-
 Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
   Matrix3d I;
   for (int p = 0; p < m.size(); ++p) {
@@ -74,14 +60,11 @@ Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
   }
   return I;
 }
-
 }  // namespace rigid
 
 //! wrong: begins with the first point, even if there is none
 #include <rigid/inertia_tensor.hpp>
-
 namespace rigid {
-
 Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
   const auto one = [&](int p) -> Matrix3d {
     return m[p] * (r.col(p).squaredNorm() * Matrix3d::Identity() - r.col(p) * r.col(p).transpose());
@@ -90,14 +73,11 @@ Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
   for (int p = 1; p < m.size(); ++p) I += one(p);
   return I;
 }
-
 }  // namespace rigid
 
 //! wrong: one point too many
 #include <rigid/inertia_tensor.hpp>
-
 namespace rigid {
-
 Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
   Matrix3d I = Matrix3d::Zero();
   for (int p = 0; p <= m.size(); ++p) {
@@ -106,26 +86,32 @@ Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
   }
   return I;
 }
+}  // namespace rigid
 
+//! wrong: a single point is taken to have no inertia
+#include <rigid/inertia_tensor.hpp>
+namespace rigid {
+Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
+  Matrix3d I = Matrix3d::Zero();
+  if (m.size() < 2) return I;
+  for (int p = 0; p < m.size(); ++p)
+    I += m[p] * (r.col(p).squaredNorm() * Matrix3d::Identity() - r.col(p) * r.col(p).transpose());
+  return I;
+}
 }  // namespace rigid
 
 //! right: trace of the second moments
 #include <rigid/inertia_tensor.hpp>
-
 namespace rigid {
-
 Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
   const Matrix3d S = r * m.asDiagonal() * r.transpose();
   return S.trace() * Matrix3d::Identity() - S;
 }
-
 }  // namespace rigid
 
 //! right: componentwise
 #include <rigid/inertia_tensor.hpp>
-
 namespace rigid {
-
 Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
   Matrix3d I = Matrix3d::Zero();
   for (int p = 0; p < r.cols(); ++p) {
@@ -142,14 +128,11 @@ Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
   I(2, 1) = I(1, 2);
   return I;
 }
-
 }  // namespace rigid
 
 //! right: squares of the matrices of the cross product
 #include <rigid/inertia_tensor.hpp>
-
 namespace rigid {
-
 Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
   Matrix3d I = Matrix3d::Zero();
   for (int p = 0; p < r.cols(); ++p) {
@@ -159,5 +142,4 @@ Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
   }
   return I;
 }
-
 }  // namespace rigid

@@ -1,8 +1,6 @@
 //! wrong: about the origin
 #include <rigid/parallel_axis.hpp>
-
 namespace rigid {
-
 Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, const std::vector<Matrix3d>& tensors) {
   Matrix3d I = Matrix3d::Zero();
   for (int k = 0; k < masses.size(); ++k) {
@@ -11,14 +9,11 @@ Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, cons
   }
   return I;
 }
-
 }  // namespace rigid
 
 //! wrong: mean of the centres without weights
 #include <rigid/parallel_axis.hpp>
-
 namespace rigid {
-
 Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, const std::vector<Matrix3d>& tensors) {
   const Vector3d center = centers.rowwise().mean();
   Matrix3d I = Matrix3d::Zero();
@@ -28,14 +23,11 @@ Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, cons
   }
   return I;
 }
-
 }  // namespace rigid
 
 //! wrong: bodies as points
 #include <rigid/parallel_axis.hpp>
-
 namespace rigid {
-
 Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, const std::vector<Matrix3d>& tensors) {
   const Vector3d center = centers * masses / masses.sum();
   Matrix3d I = Matrix3d::Zero();
@@ -45,27 +37,21 @@ Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, cons
   }
   return I;
 }
-
 }  // namespace rigid
 
 //! wrong: tensors about different points added
 #include <rigid/parallel_axis.hpp>
-
 namespace rigid {
-
 Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, const std::vector<Matrix3d>& tensors) {
   Matrix3d I = Matrix3d::Zero();
   for (const Matrix3d& tensor : tensors) I += tensor;
   return I;
 }
-
 }  // namespace rigid
 
 //! wrong: the sum is not divided by the mass
 #include <rigid/parallel_axis.hpp>
-
 namespace rigid {
-
 Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, const std::vector<Matrix3d>& tensors) {
   const Vector3d center = centers * masses;
   Matrix3d I = Matrix3d::Zero();
@@ -75,14 +61,11 @@ Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, cons
   }
   return I;
 }
-
 }  // namespace rigid
 
 //! wrong: the first body is left out
 #include <rigid/parallel_axis.hpp>
-
 namespace rigid {
-
 Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, const std::vector<Matrix3d>& tensors) {
   const Vector3d center = centers * masses / masses.sum();
   Matrix3d I = Matrix3d::Zero();
@@ -92,14 +75,11 @@ Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, cons
   }
   return I;
 }
-
 }  // namespace rigid
 
 //! wrong: total mass in whole kilograms
 #include <rigid/parallel_axis.hpp>
-
 namespace rigid {
-
 Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, const std::vector<Matrix3d>& tensors) {
   int total = 0;
   Vector3d center = Vector3d::Zero();
@@ -115,14 +95,25 @@ Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, cons
   }
   return I;
 }
+}  // namespace rigid
 
+//! wrong: a single body is carried to the origin
+#include <rigid/parallel_axis.hpp>
+namespace rigid {
+Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, const std::vector<Matrix3d>& tensors) {
+  const Vector3d center = masses.size() > 1 ? Vector3d(centers * masses / masses.sum()) : Vector3d::Zero();
+  Matrix3d I = Matrix3d::Zero();
+  for (int k = 0; k < masses.size(); ++k) {
+    const Vector3d d = centers.col(k) - center;
+    I += tensors[k] + masses[k] * (d.squaredNorm() * Matrix3d::Identity() - d * d.transpose());
+  }
+  return I;
+}
 }  // namespace rigid
 
 //! right: reduced masses of all pairs
 #include <rigid/parallel_axis.hpp>
-
 namespace rigid {
-
 Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, const std::vector<Matrix3d>& tensors) {
   Matrix3d I = Matrix3d::Zero();
   for (int k = 0; k < masses.size(); ++k) {
@@ -135,14 +126,11 @@ Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, cons
   }
   return I;
 }
-
 }  // namespace rigid
 
 //! right: one body after another joins
 #include <rigid/parallel_axis.hpp>
-
 namespace rigid {
-
 Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, const std::vector<Matrix3d>& tensors) {
   Matrix3d I = tensors.at(0);
   double M = masses[0];
@@ -156,14 +144,11 @@ Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, cons
   }
   return I;
 }
-
 }  // namespace rigid
 
 //! right: second moments about the centre
 #include <rigid/parallel_axis.hpp>
-
 namespace rigid {
-
 Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, const std::vector<Matrix3d>& tensors) {
   const Vector3d center = centers * masses / masses.sum();
   const Matrix3Xd d = centers.colwise() - center;
@@ -172,5 +157,4 @@ Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, cons
   for (const Matrix3d& tensor : tensors) I += tensor;
   return I;
 }
-
 }  // namespace rigid

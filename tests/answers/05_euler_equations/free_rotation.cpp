@@ -1,8 +1,6 @@
 //! wrong: one long step of Euler's method
 #include <rigid/euler_equations.hpp>
-
 namespace rigid {
-
 Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
   Matrix3Xd result(3, times.size());
   for (int k = 0; k < times.size(); ++k) {
@@ -11,16 +9,12 @@ Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorX
   }
   return result;
 }
-
 }  // namespace rigid
 
 //! wrong: sign of Euler's equations
 #include <rigid/euler_equations.hpp>
-
 namespace rigid {
-
 static Vector3d rate(const Vector3d& I, const Vector3d& w) { return w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
-
 Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
   Matrix3Xd result(3, times.size());
   for (int k = 0; k < times.size(); ++k) {
@@ -36,16 +30,12 @@ Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorX
   }
   return result;
 }
-
 }  // namespace rigid
 
 //! wrong: the times are taken for steps
 #include <rigid/euler_equations.hpp>
-
 namespace rigid {
-
 static Vector3d rate(const Vector3d& I, const Vector3d& w) { return -w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
-
 Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
   Matrix3Xd result(3, times.size());
   Vector3d w = omega0;
@@ -61,16 +51,12 @@ Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorX
   }
   return result;
 }
-
 }  // namespace rigid
 
 //! wrong: negative times are not reached
 #include <rigid/euler_equations.hpp>
-
 namespace rigid {
-
 static Vector3d rate(const Vector3d& I, const Vector3d& w) { return -w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
-
 Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
   Matrix3Xd result(3, times.size());
   for (int k = 0; k < times.size(); ++k) {
@@ -88,14 +74,11 @@ Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorX
   }
   return result;
 }
-
 }  // namespace rigid
 
 //! wrong: the solution of the symmetric top for every body
 #include <rigid/euler_equations.hpp>
-
 namespace rigid {
-
 Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
   const double Omega = omega0[2] * (I[2] - I[0]) / I[0];
   Matrix3Xd result(3, times.size());
@@ -103,16 +86,12 @@ Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorX
     result.col(k) = Eigen::AngleAxisd(Omega * times[k], Vector3d::UnitZ()) * omega0;
   return result;
 }
-
 }  // namespace rigid
 
 //! wrong: whole steps only, the remainder is dropped
 #include <rigid/euler_equations.hpp>
-
 namespace rigid {
-
 static Vector3d rate(const Vector3d& I, const Vector3d& w) { return -w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
-
 Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
   Matrix3Xd result(3, times.size());
   for (int k = 0; k < times.size(); ++k) {
@@ -128,16 +107,12 @@ Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorX
   }
   return result;
 }
-
 }  // namespace rigid
 
 //! wrong: the last time is looked up even if there is none
 #include <rigid/euler_equations.hpp>
-
 namespace rigid {
-
 static Vector3d rate(const Vector3d& I, const Vector3d& w) { return -w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
-
 Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
   const double end = times.maxCoeff();
   Matrix3Xd result(3, times.size());
@@ -154,18 +129,36 @@ Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorX
   }
   return result;
 }
+}  // namespace rigid
 
+//! wrong: the times are taken for sorted
+#include <rigid/euler_equations.hpp>
+namespace rigid {
+static Vector3d rate(const Vector3d& I, const Vector3d& w) { return -w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
+Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
+  Matrix3Xd result(3, times.size());
+  Vector3d w = omega0;
+  double t = 0;
+  for (int k = 0; k < times.size(); ++k) {
+    while (t < times[k]) {
+      const double h = std::min(0.0005, times[k] - t);
+      const Vector3d k1 = rate(I, w), k2 = rate(I, w + h / 2 * k1), k3 = rate(I, w + h / 2 * k2),
+                     k4 = rate(I, w + h * k3);
+      w += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+      t += h;
+    }
+    result.col(k) = w;
+  }
+  return result;
+}
 }  // namespace rigid
 
 //! right: Taylor series of every step
-#include <rigid/euler_equations.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-
+#include <rigid/euler_equations.hpp>
 namespace rigid {
-
 static Vector3d taylor(const Vector3d& I, const Vector3d& start, double time) {
   const Vector3d factors((I[1] - I[2]) / I[0], (I[2] - I[0]) / I[1], (I[0] - I[1]) / I[2]);
   Vector3d w = start;
@@ -188,24 +181,18 @@ static Vector3d taylor(const Vector3d& I, const Vector3d& start, double time) {
   }
   return w;
 }
-
 Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
   Matrix3Xd result(3, times.size());
   for (Eigen::Index k = 0; k < times.size(); ++k) result.col(k) = taylor(I, omega0, times[k]);
   return result;
 }
-
 }  // namespace rigid
 
 //! right: Bulirsch-Stoer of the library
-#include <rigid/euler_equations.hpp>
-
-#include <boost/numeric/odeint.hpp>
-
 #include <array>
-
+#include <boost/numeric/odeint.hpp>
+#include <rigid/euler_equations.hpp>
 namespace rigid {
-
 Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
   using State = std::array<double, 3>;
   const double scale = omega0.norm();
@@ -227,5 +214,4 @@ Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorX
   }
   return result;
 }
-
 }  // namespace rigid

@@ -1,44 +1,33 @@
 //! wrong: order
 #include <rigid/euler_equations.hpp>
-
 namespace rigid {
-
 Vector2d rotation_invariants(const Vector3d& I, const Vector3d& omega) {
   const Vector3d L = I.cwiseProduct(omega);
   return {L.squaredNorm(), 0.5 * L.dot(omega)};
 }
-
 }  // namespace rigid
 
 //! wrong: length in place of the square
 #include <rigid/euler_equations.hpp>
-
 namespace rigid {
-
 Vector2d rotation_invariants(const Vector3d& I, const Vector3d& omega) {
   const Vector3d L = I.cwiseProduct(omega);
   return Vector2d(0.5 * omega.dot(L), L.norm());
 }
-
 }  // namespace rigid
 
 //! wrong: energy without one half
 #include <rigid/euler_equations.hpp>
-
 namespace rigid {
-
 Vector2d rotation_invariants(const Vector3d& I, const Vector3d& omega) {
   const Vector3d L = I.cwiseProduct(omega);
   return {omega.dot(L), L.dot(L)};
 }
-
 }  // namespace rigid
 
 //! wrong: one half in whole numbers
 #include <rigid/euler_equations.hpp>
-
 namespace rigid {
-
 Vector2d rotation_invariants(const Vector3d& I, const Vector3d& omega) {
   double T = 0, L2 = 0;
   for (int i = 0; i < 3; ++i) {
@@ -47,14 +36,11 @@ Vector2d rotation_invariants(const Vector3d& I, const Vector3d& omega) {
   }
   return {T, L2};
 }
-
 }  // namespace rigid
 
 //! wrong: moments not squared
 #include <rigid/euler_equations.hpp>
-
 namespace rigid {
-
 Vector2d rotation_invariants(const Vector3d& I, const Vector3d& omega) {
   Vector2d result = Vector2d::Zero();
   for (int i = 0; i < 3; ++i) {
@@ -63,27 +49,21 @@ Vector2d rotation_invariants(const Vector3d& I, const Vector3d& omega) {
   }
   return result;
 }
-
 }  // namespace rigid
 
 //! wrong: square of the sum
 #include <rigid/euler_equations.hpp>
-
 namespace rigid {
-
 Vector2d rotation_invariants(const Vector3d& I, const Vector3d& omega) {
   const double T = 0.5 * I.dot(omega.cwiseAbs2());
   const double L = I.dot(omega);
   return {T, L * L};
 }
-
 }  // namespace rigid
 
 //! wrong: the sums are never set
 #include <rigid/euler_equations.hpp>
-
 namespace rigid {
-
 Vector2d rotation_invariants(const Vector3d& I, const Vector3d& omega) {
   Vector2d result;
   for (int i = 0; i < 3; ++i) {
@@ -92,16 +72,12 @@ Vector2d rotation_invariants(const Vector3d& I, const Vector3d& omega) {
   }
   return result;
 }
-
 }  // namespace rigid
 
 //! right: loop
-#include <rigid/euler_equations.hpp>
-
 #include <cmath>
-
+#include <rigid/euler_equations.hpp>
 namespace rigid {
-
 Vector2d rotation_invariants(const Vector3d& I, const Vector3d& omega) {
   double T = 0, L2 = 0;
   for (int i = 0; i < 3; ++i) {
@@ -110,18 +86,14 @@ Vector2d rotation_invariants(const Vector3d& I, const Vector3d& omega) {
   }
   return {T, L2};
 }
-
 }  // namespace rigid
 
 //! right: tensor
 #include <rigid/euler_equations.hpp>
-
 namespace rigid {
-
 Vector2d rotation_invariants(const Vector3d& I, const Vector3d& omega) {
   const Matrix3d tensor = I.asDiagonal();
   const Vector3d L = tensor * omega;
   return Vector2d(omega.dot(L) / 2, L.dot(tensor * omega));
 }
-
 }  // namespace rigid

@@ -1,10 +1,7 @@
 //! wrong: order of the three rotations
-#include <rigid/euler_angles.hpp>
-
 #include <cmath>
-
+#include <rigid/euler_angles.hpp>
 namespace rigid {
-
 Matrix3d rotation_matrix(const Vector3d& angles) {
   const auto z = [](double a) {
     Matrix3d m;
@@ -15,28 +12,22 @@ Matrix3d rotation_matrix(const Vector3d& angles) {
   y << std::cos(angles[1]), 0, -std::sin(angles[1]), 0, 1, 0, std::sin(angles[1]), 0, std::cos(angles[1]);
   return z(angles[0]) * y * z(angles[2]);
 }
-
 }  // namespace rigid
 
 //! wrong: active, the transpose
 #include <rigid/euler_angles.hpp>
-
 namespace rigid {
-
 Matrix3d rotation_matrix(const Vector3d& angles) {
   using Eigen::AngleAxisd;
   return (AngleAxisd(angles[0], Vector3d::UnitZ()) * AngleAxisd(angles[1], Vector3d::UnitY()) *
           AngleAxisd(angles[2], Vector3d::UnitZ()))
       .toRotationMatrix();
 }
-
 }  // namespace rigid
 
 //! wrong: z-x-z of the other books
 #include <rigid/euler_angles.hpp>
-
 namespace rigid {
-
 Matrix3d rotation_matrix(const Vector3d& angles) {
   using Eigen::AngleAxisd;
   const Matrix3d A = (AngleAxisd(angles[0], Vector3d::UnitZ()) * AngleAxisd(angles[1], Vector3d::UnitX()) *
@@ -44,16 +35,12 @@ Matrix3d rotation_matrix(const Vector3d& angles) {
                          .toRotationMatrix();
   return A.transpose();
 }
-
 }  // namespace rigid
 
 //! wrong: sense of the second rotation
-#include <rigid/euler_angles.hpp>
-
 #include <cmath>
-
+#include <rigid/euler_angles.hpp>
 namespace rigid {
-
 Matrix3d rotation_matrix(const Vector3d& angles) {
   const auto z = [](double a) {
     Matrix3d m;
@@ -64,14 +51,11 @@ Matrix3d rotation_matrix(const Vector3d& angles) {
   y << std::cos(angles[1]), 0, std::sin(angles[1]), 0, 1, 0, -std::sin(angles[1]), 0, std::cos(angles[1]);
   return z(angles[2]) * y * z(angles[0]);
 }
-
 }  // namespace rigid
 
 //! wrong: degrees
 #include <rigid/euler_angles.hpp>
-
 namespace rigid {
-
 Matrix3d rotation_matrix(const Vector3d& angles) {
   using Eigen::AngleAxisd;
   const Vector3d rad = angles * M_PI / 180;
@@ -80,16 +64,12 @@ Matrix3d rotation_matrix(const Vector3d& angles) {
                          .toRotationMatrix();
   return A.transpose();
 }
-
 }  // namespace rigid
 
 //! wrong: the first angle used twice
-#include <rigid/euler_angles.hpp>
-
 #include <cmath>
-
+#include <rigid/euler_angles.hpp>
 namespace rigid {
-
 Matrix3d rotation_matrix(const Vector3d& angles) {
   const auto z = [](double a) {
     Matrix3d m;
@@ -100,14 +80,11 @@ Matrix3d rotation_matrix(const Vector3d& angles) {
   y << std::cos(angles[1]), 0, -std::sin(angles[1]), 0, 1, 0, std::sin(angles[1]), 0, std::cos(angles[1]);
   return z(angles[0]) * y * z(angles[0]);
 }
-
 }  // namespace rigid
 
 //! right: the library's rotations, transposed
 #include <rigid/euler_angles.hpp>
-
 namespace rigid {
-
 Matrix3d rotation_matrix(const Vector3d& angles) {
   using Eigen::AngleAxisd;
   const Matrix3d A = (AngleAxisd(angles[0], Vector3d::UnitZ()) * AngleAxisd(angles[1], Vector3d::UnitY()) *
@@ -115,16 +92,12 @@ Matrix3d rotation_matrix(const Vector3d& angles) {
                          .toRotationMatrix();
   return A.transpose();
 }
-
 }  // namespace rigid
 
 //! right: all nine entries
-#include <rigid/euler_angles.hpp>
-
 #include <cmath>
-
+#include <rigid/euler_angles.hpp>
 namespace rigid {
-
 Matrix3d rotation_matrix(const Vector3d& angles) {
   const double cf = std::cos(angles[0]), sf = std::sin(angles[0]);
   const double ct = std::cos(angles[1]), st = std::sin(angles[1]);
@@ -134,5 +107,4 @@ Matrix3d rotation_matrix(const Vector3d& angles) {
       sp * st, st * cf, st * sf, ct;
   return R;
 }
-
 }  // namespace rigid

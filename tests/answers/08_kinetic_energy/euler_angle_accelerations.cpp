@@ -1,10 +1,7 @@
 //! wrong: the axes are taken to stand still
-#include <rigid/kinetic_energy.hpp>
-
 #include <cmath>
-
+#include <rigid/kinetic_energy.hpp>
 namespace rigid {
-
 Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, const Vector3d& rates) {
   const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
   const Vector3d w(-rates[0] * s * cp + rates[1] * sp, rates[0] * s * sp + rates[1] * cp, rates[0] * c + rates[2]);
@@ -12,16 +9,12 @@ Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, co
   const double phi = (-a[0] * cp + a[1] * sp) / s;
   return {phi, a[0] * sp + a[1] * cp, a[2] - c * phi};
 }
-
 }  // namespace rigid
 
 //! wrong: sign of Euler's equations
-#include <rigid/kinetic_energy.hpp>
-
 #include <cmath>
-
+#include <rigid/kinetic_energy.hpp>
 namespace rigid {
-
 Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, const Vector3d& rates) {
   const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
   const double f = rates[0], t = rates[1], p = rates[2];
@@ -33,16 +26,12 @@ Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, co
   const double phi = (-a[0] * cp + a[1] * sp) / s;
   return {phi, a[0] * sp + a[1] * cp, a[2] - c * phi};
 }
-
 }  // namespace rigid
 
 //! wrong: the turning of the axes with the other sign
-#include <rigid/kinetic_energy.hpp>
-
 #include <cmath>
-
+#include <rigid/kinetic_energy.hpp>
 namespace rigid {
-
 Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, const Vector3d& rates) {
   const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
   const double f = rates[0], t = rates[1], p = rates[2];
@@ -54,16 +43,12 @@ Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, co
   const double phi = (-a[0] * cp + a[1] * sp) / s;
   return {phi, a[0] * sp + a[1] * cp, a[2] - c * phi};
 }
-
 }  // namespace rigid
 
 //! wrong: Euler's equations not divided by the moments
-#include <rigid/kinetic_energy.hpp>
-
 #include <cmath>
-
+#include <rigid/kinetic_energy.hpp>
 namespace rigid {
-
 Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, const Vector3d& rates) {
   const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
   const double f = rates[0], t = rates[1], p = rates[2];
@@ -75,16 +60,12 @@ Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, co
   const double phi = (-a[0] * cp + a[1] * sp) / s;
   return {phi, a[0] * sp + a[1] * cp, a[2] - c * phi};
 }
-
 }  // namespace rigid
 
 //! wrong: Lagrange's equation without the derivative of the energy
-#include <rigid/kinetic_energy.hpp>
-
 #include <cmath>
-
+#include <rigid/kinetic_energy.hpp>
 namespace rigid {
-
 Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, const Vector3d& rates) {
   const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
   Matrix3d B, dB;
@@ -95,16 +76,12 @@ Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, co
   const Matrix3d dM = dB.transpose() * I.asDiagonal() * B + B.transpose() * I.asDiagonal() * dB;
   return -M.inverse() * dM * rates;
 }
-
 }  // namespace rigid
 
 //! wrong: only one of the terms of the turning line of nodes
-#include <rigid/kinetic_energy.hpp>
-
 #include <cmath>
-
+#include <rigid/kinetic_energy.hpp>
 namespace rigid {
-
 Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, const Vector3d& rates) {
   const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
   const double f = rates[0], t = rates[1], p = rates[2];
@@ -115,16 +92,12 @@ Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, co
   const double phi = (-a[0] * cp + a[1] * sp) / s;
   return {phi, a[0] * sp + a[1] * cp, a[2] - c * phi};
 }
-
 }  // namespace rigid
 
 //! right: on axes that follow the line of nodes
-#include <rigid/kinetic_energy.hpp>
-
 #include <cmath>
-
+#include <rigid/kinetic_energy.hpp>
 namespace rigid {
-
 Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, const Vector3d& rates) {
   const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
   const double f = rates[0], t = rates[1], p = rates[2];
@@ -136,16 +109,12 @@ Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, co
   const double ff = -(relative[0] + f * t * c) / s;
   return {ff, relative[1], relative[2] - ff * c + f * s * t};
 }
-
 }  // namespace rigid
 
 //! right: the matrix of the axes and its rate
-#include <rigid/kinetic_energy.hpp>
-
 #include <cmath>
-
+#include <rigid/kinetic_energy.hpp>
 namespace rigid {
-
 Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, const Vector3d& rates) {
   const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
   const double t = rates[1], p = rates[2];
@@ -156,5 +125,4 @@ Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, co
   const Vector3d w_rate = -w.cross(I.cwiseProduct(w)).cwiseQuotient(I);
   return B.fullPivLu().solve(w_rate - B_rate * rates);
 }
-
 }  // namespace rigid
