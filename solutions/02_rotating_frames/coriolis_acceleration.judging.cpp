@@ -8,9 +8,9 @@ static auto rotating_about(const Vector3d& cosines, const Vector3d& sines) {
 }
 
 void judge_coriolis_acceleration(Lecture& lecture) {
-  auto& e =
-      lecture.exercise("coriolis_acceleration", &coriolis_acceleration,
-                       {{"v_enu", m_per_s}, {"latitude", latitude}, {"earth_rate", earth_rate}}, {"a_enu", m_per_s2});
+  auto& e = lecture.exercise("coriolis_acceleration", &coriolis_acceleration,
+                             {{"v_enu", m_per_s}, {"latitude", latitude_angle}, {"earth_rate", earth_rate}},
+                             {"a_enu", m_per_s2});
   const Vector3d v0(30, -20, 10);
   e.worked("a flight over 40° north", v0, 40 * degree, our_earth_rate);
   e.special("at the north pole", v0, pi / 2, our_earth_rate);

@@ -3,10 +3,12 @@
 #include <boost/math/quadrature/gauss.hpp>
 
 void judge_eastward_deflection(Lecture& lecture) {
-  auto& e = lecture.exercise(
-      "eastward_deflection", &eastward_deflection,
-      {{"height", not_negative(metre)}, {"latitude", latitude}, {"g", positive(m_per_s2)}, {"earth_rate", earth_rate}},
-      {"deflection", metre});
+  auto& e = lecture.exercise("eastward_deflection", &eastward_deflection,
+                             {{"height", not_negative(metre)},
+                              {"latitude", latitude_angle},
+                              {"g", positive(m_per_s2)},
+                              {"earth_rate", earth_rate}},
+                             {"deflection", metre});
   e.worked("a tower of 110 m at 40° north", 110, 40 * degree, 9.81, our_earth_rate);
   e.special("the same tower at 45°, where sine and cosine are equal", 110, pi / 4, 9.81, our_earth_rate);
   e.special("on the equator", 110, 0, 9.81, our_earth_rate);

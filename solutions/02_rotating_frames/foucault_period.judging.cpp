@@ -2,7 +2,7 @@
 
 void judge_foucault_period(Lecture& lecture) {
   auto& e = lecture.exercise("foucault_period", &foucault_period,
-                             {{"latitude", latitude}, {"sidereal_day", positive(second)}}, {"period", second});
+                             {{"latitude", latitude_angle}, {"sidereal_day", positive(second)}}, {"period", second});
   e.domain([](auto latitude, auto) { return latitude > 0; });
   e.worked("Paris", 48.8462 * degree, our_sidereal_day);
   e.special("at the pole", pi / 2, our_sidereal_day);

@@ -91,9 +91,12 @@ void judge_tumbling_period(Lecture& lecture) {
   e.route("quadrature of the elliptic integral", with_K([](const EllipticMotion& motion) {
             // Periodic, so the trapezoidal rule converges exponentially; near m = 1 it needs many nodes.
             double sum = 0;
-            for (double alpha = pi / 60000; alpha < 2 * pi; alpha += pi / 30000)
+            constexpr int nodes = 30000;
+            for (int k = 0; k < nodes; ++k) {
+              const double alpha = (k + 0.5) * pi / nodes;
               sum += 1 / sqrt(pow(cos(alpha), 2) + motion.complement * pow(sin(alpha), 2));
-            return pi / 120000 * sum;
+            }
+            return pi / 2 / nodes * sum;
           }));
   e.route("the exact motion's own period", [](auto& I, auto& w) {
     const ExactTop top(I, w);  // a steady rotation has no period: there the limit of small wobbles is asked for

@@ -263,7 +263,7 @@ class Exercise : public AnyExercise {
 
   /// The right answer to a question with other inputs; `change` takes all of them and changes what it likes.
   template <class Change>
-  void wrong_inputs(Sentence says, std::string name, const Change& change) {
+  void wrong_inputs(Sentence says, std::string name, Change change) {
     wrong(std::move(says), std::move(name), [right = right_, change](const Inputs&... inputs) -> Result {
       Tuple changed(inputs...);
       std::apply(change, changed);
@@ -273,14 +273,14 @@ class Exercise : public AnyExercise {
 
   /// The right answer to a question with another input number `index`.
   template <std::size_t index, class Change>
-  void wrong_input(Sentence says, std::string name, const Change& change) {
+  void wrong_input(Sentence says, std::string name, Change change) {
     wrong_inputs(std::move(says), std::move(name),
                  [change](Inputs&... inputs) { detail::apply_change(change, std::get<index>(std::tie(inputs...))); });
   }
 
   /// The right answer, spoilt afterwards; `change` takes the result, and the inputs too if it wants them.
   template <class Change>
-  void wrong_output(Sentence says, std::string name, const Change& change) {
+  void wrong_output(Sentence says, std::string name, Change change) {
     wrong(std::move(says), std::move(name), [right = right_, change](const Inputs&... inputs) -> Result {
       Result result = right(inputs...);
       if constexpr (std::is_invocable_v<const Change&, Result&>) {

@@ -117,7 +117,7 @@ constexpr Sort nonzero(Unit unit) { return {unit, legal::nonzero}; }
 /// 0 < I₁ ≤ I₂ ≤ I₃; one tensor or several, symmetric and with positive semidefinite ½ tr I − I; not that of a body on
 /// one straight line through the origin; |λ| ≤ π/2; |sin θ| > 10⁻⁶.
 inline constexpr Sort ascending_moments{kg_m2, legal::ascending}, inertia_tensor{kg_m2, legal::inertia_tensors},
-    regular_tensor{kg_m2, legal::regular_tensors}, rotation{none, legal::rotation}, latitude{rad, legal::latitude},
-    angles_off_gimbal_lock{rad, legal::off_gimbal_lock};
+    regular_tensor{kg_m2, legal::regular_tensors}, rotation{none, legal::rotation},
+    latitude_angle{rad, legal::latitude}, angles_off_gimbal_lock{rad, legal::off_gimbal_lock};
 
 }  // namespace workbook::judging
