@@ -389,7 +389,7 @@ class CommandLine {
                 const std::vector<std::string>& examples, const std::vector<std::string>& options, Job job) {
     const std::size_t first_line = std::min(help.find('\n'), help.size());
     CLI::App& added = *app_.add_subcommand(name, help.substr(0, first_line))->group(group);
-    added.fallthrough();  // --plain may stand behind the command
+    added.fallthrough();  // --plain may follow the command
     std::string footer = help.substr(std::min(first_line + 2, help.size())) + (examples.empty() ? "" : "\n\nExamples:");
     for (const std::string& example : examples) footer += "\n  " + command(example);
     added.footer(footer);

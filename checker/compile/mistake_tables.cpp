@@ -181,7 +181,7 @@ const std::vector<MessageMistake> error_table = {
     {"method_as_function",
      "^(?:no matching function for call to )?'(cross|dot|norm|transpose|inverse|trace|determinant|squaredNorm|"
      "normalized|normalize|diagonal)(\\(|' was not declared)",
-     "`$1` is a method: it stands behind a vector or matrix and a dot, as in A.$1(...)."},
+     "`$1` is a method: it follows a vector or matrix and a dot, as in A.$1(...)."},
     {"undeclared_name", "^'([^' ]+)' (was not|has not|is not a member of 'std')",
      "There is no `$1` in C++; write `$right`."},
     {"missing_prefix", R"(^'(\w+)' (?:was|has) not (?:been )?declared[^]*'((?:std|Eigen)::\1)')",
@@ -240,7 +240,7 @@ const std::vector<MessageMistake> warning_table = {
     {"", "^-Wfloat-conversion", "", "round|floor|ceil|trunc|rint"},
     {"narrowing",
      R"(^-Wfloat-conversion: .*from <number>.* to '(?:const )?((?:long |unsigned |short )*(?:int|long|char))')",
-     "A double is turned into a whole number ($1) here: what stands behind the decimal point is lost."},
+     "A double is turned into a whole number ($1) here: what follows the decimal point is lost."},
     {"float_precision", "^-Wfloat-conversion: .*to 'float'", "A float keeps only about 7 digits; use double."},
     {"assignment_in_condition", "^-Wparentheses: suggest parentheses around assignment",
      "The = in this condition assigns a new value; to compare, write ==."},

@@ -58,7 +58,7 @@ struct IdleWatch : CourseCopy, TerminalSession {
 }  // namespace
 
 // What is said is kept in golden/screens.txt: of every screen, what the one before does not show. Reports are left out:
-// what stands behind two spaces.
+// what follows two spaces.
 TEST_CASE("edit, verdict, keys, next: from the first exercise to the last, with every sentence of the watch") {
   const CourseCopy course;
   TerminalOptions options;
