@@ -1,13 +1,13 @@
 #include "checker/base/build.hpp"
 
+#include "checker/base/files.hpp"
+
 #include <fmt/format.h>
 
 #include <unistd.h>
 
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 
 namespace workbook {
 
@@ -39,10 +39,7 @@ FinishedProgram make(const Build& build, const std::vector<std::string>& targets
     fmt::print(stderr, "{}", piece);
     std::fflush(stderr);
   });
-  if (!finished.succeeded()) {
-    std::ifstream log(build.directory / "build.log");
-    if (log) finished.output.assign(std::istreambuf_iterator<char>(log), {});
-  }
+  if (!finished.succeeded()) finished.output = read_file(build.directory / "build.log").value_or(finished.output);
   return finished;
 }
 

@@ -9,9 +9,9 @@
 #include <cerrno>
 #include <cstdlib>
 #include <fstream>
-#include <iterator>
 #include <sstream>
 #include <system_error>
+#include <utility>
 
 namespace workbook {
 
@@ -22,7 +22,9 @@ std::optional<std::string> read_file(const fs::path& file, std::size_t limit) {
   // A pipe or a device would never end.
   if (!fs::is_regular_file(file, problem) || fs::file_size(file, problem) > limit || problem) return std::nullopt;
   std::ifstream in(file, std::ios::binary);
-  std::string content((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  std::ostringstream text;
+  text << in.rdbuf();  // in blocks: executables and reference results are read at every check
+  std::string content = std::move(text).str();
   if (in.bad() || content.size() > limit) return std::nullopt;
   return content;
 }

@@ -166,7 +166,7 @@ LectureReference parsed(const std::string& content) {
   const json header = json::parse(content.substr(0, end));
   if (const int format = header.at("format"); format != LectureReference::format)
     throw std::runtime_error(fmt::format("it has format {}, this checker reads {}", format, LectureReference::format));
-  const std::string rest = content.substr(end + 1);
+  const std::string_view rest = std::string_view(content).substr(end + 1);
   if (header.at("checksum") != fingerprint(rest)) throw std::runtime_error("its checksum does not match its content");
   const json all = json::parse(rest);
   LectureReference lecture{all.at("seed"), all.at("lecture"), all.at("exercises")};

@@ -36,7 +36,7 @@ void append(std::vector<char>& bytes, const T* first, std::size_t count = 1) {
 
 /// Tells a request from all others. Never 0: what was not asked has that one.
 std::uint64_t random_nonce() {
-  std::random_device device;
+  static std::random_device device;  // opening one takes longer than most calls
   return (std::uint64_t{device()} << 32) | device() | 1;
 }
 
