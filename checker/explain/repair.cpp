@@ -34,16 +34,17 @@ std::set<int> uncompilable(const VariantUnit& unit, const std::string& compiler_
 }
 
 /// All variants that compile, in one executable; those that do not are erased.
-std::optional<std::filesystem::path> compile_variants(const WrongFile& file, std::vector<Variant>& variants) {
+std::optional<std::filesystem::path> compile_variants(const DiagnosticTask& task, std::vector<Variant>& variants,
+                                                      const Toolchain& toolchain, const std::filesystem::path& cache) {
   constexpr int most_tries = 4;  // the compiler stops at its twentieth error
   CompileLimits limits;
   limits.time = std::chrono::seconds(10);
   for (int tries = 0; tries < most_tries && !variants.empty(); ++tries) {
-    const VariantUnit unit(file.submission.text, variants, file.reference);
+    const VariantUnit unit(task.submission.text, variants, task.reference);
     const Submission all{"variants.cpp", "variants.cpp", unit.text()};
     const Compilation compilation =
-        compile({.submission = all, .exercise = file.reference.name, .signature = file.reference.signature},
-                file.toolchain, file.cache, limits);
+        compile({.submission = all, .exercise = task.reference.name, .signature = task.reference.signature}, toolchain,
+                cache, limits);
     if (compilation.executable) return compilation.executable;
     const std::set<int> objected = uncompilable(unit, compilation.details);
     if (objected.empty()) break;
@@ -58,12 +59,12 @@ std::optional<std::filesystem::path> compile_variants(const WrongFile& file, std
 /// Runs variants in one process as long as they behave.
 class VariantRunner {
  public:
-  VariantRunner(const WrongFile& file, std::filesystem::path program)
-      : reference_(file.reference), program_(std::move(program)), order_(file.reference.cases.size()) {
+  VariantRunner(const DiagnosticTask& task, std::filesystem::path program)
+      : reference_(task.reference), program_(std::move(program)), order_(task.reference.cases.size()) {
     std::iota(order_.begin(), order_.end(), std::size_t{0});
     // What fails today comes first: almost every variant fails there too.
     std::ranges::stable_partition(order_, [&](std::size_t index) {
-      return std::ranges::find(file.judgement.failing, index) != file.judgement.failing.end();
+      return std::ranges::find(task.judgement.failing, index) != task.judgement.failing.end();
     });
   }
 
@@ -89,11 +90,12 @@ class VariantRunner {
 };
 
 /// The first that is right at every case.
-std::optional<Variant> first_right(const WrongFile& file, std::vector<Variant> variants) {
+std::optional<Variant> first_right(const DiagnosticTask& task, std::vector<Variant> variants,
+                                   const Toolchain& toolchain, const std::filesystem::path& cache) {
   try {
-    const auto program = compile_variants(file, variants);
+    const auto program = compile_variants(task, variants, toolchain, cache);
     if (!program) return std::nullopt;
-    VariantRunner runner(file, *program);
+    VariantRunner runner(task, *program);
     for (std::size_t k = 0; k < variants.size(); ++k)
       if (runner.is_right(k)) return variants[k];
   } catch (const std::exception&) {  // it is a help only; what matters has been judged
@@ -103,9 +105,10 @@ std::optional<Variant> first_right(const WrongFile& file, std::vector<Variant> v
 
 }  // namespace
 
-std::optional<Finding> decisive_finding(const WrongFile& file, const std::vector<Finding>& findings) {
-  const SourceText source(file.submission.text);
-  const auto right = first_right(file, fixed_variants(source, findings));
+std::optional<Finding> decisive_finding(const DiagnosticTask& task, const std::vector<Finding>& findings,
+                                        const Toolchain& toolchain, const std::filesystem::path& cache) {
+  const SourceText source(task.submission.text);
+  const auto right = first_right(task, fixed_variants(source, findings), toolchain, cache);
   if (!right) return std::nullopt;
   const auto found = std::ranges::find_if(findings, [&](const Finding& finding) {
     return finding.name == right->kind && finding.line == right->place.line && finding.column == right->place.column;
@@ -113,13 +116,14 @@ std::optional<Finding> decisive_finding(const WrongFile& file, const std::vector
   return *found;
 }
 
-std::optional<Finding> slip_of_one_token(const WrongFile& file) {
-  const SourceText source(file.submission.text);
-  const auto right = first_right(file, one_token_variants(source, file.reference));
+std::optional<Finding> slip_of_one_token(const DiagnosticTask& task, const Toolchain& toolchain,
+                                         const std::filesystem::path& cache) {
+  const SourceText source(task.submission.text);
+  const auto right = first_right(task, one_token_variants(source, task.reference), toolchain, cache);
   if (!right) return std::nullopt;
   return source.finding(
       right->place, "slip_" + right->kind,
-      fmt::format("with {} here, the result is right at all {} cases.", right->words, file.reference.cases.size()));
+      fmt::format("with {} here, the result is right at all {} cases.", right->words, task.reference.cases.size()));
 }
 
 }  // namespace workbook

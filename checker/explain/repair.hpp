@@ -3,10 +3,7 @@
 #pragma once
 
 #include "checker/compile/toolchain.hpp"
-#include "checker/data/observation.hpp"
-#include "checker/data/reference_results.hpp"
-#include "checker/judging/judge.hpp"
-#include "checker/source/submission.hpp"
+#include "checker/sandbox/diagnostic_run.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -14,19 +11,12 @@
 
 namespace workbook {
 
-/// A file whose values are wrong.
-struct WrongFile {
-  const Submission& submission;
-  const ExerciseReference& reference;
-  const Judgement& judgement;
-  const Toolchain& toolchain;
-  const std::filesystem::path& cache;
-};
-
 /// The finding about the code that is the whole reason: with it fixed, all cases are right.
-std::optional<Finding> decisive_finding(const WrongFile& file, const std::vector<Finding>& findings);
+std::optional<Finding> decisive_finding(const DiagnosticTask& task, const std::vector<Finding>& findings,
+                                        const Toolchain& toolchain, const std::filesystem::path& cache);
 
 /// The one token with which all cases are right: its place and its kind, not the answer.
-std::optional<Finding> slip_of_one_token(const WrongFile& file);
+std::optional<Finding> slip_of_one_token(const DiagnosticTask& task, const Toolchain& toolchain,
+                                         const std::filesystem::path& cache);
 
 }  // namespace workbook

@@ -91,15 +91,26 @@ class Slips {
     }
   }
 
-  void add(const char* kind, const char* words, std::string_view replacement, std::size_t index) {
-    const Token& changed = source_.tokens()[index];
-    found_.push_back({kind,
-                      words,
-                      source_.place_of(changed.offset),
-                      {{changed.offset, changed.text.size(), std::string(replacement)}},
-                      fmt::format("`{}` in place of `{}`", replacement, changed.text)});
+  /// An edit that puts something in place of the tokens from the one index to the other.
+  Edit replaced(std::size_t first, std::size_t last, std::string_view replacement) const {
+    const Token& begin = source_.tokens()[first];
+    const Token& end = source_.tokens()[last];
+    return {begin.offset, end.offset + end.text.size() - begin.offset, std::string(replacement)};
   }
-  void add(const char* kind, const char* words, std::string_view replacement) { add(kind, words, replacement, at_); }
+
+  void add(const char* kind, const char* words, std::size_t place, std::vector<Edit> edits) {
+    found_.push_back({kind, words, source_.place_of(source_.tokens()[place].offset), std::move(edits)});
+  }
+  void add(const char* kind, const char* words, std::string_view replacement) {
+    add(kind, words, at_, {replaced(at_, at_, replacement)});
+  }
+  void exchange(const char* kind, const char* words, std::size_t one, std::size_t other) {
+    add(kind, words, one, {replaced(one, one, token(other)), replaced(other, other, token(one))});
+  }
+  void insert_behind(const char* kind, const char* words, const std::string& text) {
+    const Token& behind = source_.tokens()[at_];
+    add(kind, words, at_ + 1, {{behind.offset + behind.text.size(), 0, " " + text}});
+  }
 
   bool follows_operand() const {
     return is_identifier(before()) ? before() != "return" : is_numeral(before()) || before() == ")" || before() == "]";
@@ -133,7 +144,8 @@ class Slips {
     if (is_index(at_)) {
       for (const char* other : {"0", "1", "2"})
         if (here() != other) add("index", "another index", other);
-      if (token(at_ + 1) == "," && is_index(at_ + 2) && here() != token(at_ + 2)) exchange(at_ + 2);
+      if (token(at_ + 1) == "," && is_index(at_ + 2) && here() != token(at_ + 2))
+        exchange("index", "the two indices the other way round", at_, at_ + 2);
       return;
     }
     double value = 0;
@@ -146,18 +158,6 @@ class Slips {
       add("number", "another number",
           is_whole ? fmt::format("{}", static_cast<long>(changed)) : fmt::format("{}", changed));
     }
-  }
-
-  /// The two indices of `I(0, 2)` the other way round.
-  void exchange(std::size_t other) {
-    const Token& one = source_.tokens()[at_];
-    const Token& two = source_.tokens()[other];
-    found_.push_back(
-        {"index",
-         "the two indices the other way round",
-         source_.place_of(one.offset),
-         {{one.offset, one.text.size(), std::string(two.text)}, {two.offset, two.text.size(), std::string(one.text)}},
-         "indices exchanged"});
   }
 
   void names() {
@@ -182,55 +182,25 @@ class Slips {
       for (const char* other : found->second) {
         if (*other != '\0') add("function", "another function", other);
       }
-    if ((here() == "abs" || here() == "fabs") && is_called) drop("function", "the absolute value left out", 0);
-    if (here() == "sqrt" && is_called) drop("function", "the root left out", 0);
+    if ((here() == "abs" || here() == "fabs") && is_called) drop("the absolute value left out");
+    if (here() == "sqrt" && is_called) drop("the root left out");
     if (here() == "static") add("static", "without static", " ");
-    if (here() == "." && after() == "transpose" && token(at_ + 2) == "(" && token(at_ + 3) == ")") {
-      const Token& first = source_.tokens()[at_];
-      const Token& last = source_.tokens()[at_ + 3];
-      found_.push_back({"transpose",
-                        "without the transpose",
-                        source_.place_of(first.offset),
-                        {{first.offset, last.offset + 1 - first.offset, ""}},
-                        "without .transpose()"});
-    }
+    if (here() == "." && after() == "transpose" && token(at_ + 2) == "(" && token(at_ + 3) == ")")
+      add("transpose", "without the transpose", at_, {replaced(at_, at_ + 3, "")});
     if (here() == "cross" && before() == ".") negate_cross();
   }
 
   /// `a.cross(b)` as `b.cross(a)`, that is with the other sign.
   void negate_cross() {
     const std::string_view operand = at_ >= 2 ? token(at_ - 2) : std::string_view();
-    if (!is_identifier(operand) || after() != "(" || !is_identifier(token(at_ + 2)) || token(at_ + 3) != ")") return;
-    const Token& one = source_.tokens()[at_ - 2];
-    const Token& two = source_.tokens()[at_ + 2];
-    found_.push_back(
-        {"order",
-         "the other order of a cross product",
-         source_.place_of(one.offset),
-         {{one.offset, one.text.size(), std::string(two.text)}, {two.offset, two.text.size(), std::string(one.text)}},
-         "operands exchanged"});
+    if (is_identifier(operand) && after() == "(" && is_identifier(token(at_ + 2)) && token(at_ + 3) == ")")
+      exchange("order", "the other order of a cross product", at_ - 2, at_ + 2);
   }
 
   /// The function's name in front of its bracket is left out, with a std:: before it.
-  void drop(const char* kind, const char* words, std::size_t) {
-    std::size_t from = at_;
-    if (before() == "::" && at_ >= 2 && token(at_ - 2) == "std") from = at_ - 2;
-    const Token& first = source_.tokens()[from];
-    const Token& last = source_.tokens()[at_];
-    found_.push_back({kind,
-                      words,
-                      source_.place_of(last.offset),
-                      {{first.offset, last.offset + last.text.size() - first.offset, ""}},
-                      fmt::format("without {}", last.text)});
-  }
-
-  void insert_behind(const char* kind, const char* words, const std::string& text) {
-    const Token& behind = source_.tokens()[at_];
-    found_.push_back({kind,
-                      words,
-                      source_.place_of(source_.tokens()[at_ + 1].offset),
-                      {{behind.offset + behind.text.size(), 0, " " + text}},
-                      fmt::format("`{}` inserted", text)});
+  void drop(const char* words) {
+    const bool has_prefix = before() == "::" && at_ >= 2 && token(at_ - 2) == "std";
+    add("function", words, at_, {replaced(has_prefix ? at_ - 2 : at_, at_, "")});
   }
 
   /// A factor in front of a term: behind return, =, + or -.
@@ -239,8 +209,8 @@ class Slips {
         here() == "return" || here() == "=" || here() == "+" || here() == "-" || here() == "+=" || here() == "-=";
     if (!begins_term || !(is_identifier(after()) || is_numeral(after()) || after() == "(")) return;
     if (is_identifier(after()) && (after() == "std" || after() == "static_cast") && token(at_ + 2) != "::") return;
-    for (const char* factor : {"2.0 *", "0.5 *", "0.0 *"})
-      insert_behind("factor", factor[0] == '0' && factor[2] == '0' ? "one term left out" : "another factor", factor);
+    for (const char* factor : {"2.0 *", "0.5 *"}) insert_behind("factor", "another factor", factor);
+    insert_behind("factor", "one term left out", "0.0 *");
   }
 
   const SourceText& source_;
@@ -311,7 +281,7 @@ std::vector<Variant> fixed_variants(const SourceText& source, const std::vector<
   std::vector<Variant> variants;
   for (const Finding& finding : findings) {
     std::vector<Edit> fix = fix_of(source, finding);
-    if (!fix.empty()) variants.push_back({finding.name, "", {finding.line, finding.column}, std::move(fix), ""});
+    if (!fix.empty()) variants.push_back({finding.name, "", {finding.line, finding.column}, std::move(fix)});
   }
   return variants;
 }

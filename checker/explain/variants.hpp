@@ -25,7 +25,6 @@ struct Variant {
   std::string words;  ///< of what is changed, without the answer: "another sign"
   Place place;
   std::vector<Edit> edits;
-  std::string change;  ///< for authors: "`-` in place of `+`"
 };
 
 /// Slips of one token: signs, indices, names of arguments of one kind, functions, numbers, a lost or surplus factor, a

@@ -58,19 +58,15 @@ Explanation explain(const CheckResult& checked, const CompileTask& compile_task,
     return explanation;
   const ExerciseReference& reference = *checked.reference;
   std::vector<Finding> in_code = source_findings(compile_task, compilation, toolchain, cache);
-  const auto run_again = [&] {
-    return diagnostic_run({compile_task.submission, reference, checked.observation, checked.judgement}, toolchain,
-                          cache);
-  };
+  const DiagnosticTask task{compile_task.submission, reference, checked.observation, checked.judgement};
   if (!has_values(verdict)) {
-    add(explanation.findings, run_again());
+    add(explanation.findings, diagnostic_run(task, toolchain, cache));
     std::erase_if(in_code, is_remark);
     add(explanation.findings, std::move(in_code));
     return explanation;
   }
-  const WrongFile wrong{compile_task.submission, reference, checked.judgement, toolchain, cache};
   // A slip of C++ that explains everything is not explained as physics.
-  if (const auto decisive = decisive_finding(wrong, in_code)) {
+  if (const auto decisive = decisive_finding(task, in_code, toolchain, cache)) {
     explanation.findings = {*decisive};
     return explanation;
   }
@@ -83,11 +79,11 @@ Explanation explain(const CheckResult& checked, const CompileTask& compile_task,
     add(explanation.findings, std::move(in_code));
     return explanation;
   }
-  std::vector<Finding> deeper = run_again();
+  std::vector<Finding> deeper = diagnostic_run(task, toolchain, cache);
   if (!deeper.empty()) {
     explanation.diagnoses.clear();
   } else if (verdict == Verdict::wrong_value) {
-    if (auto slip = slip_of_one_token(wrong)) deeper.push_back(std::move(*slip));
+    if (auto slip = slip_of_one_token(task, toolchain, cache)) deeper.push_back(std::move(*slip));
     if (!deeper.empty())
       std::erase_if(explanation.diagnoses, [](const Diagnosis& each) { return each.kind != DiagnosisKind::place; });
   }

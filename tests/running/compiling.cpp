@@ -8,7 +8,6 @@
 #include <signal.h>
 #include <sys/resource.h>
 
-#include <fstream>
 
 namespace workbook::testing {
 namespace fs = std::filesystem;
@@ -260,8 +259,7 @@ TEST_CASE("where the disk is full, the checker says so and does not blame the st
 
 TEST_CASE("a damaged toolchain file is a checker error that names the file") {
   const fs::path directory = fresh_directory("toolchain");
-  std::ifstream stream(WORKBOOK_TEST_TOOLCHAIN);
-  const std::string whole((std::istreambuf_iterator<char>(stream)), {});
+  const std::string whole = read(WORKBOOK_TEST_TOOLCHAIN);
   const fs::path file = directory / "toolchain.json";
   for (const std::string& text :
        {whole.substr(0, whole.size() / 2), std::string(), std::string("[]"), std::string("{}"),

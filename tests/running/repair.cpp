@@ -36,12 +36,13 @@ ExerciseReference n_times_x() {
 struct Judged {
   Submission submission;
   ExerciseReference reference = n_times_x();
+  Observation observation;
   Judgement judgement;
-  std::filesystem::path cache = shared_cache();
 
   explicit Judged(const std::string& body) : submission(submit(text_of(body), "signed_by")) {
     ExerciseRunner runner(executable(submission.text, "signed_by"), short_limits());
-    judgement = judge(reference, runner.observe(reference.cases, {}));
+    observation = runner.observe(reference.cases, {});
+    judgement = judge(reference, observation);
     REQUIRE(judgement.verdict == Verdict::wrong_value);
   }
 
@@ -52,7 +53,9 @@ struct Judged {
            body + "\n}\n";
   }
 
-  WrongFile file() const { return {submission, reference, judgement, toolchain(), cache}; }
+  std::optional<Finding> slip() const {
+    return slip_of_one_token({submission, reference, observation, judgement}, toolchain(), shared_cache());
+  }
 };
 
 }  // namespace
@@ -74,7 +77,7 @@ TEST_CASE("the one token with which all cases are right is found, with its place
   };
   for (const Slip& slip : slips) {
     CAPTURE(std::string(slip.body));
-    const auto found = slip_of_one_token(Judged(slip.body).file());
+    const auto found = Judged(slip.body).slip();
     REQUIRE(found.has_value() == (*slip.name != '\0'));
     if (!found) continue;
     CHECK(found->name == slip.name);
@@ -85,10 +88,10 @@ TEST_CASE("the one token with which all cases are right is found, with its place
 }
 
 TEST_CASE("a variant that never ends, or throws, hides no other") {
-  const auto slip =
-      slip_of_one_token(Judged("for (int i = 0; i < 4; i += 1) x = x + 0;\nconst std::vector<double> v(2, "
-                               "x);\nif (n > 2) return -n * v.at(0);\nreturn n * x;")
-                            .file());
+  const auto slip = Judged(
+                        "for (int i = 0; i < 4; i += 1) x = x + 0;\nconst std::vector<double> v(2, "
+                        "x);\nif (n > 2) return -n * v.at(0);\nreturn n * x;")
+                        .slip();
   REQUIRE(slip.has_value());
   CHECK(slip->line == 8);  // another sign there is as good as one in the next line
 }
@@ -99,7 +102,8 @@ TEST_CASE("a finding is decisive if its fix makes all cases right") {
     const CompileTask task{judged.submission, "signed_by", signature("signed_by")};
     const Compilation compilation = compile(task, toolchain(), shared_cache());
     const auto finding =
-        decisive_finding(judged.file(), source_findings(task, compilation, toolchain(), shared_cache()));
+        decisive_finding({judged.submission, judged.reference, judged.observation, judged.judgement},
+                         source_findings(task, compilation, toolchain(), shared_cache()), toolchain(), shared_cache());
     return finding ? finding->name : "";
   };
   CHECK(decisive("return 2 * n * x * (1 / 2);") == "integer_division");
