@@ -67,10 +67,10 @@ std::vector<Answer> all_answers() {
 
 void check(Answer& answer, const fs::path& scratch) try {
   const fs::path file = write(scratch / (answer.exercise + ".cpp"), answer.code);
-  const fs::path out = scratch / "out.json";
-  run_in_shell(fmt::format("'{}' check {} --file '{}' --seed {} --json </dev/null >'{}' 2>&1", WORKBOOK_TEST_CHECKER,
-                           answer.exercise, file.string(), environment("WORKBOOK_SEED", "1"), out.string()));
-  const auto result = nlohmann::json::parse(read(out)).at("results").at(0);
+  const auto result = run_command(fmt::format("'{}' check {} --file '{}' --seed {} --json", WORKBOOK_TEST_CHECKER,
+                                              answer.exercise, file.string(), environment("WORKBOOK_SEED", "1")),
+                                  scratch)
+                          .result();
   answer.verdict = result.at("verdict");
   answer.message = result.at("message");
   for (const auto& found : result.at("findings"))

@@ -17,18 +17,9 @@ using namespace workbook::testing;
 const fs::path project = WORKBOOK_ROOT;
 const fs::path scratch = WORKBOOK_TEST_SCRATCH;
 
-struct Outcome {
-  int status = -1;
-  std::string out;
-  std::string err;
-};
-
 /// Types a command in a folder.
 Outcome run(const fs::path& folder, const std::string& command) {
-  const fs::path out = scratch / "stdout.txt", err = scratch / "stderr.txt";
-  const int status = run_in_shell(fmt::format("cd '{}' && WORKBOOK_SKIP_PACKAGES=1 {} </dev/null >'{}' 2>'{}'",
-                                              folder.string(), command, out.string(), err.string()));
-  return {status, read(out), read(err)};
+  return run_command(fmt::format("cd '{}' && WORKBOOK_SKIP_PACKAGES=1 {}", folder.string(), command), scratch);
 }
 
 std::string verdict(const fs::path& folder, const std::string& exercise) {
@@ -57,27 +48,26 @@ fs::path clone(const std::string& name) {
   return folder;
 }
 
-constexpr const char *period_judging = R"cpp(#include "rigid/pendulums.hpp"
+constexpr const char* period_judging =
+    R"cpp(#include "rigid/pendulums.hpp"
 #include "solutions/judging/judging.hpp"
 
-void judge_pendulum_period(workbook::judging::Lecture& lecture) {
-  using namespace workbook::judging;
-  auto& e = lecture.exercise("pendulum_period", &rigid::pendulum_period, {{"length", metre}, {"g", m_per_s2}},
-                             {"T", second});
-  e.worked("a metre on Earth", 1, 9.81);
-  e.random("a pendulum", 8, [](Random& random) { return std::tuple{random.uniform(0.5, 3), random.uniform(1.5, 12)}; });
-  e.wrong_output("The factor 2π is missing.", "no_two_pi", times(1 / (2 * pi)));
-  e.wrong("Length and gravity have changed places.", "inverted",
-          [](double length, double g) { return 2 * pi * std::sqrt(g / length); });
-  e.wrong("The root is missing.", "no_root", [](double length, double g) { return 2 * pi * length / g; });
-  e.route("from the frequency", [](double length, double g) { return 2 * pi / std::sqrt(g / length); });
-  e.route("by powers", [](double length, double g) { return 2 * pi * std::pow(length, 0.5) * std::pow(g, -0.5); });
-  e.route("squared", [](double length, double g) { return std::sqrt(4 * pi * pi * length / g); });
-  e.sweep({"Period", "length (m)",
-                     "T (s)"
-}, {{"T"}}, {0.5, 3}, [](double length) {
+          void judge_pendulum_period(workbook::judging::Lecture& lecture) {
+            using namespace workbook::judging;
+            auto& e = lecture.exercise("pendulum_period", &rigid::pendulum_period, {{"length", metre}, {"g", m_per_s2}},
+                                       {"T", second});
+            e.worked("a metre on Earth", 1, 9.81);
+            e.random("a pendulum", 8, [](Random& random) { return std::tuple{random.uniform(0.5, 3), random.uniform(1.5, 12)}; });
+            e.wrong_output("The factor 2π is missing.", "no_two_pi", times(1 / (2 * pi)));
+            e.wrong("Length and gravity have changed places.", "inverted",
+                    [](double length, double g) { return 2 * pi * std::sqrt(g / length); });
+            e.wrong("The root is missing.", "no_root", [](double length, double g) { return 2 * pi * length / g; });
+            e.route("from the frequency", [](double length, double g) { return 2 * pi / std::sqrt(g / length); });
+            e.route("by powers", [](double length, double g) { return 2 * pi * std::pow(length, 0.5) * std::pow(g, -0.5); });
+            e.route("squared", [](double length, double g) { return std::sqrt(4 * pi * pi * length / g); });
+            e.sweep({"Period", "length (m)", "T (s)"}, {{"T"}}, {0.5, 3}, [](double length) {
   return std::tuple{length, 9.81}; });
-}
+          }
 )cpp";
 
 void solve_as_author(const fs::path& folder) {

@@ -15,11 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 using namespace workbook::testing;
 
-struct Outcome {
-  int status = -1;
-  std::string out;
-};
-
 /// The course with nothing solved, in a folder of its own; compiled files and the rest of the build are shared.
 class FreshCourse {
  public:
@@ -35,11 +30,9 @@ class FreshCourse {
   }
 
   Outcome run(const std::string& arguments) const {
-    const fs::path out = root_ / "stdout.txt";
-    const std::string command = fmt::format("cd '{}' && '{}' --course course.json {} </dev/null >'{}'", root_.string(),
-                                            WORKBOOK_TEST_CHECKER, arguments, out.string());
-    const int status = run_in_shell(command);
-    return {status, read(out)};
+    return run_command(
+        fmt::format("cd '{}' && '{}' --course course.json {}", root_.string(), WORKBOOK_TEST_CHECKER, arguments),
+        root_);
   }
 
   const fs::path& root() const { return root_; }

@@ -22,16 +22,7 @@ using namespace workbook::testing;
 const fs::path project = WORKBOOK_ROOT;
 const fs::path scratch = WORKBOOK_TEST_SCRATCH;
 
-struct Outcome {
-  int status = -1;
-  std::string said;  ///< standard output and standard error
-};
-
-Outcome run(const std::string& command) {
-  const fs::path said = scratch / "said.txt";
-  const int status = run_in_shell(fmt::format("{} </dev/null >'{}' 2>&1", command, said.string()));
-  return {status, read(said)};
-}
+Outcome run(const std::string& command) { return run_command(command, scratch); }
 
 Outcome handout(const fs::path& folder) {
   return run(fmt::format("'{}' handout '{}'", WORKBOOK_TEST_CHECKER, folder.string()));
@@ -43,7 +34,7 @@ const fs::path& copy() {
     fs::remove_all(scratch);
     fs::create_directories(scratch);
     const Outcome made = handout(scratch / "copy");
-    REQUIRE_MESSAGE(made.status == 0, made.said);
+    REQUIRE_MESSAGE(made.status == 0, made.said());
     return scratch / "copy";
   }();
   return folder;
@@ -84,7 +75,7 @@ class CheckerInCopy {
  public:
   CheckerInCopy() {
     const Outcome configured = run(fmt::format("cd '{}' && cmake --preset workbook", copy().string()));
-    REQUIRE_MESSAGE(configured.status == 0, configured.said);
+    REQUIRE_MESSAGE(configured.status == 0, configured.said());
     auto course = nlohmann::json::parse(read(copy() / "build/workbook/checker/course.json"));
     course["toolchain"] = nlohmann::json::parse(read(WORKBOOK_COURSE)).at("toolchain");
     write(copy() / "build/course.json", course.dump(2));
@@ -165,33 +156,33 @@ TEST_CASE("no program of the copy holds a reference implementation") {
   for (const fs::path& binary : binaries) {
     const Outcome symbols = run(fmt::format("nm --demangle --defined-only '{}'", binary.string()));
     for (const auto& [name, source] : solutions())
-      CHECK_MESSAGE(!has(symbols.said, "rigid::" + name + "("), binary.string());
+      CHECK_MESSAGE(!has(symbols.said(), "rigid::" + name + "("), binary.string());
   }
 }
 
 TEST_CASE("in the copy the checker works with the reference results as data") {
   const CheckerInCopy checker;
-  CHECK(has(checker("").said, "Next: "));
+  CHECK(has(checker("").said(), "Next: "));
   CHECK(checker("hint inertia_of_points").status == 0);
   const Outcome stub = checker("check inertia_of_points");
-  CHECK_MESSAGE(has(stub.said, "not started"), stub.said);
+  CHECK_MESSAGE(has(stub.said(), "not started"), stub.said());
   const fs::path file = copy() / "lectures/03_inertia_tensor/exercises/inertia_of_points.cpp";
   fs::copy_file(project / "solutions/03_inertia_tensor/inertia_of_points.cpp", file,
                 fs::copy_options::overwrite_existing);
   const Outcome right = checker("check inertia_of_points");
-  CHECK_MESSAGE(right.status == 0, right.said);
+  CHECK_MESSAGE(right.status == 0, right.said());
 
   const Outcome other_seed = checker("check inertia_of_points --seed 7");
   CHECK(other_seed.status == 3);
-  CHECK(has(other_seed.said, "has reference results for seed 1 only"));
+  CHECK(has(other_seed.said(), "has reference results for seed 1 only"));
   const Outcome again = checker("handout elsewhere");
   CHECK(again.status == 2);
-  CHECK(has(again.said, "it has no solutions, so no other copy can be made from it"));
+  CHECK(has(again.said(), "it has no solutions, so no other copy can be made from it"));
 
   // A student's own files beside the exercises, and solved exercises, are nothing to complain about.
   write(copy() / "lectures/03_inertia_tensor/my notes.txt", "I = sum m (r^2 1 - r r)\n");
   const Outcome in_order = checker("self-check --seeds 1");
-  CHECK_MESSAGE(in_order.status == 0, in_order.said);
+  CHECK_MESSAGE(in_order.status == 0, in_order.said());
   CHECK(checker("reset inertia_of_points").status == 0);
 }
 
@@ -208,8 +199,8 @@ TEST_CASE("in the copy a lost exercise does not stop the set-up, and can be put 
   const fs::path file = copy() / "lectures/03_inertia_tensor/exercises/kinetic_energy.cpp";
   fs::remove(file);
   const Outcome configured = run(fmt::format("cd '{}' && cmake --preset workbook", copy().string()));
-  CHECK_MESSAGE(configured.status == 0, configured.said);
-  CHECK(has(checker("check kinetic_energy").said, "reset kinetic_energy"));
+  CHECK_MESSAGE(configured.status == 0, configured.said());
+  CHECK(has(checker("check kinetic_energy").said(), "reset kinetic_energy"));
   CHECK(checker("reset kinetic_energy").status == 0);
   CHECK(has(read(file), "throw NotStarted{}"));
 }
@@ -219,7 +210,7 @@ TEST_CASE("a folder that holds something is not written to") {
   write(folder / "thesis.txt", "years of work\n");
   const Outcome outcome = handout(folder);
   CHECK(outcome.status == 2);
-  CHECK(has(outcome.said, "is not empty"));
+  CHECK(has(outcome.said(), "is not empty"));
   CHECK(read(folder / "thesis.txt") == "years of work\n");
 }
 
@@ -228,7 +219,7 @@ TEST_CASE("a folder that cannot be made is named, and nothing half done is left"
   write(file, "no folder\n");
   const Outcome outcome = handout(file / "below");
   CHECK(outcome.status == 3);
-  CHECK_MESSAGE(has(outcome.said, "nothing was handed out"), outcome.said);
+  CHECK_MESSAGE(has(outcome.said(), "nothing was handed out"), outcome.said());
   for (const auto& entry : fs::directory_iterator(copy().parent_path()))
     CHECK(!has(entry.path().string(), "unfinished"));
 }

@@ -47,11 +47,7 @@ std::string CourseCopy::shell_command(const std::string& arguments, const std::s
 }
 
 Outcome CourseCopy::run(const std::string& arguments, const std::string& environment) const {
-  const fs::path out = root_ / "stdout.txt";
-  const fs::path err = root_ / "stderr.txt";
-  const int status = run_in_shell(
-      fmt::format("{} </dev/null >'{}' 2>'{}'", shell_command(arguments, environment), out.string(), err.string()));
-  return {status, read(out), read(err)};
+  return run_command(shell_command(arguments, environment), root_);
 }
 
 TerminalOutcome CourseCopy::run_on_terminal(const std::string& arguments, const TerminalWindow& window,

@@ -4,24 +4,10 @@
 
 #include "tests/support/files.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <filesystem>
 #include <string>
 
 namespace workbook::testing {
-
-/// What one run of the program left behind.
-struct Outcome {
-  int status = -1;
-  std::string out;
-  std::string err;
-
-  /// Standard output as JSON. @throws if it is not one document and nothing else.
-  nlohmann::json json() const { return nlohmann::json::parse(out); }
-  /// The first result of `check --json`.
-  nlohmann::json result() const { return json().at("results").at(0); }
-};
 
 /// A terminal that the test plays.
 struct TerminalWindow {

@@ -13,19 +13,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Outcome {
-  int status = -1;
-  std::string out;
-  std::string err;
-};
-
 Outcome check_site(const std::string& arguments) {
-  const fs::path scratch = WORKBOOK_TEST_SCRATCH;
-  const fs::path out = scratch / "out.txt", err = scratch / "err.txt";
-  fs::create_directories(scratch);
-  const int status =
-      run_in_shell(fmt::format("'{}' {} >'{}' 2>'{}'", CHECK_SITE_PROGRAM, arguments, out.string(), err.string()));
-  return {status, read(out), read(err)};
+  return run_command(fmt::format("'{}' {}", CHECK_SITE_PROGRAM, arguments), WORKBOOK_TEST_SCRATCH);
 }
 
 void check_refused(const Outcome& outcome, const std::string& name) {

@@ -2,6 +2,8 @@
 /// Files and programs as tests handle them.
 #pragma once
 
+#include <nlohmann/json.hpp>
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -23,5 +25,21 @@ std::vector<std::filesystem::path> files_below(const std::filesystem::path& fold
 
 /// The exit status of a shell's command, or -1 if a signal ended it.
 int run_in_shell(const std::string& command);
+
+/// What one run of a program left behind.
+struct Outcome {
+  int status = -1;
+  std::string out;
+  std::string err;
+
+  std::string said() const { return out + err; }
+  /// Standard output as JSON. @throws if it is not one document and nothing else.
+  nlohmann::json json() const { return nlohmann::json::parse(out); }
+  /// The first result of `check --json`.
+  nlohmann::json result() const { return json().at("results").at(0); }
+};
+
+/// Runs a shell's command without input. @param scratch  a folder for what it prints
+Outcome run_command(const std::string& command, const std::filesystem::path& scratch);
 
 }  // namespace workbook::testing
