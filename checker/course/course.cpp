@@ -20,8 +20,10 @@ namespace {
 constexpr std::uint64_t published_seed = 1;
 
 /// The results must fit the card: every exercise there.
-void require_exercises_of(const Card& card, const LectureReference& results, const fs::path& file) {
+void require_exercises_of(const Card& card, const LectureReference& results, const fs::path& file,
+                          const std::string& only) {
   for (const CardExercise& exercise : card.exercises) {
+    if (!only.empty() && exercise.name != only) continue;
     if (std::ranges::find(results.exercises, exercise.name, &ExerciseReference::name) == results.exercises.end())
       throw ReferenceError(
           fmt::format("{}: '{}' is missing, though the card lists it; `{}` names what is to be written.", file.string(),
@@ -222,11 +224,11 @@ fs::path Course::reference_of_seed(const std::string& lecture, std::uint64_t see
   return file;
 }
 
-LectureReference Course::reference(const std::string& lecture, std::uint64_t seed) const {
+LectureReference Course::reference(const std::string& lecture, std::uint64_t seed, const std::string& only) const {
   if (has_solutions()) make_reference(lecture);
   const fs::path file = seed == published_seed ? reference_file(lecture) : reference_of_seed(lecture, seed);
-  LectureReference results = read_reference_results(file);
-  require_exercises_of(*std::ranges::find(cards_, lecture, &Card::lecture), results, file);
+  LectureReference results = read_reference_results(file, only);
+  require_exercises_of(*std::ranges::find(cards_, lecture, &Card::lecture), results, file, only);
   return results;
 }
 

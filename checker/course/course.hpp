@@ -88,10 +88,10 @@ class Course {
   /// build, as soon as they have been needed.
   std::filesystem::path reference_file(const std::string& lecture) const;
 
-  /// Reference results of a lecture. Where there are solutions, they are made from them on first need and when a
-  /// solution has changed.
+  /// Reference results of a lecture, or of its exercise `only`. Where there are solutions, they are made from them on
+  /// first need and when a solution has changed.
   /// @throws ReferenceError if they are not there, cannot be made or cannot be read, or lack an exercise of the card.
-  LectureReference reference(const std::string& lecture, std::uint64_t seed) const;
+  LectureReference reference(const std::string& lecture, std::uint64_t seed, const std::string& only = "") const;
 
  private:
   void make_reference(const std::string& lecture) const;

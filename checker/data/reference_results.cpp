@@ -160,7 +160,7 @@ void require_sound(const ExerciseReference& exercise) {
               "the plot has no " + each.name);
 }
 
-LectureReference parsed(const std::string& content) {
+LectureReference parsed(const std::string& content, const std::string& only) {
   const std::size_t end = content.find('\n');
   if (end == std::string::npos) throw std::runtime_error("it ends too early");
   const json header = json::parse(content.substr(0, end));
@@ -168,9 +168,15 @@ LectureReference parsed(const std::string& content) {
     throw std::runtime_error(fmt::format("it has format {}, this checker reads {}", format, LectureReference::format));
   const std::string_view rest = std::string_view(content).substr(end + 1);
   if (header.at("checksum") != fingerprint(rest)) throw std::runtime_error("its checksum does not match its content");
-  const json all = json::parse(rest);
-  LectureReference lecture{all.at("seed"), all.at("lecture"), all.at("exercises")};
-  for (const ExerciseReference& exercise : lecture.exercises) require_sound(exercise);
+  const auto lines = lines_of(rest);
+  const json about = json::parse(lines.at(0));
+  LectureReference lecture{about.at("seed"), about.at("lecture"), {}};
+  const std::vector<std::string> names = about.at("exercises");
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (!only.empty() && names[k] != only) continue;
+    lecture.exercises.push_back(json::parse(lines.at(k + 1)));
+    require_sound(lecture.exercises.back());
+  }
   return lecture;
 }
 
@@ -197,11 +203,11 @@ const ExerciseReference& LectureReference::exercise(const std::string& name) con
   return *found;
 }
 
-LectureReference read_reference_results(const std::filesystem::path& file) {
+LectureReference read_reference_results(const std::filesystem::path& file, const std::string& only) {
   const auto content = read_file(file);
   if (!content) throw ReferenceError(fmt::format("The reference results {} cannot be read.", shown_path(file)));
   try {
-    return parsed(*content);
+    return parsed(*content, only);
   } catch (const std::exception& problem) {
     throw ReferenceError(
         fmt::format("The reference results {} are damaged: {}. Delete the file, and it is made again; in "
@@ -217,8 +223,13 @@ void write_reference_results(const LectureReference& results, const std::filesys
     throw ReferenceError(
         fmt::format("The reference results of {} are inconsistent: {}.", results.lecture, problem.what()));
   }
-  const json all = {{"lecture", results.lecture}, {"seed", results.seed}, {"exercises", results.exercises}};
-  const std::string content = all.dump() + "\n";
+  json about = {{"lecture", results.lecture}, {"seed", results.seed}, {"exercises", json::array()}};
+  std::string lines;
+  for (const ExerciseReference& exercise : results.exercises) {
+    about["exercises"].push_back(exercise.name);
+    lines += json(exercise).dump() + "\n";
+  }
+  const std::string content = about.dump() + "\n" + lines;
   const json header = {{"format", LectureReference::format}, {"checksum", fingerprint(content)}};
   if (const std::string reason = write_file(file, header.dump() + "\n" + content); !reason.empty())
     throw ReferenceError(fmt::format("The reference results {} cannot be written: {}.", shown_path(file), reason));

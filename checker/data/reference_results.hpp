@@ -177,7 +177,7 @@ struct ExerciseReference {
 };
 
 struct LectureReference {
-  static constexpr int format = 2;  ///< of the file
+  static constexpr int format = 3;  ///< of the file
   std::uint64_t seed = 1;
   std::string lecture;
   std::vector<ExerciseReference> exercises;
@@ -192,9 +192,11 @@ struct ReferenceError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Two lines of JSON: the format and a checksum of the second line, which holds all the rest.
+/// Lines of JSON: the format and a checksum of all that follows; lecture, seed and the names of the exercises; one line
+/// per exercise.
+/// @param only the exercise to read, for a check needs one of a lecture only; empty for all.
 /// @throws ReferenceError if the file is missing, damaged, of another format, or inconsistent.
-LectureReference read_reference_results(const std::filesystem::path& file);
+LectureReference read_reference_results(const std::filesystem::path& file, const std::string& only = "");
 
 /// @throws ReferenceError if the results are inconsistent or the file cannot be written.
 void write_reference_results(const LectureReference& results, const std::filesystem::path& file);

@@ -67,17 +67,18 @@ CheckContext::CheckContext(const Course& course)
     : course_(course), toolchain_(read_toolchain(course.toolchain_file())) {}
 
 const ExerciseReference& CheckContext::reference(const CheckTask& task) {
-  const auto key = std::pair(task.exercise.lecture(), task.seed);
-  if (const auto failed = failures_.find(key); failed != failures_.end()) throw ReferenceError(failed->second);
+  const auto lecture = std::pair(task.exercise.lecture(), task.seed);
+  const auto key = std::pair(task.exercise.name(), task.seed);
+  if (const auto failed = failures_.find(lecture); failed != failures_.end()) throw ReferenceError(failed->second);
   if (!references_.contains(key)) {
     try {
-      references_.emplace(key, course_.reference(key.first, key.second));
+      references_.emplace(key, course_.reference(lecture.first, task.seed, key.first).exercises.front());
     } catch (const std::exception& problem) {
-      failures_.emplace(key, problem.what());
+      failures_.emplace(lecture, problem.what());
       throw ReferenceError(problem.what());
     }
   }
-  return references_.at(key).exercise(task.exercise.name());
+  return references_.at(key);
 }
 
 CheckJob::CheckJob(CheckContext& context, CheckTask task) : task_(std::move(task)) {

@@ -14,7 +14,7 @@
 
 namespace workbook {
 
-/// What all checks with one seed share: the toolchain, and the reference results, read once per lecture.
+/// What all checks with one seed share: the toolchain, and the reference results, read once per exercise.
 class CheckContext {
  public:
   /// @throws ToolchainError
@@ -32,8 +32,8 @@ class CheckContext {
  private:
   const Course& course_;
   Toolchain toolchain_;
-  std::map<std::pair<std::string, std::uint64_t>, LectureReference> references_;
-  std::map<std::pair<std::string, std::uint64_t>, std::string> failures_;  ///< why there are none
+  std::map<std::pair<std::string, std::uint64_t>, ExerciseReference> references_;
+  std::map<std::pair<std::string, std::uint64_t>, std::string> failures_;  ///< why a lecture has none
 };
 
 /// One running check. It is ended with this object, with all that it has started.
