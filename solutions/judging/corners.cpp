@@ -2,6 +2,7 @@
 
 #include "checker/judging/comparison.hpp"
 #include "checker/judging/quantities.hpp"
+#include "solutions/judging/mechanics.hpp"
 
 #include <fmt/format.h>
 #include <Eigen/Dense>
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <set>
 
@@ -17,7 +17,6 @@ namespace workbook::judging {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr std::size_t most_bases = 3;  // described cases that others are made from
 
 bool is_symmetric(const Value& matrix) {
