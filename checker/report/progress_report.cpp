@@ -63,8 +63,9 @@ std::string exercise_list(const Course& course, const Progress& progress, const 
       const State state = state_of(course, progress, {&card, &entry});
       text += "  " + console.mark(state.mark, state.style) + padded(entry.name, is_wide ? name_width : 0) + "  " +
               console.styled(is_wide ? padded(state.words, 24) : state.words, state.style);
-      if (is_wide)
-        text += console.styled(entry.points == 1 ? "1 point" : fmt::format("{} points", entry.points), Style::quiet);
+      std::string worth = entry.points == 1 ? "1 point" : fmt::format("{} points", entry.points);
+      if (entry.is_problem()) worth += fmt::format(", problem, {} min", entry.minutes);
+      if (is_wide) text += console.styled(worth, Style::quiet);
       text += "\n";
     }
   }

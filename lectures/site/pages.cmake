@@ -62,7 +62,6 @@ foreach(lecture IN LISTS lectures)
   string(JSON count LENGTH "${card}" exercises)
   math(EXPR last "${count} - 1")
 
-  set(points 0)
   set(names)
   set(table "| Exercise | Task | Points |\n|:---------|:-----|-------:|\n")
   set(pages_of_exercises)
@@ -71,14 +70,18 @@ foreach(lecture IN LISTS lectures)
     read_card(worth exercises ${index} points)
     read_card(anchor exercises ${index} notes)
     read_card(task exercises ${index} task)
-    # Points may be fractions, which CMake cannot add.
-    if(points AND worth MATCHES "^[0-9]+$")
-      math(EXPR points "${points} + ${worth}")
-    elseif(worth MATCHES "^[0-9]+$")
-      set(points ${worth})
-    endif()
     list(APPEND names ${name})
-    string(APPEND table "| \\ref exercise_${name} \"${name}\" | ${task} | ${worth} |\n")
+    # A problem says how hard it is and how long it takes.
+    string(JSON difficulty ERROR_VARIABLE is_exercise GET "${card}" exercises ${index} difficulty)
+    set(effort "")
+    set(mark "")
+    if(NOT is_exercise)
+      string(JSON minutes GET "${card}" exercises ${index} minutes)
+      string(REPEAT "★" ${difficulty} stars)
+      set(effort "Problem, difficulty ${difficulty} of 3, about ${minutes} minutes: the formula is yours to find. ")
+      set(mark "*Problem ${stars}, ${minutes} min.* ")
+    endif()
+    string(APPEND table "| \\ref exercise_${name} \"${name}\" | ${mark}${task} | ${worth} |\n")
     string(APPEND pages_of_exercises "<li><a href=\"exercise_${name}.html\">${name}</a></li>")
     # From the start of a line that holds NAME( and is no comment, to the semicolon.
     if(NOT declarations MATCHES "\n([^/\n][^\n]*[ &]${name}\\([^;]*;)")
@@ -89,7 +92,7 @@ foreach(lecture IN LISTS lectures)
 
 @task@
 
-Lecture \ref lecture_@lecture@ "@title@", points: @worth@; to read first: \ref @anchor@.
+@effort@Lecture \ref lecture_@lecture@ "@title@", points: @worth@; to read first: \ref @anchor@.
 
 ```{.cpp}
 @declaration@

@@ -42,6 +42,8 @@ TEST_CASE("a damaged card is named with the place of the damage") {
       {"\"title\": \"Springs\"", "\"title\": 7", "title"},
       {"\"points\": 2", "\"points\": \"two\"", "/exercises/0/points"},
       {"\"points\": 2", "\"points\": 0", "points"},
+      {"\"points\": 2", "\"points\": 2, \"difficulty\": 4, \"minutes\": 5", "difficulty"},
+      {"\"points\": 2", "\"points\": 2, \"minutes\": 5", "difficulty"},
       {"spring_force", "spring_energy", "spring_energy"},
       {"\"exercises\": [", "\"exercises\": [[], ", "/exercises/0"},
       {"\"builds_on\"", "\"built_on\"", "builds_on"},
