@@ -258,6 +258,7 @@ class CommandLine {
     option("--json", "", options_.json, "print one JSON document and nothing else");
     option("--plot", "", options_.plot, "draw your curve on the reference, as SVG and PNG");
     option("--all hints", "", options_.all, "show all three");
+    option("--now", "", options_.now, "even though yours does not pass yet");
     option("--all plots", "", options_.all, "all plots, and the figures of every lecture");
     option("--out", "FOLDER", options_.out, "the folder for the pictures");
     option("--seconds", "NUMBER", options_.seconds_per_figure, "time limit of one figure");
@@ -303,6 +304,10 @@ class CommandLine {
         "the last one stays. Without a name: the next exercise that does not pass.",
         {"hint", "hint inertia_of_points", "hint inertia_of_points --all"}, {"EXERCISE or next", "--all hints"},
         [this](const Course& course) { return hint(course, options_); });
+    add("solution", students,
+        "Show the solution of an exercise that passes\n\nAnd where its derivation is to be read.",
+        {"solution inertia_of_points"}, {"EXERCISE", "--now"},
+        [this](const Course& course) { return solution(course, options_); });
     add("plot", students,
         "Draw your curve on the reference\n\nWrites an SVG and a PNG with your curve on the reference and the "
         "difference below, and shows the picture in the terminal: as graphics where it knows the kitty or the sixel "

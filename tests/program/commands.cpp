@@ -71,6 +71,25 @@ TEST_CASE("an exercise and a lecture have names, numbers and files") {
   CHECK_THROWS_AS(renamed.find("02"), workbook::UnknownName);
 }
 
+TEST_CASE("the solution is shown after a pass, or when it is asked for all the same") {
+  const CourseCopy course;
+  write(course.solution("spring_energy").replace_extension(".md"), "Half of k times the square of x.\n");
+  const Outcome early = course.run("solution spring_energy");
+  CHECK(early.status == 1);
+  CHECK_FALSE(has(early.out, "return"));
+  CHECK(has(early.out, "solution spring_energy --now"));
+  CHECK(has(course.run("solution spring_energy --now").out, read(course.solution("spring_energy"))));
+  course.solve("spring_energy");
+  course.run("check spring_energy");
+  const Outcome shown = course.run("solution spring_energy");
+  CHECK(shown.status == 0);
+  CHECK(has(shown.out, "spring_energy.md"));
+  fs::remove_all(course.root() / "solutions");
+  const Outcome handed_out = course.run("solution spring_energy --now");
+  CHECK(handed_out.status == 1);
+  CHECK(has(handed_out.out, "no solutions"));
+}
+
 TEST_CASE("hints come one at a time, and the last one stays") {
   const CourseCopy course;
   for (const char* hint : {"Read.", "Think.", "Write.", "Write."})
