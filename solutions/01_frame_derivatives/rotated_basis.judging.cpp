@@ -104,4 +104,5 @@ void judge_rotated_basis(Lecture& lecture) {
     for (int k = 0; k < 1000; ++k) turned = turn_of(w, dt / 1000) * turned;
     return turned;
   });
+  e.survivor("return turn * E", "Eigen turns a matrix by an AngleAxis as by its matrix.");
 }

@@ -24,7 +24,7 @@ void judge_eastward_deflection(Lecture& lecture) {
   e.term("Ω g t³ cos λ", 1. / 3, [](auto&... inputs) { return 3 * eastward_deflection(inputs...); });
   e.wrong_input<1>("The latitude enters with its sine; across the fall it is Ω cos λ.", "sine", complement);
   e.wrong_output("This is half of the deflection: the 2 of the Coriolis term is missing.", "no_two", times(0.5));
-  e.wrong_output({"This is 3/2 of it, from keeping the top's excess speed Ωh cos λ, or from the mean speed gt/2.",
+  e.wrong_output({"This is 3/2 of it: ½ Ω g t³ cos λ, where two integrations of 2 Ω g t cos λ give ⅓ Ω g t³ cos λ.",
                   "rotating_frames_inertial_view"},
                  "excess_speed_kept", times(1.5));
   e.wrong_output("Your deflection is to the west: −2 Ω × v of a falling body points east.", "west", negated);

@@ -55,4 +55,5 @@ void judge_inertia_of_points(Lecture& lecture) {
     const Matrix3d moment = second_moment(m, r);
     return moment.trace() * Matrix3d::Identity() - moment;
   });
+  e.survivor("r_p = - r.col(p)", "Every term holds r_p twice.");
 }

@@ -34,4 +34,5 @@ void judge_moment_about_axis(Lecture& lecture) {
     const Matrix3d turned = Eigen::Quaterniond::FromTwoVectors(axis, Vector3d::UnitZ()).toRotationMatrix();
     return rotated_inertia(I, turned)(2, 2);
   });
+  e.survivor("n = - axis", "n̂ enters twice.");
 }

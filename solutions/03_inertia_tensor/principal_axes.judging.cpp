@@ -25,4 +25,6 @@ void judge_principal_axes(Lecture& lecture) {
     return axes;
   });
   e.route("other signs", [](auto& I) -> Matrix3d { return principal_axes(I) * Vector3d(-1, -1, 1).asDiagonal(); });
+  e.survivor("axes = - ", "Eigenvectors are right up to their signs; handedness is restored.");
+  e.survivor("determinant() <= 0", "The determinant of a triad is 1 or −1.");
 }

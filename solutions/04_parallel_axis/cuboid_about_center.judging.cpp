@@ -52,4 +52,5 @@ void judge_cuboid_about_center(Lecture& lecture) {
     for (int cut = 0; cut < 40; ++cut) x = x / 4 + 1.0 / 16;
     return of_cuboid(M, {a, b, c}, x, 0);
   });
+  e.survivor(".cwiseAbs2() / 12", "Only the squares of the edges enter.");
 }

@@ -160,4 +160,13 @@ void judge_free_rotation(Lecture& lecture) {
     for (int k = 0; k < moments.size(); ++k) omega.col(k) = omega_at(attitudes.col(k));
     return omega;
   });
+  e.survivor("from == to", "An integration over no time changes nothing.");
+  e.survivor("make_controlled(", "Tolerances nearby reach the accuracy that is asked for.");
+  e.survivor("first_step = ", "The stepper corrects its first step.");
+  e.survivor("std::abs(times[", "The order of the times saves work only.");
+  e.survivor("std::sort(outwards", "The order of the times saves work only.");
+  e.survivor("future) continue", "The order of the times saves work only.");
+  e.survivor("double size = ", "ω and time are scaled by it in opposite ways.");
+  e.survivor("-size == 0", "Zero has no sign.");
+  e.survivor("advance( -I", "Only ratios of moments enter.");
 }

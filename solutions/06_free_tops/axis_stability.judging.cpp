@@ -80,4 +80,5 @@ void judge_axis_stability(Lecture& lecture) {
     if (std::count(sorted.begin(), sorted.end(), I[axis]) > 1) return 0;
     return I[axis] == sorted[1] ? -1 : 1;
   });
+  e.survivor("return sign(I[axis]", "The same two other axes.");
 }

@@ -53,4 +53,5 @@ void judge_growth_rate(Lecture& lecture) {
     return sqrt((system * system).trace() / 2);
   });
   e.route("from the two rates", [](auto& I, auto spin) { return wobble_about(I, spin, 1); });
+  e.survivor("Vector3d& I = ", "Only ratios of moments enter.");
 }

@@ -61,4 +61,5 @@ void judge_space_precession_rate(Lecture& lecture) {
     const double twice_energy = L_of(I1, I3, w).dot(w);
     return sqrt(I1 * twice_energy + (I3 - I1) * I3 * w[2] * w[2]) / I1;
   });
+  e.survivor("omega.cwiseProduct(", "A norm depends on no sign.");
 }

@@ -103,4 +103,5 @@ void judge_tumbling_period(Lecture& lecture) {
     return top.rate() > 0 ? top.period() : 2 * pi / EllipticMotion(I, w).lambda;
   });
   e.route("Boost's complete integral", with_K([](const EllipticMotion& motion) { return ellint_1(sqrt(motion.m)); }));
+  e.survivor("excess <= 0", "Zero is the separatrix, on which there is no period.");
 }

@@ -29,7 +29,7 @@ void judge_inertial_components(Lecture& lecture) {
           "order_reversed_and_not_inverted", [](auto& V, auto& q) { return rotation_matrix(q.reverse()) * V; });
   e.wrong_input<1>("The turn θ goes backwards: R_θᵀ has +sin θ at the upper right.", "theta_negated", negate(1));
   e.wrong(turned_about_x, "z_x_z", [](auto& V, auto& q) { return zxz(q).transpose() * V; });
-  e.wrong(yaw_pitch_roll, "yaw_pitch_roll", [](auto& V, auto& q) { return zyx(q).transpose() * V; });
+  e.wrong(turned_about_x_last, "yaw_pitch_roll", [](auto& V, auto& q) { return zyx(q).transpose() * V; });
   e.wrong_input<1>("φ does not enter: these are components after the first turn.", "phi_left_out", zeroed(0));
   e.wrong_input<1>("These are the body components, whatever the attitude.", "not_turned", fixed(zero));
   e.angles_read_as_degrees(turns_notes);

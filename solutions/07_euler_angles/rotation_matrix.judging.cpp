@@ -24,7 +24,7 @@ void judge_rotation_matrix(Lecture& lecture) {
   e.wrong_input<0>("The turns φ and ψ go backwards: in R_φ and R_ψ the sine has a plus above the diagonal.",
                    "only_theta_right", [](auto& angles) { angles = Vector3d(-angles[0], angles[1], -angles[2]); });
   e.wrong(turned_about_x, "z_x_z", zxz);
-  e.wrong(yaw_pitch_roll, "yaw_pitch_roll", zyx);
+  e.wrong(turned_about_x_last, "yaw_pitch_roll", zyx);
   e.wrong({"Your turns go about x, y and z; on the slides they go about z, y′ and z.", zxz_notes}, "space_fixed_x_y_z",
           [](auto& angles) { return about_z(angles[2]) * about_y(angles[1]) * about_x(angles[0]); });
   e.wrong_input<0>("φ does not enter: the first turn is missing.", "phi_left_out", zeroed(0));
@@ -41,4 +41,5 @@ void judge_rotation_matrix(Lecture& lecture) {
                     {st * cf, st * sf, ct}};
   });
   e.route("z–x–z with its own angles", [](auto& angles) { return zxz(angles + Vector3d(pi / 2, 0, -pi / 2)); });
+  e.survivor("return - Matrix3d", "This matrix is a factor twice.");
 }

@@ -70,4 +70,6 @@ void judge_kinetic_energy_symmetric(Lecture& lecture) {
     const double p_phi = I1 * pow(sin(theta), 2) * v[0] + p_psi * cos(theta);
     return (p_phi * v[0] + I1 * v[1] * v[1] + p_psi * v[2]) / 2;
   });
+  e.survivor("theta_rate = - rates", "Only its square enters.");
+  e.survivor("double across", "Only its square enters.");
 }

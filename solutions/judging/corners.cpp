@@ -97,6 +97,7 @@ class Neighbours {
     equalities();
     units_together();
     directions();
+    single_axes();
     angles();
     relations();
     return std::move(found_);
@@ -228,6 +229,18 @@ class Neighbours {
         Values changed = inputs_;
         scale(changed[a], length / norm(inputs_[a]));
         add(fmt::format("{} of length {}", name_of(a), length), changed);
+      }
+    }
+  }
+
+  /// Vectors along one axis; those in a coordinate plane have one component zero.
+  void single_axes() {
+    for (std::size_t a = 0; a < inputs_.size(); ++a) {
+      if (exercise_.arguments[a].kind != Kind::vector3) continue;
+      for (std::size_t n = 0; n < 3; ++n) {
+        Values changed = inputs_;
+        for (std::size_t k = 0; k < 3; ++k) changed[a].numbers[k] *= k == n ? 1 : 0;
+        add(fmt::format("{}_{} alone, its other components 0", name_of(a), n + 1), changed);
       }
     }
   }
@@ -591,14 +604,18 @@ std::vector<InputTransform> input_transforms(const Subject& subject) {
   std::vector<Value> expected;
   for (const Case& one : exercise.cases) expected.push_back(one.expected);
   std::vector<InputTransform> transforms;
+  const bool has_lists = std::ranges::any_of(exercise.arguments, [](const Argument& argument) {
+    return argument.kind == Kind::vector || argument.kind == Kind::points || argument.kind == Kind::matrices;
+  });
   for (const NamedChange& each : changes_of(exercise)) {
     InputTransform transform{each.name, each.words, {}};
     bool is_usable = true;
     for (const Case& one : exercise.cases) {
       Values changed = one.inputs;
       each.change(changed);
-      const bool legal = subject.legal(changed);
-      const std::optional<Value> value = legal ? attempt(subject.right, changed) : std::nullopt;
+      // The formula may well have a value outside the domain, where a slip leads; lists of different lengths have none.
+      const std::optional<Value> value =
+          !has_lists || subject.legal(changed) ? attempt(subject.right, changed) : std::nullopt;
       const bool fits = value && value->has_shape_of(one.expected);
       is_usable = is_usable && (fits || !one.deciding);
       if (!is_usable) break;

@@ -342,8 +342,8 @@ class Exercise : public AnyExercise {
   template <class To, class F>
   static OnValues<To> on_values(const F& f) {
     return [f](const Values& inputs) {
-      std::size_t index = 0;
-      const Tuple typed{detail::from_value<Inputs>(inputs[index++])...};
+      auto input = inputs.begin();
+      const Tuple typed{detail::from_value<Inputs>(*input++)...};
       if constexpr (std::is_same_v<To, Value>) {
         return detail::to_value<Result>(std::apply(f, typed));
       } else {

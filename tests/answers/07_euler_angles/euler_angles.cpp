@@ -70,7 +70,7 @@ Vector3d euler_angles(const Matrix3d& R_body_from_inertial) {
 }
 }  // namespace rigid
 
-//! right: the library's angles, with theta between minus and plus pi
+//! wrong: the library's angles, with theta between minus and plus pi
 #include <rigid/euler_angles.hpp>
 namespace rigid {
 Vector3d euler_angles(const Matrix3d& R_body_from_inertial) {
