@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <set>
 
 namespace workbook {
@@ -21,7 +22,9 @@ NLOHMANN_JSON_SERIALIZE_ENUM(Group, {{Group::worked, "worked"},
 NLOHMANN_JSON_SERIALIZE_ENUM(Comparison, {{Comparison::plain, "plain"},
                                           {Comparison::up_to_sign, "up_to_sign"},
                                           {Comparison::eigenvectors, "eigenvectors"},
-                                          {Comparison::attitude_by_angles, "attitude_by_angles"}})
+                                          {Comparison::attitude_by_angles, "attitude_by_angles"},
+                                          {Comparison::attitude_by_yaw_pitch_roll, "attitude_by_yaw_pitch_roll"},
+                                          {Comparison::rotation_by_vector, "rotation_by_vector"}})
 NLOHMANN_JSON_SERIALIZE_ENUM(PropertyKind, {{PropertyKind::symmetric, "symmetric"},
                                             {PropertyKind::antisymmetric, "antisymmetric"},
                                             {PropertyKind::positive_semidefinite, "positive_semidefinite"},
@@ -112,7 +115,10 @@ void require_sound_case(const Require& require, const ExerciseReference& exercis
           one.name + " decides although it is generated, or differs from no described case");
   require(exercise.result_units.size() == 1 || exercise.result_units.size() == numbers,
           one.name + ": the result needs one unit, or one per number");
-  require(exercise.comparison != Comparison::attitude_by_angles || numbers == 3, "an attitude has three angles");
+  const bool is_attitude = exercise.comparison == Comparison::attitude_by_angles ||
+                           exercise.comparison == Comparison::attitude_by_yaw_pitch_roll ||
+                           exercise.comparison == Comparison::rotation_by_vector;
+  require(!is_attitude || numbers == 3, "an attitude has three numbers");
   require(exercise.comparison != Comparison::eigenvectors ||
               (exercise.result_kind == Kind::matrix3 && one.inputs.at(0).has_shape_of(one.expected)),
           "eigenvectors have the shape of their matrix");
@@ -214,6 +220,16 @@ LectureReference read_reference_results(const std::filesystem::path& file, const
                     "a handed-out copy, take it from your instructor's once more.",
                     shown_path(file), without_full_stop(printable(problem.what()))));
   }
+}
+
+std::uint64_t seed_of_reference_results(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  std::string line;
+  std::getline(stream, line);
+  std::getline(stream, line);
+  const json about = json::parse(line, nullptr, false);
+  const bool says = about.is_object() && about.contains("seed") && about["seed"].is_number_unsigned();
+  return says ? about["seed"].get<std::uint64_t>() : 1;
 }
 
 void write_reference_results(const LectureReference& results, const std::filesystem::path& file) {

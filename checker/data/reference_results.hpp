@@ -20,10 +20,12 @@ enum class Group { worked, special, random, generated };
 
 /// How an answer is compared with the expected one.
 enum class Comparison {
-  plain,               ///< entry by entry
-  up_to_sign,          ///< the whole value or its negative (quaternions)
-  eigenvectors,        ///< columns V of the first argument I: I V = V D, Vᵀ V = 1, det V = +1
-  attitude_by_angles,  ///< z–y–z Euler angles, through the rotation matrix
+  plain,                       ///< entry by entry
+  up_to_sign,                  ///< the whole value or its negative (quaternions)
+  eigenvectors,                ///< columns V of the first argument I: I V = V D, Vᵀ V = 1, det V = +1
+  attitude_by_angles,          ///< z–y–z Euler angles, θ in [0, π], through the rotation matrix
+  attitude_by_yaw_pitch_roll,  ///< z–y–x angles, the pitch within ±π/2, through the rotation matrix
+  rotation_by_vector,          ///< axis times angle, through the rotation matrix; the angle at most half a turn
 };
 
 /// One parameter of the exercise's function.
@@ -197,6 +199,9 @@ struct ReferenceError : std::runtime_error {
 /// @param only the exercise to read, for a check needs one of a lecture only; empty for all.
 /// @throws ReferenceError if the file is missing, damaged, of another format, or inconsistent.
 LectureReference read_reference_results(const std::filesystem::path& file, const std::string& only = "");
+
+/// Which seed such a file was made with, from its first lines alone; 1 where that cannot be read.
+std::uint64_t seed_of_reference_results(const std::filesystem::path& file);
 
 /// @throws ReferenceError if the results are inconsistent or the file cannot be written.
 void write_reference_results(const LectureReference& results, const std::filesystem::path& file);

@@ -2,18 +2,17 @@
 
 #include "checker/base/text.hpp"
 #include "checker/compile/compile.hpp"
-#include "checker/explain/variants.hpp"
 #include "checker/judging/comparison.hpp"
-#include "checker/sandbox/worker_process.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
-#include <memory>
+#include <array>
+#include <iterator>
 #include <numeric>
 #include <regex>
 #include <set>
+#include <stdexcept>
 #include <utility>
 
 namespace workbook {
@@ -33,19 +32,25 @@ std::set<int> uncompilable(const VariantUnit& unit, const std::string& compiler_
   return objected;
 }
 
+Clock::time_point after(std::chrono::duration<double> time) {
+  return Clock::now() + std::chrono::duration_cast<Clock::duration>(time);
+}
+
 /// All variants that compile, in one executable; those that do not are erased.
-std::optional<std::filesystem::path> compile_variants(const DiagnosticTask& task, std::vector<Variant>& variants,
-                                                      const Toolchain& toolchain, const std::filesystem::path& cache) {
-  constexpr int most_tries = 4;  // the compiler stops at its twentieth error
+std::filesystem::path compile_variants(const DiagnosticTask& task, std::vector<Variant>& variants,
+                                       const Toolchain& toolchain, const std::filesystem::path& cache,
+                                       const TrialLimits& trial) {
+  const Clock::time_point deadline = after(trial.compiling);
   CompileLimits limits;
-  limits.time = std::chrono::seconds(10);
-  for (int tries = 0; tries < most_tries && !variants.empty(); ++tries) {
+  for (int tries = 0; tries < trial.compilations && !variants.empty(); ++tries) {
+    limits.time = std::chrono::duration_cast<decltype(limits.time)>(deadline - Clock::now());
+    if (limits.time <= decltype(limits.time)::zero()) break;
     const VariantUnit unit(task.submission.text, variants, task.reference);
     const Submission all{"variants.cpp", "variants.cpp", unit.text()};
     const Compilation compilation =
         compile({.submission = all, .exercise = task.reference.name, .signature = task.reference.signature}, toolchain,
                 cache, limits);
-    if (compilation.executable) return compilation.executable;
+    if (compilation.executable) return *compilation.executable;
     const std::set<int> objected = uncompilable(unit, compilation.details);
     if (objected.empty()) break;
     std::vector<Variant> rest;
@@ -53,77 +58,165 @@ std::optional<std::filesystem::path> compile_variants(const DiagnosticTask& task
       if (!objected.contains(static_cast<int>(k))) rest.push_back(std::move(variants[k]));
     variants = std::move(rest);
   }
-  return std::nullopt;
+  throw std::runtime_error("the variants do not compile within the limits");
 }
 
-/// Runs variants in one process as long as they behave.
-class VariantRunner {
- public:
-  VariantRunner(const DiagnosticTask& task, std::filesystem::path program)
-      : reference_(task.reference), program_(std::move(program)), order_(task.reference.cases.size()) {
-    std::iota(order_.begin(), order_.end(), std::size_t{0});
-    // What fails today comes first: almost every variant fails there too.
-    std::ranges::stable_partition(order_, [&](std::size_t index) {
-      return std::ranges::find(task.judgement.failing, index) != task.judgement.failing.end();
-    });
-  }
+/// A condition that is true at the failing cases, or false there.
+struct DecidingBranch {
+  Variant branch;
+  bool when = true;       ///< the condition is so at the failing cases
+  std::size_t cases = 0;  ///< at which it is so
+  bool repairs = false;   ///< with the other outcome everywhere, all cases are right
 
-  bool is_right(std::size_t variant) {
-    // The original took a moment only: what takes long is another one's endless loop.
-    budget_ = {std::min(deadline_, Clock::now() + std::chrono::milliseconds(300)), 0.3, std::size_t{1} << 20};
-    return std::ranges::all_of(order_, [&](std::size_t index) {
-      if (!worker_ || !worker_->running()) worker_ = std::make_unique<Worker>(program_, run_profile(), budget_);
-      const Case& one = reference_.cases[index];
-      const Reply reply = worker_->call({one.inputs, one.expected.rows, one.expected.cols},
-                                        static_cast<std::int32_t>(variant) << protocol::variant_shift);
-      return has_usable_value(reply, one) && passes(reference_, index, reply.value);
-    });
+  /// A slip elsewhere that makes all right may only switch the branch off.
+  bool may_hold(const Variant& slip) const {
+    const std::size_t offset = slip.edits.front().offset;
+    const bool is_in_body = offset >= branch.body_begin && offset < branch.body_end;
+    return is_in_body == when;
   }
-
- private:
-  const ExerciseReference& reference_;
-  const std::filesystem::path program_;
-  std::vector<std::size_t> order_;
-  const Clock::time_point deadline_ = Clock::now() + std::chrono::seconds(4);
-  Budget budget_;
-  std::unique_ptr<Worker> worker_;
 };
 
-/// The first that is right at every case.
-std::optional<Variant> first_right(const DiagnosticTask& task, std::vector<Variant> variants,
-                                   const Toolchain& toolchain, const std::filesystem::path& cache) {
-  try {
-    const auto program = compile_variants(task, variants, toolchain, cache);
-    if (!program) return std::nullopt;
-    VariantRunner runner(task, *program);
-    for (std::size_t k = 0; k < variants.size(); ++k)
-      if (runner.is_right(k)) return variants[k];
-  } catch (const std::exception&) {  // it is a help only; what matters has been judged
+/// The branch of fewest cases that all failing ones take, if many of its cases fail or all are right without it.
+void consider(std::optional<DecidingBranch>& best, const Variant& branch, const std::set<std::size_t>& taken,
+              const std::array<bool, 2>& is_right_if, const DiagnosticTask& task) {
+  const std::vector<std::size_t>& failing = task.judgement.failing;
+  const std::size_t total = task.reference.cases.size();
+  for (const bool when : {true, false}) {
+    const std::size_t cases = when ? taken.size() : total - taken.size();
+    const bool all_fail_there =
+        std::ranges::all_of(failing, [&](std::size_t index) { return taken.contains(index) == when; });
+    // Where nothing else is at stake a wrong branch may be right; a few cases may share it by accident.
+    const std::size_t least_part = failing.size() > 2 ? 4 : 2;
+    const bool repairs = is_right_if[!when], is_likely = least_part * failing.size() >= cases && 2 * cases <= total;
+    if (!all_fail_there || cases == total || !(repairs || is_likely)) continue;
+    if (!best || std::pair(!repairs, cases) < std::pair(!best->repairs, best->cases))
+      best = DecidingBranch{branch, when, cases, repairs};
   }
-  return std::nullopt;
+}
+
+Finding finding_of(const DecidingBranch& found, const SourceText& source, const DiagnosticTask& task) {
+  const std::size_t failing = task.judgement.failing.size();
+  const std::size_t total = task.reference.cases.size();
+  const std::string condition = fmt::format("`{}` is {}", found.branch.words, found.when);
+  std::string sentence =
+      failing == found.cases
+          ? fmt::format("{} at exactly the cases that are wrong ({} of {})", condition, failing, total)
+          : fmt::format("only cases at which {} are wrong ({} of {})", condition, failing, found.cases);
+  if (found.repairs) sentence += fmt::format("; were it always {}, all would be right", !found.when);
+  return source.finding(found.branch.place, "branch", sentence + ".");
 }
 
 }  // namespace
 
-std::optional<Finding> decisive_finding(const DiagnosticTask& task, const std::vector<Finding>& findings,
-                                        const Toolchain& toolchain, const std::filesystem::path& cache) {
-  const SourceText source(task.submission.text);
-  const auto right = first_right(task, fixed_variants(source, findings), toolchain, cache);
-  if (!right) return std::nullopt;
-  const auto found = std::ranges::find_if(findings, [&](const Finding& finding) {
-    return finding.name == right->kind && finding.line == right->place.line && finding.column == right->place.column;
+VariantRunner::VariantRunner(const DiagnosticTask& task, std::vector<Variant>& variants, const Toolchain& toolchain,
+                             const std::filesystem::path& cache, const TrialLimits& limits)
+    : task_(task),
+      program_(compile_variants(task, variants, toolchain, cache, limits)),
+      limits_(limits),
+      order_(task.reference.cases.size()),
+      deadline_(after(limits.running)) {
+  std::iota(order_.begin(), order_.end(), std::size_t{0});
+  // What fails today comes first: almost every variant fails there too.
+  std::ranges::stable_partition(order_, [&](std::size_t index) {
+    return std::ranges::find(task.judgement.failing, index) != task.judgement.failing.end();
   });
-  return *found;
 }
 
-std::optional<Finding> slip_of_one_token(const DiagnosticTask& task, const Toolchain& toolchain,
-                                         const std::filesystem::path& cache) {
+Reply VariantRunner::call(std::size_t variant, std::size_t case_index) {
+  // The original took a moment only: what takes long is another one's endless loop.
+  if (running_ != variant)
+    budget_ = {std::min(deadline_, after(limits_.one_variant)), limits_.one_variant.count(), std::size_t{1} << 20};
+  running_ = variant;
+  if (!worker_ || !worker_->running()) worker_ = std::make_unique<Worker>(program_, run_profile(), budget_);
+  const Case& one = task_.reference.cases[case_index];
+  return worker_->call({one.inputs, one.expected.rows, one.expected.cols}, static_cast<std::int32_t>(variant)
+                                                                               << protocol::variant_shift);
+}
+
+bool VariantRunner::is_right(std::size_t variant) {
+  return std::ranges::all_of(order_, [&](std::size_t index) {
+    const Reply reply = call(variant, index);
+    return has_usable_value(reply, task_.reference.cases[index]) && passes(task_.reference, index, reply.value);
+  });
+}
+
+bool VariantRunner::is_other(std::size_t variant) {
+  return std::ranges::any_of(task_.judgement.failing, [&](std::size_t index) {
+    const Reply reply = call(variant, index);
+    const Reply& judged = task_.observation.replies.at(index);
+    const Case& one = task_.reference.cases[index];
+    if (!has_usable_value(reply, one) || !has_usable_value(judged, one)) return reply.ending != judged.ending;
+    return !is_same_answer(task_.reference, index, reply.value, judged.value);
+  });
+}
+
+std::optional<std::set<std::size_t>> VariantRunner::taken(std::size_t variant) {
+  std::set<std::size_t> cases;
+  for (const std::size_t index : order_) {
+    if (task_.observation.replies.at(index).ending != Ending::returned) return std::nullopt;
+    const Ending ending = call(variant, index).ending;
+    if (ending == Ending::exception) cases.insert(index);
+    if (ending != Ending::exception && ending != Ending::returned) return std::nullopt;
+  }
+  return cases;
+}
+
+CodeReasons code_reasons(const DiagnosticTask& task, const std::vector<Finding>& findings, const Toolchain& toolchain,
+                         const std::filesystem::path& cache) try {
+  std::vector<Variant> variants = fixed_variants(SourceText(task.submission.text), findings);
+  if (variants.empty()) return {};
+  VariantRunner runner(task, variants, toolchain, cache);
+  const auto fixed_by = [&](const Variant& variant) {
+    std::vector<Finding> fixed;
+    for (const Finding& each : findings) {
+      const bool is_meant = std::ranges::any_of(variants, [&](const Variant& other) {
+        return (variant.kind == "all" || &other == &variant) && other.kind == each.name &&
+               other.place.line == each.line && other.place.column == each.column;
+      });
+      if (is_meant) fixed.push_back(each);
+    }
+    return fixed;
+  };
+  for (std::size_t k = 0; k < variants.size(); ++k)
+    if (runner.is_right(k)) return {fixed_by(variants[k]), true};
+  CodeReasons reasons;
+  for (std::size_t k = 0; k < variants.size(); ++k) {
+    if (variants[k].kind == "all" || !runner.is_other(k)) continue;
+    std::ranges::move(fixed_by(variants[k]), std::back_inserter(reasons.findings));
+  }
+  return reasons;
+} catch (const std::exception&) {  // it is a help only; what matters has been judged
+  return {};
+}
+
+std::optional<Finding> slip_or_branch(const DiagnosticTask& task, const Toolchain& toolchain,
+                                      const std::filesystem::path& cache) try {
   const SourceText source(task.submission.text);
-  const auto right = first_right(task, one_token_variants(source, task.reference), toolchain, cache);
-  if (!right) return std::nullopt;
-  return source.finding(
-      right->place, "slip_" + right->kind,
-      fmt::format("with {} here, the result is right at all {} cases.", right->words, task.reference.cases.size()));
+  std::vector<Variant> variants = branch_variants(source);
+  std::ranges::move(one_token_variants(source, task.reference), std::back_inserter(variants));
+  VariantRunner runner(task, variants, toolchain, cache);
+  std::optional<DecidingBranch> branch;
+  for (std::size_t k = 0; k < variants.size(); ++k) {
+    if (variants[k].kind != "branch") continue;
+    std::array<bool, 2> is_right_if{};
+    for (std::size_t j = 0; j < variants.size(); ++j) {
+      const Variant& other = variants[j];
+      if (!other.is_branch() || other.edits.front().offset != variants[k].edits.front().offset || j == k) continue;
+      is_right_if[other.kind == "branch_on"] = runner.is_right(j);
+    }
+    if (const auto taken = runner.taken(k)) consider(branch, variants[k], *taken, is_right_if, task);
+  }
+  for (std::size_t k = 0; k < variants.size(); ++k) {
+    const Variant& each = variants[k];
+    if (each.is_branch() || (branch && !branch->may_hold(each)) || !runner.is_right(k)) continue;
+    return source.finding(
+        each.place, "slip_" + each.kind,
+        fmt::format("with {} here, the result is right at all {} cases.", each.words, task.reference.cases.size()));
+  }
+  if (branch) return finding_of(*branch, source, task);
+  return std::nullopt;
+} catch (const std::exception&) {
+  return std::nullopt;
 }
 
 }  // namespace workbook

@@ -3,20 +3,65 @@
 #pragma once
 
 #include "checker/compile/toolchain.hpp"
+#include "checker/explain/variants.hpp"
 #include "checker/sandbox/diagnostic_run.hpp"
+#include "checker/sandbox/worker_process.hpp"
 
+#include <chrono>
+#include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace workbook {
 
-/// The finding about the code that is the whole reason: with it fixed, all cases are right.
-std::optional<Finding> decisive_finding(const DiagnosticTask& task, const std::vector<Finding>& findings,
-                                        const Toolchain& toolchain, const std::filesystem::path& cache);
+/// What findings about the code have to do with a wrong value.
+struct CodeReasons {
+  std::vector<Finding> findings;  ///< with them fixed, the values are others
+  bool are_all = false;           ///< with them fixed, all cases are right
+};
+CodeReasons code_reasons(const DiagnosticTask& task, const std::vector<Finding>& findings, const Toolchain& toolchain,
+                         const std::filesystem::path& cache);
 
-/// The one token with which all cases are right: its place and its kind, not the answer.
-std::optional<Finding> slip_of_one_token(const DiagnosticTask& task, const Toolchain& toolchain,
-                                         const std::filesystem::path& cache);
+/// The one token with which all cases are right: its place and its kind, not the answer; else the condition that holds
+/// at the failing cases.
+std::optional<Finding> slip_or_branch(const DiagnosticTask& task, const Toolchain& toolchain,
+                                      const std::filesystem::path& cache);
+
+/// What may be spent on trying the variants of a file; as it stands, while a student waits.
+struct TrialLimits {
+  int compilations = 4;  ///< each leaves out what it objected to, up to twenty errors
+  std::chrono::duration<double> compiling{10}, running{4}, one_variant{0.3};
+};
+
+/// Variants of a file in one executable, run in one process as long as they behave.
+class VariantRunner {
+ public:
+  /// Erases the variants that do not compile. @throws std::runtime_error where none is left, or within the limits none
+  /// can be compiled
+  VariantRunner(const DiagnosticTask& task, std::vector<Variant>& variants, const Toolchain& toolchain,
+                const std::filesystem::path& cache, const TrialLimits& limits = {});
+
+  /// At every case?
+  bool is_right(std::size_t variant);
+  /// Does it differ from what was judged at a failing case?
+  bool is_other(std::size_t variant);
+  /// The cases at which the condition of a branch is true; nothing where that is not certain.
+  std::optional<std::set<std::size_t>> taken(std::size_t variant);
+
+ private:
+  Reply call(std::size_t variant, std::size_t case_index);
+
+  const DiagnosticTask& task_;
+  const std::filesystem::path program_;
+  const TrialLimits limits_;
+  std::vector<std::size_t> order_;
+  const Clock::time_point deadline_;
+  std::optional<std::size_t> running_;
+  Budget budget_;
+  std::unique_ptr<Worker> worker_;
+};
 
 }  // namespace workbook

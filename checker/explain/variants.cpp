@@ -6,6 +6,7 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <set>
@@ -26,10 +27,90 @@ bool is_numeral(std::string_view text) {
   return !text.empty() && std::isdigit(static_cast<unsigned char>(text[0])) != 0;
 }
 
+bool is_one_of(std::string_view text, std::initializer_list<std::string_view> texts) {
+  return std::ranges::find(texts, text) != texts.end();
+}
+
+bool opens(std::string_view text) { return text == "(" || text == "[" || text == "{"; }
+bool closes(std::string_view text) { return text == ")" || text == "]" || text == "}"; }
+
+/// The conditions of a file, and the heads of its loops.
+class Conditions {
+ public:
+  explicit Conditions(const SourceText& source)
+      : tokens_(source.tokens()),
+        size_(std::min(tokens_.size(), last_token_looked_at)),
+        decides_(size_, false),
+        in_loop_(size_, false) {
+    for (std::size_t k = 0; k < size_; ++k) {
+      if (is_one_of(text(k), {"for", "while"}) && text(k + 1) == "(") mark(in_loop_, k + 1, closing(k + 1));
+    }
+    for (std::size_t k = 0; k < size_; ++k) {
+      const bool is_if = text(k) == "if" && text(k + 1) == "(";
+      if (is_if) mark(decides_, k + 1, closing(k + 1));
+      // With the token before it: a sign behind that one would be the condition's.
+      if (text(k) == "?") mark(decides_, std::max(begin_of_operand(k), std::size_t{1}) - 1, k);
+      if (text(k) == "bool") mark(decides_, k, end_of_operand(k));
+      const bool compares = is_one_of(text(k), {"==", "!=", "<=", ">=", "&&", "||"}) ||
+                            (is_one_of(text(k), {"<", ">"}) && (is_numeral(text(k + 1)) || is_numeral(text(k - 1))));
+      if (compares && !in_loop_[k])
+        mark(decides_, std::max(begin_of_operand(k), std::size_t{1}) - 1, end_of_operand(k));
+    }
+  }
+
+  bool decides(std::size_t index) const { return index < size_ && decides_[index]; }
+  bool in_loop(std::size_t index) const { return index < size_ && in_loop_[index]; }
+
+  /// The bracket that closes the one at the index; the last token if there is none.
+  std::size_t closing(std::size_t index) const {
+    int depth = 0;
+    for (std::size_t k = index; k < size_; ++k) {
+      depth += opens(text(k)) ? 1 : closes(text(k)) ? -1 : 0;
+      if (depth == 0) return k;
+    }
+    return size_ - 1;
+  }
+
+  std::size_t begin_of_operand(std::size_t index) const {
+    int depth = 0;
+    for (std::size_t k = index; k-- > 0;) {
+      if (closes(text(k))) ++depth;
+      if (opens(text(k)) && --depth < 0) return k + 1;
+      if (depth == 0 && is_one_of(text(k), {";", ",", "=", "return", "?", ":", "+=", "-=", "*="})) return k + 1;
+    }
+    return 0;
+  }
+
+  /// One behind the last token.
+  std::size_t end_of_operand(std::size_t index) const {
+    int depth = 0;
+    for (std::size_t k = index + 1; k < size_; ++k) {
+      if (opens(text(k))) ++depth;
+      if (closes(text(k)) && --depth < 0) return k;
+      if (depth == 0 && is_one_of(text(k), {";", ",", "?", ":"})) return k;
+    }
+    return size_;
+  }
+
+ private:
+  std::string_view text(std::size_t index) const {
+    return index < tokens_.size() ? tokens_[index].text : std::string_view();
+  }
+  void mark(std::vector<bool>& marks, std::size_t first, std::size_t last) const {
+    for (std::size_t k = first; k < std::min(last, size_); ++k) marks[k] = true;
+  }
+
+  const std::vector<Token>& tokens_;
+  const std::size_t size_;
+  std::vector<bool> decides_, in_loop_;
+};
+
 /// Makes the variants of one file.
 class Slips {
  public:
-  Slips(const SourceText& source, const ExerciseReference& exercise) : source_(source) {
+  /// @param all_bugs  also what is hardly a slip
+  Slips(const SourceText& source, const ExerciseReference& exercise, bool all_bugs)
+      : source_(source), conditions_(source), all_bugs_(all_bugs), most_(all_bugs ? std::string::npos : most_variants) {
     for (const Argument& argument : exercise.arguments) types_[argument.name] = to_string(argument.kind);
     find_locals();
   }
@@ -37,15 +118,16 @@ class Slips {
   std::vector<Variant> all() {
     const std::vector<Token>& tokens = source_.tokens();
     find_body();
-    for (at_ = first_; at_ < std::min(last_, last_token_looked_at) && found_.size() < most_variants; ++at_) {
-      if (tokens[at_].in_directive) continue;
+    for (at_ = first_; at_ < std::min(last_, last_token_looked_at) && found_.size() < most_; ++at_) {
+      if (tokens[at_].in_directive || (conditions_.decides(at_) && !all_bugs_)) continue;
       signs();
       numbers();
       names();
       functions();
       factors();
+      if (all_bugs_) bugs();
     }
-    if (found_.size() > most_variants) found_.resize(most_variants);
+    if (found_.size() > most_) found_.resize(most_);
     return std::move(found_);
   }
 
@@ -123,8 +205,15 @@ class Slips {
     if (here() == "-=") add("sign", "another sign", "+=");
     const bool begins_expression =
         here() == "return" || here() == "=" || here() == "(" || here() == "," || here() == "{" || here() == "<<";
-    if (begins_expression && (is_identifier(after()) || is_numeral(after())) && !is_index(at_ + 1))
+    if (begins_expression && (is_identifier(after()) || is_numeral(after())) && !is_index(at_ + 1) &&
+        !is_zero(at_ + 1) && !is_even())
       insert_behind("sign", "another sign", "-");
+  }
+
+  /// Do we open an even function of one variable, as in `cos(psi)` or `abs(angles[1])`?
+  bool is_even() const {
+    const bool ends = token(at_ + 2) == ")" || (token(at_ + 2) == "[" && token(at_ + 5) == ")");
+    return here() == "(" && ends && (before() == "cos" || before() == "cosh" || before() == "abs");
   }
 
   /// Is the number an index, as in `I(0, 2)`, `r[1]` or `row(2)`?
@@ -139,6 +228,11 @@ class Slips {
     return token(open) == "[" || (token(open) == "(" && open > 0 && is_identifier(token(open - 1)));
   }
 
+  /// `0`, `0.0` or `Matrix3d::Zero()`, which no sign and no factor changes.
+  bool is_zero(std::size_t index) const {
+    return token(index) == "0" || token(index) == "0.0" || (token(index + 1) == "::" && token(index + 2) == "Zero");
+  }
+
   void numbers() {
     if (!is_numeral(here())) return;
     if (is_index(at_)) {
@@ -146,6 +240,13 @@ class Slips {
         if (here() != other) add("index", "another index", other);
       if (token(at_ + 1) == "," && is_index(at_ + 2) && here() != token(at_ + 2))
         exchange("index", "the two indices the other way round", at_, at_ + 2);
+      return;
+    }
+    if (conditions_.in_loop(at_) && (before() == "=" || before() == "<" || before() == "<=")) {
+      if (const auto number = std::string(here()); number == "0" || number == "1" || number == "2" || number == "3")
+        for (const int step : {-1, 1})
+          if (const int other = std::stoi(number) + step; other >= 0)
+            add("number", "another number", std::to_string(other));
       return;
     }
     double value = 0;
@@ -207,29 +308,52 @@ class Slips {
   void factors() {
     const bool begins_term =
         here() == "return" || here() == "=" || here() == "+" || here() == "-" || here() == "+=" || here() == "-=";
-    if (!begins_term || !(is_identifier(after()) || is_numeral(after()) || after() == "(")) return;
+    if (!begins_term || is_zero(at_ + 1) || conditions_.in_loop(at_) || declares_whole_number()) return;
+    if (!(is_identifier(after()) || is_numeral(after()) || after() == "(")) return;
     if (is_identifier(after()) && (after() == "std" || after() == "static_cast") && token(at_ + 2) != "::") return;
     for (const char* factor : {"2.0 *", "0.5 *"}) insert_behind("factor", "another factor", factor);
     insert_behind("factor", "one term left out", "0.0 *");
   }
 
+  /// `int i = …`: half of it is none.
+  bool declares_whole_number() const {
+    if (at_ < 1 || here() != "=") return false;
+    const auto type = types_.find(std::string(before()));
+    return type != types_.end() && is_one_of(type->second, {"int", "Index", "size_t", "long", "unsigned", "bool"});
+  }
+
+  void bugs() {
+    static const std::map<std::string_view, std::vector<const char*>> others = {
+        {"<", {"<=", ">"}}, {"<=", {"<", ">="}}, {">", {">=", "<"}},  {">=", {">", "<="}}, {"==", {"!="}},
+        {"!=", {"=="}},     {"&&", {"||"}},      {"||", {"&&"}},      {"*", {"/"}},        {"/", {"*"}},
+        {"0", {"1"}},       {"0.0", {"1.0"}},    {"true", {"false"}}, {"false", {"true"}}};
+    if (const auto found = others.find(here()); found != others.end() && !is_index(at_))
+      for (const char* other : found->second) add("operator", "another operator or constant", other);
+    if (here() == "." && token(at_ + 2) == "(" && token(at_ + 3) == ")" && after() != "transpose")
+      add("call", "one call left out", at_, {replaced(at_, at_ + 3, "")});
+    if (here() == ";" || here() == "{" || here() == "}") statement_behind();
+  }
+
+  /// Left out, unless it declares something or is a plain return.
+  void statement_behind() {
+    if (!is_identifier(after()) || after() == "return" || is_identifier(token(at_ + 2))) return;
+    int depth = 0;
+    for (std::size_t end = at_ + 1; end < last_ && token(end) != "}" && token(end) != "{"; ++end) {
+      if (token(end) == "(") ++depth;
+      if (token(end) == ")") --depth;
+      if (token(end) == ";" && depth == 0)
+        return add("statement", "one statement left out", at_ + 1, {replaced(at_ + 1, end, ";")});
+    }
+  }
+
   const SourceText& source_;
+  const Conditions conditions_;
+  const bool all_bugs_;
+  const std::size_t most_;
   std::map<std::string, std::string> types_;  ///< of arguments and local variables
   std::vector<Variant> found_;
   std::size_t at_ = 0, first_ = 0, last_ = 0;
 };
-
-std::string edited(std::string_view text, std::vector<Edit> edits) {
-  std::ranges::sort(edits, {}, &Edit::offset);
-  std::string result;
-  std::size_t at = 0;
-  for (const Edit& edit : edits) {
-    result += text.substr(at, edit.offset - at);
-    result += edit.replacement;
-    at = edit.offset + edit.length;
-  }
-  return result.append(text.substr(at));
-}
 
 /// The first token on that line with this text, at or behind the column.
 const Token* token_at(const SourceText& source, const Finding& finding, std::string_view text) {
@@ -240,6 +364,29 @@ const Token* token_at(const SourceText& source, const Finding& finding, std::str
       return &token;
   }
   return nullptr;
+}
+
+/// The type of the variable that is set on that line, as double; abs of the C library as that of C++.
+std::vector<Edit> wider_type(const SourceText& source, const Finding& finding) {
+  const std::vector<Token>& tokens = source.tokens();
+  const auto is_narrow = [](std::string_view text) { return is_one_of(text, {"int", "float", "long", "unsigned"}); };
+  const auto as_double = [](const Token& type) { return std::vector<Edit>{{type.offset, type.text.size(), "double"}}; };
+  for (std::size_t k = 0; k < tokens.size(); ++k) {
+    if (source.place_of(tokens[k].offset).line != finding.line) continue;
+    const bool is_called = k + 1 < tokens.size() && tokens[k + 1].text == "(" && k > 0;
+    if (tokens[k].text == "abs" && is_called && tokens[k - 1].text != "::") return {{tokens[k].offset, 0, "std::"}};
+    if (finding.name == "float_precision" && is_narrow(tokens[k].text)) return as_double(tokens[k]);
+    if (k == 0 || !is_one_of(tokens[k].text, {"=", "+=", "-=", "*=", "/="})) continue;
+    // Where is what stands to the left declared?
+    for (std::size_t d = k; d-- > 1;) {
+      if (tokens[d].text != tokens[k - 1].text) continue;
+      std::size_t type = d - 1;
+      while (type > 0 && !is_one_of(tokens[type].text, {";", "{", "}", "("}) && !is_narrow(tokens[type].text)) --type;
+      const bool is_loop_variable = type >= 2 && tokens[type - 1].text == "(" && tokens[type - 2].text == "for";
+      if (is_narrow(tokens[type].text) && !is_loop_variable) return as_double(tokens[type]);
+    }
+  }
+  return {};
 }
 
 /// `1 / 2` as `1.0 / 2`, `0,5` as `0.5`, `int` and `float` as `double`, `auto x = a;` as a value.
@@ -255,10 +402,13 @@ std::vector<Edit> fix_of(const SourceText& source, const Finding& finding) {
   if (finding.name == "comma_in_number") {
     if (const Token* comma = token_at(source, finding, ",")) return {{comma->offset, 1, "."}};
   }
-  if (finding.name == "narrowing" || finding.name == "float_precision") {
-    for (const char* type : {"int", "float", "long", "unsigned"})
-      if (const Token* word = token_at(source, {finding.line, "", "", "", 0}, type))
-        return {{word->offset, word->text.size(), "double"}};
+  if (finding.name == "narrowing" || finding.name == "float_precision") return wider_type(source, finding);
+  if (finding.name == "aliasing") {
+    const Token* word = token_at(source, finding, "noalias");
+    if (word == nullptr) return {};
+    const std::size_t end = source.text().find(')', word->offset);
+    if (end == std::string_view::npos || word->offset == 0) return {};
+    return {{word->offset - 1, end + 1 - (word->offset - 1), ""}};
   }
   if (finding.name == "kept_expression") {
     const Token* word = token_at(source, {finding.line, "", "", "", 0}, "auto");
@@ -273,8 +423,65 @@ std::vector<Edit> fix_of(const SourceText& source, const Finding& finding) {
 
 }  // namespace
 
+std::vector<Variant> branch_variants(const SourceText& source) {
+  constexpr std::size_t most = 36;
+  const std::vector<Token>& tokens = source.tokens();
+  const Conditions conditions(source);
+  std::vector<Variant> found;
+  const auto add = [&](std::size_t place, std::pair<std::size_t, std::size_t> condition,
+                       std::pair<std::size_t, std::size_t> body) {
+    const auto begin_of = [&](std::size_t index) { return tokens[index].offset; };
+    const auto end_of = [&](std::size_t index) { return tokens[index].offset + tokens[index].text.size(); };
+    const std::size_t begin = begin_of(condition.first), end = end_of(condition.second);
+    for (const auto& [kind, more] :
+         {std::pair("branch", "&& ::workbook_reached()"), {"branch_off", "&& false"}, {"branch_on", "|| true"}})
+      found.push_back({kind,
+                       std::string(source.text().substr(begin, end - begin)),
+                       source.place_of(begin_of(place)),
+                       {{begin, 0, "(("}, {end, 0, fmt::format(") {})", more)}},
+                       begin_of(body.first),
+                       end_of(body.second)});
+  };
+  const std::size_t last = std::min(tokens.size(), last_token_looked_at);
+  for (std::size_t k = 1; k + 2 < last && found.size() < most; ++k) {
+    if (tokens[k].in_directive) continue;
+    if (tokens[k].text == "if" && tokens[k + 1].text == "(") {
+      const std::size_t close = conditions.closing(k + 1);
+      if (close + 1 >= last || close < k + 3) continue;
+      std::size_t body_end = close + 1;
+      if (tokens[body_end].text == "{") {
+        body_end = conditions.closing(body_end);
+      } else {
+        while (body_end + 1 < last && tokens[body_end].text != ";")
+          body_end = opens(tokens[body_end].text) ? conditions.closing(body_end) + 1 : body_end + 1;
+      }
+      add(k, {k + 2, close - 1}, {close + 1, std::min(body_end, last - 1)});
+    } else if (tokens[k].text == "?") {
+      const std::size_t end = conditions.end_of_operand(k), begin = conditions.begin_of_operand(k);
+      if (begin < k && end < last && tokens[end].text == ":") add(begin, {begin, k - 1}, {k + 1, end - 1});
+    }
+  }
+  return found;
+}
+
 std::vector<Variant> one_token_variants(const SourceText& source, const ExerciseReference& exercise) {
-  return Slips(source, exercise).all();
+  return Slips(source, exercise, false).all();
+}
+
+std::vector<Variant> source_mutants(const SourceText& source, const ExerciseReference& exercise) {
+  return Slips(source, exercise, true).all();
+}
+
+std::string edited(std::string_view text, std::vector<Edit> edits) {
+  std::ranges::sort(edits, {}, &Edit::offset);
+  std::string result;
+  std::size_t at = 0;
+  for (const Edit& edit : edits) {
+    result += text.substr(at, edit.offset - at);
+    result += edit.replacement;
+    at = edit.offset + edit.length;
+  }
+  return result.append(text.substr(at));
 }
 
 std::vector<Variant> fixed_variants(const SourceText& source, const std::vector<Finding>& findings) {
@@ -283,6 +490,12 @@ std::vector<Variant> fixed_variants(const SourceText& source, const std::vector<
     std::vector<Edit> fix = fix_of(source, finding);
     if (!fix.empty()) variants.push_back({finding.name, "", {finding.line, finding.column}, std::move(fix)});
   }
+  if (variants.size() < 2) return variants;
+  Variant all{"all", "", {}, {}};
+  for (const Variant& each : variants)
+    for (const Edit& edit : each.edits)
+      if (std::ranges::find(all.edits, edit.offset, &Edit::offset) == all.edits.end()) all.edits.push_back(edit);
+  variants.push_back(std::move(all));
   return variants;
 }
 
@@ -304,7 +517,7 @@ VariantUnit::VariantUnit(std::string_view source, const std::vector<Variant>& va
   text_ +=
       "template <class T> auto workbook_value(const T& value) {\n"
       "  if constexpr (requires { value.eval(); }) return typename T::PlainObject(value);\n"
-      "  else return value;\n}\nextern \"C\" int workbook_variant;\n";
+      "  else return value;\n}\ninline bool workbook_reached() { throw 0; }\nextern \"C\" int workbook_variant;\n";
   const auto next_line = [&] { return 1 + static_cast<int>(std::ranges::count(text_, '\n')); };
   std::string table, names;
   for (std::size_t k = 0; k < variants.size(); ++k) {

@@ -22,16 +22,32 @@ struct Edit {
 
 struct Variant {
   std::string kind;   ///< "sign", "index", "name", "function", "number", "factor"; or the name of a finding
-  std::string words;  ///< of what is changed, without the answer: "another sign"
+  std::string words;  ///< of what is changed, without the answer: "another sign"; the condition of a branch
   Place place;
   std::vector<Edit> edits;
+  // Of a branch: what is done where its condition is true, from the one offset to the other.
+  std::size_t body_begin = 0, body_end = 0;
+
+  bool is_branch() const { return body_end > 0; }
 };
 
+/// Of every `if` and `?`: a file that throws where its condition is true ("branch"), to learn which cases go that way,
+/// and files in which it is never so ("branch_off") and always so ("branch_on").
+std::vector<Variant> branch_variants(const SourceText& source);
+
 /// Slips of one token: signs, indices, names of arguments of one kind, functions, numbers, a lost or surplus factor, a
-/// surplus abs, transpose or static. All of them keep the types as they are, so that most compile.
+/// surplus abs, transpose or static. All of them keep the types as they are, so that most compile. Conditions stay as
+/// they are: to change one may only switch a wrong branch off.
 std::vector<Variant> one_token_variants(const SourceText& source, const ExerciseReference& exercise);
 
-/// Files in which a finding about the code is fixed; none for findings that no small change fixes.
+/// Bugs in a file: all slips of one token, and those that are hardly slips: another comparison, a call such as
+/// .normalized() or a statement left out.
+std::vector<Variant> source_mutants(const SourceText& source, const ExerciseReference& exercise);
+
+std::string edited(std::string_view text, std::vector<Edit> edits);
+
+/// Files in which a finding about the code is fixed, and last one with all of them fixed; none for findings that no
+/// small change fixes.
 std::vector<Variant> fixed_variants(const SourceText& source, const std::vector<Finding>& findings);
 
 /// One translation unit with variants of a file, each in a namespace of its own, and the exercise's function that calls

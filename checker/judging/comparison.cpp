@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 namespace workbook {
@@ -50,8 +51,9 @@ std::vector<Deviation> eigenvector_deviations(const Case& one, const Value& actu
           uniform_deviation("det V − 1", Kind::number, determinant, one.tolerance, 4.0)};
 }
 
-/// R = R_ψ R_θ R_φ with passive elementary rotations about z, y, z: components on the body axes from inertial ones.
-Matrix3d attitude(const Value& angles) {
+/// R = R_ψ R_θ R_φ with passive elementary rotations about z, y and z, or x for yaw, pitch and roll: components on the
+/// body axes from inertial ones.
+Matrix3d attitude(Comparison comparison, const Value& angles) {
   const auto about_z = [](double angle) -> Matrix3d {
     const double c = std::cos(angle), s = std::sin(angle);
     return (Matrix3d() << c, s, 0, -s, c, 0, 0, 0, 1).finished();
@@ -60,7 +62,34 @@ Matrix3d attitude(const Value& angles) {
     const double c = std::cos(angle), s = std::sin(angle);
     return (Matrix3d() << c, 0, -s, 0, 1, 0, s, 0, c).finished();
   };
-  return about_z(angles.numbers.at(2)) * about_y(angles.numbers.at(1)) * about_z(angles.numbers.at(0));
+  const Matrix3d first_two = about_y(angles.numbers.at(1)) * about_z(angles.numbers.at(0));
+  const double last = angles.numbers.at(2);
+  if (comparison == Comparison::attitude_by_yaw_pitch_roll)
+    return Eigen::AngleAxisd(-last, Eigen::Vector3d::UnitX()).toRotationMatrix() * first_two;
+  return about_z(last) * first_two;
+}
+
+/// Of θ, which is unique in [0, π]. NaN stays NaN.
+double beyond_range(double theta) {
+  return theta < 0 ? theta : theta > std::numbers::pi ? theta - std::numbers::pi : 0 * theta;
+}
+
+Matrix3d rotation(const Eigen::Vector3d& v) {
+  return Eigen::AngleAxisd(v.stableNorm(), v.stableNormalized()).toRotationMatrix();
+}
+
+/// At half a turn both signs are right. The matrix of a small rotation does not show the digits of the vector, so they
+/// are tested too.
+std::vector<Deviation> rotation_vector_deviations(const Case& one, const Value& actual) {
+  const Eigen::Vector3d yours = as_matrix(actual), expected = as_matrix(one.expected);
+  const double length = expected.norm(), beyond = std::max(0.0, yours.norm() - std::numbers::pi);
+  std::vector<Deviation> found{
+      uniform_deviation("R(yours) − R(expected)", Kind::matrix3, rotation(yours) - rotation(expected), one.tolerance,
+                        1.0),
+      uniform_deviation("|yours| − π", Kind::number, MatrixXd::Constant(1, 1, beyond), 1e-7, 1.0)};
+  if (length > 0 && length < 1e-3)
+    found.push_back(uniform_deviation("yours − expected", Kind::vector3, yours - expected, one.tolerance, length));
+  return found;
 }
 
 bool is_same_number(double one, double other, double allowed) {
@@ -85,9 +114,9 @@ bool is_same_up_to_signs_of_columns(const Case& one, const MatrixXd& first, cons
   return is_same_entry_by_entry(one, to_value(first), to_value(turned));
 }
 
-bool is_same_attitude(const Case& one, const Value& first, const Value& second) {
-  const Matrix3d R_first = attitude(first);
-  const Matrix3d R_second = attitude(second);
+bool is_same_attitude(Comparison comparison, const Case& one, const Value& first, const Value& second) {
+  const Matrix3d R_first = attitude(comparison, first);
+  const Matrix3d R_second = attitude(comparison, second);
   for (Eigen::Index n = 0; n < R_first.size(); ++n) {
     if (!is_same_number(R_first(n), R_second(n), one.tolerance)) return false;
   }
@@ -145,9 +174,15 @@ bool all_deciding_cases_answered(const ExerciseReference& exercise, const Answer
          std::ranges::all_of(deciding, [&](std::size_t i) { return i < answers.size() && answers[i].has_value(); });
 }
 
+/// A rotation vector is so only where it is half a turn long.
+static bool is_free_in_sign(const ExerciseReference& exercise, const Value& expected) {
+  return exercise.comparison == Comparison::up_to_sign || (exercise.comparison == Comparison::rotation_by_vector &&
+                                                           as_matrix(expected).norm() > std::numbers::pi - 1e-7);
+}
+
 Value nearest_expected(const ExerciseReference& exercise, std::size_t case_index, const Value& actual) {
   const Value& expected = exercise.cases.at(case_index).expected;
-  if (exercise.comparison != Comparison::up_to_sign) return expected;
+  if (!is_free_in_sign(exercise, expected)) return expected;
   return as_matrix(actual).cwiseProduct(as_matrix(expected)).sum() < 0 ? negative(expected) : expected;
 }
 
@@ -164,8 +199,24 @@ std::vector<Deviation> deviations(const ExerciseReference& exercise, std::size_t
       found = eigenvector_deviations(one, actual);
       break;
     case Comparison::attitude_by_angles:
-      found.push_back(uniform_deviation("R(yours) − R(expected)", Kind::matrix3,
-                                        attitude(actual) - attitude(one.expected), one.tolerance, 1.0));
+      found.push_back(uniform_deviation(
+          "R(yours) − R(expected)", Kind::matrix3,
+          attitude(exercise.comparison, actual) - attitude(exercise.comparison, one.expected), one.tolerance, 1.0));
+      found.push_back(uniform_deviation("θ beyond [0, π]", Kind::number,
+                                        MatrixXd::Constant(1, 1, beyond_range(actual.numbers.at(1))), one.tolerance,
+                                        1.0));
+      break;
+    case Comparison::attitude_by_yaw_pitch_roll:
+      found.push_back(uniform_deviation(
+          "R(yours) − R(expected)", Kind::matrix3,
+          attitude(exercise.comparison, actual) - attitude(exercise.comparison, one.expected), one.tolerance, 1.0));
+      // Any arctangent may round beyond a right angle, so the range has a tolerance of its own.
+      found.push_back(uniform_deviation(
+          "|pitch| beyond π/2", Kind::number,
+          MatrixXd::Constant(1, 1, std::max(0.0, std::abs(actual.numbers.at(1)) - std::numbers::pi / 2)), 1e-7, 1.0));
+      break;
+    case Comparison::rotation_by_vector:
+      found = rotation_vector_deviations(one, actual);
       break;
   }
   for (const Property& property : exercise.properties) {
@@ -214,7 +265,11 @@ bool is_same_answer(const ExerciseReference& exercise, std::size_t case_index, c
              is_same_up_to_signs_of_columns(judged, first.transpose(), second.transpose());
     }
     case Comparison::attitude_by_angles:
-      return is_same_attitude(judged, one, other);
+    case Comparison::attitude_by_yaw_pitch_roll:
+      return is_same_attitude(exercise.comparison, judged, one, other);
+    case Comparison::rotation_by_vector:
+      return is_same_entry_by_entry(judged, one, other) ||
+             (is_free_in_sign(exercise, judged.expected) && is_same_entry_by_entry(judged, one, negative(other)));
   }
   return false;
 }

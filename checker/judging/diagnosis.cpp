@@ -30,23 +30,34 @@ void from_json(const nlohmann::json& json, Diagnosis& diagnosis) {
   diagnosis = {json.at("kind"), json.at("name"), json.at("message"), json.at("notes")};
 }
 
+bool Diagnosis::is_symptom() const {
+  // A wrong order or range is all that there is to say.
+  if (kind == DiagnosisKind::property) return name != "range" && name != to_string(PropertyKind::ascending);
+  return kind == DiagnosisKind::place || kind == DiagnosisKind::dimension || kind == DiagnosisKind::independence ||
+         (kind == DiagnosisKind::split && name != "split");
+}
+
 std::vector<Diagnosis> diagnose(const ExerciseReference& exercise, const Answers& answers,
                                 const std::vector<UnitProbe>& probes) {
-  for (const auto& mechanism : {diagnose_misconception, diagnose_terms, diagnose_transform, diagnose_input_transform}) {
+  for (const auto& mechanism :
+       {diagnose_range, diagnose_misconception, diagnose_terms, diagnose_transform, diagnose_input_transform}) {
     if (const auto diagnosis = mechanism(exercise, answers)) return {*diagnosis};
   }
   std::vector<Diagnosis> diagnoses;
   const auto place = diagnose_place(exercise, answers);
-  for (const auto& mechanism :
-       {diagnose_difference, diagnose_split, diagnose_conditional, diagnose_entries, diagnose_independence}) {
+  for (const auto& mechanism : {diagnose_eigenvectors, diagnose_difference, diagnose_split, diagnose_conditional,
+                                diagnose_entries, diagnose_few, diagnose_one_side}) {
     if (const auto diagnosis = mechanism(exercise, answers)) {
       diagnoses.push_back(*diagnosis);
       break;
     }
   }
-  if (diagnoses.empty()) {
-    diagnoses = diagnose_properties(exercise, answers);
-    std::ranges::move(diagnose_dimensions(exercise, answers, probes), std::back_inserter(diagnoses));
+  if (std::ranges::all_of(diagnoses, [](const Diagnosis& each) { return each.name == "one_side"; })) {
+    std::ranges::move(diagnose_properties(exercise, answers), std::back_inserter(diagnoses));
+    // What is in the wrong order may change its order with the units; that says nothing of dimensions.
+    const auto is_order = [](const Diagnosis& each) { return each.name == to_string(PropertyKind::ascending); };
+    if (std::ranges::none_of(diagnoses, is_order))
+      std::ranges::move(diagnose_dimensions(exercise, answers, probes), std::back_inserter(diagnoses));
   }
   const bool place_is_named = !diagnoses.empty() && (diagnoses.front().kind == DiagnosisKind::difference ||
                                                      diagnoses.front().kind == DiagnosisKind::entry);

@@ -36,6 +36,9 @@ struct Diagnosis {
   std::string name;
   std::string message;  ///< one sentence
   std::string notes;    ///< anchor of the paragraph to read; may be empty
+
+  /// True, but a consequence of a reason that it does not name.
+  bool is_symptom() const;
 };
 void to_json(nlohmann::json& json, const Diagnosis& diagnosis);
 void from_json(const nlohmann::json& json, Diagnosis& diagnosis);
@@ -63,23 +66,55 @@ std::optional<Diagnosis> diagnose_input_transform(const ExerciseReference& exerc
 /// The error of every wrong component as exactly one or two products of the inputs with simple coefficients.
 std::optional<Diagnosis> diagnose_difference(const ExerciseReference& exercise, const Answers& answers);
 
-// --- where it is wrong, and what that has in common (patterns.cpp)
+// --- where it is wrong, and on what it depends (patterns.cpp)
 
 /// "Only component 3 is wrong, at all 14 cases": always true, and silent where all components are wrong.
 std::optional<Diagnosis> diagnose_place(const ExerciseReference& exercise, const Answers& answers);
 
-/// The one feature of the inputs (a sign, a zero, an equality, an order, a count) that tells wrong cases from right
-/// ones.
+/// Entries that hold what belongs in others, while the rest is right.
+std::optional<Diagnosis> diagnose_entries(const ExerciseReference& exercise, const Answers& answers);
+
+/// Columns that are principal axes, but in another order, of another length or of the other handedness.
+std::optional<Diagnosis> diagnose_eigenvectors(const ExerciseReference& exercise, const Answers& answers);
+
+/// Euler angles of the right attitudes, with θ beyond its range.
+std::optional<Diagnosis> diagnose_range(const ExerciseReference& exercise, const Answers& answers);
+
+/// One number of an argument.
+struct IndependentInput {
+  std::size_t argument;
+  std::size_t entry;
+
+  bool operator==(const IndependentInput&) const = default;
+};
+
+/// Numbers of arguments of fixed size that at no pair of cases change the student's result, bit by bit, although they
+/// change the right one at some: to be confirmed by further calls.
+std::vector<IndependentInput> independent_inputs(const ExerciseReference& exercise, const Answers& answers);
+
+/// @pre there are inputs
+Diagnosis independence(const ExerciseReference& exercise, const std::vector<IndependentInput>& inputs);
+
+// --- what the failing cases have in common (splits.cpp)
+
+/// The cases with an answer, and whether it is right there.
+struct Outcomes {
+  std::vector<std::size_t> right;
+  std::vector<std::size_t> wrong;
+};
+Outcomes outcomes_of(const ExerciseReference& exercise, const Answers& answers);
+
+/// The feature of the inputs (a sign, a zero, an equality, an order, a count) that tells wrong cases from right ones.
 std::optional<Diagnosis> diagnose_split(const ExerciseReference& exercise, const Answers& answers);
+
+/// The feature with which all is right, and without which almost all is wrong.
+std::optional<Diagnosis> diagnose_one_side(const ExerciseReference& exercise, const Answers& answers);
+
+/// The few cases that are wrong, by name, or the one change that makes a right case wrong.
+std::optional<Diagnosis> diagnose_few(const ExerciseReference& exercise, const Answers& answers);
 
 /// The one misconception that fits all failing cases, where others are right.
 std::optional<Diagnosis> diagnose_conditional(const ExerciseReference& exercise, const Answers& answers);
-
-/// Inputs that never change the student's result although the right one depends on them.
-std::optional<Diagnosis> diagnose_independence(const ExerciseReference& exercise, const Answers& answers);
-
-/// Entries that hold what belongs in others, or that one misconception explains, while the rest is right.
-std::optional<Diagnosis> diagnose_entries(const ExerciseReference& exercise, const Answers& answers);
 
 // --- wrong coefficients (terms.cpp)
 

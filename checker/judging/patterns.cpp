@@ -5,32 +5,16 @@
 #include "checker/judging/value_text.hpp"
 
 #include <fmt/format.h>
+#include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <numbers>
-#include <numeric>
+#include <map>
 #include <set>
 
 namespace workbook {
 
 namespace {
-
-/// The cases with an answer, and whether it is right there.
-struct Outcome {
-  std::vector<std::size_t> right;
-  std::vector<std::size_t> wrong;
-};
-
-Outcome outcome_of(const ExerciseReference& exercise, const Answers& answers) {
-  Outcome outcome;
-  for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
-    if (!answers[i]) continue;
-    (passes(exercise, i, *answers[i]) ? outcome.right : outcome.wrong).push_back(i);
-  }
-  return outcome;
-}
 
 /// The numbers of the result that are wrong at some case; empty where entries are not compared one by one or the shape
 /// differs from case to case.
@@ -49,80 +33,12 @@ std::set<std::size_t> wrong_entries(const ExerciseReference& exercise, const Ans
   return wrong;
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  if (names.size() < 2) return names.empty() ? "" : names.front();
-  return fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
-}
-
-// --- features of a case that may decide
-
-struct Feature {
-  std::string words;        ///< to follow "wrong exactly where": "theta < 0"
-  std::vector<bool> holds;  ///< per case
-};
-
-Feature feature(std::string words, const Quantity& quantity, const std::function<bool(double)>& test) {
-  Feature made{std::move(words), {}};
-  for (const double value : quantity.values) made.holds.push_back(test(value));
-  return made;
-}
-
-std::vector<Feature> features_of(const ExerciseReference& exercise) {
-  std::vector<Feature> features;
-  const std::vector<Quantity> quantities = quantities_of(exercise);
-  const std::size_t cases = exercise.cases.size();
-  for (const Quantity& q : quantities) {
-    features.push_back(feature(q.name + " = 0", q, [](double value) { return value == 0; }));
-    features.push_back(feature(q.name + " < 0", q, [](double value) { return value < 0; }));
-    features.push_back(feature(q.name + " > 0", q, [](double value) { return value > 0; }));
-    if (!q.is_angle()) continue;
-    const auto pi = std::numbers::pi;
-    features.push_back(feature("|" + q.name + "| > π/2", q, [pi](double value) { return std::abs(value) > pi / 2; }));
-    features.push_back(feature("|" + q.name + "| > π", q, [pi](double value) { return std::abs(value) > pi; }));
-    features.push_back(feature("sin(" + q.name + ") < 0", q, [](double value) { return std::sin(value) < 0; }));
-    features.push_back(feature("cos(" + q.name + ") < 0", q, [](double value) { return std::cos(value) < 0; }));
-    features.push_back(
-        feature("sin(" + q.name + ") = 0", q, [](double value) { return std::abs(std::sin(value)) < 1e-12; }));
-  }
-  for (std::size_t a = 0; a < quantities.size(); ++a) {
-    for (std::size_t b = a + 1; b < quantities.size(); ++b) {
-      const Quantity& one = quantities[a];
-      const Quantity& other = quantities[b];
-      if (!(one.unit == other.unit) || one.unit == units::none || one.is_angle()) continue;
-      Feature equal{one.name + " = " + other.name, {}};
-      Feature less{one.name + " < " + other.name, {}};
-      Feature more{one.name + " > " + other.name, {}};
-      for (std::size_t i = 0; i < cases; ++i) {
-        const double x = one.values[i], y = other.values[i];
-        equal.holds.push_back(std::abs(x - y) <= 1e-12 * std::max(std::abs(x), std::abs(y)));
-        less.holds.push_back(x < y && !equal.holds.back());
-        more.holds.push_back(x > y && !equal.holds.back());
-      }
-      for (Feature* each : {&equal, &less, &more}) features.push_back(std::move(*each));
-    }
-  }
-  for (std::size_t a = 0; a < exercise.arguments.size(); ++a) {
-    const Argument& argument = exercise.arguments[a];
-    if (argument.kind != Kind::vector && argument.kind != Kind::points) continue;
-    const auto count = [&](std::size_t i) {
-      const Value& value = exercise.cases[i].inputs[a];
-      return argument.kind == Kind::points ? value.cols : value.rows;
-    };
-    for (const int size : {0, 1}) {
-      Feature few{fmt::format("{} has {}", argument.name, size == 0 ? "no entry" : "one entry only"), {}};
-      for (std::size_t i = 0; i < cases; ++i) few.holds.push_back(count(i) == size);
-      features.push_back(std::move(few));
-    }
-  }
-  return features;
-}
-
 }  // namespace
 
 std::optional<Diagnosis> diagnose_place(const ExerciseReference& exercise, const Answers& answers) {
   const std::set<std::size_t> wrong = wrong_entries(exercise, answers);
   const Value& shape = exercise.cases.front().expected;
-  const Outcome outcome = outcome_of(exercise, answers);
+  const Outcomes outcome = outcomes_of(exercise, answers);
   if (wrong.empty() || wrong.size() == shape.numbers.size() || wrong.size() > 4) return std::nullopt;
   std::vector<std::string> names;
   for (const std::size_t n : wrong) names.push_back(entry_name(shape, exercise.result_kind, n));
@@ -137,74 +53,46 @@ std::optional<Diagnosis> diagnose_place(const ExerciseReference& exercise, const
                    ""};
 }
 
-std::optional<Diagnosis> diagnose_split(const ExerciseReference& exercise, const Answers& answers) {
-  const Outcome outcome = outcome_of(exercise, answers);
-  constexpr std::size_t fewest = 2;
-  constexpr std::size_t fewest_right = 4;
-  if (outcome.wrong.size() < fewest || outcome.right.size() < fewest_right) return std::nullopt;
-  std::vector<const Feature*> exact;
-  const std::vector<Feature> features = features_of(exercise);
-  for (const Feature& each : features) {
-    const auto holds = [&](std::size_t i) { return each.holds[i]; };
-    if (std::ranges::all_of(outcome.wrong, holds) && std::ranges::none_of(outcome.right, holds)) exact.push_back(&each);
-  }
-  if (exact.size() != 1) return std::nullopt;  // of several that fit none is certain
-  return Diagnosis{DiagnosisKind::split, "split",
-                   fmt::format("Yours is wrong exactly where {} ({} of {}), and right elsewhere.", exact.front()->words,
-                               outcome.wrong.size(), plural(outcome.right.size() + outcome.wrong.size(), "case")),
-                   ""};
-}
-
-std::optional<Diagnosis> diagnose_conditional(const ExerciseReference& exercise, const Answers& answers) {
-  const Outcome outcome = outcome_of(exercise, answers);
-  std::vector<std::size_t> wrong = outcome.wrong;
-  std::erase_if(wrong, [&](std::size_t i) { return i >= exercise.described_cases(); });
-  if (wrong.size() < 2 || outcome.right.empty()) return std::nullopt;
-  std::optional<Diagnosis> named;
-  for (const Misconception& each : exercise.misconceptions) {
-    const bool fits = std::ranges::all_of(wrong, [&](std::size_t i) {
-      return !passes(exercise, i, each.outputs[i]) && is_same_answer(exercise, i, *answers[i], each.outputs[i]);
-    });
-    if (!fits) continue;
-    if (named && named->message != each.message) return std::nullopt;
-    named = Diagnosis{DiagnosisKind::misconception, each.name,
-                      fmt::format("At the cases where yours is wrong, and only there: {}", each.message), each.notes};
-  }
-  return named;
-}
-
-std::optional<Diagnosis> diagnose_independence(const ExerciseReference& exercise, const Answers& answers) {
+std::vector<IndependentInput> independent_inputs(const ExerciseReference& exercise, const Answers& answers) {
   struct Change {
-    std::set<int> bases;  // near one of them alone the result may well be constant
+    std::set<int> right_moves;  // the cases near which the right result depends on it
     bool moves_yours = false;
-    bool moves_right = false;
   };
   std::map<std::pair<int, int>, Change> changes;
   for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
     const Case& one = exercise.cases[i];
     if (one.base < 0 || one.argument < 0) continue;
     const auto base = static_cast<std::size_t>(one.base);
+    const int entry = one.inputs[static_cast<std::size_t>(one.argument)].numbers.size() == 1 ? 0 : one.entry;
     const auto has_number = [&](std::size_t k) { return answers.at(k) && answers[k]->is_finite(); };
-    if (!has_number(i) || !has_number(base)) continue;
-    Change& change = changes[{one.argument, one.entry}];
-    change.bases.insert(one.base);
-    change.moves_yours = change.moves_yours || !is_same_answer(exercise, i, *answers[i], *answers[base]);
-    change.moves_right =
-        change.moves_right || !is_same_answer(exercise, i, one.expected, exercise.cases[base].expected);
+    Change& change = changes[{one.argument, entry}];
+    if (!has_number(i) || !has_number(base) || answers[i]->numbers != answers[base]->numbers) {
+      change.moves_yours = true;  // or not known, and so not said
+    } else if (!is_same_answer(exercise, i, one.expected, exercise.cases[base].expected)) {
+      change.right_moves.insert(one.base);
+    }
   }
-  std::vector<std::string> names;
+  std::vector<IndependentInput> found;
   for (const auto& [place, change] : changes) {
-    if (change.bases.size() < 2 || change.moves_yours || !change.moves_right) continue;
-    const Argument& argument = exercise.arguments[static_cast<std::size_t>(place.first)];
-    const bool whole_is_named =
-        changes.contains({place.first, -1}) && place.second >= 0 && !changes.at({place.first, -1}).moves_yours;
-    if (!whole_is_named)
-      names.push_back(argument.name +
-                      (place.second < 0 ? "" : entry_suffix(argument.kind, static_cast<std::size_t>(place.second))));
+    if (place.second >= 0 && change.right_moves.size() >= 2 && !change.moves_yours)
+      found.push_back({static_cast<std::size_t>(place.first), static_cast<std::size_t>(place.second)});
   }
-  if (names.empty() || names.size() > 3) return std::nullopt;
-  return Diagnosis{DiagnosisKind::independence, "independence",
-                   fmt::format("Your result never changes with {}; the right one does.", listed(names)), ""};
+  return found;
+}
+
+Diagnosis independence(const ExerciseReference& exercise, const std::vector<IndependentInput>& inputs) {
+  std::vector<std::string> names;
+  const std::vector<Quantity> quantities = quantities_of(exercise);
+  for (const Quantity& each : quantities) {
+    const auto is_of_argument = [&](const auto& other) { return other.argument == each.argument; };
+    if (std::ranges::find(inputs, IndependentInput{each.argument, each.entry}) == inputs.end()) continue;
+    const bool is_whole =
+        std::ranges::count_if(inputs, is_of_argument) == std::ranges::count_if(quantities, is_of_argument);
+    const std::string& name = is_whole ? exercise.arguments[each.argument].name : each.name;
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  }
+  return {DiagnosisKind::independence, "independence",
+          fmt::format("Your result never changes with {}; the right one does.", listed(names)), ""};
 }
 
 std::optional<Diagnosis> diagnose_entries(const ExerciseReference& exercise, const Answers& answers) {
@@ -241,22 +129,64 @@ std::optional<Diagnosis> diagnose_entries(const ExerciseReference& exercise, con
   }
   if (moved.size() == wrong.size() && moved.size() <= 3)
     return Diagnosis{DiagnosisKind::entry, "moved_entry", capitalized(listed(moved)) + ".", ""};
-  // The wrong entries as one misconception, or one changed input, would give them.
-  std::optional<Diagnosis> named;
-  const auto consider = [&](const std::vector<Value>& outputs, const Diagnosis& diagnosis) {
-    const bool fits = std::ranges::all_of(deciding, [&](std::size_t i) {
-      return std::ranges::all_of(wrong, [&](std::size_t n) { return is_entry(i, n, outputs[i].numbers[n]); });
-    });
-    if (fits && named && named->message != diagnosis.message) named->name.clear();
-    if (fits && !named) named = diagnosis;
+  return std::nullopt;
+}
+
+std::optional<Diagnosis> diagnose_range(const ExerciseReference& exercise, const Answers& answers) {
+  if (exercise.comparison != Comparison::attitude_by_angles) return std::nullopt;
+  std::optional<std::size_t> first;
+  std::size_t beyond = 0;
+  for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
+    if (!answers[i] || !is_same_answer(exercise, i, *answers[i], exercise.cases[i].expected)) return std::nullopt;
+    if (passes(exercise, i, *answers[i])) continue;
+    if (!first) first = i;
+    ++beyond;
+  }
+  if (!first) return std::nullopt;
+  return Diagnosis{
+      DiagnosisKind::property, "range",
+      fmt::format("Your angles give the right attitude at every case, but at {} θ is not in [0, π]: it is "
+                  "{} at the case “{}”. (φ + π, −θ, ψ + π) is the same attitude.",
+                  plural(beyond, "case"), number_text(answers[*first]->numbers[1], 4), exercise.cases[*first].name),
+      ""};
+}
+
+std::optional<Diagnosis> diagnose_eigenvectors(const ExerciseReference& exercise, const Answers& answers) {
+  if (exercise.comparison != Comparison::eigenvectors) return std::nullopt;
+  std::size_t total = 0, unsorted = 0, left_handed = 0, oblique = 0;
+  for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
+    if (!answers[i] || !answers[i]->is_finite()) return std::nullopt;
+    ++total;
+    const Eigen::Matrix3d I = as_matrix(exercise.cases[i].inputs.at(0)), V = as_matrix(*answers[i]);
+    const Eigen::Vector3d moments = (V.transpose() * I * V).diagonal();
+    const double allowed = clear_margin * exercise.cases[i].tolerance;
+    const bool are_axes = (I * V - V * moments.asDiagonal()).norm() <= allowed * I.norm();
+    const bool are_units = (V.colwise().norm().array() - 1).abs().maxCoeff() <= allowed;
+    if (!are_axes || !are_units) return std::nullopt;
+    if (passes(exercise, i, *answers[i])) continue;
+    const double step = allowed * I.norm();
+    if (moments[0] > moments[1] + step || moments[1] > moments[2] + step)
+      ++unsorted;
+    else if (std::abs(std::abs(V.determinant()) - 1) > allowed)
+      ++oblique;
+    else
+      ++left_handed;
+  }
+  std::vector<std::string> faults;
+  const auto add = [&](std::size_t count, const char* words) {
+    if (count > 0) faults.push_back(fmt::format("at {} they {}", plural(count, "case"), words));
   };
-  std::vector<std::string> names;
-  for (const std::size_t n : wrong) names.push_back(entry_name(shape, exercise.result_kind, n));
-  const std::string where = capitalized(listed(names));
-  for (const Misconception& each : exercise.misconceptions)
-    consider(each.outputs, {DiagnosisKind::entry, each.name, fmt::format("{}: {}", where, each.message), each.notes});
-  if (named && named->name.empty()) return std::nullopt;
-  return named;
+  add(unsorted, "are not in the order of ascending moments");
+  add(left_handed, "form a left-handed triad (determinant −1)");
+  add(oblique, "are not perpendicular to each other, as axes of equal moments need not be by themselves");
+  if (faults.empty()) return std::nullopt;
+  return Diagnosis{DiagnosisKind::entry,
+                   unsorted > 0      ? "order"
+                   : left_handed > 0 ? "handedness"
+                                     : "oblique",
+                   fmt::format("Your columns are principal axes of length 1 at all {}, but {}.", plural(total, "case"),
+                               listed(faults)),
+                   ""};
 }
 
 }  // namespace workbook

@@ -132,14 +132,6 @@ void check_routes(const ExerciseReference& exercise, Sentences& found) {
   }
 }
 
-/// Bugs that no case shows.
-void check_adequacy(const Adequacy& adequacy, Sentences& found) {
-  for (const std::string& bug : adequacy.survivors) {
-    if (adequacy.reason(bug).empty())
-      found.push_back(fmt::format("No case shows the bug “{}”: add one, or say with survivor(...) why none can.", bug));
-  }
-}
-
 /// Generated cases carry no outputs of wrong answers, terms and routes.
 ExerciseReference without_generated_cases(ExerciseReference exercise) {
   const std::size_t described = exercise.described_cases();
@@ -158,7 +150,16 @@ Sentences unsound_parts(const ExerciseReference& exercise) {
   check_misconceptions(described, found);
   check_terms(described, found);
   check_routes(described, found);
-  check_adequacy(exercise.adequacy, found);
+  std::ranges::move(unshown_bugs(exercise.adequacy), std::back_inserter(found));
+  return found;
+}
+
+Sentences unshown_bugs(const Adequacy& adequacy) {
+  Sentences found;
+  for (const std::string& bug : adequacy.survivors) {
+    if (adequacy.reason(bug).empty())
+      found.push_back(fmt::format("No case shows the bug “{}”: add one, or say with survivor(...) why none can.", bug));
+  }
   return found;
 }
 

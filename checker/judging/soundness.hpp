@@ -13,4 +13,7 @@ namespace workbook {
 /// not add up to the expected result, routes that do not pass, too few cases. Empty for a sound exercise.
 std::vector<std::string> unsound_parts(const ExerciseReference& exercise);
 
+/// Bugs that no case shows and for which there is no reason: a sentence each.
+std::vector<std::string> unshown_bugs(const Adequacy& adequacy);
+
 }  // namespace workbook

@@ -26,7 +26,7 @@ struct NormalEquations {
       : lengths(columns.colwise().norm()), unit(columns * lengths.cwiseInverse().asDiagonal()) {
     decomposition.compute(unit.transpose().lazyProduct(unit));
   }
-  bool are_independent() const { return decomposition.vectorD().minCoeff() > 1e-12; }
+  bool are_independent() const { return lengths.minCoeff() > 0 && decomposition.vectorD().minCoeff() > 1e-12; }
   VectorXd solve(const VectorXd& values) const {
     return decomposition.solve(unit.transpose().lazyProduct(values)).cwiseQuotient(lengths);
   }

@@ -1,6 +1,5 @@
 // A failing case in full, as a student reads it; the text is in golden/cases.txt.
 #include "checker/report/failure_text.hpp"
-#include "checker/report/text_table.hpp"
 #include "tests/judging/made_up.hpp"
 #include "tests/support/files.hpp"
 

@@ -44,6 +44,10 @@ Exercise angles(double phi, double theta, double psi) {
   return given_results(Kind::vector3, {vector({phi, theta, psi})}, Comparison::attitude_by_angles);
 }
 
+Exercise aircraft(double yaw, double pitch, double roll) {
+  return given_results(Kind::vector3, {vector({yaw, pitch, roll})}, Comparison::attitude_by_yaw_pitch_roll);
+}
+
 }  // namespace
 
 TEST_CASE("A difference of just the tolerance passes, one beyond it does not, nor does what is not finite") {
@@ -82,11 +86,10 @@ TEST_CASE("Eigenvectors pass with any signs that keep them right-handed, in thei
   check_passing(axes_of({1, 1.5, 4}), {}, {to_value(turned)});
 }
 
-TEST_CASE("Angles pass if they give the attitude") {
-  check_passing(
-      angles(0.3, 0.7, 1.1),
-      {vector({0.3, 0.7, 1.1}), vector({0.3 + 2 * pi, 0.7, 1.1 - 2 * pi}), vector({0.3 + pi, -0.7, 1.1 - pi})},
-      {vector({1.1, 0.7, 0.3}), vector({0.3, -0.7, 1.1})});
+TEST_CASE("Angles pass if they give the attitude, with θ in [0, π]") {
+  check_passing(angles(0.3, 0.7, 1.1), {vector({0.3, 0.7, 1.1}), vector({0.3 + 2 * pi, 0.7, 1.1 - 4 * pi})},
+                {vector({1.1, 0.7, 0.3}), vector({0.3, -0.7, 1.1}), vector({0.3 + pi, -0.7, 1.1 + pi}),
+                 vector({0.3, 0.7 + 2 * pi, 1.1})});
   // Without a tilt only the sum of the two other angles counts, and with θ = π only their difference.
   check_passing(angles(0.3, 0, 1.1), {vector({1.4, 0, 0})}, {vector({0.8, 0, 0})});
   check_passing(angles(0.3, pi, 1.1), {vector({0, pi, 0.8})}, {});
@@ -104,6 +107,12 @@ TEST_CASE("A conserved sum is held to its own size, more strictly than the entri
   // An entry without weight, and 0.0008 of 1; then 0.0018 of 1, and another constant.
   check_passing(conserved(), {three_rows({{1, 0}, {0, 1}, {2, 2.001}}), three_rows({{1, 0}, {0, 1.0004}, {2, 2}})},
                 {three_rows({{1, 0}, {0, 1.0009}, {2, 2}}), three_rows({{1.0009, 0}, {0, 1.0009}, {2, 2}})});
+}
+
+TEST_CASE("Yaw, pitch and roll are compared through their matrix, with the pitch in its range") {
+  check_passing(aircraft(0.3, 0.7, 1.1), {vector({0.3 + 2 * pi, 0.7, 1.1 - 2 * pi})},
+                {vector({0.3 + pi, pi - 0.7, 1.1 + pi}), vector({0.3, -0.7, 1.1}), vector({1.1, 0.7, 0.3})});
+  check_passing(aircraft(0.3, pi / 2, 0), {vector({1.3, pi / 2, 1})}, {vector({1.3, pi / 2, -1})});
 }
 
 TEST_CASE("Two wrong answers are one if they agree within the tolerance, and not finite in the same places") {

@@ -65,7 +65,7 @@ Table misconceptions() {
     add(table, wrong.name, sound, wrong.outputs, "misconception " + wrong.name);
   const Values& wrong = sound.misconceptions[0].outputs;
   Values mixed = outputs(sound, right_momentum);
-  for (std::size_t i : {2, 5}) mixed[i] = wrong[i];
+  for (std::size_t i : {2, 4, 5}) mixed[i] = wrong[i];
   add(table, "not at all cases", sound, mixed, "misconception no_two");
   mixed = outputs(sound, right_momentum);
   for (std::size_t i = 0; i < mixed.size(); ++i) mixed[i].numbers[1] = wrong[i].numbers[1];
@@ -76,7 +76,7 @@ Table misconceptions() {
   add_misconception(right, "right", "You are right, and yet.", right_momentum);
   mixed = outputs(right, right_momentum);
   mixed.back().numbers[0] = 1;
-  add(table, "wrong where it does not decide", right, mixed, "place place");
+  add(table, "wrong where it does not decide", right, mixed, "split few, place place");
 
   Exercise not_finite = momentum();
   add_misconception(not_finite, "divided", "You divide by the second component of zero.", [](const Inputs& in) {
@@ -88,13 +88,27 @@ Table misconceptions() {
   add_misconception(triple, "ones", "You give ones.", [](auto&) { return vector({1, 1, 1}); });
   mixed = times(triple, 1);
   for (Value& value : mixed) value.numbers[1] = 1;
-  add(table, "in one component, by no formula", triple, mixed, "entry ones");
+  add(table, "in one component, by no formula", triple, mixed, "place place");
 
   const Eigen::Matrix3d V = Eigen::AngleAxisd(0.4, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
   const Eigen::Matrix3d signs = Eigen::Vector3d(-1, 1, -1).asDiagonal();
   Exercise axes = eigenvectors(to_value(V * Eigen::Vector3d(1, 2, 4).asDiagonal() * V.transpose()), to_value(V));
   axes.misconceptions = {{"rows", "The axes are your rows.", "", {to_value(V.transpose())}, {}}};
   add(table, "eigenvectors as rows, other signs", axes, {to_value(signs * V.transpose())}, "misconception rows");
+
+  const auto sorted = Eigen::Vector3d(1, 2, 4).asDiagonal();
+  const Value tensor = to_value(V * sorted * V.transpose());
+  const Exercise two = [&] {
+    Exercise made = eigenvectors(tensor, to_value(V));
+    made.cases.push_back(made.cases.front());
+    return made;
+  }();
+  const Value in_order = to_value(V), another_order = to_value(V(Eigen::all, {1, 2, 0}));
+  add(table, "axes in another order", two, {in_order, another_order}, "entry order");
+  add(table, "axes left-handed", two, {in_order, to_value(-V)}, "entry handedness");
+  add(table, "no axes", two, {in_order, diagonal(1, 1, 1)});
+  Exercise angles = given_results(Kind::vector3, {vector({1, 0.5, 2})}, Comparison::attitude_by_angles);
+  add(table, "θ negative", angles, {vector({1 + std::numbers::pi, -0.5, 2 + std::numbers::pi})}, "property range");
   return table;
 }
 
@@ -169,7 +183,7 @@ Table patterns() {
 
   Values once = outputs(momentum(), right_momentum);
   once[4].numbers[2] += 1;
-  add(table, "one component at one case", momentum(), once, "place place");
+  add(table, "one component at one case", momentum(), once, "split few, place place");
   // Zeros are not said to belong elsewhere.
   const Exercise zero = given_results(Kind::vector3, Values(4, vector({1, 0, 2})));
   add(table, "zero, as another component", zero, Values(4, vector({0, 0, 2})), "place place");
@@ -177,7 +191,25 @@ Table patterns() {
   Exercise moved = momentum();
   for (int base : {1, 2}) add_generated(moved, base, 2, vector({7, 8, 9}), right_momentum);
   const Function without_v = [](const Inputs& in) { return vector({0, in[0].numbers[0], 1}); };
-  add(table, "v is not used", moved, outputs(moved, without_v), "independence independence");
+  add(table, "v is not used", moved, outputs(moved, without_v));
+
+  // A case that differs from a right one in one change only.
+  Values changed = outputs(moved, right_momentum);
+  changed.back().numbers[1] += 1;
+  moved.cases.back().name = "v = 7 (" + moved.cases[2].name + ")";
+  add(table, "wrong after one change", moved, changed, "split one_change, place place");
+
+  Exercise still = momentum();
+  for (int k : {1, 2, 3})
+    add_case(still, fmt::format("at rest {}", k), {number(k), vector({0, 0, 0}), vector({1, 2, 1.0 * k})},
+             right_momentum);
+  Values at_rest = outputs(still, right_momentum);
+  for (std::size_t i = 9; i < at_rest.size(); ++i) at_rest[i] = vector({0, 0, 0});
+  add(table, "zero at some of the cases where u is", still, at_rest);
+  still.cases[8].inputs[1].numbers[0] = 1e-3;
+  still.cases[8].expected = right_momentum(still.cases[8].inputs);
+  at_rest[8] = still.cases[8].expected;
+  add(table, "zero where u is, and only there", still, at_rest, "split split");
   return table;
 }
 
@@ -253,6 +285,33 @@ TEST_CASE("What is said of a wrong answer has the right kind and name") {
     }
   }
   compare_with_golden("diagnoses.txt", text);
+}
+
+TEST_CASE("An input is independent where at two cases at least it moves the right result, and never the student's") {
+  Exercise exercise = momentum();
+  const Function of_v_2_only = [](const Inputs& in) { return vector({in[0].numbers[0], in[2].numbers[1], 1}); };
+  for (int base : {1, 2}) {
+    for (int entry : {0, 1}) {
+      Value changed = exercise.cases[static_cast<std::size_t>(base)].inputs[2];
+      changed.numbers[static_cast<std::size_t>(entry)] *= 1.37;
+      add_generated(exercise, base, 2, changed, right_momentum);
+      exercise.cases.back().entry = entry;
+    }
+  }
+  const Answers answers = all_answers(outputs(exercise, of_v_2_only));
+  const auto found = independent_inputs(exercise, answers);
+  REQUIRE(found.size() == 1);
+  CHECK(found[0] == IndependentInput{2, 0});
+  CHECK(independence(exercise, found).message.find("v_1") != std::string::npos);
+  CHECK(independence(exercise, {{2, 0}, {2, 1}, {2, 2}}).message.find("with v;") != std::string::npos);
+  Answers without_number = answers;
+  without_number[1]->numbers[0] = not_a_number;
+  CHECK(independent_inputs(exercise, without_number).empty());
+  Answers rounded = answers;
+  rounded.back()->numbers[2] += 1e-15;
+  CHECK(independent_inputs(exercise, rounded).size() == 1);
+  rounded[9]->numbers[2] += 1e-15;
+  CHECK(independent_inputs(exercise, rounded).empty());
 }
 
 TEST_CASE("Nothing is said of a right answer, nor where no value came back") {

@@ -244,6 +244,7 @@ TEST_CASE("a result that is not filled is found, on the heap and on the stack") 
     const std::vector<Finding> findings = diagnostic_run(failed->task(), toolchain(), shared_cache());
     REQUIRE(findings.size() == 1);
     CHECK(findings[0].name == "never_set");
+    CHECK(findings[0].line == 3);  // where it is declared
   }
 }
 

@@ -9,6 +9,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <set>
 
 namespace workbook::testing {
 
@@ -54,7 +55,7 @@ struct Judged {
   }
 
   std::optional<Finding> slip() const {
-    return slip_of_one_token({submission, reference, observation, judgement}, toolchain(), shared_cache());
+    return slip_or_branch({submission, reference, observation, judgement}, toolchain(), shared_cache());
   }
 };
 
@@ -74,6 +75,14 @@ TEST_CASE("the one token with which all cases are right is found, with its place
       {"return n * std::abs(x);", "slip_function", 7, 17},
       {"const Vector3d v(x, 1, 2);\nreturn n * v[1];", "slip_index", 8, 14},
       {"return n + x * x;", "", 0, 0},
+      {"double sum = 0;\nfor (int i = 1; i < 3; ++i) sum += n * x / 3;\nreturn sum;", "slip_number", 8, 14},
+      // A condition that only switches a wrong branch off is no slip.
+      {"if (x < 0) return 1.0;\nreturn n * x;", "branch", 7, 1},
+      {"if (x > 1) {\n  return n * x;\n} else {\n  return n / x;\n}", "branch", 7, 1},
+      {"return x == 2.0 ? 0 : n * x;", "branch", 7, 8},
+      {"return x < 0 ? -n * x : n * x;", "slip_sign", 7, 16},
+      {"const bool small = x < 1;\nif (small) return 0;\nreturn n * x;", "branch", 8, 1},
+      {"if (x > -9) return 7;\nreturn n * x;", "", 0, 0},  // taken always
   };
   for (const Slip& slip : slips) {
     CAPTURE(std::string(slip.body));
@@ -96,20 +105,26 @@ TEST_CASE("a variant that never ends, or throws, hides no other") {
   CHECK(slip->line == 8);  // another sign there is as good as one in the next line
 }
 
-TEST_CASE("a finding is decisive if its fix makes all cases right") {
-  const auto decisive = [](const std::string& body) -> std::string {
+TEST_CASE("findings are the reason if their fix makes all cases right, and a part of it if it changes the value") {
+  const auto reasons = [](const std::string& body) -> std::string {
     const Judged judged(body);
     const CompileTask task{judged.submission, "signed_by", signature("signed_by")};
     const Compilation compilation = compile(task, toolchain(), shared_cache());
-    const auto finding =
-        decisive_finding({judged.submission, judged.reference, judged.observation, judged.judgement},
-                         source_findings(task, compilation, toolchain(), shared_cache()), toolchain(), shared_cache());
-    return finding ? finding->name : "";
+    const CodeReasons found =
+        code_reasons({judged.submission, judged.reference, judged.observation, judged.judgement},
+                     source_findings(task, compilation, toolchain(), shared_cache()), toolchain(), shared_cache());
+    std::string names = found.are_all ? "all:" : "";
+    for (const Finding& each : found.findings) names += " " + each.name;
+    return names;
   };
-  CHECK(decisive("return 2 * n * x * (1 / 2);") == "integer_division");
-  CHECK(decisive("int half = x / 2;\nreturn 2 * n * half;") == "narrowing");
-  CHECK(decisive("return 2 * n * x * (1 / 3);") == "");  // another mistake besides
-  CHECK(decisive("return -n * x;") == "");               // nothing found
+  CHECK(reasons("return 2 * n * x * (1 / 2);") == "all: integer_division");
+  CHECK(reasons("const double a = 1 / 2 * x;\nconst double b = 1 / 2 * x;\nreturn n * (a + b);") ==
+        "all: integer_division integer_division");
+  CHECK(reasons("int half = x / 2;\nreturn 2 * n * half;") == "all: narrowing");
+  CHECK(reasons("int sum = 0;\nfor (int i = 0; i < 2; ++i) sum += n * x / 2;\nreturn sum;") == "all: narrowing");
+  CHECK(reasons("return n * x * (1 / 3);") == " integer_division");  // another mistake besides
+  CHECK(reasons("return -n * x + 0 * (1 / 3);") == "");              // it changes nothing
+  CHECK(reasons("return -n * x;") == "");                            // nothing found
 }
 
 TEST_CASE("a unit of variants knows its lines, and reads headers once") {
@@ -129,6 +144,58 @@ TEST_CASE("a unit of variants knows its lines, and reads headers once") {
     last = std::max(last, variant);
   }
   CHECK(last == static_cast<int>(variants.size()) - 1);
+}
+
+TEST_CASE("the branch that the failing cases take is named with its condition, and whether all is right without it") {
+  struct Wrong {
+    const char* body;
+    int line, column;
+    const char* condition;
+    bool repairs = true;
+  };
+  const Wrong wrongs[] = {
+      {"if (x > 1.5) return 0;\nreturn n * x;", 7, 1, "`x > 1.5` is true"},
+      {"if (!(x > 1.5))\n  return n * x;\nelse return 0;", 7, 1, "`!(x > 1.5)` is false"},
+      {"const double y = std::abs(x) < 0.6 ? 0 : x;\nreturn n * y;", 7, 18, "`std::abs(x) < 0.6` is true"},  // one case
+      {"if (x > 0)\n  if (x > 1.5) return 0;\nreturn n * x;", 8, 3, "`x > 1.5` is true"},
+      {"if (x < 1.5) x = 1;\nreturn n * x;", 7, 1, "`x < 1.5` is true"},  // 1 is right by chance
+      {"if (const double y = x; y > 1.5) return 0;\nreturn n * x;", 0, 0, ""},
+      {"if (x > 3) x = 0;\nreturn n * x * x;", 0, 0, ""},  // fails elsewhere too
+  };
+  for (const Wrong& wrong : wrongs) {
+    CAPTURE(std::string(wrong.body));
+    const auto found = Judged(wrong.body).slip();
+    REQUIRE(found.has_value() == (wrong.line > 0));
+    if (!found) continue;
+    CHECK(found->name == "branch");
+    CHECK(found->line == wrong.line);
+    CHECK(found->column == wrong.column);
+    CHECK_MESSAGE(found->sentence.find(wrong.condition) != std::string::npos, found->sentence);
+    CHECK((found->sentence.find("always") != std::string::npos) == wrong.repairs);
+  }
+  CHECK(nothing_left_running());
+}
+
+TEST_CASE("of the variants that are bugs, statements, comparisons and calls are left out or changed too") {
+  const std::string text =
+      Judged::text_of("Vector3d v(x, 0, 0);\nv.normalize();\nif (x < 0) std::swap(n, n);\nreturn n * v.norm();");
+  const ExerciseReference reference = n_times_x();
+  const SourceText source(text);
+  std::set<std::string> changed;
+  for (const Variant& mutant : source_mutants(source, reference)) changed.insert(edited(text, mutant.edits));
+  const auto has = [&](const std::string& from, const std::string& to) {
+    std::string wanted = text;
+    wanted.replace(wanted.find(from), from.size(), to);
+    return changed.contains(wanted);
+  };
+  CHECK(has("v.normalize();", ";"));
+  CHECK(has("if (x < 0) std::swap(n, n);", ";"));
+  CHECK(has("x < 0", "x <= 0"));
+  CHECK(has("x < 0", "x > 0"));
+  CHECK(has("x < 0", "x < 1"));
+  CHECK(has("n * v", "n / v"));
+  CHECK(has("v.norm()", "v"));
+  CHECK(!changed.contains(text));
 }
 
 }  // namespace workbook::testing

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "checker/compile/compile.hpp"
-#include "checker/sandbox/run_exercise.hpp"
+#include "checker/sandbox/worker_process.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/processes.hpp"
 

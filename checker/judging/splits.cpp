@@ -1,0 +1,378 @@
+// What the cases have in common at which an answer is wrong.
+#include "checker/base/text.hpp"
+#include "checker/judging/diagnosis.hpp"
+#include "checker/judging/quantities.hpp"
+#include "checker/judging/value_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <set>
+#include <utility>
+
+namespace workbook {
+
+namespace {
+
+using Matrix = Eigen::MatrixXd;
+
+constexpr double same = 1e-12;  // relative, of numbers that are meant to be equal
+
+bool is_same_input(double one, double other) {
+  return std::abs(one - other) <= same * std::max(std::abs(one), std::abs(other));
+}
+
+/// Something that is so at some cases.
+struct Feature {
+  std::string words;        ///< to follow "wrong exactly where": "theta < 0"
+  std::vector<bool> holds;  ///< per case
+};
+
+/// All features that may decide.
+class Features {
+ public:
+  explicit Features(const ExerciseReference& exercise) : exercise_(exercise), quantities_(quantities_of(exercise)) {}
+
+  std::vector<Feature> all() {
+    for (std::size_t a = 0; a < exercise_.arguments.size(); ++a) {
+      of_argument(a);
+      if (exercise_.arguments[a].kind == Kind::matrix3) of_matrix(a);
+    }
+    for (const Quantity& each : quantities_) of_quantity(each);
+    of_pairs();
+    of_groups();
+    of_two_vectors();
+    return std::move(found_);
+  }
+
+ private:
+  void add(std::string words, const std::function<bool(std::size_t)>& test) {
+    Feature feature{std::move(words), {}};
+    for (std::size_t i = 0; i < exercise_.cases.size(); ++i) feature.holds.push_back(test(i));
+    found_.push_back(std::move(feature));
+  }
+
+  Eigen::Map<const Matrix> input(std::size_t i, std::size_t a) const { return as_matrix(exercise_.cases[i].inputs[a]); }
+
+  void of_quantity(const Quantity& q) {
+    const auto test = [&](const std::string& words, const std::function<bool(double)>& holds) {
+      add(words, [&](std::size_t i) { return holds(q.values[i]); });
+    };
+    if (exercise_.arguments[q.argument].kind == Kind::integer) {
+      for (const int number : {0, 1, 2})
+        test(fmt::format("{} = {}", q.name, number), [number](double value) { return value == number; });
+      return;
+    }
+    test(q.name + " = 0", [](double value) { return value == 0; });
+    test(q.name + " < 0", [](double value) { return value < 0; });
+    test(q.name + " > 0", [](double value) { return value > 0; });
+    if (!q.is_angle()) return;
+    constexpr auto pi = std::numbers::pi;
+    test("|" + q.name + "| > π/2", [](double value) { return std::abs(value) > pi / 2; });
+    test("|" + q.name + "| > π", [](double value) { return std::abs(value) > pi; });
+    test("sin(" + q.name + ") < 0", [](double value) { return std::sin(value) < 0; });
+    test("cos(" + q.name + ") < 0", [](double value) { return std::cos(value) < 0; });
+    test("sin(" + q.name + ") = 0", [](double value) { return std::abs(std::sin(value)) < same; });
+  }
+
+  void of_pairs() {
+    for (auto one = quantities_.begin(); one != quantities_.end(); ++one) {
+      for (auto other = one + 1; other != quantities_.end(); ++other) {
+        if (!(one->unit == other->unit) || one->unit == units::none || one->is_angle()) continue;
+        const auto x = [&](std::size_t i) { return one->values[i]; };
+        const auto y = [&](std::size_t i) { return other->values[i]; };
+        add(one->name + " = " + other->name, [&](std::size_t i) { return is_same_input(x(i), y(i)); });
+        add(one->name + " < " + other->name, [&](std::size_t i) { return x(i) < y(i) && !is_same_input(x(i), y(i)); });
+        add(one->name + " > " + other->name, [&](std::size_t i) { return x(i) > y(i) && !is_same_input(x(i), y(i)); });
+      }
+    }
+  }
+
+  /// "one of a, b, c is 0", "two of I_1, I_2, I_3 are equal".
+  void of_group(const std::vector<const Quantity*>& group) {
+    if (group.size() < 2 || group.size() > 4) return;
+    std::vector<std::string> names;
+    for (const Quantity* each : group) names.push_back(each->name);
+    const std::string all = fmt::format("{}", fmt::join(names, ", "));
+    const auto zeros = [&](std::size_t i) {
+      return std::ranges::count_if(group, [i](const Quantity* each) { return each->values[i] == 0; });
+    };
+    add("one of " + all + " is 0", [&](std::size_t i) { return zeros(i) > 0; });
+    add("all but one of " + all + " are 0",
+        [&](std::size_t i) { return zeros(i) + 1 == static_cast<std::ptrdiff_t>(group.size()); });
+    if (group.front()->unit == units::none || group.front()->is_angle() || group.size() < 3) return;
+    const auto equal_pairs = [&](std::size_t i) {
+      std::size_t count = 0;
+      for (std::size_t a = 0; a < group.size(); ++a)
+        for (std::size_t b = a + 1; b < group.size(); ++b)
+          count += group[a]->values[i] != 0 && is_same_input(group[a]->values[i], group[b]->values[i]) ? 1 : 0;
+      return count;
+    };
+    add("two of " + all + " are equal", [&](std::size_t i) { return equal_pairs(i) > 0; });
+    add(all + " are equal", [&](std::size_t i) { return equal_pairs(i) == group.size() * (group.size() - 1) / 2; });
+    add(all + " do not ascend", [&](std::size_t i) {
+      return !std::ranges::is_sorted(group, {}, [i](const Quantity* each) { return each->values[i]; });
+    });
+  }
+
+  /// The components of a vector, and the single numbers of one unit.
+  void of_groups() {
+    std::vector<const Quantity*> numbers;
+    for (std::size_t a = 0; a < exercise_.arguments.size(); ++a) {
+      std::vector<const Quantity*> components;
+      for (const Quantity& each : quantities_) {
+        if (each.argument != a) continue;
+        const Kind kind = exercise_.arguments[a].kind;
+        if (kind == Kind::vector3 || kind == Kind::vector2) components.push_back(&each);
+        if (kind == Kind::number) numbers.push_back(&each);
+      }
+      of_group(components);
+    }
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      std::vector<const Quantity*> alike;
+      for (const Quantity* each : numbers)
+        if (each->unit == numbers[k]->unit) alike.push_back(each);
+      if (alike.front() == numbers[k]) of_group(alike);
+    }
+  }
+
+  void of_argument(std::size_t a) {
+    const Argument& argument = exercise_.arguments[a];
+    if (exercise_.cases.front().inputs[a].numbers.size() > 1)
+      add(argument.name + " = 0", [&](std::size_t i) { return input(i, a).size() > 0 && input(i, a).isZero(0); });
+    if (argument.kind != Kind::vector && argument.kind != Kind::points && argument.kind != Kind::matrices) return;
+    // Lists of one length say the same.
+    if (!std::exchange(has_no_list_, false)) return;
+    const auto count = [&](std::size_t i) {
+      const Value& value = exercise_.cases[i].inputs[a];
+      return argument.kind == Kind::vector ? value.rows : argument.kind == Kind::points ? value.cols : value.cols / 3;
+    };
+    add(argument.name + " has no entry", [&](std::size_t i) { return count(i) == 0; });
+    add(argument.name + " has one entry only", [&](std::size_t i) { return count(i) == 1; });
+    if (argument.kind != Kind::vector) return;
+    const auto numbers = [&](std::size_t i) { return exercise_.cases[i].inputs[a].numbers; };
+    const auto is_negative = [](double number) { return number < 0; };
+    add("an entry of " + argument.name + " is negative",
+        [&](std::size_t i) { return std::ranges::any_of(numbers(i), is_negative); });
+    add(argument.name + " does not ascend", [&](std::size_t i) { return !std::ranges::is_sorted(numbers(i)); });
+  }
+
+  void of_matrix(std::size_t a) {
+    const std::string& name = exercise_.arguments[a].name;
+    const auto is_diagonal = [&](std::size_t i) { return Matrix(input(i, a)).isDiagonal(same); };
+    const auto ascends = [&](std::size_t i) {
+      const auto m = input(i, a);
+      return m(0, 0) <= m(1, 1) && m(1, 1) <= m(2, 2);
+    };
+    add(name + " is diagonal", is_diagonal);
+    add(name + " is not diagonal", [&](std::size_t i) { return !is_diagonal(i); });
+    add(name + " is diagonal, but its entries do not ascend",
+        [&](std::size_t i) { return is_diagonal(i) && !ascends(i); });
+    add(name + " is a multiple of the unit matrix", [&](std::size_t i) {
+      return is_diagonal(i) && is_same_input(input(i, a)(0, 0), input(i, a)(1, 1)) &&
+             is_same_input(input(i, a)(0, 0), input(i, a)(2, 2));
+    });
+    if (!(exercise_.arguments[a].unit == units::none)) return;
+    constexpr double nearly = 1e-12;  // a rotation matrix is known to rounding only
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      const std::string entry = fmt::format("{}_{}{}", name, k + 1, k + 1);
+      const auto is_axis = [&, k](std::size_t i, double sign) {
+        return (Eigen::Vector3d(input(i, a).col(k)) - sign * Eigen::Vector3d::Unit(k)).norm() < nearly;
+      };
+      add("|" + entry + "| = 1", [&](std::size_t i) { return is_axis(i, 1) || is_axis(i, -1); });
+      add(entry + " = 1", [&](std::size_t i) { return is_axis(i, 1); });
+      add(entry + " = −1", [&](std::size_t i) { return is_axis(i, -1); });
+    }
+  }
+
+  void of_two_vectors() {
+    for (std::size_t a = 0; a < exercise_.arguments.size(); ++a) {
+      for (std::size_t b = a + 1; b < exercise_.arguments.size(); ++b) {
+        const Argument &one = exercise_.arguments[a], &other = exercise_.arguments[b];
+        if (one.kind != Kind::vector3 || other.kind != Kind::vector3) continue;
+        if (one.unit == units::radian || other.unit == units::radian || one.unit == units::moment_of_inertia) continue;
+        const auto size = [&](std::size_t i) { return input(i, a).norm() * input(i, b).norm(); };
+        add(one.name + " and " + other.name + " are parallel", [&](std::size_t i) {
+          const Eigen::Vector3d u = input(i, a), v = input(i, b);
+          return size(i) > 0 && u.cross(v).norm() <= same * size(i);
+        });
+        add(one.name + " and " + other.name + " are perpendicular", [&](std::size_t i) {
+          const Eigen::Vector3d u = input(i, a), v = input(i, b);
+          return size(i) > 0 && std::abs(u.dot(v)) <= same * size(i);
+        });
+      }
+    }
+  }
+
+  const ExerciseReference& exercise_;
+  const std::vector<Quantity> quantities_;
+  std::vector<Feature> found_;
+  bool has_no_list_ = true;  // so far
+};
+
+/// What the answer is at the wrong cases: " There yours is zero."
+std::string words_of_wrong(const ExerciseReference& exercise, const Answers& answers,
+                           const std::vector<std::size_t>& wrong) {
+  if (exercise.comparison != Comparison::plain) return "";
+  const auto all = [&](const std::function<bool(double, double)>& test) {
+    return std::ranges::all_of(wrong, [&](std::size_t i) {
+      return std::ranges::equal(answers[i]->numbers, exercise.cases[i].expected.numbers, test);
+    });
+  };
+  if (all([](double yours, double) { return !std::isfinite(yours); })) return " There yours is not finite.";
+  if (all([](double yours, double) { return yours == 0; })) return " There yours is 0.";
+  const auto is_times = [&](double factor) {
+    return std::ranges::all_of(wrong, [&](std::size_t i) {
+      const Matrix scaled = factor * as_matrix(exercise.cases[i].expected);
+      return is_same_answer(exercise, i, *answers[i], to_value(scaled));
+    });
+  };
+  if (is_times(-1)) return " There yours is the negative of the right one.";
+  if (is_times(2)) return " There yours is twice the right one.";
+  if (is_times(0.5)) return " There yours is half of the right one.";
+  return "";
+}
+
+std::string in_quotes(const std::string& name) { return "“" + name + "”"; }
+
+}  // namespace
+
+Outcomes outcomes_of(const ExerciseReference& exercise, const Answers& answers) {
+  Outcomes outcome;
+  for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
+    if (!answers[i]) continue;
+    (passes(exercise, i, *answers[i]) ? outcome.right : outcome.wrong).push_back(i);
+  }
+  return outcome;
+}
+
+std::optional<Diagnosis> diagnose_split(const ExerciseReference& exercise, const Answers& answers) {
+  const Outcomes outcome = outcomes_of(exercise, answers);
+  constexpr std::size_t fewest = 2, fewest_right = 4, most_features = 2;
+  if (outcome.wrong.size() < fewest || outcome.right.size() < fewest_right) return std::nullopt;
+  std::vector<std::string> exact;
+  std::vector<std::pair<std::string, std::size_t>> nearly;  // with how many right ones there
+  for (const Feature& each : Features(exercise).all()) {
+    const auto holds = [&](std::size_t i) { return each.holds[i]; };
+    if (!std::ranges::all_of(outcome.wrong, holds)) continue;
+    const auto right = static_cast<std::size_t>(std::ranges::count_if(outcome.right, holds));
+    if (right == 0) exact.push_back(each.words);
+    // Where much is zero, a wrong answer may be right.
+    const bool tells_apart = outcome.wrong.size() >= 6 * right && outcome.right.size() >= 10 * right;
+    if (tells_apart && outcome.wrong.size() > 5) nearly.emplace_back(each.words, right);
+  }
+  // What is so of the whole is so of its components.
+  for (const Argument& argument : exercise.arguments)
+    if (!exact.empty() && exact.front() == argument.name + " = 0")
+      std::erase_if(exact, [&](const std::string& words) { return words.find(argument.name + "_") != words.npos; });
+  const std::string there = words_of_wrong(exercise, answers, outcome.wrong);
+  const std::string total = plural(outcome.right.size() + outcome.wrong.size(), "case");
+  if (!exact.empty() && exact.size() <= most_features)
+    return Diagnosis{DiagnosisKind::split, "split",
+                     fmt::format("Yours is wrong exactly where {}{} ({} of {}), and right elsewhere.{}", exact.front(),
+                                 exact.size() > 1 ? ", which here is also where " + exact.back() : "",
+                                 outcome.wrong.size(), total, there),
+                     ""};
+  if (!exact.empty() || nearly.size() != 1) return std::nullopt;  // of many that fit none is certain
+  const auto& [words, right] = nearly.front();
+  return Diagnosis{DiagnosisKind::split, "split",
+                   fmt::format("Yours is wrong only where {} (at {} of those {}), and right elsewhere.{}", words,
+                               outcome.wrong.size(), plural(outcome.wrong.size() + right, "case"), there),
+                   ""};
+}
+
+std::optional<Diagnosis> diagnose_one_side(const ExerciseReference& exercise, const Answers& answers) {
+  const Outcomes outcome = outcomes_of(exercise, answers);
+  constexpr std::size_t fewest = 4;
+  if (outcome.wrong.empty()) return std::nullopt;
+  struct Side {
+    std::string words;
+    std::size_t right = 0;
+  };
+  std::vector<Side> sides;
+  for (const Feature& each : Features(exercise).all()) {
+    const auto holds = [&](std::size_t i) { return each.holds[i]; };
+    if (std::ranges::any_of(outcome.wrong, holds)) continue;
+    const auto right = static_cast<std::size_t>(std::ranges::count_if(outcome.right, holds));
+    const std::size_t right_elsewhere = outcome.right.size() - right;
+    if (right < fewest || right_elsewhere * 10 > outcome.wrong.size() || right_elsewhere > right) continue;
+    sides.push_back({each.words, right});
+  }
+  if (sides.size() != 1) return std::nullopt;
+  const Side& side = sides.front();
+  const std::size_t elsewhere = outcome.right.size() + outcome.wrong.size() - side.right;
+  return Diagnosis{DiagnosisKind::split, "one_side",
+                   fmt::format("Yours is right at all {} where {}, and wrong at {} of the {} others.",
+                               plural(side.right, "case"), side.words, outcome.wrong.size(), elsewhere),
+                   ""};
+}
+
+std::optional<Diagnosis> diagnose_few(const ExerciseReference& exercise, const Answers& answers) {
+  const Outcomes outcome = outcomes_of(exercise, answers);
+  constexpr std::size_t most_named = 3;
+  const std::size_t total = outcome.right.size() + outcome.wrong.size();
+  if (outcome.wrong.empty() || outcome.wrong.size() * 8 > total) return std::nullopt;
+  // Wrong ones that differ from a right one in one change.
+  std::vector<std::pair<std::string, std::string>> changes;  // and the case that was changed
+  std::set<std::string> described;
+  for (const std::size_t i : outcome.wrong) {
+    const Case& one = exercise.cases[i];
+    const auto base = static_cast<std::size_t>(std::max(one.base, 0));
+    const std::string behind = one.base < 0 ? "" : " (" + exercise.cases[base].name + ")";
+    const bool is_change =
+        one.base >= 0 && one.name.ends_with(behind) && std::ranges::find(outcome.right, base) != outcome.right.end();
+    if (is_change)
+      changes.emplace_back(one.name.substr(0, one.name.size() - behind.size()), exercise.cases[base].name);
+    else
+      described.insert(one.name);
+  }
+  const std::string there = words_of_wrong(exercise, answers, outcome.wrong);
+  if (described.empty()) {
+    const auto [change, base] = changes.front();
+    const std::size_t others = changes.size() - 1;
+    return Diagnosis{DiagnosisKind::split, "one_change",
+                     fmt::format("Yours is right at the case {}, and wrong once this alone is changed there: {}{}.{}",
+                                 in_quotes(base), change,
+                                 others == 0 ? "" : fmt::format(" (and {} like it)", plural(others, "change")), there),
+                     ""};
+  }
+  if (described.size() + changes.size() > most_named) return std::nullopt;
+  std::vector<std::string> names;
+  for (const std::size_t i : outcome.wrong) names.push_back(in_quotes(exercise.cases[i].name));
+  return Diagnosis{DiagnosisKind::split, "few",
+                   fmt::format("Yours is right at {} of {}; only {} {} wrong.{}", outcome.right.size(),
+                               plural(total, "case"), listed(names), names.size() == 1 ? "is" : "are", there),
+                   ""};
+}
+
+std::optional<Diagnosis> diagnose_conditional(const ExerciseReference& exercise, const Answers& answers) {
+  const Outcomes outcome = outcomes_of(exercise, answers);
+  std::vector<std::size_t> wrong = outcome.wrong;
+  std::erase_if(wrong, [&](std::size_t i) { return i >= exercise.described_cases(); });
+  constexpr std::size_t fewest = 3;
+  // Where many values are one answer, as angles of one attitude are, few cases agree by accident.
+  if (exercise.comparison != Comparison::plain || wrong.size() < fewest || outcome.right.empty()) return std::nullopt;
+  const auto is_trivial = [&](const Value& value) {
+    return !value.is_finite() || std::ranges::all_of(value.numbers, [](double number) { return number == 0; });
+  };
+  std::optional<Diagnosis> named;
+  for (const Misconception& each : exercise.misconceptions) {
+    // Zeros agree with every wrong answer that happens to vanish there.
+    const bool is_telling = std::ranges::all_of(each.outputs, is_trivial) ||
+                            std::ranges::none_of(wrong, [&](std::size_t i) { return is_trivial(each.outputs[i]); });
+    const bool fits =
+        is_telling && std::ranges::all_of(wrong, [&](std::size_t i) {
+          return !passes(exercise, i, each.outputs[i]) && is_same_answer(exercise, i, *answers[i], each.outputs[i]);
+        });
+    if (!fits) continue;
+    if (named && named->message != each.message) return std::nullopt;
+    named = Diagnosis{DiagnosisKind::misconception, each.name,
+                      fmt::format("At the cases where yours is wrong, and only there: {}", each.message), each.notes};
+  }
+  return named;
+}
+
+}  // namespace workbook
