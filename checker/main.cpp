@@ -3,28 +3,15 @@
 #include "checker/base/console.hpp"
 #include "checker/base/text.hpp"
 #include "checker/commands/commands.hpp"
-#include "checker/course/did_you_mean.hpp"
 
-#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include <fcntl.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <csignal>
-#include <cstdlib>
-#include <exception>
-#include <filesystem>
-#include <functional>
-#include <map>
 #include <numeric>
-#include <string>
-#include <system_error>
-#include <type_traits>
-#include <vector>
 
 namespace {
 
@@ -149,53 +136,43 @@ std::string usage_sentence(const CLI::App& app, const CLI::ParseError& problem, 
   const std::vector<std::string> unexpected = app.remaining(true);
   if (unexpected.empty()) return fmt::format("{}. {}", printable(problem.what()), help);
   const std::string& word = unexpected.front();
-  const bool is_option = word.starts_with('-');
+  std::string kind = "further argument", meant;
   std::vector<std::string> known;
-  if (is_option) {
+  if (word.starts_with('-')) {
+    kind = "option";
     for (const CLI::Option* option : parsed.get_options())
-      std::ranges::copy(spellings(option), std::back_inserter(known));
+      for (const std::string& spelling : spellings(option)) known.push_back(spelling);
+    meant = did_you_mean(word, known);
   } else if (!has_command) {
+    kind = "command";
     for (const CLI::App* each : commands_of(app)) known.push_back(each->get_name());
-  }
-  std::string meant = did_you_mean(word, known);
-  if (meant.empty() && !is_option && !has_command) {
+    meant = did_you_mean(word, known);
     try {
-      Course(course_file).find(word);
-      meant = "check " + word;
+      if (meant.empty() && !Course(course_file).find(word).empty()) meant = "check " + word;
     } catch (const std::runtime_error&) {  // neither a command nor an exercise
     }
   }
-  return fmt::format("There is no {} '{}'. {}{}",
-                     is_option     ? "option"
-                     : has_command ? "further argument"
-                                   : "command",
-                     printable(word), meant.empty() ? "" : fmt::format("Did you mean '{}'? ", meant), help);
+  return fmt::format("There is no {} '{}'. {}{}", kind, printable(word),
+                     meant.empty() ? "" : fmt::format("Did you mean '{}'? ", meant), help);
 }
 
-/// The name on the card for what was typed: "3" for a lecture, or the path of an exercise's own file or of a lecture's
-/// folder. All else as it is. @throws UsageError for a file that is no exercise's own
-std::string known_name(const Course& course, const std::string& typed) {
-  int number = 0;
-  const char* const end = typed.data() + typed.size();
-  if (const auto read = std::from_chars(typed.data(), end, number); read.ec == std::errc() && read.ptr == end) {
-    for (const Card& card : course.cards())
-      if (std::stoi("0" + card.lecture.substr(0, card.lecture.find('_'))) == number) return card.lecture;
-  }
-  const fs::path path = typed;
-  if (path.extension() != ".cpp")
-    return typed.ends_with('/') ? path.parent_path().filename().string() : path.filename().string();
-  const bool is_there = fs::exists(path);
+/// The name for what was typed, which may be the path of an exercise's own file or of a lecture's folder. All else as
+/// it is. @throws UsageError for a file that is no exercise's own
+std::string known_name(const Course& course, const fs::path& typed) {
+  if (typed.extension() != ".cpp") return (typed.has_filename() ? typed : typed.parent_path()).filename();
+  const bool is_there = fs::exists(typed);
+  if (!is_there && !typed.has_parent_path()) return typed.stem();
+  if (!is_there) throw UsageError(fmt::format("There is no file {}.", printable(typed.string())));
   std::string named = "EXERCISE";
   for (const Exercise& exercise : course.exercises()) {
-    if (exercise.name() != path.stem()) continue;
+    if (exercise.name() != typed.stem()) continue;
     named = exercise.name();
     std::error_code ignored;
-    if (!is_there && !path.has_parent_path()) return exercise.name();
-    if (is_there && fs::equivalent(path, course.student_file(exercise), ignored)) return exercise.name();
+    if (fs::equivalent(typed, course.student_file(exercise), ignored)) return named;
   }
-  if (!is_there) throw UsageError(fmt::format("There is no file {}.", printable(typed)));
-  throw UsageError(fmt::format("{} is not an exercise's own file. To check it: `{}`.", printable(typed),
-                               command("check " + named + " --file " + shell_quoted(printable(typed)))));
+  const std::string file = printable(typed.string());
+  throw UsageError(fmt::format("{} is not an exercise's own file. To check it: `{}`.", file,
+                               command("check " + named + " --file " + shell_quoted(file))));
 }
 
 /// The build writes course.json beside the program.
@@ -223,6 +200,7 @@ class CommandLine {
     declare_options();
     add_commands_of_the_exercises();
     add_commands_of_the_course();
+    add_new();
   }
 
   int run(int argc, char** argv) {
@@ -233,13 +211,14 @@ class CommandLine {
       return app_.exit(problem);  // --help
     }
     const Course course(course_file_);
+    options_.seed = seed_.value_or(course.seed());
     for (std::string& name : options_.names) name = known_name(course, name);
     if (!options_.name.empty()) options_.name = known_name(course, options_.name);
-    return job_(course);
+    return job_(course, options_);
   }
 
  private:
-  using Job = std::function<int(const Course&)>;
+  using Job = std::function<int(const Course&, const Options&)>;
 
   /// Every option and argument once; a command names those that it takes. Words behind the first one tell apart
   /// options of one name.
@@ -251,7 +230,7 @@ class CommandLine {
     option("LECTURE", "", options_.name, "its name, number or topic", true);
     option("FOLDER", "", folder_, "a new folder for the copy", true);
     option("--file", "FILE", options_.file, "check this file instead of the exercise's own");
-    option("--seed", "NUMBER", options_.seed, "draw other random cases");
+    option("--seed", "NUMBER", seed_, "draw other random cases");
     option("--case", "CASE", options_.case_name, "show this case in full, by number or name, even if it passes");
     option("--started", "", options_.started, "leave out what is not started");
     option("--full", "", options_.full, "show everything: all failing cases, long lists, all compiler messages");
@@ -265,18 +244,16 @@ class CommandLine {
     option("--html", "FILE", options_.html, "the page to write; an older one is replaced", true);
     option("--name", "TEXT", options_.student, "whose page it is");
     option("--seeds", "NUMBER", seeds_, "how many seeds to try, from 1 on");
+    option("--mutants", "", mutants_, "try small bugs in the solutions instead: do the cases find all?");
     declared_["--picture"] = [this](CLI::App& command) {
       static const std::map<std::string, PictureKind> kinds = {{"auto", PictureKind::automatic},
                                                                {"kitty", PictureKind::kitty},
                                                                {"sixel", PictureKind::sixel},
                                                                {"text", PictureKind::text},
                                                                {"none", PictureKind::none}};
-      const auto known = [](const std::string& kind) {
-        return kinds.contains(kind) ? "" : fmt::format("{} is none of auto, kitty, sixel, text and none", kind);
-      };
       command.add_option("--picture", options_.picture, "the plot on the terminal: auto, kitty, sixel, text or none")
           ->transform(CLI::Transformer(kinds).description(""))
-          ->transform(CLI::Validator(known, ""))
+          ->transform(CLI::IsMember(kinds).description(""))
           ->default_str("auto")
           ->type_name("KIND");
     };
@@ -287,60 +264,51 @@ class CommandLine {
         "Grade exercises and explain what is wrong\n\nCompiles each exercise, runs it in a process of its own on the "
         "cases of the reference results, and compares. A failure is explained as far as the reason is certain, with "
         "where to read; then come the inputs, the expected value and yours for the first failing case. Verdicts on "
-        "the exercise's own file with seed 1 are saved as your progress.",
+        "the exercise's own file without --seed are saved as your progress.",
         {"check inertia_of_points", "check 3", "check 03 --started", "check inertia_of_points --case 2",
          "check inertia_of_points --file draft.cpp --plot", "check --seed 7 --json"},
-        {"NAME", "--file", "--seed", "--case", "--started", "--full", "--json", "--plot", "--picture"},
-        [this](const Course& course) { return check(course, options_); });
+        {"NAME", "--file", "--seed", "--case", "--started", "--full", "--json", "--plot", "--picture"}, check);
     add("watch", students,
         "Check every file as you save it\n\nStarts at the next exercise, or at the one that is named, and waits. Each "
         "time an exercise file is saved, its verdict replaces the one before; when it passes, the next exercise is "
         "shown. Keys: h hint, l list, p plot, n next, c all compiler messages, r check again, q quit.",
-        {"watch", "watch 03", "watch inertia_of_points"}, {"NAME of one"},
-        [this](const Course& course) { return watch(course, course_file_, options_.name); });
+        {"watch", "watch 03", "watch inertia_of_points"}, {"NAME of one"}, watch);
     add("list", students, "Show every exercise with its state", {}, {}, list);
     add("hint", students,
         "Show the next hint of an exercise\n\nEvery exercise has three hints, weakest first. Each call shows one more; "
         "the last one stays. Without a name: the next exercise that does not pass.",
-        {"hint", "hint inertia_of_points", "hint inertia_of_points --all"}, {"EXERCISE or next", "--all hints"},
-        [this](const Course& course) { return hint(course, options_); });
-    add("solution", students,
-        "Show the solution of an exercise that passes\n\nAnd where its derivation is to be read.",
-        {"solution inertia_of_points"}, {"EXERCISE", "--now"},
-        [this](const Course& course) { return solution(course, options_); });
+        {"hint", "hint inertia_of_points", "hint inertia_of_points --all"}, {"EXERCISE or next", "--all hints"}, hint);
+    add("solution", students, "Show the solution of an exercise that passes\n\nAnd where its derivation is to be read.",
+        {"solution inertia_of_points"}, {"EXERCISE", "--now"}, solution);
     add("plot", students,
         "Draw your curve on the reference\n\nWrites an SVG and a PNG with your curve on the reference and the "
         "difference below, and shows the picture in the terminal: as graphics where it knows the kitty or the sixel "
         "protocol, else as text. For instructors: --all --out DIR draws every exercise and copies every figure of the "
         "lectures.",
         {"plot inertia_of_points", "plot 03", "plot --all --out pictures"},
-        {"NAME", "--all plots", "--file", "--out", "--seed", "--picture"},
-        [this](const Course& course) { return plot(course, options_); });
+        {"NAME", "--all plots", "--file", "--out", "--seed", "--picture"}, plot);
     add("report", students,
         "Write one page about your work, to hand in or to read\n\nThe page needs no other file: verdicts, reasons, "
         "plots, your files, and what to read next.",
         {"report --html report.html", "report --html inertia.html 03 --name 'YOUR NAME'"},
-        {"NAME", "--html", "--name", "--file", "--seed"},
-        [this](const Course& course) { return report(course, options_); });
+        {"NAME", "--html", "--name", "--file", "--seed"}, report);
     add("reset", students,
         "Put an exercise back to the beginning\n\nYour version is kept in the folder .workbook/kept.",
-        {"reset inertia_of_points"}, {"EXERCISE"},
-        [this](const Course& course) { return reset(course, options_.name); });
+        {"reset inertia_of_points"}, {"EXERCISE"}, reset);
   }
 
   void add_commands_of_the_course() {
     add("figures", students,
         "Redraw the figures of a lecture with your own functions\n\nA figure that needs a function you have not "
         "started is left out, and the function is named.",
-        {"figures 03"}, {"LECTURE", "--out", "--seconds"},
-        [this](const Course& course) { return figures(course, options_); });
+        {"figures 03"}, {"LECTURE", "--out", "--seconds"}, figures);
     add("examples", students,
         "Run the worked examples of a lecture on your own functions\n\nShows which of them hold, which need a function "
         "that is not started, and for the others the check that failed, with both numbers.",
-        {"examples 03"}, {"LECTURE"}, [this](const Course& course) { return examples(course, options_); });
+        {"examples 03"}, {"LECTURE"}, examples);
     add("doctor", students, "Check what is installed and writable on this machine", {}, {}, doctor);
     add("completion", students, "Print a script that lets bash complete commands, options and names", {}, {},
-        [this](const Course& course) {
+        [this](const Course& course, const Options&) {
           fmt::print("{}", completion_script(app_, course));
           return static_cast<int>(all_passed);
         })
@@ -349,49 +317,50 @@ class CommandLine {
     add("handout", instructors,
         "Write the copy of the workbook that students get\n\nThe copy has no solutions: reference results, printed "
         "numbers and figures are data, and every exercise is back at the beginning. Students type the same commands "
-        "in it.",
-        {"handout ../phy711-students"}, {"FOLDER"}, [this](const Course& course) { return handout(course, folder_); });
+        "in it. With --seed all random cases are others, this year's for example.",
+        {"handout ../phy711-students", "handout ../phy711-2027 --seed 2027"}, {"FOLDER", "--seed"},
+        [this](const Course& course, const Options& options) { return handout(course, folder_, options.seed); });
     add("self-check", authors,
         "Check the workbook itself\n\nTries every stub, solution, right route, wrong answer, hint and pointer of the "
         "course, and names the file and the fix for everything that is wrong.",
-        {"self-check --seeds 20", "self-check 03"}, {"NAME", "--seeds"},
-        [this](const Course& course) {
+        {"self-check --seeds 20", "self-check 03", "self-check --mutants 03"}, {"NAME", "--seeds", "--mutants"},
+        [this](const Course& course, const Options& options) {
+          if (mutants_) return self_check_mutants(course, options.names);
           std::vector<std::uint64_t> seeds(static_cast<std::size_t>(seeds_));
           std::iota(seeds.begin(), seeds.end(), std::uint64_t{1});
-          return self_check(course, options_.names, seeds);
+          return self_check(course, options.names, seeds);
         })
         .get_option("--seeds")
         ->check(CLI::Range(1, 1000));
-    add_new();
   }
 
   void add_new() {
     CLI::App& added = *app_.add_subcommand("new", "Write the skeleton of a lecture or of an exercise")->group(authors);
     added.require_subcommand(1)->fallthrough();
-    added.footer(fmt::format("The skeleton builds at once; `{}` says what remains to be written. The page for authors in "
-                             "the notes walks through one exercise.\n\nExamples:\n  {}\n  {}",
-                             command("self-check NAME"), command("new lecture 09_gyroscopes"),
-                             command("new exercise precession_rate --lecture 09 --signature "
-                                     "'double precession_rate(const Vector3d& L, double torque)'")));
+    added.footer(
+        fmt::format("The skeleton builds at once; `{}` says what remains to be written. The page for authors in "
+                    "the notes walks through one exercise.\n\nExamples:\n  {}\n  {}",
+                    command("self-check NAME"), command("new lecture 09_gyroscopes"),
+                    command("new exercise precession_rate --lecture 09 --signature "
+                            "'double precession_rate(const Vector3d& L, double torque)'")));
+    const auto required = [](CLI::App* to, const char* name, const char* type, std::string& target, const char* help) {
+      to->add_option(name, target, help)->required()->type_name(type);
+    };
     CLI::App* lecture = added.add_subcommand("lecture", "Write the skeleton of a lecture");
-    lecture->add_option("folder", new_name_, "NN_topic; the number says where in the course it stands")
-        ->required()
-        ->type_name("FOLDER");
-    lecture->callback([this] { job_ = [this](const Course& course) { return new_lecture(course, new_name_); }; });
+    required(lecture, "folder", "FOLDER", new_name_, "NN_topic; the number says where in the course it stands");
+    lecture->callback([this] { job_ = [this](auto& course, auto&) { return new_lecture(course, new_name_); }; });
     CLI::App* exercise = added.add_subcommand("exercise", "Write the skeleton of an exercise");
-    exercise->add_option("name", new_name_, "the name of its function")->required()->type_name("NAME");
-    exercise->add_option("--lecture", new_lecture_, "its lecture")->required()->type_name("LECTURE");
-    exercise->add_option("--signature", signature_, "its declaration: 'Vector3d f(const Matrix3d& I, double t)'")
-        ->required()
-        ->type_name("TEXT");
+    required(exercise, "name", "NAME", new_name_, "the name of its function");
+    required(exercise, "--lecture", "LECTURE", new_lecture_, "its lecture");
+    required(exercise, "--signature", "TEXT", signature_, "its declaration: 'Vector3d f(const Matrix3d& I, double t)'");
     exercise->callback([this] {
-      job_ = [this](const Course& course) { return new_exercise(course, new_name_, new_lecture_, signature_); };
+      job_ = [this](auto& course, auto&) { return new_exercise(course, new_name_, new_lecture_, signature_); };
     });
   }
 
   /// @param help  its first line stands in the list of commands, the rest below the options
   CLI::App& add(const std::string& name, const char* group, const std::string& help,
-                const std::vector<std::string>& examples, const std::vector<std::string>& options, Job job) {
+                const std::vector<std::string>& examples, const std::vector<std::string>& options, const Job& job) {
     const std::size_t first_line = std::min(help.find('\n'), help.size());
     CLI::App& added = *app_.add_subcommand(name, help.substr(0, first_line))->group(group);
     added.fallthrough();  // --plain may follow the command
@@ -399,7 +368,7 @@ class CommandLine {
     for (const std::string& example : examples) footer += "\n  " + command(example);
     added.footer(footer);
     for (const std::string& option : options) declared_.at(option)(added);
-    added.callback([this, job = std::move(job)] { job_ = job; });
+    added.callback([this, job] { job_ = job; });
     return added;
   }
 
@@ -419,14 +388,16 @@ class CommandLine {
   fs::path course_file_;
   Options options_;
   fs::path folder_;
+  std::optional<std::uint64_t> seed_;
   int seeds_ = 3;
+  bool mutants_ = false;
   std::string new_name_, new_lecture_, signature_;
   std::map<std::string, std::function<void(CLI::App&)>> declared_;
   Job job_ = status;
 };
 
-/// A standard stream that is closed would lend its number to the next file or worker, which would then get what is meant
-/// for people. In its place comes one that cannot be written to.
+/// A standard stream that is closed would lend its number to the next file or worker, which would then get what is
+/// meant for people. In its place comes one that cannot be written to.
 void occupy_standard_descriptors() {
   int descriptor = 0;
   while (descriptor >= 0 && descriptor <= STDERR_FILENO) descriptor = ::open("/dev/null", O_RDONLY | O_CLOEXEC);

@@ -1,5 +1,8 @@
 #include "checker/base/child_process.hpp"
 
+#include "checker/base/files.hpp"
+#include "checker/base/text.hpp"
+
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
@@ -8,12 +11,11 @@
 #include <sys/socket.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <system_error>
+#include <cstring>
 #include <thread>
 
 namespace workbook {
@@ -26,31 +28,22 @@ struct Failure {
   int reason;
 };
 
+constexpr int report_descriptor = 4;  // closed by exec
 constexpr int first_free_descriptor = program_descriptor + 1;
 
+/// Both ends of a pipe or of a channel. What is written to the second is read from the first.
 struct Ends {
-  Descriptor ours;
-  Descriptor theirs;
+  Descriptor first, second;
+
+  explicit Ends(bool is_channel = false) {
+    std::array<int, 2> ends{};
+    const int made = is_channel ? ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data())
+                                : ::pipe2(ends.data(), O_CLOEXEC);
+    if (made != 0) throw LaunchError(is_channel ? "open a channel" : "open a pipe", errno);
+    first = Descriptor(ends[0]);
+    second = Descriptor(ends[1]);
+  }
 };
-
-Ends pipe_from_child() {
-  std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw LaunchError("open a pipe", errno);
-  return {Descriptor(ends[0]), Descriptor(ends[1])};
-}
-
-Ends pipe_to_child() {
-  Ends pipe = pipe_from_child();
-  std::swap(pipe.ours, pipe.theirs);
-  return pipe;
-}
-
-Ends socket_pair() {
-  std::array<int, 2> ends{};
-  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
-    throw LaunchError("open a channel", errno);
-  return {Descriptor(ends[0]), Descriptor(ends[1])};
-}
 
 /// Null-terminated pointers into strings that live on.
 std::vector<char*> pointers(const std::vector<std::string>& strings, const std::string* first = nullptr) {
@@ -59,6 +52,12 @@ std::vector<char*> pointers(const std::vector<std::string>& strings, const std::
   for (const std::string& string : strings) result.push_back(const_cast<char*>(string.c_str()));
   result.push_back(nullptr);
   return result;
+}
+
+void unblock_signals() noexcept {
+  sigset_t none;
+  ::sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
 /// The new process between fork and exec. Everything was allocated before; here are system calls only.
@@ -72,7 +71,8 @@ class NewProcess {
   int input, output, channel, report;
 
   [[noreturn]] void become_program() noexcept {
-    restore_signals();
+    for (int signal = 1; signal < NSIG; ++signal) ::signal(signal, SIG_DFL);
+    unblock_signals();
     const char* failed = place_descriptors();
     if (!failed) failed = tie_to_checker();
     if (!failed && directory && ::chdir(directory) != 0) failed = "enter its directory";
@@ -91,13 +91,6 @@ class NewProcess {
   }
 
  private:
-  static void restore_signals() noexcept {
-    for (int signal = 1; signal < NSIG; ++signal) ::signal(signal, SIG_DFL);
-    sigset_t none;
-    ::sigemptyset(&none);
-    ::sigprocmask(SIG_SETMASK, &none, nullptr);
-  }
-
   const char* place_descriptors() noexcept {
     // First all out of the way of the places that they shall take.
     for (int* descriptor : {&input, &output, &channel, &report}) {
@@ -133,18 +126,56 @@ class NewProcess {
   }
 };
 
-void set_nonblocking(int descriptor) { ::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) | O_NONBLOCK); }
-
 double seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
+constexpr rlim_t most_memory = rlim_t{4} << 30;  // a check needs some 100 MB; a scanner that runs wild stops here
+
+void write_all(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t put = ::write(descriptor, bytes.data(), bytes.size());
+    if (put < 0 && errno == EINTR) continue;
+    if (put <= 0) ::_exit(1);
+    bytes.remove_prefix(static_cast<std::size_t>(put));
+  }
+}
+
+/// The new process. It leaves by _exit: what the parent has begun to print, and its objects, are not its own.
+[[noreturn]] void work_and_exit(const std::function<std::string(const ForkedJob::Send&)>& work, int result,
+                                pid_t parent) {
+  unblock_signals();
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);  // not SIGKILL: it has compilers of its own to end
+  if (::getppid() != parent) ::_exit(1);
+#if !defined(__SANITIZE_ADDRESS__)  // which reserves terabytes of addresses
+  rlimit memory{};
+  ::getrlimit(RLIMIT_AS, &memory);
+  memory.rlim_cur = std::min(most_memory, memory.rlim_max);  // the soft limit: a sanitizer's process raises it again
+  ::setrlimit(RLIMIT_AS, &memory);
+#endif
+  try {
+    write_all(result, work([result](std::string_view bytes) { write_all(result, bytes); }));
+  } catch (...) {  // whatever it is: this must not go on in the parent's code
+    ::_exit(2);
+  }
+  ::_exit(0);
+}
+
+constexpr std::chrono::minutes longest_build{30};
+constexpr std::size_t most_output = std::size_t{4} << 20;
+
+Launch launch_of(const std::string& program, const std::vector<std::string>& arguments) {
+  Launch launch;
+  launch.program = program;
+  launch.arguments = arguments;
+  launch.environment = {"PATH=" + environment("PATH", "/usr/local/bin:/usr/bin:/bin")};
+  return launch;
+}
+
 }  // namespace
 
-LaunchError::LaunchError(const char* failed_step, int system_error)
-    : std::runtime_error(std::string(failed_step) + ": " + std::generic_category().message(system_error)),
-      step(failed_step),
-      reason(system_error) {}
+LaunchError::LaunchError(const char* step, int system_error)
+    : std::runtime_error(std::string(step) + ": " + std::generic_category().message(system_error)) {}
 
 int milliseconds_until(Clock::time_point deadline) {
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
@@ -152,10 +183,9 @@ int milliseconds_until(Clock::time_point deadline) {
 }
 
 ChildProcess::ChildProcess(const Launch& launch) {
-  const Ends input = pipe_to_child();  // closed at once: there is nothing to read
-  Ends output = pipe_from_child();
-  Ends report = pipe_from_child();
-  Ends channel = launch.with_channel ? socket_pair() : pipe_to_child();
+  const Ends input;  // closed at once: there is nothing to read
+  Ends output, report;
+  Ends channel(launch.with_channel);
   const std::vector<char*> arguments = pointers(launch.arguments, &launch.program);
   const std::vector<char*> environment = pointers(launch.environment);
   const std::string directory = launch.directory.string();
@@ -164,22 +194,21 @@ ChildProcess::ChildProcess(const Launch& launch) {
                    environment.data(),
                    directory.empty() ? nullptr : directory.c_str(),
                    ::getpid(),
-                   input.theirs.number(),
-                   output.theirs.number(),
-                   channel.theirs.number(),
-                   report.theirs.number()};
+                   input.first.number(),
+                   output.second.number(),
+                   channel.first.number(),
+                   report.second.number()};
   process_ = ::fork();
   if (process_ < 0) throw LaunchError("start a process", errno);
   if (process_ == 0) child.become_program();
 
-  output_ = std::move(output.ours);
-  set_nonblocking(output_.number());
-  (launch.with_channel ? channel_ : lifeline_) = std::move(channel.ours);
-  if (launch.with_channel) set_nonblocking(channel_.number());
-  report.theirs.close();
+  output_ = std::move(output.first);
+  (launch.with_channel ? channel_ : lifeline_) = std::move(channel.second);
+  for (const Descriptor& ours : {std::cref(output_), std::cref(channel_)}) ::fcntl(ours.number(), F_SETFL, O_NONBLOCK);
+  report.second.close();
   Failure failure{};
   ssize_t got = 0;
-  do got = ::read(report.ours.number(), &failure, sizeof failure);
+  do got = ::read(report.first.number(), &failure, sizeof failure);
   while (got < 0 && errno == EINTR);
   if (got == 0) return;  // closed by exec: the program runs
   kill();
@@ -188,10 +217,6 @@ ChildProcess::ChildProcess(const Launch& launch) {
 }
 
 ChildProcess::~ChildProcess() { kill(); }
-
-void ChildProcess::ask_to_end() {
-  if (!end_) ::kill(process_, SIGTERM);
-}
 
 void ChildProcess::close_write() { ::shutdown(channel_.number(), SHUT_WR); }
 
@@ -253,15 +278,90 @@ FinishedProgram run_program(const Launch& launch, std::chrono::duration<double> 
     finished.too_much_output = finished.output.size() > output_limit;
   }
   finished.output.resize(std::min(finished.output.size(), output_limit));
+  std::optional<ProcessEnd> end;
   if (!finished.out_of_time && !finished.too_much_output) {
-    if (const std::optional<ProcessEnd> end = process.wait_until(deadline)) {
-      finished.end = *end;
-      return finished;
-    }
-    finished.out_of_time = true;
+    end = process.wait_until(deadline);
+    finished.out_of_time = !end;
   }
-  finished.end = process.kill();
+  finished.end = end ? *end : process.kill();
   return finished;
+}
+
+FinishedProgram make(const Build& build, const std::vector<std::string>& targets) {
+  const std::string program = "/usr/bin/env";
+  std::vector<std::string> arguments = {"bash", build.setup.string(), "build/" + build.directory.filename().string()};
+  arguments.insert(arguments.end(), targets.begin(), targets.end());
+  Launch launch = launch_of(program, arguments);
+  // The script writes into a pipe; what went wrong is for the caller to say.
+  launch.environment.emplace_back(::isatty(STDERR_FILENO) != 0 ? "WORKBOOK_PROGRESS=terminal"
+                                                               : "WORKBOOK_PROGRESS=lines");
+  FinishedProgram finished = run_program(launch, longest_build, most_output, [](std::string_view piece) {
+    fmt::print(stderr, "{}", piece);
+    std::fflush(stderr);
+  });
+  if (!finished.succeeded()) finished.output = read_file(build.directory / "build.log").value_or(finished.output);
+  return finished;
+}
+
+FinishedProgram run_with_path(const std::string& program, const std::vector<std::string>& arguments,
+                              std::chrono::duration<double> limit) {
+  return run_program(launch_of(program, arguments), limit, most_output);
+}
+
+ForkedJob::ForkedJob(const std::function<std::string(const Send&)>& work, Clock::duration time_limit)
+    : deadline_(begun_ + time_limit) {
+  Ends pipe;
+  bytes_ = std::move(pipe.first);
+  const pid_t parent = ::getpid();
+  process_ = ::fork();
+  if (process_ < 0) throw LaunchError("start a process", errno);
+  if (process_ == 0) work_and_exit(work, pipe.second.number(), parent);
+  ::setpgid(process_, process_);  // Ctrl-C and Ctrl-Z are for the parent, which decides what becomes of its jobs
+  ::fcntl(bytes_.number(), F_SETFL, O_NONBLOCK);
+}
+
+ForkedJob::~ForkedJob() { end(); }
+
+bool ForkedJob::collect() {
+  std::array<char, 65536> buffer;
+  while (!closed_) {
+    const ssize_t got = ::read(bytes_.number(), buffer.data(), buffer.size());
+    if (got > 0) output_.append(buffer.data(), static_cast<std::size_t>(got));
+    if (got == 0) closed_ = true;
+    if (got < 0 && errno != EINTR) break;
+  }
+  return closed_;
+}
+
+std::string ForkedJob::finish() {
+  while (!collect()) {
+    if (Clock::now() >= deadline_) {
+      end();
+      return "it ran for too long";
+    }
+    pollfd watched{bytes_.number(), POLLIN, 0};
+    ::poll(&watched, 1, milliseconds_until(deadline_));
+  }
+  int status = 0;
+  while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) continue;
+  process_ = -1;
+  if (WIFSIGNALED(status)) return fmt::format("signal {} ({})", WTERMSIG(status), ::strsignal(WTERMSIG(status)));
+  return WEXITSTATUS(status) == 0 ? "" : "it failed";
+}
+
+void ForkedJob::end() {
+  if (process_ < 0) return;
+  ::kill(process_, SIGTERM);
+  const auto patience = Clock::now() + std::chrono::seconds(1);
+  while (::waitpid(process_, nullptr, WNOHANG) == 0) {
+    if (Clock::now() > patience) {
+      ::kill(process_, SIGKILL);
+      ::waitpid(process_, nullptr, 0);
+      break;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  process_ = -1;
 }
 
 }  // namespace workbook

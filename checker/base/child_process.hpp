@@ -1,19 +1,18 @@
 /// @file
-/// A program that runs beside the checker and cannot outlive it: the compiler, and the worker.
+/// What runs beside the checker and cannot outlive it: programs (the compiler, the worker, the build), and pieces of
+/// its own work.
 #pragma once
 
-#include "checker/base/descriptor.hpp"
+#include "checker/base/files.hpp"
 
 #include <sys/types.h>
 
 #include <chrono>
-#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace workbook {
@@ -22,16 +21,12 @@ using Clock = std::chrono::steady_clock;
 
 /// What the new process finds behind standard input, output and error.
 inline constexpr int channel_descriptor = 3;  ///< the socket pair to talk over, or the read end of the lifeline
-inline constexpr int report_descriptor = 4;   ///< closed by exec
 inline constexpr int program_descriptor = 5;  ///< with a channel: the program itself; closed by exec
 
 /// The program could not be started.
 struct LaunchError : std::runtime_error {
-  /// @param failed_step  "enter its directory". @param system_error  an errno
-  LaunchError(const char* failed_step, int system_error);
-
-  const char* step;
-  int reason;
+  /// @param step  that failed: "enter its directory". @param system_error  an errno
+  LaunchError(const char* step, int system_error);
 };
 
 /// What to start.
@@ -76,9 +71,6 @@ class ChildProcess {
   /// How the process ended, or nothing if it still runs at that time.
   std::optional<ProcessEnd> wait_until(Clock::time_point deadline);
 
-  /// Sends it the signal to end (SIGTERM), which it may take its time for, or ignore.
-  void ask_to_end();
-
   /// Ends the process and all its children, if any are left.
   ProcessEnd kill();
 
@@ -109,5 +101,54 @@ struct FinishedProgram {
 /// Runs a program and collects what it prints; a listener hears of every piece as it comes. @throws LaunchError
 FinishedProgram run_program(const Launch& launch, std::chrono::duration<double> time_limit, std::size_t output_limit,
                             const std::function<void(std::string_view)>& listener = {});
+
+struct Build {
+  std::filesystem::path setup;      ///< checker/setup.sh; empty where nothing can be built
+  std::filesystem::path directory;  ///< build/PRESET
+};
+
+/// Makes targets, with a line of progress on standard error. Where that fails, the output is what the build said.
+/// @throws LaunchError
+FinishedProgram make(const Build& build, const std::vector<std::string>& targets);
+
+/// Runs a program that finds others on PATH and inherits nothing else. @throws LaunchError
+FinishedProgram run_with_path(const std::string& program, const std::vector<std::string>& arguments,
+                              std::chrono::duration<double> limit);
+
+/// The process is ended with this object. It dies with the thread that made it, and what it has started itself
+/// dies with it (see ChildProcess). Make it while no other thread runs.
+class ForkedJob {
+ public:
+  /// Hands over bytes while the work goes on.
+  using Send = std::function<void(std::string_view)>;
+
+  /// @param work  returns the last bytes; what it throws counts as a failure
+  ForkedJob(const std::function<std::string(const Send&)>& work, Clock::duration time_limit);
+  ForkedJob(const std::function<std::string()>& work, Clock::duration time_limit)
+      : ForkedJob([&work](const Send&) { return work(); }, time_limit) {}
+  ~ForkedJob();
+  ForkedJob(const ForkedJob&) = delete;
+  ForkedJob& operator=(const ForkedJob&) = delete;
+
+  /// Becomes readable when there is something to collect.
+  int descriptor() const { return bytes_.number(); }
+  /// Takes what has come so far, without waiting. True once the job has closed its end.
+  bool collect();
+  /// Waits for the end. Returns "" if the job handed over its bytes, or what happened instead.
+  std::string finish();
+
+  const std::string& output() const { return output_; }
+  Clock::time_point begun() const { return begun_; }
+
+ private:
+  void end();
+
+  Clock::time_point begun_ = Clock::now();
+  Clock::time_point deadline_;
+  pid_t process_ = -1;
+  Descriptor bytes_;
+  std::string output_;
+  bool closed_ = false;
+};
 
 }  // namespace workbook

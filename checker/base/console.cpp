@@ -2,15 +2,12 @@
 
 #include "checker/base/text.hpp"
 
-#include <fmt/color.h>
-#include <fmt/format.h>
-
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
+#include <utility>
 
 namespace workbook {
 
@@ -19,44 +16,18 @@ namespace {
 constexpr std::size_t narrowest = 30;     // below that, wrapping hurts more than it helps
 constexpr std::size_t comfortable = 100;  // longer lines are hard to read
 
-fmt::text_style text_style(Style style) {
-  switch (style) {
-    case Style::plain:
-      return {};
-    case Style::strong:
-      return fmt::emphasis::bold;
-    case Style::quiet:
-      return fmt::emphasis::faint;
-    case Style::good:
-      return fmt::fg(fmt::terminal_color::green) | fmt::emphasis::bold;
-    case Style::bad:
-      return fmt::fg(fmt::terminal_color::red) | fmt::emphasis::bold;
-    case Style::warning:
-      return fmt::fg(fmt::terminal_color::yellow);
-  }
-  return {};
-}
+constexpr const char* codes[] = {"", "\033[1m", "\033[2m", "\033[1m\033[32m", "\033[1m\033[31m", "\033[33m"};
 
-bool is_set(const char* variable) {
-  const char* value = std::getenv(variable);
-  return value != nullptr && *value != '\0' && std::strcmp(value, "0") != 0;
-}
+bool is_set(const char* name) { return environment(name, "0") != "0"; }
 
 Console console_of(int descriptor) {
-  const char* term = std::getenv("TERM");
-  const char* no_color = std::getenv("NO_COLOR");
   const bool terminal = isatty(descriptor) != 0;
-  const bool wants_color = (terminal && term != nullptr && std::strcmp(term, "dumb") != 0) || is_set("CLICOLOR_FORCE");
-  const bool color = wants_color && (no_color == nullptr || *no_color == '\0');
-  std::size_t width = 80;
+  const bool wants_color = (terminal && environment("TERM", "dumb") != "dumb") || is_set("CLICOLOR_FORCE");
   winsize size{};
-  if (terminal && ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) {
-    width = size.ws_col;
-  } else if (const char* columns = std::getenv("COLUMNS")) {
-    const long said = std::strtol(columns, nullptr, 10);
-    if (said > 0) width = static_cast<std::size_t>(said);
-  }
-  return Console(std::max(width, narrowest), color, is_set("WORKBOOK_PLAIN"));
+  long width = std::strtol(environment("COLUMNS").c_str(), nullptr, 10);
+  if (terminal && ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) width = size.ws_col;
+  return Console(width > 0 ? std::max(static_cast<std::size_t>(width), narrowest) : 80,
+                 wants_color && environment("NO_COLOR").empty(), is_set("WORKBOOK_PLAIN"));
 }
 
 }  // namespace
@@ -71,7 +42,7 @@ std::string Console::mark(const std::string& mark, Style style) const {
 
 std::string Console::styled(const std::string& text, Style style) const {
   if (!color_ || style == Style::plain || text.empty()) return text;
-  return fmt::format(text_style(style), "{}", text);
+  return codes[static_cast<int>(style)] + text + "\033[0m";
 }
 
 std::string Console::wrapped(const std::string& text, std::size_t indent) const {
@@ -83,6 +54,27 @@ std::string Console::bar(std::size_t done, std::size_t total, std::size_t width)
   if (plain_) return "";
   const std::size_t filled = total > 0 ? width * done / total : 0;
   return styled(std::string(filled, '#'), Style::good) + styled(std::string(width - filled, '.'), Style::quiet);
+}
+
+ProgressBar::ProgressBar(bool wanted)
+    : wanted_(wanted && isatty(STDERR_FILENO) != 0 && !Console::of_standard_error().plain()) {}
+
+void ProgressBar::show(std::size_t done, std::size_t total, const std::string& what) {
+  if (!wanted_) return;
+  const Console console = Console::of_standard_error();
+  const std::string count = fmt::format(" {} of {}  ", done, total);
+  const std::size_t bar_width = std::clamp<std::size_t>(console.width() / 4, 5, 24);
+  // A line that is wider than the terminal would break and could not be written over.
+  const std::size_t left = console.width() - std::min(console.width(), bar_width + display_width(count) + 1);
+  fmt::print(stderr, "\r\033[K{}{}{}", console.bar(done, total, bar_width), count, shortened(what, left));
+  std::fflush(stderr);
+  shown_ = true;
+}
+
+void ProgressBar::clear() {
+  if (!std::exchange(shown_, false)) return;
+  fmt::print(stderr, "\r\033[K");
+  std::fflush(stderr);
 }
 
 }  // namespace workbook

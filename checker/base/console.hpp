@@ -1,10 +1,7 @@
 /// @file
-/// What the terminal can show: colour and width, and text that fits it.
+/// What the terminal can show: colour and width, text that fits it, and how far a long piece of work has come.
 #pragma once
 
-#include "checker/judging/value_text.hpp"
-
-#include <cstddef>
 #include <string>
 
 namespace workbook {
@@ -44,6 +41,27 @@ class Console {
   std::size_t width_;
   bool color_;
   bool plain_;
+};
+
+/// One line on standard error that is written over and over, and gone at the end. It shows on a terminal only, and not
+/// in the plain mode: a screen reader would read every state of it aloud.
+class ProgressBar {
+ public:
+  /// @param wanted  false: nothing is ever shown
+  explicit ProgressBar(bool wanted = true);
+  ~ProgressBar() { clear(); }
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+
+  /// `done` of `total` pieces are done, and `what` is being done now.
+  void show(std::size_t done, std::size_t total, const std::string& what);
+
+  /// Takes the line away, so that something else can be printed.
+  void clear();
+
+ private:
+  bool wanted_;
+  bool shown_ = false;
 };
 
 }  // namespace workbook

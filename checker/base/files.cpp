@@ -2,16 +2,11 @@
 
 #include "checker/base/text.hpp"
 
-#include <fmt/format.h>
-
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <fstream>
 #include <sstream>
-#include <system_error>
-#include <utility>
 
 namespace workbook {
 
@@ -64,8 +59,7 @@ std::string shown_path(const fs::path& file) {
 }
 
 std::string program_on_path(const std::string& name) {
-  const char* path = std::getenv("PATH");
-  std::istringstream folders(path == nullptr ? "" : path);
+  std::istringstream folders(environment("PATH"));
   for (std::string folder; std::getline(folders, folder, ':');) {
     const fs::path program = fs::path(folder) / name;
     std::error_code problem;

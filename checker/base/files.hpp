@@ -1,12 +1,13 @@
 /// @file
-/// Reading and writing whole files.
+/// Reading and writing whole files, and descriptors of open ones.
 #pragma once
 
-#include <cstddef>
+#include <unistd.h>
+
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <string_view>
+#include <utility>
 
 namespace workbook {
 
@@ -28,5 +29,28 @@ std::string shown_path(const std::filesystem::path& file);
 
 /// Where a program lies on PATH; "" if it is not installed.
 std::string program_on_path(const std::string& name);
+
+/// A file descriptor that closes itself.
+class Descriptor {
+ public:
+  Descriptor() = default;
+  explicit Descriptor(int number) : number_(number) {}
+  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(number_, other.number_);
+    return *this;
+  }
+  ~Descriptor() { close(); }
+
+  int number() const { return number_; }
+  explicit operator bool() const { return number_ >= 0; }
+
+  void close() {
+    if (number_ >= 0) ::close(std::exchange(number_, -1));
+  }
+
+ private:
+  int number_ = -1;
+};
 
 }  // namespace workbook

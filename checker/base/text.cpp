@@ -1,6 +1,5 @@
 #include "checker/base/text.hpp"
 
-#include <fmt/format.h>
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
 #include <boost/locale/utf.hpp>
@@ -9,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <cstdlib>
+#include <numeric>
 #include <sstream>
 #include <utility>
 
@@ -24,6 +24,22 @@ bool is_unsafe(boost::locale::utf::code_point point) {
   const bool is_bidirectional = (point >= 0x202a && point <= 0x202e) || (point >= 0x2066 && point <= 0x2069) ||
                                 point == 0x200e || point == 0x200f || point == 0x61c;
   return is_control || is_bidirectional;
+}
+
+/// Levenshtein's distance: letters to insert, delete or replace.
+std::size_t distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
+    }
+  }
+  return row.back();
 }
 
 }  // namespace
@@ -70,7 +86,7 @@ std::string padded(const std::string& text, std::size_t width) {
 }
 
 std::string padded_left(const std::string& text, std::size_t width) {
-  return std::string(width - std::min(width, display_width(text)), ' ') + text;
+  return padded("", width - std::min(width, display_width(text))) + text;
 }
 
 std::vector<std::string> lines_of(std::string_view text) {
@@ -106,6 +122,11 @@ std::vector<std::string> wrapped_lines(std::string_view text, std::size_t width,
 
 std::string plural(std::size_t count, const std::string& noun, const std::string& nouns) {
   return fmt::format("{} {}", count, count == 1 ? noun : nouns.empty() ? noun + "s" : nouns);
+}
+
+std::string listed(const std::vector<std::string>& words) {
+  if (words.size() < 2) return words.empty() ? "" : words.front();
+  return fmt::format("{} and {}", fmt::join(words.begin(), words.end() - 1, ", "), words.back());
 }
 
 std::string capitalized(std::string sentence) {
@@ -149,9 +170,27 @@ std::string shell_quoted(const std::string& word) {
   return quoted + "'";
 }
 
+std::string did_you_mean(const std::string& typed, const std::vector<std::string>& known) {
+  std::string best;
+  std::size_t fewest = std::max<std::size_t>(2, typed.size() / 3) + 1;
+  for (const std::string& name : known) {
+    const bool continued = typed.size() >= 4 && name.find(typed) != std::string::npos;
+    const std::size_t changes = continued ? 1 : distance(typed, name);
+    if (changes < fewest) {
+      fewest = changes;
+      best = name;
+    }
+  }
+  return best;
+}
+
+std::string environment(const char* variable, const char* otherwise) {
+  const char* const value = std::getenv(variable);
+  return value == nullptr || *value == '\0' ? otherwise : value;
+}
+
 std::string command(const std::string& arguments) {
-  const char* typed = std::getenv("WORKBOOK_PROGRAM");
-  return fmt::format("{} {}", typed == nullptr || *typed == '\0' ? "checker" : typed, arguments);
+  return environment("WORKBOOK_PROGRAM", "checker") + " " + arguments;
 }
 
 }  // namespace workbook

@@ -1,6 +1,8 @@
 /// @file
-/// Text for terminals, pages and JSON. All of it is UTF-8.
+/// Text for terminals, pages and JSON, and the library that formats it. All of it is UTF-8.
 #pragma once
+
+#include <fmt/format.h>
 
 #include <cstddef>
 #include <string>
@@ -36,6 +38,9 @@ std::vector<std::string> wrapped_lines(std::string_view text, std::size_t width,
 /// "1 case", "3 cases"; `nouns` for words that take no s: plural(2, "matrix", "matrices").
 std::string plural(std::size_t count, const std::string& noun, const std::string& nouns = "");
 
+/// "a, b and c"
+std::string listed(const std::vector<std::string>& words);
+
 /// "Entry (1,2) …" for "entry (1,2) …".
 std::string capitalized(std::string sentence);
 
@@ -52,6 +57,12 @@ std::string fingerprint(std::string_view bytes);
 
 /// A word as a POSIX shell reads it back: in single quotes where it needs them.
 std::string shell_quoted(const std::string& word);
+
+/// The known name with the fewest letters to change; empty if none is near enough to be meant.
+std::string did_you_mean(const std::string& typed, const std::vector<std::string>& known);
+
+/// A variable of the environment; where it is not set or empty, `otherwise`.
+std::string environment(const char* variable, const char* otherwise = "");
 
 /// What to type for a command of the checker: "./checker/run check NAME".
 std::string command(const std::string& arguments);

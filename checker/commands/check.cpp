@@ -1,26 +1,37 @@
+// The commands check, plot and report: all of them check exercises, and differ in what they make of it.
 #include "checker/base/console.hpp"
 #include "checker/base/files.hpp"
 #include "checker/base/text.hpp"
 #include "checker/commands/commands.hpp"
-#include "checker/course/did_you_mean.hpp"
+#include "checker/course/exercise_texts.hpp"
 #include "checker/course/progress.hpp"
-#include "checker/pipeline/check_job.hpp"
-#include "checker/report/json_report.hpp"
-#include "checker/report/overlay.hpp"
-#include "checker/report/progress_bar.hpp"
-#include "checker/report/terminal_picture.hpp"
-#include "checker/report/terminal_report.hpp"
-
-#include <fmt/format.h>
+#include "checker/pipeline/check_exercise.hpp"
+#include "checker/report/reports.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
+#include <cstring>
+#include <ctime>
 
 namespace workbook {
 
 namespace {
 
-/// What is drawn of one exercise. A plot that fails changes no verdict.
+namespace fs = std::filesystem;
+
+std::vector<CheckTask> tasks_of(const Course& course, const Options& options) {
+  const std::vector<Exercise> exercises = course.choose(options.names);
+  if ((options.file || options.case_name) && exercises.size() != 1)
+    throw UsageError(
+        fmt::format("--file and --case need one exercise, for example `{}`.", command("check EXERCISE --file FILE")));
+  std::vector<CheckTask> tasks;
+  tasks.reserve(exercises.size());
+  for (const Exercise& exercise : exercises) tasks.push_back(check_task(course, exercise, options.seed, options.file));
+  return tasks;
+}
+
+/// What is drawn of one exercise, in words too. A plot that fails changes no verdict.
 void draw(const Course& course, const CheckResult& checked, PictureKind picture, const Console& console,
           bool to_terminal) {
   if (checked.executable.empty()) return;
@@ -38,11 +49,8 @@ void draw(const Course& course, const CheckResult& checked, PictureKind picture,
 void draw_unasked(const Course& course, const CheckResult& checked, const Console& console) {
   if (checked.judgement.verdict != Verdict::wrong_value) return;
   std::fflush(stdout);  // the verdict does not wait for its picture
-  if (program_on_path("gnuplot").empty()) {
-    fmt::print("  Plot   {}\n", command("plot " + checked.name()));
-  } else {
-    draw(course, checked, PictureKind::none, console, true);
-  }
+  if (!program_on_path("gnuplot").empty()) return draw(course, checked, PictureKind::none, console, true);
+  fmt::print("  Plot   {}\n", command("plot " + checked.name()));
 }
 
 /// The case of that number, counted from 1, or name. @throws UnknownName
@@ -52,10 +60,11 @@ std::size_t find_case(const ExerciseReference& exercise, const std::string& aske
   const auto [end, problem] = std::from_chars(asked.data(), asked.data() + asked.size(), number);
   if (problem == std::errc() && end == asked.data() + asked.size() && number >= 1 && number <= cases.size())
     return number - 1;
-  const auto found = std::ranges::find(cases, asked, &Case::name);
-  if (found != cases.end()) return static_cast<std::size_t>(found - cases.begin());
   std::vector<std::string> known;
-  for (std::size_t i = 0; i < exercise.described_cases(); ++i) known.push_back(cases[i].name);
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (cases[i].name == asked) return i;
+    if (i < exercise.described_cases()) known.push_back(cases[i].name);
+  }
   const std::string proposal = did_you_mean(asked, known);
   throw UnknownName(fmt::format("{} has no case '{}'. {}", exercise.name, printable(asked),
                                 proposal.empty() ? fmt::format("Its cases have the numbers 1 to {}; the first are: {}.",
@@ -69,17 +78,62 @@ int exit_status(const std::vector<CheckResult>& results) {
   return std::ranges::all_of(results, passed) ? all_passed : something_failed;
 }
 
+/// Every figure of every lecture, copied; returns how many.
+std::size_t copy_all_figures(const Course& course, const fs::path& directory,
+                             const std::function<void(const std::string&, ExitStatus)>& complain) {
+  std::size_t count = 0;
+  for (const Card& card : course.cards()) {
+    if (course.has_solutions() && !make(course.build(), {"figures_" + card.lecture}).succeeded()) {
+      complain(
+          fmt::format("The figures of {} cannot be drawn; `ninja -C build/workbook figures` says why.", card.lecture),
+          checker_failed);
+      continue;
+    }
+    const std::size_t copied = copy_figures(course, card.lecture, directory / card.lecture);
+    if (copied == 0)
+      complain(fmt::format("The figures of {} are not in this copy of the workbook.", card.lecture), all_passed);
+    count += copied;
+  }
+  return count;
+}
+
+[[noreturn]] void refuse_page(const fs::path& file, const std::string& reason) {
+  throw std::runtime_error(fmt::format("The page cannot be written to {} ({}); give --html another file.",
+                                       printable(file.string()), reason));
+}
+
+/// "" or why nothing can be written into a folder, which is made if need be: found out before the long work begins.
+std::string folder_trouble(const fs::path& folder) {
+  std::error_code problem;
+  fs::create_directories(folder, problem);
+  if (problem) return problem.message();
+  return access(folder.c_str(), W_OK) == 0 ? "" : std::strerror(errno);
+}
+
+/// The plot, where the function gave a value. A plot that fails leaves the page without it.
+void add_picture(const Course& course, ReportedExercise& reported) {
+  const CheckResult& checked = reported.checked;
+  if (checked.executable.empty() || !checked.is_judged()) return;
+  try {
+    const Overlay overlay = overlay_of(checked);
+    if (overlay.student.empty()) return;
+    const std::string terminal = "svg noenhanced size 640,512 font 'Helvetica,14' background rgb 'white'";
+    reported.picture = drawn_overlay(overlay, terminal, plots_directory(course));
+    reported.picture_description =
+        fmt::format("Plot of {}: {}. The submitted function on the reference{}; below, the difference.", checked.name(),
+                    overlay.sweep->title,
+                    overlay.misconception.empty() ? "" : fmt::format(" and on “{}”", overlay.misconception_name));
+  } catch (const std::runtime_error&) {  // there is none
+  }
+}
+
 }  // namespace
 
-std::vector<CheckTask> tasks_of(const Course& course, const Options& options) {
-  const std::vector<Exercise> exercises = course.choose(options.names);
-  if ((options.file || options.case_name) && exercises.size() != 1)
-    throw UsageError(
-        fmt::format("--file and --case need one exercise, for example `{}`.", command("check EXERCISE --file FILE")));
-  std::vector<CheckTask> tasks;
-  tasks.reserve(exercises.size());
-  for (const Exercise& exercise : exercises) tasks.push_back(check_task(course, exercise, options.seed, options.file));
-  return tasks;
+void require_pictures(const fs::path& directory) {
+  if (program_on_path("gnuplot").empty()) throw std::runtime_error(gnuplot_is_missing);
+  if (const std::string trouble = folder_trouble(directory); !trouble.empty())
+    throw std::runtime_error(fmt::format("Pictures cannot be written into {} ({}); give another folder with --out.",
+                                         shown_path(directory), trouble));
 }
 
 int check(const Course& course, const Options& options) {
@@ -103,7 +157,7 @@ int check(const Course& course, const Options& options) {
   check_all(context, tasks, [&](CheckResult checked) {
     ++done;
     if (checked.task.counts_as_progress() && checked.is_judged())
-      progress.remember(checked.name(), {to_string(checked.judgement.verdict), fingerprint(checked.source)});
+      progress.remember(checked.name(), to_string(checked.judgement.verdict), checked.source);
     progress_bar.clear();
     if (options.started && !checked.is_started()) return;
     if (!options.json) fmt::print("{}", terminal_report(checked, course, console, detail));
@@ -127,6 +181,91 @@ int check(const Course& course, const Options& options) {
   }
   if (!progress.warning().empty()) fmt::print(stderr, "{}\n", progress.warning());
   return exit_status(results);
+}
+
+int plot(const Course& course, const Options& options) {
+  if (options.all && !options.names.empty()) throw UsageError("--all draws the whole course; leave out the names.");
+  if (!options.all && options.names.empty())
+    throw UsageError(fmt::format("Say which exercise to plot, for example `{}`, or --all.",
+                                 command("plot " + course.exercises().front().name())));
+  const std::vector<CheckTask> tasks = tasks_of(course, options);
+  const fs::path directory = options.out.value_or(plots_directory(course));
+  require_pictures(directory);
+
+  const Console console = Console::of_standard_output();
+  const PictureKind picture =
+      options.all ? PictureKind::none : choose_picture(options.picture, tasks.size(), traits_of_this_terminal(console));
+  CheckContext context(course);
+  int worst = all_passed;
+  ProgressBar progress_bar;
+  const auto complain = [&](const std::string& sentence, ExitStatus status) {
+    progress_bar.clear();
+    fmt::print(stderr, "{}\n", sentence);
+    worst = std::max<int>(worst, status);
+  };
+  std::size_t done = 0;
+  std::size_t drawn = 0;
+  check_all(context, tasks, [&](const CheckResult& checked) {
+    if (tasks.size() > 1) progress_bar.show(++done, tasks.size(), checked.name());
+    if (!checked.is_judged()) return complain(checked.judgement.message, checker_failed);
+    try {
+      const Overlay overlay = overlay_of(checked);
+      const fs::path folder = options.all ? directory / "overlays" / checked.task.exercise.lecture() : directory;
+      const std::vector<fs::path> files = draw_overlay(overlay, folder, checked.name());
+      ++drawn;
+      progress_bar.clear();
+      fmt::print("{}", terminal_picture(picture, overlay, files.back(), console));
+      for (const fs::path& file : files)
+        if (!options.all) fmt::print("{}\n", file.string());
+      if (!overlay.student.empty()) return;
+      worst = std::max<int>(worst, something_failed);
+      fmt::print("{}\n", console.wrapped(fmt::format("{}: only the reference is drawn, because your function gave no "
+                                                     "value. {}",
+                                                     checked.name(), checked.judgement.message)));
+    } catch (const std::runtime_error& problem) {
+      complain(problem.what(), checker_failed);
+    }
+  });
+  if (options.all) {
+    const std::size_t figures = copy_all_figures(course, directory / "figures", complain);
+    fmt::print("{} and {}, each as SVG and PNG, are in\n  {}\n", plural(drawn, "overlay"), plural(figures, "figure"),
+               shown_path(directory));
+  }
+  return worst;
+}
+
+int report(const Course& course, const Options& options) {
+  const std::vector<CheckTask> tasks = tasks_of(course, options);
+  std::error_code ignored;
+  const std::string trouble = folder_trouble(fs::absolute(options.html).parent_path());
+  if (!trouble.empty()) refuse_page(options.html, trouble);
+  if (fs::exists(options.html, ignored) && !fs::is_regular_file(options.html, ignored))
+    refuse_page(options.html, "not an ordinary file");
+
+  ReportedCourse reported;
+  reported.student = options.student;
+  const std::time_t now = std::time(nullptr);
+  reported.date.resize(std::size("YYYY-MM-DD"));
+  reported.date.resize(std::strftime(reported.date.data(), reported.date.size(), "%Y-%m-%d", std::localtime(&now)));
+  reported.seed = options.seed;
+  const bool has_gnuplot = !program_on_path("gnuplot").empty();
+  if (!has_gnuplot) reported.picture_trouble = gnuplot_is_missing;
+  for (const Card& card : course.cards()) reported.headings.merge(read_headings(course.notes_file(card)));
+
+  CheckContext context(course);
+  ProgressBar progress_bar;
+  check_all(context, tasks, [&](CheckResult checked) {
+    progress_bar.show(reported.exercises.size(), tasks.size(), checked.name());
+    ReportedExercise exercise{std::move(checked), {}, {}};
+    if (has_gnuplot) add_picture(course, exercise);
+    reported.exercises.push_back(std::move(exercise));
+  });
+  progress_bar.clear();
+
+  if (const std::string reason = write_file(options.html, report_page(reported)); !reason.empty())
+    refuse_page(options.html, reason);
+  fmt::print("The page is in {}.\n", printable(options.html.string()));
+  return all_passed;
 }
 
 }  // namespace workbook

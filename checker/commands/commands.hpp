@@ -2,15 +2,7 @@
 /// What the program can be asked to do. Every command returns the exit status.
 #pragma once
 
-#include "checker/course/course.hpp"
-#include "checker/report/terminal_picture.hpp"
-
-#include <cstdint>
-#include <filesystem>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <vector>
+#include "checker/report/overlay.hpp"
 
 namespace workbook {
 
@@ -26,7 +18,7 @@ struct Options {
   std::vector<std::string> names;  ///< exercises and lectures; none: the whole course
   std::string name;                ///< one exercise or lecture; "": the command's own choice
   std::optional<std::filesystem::path> file;
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1;                ///< that of the course, or another one
   std::optional<std::string> case_name;  ///< show this case in full, whether it passes or not
   bool started = false;                  ///< leave out what is not started
   bool full = false;                     ///< with all that the compiler says
@@ -42,14 +34,12 @@ struct Options {
 };
 
 /// Where the student stands, and what is next.
-int status(const Course& course);
+int status(const Course& course, const Options& options);
 
 /// Every exercise with its state.
-int list(const Course& course);
+int list(const Course& course, const Options& options);
 
-/// What is to be checked. @throws UnknownName, and UsageError where --file or --case is given for several exercises
-std::vector<CheckTask> tasks_of(const Course& course, const Options& options);
-
+/// Grades exercises and explains what is wrong.
 int check(const Course& course, const Options& options);
 
 /// The next hint of an exercise, or all of them.
@@ -71,21 +61,31 @@ int examples(const Course& course, const Options& options);
 int report(const Course& course, const Options& options);
 
 /// Puts the stub back; what was there is kept beside the progress file.
-int reset(const Course& course, const std::string& name);
+int reset(const Course& course, const Options& options);
 
 /// Checks whatever is saved, until it is told to end.
-/// @param course_file  what the course was read from
-/// @param name         where to begin, an exercise or a lecture; "": the next exercise that does not pass
-int watch(const Course& course, const std::filesystem::path& course_file, const std::string& name);
-
-/// Writes the copy of the workbook that students get: without solutions, with the reference results as data.
-int handout(const Course& course, const std::filesystem::path& directory);
+int watch(const Course& course, const Options& options);
 
 /// What this machine offers.
-int doctor(const Course& course);
+int doctor(const Course& course, const Options& options);
+
+/// @throws std::runtime_error where no picture can be made
+void require_pictures(const std::filesystem::path& directory);
+
+/// Copies the pictures of a lecture into a folder; returns how many figures they show.
+/// @throws std::filesystem::filesystem_error
+std::size_t copy_figures(const Course& course, const std::string& lecture, const std::filesystem::path& to);
+
+/// Writes the copy of the workbook that students get: without solutions, with the reference results of a
+/// seed as data.
+int handout(const Course& course, const std::filesystem::path& directory, std::uint64_t seed);
 
 /// Are these exercises and lectures in order, or the whole workbook? For authors.
-int self_check(const Course& course, const std::vector<std::string>& names, const std::vector<std::uint64_t>& seeds);
+/// @param seeds  in a copy without solutions its own is taken
+int self_check(const Course& course, const std::vector<std::string>& names, std::vector<std::uint64_t> seeds);
+
+/// Do the cases of these exercises find every small bug in their solutions? For authors.
+int self_check_mutants(const Course& course, const std::vector<std::string>& names);
 
 /// Writes the skeleton of a lecture: its card, contract, notes, worked examples and figures.
 int new_lecture(const Course& course, const std::string& folder);

@@ -2,17 +2,12 @@
 #include "checker/base/files.hpp"
 #include "checker/base/text.hpp"
 #include "checker/commands/commands.hpp"
-#include "checker/compile/toolchain.hpp"
 #include "checker/sandbox/diagnostic_run.hpp"
 #include "checker/sandbox/sandbox.hpp"
 
-#include <fmt/format.h>
-
-#include <unistd.h>
-
 namespace workbook {
 
-int doctor(const Course& course) {
+int doctor(const Course& course, const Options& /*options*/) {
   const Console console = Console::of_standard_output();
   bool can_check = true;
   const auto report = [&](bool good, const std::string& what, const std::string& detail) {

@@ -1,8 +1,7 @@
 #include "checker/base/files.hpp"
 #include "checker/base/text.hpp"
-#include "checker/commands/built_programs.hpp"
 #include "checker/commands/commands.hpp"
-#include "checker/course/stub.hpp"
+#include "checker/course/exercise_texts.hpp"
 
 #include <fmt/format.h>
 
@@ -12,6 +11,7 @@
 #include <array>
 #include <stdexcept>
 #include <system_error>
+#include <vector>
 
 namespace workbook {
 
@@ -65,26 +65,26 @@ void write_stubs(const Course& course, const fs::path& copy) {
 }
 
 /// What the reference implementation made: the results to judge by, the numbers and figures of the notes.
-void copy_made(const Course& course, const fs::path& copy) {
-  for (const Card& card : course.cards()) {
-    const fs::path data = copy / "lectures" / card.lecture / "handed_out";
-    place_file(course.reference_file(card.lecture), data / "reference.json");
-    place_file(course.build().directory / "printed" / (card.lecture + ".txt"), data / "printed.txt");
-    copy_figures(course, card.lecture, data / "figures");
+void copy_made(const Course& course, const fs::path& copy, const std::vector<LectureReference>& references) {
+  for (const LectureReference& reference : references) {
+    const fs::path data = copy / "lectures" / reference.lecture / "handed_out";
+    place_file(course.build().directory / "printed" / (reference.lecture + ".txt"), data / "printed.txt");
+    copy_figures(course, reference.lecture, data / "figures");
+    write_reference_results(reference, data / "reference.json");
   }
 }
 
-void make_copy(const Course& course, const fs::path& copy) {
+void make_copy(const Course& course, const fs::path& copy, const std::vector<LectureReference>& references) {
   for (const char* part : handed_out) {
     if (fs::exists(course.root() / part)) copy_part(course.root() / part, copy / part);
   }
   write_stubs(course, copy);
-  copy_made(course, copy);
+  copy_made(course, copy, references);
 }
 
 }  // namespace
 
-int handout(const Course& course, const fs::path& directory) {
+int handout(const Course& course, const fs::path& directory, std::uint64_t seed) {
   const auto stop = [](ExitStatus status, const std::string& sentence) {
     fmt::print(stderr, "{}\n", sentence);
     return status;
@@ -105,12 +105,14 @@ int handout(const Course& course, const fs::path& directory) {
     return stop(checker_failed, fmt::format("{}\nNothing was handed out, because the reference results, figures and "
                                             "numbers of the notes could not be made; fix what the lines above name.",
                                             built.output));
+  std::vector<LectureReference> references;
+  for (const Card& card : course.cards()) references.push_back(course.reference(card.lecture, seed));
   // Under another name first, so that there is a whole copy or none.
   const fs::path target = fs::absolute(directory).lexically_normal();
   const fs::path whole = target.has_filename() ? target : target.parent_path();
   const fs::path unfinished = fmt::format("{}.unfinished-{}", whole.string(), getpid());
   try {
-    make_copy(course, unfinished);
+    make_copy(course, unfinished, references);
     if (fs::exists(whole)) fs::remove(whole);
     fs::rename(unfinished, whole);
   } catch (const std::exception& reason) {
@@ -120,10 +122,11 @@ int handout(const Course& course, const fs::path& directory) {
                                             directory.string(), reason.what()));
   }
   fmt::print(
-      "{} holds {} with {}, and no solutions. Students type ./checker/run in it; put it into an archive or a "
-      "repository "
-      "of its own.\n",
-      directory.string(), plural(course.cards().size(), "lecture"), plural(course.exercises().size(), "exercise"));
+      "{} holds {} with {}, their cases drawn with seed {}, and no solutions. Students type ./checker/run in it; put "
+      "it "
+      "into an archive or a repository of its own.\n",
+      directory.string(), plural(course.cards().size(), "lecture"), plural(course.exercises().size(), "exercise"),
+      seed);
   return all_passed;
 }
 

@@ -3,9 +3,8 @@
 #include "checker/base/files.hpp"
 #include "checker/base/text.hpp"
 #include "checker/commands/commands.hpp"
-#include "checker/course/stub.hpp"
+#include "checker/course/exercise_texts.hpp"
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -18,11 +17,6 @@ namespace workbook {
 namespace fs = std::filesystem;
 
 namespace {
-
-/// Ends a command; the sentence says what to do.
-struct CannotWrite : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 /// A type that contracts may use: how solutions/judging draws one, and a value that is surely not the answer.
 struct ContractType {
@@ -46,19 +40,17 @@ const ContractType& contract_type(const std::string& name) {
   if (found != contract_types.end()) return *found;
   std::string known;
   for (const ContractType& type : contract_types) known += (known.empty() ? "" : ", ") + std::string(type.name);
-  throw CannotWrite(fmt::format("A contract cannot use the type '{}'; it may use {}.", name, known));
+  throw UsageError(fmt::format("A contract cannot use the type '{}'; it may use {}.", name, known));
 }
 
-struct Parameter {
-  const ContractType* type;
-  std::string name;
-};
-
-/// A signature in its parts.
+/// What follows from a signature; lists without their brackets.
 struct Signature {
   std::string text;
-  const ContractType* result;
-  std::vector<Parameter> parameters;
+  std::string placeholder;  ///< a result
+  std::string unnamed;      ///< the parameters with their names as comments
+  std::string described;    ///< a line of documentation for each
+  std::string quantities;   ///< their names for the judge
+  std::string drawn;        ///< random values for them
 };
 
 Signature parsed_signature(const std::string& text, const std::string& function) {
@@ -66,55 +58,50 @@ Signature parsed_signature(const std::string& text, const std::string& function)
   static const std::regex one(R"(\s*(?:const\s+)?([\w:<>]+)\s*&?\s+(\w+)\s*)");
   std::smatch found;
   if (!std::regex_match(text, found, whole) || found[2] != function)
-    throw CannotWrite(
+    throw UsageError(
         fmt::format("The signature should read like 'Vector3d {}(const Matrix3d& I, double t)'.", function));
-  Signature signature{"", &contract_type(found[1]), {}};
+  Signature signature;
   std::istringstream parameters(found[3]);
   std::string list;
   for (std::string parameter; std::getline(parameters, parameter, ',');) {
     std::smatch part;
     if (!std::regex_match(parameter, part, one))
-      throw CannotWrite(fmt::format("'{}' is no parameter with a type and a name.", parameter));
+      throw UsageError(fmt::format("'{}' is no parameter with a type and a name.", parameter));
     const ContractType& type = contract_type(part[1]);
+    const std::string name = part[2];
     const bool by_value = type.name == std::string("double") || type.name == std::string("int");
-    list += fmt::format("{}{} {}", list.empty() ? "" : ", ", by_value ? type.name : fmt::format("const {}&", type.name),
-                        part[2].str());
-    signature.parameters.push_back({&type, part[2]});
+    const std::string passed = by_value ? type.name : fmt::format("const {}&", type.name);
+    const char* const comma = list.empty() ? "" : ", ";
+    list += fmt::format("{}{} {}", comma, passed, name);
+    signature.unnamed += fmt::format("{}{} /*{}*/", comma, passed, name);
+    signature.described += fmt::format("/// @param {}  TODO: meaning, frame, unit\n", name);
+    signature.quantities += fmt::format("{}{{\"{}\", none}}", comma, name);
+    signature.drawn += comma + std::string(type.drawn);
   }
-  if (list.empty()) throw CannotWrite("An exercise needs at least one parameter.");
-  signature.text = fmt::format("{} {}({})", signature.result->name, function, list);
+  if (list.empty()) throw UsageError("An exercise needs at least one parameter.");
+  const ContractType& result = contract_type(found[1]);
+  signature.placeholder = result.placeholder;
+  signature.text = fmt::format("{} {}({})", result.name, function, list);
+  signature.unnamed = fmt::format("{} {}({})", result.name, function, signature.unnamed);
   return signature;
 }
 
-std::string joined(const std::vector<Parameter>& parameters, const std::function<std::string(const Parameter&)>& part) {
-  std::string text;
-  for (const Parameter& parameter : parameters) text += (text.empty() ? "" : ", ") + part(parameter);
-  return text;
-}
-
 std::string declaration_text(const Signature& signature) {
-  std::string text = "/// TODO: what it computes, in one sentence.\n///\n";
-  for (const Parameter& parameter : signature.parameters)
-    text += fmt::format("/// @param {}  TODO: meaning, frame, unit\n", parameter.name);
-  return text + fmt::format(
-                    "/// @pre TODO: which inputs are legal; the degenerate ones by name\n"
-                    "/// @return TODO: meaning, frame, unit\n{};\n\n",
-                    signature.text);
+  return fmt::format(
+      "/// TODO: what it computes, in one sentence.\n///\n{}"
+      "/// @pre TODO: which inputs are legal; the degenerate ones by name\n"
+      "/// @return TODO: meaning, frame, unit\n{};\n\n",
+      signature.described, signature.text);
 }
 
 std::string solution_text(const Signature& signature, const std::string& contract) {
-  const std::string unnamed = std::regex_replace(signature.text, std::regex(R"( (\w+)(?=[,)]))"), " /*$1*/");
   return fmt::format(
       "#include \"rigid/{}.hpp\"\n\nnamespace rigid {{\n\n{} {{\n  return {};  // TODO: the solution\n}}\n\n"
       "}}  // namespace rigid\n",
-      contract, unnamed, signature.result->placeholder);
+      contract, signature.unnamed, signature.placeholder);
 }
 
 std::string judging_text(const Signature& signature, const std::string& name, const std::string& contract) {
-  const std::string quantities =
-      joined(signature.parameters, [](const Parameter& each) { return fmt::format("{{\"{}\", none}}", each.name); });
-  const std::string drawn =
-      joined(signature.parameters, [](const Parameter& each) { return std::string(each.type->drawn); });
   return fmt::format(R"(#include "rigid/{0}.hpp"
 #include "solutions/judging/judging.hpp"
 
@@ -127,23 +114,17 @@ void judge_{1}(workbook::judging::Lecture& lecture) {{
   // TODO: worked and special cases, three wrong answers, three routes, what every right result has, a sweep to plot.
 }}
 )",
-                     contract, name, quantities, drawn);
+                     contract, name, signature.quantities, signature.drawn);
 }
 
 constexpr const char* hints_text =
     "TODO: what to think of first.\n\n---\n\nTODO: the decisive step.\n\n---\n\nTODO: the formula, and how to write "
     "it.\n";
 
-void write_new(const fs::path& file, const std::string& text) {
-  const std::string problem = fs::exists(file) ? "it exists already" : write_file(file, text);
-  if (!problem.empty()) throw CannotWrite(fmt::format("{} cannot be written: {}.", shown_path(file), problem));
-  fmt::print("  {}\n", shown_path(file));
-}
-
-void replace_text(const fs::path& file, const std::string& text) {
-  const std::string problem = write_file(file, text);
-  if (!problem.empty()) throw CannotWrite(fmt::format("{} cannot be written: {}.", shown_path(file), problem));
-  fmt::print("  {} (one entry more)\n", shown_path(file));
+void write(const fs::path& file, const std::string& text, bool is_new = true) {
+  const std::string problem = is_new && fs::exists(file) ? "it exists already" : write_file(file, text);
+  if (!problem.empty()) throw UsageError(fmt::format("{} cannot be written: {}.", shown_path(file), problem));
+  fmt::print("  {}{}\n", shown_path(file), is_new ? "" : " (one entry more)");
 }
 
 /// The card as it is laid out, with one exercise more at its end.
@@ -151,7 +132,7 @@ std::string card_with(const fs::path& file, const CardExercise& entry) {
   std::string card = read_file(file).value_or("");
   const std::size_t end = card.rfind(']');
   const std::size_t last = end == std::string::npos ? end : card.find_last_not_of(" \n", end - 1);
-  if (last == std::string::npos) throw CannotWrite(shown_path(file) + " has no list of exercises at its end.");
+  if (last == std::string::npos) throw UsageError(shown_path(file) + " has no list of exercises at its end.");
   card.replace(
       last + 1, end - last - 1,
       fmt::format(
@@ -159,17 +140,8 @@ std::string card_with(const fs::path& file, const CardExercise& entry) {
           card[last] == '[' ? "" : ",", entry.name, entry.points, entry.notes, entry.task));
   const auto exercises = nlohmann::json::parse(card).at("exercises");
   if (exercises.empty() || exercises.back().at("name") != entry.name)
-    throw CannotWrite(shown_path(file) + ": the list of exercises should stand last.");
+    throw UsageError(shown_path(file) + ": the list of exercises should stand last.");
   return card;
-}
-
-/// The contract with one declaration more at its end.
-std::string contract_with(const fs::path& file, const std::string& declaration) {
-  std::string contract = read_file(file).value_or("");
-  const std::size_t end = contract.rfind("\n}");
-  if (end == std::string::npos) throw CannotWrite(shown_path(file) + " does not end its namespace.");
-  contract.insert(end + 1, declaration);
-  return contract;
 }
 
 /// "free_tops" as a title: "Free tops".
@@ -178,91 +150,72 @@ std::string as_title(std::string name) {
   return capitalized(name);
 }
 
-template <class Write>
-int report_written(const Write& write) {
-  try {
-    write();
-    return all_passed;
-  } catch (const CannotWrite& problem) {
-    fmt::print(stderr, "{}\n", problem.what());
-    return wrong_usage;
-  } catch (const nlohmann::json::exception& problem) {
-    fmt::print(stderr, "The card cannot be changed: {}\n", problem.what());
-    return checker_failed;
-  }
-}
-
-void write_lecture(const Course& course, const std::string& folder) {
+void require_solutions(const Course& course) {
   if (!course.has_solutions())
-    throw CannotWrite("A copy that was handed out has no solutions; write lectures in the workbook.");
-  if (!std::regex_match(folder, std::regex(R"(\d\d_[a-z][a-z0-9_]*)")))
-    throw CannotWrite(fmt::format("'{}' should read NN_topic, two digits and a name in small letters.", folder));
-  if (fs::exists(course.lectures() / folder)) throw CannotWrite(fmt::format("lectures/{} exists already.", folder));
-  const std::string topic = folder.substr(3);
-  const std::string number = folder.substr(0, 2);
-  const nlohmann::ordered_json card = {{"title", as_title(topic)},
-                                       {"summary", "TODO: the lecture in one sentence."},
-                                       {"slides", nlohmann::json::array()},
-                                       {"builds_on", nlohmann::json::array()},
-                                       {"contract", topic},
-                                       {"facts", nlohmann::json::array()},
-                                       {"exercises", nlohmann::json::array()}};
-  write_new(
-      course.root() / "include/rigid" / (topic + ".hpp"),
-      fmt::format("/// @file\n/// Contract of lecture {}: TODO.\n#pragma once\n\n#include \"rigid/vocabulary.hpp\"\n\n"
-                  "namespace rigid {{\n\n}}  // namespace rigid\n",
-                  number));
-  const fs::path lecture = course.lectures() / folder;
-  write_new(lecture / "card.json", card.dump(2) + "\n");
-  write_new(lecture / "notes.md", fmt::format("# {0} {1} {{#lecture_{2}}}\n\n\\lecture_card{{{2}}}\n\n[TOC]\n\nTODO\n",
-                                              number, as_title(topic), folder));
-  write_new(
-      lecture / "worked_examples.cpp",
-      fmt::format("// Worked examples of lecture {}: each case computes its own numbers, and the notes quote it.\n"
-                  "#include <doctest/doctest.h>\n\n#include <rigid/{}.hpp>\n",
-                  number, topic));
-  write_new(lecture / "figures.cpp",
-            fmt::format("// Figures of lecture {}.\n#include \"lectures/support/figure.hpp\"\n\n"
-                        "int main(int argc, char** argv) {{ return workbook::draw_figures(argc, argv, {{}}); }}\n",
-                        number));
-  fmt::print("Next: `{}`\n", command("new exercise NAME --lecture " + number + " --signature '...'"));
-}
-
-void write_exercise(const Course& course, const std::string& name, const std::string& lecture_name,
-                    const std::string& signature_text) {
-  if (!course.has_solutions())
-    throw CannotWrite("A copy that was handed out has no solutions; write exercises in the workbook.");
-  const Card& card = course.find_lecture(lecture_name);
-  const Signature signature = parsed_signature(signature_text, name);
-  const CardExercise entry{name, 1, card.contract + "_" + name, "TODO: what to write, in a line or two."};
-  const Exercise exercise{&card, &entry};
-  for (const Exercise& other : course.exercises()) {
-    if (other.name() == name) throw CannotWrite(fmt::format("{} is an exercise of {} already.", name, other.lecture()));
-  }
-  const fs::path card_file = course.lectures() / card.lecture / "card.json";
-  const std::string new_card = card_with(card_file, entry);
-  const std::string new_contract = contract_with(course.contract_file(card), declaration_text(signature));
-  const std::string notes = read_file(course.notes_file(card)).value_or("");
-  write_new(course.student_file(exercise), stub_text(entry, card.contract, signature.text));
-  write_new(course.hints_file(exercise), hints_text);
-  write_new(course.solution_file(exercise), solution_text(signature, card.contract));
-  write_new(course.judging_file(exercise), judging_text(signature, name, card.contract));
-  replace_text(course.contract_file(card), new_contract);
-  replace_text(course.notes_file(card),
-               fmt::format("{}\n### {} {{#{}}}\n\nTODO\n", notes, as_title(name), entry.notes));
-  replace_text(card_file, new_card);
-  fmt::print("Replace what is marked TODO; `{}` says what is missing.\n", command("self-check " + name));
+    throw UsageError("A copy that was handed out has no solutions; write lectures and exercises in the workbook.");
 }
 
 }  // namespace
 
 int new_lecture(const Course& course, const std::string& folder) {
-  return report_written([&] { write_lecture(course, folder); });
+  require_solutions(course);
+  if (!std::regex_match(folder, std::regex(R"(\d\d_[a-z][a-z0-9_]*)")))
+    throw UsageError(fmt::format("'{}' should read NN_topic, two digits and a name in small letters.", folder));
+  const fs::path lecture = course.lectures() / folder;
+  if (fs::exists(lecture)) throw UsageError(fmt::format("lectures/{} exists already.", folder));
+  const std::string topic = folder.substr(3);
+  const std::string number = folder.substr(0, 2);
+  write(
+      course.root() / "include/rigid" / (topic + ".hpp"),
+      fmt::format("/// @file\n/// Contract of lecture {}: TODO.\n#pragma once\n\n#include \"rigid/vocabulary.hpp\"\n\n"
+                  "namespace rigid {{\n\n}}  // namespace rigid\n",
+                  number));
+  write(lecture / "card.json",
+        fmt::format("{{\n  \"title\": \"{}\",\n  \"summary\": \"TODO: the lecture in one sentence.\",\n"
+                    "  \"slides\": [],\n  \"builds_on\": [],\n  \"contract\": \"{}\",\n  \"facts\": [],\n"
+                    "  \"exercises\": []\n}}\n",
+                    as_title(topic), topic));
+  write(lecture / "notes.md", fmt::format("# {0} {1} {{#lecture_{2}}}\n\n\\lecture_card{{{2}}}\n\n[TOC]\n\nTODO\n",
+                                          number, as_title(topic), folder));
+  write(lecture / "worked_examples.cpp",
+        fmt::format("// Worked examples of lecture {}: each case computes its own numbers, and the notes quote it.\n"
+                    "#include <doctest/doctest.h>\n\n#include <rigid/{}.hpp>\n",
+                    number, topic));
+  write(lecture / "figures.cpp",
+        fmt::format("// Figures of lecture {}.\n#include \"lectures/support/figure.hpp\"\n\n"
+                    "int main(int argc, char** argv) {{ return workbook::draw_figures(argc, argv, {{}}); }}\n",
+                    number));
+  fmt::print("Next: `{}`\n", command("new exercise NAME --lecture " + number + " --signature '...'"));
+  return all_passed;
 }
 
 int new_exercise(const Course& course, const std::string& name, const std::string& lecture,
-                 const std::string& signature) {
-  return report_written([&] { write_exercise(course, name, lecture, signature); });
+                 const std::string& signature_text) {
+  require_solutions(course);
+  const Card& card = course.find_lecture(lecture);
+  const Signature signature = parsed_signature(signature_text, name);
+  const CardExercise entry{name, 1, card.contract + "_" + name, "TODO: what to write, in a line or two."};
+  const Exercise exercise{&card, &entry};
+  for (const Exercise& other : course.exercises())
+    if (other.name() == name) throw UsageError(fmt::format("{} is an exercise of {} already.", name, other.lecture()));
+  const fs::path card_file = course.lectures() / card.lecture / "card.json";
+  const std::string new_card = card_with(card_file, entry);
+  const fs::path contract_file = course.contract_file(card);
+  std::string contract = read_file(contract_file).value_or("");
+  const std::size_t end = contract.rfind("\n}");
+  if (end == std::string::npos) throw UsageError(shown_path(contract_file) + " does not end its namespace.");
+  contract.insert(end + 1, declaration_text(signature));
+  const fs::path notes_file = course.notes_file(card);
+  const std::string notes = read_file(notes_file).value_or("");
+  write(course.student_file(exercise), stub_text(entry, card.contract, signature.text));
+  write(course.hints_file(exercise), hints_text);
+  write(course.solution_file(exercise), solution_text(signature, card.contract));
+  write(course.judging_file(exercise), judging_text(signature, name, card.contract));
+  write(contract_file, contract, false);
+  write(notes_file, fmt::format("{}\n### {} {{#{}}}\n\nTODO\n", notes, as_title(name), entry.notes), false);
+  write(card_file, new_card, false);
+  fmt::print("Replace what is marked TODO; `{}` says what is missing.\n", command("self-check " + name));
+  return all_passed;
 }
 
 }  // namespace workbook

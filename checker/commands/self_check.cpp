@@ -1,13 +1,20 @@
+#include "checker/base/console.hpp"
 #include "checker/base/text.hpp"
 #include "checker/commands/commands.hpp"
 #include "checker/course/inspection.hpp"
+#include "checker/explain/repair.hpp"
 #include "checker/judging/soundness.hpp"
 #include "checker/pipeline/check_exercise.hpp"
-#include "checker/report/progress_bar.hpp"
+#include "checker/report/reports.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <deque>
+#include <memory>
+#include <stdexcept>
+#include <thread>
 
 namespace workbook {
 
@@ -27,6 +34,15 @@ Sentences faults_of_verdict(const Course& course, const Toolchain& toolchain, co
   if (wanted == Verdict::passed && !checked.explanation.is_empty())
     return {fmt::format("{}: passes, and a fault is explained all the same.", shown)};
   return {};
+}
+
+/// One line, and one for each bug that no case shows.
+std::string adequacy_text(const Exercise& exercise, const Adequacy& adequacy) {
+  std::string text = fmt::format("{:.2} {:<30} {:>3} of {:>3} bugs found, {} equal in the domain\n", exercise.lecture(),
+                                 exercise.name(), adequacy.killed, adequacy.made, adequacy.equal);
+  for (const std::string& bug : adequacy.survivors)
+    text += fmt::format("   not found: {}. {}\n", bug, adequacy.reason(bug));
+  return text;
 }
 
 /// Collects what is wrong, each sentence once, and counts what was looked at.
@@ -56,7 +72,7 @@ class SelfCheck {
       }
     }
     progress_bar.clear();
-    for (const std::string& line : adequacy_) fmt::print("{}\n", line);
+    fmt::print("{}", adequacy_);
     for (const std::string& sentence : faults_) fmt::print("{}\n", sentence);
     if (!faults_.empty()) {
       fmt::print("{} to fix.\n", plural(faults_.size(), "fault"));
@@ -94,7 +110,7 @@ class SelfCheck {
       if (is_first) {
         routes_ += judged.routes.size();
         misconceptions_ += judged.misconceptions.size();
-        add_adequacy(card, judged);
+        adequacy_ += adequacy_text(exercise, judged.adequacy);
         add(faults_of_texts(course_, exercise, judged));
       }
       if (!course_.has_solutions()) continue;
@@ -104,14 +120,6 @@ class SelfCheck {
       if (is_first) require(course_.student_file(exercise), Verdict::not_started);
       require(course_.solution_file(exercise), Verdict::passed);
     }
-  }
-
-  void add_adequacy(const Card& card, const ExerciseReference& judged) {
-    const Adequacy& adequacy = judged.adequacy;
-    adequacy_.push_back(fmt::format("{:.2} {:<30} {:>3} of {:>3} bugs found, {} equal in the domain", card.lecture,
-                                    judged.name, adequacy.killed, adequacy.made, adequacy.equal));
-    for (const std::string& bug : adequacy.survivors)
-      adequacy_.push_back(fmt::format("   not found: {}. {}", bug, adequacy.reason(bug)));
   }
 
   void add(const Sentences& sentences) {
@@ -124,15 +132,52 @@ class SelfCheck {
   const Toolchain toolchain_;
   const std::vector<Exercise> exercises_;
   const std::vector<std::uint64_t> seeds_;
-  Sentences adequacy_;  // one line per exercise, and its bugs that no case shows
+  std::string adequacy_;
   Sentences faults_;
   std::size_t routes_ = 0;
   std::size_t misconceptions_ = 0;
 };
 
+/// "line 7, another sign: return -x"
+std::string name_of(const Variant& mutant, const std::string& text) {
+  const bool is_gone = mutant.kind == "statement";
+  const auto line = static_cast<std::size_t>(mutant.place.line);
+  std::string changed = lines_of(is_gone ? text : edited(text, mutant.edits)).at(line - 1);
+  changed.erase(0, changed.find_first_not_of(' '));
+  changed.erase(changed.find_last_not_of(";") + 1);
+  return fmt::format("line {}, {}: {}", line, mutant.words, changed);
+}
+
+/// How many there are, and those that no case shows.
+nlohmann::json try_mutants(const Course& course, const Toolchain& toolchain, const Exercise& exercise,
+                           const ExerciseReference& reference) {
+  constexpr std::size_t at_once = 150;  // compiled in well under a minute
+  const Submission solution = read_submission(course.solution_file(exercise));
+  const std::vector<Variant> all = source_mutants(SourceText(solution.text), reference);
+  std::size_t made = 0;
+  std::vector<std::string> survivors;
+  for (std::size_t first = 0; first < all.size(); first += at_once) {
+    std::vector<Variant> mutants = {Variant{}};  // the solution itself, to be sure of the rest
+    std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(first), std::min(at_once, all.size() - first),
+                std::back_inserter(mutants));
+    VariantRunner runner({solution, reference, {}, {}}, mutants, toolchain, course.scratch() / "compiled",
+                         {.compilations = 50,
+                          .compiling = std::chrono::minutes(5),
+                          .running = std::chrono::minutes(10),
+                          .one_variant = std::chrono::seconds(1)});
+    if (!mutants.front().edits.empty() || !runner.is_right(0))
+      throw std::runtime_error("the solution itself does not pass");
+    made += mutants.size() - 1;
+    for (std::size_t k = 1; k < mutants.size(); ++k)
+      if (runner.is_right(k)) survivors.push_back(name_of(mutants[k], solution.text));
+  }
+  return {{"made", made}, {"survivors", survivors}};
+}
+
 }  // namespace
 
-int self_check(const Course& course, const std::vector<std::string>& names, const std::vector<std::uint64_t>& seeds) {
+int self_check(const Course& course, const std::vector<std::string>& names, std::vector<std::uint64_t> seeds) {
+  if (!course.has_solutions()) seeds = {course.seed()};
   const std::vector<Exercise> exercises = course.choose(names);
   std::vector<const Card*> cards;
   for (const Card& card : course.cards()) {
@@ -140,6 +185,55 @@ int self_check(const Course& course, const std::vector<std::string>& names, cons
     if (names.empty() || std::ranges::any_of(exercises, is_of_card)) cards.push_back(&card);
   }
   return SelfCheck(course, exercises, seeds).run(cards);
+}
+
+int self_check_mutants(const Course& course, const std::vector<std::string>& names) {
+  if (!course.has_solutions())
+    throw UsageError("Mutants are made of solutions, and this copy of the workbook has none.");
+  const std::vector<Exercise> exercises = course.choose(names);
+  CheckContext context(course);
+  for (const Exercise& exercise : exercises) context.reference(check_task(course, exercise));
+  const auto begin = [&](const Exercise& exercise) {
+    const ExerciseReference& reference = context.reference(check_task(course, exercise));
+    const auto try_all = [&] {
+      try {
+        return try_mutants(course, context.toolchain(), exercise, reference).dump();
+      } catch (const std::exception& problem) {
+        return nlohmann::json{{"problem", problem.what()}}.dump();
+      }
+    };
+    return std::make_unique<ForkedJob>(try_all, std::chrono::minutes(20));
+  };
+  ProgressBar progress_bar;
+  std::deque<std::unique_ptr<ForkedJob>> running;
+  std::string tried, faults;
+  std::size_t begun = 0, made = 0, killed = 0;
+  for (const Exercise& exercise : exercises) {
+    while (begun < exercises.size() && running.size() < std::max(1U, std::thread::hardware_concurrency()))
+      running.push_back(begin(exercises[begun++]));
+    progress_bar.show(begun - running.size(), exercises.size(), exercise.name());
+    const std::string place = fmt::format("solutions/{}/{}", exercise.lecture(), exercise.name());
+    std::string trouble = running.front()->finish();
+    const auto found = nlohmann::json::parse(running.front()->output(), nullptr, false);
+    if (trouble.empty()) trouble = found.value("problem", "");
+    if (!trouble.empty()) {
+      faults += fmt::format("{}.cpp: its mutants could not be tried: {}.\n", place, without_full_stop(trouble));
+    } else {
+      Adequacy adequacy = context.reference(check_task(course, exercise)).adequacy;
+      adequacy.made = found.at("made");
+      adequacy.survivors = found.at("survivors").get<std::vector<std::string>>();
+      adequacy.killed = adequacy.made - adequacy.survivors.size();
+      adequacy.equal = 0;
+      made += adequacy.made;
+      killed += adequacy.killed;
+      tried += adequacy_text(exercise, adequacy);
+      for (const std::string& sentence : unshown_bugs(adequacy)) faults += place + ".judging.cpp: " + sentence + "\n";
+    }
+    running.pop_front();
+  }
+  progress_bar.clear();
+  fmt::print("{}{}In all: {} of {} bugs found.\n", tried, faults, killed, made);
+  return faults.empty() ? all_passed : something_failed;
 }
 
 }  // namespace workbook

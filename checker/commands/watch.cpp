@@ -3,30 +3,21 @@
 #include "checker/base/files.hpp"
 #include "checker/base/text.hpp"
 #include "checker/commands/commands.hpp"
-#include "checker/course/hints.hpp"
+#include "checker/course/exercise_texts.hpp"
 #include "checker/course/progress.hpp"
-#include "checker/course/stub.hpp"
-#include "checker/pipeline/check_job.hpp"
-#include "checker/report/overlay.hpp"
-#include "checker/report/progress_report.hpp"
-#include "checker/report/terminal_picture.hpp"
-#include "checker/report/terminal_report.hpp"
+#include "checker/pipeline/check_exercise.hpp"
+#include "checker/report/reports.hpp"
 #include "checker/source/submission.hpp"
 #include "checker/watch/file_changes.hpp"
 #include "checker/watch/screen.hpp"
 #include "checker/watch/terminal.hpp"
 
-#include <fmt/format.h>
-
 #include <poll.h>
 #include <signal.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <deque>
-#include <map>
 #include <utility>
 
 namespace workbook {
@@ -69,8 +60,8 @@ class Watch {
     passed_ = summary_of(course_, progress).passed;
     const bool is_exercise = first.name() == name;
     if (!name.empty() && !is_exercise) lecture_ = first.lecture();
-    const auto is_first = [&](const Exercise& each) { return each.entry == first.entry; };
-    current_ = static_cast<std::size_t>(std::ranges::find_if(exercises_, is_first) - exercises_.begin());
+    current_ =
+        static_cast<std::size_t>(std::ranges::find(exercises_, first.entry, &Exercise::entry) - exercises_.begin());
     if (is_exercise || !passed_[current_]) {
       go_to(current_, is_exercise ? Reason::asked : Reason::arrived);
     } else {
@@ -107,8 +98,7 @@ class Watch {
                                       {check_ ? check_->descriptor() : -1, POLLIN, 0},
                                       {plot_ ? plot_->descriptor() : -1, POLLIN, 0}}};
     // At most a second, which also counts those of a check.
-    const auto left = std::chrono::ceil<std::chrono::milliseconds>(changes_.next_look() - Clock::now()).count();
-    ::poll(sources.data(), sources.size(), static_cast<int>(std::max<long>(left, 0)));
+    ::poll(sources.data(), sources.size(), milliseconds_until(changes_.next_look()));
     if (sources[0].revents != 0) handle_signals();
     if (sources[1].revents != 0) handle_keys();
     if (sources[2].revents != 0) over_ = true;
@@ -206,7 +196,7 @@ class Watch {
   void collect_check() {
     if (check_->collect()) return finish_check();
     if (!on_screen_ || checked_.index != current_) return;
-    if (auto verdict = check_->verdict()) result_ = std::move(*verdict);
+    if (auto verdict = check_->last_message()) result_ = std::move(*verdict);
   }
 
   void finish_check() {
@@ -218,7 +208,7 @@ class Watch {
         return waiting_.push_front(checked_);
       passed_[checked_.index] = checked.judgement.passed();
       Progress progress(course_.progress_file());
-      progress.remember(checked.name(), {to_string(checked.judgement.verdict), fingerprint(checked.source)});
+      progress.remember(checked.name(), to_string(checked.judgement.verdict), checked.source);
       notice(console_.wrapped(progress.warning()));
     }
     const bool passed = checked.judgement.passed();
@@ -256,8 +246,7 @@ class Watch {
           result_ ? *result_ : check_exercise(course_, context_.toolchain(), task, context_.reference(task));
       if (!checked.is_judged()) return checked.judgement.message;
       const Overlay overlay = overlay_of(checked);
-      const fs::path folder = plots_directory(course_);
-      const std::vector<fs::path> files = draw_overlay(overlay, folder, checked.name());
+      const std::vector<fs::path> files = draw_overlay(overlay, plots_directory(course_), checked.name());
       std::string text = fmt::format("  Plot   {}\n", shown_path(files.front()));
       if (plot_is_asked_) text = terminal_picture(PictureKind::text, overlay, files.back(), console_) + text;
       if (overlay.student.empty())
@@ -365,7 +354,7 @@ class Watch {
                         number < hints.size() ? "h shows the next one."
                                               : console_.wrapped("That was the last hint; read on in " + notes + ".")));
       notice(console_.wrapped(progress.warning()));
-    } catch (const HintError& problem) {
+    } catch (const CourseError& problem) {
       panel(console_.wrapped(problem.what()));
     }
   }
@@ -478,12 +467,12 @@ class Watch {
 
 }  // namespace
 
-int watch(const Course& course, const fs::path& /*course_file*/, const std::string& name) {
+int watch(const Course& course, const Options& options) {
   if (course.exercises().empty()) {
     fmt::print(stderr, "This course has no exercises, so there is nothing to watch.\n");
     return checker_failed;
   }
-  Watch(course, name).run();
+  Watch(course, options.name).run();
   return all_passed;
 }
 

@@ -1,18 +1,14 @@
-#include "checker/compile/build_cache.hpp"
+#include "checker/compile/compile.hpp"
 
 #include "checker/base/files.hpp"
 #include "checker/base/text.hpp"
 
-#include <fmt/format.h>
 #include <stdlib.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <functional>
-#include <system_error>
-#include <utility>
-#include <vector>
 
 namespace workbook {
 namespace fs = std::filesystem;
@@ -28,7 +24,7 @@ std::string sealed(const std::string& key, const std::string& executable) {
 }
 
 [[noreturn]] void cannot_write(const fs::path& where, const std::string& reason) {
-  throw CacheError(
+  throw std::runtime_error(
       fmt::format("The checker cannot write to {} ({}); this is not your mistake.", where.string(), reason));
 }
 
@@ -68,8 +64,7 @@ BuiltProgram BuildCache::keep(const BuiltProgram& built, const std::string& key)
   if (error) {
     // Somebody made it at the same time: theirs is as good. Otherwise it is a damaged one, and nobody uses that.
     if (const std::optional<BuiltProgram> other = find(key)) return *other;
-    std::error_code ignored;
-    fs::rename(place, built.executable.parent_path() / "damaged", ignored);
+    fs::rename(place, built.executable.parent_path() / "damaged", error);
     fs::rename(prepared, place, error);
     if (error) cannot_write(place, error.message());
   }

@@ -1,17 +1,14 @@
 #include "checker/compile/compile.hpp"
 
+#include "checker/base/files.hpp"
 #include "checker/base/text.hpp"
-#include "checker/compile/elf_file.hpp"
 #include "checker/compile/mistakes.hpp"
 
-#include <fmt/format.h>
 #include <signal.h>
 
 #include <algorithm>
-#include <chrono>
 #include <fstream>
 #include <regex>
-#include <utility>
 
 namespace workbook {
 namespace fs = std::filesystem;
@@ -41,6 +38,13 @@ std::string cache_key(const CompileTask& task, const Toolchain& toolchain) {
     key += fmt::format("{} {} {}\n", file.string(), fs::file_size(file),
                        fs::last_write_time(file).time_since_epoch().count());
   return key + task.submission.text;
+}
+
+/// Does an object file hold a section that makes other tools run? As every section's name stands in the file, its bytes
+/// tell; true as well for a file that cannot be read.
+bool has_section(const fs::path& object, std::string_view name) {
+  const std::optional<std::string> bytes = read_file(object);
+  return !bytes || bytes->find(name) != std::string::npos;
 }
 
 /// The files of a list of dependencies as compilers write it for make: "unit.o: a.hpp \\ b\\ c.hpp".
@@ -98,8 +102,10 @@ class CompilationInProgress {
     if (compiled.succeeded()) {
       // Such sections make the linker run another compiler, with options that the file chooses.
       if (has_section(compiler_.workspace() / "unit.o", ".gnu.lto_"))
-        refuse(Refusal::compile_error,
-               "Your file asks for code to be generated when it is linked; no exercise needs that.");
+        refuse("Your file asks for code to be generated when it is linked; no exercise needs that.");
+      // And such a one makes the system run another program in place of the worker.
+      if (is_static() && has_section(compiler_.workspace() / "unit.o", std::string_view(".interp\0", 8)))
+        refuse("Your file names a program that shall run it (.interp); no exercise needs that.");
       return compiled.output;
     }
     refuse_if_limit_reached(compiled);
@@ -108,21 +114,22 @@ class CompilationInProgress {
     const CompilerOutput said = compiler_.read(compiled.output, file);
     std::optional<Finding> error = first_error(said.diagnostics, source_, task_.signature);
     if (!said.foreign_file.empty() && (!error || error->line == 0)) refuse_foreign_file(said.foreign_file);
-    std::string message = "Your file does not compile.";
-    if (error && error->line > 0)
-      message = fmt::format("Your file does not compile: the first error is in line {}.", error->line);
-    refuse(Refusal::compile_error, message, said.shown, error ? std::vector{*error} : std::vector<Finding>());
+    if (!error || error->line == 0)
+      refuse("Your file does not compile.", said.shown, error ? std::vector{*error} : std::vector<Finding>());
+    refuse(fmt::format("Your file does not compile: the first error is in line {}.", error->line), said.shown,
+           {*error});
   }
 
-  [[noreturn]] static void refuse(Refusal refusal, const std::string& message, const std::string& details = "",
-                                  const std::vector<Finding>& findings = {}) {
+  [[noreturn]] static void refuse(const std::string& message, const std::string& details = "",
+                                  const std::vector<Finding>& findings = {}, Refusal refusal = Refusal::compile_error) {
     throw Compilation{.refusal = refusal, .message = message, .details = details, .findings = findings};
   }
 
   [[noreturn]] static void refuse_foreign_file(const std::string& name) {
-    refuse(Refusal::compile_error, fmt::format("Your file includes {}, but it is compiled alone: include only headers "
-                                               "of the course, of Eigen and of the standard library.",
-                                               printable(name)));
+    refuse(
+        fmt::format("Your file includes {}, but it is compiled alone: include only headers "
+                    "of the course, of Eigen and of the standard library.",
+                    printable(name)));
   }
 
   fs::path link() const {
@@ -131,16 +138,12 @@ class CompilationInProgress {
     for (const std::string& flag : toolchain_.link_flags) arguments.push_back(flag);
     arguments.insert(arguments.end(), {"-o", "worker"});
     const FinishedProgram linked = compiler_.run(arguments);
-    if (linked.succeeded()) {
-      const bool is_static = std::ranges::find(toolchain_.link_flags, "-static") != toolchain_.link_flags.end();
-      if (is_static && has_interpreter(compiler_.workspace() / "worker"))
-        refuse(Refusal::compile_error,
-               "Your file names a program that shall run it (.interp); no exercise needs that.");
-      return compiler_.workspace() / "worker";
-    }
+    if (linked.succeeded()) return compiler_.workspace() / "worker";
     refuse_if_limit_reached(linked);
     refuse_unlinked(linked.output);
   }
+
+  bool is_static() const { return std::ranges::count(toolchain_.link_flags, "-static") > 0; }
 
   /// As GNU linkers and LLVM's tell it.
   [[noreturn]] void refuse_unlinked(const std::string& output) const {
@@ -164,8 +167,7 @@ class CompilationInProgress {
                                 "what you need into this one.",
                                 found[1].str()));
     }
-    refuse(Refusal::compile_error, "Your file compiles, but cannot be linked into a program; see what the linker says.",
-           output);
+    refuse("Your file compiles, but cannot be linked into a program; see what the linker says.", output);
   }
 
   /// With the place where the file mentions the function last, for declarations come first.
@@ -176,7 +178,7 @@ class CompilationInProgress {
     for (const Token& token : source_.tokens())
       if (token.text == function) findings = {source_.finding(source_.place_of(token.offset), name, message)};
     const bool is_said = !findings.empty() && refusal == Refusal::missing_function;
-    refuse(refusal, is_said ? "Your file does not define the function of this exercise." : message, output, findings);
+    refuse(is_said ? "Your file does not define the function of this exercise." : message, output, findings, refusal);
   }
 
   /// Those that others could call.
@@ -197,22 +199,19 @@ class CompilationInProgress {
       return std::ranges::any_of(phrases,
                                  [&](const char* one) { return program.output.find(one) != std::string::npos; });
     };
-    const auto refuse = [&](Refusal refusal, const char* message) {
-      CompilationInProgress::refuse(refusal, message, program.output);
-    };
     // Tried, not read from the compiler's messages: those a student can write.
     std::ofstream probe(compiler_.workspace() / "probe", std::ios::binary);
     if (!(probe << std::string(std::size_t{4} << 20, ' ')).flush())
-      refuse(Refusal::checker_error,
-             "There is no room to compile your file (is the disk full?); this is not your mistake.");
+      refuse("There is no room to compile your file (is the disk full?); this is not your mistake.", program.output, {},
+             Refusal::checker_error);
     if (program.out_of_time)
-      refuse(Refusal::compile_error,
-             "Your file takes too long to compile; look for a template or an #include that never ends.");
+      refuse("Your file takes too long to compile; look for a template or an #include that never ends.",
+             program.output);
     if (says({"out of memory", "memory exhausted", "Killed signal terminated program", "Cannot allocate memory"}))
-      refuse(Refusal::compile_error,
-             "Compiling your file takes too much memory; look for a template or an #include that never ends.");
+      refuse("Compiling your file takes too much memory; look for a template or an #include that never ends.",
+             program.output);
     if (says({"File too large", "File size limit exceeded"}) || program.end.signal == SIGXFSZ)
-      refuse(Refusal::compile_error, "Your file makes a program that is too large; look for a huge array.");
+      refuse("Your file makes a program that is too large; look for a huge array.", program.output);
   }
 
   const CompileTask& task_;

@@ -1,16 +1,13 @@
-#include "checker/compile/compiler.hpp"
+#include "checker/compile/compile.hpp"
 
 #include "checker/base/text.hpp"
-#include "checker/compile/build_cache.hpp"
 
-#include <fmt/format.h>
 #include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
-#include <utility>
 
 namespace workbook {
 namespace fs = std::filesystem;
@@ -22,7 +19,7 @@ void Compiler::write(std::string_view source, const std::string& before) const {
   if (!before.empty()) stream << before << "#line 1 \"" << unit_name << "\"\n";
   if (!before.empty() && source.starts_with(byte_order_mark)) source.remove_prefix(byte_order_mark.size());
   if (!(stream << source).flush())
-    throw CacheError(
+    throw std::runtime_error(
         fmt::format("The checker cannot write {} (is the disk full?); this is not your mistake.", file.string()));
 }
 
@@ -47,11 +44,10 @@ SandboxProfile Compiler::profile(const CompileLimits& limits) const {
 
 FinishedProgram Compiler::run(const fs::path& program, std::vector<std::string> arguments,
                               const CompileLimits& limits) const {
-  const char* const path = std::getenv("PATH");
   Launch launch;
   launch.program = program;
   launch.arguments = std::move(arguments);
-  launch.environment = {std::string("PATH=") + (path ? path : "/usr/local/bin:/usr/bin:/bin"), "LC_ALL=C.UTF-8",
+  launch.environment = {"PATH=" + environment("PATH", "/usr/local/bin:/usr/bin:/bin"), "LC_ALL=C.UTF-8",
                         "TMPDIR=" + workspace_.string()};
   launch.directory = workspace_;
   launch.prepare = [sandbox = Sandbox(profile(limits))] { return sandbox.enter(); };

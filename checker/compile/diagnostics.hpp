@@ -6,9 +6,6 @@
 #include "checker/source/source_text.hpp"
 
 #include <functional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace workbook {
 

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <map>
 #include <regex>
-#include <utility>
 
 namespace workbook {
 namespace {

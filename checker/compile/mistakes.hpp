@@ -7,11 +7,6 @@
 #include "checker/data/observation.hpp"
 #include "checker/source/source_text.hpp"
 
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
 namespace workbook {
 
 /// A mistake that makes the compiler print a message. `message` is a regular expression that matches the message in

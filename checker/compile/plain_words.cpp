@@ -1,12 +1,10 @@
 #include "checker/base/text.hpp"
 #include "checker/compile/diagnostics.hpp"
 
-#include <fmt/format.h>
 #include <boost/algorithm/string/replace.hpp>
 #include <boost/algorithm/string/split.hpp>
 
 #include <algorithm>
-#include <optional>
 #include <regex>
 
 namespace workbook {
@@ -64,9 +62,7 @@ std::string shortened(const std::string& name, const std::string& list) {
   const bool is_sized = std::regex_match(arguments[1], number) && std::regex_match(arguments[2], number);
   if (is(" Matrix Array ") && is_sized) return matrix(arguments[0], std::stoi(arguments[1]), std::stoi(arguments[2]));
   if (is(" Block ") && is_sized) return noun({std::stoi(arguments[1]), std::stoi(arguments[2])});
-  const std::optional<Shape> first = shape_of(arguments[0]);
-  const std::optional<Shape> second = shape_of(arguments[1]);
-  const std::optional<Shape> third = shape_of(arguments[2]);
+  const auto first = shape_of(arguments[0]), second = shape_of(arguments[1]), third = shape_of(arguments[2]);
   if (is(" Transpose ") && first) return noun({first->columns, first->rows});
   if (is(" Product ") && first && second && (first->columns == second->rows || first->columns * second->rows < 0))
     return noun({first->rows, second->columns});

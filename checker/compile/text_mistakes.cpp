@@ -90,6 +90,9 @@ const std::vector<TextMistake>& table() {
                   R"(\))*? \. (transpose|normalized|inverse|adjoint|cross|dot|norm|)" +
                   R"(squaredNorm|sum|trace|determinant|eval|cwise\w+) \( )" + inside + R"(\) ;$)"),
        "$2() changes nothing: it returns a new value, which is dropped here. Write A = A.$2(...).", nullptr, own_types},
+      {"aliasing", std::regex(R"(^(\w+) \. noalias \( \) [+-]?= (?:.* )?\1 (?:.* )?;$)"),
+       "noalias() writes into `$1` while `$1` is still read on the right: leave it out, or use another variable.",
+       nullptr, own_types},
       {"empty_body", std::regex(R"(^(?:else )?(for|if) \( )" + inside + R"(\) ;$)"),
        "The ; directly behind $1 (...) is all that it does: what follows does not belong to it. Leave out this ;"},
       {"rounded_pi", std::regex(R"((?:^| )(3\.14\d*)(?= |$))"), "$1 is only near π; write std::numbers::pi.",

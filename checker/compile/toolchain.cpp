@@ -1,11 +1,10 @@
 #include "checker/compile/toolchain.hpp"
 
-#include "checker/base/build.hpp"
+#include "checker/base/child_process.hpp"
+#include "checker/base/files.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
@@ -20,13 +19,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Toolchain, compiler, flags, prelude, include_
 
 namespace {
 
-constexpr int current_toolchain_format = 1;
-
-void require_file(const fs::path& file) {
-  std::error_code ignored;
-  if (!fs::is_regular_file(file, ignored))
-    throw ToolchainError(fmt::format("{} is missing; build the workbook again.", file.string()));
-}
+constexpr int current_format = 1;
 
 /// Written under another name first: another checker may be making the same.
 void make_worker_object(const Toolchain& toolchain, const std::string& exercise) {
@@ -49,32 +42,35 @@ void make_worker_object(const Toolchain& toolchain, const std::string& exercise)
 }  // namespace
 
 Toolchain read_toolchain(const fs::path& file) {
-  std::ifstream stream(file);
-  if (!stream)
-    throw ToolchainError(fmt::format("The toolchain file {} cannot be read; build the workbook again.", file.string()));
+  const auto refuse = [&](const std::string& reason) {
+    return ToolchainError(fmt::format("The toolchain file {} {}; build the workbook again.", file.string(), reason));
+  };
+  const std::optional<std::string> text = read_file(file);
+  if (!text) throw refuse("cannot be read");
   try {
-    const auto document = nlohmann::json::parse(stream);
-    if (document.at("format") != current_toolchain_format)
-      throw ToolchainError(fmt::format(
-          "The toolchain file {} has another format than this checker; build the workbook again.", file.string()));
+    const auto document = nlohmann::json::parse(*text);
+    if (document.at("format") != current_format) throw refuse("has another format than this checker");
     return document.get<Toolchain>();
   } catch (const nlohmann::json::exception& error) {
-    throw ToolchainError(
-        fmt::format("The toolchain file {} is damaged ({}); build the workbook again.", file.string(), error.what()));
+    throw refuse(fmt::format("is damaged ({})", error.what()));
   }
 }
 
 void require_complete(const Toolchain& toolchain, const std::string& exercise) {
-  require_file(toolchain.compiler);
   std::vector<fs::path> parts = toolchain.support;
   parts.push_back(toolchain.precompiled());
   std::error_code problem;
   const auto exists = [&](const fs::path& file) { return fs::is_regular_file(file, problem); };
-  if (!std::ranges::all_of(parts, exists)) make({toolchain.setup, toolchain.build}, {toolchain.target});
-  std::ranges::for_each(parts, require_file);
+  if (exists(toolchain.compiler) && !std::ranges::all_of(parts, exists))
+    make({toolchain.setup, toolchain.build}, {toolchain.target});
   const auto made = fs::last_write_time(toolchain.worker_object(exercise), problem);
-  const auto is_newer = [&](const fs::path& part) { return fs::last_write_time(part) > made; };
-  if (problem || std::ranges::any_of(parts, is_newer)) make_worker_object(toolchain, exercise);
+  bool is_current = !problem;
+  parts.push_back(toolchain.compiler);
+  for (const fs::path& part : parts) {
+    if (!exists(part)) throw ToolchainError(fmt::format("{} is missing; build the workbook again.", part.string()));
+    is_current = is_current && (part == toolchain.compiler || fs::last_write_time(part) <= made);
+  }
+  if (!is_current) make_worker_object(toolchain, exercise);
 }
 
 }  // namespace workbook

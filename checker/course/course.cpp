@@ -2,33 +2,51 @@
 
 #include "checker/base/files.hpp"
 #include "checker/base/text.hpp"
-#include "checker/course/did_you_mean.hpp"
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <fstream>
 #include <set>
 
 namespace workbook {
 
 namespace fs = std::filesystem;
 
+static void from_json(const nlohmann::json& part, CardExercise& exercise) {
+  exercise = {part.at("name"), part.at("points"), part.at("notes"), part.at("task")};
+  if (!part.contains("difficulty") && !part.contains("minutes")) return;
+  part.at("difficulty").get_to(exercise.difficulty);
+  part.at("minutes").get_to(exercise.minutes);
+}
+// The macro defines to_json as well, which nobody calls.
+static void to_json(nlohmann::json& part, const CardExercise& exercise) { part = exercise.name; }
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Card, title, summary, slides, builds_on, contract, facts, exercises)
+
 namespace {
 
-constexpr std::uint64_t published_seed = 1;
-
-/// The results must fit the card: every exercise there.
-void require_exercises_of(const Card& card, const LectureReference& results, const fs::path& file,
-                          const std::string& only) {
-  for (const CardExercise& exercise : card.exercises) {
-    if (!only.empty() && exercise.name != only) continue;
-    if (std::ranges::find(results.exercises, exercise.name, &ExerciseReference::name) == results.exercises.end())
-      throw ReferenceError(
-          fmt::format("{}: '{}' is missing, though the card lists it; `{}` names what is to be written.", file.string(),
-                      exercise.name, command("self-check " + exercise.name)));
+Card read_card(const fs::path& lecture) {
+  const fs::path file = lecture / "card.json";
+  const auto refuse = [&](const std::string& reason) {
+    throw CourseError(fmt::format("{}: {}.", file.string(), reason));
+  };
+  const std::optional<std::string> text = read_file(file);
+  if (!text) refuse("the card of the lecture is missing or cannot be read");
+  Card card;
+  try {
+    card = nlohmann::json::parse(*text).get<Card>();
+  } catch (const nlohmann::json::exception& problem) {
+    const std::string reason = problem.what();  // "[json.exception.…] (/exercises/0/points) type must be …"
+    refuse(reason.substr(reason.find(']') + 2));
   }
+  card.lecture = lecture.filename().string();
+  std::set<std::string> names;
+  for (const CardExercise& exercise : card.exercises) {
+    if (!names.insert(exercise.name).second) refuse(fmt::format("the exercise '{}' is on it twice", exercise.name));
+    if (!(exercise.points > 0)) refuse(fmt::format("the points of '{}' should be a positive number", exercise.name));
+    if (exercise.difficulty < 0 || exercise.difficulty > 3 || (exercise.minutes > 0) != exercise.is_problem())
+      refuse(fmt::format("the problem '{}' needs a difficulty from 1 to 3 and its minutes", exercise.name));
+  }
+  return card;
 }
 
 bool is_newer(const fs::path& file, const fs::path& than) {
@@ -37,21 +55,20 @@ bool is_newer(const fs::path& file, const fs::path& than) {
   return problem || fs::last_write_time(file, problem) > time;
 }
 
+bool any_is_newer(const fs::path& folder, const fs::path& than) {
+  std::error_code ignored;
+  const fs::recursive_directory_iterator files(folder, ignored);
+  return std::any_of(begin(files), end(files), [&](const auto& file) { return is_newer(file, than); });
+}
+
 /// What the compiler complains about first.
 std::string first_errors(const std::string& output) {
   constexpr int most_errors = 3;
   std::string text;
   int count = 0;
-  for (const std::string& line : lines_of(output)) {
+  for (const std::string& line : lines_of(output))
     if (line.find("error: ") != std::string::npos && count++ < most_errors) text += "\n" + line;
-  }
   return text;
-}
-
-bool any_is_newer(const fs::path& folder, const fs::path& than) {
-  std::error_code ignored;
-  const fs::recursive_directory_iterator files(folder, ignored);
-  return std::any_of(begin(files), end(files), [&](const auto& file) { return is_newer(file, than); });
 }
 
 [[noreturn]] void throw_unknown(const std::string& what, const std::string& name,
@@ -61,10 +78,7 @@ bool any_is_newer(const fs::path& folder, const fs::path& than) {
                                 meant.empty() ? "" : fmt::format(" Did you mean '{}'?", meant), command("list")));
 }
 
-/// What was typed without folders, ending and leading zeros: "exercises/cross_matrix.cpp" means "cross_matrix".
-std::string bare(const std::string& typed) {
-  const fs::path file = typed;
-  const std::string name = file.extension() == ".cpp" ? file.stem().string() : typed;
+std::string without_zeros(const std::string& name) {
   return name.substr(std::min(name.find_first_not_of('0'), name.size()));
 }
 
@@ -74,17 +88,17 @@ std::string topic_of(const Card& card) {
 
 bool is_named(const Card& card, const std::string& name) {
   const std::string number = card.lecture.substr(0, card.lecture.find('_'));
-  const std::string wanted = bare(name);
-  return wanted == bare(card.lecture) || wanted == bare(number) || wanted == topic_of(card);
+  const std::string wanted = without_zeros(name);
+  return wanted == without_zeros(card.lecture) || wanted == without_zeros(number) || wanted == topic_of(card);
 }
 
 }  // namespace
 
 Course::Course(const fs::path& course_file) {
-  std::ifstream in(course_file);
-  if (!in) throw CourseError(fmt::format("{}: missing; build the workbook again.", course_file.string()));
+  const std::optional<std::string> text = read_file(course_file);
+  if (!text) throw CourseError(fmt::format("{}: missing; build the workbook again.", course_file.string()));
   try {
-    const auto document = nlohmann::json::parse(in);
+    const auto document = nlohmann::json::parse(*text);
     const auto path = [&](const char* key) { return fs::path(document.at(key).get<std::string>()); };
     root_ = path("root");
     reference_ = path("reference");
@@ -97,20 +111,18 @@ Course::Course(const fs::path& course_file) {
         fmt::format("{}: not usable ({}); build the workbook again.", course_file.string(), problem.what()));
   }
   std::error_code problem;
-  std::set<std::string> names;
-  for (const auto& entry : fs::directory_iterator(lectures(), problem)) {
+  for (const auto& entry : fs::directory_iterator(lectures(), problem))
     // Notes without a card are a lecture that has lost it.
     if (fs::exists(entry.path() / "card.json") || fs::exists(entry.path() / "notes.md"))
-      names.insert(entry.path().filename().string());
-  }
-  for (const std::string& name : names) cards_.push_back(read_card(lectures(), name));
+      cards_.push_back(read_card(entry.path()));
+  std::ranges::sort(cards_, {}, &Card::lecture);
+  if (!has_solutions() && !cards_.empty()) seed_ = seed_of_reference_results(reference_file(cards_.front().lecture));
 }
 
 std::vector<Exercise> Course::exercises() const {
   std::vector<Exercise> all;
-  for (const Card& card : cards_) {
+  for (const Card& card : cards_)
     for (const CardExercise& entry : card.exercises) all.push_back({&card, &entry});
-  }
   return all;
 }
 
@@ -128,7 +140,7 @@ std::vector<Exercise> Course::find(const std::string& name) const {
   std::vector<std::string> known;
   for (const Exercise& exercise : exercises()) {
     // An exercise may be called like the topic of a lecture; then the exercise is meant.
-    if (bare(name) == exercise.name()) return {exercise};
+    if (name == exercise.name()) return {exercise};
     if (is_named(*exercise.card, name)) of_lecture.push_back(exercise);
     known.insert(known.end(), {exercise.name(), exercise.lecture(), topic_of(*exercise.card)});
   }
@@ -139,57 +151,24 @@ std::vector<Exercise> Course::find(const std::string& name) const {
 std::vector<Exercise> Course::choose(const std::vector<std::string>& names) const {
   if (names.empty()) return exercises();
   std::vector<Exercise> all;
-  for (const std::string& name : names) {
-    for (const Exercise& exercise : find(name)) {
-      const bool already =
-          std::any_of(all.begin(), all.end(), [&](const Exercise& each) { return each.entry == exercise.entry; });
-      if (!already) all.push_back(exercise);
-    }
-  }
+  for (const std::string& name : names)
+    for (const Exercise& exercise : find(name))
+      if (std::ranges::count(all, exercise.entry, &Exercise::entry) == 0) all.push_back(exercise);
   return all;
 }
 
 Exercise Course::find_exercise(const std::string& name) const {
   std::vector<std::string> known;
   for (const Exercise& exercise : exercises()) {
-    if (exercise.name() == bare(name)) return exercise;
+    if (exercise.name() == name) return exercise;
     known.push_back(exercise.name());
   }
   throw_unknown("exercise", name, known);
 }
 
-fs::path Course::student_file(const Exercise& exercise) const {
-  return lectures() / exercise.lecture() / "exercises" / (exercise.name() + ".cpp");
-}
-
-fs::path Course::hints_file(const Exercise& exercise) const {
-  return lectures() / exercise.lecture() / "exercises" / (exercise.name() + ".hints.md");
-}
-
-fs::path Course::solution_file(const Exercise& exercise) const {
-  return root_ / "solutions" / exercise.lecture() / (exercise.name() + ".cpp");
-}
-
-fs::path Course::judging_file(const Exercise& exercise) const {
-  return root_ / "solutions" / exercise.lecture() / (exercise.name() + ".judging.cpp");
-}
-
-fs::path Course::derivation_file(const Exercise& exercise) const {
-  return root_ / "solutions" / exercise.lecture() / (exercise.name() + ".md");
-}
-
-fs::path Course::contract_file(const Card& card) const {
-  return root_ / "include" / "rigid" / (card.contract + ".hpp");
-}
-
-fs::path Course::notes_file(const Card& card) const { return lectures() / card.lecture / "notes.md"; }
-
-bool Course::has_solutions() const { return fs::exists(root_ / "solutions"); }
-
 std::optional<fs::path> Course::notes_page(const std::string& lecture) const {
   const fs::path page = notes_ / ("lecture_" + lecture + ".html");
-  if (!fs::exists(page)) return std::nullopt;
-  return page;
+  return fs::exists(page) ? std::optional(page) : std::nullopt;
 }
 
 fs::path Course::reference_file(const std::string& lecture) const {
@@ -215,7 +194,7 @@ fs::path Course::reference_of_seed(const std::string& lecture, std::uint64_t see
     throw ReferenceError(fmt::format(
         "This copy of the workbook has reference results for seed {} only; other seeds need the solutions, which it "
         "does not have.",
-        published_seed));
+        seed_));
   fs::path file = scratch_ / "reference" / fmt::format("{}-seed-{}.json", lecture, seed);
   if (!is_newer(program, file)) return file;
   fs::create_directories(file.parent_path());
@@ -230,9 +209,14 @@ fs::path Course::reference_of_seed(const std::string& lecture, std::uint64_t see
 
 LectureReference Course::reference(const std::string& lecture, std::uint64_t seed, const std::string& only) const {
   if (has_solutions()) make_reference(lecture);
-  const fs::path file = seed == published_seed ? reference_file(lecture) : reference_of_seed(lecture, seed);
+  const fs::path file = seed == seed_ ? reference_file(lecture) : reference_of_seed(lecture, seed);
   LectureReference results = read_reference_results(file, only);
-  require_exercises_of(*std::ranges::find(cards_, lecture, &Card::lecture), results, file, only);
+  for (const CardExercise& exercise : find_lecture(lecture).exercises)
+    if ((only.empty() || exercise.name == only) &&
+        std::ranges::count(results.exercises, exercise.name, &ExerciseReference::name) == 0)
+      throw ReferenceError(
+          fmt::format("{}: '{}' is missing, though the card lists it; `{}` names what is to be written.", file.string(),
+                      exercise.name, command("self-check " + exercise.name)));
   return results;
 }
 

@@ -2,20 +2,35 @@
 /// The course as the checker sees it: where everything lies, and which exercises there are.
 #pragma once
 
-#include "checker/base/build.hpp"
-#include "checker/course/card.hpp"
+#include "checker/base/child_process.hpp"
 #include "checker/data/reference_results.hpp"
-
-#include <cstdint>
-#include <filesystem>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 namespace workbook {
 
-/// The course cannot be read: file, place and reason in one sentence.
+/// The names are the keys of card.json, here and below.
+struct CardExercise {
+  std::string name;
+  double points = 1.0;
+  std::string notes;   ///< anchor of its paragraph
+  std::string task;    ///< what to write, in a line or two: the comment at the head of the stub
+  int difficulty = 0;  ///< of a problem, 1 to 3: its statement gives the physics, the formula is to be found; else 0
+  int minutes = 0;     ///< that a problem takes about; else 0
+
+  bool is_problem() const { return difficulty > 0; }
+};
+
+struct Card {
+  std::string lecture;  ///< the folder's name, "03_inertia_tensor"; not on the card
+  std::string title;
+  std::string summary;
+  std::vector<std::string> slides;
+  std::vector<std::string> builds_on;
+  std::string contract;    ///< header without folder and ending, "inertia_tensor"
+  std::vector<int> facts;  ///< numbers of the facts of the slides that it teaches
+  std::vector<CardExercise> exercises;
+};
+
+/// The course, or a text of it, cannot be used: file, place and reason in one sentence.
 struct CourseError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -38,7 +53,7 @@ struct Exercise {
 /// lecture, in the order of their names.
 class Course {
  public:
-  /// @throws CourseError or CardError.
+  /// @throws CourseError
   explicit Course(const std::filesystem::path& course_file);
 
   const std::vector<Card>& cards() const { return cards_; }
@@ -46,9 +61,8 @@ class Course {
   /// All exercises in course order.
   std::vector<Exercise> exercises() const;
 
-  /// The exercises that a name stands for: one exercise (a file of that name will do), or all of a lecture
-  /// ("03_inertia_tensor", "03", "3", "inertia_tensor").
-  /// @throws UnknownName with a proposal.
+  /// The exercises that a name stands for: one exercise, or all of a lecture ("03_inertia_tensor", "03", "3",
+  /// "inertia_tensor"). @throws UnknownName with a proposal.
   std::vector<Exercise> find(const std::string& name) const;
 
   /// The lecture of that name, number or topic; it may have no exercise yet. @throws UnknownName with a proposal.
@@ -63,15 +77,27 @@ class Course {
 
   const std::filesystem::path& root() const { return root_; }
   std::filesystem::path lectures() const { return root_ / "lectures"; }
-  std::filesystem::path student_file(const Exercise& exercise) const;
-  std::filesystem::path hints_file(const Exercise& exercise) const;
-  std::filesystem::path solution_file(const Exercise& exercise) const;    ///< absent in what students get
-  std::filesystem::path judging_file(const Exercise& exercise) const;     ///< likewise
-  std::filesystem::path derivation_file(const Exercise& exercise) const;  ///< likewise; problems have one
-  std::filesystem::path contract_file(const Card& card) const;
-  std::filesystem::path notes_file(const Card& card) const;
-  bool has_solutions() const;
+  std::filesystem::path student_file(const Exercise& exercise) const {
+    return lectures() / exercise.lecture() / "exercises" / (exercise.name() + ".cpp");
+  }
+  std::filesystem::path hints_file(const Exercise& exercise) const {
+    return lectures() / exercise.lecture() / "exercises" / (exercise.name() + ".hints.md");
+  }
+  std::filesystem::path solution_file(const Exercise& exercise) const {  ///< absent in what students get
+    return root_ / "solutions" / exercise.lecture() / (exercise.name() + ".cpp");
+  }
+  std::filesystem::path judging_file(const Exercise& exercise) const {  ///< likewise
+    return root_ / "solutions" / exercise.lecture() / (exercise.name() + ".judging.cpp");
+  }
+  std::filesystem::path derivation_file(const Exercise& exercise) const {  ///< likewise; problems have one
+    return root_ / "solutions" / exercise.lecture() / (exercise.name() + ".md");
+  }
+  std::filesystem::path contract_file(const Card& card) const {
+    return root_ / "include" / "rigid" / (card.contract + ".hpp");
+  }
+  std::filesystem::path notes_file(const Card& card) const { return lectures() / card.lecture / "notes.md"; }
   const std::filesystem::path& toolchain_file() const { return toolchain_file_; }
+  bool has_solutions() const { return std::filesystem::exists(root_ / "solutions"); }
 
   /// The build that this program belongs to.
   const Build& build() const { return build_; }
@@ -91,6 +117,9 @@ class Course {
   /// build, as soon as they have been needed.
   std::filesystem::path reference_file(const std::string& lecture) const;
 
+  /// The seed of the cases that count: 1, or what a handed-out copy was drawn with.
+  std::uint64_t seed() const { return seed_; }
+
   /// Reference results of a lecture, or of its exercise `only`. Where there are solutions, they are made from them on
   /// first need and when a solution has changed.
   /// @throws ReferenceError if they are not there, cannot be made or cannot be read, or lack an exercise of the card.
@@ -107,6 +136,7 @@ class Course {
   std::filesystem::path notes_;
   Build build_;
   std::vector<Card> cards_;
+  std::uint64_t seed_ = 1;
 };
 
 }  // namespace workbook

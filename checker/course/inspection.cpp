@@ -2,14 +2,9 @@
 
 #include "checker/base/files.hpp"
 #include "checker/base/text.hpp"
-#include "checker/course/did_you_mean.hpp"
-#include "checker/course/hints.hpp"
-#include "checker/course/stub.hpp"
-
-#include <fmt/format.h>
+#include "checker/course/exercise_texts.hpp"
 
 #include <algorithm>
-#include <map>
 #include <regex>
 #include <set>
 
@@ -32,24 +27,19 @@ bool has_anchor(const std::string& notes, const std::string& anchor) {
 }
 
 /// Collects what is missing, to be named in one message.
-class MissingParts {
- public:
-  MissingParts(const Course& course, std::string what) : course_(course), what_(std::move(what)) {}
+struct MissingParts {
+  const Course& course;
+  std::string what;
+  std::string lines = {};
 
   void require(const fs::path& file, bool is_there, const std::string& cure) {
-    if (!is_there) lines_ += fmt::format("\n  {}: {}", in_course(course_, file), cure);
+    if (!is_there) lines += fmt::format("\n  {}: {}", in_course(course, file), cure);
   }
   void require_file(const fs::path& file, const std::string& cure) { require(file, fs::is_regular_file(file), cure); }
-
   Sentences message() const {
-    if (lines_.empty()) return {};
-    return {fmt::format("{}: write what is missing, or remove the entry from the card.{}", what_, lines_)};
+    if (lines.empty()) return {};
+    return {fmt::format("{}: write what is missing, or remove the entry from the card.{}", what, lines)};
   }
-
- private:
-  const Course& course_;
-  std::string what_;
-  std::string lines_;
 };
 
 /// Files of a folder that belong to nothing. Dot-files and editors' backups do not count.
@@ -63,30 +53,26 @@ void name_strays(const Course& course, const fs::path& folder, const std::set<fs
   }
 }
 
-struct Quote {
-  fs::path file;
-  std::string region;
-};
-
-/// What the notes quote: marked regions of files. A worked example is quoted twice, its lines in brief and the whole of
-/// it.
-std::vector<Quote> quotes_of(const Course& course, const std::string& notes) {
-  std::vector<Quote> quotes;
-  const std::regex snippet(R"(\\snippet\s+(\S+)\s+([^\n]*\S))");
-  const std::regex computed(R"(\\computed\{([^,}]+),([^}]+)\})");
-  for (std::sregex_iterator match(notes.begin(), notes.end(), snippet), end; match != end; ++match)
-    quotes.push_back({course.lectures() / (*match)[1].str(), (*match)[2]});
-  for (std::sregex_iterator match(notes.begin(), notes.end(), computed), end; match != end; ++match) {
+/// What the notes quote, and what is wrong with its marks: regions of files. A worked example is quoted twice, its
+/// lines in brief and the whole of it.
+void name_unmarked_quotes(const Course& course, const fs::path& notes_file, const std::string& notes,
+                          Sentences& faults) {
+  const auto require_marks = [&](const fs::path& file, const std::string& region) {
+    const std::string text = text_of(file), mark = "[" + region + "]";
+    std::size_t marks = 0;
+    for (std::size_t at = 0; (at = text.find(mark, at)) != std::string::npos; at += mark.size()) ++marks;
+    if (marks == 2) return;
+    faults.push_back(
+        fmt::format("{}: quotes '{}' of {}, which has {} of the two marks `//! [{}]`; put them around the example.",
+                    in_course(course, notes_file), region, in_course(course, file), marks, region));
+  };
+  static const std::regex quote(R"(\\snippet\s+(\S+)\s+([^\n]*\S)|\\computed\{([^,}]+),([^}]+)\})");
+  for (std::sregex_iterator match(notes.begin(), notes.end(), quote), end; match != end; ++match) {
+    if ((*match)[1].matched) require_marks(course.lectures() / (*match)[1].str(), (*match)[2]);
     for (const char* part : {"", " in brief"})
-      quotes.push_back({course.lectures() / (*match)[1].str() / "worked_examples.cpp", (*match)[2].str() + part});
+      if ((*match)[3].matched)
+        require_marks(course.lectures() / (*match)[3].str() / "worked_examples.cpp", (*match)[4].str() + part);
   }
-  return quotes;
-}
-
-std::size_t occurrences(const std::string& text, const std::string& mark) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + mark.size())) ++count;
-  return count;
 }
 
 }  // namespace
@@ -94,18 +80,16 @@ std::size_t occurrences(const std::string& text, const std::string& mark) {
 Sentences faults_of_cards(const Course& course) {
   Sentences faults;
   std::map<std::string, std::string> lecture_of;
-  for (const Exercise& exercise : course.exercises()) {
-    const auto [first, is_new] = lecture_of.emplace(exercise.name(), exercise.lecture());
-    if (!is_new)
+  for (const Exercise& exercise : course.exercises())
+    if (const auto [first, is_new] = lecture_of.emplace(exercise.name(), exercise.lecture()); !is_new)
       faults.push_back(fmt::format("lectures/{}/card.json: the exercise '{}' is on the card of {} too; rename one.",
                                    exercise.lecture(), exercise.name(), first->second));
-  }
   return faults;
 }
 
 Sentences faults_of_lecture(const Course& course, const Card& card) {
   const fs::path folder = course.lectures() / card.lecture;
-  MissingParts parts(course, card.lecture);
+  MissingParts parts{course, card.lecture};
   parts.require_file(course.contract_file(card), "the contract that the card names");
   parts.require_file(folder / "notes.md", "the notes");
   parts.require_file(folder / "worked_examples.cpp", "the worked examples, as cases of doctest");
@@ -123,6 +107,7 @@ Sentences faults_of_lecture(const Course& course, const Card& card) {
     const Exercise exercise{&card, &entry};
     exercises.insert({course.student_file(exercise), course.hints_file(exercise)});
     solutions.insert({course.solution_file(exercise), course.judging_file(exercise)});
+    if (entry.is_problem()) solutions.insert(course.solution_file(exercise).replace_extension(".md"));
   }
   const fs::path solution_folder = course.root() / "solutions" / card.lecture;
   solutions.insert(solution_folder / "shared.hpp");
@@ -149,7 +134,7 @@ Sentences stray_exercises(const Course& course, const Card& card) {
 
 Sentences faults_of_parts(const Course& course, const Exercise& exercise) {
   const Card& card = *exercise.card;
-  MissingParts parts(course, card.lecture + ", " + exercise.name());
+  MissingParts parts{course, card.lecture + ", " + exercise.name()};
   parts.require(course.contract_file(card), !declared_signature(course, exercise).empty(),
                 fmt::format("the declaration `TYPE {}(...);`", exercise.name()));
   parts.require_file(course.hints_file(exercise), "three hints, weakest first, with lines of three dashes between");
@@ -174,7 +159,7 @@ Sentences faults_of_texts(const Course& course, const Exercise& exercise, const 
                                    in_course(course, hints_file), plural(hints.size(), "hint"), hints_wanted));
     if (std::set<std::string>(hints.begin(), hints.end()).size() != hints.size())
       faults.push_back(fmt::format("{}: two hints are the same; write another.", in_course(course, hints_file)));
-  } catch (const HintError& problem) {
+  } catch (const CourseError& problem) {
     faults.emplace_back(problem.what());
   }
   const std::string declared = declared_signature(course, exercise);
@@ -196,10 +181,9 @@ Sentences faults_of_notes(const Course& course, const Card& card, const LectureR
   const std::string place = in_course(course, file);
   std::map<std::string, std::string> anchors;  // and what points there
   for (const ExerciseReference& exercise : reference.exercises) {
-    for (const Misconception& misconception : exercise.misconceptions)
-      anchors.emplace(misconception.notes, exercise.name + ", " + misconception.name);
-    for (const Property& property : exercise.properties)
-      anchors.emplace(property.notes, exercise.name + ", a property");
+    for (const Misconception& each : exercise.misconceptions)
+      anchors.emplace(each.notes, exercise.name + ", " + each.name);
+    for (const Property& each : exercise.properties) anchors.emplace(each.notes, exercise.name + ", a property");
   }
   anchors.erase("");  // the anchor of the card
   Sentences faults;
@@ -209,13 +193,7 @@ Sentences faults_of_notes(const Course& course, const Card& card, const LectureR
           "{}: no paragraph has the anchor '{}', to which {} points; add {{#{}}} to a heading, or correct the pointer.",
           place, anchor, what, anchor));
   }
-  for (const Quote& quote : quotes_of(course, notes)) {
-    const std::size_t marks = occurrences(text_of(quote.file), "[" + quote.region + "]");
-    if (marks != 2)
-      faults.push_back(
-          fmt::format("{}: quotes '{}' of {}, which has {} of the two marks `//! [{}]`; put them around the example.",
-                      place, quote.region, in_course(course, quote.file), marks, quote.region));
-  }
+  name_unmarked_quotes(course, file, notes, faults);
   for (const int fact : card.facts) {
     if (notes.find(fmt::format("<!-- fact {} -->", fact)) == std::string::npos)
       faults.push_back(fmt::format(

@@ -5,9 +5,6 @@
 #include "checker/course/course.hpp"
 #include "checker/data/reference_results.hpp"
 
-#include <string>
-#include <vector>
-
 namespace workbook {
 
 using Sentences = std::vector<std::string>;

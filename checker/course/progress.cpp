@@ -1,23 +1,19 @@
 #include "checker/course/progress.hpp"
 
-#include "checker/base/descriptor.hpp"
 #include "checker/base/files.hpp"
+#include "checker/base/text.hpp"
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <fcntl.h>
 #include <sys/file.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
-#include <system_error>
-#include <utility>
 
 namespace workbook {
 
 namespace fs = std::filesystem;
+using nlohmann::json;
 
 namespace {
 
@@ -25,43 +21,39 @@ constexpr int current_format = 1;
 
 }  // namespace
 
-Progress::Progress(fs::path file) : file_(std::move(file)) { read(); }
-
 void Progress::read() {
   std::error_code problem;
   if (!fs::exists(file_, problem)) return;
   try {
-    std::ifstream in(file_);
-    const auto document = nlohmann::json::parse(in);
+    const json document = json::parse(read_file(file_).value_or(""));
     if (document.at("format").get<int>() != current_format) throw std::runtime_error("format");
-    std::map<std::string, LastVerdict> verdicts;
-    std::map<std::string, std::size_t> hints;
-    using Object = nlohmann::json::object_t;
-    for (const auto& [exercise, value] : document.at("exercises").get_ref<const Object&>()) {
-      const auto& entry = value.get_ref<const Object&>();
+    std::map<std::string, Known> known;
+    for (const auto& [exercise, entry] : document.at("exercises").get_ref<const json::object_t&>()) {
+      Known& one = known[exercise];
       if (entry.contains("verdict")) {
-        verdicts[exercise] = {entry.at("verdict").get<std::string>(), entry.at("source").get<std::string>()};
+        one.verdict = entry.at("verdict");
+        one.source = entry.at("source");
       }
-      if (entry.contains("hints"))
-        hints[exercise] = entry.at("hints").get_ref<const nlohmann::json::number_unsigned_t&>();
+      const auto hints = entry.get_ref<const json::object_t&>().find("hints");
+      if (entry.contains("hints")) one.hints = hints->second.get_ref<const json::number_unsigned_t&>();
     }
-    verdicts_ = std::move(verdicts);
-    hints_ = std::move(hints);
+    known_ = std::move(known);
   } catch (const std::exception&) {
     const fs::path aside = free_name(file_.string() + ".damaged");
     fs::rename(file_, aside, problem);
     warning_ = problem ? fmt::format(
-                             "Your progress file {} is damaged and cannot be renamed; make its folder writable. "
-                             "Your exercises are untouched.",
+                             "Your progress file {} is damaged and cannot be renamed; make its folder "
+                             "writable. Your exercises are untouched.",
                              file_.string())
                        : fmt::format(
-                             "Your progress file was damaged; it is kept as {} and counting starts again. Your "
-                             "exercises are untouched.",
+                             "Your progress file was damaged; it is kept as {} and counting starts again. "
+                             "Your exercises are untouched.",
                              aside.string());
   }
 }
 
-void Progress::change(const std::function<void()>& something) {
+template <class Change>
+void Progress::change(const Change& something) {
   // A hint may be asked for while a check runs: each changes only what is its own. Where a folder cannot be locked,
   // both are still written whole, one after the other.
   std::error_code problem;
@@ -70,68 +62,42 @@ void Progress::change(const std::function<void()>& something) {
   if (folder) ::flock(folder.number(), LOCK_EX);
   read();
   something();
-  write();
-}
-
-void Progress::write() {
-  nlohmann::json exercises = nlohmann::json::object();
-  for (const auto& [exercise, last] : verdicts_)
-    exercises[exercise] = {{"verdict", last.verdict}, {"source", last.source}};
-  for (const auto& [exercise, count] : hints_) {
-    if (count > 0) exercises[exercise]["hints"] = count;
+  json exercises = json::object();
+  for (const auto& [exercise, one] : known_) {
+    if (!one.verdict.empty()) exercises[exercise] = {{"verdict", one.verdict}, {"source", one.source}};
+    if (one.hints > 0) exercises[exercise]["hints"] = one.hints;
   }
-  const nlohmann::json document = {{"format", current_format}, {"exercises", exercises}};
-
+  const json document = {{"format", current_format}, {"exercises", exercises}};
   if (!write_file(file_, document.dump(2) + "\n").empty())
     warning_ = fmt::format(
-        "Your progress could not be saved in {}; make that folder writable. The verdict above is valid "
-        "all the same.",
+        "Your progress could not be saved in {}; make that folder writable. The verdict above is valid all the same.",
         file_.string());
 }
 
-void Progress::remember(const std::string& exercise, const LastVerdict& verdict) {
-  change([&] { verdicts_[exercise] = verdict; });
-}
-
-void Progress::forget(const std::string& exercise) {
-  if (!verdicts_.contains(exercise) && !hints_.contains(exercise)) return;
+void Progress::remember(const std::string& exercise, const std::string& verdict, const std::string& source) {
   change([&] {
-    verdicts_.erase(exercise);
-    hints_.erase(exercise);
+    known_[exercise].verdict = verdict;
+    known_[exercise].source = fingerprint(source);
   });
 }
 
-std::string Progress::verdict(const std::string& exercise) const {
-  const auto found = verdicts_.find(exercise);
-  return found == verdicts_.end() ? "" : found->second.verdict;
-}
-
-bool Progress::passed(const std::string& exercise, const std::string& source) const {
-  const auto found = verdicts_.find(exercise);
-  return found != verdicts_.end() && found->second.verdict == "passed" && found->second.source == source;
-}
-
-std::size_t Progress::hints_shown(const std::string& exercise) const {
-  const auto found = hints_.find(exercise);
-  return found == hints_.end() ? 0 : found->second;
+void Progress::forget(const std::string& exercise) {
+  if (known_.contains(exercise)) change([&] { known_.erase(exercise); });
 }
 
 void Progress::remember_hints(const std::string& exercise, std::size_t count) {
-  change([&] { hints_[exercise] = count; });
-}
-
-std::size_t ProgressSummary::count_passed() const {
-  return static_cast<std::size_t>(std::count(passed.begin(), passed.end(), true));
+  change([&] { known_[exercise].hints = count; });
 }
 
 std::size_t ProgressSummary::count_passed(const std::string& lecture) const {
   std::size_t count = 0;
-  for (std::size_t i = 0; i < exercises.size(); ++i) count += passed[i] && exercises[i].lecture() == lecture ? 1 : 0;
+  for (std::size_t i = 0; i < exercises.size(); ++i)
+    count += passed[i] && (lecture.empty() || exercises[i].lecture() == lecture) ? 1 : 0;
   return count;
 }
 
 const Exercise* ProgressSummary::next() const {
-  const auto found = std::find(passed.begin(), passed.end(), false);
+  const auto found = std::ranges::find(passed, false);
   return found == passed.end() ? nullptr : &exercises[static_cast<std::size_t>(found - passed.begin())];
 }
 

@@ -6,13 +6,11 @@
 #include "checker/compile/source_findings.hpp"
 #include "checker/explain/repair.hpp"
 #include "checker/sandbox/diagnostic_run.hpp"
-#include "checker/sandbox/run_exercise.hpp"
-
-#include <fmt/format.h>
+#include "checker/sandbox/worker_process.hpp"
 
 #include <algorithm>
-#include <exception>
-#include <utility>
+#include <functional>
+#include <numeric>
 
 namespace workbook {
 
@@ -42,13 +40,64 @@ void add(std::vector<Finding>& findings, std::vector<Finding> more) {
   }
 }
 
-/// True, but a consequence: of a reason that it does not name.
-bool is_symptom(const Diagnosis& diagnosis) {
-  return diagnosis.kind == DiagnosisKind::place || diagnosis.kind == DiagnosisKind::property ||
-         diagnosis.kind == DiagnosisKind::dimension;
+/// The inputs of which further calls confirm that they never change the result: at other cases, by other amounts.
+std::vector<IndependentInput> confirmed(std::vector<IndependentInput> inputs, ExerciseRunner& runner,
+                                        const ExerciseReference& reference, const Answers& answers) {
+  constexpr std::size_t most_cases = 12;
+  std::vector<std::size_t> all(reference.described_cases());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const std::vector<std::size_t> cases = spread(all, most_cases);
+  std::erase_if(inputs, [&](const IndependentInput& input) {
+    return std::ranges::any_of(cases, [&](std::size_t index) {
+      if (!answers[index] || !answers[index]->is_finite()) return true;
+      const Case& one = reference.cases[index];
+      std::vector<PlannedCall> calls;
+      for (const double factor : {0.0, -0.6, 1e-2, 1.9, 40.0}) {
+        calls.push_back({one.inputs, one.expected.rows, one.expected.cols});
+        std::vector<double>& numbers = calls.back().inputs[input.argument].numbers;
+        const double number = numbers[input.entry], changed = number == 0 ? factor : number * factor;
+        // A symmetric matrix stays one.
+        if (const std::size_t mirror = input.entry % 3 * 3 + input.entry / 3;
+            reference.arguments[input.argument].kind == Kind::matrix3 && numbers[mirror] == number)
+          numbers[mirror] = changed;
+        numbers[input.entry] = changed;
+      }
+      return std::ranges::any_of(runner.evaluate(calls), [&](const Reply& reply) {
+        return reply.ending == Ending::returned && reply.value.numbers != answers[index]->numbers;
+      });
+    });
+  });
+  return inputs;
 }
 
 bool has_values(Verdict verdict) { return verdict == Verdict::wrong_value || verdict == Verdict::non_finite_value; }
+
+/// Where the values tell symptoms only.
+void explain_deeper(Explanation& explanation, const DiagnosticTask& task, bool has_mistake_in_code,
+                    const Answers& answers, const Toolchain& toolchain, const std::filesystem::path& cache,
+                    ExerciseRunner& runner) {
+  std::vector<Diagnosis>& diagnoses = explanation.diagnoses;
+  std::vector<Finding> deeper = diagnostic_run(task, toolchain, cache);
+  if (!deeper.empty()) {
+    diagnoses.clear();
+    return add(explanation.findings, std::move(deeper));
+  }
+  // Where a mistake in the code is known, its consequences are none of physics.
+  const auto is_place = [](const Diagnosis& each) { return each.kind == DiagnosisKind::place; };
+  if (has_mistake_in_code) std::erase_if(diagnoses, std::not_fn(is_place));
+  if (task.judgement.verdict != Verdict::wrong_value) return;
+  const auto slip = slip_or_branch(task, toolchain, cache);
+  if (slip) {
+    std::erase_if(diagnoses, [&](const Diagnosis& each) {
+      return each.kind != DiagnosisKind::split && (slip->name == "branch" || !is_place(each));
+    });
+    add(explanation.findings, {*slip});
+  } else if (!has_mistake_in_code) {
+    const auto inputs = confirmed(independent_inputs(task.reference, answers), runner, task.reference, answers);
+    if (!inputs.empty() && inputs.size() <= 6)
+      diagnoses.insert(diagnoses.begin(), independence(task.reference, inputs));
+  }
+}
 
 Explanation explain(const CheckResult& checked, const CompileTask& compile_task, const Compilation& compilation,
                     const Toolchain& toolchain, const std::filesystem::path& cache, ExerciseRunner& runner) {
@@ -65,29 +114,24 @@ Explanation explain(const CheckResult& checked, const CompileTask& compile_task,
     add(explanation.findings, std::move(in_code));
     return explanation;
   }
-  // A slip of C++ that explains everything is not explained as physics.
-  if (const auto decisive = decisive_finding(task, in_code, toolchain, cache)) {
-    explanation.findings = {*decisive};
+  // A slip of C++ is not explained as physics.
+  const CodeReasons code = code_reasons(task, in_code, toolchain, cache);
+  if (!code.findings.empty()) {
+    explanation.findings = code.findings;
+    if (!code.are_all) add(explanation.findings, std::move(in_code));
     return explanation;
   }
-  explanation.diagnoses =
-      diagnose(reference, answers_of(reference, checked.observation.replies),
-               verdict == Verdict::wrong_value ? take_probes(runner, reference) : std::vector<UnitProbe>{});
+  const bool has_mistake_in_code = !std::ranges::all_of(in_code, is_remark);
+  const bool has_no_value = std::ranges::count(in_code, "uninitialized_variable", &Finding::name) > 0;
+  const Answers answers = answers_of(reference, checked.observation.replies);
+  if (!has_no_value)
+    explanation.diagnoses =
+        diagnose(reference, answers,
+                 verdict == Verdict::wrong_value ? take_probes(runner, reference) : std::vector<UnitProbe>{});
+  if (std::ranges::all_of(explanation.diagnoses, &Diagnosis::is_symptom))
+    explain_deeper(explanation, task, has_mistake_in_code, answers, toolchain, cache, runner);
   for (Diagnosis& diagnosis : explanation.diagnoses)
     if (diagnosis.notes.empty()) diagnosis.notes = checked.task.exercise.entry->notes;
-  if (!std::ranges::all_of(explanation.diagnoses, is_symptom)) {
-    add(explanation.findings, std::move(in_code));
-    return explanation;
-  }
-  std::vector<Finding> deeper = diagnostic_run(task, toolchain, cache);
-  if (!deeper.empty()) {
-    explanation.diagnoses.clear();
-  } else if (verdict == Verdict::wrong_value) {
-    if (auto slip = slip_of_one_token(task, toolchain, cache)) deeper.push_back(std::move(*slip));
-    if (!deeper.empty())
-      std::erase_if(explanation.diagnoses, [](const Diagnosis& each) { return each.kind != DiagnosisKind::place; });
-  }
-  add(explanation.findings, std::move(deeper));
   add(explanation.findings, std::move(in_code));
   return explanation;
 }
@@ -99,10 +143,11 @@ std::string CheckResult::next_step() const {
   return is_explained ? "Fix what the reason names, and check again." : judgement.next_step;
 }
 
-CheckTask check_task(const Course& course, const Exercise& exercise, std::uint64_t seed,
+CheckTask check_task(const Course& course, const Exercise& exercise, std::optional<std::uint64_t> seed,
                      const std::optional<std::filesystem::path>& file) {
   const std::filesystem::path own = course.student_file(exercise);
-  return {exercise, file.value_or(own), seed, file && *file != own};
+  return {exercise, file.value_or(own), seed.value_or(course.seed()), file && *file != own,
+          seed && *seed != course.seed()};
 }
 
 CheckResult failed_check(const CheckTask& task, const std::string& reason) {

@@ -9,12 +9,8 @@
 #include "checker/judging/diagnosis.hpp"
 #include "checker/judging/judge.hpp"
 
-#include <cstdint>
-#include <filesystem>
 #include <functional>
-#include <optional>
-#include <string>
-#include <vector>
+#include <map>
 
 namespace workbook {
 
@@ -31,10 +27,11 @@ struct CheckTask {
   Exercise exercise;
   std::filesystem::path file;
   std::uint64_t seed = 1;
-  bool is_elsewhere = false;  ///< the file is not the exercise's own
+  bool is_elsewhere = false;   ///< the file is not the exercise's own
+  bool is_other_seed = false;  ///< the cases are not those that count
 
   /// Verdicts on a file elsewhere, or with another seed, are no progress.
-  bool counts_as_progress() const { return !is_elsewhere && seed == 1; }
+  bool counts_as_progress() const { return !is_elsewhere && !is_other_seed; }
 };
 
 /// One exercise, checked: what every report is made from.
@@ -56,8 +53,8 @@ struct CheckResult {
   std::string next_step() const;
 };
 
-/// The exercise's own file with the published seed, or the given ones.
-CheckTask check_task(const Course& course, const Exercise& exercise, std::uint64_t seed = 1,
+/// The exercise's own file with the seed of the course, or the given ones.
+CheckTask check_task(const Course& course, const Exercise& exercise, std::optional<std::uint64_t> seed = {},
                      const std::optional<std::filesystem::path>& file = {});
 
 /// Never throws for anything that a student's file can cause; trouble of our own comes back as the verdict
@@ -69,5 +66,58 @@ CheckResult check_exercise(const Course& course, const Toolchain& toolchain, con
 
 /// A result without a run: the checker itself failed.
 CheckResult failed_check(const CheckTask& task, const std::string& reason);
+
+// --- in processes of their own: whatever a file does to the checker, it ends that one check and no other
+
+/// What all checks with one seed share: the toolchain, and the reference results, read once per exercise.
+class CheckContext {
+ public:
+  /// @throws ToolchainError
+  explicit CheckContext(const Course& course);
+
+  const Course& course() const { return course_; }
+  const Toolchain& toolchain() const { return toolchain_; }
+
+  /// @throws ReferenceError
+  const ExerciseReference& reference(const CheckTask& task);
+
+  /// Trouble with reference results is remembered, so that the checks of a class meet it once.
+  void forget_failures() { failures_.clear(); }
+
+ private:
+  const Course& course_;
+  Toolchain toolchain_;
+  std::map<std::pair<std::string, std::uint64_t>, ExerciseReference> references_;
+  std::map<std::pair<std::string, std::uint64_t>, std::string> failures_;  ///< why there are none
+};
+
+/// One running check. It is ended with this object, with all that it has started.
+class CheckJob {
+ public:
+  CheckJob(CheckContext& context, CheckTask task);
+
+  /// Becomes readable when there is something to collect.
+  int descriptor() const { return job_->descriptor(); }
+  /// Takes what has come so far. True once the job is over.
+  bool collect() { return job_->collect(); }
+  Clock::time_point begun() const { return job_->begun(); }
+
+  /// The last whole message that has been collected: the verdict alone, until the result is there, for its explanation
+  /// may take a second longer.
+  std::optional<CheckResult> last_message() const;
+
+  /// The result; a job that crashed or ran for too long is a checker_error. Waits for the end.
+  CheckResult result();
+
+ private:
+  const CheckTask task_;
+  const ExerciseReference* reference_ = nullptr;  ///< read before the job begins, for others need it too
+  std::string problem_;                           ///< why there is none
+  std::optional<ForkedJob> job_;
+};
+
+/// Checks all tasks, as many at a time as there are processors, and hands over each result in the order of the tasks.
+void check_all(CheckContext& context, const std::vector<CheckTask>& tasks,
+               const std::function<void(CheckResult)>& deliver);
 
 }  // namespace workbook

@@ -1,17 +1,13 @@
-#include "checker/pipeline/check_job.hpp"
+#include "checker/pipeline/check_exercise.hpp"
 
 #include "checker/base/text.hpp"
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <chrono>
-#include <cstdint>
 #include <cstring>
 #include <deque>
 #include <thread>
-#include <utility>
 
 namespace workbook {
 
@@ -96,7 +92,7 @@ CheckJob::CheckJob(CheckContext& context, CheckTask task) : task_(std::move(task
       longest_check);
 }
 
-std::optional<CheckResult> CheckJob::last_message() {
+std::optional<CheckResult> CheckJob::last_message() const {
   std::string_view rest = job_->output();
   std::optional<std::string_view> last;
   for (std::uint64_t size = 0; rest.size() >= sizeof size;) {
@@ -113,8 +109,6 @@ std::optional<CheckResult> CheckJob::last_message() {
   checked.reference = reference_;
   return checked;
 }
-
-std::optional<CheckResult> CheckJob::verdict() { return last_message(); }
 
 CheckResult CheckJob::result() {
   const std::string trouble = job_->finish();

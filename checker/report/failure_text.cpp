@@ -1,25 +1,27 @@
 #include "checker/report/failure_text.hpp"
 
 #include "checker/base/text.hpp"
-#include "checker/judging/comparison.hpp"
 #include "checker/judging/value_text.hpp"
-#include "checker/report/text_table.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 namespace workbook {
 
 namespace {
 
+using Lines = std::vector<std::string>;
+using Indices = std::vector<std::size_t>;
+/// True for a number of a value that is to be marked.
+using NumberTest = std::function<bool(std::size_t number)>;
+
 constexpr std::size_t block_indent = 2;
 constexpr int difference_digits = 3;
 
-std::vector<std::size_t> first_indices(std::size_t count) {
-  std::vector<std::size_t> indices(count);
+Indices first_indices(std::size_t count) {
+  Indices indices(count);
   std::iota(indices.begin(), indices.end(), std::size_t{0});
   return indices;
 }
@@ -27,91 +29,169 @@ std::vector<std::size_t> first_indices(std::size_t count) {
 std::string in_brackets(const std::string& unit) { return unit.empty() ? "" : " [" + unit + "]"; }
 
 std::string more(std::size_t count, const std::string& noun) {
-  return fmt::format("({} more {}{} not shown)", count, noun, count == 1 ? "" : "s");
+  return fmt::format("({} not shown)", plural(count, "more " + noun));
 }
 
-std::string after_blank(const std::string& unit) { return unit.empty() ? "" : " " + unit; }
+std::string without_trailing_blanks(std::string text) {
+  text.erase(text.find_last_not_of(' ') + 1);
+  return text;
+}
 
-Lines vector_lines(const std::string& name, const std::string& unit, const Value& value, const Page& page) {
-  const std::string line = fmt::format("{} = {}{}", name, format_value(value, Kind::vector), after_blank(unit));
-  if (block_indent + display_width(line) <= page.width) return {line};
-  Lines texts;
-  for (double number : value.numbers) texts.push_back(number_text(number, all_digits));
-  Lines lines = {name + in_brackets(unit)};
-  append(lines, wrapped_in_columns(aligned_on_point(texts), block_indent, page));
+void append(Lines& lines, Lines more) { std::ranges::move(more, std::back_inserter(lines)); }
+
+Lines indented(Lines lines, std::size_t depth = block_indent) {
+  for (std::string& line : lines) line.insert(0, depth, ' ');
   return lines;
 }
+
+// --- numbers in aligned columns
+
+/// Numbers in rows and columns, those outside the tolerance with a mark in front.
+struct Table {
+  Lines headings = {};           ///< one per column of numbers, or none
+  Lines labels = {};             ///< one per row, or none
+  std::vector<Lines> rows = {};  ///< numbers, aligned on the decimal point column by column
+  Lines endings = {};            ///< one per row, or none: units
+  std::function<bool(std::size_t row, std::size_t col)> is_marked = {};  ///< without it there is no room for marks
+
+  /// Every entry below its column's heading; no line ends with a blank.
+  Lines lines() const {
+    if (rows.empty()) return {};
+    const std::size_t heading = headings.empty() ? 0 : 1;
+    const std::size_t label_width = widest(labels);
+    Lines text(rows.size() + heading, std::string(label_width, ' '));
+    for (std::size_t row = 0; row < labels.size(); ++row) text[row + heading] = padded_left(labels[row], label_width);
+    for (std::size_t col = 0; col < rows.front().size(); ++col) {
+      const Lines cells = column(col);
+      const char* const gap = col == 0 && labels.empty() ? "" : is_marked ? " " : "  ";  // a mark is a gap too
+      for (std::size_t row = 0; row < text.size(); ++row) text[row] += gap + cells[row];
+    }
+    for (std::size_t row = 0; row < endings.size(); ++row) text[row + heading] += " " + endings[row];
+    std::ranges::transform(text, text.begin(), without_trailing_blanks);
+    return text;
+  }
+
+ private:
+  /// One column of numbers with its heading on top, all of one width.
+  Lines column(std::size_t col) const {
+    Lines cells;
+    for (const Lines& row : rows) cells.push_back(row.at(col));
+    cells = aligned_on_point(cells);
+    for (std::size_t row = 0; is_marked && row < cells.size(); ++row)
+      cells[row].insert(0, is_marked(row, col) ? "≠ " : "  ");
+    if (!headings.empty()) cells.insert(cells.begin(), (is_marked ? "  " : "") + headings.at(col));
+    for (std::string& cell : cells) cell = padded(cell, widest(cells));
+    return cells;
+  }
+};
+
+/// The columns [first_col, first_col + 3) of a value of three rows.
+Lines matrix_lines(const Value& value, std::size_t first_col, int digits, const NumberTest& is_marked = {}) {
+  Table table{.rows = std::vector(3, Lines(3))};
+  const auto number_at = [first_col](std::size_t row, std::size_t col) { return 3 * (first_col + col) + row; };
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t col = 0; col < 3; ++col)
+      table.rows[row][col] = number_text(value.numbers.at(number_at(row, col)), digits);
+  if (is_marked) table.is_marked = [&](std::size_t row, std::size_t col) { return is_marked(number_at(row, col)); };
+  return table.lines();
+}
+
+/// Blocks of lines below a title beside each other as long as they fit on the page, each row of blocks below the one
+/// before.
+Lines side_by_side(const std::vector<Lines>& blocks, std::size_t indent, const Page& page) {
+  constexpr std::size_t gap = 3;
+  Lines result;
+  Lines band;  // blocks that stand beside each other
+  const auto finish_band = [&] {
+    for (const std::string& line : band) result.push_back(without_trailing_blanks(std::string(indent, ' ') + line));
+    band.clear();
+  };
+  for (const Lines& lines : blocks) {
+    if (page.is_linear || indent + widest(band) + gap + widest(lines) > page.width) finish_band();
+    const std::size_t start = band.empty() ? 0 : widest(band) + gap;
+    band.resize(std::max(band.size(), lines.size()));
+    for (std::size_t row = 0; row < lines.size(); ++row) band[row] = padded(band[row], start) + lines[row];
+  }
+  finish_band();
+  return result;
+}
+
+/// Texts in columns of one width, as many beside each other as fit on the page.
+Lines wrapped_in_columns(const Lines& texts, const Page& page) {
+  const std::size_t width = widest(texts) + 2;
+  const std::size_t per_line = std::max<std::size_t>(1, (page.width - block_indent + 2) / width);
+  Lines lines;
+  for (std::size_t k = 0; k < texts.size(); ++k) {
+    if (k % per_line == 0) lines.emplace_back(block_indent, ' ');
+    lines.back() += padded(texts[k], width);
+  }
+  std::ranges::transform(lines, lines.begin(), without_trailing_blanks);
+  return lines;
+}
+
+// --- what went in
 
 Lines input_lines(const Argument& argument, const Value& value, const Page& page) {
   const std::string unit = to_string(argument.unit);
-  if (is_vector(argument.kind)) return vector_lines(argument.name, unit, value, page);
-  if (argument.kind == Kind::number || argument.kind == Kind::integer || value.cols == 0) {
-    return {fmt::format("{} = {}{}", argument.name, format_value(value, argument.kind), after_blank(unit))};
-  }
+  const std::string line =
+      fmt::format("{} = {}{}{}", argument.name, format_value(value, argument.kind), unit.empty() ? "" : " ", unit);
+  const bool fits = is_vector(argument.kind) && block_indent + display_width(line) <= page.width;
+  if (fits || argument.kind == Kind::number || argument.kind == Kind::integer || value.cols == 0) return {line};
 
   Lines lines = {argument.name + in_brackets(unit)};
   const auto cols = static_cast<std::size_t>(value.cols);
-  switch (argument.kind) {
-    case Kind::points: {
-      lines.front() = argument.name + in_brackets(unit) + ", column by column";
-      const std::size_t shown = std::min(cols, page.most_rows);
-      Table table;
-      for (std::size_t col = 0; col < shown; ++col) {
-        table.labels.push_back(std::to_string(col + 1));
-        table.rows.emplace_back();
-        for (int row = 0; row < value.rows; ++row)
-          table.rows.back().push_back(number_text(value.at(row, static_cast<int>(col)), all_digits));
-      }
-      append(lines, indented(table.lines(), block_indent));
-      if (shown < cols) lines.push_back("  " + more(cols - shown, "column"));
-      break;
+  if (is_vector(argument.kind)) {
+    Lines texts;
+    for (double number : value.numbers) texts.push_back(number_text(number, all_digits));
+    append(lines, wrapped_in_columns(aligned_on_point(texts), page));
+  } else if (argument.kind == Kind::points) {
+    lines.front() += ", column by column";
+    const std::size_t shown = std::min(cols, page.most_rows);
+    Table table;
+    for (std::size_t col = 0; col < shown; ++col) {
+      table.labels.push_back(std::to_string(col + 1));
+      Lines& row = table.rows.emplace_back();
+      for (int k = 0; k < value.rows; ++k) row.push_back(number_text(value.at(k, static_cast<int>(col)), all_digits));
     }
-    case Kind::matrices: {
-      std::vector<Block> blocks;
-      for (std::size_t m = 0; m < cols / 3; ++m) {
-        blocks.push_back({fmt::format("matrix {}", m + 1), matrix_table(value, 3 * m, all_digits).lines()});
-      }
-      append(lines, side_by_side(blocks, block_indent, page));
-      break;
+    append(lines, indented(table.lines()));
+    if (shown < cols) lines.push_back("  " + more(cols - shown, "column"));
+  } else if (argument.kind == Kind::matrices) {
+    std::vector<Lines> blocks;
+    for (std::size_t m = 0; m < cols / 3; ++m) {
+      blocks.push_back({fmt::format("matrix {}", m + 1)});
+      append(blocks.back(), matrix_lines(value, 3 * m, all_digits));
     }
-    default:
-      append(lines, indented(matrix_table(value, 0, all_digits).lines(), block_indent));
+    append(lines, side_by_side(blocks, block_indent, page));
+  } else {
+    append(lines, indented(matrix_lines(value, 0, all_digits)));
   }
   return lines;
 }
 
-Lines inputs_section(const ExerciseReference& exercise, const Case& one, const Page& page) {
-  Lines lines;
-  for (std::size_t a = 0; a < one.inputs.size(); ++a) {
-    append(lines, indented(input_lines(exercise.arguments.at(a), one.inputs[a], page), block_indent));
-  }
-  return lines;
-}
+// --- what came out
 
-/// Everything that is shown of one result.
+/// Everything that is shown of one result: a column each for what is expected, yours and the difference.
 struct Result {
+  struct Column {
+    const char* title;
+    Value value;
+    int digits;
+  };
+
   const ExerciseReference& exercise;
   Value expected;
-  std::optional<Value> actual;
-  std::optional<Deviation> difference;  ///< where entries are compared one by one
-  int digits = 6;
+  std::vector<Column> columns = {};
+  std::optional<Deviation> difference = {};  ///< where entries are compared one by one
 
+  std::size_t size() const { return expected.numbers.size(); }
   bool differs(std::size_t number) const { return difference && !difference->is_within(number); }
-};
-
-int digits_needed(const Result& result) {
-  int digits = 6;
-  if (!result.difference) return digits;
-  for (std::size_t n = 0; n < result.expected.numbers.size(); ++n) {
-    if (!result.differs(n)) continue;
-    digits = std::max(digits, digits_to_tell_apart(result.expected.numbers[n], result.actual->numbers[n]));
+  bool differs_anywhere() const { return difference && !difference->is_within(); }
+  Lines row(std::size_t number) const {
+    Lines texts;
+    for (const Column& one : columns) texts.push_back(number_text(one.value.numbers[number], one.digits));
+    return texts;
   }
-  return digits;
-}
-
-std::string common_unit(const ExerciseReference& exercise) {
-  return exercise.result_units.size() == 1 ? to_string(exercise.result_units.front()) : "";
-}
+};
 
 /// "2" for a component of a vector, "column 1   2" for one of a list of columns.
 std::string component_label(Kind kind, std::size_t number) {
@@ -121,129 +201,80 @@ std::string component_label(Kind kind, std::size_t number) {
   return row == 0 ? fmt::format("column {}   1", number / 3 + 1) : std::to_string(row + 1);
 }
 
-/// The numbers to show: all of them, or of a long list the columns that differ.
-std::vector<std::size_t> shown_numbers(const Result& result, const Page& page) {
-  std::vector<std::size_t> shown = first_indices(result.expected.numbers.size());
-  if (shown.size() <= page.most_rows) return shown;
-  const std::size_t rows = result.exercise.result_kind == Kind::points ? 3 : 1;
-  if (result.difference && !result.difference->is_within()) {
-    std::erase_if(shown, [&](std::size_t n) {
-      const std::size_t top = n - n % rows;
-      return std::ranges::none_of(first_indices(rows), [&](std::size_t row) { return result.differs(top + row); });
-    });
-  }
-  shown.resize(std::min(shown.size(), page.most_rows));
-  return shown;
-}
-
 /// Expected, yours and difference of one number after the other, only those that differ, where columns do not fit.
 Lines lines_below_each_other(const Result& result, const Page& page) {
-  std::vector<std::size_t> shown = first_indices(result.expected.numbers.size());
-  const std::size_t total = shown.size();
-  if (result.difference && !result.difference->is_within())
-    std::erase_if(shown, [&](std::size_t n) { return !result.differs(n); });
-  const std::size_t agreeing = total - shown.size();
+  Indices shown = first_indices(result.size());
+  if (result.differs_anywhere()) std::erase_if(shown, [&](std::size_t n) { return !result.differs(n); });
+  const std::size_t agreeing = result.size() - shown.size();
   const std::size_t left = shown.size() - std::min(shown.size(), page.most_rows);
   shown.resize(shown.size() - left);
   Lines lines;
   for (std::size_t n : shown) {
-    if (total > 1) lines.push_back("  " + entry_name(result.expected, result.exercise.result_kind, n));
+    if (result.size() > 1) lines.push_back("  " + entry_name(result.expected, result.exercise.result_kind, n));
     Table table;
-    table.labels = {"expected"};
-    table.rows = {{number_text(result.expected.numbers[n], result.digits)}};
-    if (result.actual) {
-      table.labels.push_back("yours");
-      table.rows.push_back({number_text(result.actual->numbers[n], result.digits)});
-    }
-    if (result.difference) {
-      table.labels.push_back("difference");
-      table.rows.push_back({number_text(result.difference->difference.numbers[n], difference_digits)});
+    for (const Result::Column& one : result.columns) {
+      table.labels.emplace_back(one.title);
+      table.rows.push_back({number_text(one.value.numbers[n], one.digits)});
     }
     table.is_marked = [&](std::size_t row, std::size_t) { return row == 1 && result.differs(n); };
-    append(lines, indented(table.lines(), total > 1 ? 2 * block_indent : block_indent));
+    append(lines, indented(table.lines(), result.size() > 1 ? 2 * block_indent : block_indent));
   }
   if (left > 0) lines.push_back("  " + more(left, "number"));
-  if (agreeing > 0)
-    lines.push_back(
-        "  " + (agreeing == 1 ? "(the other number agrees)" : fmt::format("(the other {} numbers agree)", agreeing)));
+  if (agreeing == 1) lines.emplace_back("  (the other number agrees)");
+  if (agreeing > 1) lines.push_back(fmt::format("  (the other {} numbers agree)", agreeing));
   return lines;
 }
 
-/// Numbers, vectors and points: a line for each number.
+/// Numbers, vectors and points: a line for each number; of a long list only for the columns that differ.
 Lines component_lines(const Result& result, const Page& page) {
+  Indices shown = first_indices(result.size());
+  const std::size_t rows = result.exercise.result_kind == Kind::points ? 3 : 1;
+  if (shown.size() > page.most_rows) {
+    if (result.differs_anywhere())
+      std::erase_if(shown, [&](std::size_t n) {
+        const std::size_t top = n - n % rows;
+        return std::ranges::none_of(first_indices(rows), [&](std::size_t row) { return result.differs(top + row); });
+      });
+    shown.resize(std::min(shown.size(), page.most_rows));
+  }
   Table table;
-  table.headings = {"expected"};
-  if (result.actual) table.headings.push_back("yours");
-  if (result.difference) table.headings.push_back("difference");
-
-  const std::vector<std::size_t> shown = shown_numbers(result, page);
+  for (const Result::Column& one : result.columns) table.headings.emplace_back(one.title);
   for (std::size_t n : shown) {
     const std::string label = component_label(result.exercise.result_kind, n);
     if (!label.empty()) table.labels.push_back(label);
-    Lines row = {number_text(result.expected.numbers[n], result.digits)};
-    if (result.actual) row.push_back(number_text(result.actual->numbers[n], result.digits));
-    if (result.difference) row.push_back(number_text(result.difference->difference.numbers[n], difference_digits));
-    table.rows.push_back(std::move(row));
+    table.rows.push_back(result.row(n));
     if (result.exercise.result_units.size() > 1) table.endings.push_back(to_string(result.exercise.result_units.at(n)));
   }
   table.is_marked = [&](std::size_t row, std::size_t col) { return col == 1 && result.differs(shown[row]); };
-
-  Lines lines = indented(table.lines(), block_indent);
-  if (shown.empty()) lines.push_back("  an empty list");
-  if (shown.size() < result.expected.numbers.size()) {
-    lines.push_back("  " + more(result.expected.numbers.size() - shown.size(), "number"));
-  }
+  Lines lines = indented(table.lines());
+  if (shown.empty()) lines.emplace_back("  an empty list");
+  if (shown.size() < result.size()) lines.push_back("  " + more(result.size() - shown.size(), "number"));
   return lines;
 }
 
-/// The columns [first_col, first_col + 3): expected, yours and difference as blocks.
-Lines matrix_lines(const Result& result, std::size_t first_col, const Page& page) {
-  const NumberTest differs = [&](std::size_t number) { return result.differs(number); };
-  const NumberTest nothing_differs = [](std::size_t) { return false; };
-  const auto block = [&](const std::string& title, const Value& value, int digits, const NumberTest& is_marked) {
-    return Block{std::string(block_indent, ' ') + title, matrix_table(value, first_col, digits, is_marked).lines()};
-  };
-  std::vector<Block> blocks = {block("expected", result.expected, result.digits, nothing_differs)};
-  if (result.actual) blocks.push_back(block("yours", *result.actual, result.digits, differs));
-  if (result.difference)
-    blocks.push_back(block("difference", result.difference->difference, difference_digits, differs));
-  return side_by_side(blocks, 0, page);
-}
-
+/// Matrices: expected, yours and difference as blocks.
 Lines lines_beside_each_other(const Result& result, const Page& page) {
-  switch (result.exercise.result_kind) {
-    case Kind::matrix3:
-      return matrix_lines(result, 0, page);
-    case Kind::matrices: {
-      Lines lines;
-      for (std::size_t col = 0; col + 3 <= static_cast<std::size_t>(result.expected.cols); col += 3) {
-        lines.push_back("  " + fmt::format("matrix {}", col / 3 + 1));
-        append(lines, matrix_lines(result, col, page));
-      }
-      return lines;
+  const Kind kind = result.exercise.result_kind;
+  if (kind != Kind::matrix3 && kind != Kind::matrices) return component_lines(result, page);
+  Lines lines;
+  for (std::size_t col = 0; col + 3 <= static_cast<std::size_t>(result.expected.cols); col += 3) {
+    if (kind == Kind::matrices) lines.push_back(fmt::format("  matrix {}", col / 3 + 1));
+    std::vector<Lines> blocks;
+    for (const Result::Column& one : result.columns) {
+      const bool is_expected = blocks.empty();
+      blocks.push_back({"  " + std::string(one.title)});
+      append(blocks.back(), matrix_lines(one.value, col, one.digits,
+                                         [&](std::size_t n) { return !is_expected && result.differs(n); }));
     }
-    case Kind::number:
-    case Kind::integer:
-    case Kind::vector2:
-    case Kind::vector3:
-    case Kind::vector:
-    case Kind::points:
-      return component_lines(result, page);
+    append(lines, side_by_side(blocks, 0, page));
   }
-  return {};
-}
-
-Lines result_lines(const Result& result, const Page& page) {
-  Lines lines = lines_beside_each_other(result, page);
-  const bool fits = page.width >= Page().width || widest(lines) <= page.width;
-  return (fits && !page.is_linear) || result.expected.numbers.empty() ? lines : lines_below_each_other(result, page);
+  return lines;
 }
 
 /// Rounding errors of right numbers would only draw the eye.
 Deviation without_rounding_errors(Deviation deviation) {
-  for (std::size_t n = 0; n < deviation.allowed.size(); ++n) {
+  for (std::size_t n = 0; n < deviation.allowed.size(); ++n)
     if (deviation.is_within(n)) deviation.difference.numbers[n] = 0.0;
-  }
   return deviation;
 }
 
@@ -252,53 +283,55 @@ Lines whole_deviation_lines(const Deviation& deviation, const Page& page) {
   const bool is_sentence = deviation.meaning.ends_with('.');
   Lines lines =
       wrapped_lines(is_sentence ? deviation.meaning : deviation.meaning + ": zero for a right answer.", page.width);
-  const NumberTest differs = [&](std::size_t number) { return !deviation.is_within(number); };
   if (deviation.kind == Kind::matrix3) {
-    append(lines, matrix_table(deviation.difference, 0, difference_digits, differs).lines());
+    append(lines, matrix_lines(deviation.difference, 0, difference_digits,
+                               [&](std::size_t number) { return !deviation.is_within(number); }));
     return lines;
   }
-
-  std::vector<std::size_t> beyond = first_indices(deviation.difference.numbers.size());
-  std::erase_if(beyond, [&](std::size_t number) { return !differs(number); });
+  Indices beyond = first_indices(deviation.difference.numbers.size());
+  std::erase_if(beyond, [&](std::size_t number) { return deviation.is_within(number); });
   Table table;
+  table.is_marked = [](std::size_t, std::size_t) { return true; };
   for (std::size_t n : beyond) {
     if (table.rows.size() == page.most_rows) break;
     if (deviation.kind == Kind::vector) table.labels.push_back(fmt::format("column {} is off by", n + 1));
     table.rows.push_back({number_text(deviation.difference.numbers[n], difference_digits)});
   }
-  table.is_marked = [](std::size_t, std::size_t) { return true; };
   append(lines, table.lines());
   if (beyond.size() > page.most_rows) lines.push_back(more(beyond.size() - page.most_rows, "column"));
   return lines;
 }
 
-/// The deviations that explain the failure: differing entries speak for themselves, and what follows from them is left
-/// out.
-std::vector<Deviation> telling_deviations(std::vector<Deviation> all) {
-  std::erase_if(all, [](const Deviation& deviation) { return deviation.is_within(); });
-  if (!all.empty() && all.front().is_entrywise) all.resize(1);
-  return all;
-}
-
 Lines result_section(const ExerciseReference& exercise, std::size_t case_index, const std::optional<Value>& actual,
                      const Page& page) {
-  Result result{exercise, exercise.cases[case_index].expected, actual, std::nullopt};
+  Result result{exercise, exercise.cases[case_index].expected};
   std::vector<Deviation> measured;
+  int digits = 6;
   if (actual) {
     result.expected = nearest_expected(exercise, case_index, *actual);
     measured = deviations(exercise, case_index, *actual);
     if (measured.front().is_entrywise) result.difference = without_rounding_errors(measured.front());
+    for (std::size_t n = 0; n < result.size(); ++n)
+      if (result.differs(n))
+        digits = std::max(digits, digits_to_tell_apart(result.expected.numbers[n], actual->numbers[n]));
   }
-  result.digits = digits_needed(result);
+  result.columns.push_back({"expected", result.expected, digits});
+  if (actual) result.columns.push_back({"yours", *actual, digits});
+  if (result.difference) result.columns.push_back({"difference", result.difference->difference, difference_digits});
 
-  Lines lines = {"Result " + exercise.result_name + in_brackets(common_unit(exercise))};
-  append(lines, result_lines(result, page));
-  if (!actual) lines.push_back("  No value of yours can be shown.");
+  const std::string unit = exercise.result_units.size() == 1 ? to_string(exercise.result_units.front()) : "";
+  Lines lines = {"Result " + exercise.result_name + in_brackets(unit)};
+  const Lines wide = lines_beside_each_other(result, page);
+  const bool fits = !page.is_linear && (page.width >= Page().width || widest(wide) <= page.width);
+  append(lines, fits || result.size() == 0 ? wide : lines_below_each_other(result, page));
+  if (!actual) lines.emplace_back("  No value of yours can be shown.");
   if (actual && exercise.comparison == Comparison::up_to_sign)
-    lines.push_back("  Expected is this value or its negative, whichever is nearer to yours.");
-  for (const Deviation& deviation : telling_deviations(std::move(measured))) {
-    if (!deviation.is_entrywise) append(lines, whole_deviation_lines(without_rounding_errors(deviation), page));
-  }
+    lines.emplace_back("  Expected is this value or its negative, whichever is nearer to yours.");
+  // Differing entries speak for themselves, and what follows from them is left out.
+  if (result.differs_anywhere()) return lines;
+  for (const Deviation& deviation : measured)
+    if (!deviation.is_entrywise && !deviation.is_within())
+      append(lines, whole_deviation_lines(without_rounding_errors(deviation), page));
   return lines;
 }
 
@@ -306,46 +339,57 @@ Lines result_section(const ExerciseReference& exercise, std::size_t case_index, 
 std::string worst_entry(const ExerciseReference& exercise, std::size_t case_index, const Value& actual) {
   const Deviation deviation = deviations(exercise, case_index, actual).front();
   if (!deviation.is_entrywise || !actual.is_finite()) return "";
-  std::size_t worst = 0;
-  const auto size = [&](std::size_t n) { return std::abs(deviation.difference.numbers[n]) / deviation.allowed[n]; };
-  for (std::size_t n = 1; n < actual.numbers.size(); ++n) worst = size(n) > size(worst) ? n : worst;
+  const std::size_t worst = std::ranges::max(first_indices(actual.numbers.size()), {}, [&](std::size_t n) {
+    return std::abs(deviation.difference.numbers[n]) / deviation.allowed[n];
+  });
   const double expected = nearest_expected(exercise, case_index, actual).numbers[worst];
   const double yours = actual.numbers[worst];
   const std::string entry = capitalized(entry_name(actual, exercise.result_kind, worst));
   if (std::abs(yours) <= deviation.allowed[worst] || std::abs(expected) <= deviation.allowed[worst])
     return fmt::format("{} is {} where {} is expected.", entry, number_text(yours, 4), number_text(expected, 4));
-  if (yours / expected < 0 || yours / expected > 1.5 || yours / expected < 0.5)
+  if (yours / expected > 1.5 || yours / expected < 0.5)
     return fmt::format("{} is {} times the expected value.", entry, coefficient_text(yours / expected));
   return fmt::format("{} is off by {:.2g} % of the expected value.", entry, 100 * std::abs(yours / expected - 1));
 }
 
 }  // namespace
 
-Lines describe_case(const ExerciseReference& exercise, std::size_t case_index, const std::optional<Value>& actual,
-                    const Page& page) {
+std::size_t widest(const std::vector<std::string>& lines) {
+  std::size_t width = 0;
+  for (const std::string& text : lines) width = std::max(width, display_width(text));
+  return width;
+}
+
+std::vector<std::string> describe_case(const ExerciseReference& exercise, std::size_t case_index,
+                                       const std::optional<Value>& actual, const Page& page) {
   const Case& one = exercise.cases.at(case_index);
   Lines lines = {fmt::format("Case {} “{}”", case_index + 1, one.name)};
-  append(lines, inputs_section(exercise, one, page));
+  for (std::size_t a = 0; a < one.inputs.size(); ++a)
+    append(lines, indented(input_lines(exercise.arguments.at(a), one.inputs[a], page)));
   append(lines, result_section(exercise, case_index, actual, page));
   return lines;
 }
 
 std::string error_size(const ExerciseReference& exercise, const std::vector<std::size_t>& failing,
                        const Answers& answers) {
-  double largest = 0.0;
+  double largest = 0.0, largest_of_itself = 0.0;
   double times_allowed = 0.0;
   for (const std::size_t i : failing) {
     if (!answers.at(i)) return "";
-    for (const Deviation& deviation : deviations(exercise, i, *answers[i])) {
-      // How much an equation or a sum is off says little about the size of the error.
-      if (!deviation.is_entrywise || deviation.is_within() || !deviation.difference.is_finite()) return "";
-      largest = std::max(largest, deviation.relative_size());
-      times_allowed = std::max(times_allowed, deviation.relative_size() / deviation.tolerance);
-      break;
+    const Deviation deviation = deviations(exercise, i, *answers[i]).front();
+    // How much an equation or a sum is off says little about the size of the error.
+    if (!deviation.is_entrywise || deviation.is_within() || !deviation.difference.is_finite()) return "";
+    largest = std::max(largest, deviation.relative_size());
+    times_allowed = std::max(times_allowed, deviation.relative_size() / deviation.tolerance);
+    for (std::size_t n = 0; n < answers[i]->numbers.size(); ++n) {
+      const double yours = std::abs(answers[i]->numbers[n]), error = std::abs(deviation.difference.numbers[n]);
+      if (!deviation.is_within(n)) largest_of_itself = std::max(largest_of_itself, error / std::max(yours, error));
     }
   }
   if (failing.empty() || largest == 0) return "";
-  if (largest >= 1e-2) return worst_entry(exercise, failing.front(), *answers[failing.front()]);
+  // Against the numbers themselves: a small one may be lost as a whole.
+  if (largest >= 1e-2 || largest_of_itself >= 1e-2)
+    return worst_entry(exercise, failing.front(), *answers[failing.front()]);
   const std::string part = fmt::format("At every failing case the error is below 1 part in 10{} of the result",
                                        superscript(static_cast<int>(std::floor(-std::log10(largest)))));
   if (largest >= 1e-6) return part + ": too large for rounding, so look for an approximation or a rounded constant.";

@@ -4,11 +4,6 @@
 
 #include "checker/judging/comparison.hpp"
 
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace workbook {
 
 /// What text is laid out on.
@@ -23,6 +18,9 @@ struct Page {
 /// @param actual  empty if no value of the expected shape came back
 std::vector<std::string> describe_case(const ExerciseReference& exercise, std::size_t case_index,
                                        const std::optional<Value>& actual, const Page& page = {});
+
+/// In columns of a terminal.
+std::size_t widest(const std::vector<std::string>& lines);
 
 /// How large the error is: of the shown entry of the first failing case, or, where it is small, at all of them.
 /// Empty where nothing sensible can be said.

@@ -1,4 +1,4 @@
-#include "checker/report/json_report.hpp"
+#include "checker/report/reports.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -30,26 +30,26 @@ ordered_json first_failure(const CheckResult& checked) {
 
 ordered_json result_of(const CheckResult& checked) {
   const Judgement& judgement = checked.judgement;
-  ordered_json result;
-  result["lecture"] = checked.task.exercise.lecture();
-  result["exercise"] = checked.name();
-  result["verdict"] = to_string(judgement.verdict);
-  // Trouble of our own is no zero: there is no score at all.
-  result["score"] = checked.is_judged() ? ordered_json(checked.score()) : ordered_json(nullptr);
-  result["points"] = checked.points();
   ordered_json failing = ordered_json::array();
   for (const std::size_t i : judgement.failing) failing.push_back(i + 1);
-  result["cases"] = {{"passed", judgement.cases_passed()}, {"total", judgement.cases_total}, {"failing", failing}};
-  result["message"] = judgement.message;
-  result["next"] = checked.next_step();
-  result["diagnosis"] = ordered_json::array();
+  ordered_json result = {
+      {"lecture", checked.task.exercise.lecture()},
+      {"exercise", checked.name()},
+      {"verdict", to_string(judgement.verdict)},
+      // Trouble of our own is no zero: there is no score at all.
+      {"score", checked.is_judged() ? ordered_json(checked.score()) : ordered_json(nullptr)},
+      {"points", checked.points()},
+      {"cases", {{"passed", judgement.cases_passed()}, {"total", judgement.cases_total}, {"failing", failing}}},
+      {"message", judgement.message},
+      {"next", checked.next_step()},
+      {"diagnosis", ordered_json::array()},
+      {"first_failure", first_failure(checked)},
+      {"findings", ordered_json::array()}};
   for (const Diagnosis& diagnosis : checked.explanation.diagnoses)
     result["diagnosis"].push_back({{"kind", to_string(diagnosis.kind)},
                                    {"name", diagnosis.name},
                                    {"message", diagnosis.message},
                                    {"notes", diagnosis.notes}});
-  result["first_failure"] = first_failure(checked);
-  result["findings"] = ordered_json::array();
   for (const Finding& finding : checked.explanation.findings)
     result["findings"].push_back({{"name", finding.name},
                                   {"line", finding.line},

@@ -1,12 +1,9 @@
 #include "checker/report/overlay.hpp"
 
-#include "checker/base/child_process.hpp"
 #include "checker/base/files.hpp"
-#include "checker/sandbox/run_exercise.hpp"
+#include "checker/sandbox/worker_process.hpp"
 
 #include <fmt/format.h>
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -31,17 +28,19 @@ constexpr std::array reference_letters = {'.', ':', '+'};
 constexpr char misconception_letter = '~';
 char student_letter(std::size_t component) { return static_cast<char>('A' + component % 26); }
 
+bool is_sign_free(const ExerciseReference& reference) {
+  return reference.comparison == Comparison::eigenvectors || reference.comparison == Comparison::up_to_sign;
+}
+
 /// Every component along the sweep.
 Overlay::Curves curves_of(const ExerciseReference& reference, const std::vector<Value>& values) {
-  const bool is_sign_free =
-      reference.comparison == Comparison::eigenvectors || reference.comparison == Comparison::up_to_sign;
   Overlay::Curves curves;
   for (const PlotComponent& component : reference.sweep.components) {
     Numbers& curve = curves.emplace_back();
     for (const Value& value : values) {
       const bool is_there = component.row < value.rows && component.col < value.cols && value.is_complete();
       const double number = is_there ? value.at(component.row, component.col) / reference.sweep.y_unit : std::nan("");
-      curve.push_back(is_sign_free ? std::abs(number) : number);
+      curve.push_back(is_sign_free(reference) ? std::abs(number) : number);
     }
   }
   return curves;
@@ -154,16 +153,16 @@ std::string panels(const Overlay& overlay) {
 
 std::string drawn(const std::string& script, const std::string& terminal, const fs::path& directory) {
   const std::string gnuplot = program_on_path("gnuplot");
-  if (gnuplot.empty()) throw PlotError(gnuplot_is_missing);
+  if (gnuplot.empty()) throw std::runtime_error(gnuplot_is_missing);
   const fs::path picture_file = directory / fmt::format(".picture-{}", getpid());
   const fs::path script_file = picture_file.string() + ".gp";
   const std::string problem =
       write_file(script_file, fmt::format("set encoding utf8\nset terminal {}\nset output {}\n{}set output\n", terminal,
                                           quoted(picture_file.string()), script));
   if (!problem.empty())
-    throw PlotError(fmt::format("Pictures cannot be written into {} ({}).", shown_path(directory), problem));
+    throw std::runtime_error(fmt::format("Pictures cannot be written into {} ({}).", shown_path(directory), problem));
   Launch launch;
-  launch.program = gnuplot.c_str();
+  launch.program = gnuplot;
   launch.arguments = {script_file.string()};
   for (char** variable = environ; *variable != nullptr; ++variable) launch.environment.emplace_back(*variable);
   // After an error gnuplot leaves half a picture; only its exit status tells.
@@ -173,7 +172,7 @@ std::string drawn(const std::string& script, const std::string& terminal, const 
   fs::remove(script_file, ignored);
   fs::remove(picture_file, ignored);
   if (picture.empty())
-    throw PlotError(
+    throw std::runtime_error(
         "gnuplot could not draw the plot; perhaps the values are too large for a picture, or the disk is "
         "full.");
   return picture;
@@ -184,18 +183,17 @@ std::string drawn(const std::string& script, const std::string& terminal, const 
 Overlay overlay_of(const CheckResult& checked) {
   const ExerciseReference& reference = *checked.reference;
   const Sweep& sweep = reference.sweep;
-  if (sweep.x.empty()) throw PlotError(fmt::format("{} has no plot.", checked.name()));
+  if (sweep.x.empty()) throw std::runtime_error(fmt::format("{} has no plot.", checked.name()));
   Overlay overlay;
   overlay.sweep = &sweep;
   overlay.reference = curves_of(reference, sweep.expected);
   overlay.has_whole_numbers = reference.result_kind == Kind::integer;
-  overlay.has_turns = reference.comparison == Comparison::attitude_by_angles;
+  overlay.has_turns = reference.comparison == Comparison::attitude_by_angles ||
+                      reference.comparison == Comparison::attitude_by_yaw_pitch_roll;
   if (overlay.has_whole_numbers) overlay.jump = 0.5;
   if (std::ranges::count(reference.result_units, units::radian) > 0) overlay.jump = std::numbers::pi / 2;
-  const bool is_sign_free =
-      reference.comparison == Comparison::eigenvectors || reference.comparison == Comparison::up_to_sign;
   for (const PlotComponent& component : sweep.components)
-    overlay.labels.push_back(is_sign_free ? "|" + component.name + "|" : component.name);
+    overlay.labels.push_back(is_sign_free(reference) ? "|" + component.name + "|" : component.name);
 
   if (!checked.executable.empty()) {
     std::vector<PlannedCall> calls;
@@ -204,8 +202,8 @@ Overlay overlay_of(const CheckResult& checked) {
     std::vector<Value> values;
     bool has_value = false;
     for (const Reply& reply : ExerciseRunner(checked.executable).evaluate(calls)) {
-      has_value = has_value || reply.ending == Ending::returned;
       values.push_back(reply.ending == Ending::returned ? reply.value : Value{0, 0, {}});
+      has_value = has_value || reply.ending == Ending::returned;
     }
     if (has_value) overlay.student = curves_of(reference, values);
   }
@@ -229,7 +227,8 @@ std::vector<fs::path> draw_overlay(const Overlay& overlay, const fs::path& direc
       "pngcairo noenhanced size 1600,1280 font 'Helvetica,24' linewidth 2 background rgb 'white'"};
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::string problem = write_file(files[i], drawn_overlay(overlay, terminals[i], directory));
-    if (!problem.empty()) throw PlotError(fmt::format("{} cannot be written ({}).", shown_path(files[i]), problem));
+    if (!problem.empty())
+      throw std::runtime_error(fmt::format("{} cannot be written ({}).", shown_path(files[i]), problem));
   }
   return files;
 }

@@ -1,10 +1,8 @@
-#include "checker/report/progress_report.hpp"
+#include "checker/report/reports.hpp"
 
 #include "checker/base/files.hpp"
 #include "checker/base/text.hpp"
 #include "checker/judging/judge.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -22,12 +20,10 @@ State state_of(const Course& course, const Progress& progress, const Exercise& e
 }
 
 std::string overview(const Course& course, const ProgressSummary& summary, const Console& console) {
-  double points = 0;
-  double all_points = 0;
+  double points = 0, all_points = 0;
   for (std::size_t i = 0; i < summary.exercises.size(); ++i) {
-    const double worth = summary.exercises[i].entry->points;
-    all_points += worth;
-    if (summary.passed[i]) points += worth;
+    all_points += summary.exercises[i].entry->points;
+    if (summary.passed[i]) points += summary.exercises[i].entry->points;
   }
   std::string text = console.wrapped(fmt::format("{} of {} exercises pass, {} of {} points.", summary.count_passed(),
                                                  summary.exercises.size(), points, all_points)) +

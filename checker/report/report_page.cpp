@@ -1,16 +1,12 @@
-#include "checker/report/report_page.hpp"
+#include "checker/report/reports.hpp"
 
 #include "checker/base/text.hpp"
 #include "checker/report/failure_text.hpp"
-#include "checker/report/terminal_report.hpp"
 
-#include <fmt/format.h>
 #include <kainjow/mustache.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstddef>
-#include <stdexcept>
 
 namespace workbook {
 
@@ -74,20 +70,6 @@ std::string place_of(const Finding& finding, const CheckResult& checked) {
   return fmt::format("{}:{}:{}", checked.task.file.filename().string(), finding.line, std::max(finding.column, 1));
 }
 
-/// The first failing case in full, and the numbers of all.
-void add_failing_cases(json& entry, const CheckResult& checked) {
-  const std::vector<std::size_t>& failing = checked.judgement.failing;
-  if (failing.empty() || checked.reference == nullptr || checked.observation.replies.empty()) return;
-  const Answers answers = answers_of(*checked.reference, checked.observation.replies);
-  const auto lines = describe_case(*checked.reference, failing.front(), answers[failing.front()], {.most_rows = 24});
-  entry["case"] = fmt::format("{}", fmt::join(lines, "\n"));
-  if (failing.size() < 2) return;
-  std::string names;
-  for (const std::size_t i : failing)
-    names += fmt::format("{}{} “{}”", names.empty() ? "" : ", ", i + 1, checked.reference->cases[i].name);
-  entry["failing"] = names;
-}
-
 json entry_of(const ReportedExercise& exercise, const ReportedCourse& course) {
   const CheckResult& checked = exercise.checked;
   const Judgement& judgement = checked.judgement;
@@ -125,7 +107,12 @@ json entry_of(const ReportedExercise& exercise, const ReportedCourse& course) {
   for (const Diagnosis& diagnosis : checked.explanation.diagnoses)
     entry["diagnoses"].push_back(
         {{"message", diagnosis.message}, {"read", place_of(diagnosis.notes, exercise, course)}});
-  add_failing_cases(entry, checked);
+  const std::vector<std::size_t>& failing = judgement.failing;
+  if (failing.empty() || checked.reference == nullptr || checked.observation.replies.empty()) return entry;
+  const Answers answers = answers_of(*checked.reference, checked.observation.replies);
+  const auto lines = describe_case(*checked.reference, failing.front(), answers[failing.front()], {.most_rows = 24});
+  entry["case"] = fmt::format("{}", fmt::join(lines, "\n"));
+  if (failing.size() > 1) entry["failing"] = failing_cases(checked);
   return entry;
 }
 

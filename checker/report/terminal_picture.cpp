@@ -1,26 +1,19 @@
-#include "checker/report/terminal_picture.hpp"
+#include "checker/report/overlay.hpp"
 
 #include "checker/base/files.hpp"
 #include "checker/base/text.hpp"
 
-#include <fmt/format.h>
-
 #include <poll.h>
 #include <sys/ioctl.h>
 #include <termios.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <csignal>
 #include <cstdlib>
-#include <regex>
 
 namespace workbook {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds patience{200};
 constexpr char interrupt_key = '\003';
@@ -32,56 +25,47 @@ constexpr double shape = 1.25;               // width over height of the drawn p
 constexpr std::size_t widest_picture = 100;  // in columns; larger ones show no more
 constexpr std::size_t rows_for_text = 4;     // the paths and the next prompt stay in sight
 
-std::string variable(const char* name) {
-  const char* value = std::getenv(name);
-  return value == nullptr ? "" : value;
-}
-
 /// Lets single letters through, unechoed, as long as it lives.
-class UnbufferedInput {
- public:
-  UnbufferedInput() : changed_(tcgetattr(STDIN_FILENO, &before_) == 0) {
-    if (!changed_) return;
-    termios raw = before_;
+struct UnbufferedInput {
+  UnbufferedInput() : changed(tcgetattr(STDIN_FILENO, &before) == 0) {
+    termios raw = before;
     // Without the interrupt key as well: a process ended here would leave the terminal mute.
     raw.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO | ISIG);
-    raw.c_cc[VMIN] = 0;
-    raw.c_cc[VTIME] = 0;
-    changed_ = tcsetattr(STDIN_FILENO, TCSADRAIN, &raw) == 0;
+    raw.c_cc[VMIN] = raw.c_cc[VTIME] = 0;
+    changed = changed && tcsetattr(STDIN_FILENO, TCSADRAIN, &raw) == 0;
   }
   ~UnbufferedInput() {
-    if (changed_) tcsetattr(STDIN_FILENO, TCSADRAIN, &before_);
+    if (changed) tcsetattr(STDIN_FILENO, TCSADRAIN, &before);
   }
   UnbufferedInput(const UnbufferedInput&) = delete;
   UnbufferedInput& operator=(const UnbufferedInput&) = delete;
 
-  explicit operator bool() const { return changed_; }
-
- private:
-  termios before_{};
-  bool changed_;
+  termios before{};
+  bool changed;
 };
 
-bool has_input(std::chrono::milliseconds wait) {
+bool has_input(Clock::time_point deadline) {
   pollfd input{STDIN_FILENO, POLLIN, 0};
-  return poll(&input, 1, static_cast<int>(wait.count())) == 1 && (input.revents & POLLIN) != 0;
+  return poll(&input, 1, milliseconds_until(deadline)) == 1 && (input.revents & POLLIN) != 0;
 }
 
-const std::regex& device_attributes() {
-  static const std::regex pattern("\033\\[\\?[0-9]+((;[0-9]+)*)c");
-  return pattern;
+/// "62;4;22;" from "\033[?62;4;22c"; "" if it has not come.
+std::string device_attributes(std::string_view reply) {
+  const std::size_t begin = std::min(reply.find("\033[?"), reply.size());
+  const std::string_view answer = reply.substr(std::min(begin + 3, reply.size()));
+  const std::size_t length = answer.find_first_not_of("0123456789;");
+  return length == std::string_view::npos || answer[length] != 'c' ? "" : std::string(answer.substr(0, length)) + ";";
 }
 
 /// Everything up to the end of the second answer, or what came in time.
 std::string question_and_answer() {
   std::string reply;
   const UnbufferedInput input;
-  if (!input || has_input(std::chrono::milliseconds(0))) return reply;
+  if (!input.changed || has_input(Clock::now())) return reply;
   if (write(STDOUT_FILENO, question.data(), question.size()) != static_cast<ssize_t>(question.size())) return reply;
   const Clock::time_point deadline = Clock::now() + patience;
-  while (!std::regex_search(reply, device_attributes()) && reply.find(interrupt_key) == std::string::npos) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
-    if (left.count() <= 0 || !has_input(left)) break;
+  while (device_attributes(reply).empty() && reply.find(interrupt_key) == std::string::npos) {
+    if (!has_input(deadline)) break;
     char letters[256];
     const ssize_t count = read(STDIN_FILENO, letters, sizeof letters);
     if (count <= 0) break;
@@ -148,19 +132,17 @@ TerminalTraits traits_of_this_terminal(const Console& console) {
   // A job in the background may not change the terminal: it would be stopped.
   traits.is_watched = isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) != 0 && tcgetpgrp(STDIN_FILENO) == getpgrp();
   traits.is_plain = console.plain();
-  traits.term = variable("TERM");
-  traits.term_program = variable("TERM_PROGRAM");
-  traits.has_kitty_window = !variable("KITTY_WINDOW_ID").empty();
+  traits.term = environment("TERM");
+  traits.term_program = environment("TERM_PROGRAM");
+  traits.has_kitty_window = !environment("KITTY_WINDOW_ID").empty();
   traits.is_multiplexed =
-      !variable("TMUX").empty() || traits.term.starts_with("screen") || traits.term.starts_with("tmux");
+      !environment("TMUX").empty() || traits.term.starts_with("screen") || traits.term.starts_with("tmux");
   return traits;
 }
 
 GraphicsAnswer read_graphics_answer(std::string_view reply) {
-  std::match_results<std::string_view::const_iterator> match;
-  const bool has_attributes = std::regex_search(reply.begin(), reply.end(), match, device_attributes());
   return {.kitty = reply.find("\033_Gi=31;OK\033\\") != std::string_view::npos,
-          .sixel = has_attributes && (match[1].str() + ";").find(";4;") != std::string::npos};
+          .sixel = device_attributes(reply).find(";4;") != std::string::npos};
 }
 
 GraphicsAnswer ask_terminal() {
@@ -198,18 +180,9 @@ std::string kitty_picture(std::string_view png, std::size_t columns) {
 std::string terminal_picture(PictureKind kind, const Overlay& overlay, const std::filesystem::path& png,
                              const Console& console) {
   const std::filesystem::path directory = png.parent_path();
-  switch (kind) {
-    case PictureKind::kitty:
-      return kitty_picture(read_file(png).value_or(""), space_on(console).columns) + "\n";
-    case PictureKind::sixel:
-      return sixel_picture(overlay, directory, space_on(console)) + "\n";
-    case PictureKind::text:
-      return letter_picture(overlay, directory, console);
-    case PictureKind::automatic:
-    case PictureKind::none:
-      break;
-  }
-  return "";
+  if (kind == PictureKind::kitty) return kitty_picture(read_file(png).value_or(""), space_on(console).columns) + "\n";
+  if (kind == PictureKind::sixel) return sixel_picture(overlay, directory, space_on(console)) + "\n";
+  return kind == PictureKind::text ? letter_picture(overlay, directory, console) : "";
 }
 
 }  // namespace workbook

@@ -1,11 +1,9 @@
-#include "checker/report/terminal_report.hpp"
+#include "checker/report/reports.hpp"
 
 #include "checker/base/files.hpp"
 #include "checker/base/text.hpp"
-#include "checker/course/notes.hpp"
+#include "checker/course/exercise_texts.hpp"
 #include "checker/report/failure_text.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -17,17 +15,11 @@ constexpr std::size_t report_indent = 2;
 constexpr std::size_t label_width = 6;
 constexpr std::size_t longest_printout = 6;  // lines of the student's own output that are shown unless all is asked for
 
-Style style_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::passed:
-      return Style::good;
-    case Verdict::not_started:
-      return Style::quiet;
-    case Verdict::checker_error:
-      return Style::warning;
-    default:
-      return Style::bad;
-  }
+/// "kinetic_energy.cpp:8:3: …" as editors jump to it, or the sentence alone.
+std::string finding_line(const CheckResult& checked, const Finding& finding) {
+  if (finding.line <= 0) return finding.sentence;
+  return fmt::format("{}:{}:{}: {}", shown_path(checked.task.file), finding.line, std::max(finding.column, 1),
+                     finding.sentence);
 }
 
 /// The text of one report, line by line.
@@ -59,8 +51,10 @@ class Report {
  private:
   void headline() {
     const Judgement& judgement = checked_.judgement;
-    const Style style = style_of(judgement.verdict);
-    const char* mark = judgement.passed() ? "✓" : !checked_.is_started() ? "·" : checked_.is_judged() ? "✗" : "!";
+    const auto [mark, style] = judgement.passed()       ? std::pair("✓", Style::good)
+                               : !checked_.is_started() ? std::pair("·", Style::quiet)
+                               : checked_.is_judged()   ? std::pair("✗", Style::bad)
+                                                        : std::pair("!", Style::warning);
     text_ += fmt::format("{}{}  {}", console_.mark(mark, style), console_.styled(checked_.name(), Style::strong),
                          console_.styled(in_words(to_string(judgement.verdict)), style));
     if (!checked_.observation.replies.empty() && checked_.is_started() && checked_.is_judged())
@@ -77,7 +71,7 @@ class Report {
     if (judgement.verdict != Verdict::wrong_value) text_ += console_.wrapped(judgement.message, report_indent) + "\n";
     for (const Finding& finding : explanation.findings) {
       labelled("Why", finding_line(checked_, finding));
-      for (const std::string& line : lines_of(finding.excerpt)) text_ += "    " + fitted(line, 4) + "\n";
+      for (const std::string& line : lines_of(finding.excerpt)) text_ += "    " + fitted(line) + "\n";
     }
     std::string last_place;
     for (const Diagnosis& diagnosis : explanation.diagnoses) {
@@ -111,33 +105,10 @@ class Report {
       const std::string size = error_size(reference, checked_.judgement.failing, answers);
       if (!size.empty()) text_ += console_.wrapped(size, report_indent) + "\n";
     }
-    failing_cases();
-  }
-
-  /// All failing cases by number, the first with their names, as far as two lines go.
-  void failing_cases() {
-    const std::vector<std::size_t>& failing = checked_.judgement.failing;
-    if (failing.size() < 2) return;
-    const std::size_t room =
-        detail_.full ? std::string::npos : 2 * (console_.width() - report_indent - label_width - 8);
-    std::string list;
-    std::size_t shown = 0;
-    for (const std::size_t i : failing) {
-      const std::string next =
-          fmt::format("{}{} “{}”", list.empty() ? "" : ", ", i + 1, checked_.reference->cases[i].name);
-      if (shown > 0 && display_width(list) + display_width(next) > room) break;
-      list += next;
-      ++shown;
-    }
-    while (shown < failing.size()) {  // runs of three and more as "5–70"
-      std::size_t last = shown;
-      while (last + 1 < failing.size() && failing[last + 1] == failing[last] + 1) ++last;
-      if (last < shown + 2) last = shown;
-      list += fmt::format(", {}", failing[shown] + 1);
-      if (last > shown) list += fmt::format("–{}", failing[last] + 1);
-      shown = last + 1;
-    }
-    labelled("Failed", list);
+    if (checked_.judgement.failing.size() < 2) return;
+    labelled("Failed",
+             failing_cases(checked_, detail_.full ? std::string::npos
+                                                  : 2 * (console_.width() - report_indent - label_width - 8)));
   }
 
   /// What the student's code printed: at the shown case, or case by case where all is asked for or all is well.
@@ -150,11 +121,11 @@ class Report {
       if (lines.empty()) continue;
       const bool is_shown = shown_case() == index;
       const std::size_t most = shows_all || detail_.case_index == index ? lines.size()
-                               : is_shown                               ? longest_printout
+                               : is_shown                               ? std::min(longest_printout, lines.size())
                                                                         : 0;
       if (most > 0) text_ += fmt::format("\n  Your code printed at case {}:\n", index + 1);
-      for (std::size_t k = 0; k < std::min(most, lines.size()); ++k) text_ += "    " + fitted(lines[k], 4) + "\n";
-      left_out += lines.size() - std::min(most, lines.size());
+      for (std::size_t k = 0; k < most; ++k) text_ += "    " + fitted(lines[k]) + "\n";
+      left_out += lines.size() - most;
     }
     if (left_out > 0)
       text_ += fmt::format("  Your code printed {} ({} shows all).\n", plural(left_out, "more line", "more lines"),
@@ -166,7 +137,7 @@ class Report {
     const std::string& name = checked_.name();
     std::string again = "check " + name;
     if (const auto shown = shown_case()) again += fmt::format(" --case {}", *shown + 1);
-    if (checked_.task.seed != 1) again += fmt::format(" --seed {}", checked_.task.seed);
+    if (checked_.task.is_other_seed) again += fmt::format(" --seed {}", checked_.task.seed);
     if (checked_.task.is_elsewhere) again += " --file " + shell_quoted(printable(checked_.task.file.string()));
     command_line("Again", shown_case() ? again : "");
     command_line("More",
@@ -186,11 +157,10 @@ class Report {
              body.substr(std::min(body.size(), report_indent + label_width + 1)) + "\n";
   }
 
-  /// One line cut to the width of the terminal; a tab is as wide as the terminal likes.
-  std::string fitted(const std::string& line, std::size_t margin) const {
-    constexpr std::size_t narrowest = 20;
+  /// One line cut to the width of the terminal, less its margin; a tab is as wide as the terminal likes.
+  std::string fitted(const std::string& line) const {
     constexpr std::size_t most_bytes_per_column = 8;
-    const std::size_t width = std::max(console_.width(), margin + narrowest) - margin;
+    const std::size_t width = console_.width() - 4;
     std::string text = cut(line, most_bytes_per_column * width);
     std::ranges::replace(text, '\t', ' ');
     return shortened(text.size() < line.size() ? text + "…" : text, width);
@@ -208,16 +178,8 @@ class Report {
 std::string notes_place(const Course& course, const Exercise& exercise, const std::string& anchor) {
   if (const auto page = course.notes_page(exercise.lecture()))
     return shown_path(*page) + (anchor.empty() ? "" : "#" + anchor);
-  const std::string source = "lectures/" + exercise.lecture() + "/notes.md";
-  const auto headings = read_headings(course.notes_file(*exercise.card));
-  const auto heading = headings.find(anchor);
-  return heading == headings.end() ? source : fmt::format("{}, “{}”", source, heading->second);
-}
-
-std::string finding_line(const CheckResult& checked, const Finding& finding) {
-  if (finding.line <= 0) return finding.sentence;
-  return fmt::format("{}:{}:{}: {}", shown_path(checked.task.file), finding.line, std::max(finding.column, 1),
-                     finding.sentence);
+  const std::string heading = read_headings(course.notes_file(*exercise.card))[anchor];
+  return "lectures/" + exercise.lecture() + "/notes.md" + (heading.empty() ? "" : ", “" + heading + "”");
 }
 
 std::string terminal_report(const CheckResult& checked, const Course& course, const Console& console,
@@ -225,14 +187,34 @@ std::string terminal_report(const CheckResult& checked, const Course& course, co
   return Report(checked, course, console, detail).text();
 }
 
+std::string failing_cases(const CheckResult& checked, std::size_t columns) {
+  const std::vector<std::size_t>& failing = checked.judgement.failing;
+  std::string list;
+  std::size_t shown = 0;
+  for (; shown < failing.size(); ++shown) {
+    const std::size_t i = failing[shown];
+    const std::string next = fmt::format("{}{} “{}”", shown == 0 ? "" : ", ", i + 1, checked.reference->cases[i].name);
+    if (shown > 0 && display_width(list) + display_width(next) > columns) break;
+    list += next;
+  }
+  while (shown < failing.size()) {  // runs of three and more as "5–70"
+    std::size_t last = shown;
+    while (last + 1 < failing.size() && failing[last + 1] == failing[last] + 1) ++last;
+    if (last < shown + 2) last = shown;
+    list += fmt::format(", {}", failing[shown] + 1);
+    if (last > shown) list += fmt::format("–{}", failing[last] + 1);
+    shown = last + 1;
+  }
+  return list;
+}
+
 std::string summary_line(const std::vector<CheckResult>& results) {
-  const auto count = [&](auto condition) {
-    return static_cast<std::size_t>(std::ranges::count_if(results, condition));
-  };
-  const std::size_t passed = count([](const CheckResult& checked) { return checked.judgement.passed(); });
-  const std::size_t not_started = count([](const CheckResult& checked) { return !checked.is_started(); });
-  const std::size_t errors = count([](const CheckResult& checked) { return !checked.is_judged(); });
-  const std::size_t failing = results.size() - passed - not_started - errors;
+  std::size_t passed = 0, not_started = 0, errors = 0, failing = 0;
+  for (const CheckResult& checked : results)
+    ++(checked.judgement.passed() ? passed
+       : !checked.is_started()    ? not_started
+       : !checked.is_judged()     ? errors
+                                  : failing);
   std::string line = fmt::format("{} of {} passed", passed, results.size());
   if (failing > 0) line += fmt::format(", {} failing", failing);
   if (not_started > 0) line += fmt::format(", {} not started", not_started);

@@ -1,19 +1,13 @@
 #include "checker/sandbox/diagnostic_run.hpp"
 
 #include "checker/base/text.hpp"
-#include "checker/compile/build_cache.hpp"
 #include "checker/compile/compile.hpp"
 #include "checker/judging/run_failures.hpp"
 #include "checker/sandbox/worker_process.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <bit>
 #include <cstdlib>
-#include <exception>
-#include <iterator>
-#include <optional>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -66,6 +60,7 @@ constexpr KnownEvent known_events[] = {
     {"FPE\\|(.+)", "outside_domain", "$1 is given a number here for which it has no finite result."},
     {"FPE\\|", "non_finite", "an operation here gives or meets a value that is infinite or not a number (NaN)."},
     {"never_set here", "never_set", "something is used here that was never given a value: a variable, or an entry of a matrix or vector."},
+    {"never_set\\|(.+)", "never_set", "`$1` gets no value here, and not all of it is set before it is used."},
     {"never_set", "never_set", "The result depends on something that was never given a value: a variable without = or {}, or a matrix or vector that is not filled."},
     {"printing\\|.*", "endless_printing", "the function was still printing here when it was stopped."},
     {"running\\|(\\d+)\\|\\1", "endless_loop", "the function was still at work here when it was stopped."},
@@ -96,6 +91,23 @@ int recursion_line(const DiagnosticEvent& event) {
   const auto found = std::ranges::find_if(
       event.lines, [&](int line) { return std::ranges::count(event.lines, line) >= surely_without_end; });
   return event.is("stack-overflow") && found != event.lines.end() ? *found : 0;
+}
+
+/// The line of the only variable that is declared without a value, and its name; 0 if there are several or none.
+std::pair<int, std::string> declaration_without_value(const std::vector<std::string>& lines) {
+  static const std::regex declaration(
+      R"((?:^|[;{}])\s*(?:Eigen::)?(?:double|float|Matrix\w+|Vector\w+|Array\w+|Quaternion\w+|std::array<[^;]*>)\s+)"
+      R"((\w+)\s*(?:\[\w*\]|\([^();]*(?:\(\)[^();]*)?\))?\s*;)");
+  std::pair<int, std::string> found{0, ""};
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const std::string line = cut(lines[k], 300);
+    for (auto each = std::sregex_iterator(line.begin(), line.end(), declaration); each != std::sregex_iterator();
+         ++each) {
+      if (found.first > 0) return {0, ""};
+      found = {static_cast<int>(k) + 1, (*each)[1]};
+    }
+  }
+  return found;
 }
 
 /// One call in a process of its own.
@@ -150,8 +162,8 @@ class DiagnosticRun {
   }
 
   std::string source_line(int line) const {
-    const auto index = static_cast<std::size_t>(line) - 1;
-    return line > 0 && index < source_.size() ? cut(printable(source_[index]), 1000) : "";
+    const auto index = static_cast<std::size_t>(line) - 1;  // of 0 beyond all lines
+    return index < source_.size() ? cut(printable(source_[index]), 1000) : "";
   }
 
   void add(int line, const std::string& name, const std::string& sentence) {
@@ -243,7 +255,9 @@ class DiagnosticRun {
     // NaN trap where they are first used; with zeros nothing must happen there.
     const int line = run(protocol::fill_with_nan | protocol::trap_invalid).trap_line();
     const bool is_certain = line > 0 && run(protocol::trap_invalid).trap_line() == 0;
-    tell(is_certain ? line : 0, is_certain ? "never_set here" : "never_set");
+    if (is_certain) return tell(line, "never_set here");
+    const auto [declared, name] = declaration_without_value(source_);
+    tell(declared, declared > 0 ? "never_set|" + name : "never_set");
   }
 
   void explain_long_run() {
@@ -319,11 +333,11 @@ std::vector<DiagnosticEvent> read_report(const std::string& text, const std::str
 }
 
 bool can_be_explained_by_a_run(const Judgement& judgement) {
-  constexpr Verdict verdicts[] = {Verdict::wrong_value,        Verdict::non_finite_value, Verdict::inconsistent_value,
-                                  Verdict::uncaught_exception, Verdict::crashed,          Verdict::stopped_early,
-                                  Verdict::time_limit,         Verdict::memory_limit,     Verdict::output_limit,
-                                  Verdict::forbidden_operation};
-  return std::ranges::find(verdicts, judgement.verdict) != std::end(verdicts);
+  using enum Verdict;
+  constexpr Verdict verdicts[] = {wrong_value,  non_finite_value,   inconsistent_value, uncaught_exception,
+                                  crashed,      stopped_early,      time_limit,         memory_limit,
+                                  output_limit, forbidden_operation};
+  return std::ranges::count(verdicts, judgement.verdict) > 0;
 }
 
 std::string missing_for_diagnostic_runs(const Toolchain& toolchain) {
@@ -346,11 +360,9 @@ std::vector<Finding> diagnostic_run(const DiagnosticTask& task, const Toolchain&
   if (!can_be_explained_by_a_run(task.judgement) || !missing_for_diagnostic_runs(toolchain).empty()) return {};
   try {
     const Workspace workspace(scratch);
-    CompileLimits limits;
-    limits.time = std::chrono::seconds(10);
     const Compilation compilation =
         compile({.submission = task.submission, .exercise = task.reference.name, .signature = task.reference.signature},
-                read_toolchain(toolchain.second_look), workspace.directory(), limits);
+                read_toolchain(toolchain.second_look), workspace.directory(), {.time = std::chrono::seconds(10)});
     return compilation.executable ? diagnostic_run_of(*compilation.executable, task, toolchain)
                                   : std::vector<Finding>();
   } catch (const std::exception&) {

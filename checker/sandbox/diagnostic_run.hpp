@@ -9,10 +9,6 @@
 #include "checker/judging/judge.hpp"
 #include "checker/source/submission.hpp"
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
 namespace workbook {
 
 /// A file that was compiled, run and judged.

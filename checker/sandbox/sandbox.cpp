@@ -17,15 +17,11 @@
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstddef>
 #include <cstdint>
-#include <filesystem>
-#include <utility>
 
 namespace workbook {
 namespace {
@@ -106,22 +102,13 @@ constexpr Rule reading_rules[] = {{SYS_open, 1, writing, 0},
                                   {SYS_prctl, 0, 0, 0, refuse(EPERM)}};
 
 /// What no compiler, assembler or linker needs.
-constexpr int hostile[] = {SYS_socket,
-                           SYS_socketpair,
-                           SYS_ptrace,
-                           SYS_process_vm_readv,
-                           SYS_process_vm_writev,
-                           SYS_keyctl,
-                           SYS_add_key,
-                           SYS_request_key,
-                           SYS_bpf,
-                           SYS_perf_event_open,
-                           SYS_userfaultfd,
-                           SYS_io_uring_setup,
-                           SYS_mount,
-                           SYS_unshare,
-                           SYS_setns,
-                           SYS_chroot};
+constexpr int hostile[] = {
+    // connections
+    SYS_socket, SYS_socketpair, SYS_io_uring_setup,
+    // other processes and their keys
+    SYS_ptrace, SYS_process_vm_readv, SYS_process_vm_writev, SYS_keyctl, SYS_add_key, SYS_request_key,
+    // the kernel, and other views of the files
+    SYS_bpf, SYS_perf_event_open, SYS_userfaultfd, SYS_mount, SYS_unshare, SYS_setns, SYS_chroot};
 
 /// A program of the kernel's packet filter, of fixed size: between fork and exec nothing may be allocated.
 class Filter {
@@ -221,13 +208,6 @@ SandboxStrength what_the_kernel_offers() {
   return {has_filters, std::max(0, static_cast<int>(version)), {}};
 }
 
-bool limit(decltype(RLIMIT_CPU) resource, rlim_t soft, rlim_t hard) noexcept {
-  rlimit now{};
-  if (::getrlimit(resource, &now) != 0) return false;
-  const rlimit wanted{std::min(soft, now.rlim_max), std::min(hard, now.rlim_max)};
-  return ::setrlimit(resource, &wanted) == 0;
-}
-
 /// Where compilers and shared libraries are installed, never anybody's own files.
 std::vector<std::string> system_folders(const std::string& compiler) {
   std::vector<std::string> folders = {"/etc/ld.so.cache", "/lib", "/lib64", "/nix/store"};
@@ -280,16 +260,26 @@ const char* Sandbox::enter() const noexcept {
 const char* Sandbox::limit_resources() const noexcept {
   const rlim_t memory = profile_.memory_bytes == 0 ? RLIM_INFINITY : profile_.memory_bytes;
   const rlim_t processes = profile_.calls == SandboxProfile::Calls::build ? RLIM_INFINITY : 0;
-  // A core limit of 1 and not 0: with 0 a system that hands core dumps to a collector would still start it.
-  if (!limit(RLIMIT_CORE, 1, 1)) return "limit core dumps";
-  // The hard limit ends a program that ignores the signal of the soft one.
-  if (!limit(RLIMIT_CPU, profile_.processor_seconds, rlim_t{profile_.processor_seconds} + 1))
-    return "limit its processor time";
-  if (!limit(RLIMIT_AS, memory, memory)) return "limit its memory";
-  if (!limit(RLIMIT_STACK, profile_.stack_bytes, profile_.stack_bytes)) return "limit its stack";
-  if (!limit(RLIMIT_FSIZE, profile_.file_bytes, profile_.file_bytes)) return "limit the size of its files";
-  if (!limit(RLIMIT_NPROC, processes, processes)) return "limit its processes";
-  if (!limit(RLIMIT_NOFILE, profile_.open_files, profile_.open_files)) return "limit its open files";
+  const struct {
+    decltype(RLIMIT_CPU) resource;
+    rlim_t soft;
+    const char* step;
+    rlim_t added = 0;  // to the hard limit
+  } limits[] = {       // Not 0, with which a system that hands core dumps to a collector would still start it.
+                {RLIMIT_CORE, 1, "limit core dumps"},
+                // The hard limit ends a program that ignores the signal of the soft one.
+                {RLIMIT_CPU, profile_.processor_seconds, "limit its processor time", 1},
+                {RLIMIT_AS, memory, "limit its memory"},
+                {RLIMIT_STACK, profile_.stack_bytes, "limit its stack"},
+                {RLIMIT_FSIZE, profile_.file_bytes, "limit the size of its files"},
+                {RLIMIT_NPROC, processes, "limit its processes"},
+                {RLIMIT_NOFILE, profile_.open_files, "limit its open files"}};
+  for (const auto& limit : limits) {
+    rlimit now{};
+    if (::getrlimit(limit.resource, &now) != 0) return limit.step;
+    const rlimit wanted{std::min(limit.soft, now.rlim_max), std::min(limit.soft + limit.added, now.rlim_max)};
+    if (::setrlimit(limit.resource, &wanted) != 0) return limit.step;
+  }
   // Sanitizers of GCC 12 find no room for their tables where newer kernels scatter addresses widely.
   if (profile_.calls == SandboxProfile::Calls::compute_and_read) ::personality(ADDR_NO_RANDOMIZE);
   return nullptr;

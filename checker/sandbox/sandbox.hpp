@@ -4,7 +4,6 @@
 /// starts.
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <vector>
 

@@ -5,7 +5,6 @@
 #include <poll.h>
 #include <signal.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -14,7 +13,6 @@
 #include <cstring>
 #include <fstream>
 #include <random>
-#include <utility>
 
 namespace workbook {
 namespace {
@@ -97,7 +95,7 @@ Reply Worker::answer(const PlannedCall& call, std::uint64_t nonce) {
   if (header.nonce != nonce) return violated(ProtocolViolation::another_request);
   if (sent_ < unsent_.size()) return violated(ProtocolViolation::too_early);
 
-  Reply reply;
+  Reply reply{.ending = Ending::exception};
   switch (header.status) {
     case protocol::Status::returned:
       reply = returned(header, call);
@@ -107,24 +105,21 @@ Reply Worker::answer(const PlannedCall& call, std::uint64_t nonce) {
       if (header.result.rows < 0 || header.result.cols < 0 ||
           (header.result.rows == call.rows && header.result.cols == call.cols))
         return violated(ProtocolViolation::impossible_shape);
-      reply.ending = Ending::wrong_shape;
-      reply.value = {header.result.rows, header.result.cols, {}};
+      reply = {.ending = Ending::wrong_shape, .value = {header.result.rows, header.result.cols, {}}};
       break;
     case protocol::Status::not_started:
       reply.ending = Ending::not_started;
       break;
+    case protocol::Status::out_of_memory:
+      reply.ending = Ending::memory_limit;
+      break;
     case protocol::Status::exception:
     case protocol::Status::foreign_exception:
-      reply.ending = Ending::exception;
       reply.text = printable(header.text);
       if (header.status == protocol::Status::foreign_exception) reply.cause = CrashCause::foreign_exception;
       break;
     case protocol::Status::eigen_assertion:
-      reply.ending = Ending::exception;
       reply.eigen = EigenAssertion{printable(header.text), {}};
-      break;
-    case protocol::Status::out_of_memory:
-      reply.ending = Ending::memory_limit;
       break;
     default:
       return violated(ProtocolViolation::unknown_status);
@@ -141,16 +136,13 @@ Reply Worker::returned(const protocol::ReplyHeader& header, const PlannedCall& c
     return violated(ProtocolViolation::impossible_shape);
   const std::size_t count = static_cast<std::size_t>(call.rows) * static_cast<std::size_t>(call.cols);
   if (const Ending end = exchange(sizeof header + sizeof(double) * count); end != Ending::returned) return stopped(end);
-  Reply reply;
-  reply.ending = Ending::returned;
-  reply.value = {call.rows, call.cols, std::vector<double>(count)};
+  Reply reply{.ending = Ending::returned, .value = {call.rows, call.cols, std::vector<double>(count)}};
   std::copy(received_.begin() + sizeof header, received_.end(), reinterpret_cast<char*>(reply.value.numbers.data()));
   return reply;
 }
 
 Reply Worker::finish() {
-  Reply reply;
-  reply.ending = Ending::returned;
+  Reply reply{.ending = Ending::returned};
   if (!running_) return reply;
   process_.close_write();
   unsent_.clear();
@@ -241,57 +233,39 @@ bool Worker::uses_too_much_memory() const {
 
 Reply Worker::violated(ProtocolViolation violation) {
   end_process();
-  Reply reply;
-  reply.ending = Ending::protocol_violation;
-  reply.violation = violation;
-  return reply;
+  return {.ending = Ending::protocol_violation, .violation = violation};
 }
 
 Reply Worker::stopped(Ending reason) {
-  Reply reply;
-  reply.ending = reason;
   if (reason != Ending::stopped_early) {
     end_process();
-    return reply;
+    return {.ending = reason};
   }
   if (!process_.wait_until(std::min(budget_.deadline, Clock::now() + shutdown_timeout)))
     return violated(ProtocolViolation::closed_channel);
   const ProcessEnd end = end_process();
-  reply.ending = collect_prints();
-  if (reply.ending == Ending::output_limit) return reply;
-  reply.signal = end.signal;
-  reply.exit_status = end.exit_status;
-  switch (end.signal) {
-    case 0:
-      reply.ending = Ending::stopped_early;
-      break;
-    case SIGSYS:
-    case SIGXFSZ:
-      reply.ending = Ending::forbidden_operation;
-      break;
-    case SIGXCPU:
-      reply.ending = Ending::time_limit;
-      break;
-    default:
-      // A program that ignores SIGXCPU is killed at the hard limit.
-      reply.ending = end.signal == SIGKILL && end.processor_seconds >= profile_.processor_seconds ? Ending::time_limit
-                                                                                                  : Ending::crashed;
-  }
-  if (crash_report_ && crash_report_->signal == end.signal) set_crash(reply, end.signal);
-  return reply;
-}
-
-/// What the worker said before the signal.
-void Worker::set_crash(Reply& reply, int signal) const {
-  if (signal == SIGSYS) {
-    reply.system_call = static_cast<long>(crash_report_->detail);
-  } else if (crash_report_->detail == protocol::stack_overflow) {
+  if (collect_prints() == Ending::output_limit) return {.ending = Ending::output_limit};
+  // A program that ignores SIGXCPU is killed at the hard limit.
+  const bool is_out_of_time =
+      end.signal == SIGXCPU || (end.signal == SIGKILL && end.processor_seconds >= profile_.processor_seconds);
+  const Ending ending = end.signal == 0                                 ? Ending::stopped_early
+                        : end.signal == SIGSYS || end.signal == SIGXFSZ ? Ending::forbidden_operation
+                        : is_out_of_time                                ? Ending::time_limit
+                                                                        : Ending::crashed;
+  Reply reply{.ending = ending, .signal = end.signal, .exit_status = end.exit_status};
+  if (!crash_report_ || crash_report_->signal != end.signal) return reply;
+  // What the worker said before the signal.
+  const auto detail = crash_report_->detail;
+  if (end.signal == SIGSYS) {
+    reply.system_call = static_cast<long>(detail);
+  } else if (detail == protocol::stack_overflow) {
     reply.cause = CrashCause::stack_overflow;
-  } else if (crash_report_->detail != protocol::nothing_known) {
-    const bool has_text = crash_report_->detail == protocol::exception_with_text;
+  } else if (detail != protocol::nothing_known) {
+    const bool has_text = detail == protocol::exception_with_text;
     reply.cause = has_text ? CrashCause::uncaught_exception : CrashCause::foreign_exception;
     reply.text = printable(crash_report_->text);
   }
+  return reply;
 }
 
 ProcessEnd Worker::end_process() {
@@ -299,6 +273,86 @@ ProcessEnd Worker::end_process() {
   if (running_) budget_.processor_seconds -= end.processor_seconds;
   running_ = false;
   return end;
+}
+
+namespace {
+
+/// A sequence of calls in as few processes as possible: one, and a new one after each that failed.
+class Session {
+ public:
+  Session(const std::filesystem::path& executable, const RunLimits& limits)
+      : executable_(executable),
+        profile_(limits.sandbox),
+        budget_{Clock::now() + std::chrono::duration_cast<Clock::duration>(limits.time), limits.processor_time.count(),
+                limits.output_bytes} {}
+
+  Reply call(const PlannedCall& call) {
+    Reply reply;
+    if (used_up_) return reply;
+    reply.ending = Ending::time_limit;
+    if (budget_.processor_seconds > 0.0 && Clock::now() < budget_.deadline) {
+      if (!worker_) worker_.emplace(executable_, profile_, budget_);
+      reply = worker_->call(call);
+    }
+    after(reply);
+    return reply;
+  }
+
+  /// Ends the process; the next call gets a fresh one. `last`, the reply to the last call, is replaced if something
+  /// came after it.
+  void finish_process(Reply& last) {
+    if (!worker_) return;
+    Reply end = worker_->finish();
+    after(end);
+    worker_.reset();
+    if (end.ending == Ending::returned) return;
+    end.printed = last.printed;
+    last = std::move(end);
+  }
+
+ private:
+  void after(const Reply& reply) {
+    if (worker_ && !worker_->running()) worker_.reset();
+    if (reply.ending == Ending::time_limit || reply.ending == Ending::output_limit) used_up_ = true;
+  }
+
+  const std::filesystem::path& executable_;
+  const SandboxProfile& profile_;
+  Budget budget_;
+  std::optional<Worker> worker_;
+  bool used_up_ = false;
+};
+
+}  // namespace
+
+Observation ExerciseRunner::observe(const std::vector<Case>& cases, const std::vector<std::size_t>& repeats) {
+  const Clock::time_point start = Clock::now();
+  Observation observation;
+  const auto planned = [](const Case& one) { return PlannedCall{one.inputs, one.expected.rows, one.expected.cols}; };
+  try {
+    Session session(executable_, limits_);
+    for (const Case& one : cases) observation.replies.push_back(session.call(planned(one)));
+    if (!cases.empty()) session.finish_process(observation.replies.back());
+    for (const std::size_t index : repeats)
+      observation.repeats.push_back({index, session.call(planned(cases.at(index)))});
+    if (!repeats.empty()) session.finish_process(observation.repeats.back().reply);
+  } catch (const LaunchError& error) {
+    observation = {};
+    observation.refusal = Refusal::checker_error;
+    observation.refusal_message =
+        fmt::format("The checker could not run the compiled function ({}); this is not your mistake.", error.what());
+  }
+  observation.run_seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  return observation;
+}
+
+std::vector<Reply> ExerciseRunner::evaluate(const std::vector<PlannedCall>& calls) {
+  Session session(executable_, limits_);
+  std::vector<Reply> replies;
+  replies.reserve(calls.size());
+  for (const PlannedCall& call : calls) replies.push_back(session.call(call));
+  if (!replies.empty()) session.finish_process(replies.back());
+  return replies;
 }
 
 }  // namespace workbook

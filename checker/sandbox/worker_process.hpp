@@ -1,18 +1,13 @@
 /// @file
-/// One worker process, and the conversation with it.
+/// Runs a student's compiled function at many inputs, in worker processes, and reports what was seen. No answers, no
+/// physics, no judging.
 #pragma once
 
 #include "checker/base/child_process.hpp"
 #include "checker/data/observation.hpp"
-#include "checker/data/value.hpp"
+#include "checker/data/reference_results.hpp"
 #include "checker/sandbox/sandbox.hpp"
 #include "checker/worker/protocol.hpp"
-
-#include <cstddef>
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace workbook {
 
@@ -59,7 +54,6 @@ class Worker {
   bool uses_too_much_memory() const;
 
   Reply stopped(Ending reason);
-  void set_crash(Reply& reply, int signal) const;
   Reply violated(ProtocolViolation violation);
   ProcessEnd end_process();
 
@@ -73,6 +67,32 @@ class Worker {
   std::size_t sent_ = 0;
   std::vector<char> received_;
   std::optional<protocol::ReplyHeader> crash_report_;
+};
+
+/// For all calls of one exercise together.
+struct RunLimits {
+  std::chrono::duration<double> time{10.0};
+  std::chrono::duration<double> processor_time{5.0};
+  std::size_t output_bytes = std::size_t{64} << 10;
+  SandboxProfile sandbox = run_profile();
+};
+
+class ExerciseRunner {
+ public:
+  /// @param executable  what compile() made
+  explicit ExerciseRunner(std::filesystem::path executable, RunLimits limits = {})
+      : executable_(std::move(executable)), limits_(std::move(limits)) {}
+
+  /// One reply per case; then the cases with the given indices once more, in a fresh process.
+  /// If the worker cannot be started at all, the observation is refused with Refusal::checker_error.
+  Observation observe(const std::vector<Case>& cases, const std::vector<std::size_t>& repeats);
+
+  /// One reply per call, with limits of its own. @throws LaunchError if the worker cannot be started
+  std::vector<Reply> evaluate(const std::vector<PlannedCall>& calls);
+
+ private:
+  std::filesystem::path executable_;
+  RunLimits limits_;
 };
 
 }  // namespace workbook

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <utility>
 
 namespace workbook {
 namespace {
@@ -144,8 +143,7 @@ std::string excerpt(std::string_view line, int column) {
   text.erase(text.find_last_not_of(' ') + 1);
   if (first > 0) text.insert(0, "…");
   if (line.size() > first + widest) text += "…";
-  const auto continues = std::ranges::count_if(before, [](char letter) { return (letter & 0xC0) == 0x80; });
-  const std::size_t width = before.size() - static_cast<std::size_t>(continues) + (first > 0 ? 1 : 0);
+  const std::size_t width = display_width(before) + (first > 0 ? 1 : 0);
   return column <= 0 ? text : text + "\n" + std::string(width, ' ') + "^";
 }
 

@@ -4,11 +4,6 @@
 
 #include "checker/data/observation.hpp"
 
-#include <cstddef>
-#include <string>
-#include <string_view>
-#include <vector>
-
 namespace workbook {
 
 inline constexpr std::string_view byte_order_mark = "\ufeff";

@@ -1,16 +1,14 @@
 #include "checker/source/submission.hpp"
 
-#include "checker/base/descriptor.hpp"
+#include "checker/base/files.hpp"
 #include "checker/base/text.hpp"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <system_error>
+#include <cstring>
 
 namespace workbook {
 namespace {
@@ -46,9 +44,9 @@ Submission read_submission(const std::filesystem::path& path) {
     if (!reason.empty()) throw RejectedFile(fmt::format("{} {}.", submission.shown_name, reason));
   };
   const auto reject_unreadable = [&] {
-    if (errno == ENOENT || errno == ENOTDIR) reject_if("does not exist; check the name and the folder");
-    reject_if(
-        fmt::format("cannot be read ({}); check its name and permissions", std::generic_category().message(errno)));
+    reject_if(errno == ENOENT || errno == ENOTDIR
+                  ? "does not exist; check the name and the folder"
+                  : fmt::format("cannot be read ({}); check its name and permissions", std::strerror(errno)));
   };
   struct stat status {};
   // Looked at before it is opened, for opening a device can do things; and afterwards, for it may be another one then.

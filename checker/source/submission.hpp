@@ -2,7 +2,6 @@
 /// A file that somebody handed in, read once: anything may stand under its name.
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
 #include <stdexcept>
 #include <string>

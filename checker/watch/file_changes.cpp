@@ -6,8 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
-#include <system_error>
+#include <utility>
 
 namespace workbook {
 

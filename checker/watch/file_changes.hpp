@@ -4,17 +4,12 @@
 #pragma once
 
 #include "checker/base/child_process.hpp"
-#include "checker/base/descriptor.hpp"
+#include "checker/base/files.hpp"
 
 #include <sys/stat.h>
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace workbook {
 

@@ -2,8 +2,6 @@
 
 #include "checker/base/text.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 

@@ -5,10 +5,6 @@
 #include "checker/base/console.hpp"
 #include "checker/watch/terminal.hpp"
 
-#include <cstddef>
-#include <string>
-#include <vector>
-
 namespace workbook {
 
 /// What is to be seen. Body and state may hold colours and lines that are too long.

@@ -1,16 +1,16 @@
 #include "checker/watch/terminal.hpp"
 
+#include "checker/base/text.hpp"
+
 #include <signal.h>
 #include <sys/ioctl.h>
 #include <sys/signalfd.h>
 #include <termios.h>
-#include <unistd.h>
 
 #include <array>
 #include <cctype>
 #include <cerrno>
 #include <cstdio>
-#include <cstdlib>
 #include <system_error>
 
 namespace workbook {
@@ -74,10 +74,7 @@ Terminal::Terminal() : has_keyboard_(::isatty(STDIN_FILENO) != 0 && ::tcgetattr(
 
 Terminal::~Terminal() { give_keyboard_back(); }
 
-bool Terminal::can_be_drawn_on() {
-  const char* term = std::getenv("TERM");
-  return ::isatty(STDOUT_FILENO) != 0 && term != nullptr && *term != '\0' && std::string_view(term) != "dumb";
-}
+bool Terminal::can_be_drawn_on() { return ::isatty(STDOUT_FILENO) != 0 && environment("TERM", "dumb") != "dumb"; }
 
 TerminalSize Terminal::size() {
   winsize size{};

@@ -2,11 +2,9 @@
 /// The terminal as the watch uses it: its size, its keys one by one, its cursor, and its signals.
 #pragma once
 
-#include "checker/base/descriptor.hpp"
+#include "checker/base/files.hpp"
 
-#include <cstddef>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace workbook {

@@ -1,7 +1,7 @@
 /// @file
 /// How long a student waits: from a saved file to the verdict, by `check` and in `watch`, over the bare compiler with
 /// the same flags and the same precompiled header. All in turn, because machines are noisy; medians and ratios count.
-#include "checker/base/build.hpp"
+#include "checker/base/child_process.hpp"
 #include "checker/base/files.hpp"
 #include "checker/compile/toolchain.hpp"
 #include "checker/course/course.hpp"

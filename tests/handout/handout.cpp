@@ -28,12 +28,13 @@ Outcome handout(const fs::path& folder) {
   return run(fmt::format("'{}' handout '{}'", WORKBOOK_TEST_CHECKER, folder.string()));
 }
 
-/// One copy for all tests: making it takes a while.
+/// One copy for all tests, drawn with a seed of its own: making it takes a while.
 const fs::path& copy() {
   static const fs::path folder = [] {
     fs::remove_all(scratch);
     fs::create_directories(scratch);
-    const Outcome made = handout(scratch / "copy");
+    const Outcome made =
+        run(fmt::format("'{}' handout --seed 7 '{}'", WORKBOOK_TEST_CHECKER, (scratch / "copy").string()));
     REQUIRE_MESSAGE(made.status == 0, made.said());
     return scratch / "copy";
   }();
@@ -172,16 +173,19 @@ TEST_CASE("in the copy the checker works with the reference results as data") {
   const Outcome right = checker("check inertia_of_points");
   CHECK_MESSAGE(right.status == 0, right.said());
 
-  const Outcome other_seed = checker("check inertia_of_points --seed 7");
+  CHECK(has(read(copy() / ".workbook/progress.json"), "inertia_of_points"));  // it counts, although the seed is not 1
+  CHECK(checker("check inertia_of_points --json").json().at("seed") == 7);
+  CHECK(checker("check inertia_of_points --seed 7").status == 0);
+  const Outcome other_seed = checker("check inertia_of_points --seed 1");
   CHECK(other_seed.status == 3);
-  CHECK(has(other_seed.said(), "has reference results for seed 1 only"));
+  CHECK(has(other_seed.said(), "has reference results for seed 7 only"));
   const Outcome again = checker("handout elsewhere");
   CHECK(again.status == 2);
   CHECK(has(again.said(), "it has no solutions, so no other copy can be made from it"));
 
   // A student's own files beside the exercises, and solved exercises, are nothing to complain about.
   write(copy() / "lectures/03_inertia_tensor/my notes.txt", "I = sum m (r^2 1 - r r)\n");
-  const Outcome in_order = checker("self-check --seeds 1");
+  const Outcome in_order = checker("self-check");
   CHECK_MESSAGE(in_order.status == 0, in_order.said());
   CHECK(checker("reset inertia_of_points").status == 0);
 }

@@ -1,6 +1,6 @@
 // Plots in files and on the terminal, figures, worked examples, and every picture at once.
 #include "checker/base/text.hpp"
-#include "checker/report/terminal_picture.hpp"
+#include "checker/report/overlay.hpp"
 #include "tests/program/program.hpp"
 
 #include <doctest/doctest.h>

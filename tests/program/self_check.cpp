@@ -113,3 +113,29 @@ TEST_CASE("a stray file is a remark and stops nothing") {
   CHECK(has(listed.err, "spring_energy.cpp"));
   CHECK(course.run("check --json").json().at("results").size() == 2);
 }
+
+TEST_CASE("self-check names the mutants that no case finds, unless there is a reason") {
+  const CourseCopy course;
+  const Outcome all_found = course.run("self-check --mutants");
+  CHECK_MESSAGE(all_found.status == 0, all_found.said());
+  CHECK(has(all_found.out, "01 spring_energy"));
+
+  replace_in(course.solution("spring_force"), "-k * x", "-k * x * std::cos(1e-30)");
+  const Outcome survived = course.run("self-check --mutants spring_force");
+  CHECK(survived.status == 1);
+  CHECK_MESSAGE(has(survived.out, "solutions/01_springs/spring_force.judging.cpp: "), survived.out);
+  CHECK_MESSAGE(has(survived.out, "line 5, another number: "), survived.out);
+  CHECK(!has(survived.out, "spring_energy"));
+}
+
+TEST_CASE("self-check says why mutants cannot be tried") {
+  const CourseCopy course;
+  replace_in(course.solution("spring_force"), "-k * x", "k * x");
+  const Outcome wrong = course.run("self-check --mutants");
+  CHECK(wrong.status == 1);
+  CHECK_MESSAGE(has(wrong.out, "solutions/01_springs/spring_force.cpp: "), wrong.out);
+  CHECK_MESSAGE(has(wrong.out, "does not pass"), wrong.out);
+  CHECK(has(wrong.out, "01 spring_energy"));
+  fs::remove_all(course.root() / "solutions");
+  CHECK(course.run("self-check --mutants").status == 2);
+}

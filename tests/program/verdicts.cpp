@@ -31,7 +31,7 @@ const std::vector<Answer> answers = {
     {"a known mistake", "return k * x.squaredNorm();", "wrong_value", "no_half"},
     {"a mistake in some cases", "return k > 3 ? 0.0 : 0.5 * k * x.squaredNorm();", "wrong_value", "", 4},
     {"a small mistake", "return 0.5000001 * k * x.squaredNorm();", "wrong_value"},
-    {"a slip of C++", "double factor = 1/2 + k;\nreturn factor * x.squaredNorm();", "wrong_value", "no_half", 4},
+    {"a slip of C++", "double factor = 1/2 + k;\nreturn factor * x.squaredNorm();", "wrong_value", "", 4},
     {"does not compile", "return 0.5 * k * x.squaredNorm()", "compile_error", "", 4},
     {"a power of another language", "return 0.5 * k * x^2;", "compile_error", "", 4},
     {"throws", "throw std::runtime_error(\"no idea\");", "uncaught_exception", "", 4},
@@ -147,6 +147,24 @@ TEST_CASE("another seed draws other cases") {
     return course.run("check spring_energy --json --seed " + seed).result().at("first_failure").at("inputs");
   };
   CHECK(number("5") != number("1"));
+}
+
+TEST_CASE("a copy without solutions is judged with the seed of its reference results") {
+  const CourseCopy course;
+  course.solve("spring_energy");
+  const fs::path program = course.root() / "reference/reference_01_springs";
+  const Outcome drawn = run_command(
+      fmt::format("'{}' --lecture 01_springs --seed 5 --out '{}'", program.string(), course.reference().string()),
+      course.root());
+  REQUIRE_MESSAGE(drawn.status == 0, drawn.said());
+  fs::remove(program);
+  fs::remove_all(course.root() / "solutions");
+  const Outcome outcome = course.run("check spring_energy --json");
+  CHECK(outcome.status == 0);
+  CHECK(outcome.json().at("seed") == 5);
+  CHECK(has(read(course.root() / ".workbook/progress.json"), "spring_energy"));
+  CHECK(course.run("check spring_energy --seed 5").status == 0);
+  CHECK(has(course.run("check spring_energy --seed 1").said(), "seed 5 only"));
 }
 
 TEST_CASE("what the function printed is shown, and harmless to the terminal") {

@@ -2,7 +2,7 @@
 /// A made-up student's page, without any process.
 #pragma once
 
-#include "checker/report/report_page.hpp"
+#include "checker/report/reports.hpp"
 
 #include <deque>
 #include <string>

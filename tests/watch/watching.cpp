@@ -395,7 +395,8 @@ TEST_CASE("a check that cannot be started is said, and so is a plot") {
   };
   IdleWatch watch(options);
   watch.answer_energy(wrong);
-  CHECK_MESSAGE(watch.shows({"! spring_energy", "could not be started (pipe: Too many open files)"}), watch.screen());
+  CHECK_MESSAGE(watch.shows({"! spring_energy", "could not be started (open a pipe: Too many open files)"}),
+                watch.screen());
   watch.type("p");
   CHECK(watch.shows({"The plot could not be started"}));
   watch.type("q");

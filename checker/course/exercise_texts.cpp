@@ -1,9 +1,7 @@
-#include "checker/course/stub.hpp"
+#include "checker/course/exercise_texts.hpp"
 
 #include "checker/base/files.hpp"
 #include "checker/base/text.hpp"
-
-#include <fmt/format.h>
 
 #include <regex>
 #include <sstream>
@@ -35,6 +33,30 @@ std::string wrapped_parameters(const std::string& signature) {
 
 }  // namespace
 
+std::vector<std::string> read_hints(const std::filesystem::path& file) {
+  const std::optional<std::string> text = read_file(file);
+  if (!text) throw CourseError(fmt::format("{}: missing; take the file from the workbook again.", file.string()));
+  std::vector<std::string> hints(1);
+  for (const std::string& line : lines_of(*text)) {
+    if (line == "---") hints.emplace_back();
+    if (line != "---" && !(line.empty() && hints.back().empty())) hints.back() += line + "\n";
+  }
+  for (std::string& hint : hints) hint.erase(hint.find_last_not_of('\n') + 1);
+  std::erase(hints, "");
+  if (hints.empty())
+    throw CourseError(fmt::format("{}: there is no hint in it; write three, weakest first.", file.string()));
+  return hints;
+}
+
+std::map<std::string, std::string> read_headings(const std::filesystem::path& notes) {
+  static const std::regex heading(R"(^#+\s+(.*\S)\s*\{#(\w+)\}\s*$)");
+  std::map<std::string, std::string> headings;
+  std::smatch match;
+  for (const std::string& line : lines_of(read_file(notes).value_or("")))
+    if (line.starts_with('#') && std::regex_match(line, match, heading)) headings.emplace(match[2], match[1]);
+  return headings;
+}
+
 std::string declared_signature(const Course& course, const Exercise& exercise) {
   const std::string header = read_file(course.contract_file(*exercise.card)).value_or("");
   std::smatch found;
@@ -47,17 +69,9 @@ std::string stub_text(const CardExercise& entry, const std::string& contract, co
   std::string task;
   for (const std::string& line : wrapped_lines(entry.task, stub_width - 3)) task += "// " + line + "\n";
   return fmt::format(
-      "{}"
-      "#include <rigid/{}.hpp>\n"
-      "\n"
-      "namespace rigid {{\n"
-      "\n"
-      "{} {{\n"
+      "{}#include <rigid/{}.hpp>\n\nnamespace rigid {{\n\n{} {{\n"
       "  // TODO: write this function; the next line says that you have not started yet.\n"
-      "  throw NotStarted{{}};\n"
-      "}}\n"
-      "\n"
-      "}}  // namespace rigid\n",
+      "  throw NotStarted{{}};\n}}\n\n}}  // namespace rigid\n",
       task, contract, wrapped_parameters(signature));
 }
 

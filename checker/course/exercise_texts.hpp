@@ -1,13 +1,18 @@
 /// @file
-/// The exercise file as shipped. It follows from the card and the contract, so it can be made anew at any time.
+/// The texts that belong to an exercise: its hints, its place in the notes, its stub.
 #pragma once
 
 #include "checker/course/course.hpp"
 
-#include <filesystem>
-#include <string>
-
 namespace workbook {
+
+/// The hints of a file, weakest first, which are separated by lines of three dashes.
+/// @throws CourseError if it is missing or holds none.
+std::vector<std::string> read_hints(const std::filesystem::path& file);
+
+/// The headings of a lecture's notes by their anchors: "steiner" → "The theorem of Steiner". Empty if the file cannot
+/// be read: a heading is a help, and the anchor does as well.
+std::map<std::string, std::string> read_headings(const std::filesystem::path& notes);
 
 /// An exercise's declaration in the contract, on one line and without the semicolon:
 /// "Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r)". "" if the contract does not declare it.

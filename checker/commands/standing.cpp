@@ -1,0 +1,131 @@
+// Where the student stands, exercise by exercise: the commands status (the one without a name), list, hint and reset.
+#include "checker/base/console.hpp"
+#include "checker/base/files.hpp"
+#include "checker/base/text.hpp"
+#include "checker/commands/commands.hpp"
+#include "checker/course/exercise_texts.hpp"
+#include "checker/course/inspection.hpp"
+#include "checker/course/progress.hpp"
+#include "checker/report/reports.hpp"
+
+#include <algorithm>
+
+namespace workbook {
+
+namespace {
+
+void print_remarks(const Course& course, const Progress& progress) {
+  if (!progress.warning().empty()) fmt::print(stderr, "{}\n", progress.warning());
+  for (const Card& card : course.cards())
+    for (const std::string& remark : stray_exercises(course, card)) fmt::print(stderr, "{}\n", remark);
+}
+
+}  // namespace
+
+int list(const Course& course, const Options& /*options*/) {
+  const Progress progress(course.progress_file());
+  fmt::print("{}", exercise_list(course, progress, Console::of_standard_output()));
+  if (const ProgressSummary summary = summary_of(course, progress); const Exercise* next = summary.next())
+    fmt::print("\nNext: {}\n", next->name());
+  print_remarks(course, progress);
+  return all_passed;
+}
+
+int status(const Course& course, const Options& /*options*/) {
+  const Console console = Console::of_standard_output();
+  const Progress progress(course.progress_file());
+  const ProgressSummary summary = summary_of(course, progress);
+  fmt::print("{}\n", overview(course, summary, console));
+  if (const Exercise* next = summary.next()) {
+    const State state = state_of(course, progress, *next);
+    fmt::print("{}", introduction(course, *next, console));
+    if (!progress.verdict(next->name()).empty()) fmt::print("  state  {}\n", console.styled(state.words, state.style));
+    fmt::print("  check  {}\n  hint   {}\n  watch  {}\n", command("check " + next->name()),
+               command("hint " + next->name()), command("watch"));
+  } else {
+    fmt::print("{}\n",
+               console.wrapped(fmt::format("All {} exercises pass. You have written the library; `{}` runs the "
+                                           "worked examples of a lecture on it, `{}` draws its figures.",
+                                           summary.exercises.size(), command("examples 03"), command("figures 03"))));
+  }
+  print_remarks(course, progress);
+  return all_passed;
+}
+
+int hint(const Course& course, const Options& options) {
+  const Console console = Console::of_standard_output();
+  Progress progress(course.progress_file());
+  const ProgressSummary summary = summary_of(course, progress);
+  if (options.name.empty() && summary.next() == nullptr) {
+    fmt::print("{}\n", console.wrapped(
+                           fmt::format("Every exercise passes, so there is no next one. `{}` shows the hints of one.",
+                                       command("hint EXERCISE"))));
+    return all_passed;
+  }
+  const Exercise exercise = options.name.empty() ? *summary.next() : course.find_exercise(options.name);
+  const std::vector<std::string> hints = read_hints(course.hints_file(exercise));
+  const std::size_t shown_before = progress.hints_shown(exercise.name());
+  const std::size_t first = options.all ? 0 : std::min(shown_before, hints.size() - 1);
+  const std::size_t last = options.all ? hints.size() - 1 : first;
+  for (std::size_t i = first; i <= last; ++i) {
+    const std::string heading = fmt::format("Hint {} of {} for {}", i + 1, hints.size(), exercise.name());
+    fmt::print("{}\n{}\n\n", console.styled(heading, Style::strong), console.wrapped(hints[i], 2));
+  }
+  if (last + 1 < hints.size()) {
+    fmt::print("For the next hint, type the same again.\n");
+  } else {
+    fmt::print("That was the last hint. Read on in\n  {}\n", notes_place(course, exercise, exercise.entry->notes));
+  }
+  progress.remember_hints(exercise.name(), std::max(shown_before, last + 1));
+  if (!progress.warning().empty()) fmt::print(stderr, "{}\n", progress.warning());
+  return all_passed;
+}
+
+int reset(const Course& course, const Options& options) {
+  const Exercise exercise = course.find_exercise(options.name);
+  const auto stop = [&](const std::string& reason) {
+    fmt::print(stderr, "{} was not reset: {}.\n", exercise.name(), reason);
+    return checker_failed;
+  };
+  const std::string signature = declared_signature(course, exercise);
+  if (signature.empty())
+    return stop(fmt::format("{} does not declare it", shown_path(course.contract_file(*exercise.card))));
+  const std::filesystem::path file = course.student_file(exercise);
+  std::error_code problem;
+  if (std::filesystem::exists(file, problem)) {
+    const auto kept = free_name(course.progress_file().parent_path() / "kept" / (exercise.name() + ".cpp"));
+    std::filesystem::create_directories(kept.parent_path(), problem);
+    if (!std::filesystem::copy_file(file, kept, problem))
+      return stop(fmt::format("your version could not be kept as {} ({})", shown_path(kept), problem.message()));
+    fmt::print("Your version is kept as {}.\n", shown_path(kept));
+  }
+  const std::string failure = write_file(file, stub_text(*exercise.entry, exercise.card->contract, signature));
+  if (!failure.empty()) return stop(fmt::format("{} cannot be written ({})", shown_path(file), failure));
+  Progress(course.progress_file()).forget(exercise.name());
+  fmt::print("{} is as it was at the beginning.\n", shown_path(file));
+  return all_passed;
+}
+
+int solution(const Course& course, const Options& options) {
+  const Exercise exercise = course.find_exercise(options.name);
+  const Console console = Console::of_standard_output();
+  const auto say = [&](const std::string& sentence) {
+    fmt::print("{}\n", console.wrapped(sentence));
+    return something_failed;
+  };
+  const std::optional<std::string> code = read_file(course.solution_file(exercise));
+  if (!code) return say("This copy of the workbook has no solutions; your instructor has them.");
+  const Progress progress(course.progress_file());
+  if (!options.now && !progress.passed(exercise.name(), file_fingerprint(course.student_file(exercise))))
+    return say(fmt::format("Your {} does not pass yet; its solution is shown once it does, or now by `{}`.",
+                           exercise.name(), command("solution " + exercise.name() + " --now")));
+  fmt::print("{}\n", *code);
+  const std::filesystem::path derivation = course.derivation_file(exercise);
+  if (std::filesystem::exists(derivation)) {
+    const std::filesystem::path page = course.notes_folder() / ("exercise_" + exercise.name() + ".html");
+    fmt::print("Derivation: {}\n", shown_path(std::filesystem::exists(page) ? page : derivation));
+  }
+  return all_passed;
+}
+
+}  // namespace workbook

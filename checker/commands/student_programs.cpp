@@ -1,0 +1,217 @@
+// The commands examples and figures: programs of a lecture that are built on the student's own functions.
+#include "checker/base/console.hpp"
+#include "checker/base/files.hpp"
+#include "checker/base/text.hpp"
+#include "checker/commands/commands.hpp"
+
+#include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
+
+#include <cstring>
+#include <regex>
+#include <set>
+#include <sstream>
+
+namespace workbook {
+
+namespace {
+
+namespace fs = std::filesystem;
+namespace tree = boost::property_tree;
+
+/// Builds a lecture's program on the student's functions and returns its path. Where files of the student do not
+/// compile, names them and returns "". @throws std::runtime_error if it cannot be built for another reason
+std::string student_program(const Course& course, const std::string& target, const std::string& what) {
+  const FinishedProgram built = make(course.build(), {target});
+  if (built.succeeded()) return (course.build().directory / "lectures" / target).string();
+  std::set<std::string> exercises;
+  static const std::regex error(R"(lectures/\w+/exercises/(\w+)\.cpp:\d+:\d+: error)");
+  for (std::sregex_iterator match(built.output.begin(), built.output.end(), error), end; match != end; ++match)
+    exercises.insert((*match)[1]);
+  if (exercises.empty()) throw std::runtime_error(fmt::format("{}\nThe {} could not be built.", built.output, what));
+  fmt::print("The {} need files of yours that do not compile:\n", what);
+  for (const std::string& exercise : exercises) fmt::print("  {}\n", command("check " + exercise));
+  return "";
+}
+
+/// What became of a worked example or a figure.
+struct Outcome {
+  std::string trouble;  ///< empty: none
+  bool is_not_started = false;
+};
+
+void print_outcome(const Console& console, const std::string& name, const Outcome& outcome) {
+  const bool is_good = outcome.trouble.empty();
+  const std::string mark = is_good                  ? console.mark("✓", Style::good)
+                           : outcome.is_not_started ? console.mark("·", Style::quiet)
+                                                    : console.mark("✗", Style::bad);
+  const std::size_t indent = mark.empty() ? 0 : 2;
+  const std::string text = is_good ? name : name + ": " + outcome.trouble;
+  fmt::print("{}{}\n", mark, console.wrapped(text, indent).substr(indent));
+  std::fflush(stdout);
+}
+
+// --- worked examples
+
+struct Example {
+  std::string title;
+  bool passed = false;
+  std::set<std::string> missing;    ///< functions that are not started
+  std::vector<std::string> failed;  ///< one text per failed check: place, check, numbers
+};
+
+std::string on_one_line(const std::string& text) {
+  return fmt::format("{}", fmt::join(wrapped_lines(printable(text), std::string::npos), " "));
+}
+
+/// A check, or the example as a whole, that threw or failed.
+void add_failure(Example& example, const tree::ptree& failure) {
+  const std::string thrown = on_one_line(failure.get("Exception", failure.data()));
+  static const std::regex not_started("not started: (\\w+)");  // as lectures/support/not_started.cpp has it
+  if (std::smatch match; std::regex_search(thrown, match, not_started)) {
+    example.missing.insert(match[1]);
+    return;
+  }
+  const std::string file = failure.get("<xmlattr>.filename", "");
+  const std::size_t lectures = file.rfind("lectures/");
+  const std::string place = file.empty()
+                                ? ""
+                                : fmt::format("{}:{}: ", file.substr(lectures == std::string::npos ? 0 : lectures),
+                                              failure.get("<xmlattr>.line", ""));
+  const std::string values = on_one_line(failure.get("Expanded", ""));
+  example.failed.push_back(place + on_one_line(failure.get("Original", "an exception ended it")) + "\n" +
+                           (values.empty() ? "threw an exception: " + thrown : values));
+}
+
+/// doctest's report in XML. @throws boost::property_tree::ptree_error if the program did not run to its end
+std::vector<Example> read_report(const std::string& xml) {
+  std::istringstream in(xml);
+  tree::ptree document;
+  tree::read_xml(in, document);
+  std::vector<Example> examples;
+  for (const auto& [suite, cases] : document.get_child("doctest")) {
+    if (suite != "TestSuite") continue;
+    for (const auto& [kind, content] : cases) {
+      if (kind != "TestCase") continue;
+      Example& example = examples.emplace_back();
+      example.title = content.get<std::string>("<xmlattr>.name");
+      example.passed = content.get("OverallResultsAsserts.<xmlattr>.test_case_success", false);
+      for (const auto& [part, failure] : content)
+        if (part == "Expression" || part == "Exception") add_failure(example, failure);
+    }
+  }
+  return examples;
+}
+
+/// Why the examples left no report.
+std::string without_report(const FinishedProgram& finished, const std::string& lecture) {
+  const std::string finds = fmt::format("`{}` finds it.", command("check " + lecture));
+  if (finished.out_of_time)
+    return "The examples ran out of time: a function of yours is slow or never returns; " + finds;
+  if (finished.too_much_output) return "The examples print too much: remove the output of your functions.";
+  if (finished.end.signal != 0)
+    return fmt::format("The examples crashed (signal {}): a function of yours crashes or uses up the memory; {}",
+                       finished.end.signal, finds);
+  return fmt::format(
+      "The examples left no readable report (exit status {}): a function of yours prints something or "
+      "ends the program.",
+      finished.end.exit_status);
+}
+
+// --- figures
+
+constexpr int status_of_not_started = 3;  // as lectures/support/figure.hpp has it
+
+Outcome draw_figure(const std::string& program, const fs::path& directory, const std::string& name, double seconds) {
+  const fs::path picture = directory / (name + ".svg");
+  std::error_code ignored;
+  fs::remove(picture, ignored);
+  const FinishedProgram finished =
+      run_with_path(program, {directory.string(), name}, std::chrono::duration<double>(seconds));
+  if (finished.out_of_time) return {fmt::format("not finished after {:g} s; perhaps a loop never ends", seconds)};
+  if (finished.end.signal != 0)
+    return {fmt::format("a function of yours crashed ({})", strsignal(finished.end.signal))};
+  if (finished.succeeded())
+    return {fs::exists(picture, ignored) ? "" : "a function of yours ended the program; remove calls of exit()"};
+  // The last line says "NAME: why".
+  const std::vector<std::string> lines = lines_of(finished.output);
+  const bool has_reason = !lines.empty() && lines.back().starts_with(name + ": ");
+  return {has_reason ? shortened(printable(lines.back().substr(name.size() + 2)), 300) : "failed without a reason",
+          finished.end.exit_status == status_of_not_started};
+}
+
+}  // namespace
+
+int examples(const Course& course, const Options& options) {
+  const std::string lecture = course.find(options.name).front().lecture();
+  const Console console = Console::of_standard_output();
+  const std::string program =
+      student_program(course, "worked_examples_of_the_student_" + lecture, "worked examples of " + lecture);
+  if (program.empty()) return something_failed;
+  const FinishedProgram finished = run_with_path(program, {"--reporters=xml"}, std::chrono::minutes(2));
+  std::vector<Example> all;
+  try {
+    all = read_report(finished.output);
+  } catch (const tree::ptree_error&) {
+    fmt::print("{}\n", console.wrapped(without_report(finished, lecture)));
+    return something_failed;
+  }
+  std::size_t passed = 0;
+  for (const Example& example : all) {
+    passed += example.passed ? 1 : 0;
+    const bool is_not_started = !example.missing.empty();
+    const std::string trouble = example.passed ? ""
+                                : is_not_started
+                                    ? fmt::format("needs {} (not started)", fmt::join(example.missing, ", "))
+                                    : plural(example.failed.size(), "check") + " failed";
+    print_outcome(console, example.title, {trouble, is_not_started});
+    for (const std::string& check : example.failed) fmt::print("{}\n", console.wrapped(check, 4));
+  }
+  fmt::print("\n{} of {} worked examples of {} hold with your functions.\n", passed, all.size(), lecture);
+  return passed == all.size() ? all_passed : something_failed;
+}
+
+int figures(const Course& course, const Options& options) {
+  const std::string lecture = course.find(options.name).front().lecture();
+  const fs::path directory = options.out.value_or(course.scratch() / "figures_of_the_student" / lecture);
+  require_pictures(directory);
+  const std::string program = student_program(course, "draw_of_the_student_" + lecture, "figures of " + lecture);
+  if (program.empty()) return something_failed;
+
+  const FinishedProgram listed = run_with_path(program, {"--list"}, std::chrono::seconds(10));
+  const std::vector<std::string> names = lines_of(listed.output);
+  const Console console = Console::of_standard_output();
+  if (!listed.succeeded() || names.empty()) {
+    fmt::print("{}\n", console.wrapped(fmt::format("The program of the figures ends before it draws anything, because "
+                                                   "code of yours runs before main(); `{}` finds it.",
+                                                   command("check " + lecture))));
+    return something_failed;
+  }
+  std::size_t drawn = 0;
+  ProgressBar progress_bar;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    progress_bar.show(i, names.size(), names[i]);
+    const Outcome outcome = draw_figure(program, directory, names[i], options.seconds_per_figure);
+    progress_bar.clear();
+    drawn += outcome.trouble.empty() ? 1 : 0;
+    print_outcome(console, names[i], outcome);
+  }
+  fmt::print("\n{} of {} figures of {} are drawn with your functions.\n  {}\n", drawn, names.size(), lecture,
+             shown_path(directory));
+  return drawn == names.size() ? all_passed : something_failed;
+}
+
+std::size_t copy_figures(const Course& course, const std::string& lecture, const fs::path& to) {
+  const fs::path from = course.build().directory / "figures" / lecture;
+  std::size_t count = 0;
+  if (!fs::exists(from)) return count;
+  fs::create_directories(to);
+  for (const auto& picture : fs::directory_iterator(from)) {
+    if (picture.path().filename() == "drawn") continue;  // the build's own mark
+    fs::copy_file(picture.path(), to / picture.path().filename(), fs::copy_options::overwrite_existing);
+    count += picture.path().extension() == ".svg" ? 1 : 0;
+  }
+  return count;
+}
+
+}  // namespace workbook

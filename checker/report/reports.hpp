@@ -1,0 +1,72 @@
+/// @file
+/// What people and programs are told of verdicts: on the terminal, as JSON, as a page; and how far a student has come.
+#pragma once
+
+#include "checker/base/console.hpp"
+#include "checker/course/progress.hpp"
+#include "checker/report/overlay.hpp"
+
+namespace workbook {
+
+/// What of a verdict is shown.
+struct Detail {
+  bool full = false;                      ///< every failing case by name, long lists and all that the compiler says
+  std::optional<std::size_t> case_index;  ///< this case, whether it passed or not; else the first failing one
+  bool by_keys = false;                   ///< in the watch, whose keys do what is to be typed elsewhere
+};
+
+/// One line for what passed or was not started, and everything that helps for the rest: why, what to do next, the
+/// numbers, which other cases fail.
+std::string terminal_report(const CheckResult& checked, const Course& course, const Console& console,
+                            const Detail& detail = {});
+
+/// "6 of 8 passed, 1 failing, 1 not started."
+std::string summary_line(const std::vector<CheckResult>& results);
+
+/// The failing cases by number, the first with their names, as far as so many columns go.
+std::string failing_cases(const CheckResult& checked, std::size_t columns = std::string::npos);
+
+/// Where a paragraph of the notes can be read: the built page if there is one, else its source and the heading.
+std::string notes_place(const Course& course, const Exercise& exercise, const std::string& anchor);
+
+/// The document of `check --json`; its form is described in the README.
+std::string json_report(const std::vector<CheckResult>& results, std::uint64_t seed);
+
+struct ReportedExercise {
+  CheckResult checked;
+  std::string picture;              ///< the plot as SVG; empty: none
+  std::string picture_description;  ///< what it shows, in words
+};
+
+/// One student's results.
+struct ReportedCourse {
+  std::string student;  ///< may be empty
+  std::string date;     ///< as it is to be read
+  std::uint64_t seed = 1;
+  std::vector<ReportedExercise> exercises;      ///< in course order
+  std::map<std::string, std::string> headings;  ///< of the notes, by anchor
+  std::string picture_trouble;                  ///< why there are no plots; empty: there is no trouble
+};
+
+/// A page as HTML that needs nothing beside it, to hand in or for an instructor to read, made from report_page.html.
+/// Whatever came from the student is text on it, never markup. It holds no script, and it asks for no other file.
+std::string report_page(const ReportedCourse& reported);
+
+/// What is known of one exercise.
+struct State {
+  std::string mark;
+  std::string words;
+  Style style = Style::plain;
+};
+State state_of(const Course& course, const Progress& progress, const Exercise& exercise);
+
+/// How much of each lecture passes, line by line, and in all.
+std::string overview(const Course& course, const ProgressSummary& summary, const Console& console);
+
+/// Every exercise with its state and points, below its lecture.
+std::string exercise_list(const Course& course, const Progress& progress, const Console& console);
+
+/// What an exercise asks for, its file and where to read: "Next: NAME" and a few lines below it.
+std::string introduction(const Course& course, const Exercise& exercise, const Console& console);
+
+}  // namespace workbook
