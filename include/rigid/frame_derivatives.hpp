@@ -64,4 +64,67 @@ Matrix3d rotated_basis(const Matrix3d& E, const Vector3d& omega, double dt);
 /// the inverse of \f$\dot{\hat e} = \omega\times\hat e\f$: S0 s7, S2 s6, S3 p~5, S4 p~6
 Vector3d angular_velocity_of_basis(const Matrix3d& E, const Matrix3d& E_rate);
 
+/// Angular acceleration of a rotor that is mounted on a rotating platform.
+///
+/// The platform rotates with omega, and omega changes. The rotor rotates relative to the platform; an observer on the
+/// platform measures spin and sees it change at the rate spin_rate. Asked for is the rate of change, in the inertial
+/// frame, of the angular velocity that the rotor has there.
+///
+/// @param E          3×3 rotation matrix: its columns are the axes of the platform in inertial components
+/// @param omega      angular velocity of the platform, inertial components, rad/s
+/// @param alpha      its rate in the inertial frame, inertial components, rad/s²
+/// @param spin       angular velocity of the rotor relative to the platform, components on the platform's axes, rad/s
+/// @param spin_rate  rates of these components, rad/s²
+/// @return           angular acceleration of the rotor in the inertial frame, inertial components, rad/s²
+/// @pre EᵀE = 1 and det E = +1; any of the vectors may be zero
+/// @par Source
+/// addition of angular velocities and the transport theorem, S0 s7–8, S2 s6–7, S3 p~5–6, S4 p~6–7
+Vector3d composed_angular_acceleration(const Matrix3d& E, const Vector3d& omega, const Vector3d& alpha,
+                                       const Vector3d& spin, const Vector3d& spin_rate);
+
+/// The rotation vector of a rotation: along its axis, and as long as its angle.
+///
+/// The axes of a body were those of the inertial frame; now they are the columns of E. One rotation about one axis that
+/// does not move achieves this, through an angle of at most half a turn. Nine digits are asked for at every angle,
+/// however small.
+///
+/// @param E  3×3 rotation matrix: its columns are the axes of the body in inertial components
+/// @return   the vector along the axis, by the right-hand rule, whose length is the angle in rad; zero for E = 1. At
+/// exactly
+///           half a turn there are two, opposite to each other, and either is right
+/// @pre EᵀE = 1 and det E = +1
+/// @par Source
+/// the finite rotation to S0 s7, S2 s6, S3 p~5, S4 p~6, read backwards
+Vector3d rotation_vector(const Matrix3d& E);
+
+/// Angular velocity of a rigid body, from three of its points.
+///
+/// The body moves in any way: it rotates, and its centre moves too. Positions and velocities are those of one moment,
+/// on the same axes.
+///
+/// @param r  3×3, the positions of the three points as columns, m
+/// @param v  3×3, their velocities as columns, m/s; all zero for a body at rest
+/// @return   angular velocity, rad/s; in any direction, that of the triangle's plane included
+/// @pre v belongs to a rigid motion, up to rounding
+/// @pre the points form a triangle none of whose heights is smaller than a tenth of its longest side
+/// @par Source
+/// \f$\dot{\hat e} = \omega\times\hat e\f$ of S0 s7, S2 s6, S3 p~5, S4 p~6 for lines on the body that are not
+/// orthonormal
+Vector3d angular_velocity_from_three_points(const Matrix3d& r, const Matrix3d& v);
+
+/// Point of the instantaneous screw axis that is nearest to the origin.
+///
+/// At one moment a rigid body has the angular velocity omega, and its point at r has the velocity v. There is exactly
+/// one straight line all of whose points have velocities along the line, the body being thought of as extended as far
+/// as needed.
+///
+/// @param r      position of a point of the body, m
+/// @param v      velocity of this point, m/s; may be zero, or parallel to omega
+/// @param omega  angular velocity of the body, rad/s
+/// @return       point of the line with the smallest distance from the origin, m
+/// @pre omega ≠ 0 (a pure translation has no such line)
+/// @par Source
+/// \f$\dot{\hat e} = \omega\times\hat e\f$ of S0 s7, S2 s6, S3 p~5, S4 p~6; Chasles' theorem for velocities
+Vector3d point_on_screw_axis(const Vector3d& r, const Vector3d& v, const Vector3d& omega);
+
 }  // namespace rigid
