@@ -90,4 +90,79 @@ double eastward_deflection(double height, double latitude, double g, double eart
 /// the Coriolis term of S0 s8, S2 s7, S3 p~6, S4 p~7 applied to a pendulum; Fetter & Walecka, chapter 2
 double foucault_period(double latitude, double sidereal_day);
 
+/// Gravity as a plumb line and a scale register it aboard a moving ship.
+///
+/// A planet is a sphere that attracts towards its centre and rotates. The ship sails over its surface at a constant
+/// speed along a great circle drawn on the planet. Asked for is the acceleration with which a body let go aboard begins
+/// to fall relative to the ship.
+///
+/// @param latitude    geocentric latitude of the ship, rad; positive north of the equator, ±π/2 at the poles
+/// @param radius      radius of the planet, m
+/// @param g0          acceleration by the attraction at the surface, m/s²
+/// @param earth_rate  angular velocity of the planet, rad/s
+/// @param v           velocity of the ship relative to the ground: east, north, m/s; zero for a plumb line ashore
+/// @return            acceleration of free fall relative to the ship, m/s²: east, north, up (away from the centre)
+/// @pre |latitude| ≤ π/2
+/// @pre radius > 0, g0 > 0 and earth_rate > 0
+/// @pre the ship does not lift off: the component up is negative
+/// @par Source
+/// the four terms of S0 s8, S2 s7, S3 p~6, S4 p~7; the Eötvös effect
+Vector3d apparent_gravity(double latitude, double radius, double g0, double earth_rate, const Vector2d& v);
+
+/// How far a shell lands beside the line of fire because the Earth rotates, to first order in its rate.
+///
+/// There is no air; the ground is flat, and g is constant and points along the plumb line. If the Earth did not rotate,
+/// the shell would land at the distance range after the time given.
+///
+/// @param latitude    latitude, rad; positive north of the equator
+/// @param azimuth     direction of fire, rad, from north clockwise: π/2 is east
+/// @param range       distance from gun to impact without rotation, m; 0 for a shot straight up
+/// @param time        time of flight without rotation, s
+/// @param g           acceleration of free fall, m/s²
+/// @param earth_rate  angular velocity of the Earth, rad/s
+/// @return            distance of the impact from the line of fire, m, positive to the right of the line
+/// @pre |latitude| ≤ π/2
+/// @pre range ≥ 0, time > 0, g > 0 and earth_rate > 0
+/// @par Source
+/// the Coriolis term of S0 s8, S2 s7, S3 p~6, S4 p~7; Fetter & Walecka, chapter 2
+double shell_drift(double latitude, double azimuth, double range, double time, double g, double earth_rate);
+
+/// Position of the bob of a Foucault pendulum on the floor.
+///
+/// The bob is pulled aside and released from rest relative to the floor. The swings are small, so that it moves level
+/// and is pulled back in proportion to its distance from the lowest point, the origin. Of the fictitious forces only
+/// the Coriolis force counts; to first order in earth_rate, but earth_rate·t may be large.
+///
+/// @param start       where the bob is released: east, north, m; zero leaves it at rest
+/// @param length      length of the pendulum, m
+/// @param g           acceleration of free fall, m/s²
+/// @param latitude    latitude, rad; positive north of the equator
+/// @param earth_rate  angular velocity of the Earth, rad/s
+/// @param t           time since the release, s
+/// @return            where the bob is: east, north, m
+/// @pre |start| ≤ length/10, 0 < length ≤ 100 m and 0 ≤ t ≤ 1800 s
+/// @pre |latitude| ≤ π/2
+/// @pre g > 0, earth_rate > 0 and earth_rate² t ≤ 3.2·10⁻⁵ √(g/length): what is of second order in earth_rate is less
+/// than
+///      2·10⁻⁵ of |start|, and may be kept or left out
+/// @par Source
+/// the Coriolis term of S0 s8, S2 s7, S3 p~6, S4 p~7 applied to a pendulum; Fetter & Walecka, chapter 2
+Vector2d foucault_path(const Vector2d& start, double length, double g, double latitude, double earth_rate, double t);
+
+/// Stable equilibrium of a bead on a rotating hoop, and its small oscillations.
+///
+/// A circular hoop stands upright and rotates at a constant rate about its vertical diameter. A bead slides on it
+/// without friction.
+///
+/// @param radius  radius of the hoop, m
+/// @param g       acceleration of free fall, m/s²
+/// @param rate    angular velocity of the hoop, rad/s, of either sign; zero for a hoop at rest
+/// @return        {angle of the stable position from the lowest point of the hoop, from 0 to π, rad;
+///                angular frequency of small oscillations about it, rad/s}
+/// @pre radius > 0 and g > 0
+/// @pre |rate| differs by at least 1 % from the critical one, at which the frequency is zero
+/// @par Source
+/// the centrifugal term of S0 s8, S2 s7, S3 p~6, S4 p~7 on a curve
+Vector2d bead_on_hoop(double radius, double g, double rate);
+
 }  // namespace rigid

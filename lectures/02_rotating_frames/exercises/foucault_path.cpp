@@ -1,0 +1,13 @@
+// Where the bob of a pendulum is, on the floor of the rotating Earth, a time t after its release at rest on the
+// floor.
+#include <rigid/rotating_frames.hpp>
+
+namespace rigid {
+
+Vector2d foucault_path(const Vector2d& start, double length, double g, double latitude, double earth_rate,
+                       double t) {
+  // TODO: write this function; the next line says that you have not started yet.
+  throw NotStarted{};
+}
+
+}  // namespace rigid
