@@ -115,4 +115,69 @@ Matrix3d principal_axes(const Matrix3d& I);
 /// follows from L = I ω (S1 s5) written on both sets of axes
 Matrix3d rotated_inertia(const Matrix3d& I_body, const Matrix3d& A_inertial_from_body);
 
+/// The largest possible angle between the angular momentum and the angular velocity of a body.
+///
+/// The body rotates about an axis through the origin of its inertia tensor, and all axes are tried.
+///
+/// @param I  principal moments, in any order, kg m²
+/// @return   the largest angle between L and ω, rad
+/// @pre I > 0, and no moment is larger than the sum of the two others; two or three of them may be equal
+/// @par Source
+/// an application of L = I ω (S1 s5); the inequality behind it: L. V. Kantorovich 1948
+double largest_angle_between_L_and_omega(const Vector3d& I);
+
+/// Can a matrix be the inertia tensor of a body made of positive masses?
+///
+/// What is violated by less than 10⁻⁹ of the largest entry counts as rounding.
+///
+/// @param I  any matrix, kg m²: unsymmetric ones, negative ones and zero included
+/// @return   1 if some body has this inertia tensor, about some origin; otherwise 0
+/// @pre what a body requires is violated by less than 10⁻⁹ of the largest entry, or by more than 10⁻⁶ of it
+/// @par Source
+/// follows from S0 s10; two of the matrices are from the tests of Drake
+int is_inertia_tensor(const Matrix3d& I);
+
+/// Inertia tensor of a uniform body that is given by its surface.
+///
+/// The surface consists of triangles. Columns 3k, 3k + 1 and 3k + 2 of corners are the corners of triangle number k
+/// (counted from 0), anticlockwise as seen from outside. The surface of a hollow belongs to it; there *outside* is
+/// inside the hollow.
+///
+/// @param corners  corners of the triangles as columns, m
+/// @param density  kg/m³
+/// @return         inertia tensor about the origin, wherever the origin lies, kg m²
+/// @pre the surface is closed: every edge belongs to two triangles, which run along it in opposite senses
+/// @pre density > 0; the enclosed volume is positive, or there is no triangle at all, which gives zero
+/// @par Source
+/// F. Tonon 2005; B. Mirtich, J. Graphics Tools 1 (2), 1996
+Matrix3d inertia_of_mesh(const Matrix3Xd& corners, double density);
+
+/// Where to fasten two masses to a rotor so that its bearings do not feel the rotation, at any speed.
+///
+/// The rotor turns about the z axis. It consists of point masses. One mass is added in the plane z = planes[0], another
+/// one in the plane z = planes[1].
+///
+/// @param m           masses of the rotor, kg
+/// @param r           their positions as columns, 3×n, m
+/// @param planes      where the two planes cross the axis, m
+/// @param correction  each of the two added masses, kg
+/// @return            two columns: the positions of the two added masses, m
+/// @pre as many masses as columns; none at all is legal, and then both added masses sit on the axis
+/// @pre each mass > 0, correction > 0, planes[0] ≠ planes[1]
+/// @par Source
+/// an application of the principal axes of S0 s12; the practice: ISO 21940-11, balancing in two planes
+Matrix3Xd balance_rotor(const VectorXd& m, const Matrix3Xd& r, const Vector2d& planes, double correction);
+
+/// The rate at which the inertia tensor of a rotating rigid body changes, on axes that do not rotate.
+///
+/// The body rotates about a fixed point, the origin of the tensor.
+///
+/// @param I      inertia tensor at this moment, on the axes at rest, kg m²
+/// @param omega  angular velocity on the same axes, rad/s
+/// @return       rates of the nine entries of I, kg m²/s
+/// @pre I is an inertia tensor
+/// @par Source
+/// follows from L = I ω (S1 s5) and the transport theorem of lecture 01
+Matrix3d inertia_rate(const Matrix3d& I, const Vector3d& omega);
+
 }  // namespace rigid
