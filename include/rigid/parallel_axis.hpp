@@ -91,4 +91,64 @@ Matrix3d cuboid_about_center(double M, double a, double b, double c);
 /// follows from the change of origin of S0 s13, body by body
 Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, const std::vector<Matrix3d>& tensors);
 
+/// Inertia tensor of a uniform block with a spherical hole, about the centre of mass of what remains.
+///
+/// @param density  of the block, kg/m³
+/// @param edges    whole edges of the block along x, y, z, m; its centre is the origin
+/// @param center   centre of the hole, m
+/// @param radius   of the hole, m
+/// @return         inertia tensor about the centre of mass of what remains, on the axes of the block, kg m²
+/// @pre density > 0, edges > 0
+/// @pre radius ≥ 0: no hole is legal; the hole lies inside the block and may touch its faces
+/// @par Source
+/// follows from the change of origin of S0 s13 and the cuboid of S0 s15
+Matrix3d block_with_hole(double density, const Vector3d& edges, const Vector3d& center, double radius);
+
+/// The acceleration of free fall, from the periods of a pendulum that hangs from one and then from another knife edge.
+///
+/// The pendulum is rigid; its mass and its moment of inertia are unknown. The knife edges are parallel, on opposite
+/// sides of the centre of mass, and one straight line passes through all three. The swings are small.
+///
+/// @param h1  distance of the first knife edge from the centre of mass, m
+/// @param T1  period on the first knife edge, to and fro, s
+/// @param h2  distance of the second knife edge from the centre of mass, m
+/// @param T2  period on the second knife edge, s
+/// @return    acceleration of free fall, m/s²
+/// @pre all four > 0; h1 and h2 differ by a tenth of the larger one or more
+/// @pre some rigid pendulum has these periods; T1 = T2 is legal
+/// @par Source
+/// H. Kater 1818, F. W. Bessel 1826
+double gravity_from_kater(double h1, double T1, double h2, double T2);
+
+/// The speed above which a sliding block topples over a ridge.
+///
+/// A uniform block slides over a smooth horizontal floor. Its lower front edge meets a low ridge, fixed to the floor
+/// and parallel to the edge; the edge neither rebounds from the ridge nor slips off it.
+///
+/// @param length  edge of the block along its motion, m
+/// @param height  vertical edge, m
+/// @param g       acceleration of free fall, m/s²
+/// @return        the least speed before the blow with which the block topples, m/s
+/// @pre all > 0
+/// @par Source
+/// follows from the change of origin of S0 s13–15; a problem of many books, for a cube in T. W. B. Kibble, Classical
+/// Mechanics
+double toppling_speed(double length, double height, double g);
+
+/// The velocity with which a point of a free body begins to move when another point is struck.
+///
+/// The body is at rest before. The vectors start at its centre of mass.
+///
+/// @param M        mass, kg
+/// @param I_cm     inertia tensor about the centre of mass, kg m²
+/// @param r        the point that is struck, on the axes of the tensor, m
+/// @param impulse  what it receives, on the same axes, N s
+/// @param p        the point whose velocity is asked for, on the same axes, m
+/// @return         velocity of the point p after the blow, on the same axes, m/s
+/// @pre M > 0; I_cm is an inertia tensor, but not that of a body on one straight line
+/// @par Source
+/// follows from momentum and angular momentum about the centre of mass, König's theorem
+Vector3d velocity_after_blow(double M, const Matrix3d& I_cm, const Vector3d& r, const Vector3d& impulse,
+                             const Vector3d& p);
+
 }  // namespace rigid
