@@ -86,4 +86,76 @@ Vector2d rotation_invariants(const Vector3d& I, const Vector3d& omega);
 /// S0 s20, S1 s7–8, S2 s18, S3 p~17, S4 p~19
 Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times);
 
+/// Where a free body is: its attitude at time t.
+///
+/// At t = 0 the principal axes of the body coincide with the axes of an inertial frame; from then on no torque acts.
+/// The angular momentum stands still in the inertial frame, whatever the body does: a test that needs no answer.
+///
+/// @param I       principal moments, kg m²
+/// @param omega0  angular velocity at t = 0, rad/s
+/// @param t       time, s; negative times lie before t = 0
+/// @return        the matrix whose columns are the principal axes at time t, in inertial components
+/// @pre moments of a real body in any order: each > 0, none larger than the sum of the two others; equal ones are legal
+/// @pre |omega0| ≤ 2 rad/s and |t| ≤ 30 s: a rule of fourth order with steps of 0.01 s is good to a millionth
+/// @par Source
+/// not on the slides; L. D. Landau and E. M. Lifshitz, Mechanics, §37
+Matrix3d free_attitude(const Vector3d& I, const Vector3d& omega0, double t);
+
+/// One step of an integrator of free rotation that is put together from exact motions.
+///
+/// The kinetic energy of a free body, as a function of the body components of L, is a sum of three terms, each with one
+/// component only. If the energy were one of the terms alone, the motion of L on the body axes could be written down
+/// exactly. Let L move according to
+///
+/// 1. the first term alone, for the time h/2,
+/// 2. the second term alone, for h/2,
+/// 3. the third term alone, for h,
+/// 4. the second term alone, for h/2,
+/// 5. the first term alone, for h/2,
+///
+/// each stage starting where the one before it ended.
+///
+/// @param I      principal moments, kg m²
+/// @param omega  angular velocity at the start, components on the principal axes, rad/s
+/// @param h      the step, s; may be negative or zero
+/// @return       angular velocity after the five stages, components on the principal axes, rad/s
+/// @pre each moment > 0, in any order
+/// @par Source
+/// not on the slides; R. I. McLachlan 1993; J. Touma and J. Wisdom 1994; E. Hairer, C. Lubich and G. Wanner, Geometric
+/// Numerical Integration, section VII.5
+Vector3d splitting_step(const Vector3d& I, const Vector3d& omega, double h);
+
+/// The forces with which two bearings hold an unbalanced rotor.
+///
+/// The rotor turns about the z axis of its body axes at a constant rate; the origin lies on the shaft. The two bearings
+/// hold the shaft at two places, and neither takes a force along it. The forces that carry the weight are left out.
+///
+/// @param I_cm      inertia tensor about the centre of mass, on the body axes, kg m²
+/// @param M         mass, kg
+/// @param r_cm      centre of mass, body axes, m
+/// @param rate      angular velocity about the z axis, rad/s, of either sign
+/// @param bearings  z of the first and of the second bearing, m
+/// @return          3×2, N: column k is the force of bearing k on the shaft, components on the body axes
+/// @pre I_cm is an inertia tensor, M > 0
+/// @pre the bearings are at different places; the centre of mass need not lie between them
+/// @par Source
+/// not on the slides; the torque is that of S0 s19, S1 s7 with \f$\dot\omega = 0\f$
+Matrix3Xd bearing_forces(const Matrix3d& I_cm, double M, const Vector3d& r_cm, double rate, const Vector2d& bearings);
+
+/// The torque that a turning vehicle exerts on a rotor in it.
+///
+/// The rotor is symmetric. Its axis is mounted along axis 3 of the vehicle, and it rotates about it at a constant rate
+/// relative to the vehicle. The vehicle itself rotates with a constant angular velocity: an aeroplane in a steady turn,
+/// a ship that pitches, a platform with a wheel.
+///
+/// @param I1    moment of the rotor about each axis through its centre of mass across its axis, kg m²
+/// @param I3    moment of the rotor about its axis, kg m²
+/// @param spin  rate of the rotor relative to the vehicle, rad/s, positive about axis 3
+/// @param turn  angular velocity of the vehicle in the inertial frame, components on the vehicle's axes, rad/s
+/// @return      torque of the vehicle on the rotor about the rotor's centre of mass, vehicle's axes, N m
+/// @pre I1 > 0 and I3 > 0; spin and turn may be zero and of either sign
+/// @par Source
+/// not on the slides; D. Kleppner and R. Kolenkow, An Introduction to Mechanics, chapter 7
+Vector3d gyroscopic_torque(double I1, double I3, double spin, const Vector3d& turn);
+
 }  // namespace rigid
