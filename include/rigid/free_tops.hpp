@@ -143,4 +143,57 @@ int axis_stability(const Vector3d& I, int axis);
 /// not on the slides; the exact solution behind the approximation of S0 s22, S1 s10–11, S2 s20–22
 double tumbling_period(const Vector3d& I, const Vector3d& omega0);
 
+/// How large the three components of ω become while a free body tumbles.
+///
+/// @param I       principal moments in ascending order, kg m²
+/// @param omega0  angular velocity at any one time, body components, rad/s
+/// @return        the largest absolute values that the three components reach in the course of the motion, rad/s
+/// @pre 0 < I₁ ≤ I₂ ≤ I₃ and I₁ < I₃; if two moments are equal, the components on their axes share their largest value
+/// @pre \f$|L^2 - 2TI_2| \ge 10^{-3}L^2\f$ and omega0 ≠ 0; a spin about axis 1 or axis 3 alone is legal
+/// @par Source
+/// not on the slides; L. D. Landau and E. M. Lifshitz, Mechanics, §37
+Vector3d largest_rates(const Vector3d& I, const Vector3d& omega0);
+
+/// How a satellite with flexible aerials ends up.
+///
+/// The satellite is free. Its aerials are light, but they bend to and fro with the wobble and turn energy of rotation
+/// into heat, until nothing changes any more.
+///
+/// @param I      principal moments, kg m²
+/// @param omega  angular velocity at the start, body components, rad/s
+/// @return       {heat that is produced in all, J; rate of rotation in the end, rad/s}
+/// @pre moments of a real body in any order: each > 0, none larger than the sum of the two others; equal ones are legal
+/// @pre any omega: zero is legal; exactly along the axis of an unstable spin the limit of a slight disturbance is meant
+/// @par Source
+/// not on the slides; R. N. Bracewell and O. K. Garriott, Nature 182 (1958) 760
+Vector2d flat_spin(const Vector3d& I, const Vector3d& omega);
+
+/// The motion that turns a body over once, and takes for ever.
+///
+/// In the infinite past a free body spun about its intermediate axis at the rate −spin. An infinitely small disturbance
+/// turns it over, and in the infinite future it spins about the same axis at the rate +spin. At t = 0 it is half way;
+/// there the components of ω on the axes 1 and 3 are positive.
+///
+/// @param I     principal moments in ascending order, kg m²
+/// @param spin  the rate in the end, rad/s
+/// @param t     time, s; of either sign and any size
+/// @return      angular velocity at time t, body components, rad/s
+/// @pre 0 < I₁ < I₂ < I₃, neighbours at least a thousandth of I₃ apart; spin > 0
+/// @par Source
+/// not on the slides; L. D. Landau and E. M. Lifshitz, Mechanics, §37; M. S. Ashbaugh, C. C. Chicone and R. H. Cushman
+/// 1991
+Vector3d separatrix(const Vector3d& I, double spin, double t);
+
+/// When a body that was thrown about its intermediate axis turns over for the first time.
+///
+/// @param I       principal moments in ascending order, kg m²
+/// @param omega0  angular velocity at t = 0, body components, rad/s
+/// @return        the first time after t = 0 at which the second component of ω vanishes, s, to eight digits
+/// @pre 0 < I₁ < I₂ < I₃, neighbours at least 5 % of I₃ apart
+/// @pre omega0[1] ≠ 0, and omega0[0] and omega0[2] are not both zero; signs are arbitrary
+/// @pre \f$|L^2 - 2TI_2| \ge 10^{-5}L^2\f$: closer to the separatrix the time depends on digits that omega0 has lost
+/// @par Source
+/// not on the slides; L. D. Landau and E. M. Lifshitz, Mechanics, §37
+double first_flip(const Vector3d& I, const Vector3d& omega0);
+
 }  // namespace rigid

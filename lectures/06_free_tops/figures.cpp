@@ -356,7 +356,7 @@ Curve level_curve(const Vector3d& e, const Vector3d& f, double level, int axis, 
 }
 
 /// One of the two plane curves of that kind through the ends of the middle axis.
-Curve separatrix(const Vector3d& e, const Vector3d& f, double side) {
+Curve separatrix_curve(const Vector3d& e, const Vector3d& f, double side) {
   const double slope = side * std::sqrt(e[0] * (f[1] - f[0]) / (e[2] * (f[2] - f[1])));
   const double first = 1 / std::sqrt(e[0] + e[2] * slope * slope);
   return arc(origin, 1, first * Vector3d(1, 0, slope), y_axis / std::sqrt(e[1]));
@@ -388,7 +388,7 @@ void draw_surface(Sketch& sketch, const Vector3d& e, const Vector3d& f,
     }
   }
   for (const double side : {1.0, -1.0}) {
-    const Curve curve = separatrix(e, f, side);
+    const Curve curve = separatrix_curve(e, f, side);
     draw_front(sketch, curve, normal, colors::black, 3);
     for (const std::size_t index : {9U, 27U}) mark(curve, index, colors::black);
   }
