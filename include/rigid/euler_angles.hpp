@@ -43,8 +43,9 @@ Vector3d inertial_components(const Vector3d& V_body, const Vector3d& angles);
 /// \f[ R_{33} = \cos\theta, \qquad (R_{31}, R_{32}) = \sin\theta\,(\cos\phi, \sin\phi), \qquad
 ///   (R_{13}, R_{23}) = \sin\theta\,(-\cos\psi, \sin\psi) \f]
 ///
-/// Where \f$\sin\theta = 0\f$ only φ + ψ (θ = 0) or ψ − φ (θ = π) is determined. The convention is θ in [0, π];
-/// (φ + π, −θ, ψ − π) is the same attitude. Every choice that gives R back is right.
+/// Where \f$\sin\theta = 0\f$ only φ + ψ (θ = 0) or ψ − φ (θ = π) is determined: there every choice that gives R
+/// back is right. θ always lies in [0, π]; where a library gives θ < 0, (φ + π, −θ, ψ + π) is the same attitude. φ and
+/// ψ may differ by full turns.
 ///
 /// @param R_body_from_inertial  rotation matrix R: \f$\vec V_\bodyframe = \mat R\,\vec V_\inertialframe\f$
 /// @return                      (φ, θ, ψ), rad, with θ in [0, π]
@@ -120,5 +121,56 @@ Vector3d angular_velocity_inertial(const Vector3d& angles, const Vector3d& rates
 /// @par Source
 /// the inverse of S1 s16; not on the slides
 Vector3d euler_angle_rates(const Vector3d& angles, const Vector3d& omega_body);
+
+/// Yaw, pitch and roll of a body whose z–y–z angles are known.
+///
+/// A pilot brings the inertial axes onto the same body axes by three other turns: yaw about axis 3, then pitch about
+/// the new axis 2, then roll about the axis 1 that these two have made.
+///
+/// Where the pitch is ±π/2 these angles have their gimbal lock, and any choice that gives the attitude back is right;
+/// so are full turns more of yaw or roll. At θ = 0, where the z–y–z angles fail, nothing special happens.
+///
+/// @param angles  (φ, θ, ψ), rad, any real numbers; pitch ±π/2 is legal
+/// @return        (yaw, pitch, roll), rad, with the pitch in [−π/2, π/2]
+/// @par Source
+/// not on the slides; the angles of aircraft
+Vector3d yaw_pitch_roll(const Vector3d& angles);
+
+/// The attitude of a body as a unit quaternion.
+///
+/// It stands for the rotation that carries the inertial axes onto the body axes:
+/// \f$\vec V_\inertialframe = q\,\vec V_\bodyframe\,q^*\f$, with Hamilton's product, \f$i\,j = k\f$. Both signs are
+/// right.
+///
+/// @param angles  (φ, θ, ψ), rad, any real numbers, full turns and half turns (w = 0) included
+/// @return        the four numbers w, x, y, z in this order, of a quaternion w + x i + y j + z k of length 1
+/// @par Source
+/// not on the slides
+VectorXd attitude_quaternion(const Vector3d& angles);
+
+/// The smallest angle of a single rotation about one axis that takes a body from one attitude to another.
+///
+/// It is asked for to 10⁻⁹ rad, also for attitudes that differ by less than 10⁻⁷ rad or by half a turn.
+///
+/// @param angles1  (φ, θ, ψ) of the first attitude, rad, any real numbers
+/// @param angles2  (φ, θ, ψ) of the second attitude, rad, any real numbers; equal attitudes may have different angles
+/// @return         angle from 0 to π, rad
+/// @par Source
+/// not on the slides; every rotation has an axis: Euler 1776
+double angle_between_attitudes(const Vector3d& angles1, const Vector3d& angles2);
+
+/// The rotation by the smallest possible angle that carries the direction of one vector into that of another.
+///
+/// The matrix is active: the vector turns and the axes stay, \f$\vec b/|\vec b| = \mat D\,\vec a/|\vec a|\f$ with the
+/// matrix D that is returned.
+///
+/// @param a  any vector but zero; only its direction counts
+/// @param b  likewise, in the same unit
+/// @return   rotation matrix
+/// @pre a ≠ 0 and b ≠ 0; the angle between them is at most π − 0.02, because opposite directions have no single answer;
+/// parallel directions are legal
+/// @par Source
+/// not on the slides; T. Möller and J. F. Hughes 1999
+Matrix3d shortest_rotation(const Vector3d& a, const Vector3d& b);
 
 }  // namespace rigid

@@ -16,8 +16,8 @@ inline constexpr const char* omega_notes = "euler_angles_omega";
 inline constexpr const char* inertial_notes = "euler_angles_inertial";
 inline const Sentence turned_about_x{"Your middle turn is about x (z–x–z); on the slides it is about y′ (z–y–z).",
                                      zxz_notes};
-inline const Sentence yaw_pitch_roll{"Your last turn is about x (yaw, pitch, roll); on the slides it is about z again.",
-                                     zxz_notes};
+inline const Sentence turned_about_x_last{
+    "Your last turn is about x (yaw, pitch, roll); on the slides it is about z again.", zxz_notes};
 inline const Sentence omega_of_zxz{"This is ω for z–x–z angles (Goldstein, Landau); the slides' line of nodes is y′.",
                                    zxz_notes};
 

@@ -1,0 +1,68 @@
+#include "solutions/07_euler_angles/shared.hpp"
+
+namespace {
+
+/// The product of three quaternions as it comes, w of either sign.
+Quaterniond of_half_angles(const Vector3d& q) {
+  const auto about = [](const Vector3d& axis, double angle) { return Quaterniond(Eigen::AngleAxisd(angle, axis)); };
+  return about(z_axis, q[0]) * about(y_axis, q[1]) * about(z_axis, q[2]);
+}
+
+}  // namespace
+
+void judge_angle_between_attitudes(Lecture& lecture) {
+  auto& e = lecture.exercise("angle_between_attitudes", &angle_between_attitudes, {{"angles1", rad}, {"angles2", rad}},
+                             {"angle", rad});
+  e.worked("from the attitude of the lecture", example_angles, {-0.4, 1.2, 2});
+  e.worked("turns of 3 + 3: the short way back is 2π − 6", zero, {3, 0, 3});
+  e.worked("1e-8 apart", example_angles, example_angles + Vector3d(1e-8, 0, 0));
+  e.special("the same attitude with other angles", example_angles, {0.3 + pi, -0.7, 1.1 + pi});
+  e.special("equal angles", example_angles, example_angles);
+  e.special("half a turn", zero, {0, pi, 0.4});
+  e.special("nearly half a turn", zero, {0, pi - 1e-8, 0.4});
+  e.special("full turns more", example_angles, {7.5, 0.7, -8.2});
+  e.special("only ψ differs", example_angles, {0.3, 0.7, 2.5});
+  e.special("θ differs by 1e-7", example_angles, example_angles + Vector3d(0, 1e-7, 0));
+  e.random("any two attitudes", 10, &Random::euler_angles, &Random::euler_angles);
+  e.scale(1);
+  e.sweep({"From no turn to (φ, 0.7, φ)", "φ (rad)", "angle (rad)"}, {"angle"}, {0, 2 * pi},
+          [](auto angle) { return tuple(zero, Vector3d(angle, 0.7, angle)); });
+
+  const auto of_trace = [](double trace) { return acos(clamp((trace - 1) / 2, -1.0, 1.0)); };
+  e.wrong("This is the length of the difference of the angles; they turn about axes that are not at right angles.",
+          "length_of_difference", [](auto& a, auto& b) { return (b - a).norm(); });
+  e.wrong("This is the angle between the two directions of axis 3; a turn about that axis counts too.", "axis_3_only",
+          [](auto& a, auto& b) {
+            const Vector3d one = turned_triad(a).col(2), other = turned_triad(b).col(2);
+            return atan2(cross(one, other).norm(), one.dot(other));
+          });
+  e.wrong("This is the angle of R₂ R₁, one turn after the other; between them lies R₂ R₁ᵀ.", "not_transposed",
+          [=](auto& a, auto& b) { return of_trace((rotation_matrix(b) * rotation_matrix(a)).trace()); });
+  e.wrong_output("This is half of the angle: a quaternion holds cosine and sine of α/2.", "half_angle", times(0.5));
+  e.wrong("Where your angle is larger than π, the rotation the other way round is shorter: q and −q are one attitude.",
+          "long_way", [](auto& a, auto& b) {
+            const Quaterniond q = of_half_angles(b) * of_half_angles(a).conjugate();
+            return 2 * atan2(q.vec().norm(), q.w());
+          });
+  e.wrong("This is the sum of the turns in φ, θ and ψ; a single rotation is shorter.", "sum_of_turns",
+          [](auto& a, auto& b) { return (b - a).cwiseAbs().sum(); });
+  e.wrong_output("This is the cosine of the angle.", "cosine", [](auto& angle) { angle = cos(angle); });
+  e.wrong_output("The angle comes in degrees; radians are asked for.", "in_degrees", times(1 / degree));
+  e.angles_read_as_degrees(turns_notes);
+  e.property(Is::nonnegative, "The smallest angle of a rotation lies between 0 and π.");
+  e.route("quaternion from one attitude to the other", [](auto& a, auto& b) {
+    const Quaterniond q = of_half_angles(a).conjugate() * of_half_angles(b);
+    return 2 * atan2(q.vec().norm(), abs(q.w()));
+  });
+  e.route("half sum and half difference of two quaternions", [](auto& a, auto& b) {
+    const Eigen::Vector4d p = of_half_angles(a).coeffs(), q = of_half_angles(b).coeffs();
+    return 4 * atan2(min((p - q).norm(), (p + q).norm()), max((p - q).norm(), (p + q).norm()));
+  });
+  e.route("argument of the complex eigenvalues", [](auto& a, auto& b) {
+    const Matrix3d D = rotation_matrix(b).transpose() * rotation_matrix(a);
+    double largest = 0;
+    for (const std::complex<double>& each : Eigen::EigenSolver<Matrix3d>(D).eigenvalues().eval())
+      largest = max(largest, abs(arg(each)));
+    return largest;
+  });
+}
