@@ -77,4 +77,63 @@ Vector3d canonical_momenta(const Vector3d& I, const Vector3d& angles, const Vect
 /// follows from S1 s18 and Euler's equations, S1 s8; not on the slides
 Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, const Vector3d& rates);
 
+/// The Hamiltonian of a free body: its kinetic energy as a function of the Euler angles and their canonical momenta.
+///
+/// @param I        principal moments, kg m²
+/// @param angles   \f$(\phi, \theta, \psi)\f$, rad; φ does not matter
+/// @param momenta  \f$(p_\phi, p_\theta, p_\psi)\f$, kg m²/s; zero is legal
+/// @return         energy of rotation, J
+/// @pre each moment > 0
+/// @pre |sin θ| ≥ 0.05; at sin θ = 0 the angles are singular
+/// @par Source
+/// not on the slides
+double hamiltonian(const Vector3d& I, const Vector3d& angles, const Vector3d& momenta);
+
+/// The Poisson brackets of the components of the angular momentum on the body axes.
+///
+/// These components \f$\tilde L_1, \tilde L_2, \tilde L_3\f$ are functions of the Euler angles \f$q\f$ and of their
+/// momenta \f$p\f$; no moment of inertia enters. The sign of a bracket is
+///
+/// \f[ \{f, g\} = \sum_k \left( \frac{\partial f}{\partial q_k} \frac{\partial g}{\partial p_k}
+///     - \frac{\partial f}{\partial p_k} \frac{\partial g}{\partial q_k} \right) . \f]
+///
+/// They are asked for to 10⁻⁸ of |L|: a careful numerical differentiation is good enough.
+///
+/// @param angles   \f$(\phi, \theta, \psi)\f$, rad
+/// @param momenta  \f$(p_\phi, p_\theta, p_\psi)\f$, kg m²/s; zero is legal
+/// @return         matrix with \f$\{\tilde L_i, \tilde L_j\}\f$ in row i and column j, kg m²/s
+/// @pre |sin θ| ≥ 0.05; at sin θ = 0 the angles are singular
+/// @par Source
+/// not on the slides; J. E. Marsden and T. S. Ratiu, chapter 10
+Matrix3d momentum_brackets(const Vector3d& angles, const Vector3d& momenta);
+
+/// Kinetic energy of a cone that lies on its side on a level table and rolls without slipping.
+///
+/// The cone is solid, uniform, circular and right. It touches the table along a line from its apex to its rim; the apex
+/// stays where it is, and the line goes round it.
+///
+/// @param M           mass, kg
+/// @param height      from the apex to the centre of the base, m
+/// @param half_angle  between the axis of the cone and its side, rad
+/// @param rate        at which the line of contact turns on the table, rad/s; either sign, zero is legal
+/// @return            energy, J
+/// @pre M > 0, height > 0 and 0 < half_angle < π/2
+/// @par Source
+/// not on the slides; Landau and Lifshitz, §32, problem 7
+double rolling_cone_energy(double M, double height, double half_angle, double rate);
+
+/// How fast the point of contact of a settling coin runs around.
+///
+/// A thin uniform coin rolls on its edge without slipping. Its plane keeps the same inclination to the level table, and
+/// its centre is at rest.
+///
+/// @param radius       of the coin, m
+/// @param g            acceleration of gravity, m/s²
+/// @param inclination  between the plane of the coin and the table, rad
+/// @return             rate at which the point of contact goes round its circle on the table, rad/s, positive
+/// @pre radius > 0, g > 0 and 0 < inclination < π/2
+/// @par Source
+/// not on the slides; H. K. Moffatt 2000
+double spinning_coin(double radius, double g, double inclination);
+
 }  // namespace rigid

@@ -37,6 +37,19 @@ inline Vector3d L_body(const Vector3d& I, const Vector3d& q, const Vector3d& v) 
   return I.cwiseProduct(omega_body(q, v));
 }
 
+/// The body components of L from the momenta p = Bᵀ L̃, complex ones too.
+template <class Number>
+Eigen::Matrix<Number, 3, 1> L_of_momenta(const Eigen::Matrix<Number, 3, 1>& q, const Eigen::Matrix<Number, 3, 1>& p) {
+  return rate_axes(q).transpose().inverse() * p;
+}
+
+/// The inertial components of L, whose projections on the vertical, the line of nodes and ê₃ are the momenta.
+inline Vector3d L_inertial_of_momenta(const Vector3d& q, const Vector3d& p) {
+  const Vector3d nodes(-sin(q[0]), cos(q[0]), 0), body = attitude(q).col(2);
+  return (p[0] * cross(nodes, body) + p[1] * cross(body, z_axis) + p[2] * cross(z_axis, nodes)) /
+         z_axis.dot(cross(nodes, body));
+}
+
 /// The matrix of the energy: T = ½ q̇·M q̇, p = M q̇.
 template <class Number>
 Eigen::Matrix<Number, 3, 3> mass_matrix(const Vector3d& I, const Eigen::Matrix<Number, 3, 1>& q) {
