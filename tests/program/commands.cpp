@@ -41,7 +41,7 @@ TEST_CASE("the checker remembers what passed, as long as the file is the same") 
   CHECK(next() == "spring_energy");
   course.solve("spring_energy");
   CHECK(verdict(course, "spring_energy --seed 2") == "passed");
-  CHECK(verdict(course, "spring_energy --file " + course.solution("spring_energy").string()) == "passed");
+  CHECK(verdict(course, "spring_energy --file '" + course.solution("spring_energy").string() + "'") == "passed");
   CHECK(next() == "spring_energy");  // another seed or file is no progress
   CHECK(course.run("check spring_energy").status == 0);
   CHECK(next() == "spring_force");

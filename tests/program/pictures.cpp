@@ -261,7 +261,7 @@ TEST_CASE("figures that cannot be built or listed say why") {
 TEST_CASE("the program of the figures refuses a name that it does not know, and ends badly if a figure does") {
   const CourseCopy course;
   const auto status = [&](const std::string& arguments) {
-    return run_in_shell("cd '" + course.root().string() + "' && " WORKBOOK_TEST_FIGURES " " + arguments +
+    return run_in_shell("cd '" + course.root().string() + "' && '" WORKBOOK_TEST_FIGURES "' " + arguments +
                         " >said 2>&1");
   };
   CHECK(status("pictures sound") == 0);
