@@ -51,9 +51,14 @@ std::vector<Deviation> eigenvector_deviations(const Case& one, const Value& actu
           uniform_deviation("det V − 1", Kind::number, determinant, one.tolerance, 4.0)};
 }
 
-/// R = R_ψ R_θ R_φ with passive elementary rotations about z, y and z, or x for yaw, pitch and roll: components on the
-/// body axes from inertial ones.
-Matrix3d attitude(Comparison comparison, const Value& angles) {
+/// What three numbers say of an attitude. Of angles: R = R_ψ R_θ R_φ with passive elementary rotations about z, y and
+/// z, or x for yaw, pitch and roll: components on the body axes from inertial ones. Of a rotation vector: the rotation
+/// itself.
+Matrix3d attitude(Comparison comparison, const Value& value) {
+  if (comparison == Comparison::rotation_by_vector) {
+    const Eigen::Vector3d v = as_matrix(value);
+    return Eigen::AngleAxisd(v.stableNorm(), v.stableNormalized()).toRotationMatrix();
+  }
   const auto about_z = [](double angle) -> Matrix3d {
     const double c = std::cos(angle), s = std::sin(angle);
     return (Matrix3d() << c, s, 0, -s, c, 0, 0, 0, 1).finished();
@@ -62,8 +67,8 @@ Matrix3d attitude(Comparison comparison, const Value& angles) {
     const double c = std::cos(angle), s = std::sin(angle);
     return (Matrix3d() << c, 0, -s, 0, 1, 0, s, 0, c).finished();
   };
-  const Matrix3d first_two = about_y(angles.numbers.at(1)) * about_z(angles.numbers.at(0));
-  const double last = angles.numbers.at(2);
+  const Matrix3d first_two = about_y(value.numbers.at(1)) * about_z(value.numbers.at(0));
+  const double last = value.numbers.at(2);
   if (comparison == Comparison::attitude_by_yaw_pitch_roll)
     return Eigen::AngleAxisd(-last, Eigen::Vector3d::UnitX()).toRotationMatrix() * first_two;
   return about_z(last) * first_two;
@@ -74,21 +79,27 @@ double beyond_range(double theta) {
   return theta < 0 ? theta : theta > std::numbers::pi ? theta - std::numbers::pi : 0 * theta;
 }
 
-Matrix3d rotation(const Eigen::Vector3d& v) {
-  return Eigen::AngleAxisd(v.stableNorm(), v.stableNormalized()).toRotationMatrix();
-}
-
-/// At half a turn both signs are right. The matrix of a small rotation does not show the digits of the vector, so they
-/// are tested too.
-std::vector<Deviation> rotation_vector_deviations(const Case& one, const Value& actual) {
-  const Eigen::Vector3d yours = as_matrix(actual), expected = as_matrix(one.expected);
-  const double length = expected.norm(), beyond = std::max(0.0, yours.norm() - std::numbers::pi);
-  std::vector<Deviation> found{
-      uniform_deviation("R(yours) − R(expected)", Kind::matrix3, rotation(yours) - rotation(expected), one.tolerance,
-                        1.0),
-      uniform_deviation("|yours| − π", Kind::number, MatrixXd::Constant(1, 1, beyond), 1e-7, 1.0)};
-  if (length > 0 && length < 1e-3)
-    found.push_back(uniform_deviation("yours − expected", Kind::vector3, yours - expected, one.tolerance, length));
+/// The attitude, and the range in which its numbers are unique.
+std::vector<Deviation> attitude_deviations(Comparison comparison, const Case& one, const Value& actual) {
+  const double pi = std::numbers::pi;
+  std::vector<Deviation> found{uniform_deviation("R(yours) − R(expected)", Kind::matrix3,
+                                                 attitude(comparison, actual) - attitude(comparison, one.expected),
+                                                 one.tolerance, 1.0)};
+  const auto add_range = [&](const char* meaning, double beyond, double tolerance) {
+    found.push_back(uniform_deviation(meaning, Kind::number, MatrixXd::Constant(1, 1, beyond), tolerance, 1.0));
+  };
+  constexpr double rounding = 1e-7;  // any arctangent or arccosine may round beyond the end of its range
+  if (comparison == Comparison::attitude_by_angles)
+    add_range("θ beyond [0, π]", beyond_range(actual.numbers.at(1)), one.tolerance);
+  if (comparison == Comparison::attitude_by_yaw_pitch_roll)
+    add_range("|pitch| beyond π/2", std::max(0.0, std::abs(actual.numbers.at(1)) - pi / 2), rounding);
+  if (comparison == Comparison::rotation_by_vector) {
+    const Eigen::Vector3d yours = as_matrix(actual), expected = as_matrix(one.expected);
+    add_range("|yours| − π", std::max(0.0, yours.norm() - pi), rounding);
+    // The matrix of a small rotation does not show the digits of the vector.
+    if (const double length = expected.norm(); length > 0 && length < 1e-3)
+      found.push_back(uniform_deviation("yours − expected", Kind::vector3, yours - expected, one.tolerance, length));
+  }
   return found;
 }
 
@@ -199,24 +210,9 @@ std::vector<Deviation> deviations(const ExerciseReference& exercise, std::size_t
       found = eigenvector_deviations(one, actual);
       break;
     case Comparison::attitude_by_angles:
-      found.push_back(uniform_deviation(
-          "R(yours) − R(expected)", Kind::matrix3,
-          attitude(exercise.comparison, actual) - attitude(exercise.comparison, one.expected), one.tolerance, 1.0));
-      found.push_back(uniform_deviation("θ beyond [0, π]", Kind::number,
-                                        MatrixXd::Constant(1, 1, beyond_range(actual.numbers.at(1))), one.tolerance,
-                                        1.0));
-      break;
     case Comparison::attitude_by_yaw_pitch_roll:
-      found.push_back(uniform_deviation(
-          "R(yours) − R(expected)", Kind::matrix3,
-          attitude(exercise.comparison, actual) - attitude(exercise.comparison, one.expected), one.tolerance, 1.0));
-      // Any arctangent may round beyond a right angle, so the range has a tolerance of its own.
-      found.push_back(uniform_deviation(
-          "|pitch| beyond π/2", Kind::number,
-          MatrixXd::Constant(1, 1, std::max(0.0, std::abs(actual.numbers.at(1)) - std::numbers::pi / 2)), 1e-7, 1.0));
-      break;
     case Comparison::rotation_by_vector:
-      found = rotation_vector_deviations(one, actual);
+      found = attitude_deviations(exercise.comparison, one, actual);
       break;
   }
   for (const Property& property : exercise.properties) {
@@ -254,9 +250,10 @@ bool is_same_answer(const ExerciseReference& exercise, std::size_t case_index, c
   const Case& judged = exercise.cases.at(case_index);
   switch (exercise.comparison) {
     case Comparison::plain:
-      return is_same_entry_by_entry(judged, one, other);
     case Comparison::up_to_sign:
-      return is_same_entry_by_entry(judged, one, other) || is_same_entry_by_entry(judged, one, negative(other));
+    case Comparison::rotation_by_vector:
+      return is_same_entry_by_entry(judged, one, other) ||
+             (is_free_in_sign(exercise, judged.expected) && is_same_entry_by_entry(judged, one, negative(other)));
     case Comparison::eigenvectors: {
       // Eigenvectors put into rows by mistake have the freedom of sign row by row.
       const MatrixXd first = as_matrix(one);
@@ -267,9 +264,6 @@ bool is_same_answer(const ExerciseReference& exercise, std::size_t case_index, c
     case Comparison::attitude_by_angles:
     case Comparison::attitude_by_yaw_pitch_roll:
       return is_same_attitude(exercise.comparison, judged, one, other);
-    case Comparison::rotation_by_vector:
-      return is_same_entry_by_entry(judged, one, other) ||
-             (is_free_in_sign(exercise, judged.expected) && is_same_entry_by_entry(judged, one, negative(other)));
   }
   return false;
 }
