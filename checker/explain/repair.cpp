@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <functional>
 #include <iterator>
 #include <numeric>
 #include <regex>
@@ -78,7 +78,7 @@ struct DecidingBranch {
 
 /// The branch of fewest cases that all failing ones take, if many of its cases fail or all are right without it.
 void consider(std::optional<DecidingBranch>& best, const Variant& branch, const std::set<std::size_t>& taken,
-              const std::array<bool, 2>& is_right_if, const DiagnosticTask& task) {
+              const std::function<bool(bool)>& is_right_if_always, const DiagnosticTask& task) {
   const std::vector<std::size_t>& failing = task.judgement.failing;
   const std::size_t total = task.reference.cases.size();
   for (const bool when : {true, false}) {
@@ -87,8 +87,9 @@ void consider(std::optional<DecidingBranch>& best, const Variant& branch, const 
         std::ranges::all_of(failing, [&](std::size_t index) { return taken.contains(index) == when; });
     // Where nothing else is at stake a wrong branch may be right; a few cases may share it by accident.
     const std::size_t least_part = failing.size() > 2 ? 4 : 2;
-    const bool repairs = is_right_if[!when], is_likely = least_part * failing.size() >= cases && 2 * cases <= total;
-    if (!all_fail_there || cases == total || !(repairs || is_likely)) continue;
+    if (!all_fail_there || cases == total) continue;
+    const bool repairs = is_right_if_always(!when);
+    if (!repairs && (least_part * failing.size() < cases || 2 * cases > total)) continue;
     if (!best || std::pair(!repairs, cases) < std::pair(!best->repairs, best->cases))
       best = DecidingBranch{branch, when, cases, repairs};
   }
@@ -198,13 +199,14 @@ std::optional<Finding> slip_or_branch(const DiagnosticTask& task, const Toolchai
   std::optional<DecidingBranch> branch;
   for (std::size_t k = 0; k < variants.size(); ++k) {
     if (variants[k].kind != "branch") continue;
-    std::array<bool, 2> is_right_if{};
-    for (std::size_t j = 0; j < variants.size(); ++j) {
-      const Variant& other = variants[j];
-      if (!other.is_branch() || other.edits.front().offset != variants[k].edits.front().offset || j == k) continue;
-      is_right_if[other.kind == "branch_on"] = runner.is_right(j);
-    }
-    if (const auto taken = runner.taken(k)) consider(branch, variants[k], *taken, is_right_if, task);
+    const auto is_right_if_always = [&](bool outcome) {
+      const auto forced = std::ranges::find_if(variants, [&](const Variant& other) {
+        return other.kind == (outcome ? "branch_on" : "branch_off") &&
+               other.edits.front().offset == variants[k].edits.front().offset;
+      });
+      return forced != variants.end() && runner.is_right(static_cast<std::size_t>(forced - variants.begin()));
+    };
+    if (const auto taken = runner.taken(k)) consider(branch, variants[k], *taken, is_right_if_always, task);
   }
   for (std::size_t k = 0; k < variants.size(); ++k) {
     const Variant& each = variants[k];

@@ -3,13 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <charconv>
 #include <initializer_list>
 #include <map>
-#include <optional>
-#include <set>
 #include <string_view>
 
 namespace workbook {
@@ -154,16 +151,15 @@ class Slips {
     int depth = 0;     // of brackets in it
     for (std::size_t k = 1; k < std::min(source_.tokens().size(), last_token_looked_at); ++k) {
       const std::string_view left = token(k - 1), here = token(k), right = token(k + 1);
-      const bool is_named =
-          right == "=" || right == ";" || right == "," || right == "(" || right == "{" || right == ":";
+      const bool is_named = is_one_of(right, {"=", ";", ",", "(", "{", ":"});
       const bool next_parameter = here == "," && is_identifier(right) && is_identifier(token(k + 2));
       if (here == ";" || next_parameter || depth < 0) type.clear();
-      if (here == "(" || here == "{" || here == "[") ++depth;
-      if (here == ")" || here == "}" || here == "]") --depth;
+      if (opens(here)) ++depth;
+      if (closes(here)) --depth;
       if (!is_identifier(here) || !is_named) continue;
-      static const std::set<std::string_view> no_types = {"return", "else", "new",      "throw",
-                                                          "case",   "goto", "namespace"};
-      if (is_identifier(left) && !no_types.contains(left) && type.empty()) {
+      const bool is_type =
+          is_identifier(left) && !is_one_of(left, {"return", "else", "new", "throw", "case", "goto", "namespace"});
+      if (is_type && type.empty()) {
         type = left;
         depth = 0;
         types_.emplace(here, type);
@@ -203,8 +199,7 @@ class Slips {
     if (here() == "-") add("sign", "another sign", follows_operand() ? "+" : " ");
     if (here() == "+=") add("sign", "another sign", "-=");
     if (here() == "-=") add("sign", "another sign", "+=");
-    const bool begins_expression =
-        here() == "return" || here() == "=" || here() == "(" || here() == "," || here() == "{" || here() == "<<";
+    const bool begins_expression = is_one_of(here(), {"return", "=", "(", ",", "{", "<<"});
     if (begins_expression && (is_identifier(after()) || is_numeral(after())) && !is_index(at_ + 1) &&
         !is_zero(at_ + 1) && !is_even())
       insert_behind("sign", "another sign", "-");
@@ -213,16 +208,14 @@ class Slips {
   /// Do we open an even function of one variable, as in `cos(psi)` or `abs(angles[1])`?
   bool is_even() const {
     const bool ends = token(at_ + 2) == ")" || (token(at_ + 2) == "[" && token(at_ + 5) == ")");
-    return here() == "(" && ends && (before() == "cos" || before() == "cosh" || before() == "abs");
+    return here() == "(" && ends && is_one_of(before(), {"cos", "cosh", "abs"});
   }
 
   /// Is the number an index, as in `I(0, 2)`, `r[1]` or `row(2)`?
   bool is_index(std::size_t index) const {
     if (!is_numeral(token(index)) || token(index).size() != 1) return false;
     const std::string_view left = token(index - 1), right = token(index + 1);
-    const bool opens = left == "(" || left == "[" || left == ",";
-    const bool closes = right == ")" || right == "]" || right == ",";
-    if (!opens || !closes) return false;
+    if (!is_one_of(left, {"(", "[", ","}) || !is_one_of(right, {")", "]", ","})) return false;
     std::size_t open = index - 1;
     if (left == ",") open = index >= 3 ? index - 3 : 0;
     return token(open) == "[" || (token(open) == "(" && open > 0 && is_identifier(token(open - 1)));
@@ -243,9 +236,9 @@ class Slips {
       return;
     }
     if (conditions_.in_loop(at_) && (before() == "=" || before() == "<" || before() == "<=")) {
-      if (const auto number = std::string(here()); number == "0" || number == "1" || number == "2" || number == "3")
+      if (is_one_of(here(), {"0", "1", "2", "3"}))
         for (const int step : {-1, 1})
-          if (const int other = std::stoi(number) + step; other >= 0)
+          if (const int other = here().front() - '0' + step; other >= 0)
             add("number", "another number", std::to_string(other));
       return;
     }
@@ -278,7 +271,7 @@ class Slips {
         {"y", {"x", "z"}},          {"z", {"x", "y"}}};
     const bool is_called = after() == "(";
     const auto found = others.find(here());
-    const bool is_coordinate = here() == "x" || here() == "y" || here() == "z";
+    const bool is_coordinate = is_one_of(here(), {"x", "y", "z"});
     if (found != others.end() && is_called && (!is_coordinate || before() == "."))
       for (const char* other : found->second) {
         if (*other != '\0') add("function", "another function", other);
@@ -306,8 +299,7 @@ class Slips {
 
   /// A factor in front of a term: behind return, =, + or -.
   void factors() {
-    const bool begins_term =
-        here() == "return" || here() == "=" || here() == "+" || here() == "-" || here() == "+=" || here() == "-=";
+    const bool begins_term = is_one_of(here(), {"return", "=", "+", "-", "+=", "-="});
     if (!begins_term || is_zero(at_ + 1) || conditions_.in_loop(at_) || declares_whole_number()) return;
     if (!(is_identifier(after()) || is_numeral(after()) || after() == "(")) return;
     if (is_identifier(after()) && (after() == "std" || after() == "static_cast") && token(at_ + 2) != "::") return;
