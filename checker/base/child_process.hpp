@@ -7,12 +7,16 @@
 
 #include <sys/types.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cstddef>
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace workbook {
@@ -150,5 +154,19 @@ class ForkedJob {
   std::string output_;
   bool closed_ = false;
 };
+
+/// Keeps as many jobs running as there are processors, and collects each when its turn comes.
+/// @param begin    begin(k) starts the k-th job and returns a pointer that owns it
+/// @param collect  collect(k, job) waits for it; called in the order of k
+template <class Begin, class Collect>
+void run_jobs(std::size_t count, const Begin& begin, const Collect& collect) {
+  const std::size_t at_once = std::max(1U, std::thread::hardware_concurrency());
+  std::deque<decltype(begin(count))> running;
+  for (std::size_t next = 0, turn = 0; turn < count; ++turn) {
+    while (next < count && running.size() < at_once) running.push_back(begin(next++));
+    collect(turn, *running.front());
+    running.pop_front();
+  }
+}
 
 }  // namespace workbook

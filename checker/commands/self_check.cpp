@@ -11,10 +11,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <deque>
 #include <memory>
 #include <stdexcept>
-#include <thread>
 
 namespace workbook {
 
@@ -193,11 +191,11 @@ int self_check_mutants(const Course& course, const std::vector<std::string>& nam
   const std::vector<Exercise> exercises = course.choose(names);
   CheckContext context(course);
   for (const Exercise& exercise : exercises) context.reference(check_task(course, exercise));
-  const auto begin = [&](const Exercise& exercise) {
-    const ExerciseReference& reference = context.reference(check_task(course, exercise));
+  const auto begin = [&](std::size_t k) {
+    const ExerciseReference& reference = context.reference(check_task(course, exercises[k]));
     const auto try_all = [&] {
       try {
-        return try_mutants(course, context.toolchain(), exercise, reference).dump();
+        return try_mutants(course, context.toolchain(), exercises[k], reference).dump();
       } catch (const std::exception& problem) {
         return nlohmann::json{{"problem", problem.what()}}.dump();
       }
@@ -205,32 +203,29 @@ int self_check_mutants(const Course& course, const std::vector<std::string>& nam
     return std::make_unique<ForkedJob>(try_all, std::chrono::minutes(20));
   };
   ProgressBar progress_bar;
-  std::deque<std::unique_ptr<ForkedJob>> running;
   std::string tried, faults;
-  std::size_t begun = 0, made = 0, killed = 0;
-  for (const Exercise& exercise : exercises) {
-    while (begun < exercises.size() && running.size() < std::max(1U, std::thread::hardware_concurrency()))
-      running.push_back(begin(exercises[begun++]));
-    progress_bar.show(begun - running.size(), exercises.size(), exercise.name());
+  std::size_t made = 0, killed = 0;
+  run_jobs(exercises.size(), begin, [&](std::size_t k, ForkedJob& job) {
+    const Exercise& exercise = exercises[k];
+    progress_bar.show(k, exercises.size(), exercise.name());
     const std::string place = fmt::format("solutions/{}/{}", exercise.lecture(), exercise.name());
-    std::string trouble = running.front()->finish();
-    const auto found = nlohmann::json::parse(running.front()->output(), nullptr, false);
+    std::string trouble = job.finish();
+    const auto found = nlohmann::json::parse(job.output(), nullptr, false);
     if (trouble.empty()) trouble = found.value("problem", "");
     if (!trouble.empty()) {
       faults += fmt::format("{}.cpp: its mutants could not be tried: {}.\n", place, without_full_stop(trouble));
-    } else {
-      Adequacy adequacy = context.reference(check_task(course, exercise)).adequacy;
-      adequacy.made = found.at("made");
-      adequacy.survivors = found.at("survivors").get<std::vector<std::string>>();
-      adequacy.killed = adequacy.made - adequacy.survivors.size();
-      adequacy.equal = 0;
-      made += adequacy.made;
-      killed += adequacy.killed;
-      tried += adequacy_text(exercise, adequacy);
-      for (const std::string& sentence : unshown_bugs(adequacy)) faults += place + ".judging.cpp: " + sentence + "\n";
+      return;
     }
-    running.pop_front();
-  }
+    Adequacy adequacy = context.reference(check_task(course, exercise)).adequacy;
+    adequacy.made = found.at("made");
+    adequacy.survivors = found.at("survivors").get<std::vector<std::string>>();
+    adequacy.killed = adequacy.made - adequacy.survivors.size();
+    adequacy.equal = 0;
+    made += adequacy.made;
+    killed += adequacy.killed;
+    tried += adequacy_text(exercise, adequacy);
+    for (const std::string& sentence : unshown_bugs(adequacy)) faults += place + ".judging.cpp: " + sentence + "\n";
+  });
   progress_bar.clear();
   fmt::print("{}{}In all: {} of {} bugs found.\n", tried, faults, killed, made);
   return faults.empty() ? all_passed : something_failed;

@@ -4,10 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cstring>
-#include <deque>
-#include <thread>
 
 namespace workbook {
 
@@ -123,16 +120,9 @@ CheckResult CheckJob::result() {
 
 void check_all(CheckContext& context, const std::vector<CheckTask>& tasks,
                const std::function<void(CheckResult)>& deliver) {
-  const std::size_t at_once = std::max(1U, std::thread::hardware_concurrency());
-  std::deque<std::unique_ptr<CheckJob>> running;
-  auto next = tasks.begin();
-  while (next != tasks.end() || !running.empty()) {
-    while (next != tasks.end() && running.size() < at_once)
-      running.push_back(std::make_unique<CheckJob>(context, *next++));
-    CheckResult checked = running.front()->result();
-    running.pop_front();
-    deliver(std::move(checked));
-  }
+  run_jobs(
+      tasks.size(), [&](std::size_t k) { return std::make_unique<CheckJob>(context, tasks[k]); },
+      [&](std::size_t, CheckJob& job) { deliver(job.result()); });
 }
 
 }  // namespace workbook
