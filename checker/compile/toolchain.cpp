@@ -14,7 +14,7 @@ namespace workbook {
 namespace fs = std::filesystem;
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Toolchain, compiler, flags, prelude, include_directories, directory, support,
-                                   link_flags, nm, second_look, addr2line, main_header, main_function, main_include,
+                                   link_flags, nm, diagnostic, addr2line, main_header, main_function, main_include,
                                    setup, build, target, sources)
 
 namespace {

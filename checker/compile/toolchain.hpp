@@ -24,7 +24,7 @@ struct Toolchain {
   std::vector<std::filesystem::path> support;              ///< objects that every worker needs
   std::vector<std::string> link_flags;
   std::filesystem::path nm;
-  std::filesystem::path second_look;   ///< the toolchain file for the diagnostic run; empty: there is none
+  std::filesystem::path diagnostic;    ///< the toolchain file for the diagnostic run; empty: there is none
   std::filesystem::path addr2line;     ///< finds the line of an address; empty: there is none
   std::filesystem::path main_header;   ///< declares main_function, which a worker's main calls with the exercise
   std::string main_function;           ///< in namespace workbook

@@ -341,7 +341,7 @@ bool can_be_explained_by_a_run(const Judgement& judgement) {
 }
 
 std::string missing_for_diagnostic_runs(const Toolchain& toolchain) {
-  if (toolchain.second_look.empty()) return "the compiler's sanitizers (on Debian they come with the package g++)";
+  if (toolchain.diagnostic.empty()) return "the compiler's sanitizers (on Debian they come with the package g++)";
   return can_confine_files() ? "" : "Landlock and seccomp in this kernel";
 }
 
@@ -362,7 +362,7 @@ std::vector<Finding> diagnostic_run(const DiagnosticTask& task, const Toolchain&
     const Workspace workspace(scratch);
     const Compilation compilation =
         compile({.submission = task.submission, .exercise = task.reference.name, .signature = task.reference.signature},
-                read_toolchain(toolchain.second_look), workspace.directory(), {.time = std::chrono::seconds(10)});
+                read_toolchain(toolchain.diagnostic), workspace.directory(), {.time = std::chrono::seconds(10)});
     return compilation.executable ? diagnostic_run_of(*compilation.executable, task, toolchain)
                                   : std::vector<Finding>();
   } catch (const std::exception&) {

@@ -102,7 +102,7 @@ function(workbook_add_one_toolchain target)
   workbook_json(toolchain compiler=${CMAKE_CXX_COMPILER} nm=${CMAKE_NM} directory=${arg_DIRECTORY} prelude=${prelude}
     main_header=${main_header} main_function=${main_function} main_include=${CMAKE_SOURCE_DIR}
     build=${CMAKE_BINARY_DIR} setup=${CMAKE_SOURCE_DIR}/checker/setup.sh target=${target}
-    second_look=${arg_DIAGNOSTIC} addr2line=${CMAKE_ADDR2LINE} sources=${CMAKE_CURRENT_FUNCTION_LIST_DIR})
+    diagnostic=${arg_DIAGNOSTIC} addr2line=${CMAKE_ADDR2LINE} sources=${CMAKE_CURRENT_FUNCTION_LIST_DIR})
   string(JSON toolchain SET "${toolchain}" format 1)
   foreach(key IN ITEMS flags include_directories support link_flags)
     set(list "[]")

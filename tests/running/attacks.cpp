@@ -267,9 +267,9 @@ TEST_CASE("memory beyond the limit ends a diagnostic run, however it is asked fo
       "MAP_ANONYMOUS | MAP_POPULATE, -1, 0);\n"
       "    if (more == MAP_FAILED) return x;\n  }\n}\n",
       "twice");
-  if (toolchain().second_look.empty() || !can_confine_files()) return;
+  if (toolchain().diagnostic.empty() || !can_confine_files()) return;
   const Compilation compilation =
-      compile({endless, "twice", "twice"}, read_toolchain(toolchain().second_look), shared_cache());
+      compile({endless, "twice", "twice"}, read_toolchain(toolchain().diagnostic), shared_cache());
   REQUIRE(compilation.executable.has_value());
   Budget budget{Clock::now() + std::chrono::seconds(20), 10.0, 1 << 16};
   Worker worker(*compilation.executable,

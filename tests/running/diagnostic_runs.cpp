@@ -173,7 +173,7 @@ Judged judged(const std::string& text, double x) {
 std::filesystem::path diagnostic_program(const std::string& text) {
   const Compilation compilation =
       compile({.submission = submit(text, "twice"), .exercise = "twice", .signature = "twice"},
-              read_toolchain(toolchain().second_look), shared_cache());
+              read_toolchain(toolchain().diagnostic), shared_cache());
   INFO(compilation.message << "\n" << compilation.details);
   REQUIRE(compilation.executable.has_value());
   return *compilation.executable;
@@ -295,11 +295,11 @@ TEST_CASE("without its tools there is no diagnostic run, and no trouble either")
   CHECK(diagnostic_run(failed.task(), toolchain(), shared_cache()).size() == 1);
   Toolchain poor = toolchain();
   SUBCASE("no toolchain") {
-    poor.second_look.clear();
+    poor.diagnostic.clear();
     CHECK(missing_for_diagnostic_runs(poor).find("sanitizers") != std::string::npos);
   }
-  SUBCASE("a missing toolchain") { poor.second_look = "/nowhere/toolchain.json"; }
-  SUBCASE("a damaged toolchain") { poor.second_look = write(fresh_directory("damaged") / "toolchain.json", "{"); }
+  SUBCASE("a missing toolchain") { poor.diagnostic = "/nowhere/toolchain.json"; }
+  SUBCASE("a damaged toolchain") { poor.diagnostic = write(fresh_directory("damaged") / "toolchain.json", "{"); }
   CHECK(diagnostic_run(failed.task(), poor, shared_cache()).empty());
   CHECK(diagnostic_run(failed.task(), toolchain(), "/nowhere/at/all").empty());
 }
