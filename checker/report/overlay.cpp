@@ -130,9 +130,12 @@ std::string lower_panel(const Overlay& overlay) {
 }
 
 std::string labels_of(const Sweep& sweep) {
+  constexpr std::size_t title_width = 72;  // a longer line is cut off at the border of the picture
+  std::vector<std::string> title;
+  for (const std::string& line : wrapped_lines(sweep.title, title_width)) title.push_back(quoted(line));
   return fmt::format(
       "set xrange [{}:{}]\nset title {} noenhanced\nset xlabel {} noenhanced\nset ylabel {} noenhanced\n",
-      sweep.x.front(), sweep.x.back(), quoted(sweep.title), quoted(sweep.x_label), quoted(sweep.y_label));
+      sweep.x.front(), sweep.x.back(), fmt::join(title, ".\"\\n\"."), quoted(sweep.x_label), quoted(sweep.y_label));
 }
 
 std::string panels(const Overlay& overlay) {

@@ -1,5 +1,6 @@
 // Plots in files and on the terminal, figures, worked examples, and every picture at once.
 #include "checker/base/text.hpp"
+#include "checker/data/reference_results.hpp"
 #include "checker/report/overlay.hpp"
 #include "tests/program/program.hpp"
 
@@ -151,6 +152,19 @@ TEST_CASE("a curve breaks where there is no value") {
   CHECK(lines_of_student() == 2);
   course.solve("spring_energy");
   CHECK(lines_of_student() == 1);
+}
+
+TEST_CASE("a title that is wider than the picture takes two lines") {
+  const CourseCopy course;
+  auto results = workbook::read_reference_results(course.reference());
+  results.exercises.at(1).sweep.title =
+      "The force of a spring of 3 N/m that is stretched along x, while along y it stays stretched by 1 m";
+  workbook::write_reference_results(results, course.reference());
+  course.solve("spring_force");
+  REQUIRE(course.run("plot spring_force --picture none --out pictures").status == 0);
+  const std::string svg = read(course.root() / "pictures/spring_force.svg");
+  CHECK(has(svg, "The force of a spring of 3 N/m that is stretched along x, while along y<"));
+  CHECK(has(svg, "it stays stretched by 1 m<"));
 }
 
 TEST_CASE("a terminal of kitty's kind gets the very picture that lies in the folder") {
