@@ -15,20 +15,15 @@ namespace {
 
 constexpr double most_code = 30, least_figures = 15;
 
-/// Prints the shares of every lecture; judges those that are not excused.
-void judge_shares(Inspection& inspection, const std::vector<std::string>& pages) {
-  fmt::print("{:<36} code and output   figures\n", "share of the height of a lecture");
-  for (const std::string& page : pages) {
-    if (!page.starts_with("lecture_")) continue;
-    const Shares shares = inspection.measure(page);
-    fmt::print("{:<36} {:13.0f} % {:7.0f} %\n", page, shares.code, shares.figures);
-    if (shares.code > most_code)
-      inspection.fault(page, fmt::format("code and output take {:.0f} % of the height, more than {:.0f} %.",
-                                         shares.code, most_code));
-    if (shares.figures < least_figures)
-      inspection.fault(
-          page, fmt::format("figures take {:.0f} % of the height, less than {:.0f} %.", shares.figures, least_figures));
-  }
+void judge_shares(Inspection& inspection, const std::string& page) {
+  const Shares shares = inspection.measure_shares();
+  fmt::print("{:<42} code and output {:2.0f} % of the height, figures {:2.0f} %\n", page, shares.code, shares.figures);
+  if (shares.code > most_code)
+    inspection.fault(
+        page, fmt::format("code and output take {:.0f} % of the height, more than {:.0f} %.", shares.code, most_code));
+  if (shares.figures < least_figures)
+    inspection.fault(
+        page, fmt::format("figures take {:.0f} % of the height, less than {:.0f} %.", shares.figures, least_figures));
 }
 
 }  // namespace
@@ -72,12 +67,12 @@ int main(int argc, char** argv) {
         inspection.look_at(page, axe);
       }
       exercise_judged = exercise_judged || is_exercise;
+      if (page.starts_with("lecture_")) judge_shares(inspection, page);
     }
     inspection.follow_links();
     for (const std::string& phrase : words) inspection.search("index.html", phrase);
     if (!words.empty()) inspection.walk_with_keyboard("index.html");
     if (!references.empty()) inspection.expect_anchors(anchors_of_diagnoses(references));
-    judge_shares(inspection, pages);
     for (const std::string& fault : inspection.faults()) fmt::print("{}\n", fault);
     const Counts& counts = inspection.counts();
     fmt::print("{} pages, {} formulas, {} pictures, {} links: {} faults, in {:.0f} s.\n", counts.pages, counts.formulas,

@@ -28,8 +28,8 @@
   }
 
   // Text in figures: a contrast of 4.5 on the page, and at least 9.5 pixels tall.
+  const canvas = new OffscreenCanvas(1, 1).getContext("2d", { willReadFrequently: true });
   const channels = color => {
-    const canvas = new OffscreenCanvas(1, 1).getContext("2d");
     canvas.fillStyle = color;
     canvas.fillRect(0, 0, 1, 1);
     return [...canvas.getImageData(0, 0, 1, 1).data].slice(0, 3);

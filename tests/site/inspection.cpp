@@ -22,9 +22,9 @@ struct Setting {
   const char* colors;
 };
 
-constexpr std::array settings{Setting{1280, "light"}, Setting{1280, "dark"}, Setting{1024, "dark"},
-                              Setting{1024, "light"}, Setting{390, "light"}, Setting{390, "dark"},
-                              Setting{1600, "dark"},  Setting{1600, "light"}};
+/// Wide pages in one colour each: what fits seldom depends on colours, nor contrast on the width.
+constexpr std::array settings{Setting{1280, "light"}, Setting{1024, "dark"}, Setting{390, "dark"},
+                              Setting{390, "light"}, Setting{1600, "light"}};
 
 /// A script of this folder, to be evaluated in the page.
 std::string script(const char* name) { return read_text(std::filesystem::path(SITE_SCRIPTS) / name); }
@@ -314,10 +314,8 @@ void Inspection::walk_with_keyboard(const std::string& page) {
   }
 }
 
-Shares Inspection::measure(const std::string& page) {
+Shares Inspection::measure_shares() {
   resize(browser_, 1280);
-  prefer(browser_, "light");
-  open(page);
   settle(browser_);
   static const std::string shares = script("shares.js");
   const json found = browser_.evaluate(shares);

@@ -30,7 +30,7 @@ class Inspection {
   /// @param root the folder of the site, opened as files
   Inspection(Browser& browser, const std::filesystem::path& root);
 
-  /// How closely to look: at four widths, or for one of many pages made alike at the smallest; in light and dark.
+  /// How closely to look: at four widths, in some of the colours, or for one of many pages made alike at the smallest.
   enum class Widths { all, smallest };
 
   /// Opens a page and judges all that can be seen on it alone.
@@ -49,9 +49,10 @@ class Inspection {
   /// Expects each name, such as a diagnosis gives for further reading, to be an anchor on exactly one page.
   void expect_anchors(const std::set<std::string>& names);
 
-  Shares measure(const std::string& page);
+  /// Of the page that was looked at last.
+  Shares measure_shares();
 
-  /// Writes pictures of the page at every width, light and dark.
+  /// Writes pictures of the page at every width, in some of the colours.
   void photograph(const std::string& page, const std::filesystem::path& folder);
 
   const std::vector<std::string>& faults() const { return faults_; }
