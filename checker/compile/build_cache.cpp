@@ -9,6 +9,8 @@
 #include <cerrno>
 #include <chrono>
 #include <functional>
+#include <iterator>
+#include <sstream>
 
 namespace workbook {
 namespace fs = std::filesystem;
@@ -20,7 +22,7 @@ constexpr const char* workspace_prefix = "compile-";
 
 /// The key, and what notices a damaged executable. It need not withstand an enemy.
 std::string sealed(const std::string& key, const std::string& executable) {
-  return fmt::format("{} {:x} {}\n{}\n", executable.size(), std::hash<std::string>{}(executable), key.size(), key);
+  return fmt::format("format 2 {} {:x} {}\n{}\n", executable.size(), std::hash<std::string>{}(executable), key.size(), key);
 }
 
 [[noreturn]] void cannot_write(const fs::path& where, const std::string& reason) {
@@ -46,14 +48,21 @@ std::optional<BuiltProgram> BuildCache::find(const std::string& key) const {
   if (!seal->starts_with(expected)) return std::nullopt;
   std::error_code ignored;
   fs::last_write_time(entry, fs::file_time_type::clock::now(), ignored);
-  return BuiltProgram{entry / executable_name, seal->substr(expected.size())};
+  // One line with the functions that were linked, then the compiler's output.
+  const std::size_t end_of_line = std::min(seal->find('\n', expected.size()), seal->size());
+  std::istringstream names(seal->substr(expected.size(), end_of_line - expected.size()));
+  return BuiltProgram{entry / executable_name,
+                      seal->substr(std::min(end_of_line + 1, seal->size())),
+                      {std::istream_iterator<std::string>(names), {}}};
 }
 
 BuiltProgram BuildCache::keep(const BuiltProgram& built, const std::string& key) const {
   const std::optional<std::string> bytes = read_file(built.executable);
   if (!bytes) cannot_write(built.executable, "the executable is gone");
   const fs::path prepared = built.executable.parent_path() / "entry";
-  const std::string problem = write_file(prepared / seal_name, sealed(key, *bytes) + built.compiler_output);
+  const std::string problem =
+      write_file(prepared / seal_name,
+                 fmt::format("{}{}\n{}", sealed(key, *bytes), fmt::join(built.linked, " "), built.compiler_output));
   if (!problem.empty()) cannot_write(prepared, problem);
   std::error_code error;
   fs::rename(built.executable, prepared / executable_name, error);
@@ -69,7 +78,7 @@ BuiltProgram BuildCache::keep(const BuiltProgram& built, const std::string& key)
     if (error) cannot_write(place, error.message());
   }
   drop_oldest();
-  return {place / executable_name, built.compiler_output};
+  return {place / executable_name, built.compiler_output, built.linked};
 }
 
 void BuildCache::drop_oldest() const {

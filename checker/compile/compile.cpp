@@ -14,17 +14,17 @@ namespace workbook {
 namespace fs = std::filesystem;
 namespace {
 
-/// How the file is compiled, beside the toolchain's flags.
-std::vector<std::string> arguments_for(const Submission& submission) {
-  const std::string name = submission.path.filename().string();
+/// How a file is compiled that is called UNIT.cpp meanwhile, beside the toolchain's flags.
+std::vector<std::string> arguments_for(const Submission& submission, const std::string& unit) {
+  const std::string name = submission.path.filename().string(), source = unit + ".cpp";
   return {"-Wreturn-type", "-Wuninitialized", "-Wfloat-conversion", "-Wparentheses", "-Wunused-value", "-Wtype-limits",
           "-Wunused-variable", "-Wunused-parameter", "-Wunused-but-set-variable", "-Wreturn-local-addr",
           "-Wimplicit-fallthrough", "-Wmisleading-indentation", "-Wshadow=local", "-Wdiv-by-zero",
           // The student's own name of the file in assertions, and in what debuggers read.
-          fmt::format("-fmacro-prefix-map={}={}", unit_name, name),
-          fmt::format("-fdebug-prefix-map={}=shown/{}", unit_name, name),
+          fmt::format("-fmacro-prefix-map={}={}", source, name),
+          fmt::format("-fdebug-prefix-map={}=shown/{}", source, name),
           // Both lists of dependencies: of the preprocessor, and of the assembler, which can include files too.
-          "-MD", "-MF", "unit.includes", "-Wa,--MD,unit.assembled", "-c", unit_name, "-o", "unit.o"};
+          "-MD", "-MF", unit + ".includes", "-Wa,--MD," + unit + ".assembled", "-c", source, "-o", unit + ".o"};
 }
 
 /// All that an executable depends on.
@@ -33,10 +33,12 @@ std::string cache_key(const CompileTask& task, const Toolchain& toolchain) {
   files.insert(files.end(), {toolchain.compiler, toolchain.prelude, toolchain.precompiled(),
                              toolchain.worker_object(task.exercise)});
   std::string key = fmt::format("{}\n{}\n{}\n", fmt::join(toolchain.flags, "\n"), fmt::join(toolchain.link_flags, "\n"),
-                                fmt::join(arguments_for(task.submission), "\n"));
+                                fmt::join(arguments_for(task.submission, "unit"), "\n"));
   for (const fs::path& file : files)
     key += fmt::format("{} {} {}\n", file.string(), fs::file_size(file),
                        fs::last_write_time(file).time_since_epoch().count());
+  for (const Submission& own : task.submission.library)
+    key += fmt::format("{} {}\n{}\n", own.path.string(), own.text.size(), own.text);
   return key + task.submission.text;
 }
 
@@ -87,31 +89,55 @@ class CompilationInProgress {
   CompilationInProgress(const CompileTask& task, const Toolchain& toolchain, const Compiler& compiler)
       : task_(task), toolchain_(toolchain), compiler_(compiler), source_(task.submission.text) {}
 
-  BuiltProgram run() const {
-    compiler_.write(task_.submission.text);
-    const std::string warnings = compile_unit();
-    for (const char* list : {"unit.includes", "unit.assembled"})
-      for (const std::string& name : dependencies(compiler_.workspace() / list))
-        if (!compiler_.may_be_included(name)) refuse_foreign_file(name);
-    return {link(), warnings};
+  BuiltProgram run() {
+    const std::string warnings = compile_file(task_.submission, "unit");
+    if (!task_.submission.library.empty()) compile_library();
+    return {link(), warnings, linked_};
   }
 
+  const std::vector<std::string>& linked() const { return linked_; }
+
  private:
-  std::string compile_unit() const {
-    const FinishedProgram compiled = compiler_.run(compiler_.arguments(arguments_for(task_.submission)));
-    if (compiled.succeeded()) {
-      // Such sections make the linker run another compiler, with options that the file chooses.
-      if (has_section(compiler_.workspace() / "unit.o", ".gnu.lto_"))
-        refuse("Your file asks for code to be generated when it is linked; no exercise needs that.");
-      // And such a one makes the system run another program in place of the worker.
-      if (is_static() && has_section(compiler_.workspace() / "unit.o", std::string_view(".interp\0", 8)))
-        refuse("Your file names a program that shall run it (.interp); no exercise needs that.");
-      return compiled.output;
+  /// UNIT.o of a file; returns the warnings.
+  std::string compile_file(const Submission& file, const std::string& unit) const {
+    compiler_.write(file.text, {}, unit + ".cpp");
+    const FinishedProgram compiled = compiler_.run(compiler_.arguments(arguments_for(file, unit)));
+    if (!compiled.succeeded()) refuse_uncompiled(compiled, file, unit);
+    const fs::path object = compiler_.workspace() / (unit + ".o");
+    // Such sections make the linker run another compiler, with options that the file chooses.
+    if (has_section(object, ".gnu.lto_"))
+      refuse("Your file asks for code to be generated when it is linked; no exercise needs that.");
+    // And such a one makes the system run another program in place of the worker.
+    if (is_static() && has_section(object, std::string_view(".interp\0", 8)))
+      refuse("Your file names a program that shall run it (.interp); no exercise needs that.");
+    for (const char* list : {".includes", ".assembled"})
+      for (const std::string& name : dependencies(compiler_.workspace() / (unit + list)))
+        if (!compiler_.may_be_included(name)) refuse_foreign_file(name);
+    return compiled.output;
+  }
+
+  /// The objects of the own functions that the file calls, and of those that they call.
+  void compile_library() {
+    std::vector<std::string> objects = {"unit.o"};
+    for (std::size_t k = 0; k < objects.size(); ++k) {
+      const std::string called = compiler_.run_nm({"-u", "-C", objects[k]}).output;
+      for (const Submission& own : task_.submission.library) {
+        const std::string name = own.path.stem().string();
+        if (called.find(fmt::format(" rigid::{}(", name)) == std::string::npos || std::ranges::count(linked_, name) > 0)
+          continue;
+        linked_.push_back(name);
+        compile_file(own, name);
+        objects.push_back(name + ".o");
+      }
     }
+  }
+
+  [[noreturn]] void refuse_uncompiled(const FinishedProgram& compiled, const Submission& file,
+                                      const std::string& unit) const {
     refuse_if_limit_reached(compiled);
+    if (unit != "unit") refuse(fmt::format("Your file calls {}, and {} does not compile.", unit, file.shown_name));
     if (const std::string denied = denied_file(compiled.output); !denied.empty()) refuse_foreign_file(denied);
-    const std::string& file = task_.submission.shown_name;
-    const CompilerOutput said = compiler_.read(compiled.output, file);
+    const CompilerOutput said = compiler_.read(compiled.output, file.shown_name);
     std::optional<Finding> error = first_error(said.diagnostics, source_, task_.signature);
     if (!said.foreign_file.empty() && (!error || error->line == 0)) refuse_foreign_file(said.foreign_file);
     if (!error || error->line == 0)
@@ -134,6 +160,7 @@ class CompilationInProgress {
 
   fs::path link() const {
     std::vector<std::string> arguments = {"unit.o", toolchain_.worker_object(task_.exercise).string()};
+    for (const std::string& own : linked_) arguments.push_back(own + ".o");
     for (const fs::path& support : toolchain_.support) arguments.push_back(support.string());
     for (const std::string& flag : toolchain_.link_flags) arguments.push_back(flag);
     arguments.insert(arguments.end(), {"-o", "worker"});
@@ -147,14 +174,19 @@ class CompilationInProgress {
 
   /// As GNU linkers and LLVM's tell it.
   [[noreturn]] void refuse_unlinked(const std::string& output) const {
-    static const std::regex twice("(multiple definition of|duplicate symbol:) [`']?main\\b");
+    static const std::regex twice("(multiple definition of|duplicate symbol:) [`']?([\\w:~]+)");
     static const std::regex undefined("undefined (?:reference to|symbol:) [`']?([\\w:~]+)(\\([^']*)?");
     for (const std::string& line : lines_of(output)) {
       const std::string text = line.substr(0, 1000);
       std::smatch found;
-      if (std::regex_search(text, twice))
+      if (std::regex_search(text, found, twice) && found[2] == "main")
         refuse_symbol(Refusal::compile_error, "defines_main", "main", output,
                       "Your file defines main(); leave it out, the checker calls your function itself.");
+      if (!linked_.empty() && std::regex_search(text, found, twice))
+        refuse_symbol(Refusal::compile_error, "defined_twice", found[2], output,
+                      fmt::format("Two of your files, which are linked here, define `{}` ({}); put helpers into "
+                                  "`namespace {{ }}`, and what both need into one of them.",
+                                  found[2].str(), fmt::join(linked_, ", ")));
       if (!std::regex_search(text, found, undefined)) continue;
       if (text.find(toolchain_.worker_object(task_.exercise).string()) != std::string::npos)
         refuse_symbol(
@@ -163,8 +195,8 @@ class CompilationInProgress {
                         "the contract, without inline, static or template.",
                         in_plain_words(found[1].str() + found[2].str()), defined_functions()));
       refuse_symbol(Refusal::compile_error, "undefined_function", found[1], output,
-                    fmt::format("Your file uses `{}`, which it does not define; each file is compiled alone, so write "
-                                "what you need into this one.",
+                    fmt::format("Your file uses `{}`, which it does not define, nor does an earlier exercise of yours; "
+                                "write what you need into this file.",
                                 found[1].str()));
     }
     refuse("Your file compiles, but cannot be linked into a program; see what the linker says.", output);
@@ -218,7 +250,19 @@ class CompilationInProgress {
   const Toolchain& toolchain_;
   const Compiler& compiler_;
   const SourceText source_;
+  std::vector<std::string> linked_;
 };
+
+/// @throws Compilation that says why there is none
+BuiltProgram build(const CompileTask& task, const Toolchain& toolchain, const Compiler& compiler) {
+  CompilationInProgress compilation(task, toolchain, compiler);
+  try {
+    return compilation.run();
+  } catch (Compilation& refused) {
+    refused.linked = compilation.linked();
+    throw;
+  }
+}
 
 }  // namespace
 
@@ -235,10 +279,11 @@ Compilation compile(const CompileTask& task, const Toolchain& toolchain, const f
     if (!built) {
       const Workspace workspace(cache.directory());
       const Compiler compiler(toolchain, limits, workspace.directory());
-      built = cache.keep(CompilationInProgress(task, toolchain, compiler).run(), key);
+      built = cache.keep(build(task, toolchain, compiler), key);
     }
     result.executable = built->executable;
     result.compiler_output = std::move(built->compiler_output);
+    result.linked = std::move(built->linked);
   } catch (const Compilation& refused) {
     result = refused;
   } catch (const std::runtime_error& error) {  // of the toolchain, the cache, the file system

@@ -29,7 +29,8 @@ struct Compilation {
   std::optional<std::filesystem::path> executable = {};
   bool from_cache = false;
   double seconds = 0.0;
-  std::string compiler_output = {};  ///< the warnings, for source_findings()
+  std::string compiler_output = {};      ///< the warnings, for source_findings()
+  std::vector<std::string> linked = {};  ///< own functions of earlier exercises that it calls, and that these call
 
   // Where there is no executable:
   Refusal refusal = Refusal::checker_error;
@@ -38,7 +39,8 @@ struct Compilation {
   std::vector<Finding> findings;  ///< the first error, with its line
 };
 
-/// Compiles the file alone and links it with the worker of its exercise. Never throws for anything that a student or a
+/// Compiles the file alone and links it with the worker of its exercise, and with the functions of its library that it
+/// calls. Never throws for anything that a student or a
 /// broken installation can cause.
 Compilation compile(const CompileTask& task, const Toolchain& toolchain, const std::filesystem::path& cache_directory,
                     const CompileLimits& limits = {});
@@ -50,6 +52,7 @@ Observation refused(const Compilation& compilation);
 struct BuiltProgram {
   std::filesystem::path executable;
   std::string compiler_output;
+  std::vector<std::string> linked = {};
 };
 
 /// A directory of entries, each a directory with an executable and all that it was made from. Entries appear and
@@ -96,9 +99,9 @@ class Compiler {
   Compiler(const Toolchain& toolchain, const CompileLimits& limits, std::filesystem::path workspace)
       : toolchain_(toolchain), limits_(limits), workspace_(std::move(workspace)) {}
 
-  /// Writes unit.cpp; `before` stands before its first line and is not counted.
+  /// Writes unit.cpp, or a file of another name; `before` stands before its first line and is not counted.
   /// @throws std::runtime_error if it cannot be written
-  void write(std::string_view source, const std::string& before = {}) const;
+  void write(std::string_view source, const std::string& before = {}, const std::string& name = unit_name) const;
 
   /// Arguments that compile with the flags of the workers, and some more.
   std::vector<std::string> arguments(const std::vector<std::string>& more) const;

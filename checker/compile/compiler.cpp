@@ -12,11 +12,11 @@
 namespace workbook {
 namespace fs = std::filesystem;
 
-void Compiler::write(std::string_view source, const std::string& before) const {
-  const fs::path file = workspace_ / unit_name;
+void Compiler::write(std::string_view source, const std::string& before, const std::string& name) const {
+  const fs::path file = workspace_ / name;
   std::ofstream stream(file, std::ios::binary);
   // Not without need: behind a #line GCC does not look at the indentation.
-  if (!before.empty()) stream << before << "#line 1 \"" << unit_name << "\"\n";
+  if (!before.empty()) stream << before << "#line 1 \"" << name << "\"\n";
   if (!before.empty() && source.starts_with(byte_order_mark)) source.remove_prefix(byte_order_mark.size());
   if (!(stream << source).flush())
     throw std::runtime_error(

@@ -46,7 +46,7 @@ std::filesystem::path compile_variants(const DiagnosticTask& task, std::vector<V
     limits.time = std::chrono::duration_cast<decltype(limits.time)>(deadline - Clock::now());
     if (limits.time <= decltype(limits.time)::zero()) break;
     const VariantUnit unit(task.submission.text, variants, task.reference);
-    const Submission all{"variants.cpp", "variants.cpp", unit.text()};
+    const Submission all{"variants.cpp", "variants.cpp", unit.text(), task.submission.library};
     const Compilation compilation =
         compile({.submission = all, .exercise = task.reference.name, .signature = task.reference.signature}, toolchain,
                 cache, limits);

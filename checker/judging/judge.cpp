@@ -23,6 +23,7 @@ constexpr std::pair<Verdict, const char*> verdict_names[] = {{Verdict::passed, "
                                                              {Verdict::non_finite_value, "non_finite_value"},
                                                              {Verdict::wrong_shape, "wrong_shape"},
                                                              {Verdict::not_started, "not_started"},
+                                                             {Verdict::waiting, "waiting"},
                                                              {Verdict::compile_error, "compile_error"},
                                                              {Verdict::missing_function, "missing_function"},
                                                              {Verdict::uncaught_exception, "uncaught_exception"},

@@ -20,6 +20,7 @@ enum class Verdict {
   non_finite_value,
   wrong_shape,
   not_started,
+  waiting,  ///< fails, and so does an own function of an earlier exercise that it calls
   compile_error,
   missing_function,
   uncaught_exception,
@@ -49,6 +50,7 @@ struct Judgement {
   std::string next_step;             ///< what to do about it
   std::vector<std::size_t> failing;  ///< the cases that did not pass, in their order
   std::size_t cases_total = 0;
+  std::vector<std::string> waiting_for = {};  ///< own functions that it calls and that fail themselves
 
   bool passed() const { return verdict == Verdict::passed; }
   std::size_t cases_passed() const { return cases_total - failing.size(); }

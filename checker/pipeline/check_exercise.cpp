@@ -7,14 +7,43 @@
 #include "checker/explain/repair.hpp"
 #include "checker/sandbox/diagnostic_run.hpp"
 #include "checker/sandbox/worker_process.hpp"
+#include "checker/source/source_text.hpp"
 
 #include <algorithm>
 #include <functional>
 #include <numeric>
+#include <set>
 
 namespace workbook {
 
 namespace {
+
+/// An exercise's own file; where the checked file lies elsewhere, the one beside it, if there is one.
+std::filesystem::path own_file(const Course& course, const CheckTask& task, const Exercise& exercise) {
+  const std::filesystem::path beside = task.file.parent_path() / (exercise.name() + ".cpp");
+  return task.is_elsewhere && std::filesystem::exists(beside) ? beside : course.student_file(exercise);
+}
+
+/// The checked file with those of earlier exercises whose functions it may call, directly or through another one.
+Submission read_with_library(const Course& course, const CheckTask& task) {
+  Submission submission = read_submission(task.file);
+  std::set<std::string, std::less<>> words;
+  const auto add_words = [&](const std::string& text) {
+    const SourceText source(text);
+    for (const Token& token : source.tokens()) words.emplace(token.text);
+  };
+  add_words(submission.text);
+  std::vector<Exercise> earlier = course.exercises();
+  earlier.erase(std::ranges::find(earlier, task.exercise.name(), &Exercise::name), earlier.end());
+  // From the last to the first: each may name those before it.
+  for (auto exercise = earlier.rbegin(); exercise != earlier.rend(); ++exercise) {
+    const std::filesystem::path file = own_file(course, task, *exercise);
+    if (!words.contains(exercise->name()) || !std::filesystem::exists(file)) continue;
+    submission.library.push_back(read_submission(file));
+    add_words(submission.library.back().text);
+  }
+  return submission;
+}
 
 /// What the function returns when the same inputs are given in smaller units.
 std::vector<UnitProbe> take_probes(ExerciseRunner& runner, const ExerciseReference& reference) {
@@ -159,40 +188,103 @@ CheckResult failed_check(const CheckTask& task, const std::string& reason) {
   return checked;
 }
 
+namespace {
+
+std::filesystem::path compiled_directory(const Course& course) { return course.scratch() / "compiled"; }
+
+CheckResult missing_file(const CheckTask& task, const ExerciseReference& reference) {
+  CheckResult checked;
+  checked.task = task;
+  checked.reference = &reference;
+  checked.observation.replies.assign(reference.cases.size(), Reply{.ending = Ending::not_started});
+  checked.judgement = judge(reference, checked.observation);
+  checked.judgement.message = "You have not started this exercise: its file is missing.";
+  checked.judgement.next_step =
+      fmt::format("The file {} is missing: `{}` writes it.", shown_path(task.file), command("reset " + checked.name()));
+  return checked;
+}
+
+/// A file up to its judgement, with what explaining it needs.
+struct Judged {
+  CheckResult checked;
+  Submission submission;
+  Compilation compilation;
+  std::optional<ExerciseRunner> runner;  ///< where it could be compiled
+};
+
+/// read → compile → run → judge. @throws RejectedFile, std::runtime_error
+Judged judge_file(const Course& course, const Toolchain& toolchain, const CheckTask& task,
+                  const ExerciseReference& reference) {
+  Judged judged;
+  CheckResult& checked = judged.checked;
+  checked.task = task;
+  checked.reference = &reference;
+  judged.submission = read_with_library(course, task);
+  checked.source = judged.submission.text;
+  judged.compilation =
+      compile({.submission = judged.submission, .exercise = reference.name, .signature = reference.signature},
+              toolchain, compiled_directory(course));
+  if (judged.compilation.executable) {
+    checked.executable = *judged.compilation.executable;
+    judged.runner.emplace(checked.executable);
+    checked.observation = judged.runner->observe(reference.cases, plan_repeats(reference));
+    checked.observation.compile_seconds = judged.compilation.seconds;
+  } else {
+    checked.observation = refused(judged.compilation);
+  }
+  checked.judgement = judge(reference, checked.observation);
+  return judged;
+}
+
+/// A failure may be that of an own function that is linked: if one of these does not pass itself, the exercise waits
+/// for it.
+void wait_for_own_functions(const Course& course, const Toolchain& toolchain, const CheckTask& task,
+                            const std::vector<std::string>& linked, Judgement& judgement) {
+  std::vector<std::string> reasons, commands;
+  for (const std::string& name : linked) {
+    const Exercise exercise = course.find_exercise(name);
+    const CheckTask own = check_task(course, exercise, task.seed, own_file(course, task, exercise));
+    const LectureReference results = course.reference(exercise.lecture(), task.seed, name);
+    const Judgement of_own = judge_file(course, toolchain, own, results.exercise(name)).checked.judgement;
+    if (of_own.passed()) continue;
+    judgement.waiting_for.push_back(name);
+    reasons.push_back(fmt::format("{} ({})", name, in_words(to_string(of_own.verdict))));
+    const std::string file = own.is_elsewhere ? " --file " + shell_quoted(own.file.string()) : "";
+    commands.push_back(fmt::format("`{}`", command("check " + name + file)));
+  }
+  if (reasons.empty()) return;
+  judgement.verdict = Verdict::waiting;
+  judgement.message = fmt::format("Your function calls {} of yours; with {} right it can be judged.",
+                                  fmt::join(reasons, " and "), reasons.size() == 1 ? "that one" : "those");
+  judgement.next_step = fmt::format("First {}.", fmt::join(commands, ", "));
+}
+
+}  // namespace
+
 CheckResult check_exercise(const Course& course, const Toolchain& toolchain, const CheckTask& task,
                            const ExerciseReference& reference,
                            const std::function<void(const CheckResult&)>& on_verdict) {
   try {
-    CheckResult checked;
-    checked.task = task;
-    checked.reference = &reference;
-    const std::filesystem::path cache = course.scratch() / "compiled";
-    if (!task.is_elsewhere && !std::filesystem::exists(task.file)) {
-      checked.observation.replies.assign(reference.cases.size(), Reply{.ending = Ending::not_started});
-      checked.judgement = judge(reference, checked.observation);
-      checked.judgement.message = "You have not started this exercise: its file is missing.";
-      checked.judgement.next_step = fmt::format("The file {} is missing: `{}` writes it.", shown_path(task.file),
-                                                command("reset " + checked.name()));
-      return checked;
+    if (!task.is_elsewhere && !std::filesystem::exists(task.file)) return missing_file(task, reference);
+    Judged judged = judge_file(course, toolchain, task, reference);
+    CheckResult& checked = judged.checked;
+    if (!checked.judgement.passed() && !judged.compilation.linked.empty()) {
+      wait_for_own_functions(course, toolchain, task, judged.compilation.linked, checked.judgement);
+      if (checked.judgement.verdict == Verdict::waiting) {
+        checked.observation.replies.clear();  // values that say nothing of this file
+        checked.executable.clear();
+        return checked;
+      }
     }
-    const Submission submission = read_submission(task.file);
-    checked.source = submission.text;
-    const CompileTask compile_task{
-        .submission = submission, .exercise = reference.name, .signature = reference.signature};
-    const Compilation compilation = compile(compile_task, toolchain, cache);
-    if (!compilation.executable) {
-      checked.observation = refused(compilation);
-      checked.judgement = judge(reference, checked.observation);
+    if (!judged.runner) {
       checked.explanation.findings = checked.observation.findings;
       return checked;
     }
-    checked.executable = *compilation.executable;
-    ExerciseRunner runner(checked.executable);
-    checked.observation = runner.observe(reference.cases, plan_repeats(reference));
-    checked.observation.compile_seconds = compilation.seconds;
-    checked.judgement = judge(reference, checked.observation);
     if (on_verdict && !checked.judgement.passed()) on_verdict(checked);
-    checked.explanation = explain(checked, compile_task, compilation, toolchain, cache, runner);
+    const CompileTask compile_task{
+        .submission = judged.submission, .exercise = reference.name, .signature = reference.signature};
+    checked.explanation =
+        explain(checked, compile_task, judged.compilation, toolchain, compiled_directory(course), *judged.runner);
     return checked;
   } catch (const RejectedFile& reason) {
     CheckResult checked = failed_check(task, reason.what());

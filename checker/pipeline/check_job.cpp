@@ -11,7 +11,7 @@ namespace workbook {
 using nlohmann::json;
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Finding, line, excerpt, sentence, name, column)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Judgement, verdict, message, next_step, failing, cases_total)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Judgement, verdict, message, next_step, failing, cases_total, waiting_for)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Explanation, findings, diagnoses)
 
 /// Between processes numbers travel bit by bit: NaN and infinity as well.

@@ -37,7 +37,7 @@ std::ptrdiff_t reordered_line(std::string_view text) {
 
 Submission read_submission(const std::filesystem::path& path) {
   // Not resolved: a link is told by its own name.
-  Submission submission{path, printable(path.lexically_proximate(std::filesystem::current_path()).string()), {}};
+  Submission submission{path, printable(path.lexically_proximate(std::filesystem::current_path()).string()), {}, {}};
   std::ranges::replace_if(
       submission.shown_name, [](char letter) { return letter == '\n' || letter == '\t'; }, '?');
   const auto reject_if = [&](const std::string& reason) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace workbook {
 
@@ -20,6 +21,9 @@ struct Submission {
   std::filesystem::path path;
   std::string shown_name;  ///< as seen from the current folder; safe to print, on one line
   std::string text;
+  /// Own functions of earlier exercises that the text names, each called as its file: those that it calls are linked to
+  /// it.
+  std::vector<Submission> library = {};
 };
 
 /// Reads a regular file of at most largest_source bytes. Never waits, whatever it is; follows no symbolic link, for a

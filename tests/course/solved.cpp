@@ -77,3 +77,48 @@ TEST_CASE("the whole course is solved, one exercise after another, through the c
   CHECK(all.status == 0);
   CHECK(all.out.find(fmt::format("{} of {} passed.", solved.size(), solved.size())) != std::string::npos);
 }
+
+TEST_CASE("lectures 07 and 08 are solved with functions that are written once, and one that breaks is named") {
+  const FreshCourse course;
+  const auto file = [&](const std::string& lecture, const std::string& name) {
+    return course.root() / "lectures" / lecture / "exercises" / (name + ".cpp");
+  };
+  for (const char* lecture : {"07_euler_angles", "08_kinetic_energy"})
+    for (const auto& solution : fs::directory_iterator(fs::path(WORKBOOK_ROOT) / "solutions" / lecture))
+      if (const fs::path own = file(lecture, solution.path().stem().string());
+          solution.path().extension() == ".cpp" && fs::exists(own))
+        fs::copy_file(solution.path(), own, fs::copy_options::overwrite_existing);
+  const auto answer = [&](const std::string& lecture, const std::string& header, const std::string& function,
+                          const std::string& body) {
+    const std::string name = function.substr(0, function.find('(')).substr(function.find(' ') + 1);
+    write(file(lecture, name), fmt::format("#include <rigid/{}.hpp>\n\nnamespace rigid {{\n\n{} {{\n  {}\n}}\n\n}}\n",
+                                           header, function, body));
+  };
+  answer("07_euler_angles", "euler_angles",
+         "Vector3d inertial_components(const Vector3d& V_body, const Vector3d& angles)",
+         "return rotation_matrix(angles).transpose() * V_body;");
+  answer("07_euler_angles", "euler_angles", "Vector3d vertical_in_body(double theta, double psi)",
+         "return rotation_matrix({0, theta, psi}).col(2);");
+  answer("07_euler_angles", "euler_angles",
+         "Vector3d angular_velocity_inertial(const Vector3d& angles, const Vector3d& rates)",
+         "return inertial_components(angular_velocity_body(angles, rates), angles);");
+  answer("08_kinetic_energy", "kinetic_energy",
+         "double kinetic_energy_euler(const Vector3d& I, const Vector3d& angles, const Vector3d& rates)",
+         "return 0.5 * I.dot(angular_velocity_body(angles, rates).cwiseAbs2());");
+  const Outcome solved = course.run("check 07 08");
+  CHECK_MESSAGE(solved.status == 0, solved.out);
+
+  replace_in(file("07_euler_angles", "rotation_matrix"), "return about_z", "return -about_z");
+  const auto verdict_of = [&](const std::string& name) {
+    const auto document = nlohmann::json::parse(course.run("check --json " + name).out);
+    return document.at("results").at(0);
+  };
+  CHECK(verdict_of("rotation_matrix").at("verdict") == "wrong_value");
+  for (const char* name : {"inertial_components", "vertical_in_body"}) {
+    const auto result = verdict_of(name);
+    CHECK(result.at("verdict") == "waiting");
+    CHECK(result.at("waiting_for") == nlohmann::json{"rotation_matrix"});
+  }
+  CHECK(verdict_of("angular_velocity_inertial").at("waiting_for").size() == 2);
+  CHECK(verdict_of("kinetic_energy_euler").at("verdict") == "passed");
+}
