@@ -232,6 +232,9 @@ class CommandLine {
     option("--file", "FILE", options_.file, "check this file instead of the exercise's own");
     option("--seed", "NUMBER", seed_, "draw other random cases");
     option("--case", "CASE", options_.case_name, "show this case in full, by number or name, even if it passes");
+    option("FILE", "", options_.file, "a program with main(), in C++");
+    option("--case debug", "CASE", options_.case_name, "stop at this case, by number or name");
+    option("--build-only", "", options_.build_only, "only build the program, for an editor's debugger");
     option("--started", "", options_.started, "leave out what is not started");
     option("--full", "", options_.full, "show everything: all failing cases, long lists, all compiler messages");
     option("--json", "", options_.json, "print one JSON document and nothing else");
@@ -306,6 +309,15 @@ class CommandLine {
         "Run the worked examples of a lecture on your own functions\n\nShows which of them hold, which need a function "
         "that is not started, and for the others the check that failed, with both numbers.",
         {"examples 03"}, {"LECTURE"}, examples);
+    add("try", students,
+        "Run a program of your own that calls your functions\n\nWithout a file it is lectures/try.cpp, which the first "
+        "time is written for you. Only the functions that it names are compiled with it.",
+        {"try", "try drafts/spin.cpp"}, {"FILE"}, try_out);
+    add("debug", students,
+        "Step through your function with gdb\n\nStops where your function begins, at the first case that fails, or at "
+        "the given one. Vectors and matrices are shown as numbers: `info args`, `next`, `print I * omega`.",
+        {"debug euler_equations", "debug euler_equations --case 4"}, {"EXERCISE", "--case debug", "--build-only"},
+        debug);
     add("doctor", students, "Check what is installed and writable on this machine", {}, {}, doctor);
     add("completion", students, "Print a script that lets bash complete commands, options and names", {}, {},
         [this](const Course& course, const Options&) {

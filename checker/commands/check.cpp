@@ -53,25 +53,6 @@ void draw_unasked(const Course& course, const CheckResult& checked, const Consol
   fmt::print("  Plot   {}\n", command("plot " + checked.name()));
 }
 
-/// The case of that number, counted from 1, or name. @throws UnknownName
-std::size_t find_case(const ExerciseReference& exercise, const std::string& asked) {
-  const std::vector<Case>& cases = exercise.cases;
-  std::size_t number = 0;
-  const auto [end, problem] = std::from_chars(asked.data(), asked.data() + asked.size(), number);
-  if (problem == std::errc() && end == asked.data() + asked.size() && number >= 1 && number <= cases.size())
-    return number - 1;
-  std::vector<std::string> known;
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    if (cases[i].name == asked) return i;
-    if (i < exercise.described_cases()) known.push_back(cases[i].name);
-  }
-  const std::string proposal = did_you_mean(asked, known);
-  throw UnknownName(fmt::format("{} has no case '{}'. {}", exercise.name, printable(asked),
-                                proposal.empty() ? fmt::format("Its cases have the numbers 1 to {}; the first are: {}.",
-                                                               cases.size(), fmt::join(known, "; "))
-                                                 : fmt::format("Did you mean '{}'?", proposal)));
-}
-
 int exit_status(const std::vector<CheckResult>& results) {
   if (!std::ranges::all_of(results, &CheckResult::is_judged)) return checker_failed;
   const auto passed = [](const CheckResult& checked) { return checked.judgement.passed(); };
@@ -128,6 +109,24 @@ void add_picture(const Course& course, ReportedExercise& reported) {
 }
 
 }  // namespace
+
+std::size_t find_case(const ExerciseReference& exercise, const std::string& asked) {
+  const std::vector<Case>& cases = exercise.cases;
+  std::size_t number = 0;
+  const auto [end, problem] = std::from_chars(asked.data(), asked.data() + asked.size(), number);
+  if (problem == std::errc() && end == asked.data() + asked.size() && number >= 1 && number <= cases.size())
+    return number - 1;
+  std::vector<std::string> known;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (cases[i].name == asked) return i;
+    if (i < exercise.described_cases()) known.push_back(cases[i].name);
+  }
+  const std::string proposal = did_you_mean(asked, known);
+  throw UnknownName(fmt::format("{} has no case '{}'. {}", exercise.name, printable(asked),
+                                proposal.empty() ? fmt::format("Its cases have the numbers 1 to {}; the first are: {}.",
+                                                               cases.size(), fmt::join(known, "; "))
+                                                 : fmt::format("Did you mean '{}'?", proposal)));
+}
 
 void require_pictures(const fs::path& directory) {
   if (program_on_path("gnuplot").empty()) throw std::runtime_error(gnuplot_is_missing);

@@ -24,8 +24,9 @@ struct Options {
   bool full = false;                     ///< with all that the compiler says
   bool json = false;
   bool plot = false;
-  bool all = false;  ///< all hints, or all plots and figures
-  bool now = false;  ///< the solution of an exercise that does not pass yet
+  bool all = false;         ///< all hints, or all plots and figures
+  bool build_only = false;  ///< the program for a debugger, without the debugger
+  bool now = false;         ///< the solution of an exercise that does not pass yet
   PictureKind picture = PictureKind::automatic;
   std::optional<std::filesystem::path> out;  ///< folder for pictures
   double seconds_per_figure = 60.0;
@@ -56,6 +57,16 @@ int figures(const Course& course, const Options& options);
 
 /// The worked examples of a lecture on the student's own functions: which of them hold.
 int examples(const Course& course, const Options& options);
+
+/// Builds a program of the student's with the own functions that it calls, and becomes it; without a file the first
+/// time writes one.
+int try_out(const Course& course, const Options& options);
+
+/// Starts gdb at the first failing case of an exercise, or a given one.
+int debug(const Course& course, const Options& options);
+
+/// The case of that number, counted from 1, or name. @throws UnknownName
+std::size_t find_case(const ExerciseReference& exercise, const std::string& asked);
 
 /// One page with everything that the checker has to say to one student.
 int report(const Course& course, const Options& options);

@@ -20,11 +20,16 @@ namespace fs = std::filesystem;
 namespace {
 
 /// What students get, relative to the top level. What is not named here stays at home: the solutions first of all.
-constexpr std::array handed_out = {
-    ".clang-format",        ".clangd",   ".devcontainer", ".github",       ".gitignore",  "CMakeLists.txt",
-    "CMakePresets.json",    "LICENSE",   "README.md",     "checker",       "include",     "lectures",
-    "tests/CMakeLists.txt", "tests/run", "tests/judging", "tests/running", "tests/setup", "tests/support",
-    "tests/support"};
+constexpr std::array handed_out = {".clang-format",  ".clangd",
+                                   ".devcontainer",  ".github",
+                                   ".gitignore",     ".vscode",
+                                   "CMakeLists.txt", "CMakePresets.json",
+                                   "LICENSE",        "README.md",
+                                   "checker",        "include",
+                                   "lectures",       "tests/CMakeLists.txt",
+                                   "tests/run",      "tests/judging",
+                                   "tests/running",  "tests/setup",
+                                   "tests/support"};
 
 bool is_left_behind(const fs::path& file) {
   const std::string name = file.filename().string();

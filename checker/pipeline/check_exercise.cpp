@@ -24,24 +24,12 @@ std::filesystem::path own_file(const Course& course, const CheckTask& task, cons
   return task.is_elsewhere && std::filesystem::exists(beside) ? beside : course.student_file(exercise);
 }
 
-/// The checked file with those of earlier exercises whose functions it may call, directly or through another one.
 Submission read_with_library(const Course& course, const CheckTask& task) {
   Submission submission = read_submission(task.file);
-  std::set<std::string, std::less<>> words;
-  const auto add_words = [&](const std::string& text) {
-    const SourceText source(text);
-    for (const Token& token : source.tokens()) words.emplace(token.text);
-  };
-  add_words(submission.text);
   std::vector<Exercise> earlier = course.exercises();
   earlier.erase(std::ranges::find(earlier, task.exercise.name(), &Exercise::name), earlier.end());
-  // From the last to the first: each may name those before it.
-  for (auto exercise = earlier.rbegin(); exercise != earlier.rend(); ++exercise) {
-    const std::filesystem::path file = own_file(course, task, *exercise);
-    if (!words.contains(exercise->name()) || !std::filesystem::exists(file)) continue;
-    submission.library.push_back(read_submission(file));
-    add_words(submission.library.back().text);
-  }
+  submission.library = own_functions(submission.text, earlier,
+                                     [&](const Exercise& exercise) { return own_file(course, task, exercise); });
   return submission;
 }
 
@@ -170,6 +158,25 @@ Explanation explain(const CheckResult& checked, const CompileTask& compile_task,
 std::string CheckResult::next_step() const {
   const bool is_explained = has_values(judgement.verdict) && !explanation.is_empty();
   return is_explained ? "Fix what the reason names, and check again." : judgement.next_step;
+}
+
+std::vector<Submission> own_functions(const std::string& text, const std::vector<Exercise>& exercises,
+                                      const std::function<std::filesystem::path(const Exercise&)>& file_of) {
+  std::set<std::string, std::less<>> words;
+  const auto add_words = [&](const std::string& of) {
+    const SourceText source(of);
+    for (const Token& token : source.tokens()) words.emplace(token.text);
+  };
+  add_words(text);
+  std::vector<Submission> files;
+  // From the last to the first: each may name those before it.
+  for (auto exercise = exercises.rbegin(); exercise != exercises.rend(); ++exercise) {
+    const std::filesystem::path file = file_of(*exercise);
+    if (!words.contains(exercise->name()) || !std::filesystem::exists(file)) continue;
+    files.push_back(read_submission(file));
+    add_words(files.back().text);
+  }
+  return files;
 }
 
 CheckTask check_task(const Course& course, const Exercise& exercise, std::optional<std::uint64_t> seed,

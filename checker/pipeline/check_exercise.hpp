@@ -8,6 +8,7 @@
 #include "checker/data/observation.hpp"
 #include "checker/judging/diagnosis.hpp"
 #include "checker/judging/judge.hpp"
+#include "checker/source/submission.hpp"
 
 #include <functional>
 #include <map>
@@ -52,6 +53,11 @@ struct CheckResult {
   /// What to do: the explanation's own advice where there is one.
   std::string next_step() const;
 };
+
+/// The files of the exercises that a text names, and of those that these name: what it may call is among them.
+/// @throws RejectedFile
+std::vector<Submission> own_functions(const std::string& text, const std::vector<Exercise>& exercises,
+                                      const std::function<std::filesystem::path(const Exercise&)>& file_of);
 
 /// The exercise's own file with the seed of the course, or the given ones.
 CheckTask check_task(const Course& course, const Exercise& exercise, std::optional<std::uint64_t> seed = {},

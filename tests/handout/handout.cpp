@@ -95,7 +95,7 @@ TEST_CASE("the copy has everything but the solutions, and both commands") {
   CHECK(!fs::exists(copy() / ".git"));
   CHECK(!fs::exists(copy() / "build"));
   for (const char* part : {"README.md", "LICENSE", "CMakeLists.txt", "CMakePresets.json", "include/rigid", "lectures",
-                           ".devcontainer/devcontainer.json", ".github/workflows/check.yml", ".clangd", ".gitignore"})
+                           ".devcontainer/devcontainer.json", ".github/workflows/check.yml", ".clangd", ".gitignore", ".vscode/tasks.json"})
     CHECK_MESSAGE(fs::exists(copy() / part), part);
   for (const char* command : {"checker/run", "tests/run"})
     CHECK_MESSAGE(access((copy() / command).c_str(), X_OK) == 0, command);

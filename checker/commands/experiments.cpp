@@ -1,0 +1,213 @@
+// The commands try and debug: programs that call the student's own functions, started as the student would.
+#include "checker/base/console.hpp"
+#include "checker/base/files.hpp"
+#include "checker/base/text.hpp"
+#include "checker/commands/commands.hpp"
+#include "checker/judging/value_text.hpp"
+#include "checker/pipeline/check_exercise.hpp"
+#include "checker/report/reports.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace workbook {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* first_experiment =
+    R"(// An experiment of your own: any program that calls your functions. `checker try` builds and runs it.
+#include <rigid/inertia_tensor.hpp>
+
+#include <iostream>
+
+using namespace rigid;
+
+int main() {
+  // The four masses of lecture 03 in kg, and their places in m: a column for each.
+  const VectorXd m{{1, 2, 3, 4}};
+  const Matrix3Xd r{{1, 0, 0, 1}, {0, 2, 0, 1}, {0, 0, 3, 1}};
+  const Matrix3d I = inertia_of_points(m, r);
+  std::cout << "The inertia tensor about the origin, in kg m²:\n" << I << "\n";
+}
+)";
+
+/// What the prelude and a function that is not started need, where there is no worker around them.
+constexpr const char* support = R"(#include <cstdio>
+#include <exception>
+#include <unistd.h>
+
+void workbook::throw_eigen_error(const char* condition) { throw EigenError(condition); }
+
+static const auto previous = std::set_terminate([] {
+  std::fflush(stdout);
+  try {
+    std::rethrow_exception(std::current_exception());
+  } catch (const rigid::NotStarted& missing) {
+    std::fprintf(stderr, "%s is not started: write it first.\n", missing.function);
+  } catch (const workbook::EigenError& error) {
+    std::fprintf(stderr, "Eigen stopped the calculation; this should have held: %s\n", error.what());
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "An exception ended the program: %s\n", error.what());
+  } catch (...) {
+    std::fprintf(stderr, "An exception ended the program.\n");
+  }
+  _exit(1);
+});
+)";
+
+/// Compiles a program with the student's files that it may call. Where it does not compile, prints what the compiler
+/// says and returns false. @throws std::runtime_error
+bool build_program(const Course& course, const fs::path& source, const std::vector<Submission>& files,
+                   const std::vector<std::string>& options, const fs::path& program) {
+  const Toolchain toolchain = read_toolchain(course.toolchain_file());
+  make({toolchain.setup, toolchain.build}, {toolchain.target});
+  const fs::path around = program.parent_path() / "support.cpp";
+  if (const std::string problem = write_file(around, support); !problem.empty())
+    throw std::runtime_error(fmt::format("{} cannot be written ({}).", shown_path(around), problem));
+  std::vector<std::string> arguments = toolchain.flags;
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  arguments.insert(arguments.end(), {"-Wall", "-fmax-errors=20", "-include", toolchain.prelude.string(),
+                                     source.string(), around.string()});
+  for (const Submission& file : files) arguments.push_back(file.path.string());
+  arguments.insert(arguments.end(), {"-o", program.string()});
+  const FinishedProgram compiled =
+      run_with_path(toolchain.compiler.string(), arguments, std::chrono::duration<double>(120));
+  fmt::print(stderr, "{}", printable(compiled.output));
+  if (!compiled.succeeded())
+    fmt::print(stderr, "The program does not compile{}.\n", compiled.out_of_time ? " within two minutes" : "");
+  return compiled.succeeded();
+}
+
+/// Goes on as another program, on this terminal. @throws std::runtime_error if it cannot be started
+[[noreturn]] void become(const std::string& program, const std::vector<std::string>& arguments) {
+  std::fflush(stdout);
+  std::vector<std::string> all = {program};
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  for (std::string& one : all) pointers.push_back(one.data());
+  pointers.push_back(nullptr);
+  ::execv(program.c_str(), pointers.data());
+  throw std::runtime_error(fmt::format("{} cannot be started ({}).", program, std::strerror(errno)));
+}
+
+/// A folder of this command, new and empty. @throws std::runtime_error
+fs::path folder_of(const Course& course, const char* command) {
+  const fs::path folder = course.scratch() / command;
+  std::error_code problem;
+  fs::remove_all(folder, problem);
+  if (!problem) fs::create_directories(folder, problem);
+  if (problem)
+    throw std::runtime_error(fmt::format("{} cannot be written ({}).", shown_path(folder), problem.message()));
+  return folder;
+}
+
+/// A value as a variable of the type that the contract gives it.
+std::string declaration(const std::string& name, const Value& value, Kind kind) {
+  const auto number = [&](int row, int col) { return number_text(value.at(row, col), all_digits); };
+  const auto list = [&](int rows, const auto& element) {
+    std::vector<std::string> elements;
+    for (int row = 0; row < rows; ++row) elements.push_back(element(row));
+    return fmt::format("{{{}}}", fmt::join(elements, ", "));
+  };
+  const auto block = [&](int first_col, int cols) {
+    return list(value.rows, [&](int row) { return list(cols, [&](int col) { return number(row, first_col + col); }); });
+  };
+  switch (kind) {
+    case Kind::number:
+      return fmt::format("const double {} = {};", name, number(0, 0));
+    case Kind::integer:
+      return fmt::format("const int {} = {};", name, number(0, 0));
+    case Kind::vector2:
+    case Kind::vector3:
+      return fmt::format("const Vector{}d {}{};", value.rows, name,
+                         list(value.rows, [&](int row) { return number(row, 0); }));
+    case Kind::vector:
+      if (value.rows == 0) return fmt::format("const VectorXd {}(0);", name);
+      return fmt::format("const VectorXd {}{{{}}};", name, list(value.rows, [&](int row) { return number(row, 0); }));
+    case Kind::matrix3:
+      return fmt::format("const Matrix3d {}{};", name, block(0, 3));
+    case Kind::points:
+      if (value.cols == 0) return fmt::format("const Matrix3Xd {}(3, 0);", name);
+      return fmt::format("const Matrix3Xd {}{};", name, block(0, value.cols));
+    case Kind::matrices:
+      break;
+  }
+  return fmt::format("const std::vector<Matrix3d> {}{};", name,
+                     list(value.cols / 3, [&](int k) { return "Matrix3d" + block(3 * k, 3); }));
+}
+
+/// A program that calls the function once, at one case.
+std::string program_of_case(const ExerciseReference& exercise, std::size_t index) {
+  const Case& one = exercise.cases[index];
+  std::string text = fmt::format("// Case {} of {}: {}\nusing namespace rigid;\n\nint main() {{\n", index + 1,
+                                 exercise.name, one.name);
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < exercise.arguments.size(); ++k) {
+    const Argument& argument = exercise.arguments[k];
+    text += "  " + declaration(argument.name, one.inputs[k], argument.kind) + "\n";
+    names.push_back(argument.name);
+  }
+  return text + fmt::format("  const auto result = rigid::{}({});\n  (void)result;\n}}\n", exercise.name,
+                            fmt::join(names, ", "));
+}
+
+}  // namespace
+
+int try_out(const Course& course, const Options& options) {
+  const fs::path file = fs::absolute(options.file.value_or(course.lectures() / "try.cpp"));
+  if (!options.file && !fs::exists(file)) {
+    if (const std::string problem = write_file(file, first_experiment); !problem.empty())
+      throw std::runtime_error(fmt::format("{} cannot be written ({}).", shown_path(file), problem));
+    fmt::print("A first experiment is in {}: change it as you like.\n\n", shown_path(file));
+  }
+  const Submission experiment = read_submission(file);
+  const fs::path program = folder_of(course, "try") / "program";
+  const auto files = own_functions(experiment.text, course.exercises(),
+                                   [&](const Exercise& exercise) { return course.student_file(exercise); });
+  if (!build_program(course, file, files, {}, program)) return something_failed;
+  become(program.string(), {});
+}
+
+int debug(const Course& course, const Options& options) {
+  const std::string gdb = program_on_path("gdb");
+  if (gdb.empty() && !options.build_only)
+    throw std::runtime_error("Debugging needs gdb, which is missing here (on Debian: apt-get install gdb).");
+  const Exercise exercise = course.find_exercise(options.name);
+  CheckContext context(course);
+  const CheckTask task = check_task(course, exercise, options.seed);
+  const ExerciseReference& reference = context.reference(task);
+  std::size_t index = 0;
+  if (options.case_name) {
+    index = find_case(reference, *options.case_name);
+  } else {
+    const CheckResult checked = check_exercise(course, context.toolchain(), task, reference);
+    if (checked.executable.empty() || !checked.is_started()) {
+      fmt::print("{}", terminal_report(checked, course, Console::of_standard_output(), {}));
+      return something_failed;
+    }
+    if (!checked.judgement.failing.empty()) index = checked.judgement.failing.front();
+  }
+
+  const fs::path folder = folder_of(course, "debug");
+  const fs::path source = folder / "case.cpp";
+  if (const std::string problem = write_file(source, program_of_case(reference, index)); !problem.empty())
+    throw std::runtime_error(fmt::format("{} cannot be written ({}).", shown_path(source), problem));
+  const Submission submission = read_submission(task.file);
+  std::vector<Submission> files =
+      own_functions(submission.text, course.exercises(), [&](const Exercise& one) { return course.student_file(one); });
+  std::erase_if(files, [&](const Submission& file) { return file.path == submission.path; });
+  files.push_back(submission);
+  const fs::path program = folder / "program";
+  if (!build_program(course, source, files, {"-O0", "-g", "-w"}, program)) return something_failed;
+  fmt::print("Case {} “{}” of {} is in {}.\n", index + 1, reference.cases[index].name, exercise.name(),
+             shown_path(source));
+  if (options.build_only) return all_passed;
+  become(gdb, {"-q", "-x", (context.toolchain().main_include / "checker/commands/eigen.gdb.py").string(), "-ex",
+               "break rigid::" + exercise.name(), "-ex", "run", program.string()});
+}
+
+}  // namespace workbook

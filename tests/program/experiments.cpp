@@ -1,0 +1,68 @@
+// Programs of the student's own, and the debugger: what they say where something is missing, and what they show.
+#include "tests/program/program.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace workbook::testing;
+
+TEST_CASE("an experiment calls the student's functions, and names one that is not started") {
+  const CourseCopy course;
+  write(course.root() / "a try.cpp",
+        "#include <rigid/springs.hpp>\nint main() { std::cout << rigid::spring_energy(2, {1, 2, 2}) << '\\n'; return "
+        "7; }\n");
+  const Outcome without = course.run("try 'a try.cpp'");
+  CHECK(without.status == 1);
+  CHECK_MESSAGE(has(without.err, "spring_energy is not started"), without.err);
+  course.solve("spring_energy");
+  const Outcome with = course.run("try 'a try.cpp'");
+  CHECK(with.status == 7);  // the program's own
+  CHECK(with.out == "9\n");
+  course.answer_energy("return x[5];");
+  CHECK(has(course.run("try 'a try.cpp'").err, "Eigen stopped the calculation"));
+}
+
+TEST_CASE("an experiment that does not compile, or is not there, is told with its place") {
+  const CourseCopy course;
+  write(course.root() / "odd.cpp", "int main() {\n  return y;\n}\n");
+  const Outcome odd = course.run("try odd.cpp");
+  CHECK(odd.status == 1);
+  CHECK_MESSAGE(has(odd.err, "odd.cpp:2:10: error"), odd.err);
+  CHECK(course.run("try nowhere.cpp").status == 3);
+}
+
+TEST_CASE("the first experiment is written once, and not over one that is there") {
+  const CourseCopy course;
+  const auto file = course.root() / "lectures/try.cpp";
+  course.run("try");
+  CHECK(has(read(file), "int main()"));
+  write(file, "int main() { return 4; }\n");
+  CHECK(course.run("try").status == 4);
+}
+
+TEST_CASE("gdb stops in the function at the first failing case, and shows vectors as numbers") {
+  const CourseCopy course;
+  course.answer_energy("const Vector3d twice = 2 * x;\nreturn k * twice.norm();");
+  write(course.root() / "typed", "info args\nnext\ninfo locals\nkill\nquit\n");
+  const std::string typing = R"(sh -c 'cat typed | "$0" "$@"')";
+  const Outcome session = course.run("debug spring_energy", typing);
+  CHECK_MESSAGE(has(session.out, "x = (0, 1, 0)"), session.said());
+  CHECK(has(session.out, "twice = (0, 2, 0)"));
+  const Outcome other = course.run("debug spring_energy --case 2", typing);
+  CHECK(has(other.out, "Case 2 "));
+  CHECK(course.run("debug spring_energy --case 99999").status == 2);
+}
+
+TEST_CASE("nothing is debugged that is not started or does not compile, or without gdb") {
+  const CourseCopy course;
+  const Outcome untouched = course.run("debug spring_energy");
+  CHECK(untouched.status == 1);
+  CHECK(has(untouched.out, "not started"));
+  course.answer_energy("return k");
+  const Outcome broken = course.run("debug spring_energy");
+  CHECK(broken.status == 1);
+  CHECK(has(broken.out, "compile error"));
+  const Outcome missing = course.run("debug spring_energy", without_programs);
+  CHECK(missing.status == 3);
+  CHECK(has(missing.err, "apt-get install gdb"));
+  CHECK(course.run("debug --build-only spring_energy --case 1").status == 1);  // does not compile
+}
