@@ -103,4 +103,5 @@ void judge_angular_velocity_from_three_points(Lecture& lecture) {
     const Vector3d across = cross(a, b), left = v.col(2) - v.col(0) - cross(seen, b);
     return seen + a * (left.dot(across) / across.squaredNorm());
   });
+  e.survivor("v.rowwise().mean()", "The x sum to zero, so a velocity common to all drops out.");
 }

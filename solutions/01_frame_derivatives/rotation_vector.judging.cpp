@@ -102,4 +102,13 @@ void judge_rotation_vector(Lecture& lecture) {
     const Vector3d axis = along / sqrt((E(largest, largest) - cosine) * (1 - cosine));
     return copysign(angle, axis.dot(v)) * axis;
   });
+  e.survivor("if (cosine >= 0)", "At a quarter turn both formulas hold.");
+  e.survivor("0 ? Vector3d(angle / sine * sine_axis)",
+             "Angle and sine vanish together, and only their being 0 counts.");
+  e.survivor("if (sine > 0)",
+             "Beyond a quarter turn the long way holds for every angle, and before it the sine is that of the angle.");
+  e.survivor("longest = 1", "It is set before it is used.");
+  e.survivor("along.col(longest)", "The axis may have either sign here; the next line decides.");
+  e.survivor("along.row(longest)", "The matrix is symmetric.");
+  e.survivor("axis.dot(sine_axis)", "Only the sign counts, and at half a turn both signs of the axis are right.");
 }

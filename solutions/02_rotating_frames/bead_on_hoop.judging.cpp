@@ -84,4 +84,5 @@ void judge_bead_on_hoop(Lecture& lecture) {
     const double difference = (hoop - own) * (hoop + own), sum = hoop * hoop + own * own;
     return Vector2d(2 * atan(sqrt(difference / sum)), sqrt(difference * sum) / hoop);
   });
+  e.survivor("hoop <= pendulum", "At the critical rate both branches give 0.");
 }

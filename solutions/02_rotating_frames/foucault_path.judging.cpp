@@ -90,4 +90,6 @@ void judge_foucault_path(Lecture& lecture) {
             const Eigen::Vector4d released(start.x(), start.y(), 0, 0), end = released + less_one * released;
             return Vector2d(end.head<2>());
           });
+  e.survivor("swing = ", "Cosine and sine over its argument are even, and Ω² is beyond the tolerance.");
+  e.survivor("std::cos( -swing", "The cosine is even.");
 }

@@ -108,4 +108,5 @@ void judge_balance_rotor(Lecture& lecture) {
   e.route("four linear equations", by_linear_system);
   e.route("moments about each plane", by_moments_about_each_plane);
   e.route("Newton's method on the inertia tensor", by_newton_step);
+  e.survivor("positions.row(2)", "Eigen turns a column into a row when it is assigned to one.");
 }

@@ -173,4 +173,7 @@ void judge_inertia_of_mesh(Lecture& lecture) {
   e.route("divergence theorem", by_divergence_theorem);
   e.route("four points in each tetrahedron", by_points_in_tetrahedra);
   e.route("columns above the plane z = 0", by_columns_above_a_plane);
+  e.survivor("k + 1 < ", "The number of corners is a multiple of three.");
+  e.survivor("k + 2 <= ", "The number of corners is a multiple of three.");
+  e.survivor("sum = - ", "It enters twice.");
 }

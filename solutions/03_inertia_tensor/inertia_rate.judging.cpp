@@ -59,4 +59,6 @@ void judge_inertia_rate(Lecture& lecture) {
   e.route("four attitudes of one rotation", from_four_attitudes);
   e.route("rotating principal axes", from_principal_axes);
   e.route("six moving masses", from_moving_masses);
+  e.survivor("one_index.row(j)", "Its transpose is added afterwards.");
+  e.survivor("I.row(j)", "The tensor is symmetric.");
 }

@@ -47,7 +47,7 @@ void judge_is_inertia_tensor(Lecture& lecture) {
   auto& e = lecture.exercise("is_inertia_tensor", &rigid::is_inertia_tensor, {{"I", kg_m2}}, {"answer", none});
   e.domain([](auto& I) {
     const double violation = max(asymmetry(I), -2 * smallest_spread(I)) / or_one(largest_entry(I));
-    return violation < 1e-10 || violation > 1e-6;
+    return violation < 5e-10 || violation > 1e-6;
   });
   e.scale(1.0);
   const auto diagonal = [](double x, double y, double z) -> Matrix3d { return Vector3d(x, y, z).asDiagonal(); };
@@ -65,6 +65,8 @@ void judge_is_inertia_tensor(Lecture& lecture) {
   e.special("very small, a body", 1e-12 * diagonal(2, 4, 5));
   e.special("hardly asymmetric", Matrix3d{{3, 1, 0}, {1 + 1e-5, 3, 0}, {0, 0, 3}});
   e.special("hardly too large", diagonal(2, 3, 5 + 1e-5));
+  e.special("flat but for rounding", diagonal(1, 2, 3 * (1 + 3e-10)));
+  e.special("symmetric but for rounding", Matrix3d{{3, 1, 0}, {1 + 3e-10, 3, 0}, {0, 0, 3}});
   e.special("a negative moment", diagonal(3, -1, 3));
   e.special("negative throughout", diagonal(-2, -2, -3));
   e.special("a single point at the origin", Matrix3d::Zero());
@@ -102,4 +104,11 @@ void judge_is_inertia_tensor(Lecture& lecture) {
           [](auto& I) { return is_symmetric_and(I, smallest_spread(I) >= -1e-9 * largest_entry(I)); });
   e.route("principal minors of the second moments", by_principal_minors);
   e.route("a body of six masses", by_building_a_body);
+  e.survivor("rounding = ",
+             "Every bound between 1e-9 and 1e-6 of the largest entry is right; the largest entry of a tensor is on its "
+             "diagonal.");
+  e.survivor("I.transpose()).maxCoeff()", "With an entry, I − Iᵀ holds its opposite.");
+  e.survivor("moments = ", "The bound may be twice as large or half.");
+  e.survivor("- 2.0 *rounding", "The bound may be twice as large.");
+  e.survivor("- 0.5 *rounding", "The bound may be half as large.");
 }

@@ -112,4 +112,6 @@ void judge_block_with_hole(Lecture& lecture) {
     return combined_inertia(VectorXd{{block, -ball}}, Matrix3Xd{{0, place[0]}, {0, place[1]}, {0, place[2]}},
                             {of_block(density, box), unit(-0.4 * ball * radius * radius)});
   });
+  e.survivor("center_of_mass =  ball", "It enters twice.");
+  e.survivor("of_unit_mass_at( -", "A position enters twice.");
 }

@@ -65,4 +65,5 @@ void judge_gravity_from_kater(Lecture& lecture) {
     return 4 * pi * pi / (A.inverse() * b)[0];
   });
   e.route("bisection for the radius of gyration", by_bisection);
+  e.survivor("turn = -", "It is squared.");
 }

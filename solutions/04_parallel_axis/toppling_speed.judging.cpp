@@ -82,4 +82,5 @@ void judge_toppling_speed(Lecture& lecture) {
   e.route("eight masses", by_eight_masses);
   e.route("the impulse of the ridge", by_impulse);
   e.route("work of the torque", by_work_of_torque);
+  e.survivor("diagonal = std::hypot(", "Only the squares enter.");
 }

@@ -100,4 +100,5 @@ void judge_bearing_forces(Lecture& lecture) {
     };
     return two_forces(rate_of(p), rate_of(L), z);
   });
+  e.survivor("bearings[1 - 0.5 * k]", "A half is cut off to 0 as an index.");
 }

@@ -105,4 +105,11 @@ void judge_free_attitude(Lecture& lecture) {
     }
     return A;
   });
+  e.survivor("Numbers state = ", "Quaternions of any length are normalised at the end.");
+  e.survivor("Eigen::Quaterniond(1, omega", "This stretches the quaternion, which is normalised at the end.");
+  e.survivor("Eigen::Quaterniond(2, omega", "This stretches the quaternion, which is normalised at the end.");
+  e.survivor("if ( -t != 0)", "−t vanishes with t.");
+  e.survivor("make_controlled(", "Tolerances nearby reach the accuracy that is asked for.");
+  e.survivor("integrate_adaptive(", "The stepper corrects its first step.");
+  e.survivor("state[5]).toRotationMatrix()", "The steps keep the length to far more digits than are asked for.");
 }

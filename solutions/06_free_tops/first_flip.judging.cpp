@@ -119,4 +119,7 @@ void judge_first_flip(Lecture& lecture) {
     const double k = sqrt(motion.m), from_zero = boost::math::ellint_1(k, motion.phase);
     return (motion.away ? 2 * boost::math::ellint_1(k) - from_zero : from_zero) / motion.rate;
   });
+  e.survivor("excess <= 0", "On the separatrix there is no flip.");
+  e.survivor("0 ? zero_to_zero - from_zero",
+             "Only the sign counts; where a component vanishes the motion turns round, and both times are equal.");
 }

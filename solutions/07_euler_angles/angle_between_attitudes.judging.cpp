@@ -65,4 +65,6 @@ void judge_angle_between_attitudes(Lecture& lecture) {
       largest = max(largest, abs(arg(each)));
     return largest;
   });
+  e.survivor("AngleAxisd( -q[1]", "Both attitudes are mirrored, and the angle between them stays.");
+  e.survivor("- Vector3d::UnitY()", "Both attitudes are mirrored, and the angle between them stays.");
 }

@@ -59,4 +59,6 @@ void judge_attitude_quaternion(Lecture& lecture) {
         A + A.transpose() - A.trace() * Matrix3d::Identity();
     return Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(K).eigenvectors().col(3);
   });
+  e.survivor("c = std::cos(", "The cosine is even.");
+  e.survivor("return - VectorXd", "q and −q are one attitude.");
 }

@@ -78,4 +78,12 @@ void judge_yaw_pitch_roll(Lecture& lecture) {
     const bool beyond = cos(found[1]) < 0;
     return beyond ? Vector3d(found[0] + pi, std::remainder(pi - found[1], 2 * pi), found[2] + pi) : found;
   });
+  e.survivor("return - Matrix3d", "Two factors turn about z, so that the sign drops out.");
+  e.survivor("return 2.0 * Matrix3d", "atan2 takes numbers of any common factor.");
+  e.survivor("return 0.5 * Matrix3d", "atan2 takes numbers of any common factor.");
+  e.survivor("about_y{{", "The last entry reaches the third row only, which is not used.");
+  e.survivor("R = 2.0", "atan2 takes numbers of any common factor.");
+  e.survivor("R = 0.5", "atan2 takes numbers of any common factor.");
+  e.survivor("pitch = ", "Only the squares enter the root.");
+  e.survivor("pitch_axis = ", "atan2 takes numbers of any common factor.");
 }

@@ -81,4 +81,5 @@ void judge_hamiltonian(Lecture& lecture) {
     const double mixed = sp * cp * (1 / I[1] - 1 / I[0]);
     return (across * across * along_first + p[1] * p[1] * along_nodes + p[2] * p[2] / I[2]) / 2 + across * p[1] * mixed;
   });
+  e.survivor("- p_psi)", "L₃ is squared.");
 }

@@ -105,4 +105,7 @@ void judge_rolling_cone_energy(Lecture& lecture) {
                                             {c.rate, 0, -c.rate / sin(c.half_angle)});
           }));
   e.route("points of the cone, followed", of_cone(energy_of_points));
+  e.survivor("radius = ", "It is squared.");
+  e.survivor("omega = ", "It is squared.");
+  e.survivor("omega_along = ", "Both components are squared.");
 }
