@@ -235,6 +235,7 @@ class CommandLine {
     option("FILE", "", options_.file, "a program with main(), in C++");
     option("--case debug", "CASE", options_.case_name, "stop at this case, by number or name");
     option("--build-only", "", options_.build_only, "only build the program, for an editor's debugger");
+    option("PREDICTION", "", options_.predictions, "a case and the numbers of its result: '4=0 0 1.5'");
     option("--started", "", options_.started, "leave out what is not started");
     option("--full", "", options_.full, "show everything: all failing cases, long lists, all compiler messages");
     option("--json", "", options_.json, "print one JSON document and nothing else");
@@ -318,6 +319,17 @@ class CommandLine {
         "the given one. Vectors and matrices are shown as numbers: `info args`, `next`, `print I * omega`.",
         {"debug euler_equations", "debug euler_equations --case 4"}, {"EXERCISE", "--case debug", "--build-only"},
         debug);
+    add("predict", students,
+        "Say what a function will return before you write it\n\nWithout predictions it shows cases to choose from. "
+        "Each "
+        "prediction is judged, and the wrong functions that would agree with all of them are told: examples are good "
+        "that can tell these from the right one.",
+        {"predict euler_equations", "predict euler_equations '1=0 0 0' '4=0.1 -0.2 0'"}, {"EXERCISE", "PREDICTION"},
+        predict);
+    add("review", students,
+        "Write an exercise of an earlier lecture once more\n\nOne that is due: after 1, 3, 7, 21 and 60 days. It comes "
+        "with an empty file and other cases; `review` again checks it. The first verdict is kept beside the others.",
+        {"review"}, {}, review);
     add("doctor", students, "Check what is installed and writable on this machine", {}, {}, doctor);
     add("completion", students, "Print a script that lets bash complete commands, options and names", {}, {},
         [this](const Course& course, const Options&) {

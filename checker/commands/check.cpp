@@ -12,7 +12,6 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
-#include <ctime>
 
 namespace workbook {
 
@@ -51,6 +50,20 @@ void draw_unasked(const Course& course, const CheckResult& checked, const Consol
   std::fflush(stdout);  // the verdict does not wait for its picture
   if (!program_on_path("gnuplot").empty()) return draw(course, checked, PictureKind::none, console, true);
   fmt::print("  Plot   {}\n", command("plot " + checked.name()));
+}
+
+/// A fingerprint of what a failing function returned; "" if it passes or returned nothing.
+std::string wrong_values(const CheckResult& checked) {
+  if (checked.judgement.verdict != Verdict::wrong_value) return "";
+  std::string bytes;
+  for (const Reply& reply : checked.observation.replies)
+    bytes.append(reinterpret_cast<const char*>(reply.value.numbers.data()),
+                 reply.value.numbers.size() * sizeof(double));
+  return fingerprint(bytes);
+}
+
+std::string same_values_again(const std::string& exercise) {
+  return fmt::format("Your change has changed no value. `{}` shows the next hint.", command("hint " + exercise));
 }
 
 int exit_status(const std::vector<CheckResult>& results) {
@@ -155,11 +168,14 @@ int check(const Course& course, const Options& options) {
   show_progress();
   check_all(context, tasks, [&](CheckResult checked) {
     ++done;
+    bool is_repeated = false;
     if (checked.task.counts_as_progress() && checked.is_judged())
-      progress.remember(checked.name(), to_string(checked.judgement.verdict), checked.source);
+      is_repeated = progress.remember(checked.name(), to_string(checked.judgement.verdict), checked.source,
+                                      wrong_values(checked));
     progress_bar.clear();
     if (options.started && !checked.is_started()) return;
     if (!options.json) fmt::print("{}", terminal_report(checked, course, console, detail));
+    if (!options.json && is_repeated) fmt::print("{}\n", console.wrapped(same_values_again(checked.name()), 2));
     if (options.plot) {
       draw(course, checked, picture, console, !options.json);
     } else if (!options.json && tasks.size() == 1) {
@@ -243,9 +259,7 @@ int report(const Course& course, const Options& options) {
 
   ReportedCourse reported;
   reported.student = options.student;
-  const std::time_t now = std::time(nullptr);
-  reported.date.resize(std::size("YYYY-MM-DD"));
-  reported.date.resize(std::strftime(reported.date.data(), reported.date.size(), "%Y-%m-%d", std::localtime(&now)));
+  reported.date = current_day();
   reported.seed = options.seed;
   const bool has_gnuplot = !program_on_path("gnuplot").empty();
   if (!has_gnuplot) reported.picture_trouble = gnuplot_is_missing;

@@ -24,9 +24,10 @@ struct Options {
   bool full = false;                     ///< with all that the compiler says
   bool json = false;
   bool plot = false;
-  bool all = false;         ///< all hints, or all plots and figures
-  bool build_only = false;  ///< the program for a debugger, without the debugger
-  bool now = false;         ///< the solution of an exercise that does not pass yet
+  bool all = false;                      ///< all hints, or all plots and figures
+  std::vector<std::string> predictions;  ///< "4=0 0 1.5": a case and the numbers of the result
+  bool build_only = false;               ///< the program for a debugger, without the debugger
+  bool now = false;                      ///< the solution of an exercise that does not pass yet
   PictureKind picture = PictureKind::automatic;
   std::optional<std::filesystem::path> out;  ///< folder for pictures
   double seconds_per_figure = 60.0;
@@ -67,6 +68,12 @@ int debug(const Course& course, const Options& options);
 
 /// The case of that number, counted from 1, or name. @throws UnknownName
 std::size_t find_case(const ExerciseReference& exercise, const std::string& asked);
+
+/// Results that the student expects before there is a function: are they right, and which wrong functions would agree?
+int predict(const Course& course, const Options& options);
+
+/// An exercise of some time ago, to be written once more.
+int review(const Course& course, const Options& options);
 
 /// One page with everything that the checker has to say to one student.
 int report(const Course& course, const Options& options);

@@ -9,11 +9,15 @@
 #include <sys/file.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <ctime>
 
 namespace workbook {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Review, day, verdict)
 
 namespace {
 
@@ -35,6 +39,8 @@ void Progress::read() {
         one.source = entry.at("source");
       }
       const auto hints = entry.get_ref<const json::object_t&>().find("hints");
+      one.values = entry.value("values", "");
+      one.practice = {entry.value("passed_on", ""), entry.value("reviews", std::vector<Review>())};
       if (entry.contains("hints")) one.hints = hints->second.get_ref<const json::number_unsigned_t&>();
     }
     known_ = std::move(known);
@@ -66,6 +72,9 @@ void Progress::change(const Change& something) {
   for (const auto& [exercise, one] : known_) {
     if (!one.verdict.empty()) exercises[exercise] = {{"verdict", one.verdict}, {"source", one.source}};
     if (one.hints > 0) exercises[exercise]["hints"] = one.hints;
+    if (!one.values.empty()) exercises[exercise]["values"] = one.values;
+    if (!one.practice.passed_on.empty()) exercises[exercise]["passed_on"] = one.practice.passed_on;
+    if (!one.practice.reviews.empty()) exercises[exercise]["reviews"] = one.practice.reviews;
   }
   const json document = {{"format", current_format}, {"exercises", exercises}};
   if (!write_file(file_, document.dump(2) + "\n").empty())
@@ -74,11 +83,33 @@ void Progress::change(const Change& something) {
         file_.string());
 }
 
-void Progress::remember(const std::string& exercise, const std::string& verdict, const std::string& source) {
+bool Progress::remember(const std::string& exercise, const std::string& verdict, const std::string& source,
+                        const std::string& values) {
+  bool is_repeated = false;
   change([&] {
-    known_[exercise].verdict = verdict;
-    known_[exercise].source = fingerprint(source);
+    Known& one = known_[exercise];
+    is_repeated = !values.empty() && values == one.values && one.source != fingerprint(source);
+    one.verdict = verdict;
+    one.source = fingerprint(source);
+    one.values = values;
+    if (verdict == "passed" && one.practice.passed_on.empty()) one.practice.passed_on = current_day();
   });
+  return is_repeated;
+}
+
+void Progress::remember_review(const std::string& exercise, const Review& review) {
+  change([&] {
+    std::vector<Review>& reviews = known_[exercise].practice.reviews;
+    if (reviews.empty() || reviews.back().day != review.day) reviews.push_back(review);
+  });
+}
+
+std::string current_day() {
+  if (const char* given = std::getenv("WORKBOOK_TODAY")) return given;
+  const std::time_t now = std::time(nullptr);
+  std::string day(std::size("YYYY-MM-DD"), '\0');
+  day.resize(std::strftime(day.data(), day.size(), "%Y-%m-%d", std::localtime(&now)));
+  return day;
 }
 
 void Progress::forget(const std::string& exercise) {

@@ -6,6 +6,21 @@
 
 namespace workbook {
 
+/// Today's date, "2026-11-22"; WORKBOOK_TODAY sets another one.
+std::string current_day();
+
+/// The first verdict on an exercise that was written once more.
+struct Review {
+  std::string day;
+  std::string verdict;
+};
+
+/// What became of an exercise after it was solved.
+struct Practice {
+  std::string passed_on;  ///< the day when it first passed; "" if it has not
+  std::vector<Review> reviews;
+};
+
 class Progress {
  public:
   /// Reads the file; a missing one is an empty progress. A damaged one is renamed to FILE.damaged and warning() says
@@ -15,7 +30,10 @@ class Progress {
   /// Remembers a verdict ("passed", "wrong_value") on a text and writes the file, under another name first, so that it
   /// is never half written. What another checker has written meanwhile is kept. If it cannot be written, warning() says
   /// so and the check goes on.
-  void remember(const std::string& exercise, const std::string& verdict, const std::string& source);
+  /// @param values  fingerprint of what a failing function returned
+  /// @return true if another text has just returned the same wrong values
+  bool remember(const std::string& exercise, const std::string& verdict, const std::string& source,
+                const std::string& values = "");
 
   /// Forgets an exercise.
   void forget(const std::string& exercise);
@@ -32,6 +50,10 @@ class Progress {
   std::size_t hints_shown(const std::string& exercise) const { return of(exercise).hints; }
   void remember_hints(const std::string& exercise, std::size_t count);
 
+  Practice practice(const std::string& exercise) const { return of(exercise).practice; }
+  /// Only the first verdict of a review counts: one on the same day is none.
+  void remember_review(const std::string& exercise, const Review& review);
+
   /// One sentence, or "" if all is well.
   const std::string& warning() const { return warning_; }
 
@@ -40,6 +62,8 @@ class Progress {
     std::string verdict;
     std::string source;  ///< fingerprint of the file that was judged
     std::size_t hints = 0;
+    std::string values;  ///< fingerprint of the wrong values, if it failed with any
+    Practice practice;
   };
 
   Known of(const std::string& exercise) const { return known_.contains(exercise) ? known_.at(exercise) : Known{}; }

@@ -1,0 +1,217 @@
+// Learning that lasts: predict asks for results before there is a function, review for an exercise of some time ago.
+#include "checker/base/console.hpp"
+#include "checker/base/files.hpp"
+#include "checker/base/text.hpp"
+#include "checker/commands/commands.hpp"
+#include "checker/course/exercise_texts.hpp"
+#include "checker/course/progress.hpp"
+#include "checker/judging/comparison.hpp"
+#include "checker/judging/value_text.hpp"
+#include "checker/pipeline/check_exercise.hpp"
+#include "checker/report/reports.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+
+namespace workbook {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string inputs_text(const ExerciseReference& exercise, const Case& one) {
+  std::vector<std::string> inputs;
+  for (std::size_t k = 0; k < exercise.arguments.size(); ++k)
+    inputs.push_back(
+        fmt::format("{} = {}", exercise.arguments[k].name, format_value(one.inputs[k], exercise.arguments[k].kind, 6)));
+  return fmt::format("{}", fmt::join(inputs, ", "));
+}
+
+struct Prediction {
+  std::size_t case_index;
+  Value value;
+};
+
+/// "4=(0, 0, 1.5)": the number of a case and the numbers of the result, row by row. @throws UsageError, UnknownName
+Prediction read_prediction(const ExerciseReference& exercise, const std::string& typed) {
+  const std::size_t equals = std::min(typed.find('='), typed.size());
+  Prediction prediction{find_case(exercise, typed.substr(0, equals)), {}};
+  const Case& one = exercise.cases[prediction.case_index];
+  std::vector<double> numbers;
+  for (const char* at = typed.c_str() + equals; *at != '\0';) {
+    char* end = nullptr;
+    const double number = std::strtod(at, &end);
+    if (end != at) numbers.push_back(number);
+    at = end != at ? end : at + 1;
+  }
+  prediction.value = one.expected;
+  const auto rows = static_cast<std::size_t>(one.expected.rows), cols = static_cast<std::size_t>(one.expected.cols);
+  if (equals == typed.size() || numbers.size() != rows * cols)
+    throw UsageError(fmt::format("A prediction is the number of a case and its {}, for example '{}={}'; '{}' has {}.",
+                                 plural(rows * cols, "number"), prediction.case_index + 1,
+                                 fmt::join(std::vector<int>(rows * cols, 0), " "), printable(typed), numbers.size()));
+  for (std::size_t k = 0; k < numbers.size(); ++k) prediction.value.numbers[k % cols * rows + k / cols] = numbers[k];
+  return prediction;
+}
+
+/// Worked out by hand, to three digits or so.
+bool is_right(const ExerciseReference& exercise, const Prediction& prediction) {
+  if (passes(exercise, prediction.case_index, prediction.value)) return true;
+  const Value& expected = exercise.cases[prediction.case_index].expected;
+  double size = 0, error = 0;
+  for (std::size_t k = 0; k < expected.numbers.size(); ++k) {
+    size = std::max(size, std::abs(expected.numbers[k]));
+    error = std::max(error, std::abs(expected.numbers[k] - prediction.value.numbers[k]));
+  }
+  return error <= 5e-3 * size;
+}
+
+// --- review
+
+/// Days between looking again, longer each time it goes well (Samani and Pan 2021 give the evidence for spacing).
+constexpr std::array days_until_review = {1, 3, 7, 21, 60};
+
+long days_since(const std::string& day, const std::string& today) {
+  const auto number = [](const std::string& text) {
+    std::tm time{};
+    return strptime(text.c_str(), "%Y-%m-%d", &time) == nullptr ? 0 : timegm(&time) / (24 * 3600);
+  };
+  return number(today) - number(day);
+}
+
+struct Due {
+  const Exercise* exercise = nullptr;
+  long days_over = 0;  ///< negative: not yet
+};
+
+/// The exercise that has waited longest over its time, among those of earlier lectures than the last one begun.
+Due most_due(const std::vector<Exercise>& exercises, const Progress& progress, const std::string& today) {
+  std::string last_lecture;
+  for (const Exercise& exercise : exercises)
+    if (!progress.verdict(exercise.name()).empty()) last_lecture = exercise.lecture();
+  Due due;
+  for (const Exercise& exercise : exercises) {
+    const Practice practice = progress.practice(exercise.name());
+    if (practice.passed_on.empty() || exercise.lecture() == last_lecture) continue;
+    const std::string last = practice.reviews.empty() ? practice.passed_on : practice.reviews.back().day;
+    const auto failed = std::find_if(practice.reviews.rbegin(), practice.reviews.rend(),
+                                     [](const Review& review) { return review.verdict != "passed"; });
+    const auto in_a_row = static_cast<std::size_t>(failed - practice.reviews.rbegin());
+    const long over = days_since(last, today) - days_until_review[std::min(in_a_row, days_until_review.size() - 1)];
+    if (due.exercise == nullptr || over > due.days_over) due = {&exercise, over};
+  }
+  return due;
+}
+
+/// A check of the file that a review has written; its first verdict counts.
+int check_review(const Course& course, const Exercise& exercise, const fs::path& file, Progress& progress) {
+  const Console console = Console::of_standard_output();
+  CheckContext context(course);
+  const std::size_t number = progress.practice(exercise.name()).reviews.size() + 1;
+  const std::uint64_t seed = course.seed() + (course.has_solutions() ? number : 0);
+  const CheckTask task = check_task(course, exercise, seed, file);
+  const CheckResult checked = check_exercise(course, context.toolchain(), task, context.reference(task));
+  fmt::print("{}", terminal_report(checked, course, console, {}));
+  if (!checked.is_judged()) return checker_failed;
+  if (!checked.is_started()) {
+    fmt::print("  {}\n", shown_path(file));
+    return something_failed;
+  }
+  progress.remember_review(exercise.name(), {current_day(), to_string(checked.judgement.verdict)});
+  if (!checked.judgement.passed()) {
+    fmt::print("\n{}\n", console.wrapped(fmt::format("Go on in {}, then `{}`.", shown_path(file), command("review"))));
+    return something_failed;
+  }
+  const Practice practice = progress.practice(exercise.name());
+  fmt::print("\nFirst passed on {}. Reviews so far:\n", practice.passed_on);
+  for (const Review& review : practice.reviews)
+    fmt::print("  {}  {} at the first try\n", review.day, in_words(review.verdict));
+  std::error_code ignored;
+  fs::remove(file, ignored);
+  return all_passed;
+}
+
+}  // namespace
+
+int predict(const Course& course, const Options& options) {
+  const Console console = Console::of_standard_output();
+  const Exercise exercise = course.find_exercise(options.name);
+  CheckContext context(course);
+  const ExerciseReference& reference = context.reference(check_task(course, exercise));
+  if (options.predictions.empty()) {
+    fmt::print("{}\n\n",
+               console.wrapped(fmt::format(
+                   "What will {} return here? Take two or three of these, a limit or a symmetry first, and work "
+                   "them out before you write the function:",
+                   exercise.name())));
+    std::size_t shown = 0;
+    for (std::size_t i = 0; i < reference.described_cases() && shown < 8; ++i) {
+      const std::string inputs = inputs_text(reference, reference.cases[i]);
+      if (inputs.size() > 150) continue;
+      fmt::print("{}\n", console.wrapped(fmt::format("{:>4}  {}", i + 1, inputs), 6));
+      ++shown;
+    }
+    fmt::print("\n{}\n", console.wrapped(fmt::format("Then: `{}`, with the numbers of the result, row by row.",
+                                                     command(fmt::format("predict {} '1=…' '4=…'", exercise.name())))));
+    return all_passed;
+  }
+  std::vector<Prediction> right;
+  for (const std::string& typed : options.predictions) {
+    const Prediction prediction = read_prediction(reference, typed);
+    const bool holds = is_right(reference, prediction);
+    fmt::print("{}case {}: {}\n", console.mark(holds ? "✓" : "✗", holds ? Style::good : Style::bad),
+               prediction.case_index + 1, holds ? "right" : "not what comes out");
+    if (holds) right.push_back(prediction);
+  }
+  const auto is_blind_to = [&](const Misconception& wrong) {
+    return std::ranges::all_of(right, [&](const Prediction& prediction) {
+      const std::size_t i = prediction.case_index;
+      return i < wrong.outputs.size() && is_same_answer(reference, i, wrong.outputs[i], reference.cases[i].expected);
+    });
+  };
+  std::size_t told = 0;
+  for (const Misconception& wrong : reference.misconceptions) {
+    if (right.empty() || !is_blind_to(wrong)) continue;
+    if (told++ == 0) fmt::print("\nYour right predictions cannot tell the function from one of which would be said:\n");
+    fmt::print("{}\n", console.wrapped("- " + wrong.message, 2));
+  }
+  if (told > 0) fmt::print("Another case can: add one.\n");
+  if (!right.empty() && told == 0 && right.size() == options.predictions.size())
+    fmt::print("\n{}\n", console.wrapped(fmt::format("These tell the function from all {} that are known.",
+                                                     plural(reference.misconceptions.size(), "wrong one"))));
+  return right.size() == options.predictions.size() && told == 0 ? all_passed : something_failed;
+}
+
+int review(const Course& course, const Options& /*options*/) {
+  Progress progress(course.progress_file());
+  const std::vector<Exercise> exercises = course.exercises();
+  const fs::path folder = course.progress_file().parent_path() / "review";
+  const auto file_of = [&](const Exercise& exercise) { return folder / (exercise.name() + ".cpp"); };
+  for (const Exercise& exercise : exercises)
+    if (fs::exists(file_of(exercise))) return check_review(course, exercise, file_of(exercise), progress);
+  const Due due = most_due(exercises, progress, current_day());
+  const Console console = Console::of_standard_output();
+  if (due.exercise == nullptr || due.days_over < 0) {
+    fmt::print("{}\n",
+               console.wrapped(due.exercise == nullptr
+                                   ? "Nothing to review yet: exercises of earlier lectures that pass come here."
+                                   : fmt::format("Nothing is due today; {} is next, in {}.", due.exercise->name(),
+                                                 plural(static_cast<std::size_t>(-due.days_over), "day"))));
+    return all_passed;
+  }
+  const Exercise& exercise = *due.exercise;
+  const std::string stub = stub_text(*exercise.entry, exercise.card->contract, declared_signature(course, exercise));
+  if (const std::string problem = write_file(file_of(exercise), stub); !problem.empty())
+    throw std::runtime_error(fmt::format("{} cannot be written ({}).", shown_path(file_of(exercise)), problem));
+  fmt::print("{}\n{}\n", console.styled(exercise.name(), Style::strong), console.wrapped(exercise.entry->task, 2));
+  fmt::print("\n{}\n",
+             console.wrapped(fmt::format("You wrote it on {}. Write it again without looking, in {}, then `{}`.",
+                                         progress.practice(exercise.name()).passed_on, shown_path(file_of(exercise)),
+                                         command("review"))));
+  return all_passed;
+}
+
+}  // namespace workbook

@@ -1,0 +1,84 @@
+// Predictions before a function is written, reviews of one that was, and a change that changed no value.
+#include "tests/program/program.hpp"
+
+#include <doctest/doctest.h>
+
+#include <fmt/format.h>
+
+using namespace workbook::testing;
+
+namespace {
+
+/// The cases that `predict` offers, by number, with the right result for each.
+std::string offered(const CourseCopy& course, const std::string& exercise) {
+  return course.run("predict " + exercise).out;
+}
+
+}  // namespace
+
+TEST_CASE("predictions are judged, and the wrong functions that would agree are told") {
+  const CourseCopy course;
+  CHECK(has(offered(course, "spring_energy"), "1 k = 1, x = (0, 1, 0)"));
+  const Outcome right = course.run("predict spring_energy 1=0.5");
+  CHECK(has(right.out, "case 1: right"));
+  CHECK(has(right.out, "cannot tell"));
+  CHECK(right.status == 1);
+  const Outcome wrong = course.run("predict spring_energy 1=1");
+  CHECK(has(wrong.out, "case 1: not what comes out"));
+  CHECK(wrong.status == 1);
+  // With three digits, in any notation.
+  CHECK(has(course.run("predict spring_force '1=(0; -1.001, 0)'").out, "case 1: right"));
+}
+
+TEST_CASE("a prediction that cannot be read is refused with an example") {
+  const CourseCopy course;
+  for (const char* odd : {"1", "1=", "1='0 0'", "99999=1", "=1"}) {
+    const Outcome refused = course.run(fmt::format("predict spring_force {}", odd));
+    CHECK_MESSAGE(refused.status == 2, odd);
+  }
+}
+
+TEST_CASE("an exercise of an earlier lecture comes back when it is due, and its first verdict is kept") {
+  const CourseCopy course;
+  const auto on = [&](const char* day, const std::string& command) {
+    return course.run(command, fmt::format("WORKBOOK_TODAY={}", day));
+  };
+  CHECK(has(on("2026-03-01", "review").out, "Nothing to review yet"));
+  course.solve("spring_energy");
+  on("2026-03-01", "check spring_energy");
+  // There is one lecture only; the one after it is begun.
+  replace_in(course.root() / ".workbook/progress.json", "\"exercises\": {",
+             "\"exercises\": {\n\"pendulum_period\": {\"verdict\": \"wrong_value\", \"source\": \"\"},");
+  std::filesystem::create_directories(course.root() / "lectures/02_pendulums");
+  write(course.root() / "lectures/02_pendulums/card.json",
+        R"({"title": "Pendulums", "summary": "", "slides": [], "builds_on": [], "contract": "springs", "facts": [1],
+            "exercises": [{"name": "pendulum_period", "points": 1, "notes": "n", "task": "The period."}]})");
+  CHECK(has(on("2026-03-01", "review").out, "Nothing is due today"));
+  const Outcome due = on("2026-03-02", "review");
+  CHECK_MESSAGE(has(due.out, ".workbook/review/spring_energy.cpp"), due.said());
+  const auto file = course.root() / ".workbook/review/spring_energy.cpp";
+  CHECK(has(read(file), "TODO"));
+  CHECK(on("2026-03-02", "review").status == 1);  // not started
+  replace_in(file, "throw NotStarted{};", "return k * x.squaredNorm();");
+  CHECK(has(on("2026-03-02", "review").out, "wrong value"));
+  replace_in(file, "return k", "return 0.5 * k");
+  const Outcome passed = on("2026-03-02", "review");
+  CHECK(passed.status == 0);
+  CHECK(has(passed.out, "2026-03-02  wrong value at the first try"));
+  CHECK(!std::filesystem::exists(file));
+  // The exercise's own verdict is as it was, and the next time comes after a day again.
+  CHECK(has(course.run("list").out, "passed"));
+  CHECK(has(on("2026-03-02", "review").out, "Nothing is due today"));
+  CHECK(has(on("2026-03-03", "review").out, "Write it again"));
+}
+
+TEST_CASE("a change that changes no value is told, and the next hint is offered") {
+  const CourseCopy course;
+  course.answer_energy("return k * x.squaredNorm();");
+  CHECK(!has(course.run("check spring_energy").out, "has changed no value"));
+  CHECK(!has(course.run("check spring_energy").out, "has changed no value"));  // the same file
+  course.answer_energy("return x.squaredNorm() * k;");
+  CHECK(has(course.run("check spring_energy").out, "has changed no value"));
+  course.answer_energy("return 2 * k * x.squaredNorm();");
+  CHECK(!has(course.run("check spring_energy").out, "has changed no value"));
+}
