@@ -23,6 +23,7 @@ libboost-filesystem-dev needed by gnuplot-iostream
 libboost-system-dev     needed by gnuplot-iostream
 libgnuplot-iostream-dev plots and figures from C++
 gnuplot-nox             draws the plots and figures
+libsodium-dev           locks solutions in copies for students
 libkainjow-mustache-dev the template of the report page
 '
 

@@ -2,6 +2,7 @@
 #include "checker/base/text.hpp"
 #include "checker/commands/commands.hpp"
 #include "checker/course/exercise_texts.hpp"
+#include "checker/course/locked_text.hpp"
 
 #include <fmt/format.h>
 
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <random>
 #include <stdexcept>
 #include <system_error>
 #include <vector>
@@ -79,12 +81,32 @@ void copy_made(const Course& course, const fs::path& copy, const std::vector<Lec
   }
 }
 
+/// Solution and derivation of every exercise that has one, for those whose function is right.
+void lock_derivations(const Course& course, const fs::path& copy) {
+  const std::uint64_t seed = std::random_device()();
+  for (const Card& card : course.cards()) {
+    std::optional<LectureReference> secret;
+    for (const CardExercise& entry : card.exercises) {
+      const Exercise exercise{&card, &entry};
+      const auto derivation = read_file(course.derivation_file(exercise));
+      const auto code = read_file(course.solution_file(exercise));
+      if (!derivation || !code) continue;
+      if (!secret) secret = course.reference(card.lecture, seed);
+      const fs::path file = copy / course.locked_file(exercise).lexically_relative(course.root());
+      const std::string problem =
+          write_file(file, locked_text(secret->exercise(entry.name), *code + "\n" + *derivation));
+      if (!problem.empty()) throw std::runtime_error(problem);
+    }
+  }
+}
+
 void make_copy(const Course& course, const fs::path& copy, const std::vector<LectureReference>& references) {
   for (const char* part : handed_out) {
     if (fs::exists(course.root() / part)) copy_part(course.root() / part, copy / part);
   }
   write_stubs(course, copy);
   copy_made(course, copy, references);
+  lock_derivations(course, copy);
 }
 
 }  // namespace

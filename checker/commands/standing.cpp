@@ -5,8 +5,11 @@
 #include "checker/commands/commands.hpp"
 #include "checker/course/exercise_texts.hpp"
 #include "checker/course/inspection.hpp"
+#include "checker/course/locked_text.hpp"
 #include "checker/course/progress.hpp"
+#include "checker/pipeline/check_exercise.hpp"
 #include "checker/report/reports.hpp"
+#include "checker/sandbox/worker_process.hpp"
 
 #include <algorithm>
 
@@ -18,6 +21,27 @@ void print_remarks(const Course& course, const Progress& progress) {
   if (!progress.warning().empty()) fmt::print(stderr, "{}\n", progress.warning());
   for (const Card& card : course.cards())
     for (const std::string& remark : stray_exercises(course, card)) fmt::print(stderr, "{}\n", remark);
+}
+
+/// What the copy for students keeps locked, opened by the student's own function.
+int unlock(const Course& course, const Exercise& exercise, const std::string& locked, const Console& console) {
+  CheckContext context(course);
+  const CheckTask task = check_task(course, exercise);
+  const CheckResult checked = check_exercise(course, context.toolchain(), task, context.reference(task));
+  const auto evaluate = [&](const std::vector<Value>& inputs, int rows, int cols) -> std::optional<Value> {
+    const std::vector<Reply> replies = ExerciseRunner(checked.executable).evaluate({{inputs, rows, cols}});
+    if (replies.empty() || replies.front().ending != Ending::returned) return std::nullopt;
+    return replies.front().value;
+  };
+  if (checked.judgement.passed())
+    if (const std::optional<std::string> text = unlocked_text(locked, evaluate)) {
+      fmt::print("{}", *text);
+      return all_passed;
+    }
+  fmt::print("{}\n",
+             console.wrapped(fmt::format("Your {} does not pass yet; its solution and derivation open once it does.",
+                                         exercise.name())));
+  return something_failed;
 }
 
 }  // namespace
@@ -113,8 +137,10 @@ int solution(const Course& course, const Options& options) {
     fmt::print("{}\n", console.wrapped(sentence));
     return something_failed;
   };
+  const std::optional<std::string> locked = read_file(course.locked_file(exercise));
+  if (locked) return unlock(course, exercise, *locked, console);
   const std::optional<std::string> code = read_file(course.solution_file(exercise));
-  if (!code) return say("This copy of the workbook has no solutions; your instructor has them.");
+  if (!code) return say("This copy of the workbook does not have this solution; your instructor has it.");
   const Progress progress(course.progress_file());
   if (!options.now && !progress.passed(exercise.name(), file_fingerprint(course.student_file(exercise))))
     return say(fmt::format("Your {} does not pass yet; its solution is shown once it does, or now by `{}`.",

@@ -92,6 +92,10 @@ class Course {
   std::filesystem::path derivation_file(const Exercise& exercise) const {  ///< likewise; problems have one
     return root_ / "solutions" / exercise.lecture() / (exercise.name() + ".md");
   }
+  /// In what students get: solution and derivation, which a right function opens.
+  std::filesystem::path locked_file(const Exercise& exercise) const {
+    return lectures() / exercise.lecture() / "handed_out" / (exercise.name() + ".locked");
+  }
   std::filesystem::path contract_file(const Card& card) const {
     return root_ / "include" / "rigid" / (card.contract + ".hpp");
   }

@@ -213,7 +213,8 @@ std::optional<Finding> slip_or_branch(const DiagnosticTask& task, const Toolchai
     if (each.is_branch() || (branch && !branch->may_hold(each)) || !runner.is_right(k)) continue;
     return source.finding(
         each.place, "slip_" + each.kind,
-        fmt::format("with {} here, the result is right at all {} cases.", each.words, task.reference.cases.size()));
+        fmt::format("{}{} here, the result is right at all {} cases.", each.words.starts_with("without") ? "" : "with ",
+                    each.words, task.reference.cases.size()));
   }
   if (branch) return finding_of(*branch, source, task);
   return std::nullopt;

@@ -44,6 +44,10 @@ void judge_composed_angular_acceleration(Lecture& lecture) {
                    "platform_components", fixed<Matrix3d>(Matrix3d::Identity()));
   e.wrong_input<0>("Eᵀ turns inertial components into those on the platform; here the way back is needed.",
                    "transposed", transposed);
+  e.wrong("omega has inertial components, and is crossed with those of spin on the platform: first E spin.",
+          "omega_on_platform", [](auto& E, auto& w, auto& alpha, auto& spin, auto& rate) -> Vector3d {
+            return alpha + E * (rate + cross(w, spin));
+          });
   e.wrong("This is the rate with components on the platform's axes; the inertial ones are asked for.",
           "result_on_platform",
           [](auto& E, auto&... others) { return E.transpose() * composed_angular_acceleration(E, others...); });

@@ -79,6 +79,8 @@ void judge_rotation_vector(Lecture& lecture) {
       "This is half of the vector: the angle of a quaternion is "
       "half the angle of the rotation.",
       "half_angle", times(0.5));
+  e.wrong_output("E − Eᵀ holds 2 sin θ times the unit axis: it is still to be divided by the sine.",
+                 "not_divided_by_sine", [](auto& v) -> Vector3d { return sin(v.norm()) * v; });
   e.wrong_output("The angle is in degrees.", "degrees", times(1 / degree));
   e.route("by Eigen", [](auto& E) {
     const Eigen::AngleAxisd turned(E);

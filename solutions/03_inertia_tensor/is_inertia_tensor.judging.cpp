@@ -100,6 +100,8 @@ void judge_is_inertia_tensor(Lecture& lecture) {
           [](auto& I) { return is_symmetric_and(I, smallest_spread(I) > 1e-9 * largest_entry(I)); });
   e.wrong("You compare I_xx + I_yy with I_zz only.", "one_inequality",
           [](auto& I) { return is_symmetric_and(I, I(0, 0) + I(1, 1) - I(2, 2) >= -1e-9 * largest_entry(I)); });
+  e.wrong_output("Yes and no are exchanged: 1 is asked for where a body has this tensor.", "exchanged",
+                 [](auto& answer) { return 1 - answer; });
   e.route("eigenvalues of the second moments",
           [](auto& I) { return is_symmetric_and(I, smallest_spread(I) >= -1e-9 * largest_entry(I)); });
   e.route("principal minors of the second moments", by_principal_minors);

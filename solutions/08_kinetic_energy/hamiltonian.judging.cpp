@@ -50,6 +50,11 @@ void judge_hamiltonian(Lecture& lecture) {
           with_L([](auto& q, auto& p) { return L_of_momenta<double>(q, p + p[2] * cos(q[1]) * x_axis); }));
   e.wrong("The part p_ψ cos θ of p_φ is added; it must be subtracted.", "coupling_sign",
           with_L([](auto& q, auto& p) { return L_of_momenta<double>(q, p + 2 * p[2] * cos(q[1]) * x_axis); }));
+  e.wrong("sin θ divides twice here; the part of L along ê₁′ is (p_ψ cos θ − p_φ)/sin θ.", "sine_twice",
+          with_L([](auto& q, auto& p) {
+            const double across = (p[2] * cos(q[1]) - p[0]) / pow(sin(q[1]), 2);
+            return Vector3d(across * cos(q[2]) + p[1] * sin(q[2]), -across * sin(q[2]) + p[1] * cos(q[2]), p[2]);
+          }));
   e.wrong_terms("The factor ½ is missing.", "no_half", {1, 1, 1});
   e.wrong("The moments multiply L̃ᵢ² here; L̃ᵢ = Iᵢ ω̃ᵢ, so they divide.", "moments_multiply",
           [](auto& I, auto& q, auto& p) { return energy(I, L_of_momenta<double>(q, p)); });

@@ -50,6 +50,16 @@ std::string squeezed(const std::string& text) {
   return result;
 }
 
+/// All files of the copy as it was handed out.
+const std::map<fs::path, std::string>& texts() {
+  static const std::map<fs::path, std::string> all = [] {
+    std::map<fs::path, std::string> found;
+    for (const fs::path& file : files_below(copy())) found[file] = squeezed(read(file));
+    return found;
+  }();
+  return all;
+}
+
 /// The solutions of the exercises by name.
 std::map<std::string, std::string> solutions() {
   std::map<std::string, std::string> all;
@@ -94,8 +104,10 @@ TEST_CASE("the copy has everything but the solutions, and both commands") {
   CHECK(!fs::exists(copy() / ".workbook"));
   CHECK(!fs::exists(copy() / ".git"));
   CHECK(!fs::exists(copy() / "build"));
+  texts();  // before other tests write into it
   for (const char* part : {"README.md", "LICENSE", "CMakeLists.txt", "CMakePresets.json", "include/rigid", "lectures",
-                           ".devcontainer/devcontainer.json", ".github/workflows/check.yml", ".clangd", ".gitignore", ".vscode/tasks.json"})
+                           ".devcontainer/devcontainer.json", ".github/workflows/check.yml", ".clangd", ".gitignore",
+                           ".vscode/tasks.json"})
     CHECK_MESSAGE(fs::exists(copy() / part), part);
   for (const char* command : {"checker/run", "tests/run"})
     CHECK_MESSAGE(access((copy() / command).c_str(), X_OK) == 0, command);
@@ -119,15 +131,13 @@ TEST_CASE("all that the notes show goes along") {
 TEST_CASE("no file of the copy holds the body of a solution, or defines an exercise") {
   const auto all = solutions();
   REQUIRE(all.size() == WORKBOOK_EXERCISES);
-  std::map<fs::path, std::string> texts;
-  for (const fs::path& file : files_below(copy())) texts[file] = squeezed(read(file));
   // doctest's assertions are lambdas, and C++20 as clang knows it lets none of them use a structured binding.
   for (const auto& solution : all) {
     const std::string& name = solution.first;
     const std::string body = squeezed(body_of(name, solution.second));
     REQUIRE_MESSAGE(body.size() > 10, name);
     const std::regex definition("[A-Za-z0-9>]" + name + "\\([^;{}()]*\\)\\{");
-    for (const auto& copied : texts) {
+    for (const auto& copied : texts()) {
       const fs::path& file = copied.first;
       const std::string& text = copied.second;
       CHECK_MESSAGE(!has(text, body), name, " is in ", file.string());
@@ -207,6 +217,25 @@ TEST_CASE("in the copy a lost exercise does not stop the set-up, and can be put 
   CHECK(has(checker("check kinetic_energy").said(), "reset kinetic_energy"));
   CHECK(checker("reset kinetic_energy").status == 0);
   CHECK(has(read(file), "throw NotStarted{}"));
+}
+
+TEST_CASE("solution and derivation of a problem lie locked, and a right function opens them") {
+  const CheckerInCopy checker;
+  for (const fs::path& derivation : files_below(project / "solutions")) {
+    if (derivation.extension() != ".md") continue;
+    const std::string lecture = derivation.parent_path().filename(), name = derivation.stem();
+    CHECK_MESSAGE(fs::exists(copy() / "lectures" / lecture / "handed_out" / (name + ".locked")), name);
+    const std::string text = read(derivation);
+    const std::string sentence = squeezed(text.substr(text.size() / 2, 60));
+    for (const auto& copied : texts()) CHECK_MESSAGE(!has(copied.second, sentence), copied.first.string());
+  }
+  const Outcome before = checker("solution inertia_rate");
+  CHECK(before.status == 1);
+  fs::copy_file(project / "solutions/03_inertia_tensor/inertia_rate.cpp",
+                copy() / "lectures/03_inertia_tensor/exercises/inertia_rate.cpp", fs::copy_options::overwrite_existing);
+  const Outcome after = checker("solution inertia_rate");
+  CHECK_MESSAGE(after.status == 0, after.said());
+  CHECK(has(after.out, read(project / "solutions/03_inertia_tensor/inertia_rate.md")));
 }
 
 TEST_CASE("a folder that holds something is not written to") {

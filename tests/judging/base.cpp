@@ -1,6 +1,6 @@
 // The general code below the judge: text, files, and work in a process of its own.
-#include "checker/base/files.hpp"
 #include "checker/base/child_process.hpp"
+#include "checker/base/files.hpp"
 #include "checker/base/text.hpp"
 #include "tests/support/files.hpp"
 

@@ -148,8 +148,9 @@ const std::vector<Judged> when_run_again = {
 };
 
 const std::string verdict_names =
-    "passed wrong_value non_finite_value wrong_shape not_started compile_error missing_function uncaught_exception "
-    "crashed stopped_early time_limit memory_limit output_limit forbidden_operation protocol_violation "
+    "passed wrong_value non_finite_value wrong_shape not_started waiting compile_error missing_function "
+    "uncaught_exception crashed stopped_early time_limit memory_limit output_limit forbidden_operation "
+    "protocol_violation "
     "inconsistent_value rejected_file checker_error ";
 
 }  // namespace
@@ -174,7 +175,7 @@ TEST_CASE("Whatever is observed gets its verdict, the cases that fail, one sente
                           judgement.next_step);
     }
   }
-  CHECK(verdicts.size() == static_cast<std::size_t>(V::checker_error) + 1);
+  CHECK(verdicts.size() == static_cast<std::size_t>(V::checker_error));  // all but waiting, which needs other exercises
   CHECK(endings.size() == static_cast<std::size_t>(E::not_run) + 1);
   compare_with_golden("verdicts.txt", text);
 }

@@ -1,0 +1,81 @@
+//! wrong: point masses at the centroids of the tetrahedra
+#include "rigid/inertia_tensor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rigid {
+
+Matrix3d inertia_of_mesh(const Matrix3Xd& corners, double density) {
+  Matrix3d I = Matrix3d::Zero();
+  for (int k = 0; k < corners.cols(); k += 3) {
+    const Vector3d a = corners.col(k), b = corners.col(k + 1), c = corners.col(k + 2);
+    const double m = density * a.dot(b.cross(c)) / 6;
+    const Vector3d r = (a + b + c) / 4;
+    I += m * (r.squaredNorm() * Matrix3d::Identity() - r * r.transpose());
+  }
+  return I;
+}
+
+}  // namespace rigid
+//! wrong: absolute volumes
+#include "rigid/inertia_tensor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rigid {
+
+Matrix3d inertia_of_mesh(const Matrix3Xd& corners, double density) {
+  Matrix3d C = Matrix3d::Zero();
+  for (int k = 0; k < corners.cols(); k += 3) {
+    const Vector3d a = corners.col(k), b = corners.col(k + 1), c = corners.col(k + 2), s = a + b + c;
+    const double m = density * std::abs(a.dot(b.cross(c))) / 6;
+    C += m / 20 * (a * a.transpose() + b * b.transpose() + c * c.transpose() + s * s.transpose());
+  }
+  return C.trace() * Matrix3d::Identity() - C;
+}
+
+}  // namespace rigid
+//! wrong: second moments instead of the tensor
+#include "rigid/inertia_tensor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rigid {
+
+Matrix3d inertia_of_mesh(const Matrix3Xd& corners, double density) {
+  Matrix3d C = Matrix3d::Zero();
+  for (int k = 0; k < corners.cols(); k += 3) {
+    const Vector3d a = corners.col(k), b = corners.col(k + 1), c = corners.col(k + 2), s = a + b + c;
+    const double m = density * a.dot(b.cross(c)) / 6;
+    C += m / 20 * (a * a.transpose() + b * b.transpose() + c * c.transpose() + s * s.transpose());
+  }
+  return C;
+}
+
+}  // namespace rigid
+//! wrong: whole-number division
+#include "rigid/inertia_tensor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rigid {
+
+Matrix3d inertia_of_mesh(const Matrix3Xd& corners, double density) {
+  Matrix3d C = Matrix3d::Zero();
+  for (int k = 0; k < corners.cols(); k += 3) {
+    const Vector3d a = corners.col(k), b = corners.col(k + 1), c = corners.col(k + 2), s = a + b + c;
+    const double m = density * a.dot(b.cross(c));
+    C += 1 / 120 * m * (a * a.transpose() + b * b.transpose() + c * c.transpose() + s * s.transpose());
+  }
+  return C.trace() * Matrix3d::Identity() - C;
+}
+
+}  // namespace rigid

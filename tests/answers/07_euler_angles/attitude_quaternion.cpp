@@ -1,0 +1,107 @@
+//! wrong: scalar last
+#include "rigid/euler_angles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rigid {
+
+VectorXd attitude_quaternion(const Vector3d& angles) {
+  const double a = (angles[0] + angles[2]) / 2, b = (angles[2] - angles[0]) / 2, c = std::cos(angles[1] / 2),
+               s = std::sin(angles[1] / 2);
+  VectorXd q(4);
+  q << s * std::sin(b), s * std::cos(b), c * std::sin(a), c * std::cos(a);
+  return q;
+}
+
+}  // namespace rigid
+//! wrong: whole angles
+#include "rigid/euler_angles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rigid {
+
+VectorXd attitude_quaternion(const Vector3d& angles) {
+  const double a = angles[0] + angles[2], b = angles[2] - angles[0], c = std::cos(angles[1]), s = std::sin(angles[1]);
+  VectorXd q(4);
+  q << c * std::cos(a), s * std::sin(b), s * std::cos(b), c * std::sin(a);
+  return q;
+}
+
+}  // namespace rigid
+//! wrong: conjugate
+#include "rigid/euler_angles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rigid {
+
+VectorXd attitude_quaternion(const Vector3d& angles) {
+  const double a = (angles[0] + angles[2]) / 2, b = (angles[2] - angles[0]) / 2, c = std::cos(angles[1] / 2),
+               s = std::sin(angles[1] / 2);
+  VectorXd q(4);
+  q << c * std::cos(a), -s * std::sin(b), -s * std::cos(b), -c * std::sin(a);
+  return q;
+}
+
+}  // namespace rigid
+//! wrong: difference with the other sign
+#include "rigid/euler_angles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rigid {
+
+VectorXd attitude_quaternion(const Vector3d& angles) {
+  const double a = (angles[0] + angles[2]) / 2, b = (angles[0] - angles[2]) / 2, c = std::cos(angles[1] / 2),
+               s = std::sin(angles[1] / 2);
+  VectorXd q(4);
+  q << c * std::cos(a), s * std::sin(b), s * std::cos(b), c * std::sin(a);
+  return q;
+}
+
+}  // namespace rigid
+//! wrong: only three numbers
+#include "rigid/euler_angles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rigid {
+
+VectorXd attitude_quaternion(const Vector3d& angles) {
+  const double a = (angles[0] + angles[2]) / 2, b = (angles[2] - angles[0]) / 2, c = std::cos(angles[1] / 2),
+               s = std::sin(angles[1] / 2);
+  VectorXd q(3);
+  q << s * std::sin(b), s * std::cos(b), c * std::sin(a);
+  return q;
+}
+
+}  // namespace rigid
+//! wrong: integer halves
+#include "rigid/euler_angles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rigid {
+
+VectorXd attitude_quaternion(const Vector3d& angles) {
+  const double a = 1 / 2 * (angles[0] + angles[2]), b = 1 / 2 * (angles[2] - angles[0]), c = std::cos(angles[1] / 2),
+               s = std::sin(angles[1] / 2);
+  VectorXd q(4);
+  q << c * std::cos(a), s * std::sin(b), s * std::cos(b), c * std::sin(a);
+  return q;
+}
+
+}  // namespace rigid
