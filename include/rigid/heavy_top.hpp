@@ -1,0 +1,143 @@
+/// @file
+/// Contract of lecture 09: bodies that rotate about a fixed point under their weight, above all the heavy symmetric
+/// top, and the precession of a planet's axis.
+///
+/// Moments are those about the fixed point, the tip. mgl is the weight times the distance of the centre of mass from
+/// the tip. The centre of mass lies on the positive axis 3; θ is the angle between this axis and the upward vertical,
+/// and \f$(\phi, \theta, \psi)\f$ are the z–y–z angles of lecture 07. A symmetric top has the moment I1 about every
+/// axis across its own, and I3 ≤ 2 I1, as every body has about a point of its axis.
+#pragma once
+
+#include "rigid/vocabulary.hpp"
+
+namespace rigid {
+
+/// Second derivatives of the Euler angles of a body that rotates about a fixed point under its weight.
+///
+/// Its three moments are in general different.
+///
+/// @param I       principal moments about the fixed point, kg m²
+/// @param mgl     weight times the distance of the centre of mass, which lies on the positive axis 3, from the fixed
+///                point, J; zero is legal: no torque acts
+/// @param angles  \f$(\phi, \theta, \psi)\f$, any real numbers, rad
+/// @param rates   \f$(\dot\phi, \dot\theta, \dot\psi)\f$, rad/s; zero is legal
+/// @return        \f$(\ddot\phi, \ddot\theta, \ddot\psi)\f$, rad/s²
+/// @pre each moment > 0, mgl ≥ 0
+/// @pre |sin θ| ≥ 0.05; at sin θ = 0 the angles are singular
+/// @par Source
+/// not on the slides; Landau and Lifshitz, §35
+Vector3d heavy_top_accelerations(const Vector3d& I, double mgl, const Vector3d& angles, const Vector3d& rates);
+
+/// The energy of a heavy symmetric top at an inclination at which its nutation turns round.
+///
+/// It is the energy, kinetic and potential, of the top that passes the inclination theta with \f$\dot\theta = 0\f$ and
+/// has the momenta p_phi and p_psi. The potential energy is zero where the axis is horizontal.
+///
+/// @param I1     moment about the tip, across the axis, kg m²
+/// @param I3     moment along the axis, kg m²
+/// @param mgl    weight times the distance of the centre of mass from the tip, J
+/// @param p_phi  angular momentum about the vertical, kg m²/s; either sign, zero is legal
+/// @param p_psi  angular momentum along the axis, kg m²/s; either sign, zero is legal: a pendulum
+/// @param theta  inclination of the axis to the upward vertical, rad
+/// @return       energy, J
+/// @pre I1 > 0, I3 > 0, I3 ≤ 2 I1, mgl > 0 and 0 < theta < π
+/// @par Source
+/// not on the slides; Goldstein, §5.7, and Landau and Lifshitz, §35, without the energy of the spin
+double effective_potential(double I1, double I3, double mgl, double p_phi, double p_psi, double theta);
+
+/// The two rates at which a heavy symmetric top can precess without nutation.
+///
+/// Each is asked for to nine of its own digits, also where one is a billion times the other.
+///
+/// @param I1      moment about the tip, across the axis, kg m²
+/// @param I3      moment along the axis, kg m²
+/// @param mgl     weight times the distance of the centre of mass from the tip, J
+/// @param omega3  component of the angular velocity along the axis, rad/s; either sign
+/// @param theta   inclination of the axis to the upward vertical, rad; beyond π/2 the top hangs below its support
+/// @return        the two values of \f$\dot\phi\f$ with their signs, that of smaller magnitude first, rad/s
+/// @pre I1 > 0, I3 > 0, I3 ≤ 2 I1, mgl > 0, 0 < theta < π and |cos θ| ≥ 0.01
+/// @pre |omega3| > 0, and at least 0.1 % above the least spin at which such a precession exists
+/// @par Source
+/// not on the slides; Goldstein, §5.7
+Vector2d steady_precession(double I1, double I3, double mgl, double omega3, double theta);
+
+/// The spin at which a heavy symmetric top that spins upright begins to wobble, as friction slows it down.
+///
+/// @param I1   moment about the tip, across the axis, kg m²
+/// @param I3   moment along the axis, kg m²
+/// @param mgl  weight times the distance of the centre of mass from the tip, J
+/// @return     the least angular velocity at which it stands upright, or sleeps, rad/s, positive
+/// @pre I1 > 0, I3 > 0, I3 ≤ 2 I1 and mgl > 0
+/// @par Source
+/// not on the slides; Landau and Lifshitz, §35, problem 2; Goldstein, §5.7
+double sleeping_spin(double I1, double I3, double mgl);
+
+/// The inclinations between which the axis of a heavy symmetric top nutates.
+///
+/// @param I1     moment about the tip, across the axis, kg m²
+/// @param I3     moment along the axis, kg m²
+/// @param mgl    weight times the distance of the centre of mass from the tip, J
+/// @param theta  inclination at the start, rad
+/// @param rates  \f$(\dot\phi, \dot\theta, \dot\psi)\f$ at the start, rad/s; zero is legal: a top without spin, let go
+/// @return       the smallest and the largest θ of the motion, in this order, rad
+/// @pre I1 > 0, I3 > 0, I3 ≤ 2 I1, mgl > 0 and 0 < theta < π
+/// @pre no steady precession: the limits differ by at least 10⁻³ rad
+/// @pre not through the vertical or close to it: sin θ ≥ 0.01 at both limits
+/// @par Source
+/// not on the slides; Goldstein, §5.7
+Vector2d nutation_limits(double I1, double I3, double mgl, double theta, const Vector3d& rates);
+
+/// The period of the nutation of a heavy symmetric top: the time from one largest inclination to the next.
+///
+/// @param I1     moment about the tip, across the axis, kg m²
+/// @param I3     moment along the axis, kg m²
+/// @param mgl    weight times the distance of the centre of mass from the tip, J
+/// @param theta  inclination at the start, rad
+/// @param rates  \f$(\dot\phi, \dot\theta, \dot\psi)\f$ at the start, rad/s
+/// @return       period, s
+/// @pre I1 > 0, I3 > 0, I3 ≤ 2 I1, mgl > 0 and 0 < theta < π
+/// @pre no steady precession: the limits differ by at least 10⁻³ rad
+/// @pre not through the vertical or close to it: sin θ ≥ 0.01 at both limits
+/// @par Source
+/// not on the slides; Landau and Lifshitz, §35, problem 1
+double nutation_period(double I1, double I3, double mgl, double theta, const Vector3d& rates);
+
+/// The angle through which the axis of a heavy symmetric top goes round the vertical during one nutation.
+///
+/// It is asked for to 10⁻⁸ of itself, or of 0.01 rad where it is smaller than that.
+///
+/// @param I1     moment about the tip, across the axis, kg m²
+/// @param I3     moment along the axis, kg m²
+/// @param mgl    weight times the distance of the centre of mass from the tip, J
+/// @param theta  inclination at the start, rad
+/// @param rates  \f$(\dot\phi, \dot\theta, \dot\psi)\f$ at the start, rad/s
+/// @return       change of φ in one period of the nutation, rad; positive anticlockwise as seen from above; the parts
+/// of a
+///               loop that run backwards count as negative
+/// @pre I1 > 0, I3 > 0, I3 ≤ 2 I1, mgl > 0 and 0 < theta < π
+/// @pre no steady precession: the limits differ by at least 10⁻³ rad
+/// @pre not through the vertical or close to it: sin θ ≥ 0.01 at both limits
+/// @par Source
+/// not on the slides; Landau and Lifshitz, §35, problem 1
+double precession_per_nutation(double I1, double I3, double mgl, double theta, const Vector3d& rates);
+
+/// The mean rate at which the axis of a planet goes round the normal of its orbit.
+///
+/// The planet is symmetric about its axis of rotation and moves round its sun on a circle; it has no moon. To lowest
+/// order: its spin is much faster than its orbital motion, and this much faster than the precession.
+///
+/// @param I1            moment about an axis in the equator, kg m²; only the ratio of the moments matters
+/// @param I3            moment about the axis of rotation, kg m²
+/// @param spin          angular velocity of the rotation, rad/s
+/// @param orbital_rate  angular velocity of the orbital motion, rad/s
+/// @param obliquity     between the angular velocities of the rotation and of the orbital motion, rad; beyond π/2 the
+/// planet
+///                      rotates against its orbital motion
+/// @return              rate, averaged over a year, rad/s, positive in the sense of the orbital motion
+/// @pre 0 < I1 ≤ I3 ≤ 2 I1; equal moments are legal and give 0
+/// @pre spin > 0, orbital_rate > 0 and 0 < obliquity < π
+/// @par Source
+/// not on the slides; Goldstein, §5.8
+double planet_precession_rate(double I1, double I3, double spin, double orbital_rate, double obliquity);
+
+}  // namespace rigid

@@ -1,0 +1,11 @@
+// The time that a heavy symmetric top takes for one nutation, from one largest inclination to the next.
+#include <rigid/heavy_top.hpp>
+
+namespace rigid {
+
+double nutation_period(double I1, double I3, double mgl, double theta, const Vector3d& rates) {
+  // TODO: write this function; the next line says that you have not started yet.
+  throw NotStarted{};
+}
+
+}  // namespace rigid

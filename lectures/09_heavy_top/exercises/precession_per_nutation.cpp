@@ -1,0 +1,12 @@
+// The angle through which the axis of a heavy symmetric top goes round the vertical during one nutation. Loops count
+// with their sign.
+#include <rigid/heavy_top.hpp>
+
+namespace rigid {
+
+double precession_per_nutation(double I1, double I3, double mgl, double theta, const Vector3d& rates) {
+  // TODO: write this function; the next line says that you have not started yet.
+  throw NotStarted{};
+}
+
+}  // namespace rigid

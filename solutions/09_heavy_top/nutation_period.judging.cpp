@@ -1,0 +1,49 @@
+#include "solutions/09_heavy_top/shared.hpp"
+
+namespace {
+
+/// 4K/√(β (third − low)) with a parameter of one's own, from that of the motion.
+template <class Parameter>
+auto with_modulus(const Parameter& modulus) {
+  return [modulus](auto... inputs) {
+    const Cubic cubic{Start(inputs...)};
+    return 4 * std::comp_ellint_1(modulus(cubic.m())) / sqrt(cubic.beta * (cubic.third - cubic.low));
+  };
+}
+
+double spin_of(double theta, const Vector3d& rates) { return abs(rates[0] * cos(theta) + rates[2]); }
+
+}  // namespace
+
+void judge_nutation_period(Lecture& lecture) {
+  auto& e = lecture.exercise("nutation_period", &nutation_period, arguments_of_nutation, {"period", second});
+  describe_starts(e);
+  e.sweep({"A top of 4·10⁻⁴ and 9·10⁻⁵ kg m², mgl = 0.06 J, let go at rest at θ = 0.5", "spin (rad/s)", "period (s)"},
+          {"period"}, {20, 250}, [](auto spin) { return tuple(top_I1, top_I3, top_mgl, 0.5, Vector3d(0, 0, spin)); });
+
+  e.wrong_output("This is the time from one limit to the other; back again it takes as long.", "half", times(0.5));
+  e.wrong("This is the period 2πI₁/(I₃ω₃) of a fast top.", "fast_top",
+          [](auto I1, auto I3, auto, auto theta, auto& rates) { return 2 * pi * I1 / (I3 * spin_of(theta, rates)); });
+  e.wrong("The parameter m stands where the modulus √m belongs; check with a small m, where K = π/2 (1 + m/4).",
+          "modulus", with_modulus([](double m) { return m; }));
+  e.wrong("This holds where K = π/2, for a small nutation; yours is not small.", "small_nutation",
+          with_modulus([](double) { return 0; }));
+  e.wrong_inputs(spin_as_psi_rate, "psi_rate_as_omega3", spin_confused);
+  e.wrong("This is the time of one turn of a fast top round the vertical, 2πI₃ω₃/(mgl).", "precession_time",
+          [](auto, auto I3, auto mgl, auto theta, auto& rates) { return 2 * pi * I3 * spin_of(theta, rates) / mgl; });
+  e.wrong_input<2>(weight_sign, "hanging", negated);
+  e.wrong_input<4>("This is the period of an axis let go from rest; it starts with rates of its own.", "from_rest",
+                   [](Vector3d& rates, auto...) { rates[0] = rates[1] = 0; });
+  e.wrong_output("This is a frequency; the time of one nutation is asked for.", "frequency",
+                 [](auto& period) { period = 1 / period; });
+  e.wrong_output("This is a quarter of the period.", "quarter", times(0.25));
+  e.angles_read_as_degrees();
+  e.property(Is::nonnegative, "A period is positive.");
+  e.route("the axis and L followed in space", [](auto... inputs) {
+    const Vector3d times = Followed(Start(inputs...)).time_at;
+    return times[2] - times[0];
+  });
+  e.route("the time as an integral without ends",
+          [](auto... inputs) { return Cubic(Start(inputs...)).over_one_nutation([](double) { return 1; }); });
+  e.route("the standard library's elliptic integral", with_modulus([](double m) { return sqrt(m); }));
+}

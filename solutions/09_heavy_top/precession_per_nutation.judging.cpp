@@ -1,0 +1,82 @@
+#include "solutions/09_heavy_top/shared.hpp"
+
+namespace {
+
+/// φ after one period, in steps that become small near the vertical, where φ̇ is large.
+double integrated_advance(double I1, double I3, double mgl, double theta, const Vector3d& rates) {
+  const double b = I3 / I1 * (rates[0] * cos(theta) + rates[2]);
+  const double a = rates[0] * pow(sin(theta), 2) + b * cos(theta), period = nutation_period(I1, I3, mgl, theta, rates);
+  const auto rate = [&](const Vector3d& state) {  // of θ, θ̇ and φ
+    const double s = sin(state[0]), c = cos(state[0]), phi_rate = (a - b * c) / (s * s);
+    return Vector3d(state[1], s * (c * phi_rate * phi_rate - b * phi_rate + mgl / I1), phi_rate);
+  };
+  Vector3d state(theta, rates[1], 0);
+  const double h = 4e-3 / sqrt(b * b + 2 * mgl / I1 + rates.head<2>().squaredNorm());
+  for (double time = 0; time < period;) {
+    const double next = min(h * min(1.0, 3 * sin(state[0])), period - time);
+    state = one_step_on(state, next, rate);
+    time += next;
+  }
+  return state[2];
+}
+
+}  // namespace
+
+void judge_precession_per_nutation(Lecture& lecture) {
+  auto& e =
+      lecture.exercise("precession_per_nutation", &precession_per_nutation, arguments_of_nutation, {"advance", rad});
+  describe_starts(e);
+  e.scale([](auto... inputs) { return max(abs(precession_per_nutation(inputs...)), 1e-2); });
+  e.tolerance(1e-8, "Loops may bring the angle near zero, and the integral has steep ends near the vertical.");
+  e.sweep({"A top of 4·10⁻⁴ and 9·10⁻⁵ kg m², mgl = 0.06 J, from θ = 0.5 with ω₃ = 150 rad/s", "φ̇ at the start (rad/s)",
+           "advance (rad)"},
+          {"advance"}, {-30, 2},
+          [](auto rate) { return tuple(top_I1, top_I3, top_mgl, 0.5, Vector3d(rate, 0.3, 150 - rate * cos(0.5))); });
+
+  e.wrong("This is the mean rate mgl/(I₃ω₃) of a fast top times the period.", "slow_precession",
+          [](auto I1, auto I3, auto mgl, auto theta, auto& rates) {
+            return mgl / (I3 * (rates[0] * cos(theta) + rates[2])) * nutation_period(I1, I3, mgl, theta, rates);
+          });
+  e.wrong_output("This is the angle from one limit to the other; on the way back it is as large.", "half", times(0.5));
+  e.wrong("The rate of the steady precession at the inclination of the start stands for φ̇ here; φ̇ changes with θ.",
+          "steady_rate", [](auto I1, auto I3, auto mgl, auto theta, auto& rates) {
+            const double a = I1 * cos(theta), b = I3 * (rates[0] * cos(theta) + rates[2]);
+            const double root = sqrt(max(b * b - 4 * a * mgl, 0.0));
+            return 2 * mgl / (b + copysign(root, b)) * nutation_period(I1, I3, mgl, theta, rates);
+          });
+  e.wrong("φ̇ keeps its value from the start here; it changes with θ.", "start_rate",
+          [](auto I1, auto I3, auto mgl, auto theta, auto& rates) {
+            return rates[0] * nutation_period(I1, I3, mgl, theta, rates);
+          });
+  e.wrong("The parts of the loops that run backwards are counted forwards.", "absolute_rate", [](auto... inputs) {
+    const Cubic cubic{Start(inputs...)};
+    return cubic.over_one_nutation([&](double u) { return abs(cubic.phi_rate(u)); });
+  });
+  e.wrong_output("The angle has the wrong sign.", "sense", negated);
+  e.wrong_inputs(spin_as_psi_rate, "psi_rate_as_omega3", spin_confused);
+  e.wrong_input<2>(weight_sign, "hanging", negated);
+  e.wrong_output("This is the number of turns; the angle is asked for.", "turns", times(0.5 / pi));
+  e.wrong("Only p_φ/(I₁ sin²θ) is integrated; the spin takes its part p_ψ cos θ of p_φ.", "no_coupling",
+          [](auto... inputs) {
+            const Cubic cubic{Start(inputs...)};
+            return cubic.over_one_nutation([&](double u) { return cubic.a / (1 - u * u); });
+          });
+  e.angles_read_as_degrees();
+  e.route("the axis and L followed in space", [](auto... inputs) {
+    const Vector3d azimuth = Followed(Start(inputs...)).azimuth_at;
+    return azimuth[2] - azimuth[0];
+  });
+  e.route("φ̇ as an integral without ends", [](auto... inputs) {
+    const Cubic cubic{Start(inputs...)};
+    return cubic.over_one_nutation([&](double u) { return cubic.phi_rate(u); });
+  });
+  e.route("the standard library's elliptic integrals of the third kind", [](auto... inputs) {
+    const Cubic cubic{Start(inputs...)};
+    const auto share = [&](double end) {
+      const double distance = 1 - end * cubic.low, part = end * (cubic.high - cubic.low) / distance;
+      return (cubic.a - end * cubic.b) / distance * std::comp_ellint_3(sqrt(cubic.m()), part);
+    };
+    return 2 / sqrt(cubic.beta * (cubic.third - cubic.low)) * (share(1) + share(-1));
+  });
+  e.route("θ and φ integrated over one period", integrated_advance);
+}
