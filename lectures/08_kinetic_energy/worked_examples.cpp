@@ -12,22 +12,20 @@
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
-#include <boost/numeric/odeint.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
 using namespace rigid;
 using workbook::agrees;
+using workbook::AngleMotion;
 using workbook::result;
 using workbook::result_table;
 
 namespace {
 
 namespace autodiff = boost::math::differentiation;
-namespace odeint = boost::numeric::odeint;
 
 constexpr double pi = std::numbers::pi;
 constexpr double degree = pi / 180;
@@ -90,35 +88,13 @@ Vector3d euler_lagrange(const Lagrangian& lagrangian, const Vector3d& angles, co
   return residual;
 }
 
-/// Angles, and rates where they follow from a law of motion.
-struct State {
-  Vector3d angles, rates;
-};
-
-/// Motion of the angles under given accelerations, by an adaptive Runge–Kutta–Fehlberg method of order 8.
-template <class Accelerations>
-State moved(const State& start, double duration, const Accelerations& accelerations) {
-  using Numbers = std::array<double, 6>;
-  Numbers x;
-  Vector3d::Map(x.data()) = start.angles;
-  Vector3d::Map(x.data() + 3) = start.rates;
-  const auto system = [&](const Numbers& now, Numbers& rate, double) {
-    const Vector3d angles = Vector3d::Map(now.data()), rates = Vector3d::Map(now.data() + 3);
-    Vector3d::Map(rate.data()) = rates;
-    Vector3d::Map(rate.data() + 3) = accelerations(angles, rates);
-  };
-  odeint::integrate_adaptive(odeint::make_controlled(1e-14, 1e-14, odeint::runge_kutta_fehlberg78<Numbers>()), system,
-                             x, 0.0, duration, 1e-3 * duration);
-  return {Vector3d::Map(x.data()), Vector3d::Map(x.data() + 3)};
-}
-
-State moved_freely(const Vector3d& I, const State& start, double duration) {
-  return moved(start, duration,
-               [&I](const Vector3d& q, const Vector3d& v) { return euler_angle_accelerations(I, q, v); });
+AngleMotion moved_freely(const Vector3d& I, const AngleMotion& start, double duration) {
+  return workbook::integrated(
+      start, duration, [&I](const Vector3d& q, const Vector3d& v) { return euler_angle_accelerations(I, q, v); });
 }
 
 /// Inertial components of L.
-Vector3d momentum_in_space(const Vector3d& I, const State& state) {
+Vector3d momentum_in_space(const Vector3d& I, const AngleMotion& state) {
   return attitude(state.angles) * I.cwiseProduct(rate_matrix(state.angles) * state.rates);
 }
 
@@ -357,7 +333,7 @@ TEST_CASE("free: A free body in Euler angles keeps T and L, and nods") {
   const double theta = std::acos(L[2] / L.norm()), psi = std::atan2(L[1], -L[0]);
   const Vector3d angles(0, theta, psi);  // L points upwards
   const Vector3d rates = euler_angle_rates(angles, omega);
-  const State end = moved_freely(I, {angles, rates}, 20);  // s
+  const AngleMotion end = moved_freely(I, {angles, rates}, 20);  // s
   const Vector3d p = canonical_momenta(I, end.angles, end.rates);
   //! [free in brief]
 
@@ -401,121 +377,9 @@ TEST_CASE("precession: The free symmetric top in Euler angles") {
   const Vector3d rates(L.norm() / I1, 0, -omega[2] * (I3 - I1) / I1);
   CHECK(agrees(rate_matrix(angles) * rates, omega, 1e-14));
   CHECK(agrees(euler_angle_accelerations(I, angles, rates), Vector3d::Zero(), 1e-13, rates.squaredNorm()));
-  const State end = moved_freely(I, {angles, rates}, 10);
+  const AngleMotion end = moved_freely(I, {angles, rates}, 10);
   CHECK(agrees(canonical_momenta(I, end.angles, end.rates), canonical_momenta(I, angles, rates), 1e-11));
 }
-
-namespace {
-
-/// The heavy symmetric top of Sussman and Wisdom: it stands on its tip, the weight acts at a distance from it.
-struct HeavyTop {
-  double I1 = 3.28e-4;  ///< kg m²
-  double I3 = 6.6e-5;   ///< kg m²
-  double Mgl = 0.0456;  ///< J
-  Vector3d I{I1, I1, I3};
-
-  /// The potential energy is M g l cos θ, so the generalised force on θ is M g l sin θ.
-  Vector3d accelerations(const Vector3d& q, const Vector3d& v) const {
-    return euler_angle_accelerations(I, q, v) + mass_matrix(I, q).ldlt().solve(Vector3d(0, Mgl * std::sin(q[1]), 0));
-  }
-  State moved(const State& start, double duration) const {
-    return ::moved(start, duration, [this](const Vector3d& q, const Vector3d& v) { return accelerations(q, v); });
-  }
-};
-
-}  // namespace
-
-//! [steady]
-TEST_CASE("steady: The heavy top has two steady precessions, a slow and a fast one") {
-  //! [steady in brief]
-  const double I1 = 3.28e-4, I3 = 6.6e-5, Mgl = 0.0456;  // kg m², kg m², J: a toy top
-  const double theta = 30 * degree, omega3 = 200;        // rad/s
-  const double a = I1 * std::cos(theta), b = I3 * omega3;
-  const double larger = (b + std::sqrt(b * b - 4 * a * Mgl)) / 2;
-  const double slow = Mgl / larger, fast = larger / a;  // no digits cancel
-  const double least = 2 * std::sqrt(a * Mgl) / I3;
-  //! [steady in brief]
-
-  const HeavyTop top;
-  const auto lagrangian = [&](const auto& q, const auto& v) {
-    return energy_of_slides(top.I, q, v) - top.Mgl * cos(q[1]);
-  };
-  for (const double rate : {slow, fast}) {
-    const Vector3d q(0.2, theta, -0.7), v(rate, 0, omega3 - rate * std::cos(theta));
-    // Lagrange's equations hold with all accelerations zero; so do the functions of the course; and in motion the
-    // inclination is the same half a second later.
-    CHECK(agrees(euler_lagrange(lagrangian, q, v, Vector3d::Zero()), Vector3d::Zero(), 1e-12, Mgl));
-    CHECK(agrees(top.accelerations(q, v), Vector3d::Zero(), 1e-12, v.squaredNorm()));
-    const State later = top.moved({q, v}, 0.5);
-    CHECK(agrees(Vector2d(later.angles[0], later.angles[1]), Vector2d(0.2 + 0.5 * rate, theta), 1e-9));
-  }
-  // At the least spin the two roots meet.
-  CHECK(agrees(I3 * I3 * least * least, 4 * a * Mgl, 1e-14));
-  // Lying low, below the horizontal, a top precesses either way at any spin.
-  const double hanging = I1 * std::cos(120 * degree);
-  const double up = (b + std::sqrt(b * b - 4 * hanging * Mgl)) / 2;
-  CHECK(Mgl / up > 0);
-  CHECK(up / hanging < 0);
-
-  result(R"((\dot\phi_{\text{slow}},\ \dot\phi_{\text{fast}}))", Vector2d(slow, fast), "rad/s");
-  result(R"(Mg\ell/(I_3\tilde\omega_3))", Mgl / b, "rad/s", "of the gyroscope formula, for comparison");
-  result(R"(\tilde\omega_{3,\min})", least, "rad/s", "the least spin for a steady precession at this angle");
-}
-//! [steady]
-
-//! [nutation]
-TEST_CASE("nutation: Released, the heavy top nods between two angles") {
-  //! [nutation in brief]
-  const double I1 = 3.28e-4, I3 = 6.6e-5, Mgl = 0.0456;  // kg m², kg m², J: a toy top
-  const double theta0 = 30 * degree, omega3 = 200;       // rad/s; its axis is at rest
-  const double beta = std::pow(I3 * omega3, 2) / (4 * I1 * Mgl), u0 = std::cos(theta0);
-  const double u1 = beta - std::sqrt(beta * beta - 2 * beta * u0 + 1);
-  const double theta1 = std::acos(u1);
-  //! [nutation in brief]
-
-  const HeavyTop top;
-  const Vector3d angles(0, theta0, 0), rates(0, 0, omega3);
-  const Vector3d p = canonical_momenta(top.I, angles, rates);
-  const auto effective_potential = [&](double theta) {
-    const double across = (p[0] - p[2] * std::cos(theta)) / std::sin(theta);
-    return across * across / (2 * I1) + p[2] * p[2] / (2 * I3) + Mgl * std::cos(theta);
-  };
-  const double energy = effective_potential(theta0);
-  CHECK(agrees(energy, kinetic_energy_symmetric(I1, I3, theta0, rates) + Mgl * u0, 1e-14));
-  CHECK(agrees(effective_potential(theta1), energy, 1e-13));
-
-  // Followed in small steps: how far it gets, and when it is back at rest.
-  State now{angles, rates};
-  double reached = 0, period = 0;
-  const double h = 2e-4;
-  for (int step = 1; step <= 1600 && period == 0; ++step) {
-    const double before = now.rates[1];
-    now = top.moved(now, h);
-    reached = std::max(reached, now.angles[1]);
-    REQUIRE(agrees(kinetic_energy_euler(top.I, now.angles, now.rates) + Mgl * std::cos(now.angles[1]), energy, 1e-10));
-    if (before < 0 && now.rates[1] >= 0) period = h * (step - now.rates[1] / (now.rates[1] - before));
-  }
-  CHECK(reached <= theta1 + 1e-9);
-  CHECK(agrees(reached, theta1, 1e-4));  // the largest of many moments, not the turning point itself
-  const Vector3d p_later = canonical_momenta(top.I, now.angles, now.rates);
-  CHECK(agrees(Vector2d(p_later[0], p_later[2]), Vector2d(p[0], p[2]), 1e-10));
-
-  // With u̇² = (2Mgl/I₁)(u₀ − u)(u − u₁)(u₂ − u) the period is an integral.
-  const double u2 = beta + std::sqrt(beta * beta - 2 * beta * u0 + 1);
-  const auto inverse_rate = [&](double x) {
-    const double u = (u0 + u1) / 2 + (u0 - u1) / 2 * std::cos(x);
-    return 2 / std::sqrt(2 * Mgl / I1 * (u2 - u));
-  };
-  CHECK(agrees(period, boost::math::quadrature::gauss_kronrod<double, 61>::integrate(inverse_rate, 0.0, pi), 1e-4));
-
-  result(R"(\theta_1)", theta1 / degree, "°", "where it turns back", 5);
-  result(R"(\theta_{\max})", reached / degree, "°", "in the integrated motion", 5);
-  result(R"(\theta_0 + \sin\theta_0/(2\beta))", (theta0 + std::sin(theta0) / (2 * beta)) / degree, "°",
-         "for a fast top", 5);
-  result(R"((P,\ 2\pi I_1/(I_3\tilde\omega_3)))", 1e3 * Vector2d(period, 2 * pi * I1 / (I3 * omega3)), "ms",
-         "the period of the nodding, and for a fast top", 4);
-}
-//! [nutation]
 
 // Not on the page.
 TEST_CASE("laws: At every attitude, upright and upside down among them") {

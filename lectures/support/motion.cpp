@@ -46,4 +46,27 @@ std::vector<Motion> history(const Vector3d& I, const Motion& start, double durat
   return motion;
 }
 
+AngleMotion integrated(const AngleMotion& start, double time, const Accelerations& accelerations) {
+  State state(6);
+  std::copy(start.angles.begin(), start.angles.end(), state.begin());
+  std::copy(start.rates.begin(), start.rates.end(), state.begin() + 3);
+  const auto system = [&](const State& now, State& rate, double) {
+    const Vector3d angles = Vector3d::Map(now.data()), rates = Vector3d::Map(now.data() + 3);
+    Vector3d::Map(rate.data()) = rates;
+    Vector3d::Map(rate.data() + 3) = accelerations(angles, rates);
+  };
+  namespace odeint = boost::numeric::odeint;
+  const auto stepper = odeint::make_controlled(1e-14, 1e-14, odeint::runge_kutta_fehlberg78<State>());
+  if (time != 0) odeint::integrate_adaptive(stepper, system, state, 0.0, time, 1e-3 * time);
+  return {Vector3d::Map(state.data()), Vector3d::Map(state.data() + 3)};
+}
+
+std::vector<AngleMotion> history(const AngleMotion& start, double duration, int count,
+                                 const Accelerations& accelerations) {
+  std::vector<AngleMotion> motion{start};
+  while (static_cast<int>(motion.size()) < count)
+    motion.push_back(integrated(motion.back(), duration / (count - 1), accelerations));
+  return motion;
+}
+
 }  // namespace workbook

@@ -23,6 +23,21 @@ using Torque = std::function<Eigen::Vector3d(const Motion&)>;
 /// dA/dt = A [ω]×, to about 13 digits.
 Motion integrated(const Eigen::Vector3d& I, const Motion& start, double time, const Torque& torque = {});
 
+/// Euler angles and their rates at one moment.
+struct AngleMotion {
+  Eigen::Vector3d angles, rates;
+};
+
+/// The second derivatives of the angles.
+using Accelerations = std::function<Eigen::Vector3d(const Eigen::Vector3d& angles, const Eigen::Vector3d& rates)>;
+
+/// The angles after a time under accelerations that a function of the course gives, to about 13 digits.
+AngleMotion integrated(const AngleMotion& start, double time, const Accelerations& accelerations);
+
+/// The same at equally spaced moments, from 0 to `duration`.
+std::vector<AngleMotion> history(const AngleMotion& start, double duration, int count,
+                                 const Accelerations& accelerations);
+
 /// The motion at `count` equally spaced moments, the first at 0 and the last at `duration`.
 std::vector<Motion> history(const Eigen::Vector3d& I, const Motion& start, double duration, int count);
 

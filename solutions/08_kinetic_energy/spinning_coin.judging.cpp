@@ -54,7 +54,7 @@ void judge_spinning_coin(Lecture& lecture) {
   e.wrong_output("This is the square of the rate.", "squared", [](auto& rate) { rate *= rate; });
   e.wrong_output("The whole of L turns in your answer; only its level part L cos α changes its direction.", "all_of_L",
                  [](auto& rate, auto, auto, auto inclination) { rate *= sqrt(cos(inclination)); });
-  e.angles_read_as_degrees("kinetic_energy_heavy_top");
+  e.angles_read_as_degrees("kinetic_energy_free_top");
   e.property(Is::nonnegative, "The rate is asked for with the positive sign.");
   e.route("change of L by differences", [](auto a, auto g, auto inclination) {
     const auto turned = [&](double phase) { return settling_coin(inclination, phase); };

@@ -1,4 +1,4 @@
-// The exercises and problems of lecture 09 at inputs whose answers were computed elsewhere, in 34 digits.
+// The exercises of lecture 09 at inputs whose answers were computed elsewhere, in 34 digits.
 #include "lectures/support/agrees.hpp"
 
 #include <rigid/heavy_top.hpp>
