@@ -58,7 +58,7 @@ void judge_nutation_limits(Lecture& lecture) {
     return Vector2d(theta.minCoeff(), theta.maxCoeff());
   });
   e.route("the effective potential against the energy", turning_points);
-  e.route("the cubic as the polynomial of a matrix", [](auto... inputs) {
+  e.route("the closed formula for a cubic", [](auto... inputs) {
     const Cubic cubic{Start(inputs...)};
     return Vector2d(acos(cubic.high), acos(cubic.low));
   });

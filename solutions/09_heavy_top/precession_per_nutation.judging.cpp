@@ -61,6 +61,12 @@ void judge_precession_per_nutation(Lecture& lecture) {
             const Cubic cubic{Start(inputs...)};
             return cubic.over_one_nutation([&](double u) { return cubic.a / (1 - u * u); });
           });
+  const char* const weak =
+      "Only a weight that is very weak beside the motion moves the axis so little, and there the closed formula for "
+      "the "
+      "roots of a cubic, a right way to them, has too few digits left.";
+  for (const char* bug : {"0.001", "1e-06", "1e-09"})
+    e.survivor("results below " + std::string(bug) + " replaced by zero", weak);
   e.angles_read_as_degrees();
   e.route("the axis and L followed in space", [](auto... inputs) {
     const Vector3d azimuth = Followed(Start(inputs...)).azimuth_at;

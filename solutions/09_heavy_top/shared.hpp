@@ -58,7 +58,7 @@ void describe_starts(Exercise& e) {
   e.special("pushed backwards: loops", top_I1, top_I3, top_mgl, 0.5, {-6, 0, 150});
   e.special("pushed forwards: waves", top_I1, top_I3, top_mgl, 0.5, {3, 0, 150});
   e.special("spin the other way", top_I1, top_I3, top_mgl, 0.5, {2, 0.5, -150});
-  e.special("a fast top, with a nutation of 0.0013", top_I1, top_I3, top_mgl, 0.5, {0, 0, 1500});
+  e.special("a fast top, with a nutation of 0.0045", top_I1, top_I3, top_mgl, 0.5, {0, 0, 800});
   e.special("close to the vertical", top_I1, top_I3, top_mgl, 0.02, {25, 0.3, 90});
   e.special("without spin: a spherical pendulum", top_I1, top_I3, top_mgl, 2.2, {4, 1, -4 * cos(2.2)});
   e.special("a flat top", 2e-4, 3e-4, 0.03, 1.2, {-3, 2, 20});
@@ -112,7 +112,7 @@ struct Followed {
   Vector3d theta_at = zero, time_at = zero, azimuth_at = zero;
 };
 
-/// u = cos θ moves by u̇² = β (u − low)(high − u)(third − u), here with the roots from the eigenvalues of a matrix.
+/// u = cos θ moves by u̇² = β (u − low)(high − u)(third − u), here with the roots by the closed formula.
 struct Cubic {
   explicit Cubic(const Start& start) {
     const auto& [I1, I3, mgl, theta, rates] = start;
@@ -120,11 +120,12 @@ struct Cubic {
     a = pow(sin(theta), 2) * rates[0] + b * cos(theta);
     beta = 2 * mgl / I1;
     const double alpha = pow(sin(theta) * rates[0], 2) + pow(rates[1], 2) + beta * cos(theta);
-    const Matrix3d companion{
-        {(alpha + b * b) / beta, 1 - 2 * a * b / beta, -(alpha - a * a) / beta}, {1, 0, 0}, {0, 1, 0}};
-    Vector3d roots = companion.eigenvalues().real();
-    std::sort(roots.begin(), roots.end());
-    low = roots[0], high = roots[1], third = roots[2];
+    // u³ + c₂u² + c₁u + c₀ = 0 with three real roots, by cosines
+    const double c2 = -(alpha + b * b) / beta, c1 = 2 * a * b / beta - 1, c0 = (alpha - a * a) / beta;
+    const double q = (c2 * c2 - 3 * c1) / 9, r = (2 * c2 * c2 * c2 - 9 * c2 * c1 + 27 * c0) / 54;
+    const double angle = acos(clamp(r / pow(q, 1.5), -1.0, 1.0)) / 3;
+    const auto root = [&](double turn) { return -2 * sqrt(q) * cos(angle + turn) - c2 / 3; };
+    low = root(0), high = root(-2 * pi / 3), third = root(2 * pi / 3);
   }
   /// ∫ f(u) dt over one nutation, by the substitution u = low + (high − low) sin²χ, which has no ends.
   template <class Function>
