@@ -52,7 +52,9 @@ void judge_effective_potential(Lecture& lecture) {
                 {0.5, 0.5, -1});
   e.wrong_terms("This is the kinetic energy alone; the top has a weight too.", "no_weight", {0.5, 0.5, 0});
   e.wrong_terms("The factor ½ of the kinetic energy is missing.", "no_half", {1, 1, 1});
-  e.wrong({"p_φ and p_ψ are exchanged in p_φ − p_ψ cos θ.", "heavy_top_conserved"}, "momenta_exchanged",
+  e.wrong_inputs({"p_φ and p_ψ are exchanged.", "heavy_top_conserved"}, "momenta_exchanged",
+                 [](auto&, auto&, auto&, auto& p_phi, auto& p_psi, auto&) { swap(p_phi, p_psi); });
+  e.wrong({"p_ψ − p_φ cos θ stands where p_φ − p_ψ cos θ belongs.", "heavy_top_conserved"}, "exchanged_in_bracket",
           [](auto I1, auto I3, auto mgl, auto p_phi, auto p_psi, auto theta) {
             return effective_potential(I1, I3, mgl, p_psi, p_phi, theta) + (p_psi * p_psi - p_phi * p_phi) / (2 * I3);
           });

@@ -38,8 +38,8 @@ void judge_nutation_limits(Lecture& lecture) {
           {{"smallest", 0}, {"largest", 1}}, {20, 250},
           [](auto spin) { return tuple(top_I1, top_I3, top_mgl, 0.5, Vector3d(0, 0, spin)); });
 
-  e.wrong_input<4>("These are the limits of an axis let go from rest; it starts with rates of its own.", "from_rest",
-                   [](Vector3d& rates, auto...) { rates[0] = rates[1] = 0; });
+  e.wrong_inputs("These are the limits of an axis let go from rest; it starts with rates of its own.", "from_rest",
+                 let_go_from_rest);
   e.wrong_inputs(spin_as_psi_rate, "psi_rate_as_omega3", spin_confused);
   e.wrong_output("These are the cosines of the limits.", "cosines",
                  [](auto& limits) { limits = Vector2d(cos(limits[0]), cos(limits[1])); });

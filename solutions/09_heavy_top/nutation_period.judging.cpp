@@ -32,8 +32,8 @@ void judge_nutation_period(Lecture& lecture) {
   e.wrong("This is the time of one turn of a fast top round the vertical, 2πI₃ω₃/(mgl).", "precession_time",
           [](auto, auto I3, auto mgl, auto theta, auto& rates) { return 2 * pi * I3 * spin_of(theta, rates) / mgl; });
   e.wrong_input<2>(weight_sign, "hanging", negated);
-  e.wrong_input<4>("This is the period of an axis let go from rest; it starts with rates of its own.", "from_rest",
-                   [](Vector3d& rates, auto...) { rates[0] = rates[1] = 0; });
+  e.wrong_inputs("This is the period of an axis let go from rest; it starts with rates of its own.", "from_rest",
+                 let_go_from_rest);
   e.wrong_output("This is a frequency; the time of one nutation is asked for.", "frequency",
                  [](auto& period) { period = 1 / period; });
   e.wrong_output("This is a quarter of the period.", "quarter", times(0.25));

@@ -75,8 +75,8 @@ void judge_planet_precession_rate(Lecture& lecture) {
                  [](auto& rate, auto, auto, auto, auto, auto obliquity) { rate *= sin(obliquity); });
   e.wrong_output("sin of the obliquity stands where cos belongs.", "sine",
                  [](auto& rate, auto, auto, auto, auto, auto obliquity) { rate *= tan(obliquity); });
-  e.wrong_output("This is a third of the rate: the pull of the sun changes with the distance as 2GM/r³, not as GM/r³.",
-                 "no_three", times(1.0 / 3));
+  e.wrong_output("This is a third of the rate; the force that the sun leaves over contains 3 s (s·r).", "no_three",
+                 times(1.0 / 3));
   e.wrong_output("This is in degrees per second; radians per second are asked for.", "in_degrees", times(1 / degree));
   e.wrong_input<3>("The orbital rate enters once; the torque contains GM/r³, which is its square.", "orbital_rate_once",
                    [](double& rate) { rate = sqrt(rate); });

@@ -8,11 +8,14 @@ inline constexpr double top_I1 = 4e-4, top_I3 = 9e-5, top_mgl = 0.06;
 
 // One mistake, one sentence: these serve several exercises.
 inline constexpr const char* weight_sign =
-    "Your weight drives the axis upwards: this is right for a top hung up by its tip.";
+    "The weight has the wrong sign in your result: there it drives the axis upwards.";
 inline constexpr const char* spin_as_psi_rate =
     "ψ̇ and the component of ω along the axis are confused: this component is φ̇ cos θ + ψ̇.";
 inline constexpr auto spin_confused = [](auto, auto, auto, auto theta, Vector3d& rates) {
   rates[2] -= rates[0] * cos(theta);
+};
+inline constexpr auto let_go_from_rest = [](auto, auto, auto, auto theta, Vector3d& rates) {
+  rates = Vector3d(0, 0, rates[2] + rates[0] * cos(theta));
 };
 
 /// A body that can rest on its axis: I₃ ≤ 2 I₁, as for every body about a point of its axis.
@@ -37,7 +40,7 @@ inline Start any_nutation(Random& random) {
     const double phi_rate = random.sign() * rate * random.uniform(0.2, 0.8);
     const double theta_rate = random.sign() * rate * random.uniform(0.1, 0.5);
     const double spin = random.sign() * rate * random.uniform(1, 4) * I1 / I3;
-    const Start start{I1, I3, mgl, theta, Vector3d(phi_rate, theta_rate, spin - phi_rate * cos(theta))};
+    Start start{I1, I3, mgl, theta, Vector3d(phi_rate, theta_rate, spin - phi_rate * cos(theta))};
     if (nutates(start, 0.1, 0.1)) return start;
   }
 }

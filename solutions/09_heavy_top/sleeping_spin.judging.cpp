@@ -35,9 +35,10 @@ void judge_sleeping_spin(Lecture& lecture) {
   e.wrong("This is the rate √(mgl/I₁) at which a top without spin begins to fall, or swings when it hangs.", "pendulum",
           [](auto I1, auto, auto mgl) { return sqrt(mgl / I1); });
   e.wrong_inputs("I₁ and I₃ are exchanged.", "moments_exchanged", first_two_exchanged);
-  e.wrong("The energy of the spin is set equal to mgl here; no energy decides, but whether L can hold the axis.",
+  e.wrong("½ I₃ω² = mgl stands here; no energy decides, but the curvature of the effective potential at θ = 0.",
           "energy_argument", [](auto, auto I3, auto mgl) { return sqrt(2 * mgl / I3); });
-  e.wrong(spin_as_psi_rate, "psi_rate", [](auto I1, auto I3, auto mgl) { return 2 * sqrt(abs(I1 - I3) * mgl) / I3; });
+  e.wrong("The difference of I₁ and I₃ stands where I₁ belongs, as when ψ̇ is taken for the spin.", "psi_rate",
+          [](auto I1, auto I3, auto mgl) { return 2 * sqrt(abs(I1 - I3) * mgl) / I3; });
   e.wrong_output("This is the square of the spin.", "squared", [](auto& spin) { spin *= spin; });
   e.wrong_output("This is in turns per second; radians per second are asked for.", "turns", times(0.5 / pi));
   e.wrong("This is the angular momentum of the spin, not the spin.", "momentum",
