@@ -106,7 +106,7 @@ void draw_effective_potential(const std::filesystem::path& directory) {
                "set xrange [20:70]; set yrange [-5:7]; unset key\n";
     const std::array<double, 3> spins{200, 150, 110};
     const std::array<const char*, 3> color{colors::blue, colors::green, colors::vermilion};
-    const std::array<std::pair<double, double>, 3> places{{{37.5, 5.8}, {46.5, 4.1}, {54, -2.1}}};
+    const std::array<std::pair<double, double>, 3> places{{{37.5, 5.8}, {47.3, 4.1}, {54, -2.1}}};
     std::vector<PlaneCurve> curves, turning;
     std::string plot = fmt::format("plot 0 lc rgb '{}' lw 1.5", colors::grey);
     for (std::size_t k = 0; k < spins.size(); ++k) {
@@ -151,7 +151,7 @@ void draw_steady(const std::filesystem::path& directory) {
     };
     label("standing at 30°: fast", 150, 46, colors::blue);
     label("slow", 140, 12, colors::blue);
-    label("gyroscope formula", 62, 33, colors::grey);
+    label("gyroscope formula", 66, 33, colors::grey);
     label("hanging at 150°: slow", 185, -5, colors::vermilion);
     label("fast", 140, -29, colors::vermilion);
     gnuplot << fmt::format(

@@ -128,14 +128,15 @@ Nutation followed(AxisInSpace top, double guess) {
 //! [conserved]
 TEST_CASE("conserved: Three quantities that the weight does not change") {
   //! [conserved in brief]
-  const double I1 = 3.28e-4, I3 = 6.6e-5, Mgl = 0.0456;  // kg m², kg m², J: a toy top, about its tip
+  const double I1 = 3.28e-4, I3 = 6.6e-5, Mgl = 0.0456;  // kg m², kg m², J: a toy top
   const Vector3d I(I1, I1, I3);
   const AngleMotion start{{0, 30 * degree, 0}, {0, 0, 200}};  // rad, rad/s: its axis is at rest
   const AngleMotion end = moved(I, Mgl, start, 2);            // s
   const Vector3d p = canonical_momenta(I, start.angles, start.rates);
   const Vector3d p_end = canonical_momenta(I, end.angles, end.rates);
   const auto E = [&](const AngleMotion& now) {
-    return kinetic_energy_symmetric(I1, I3, now.angles[1], now.rates) + Mgl * std::cos(now.angles[1]);
+    const double theta = now.angles[1];
+    return kinetic_energy_symmetric(I1, I3, theta, now.rates) + Mgl * std::cos(theta);
   };
   //! [conserved in brief]
 
@@ -391,8 +392,8 @@ TEST_CASE("period: The faster the spin, the smaller and quicker the nutation, an
     const Vector2d limits = nutation_limits(I1, I3, Mgl, theta0, rates);
     const double P = nutation_period(I1, I3, Mgl, theta0, rates);
     const double turned = precession_per_nutation(I1, I3, Mgl, theta0, rates);
-    table.row(row++) << spin, (limits[1] - limits[0]) / degree, 1e3 * P, 1e3 * 2 * pi * I1 / (I3 * spin), turned / P,
-        Mgl / (I3 * spin);
+    table.row(row++) << spin, (limits[1] - limits[0]) / degree, 1e3 * P,  //
+        1e3 * 2 * pi * I1 / (I3 * spin), turned / P, Mgl / (I3 * spin);
   }
   //! [period in brief]
 
@@ -426,15 +427,15 @@ TEST_CASE("period: The faster the spin, the smaller and quicker the nutation, an
 //! [planets]
 TEST_CASE("planets: Why the equinoxes move") {
   //! [planets in brief]
-  // Moments in units of I₃, from the observed (I₃ − I₁)/I₃; rotations against the stars.
-  const double mars =
-      planet_precession_rate(1 - 0.00538, 1, 2 * pi / 88642.663, 2 * pi / (686.98 * day), 25.19 * degree);
-  const double earth = 1 - 0.0032737949, spin = 7.292115e-5, obliquity = 84381.406 * arcsecond;
-  const double by_sun = planet_precession_rate(earth, 1, spin, 2 * pi / (365.25636 * day), obliquity);
-  // The Moon pulls like a sun in whose field the Earth would go round at √(G m/a³), m being the Moon's mass alone.
-  const double month_rate = 2 * pi / (27.321662 * day), share_of_moon = 1 / (1 + 81.3006);
-  const double by_moon = planet_precession_rate(earth, 1, spin, month_rate * std::sqrt(share_of_moon), obliquity);
-  const double both = by_sun + by_moon;
+  // Moments in units of I₃; rotations against the stars.
+  const double mars_spin = 2 * pi / 88642.663, mars_year = 686.98 * day, mars_tilt = 25.19 * degree;
+  const double mars = planet_precession_rate(1 - 0.00538, 1, mars_spin, 2 * pi / mars_year, mars_tilt);
+  const double I1 = 1 - 0.0032737949, spin = 7.292115e-5, tilt = 84381.406 * arcsecond;  // Earth
+  const double n_sun = 2 * pi / (365.25636 * day), n_moon = 2 * pi / (27.321662 * day);
+  const double by_sun = planet_precession_rate(I1, 1, spin, n_sun, tilt);
+  // GM/R³ is n²; of the Moon's n² only the share of its own mass pulls at the Earth.
+  const double share = 1 / (1 + 81.3006);
+  const double by_moon = planet_precession_rate(I1, 1, spin, n_moon * std::sqrt(share), tilt);
   //! [planets in brief]
 
   // Against numbers from elsewhere, once orbits are eccentric and inclined: a mean of 1/R³, and of the latitude of the
@@ -446,14 +447,12 @@ TEST_CASE("planets: Why the equinoxes move") {
       agrees((eccentric(0.0167) * by_sun + eccentric(0.0549) * inclined * by_moon) * year / arcsecond, -50.407, 3e-3));
   // The torque of the tidal forces on six masses, ±1 m from the centre, for the Earth and the Sun; then its mean over a
   // year. Lengths and masses are arbitrary.
-  const double n = 2 * pi / (365.25636 * day);
-  const Vector3d axis(std::sin(obliquity), 0, std::cos(obliquity)), across = Vector3d::UnitY(),
-                                                                    other = axis.cross(across);
+  const Vector3d axis(std::sin(tilt), 0, std::cos(tilt)), across = Vector3d::UnitY(), other = axis.cross(across);
   Vector3d mean = Vector3d::Zero();
   for (int month = 0; month < 12; ++month) {
     const Vector3d sun(std::cos(month * pi / 6), std::sin(month * pi / 6), 0);
-    for (const auto& [arm, mass] : {std::pair{across, 0.25}, {other, 0.25}, {axis, earth / 2 - 0.25}}) {
-      const Vector3d force = mass * n * n * (3 * sun.dot(arm) * sun - arm);
+    for (const auto& [arm, mass] : {std::pair{across, 0.25}, {other, 0.25}, {axis, I1 / 2 - 0.25}}) {
+      const Vector3d force = mass * n_sun * n_sun * (3 * sun.dot(arm) * sun - arm);
       mean += 2 * arm.cross(force) / 12;
     }
   }
@@ -462,9 +461,10 @@ TEST_CASE("planets: Why the equinoxes move") {
   result(R"(\dot\phi_{\text{Mars}})", mars * year / arcsecond, "″ per year", "observed: −7.594 ± 0.010", 4);
   result(R"((\dot\phi_{\text{Sun}},\ \dot\phi_{\text{Moon}}))", Vector2d(by_sun, by_moon) * year / arcsecond,
          "″ per year", "for the Earth", 4);
-  result(R"(\dot\phi_{\text{Earth}})", both * year / arcsecond, "″ per year",
+  result(R"(\dot\phi_{\text{Earth}})", (by_sun + by_moon) * year / arcsecond, "″ per year",
          "the two together; with the Moon's real orbit −50.41", 4);
-  result(R"(2\pi/|\dot\phi_{\text{Earth}}|)", 2 * pi / std::abs(both) / year, "years", "for one turn of the axis", 3);
+  result(R"(2\pi/|\dot\phi_{\text{Earth}}|)", 2 * pi / std::abs(by_sun + by_moon) / year, "years",
+         "for one turn of the axis", 3);
 }
 //! [planets]
 
