@@ -19,7 +19,7 @@ void judge_effective_potential(Lecture& lecture) {
                               {"theta", positive(rad)}},
                              {"U", joule});
   e.domain([](auto I1, auto I3, auto, auto, auto, auto theta) { return is_top(I1, I3) && theta < pi - 1e-9; });
-  e.worked("the top of the lecture", top_I1, top_I3, top_mgl, 0.012, 0.0137, 0.6);
+  e.worked("a small top", top_I1, top_I3, top_mgl, 0.012, 0.0137, 0.6);
   e.special("nearly upright", top_I1, top_I3, top_mgl, 0.0137, 0.0137, 1e-3);
   e.special("without momenta: a pendulum at rest", top_I1, top_I3, top_mgl, 0, 0, 2);
   e.special("without spin", top_I1, top_I3, top_mgl, 0.01, 0, 1.2);
@@ -38,8 +38,8 @@ void judge_effective_potential(Lecture& lecture) {
   e.scale([](auto I1, auto I3, auto mgl, auto p_phi, auto p_psi, auto theta) {
     return pow(abs(p_phi) + abs(p_psi), 2) / (2 * I1 * pow(sin(theta), 2)) + p_psi * p_psi / (2 * I3) + mgl;
   });
-  e.sweep({"A top of 4·10⁻⁴ and 9·10⁻⁵ kg m², mgl = 0.06 J, p_φ = 0.012, p_ψ = 0.0137 kg m²/s", "θ (rad)", "U (J)"},
-          {"U"}, {0.3, 1.2}, [](auto theta) { return tuple(top_I1, top_I3, top_mgl, 0.012, 0.0137, theta); });
+  e.sweep({"A small top with p_φ = 0.012 and p_ψ = 0.0137 kg m²/s", "θ (rad)", "U (J)"}, {"U"}, {0.3, 1.2},
+          [](auto theta) { return tuple(top_I1, top_I3, top_mgl, 0.012, 0.0137, theta); });
 
   e.term("(p_φ − p_ψ cos θ)²/(I₁ sin²θ)", 0.5, [](auto I1, auto, auto, auto p_phi, auto p_psi, auto theta) {
     return pow((p_phi - p_psi * cos(theta)) / sin(theta), 2) / I1;
@@ -73,6 +73,7 @@ void judge_effective_potential(Lecture& lecture) {
       "A linear system for the rates, a right way to them, has no digits left so close to the vertical.";
   for (const char* bug : {"|theta| below 1e-06 taken for zero", "|theta| below 1e-09 taken for zero"})
     e.survivor(bug, close);
+  e.survivor("std::sin( -theta)", "The quotient is squared.");
   e.angles_read_as_degrees();
   e.route("rates from the momenta, then the energy",
           [](auto I1, auto I3, auto mgl, auto p_phi, auto p_psi, auto theta) {

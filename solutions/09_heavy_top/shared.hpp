@@ -55,7 +55,7 @@ inline const std::vector<Named> arguments_of_nutation{{"I1", positive(kg_m2)},
 template <class Exercise>
 void describe_starts(Exercise& e) {
   e.domain([](auto&... inputs) { return nutates(Start(inputs...), 1e-3, 0.01); });
-  e.worked("the top of the lecture", top_I1, top_I3, top_mgl, 0.5, {2, 0.5, 150});
+  e.worked("a small top", top_I1, top_I3, top_mgl, 0.5, {2, 0.5, 150});
   e.worked("slow, and below its support", top_I1, top_I3, top_mgl, 2.2, {3, 1, 12});
   e.special("let go from rest: cusps", top_I1, top_I3, top_mgl, 0.5, {0, 0, 150});
   e.special("pushed backwards: loops", top_I1, top_I3, top_mgl, 0.5, {-6, 0, 150});
@@ -66,6 +66,10 @@ void describe_starts(Exercise& e) {
   e.special("without spin: a spherical pendulum", top_I1, top_I3, top_mgl, 2.2, {4, 1, -4 * cos(2.2)});
   e.special("a flat top", 2e-4, 3e-4, 0.03, 1.2, {-3, 2, 20});
   e.random("any top", 10, any_nutation);
+  e.survivor("halving", "One halving more or less changes no digit.");
+  e.survivor(">= 0 ? inside", "Where the square is exactly zero the limit is found.");
+  e.survivor("towards(-", "Below −1 the cubic is negative: no root is met twice.");
+  e.survivor("outside = - vertical", "The formula does not change when the two limits are exchanged.");
 }
 
 /// The axis of a top followed in space without angles, through three limits of its nutation: with n along the axis and

@@ -20,7 +20,8 @@ void judge_sleeping_spin(Lecture& lecture) {
                              {{"I1", positive(kg_m2)}, {"I3", positive(kg_m2)}, {"mgl", positive(joule)}},
                              {"omega", rad_per_s});
   e.domain([](auto I1, auto I3, auto) { return is_top(I1, I3); });
-  e.worked("the top of the lecture", top_I1, top_I3, top_mgl);
+  e.worked("a small top", top_I1, top_I3, top_mgl);
+  e.worked("the toy top of the lecture", 3.28e-4, 6.6e-5, 0.0456);
   e.special("a pencil on its tip", 1.2e-4, 5e-8, 0.006);
   e.special("a flat top", 2e-4, 3e-4, 0.03);
   e.special("equal moments", 3e-4, 3e-4, 0.05);

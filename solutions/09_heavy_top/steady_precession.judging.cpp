@@ -44,7 +44,8 @@ void judge_steady_precession(Lecture& lecture) {
     const double size = pow(I3 * omega3, 2) / (4 * I1 * mgl * abs(cos(theta)));
     return size > 1e-6 && size < 1e10;
   });
-  e.worked("the top of the lecture", top_I1, top_I3, top_mgl, 150, 0.5);
+  e.worked("a small top", top_I1, top_I3, top_mgl, 150, 0.5);
+  e.worked("the toy top of the lecture", 3.28e-4, 6.6e-5, 0.0456, 200, 30 * degree);
   e.worked("a gyroscope below its support", top_I1, top_I3, top_mgl, -40, 2.5);
   e.special("almost balanced: the rates differ by ten powers of ten", top_I1, top_I3, 1e-8, 2000, 0.5);
   e.special("just fast enough", top_I1, top_I3, top_mgl, 1.0011 * 108.86621079036 * sqrt(cos(0.5)), 0.5);
@@ -62,7 +63,7 @@ void judge_steady_precession(Lecture& lecture) {
   e.random("any top", 6, top(1));
   e.random("hanging below its support", 5, top(-1));
   e.scale([](auto... inputs) { return Vector2d(steady_precession(inputs...).cwiseAbs()); });
-  e.sweep({"The top of the lecture at θ = 0.5: the slow and the fast precession", "spin ω₃ (rad/s)", "rate (rad/s)"},
+  e.sweep({"A small top at θ = 0.5: the slow and the fast precession", "spin ω₃ (rad/s)", "rate (rad/s)"},
           {{"slow", 0}, {"fast", 1}}, {102.1, 250},
           [](auto omega3) { return tuple(top_I1, top_I3, top_mgl, omega3, 0.5); });
 
@@ -87,6 +88,7 @@ void judge_steady_precession(Lecture& lecture) {
   e.wrong_input<4>("Sine and cosine of the inclination are exchanged.", "sine",
                    [](double& theta) { theta = acos(copysign(sin(theta), cos(theta))); });
   e.wrong_output("Both rates have the wrong sign.", "sense", negated);
+  e.survivor("std::copysign( -std::sqrt", "std::copysign takes the magnitude of its first argument.");
   e.angles_read_as_degrees();
   e.route("dL/dt − τ in space, by Newton's method", [](auto I1, auto I3, auto mgl, auto omega3, auto theta) {
     const double far = 2 * I3 * omega3 / (I1 * cos(theta));
