@@ -61,11 +61,13 @@ const std::vector<Case> cases{
      "Tuleja and others on Feynman's wobbling plate"},
     {"06_free_tops", {"earth", R"(2\pi/\Omega)"}, {305}, 0.005, "Euler's period of the pole"},
     {"08_kinetic_energy", {"quaternion", "T"}, {(8 * 2.1 + 2 * 2.9) / 225}, 1e-14, "tests of Emmy"},
-    {"08_kinetic_energy",
+    {"09_heavy_top",
      {"steady", R"((\dot\phi_{\text{slow}},\ \dot\phi_{\text{fast}}))"},
      {3.758542593804, 42.711113219019},
      1e-12,
      "top of Sussman and Wisdom, roots to fifty digits"},
+    {"09_heavy_top", {"planets", R"(\dot\phi_{\text{Mars}})"}, {-7.594}, 0.015, "A. S. Konopliv and others"},
+    {"09_heavy_top", {"planets", R"(\dot\phi_{\text{Earth}})"}, {-50.407}, 5e-3, "N. Capitaine and others"},
 };
 
 std::vector<std::string> split(const std::string& line, char separator) {
