@@ -1,0 +1,304 @@
+// Figures of lecture 10.
+#include "lectures/support/motion.hpp"
+#include "lectures/support/sketch.hpp"
+
+#include <rigid/attitude_of_a_free_body.hpp>
+#include <rigid/free_tops.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+using namespace rigid;
+using gnuplotio::Gnuplot;
+using workbook::arc;
+using workbook::Motion;
+using workbook::Side;
+using workbook::Sketch;
+namespace colors = workbook::colors;
+
+namespace {
+
+using Curve = std::vector<Vector3d>;
+
+constexpr double pi = std::numbers::pi;
+constexpr double degree = pi / 180;
+const Vector3d origin = Vector3d::Zero();
+const Vector3d x_axis = Vector3d::UnitX(), y_axis = Vector3d::UnitY(), z_axis = Vector3d::UnitZ();
+const std::array<const char*, 3> axis_colors{colors::vermilion, colors::green, colors::purple};
+
+/// The crate of the lecture, kg m², and two motions, rad/s.
+const Vector3d crate(1.2, 2, 2.7), about_3(0.4, -0.9, 0.6), about_1(0.9, -0.5, 0.2);
+
+/// `count` moments of a motion in a frame in which L points along `up`.
+std::vector<Motion> with_L_along(const Vector3d& up, const Vector3d& I, const Vector3d& omega0, double duration,
+                                 int count) {
+  const Matrix3d A = Eigen::Quaterniond::FromTwoVectors(I.cwiseProduct(omega0), up).toRotationMatrix();
+  std::vector<Motion> motion;
+  for (int i = 0; i < count; ++i) {
+    const double t = duration * i / (count - 1);
+    motion.push_back({exact_rotation(I, omega0, t), A * exact_attitude(I, omega0, t)});
+  }
+  return motion;
+}
+
+/// Draws the pieces of a curve on a closed surface that the reader sees, and those behind it in another style.
+void draw_on_surface(Sketch& sketch, const Curve& curve, const Curve& normals, const char* color, double width,
+                     const std::string& hidden = "") {
+  Curve piece;
+  bool in_front = true;
+  const auto end_piece = [&] {
+    if (piece.size() > 1 && in_front) sketch.line(piece, color, width);
+    if (piece.size() > 1 && !in_front && !hidden.empty()) sketch.line(piece, color, width / 2, hidden);
+    piece.clear();
+  };
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    if (sketch.faces_reader(normals[i]) != in_front) {
+      piece.push_back(curve[i]);
+      end_piece();
+      in_front = !in_front;
+    }
+    piece.push_back(curve[i]);
+  }
+  end_piece();
+}
+
+/// The ellipsoid of energy lies on the plane on which it rolls; L points down.
+void draw_poinsot(const std::filesystem::path& directory) {
+  Sketch sketch({0.75, -1.0, 0.42});
+  const Vector3d I = crate, omega0 = about_3;
+  const double P = tumbling_period(I, omega0), height = poinsot(I, omega0)[0];
+  const Vector2d radii = herpolhode_radii(I, omega0);
+  const Vector3d foot = -height * z_axis;
+  const auto motion = with_L_along(-z_axis, I, omega0, 3 * P, 721);
+  const Motion& now = motion[40];
+  const Vector3d half_axes = (I.dot(omega0.cwiseAbs2()) * I.cwiseInverse()).cwiseSqrt();
+
+  sketch.face(arc(foot, 1.55, x_axis, y_axis), colors::pale, 0.5);
+  for (const double radius : {radii[0], radii[1]})
+    sketch.line(arc(foot, radius, x_axis, y_axis), colors::grey, 1.5, "dt (5,4)");
+  Curve herpolhode;
+  for (const Motion& each : motion) herpolhode.emplace_back(each.A * each.omega);
+  sketch.line(herpolhode, colors::blue, 1.5);
+
+  // The outline of an ellipsoid is the image of a great circle, as the ellipsoid is that of a sphere.
+  const auto place = [&](const Vector3d& on_sphere) -> Vector3d { return now.A * half_axes.cwiseProduct(on_sphere); };
+  const auto normal = [&](const Vector3d& on_sphere) -> Vector3d { return now.A * on_sphere.cwiseQuotient(half_axes); };
+  const auto great_circle = [&](const Vector3d& pole) {
+    const Vector3d first = pole.unitOrthogonal(), second = pole.normalized().cross(first);
+    return arc(origin, 1, first, second);
+  };
+  const auto mapped = [](const Curve& points, const auto& map) {
+    Curve images;
+    for (const Vector3d& point : points) images.push_back(map(point));
+    return images;
+  };
+  const Vector3d away = (now.A.transpose() * sketch.towards()).cwiseQuotient(half_axes);
+  const Curve outline = mapped(great_circle(away), place);
+  sketch.face(outline, colors::sky, 0.25);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Curve circle = great_circle(Vector3d::Unit(axis));
+    draw_on_surface(sketch, mapped(circle, place), mapped(circle, normal), colors::grey, 1);
+  }
+  Curve polhode, normals;
+  for (int i = 0; i <= 240; ++i) {
+    const Vector3d omega = motion[static_cast<std::size_t>(i)].omega;
+    polhode.emplace_back(now.A * omega);
+    normals.emplace_back(now.A * I.cwiseProduct(omega));
+  }
+  draw_on_surface(sketch, polhode, normals, colors::vermilion, 3.5, "dt (4,3)");
+  sketch.line(outline, colors::grey, 2);
+
+  const Vector3d contact = now.A * now.omega;
+  sketch.line({foot, contact}, colors::black, 2);
+  sketch.arrow(origin, 1.45 * foot, colors::blue, "{/:Bold L}", Side::right);
+  sketch.arrow(origin, contact, colors::vermilion, "", Side::left);
+  sketch.text(0.62 * contact - 0.1 * x_axis, "{/:Bold ω}", colors::vermilion, Side::left);
+  sketch.text(0.55 * foot + 0.04 * x_axis, "2T/L", colors::black, Side::right);
+  sketch.text(foot + Vector3d(1.1, 0.55, 0), "plane at rest", colors::black, Side::centre);
+  sketch.dot(foot, colors::black, 0.6);
+  sketch.dot(contact, colors::black, 0.8);
+  sketch.draw(directory, "poinsot", 560);
+}
+
+/// The herpolhode, seen along L, for both kinds of motion.
+void draw_herpolhode(const std::filesystem::path& directory) {
+  Sketch sketch;
+  struct Panel {
+    Vector3d omega0;
+    const char* name;
+    double place, scale;
+  };
+  for (const Panel& panel : {Panel{about_3, "round axis 3", -1.2, 2.2}, Panel{about_1, "round axis 1", 1.2, 2.2}}) {
+    const double P = tumbling_period(crate, panel.omega0);
+    const Vector3d center = panel.place * x_axis;
+    const Vector2d radii = panel.scale * herpolhode_radii(crate, panel.omega0);
+    const auto motion = with_L_along(z_axis, crate, panel.omega0, 6 * P, 1801);
+    Curve curve;
+    for (const Motion& each : motion) {
+      Vector3d tip = panel.scale * (each.A * each.omega);
+      tip[2] = 0;
+      curve.emplace_back(center + tip);
+    }
+    for (const double radius : {radii[0], radii[1]})
+      sketch.line(arc(center, radius, x_axis, y_axis), colors::grey, 1.5, "dt (5,4)");
+    sketch.line({curve.begin() + 300, curve.end()}, colors::sky, 1);
+    sketch.line({curve.begin(), curve.begin() + 301}, colors::blue, 3.5);
+    sketch.line({curve[300], center, curve[0]}, colors::black, 1);
+    sketch.dot(center, colors::black, 0.5);
+    sketch.dot(curve[0], colors::black, 0.9);
+    sketch.dot(curve[300], colors::vermilion, 0.9);
+    const double turn = std::fmod(turn_per_period(crate, panel.omega0), 2 * pi);
+    sketch.text(center - 1.13 * y_axis, panel.name);
+    sketch.text(center - 1.3 * y_axis, fmt::format("one period turns it by {:.1f}°", turn / degree));
+  }
+  sketch.draw(directory, "herpolhode", 590);
+}
+
+/// The path of the tip of axis 3 on a sphere about L.
+void draw_track(const std::filesystem::path& directory) {
+  Sketch sketch({0.3, -1.0, 1.2});
+  const double P = tumbling_period(crate, about_3);
+  const auto motion = with_L_along(z_axis, crate, about_3, 4 * P, 1601);
+  const Vector3d start = motion[0].A.col(2);
+  const Eigen::AngleAxisd to_the_left(-2.6 - std::atan2(start[1], start[0]), z_axis);
+  Curve track;
+  for (const Motion& each : motion) track.emplace_back(to_the_left * each.A.col(2));
+  const Vector3d view = sketch.towards().normalized(), side = z_axis.cross(view).normalized();
+  sketch.face(arc(origin, 1, side, view.cross(side)), colors::shade, 1);
+  sketch.line(arc(origin, 1, side, view.cross(side)), colors::grey, 1.5);
+  const auto is_lower = [](const Vector3d& one, const Vector3d& other) { return one[2] < other[2]; };
+  const auto [lowest, highest] = std::minmax_element(track.begin(), track.end(), is_lower);
+  for (const double height : {(*lowest)[2], (*highest)[2]}) {
+    const Curve circle = arc(height * z_axis, std::sqrt(1 - height * height), x_axis, y_axis);
+    draw_on_surface(sketch, circle, circle, colors::grey, 1.5);
+  }
+  const Curve later(track.begin() + 400, track.end()), first(track.begin(), track.begin() + 401);
+  draw_on_surface(sketch, later, later, colors::sky, 1);
+  draw_on_surface(sketch, first, first, colors::purple, 3.5, "dt (4,3)");
+  sketch.arrow(origin, 1.6 * z_axis, colors::blue, "{/:Bold L}", Side::right);
+  sketch.arrow(origin, 1.2 * track[0], colors::purple, "{/:Bold e}_3", Side::left, 2.5);
+  sketch.dot(track[0], colors::black, 0.9);
+  sketch.dot(track[400], colors::vermilion, 0.9);
+  sketch.draw(directory, "track", 480);
+}
+
+/// The closed path of the direction of L on the axes of the body.
+Curve path_of_L(const Vector3d& I, const Vector3d& omega0) {
+  Curve path;
+  const double P = tumbling_period(I, omega0);
+  for (int i = 0; i <= 240; ++i) path.emplace_back(I.cwiseProduct(exact_rotation(I, omega0, P * i / 240)).normalized());
+  return path;
+}
+
+/// Two solid angles on the sphere of the directions of L in the body.
+void draw_solid_angle(const std::filesystem::path& directory) {
+  Sketch sketch({1.0, 0.9, 0.85});
+  const Vector3d view = sketch.towards().normalized(), side = z_axis.cross(view).normalized();
+  const Curve outline = arc(origin, 1, side, view.cross(side));
+  sketch.face(outline, colors::shade, 1);
+  const auto draw_path = [&](const Vector3d& omega0, const char* color) {
+    const Curve path = path_of_L(crate, omega0);
+    sketch.face(path, color, 0.35);
+    draw_on_surface(sketch, path, path, color, 3.5);
+    for (const std::size_t at : {30U, 150U}) sketch.arrow(path[at - 3], path[at + 3], color, "", Side::right, 2.5);
+  };
+  draw_path({0.45, 0.2, 0.9}, colors::purple);
+  draw_path({0.9, 0.2, 0.2}, colors::vermilion);
+  sketch.line(outline, colors::grey, 1.5);
+  sketch.text(Vector3d(0.06, 0.2, 0.97), "S", colors::black);
+  sketch.text(Vector3d(0.97, 0.2, 0.12), "S", colors::black);
+  const std::array<const char*, 3> names{"{/:Bold e}_1", "{/:Bold e}_2", "{/:Bold e}_3"};
+  for (int i = 0; i < 3; ++i)
+    sketch.arrow(Vector3d::Unit(i), 1.6 * Vector3d::Unit(i), axis_colors[static_cast<std::size_t>(i)],
+                 names[static_cast<std::size_t>(i)], i == 0 ? Side::left : Side::right, 2.5);
+  sketch.draw(directory, "solid_angle", 480);
+}
+
+/// How far the handle of a racket is twisted when it has gone once round L.
+double twist_in_a_turn(const Vector3d& I, const Vector3d& omega0) {
+  constexpr int steps = 400;
+  constexpr double h = 2 * pi / steps;
+  struct State {
+    Vector3d l;
+    double twist;
+    State operator+(const State& other) const { return {l + other.l, twist + other.twist}; }
+    State operator*(double factor) const { return {l * factor, twist * factor}; }
+  };
+  const auto rate = [&](const State& now) -> State {
+    const Vector3d& l = now.l;
+    const double b = (l[1] * l[1] / I[1] + l[2] * l[2] / I[2]) / (l[1] * l[1] + l[2] * l[2]);
+    return {l.cross(l.cwiseQuotient(I)) / b, l[0] * (1 / I[0] - b) / b};
+  };
+  State now{I.cwiseProduct(omega0).normalized(), 0};
+  for (int i = 0; i < steps; ++i) {
+    const State k1 = rate(now), k2 = rate(now + k1 * (h / 2)), k3 = rate(now + k2 * (h / 2)), k4 = rate(now + k3 * h);
+    now = now + (k1 + k2 * 2 + k3 * 2 + k4) * (h / 6);
+  }
+  return now.twist;
+}
+
+/// What becomes of a throw: the same face, the other one, or nearly half a turn.
+std::size_t outcome(double x, double y) {
+  const Vector3d racket(1.21e-3, 16.38e-3, 17.48e-3);  // kg m²
+  const double twist = std::abs(twist_in_a_turn(racket, {std::tan(x * degree), 1, std::tan(y * degree)}));
+  return std::cos(twist) > 0 ? 0 : std::abs(twist - pi) > pi / 6 ? 1 : 2;
+}
+
+void draw_twist_map(const std::filesystem::path& directory) {
+  constexpr int rows = 80, columns = 160;
+  const double step = 40.0 / columns, height = 40.0 / rows;
+  std::array<std::vector<std::array<double, 6>>, 3> boxes;  // x, y and the box around: one for each run of a row
+  for (int row = 0; row <= rows; ++row) {
+    const double y = -20 + row * height;
+    double from = -20 - step / 2;
+    std::size_t now = outcome(-20, y);
+    for (int column = 0; column <= columns; ++column) {
+      const double x = -20 + column * step;
+      const std::size_t next = column == columns ? 3 : outcome(x + step, y);
+      if (next == now) continue;
+      boxes[now].push_back({from, y, from, x + step / 2, y - 0.52 * height, y + 0.52 * height});
+      from = x + step / 2;
+      now = next;
+    }
+  }
+  workbook::draw_figure(directory, "twist_map", {540, 500}, [&](Gnuplot& gnuplot) {
+    gnuplot << "unset key; set size ratio -1; set xrange [-20.125:20.125]; set yrange [-20.25:20.25]\n"
+               "set xtics 10; set ytics 10; set tics out; unset grid; set style fill solid 1 noborder\n"
+               "set xlabel 'ω off axis 2, towards the handle (°)'\n"
+               "set ylabel 'ω off axis 2, towards the normal (°)'\n"
+            << fmt::format(
+                   "set label 'half a turn, ±30°' at -6,8.5 center front tc rgb '{0}'\n"
+                   "set label 'half a turn, ±30°' at 6,-8.5 center front tc rgb '{0}'\n"
+                   "set label 'other face up' at -4,17.2 center front tc rgb '{0}'\n"
+                   "set label 'other face up' at 4,-17.2 center front tc rgb '{0}'\n"
+                   "set label 'same face up' at 8.4,1.2 left front tc rgb '{0}'\n"
+                   "set arrow from 8,1.6 to 3.5,3.2 head filled size 1,18 front lc rgb '{0}'\n",
+                   colors::black);
+    std::string plot = "plot ";
+    for (const char* color : {colors::orange, colors::pale, colors::sky})
+      plot += fmt::format("'-' with boxxyerror fc rgb '{}', ", color);
+    gnuplot << plot.substr(0, plot.size() - 2) << "\n";
+    for (const auto& each : boxes) {
+      for (const auto& box : each)
+        gnuplot << fmt::format("{} {} {} {} {} {}\n", box[0], box[1], box[2], box[3], box[4], box[5]);
+      gnuplot << "e\n";
+    }
+  });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return workbook::draw_figures(argc, argv,
+                                {{"poinsot", draw_poinsot},
+                                 {"herpolhode", draw_herpolhode},
+                                 {"track", draw_track},
+                                 {"solid_angle", draw_solid_angle},
+                                 {"twist_map", draw_twist_map}});
+}

@@ -1,0 +1,139 @@
+#include "solutions/10_attitude_of_a_free_body/shared.hpp"
+
+#include <boost/math/quadrature/gauss.hpp>
+
+namespace {
+
+/// The turn about L through an angle, in inertial components.
+Matrix3d about_L(const Vector3d& I, const Vector3d& w, double angle) {
+  return turn(L_of(I, w), std::fmod(angle, 2 * pi));
+}
+
+/// The number of whole periods in t, and what is left of it.
+struct Split {
+  Split(const Vector3d& I, const Vector3d& w, double t) {
+    const double P = ExactTop(I, w).period();
+    whole = std::floor(t / P);
+    rest = std::fma(-whole, P, t);
+  }
+  double whole, rest;
+};
+
+/// The attitude after whole periods of a turn of one's own about L.
+template <class Turn>
+auto with_turn(const Turn& turn_in_a_period) {
+  return [=](const Vector3d& I, const Vector3d& w, double t) {
+    const Split time(I, w, t);
+    return about_L(I, w, time.whole * turn_in_a_period(I, w)) * exact_attitude(I, w, time.rest);
+  };
+}
+
+/// The attitude in the frame whose third axis is along L and whose first one points to the side of axis 1.
+Matrix3d beside_L(const Vector3d& L) {
+  const Vector3d up = L.normalized(), along = x_axis, first = (along - along.dot(up) * up).normalized();
+  return (Matrix3d() << first, cross(up, first), up).finished().transpose();
+}
+
+Matrix3d turns_and_rest(const Vector3d& I, const Vector3d& w, double t) {
+  const Split time(I, w, t);
+  return about_L(I, w, time.whole * turn_per_period(I, w)) * integrated(I, w, time.rest).A;
+}
+
+Matrix3d power_of_a_period(const Vector3d& I, const Vector3d& w, double t) {
+  const Split time(I, w, t);
+  const double P = ExactTop(I, w).period();
+  Eigen::Quaterniond factor(integrated(I, w, time.whole < 0 ? -P : P).A), power(integrated(I, w, time.rest).A);
+  for (auto n = static_cast<long>(abs(time.whole)); n > 0; n /= 2) {
+    if (n % 2 == 1) power = (factor * power).normalized();
+    factor = (factor * factor).normalized();
+  }
+  return power.toRotationMatrix();
+}
+
+Matrix3d axis_1_followed(const Vector3d& I, const Vector3d& w, double t) {
+  const Split time(I, w, t);
+  const ExactTop top(I, w);
+  const auto rate = [&](double at) { return rate_about_L(I, top.omega(at), 0); };
+  const double in_a_period = over_a_period(I, w, [&](const Vector3d& now) { return rate_about_L(I, now, 0); });
+  double angle = std::fmod(time.whole * in_a_period, 2 * pi);
+  constexpr int pieces = 40;
+  const double h = time.rest / pieces;
+  for (int i = 0; i < pieces; ++i)
+    angle += boost::math::quadrature::gauss<double, 15>::integrate(rate, i * h, (i + 1) * h);
+  return beside_L(L_of(I, w)).transpose() * turn(z_axis, angle) * beside_L(L_of(I, top.omega(time.rest)));
+}
+
+}  // namespace
+
+void judge_exact_attitude(Lecture& lecture) {
+  auto& e = lecture.exercise("exact_attitude", &exact_attitude,
+                             {{"I", ascending_moments}, {"omega0", rad_per_s}, {"t", second}}, {"A", none});
+  e.domain([](auto& I, auto& w, auto t) { return tumbles(I, w, 0.01, 0.2) && abs(t) <= 1e6; });
+  e.worked("round axis 3, after eight days", lecture_body, round_3, 700000);
+  e.worked("round axis 1, after eight days", lecture_body, round_1, 700000);
+  e.worked("a day and a half before", lecture_body, round_3, -123456.7);
+  e.special("time 0", lecture_body, round_1, 0);
+  e.special("after one period", lecture_body, round_3, ExactTop(lecture_body, round_3).period());
+  const double half = ExactTop(lecture_body, {0.5, 0, -0.8}).period() / 2;
+  for (const int odd : {1, 3, 7, 15, 101, 1001})
+    e.special("ω₂ = 0 at the start, after half periods: " + std::to_string(odd), lecture_body, {0.5, 0, -0.8},
+              odd * half);
+  e.special("not far from the separatrix, round axis 3", lecture_body, {0.6, 0.5, 0.465}, 3e5);
+  e.special("not far from the separatrix, round axis 1", lecture_body, {0.6, 0.5, 0.39}, 3e5);
+  e.special("starting with ω₂ = 0", lecture_body, {0.5, 0, -0.8}, 4e5);
+  e.special("starting with ω₁ = 0", lecture_body, {0, -0.7, 0.8}, -1e6);
+  e.special("starting with ω₃ = 0", lecture_body, {-0.9, 0.3, 0}, 1e6);
+  e.special("a small wobble about axis 3", lecture_body, {0.2, 0.1, -1}, 8e5);
+  e.special("a small wobble about axis 1", lecture_body, {1, -0.1, 0.2}, 8e5);
+  e.special("moments close together", {1, 1.07, 1.15}, {0.3, -0.2, 0.5}, 6e5);
+  e.random("round axis 3", 6, round_axis(3), any::spin(1e5, 1e6));
+  e.random("round axis 1", 6, round_axis(1), any::spin(1e5, 1e6));
+  e.random("within a minute", 4, round_axis(1), any::spin(20, 60));
+  e.tolerance(1e-6, "After a million seconds the last digits of period and turn have become an error of a few 10⁻⁸.");
+  e.scale(1);
+  e.sweep({"I = (1.2, 2, 2.7) kg m², ω = (0.4, −0.9, 0.6) rad/s: how far each axis is from where it was 8 days before",
+           "t − 691200 s (s)", "cosine of the angle"},
+          {{"axis 1", 0, 0}, {"axis 2", 1, 1}, {"axis 3", 2, 2}}, {0, 30, 91},
+          [](auto t) { return tuple(lecture_body, round_3, 691200 + t); });
+
+  e.wrong_output("This is the transposed matrix: the principal axes are its rows; they should be its columns.",
+                 "transposed", transposed);
+  e.wrong(
+      "This is the attitude at the remainder of t after whole periods; in each of these the body has turned about L.",
+      "no_turn", with_turn([](auto&, auto&) { return 0.0; }));
+  e.wrong("This is the attitude in a frame with L upright; at time 0 it is not the unit matrix.", "L_upright",
+          [](auto& I, auto& w, auto t) {
+            const Vector3d L = L_of(I, w);
+            return turn(z_axis, 0) * turn(y_axis, atan2(hypot(L[0], L[1]), L[2])) * turn(z_axis, atan2(L[1], -L[0])) *
+                   exact_attitude(I, w, t);
+          });
+  e.wrong("The body turns about L in the wrong sense in whole periods; axis 3 goes round L in the positive one.",
+          "turn_reversed", with_turn([](auto& I, auto& w) { return -turn_per_period(I, w); }));
+  e.wrong("The turn about L of the whole periods stands on the right; L has its inertial components, so it acts last.",
+          "turn_on_the_right", [](auto& I, auto& w, auto t) {
+            const Split time(I, w, t);
+            return exact_attitude(I, w, time.rest) * about_L(I, w, time.whole * turn_per_period(I, w));
+          });
+  e.wrong({"In each period this turns the body about L by 2TP/L; the solid angle is missing.", "attitude_phase"},
+          "dynamical_phase_only", with_turn(dynamical_phase));
+  e.wrong(
+      {"In each period this turns the body about L by 2TP/L + S round axis 3, and 2TP/L − S round axis 1; the solid "
+       "angle has the other sign.",
+       "attitude_phase"},
+      "phase_reversed", with_turn([](auto& I, auto& w) {
+        const double S = geometric_phase(I, w);
+        return dynamical_phase(I, w) + (is_round_3(I, w) ? S : -S);
+      }));
+  e.property(Is::rotation_matrix, "The principal axes stay at right angles and of length 1, and right-handed.");
+  e.route("a turn about L for whole periods, the rest integrated", turns_and_rest);
+  e.route("one period integrated, its attitude raised to a power", power_of_a_period);
+  e.route("axis 1 followed about L, by sums", axis_1_followed);
+  e.survivor("squares[2] >=", "Zero is the separatrix, which is no legal input.");
+  e.survivor("copysign( -1.0", "copysign takes the size of its first argument only.");
+  e.survivor("copysign(-1,", "copysign takes the size of its first argument only.");
+  e.survivor("( -k", "The modulus enters squared.");
+  e.survivor("isfinite", "No legal input leads there.");
+  e.survivor("double cotangent = -", "The cotangent enters squared.");
+  e.survivor("( -I[0] * largest", "The cotangent enters squared.");
+  e.survivor("0.5 * within", "Half of the correction still tells the turns.");
+}

@@ -1,0 +1,85 @@
+#include "solutions/10_attitude_of_a_free_body/shared.hpp"
+
+namespace {
+
+/// What the body turns about L in a period, modulo whole turns, by integration: L is where it was, so any direction
+/// across it shows the angle.
+double turn_of_the_body(const Vector3d& I, const Vector3d& w) {
+  const Matrix3d A = integrated(I, w, ExactTop(I, w).period()).A;
+  const Vector3d axis = L_of(I, w).normalized(), across = axis.unitOrthogonal();
+  return atan2(cross(axis, across).dot(A * across), across.dot(A * across));
+}
+
+/// ∮ (1 − cos ϑ) dχ on the sphere about the axis that L circles, with ϑ at each azimuth χ from the energy: no motion.
+double area(const Vector3d& I, const Vector3d& w) {
+  const int c = is_round_3(I, w) ? 2 : 0;
+  const double Ia = I[2 - c], Ib = I[1], Ic = I[c];
+  constexpr int steps = 4000;
+  double sum = 0;
+  // 2T/L² = cos²ϑ/I_c + sin²ϑ (cos²χ/I_a + sin²χ/I_b), with 2T I_c − L² as a sum.
+  const double above = (Ia * (Ic - Ia) * w[2 - c] * w[2 - c] + Ib * (Ic - Ib) * w[1] * w[1]) / L_of(I, w).squaredNorm();
+  for (int i = 0; i < steps; ++i) {
+    const double chi = 2 * pi * i / steps;
+    const double sin2 = above / (pow(cos(chi), 2) * (Ic - Ia) / Ia + pow(sin(chi), 2) * (Ic - Ib) / Ib);
+    sum += sin2 / (1 + sqrt(1 - sin2));
+  }
+  return sum * 2 * pi / steps;
+}
+
+}  // namespace
+
+void judge_geometric_phase(Lecture& lecture) {
+  auto& e = lecture.exercise("geometric_phase", &geometric_phase, {{"I", ascending_moments}, {"omega0", rad_per_s}},
+                             {"S", rad});
+  e.domain([](auto& I, auto& w) { return tumbles(I, w, 1e-3); });
+  e.worked("round axis 3", lecture_body, round_3);
+  e.worked("round axis 1", lecture_body, round_1);
+  e.worked("close to the middle axis", {1, 2, 3}, {0.1, 1, 0.1});
+  e.worked("round axis 1 in the other sense", lecture_body, {-0.9, -0.5, 0.2});
+  e.special("round axis 3 in the other sense", lecture_body, {0.3, 0.02, -1});
+  e.special("starting with ω₂ = 0", lecture_body, {0.5, 0, -0.8});
+  e.special("starting with ω₃ = 0", lecture_body, {0.9, 0.3, 0});
+  e.special("a small wobble about axis 3", lecture_body, {0.05, 0.03, -1});
+  e.special("a small wobble about axis 1", lecture_body, {1, 0.03, 0.05});
+  e.special("moments close together", {1, 1.07, 1.15}, {0.3, -0.2, 0.5});
+  e.random("round axis 3", 6, round_axis(3));
+  e.random("round axis 1", 6, round_axis(1));
+  e.scale(1);
+  e.sweep({"I = (1.2, 2, 2.7) kg m², ω = (0.5, 0.6, ω₃) rad/s: round axis 1 on the left, round axis 3 on the right",
+           "ω₃ (rad/s)", "solid angle"},
+          {"S"}, {0, 1.5, 76}, [](auto w3) { return tuple(lecture_body, Vector3d(0.5, 0.6, w3)); });
+
+  e.wrong("This is the turn about L itself, modulo 2π; the angle 2TP/L is still in it.", "turn_itself",
+          [](auto& I, auto& w) { return modulo(turn_per_period(I, w), 2 * pi); });
+  e.wrong_output("This is 2π − S: the sense in which the curve runs is reversed.", "wrong_sense",
+                 [](auto& S) { S = 2 * pi - S; });
+  e.wrong("Your sign is that of motion round axis 3 always; round axis 1 the curve runs in the other sense.",
+          "round_axis_3_always",
+          [](auto& I, auto& w) { return modulo(dynamical_phase(I, w) - turn_per_period(I, w), 2 * pi); });
+  e.wrong("This is 2TP/L modulo 2π, the dynamical part of the turn; asked for is the other part.", "dynamical_phase",
+          [](auto& I, auto& w) { return modulo(dynamical_phase(I, w), 2 * pi); });
+  e.wrong_output("This is the solid angle on the other side of the curve, 4π − S.", "other_side",
+                 [](auto& S) { S = 4 * pi - S; });
+  e.property(Is::nonnegative, "The solid angle is counted from 0.");
+  e.route("from the turn of the integrated body", [](auto& I, auto& w) {
+    const double difference = dynamical_phase(I, w) - turn_of_the_body(I, w);
+    return modulo(is_round_3(I, w) ? difference : -difference, 2 * pi);
+  });
+  e.route("the area from the energy alone", area);
+  e.route("1 − cos ϑ along the motion", [](auto& I, auto& w) {
+    const int c = is_round_3(I, w) ? 2 : 0;
+    const Vector3d L0 = L_of(I, w);
+    return over_a_period(I, w, [&](const Vector3d& now) {
+      // The azimuth about axis c grows at (L × dL/dt)_c/(Lₐ² + L_b²), with dL/dt = L × ω on the axes of the body.
+      const Vector3d L = L_of(I, now), rate = cross(L, now);
+      const double across = L.squaredNorm() - L[c] * L[c],
+                   chi = L[(c + 1) % 3] * rate[(c + 2) % 3] - L[(c + 2) % 3] * rate[(c + 1) % 3];
+      const double one_minus_cosine = across / (L0.norm() * (L0.norm() + abs(L[c])));
+      return one_minus_cosine * abs(chi) / across;
+    });
+  });
+  e.survivor("-omega0", "Reversing ω reverses L and changes nothing else.");
+  e.survivor("const double k = -", "The modulus enters squared.");
+  e.survivor("round_3 >= round_1", "Zero is the separatrix, which is no legal input.");
+  e.survivor("( -k", "The modulus enters squared.");
+}

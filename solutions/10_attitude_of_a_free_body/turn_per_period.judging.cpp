@@ -1,0 +1,76 @@
+#include "solutions/10_attitude_of_a_free_body/shared.hpp"
+
+#include <boost/math/special_functions/ellint_rf.hpp>
+#include <boost/math/special_functions/ellint_rj.hpp>
+
+void judge_turn_per_period(Lecture& lecture) {
+  auto& e = lecture.exercise("turn_per_period", &turn_per_period, {{"I", ascending_moments}, {"omega0", rad_per_s}},
+                             {"angle", rad});
+  e.domain([](auto& I, auto& w) { return tumbles(I, w, 1e-3); });
+  e.worked("round axis 3", lecture_body, round_3);
+  e.worked("round axis 1", lecture_body, round_1);
+  e.worked("close to the middle axis", {1, 2, 3}, {0.1, 1, 0.1});
+  e.worked("backwards about axis 3", lecture_body, {0.3, 0.02, -1});
+  e.special("starting with ω₂ = 0", lecture_body, {0.5, 0, -0.8});
+  e.special("starting with ω₁ = 0", lecture_body, {0, -0.7, 0.8});
+  e.special("starting with ω₃ = 0", lecture_body, {0.9, 0.3, 0});
+  e.special("a small wobble about axis 3", lecture_body, {0.05, 0.03, -1});
+  e.special("a small wobble about axis 1", lecture_body, {1, 0.03, 0.05});
+  e.special("moments close together", {1, 1.07, 1.15}, {0.3, -0.2, 0.5});
+  e.random("round axis 3", 6, round_axis(3));
+  e.random("round axis 1", 6, round_axis(1));
+  e.sweep({"I = (1.2, 2, 2.7) kg m², ω = (0.5, 0.6, ω₃) rad/s: round axis 1 on the left, round axis 3 on the right",
+           "ω₃ (rad/s)", "turn about L in a period (rad)"},
+          {"turn"}, {0, 1.5, 76}, [](auto w3) { return tuple(lecture_body, Vector3d(0.5, 0.6, w3)); });
+
+  e.wrong({"This is 2TP/L, the mean rate of rotation about L times the period; axis 3 goes round at another rate, "
+           "because the body also rotates about it.",
+           "attitude_phase"},
+          "mean_rate", dynamical_phase);
+  e.wrong("This is L/I₃ times the period, the rate of a rotation about axis 3 alone.", "L_over_I3",
+          [](auto& I, auto& w) { return L_of(I, w).norm() / I[2] * ExactTop(I, w).period(); });
+  e.wrong_output("Whole turns are missing: this is the angle modulo 2π.", "modulo",
+                 [](auto& angle) { angle = modulo(angle, 2 * pi); });
+  e.wrong_output("This is half of the angle: 2K/ν is half a period, after which two components of ω are reversed.",
+                 "half_period", times(0.5));
+  e.wrong("This is the rate of the start times the period; the rate changes along the motion.", "start_rate",
+          [](auto& I, auto& w) { return rate_about_L(I, w) * ExactTop(I, w).period(); });
+  e.wrong("This is how far axis 1 goes round L; asked for is axis 3, that of the largest moment.", "axis_1",
+          [](auto& I, auto& w) {
+            return over_a_period(I, w, [&](const Vector3d& now) { return rate_about_L(I, now, 0); });
+          });
+  e.property(Is::nonnegative, "Axis 3 goes round L in the positive sense all the time.");
+  e.route("the rate summed over a period", [](auto& I, auto& w) {
+    return over_a_period(I, w, [&](const Vector3d& now) {
+      const Vector3d L = L_of(I, now);
+      return L.norm() * (L[0] * now[0] + L[1] * now[1]) / (L[0] * L[0] + L[1] * L[1]);
+    });
+  });
+  e.route("the attitude integrated, and axis 3 followed", [](auto& I, auto& w) {
+    const Vector3d axis = L_of(I, w).normalized();
+    constexpr int steps = 200;
+    const double h = ExactTop(I, w).period() / steps;
+    double angle = 0;
+    Moved now{w, Matrix3d::Identity()};
+    for (int i = 0; i < steps; ++i) {
+      const Moved step = integrated(I, now.omega, h);
+      const Matrix3d A = now.A * step.A;
+      const Vector3d before = cross(axis, now.A.col(2)), after = cross(axis, A.col(2));
+      angle += modulo(atan2(axis.dot(cross(before, after)), before.dot(after)), 2 * pi);
+      now = {step.omega, A};
+    }
+    return angle;
+  });
+  e.route("Carlson's integrals", [](auto& I, auto& w) {
+    const double L2 = L_of(I, w).squaredNorm(), below = twice_T(I, w) * I[2] - L2, above = L2 - twice_T(I, w) * I[0];
+    const double round_3_part = above * (I[2] - I[1]), round_1_part = below * (I[1] - I[0]);
+    const double larger = max(round_3_part, round_1_part), m = min(round_3_part, round_1_part) / larger;
+    const double ratio = I[2] * above / (I[0] * below), n = is_round_3(I, w) ? -m * ratio : -ratio;
+    const double K = boost::math::ellint_rf(0.0, 1 - m, 1.0), J = boost::math::ellint_rj(0.0, 1 - m, 1.0, 1 - n);
+    return 4 * sqrt(L2 * I.prod() / larger) / I[2] * (K + (I[2] - I[0]) / I[0] * (K + n / 3 * J));
+  });
+  e.survivor("-omega0", "Reversing ω reverses L and changes nothing else.");
+  e.survivor("const double k = -", "The modulus enters squared.");
+  e.survivor("round_3 >= round_1", "Zero is the separatrix, which is no legal input.");
+  e.survivor("( -k", "The modulus enters squared.");
+}
