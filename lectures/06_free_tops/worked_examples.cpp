@@ -4,7 +4,6 @@
 #include "lectures/support/motion.hpp"
 #include "lectures/support/result.hpp"
 
-#include <rigid/euler_equations.hpp>
 #include <rigid/free_tops.hpp>
 
 #include <boost/math/special_functions/ellint_1.hpp>
@@ -599,28 +598,6 @@ TEST_CASE("period: In closed form, by watching the motion, and with the modulus 
   result(R"(P_{\mathrm{wrong}})", wrong, "s", R"(with \(k^2\) where the library wants \(k\))", 7);
 }
 //! [period]
-
-//! [azimuth]
-TEST_CASE("azimuth: How far axis 3 has gone round L") {
-  const Vector3d I = flat_body, omega0(0.1, 1, 0.1);
-  const double twice_T = twice_energy(I, omega0), L = std::sqrt(momentum_squared(I, omega0));
-  //! [azimuth in brief]
-  const int n = 4000;
-  const VectorXd times = VectorXd::LinSpaced(n + 1, 0, 20);
-  const Eigen::ArrayXd omega3 = free_rotation(I, omega0, times).row(2);
-  const Eigen::ArrayXd I3w3 = I[2] * omega3;
-  const Eigen::ArrayXd rate = L * (twice_T - I3w3 * omega3) / (L * L - I3w3 * I3w3);
-  const double phi = 20.0 / n * (rate.sum() - (rate[0] + rate[n]) / 2);
-  //! [azimuth in brief]
-
-  CHECK(agrees(phi, 24.258871956344, 1e-5));  // by an elliptic integral of the third kind
-  // The integrated attitude has the same angle about L, up to whole turns.
-  const double angle = angle_about(I.cwiseProduct(omega0), Vector3d::UnitZ(), integrated(I, {omega0}, 20).A.col(2));
-  CHECK(agrees(std::remainder(phi - angle, 2 * pi), 0, 1e-5, 1));
-
-  result(R"(\phi)", phi, "rad", "after 20 s");
-}
-//! [azimuth]
 
 //! [flip]
 TEST_CASE("flip: A tennis racket that is thrown end over end twists by half a turn") {
