@@ -87,7 +87,7 @@ TEST_CASE("the solution is shown after a pass, or when it is asked for all the s
   fs::remove_all(course.root() / "solutions");
   const Outcome handed_out = course.run("solution spring_energy --now");
   CHECK(handed_out.status == 1);
-  CHECK(has(handed_out.out, "no solutions"));
+  CHECK(has(handed_out.out, "does not have this solution"));
 }
 
 TEST_CASE("hints come one at a time, and the last one stays") {
