@@ -129,6 +129,25 @@ function offer_motion(picture) {
   picture.after(controls);
 }
 
+/** Figures that move: what they need is loaded when one comes into sight. Without WebAssembly the still picture stays. */
+function offer_live_figure(place) {
+  if (typeof WebAssembly !== "object") return;
+  const scripts = ["live.js", "rigid.js", `${place.dataset.lecture}.js`].map(name => `live/${name}`);
+  const load = source => new Promise((loaded, failed) => {
+    const present = document.querySelector(`script[src="${source}"]`);
+    const script = present ?? document.head.appendChild(Object.assign(document.createElement("script"), { src: source }));
+    if (script.loaded) return loaded();
+    script.addEventListener("load", () => { script.loaded = true; loaded(); });
+    script.addEventListener("error", failed);
+  });
+  new IntersectionObserver(async (entries, observer) => {
+    if (!entries.some(entry => entry.isIntersecting)) return;
+    observer.disconnect();
+    for (const source of scripts) await load(source);
+    start_live(place);
+  }, { rootMargin: "200px" }).observe(place.closest("figure"));
+}
+
 /** Doxygen keeps the indentation of quoted code. */
 function shift_to_the_left(fragment) {
   const lines = [...fragment.querySelectorAll(".line")].filter(line => line.textContent.trim());
@@ -148,6 +167,7 @@ if (document.querySelector("#course")) {
   offer_search();
   find_paragraph();
   document.querySelectorAll("figure > svg:has(.frame)").forEach(offer_motion);
+  document.querySelectorAll("figure > .live").forEach(offer_live_figure);
   const menu = document.querySelector("#menu");
   menu.onclick = () => menu.setAttribute("aria-expanded", document.querySelector("#course").classList.toggle("open"));
 }

@@ -126,6 +126,8 @@ TEST_CASE("all that the notes show goes along") {
   CHECK(figures > 16);
   for (const fs::path& printed : files_below(build / "printed"))
     CHECK(read(copy() / "lectures" / printed.stem() / "handed_out/printed.txt") == read(printed));
+  if (const fs::path script = build / "live/rigid.js"; fs::exists(script))
+    CHECK(fs::file_size(copy() / "lectures/live/handed_out/rigid.js") == fs::file_size(script));
 }
 
 TEST_CASE("no file of the copy holds the body of a solution, or defines an exercise") {

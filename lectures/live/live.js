@@ -1,0 +1,501 @@
+// The live figures: scenes that one turns in the hand, arrows, surfaces, plots, sliders, time. A figure is one call of
+// live() in lectures/NN_topic/live.js; what it shows is computed by `rigid`, the C++ functions of the course.
+
+// ---- Vectors are arrays, matrices arrays of their columns.
+
+const sum = (...vectors) => vectors[0].map((_, i) => vectors.reduce((total, vector) => total + vector[i], 0));
+const times = (factor, vector) => vector.map(component => factor * component);
+const minus = (a, b) => a.map((component, i) => component - b[i]);
+const dot = (a, b) => a.reduce((total, component, i) => total + component * b[i], 0);
+const cross = (a, b) => [0, 1, 2].map(i => a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3]);
+const norm = vector => Math.hypot(...vector);
+const unit = vector => times(1 / norm(vector), vector);
+const turned = (A, vector) => sum(...A.map((column, i) => times(vector[i], column)));
+const product = (A, B) => B.map(column => turned(A, column));
+const transposed = A => A[0].map((_, row) => A.map(column => column[row]));
+const diagonal = (a, b, c) => [[a, 0, 0], [0, b, 0], [0, 0, c]];
+const [x_axis, y_axis, z_axis] = diagonal(1, 1, 1);
+const origin = [0, 0, 0];
+/** count + 1 numbers, equally spaced. */
+const steps = (from, to, count) => Array.from({ length: count + 1 }, (_, i) => from + (to - from) * i / count);
+/** Points of an ellipse with two half axes, or of a part of it. */
+const arc = (center, a, b, from = 0, to = 2 * Math.PI) =>
+  steps(from, to, 72).map(angle => sum(center, times(Math.cos(angle), a), times(Math.sin(angle), b)));
+
+// ---- The functions of the course by their names: rigid.free_rotation(I, omega0, times).
+
+const rigid = {};
+
+async function load_rigid() {
+  const module = await rigid_module();
+  const numbers_of = value => Array.isArray(value?.[0]) ? [value[0].length, value.length, ...value.flat()]
+    : Array.isArray(value) ? [value.length, 1, ...value] : [1, 1, value];
+  module.UTF8ToString(module._live_names()).split(" ").forEach((name, number) => rigid[name] = (...values) => {
+    const numbers = values.flatMap(numbers_of);
+    module.HEAPF64.set(numbers, module._live_arguments(numbers.length) / 8);
+    const at = module._live_call(number) / 8;
+    const [rows, columns] = module.HEAPF64.subarray(at, at + 2);
+    const column = k => Array.from(module.HEAPF64.subarray(at + 2 + k * rows, at + 2 + (k + 1) * rows));
+    return columns > 1 ? steps(0, columns - 1, columns - 1).map(column) : rows > 1 ? column(0) : column(0)[0];
+  });
+}
+
+// ---- A picture: orthographic, what is drawn first lies below.
+
+class Scene {
+  /** A view has `half`, the half width of what it shows in its own units, and `towards`, from where one looks at first;
+   *  without that it is flat, x to the right and y up. */
+  constructor(canvas, view) {
+    this.canvas = canvas;
+    this.half = view.half ?? 1;
+    this.flat = !view.towards;
+    const [x, y, z] = view.towards ?? z_axis;
+    this.azimuth = this.flat ? -Math.PI / 2 : Math.atan2(y, x);
+    this.height = this.flat ? Math.PI / 2 : Math.atan2(z, Math.hypot(x, y));
+    this.pixels = 1;        // of the screen's own, fewer where drawing takes too long
+    this.released = false;  // what is to be predicted must not be seen before
+  }
+
+  begin() {
+    const ratio = devicePixelRatio * this.pixels, { clientWidth: width, clientHeight: height } = this.canvas;
+    const [w, h] = [width, height].map(length => Math.max(1, Math.round(length * ratio)));
+    if (this.canvas.width !== w || this.canvas.height !== h) Object.assign(this.canvas, { width: w, height: h });
+    const c = this.context = this.canvas.getContext("2d");
+    c.setTransform(ratio, 0, 0, ratio, 0, 0);
+    c.clearRect(0, 0, width, height);
+    Object.assign(c, { lineJoin: "round", lineCap: "round", textBaseline: "middle", textAlign: "center" });
+    [this.width, this.high] = [width, height];
+    this.scale = Math.min(width, height) / 2 / this.half;
+    const [sa, ca, sh, ch] = [Math.sin(this.azimuth), Math.cos(this.azimuth), Math.sin(this.height), Math.cos(this.height)];
+    this.towards = [ch * ca, ch * sa, sh];
+    this.right = [-sa, ca, 0];
+    this.up = cross(this.towards, this.right);
+    const style = getComputedStyle(this.canvas);
+    this.color = name => style.getPropertyValue("--figure-" + name) || name;
+  }
+
+  turn(right, up) {
+    if (this.flat) return;
+    this.azimuth -= right;
+    this.height = Math.max(-1.5, Math.min(1.5, this.height + up));
+  }
+
+  /** Pixels of a point. */
+  at(point) {
+    return [this.width / 2 + this.scale * dot(point, this.right), this.high / 2 - this.scale * dot(point, this.up)];
+  }
+
+  /** The point at some pixels, on the ball about the origin that has this radius and in front; 0 for a flat view. */
+  point_at([x, y], radius = 0) {
+    const [r, u] = [(x - this.width / 2) / this.scale, (this.high / 2 - y) / this.scale];
+    const far = Math.max(1, Math.hypot(r, u) / (radius || Infinity));
+    const depth = Math.sqrt(Math.max(0, radius ** 2 - (r * r + u * u) / far ** 2));
+    return sum(times(r / far, this.right), times(u / far, this.up), times(depth, this.towards));
+  }
+
+  path(points, close = false) {
+    const c = this.context;
+    c.beginPath();
+    points.forEach((point, i) => i ? c.lineTo(...this.at(point)) : c.moveTo(...this.at(point)));
+    if (close) c.closePath();
+  }
+
+  line(points, color, width = 2, { dash = [], opacity = 1 } = {}) {
+    const c = this.context;
+    Object.assign(c, { strokeStyle: this.color(color), lineWidth: width, globalAlpha: opacity });
+    c.setLineDash(dash);
+    this.path(points);
+    c.stroke();
+    c.globalAlpha = 1;
+    c.setLineDash([]);
+  }
+
+  /** A line on a closed surface: what faces the reader, and faintly the rest. */
+  on_surface(points, normal, color, width = 2) {
+    const seen = points.map(point => dot(normal(point), this.towards) >= 0);
+    for (const side of [false, true]) {
+      for (let i = 0, start = 0; i < points.length; ++i) {
+        if (i + 1 < points.length && seen[i + 1] === seen[i]) continue;
+        if (seen[i] === side) this.line(points.slice(start, i + 2), color, width, side ? {} : { opacity: 0.3 });
+        start = i + 1;
+      }
+    }
+  }
+
+  face(corners, color, opacity = 0.2, edge = 0) {
+    const c = this.context;
+    Object.assign(c, { fillStyle: this.color(color), globalAlpha: opacity });
+    this.path(corners, true);
+    c.fill();
+    c.globalAlpha = 1;
+    if (edge) this.line([...corners, corners[0]], "ink", edge);
+  }
+
+  /** With a head, and a name beyond its tip or beside it. */
+  arrow(from, to, color, name = "", { width = 3, beside = false } = {}) {
+    const [a, b] = [this.at(from), this.at(to)];
+    const length = Math.hypot(b[0] - a[0], b[1] - a[1]), c = this.context;
+    const along = length > 0 ? [(b[0] - a[0]) / length, (b[1] - a[1]) / length] : [0, 0];
+    const head = Math.min(3.6 * width, length);
+    const foot = [b[0] - head * along[0], b[1] - head * along[1]];
+    Object.assign(c, { strokeStyle: this.color(color), fillStyle: this.color(color), lineWidth: width });
+    c.beginPath();
+    c.moveTo(...a);
+    c.lineTo(...foot);
+    c.stroke();
+    c.beginPath();
+    c.moveTo(...b);
+    for (const side of [1, -1]) c.lineTo(foot[0] - side * head * 0.45 * along[1], foot[1] + side * head * 0.45 * along[0]);
+    c.fill();
+    // A short arrow points at the reader: its name stands beside it.
+    const [dx, dy] = length <= 12 ? [0.7, -0.7] : beside ? [-along[1], along[0]] : along;
+    if (name) this.words(name, [b[0] + 14 * dx, b[1] + 14 * dy], color);
+  }
+
+  /** A body and arrows from its inside: those that point away from the reader lie behind it. */
+  body_with_arrows(draw, arrows) {
+    const in_front = ([from, to]) => dot(minus(to, from), this.towards) >= 0;
+    for (const arrow of arrows.filter(arrow => !in_front(arrow))) this.arrow(...arrow);
+    draw();
+    for (const arrow of arrows.filter(in_front)) this.arrow(...arrow);
+  }
+
+  dot(point, color, radius = 4) {
+    const c = this.context;
+    c.fillStyle = this.color(color);
+    c.beginPath();
+    c.arc(...this.at(point), radius, 0, 2 * Math.PI);
+    c.fill();
+  }
+
+  text(point, words, color = "ink", align = "center") { this.words(words, this.at(point), color, align); }
+
+  words(words, [x, y], color = "ink", align = "center") {
+    const c = this.context;
+    // Names of vectors are bold.
+    c.font = `${/^[LωeVΩvFτr]/.test(words) && words.length < 4 ? "bold " : ""}15px Helvetica, Arial, sans-serif`;
+    Object.assign(c, { textAlign: align, strokeStyle: this.color("paper"), fillStyle: this.color(color), lineWidth: 4 });
+    c.strokeText(words, x, y);
+    c.fillText(words, x, y);
+  }
+
+  /** The ellipsoid with three half axes: its outline and a shade. */
+  ellipsoid(center, axes, color, opacity = 1) {
+    // What one sees is the ellipse Q v, |v| ≤ 1, with two rows and three columns; L of Q Qᵀ = L Lᵀ draws it from a circle.
+    const Q = [this.right, this.up].map(direction => axes.map(axis => dot(axis, direction)));
+    const a = Math.sqrt(dot(Q[0], Q[0])), b = dot(Q[0], Q[1]) / a, d = Math.sqrt(Math.max(0, dot(Q[1], Q[1]) - b * b));
+    const c = this.context, s = this.scale;
+    c.save();
+    c.transform(s * a, -s * b, 0, -s * d, ...this.at(center));
+    const shade = c.createRadialGradient(-0.35, 0.4, 0, 0, 0, 1);
+    for (const [place, alpha] of [[0, 0.05], [0.7, 0.22], [1, 0.5]]) {
+      shade.addColorStop(place, `color-mix(in srgb, ${this.color(color)} ${100 * alpha * opacity}%, transparent)`);
+    }
+    c.fillStyle = shade;
+    c.beginPath();
+    c.arc(0, 0, 1, 0, 2 * Math.PI);
+    c.fill();
+    c.restore();
+  }
+
+  /** The faces of a box that one sees; `axes` are its half edges, `colors` those of the faces along each. */
+  box(center, axes, colors, opacity = 1) {
+    axes.forEach((axis, i) => {
+      const facing = dot(axis, this.towards) / norm(axis);
+      const middle = sum(center, times(facing < 0 ? -1 : 1, axis)), [u, v] = [axes[(i + 1) % 3], axes[(i + 2) % 3]];
+      const corners = [[1, 1], [1, -1], [-1, -1], [-1, 1]].map(([p, q]) => sum(middle, times(p, u), times(q, v)));
+      this.face(corners, "paper", opacity);
+      // The face at the other end is paler, so that one tells them apart.
+      this.face(corners, colors[i], (facing < 0 ? 0.22 : 0.5) + 0.25 * Math.abs(facing), 1.2);
+    });
+  }
+
+  /** Curves over x in a flat view: `x` and `y` are the ranges, a curve is {points, color, name, dash}. */
+  plot({ x, y, x_name, y_name, curves, now }) {
+    const [left, right, top, bottom] = [46, this.width - 16, 22, this.high - 38];
+    const place = ([u, v]) => [left + (right - left) * (u - x[0]) / (x[1] - x[0]),
+      bottom - (bottom - top) * (v - y[0]) / (y[1] - y[0])];
+    const c = this.context;
+    this.at = place;
+    for (const [range, room, draw] of [[x, right - left, u => [[u, y[0]], [u, y[1]]]], [y, bottom - top, v => [[x[0], v], [x[1], v]]]]) {
+      const rough = (range[1] - range[0]) * (range === x ? 90 : 36) / room, power = 10 ** Math.floor(Math.log10(rough));
+      const step = [1, 2, 5, 10].map(k => k * power).find(k => k >= rough);
+      for (let k = Math.ceil(range[0] / step - 1e-9); k * step <= range[1] + 1e-9 * step; ++k) {
+        const [from, to] = draw(k * step), [u, v] = place(from);
+        this.line([from, to], k === 0 ? "grey" : "pale", 1);
+        const label = String(+(k * step).toPrecision(6)).replace("-", "−");
+        if (range === x) this.words(label, [u, v + 13]); else this.words(label, [u - 6, v], "ink", "right");
+      }
+    }
+    c.save();
+    c.beginPath();
+    c.rect(left, top - 2, right - left, bottom - top + 4);
+    c.clip();
+    // Before the reader has predicted, only what has happened.
+    for (const { points, color, dash } of curves)
+      this.line(this.released ? points : points.filter(([u]) => u <= now), color, 2.2, { dash });
+    if (now !== undefined) this.line([[now, y[0]], [now, y[1]]], "ink", 1.4);
+    c.restore();
+    this.words(x_name, [(left + right) / 2, this.high - 9]);
+    let at = left + 4;
+    this.words(y_name, [at, 9], "ink", "left");
+    at += c.measureText(y_name).width + 14;
+    for (const { name, color } of curves.filter(curve => curve.name)) {
+      this.words(name, [at, 9], color, "left");
+      at += c.measureText(name).width + 14;
+    }
+    delete this.at;
+  }
+}
+
+// ---- What one sets: a slider, or one of several.
+
+const slider = (name, label, from, to, step, value, unit = "") => ({ name, label, from, to, step, value, unit });
+const choice = (name, label, options, value = 0) => ({ name, label, options, value });
+
+/** Four digits, as one reads them. */
+function shown(value) {
+  if (!Number.isFinite(value)) return "–";
+  const size = Math.abs(value);
+  const text = size < 1e-12 ? "0" : size >= 1e5 || size < 1e-3 ? value.toExponential(2) : value.toPrecision(4);
+  return text.replace("-", "−");
+}
+
+// ---- A figure: its definition, then the figure on the page.
+
+const definitions = {};
+
+/** Adds a figure. A definition has
+ *    question, choices, answer  what the reader predicts before it starts, and what happens
+ *    about                      for those who do not see it
+ *    controls                   sliders and choices; `values` holds what they are set to, by their names
+ *    starts                     sets of values by their titles, the first at the beginning
+ *    legal(values, changed)     may change values so that they fit the one that was changed
+ *    prepare(values)            all that does not depend on time; `model` in the rest
+ *    duration(model)            seconds of the motion;  pace: seconds of motion per second
+ *    views                      pictures by their titles: {half, towards, aspect, draw(scene, model, time, values)} and,
+ *                               for a point that one drags, handle(model, time, values) and drag(pixels, scene, values)
+ *    numbers(model, time)       [name, value, unit] of what is shown as numbers
+ */
+function live(name, definition) { definitions[name] = definition; }
+
+const element = (tag, properties = {}, ...children) => {
+  const made = Object.assign(document.createElement(tag), properties);
+  made.append(...children);
+  return made;
+};
+
+class LiveFigure {
+  constructor(place, definition) {
+    Object.assign(this, { place, definition, time: 0, playing: false, in_sight: true, frames: 0, interval: 16 });
+    this.values = Object.fromEntries(definition.controls.map(control => [control.name, control.value]));
+    const starts = definition.starts && Object.keys(definition.starts);
+    if (starts) Object.assign(this.values, definition.starts[place.dataset.start ?? starts[0]]);
+    place.replaceChildren(this.make_views(), this.make_question(), this.make_settings(starts), this.make_numbers());
+    this.set({});
+    this.turn_visible();
+  }
+
+  make_views() {
+    this.scenes = Object.entries(this.definition.views).map(([title, view]) => {
+      const canvas = element("canvas", { tabIndex: 0 });
+      canvas.setAttribute("role", "img");
+      canvas.setAttribute("aria-label", `${title}. ${this.definition.about}${view.towards ? " The arrow keys turn it." : ""}`);
+      canvas.style.aspectRatio = view.aspect ?? 1.2;
+      const scene = new Scene(canvas, view);
+      this.offer_turning(scene, view);
+      return { title, view, scene };
+    });
+    return element("div", { className: "views" }, ...this.scenes.map(({ title, view, scene }) => {
+      const part = element("div", { className: view.aspect > 1.5 ? "wide" : "" }, scene.canvas, element("span", { textContent: title }));
+      return part;
+    }));
+  }
+
+  /** With the pointer, and with the arrow keys. A finger that moves up or down scrolls the page. */
+  offer_turning(scene, view) {
+    const { canvas } = scene;
+    let held = null, last;
+    const pixels = event => {
+      const box = canvas.getBoundingClientRect();
+      return [event.clientX - box.left, event.clientY - box.top];
+    };
+    const grasped = event => {
+      const at = view.handle && scene.at(view.handle(this.model, this.time, this.values)), [x, y] = pixels(event);
+      return at && Math.hypot(at[0] - x, at[1] - y) < 28;
+    };
+    canvas.addEventListener("touchstart", event => { if (grasped(event.touches[0])) event.preventDefault(); }, { passive: false });
+    canvas.onpointerdown = event => {
+      held = grasped(event) ? "handle" : "view";
+      last = pixels(event);
+      canvas.setPointerCapture(event.pointerId);
+    };
+    canvas.onpointermove = event => {
+      if (!held) return canvas.style.cursor = grasped(event) ? "pointer" : scene.flat ? "default" : "grab";
+      const now = pixels(event);
+      if (held === "handle") this.set(view.drag(now, scene, this.values));
+      else scene.turn((now[0] - last[0]) / 120, (now[1] - last[1]) / 120);
+      last = now;
+      this.draw();
+    };
+    canvas.onpointerup = canvas.onpointercancel = () => held = null;
+    canvas.onkeydown = event => {
+      const way = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] }[event.key];
+      if (!way || scene.flat) return;
+      event.preventDefault();
+      scene.turn(...way);
+      this.draw();
+    };
+  }
+
+  /** What will happen? Only an answer lets the motion begin. */
+  make_question() {
+    const { question, choices, answer } = this.definition;
+    const box = element("div", { className: "question" }, element("p", { textContent: question }));
+    box.append(...choices.map(text => element("button", {
+      textContent: text,
+      onclick: () => {
+        box.replaceChildren(element("p", { textContent: `You expect: ${text}. ` }),
+          element("details", {}, element("summary", { textContent: "What happens" }), element("p", { textContent: answer })));
+        this.settings.disabled = false;
+        for (const { scene } of this.scenes) scene.released = true;
+        this.play_button.focus();
+        if (!matchMedia("(prefers-reduced-motion: reduce)").matches) this.play(true);
+      },
+    })));
+    return box;
+  }
+
+  make_settings(starts) {
+    this.play_button = element("button", { className: "play", onclick: () => this.play(!this.playing) });
+    this.time_slider = element("input", { type: "range", min: 0, step: "any", oninput: () => { this.play(false); this.move_to(+this.time_slider.value); } });
+    this.time_slider.setAttribute("aria-label", "Time");
+    this.clock = element("output");
+    const rows = this.definition.controls.map(control => this.make_control(control));
+    if (starts?.length > 1) rows.unshift(element("label", {}, element("span", { textContent: "Start" }),
+      this.start_box = element("select", { onchange: event => { if (event.target.value) this.set(this.definition.starts[event.target.value]); } },
+        ...starts.map(title => element("option", { textContent: title, value: title })), element("option", { textContent: "your own", value: "" }))));
+    if (starts && this.place.dataset.start && this.start_box) this.start_box.value = this.place.dataset.start;
+    this.settings = element("fieldset", { disabled: true },
+      element("div", { className: "time" }, this.play_button, this.time_slider, this.clock),
+      element("div", { className: "settings" }, ...rows));
+    this.play(false);
+    return this.settings;
+  }
+
+  make_control(control) {
+    const output = element("output");
+    const input = control.options
+      ? element("select", {}, ...control.options.map((text, i) => element("option", { textContent: text, value: i })))
+      : element("input", { type: "range", min: control.from, max: control.to, step: control.step });
+    input.oninput = () => {
+      if (!control.options && this.start_box) this.start_box.value = "";
+      this.set({ [control.name]: +input.value }, control.name);
+    };
+    control.show = value => {
+      input.value = value;
+      const digits = String(control.step).split(".")[1]?.length;
+      if (!control.options) output.textContent = `${value.toFixed(digits).replace("-", "−")} ${control.unit}`;
+    };
+    return element("label", {}, element("span", { textContent: control.label }), input, ...control.options ? [] : [output]);
+  }
+
+  make_numbers() {
+    this.list = element("dl");
+    this.spoken = element("p", { className: "spoken" });
+    this.spoken.setAttribute("role", "status");
+    return element("div", { className: "numbers" }, this.list, this.spoken);
+  }
+
+  /** Changes values; the motion begins anew. */
+  set(values, changed) {
+    Object.assign(this.values, values);
+    this.definition.legal?.(this.values, changed);
+    for (const control of this.definition.controls) control.show(this.values[control.name]);
+    this.model = this.definition.prepare(this.values);
+    this.end = this.definition.duration(this.model);
+    this.time_slider.max = this.end;
+    this.move_to(0);
+    this.speak();
+  }
+
+  move_to(time) {
+    this.time = Math.min(time, this.end);
+    this.draw();
+  }
+
+  play(playing) {
+    if (playing && this.time >= this.end) this.time = 0;
+    this.playing = playing;
+    this.play_button.textContent = playing ? "Pause" : "Play";
+    this.last = undefined;
+    if (playing) this.next_frame();
+    else if (this.model) this.speak();
+  }
+
+  next_frame() {
+    if (this.playing && this.in_sight) requestAnimationFrame(now => {
+      if (!this.playing) return;
+      const passed = now - (this.last ?? now);
+      this.last = now;
+      this.adapt(passed);
+      this.move_to(this.time + Math.min(passed, 100) / 1000 * (this.definition.pace ?? 1));
+      if (this.time >= this.end) this.play(false);
+      this.next_frame();
+    });
+  }
+
+  /** Fewer pixels where there are less than fifty frames in a second. */
+  adapt(passed) {
+    this.interval += 0.05 * (Math.min(passed, 200) - this.interval);
+    if (++this.frames % 60 || this.interval < 20 || this.scenes[0].scene.pixels < 0.4) return;
+    for (const { scene } of this.scenes) scene.pixels *= 0.7;
+    this.rate = ` (${(1000 / this.interval).toFixed(0)} frames/s)`;
+  }
+
+  draw() {
+    for (const { view, scene } of this.scenes) {
+      scene.begin();
+      view.draw(scene, this.model, this.time, this.values);
+    }
+    this.numbers = this.definition.numbers(this.model, this.time);
+    this.time_slider.value = this.time;
+    this.clock.textContent = `${this.time.toFixed(2)} s${this.rate ?? ""}`;
+    this.time_slider.setAttribute("aria-valuetext", this.clock.textContent);
+    if (this.list.childElementCount !== this.numbers.length)
+      this.list.replaceChildren(...this.numbers.map(() => element("div", {}, element("dt"), element("dd"))));
+    this.numbers.forEach(([name, value, measure = ""], i) => {
+      const [term, text] = this.list.children[i].children;
+      term.textContent = name;
+      text.textContent = `${shown(value)} ${measure}`;
+    });
+  }
+
+  /** The numbers as a sentence, once they rest. */
+  speak() {
+    clearTimeout(this.pending);
+    this.pending = setTimeout(() => this.spoken.textContent =
+      `At ${this.time.toFixed(2)} seconds: ${this.numbers.map(([name, value, measure = ""]) => `${name} ${shown(value)} ${measure}`).join(", ")}.`, 600);
+  }
+
+  /** Shows the figure in the still picture's place; it rests while it is out of sight. */
+  turn_visible() {
+    this.place.closest("figure").classList.add("is-live");
+    new IntersectionObserver(entries => {
+      this.in_sight = entries.at(-1).isIntersecting;
+      this.last = undefined;
+      this.next_frame();
+    }).observe(this.place);
+    new ResizeObserver(() => this.draw()).observe(this.place);
+    new MutationObserver(() => this.draw()).observe(document.documentElement, { attributeFilter: ["class"] });
+    this.draw();
+  }
+}
+
+/** Called by site.js when all scripts are there. */
+async function start_live(place) {
+  const begun = performance.now();
+  if (!Object.keys(rigid).length) await load_rigid();
+  place.live = new LiveFigure(place, definitions[place.dataset.figure]);
+  place.live.started = performance.now() - begun;
+}
