@@ -1,6 +1,5 @@
 // The free body. Calls rotation_invariants, tumbling_period, free_rotation, free_attitude, shortest_rotation.
 
-const axis_names = ["e₁", "e₂", "e₃"], axis_colors = ["orange", "green", "purple"];
 const moments = v => [v.I1, v.I2, v.I3];
 const spin = v => [v.w1, v.w2, v.w3];
 

@@ -16,6 +16,8 @@ const transposed = A => A[0].map((_, row) => A.map(column => column[row]));
 const diagonal = (a, b, c) => [[a, 0, 0], [0, b, 0], [0, 0, c]];
 const [x_axis, y_axis, z_axis] = diagonal(1, 1, 1);
 const origin = [0, 0, 0];
+const degree = Math.PI / 180;
+const axis_names = ["e₁", "e₂", "e₃"], axis_colors = ["orange", "green", "purple"];
 /** count + 1 numbers, equally spaced. */
 const steps = (from, to, count) => Array.from({ length: count + 1 }, (_, i) => from + (to - from) * i / count);
 /** Points of an ellipse with two half axes, or of a part of it. */
@@ -256,10 +258,13 @@ const choice = (name, label, options, value = 0) => ({ name, label, options, val
 /** Four digits, as one reads them. */
 function shown(value) {
   if (!Number.isFinite(value)) return "–";
-  const size = Math.abs(value);
+  const size = Math.abs(value), raised = power => power.replace("+", "").replace(/./g, sign => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(sign)]);
   const text = size < 1e-12 ? "0" : size >= 1e5 || size < 1e-3 ? value.toExponential(2) : value.toPrecision(4);
-  return text.replace("-", "−");
+  return text.replace(/^-/, "−").replace(/e(.*)/, (_, power) => `·10${raised(power)}`);
 }
+
+/** A number of a figure with its unit, which may be so many of the SI unit. */
+const measured = ([, value, measure = "", size = 1]) => `${shown(value / size)} ${measure}`;
 
 // ---- A figure: its definition, then the figure on the page.
 
@@ -275,7 +280,8 @@ const definitions = {};
  *    duration(model)            seconds of the motion;  pace: seconds of motion per second
  *    views                      pictures by their titles: {half, towards, aspect, draw(scene, model, time, values)} and,
  *                               for a point that one drags, handle(model, time, values) and drag(pixels, scene, values)
- *    numbers(model, time)       [name, value, unit] of what is shown as numbers
+ *    numbers(model, time)       [name, value, unit] of what is shown as numbers, each returned by a function of the course;
+ *                               a fourth part says how much of the SI unit the unit is
  */
 function live(name, definition) { definitions[name] = definition; }
 
@@ -464,10 +470,9 @@ class LiveFigure {
     this.time_slider.setAttribute("aria-valuetext", this.clock.textContent);
     if (this.list.childElementCount !== this.numbers.length)
       this.list.replaceChildren(...this.numbers.map(() => element("div", {}, element("dt"), element("dd"))));
-    this.numbers.forEach(([name, value, measure = ""], i) => {
+    this.numbers.forEach((number, i) => {
       const [term, text] = this.list.children[i].children;
-      term.textContent = name;
-      text.textContent = `${shown(value)} ${measure}`;
+      [term.textContent, text.textContent] = [number[0], measured(number)];
     });
   }
 
@@ -475,7 +480,7 @@ class LiveFigure {
   speak() {
     clearTimeout(this.pending);
     this.pending = setTimeout(() => this.spoken.textContent =
-      `At ${this.time.toFixed(2)} seconds: ${this.numbers.map(([name, value, measure = ""]) => `${name} ${shown(value)} ${measure}`).join(", ")}.`, 600);
+      `At ${this.time.toFixed(2)} seconds: ${this.numbers.map(number => `${number[0]} ${measured(number)}`).join(", ")}.`, 600);
   }
 
   /** Shows the figure in the still picture's place; it rests while it is out of sight. */

@@ -77,7 +77,8 @@
       })),
       ...figures.map(figure => ({
         name: (figure.querySelector("figcaption")?.textContent || "").trim().slice(0, 40),
-        loaded: figure.querySelector(":scope > svg").getBoundingClientRect().height > 20,
+        loaded: [...figure.querySelectorAll(":scope > svg, :scope > .live canvas")]
+          .some(picture => picture.getBoundingClientRect().height > 20),
         described: [...figure.querySelectorAll(":scope > p")].some(p => p.textContent.trim() !== "") &&
           (figure.querySelector("figcaption")?.textContent || "").trim() !== "",
       }))],

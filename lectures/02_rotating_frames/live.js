@@ -1,0 +1,134 @@
+// The puck on a turntable, and Foucault's pendulum. Calls fictitious_force, inertial_acceleration, rotated_basis; and
+// coriolis_acceleration, foucault_period.
+
+/** The law of motion of the rider, for a puck of 1 kg, by the forces that are counted. */
+const laws = [
+  (r, v, w) => rigid.fictitious_force(1, r, v, w, origin),
+  (r, v, w) => rigid.fictitious_force(1, origin, v, w, origin),
+  (r, v, w) => rigid.fictitious_force(1, r, origin, w, origin),
+  (r, v, w) => rigid.fictitious_force(1, r, times(0.5, v), w, origin)];
+
+/** The path r, v by a law of motion at equal steps of time, by Runge and Kutta. */
+function ridden(law, r, v, omega, seconds, count) {
+  const h = seconds / count, path = [[r, v]];
+  const rate = ([p, u]) => [u, law(p, u, omega)], moved = (s, k, d) => s.map((part, i) => sum(part, times(k, d[i])));
+  for (let i = 0; i < count; ++i) {
+    const s = path[i], a = rate(s), b = rate(moved(s, h / 2, a)), c = rate(moved(s, h / 2, b)), d = rate(moved(s, h, c));
+    path.push(s.map((part, k) => sum(part, times(h / 6, sum(a[k], times(2, b[k]), times(2, c[k]), d[k])))));
+  }
+  return path;
+}
+
+function draw_table(scene, angle) {
+  const one = [Math.cos(angle), Math.sin(angle), 0], other = [-one[1], one[0], 0];
+  scene.face(arc(origin, times(1.15, x_axis), times(1.15, y_axis)), "shade", 1, 1);
+  scene.line([times(-1.15, other), times(1.15, other)], "pale", 2);
+  scene.line([times(-1.15, one), origin], "vermilion", 2);
+  scene.line([origin, times(1.15, one)], "pale", 2);
+}
+
+live("puck", {
+  about: "A puck slides without friction over a turntable that rotates anticlockwise, seen from beside it and by a rider.",
+  question: "Seen from outside the puck moves straight. The table rotates anticlockwise. How does a rider see it move?",
+  choices: ["straight", "bent to the left", "bent to the right"],
+  answer: "Bent to the right, all the way: the Coriolis force points to the right of the velocity that the rider sees. Let the " +
+    "rider forget a force, or the factor 2: the predicted path leaves the true one (dotted) at once.",
+  controls: [
+    choice("law", "The rider counts", ["all fictitious forces", "the Coriolis force alone", "the centrifugal force alone",
+      "all, without the factor 2"]),
+    slider("speed", "speed", 0, 1, 0.05, 0.5, "m/s"), slider("heading", "heading", -180, 180, 5, 10, "°"),
+    slider("start", "start at x", -1, 1, 0.05, -1, "m"), slider("omega", "ω", -2, 2, 0.1, 1, "rad/s")],
+  prepare({ law, speed, heading, start, omega }) {
+    const w = [0, 0, omega], r = [start, 0, 0], v = times(speed, [Math.cos(heading * degree), Math.sin(heading * degree), 0]);
+    // On the table it starts with the velocity that the rider sees.
+    const path = ridden(laws[law], r, minus(v, cross(w, r)), w, 4, 160);
+    const straight = steps(0, 4, 160).map(time => sum(r, times(time, v)));
+    const back = straight.map((p, i) => turned(rigid.rotated_basis(diagonal(1, 1, 1), w, -i / 40), p));
+    return { w, path, straight, back, law };
+  },
+  duration: () => 4,
+  views: {
+    "Beside the turntable": {
+      half: 1.3,
+      draw(scene, m, time) {
+        const k = Math.floor(40 * time);
+        draw_table(scene, m.w[2] * time);
+        scene.line(m.straight.slice(0, k + 1), "blue", 3);
+        scene.dot(m.straight[k], "ink", 6);
+      },
+    },
+    "Riding on it": {
+      half: 1.3,
+      draw(scene, m, time) {
+        const k = Math.floor(40 * time), [r, v] = m.path[k];
+        draw_table(scene, 0);
+        if (scene.released) scene.line(m.back, "ink", 1.5, { dash: [1, 6] });
+        scene.line(m.path.slice(0, k + 1).map(([p]) => p), "blue", 3);
+        if (m.law !== 1) scene.arrow(r, sum(r, times(0.4, laws[2](r, v, m.w))), "orange", "centrifugal", { width: 2.2 });
+        if (m.law !== 2) scene.arrow(r, sum(r, times(m.law === 3 ? 0.2 : 0.4, laws[1](r, v, m.w))), "purple", "Coriolis", { width: 2.2 });
+        scene.dot(r, "ink", 6);
+      },
+    },
+  },
+  numbers(m, time) {
+    const [r, v] = m.path[Math.floor(40 * time)];
+    const a = laws[m.law](r, v, m.w);
+    return [["Coriolis / m", norm(laws[1](r, v, m.w)), "m/s²"], ["centrifugal / m", norm(laws[2](r, v, m.w)), "m/s²"],
+      ["|a| from outside", norm(rigid.inertial_acceleration(a, v, r, m.w, origin)), "m/s²"]];
+  },
+});
+
+// Ten swings to a revolution of the planet, so that one sees the plane of swing rotate.
+const planet_rate = 0.1, sidereal_day = 86164.0989;
+
+live("foucault", {
+  about: "The bob of a pendulum on a planet that rotates far too fast, seen from above, and its place on the globe.",
+  question: "On the north pole the plane of swing comes round clockwise once a day. And at 49° north, in Paris?",
+  choices: ["clockwise, in less than a day", "clockwise, in a day", "clockwise, in more than a day", "anticlockwise"],
+  answer: "In more than a day: of the rotation only the vertical part Ω sin λ turns the plane. It vanishes on the equator and " +
+    "turns the plane anticlockwise in the south. Released at rest on the floor, the bob passes the centre at a distance.",
+  controls: [slider("latitude", "latitude", -90, 90, 1, 49, "°"),
+    choice("release", "The bob is released", ["at rest on the floor", "so that it passes through the centre"])],
+  prepare({ latitude, release }) {
+    const lambda = latitude * degree, seconds = 20 * Math.PI;
+    // The law on the floor for g/ℓ = 1/s²; the rotation of the frame in which the swing is plane decides the second start.
+    const law = (r, v) => sum(times(-1, r), [...rigid.coriolis_acceleration(v, lambda, planet_rate).slice(0, 2), 0]);
+    const sideways = [release ? planet_rate * Math.sin(lambda) : 0, 0, 0];
+    return { lambda, law, seconds, path: ridden(law, [0, 1, 0], sideways, origin, seconds, 1000),
+      period: latitude > 0 ? rigid.foucault_period(lambda, sidereal_day) : NaN };
+  },
+  duration: m => m.seconds,
+  pace: 3,
+  views: {
+    "From above, north at the top": {
+      half: 1.25,
+      draw(scene, m, time) {
+        const k = Math.round(1000 * time / m.seconds), bob = m.path[k][0];
+        scene.face(arc(origin, times(1.05, x_axis), times(1.05, y_axis)), "shade", 1, 1);
+        ["N", "E", "S", "W"].forEach((name, i) =>
+          scene.text(times(1.16, [Math.sin(i * 90 * degree), Math.cos(i * 90 * degree), 0]), name));
+        scene.line(m.path.slice(0, k + 1).map(([r]) => r), "blue", 2);
+        scene.line([origin, bob], "grey", 1.5);
+        scene.dot(bob, "ink", 6);
+      },
+    },
+    "The vertical part of the rotation": {
+      half: 1.7, towards: [0.25, -1, 0.35],
+      draw(scene, { lambda }) {
+        const up = [Math.cos(lambda), 0, Math.sin(lambda)], north = [-up[2], 0, up[0]];
+        scene.ellipsoid(origin, diagonal(1, 1, 1), "blue");
+        for (const latitude of [0, lambda]) scene.on_surface(arc([0, 0, Math.sin(latitude)],
+          times(Math.cos(latitude), x_axis), times(Math.cos(latitude), y_axis)), p => p, latitude ? "green" : "grey", 1.5);
+        scene.line([times(-1.4, z_axis), times(1.4, z_axis)], "grey", 1.5, { dash: [6, 5] });
+        scene.line([sum(up, times(-0.2, north)), sum(up, times(0.2, north))], "ink", 2);
+        scene.arrow(up, sum(up, [0, 0, 0.6]), "purple", "Ω");
+        scene.arrow(up, sum(up, times(0.6 * up[2], up)), "vermilion", "Ω sin λ", { beside: true });
+      },
+    },
+  },
+  numbers(m, time) {
+    const [r, v] = m.path[Math.round(1000 * time / m.seconds)];
+    const [east, north] = rigid.coriolis_acceleration(v, m.lambda, planet_rate);
+    return [["on the Earth, round in", m.period, "h", 3600], ["Coriolis, east", east, "m/s²"], ["Coriolis, north", north, "m/s²"]];
+  },
+});

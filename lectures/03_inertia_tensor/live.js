@@ -1,0 +1,79 @@
+// A box in bearings. Calls cuboid_about_center, moment_about_axis, rotated_inertia, angular_momentum, kinetic_energy,
+// torque_to_hold_rotation, rotated_basis.
+
+const direction = ({ polar, azimuth }) => [Math.sin(polar * degree) * Math.cos(azimuth * degree),
+  Math.sin(polar * degree) * Math.sin(azimuth * degree), Math.cos(polar * degree)];
+
+/** Small faces of the unit sphere with the moment about the direction of each. */
+function faces_of_sphere(I) {
+  const point = (polar, azimuth) => direction({ polar, azimuth });
+  const faces = [];
+  for (let polar = 0; polar < 180; polar += 10)
+    for (let azimuth = 0; azimuth < 360; azimuth += 12)
+      faces.push({ middle: point(polar + 5, azimuth + 6), moment: rigid.moment_about_axis(I, point(polar + 5, azimuth + 6)),
+        corners: [[0, 0], [10, 0], [10, 12], [0, 12]].map(([p, a]) => point(polar + p, azimuth + a)) });
+  return faces;
+}
+
+/** The handle is the tip of ω, on a ball with the radius that is drawn. */
+const draggable = radius => ({
+  handle: m => times(radius, m.n),
+  drag(pixels, scene) {
+    const [x, y, z] = unit(scene.point_at(pixels, radius));
+    return { polar: Math.round(Math.acos(z) / degree), azimuth: Math.round((Math.atan2(y, x) / degree + 360) % 360) };
+  },
+});
+
+live("held_spin", {
+  about: "A box rotates about an axis through its centre that bearings hold; its angular momentum L leans away from ω.",
+  question: "Bearings hold the axis, and the box rotates about it steadily: ω is constant. What does L do?",
+  choices: ["it points along ω", "it leans away from ω and stays", "it goes round ω with the box"],
+  answer: "L belongs to the box: it goes round with it, on a cone about ω. Its change is the torque ω × L of the bearings. " +
+    "Drag ω along an edge of the box: there L points along ω and no torque is needed. The longer the ellipsoid in a " +
+    "direction, the smaller the moment about it.",
+  controls: [slider("polar", "ω from e₃", 0, 180, 1, 60, "°"), slider("azimuth", "ω round e₃", 0, 360, 1, 40, "°"),
+    slider("rate", "|ω|", 0.5, 3, 0.1, 1.5, "rad/s"), slider("a", "edge a", 0.4, 3, 0.1, 3, "m"),
+    slider("b", "edge b", 0.4, 3, 0.1, 1.6, "m"), slider("c", "edge c", 0.4, 3, 0.1, 0.6, "m")],
+  prepare(values) {
+    const I = rigid.cuboid_about_center(1, values.a, values.b, values.c), n = direction(values), omega = times(values.rate, n);
+    const moments = I.map((column, i) => column[i]), faces = faces_of_sphere(I);
+    const L = rigid.angular_momentum(I, omega), scale = 1.25 / Math.max(...moments) / values.rate;
+    const around = steps(0, 2 * Math.PI / values.rate, 72).map(time =>
+      times(scale, turned(rigid.rotated_basis(diagonal(1, 1, 1), omega, time), L)));
+    // The ellipsoid x I x = 1, drawn with the longest half axis of the box at 0.85.
+    const size = 1.7 / Math.max(values.a, values.b, values.c);
+    return { I, n, omega, faces, scale, around, moments, size, edges: [values.a, values.b, values.c],
+      least: Math.min(...moments), most: Math.max(...moments), energy: rigid.kinetic_energy(I, omega),
+      moment: rigid.moment_about_axis(I, n), torque: rigid.torque_to_hold_rotation(I, omega) };
+  },
+  duration: () => 30,
+  views: {
+    "The box in its bearings, with its inertia ellipsoid": {
+      half: 1.4, towards: [0.75, -1, 0.6], ...draggable(1.3),
+      draw(scene, m, time) {
+        const A = rigid.rotated_basis(diagonal(1, 1, 1), m.omega, time);
+        const L = times(m.scale, rigid.angular_momentum(rigid.rotated_inertia(m.I, A), m.omega));
+        scene.line([times(-1.3, m.n), times(1.3, m.n)], "grey", 1.5, { dash: [6, 5] });
+        scene.body_with_arrows(() => {
+          scene.box(origin, A.map((axis, i) => times(m.size * m.edges[i] / 2, axis)), axis_colors);
+          scene.ellipsoid(origin, A.map((axis, i) => times(m.size / Math.sqrt(m.moments[i]), axis)), "blue");
+        }, [[origin, times(1.3, m.n), "vermilion", "ω"], [origin, L, "blue", "L"]]);
+        if (scene.released) scene.line(m.around, "blue", 1.5, { dash: [3, 4] });
+        scene.dot(times(1.3, m.n), "vermilion", 6);
+      },
+    },
+    "Energy over directions of ω (dark: large)": {
+      half: 1.4, towards: [0.75, 1, 0.6], ...draggable(1),
+      draw(scene, m) {
+        for (const { corners, middle, moment } of m.faces)
+          if (dot(middle, scene.towards) > -0.1) scene.face(corners, "purple", 0.06 + 0.74 * (moment - m.least) / (m.most - m.least || 1));
+        [x_axis, y_axis, z_axis].forEach((axis, i) => scene.arrow(axis, times(1.25, axis), axis_colors[i], axis_names[i], { width: 2.2 }));
+        scene.dot(m.n, "vermilion", 6);
+        scene.words("ω", [scene.at(m.n)[0] + 14, scene.at(m.n)[1] - 8], "vermilion");
+      },
+    },
+  },
+  numbers: m => [["I about ω", m.moment, "kg m²"], ["T", m.energy, "J"],
+    ["|L|", norm(rigid.angular_momentum(m.I, m.omega)), "kg m²/s"], ["bearing torque", norm(m.torque), "N m"],
+    ...m.moments.map((moment, i) => ["I₁ I₂ I₃".split(" ")[i], moment, "kg m²"])],
+});
