@@ -8,15 +8,10 @@ const laws = [
   (r, v, w) => rigid.fictitious_force(1, r, origin, w, origin),
   (r, v, w) => rigid.fictitious_force(1, r, times(0.5, v), w, origin)];
 
-/** The path r, v by a law of motion at equal steps of time, by Runge and Kutta. */
-function ridden(law, r, v, omega, seconds, count) {
-  const h = seconds / count, path = [[r, v]];
-  const rate = ([p, u]) => [u, law(p, u, omega)], moved = (s, k, d) => s.map((part, i) => sum(part, times(k, d[i])));
-  for (let i = 0; i < count; ++i) {
-    const s = path[i], a = rate(s), b = rate(moved(s, h / 2, a)), c = rate(moved(s, h / 2, b)), d = rate(moved(s, h, c));
-    path.push(s.map((part, k) => sum(part, times(h / 6, sum(a[k], times(2, b[k]), times(2, c[k]), d[k])))));
-  }
-  return path;
+/** Positions and velocities by a law of motion, at equal steps of time. */
+function ridden(law, r, v, seconds, count) {
+  const rate = state => [...state.slice(3), ...law(state.slice(0, 3), state.slice(3))];
+  return history(state => runge_kutta(rate, state, seconds / count), [...r, ...v], count).map(state => [state.slice(0, 3), state.slice(3)]);
 }
 
 function draw_table(scene, angle) {
@@ -41,9 +36,9 @@ live("puck", {
   prepare({ law, speed, heading, start, omega }) {
     const w = [0, 0, omega], r = [start, 0, 0], v = times(speed, [Math.cos(heading * degree), Math.sin(heading * degree), 0]);
     // On the table it starts with the velocity that the rider sees.
-    const path = ridden(laws[law], r, minus(v, cross(w, r)), w, 4, 160);
+    const path = ridden((p, u) => laws[law](p, u, w), r, minus(v, cross(w, r)), 4, 160);
     const straight = steps(0, 4, 160).map(time => sum(r, times(time, v)));
-    const back = straight.map((p, i) => turned(rigid.rotated_basis(diagonal(1, 1, 1), w, -i / 40), p));
+    const back = straight.map((p, i) => turned(rigid.rotated_basis(identity, w, -i / 40), p));
     return { w, path, straight, back, law };
   },
   duration: () => 4,
@@ -94,7 +89,7 @@ live("foucault", {
     // The law on the floor for g/ℓ = 1/s²; the rotation of the frame in which the swing is plane decides the second start.
     const law = (r, v) => sum(times(-1, r), [...rigid.coriolis_acceleration(v, lambda, planet_rate).slice(0, 2), 0]);
     const sideways = [release ? planet_rate * Math.sin(lambda) : 0, 0, 0];
-    return { lambda, law, seconds, path: ridden(law, [0, 1, 0], sideways, origin, seconds, 1000),
+    return { lambda, law, seconds, path: ridden(law, [0, 1, 0], sideways, seconds, 1000),
       period: latitude > 0 ? rigid.foucault_period(lambda, sidereal_day) : NaN };
   },
   duration: m => m.seconds,
@@ -116,7 +111,7 @@ live("foucault", {
       half: 1.7, towards: [0.25, -1, 0.35],
       draw(scene, { lambda }) {
         const up = [Math.cos(lambda), 0, Math.sin(lambda)], north = [-up[2], 0, up[0]];
-        scene.ellipsoid(origin, diagonal(1, 1, 1), "blue");
+        scene.ellipsoid(origin, identity, "blue");
         for (const latitude of [0, lambda]) scene.on_surface(arc([0, 0, Math.sin(latitude)],
           times(Math.cos(latitude), x_axis), times(Math.cos(latitude), y_axis)), p => p, latitude ? "green" : "grey", 1.5);
         scene.line([times(-1.4, z_axis), times(1.4, z_axis)], "grey", 1.5, { dash: [6, 5] });

@@ -8,10 +8,12 @@ const direction = ({ polar, azimuth }) => [Math.sin(polar * degree) * Math.cos(a
 function faces_of_sphere(I) {
   const point = (polar, azimuth) => direction({ polar, azimuth });
   const faces = [];
-  for (let polar = 0; polar < 180; polar += 10)
-    for (let azimuth = 0; azimuth < 360; azimuth += 12)
-      faces.push({ middle: point(polar + 5, azimuth + 6), moment: rigid.moment_about_axis(I, point(polar + 5, azimuth + 6)),
-        corners: [[0, 0], [10, 0], [10, 12], [0, 12]].map(([p, a]) => point(polar + p, azimuth + a)) });
+  for (let polar = 0; polar < 180; polar += 12)
+    for (let azimuth = 0; azimuth < 360; azimuth += 15) {
+      const middle = point(polar + 6, azimuth + 7.5);
+      faces.push({ middle, moment: rigid.moment_about_axis(I, middle),
+        corners: [[0, 0], [12, 0], [12, 15], [0, 15]].map(([p, a]) => point(polar + p, azimuth + a)) });
+    }
   return faces;
 }
 
@@ -39,7 +41,7 @@ live("held_spin", {
     const moments = I.map((column, i) => column[i]), faces = faces_of_sphere(I);
     const L = rigid.angular_momentum(I, omega), scale = 1.25 / Math.max(...moments) / values.rate;
     const around = steps(0, 2 * Math.PI / values.rate, 72).map(time =>
-      times(scale, turned(rigid.rotated_basis(diagonal(1, 1, 1), omega, time), L)));
+      times(scale, turned(rigid.rotated_basis(identity, omega, time), L)));
     // The ellipsoid x I x = 1, drawn with the longest half axis of the box at 0.85.
     const size = 1.7 / Math.max(values.a, values.b, values.c);
     return { I, n, omega, faces, scale, around, moments, size, edges: [values.a, values.b, values.c],
@@ -51,7 +53,7 @@ live("held_spin", {
     "The box in its bearings, with its inertia ellipsoid": {
       half: 1.4, towards: [0.75, -1, 0.6], ...draggable(1.3),
       draw(scene, m, time) {
-        const A = rigid.rotated_basis(diagonal(1, 1, 1), m.omega, time);
+        const A = rigid.rotated_basis(identity, m.omega, time);
         const L = times(m.scale, rigid.angular_momentum(rigid.rotated_inertia(m.I, A), m.omega));
         scene.line([times(-1.3, m.n), times(1.3, m.n)], "grey", 1.5, { dash: [6, 5] });
         scene.body_with_arrows(() => {
@@ -66,8 +68,8 @@ live("held_spin", {
       half: 1.4, towards: [0.75, 1, 0.6], ...draggable(1),
       draw(scene, m) {
         for (const { corners, middle, moment } of m.faces)
-          if (dot(middle, scene.towards) > -0.1) scene.face(corners, "purple", 0.06 + 0.74 * (moment - m.least) / (m.most - m.least || 1));
-        [x_axis, y_axis, z_axis].forEach((axis, i) => scene.arrow(axis, times(1.25, axis), axis_colors[i], axis_names[i], { width: 2.2 }));
+          if (dot(middle, scene.towards) > -0.05) scene.face(corners, "purple", 0.06 + 0.74 * (moment - m.least) / (m.most - m.least || 1));
+        identity.forEach((axis, i) => scene.arrow(axis, times(1.25, axis), axis_colors[i], axis_names[i], { width: 2.2 }));
         scene.dot(m.n, "vermilion", 6);
         scene.words("ω", [scene.at(m.n)[0] + 14, scene.at(m.n)[1] - 8], "vermilion");
       },

@@ -50,7 +50,7 @@ function prepare_free_body(values) {
   const [a, b, c] = I, edges = [b + c - a, c + a - b, a + b - c].map(square => Math.sqrt(Math.max(square, 0.003)));
   return { I, omega0, edges: times(0.85 / norm(edges), edges), T, L2, L, period, start, seconds, omegas, moments_of_time, herpolhode, axes, others, momentum,
     once, polhode: polhode_of(I, omega0), size: 1 / Math.max(...axes),
-    circles: [0, 1, 2].map(i => [1, 2].map(k => times(axes[(i + k) % 3], diagonal(1, 1, 1)[(i + k) % 3])))
+    circles: [0, 1, 2].map(i => [1, 2].map(k => times(axes[(i + k) % 3], identity[(i + k) % 3])))
       .map(([u, v]) => arc(origin, u, v)) };
 }
 
@@ -59,14 +59,14 @@ function draw_in_body(scene, m, time, { surface }) {
   // On the ellipsoid of energy stands ω, on the sphere L; both normals are along I ω.
   const place = surface === 0 ? w => times(m.size, w) : w => unit(m.momentum(w));
   const normal = p => surface === 0 ? m.momentum(p) : p;
-  const arrows = [x_axis, y_axis, z_axis].map((axis, i) => {
+  const arrows = identity.map((axis, i) => {
     const tip = times(surface === 0 ? m.size * m.axes[i] : 1, axis);
     return [tip, sum(tip, times(0.3, axis)), axis_colors[i], axis_names[i], { width: 2.2 }];
   });
   arrows.push([origin, times(surface === 0 ? 1.25 : 1, unit(m.momentum(omega))), "blue", "L"]);
   if (surface === 0) arrows.push([origin, place(omega), "vermilion", "ω", { beside: true }]);
   scene.body_with_arrows(() => {
-    scene.ellipsoid(origin, surface === 0 ? diagonal(...times(m.size, m.axes)) : diagonal(1, 1, 1), "blue");
+    scene.ellipsoid(origin, surface === 0 ? diagonal(...times(m.size, m.axes)) : identity, "blue");
     for (const curve of m.others) scene.on_surface(curve.map(place), normal, "grey", 1);
     if (scene.released) scene.on_surface(m.polhode.map(place), normal, "vermilion", 3);
   }, arrows);

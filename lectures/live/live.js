@@ -14,7 +14,8 @@ const turned = (A, vector) => sum(...A.map((column, i) => times(vector[i], colum
 const product = (A, B) => B.map(column => turned(A, column));
 const transposed = A => A[0].map((_, row) => A.map(column => column[row]));
 const diagonal = (a, b, c) => [[a, 0, 0], [0, b, 0], [0, 0, c]];
-const [x_axis, y_axis, z_axis] = diagonal(1, 1, 1);
+const identity = diagonal(1, 1, 1);
+const [x_axis, y_axis, z_axis] = identity;
 const origin = [0, 0, 0];
 const degree = Math.PI / 180;
 const axis_names = ["e₁", "e₂", "e₃"], axis_colors = ["orange", "green", "purple"];
@@ -23,6 +24,20 @@ const steps = (from, to, count) => Array.from({ length: count + 1 }, (_, i) => f
 /** Points of an ellipse with two half axes, or of a part of it. */
 const arc = (center, a, b, from = 0, to = 2 * Math.PI) =>
   steps(from, to, 72).map(angle => sum(center, times(Math.cos(angle), a), times(Math.sin(angle), b)));
+
+/** A step of the classical rule for a state, which is a list of numbers. */
+function runge_kutta(rate, state, h) {
+  const a = rate(state), b = rate(sum(state, times(h / 2, a)));
+  const c = rate(sum(state, times(h / 2, b))), d = rate(sum(state, times(h, c)));
+  return sum(state, times(h / 6, sum(a, times(2, b), times(2, c), d)));
+}
+
+/** The state at the beginning and after each of so many steps. */
+function history(step, state, count) {
+  const states = [state];
+  while (states.length <= count) states.push(step(states.at(-1)));
+  return states;
+}
 
 // ---- The functions of the course by their names: rigid.free_rotation(I, omega0, times).
 
@@ -259,7 +274,7 @@ const choice = (name, label, options, value = 0) => ({ name, label, options, val
 function shown(value) {
   if (!Number.isFinite(value)) return "–";
   const size = Math.abs(value), raised = power => power.replace("+", "").replace(/./g, sign => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(sign)]);
-  const text = size < 1e-12 ? "0" : size >= 1e5 || size < 1e-3 ? value.toExponential(2) : value.toPrecision(4);
+  const text = size < 1e-9 ? "0" : size >= 1e5 || size < 1e-3 ? value.toExponential(2) : value.toPrecision(4);
   return text.replace(/^-/, "−").replace(/e(.*)/, (_, power) => `·10${raised(power)}`);
 }
 
@@ -480,7 +495,7 @@ class LiveFigure {
   speak() {
     clearTimeout(this.pending);
     this.pending = setTimeout(() => this.spoken.textContent =
-      `At ${this.time.toFixed(2)} seconds: ${this.numbers.map(number => `${number[0]} ${measured(number)}`).join(", ")}.`, 600);
+      `At ${this.time.toFixed(2)} seconds: ${this.numbers.map(number => `${number[0]} ${measured(number)}`).join(", ")}.`, 300);
   }
 
   /** Shows the figure in the still picture's place; it rests while it is out of sight. */

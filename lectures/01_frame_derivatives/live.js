@@ -1,0 +1,48 @@
+// A child on a merry-go-round. Calls rotated_basis, inertial_rate, cross_matrix, angular_velocity_of_basis.
+
+live("two_sources", {
+  about: "A vector V from the axis of a merry-go-round to a child that walks outwards, with the two parts of its rate of change.",
+  question: "The child walks straight outwards on the merry-go-round. Which way does it move for somebody on the ground?",
+  choices: ["outwards, along V", "at right angles to V", "outwards and along with the rotation"],
+  answer: "Both at once: what the child walks, along V, and what the rotating basis adds, ω × V at right angles to it. The further " +
+    "out, the more the second wins. Lift the child: ω × V does not change, for only the distance from the axis counts.",
+  controls: [slider("omega", "ω", -2, 2, 0.1, 0.6, "rad/s"), slider("walk", "walking", -0.3, 0.3, 0.05, 0.15, "m/s"),
+    slider("start", "start", 0, 1, 0.05, 0.3, "m"), slider("lift", "lift", 0, 1, 0.1, 0, "m")],
+  prepare({ omega, walk, start, lift }) {
+    const w = [0, 0, omega], seconds = 5;
+    const at = time => {
+      const E = rigid.rotated_basis(identity, w, time), V = turned(E, [start + walk * time, 0, lift]), rate_body = times(walk, E[0]);
+      return { E, V, rate_body, carried: rigid.inertial_rate(origin, w, V), rate: rigid.inertial_rate(rate_body, w, V) };
+    };
+    return { w, at, seconds, path: steps(0, seconds, 120).map(time => at(time).V) };
+  },
+  duration: m => m.seconds,
+  views: {
+    "Seen from the ground": {
+      half: 1.2, towards: [0.25, -1, 1.6], aspect: 1.6,
+      draw(scene, m, time) {
+        const { E, V, rate_body, carried, rate } = m.at(time);
+        scene.face(arc(origin, x_axis, y_axis), "shade", 1, 1);
+        for (const k of [0, 1]) scene.line([times(-1, E[k]), E[k]], "pale", 2);
+        scene.line(m.path.slice(0, Math.floor(120 * time / m.seconds) + 1), "ink", 1.5, { dash: [1, 5] });
+        for (const k of [0, 1]) scene.arrow(times(0.8, E[k]), times(1.12, E[k]), "grey", axis_names[k], { width: 2.2 });
+        scene.arrow(origin, times(0.5, unit([0, 0, m.w[2] || 1])), "purple", "ω", { width: 2.2 });
+        scene.arrow(origin, V, "ink", "", { width: 2 });
+        scene.text(times(0.6, V), "V");
+        // The velocities, at a length that one can see.
+        const tip = vector => sum(V, times(1.4, vector));
+        scene.line([tip(rate_body), tip(rate), tip(carried)], "grey", 1, { dash: [4, 4] });
+        scene.arrow(V, tip(rate_body), "blue", "in the body");
+        scene.arrow(V, tip(carried), "orange", "ω × V");
+        if (scene.released) scene.arrow(V, tip(rate), "vermilion", "sum");
+        scene.dot(V, "ink", 5);
+      },
+    },
+  },
+  numbers(m, time) {
+    const { E, carried, rate } = m.at(time);
+    const [x, y] = rate, omega = rigid.angular_velocity_of_basis(E, product(rigid.cross_matrix(m.w), E));
+    return [["|ω × V|", norm(carried), "m/s"], ["ground speed", norm(rate), "m/s"], ["dV/dt, x", x, "m/s"],
+      ["dV/dt, y", y, "m/s"], ["ω of the basis", omega[2], "rad/s"]];
+  },
+});

@@ -1,0 +1,66 @@
+// A free body by four rules of integration. Calls euler_equations, splitting_step, free_rotation, rotation_invariants.
+
+const rules = [
+  (rate, state, h) => sum(state, times(h, rate(state))),
+  (rate, state, h) => sum(state, times(h, rate(sum(state, times(h / 2, rate(state)))))),
+  runge_kutta,
+  (_, omega, h, I) => rigid.splitting_step(I, omega, h)];
+
+live("integrators", {
+  about: "The angular velocity of a free body, exact and as a rule of integration computes it with a chosen step.",
+  question: "The explicit Euler rule integrates the free body with steps of 0.1 s. What becomes of the energy?",
+  choices: ["it stays", "it falls", "it swings about its value", "it grows"],
+  answer: "It grows, in jumps, each time the body turns over: every step leaves along the tangent, outwards. Half the step halves " +
+    "the drift; a rule of order p divides it by 2ᵖ. Splitting lets T swing a little and keeps L² to rounding.",
+  controls: [choice("rule", "Rule", ["explicit Euler", "midpoint", "Runge–Kutta", "splitting: three rotations"]),
+    slider("h", "step", 0.02, 0.5, 0.02, 0.1, "s"), slider("w1", "ω₁", -1, 1, 0.05, 0.1, "rad/s"),
+    slider("w2", "ω₂", -1, 1, 0.05, 1, "rad/s"), slider("w3", "ω₃", 0.05, 1, 0.05, 0.1, "rad/s")],
+  prepare({ rule, h, w1, w2, w3 }) {
+    const I = [1, 2, 3], start = [w1, w2, w3], seconds = 60, count = Math.floor(seconds / h);
+    const rate = omega => rigid.euler_equations(I, omega, origin);
+    // What has left far behind what is drawn stays there, before its numbers overflow.
+    const computed = history(omega => norm(omega) > 100 ? omega : rules[rule](rate, omega, h, I), start, count);
+    const moments = steps(0, seconds, 400), exact = rigid.free_rotation(I, start, moments);
+    const [T, L2] = rigid.rotation_invariants(I, start), size = 1 / Math.sqrt(2 * T);
+    const drift = computed.map((omega, k) => {
+      const now = rigid.rotation_invariants(I, omega);
+      return [h * k, ...[now[0] / T, now[1] / L2].map(ratio => Math.log10(Math.max(Math.abs(ratio - 1), 1e-17)))];
+    });
+    return { I, h, computed, moments, exact, drift, size, axes: I.map(moment => 1 / Math.sqrt(moment)), seconds };
+  },
+  duration: m => m.seconds,
+  pace: 4,
+  views: {
+    "ω leaves the ellipsoid of energy": {
+      half: 1.4, towards: [0.95, 1.15, 0.62],
+      draw(scene, m, time) {
+        const k = Math.floor(time / m.h), normal = p => p.map((x, i) => m.I[i] * x);
+        scene.ellipsoid(origin, diagonal(...m.axes), "blue");
+        if (scene.released) scene.on_surface(m.exact.map(omega => times(m.size, omega)), normal, "grey", 1.5);
+        scene.line(m.computed.slice(Math.max(0, k - 400), k + 1).map(omega => times(m.size, omega)), "vermilion", 2.2);
+        scene.arrow(origin, times(m.size, m.computed[k]), "vermilion", "ω");
+        identity.forEach((axis, i) => scene.arrow(times(m.axes[i], axis), times(m.axes[i] + 0.25, axis), axis_colors[i], axis_names[i], { width: 2.2 }));
+      },
+    },
+    "Drift of the constants": {
+      draw(scene, m, time) {
+        scene.plot({ x: [0, m.seconds], y: [-17, 2], x_name: "time (s)", y_name: "log₁₀ |relative change|", now: time,
+          curves: [["T", "blue", 1], ["L²", "purple", 2]].map(([name, color, i]) =>
+            ({ name, color, points: m.drift.map(row => [row[0], row[i]]) })) });
+      },
+    },
+    "Components of ω: exact (thin) and by the rule": {
+      aspect: 3.6,
+      draw(scene, m, time) {
+        const exact = i => ({ color: "grey", points: m.exact.map((omega, k) => [m.moments[k], omega[i]]) });
+        scene.plot({ x: [0, m.seconds], y: [-2.2, 2.2], x_name: "time (s)", y_name: "rad/s", now: time,
+          curves: [0, 1, 2].map(exact).concat(axis_colors.map((color, i) => ({ color, name: ["ω₁", "ω₂", "ω₃"][i], dash: [6, 4],
+            points: m.computed.map((omega, k) => [m.h * k, omega[i]]) }))) });
+      },
+    },
+  },
+  numbers(m, time) {
+    const omega = m.computed[Math.floor(time / m.h)], [T, L2] = rigid.rotation_invariants(m.I, omega);
+    return [["T", T, "J"], ["L²", L2, "kg² m⁴/s²"], ["ω₂ exact", rigid.free_rotation(m.I, m.computed[0], [time])[1], "rad/s"]];
+  },
+});
