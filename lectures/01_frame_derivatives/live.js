@@ -19,7 +19,7 @@ live("two_sources", {
   duration: m => m.seconds,
   views: {
     "Seen from the ground": {
-      half: 1.2, towards: [0.25, -1, 1.6], aspect: 1.6,
+      half: 1.2, towards: [0.25, -1, 1.6], aspect: 1.5,
       draw(scene, m, time) {
         const { E, V, rate_body, carried, rate } = m.at(time);
         scene.face(arc(origin, x_axis, y_axis), "shade", 1, 1);
@@ -32,7 +32,7 @@ live("two_sources", {
         // The velocities, at a length that one can see.
         const tip = vector => sum(V, times(1.4, vector));
         scene.line([tip(rate_body), tip(rate), tip(carried)], "grey", 1, { dash: [4, 4] });
-        scene.arrow(V, tip(rate_body), "blue", "in the body");
+        scene.arrow(V, tip(rate_body), "blue", "walk");
         scene.arrow(V, tip(carried), "orange", "ω × V");
         if (scene.released) scene.arrow(V, tip(rate), "vermilion", "sum");
         scene.dot(V, "ink", 5);

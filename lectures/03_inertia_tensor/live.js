@@ -59,7 +59,7 @@ live("held_spin", {
         scene.body_with_arrows(() => {
           scene.box(origin, A.map((axis, i) => times(m.size * m.edges[i] / 2, axis)), axis_colors);
           scene.ellipsoid(origin, A.map((axis, i) => times(m.size / Math.sqrt(m.moments[i]), axis)), "blue");
-        }, [[origin, times(1.3, m.n), "vermilion", "ω"], [origin, L, "blue", "L"]]);
+        }, [[origin, times(1.3, m.n), "vermilion", "ω"], ...scene.released ? [[origin, L, "blue", "L"]] : []]);
         if (scene.released) scene.line(m.around, "blue", 1.5, { dash: [3, 4] });
         scene.dot(times(1.3, m.n), "vermilion", 6);
       },

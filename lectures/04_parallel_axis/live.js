@@ -21,7 +21,7 @@ live("moving_point", {
   duration: () => 6,
   views: {
     "The block and its ellipsoid about the point": {
-      half: 1.35, towards: [1, -1, 0.6],
+      half: 1.2, towards: [1, -1, 0.6],
       handle: m => from_center(m.end),
       drag(pixels, scene, { x, y, z }) {
         const depth = dot(from_center([x, y, z]), scene.towards);

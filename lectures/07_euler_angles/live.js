@@ -30,7 +30,7 @@ live("three_turns", {
   pace: 0.5,
   views: {
     "Each turn keeps one axis of the body": {
-      half: 1.25, towards: [0.9, -1, 0.65], aspect: 1.6,
+      half: 1.25, towards: [0.9, -1, 0.65], aspect: 1.5,
       draw(scene, m, time) {
         const turn = Math.min(2, Math.floor(time)), part = time - turn;
         const E = rigid.rotated_basis(m.attitudes[turn], times(m.angles[turn], m.attitudes[turn][m.axes[turn]]), part);
@@ -69,16 +69,16 @@ live("gimbal_passage", {
       const omega_body = turned(R, sum(omega, times(spin, A[2])));
       return { A, angles, rates: rigid.euler_angle_rates(angles, omega_body) };
     };
-    const moments = steps(0.15, Math.PI - 0.15, 240);
-    return { at, moments, samples: moments.map(at), end: Math.PI - 0.15 };
+    const moments = steps(0, Math.PI, 240);
+    return { at, moments, samples: moments.map(at) };
   },
-  duration: m => m.end,
+  duration: () => Math.PI,
   pace: 0.4,
   views: {
     "A rotor in its gimbals": {
       half: 1.45, towards: [0.5, -1, 0.45],
       draw(scene, m, time) {
-        const { A, angles: [phi] } = m.at(Math.max(time, 0.15)), nodes = [-Math.sin(phi), Math.cos(phi), 0];
+        const { A, angles: [phi] } = m.at(time), nodes = [-Math.sin(phi), Math.cos(phi), 0];
         const across = [Math.cos(phi), Math.sin(phi), 0];
         scene.line(arc(origin, z_axis, nodes), "blue", 4);
         scene.line(arc(origin, times(0.9, A[2]), times(0.9, nodes)), "vermilion", 4);
@@ -99,7 +99,7 @@ live("gimbal_passage", {
     },
   },
   numbers(m, time) {
-    const { angles, rates } = m.at(Math.max(time, 0.15));
+    const { angles, rates } = m.at(time);
     return [...["φ", "θ", "ψ"].map((name, i) => [name, angles[i], "°", degree]),
       ...["dφ/dt", "dθ/dt", "dψ/dt"].map((name, i) => [name, rates[i], "rad/s"])];
   },

@@ -11,13 +11,20 @@ async function open_figure(number) {
   return places[number].live.started;
 }
 
+/** Where a canvas is, in sight. */
+function box_of(canvas) {
+  canvas.scrollIntoView({ block: "center", behavior: "instant" });
+  return canvas.getBoundingClientRect();
+}
+
 /** A number for what the scenes show. */
 const pictures = live => live.scenes.reduce((total, { scene: { canvas, context } }) =>
   new Uint32Array(context.getImageData(0, 0, canvas.width, canvas.height).data.buffer)
     .reduce((mixed, pixel) => Math.imul(mixed, 31) + pixel | 0, total), 0);
 
-/** What is wrong with the time of a figure: [sentence, …], and the frames per second. */
-async function run_figure(number) {
+/** What is wrong with the time of a figure: [sentence, …], and the frames per second. Thoroughly, also with what all
+ *  figures do alike. */
+async function run_figure(number, thoroughly) {
   const { live } = places[number], faults = [];
   const expect = (holds, sentence) => { if (!holds) faults.push(sentence); };
   const still = async milliseconds => { const before = pictures(live); await wait(milliseconds); return before === pictures(live); };
@@ -29,6 +36,7 @@ async function run_figure(number) {
   const rate = 1000 * (live.frames - frames) / (performance.now() - begun);
   live.play_button.click();
   expect(await still(100), "moves while it is paused");
+  if (!thoroughly) return { faults, rate };
   for (let tries = 0; tries < 100 && !live.spoken.textContent.startsWith(`At ${live.time.toFixed(2)} s`); ++tries) await wait(10);
   expect(live.spoken.textContent.includes(live.list.querySelector("dd").textContent.split(" ")[0]), "does not speak its numbers");
   live.play_button.click();
