@@ -306,6 +306,11 @@ class CommandLine {
         "Redraw the figures of a lecture with your own functions\n\nA figure that needs a function you have not "
         "started is left out, and the function is named.",
         {"figures 03"}, {"LECTURE", "--out", "--seconds"}, figures);
+    add("live", students,
+        "Build the live figures of a lecture on your own functions\n\nThose of your functions that pass take the place "
+        "of the reference implementation in the figures that move. They are compiled for the browser, which needs the "
+        "package emscripten; then open one of the pages that are named.",
+        {"live 06"}, {"LECTURE"}, live);
     add("examples", students,
         "Run the worked examples of a lecture on your own functions\n\nShows which of them hold, which need a function "
         "that is not started, and for the others the check that failed, with both numbers.",

@@ -56,6 +56,9 @@ int plot(const Course& course, const Options& options);
 /// The figures of a lecture, drawn with the student's own functions.
 int figures(const Course& course, const Options& options);
 
+/// The live figures of a lecture, computed with the student's own functions where they pass.
+int live(const Course& course, const Options& options);
+
 /// The worked examples of a lecture on the student's own functions: which of them hold.
 int examples(const Course& course, const Options& options);
 

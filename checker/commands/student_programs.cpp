@@ -1,8 +1,9 @@
-// The commands examples and figures: programs of a lecture that are built on the student's own functions.
+// The commands examples, figures and live: what a lecture shows, on the student's own functions.
 #include "checker/base/console.hpp"
 #include "checker/base/files.hpp"
 #include "checker/base/text.hpp"
 #include "checker/commands/commands.hpp"
+#include "checker/course/progress.hpp"
 
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
@@ -199,6 +200,61 @@ int figures(const Course& course, const Options& options) {
   fmt::print("\n{} of {} figures of {} are drawn with your functions.\n  {}\n", drawn, names.size(), lecture,
              shown_path(directory));
   return drawn == names.size() ? all_passed : something_failed;
+}
+
+int live(const Course& course, const Options& options) {
+  const std::string lecture = course.find_lecture(options.name).lecture;
+  const Console console = Console::of_standard_output();
+  const auto stop = [&](const std::string& sentence) {
+    fmt::print("{}\n", console.wrapped(sentence));
+    return something_failed;
+  };
+  // What the figures call, as lectures/live/live.js has it.
+  const std::string script = read_file(course.lectures() / lecture / "live.js").value_or("");
+  std::set<std::string> called;
+  static const std::regex call(R"(rigid\.(\w+)\()");
+  for (std::sregex_iterator match(script.begin(), script.end(), call), end; match != end; ++match)
+    called.insert((*match)[1]);
+  if (called.empty()) return stop(fmt::format("{} has no live figures.", lecture));
+
+  const ProgressSummary summary = summary_of(course, Progress(course.progress_file()));
+  std::string includes, entries, files;
+  std::vector<std::string> own;
+  for (std::size_t i = 0; i < summary.exercises.size(); ++i) {
+    const Exercise& exercise = summary.exercises[i];
+    if (!summary.passed[i] || called.erase(exercise.name()) == 0) continue;
+    own.push_back(exercise.name());
+    includes += fmt::format("#include <rigid/{}.hpp>\n", exercise.card->contract);
+    entries += fmt::format("    {{\"{0}\", [](const double* numbers) {{ return call(&rigid::{0}, numbers); }}}},\n",
+                           exercise.name());
+    files += fmt::format("\"{}\"\n", course.student_file(exercise).string());
+  }
+  if (own.empty())
+    return stop(
+        fmt::format("The live figures of {} call {}; none of these passes yet.", lecture, fmt::join(called, ", ")));
+  const fs::path folder = course.build().directory / "live/student";
+  fs::create_directories(folder);
+  const std::string list = "#include \"lectures/live/functions.hpp\"\n" + includes +
+                           "void workbook::throw_eigen_error(const char*) { __builtin_trap(); }\n"
+                           "const std::vector<workbook::live::Function> workbook::live::functions{\n" +
+                           entries + "};\n";
+  for (const auto& [name, text] : {std::pair{"functions.cpp", list}, {"files.rsp", files}})
+    if (const std::string problem = write_file(folder / name, text); !problem.empty())
+      throw std::runtime_error(problem);
+  const FinishedProgram built = make(course.build(), {"notes", "live_of_the_student"});
+  if (!built.succeeded())
+    throw std::runtime_error(fmt::format("{}\nThe live figures could not be built on your functions.", built.output));
+  std::string pages;
+  for (const auto& page : fs::directory_iterator(course.notes_folder()))
+    if (read_file(page.path()).value_or("").find(fmt::format("data-lecture=\"{}\"", lecture)) != std::string::npos)
+      pages += fmt::format("  file://{}?yours\n", page.path().string());
+  if (pages.empty())
+    return stop("The notes of this copy have still figures only: it was handed out by a machine without emscripten.");
+  fmt::print("{}\n{}", console.wrapped(fmt::format("Computed with your {}:", fmt::join(own, ", "))), pages);
+  if (!called.empty())
+    fmt::print("{}\n", console.wrapped(fmt::format("With the reference implementation, until yours pass: {}.",
+                                                   fmt::join(called, ", "))));
+  return all_passed;
 }
 
 std::size_t copy_figures(const Course& course, const std::string& lecture, const fs::path& to) {

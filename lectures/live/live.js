@@ -43,11 +43,13 @@ function history(step, state, count) {
 
 const rigid = {};
 
-async function load_rigid() {
-  const module = await rigid_module();
+/** Adds the functions of a module; returns their names. */
+async function add_functions(make_module) {
+  const module = await make_module();
   const numbers_of = value => Array.isArray(value?.[0]) ? [value[0].length, value.length, ...value.flat()]
     : Array.isArray(value) ? [value.length, 1, ...value] : [1, 1, value];
-  module.UTF8ToString(module._live_names()).split(" ").forEach((name, number) => rigid[name] = (...values) => {
+  const names = module.UTF8ToString(module._live_names()).split(" ");
+  names.forEach((name, number) => rigid[name] = (...values) => {
     const numbers = values.flatMap(numbers_of);
     module.HEAPF64.set(numbers, module._live_arguments(numbers.length) / 8);
     const at = module._live_call(number) / 8;
@@ -55,6 +57,13 @@ async function load_rigid() {
     const column = k => Array.from(module.HEAPF64.subarray(at + 2 + k * rows, at + 2 + (k + 1) * rows));
     return columns > 1 ? steps(0, columns - 1, columns - 1).map(column) : rows > 1 ? column(0) : column(0)[0];
   });
+  return names;
+}
+
+/** All that there are; the names of those that `checker live` has made from the reader's own. */
+async function load_rigid() {
+  await add_functions(rigid_module);
+  return globalThis.rigid_module_of_the_student ? add_functions(rigid_module_of_the_student) : [];
 }
 
 // ---- A picture: orthographic, what is drawn first lies below.
@@ -512,10 +521,12 @@ class LiveFigure {
   }
 }
 
+let loading;
+
 /** Called by site.js when all scripts are there. */
 async function start_live(place) {
-  const begun = performance.now();
-  if (!Object.keys(rigid).length) await load_rigid();
+  const begun = performance.now(), own = await (loading ??= load_rigid());
   place.live = new LiveFigure(place, definitions[place.dataset.figure]);
+  if (own.length) place.append(element("p", { textContent: `Computed with your own ${own.join(", ")}.` }));
   place.live.started = performance.now() - begun;
 }

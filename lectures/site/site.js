@@ -132,7 +132,9 @@ function offer_motion(picture) {
 /** Figures that move: what they need is loaded when one comes into sight. Without WebAssembly the still picture stays. */
 function offer_live_figure(place) {
   if (typeof WebAssembly !== "object") return;
-  const scripts = ["live.js", "rigid.js", `${place.dataset.lecture}.js`].map(name => `live/${name}`);
+  // `checker live` makes the reader's own functions and names the page with this question mark.
+  const own = location.search === "?yours" ? ["student.js"] : [];
+  const scripts = ["live.js", "rigid.js", ...own, `${place.dataset.lecture}.js`].map(name => `live/${name}`);
   const load = source => new Promise((loaded, failed) => {
     const present = document.querySelector(`script[src="${source}"]`);
     const script = present ?? document.head.appendChild(Object.assign(document.createElement("script"), { src: source }));

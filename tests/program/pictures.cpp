@@ -272,6 +272,26 @@ TEST_CASE("figures that cannot be built or listed say why") {
   check_golden("figures_not_drawn", screens);
 }
 
+TEST_CASE("live figures take the functions that pass, and say where one of them is needed") {
+  const CourseCopy course;
+  CHECK(course.run("live springs").status == 1);  // has none
+  write(course.root() / "lectures/01_springs/live.js", "rigid.spring_energy(k, x) + rigid.spring_force(k, x)");
+  const Outcome nothing_passes = course.run("live springs");
+  CHECK(nothing_passes.status == 1);
+  CHECK_MESSAGE(has(nothing_passes.out, "spring_energy, spring_force"), nothing_passes.out);
+  course.solve("spring_energy");
+  CHECK(course.run("check spring_energy").status == 0);
+  write(course.root() / "html/lecture_01_springs.html", "<div class=\"live\" data-lecture=\"01_springs\"></div>");
+  course.stand_in("setup.sh", "exit 0");
+  const Outcome built = course.run("live springs");
+  CHECK_MESSAGE(built.status == 0, built.said());
+  CHECK(has(built.out, "html/lecture_01_springs.html?yours"));
+  CHECK(read(course.root() / "build/live/student/files.rsp") ==
+        "\"" + course.exercise("spring_energy").string() + "\"\n");
+  course.stand_in("setup.sh", "exit 1");
+  CHECK(course.run("live springs").status == 3);
+}
+
 TEST_CASE("the program of the figures refuses a name that it does not know, and ends badly if a figure does") {
   const CourseCopy course;
   const auto status = [&](const std::string& arguments) {
