@@ -11,7 +11,8 @@ const laws = [
 /** Positions and velocities by a law of motion, at equal steps of time. */
 function ridden(law, r, v, seconds, count) {
   const rate = state => [...state.slice(3), ...law(state.slice(0, 3), state.slice(3))];
-  return history(state => runge_kutta(rate, state, seconds / count), [...r, ...v], count).map(state => [state.slice(0, 3), state.slice(3)]);
+  return history(state => runge_kutta(rate, state, seconds / count), [...r, ...v], count)
+    .map(state => [state.slice(0, 3), state.slice(3)]);
 }
 
 function draw_table(scene, angle) {
@@ -59,8 +60,9 @@ live("puck", {
         draw_table(scene, 0);
         if (scene.released) scene.line(m.back, "ink", 1.5, { dash: [1, 6] });
         scene.line(m.path.slice(0, k + 1).map(([p]) => p), "blue", 3);
-        if (m.law !== 1) scene.arrow(r, sum(r, times(0.4, laws[2](r, v, m.w))), "orange", "centrifugal", { width: 2.2 });
-        if (m.law !== 2) scene.arrow(r, sum(r, times(m.law === 3 ? 0.2 : 0.4, laws[1](r, v, m.w))), "purple", "Coriolis", { width: 2.2 });
+        const force = (law, factor, color, name) => scene.arrow(r, sum(r, times(factor, laws[law](r, v, m.w))), color, name);
+        if (m.law !== 1) force(2, 0.4, "orange", "centrifugal");
+        if (m.law !== 2) force(1, m.law === 3 ? 0.2 : 0.4, "purple", "Coriolis");
         scene.dot(r, "ink", 6);
       },
     },
@@ -112,8 +114,8 @@ live("foucault", {
       draw(scene, { lambda }) {
         const up = [Math.cos(lambda), 0, Math.sin(lambda)], north = [-up[2], 0, up[0]];
         scene.ellipsoid(origin, identity, "blue");
-        for (const latitude of [0, lambda]) scene.on_surface(arc([0, 0, Math.sin(latitude)],
-          times(Math.cos(latitude), x_axis), times(Math.cos(latitude), y_axis)), p => p, latitude ? "green" : "grey", 1.5);
+        for (const latitude of [0, lambda])
+          scene.on_surface(parallel(latitude), p => p, latitude ? "green" : "grey", 1.5);
         scene.line([times(-1.4, z_axis), times(1.4, z_axis)], "grey", 1.5, { dash: [6, 5] });
         scene.line([sum(up, times(-0.2, north)), sum(up, times(0.2, north))], "ink", 2);
         scene.arrow(up, sum(up, [0, 0, 0.6]), "purple", "Ω");

@@ -67,9 +67,9 @@ live("held_spin", {
     "Energy over directions of ω (dark: large)": {
       half: 1.4, towards: [0.75, 1, 0.6], ...draggable(1),
       draw(scene, m) {
-        for (const { corners, middle, moment } of m.faces)
-          if (dot(middle, scene.towards) > -0.05) scene.face(corners, "purple", 0.06 + 0.74 * (moment - m.least) / (m.most - m.least || 1));
-        identity.forEach((axis, i) => scene.arrow(axis, times(1.25, axis), axis_colors[i], axis_names[i], { width: 2.2 }));
+        for (const { corners, moment } of m.faces.filter(({ middle }) => dot(middle, scene.towards) > -0.05))
+          scene.face(corners, "purple", 0.06 + 0.74 * (moment - m.least) / (m.most - m.least || 1));
+        for (const arrow of axis_arrows(identity, [1, 1, 1])) scene.arrow(...arrow);
         scene.dot(m.n, "vermilion", 6);
         scene.words("ω", [scene.at(m.n)[0] + 14, scene.at(m.n)[1] - 8], "vermilion");
       },
@@ -77,5 +77,5 @@ live("held_spin", {
   },
   numbers: m => [["I about ω", m.moment, "kg m²"], ["T", m.energy, "J"],
     ["|L|", norm(rigid.angular_momentum(m.I, m.omega)), "kg m²/s"], ["bearing torque", norm(m.torque), "N m"],
-    ...m.moments.map((moment, i) => ["I₁ I₂ I₃".split(" ")[i], moment, "kg m²"])],
+    ...m.moments.map((moment, i) => [moment_names[i], moment, "kg m²"])],
 });

@@ -7,11 +7,12 @@ const from_center = point => times(0.5, minus(point, center));
 live("moving_point", {
   about: "A block of 6 kg with edges of 1, 2 and 3 m, and the inertia ellipsoid about a point that moves through it.",
   question: "The point moves from one corner of the block to the opposite one. How do the principal axes at the point lie?",
+  shows_end: true,
   choices: ["along the edges everywhere", "along the edges only at the centre", "along the edges only at the corners"],
-  answer: "Only at the centre. Elsewhere the term −M d d adds products unless d lies in a symmetry plane: drag the end of the path " +
-    "to the middle of a face, and the axes stay along the edges. Each moment is least where the path is closest to the centre.",
-  controls: [slider("x", "end x", -0.5, 1.5, 0.05, 1, "m"), slider("y", "end y", -0.5, 2.5, 0.05, 2, "m"),
-    slider("z", "end z", -0.5, 3.5, 0.05, 3, "m")],
+  answer: "Only at the centre. Elsewhere the term −M d d adds products, unless d lies along an edge: drag the point to the " +
+    "middle of a face, and the axes lie along the edges again. Each moment is least where the path is closest to the centre.",
+  controls: [slider("x", "x", -0.5, 1.5, 0.05, 1, "m"), slider("y", "y", -0.5, 2.5, 0.05, 2, "m"),
+    slider("z", "z", -0.5, 3.5, 0.05, 3, "m")],
   prepare({ x, y, z }) {
     const end = [x, y, z], I_corner = rigid.cuboid_about_corner(mass, ...edges);
     // R points from the new origin to the old one.
@@ -32,7 +33,7 @@ live("moving_point", {
       draw(scene, m, time) {
         const P = times(time / 6, m.end), I = m.about(P), at = from_center(P);
         const moments = rigid.principal_moments(I), axes = rigid.principal_axes(I);
-        scene.box(origin, times(1, edges).map((edge, i) => times(edge / 4, identity[i])), ["grey", "grey", "grey"], 0.2);
+        scene.box(origin, edges.map((edge, i) => times(edge / 4, identity[i])), ["grey", "grey", "grey"], 0.2);
         scene.line([from_center(origin), from_center(m.end)], "ink", 1.5, { dash: [4, 4] });
         scene.dot(origin, "ink", 3);
         if (scene.released || time === 0) {
@@ -40,25 +41,27 @@ live("moving_point", {
           axes.forEach((axis, i) => {
             const half = times(1.25 / Math.sqrt(moments[i]), axis);
             scene.line([minus(at, half), sum(at, half)], axis_colors[i], 2.5);
-            scene.text(sum(at, times(1.25, half)), ["I₁", "I₂", "I₃"][i], axis_colors[i]);
+            scene.text(sum(at, times(1.25, half)), moment_names[i], axis_colors[i]);
           });
         }
         scene.dot(at, "vermilion", 5);
-        scene.dot(from_center(m.end), "vermilion", 3);
+        scene.dot(from_center(m.end), "vermilion", 6);
       },
     },
     "Along the path": {
       draw(scene, m, time) {
         const entries = [["I_xx", "blue", 0, 0], ["I_yy", "green", 1, 1], ["I_zz", "purple", 2, 2], ["I_yz", "vermilion", 2, 1]];
-        const all = m.curve.flatMap(([, I]) => entries.map(([, , i, j]) => I[i][j]));
-        scene.plot({ x: [0, 1], y: [1.1 * Math.min(...all), 1.1 * Math.max(...all)], x_name: "part of the path", y_name: "kg m²",
-          now: time / 6, curves: entries.map(([name, color, i, j]) => ({ name, color, points: m.curve.map(([part, I]) => [part, I[i][j]]) })) });
+        const curves = entries.map(([name, color, i, j]) =>
+          ({ name, color, points: m.curve.map(([part, I]) => [part, I[i][j]]) }));
+        const all = curves.flatMap(({ points }) => points.map(([, value]) => value));
+        scene.plot({ x: [0, 1], y: [1.1 * Math.min(...all), 1.1 * Math.max(...all)], x_name: "part of the path",
+          y_name: "kg m²", now: time / 6, curves });
       },
     },
   },
   numbers(m, time) {
     const I = m.about(times(time / 6, m.end));
     return [["I_xx", I[0][0], "kg m²"], ["I_yz", I[2][1], "kg m²"], ["I_xy", I[1][0], "kg m²"],
-      ...rigid.principal_moments(I).map((moment, i) => [["I₁", "I₂", "I₃"][i], moment, "kg m²"])];
+      ...rigid.principal_moments(I).map((moment, i) => [moment_names[i], moment, "kg m²"])];
   },
 });

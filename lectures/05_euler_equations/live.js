@@ -39,7 +39,7 @@ live("integrators", {
         if (scene.released) scene.on_surface(m.exact.map(omega => times(m.size, omega)), normal, "grey", 1.5);
         scene.line(m.computed.slice(Math.max(0, k - 400), k + 1).map(omega => times(m.size, omega)), "vermilion", 2.2);
         scene.arrow(origin, times(m.size, m.computed[k]), "vermilion", "ω");
-        identity.forEach((axis, i) => scene.arrow(times(m.axes[i], axis), times(m.axes[i] + 0.25, axis), axis_colors[i], axis_names[i], { width: 2.2 }));
+        for (const arrow of axis_arrows(identity, m.axes)) scene.arrow(...arrow);
       },
     },
     "Drift of the constants": {
@@ -54,7 +54,7 @@ live("integrators", {
       draw(scene, m, time) {
         const exact = i => ({ color: "grey", points: m.exact.map((omega, k) => [m.moments[k], omega[i]]) });
         scene.plot({ x: [0, m.seconds], y: [-2.2, 2.2], x_name: "time (s)", y_name: "rad/s", now: time,
-          curves: [0, 1, 2].map(exact).concat(axis_colors.map((color, i) => ({ color, name: ["ω₁", "ω₂", "ω₃"][i], dash: [6, 4],
+          curves: [0, 1, 2].map(exact).concat(axis_colors.map((color, i) => ({ color, name: omega_names[i], dash: [6, 4],
             points: m.computed.map((omega, k) => [m.h * k, omega[i]]) }))) });
       },
     },

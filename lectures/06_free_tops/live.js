@@ -48,7 +48,8 @@ function prepare_free_body(values) {
   }
   // Half edges of a uniform box with these moments.
   const [a, b, c] = I, edges = [b + c - a, c + a - b, a + b - c].map(square => Math.sqrt(Math.max(square, 0.003)));
-  return { I, omega0, edges: times(0.85 / norm(edges), edges), T, L2, L, period, start, seconds, omegas, moments_of_time, herpolhode, axes, others, momentum,
+  return { I, omega0, edges: times(0.85 / norm(edges), edges), T, L2, L, period, start, seconds, omegas, moments_of_time,
+    herpolhode, axes, others, momentum,
     once, polhode: polhode_of(I, omega0), size: 1 / Math.max(...axes),
     circles: [0, 1, 2].map(i => [1, 2].map(k => times(axes[(i + k) % 3], identity[(i + k) % 3])))
       .map(([u, v]) => arc(origin, u, v)) };
@@ -59,10 +60,7 @@ function draw_in_body(scene, m, time, { surface }) {
   // On the ellipsoid of energy stands ω, on the sphere L; both normals are along I ω.
   const place = surface === 0 ? w => times(m.size, w) : w => unit(m.momentum(w));
   const normal = p => surface === 0 ? m.momentum(p) : p;
-  const arrows = identity.map((axis, i) => {
-    const tip = times(surface === 0 ? m.size * m.axes[i] : 1, axis);
-    return [tip, sum(tip, times(0.3, axis)), axis_colors[i], axis_names[i], { width: 2.2 }];
-  });
+  const arrows = axis_arrows(identity, surface === 0 ? times(m.size, m.axes) : [1, 1, 1]);
   arrows.push([origin, times(surface === 0 ? 1.25 : 1, unit(m.momentum(omega))), "blue", "L"]);
   if (surface === 0) arrows.push([origin, place(omega), "vermilion", "ω", { beside: true }]);
   scene.body_with_arrows(() => {
@@ -102,8 +100,7 @@ function draw_in_space(scene, m, time, { picture }) {
     }];
   const arrows = [[center, sum(center, [0, 0, picture === 1 ? 1.7 : 1.25]), "blue", "L"],
     [center, drawn(omega), "vermilion", "ω", { beside: true }]];
-  if (picture === 0) A.forEach((axis, i) =>
-    arrows.push([times(m.edges[i], axis), times(0.3 + m.edges[i], axis), axis_colors[i], axis_names[i], { width: 2.2 }]));
+  if (picture === 0) arrows.push(...axis_arrows(A, m.edges));
   if (picture === 1) arrows.push([center, sum(center, times(1.6, A[2])), "purple", "e₃"]);
   scene.body_with_arrows(bodies[picture], arrows);
 }
@@ -145,14 +142,14 @@ const free_body = {
       draw(scene, m, time) {
         const most = 1.1 * Math.max(...m.omegas.flat().map(Math.abs));
         scene.plot({ x: [0, m.seconds], y: [-most, most], x_name: "time (s)", y_name: "rad/s", now: time,
-          curves: axis_colors.map((color, i) => ({ color, name: ["ω₁", "ω₂", "ω₃"][i],
+          curves: axis_colors.map((color, i) => ({ color, name: omega_names[i],
             points: m.omegas.map((omega, k) => [m.moments_of_time[k], omega[i]]) })) });
       },
     },
   },
   numbers(m, time) {
     const omega = rigid.free_rotation(m.I, m.omega0, [time]);
-    return [...omega.map((rate, i) => [["ω₁", "ω₂", "ω₃"][i], rate, "rad/s"]), ["T", m.T, "J"], ["L²", m.L2, "kg² m⁴/s²"],
+    return [...omega.map((rate, i) => [omega_names[i], rate, "rad/s"]), ["T", m.T, "J"], ["L²", m.L2, "kg² m⁴/s²"],
       ["period in the body", m.period, "s"]];
   },
 };

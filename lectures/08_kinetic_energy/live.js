@@ -8,8 +8,8 @@ live("angles_and_momenta", {
   answer: "p_φ is L along the vertical, p_θ is L along the line of nodes, which is level: zero. p_ψ is L along e₃, and e₃ nods as " +
     "long as I₁ and I₂ differ. Make them equal: ψ becomes cyclic, p_ψ constant, and e₃ goes round on a circle.",
   controls: [slider("I1", "I₁", 0.8, 2.4, 0.1, 1, "kg m²"), slider("I2", "I₂", 0.8, 2.4, 0.1, 1.8, "kg m²"),
-    slider("I3", "I₃", 0.8, 1.6, 0.1, 1.6, "kg m²"), slider("theta", "θ", 10, 80, 1, 40, "°"), slider("psi", "ψ", 0, 360, 5, 180, "°"),
-    slider("L", "L", 1, 4, 0.1, 3, "kg m²/s")],
+    slider("I3", "I₃", 0.8, 1.6, 0.1, 1.6, "kg m²"), slider("theta", "θ", 10, 80, 1, 40, "°"),
+    slider("psi", "ψ", 0, 360, 5, 180, "°"), slider("L", "L", 1, 4, 0.1, 3, "kg m²/s")],
   prepare(values) {
     const I = [values.I1, values.I2, values.I3], angles = times(degree, [0, values.theta, values.psi]);
     // L is upright; its components on the body axes are those of the vertical.
@@ -30,8 +30,7 @@ live("angles_and_momenta", {
       draw(scene, m, time) {
         const k = Math.round(300 * time / m.seconds), { q } = m.samples[k], A = transposed(rigid.rotation_matrix(q));
         scene.ellipsoid(origin, identity, "blue", 0.6);
-        for (const polar of [30, 60, 90]) scene.on_surface(arc([0, 0, Math.cos(polar * degree)], times(Math.sin(polar * degree), x_axis),
-          times(Math.sin(polar * degree), y_axis)), p => p, "grey", 1);
+        for (const latitude of [0, 30, 60]) scene.on_surface(parallel(latitude * degree), p => p, "grey", 1);
         scene.on_surface(m.samples.slice(0, k + 1).map(({ tip }) => tip), p => p, "vermilion", 2.5);
         scene.body_with_arrows(() => scene.box(origin, A.map((axis, i) => times([0.34, 0.22, 0.1][i], axis)), axis_colors),
           [[origin, A[2], "purple", "e₃"], [origin, [0, 0, 1.25], "blue", "L"]]);

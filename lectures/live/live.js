@@ -19,11 +19,19 @@ const [x_axis, y_axis, z_axis] = identity;
 const origin = [0, 0, 0];
 const degree = Math.PI / 180;
 const axis_names = ["e₁", "e₂", "e₃"], axis_colors = ["orange", "green", "purple"];
+const omega_names = ["ω₁", "ω₂", "ω₃"], moment_names = ["I₁", "I₂", "I₃"];
 /** count + 1 numbers, equally spaced. */
 const steps = (from, to, count) => Array.from({ length: count + 1 }, (_, i) => from + (to - from) * i / count);
 /** Points of an ellipse with two half axes, or of a part of it. */
 const arc = (center, a, b, from = 0, to = 2 * Math.PI) =>
   steps(from, to, 72).map(angle => sum(center, times(Math.cos(angle), a), times(Math.sin(angle), b)));
+
+/** A circle of latitude on the unit sphere. */
+const parallel = latitude =>
+  arc([0, 0, Math.sin(latitude)], times(Math.cos(latitude), x_axis), times(Math.cos(latitude), y_axis));
+/** Arrows along the axes of a body, the columns of A, that begin at these distances. */
+const axis_arrows = (A, begin, length = 0.3) => A.map((axis, i) =>
+  [times(begin[i], axis), times(begin[i] + length, axis), axis_colors[i], axis_names[i], { width: 2.2 }]);
 
 /** A step of the classical rule for a state, which is a list of numbers. */
 function runge_kutta(rate, state, h) {
@@ -92,9 +100,9 @@ class Scene {
     Object.assign(c, { lineJoin: "round", lineCap: "round", textBaseline: "middle", textAlign: "center" });
     [this.width, this.high] = [width, height];
     this.scale = Math.min(width, height) / 2 / this.half;
-    const [sa, ca, sh, ch] = [Math.sin(this.azimuth), Math.cos(this.azimuth), Math.sin(this.height), Math.cos(this.height)];
-    this.towards = [ch * ca, ch * sa, sh];
-    this.right = [-sa, ca, 0];
+    const level = [Math.cos(this.azimuth), Math.sin(this.azimuth), 0];
+    this.towards = sum(times(Math.cos(this.height), level), [0, 0, Math.sin(this.height)]);
+    this.right = [-level[1], level[0], 0];
     this.up = cross(this.towards, this.right);
     const style = getComputedStyle(this.canvas);
     this.color = name => style.getPropertyValue("--figure-" + name) || name;
@@ -171,7 +179,7 @@ class Scene {
     c.stroke();
     c.beginPath();
     c.moveTo(...b);
-    for (const side of [1, -1]) c.lineTo(foot[0] - side * head * 0.45 * along[1], foot[1] + side * head * 0.45 * along[0]);
+    for (const side of [0.45, -0.45]) c.lineTo(foot[0] - side * head * along[1], foot[1] + side * head * along[0]);
     c.fill();
     // A short arrow points at the reader: its name stands beside it.
     const [dx, dy] = length <= 12 ? [0.7, -0.7] : beside ? [-along[1], along[0]] : along;
@@ -199,7 +207,7 @@ class Scene {
   words(words, [x, y], color = "ink", align = "center") {
     const c = this.context;
     // Names of vectors are bold.
-    c.font = `${/^[LωeVΩvFτr]/.test(words) && words.length < 4 ? "bold " : ""}15px Helvetica, Arial, sans-serif`;
+    c.font = `${/^([LVωΩ]|e[₁₂₃])$/.test(words) ? "bold " : ""}15px Helvetica, Arial, sans-serif`;
     Object.assign(c, { textAlign: align, strokeStyle: this.color("paper"), fillStyle: this.color(color), lineWidth: 4 });
     c.strokeText(words, x, y);
     c.fillText(words, x, y);
@@ -207,9 +215,9 @@ class Scene {
 
   /** The ellipsoid with three half axes: its outline and a shade. */
   ellipsoid(center, axes, color, opacity = 1) {
-    // What one sees is the ellipse Q v, |v| ≤ 1, with two rows and three columns; L of Q Qᵀ = L Lᵀ draws it from a circle.
-    const Q = [this.right, this.up].map(direction => axes.map(axis => dot(axis, direction)));
-    const a = Math.sqrt(dot(Q[0], Q[0])), b = dot(Q[0], Q[1]) / a, d = Math.sqrt(Math.max(0, dot(Q[1], Q[1]) - b * b));
+    // What one sees is the ellipse Q v, |v| ≤ 1, with two rows and three columns; L of Q Qᵀ = L Lᵀ makes it of a circle.
+    const [q, p] = [this.right, this.up].map(direction => axes.map(axis => dot(axis, direction)));
+    const a = norm(q), b = dot(q, p) / a, d = Math.sqrt(Math.max(0, dot(p, p) - b * b));
     const c = this.context, s = this.scale;
     c.save();
     c.transform(s * a, -s * b, 0, -s * d, ...this.at(center));
@@ -243,15 +251,19 @@ class Scene {
       bottom - (bottom - top) * (v - y[0]) / (y[1] - y[0])];
     const c = this.context;
     this.at = place;
-    for (const [range, room, draw] of [[x, right - left, u => [[u, y[0]], [u, y[1]]]], [y, bottom - top, v => [[x[0], v], [x[1], v]]]]) {
-      const rough = (range[1] - range[0]) * (range === x ? 90 : 36) / room, power = 10 ** Math.floor(Math.log10(rough));
+    const labels = ([from, to], most) => {
+      const rough = (to - from) / most, power = 10 ** Math.floor(Math.log10(rough));
       const step = [1, 2, 5, 10].map(k => k * power).find(k => k >= rough);
-      for (let k = Math.ceil(range[0] / step - 1e-9); k * step <= range[1] + 1e-9 * step; ++k) {
-        const [from, to] = draw(k * step), [u, v] = place(from);
-        this.line([from, to], k === 0 ? "grey" : "pale", 1);
-        const label = String(+(k * step).toPrecision(6)).replace("-", "−");
-        if (range === x) this.words(label, [u, v + 13]); else this.words(label, [u - 6, v], "ink", "right");
-      }
+      const first = Math.ceil(from / step - 1e-9), last = Math.floor(to / step + 1e-9);
+      return steps(first, last, last - first).map(k => [k * step, String(+(k * step).toPrecision(6)).replace("-", "−")]);
+    };
+    for (const [u, label] of labels(x, (right - left) / 90)) {
+      this.line([[u, y[0]], [u, y[1]]], u ? "pale" : "grey", 1);
+      this.words(label, sum(place([u, y[0]]), [0, 13]));
+    }
+    for (const [v, label] of labels(y, (bottom - top) / 36)) {
+      this.line([[x[0], v], [x[1], v]], v ? "pale" : "grey", 1);
+      this.words(label, sum(place([x[0], v]), [-6, 0]), "ink", "right");
     }
     c.save();
     c.beginPath();
@@ -264,9 +276,7 @@ class Scene {
     c.restore();
     this.words(x_name, [(left + right) / 2, this.high - 9]);
     let at = left + 4;
-    this.words(y_name, [at, 9], "ink", "left");
-    at += c.measureText(y_name).width + 14;
-    for (const { name, color } of curves.filter(curve => curve.name)) {
+    for (const { name, color } of [{ name: y_name, color: "ink" }, ...curves.filter(curve => curve.name)]) {
       this.words(name, [at, 9], color, "left");
       at += c.measureText(name).width + 14;
     }
@@ -282,7 +292,8 @@ const choice = (name, label, options, value = 0) => ({ name, label, options, val
 /** Four digits, as one reads them. */
 function shown(value) {
   if (!Number.isFinite(value)) return "–";
-  const size = Math.abs(value), raised = power => power.replace("+", "").replace(/./g, sign => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(sign)]);
+  const size = Math.abs(value);
+  const raised = power => power.replace("+", "").replace(/./g, sign => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(sign)]);
   const text = size < 1e-9 ? "0" : size >= 1e5 || size < 1e-3 ? value.toExponential(2) : value.toPrecision(4);
   return text.replace(/^-/, "−").replace(/e(.*)/, (_, power) => `·10${raised(power)}`);
 }
@@ -298,10 +309,11 @@ const definitions = {};
  *    question, choices, answer  what the reader predicts before it starts, and what happens
  *    about                      for those who do not see it
  *    controls                   sliders and choices; `values` holds what they are set to, by their names
- *    starts                     sets of values by their titles, the first at the beginning
+ *    starts                     if need be: sets of values by their titles, the first at the beginning
  *    legal(values, changed)     may change values so that they fit the one that was changed
  *    prepare(values)            all that does not depend on time; `model` in the rest
- *    duration(model)            seconds of the motion;  pace: seconds of motion per second
+ *    duration(model)            seconds of the motion;  pace: seconds of motion per second;  shows_end: a change of a
+ *                               value shows the end of the motion instead of its beginning
  *    views                      pictures by their titles: {half, towards, aspect, draw(scene, model, time, values)} and,
  *                               for a point that one drags, handle(model, time, values) and drag(pixels, scene, values)
  *    numbers(model, time)       [name, value, unit] of what is shown as numbers, each returned by a function of the course;
@@ -314,14 +326,14 @@ const element = (tag, properties = {}, ...children) => {
   made.append(...children);
   return made;
 };
+const text = (tag, words) => element(tag, { textContent: words });
 
 class LiveFigure {
   constructor(place, definition) {
     Object.assign(this, { place, definition, time: 0, playing: false, in_sight: true, frames: 0, interval: 16 });
     this.values = Object.fromEntries(definition.controls.map(control => [control.name, control.value]));
-    const starts = definition.starts && Object.keys(definition.starts);
-    if (starts) Object.assign(this.values, definition.starts[place.dataset.start ?? starts[0]]);
-    place.replaceChildren(this.make_views(), this.make_question(), this.make_settings(starts), this.make_numbers());
+    Object.assign(this.values, Object.values(definition.starts ?? {})[0]);
+    place.replaceChildren(this.make_views(), this.make_question(), this.make_settings(), this.make_numbers());
     this.set({});
     this.turn_visible();
   }
@@ -330,16 +342,15 @@ class LiveFigure {
     this.scenes = Object.entries(this.definition.views).map(([title, view]) => {
       const canvas = element("canvas", { tabIndex: 0 });
       canvas.setAttribute("role", "img");
-      canvas.setAttribute("aria-label", `${title}. ${this.definition.about}${view.towards ? " The arrow keys turn it." : ""}`);
+      const keys = view.towards ? " The arrow keys turn it." : "";
+      canvas.setAttribute("aria-label", `${title}. ${this.definition.about}${keys}`);
       canvas.style.aspectRatio = view.aspect ?? 1.2;
       const scene = new Scene(canvas, view);
       this.offer_turning(scene, view);
       return { title, view, scene };
     });
-    return element("div", { className: "views" }, ...this.scenes.map(({ title, view, scene }) => {
-      const part = element("div", { className: view.aspect > 1.5 ? "wide" : "" }, scene.canvas, element("span", { textContent: title }));
-      return part;
-    }));
+    return element("div", { className: "views" }, ...this.scenes.map(({ title, view, scene }) =>
+      element("div", { className: view.aspect > 1.5 ? "wide" : "" }, scene.canvas, text("span", title))));
   }
 
   /** With the pointer, and with the arrow keys. A finger that moves up or down scrolls the page. */
@@ -354,7 +365,8 @@ class LiveFigure {
       const at = view.handle && scene.at(view.handle(this.model, this.time, this.values)), [x, y] = pixels(event);
       return at && Math.hypot(at[0] - x, at[1] - y) < 28;
     };
-    canvas.addEventListener("touchstart", event => { if (grasped(event.touches[0])) event.preventDefault(); }, { passive: false });
+    const hold = event => grasped(event.touches[0]) && event.preventDefault();
+    canvas.addEventListener("touchstart", hold, { passive: false });
     canvas.onpointerdown = event => {
       held = grasped(event) ? "handle" : "view";
       last = pixels(event);
@@ -363,8 +375,8 @@ class LiveFigure {
     canvas.onpointermove = event => {
       if (!held) return canvas.style.cursor = grasped(event) ? "pointer" : scene.flat ? "default" : "grab";
       const now = pixels(event);
-      if (held === "handle") this.set(view.drag(now, scene, this.values));
-      else scene.turn((now[0] - last[0]) / 120, (now[1] - last[1]) / 120);
+      if (held === "handle") return this.set(view.drag(now, scene, this.values), "handle");
+      scene.turn((now[0] - last[0]) / 120, (now[1] - last[1]) / 120);
       last = now;
       this.draw();
     };
@@ -381,12 +393,12 @@ class LiveFigure {
   /** What will happen? Only an answer lets the motion begin. */
   make_question() {
     const { question, choices, answer } = this.definition;
-    const box = element("div", { className: "question" }, element("p", { textContent: question }));
-    box.append(...choices.map(text => element("button", {
-      textContent: text,
+    const box = element("div", { className: "question" }, text("p", question));
+    box.append(...choices.map(expected => element("button", {
+      textContent: expected,
       onclick: () => {
-        box.replaceChildren(element("p", { textContent: `You expect: ${text}. ` }),
-          element("details", {}, element("summary", { textContent: "What happens" }), element("p", { textContent: answer })));
+        box.replaceChildren(text("p", `You expect: ${expected}.`),
+          element("details", {}, text("summary", "What happens"), text("p", answer)));
         this.settings.disabled = false;
         for (const { scene } of this.scenes) scene.released = true;
         this.play_button.focus();
@@ -396,16 +408,21 @@ class LiveFigure {
     return box;
   }
 
-  make_settings(starts) {
+  make_settings() {
     this.play_button = element("button", { className: "play", onclick: () => this.play(!this.playing) });
-    this.time_slider = element("input", { type: "range", min: 0, step: "any", oninput: () => { this.play(false); this.move_to(+this.time_slider.value); } });
+    this.time_slider = element("input", { type: "range", min: 0, step: "any" });
+    this.time_slider.oninput = () => {
+      this.play(false);
+      this.move_to(+this.time_slider.value);
+    };
     this.time_slider.setAttribute("aria-label", "Time");
     this.clock = element("output");
-    const rows = this.definition.controls.map(control => this.make_control(control));
-    if (starts?.length > 1) rows.unshift(element("label", {}, element("span", { textContent: "Start" }),
-      this.start_box = element("select", { onchange: event => { if (event.target.value) this.set(this.definition.starts[event.target.value]); } },
-        ...starts.map(title => element("option", { textContent: title, value: title })), element("option", { textContent: "your own", value: "" }))));
-    if (starts && this.place.dataset.start && this.start_box) this.start_box.value = this.place.dataset.start;
+    const rows = this.definition.controls.map(control => this.make_control(control)), { starts } = this.definition;
+    if (starts) {
+      this.start_box = element("select", { onchange: () => this.set(starts[this.start_box.value]) },
+        ...Object.keys(starts).map(title => text("option", title)), text("option", "your own"));
+      rows.unshift(element("label", {}, text("span", "Start"), this.start_box));
+    }
     this.settings = element("fieldset", { disabled: true },
       element("div", { className: "time" }, this.play_button, this.time_slider, this.clock),
       element("div", { className: "settings" }, ...rows));
@@ -416,10 +433,10 @@ class LiveFigure {
   make_control(control) {
     const output = element("output");
     const input = control.options
-      ? element("select", {}, ...control.options.map((text, i) => element("option", { textContent: text, value: i })))
+      ? element("select", {}, ...control.options.map((title, i) => element("option", { textContent: title, value: i })))
       : element("input", { type: "range", min: control.from, max: control.to, step: control.step });
     input.oninput = () => {
-      if (!control.options && this.start_box) this.start_box.value = "";
+      if (!control.options && this.start_box) this.start_box.value = "your own";
       this.set({ [control.name]: +input.value }, control.name);
     };
     control.show = value => {
@@ -427,7 +444,7 @@ class LiveFigure {
       const digits = String(control.step).split(".")[1]?.length;
       if (!control.options) output.textContent = `${value.toFixed(digits).replace("-", "−")} ${control.unit}`;
     };
-    return element("label", {}, element("span", { textContent: control.label }), input, ...control.options ? [] : [output]);
+    return element("label", {}, text("span", control.label), input, ...control.options ? [] : [output]);
   }
 
   make_numbers() {
@@ -437,7 +454,8 @@ class LiveFigure {
     return element("div", { className: "numbers" }, this.list, this.spoken);
   }
 
-  /** Changes values; the motion begins anew. */
+  /** Changes values: one by its name, that of the handle, or several. After another choice the time goes on, else the
+   *  motion begins anew. */
   set(values, changed) {
     Object.assign(this.values, values);
     this.definition.legal?.(this.values, changed);
@@ -445,7 +463,8 @@ class LiveFigure {
     this.model = this.definition.prepare(this.values);
     this.end = this.definition.duration(this.model);
     this.time_slider.max = this.end;
-    this.move_to(0);
+    const is_choice = this.definition.controls.some(({ name, options }) => options && name === changed);
+    this.move_to(is_choice ? this.time : changed && this.definition.shows_end ? this.end : 0);
     this.speak();
   }
 
@@ -464,8 +483,8 @@ class LiveFigure {
   }
 
   next_frame() {
-    if (this.playing && this.in_sight) requestAnimationFrame(now => {
-      if (!this.playing) return;
+    cancelAnimationFrame(this.frame);
+    if (this.playing && this.in_sight) this.frame = requestAnimationFrame(now => {
       const passed = now - (this.last ?? now);
       this.last = now;
       this.adapt(passed);
@@ -503,8 +522,10 @@ class LiveFigure {
   /** The numbers as a sentence, once they rest. */
   speak() {
     clearTimeout(this.pending);
-    this.pending = setTimeout(() => this.spoken.textContent =
-      `At ${this.time.toFixed(2)} seconds: ${this.numbers.map(number => `${number[0]} ${measured(number)}`).join(", ")}.`, 300);
+    this.pending = setTimeout(() => {
+      const numbers = this.numbers.map(number => `${number[0]} ${measured(number)}`).join(", ");
+      this.spoken.textContent = `At ${this.time.toFixed(2)} seconds: ${numbers}.`;
+    }, 300);
   }
 
   /** Shows the figure in the still picture's place; it rests while it is out of sight. */
@@ -527,6 +548,6 @@ let loading;
 async function start_live(place) {
   const begun = performance.now(), own = await (loading ??= load_rigid());
   place.live = new LiveFigure(place, definitions[place.dataset.figure]);
-  if (own.length) place.append(element("p", { textContent: `Computed with your own ${own.join(", ")}.` }));
+  if (own.length) place.append(text("p", `Computed with your own ${own.join(", ")}.`));
   place.live.started = performance.now() - begun;
 }

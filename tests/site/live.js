@@ -27,7 +27,11 @@ const pictures = live => live.scenes.reduce((total, { scene: { canvas, context }
 async function run_figure(number, thoroughly) {
   const { live } = places[number], faults = [];
   const expect = (holds, sentence) => { if (!holds) faults.push(sentence); };
-  const still = async milliseconds => { const before = pictures(live); await wait(milliseconds); return before === pictures(live); };
+  const still = async milliseconds => {
+    const before = pictures(live);
+    await wait(milliseconds);
+    return before === pictures(live);
+  };
   expect(await still(60), "moves before the reader has predicted");
   expect(live.settings.disabled, "can be set before the reader has predicted");
   places[number].querySelector(".question button").click();
