@@ -28,7 +28,7 @@ live("two_sources", {
         for (const k of [0, 1]) scene.arrow(times(0.8, E[k]), times(1.12, E[k]), "grey", axis_names[k], { width: 2.2 });
         scene.arrow(origin, times(0.5, unit([0, 0, m.w[2] || 1])), "purple", "ω", { width: 2.2 });
         scene.arrow(origin, V, "ink", "", { width: 2 });
-        scene.text(times(0.6, V), "V");
+        scene.words("V", sum(scene.at(times(0.6, V)), [13, 4]));
         // The velocities, at a length that one can see.
         const tip = vector => sum(V, times(1.4, vector));
         scene.line([tip(rate_body), tip(rate), tip(carried)], "grey", 1, { dash: [4, 4] });

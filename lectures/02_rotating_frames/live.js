@@ -61,8 +61,8 @@ live("puck", {
         if (scene.released) scene.line(m.back, "ink", 1.5, { dash: [1, 6] });
         scene.line(m.path.slice(0, k + 1).map(([p]) => p), "blue", 3);
         const force = (law, factor, color, name) => scene.arrow(r, sum(r, times(factor, laws[law](r, v, m.w))), color, name);
-        if (m.law !== 1) force(2, 0.4, "orange", "centrifugal");
-        if (m.law !== 2) force(1, m.law === 3 ? 0.2 : 0.4, "purple", "Coriolis");
+        if (scene.released && m.law !== 1) force(2, 0.4, "orange", "centrifugal");
+        if (scene.released && m.law !== 2) force(1, m.law === 3 ? 0.2 : 0.4, "purple", "Coriolis");
         scene.dot(r, "ink", 6);
       },
     },

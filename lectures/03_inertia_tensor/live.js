@@ -64,7 +64,7 @@ live("held_spin", {
         scene.dot(times(1.3, m.n), "vermilion", 6);
       },
     },
-    "Energy over directions of ω (dark: large)": {
+    "Energy over directions of ω (full colour: large)": {
       half: 1.4, towards: [0.75, 1, 0.6], ...draggable(1),
       draw(scene, m) {
         for (const { corners, moment } of m.faces.filter(({ middle }) => dot(middle, scene.towards) > -0.05))

@@ -91,7 +91,8 @@ live("gimbal_passage", {
     },
     "Rates of the angles": {
       draw(scene, m, time) {
-        const most = 1.1 * Math.max(2, ...m.samples.flatMap(({ rates }) => rates).map(Math.abs));
+        const largest = Math.max(...m.samples.flatMap(({ rates }) => rates).map(Math.abs));
+        const most = 1.1 * (scene.released ? largest : 2);
         scene.plot({ x: [0, Math.PI], y: [-most, most], x_name: "time (s)", y_name: "rad/s", now: time,
           curves: ["dφ/dt", "dθ/dt", "dψ/dt"].map((name, i) => ({ name, color: ["blue", "vermilion", "green"][i],
             points: m.samples.map(({ rates }, k) => [m.moments[k], rates[i]]) })) });

@@ -183,7 +183,7 @@ class Scene {
     c.fill();
     // A short arrow points at the reader: its name stands beside it.
     const [dx, dy] = length <= 12 ? [0.7, -0.7] : beside ? [-along[1], along[0]] : along;
-    if (name) this.words(name, [b[0] + 14 * dx, b[1] + 14 * dy], color);
+    if (name) this.words(name, [b[0] + (10 + 4 * name.length) * dx, b[1] + 14 * dy], color);
   }
 
   /** A body and arrows from its inside: those that point away from the reader lie behind it. */
@@ -209,8 +209,11 @@ class Scene {
     // Names of vectors are bold.
     c.font = `${/^([LVωΩ]|e[₁₂₃])$/.test(words) ? "bold " : ""}15px Helvetica, Arial, sans-serif`;
     Object.assign(c, { textAlign: align, strokeStyle: this.color("paper"), fillStyle: this.color(color), lineWidth: 4 });
-    c.strokeText(words, x, y);
-    c.fillText(words, x, y);
+    // Nothing is cut off at a side.
+    const width = c.measureText(words).width + 4, before = { left: 0, center: width / 2, right: width }[align];
+    const from = Math.max(before, Math.min(this.width - width + before, x));
+    c.strokeText(words, from, y);
+    c.fillText(words, from, y);
   }
 
   /** The ellipsoid with three half axes: its outline and a shade. */
