@@ -72,7 +72,7 @@ function settings_of(number) {
     calls = {};
     const time = random() * live.end, numbers = definition.numbers(definition.prepare(live.values), time);
     // Of many the first and the last.
-    const kept = Object.values(calls).flatMap(list => list.length > 20 ? [...list.slice(0, 10), ...list.slice(-10)] : list);
+    const kept = Object.values(calls).flatMap(list => list.length > 10 ? [...list.slice(0, 5), ...list.slice(-5)] : list);
     return { values: { ...live.values }, time, numbers, calls: kept };
   });
   Object.assign(rigid, plain);
