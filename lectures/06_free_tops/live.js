@@ -11,8 +11,8 @@ function period_of(I, omega) {
 }
 
 /** ω over one period, or as long as a minute. */
-function polhode_of(I, omega) {
-  return rigid.free_rotation(I, omega, steps(0, Math.min(period_of(I, omega), 60), 160));
+function polhode_of(I, omega, count = 160) {
+  return rigid.free_rotation(I, omega, steps(0, Math.min(period_of(I, omega), 60), count));
 }
 
 function prepare_free_body(values) {
@@ -42,7 +42,7 @@ function prepare_free_body(values) {
       const from = [0, 0, 0];
       from[i] = axes[i] * Math.cos(angle);
       from[j] = axes[j] * Math.sin(angle);
-      const curve = polhode_of(I, from);
+      const curve = polhode_of(I, from, 80);
       others.push(curve, curve.map(omega => times(-1, omega)));
     }
   }

@@ -86,12 +86,12 @@ class Scene {
     const [x, y, z] = view.towards ?? z_axis;
     this.azimuth = this.flat ? -Math.PI / 2 : Math.atan2(y, x);
     this.height = this.flat ? Math.PI / 2 : Math.atan2(z, Math.hypot(x, y));
-    this.pixels = 1;        // of the screen's own, fewer where drawing takes too long
     this.released = false;  // what is to be predicted must not be seen before
   }
 
-  begin() {
-    const ratio = devicePixelRatio * this.pixels, { clientWidth: width, clientHeight: height } = this.canvas;
+  /** Clears the picture; of the screen's pixels it may have a part. */
+  begin(part) {
+    const ratio = devicePixelRatio * part, { clientWidth: width, clientHeight: height } = this.canvas;
     const [w, h] = [width, height].map(length => Math.max(1, Math.round(length * ratio)));
     if (this.canvas.width !== w || this.canvas.height !== h) Object.assign(this.canvas, { width: w, height: h });
     const c = this.context = this.canvas.getContext("2d");
@@ -333,7 +333,7 @@ const text = (tag, words) => element(tag, { textContent: words });
 
 class LiveFigure {
   constructor(place, definition) {
-    Object.assign(this, { place, definition, time: 0, playing: false, in_sight: true, frames: 0, interval: 16 });
+    Object.assign(this, { place, definition, time: 0, playing: false, in_sight: true, frames: 0 });
     this.values = Object.fromEntries(definition.controls.map(control => [control.name, control.value]));
     Object.assign(this.values, Object.values(definition.starts ?? {})[0]);
     place.replaceChildren(this.make_views(), this.make_question(), this.make_settings(), this.make_numbers());
@@ -480,9 +480,9 @@ class LiveFigure {
     if (playing && this.time >= this.end) this.time = 0;
     this.playing = playing;
     this.play_button.textContent = playing ? "Pause" : "Play";
-    this.last = undefined;
+    Object.assign(this, { last: undefined, interval: 16, pixels: 1, rate: "" });
     if (playing) this.next_frame();
-    else if (this.model) this.speak();
+    else if (this.model) this.move_to(this.time), this.speak();
   }
 
   next_frame() {
@@ -497,22 +497,22 @@ class LiveFigure {
     });
   }
 
-  /** Fewer pixels where there are less than fifty frames in a second. */
+  /** Fewer pixels where there are less than fifty frames in a second, until it stands still. */
   adapt(passed) {
     this.interval += 0.05 * (Math.min(passed, 200) - this.interval);
-    if (++this.frames % 60 || this.interval < 20 || this.scenes[0].scene.pixels < 0.4) return;
-    for (const { scene } of this.scenes) scene.pixels *= 0.7;
+    if (++this.frames % 60 || this.interval < 20) return;
+    this.pixels = Math.max(0.7 * this.pixels, 0.5 / devicePixelRatio);
     this.rate = ` (${(1000 / this.interval).toFixed(0)} frames/s)`;
   }
 
   draw() {
     for (const { view, scene } of this.scenes) {
-      scene.begin();
+      scene.begin(this.pixels);
       view.draw(scene, this.model, this.time, this.values);
     }
     this.numbers = this.definition.numbers(this.model, this.time);
     this.time_slider.value = this.time;
-    this.clock.textContent = `${this.time.toFixed(2)} s${this.rate ?? ""}`;
+    this.clock.textContent = `${this.time.toFixed(2)} s${this.rate}`;
     this.time_slider.setAttribute("aria-valuetext", this.clock.textContent);
     if (this.list.childElementCount !== this.numbers.length)
       this.list.replaceChildren(...this.numbers.map(() => element("div", {}, element("dt"), element("dd"))));
