@@ -139,9 +139,8 @@ void check_input(int figure) {
   };
   changes("live.values", [&] {
     evaluate_in(figure, "place.querySelector('.settings input').focus()");
-    key(evaluate_in(figure, "+document.activeElement.value === +document.activeElement.max") ? "ArrowLeft"
-                                                                                             : "ArrowRight",
-        evaluate_in(figure, "+document.activeElement.value === +document.activeElement.max") ? 37 : 39);
+    const bool is_last = evaluate_in(figure, "document.activeElement.value === document.activeElement.max");
+    is_last ? key("ArrowLeft", 37) : key("ArrowRight", 39);
   });
   const auto drag = [&](const json& at) {
     for (const auto& [type, moved] : {std::pair{"mousePressed", 0}, {"mouseMoved", 40}, {"mouseReleased", 40}})
