@@ -247,8 +247,9 @@ class Scene {
     });
   }
 
-  /** Curves over x in a flat view: `x` and `y` are the ranges, a curve is {points, color, name, dash}. */
-  plot({ x, y, x_name, y_name, curves, now }) {
+  /** Curves over x in a flat view: `x` and `y` are the ranges, a curve is {points, color, name, dash}; a line stands at
+   *  the time `now`, or a dot at `mark`. */
+  plot({ x, y, x_name, y_name, curves, now, mark }) {
     const [left, right, top, bottom] = [46, this.width - 16, 22, this.high - 38];
     const place = ([u, v]) => [left + (right - left) * (u - x[0]) / (x[1] - x[0]),
       bottom - (bottom - top) * (v - y[0]) / (y[1] - y[0])];
@@ -274,8 +275,8 @@ class Scene {
     c.clip();
     // Before the reader has predicted, only what has happened.
     for (const { points, color, dash } of curves)
-      this.line(this.released ? points : points.filter(([u]) => u <= now), color, 2.2, { dash });
-    if (now !== undefined) this.line([[now, y[0]], [now, y[1]]], "ink", 1.4);
+      this.line(this.released || mark ? points : points.filter(([u]) => u <= now), color, 2.2, { dash });
+    if (mark) this.dot(mark, "ink", 5); else this.line([[now, y[0]], [now, y[1]]], "ink", 1.4);
     c.restore();
     this.words(x_name, [(left + right) / 2, this.high - 9]);
     let at = left + 4;
