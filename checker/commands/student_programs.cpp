@@ -4,6 +4,7 @@
 #include "checker/base/text.hpp"
 #include "checker/commands/commands.hpp"
 #include "checker/course/progress.hpp"
+#include "checker/pipeline/check_exercise.hpp"
 
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
@@ -227,11 +228,14 @@ int live(const Course& course, const Options& options) {
     includes += fmt::format("#include <rigid/{}.hpp>\n", exercise.card->contract);
     entries += fmt::format("    {{\"{0}\", [](const double* numbers) {{ return call(&rigid::{0}, numbers); }}}},\n",
                            exercise.name());
-    files += fmt::format("\"{}\"\n", course.student_file(exercise).string());
   }
   if (own.empty())
     return stop(
         fmt::format("The live figures of {} call {}; none of these passes yet.", lecture, fmt::join(called, ", ")));
+  // With what they call in turn.
+  const auto file_of = [&](const Exercise& exercise) { return course.student_file(exercise); };
+  for (const Submission& file : own_functions(fmt::format("{}", fmt::join(own, " ")), course.exercises(), file_of))
+    files += fmt::format("\"{}\"\n", file.path.string());
   const fs::path folder = course.build().directory / "live/student";
   fs::create_directories(folder);
   const std::string list = "#include \"lectures/live/functions.hpp\"\n" + includes +
