@@ -88,6 +88,7 @@ bool build_program(const Course& course, const fs::path& source, const std::vect
   std::vector<std::string> all = {program};
   all.insert(all.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
+  pointers.reserve(all.size() + 1);
   for (std::string& one : all) pointers.push_back(one.data());
   pointers.push_back(nullptr);
   ::execv(program.c_str(), pointers.data());
@@ -96,7 +97,7 @@ bool build_program(const Course& course, const fs::path& source, const std::vect
 
 /// A folder of this command, new and empty. @throws std::runtime_error
 fs::path folder_of(const Course& course, const char* command) {
-  const fs::path folder = course.scratch() / command;
+  fs::path folder = course.scratch() / command;
   std::error_code problem;
   fs::remove_all(folder, problem);
   if (!problem) fs::create_directories(folder, problem);
@@ -110,6 +111,7 @@ std::string declaration(const std::string& name, const Value& value, Kind kind) 
   const auto number = [&](int row, int col) { return number_text(value.at(row, col), all_digits); };
   const auto list = [&](int rows, const auto& element) {
     std::vector<std::string> elements;
+    elements.reserve(static_cast<std::size_t>(rows));
     for (int row = 0; row < rows; ++row) elements.push_back(element(row));
     return fmt::format("{{{}}}", fmt::join(elements, ", "));
   };

@@ -77,7 +77,7 @@ constexpr std::array days_until_review = {1, 3, 7, 21, 60};
 long days_since(const std::string& day, const std::string& today) {
   const auto number = [](const std::string& text) {
     std::tm time{};
-    return strptime(text.c_str(), "%Y-%m-%d", &time) == nullptr ? 0 : timegm(&time) / (24 * 3600);
+    return strptime(text.c_str(), "%Y-%m-%d", &time) == nullptr ? 0 : timegm(&time) / (24L * 3600);
   };
   return number(today) - number(day);
 }

@@ -257,7 +257,7 @@ void wait_for_own_functions(const Course& course, const Toolchain& toolchain, co
     judgement.waiting_for.push_back(name);
     reasons.push_back(fmt::format("{} ({})", name, in_words(to_string(of_own.verdict))));
     const std::string file = own.is_elsewhere ? " --file " + shell_quoted(own.file.string()) : "";
-    commands.push_back(fmt::format("`{}`", command("check " + name + file)));
+    commands.push_back(fmt::format("`{}`", command(fmt::format("check {}{}", name, file))));
   }
   if (reasons.empty()) return;
   judgement.verdict = Verdict::waiting;

@@ -12,6 +12,7 @@ namespace {
 /// x ↦ 7 sin x at ten inputs.
 ExerciseReference sine(Comparison comparison) {
   std::vector<Value> expected;
+  expected.reserve(10);
   for (int i = 0; i < 10; ++i) expected.push_back(number(7 * std::sin(0.37 * i + 0.1)));
   ExerciseReference exercise = given_results(Kind::number, expected);
   exercise.comparison = comparison;
