@@ -37,7 +37,7 @@ fs::path clone(const std::string& name) {
   fs::create_directories(folder / "include/rigid");
   for (const char* part :
        {"CMakeLists.txt", "CMakePresets.json", "checker", "include/rigid/vocabulary.hpp", "lectures/CMakeLists.txt",
-        "lectures/site", "lectures/support", "solutions/CMakeLists.txt", "solutions/judging"}) {
+        "lectures/live", "lectures/site", "lectures/support", "solutions/CMakeLists.txt", "solutions/judging"}) {
     fs::create_directories((folder / part).parent_path());
     fs::copy(project / part, folder / part, fs::copy_options::recursive);
   }
