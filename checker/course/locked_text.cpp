@@ -49,7 +49,8 @@ Bytes key_of(const std::string& secret, const Bytes& salt) {
 std::string whole_numbers(const Value& value, Comparison comparison, const std::vector<double>& quanta) {
   std::string text;
   for (std::size_t i = 0; i < quanta.size(); ++i)
-    text += fmt::format("{:.0f} ", std::round(canonical(value.numbers.at(i), comparison) / quanta[i]) + 0.0);
+    if (quanta[i] > 0)
+      text += fmt::format("{:.0f} ", std::round(canonical(value.numbers.at(i), comparison) / quanta[i]) + 0.0);
   return text;
 }
 
@@ -72,18 +73,15 @@ std::string locked_text(const ExerciseReference& reference, const std::string& t
   double bits = 0;
   for (const Case& one : reference.cases) {
     if (one.group != Group::random || bits >= 2 * enough_bits) continue;
-    std::vector<double> quanta;
-    bool is_clear = true;  // no number is so near to where rounding changes that a right answer could differ
-    double bits_here = 0;
+    std::vector<double> quanta;  // 0: not used, so near to where rounding changes that a right answer could differ
     for (std::size_t i = 0; i < one.expected.numbers.size(); ++i) {
       const bool is_whole = reference.result_kind == Kind::integer;
-      quanta.push_back(is_whole ? 1.0 : std::max(100 * one.tolerance, 1e-6) * scale_at(one, i));
-      const double quotient = canonical(one.expected.numbers[i], reference.comparison) / quanta.back();
-      is_clear = is_clear && std::abs(quotient - std::round(quotient)) < 0.4;
-      bits_here += is_whole ? 1 : std::log2(1 + std::abs(quotient));
+      const double quantum = is_whole ? 1.0 : std::max(100 * one.tolerance, 1e-6) * scale_at(one, i);
+      const double quotient = canonical(one.expected.numbers[i], reference.comparison) / quantum;
+      const bool is_clear = std::abs(quotient - std::round(quotient)) < 0.4;
+      quanta.push_back(is_clear ? quantum : 0.0);
+      if (is_clear) bits += is_whole ? 1 : std::log2(1 + std::abs(quotient));
     }
-    if (!is_clear) continue;
-    bits += bits_here;
     calls.push_back(
         {{"inputs", one.inputs}, {"rows", one.expected.rows}, {"cols", one.expected.cols}, {"quanta", quanta}});
     secret += whole_numbers(one.expected, reference.comparison, quanta);
@@ -95,8 +93,8 @@ std::string locked_text(const ExerciseReference& reference, const std::string& t
   crypto_secretbox_easy(box.data(), reinterpret_cast<const unsigned char*>(text.data()), text.size(), nonce.data(),
                         key_of(secret, salt).data());
   const json document = {{"format", locked_format}, {"comparison", static_cast<int>(reference.comparison)},
-                         {"calls", calls},           {"salt", salt},
-                         {"nonce", nonce},           {"box", box}};
+                         {"calls", calls},          {"salt", salt},
+                         {"nonce", nonce},          {"box", box}};
   return document.dump() + "\n";
 }
 
