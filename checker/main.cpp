@@ -247,6 +247,11 @@ class CommandLine {
     option("--seconds", "NUMBER", options_.seconds_per_figure, "time limit of one figure");
     option("--html", "FILE", options_.html, "the page to write; an older one is replaced", true);
     option("--name", "TEXT", options_.student, "whose page it is");
+    option("SUBMISSIONS", "", options_.submissions, "what was handed in: a folder or a zip file", true);
+    option("--out class", "FOLDER", options_.out, "the folder for all results; the next run goes on in it", true);
+    option("--roster", "FILE", options_.roster, "CSV with the column id, and name and submitted if there are");
+    option("--assignment", "FILE", options_.assignment, "JSON: what is graded and what it is worth");
+    option("--allow-reduced", "", options_.allow_reduced, "be content with the sandbox that `doctor` calls reduced");
     option("--seeds", "NUMBER", seeds_, "how many seeds to try, from 1 on");
     option("--mutants", "", mutants_, "try small bugs in the solutions instead: do the cases find all?");
     declared_["--picture"] = [this](CLI::App& command) {
@@ -349,6 +354,17 @@ class CommandLine {
         "in it. With --seed all random cases are others, this year's for example.",
         {"handout ../phy711-students", "handout ../phy711-2027 --seed 2027"}, {"FOLDER", "--seed"},
         [this](const Course& course, const Options& options) { return handout(course, folder_, options.seed); });
+    add("grade", instructors,
+        "Grade a class\n\nSUBMISSIONS holds a folder or a zip file per student, or files called ID_EXERCISE.cpp, as "
+        "Moodle "
+        "and Canvas export them. Only files with the names of exercises are read. FOLDER gets class.html, grades.csv, "
+        "junit.xml, class.json, and for every student a page, JSON, and results for Gradescope. What is judged is kept "
+        "there: a run that was stopped goes on, and of a class that was graded before only what is new is judged; "
+        "whose "
+        "mark has changed, and why, is printed.",
+        {"grade submissions --out grades --allow-reduced",
+         "grade week3.zip --out week3 --roster class.csv --assignment week3.json --seed 2027 --allow-reduced"},
+        {"SUBMISSIONS", "--out class", "--roster", "--assignment", "--seed", "--allow-reduced"}, grade);
     add("self-check", authors,
         "Check the workbook itself\n\nTries every stub, solution, right route, wrong answer, hint and pointer of the "
         "course, and names the file and the fix for everything that is wrong.",

@@ -1,6 +1,7 @@
 #include "checker/base/text.hpp"
 
 #include <boost/archive/iterators/base64_from_binary.hpp>
+#include <boost/archive/iterators/binary_from_base64.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
 #include <boost/locale/utf.hpp>
 
@@ -152,6 +153,18 @@ std::string base64(std::string_view bytes) {
   std::string text(Digits(bytes.begin()), Digits(bytes.end()));
   text.append((3 - bytes.size() % 3) % 3, '=');
   return text;
+}
+
+std::string from_base64(std::string_view text) {
+  using namespace boost::archive::iterators;
+  while (text.ends_with('=')) text.remove_suffix(1);
+  using Bytes = transform_width<binary_from_base64<std::string_view::const_iterator>, 8, 6>;
+  std::string bytes;
+  bytes.reserve(text.size() * 3 / 4);
+  // By number: the iterators would step over the end.
+  auto next = Bytes(text.begin());
+  for (std::size_t left = text.size() * 3 / 4; left > 0; --left) bytes += *next++;
+  return bytes;
 }
 
 std::string fingerprint(std::string_view bytes) {

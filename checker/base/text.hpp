@@ -51,6 +51,8 @@ std::string superscript(int exponent);
 
 /// Base64 with its closing "=" signs and without line breaks.
 std::string base64(std::string_view bytes);
+/// The bytes of such a text. @throws std::exception if it is none
+std::string from_base64(std::string_view text);
 
 /// Bytes as a 64-bit FNV-1a hash in 16 hexadecimal digits: tells contents apart, guards against damage, not forgery.
 std::string fingerprint(std::string_view bytes);

@@ -29,10 +29,13 @@ struct Options {
   bool build_only = false;               ///< the program for a debugger, without the debugger
   bool now = false;                      ///< the solution of an exercise that does not pass yet
   PictureKind picture = PictureKind::automatic;
-  std::optional<std::filesystem::path> out;  ///< folder for pictures
+  std::optional<std::filesystem::path> out;  ///< folder for pictures, or for the results of a class
   double seconds_per_figure = 60.0;
   std::filesystem::path html;
-  std::string student;  ///< whose page it is; may be empty
+  std::string student;                ///< whose page it is; may be empty
+  std::filesystem::path submissions;  ///< of a class: a folder or a zip file
+  std::optional<std::filesystem::path> roster, assignment;
+  bool allow_reduced = false;  ///< grade strangers' files in the reduced sandbox
 };
 
 /// Where the student stands, and what is next.
@@ -100,6 +103,9 @@ std::size_t copy_figures(const Course& course, const std::string& lecture, const
 /// Writes the copy of the workbook that students get: without solutions, with the reference results of a
 /// seed as data.
 int handout(const Course& course, const std::filesystem::path& directory, std::uint64_t seed);
+
+/// Grades a class, whose submissions come from strangers.
+int grade(const Course& course, const Options& options);
 
 /// Are these exercises and lectures in order, or the whole workbook? For authors.
 /// @param seeds  in a copy without solutions its own is taken

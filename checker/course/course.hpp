@@ -108,6 +108,7 @@ class Course {
 
   /// What the program may write: compiled workers, plots, reference results of other seeds.
   const std::filesystem::path& scratch() const { return scratch_; }
+  void use_scratch(const std::filesystem::path& folder) { scratch_ = folder; }
 
   /// The student's progress, kept apart from the build so that a fresh build does not forget it.
   std::filesystem::path progress_file() const { return root_ / ".workbook" / "progress.json"; }

@@ -195,6 +195,13 @@ CheckResult failed_check(const CheckTask& task, const std::string& reason) {
   return checked;
 }
 
+CheckResult rejected_check(const CheckTask& task, const ExerciseReference& reference, const std::string& sentence) {
+  CheckResult checked = failed_check(task, sentence);
+  checked.observation.refusal = Refusal::rejected_file;
+  checked.judgement = judge(reference, checked.observation);
+  return checked;
+}
+
 namespace {
 
 std::filesystem::path compiled_directory(const Course& course) { return course.scratch() / "compiled"; }
@@ -294,10 +301,7 @@ CheckResult check_exercise(const Course& course, const Toolchain& toolchain, con
         explain(checked, compile_task, judged.compilation, toolchain, compiled_directory(course), *judged.runner);
     return checked;
   } catch (const RejectedFile& reason) {
-    CheckResult checked = failed_check(task, reason.what());
-    checked.observation.refusal = Refusal::rejected_file;
-    checked.judgement = judge(reference, checked.observation);
-    return checked;
+    return rejected_check(task, reference, reason.what());
   } catch (const std::exception& problem) {
     return failed_check(task, problem.what());
   }

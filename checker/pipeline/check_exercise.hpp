@@ -73,6 +73,14 @@ CheckResult check_exercise(const Course& course, const Toolchain& toolchain, con
 /// A result without a run: the checker itself failed.
 CheckResult failed_check(const CheckTask& task, const std::string& reason);
 
+/// A result without a run: the file was not read, for the reason that the sentence tells the student.
+CheckResult rejected_check(const CheckTask& task, const ExerciseReference& reference, const std::string& sentence);
+
+/// A result without its task and reference, as bytes: to be handed to another process, or kept.
+std::string written_result(const CheckResult& checked);
+/// @throws std::exception if these are no such bytes
+CheckResult read_result(std::string_view bytes);
+
 // --- in processes of their own: whatever a file does to the checker, it ends that one check and no other
 
 /// What all checks with one seed share: the toolchain, and the reference results, read once per exercise.
@@ -107,6 +115,7 @@ class CheckJob {
   /// Takes what has come so far. True once the job is over.
   bool collect() { return job_->collect(); }
   Clock::time_point begun() const { return job_->begun(); }
+  bool is_out_of_time() const;
 
   /// The last whole message that has been collected: the verdict alone, until the result is there, for its explanation
   /// may take a second longer.

@@ -48,13 +48,19 @@ constexpr std::chrono::seconds longest_check{180};  // the limits of its parts t
 
 /// A message: its length in eight bytes, and a result.
 std::string message_of(const CheckResult& checked) {
-  const std::vector<std::uint8_t> bytes = json::to_cbor(checked);
+  const std::string bytes = written_result(checked);
   const std::uint64_t size = bytes.size();
-  std::string message(reinterpret_cast<const char*>(&size), sizeof size);
-  return message.append(bytes.begin(), bytes.end());
+  return std::string(reinterpret_cast<const char*>(&size), sizeof size) + bytes;
 }
 
 }  // namespace
+
+std::string written_result(const CheckResult& checked) {
+  const std::vector<std::uint8_t> bytes = json::to_cbor(checked);
+  return {bytes.begin(), bytes.end()};
+}
+
+CheckResult read_result(std::string_view bytes) { return json::from_cbor(bytes).get<CheckResult>(); }
 
 CheckContext::CheckContext(const Course& course)
     : course_(course), toolchain_(read_toolchain(course.toolchain_file())) {}
@@ -100,12 +106,13 @@ std::optional<CheckResult> CheckJob::last_message() const {
     rest.remove_prefix(size);
   }
   if (!last) return std::nullopt;
-  CheckResult checked;
-  json::from_cbor(*last).get_to(checked);
+  CheckResult checked = read_result(*last);
   checked.task = task_;
   checked.reference = reference_;
   return checked;
 }
+
+bool CheckJob::is_out_of_time() const { return Clock::now() - begun() > longest_check; }
 
 CheckResult CheckJob::result() {
   const std::string trouble = job_->finish();

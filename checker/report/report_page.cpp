@@ -179,14 +179,27 @@ std::string report_page(const ReportedCourse& course) {
                      {"score", score.text()},
                      {"summary", summary_line(results)},
                      {"picture_trouble", course.picture_trouble},
+                     {"notes", course.notes},
                      {"all_passed", std::ranges::none_of(results, is_left)},
                      {"steps", steps_of(course)},
                      {"lectures", lectures}};
-  kainjow::mustache::mustache form{report_page_template};
-  std::string text = form.render(for_template(page));
-  if (!form.is_valid())
-    throw std::logic_error("checker/report/report_page.html is no template: " + form.error_message());
+  return rendered_page(report_page_template, page);
+}
+
+std::string rendered_page(const std::string& page_template, const json& document,
+                          const std::map<std::string, std::string>& raw) {
+  kainjow::mustache::mustache form{page_template};
+  data values = for_template(document);
+  for (const auto& [name, text] : raw) values.set(name, text);
+  std::string text = form.render(values);
+  if (!form.is_valid()) throw std::logic_error("the page has no usable template: " + form.error_message());
   return text;
+}
+
+std::string page_style() {
+  const std::string page = report_page_template;
+  const std::size_t begin = page.find("<style>") + 7;
+  return page.substr(begin, page.find("</style>") - begin);
 }
 
 }  // namespace workbook

@@ -6,6 +6,8 @@
 #include "checker/course/progress.hpp"
 #include "checker/report/overlay.hpp"
 
+#include <nlohmann/json_fwd.hpp>
+
 namespace workbook {
 
 /// What of a verdict is shown.
@@ -46,11 +48,20 @@ struct ReportedCourse {
   std::vector<ReportedExercise> exercises;      ///< in course order
   std::map<std::string, std::string> headings;  ///< of the notes, by anchor
   std::string picture_trouble;                  ///< why there are no plots; empty: there is no trouble
+  std::vector<std::string> notes = {};          ///< what else is to be said of the whole
 };
 
 /// A page as HTML that needs nothing beside it, to hand in or for an instructor to read, made from report_page.html.
 /// Whatever came from the student is text on it, never markup. It holds no script, and it asks for no other file.
 std::string report_page(const ReportedCourse& reported);
+
+/// A page made from a template of mustache. All text of the document is text on the page, without control characters.
+/// @param raw  what the template takes unescaped, by name. @throws std::logic_error if it is no template
+std::string rendered_page(const std::string& page_template, const nlohmann::json& document,
+                          const std::map<std::string, std::string>& raw = {});
+
+/// The style sheet of the report page, which other pages share.
+std::string page_style();
 
 /// What is known of one exercise.
 struct State {

@@ -35,9 +35,11 @@ std::ptrdiff_t reordered_line(std::string_view text) {
 
 }  // namespace
 
-Submission read_submission(const std::filesystem::path& path) {
+Submission read_submission(const std::filesystem::path& path, const std::string& shown_name) {
   // Not resolved: a link is told by its own name.
-  Submission submission{path, printable(path.lexically_proximate(std::filesystem::current_path()).string()), {}, {}};
+  const std::string name =
+      shown_name.empty() ? path.lexically_proximate(std::filesystem::current_path()).string() : shown_name;
+  Submission submission{path, printable(name), {}, {}};
   std::ranges::replace_if(
       submission.shown_name, [](char letter) { return letter == '\n' || letter == '\t'; }, '?');
   const auto reject_if = [&](const std::string& reason) {

@@ -27,7 +27,8 @@ struct Submission {
 };
 
 /// Reads a regular file of at most largest_source bytes. Never waits, whatever it is; follows no symbolic link, for a
-/// submission must not reach other files. @throws RejectedFile
-Submission read_submission(const std::filesystem::path& path);
+/// submission must not reach other files.
+/// @param shown_name  what messages call it; empty: its path as seen from the current folder. @throws RejectedFile
+Submission read_submission(const std::filesystem::path& path, const std::string& shown_name = "");
 
 }  // namespace workbook

@@ -1,0 +1,358 @@
+// A class graded: take in → judge what was not judged yet → write results. Whatever happens, what is judged is kept.
+#include "checker/base/console.hpp"
+#include "checker/base/text.hpp"
+#include "checker/commands/commands.hpp"
+#include "checker/course/exercise_texts.hpp"
+#include "checker/course/progress.hpp"
+#include "checker/grading/class_results.hpp"
+#include "checker/grading/journal.hpp"
+#include "checker/grading/privileges.hpp"
+#include "checker/report/reports.hpp"
+#include "checker/sandbox/diagnostic_run.hpp"
+#include "checker/sandbox/sandbox.hpp"
+
+#include <boost/algorithm/string/replace.hpp>
+
+#include <poll.h>
+
+#include <algorithm>
+#include <set>
+
+namespace workbook {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+constexpr const char* journal_name = "journal.jsonl";
+
+std::string write_or_fail(const fs::path& file, const std::string& text) {
+  if (const std::string trouble = write_file(file, text); !trouble.empty())
+    throw std::runtime_error(
+        fmt::format("{} cannot be written ({}); what is judged is kept, so start again.", shown_path(file), trouble));
+  return text;
+}
+
+std::string sandbox_sentence(bool allow_reduced) {
+  const SandboxStrength sandbox = probe_sandbox();
+  const std::string sentence = sandbox.sentence();
+  if (sandbox.tier() != SandboxTier::reduced)
+    throw GradingError("Strangers' code is not graded on this machine: its sandbox is " + sentence + ".");
+  if (!allow_reduced)
+    throw GradingError("The sandbox is " + sentence +
+                       "; but file names and processes of this machine are not hidden. If that will do, say "
+                       "--allow-reduced; for strangers, better on a machine that holds nothing else.");
+  return sentence;
+}
+
+/// An empty folder, or that of an earlier run: files in it are deleted.
+void prepare_folder(const fs::path& out) {
+  std::error_code problem;
+  if (fs::exists(out, problem) && !(fs::is_directory(out, problem) &&
+                                    (fs::is_empty(out, problem) || fs::is_regular_file(out / journal_name, problem))))
+    throw GradingError(
+        fmt::format("{} is neither empty nor the folder of an earlier `grade`; give another one.", shown_path(out)));
+  fs::create_directories(out / "work", problem);
+  if (problem) throw GradingError(fmt::format("{} cannot be made ({}).", shown_path(out), problem.message()));
+}
+
+/// What judges, apart from the cases: a change of it makes another result possible.
+std::string tools_fingerprint(const Course& course, const Toolchain& toolchain) {
+  std::string text = file_fingerprint("/proc/self/exe") + file_fingerprint(course.toolchain_file());
+  std::vector<fs::path> files = toolchain.support;
+  files.insert(files.end(), {toolchain.compiler, toolchain.precompiled()});
+  std::error_code ignored;
+  for (const fs::path& file : files)
+    text += fmt::format("|{} {} {}", file.string(), fs::file_size(file, ignored),
+                        fs::last_write_time(file, ignored).time_since_epoch().count());
+  return fingerprint(text);
+}
+
+/// What of one student is judged for one exercise.
+struct Content {
+  std::vector<std::pair<std::string, std::string>> files;  ///< name and text: the exercise's, then those it may call
+  std::string bytes;                                       ///< all of them
+  std::string key;
+};
+
+class Grader {
+ public:
+  Grader(const Course& course, const Assignment& assignment, std::uint64_t seed, fs::path out)
+      : context_(course), assignment_(assignment), seed_(seed), out_(std::move(out)), all_(course.exercises()) {}
+
+  /// What builds and reads what only the owner of the workbook may.
+  void build_all() {
+    for (const Card& card : context_.course().cards())
+      if (!card.exercises.empty()) context_.course().reference(card.lecture, seed_, card.exercises.front().name);
+    std::vector<Toolchain> toolchains = {context_.toolchain()};
+    if (missing_for_diagnostic_runs(toolchains.front()).empty())
+      toolchains.push_back(read_toolchain(toolchains.front().diagnostic));
+    for (const Toolchain& toolchain : toolchains) {
+      const auto complete = [&](std::size_t k) {
+        return std::make_unique<ForkedJob>([&, k] { return require_complete(toolchain, all_[k].name()), ""; },
+                                           std::chrono::minutes(30));
+      };
+      require_complete(toolchain, all_.front().name());  // what all share
+      run_jobs(all_.size(), complete, [](std::size_t, ForkedJob& job) { job.finish(); });
+      for (const Exercise& exercise : all_) require_complete(toolchain, exercise.name());  // says what is wrong
+    }
+    tools_ = tools_fingerprint(context_.course(), context_.toolchain());
+  }
+
+  void begin(const Intake& intake) {
+    journal_.emplace(out_ / journal_name);
+    for (const Exercise& exercise : all_) {
+      write_or_fail(stub(exercise), stub_text(*exercise.entry, exercise.card->contract,
+                                              declared_signature(context_.course(), exercise)));
+    }
+    for (const Student& student : intake.students)
+      for (const Exercise& exercise : assignment_.exercises()) {
+        if (is_refused(student, exercise)) continue;
+        const std::string key = content_of(student, exercise).key;
+        if (!journal_->has(key) && keys_.insert(key).second) waiting_.push_back({&student, exercise});
+      }
+  }
+
+  std::size_t left_to_judge() const { return waiting_.size(); }
+  std::size_t damaged() const { return journal_->damaged(); }
+
+  void judge_all() {
+    struct Running {
+      std::size_t number;
+      Content content;
+      std::unique_ptr<CheckJob> job;
+    };
+    std::vector<Running> running;
+    ProgressBar bar;
+    const Clock::time_point begun = Clock::now();
+    const std::size_t at_once = std::max(1U, std::thread::hardware_concurrency());
+    for (std::size_t next = 0, done = 0; done < waiting_.size();) {
+      while (next < waiting_.size() && running.size() < at_once) {
+        const auto& [student, exercise] = waiting_[next];
+        Content content = content_of(*student, exercise);
+        auto job = begin_job(content, exercise, next);
+        running.push_back({next++, std::move(content), std::move(job)});
+      }
+      std::vector<pollfd> watched;
+      for (const Running& each : running) watched.push_back({each.job->descriptor(), POLLIN, 0});
+      ::poll(watched.data(), watched.size(), 1000);
+      std::erase_if(running, [&](Running& each) {
+        if (!each.job->collect() && !each.job->is_out_of_time()) return false;
+        keep(each.content, finish_job(*each.job, each.number));
+        ++done;
+        return true;
+      });
+      const auto left = (Clock::now() - begun) * (waiting_.size() - done) / std::max<std::size_t>(1, done);
+      bar.show(done, waiting_.size(),
+               done == 0 ? "" : fmt::format("about {} s left", std::chrono::ceil<std::chrono::seconds>(left).count()));
+    }
+    fs::current_path(origin_);
+  }
+
+  /// @param made_from  gets the fingerprint of what the result was made from
+  CheckResult result(const Student& student, const Exercise& exercise, std::string& made_from) {
+    const CheckTask task{exercise, copy(student, exercise), seed_, true, false};
+    const ExerciseReference& reference = context_.reference(task);
+    if (is_refused(student, exercise)) {
+      const std::string& sentence = student.files.at(exercise.name()).refusal;
+      made_from = fingerprint(sentence);
+      return rejected_check(task, reference, sentence);
+    }
+    const Content content = content_of(student, exercise);
+    made_from = fingerprint(content.bytes);
+    std::optional<CheckResult> checked = journal_->find(content.key, content.bytes);
+    if (const auto failed = failures_.find(content.key); !checked && failed != failures_.end())
+      return failed_check(task, failed->second);
+    if (!checked) {  // its key is that of something else, or its entry is damaged
+      checked = finish_job(*begin_job(content, exercise, waiting_.size()), waiting_.size());
+      keep(content, *checked);
+      fs::current_path(origin_);
+    }
+    checked->task = task;
+    checked->reference = &reference;
+    return *checked;
+  }
+
+ private:
+  fs::path copy(const Student& student, const Exercise& exercise) const {
+    return out_ / "submissions" / student.slug / (exercise.name() + ".cpp");
+  }
+  fs::path stub(const Exercise& exercise) const { return out_ / "work" / "stubs" / (exercise.name() + ".cpp"); }
+  fs::path folder(std::size_t number) const { return out_ / "work" / "judging" / std::to_string(number); }
+
+  static bool is_refused(const Student& student, const Exercise& exercise) {
+    const auto file = student.files.find(exercise.name());
+    return file != student.files.end() && !file->second.refusal.empty();
+  }
+
+  /// What was not handed in, or was refused, is as it was in the beginning.
+  fs::path file_of(const Student& student, const Exercise& exercise) const {
+    const bool is_there = student.files.contains(exercise.name()) && !is_refused(student, exercise);
+    return is_there ? copy(student, exercise) : stub(exercise);
+  }
+
+  Content content_of(const Student& student, const Exercise& exercise) {
+    Content content;
+    const std::string text = read_submission(file_of(student, exercise)).text;
+    content.files.emplace_back(exercise.name(), text);
+    std::vector<Exercise> others = all_;
+    std::erase_if(others, [&](const Exercise& each) { return each.name() == exercise.name(); });
+    for (const Submission& own : own_functions(text, others, [&](auto& each) { return file_of(student, each); }))
+      content.files.emplace_back(own.path.stem().string(), own.text);
+    std::string judged_by = tools_;
+    for (const auto& [name, file] : content.files) {
+      content.bytes += name + '\0' + file + '\0';
+      judged_by += reference_fingerprint(name);
+    }
+    content.key = fingerprint(fmt::format("{} {} {}", judged_by, seed_, content.bytes));
+    return content;
+  }
+
+  const std::string& reference_fingerprint(const std::string& name) {
+    std::string& known = reference_fingerprints_[name];
+    if (known.empty()) {
+      const Exercise exercise = context_.course().find_exercise(name);
+      const ExerciseReference& reference = context_.reference({exercise, {}, seed_});
+      const fs::path file = out_ / "work" / "reference_of_one.json";
+      write_reference_results({seed_, exercise.lecture(), {reference}}, file);
+      known = file_fingerprint(file);
+    }
+    return known;
+  }
+
+  /// In a folder that says nothing of whose files these are, for others may have handed in the same.
+  std::unique_ptr<CheckJob> begin_job(const Content& content, const Exercise& exercise, std::size_t number) {
+    for (const auto& [name, text] : content.files) write_or_fail(folder(number) / (name + ".cpp"), text);
+    fs::current_path(folder(number));
+    return std::make_unique<CheckJob>(
+        context_, CheckTask{exercise, folder(number) / (exercise.name() + ".cpp"), seed_, true, false});
+  }
+
+  CheckResult finish_job(CheckJob& job, std::size_t number) {
+    CheckResult checked = job.result();
+    fs::current_path(origin_);
+    for (const auto& entry : fs::directory_iterator(folder(number)))
+      boost::replace_all(checked.judgement.next_step, " --file " + shell_quoted(entry.path().string()), "");
+    std::error_code ignored;
+    fs::remove_all(folder(number), ignored);
+    checked.observation.compile_seconds = checked.observation.run_seconds = 0;  // the same for the same files
+    checked.executable.clear();
+    return checked;
+  }
+
+  /// Our own failure is nobody's result: the next run tries again.
+  void keep(const Content& content, const CheckResult& checked) {
+    if (checked.is_judged())
+      journal_->append(content.key, content.bytes, checked);
+    else
+      failures_.emplace(content.key, checked.judgement.message);
+  }
+
+  CheckContext context_;
+  const Assignment& assignment_;
+  const std::uint64_t seed_;
+  const fs::path out_;
+  const fs::path origin_ = fs::current_path();
+  const std::vector<Exercise> all_;
+  std::string tools_;
+  std::optional<Journal> journal_;
+  std::set<std::string> keys_;
+  std::vector<std::pair<const Student*, Exercise>> waiting_;
+  std::map<std::string, std::string> failures_;
+  std::map<std::string, std::string> reference_fingerprints_;
+};
+
+std::string indented(const ordered_json& document) {
+  return document.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+/// Files for every student, then those for the class; class.json comes last: it is what the next run compares with.
+ordered_json write_results(Grader& grader, const Intake& intake, const Course& course, const Assignment& assignment,
+                           const Options& options, const std::string& sandbox, const fs::path& out) {
+  ReportedCourse page;
+  page.date = current_day();
+  page.seed = options.seed;
+  for (const Card& card : course.cards()) page.headings.merge(read_headings(course.notes_file(card)));
+  ClassResults results(assignment, options.seed, sandbox, intake.problems);
+  std::error_code ignored;
+  for (const char* folder : {"students", "gradescope"}) fs::remove_all(out / folder, ignored);
+  for (const Student& student : intake.students) {
+    std::vector<CheckResult> checked;
+    std::vector<std::string> made_from(assignment.exercises().size());
+    for (std::size_t i = 0; i < made_from.size(); ++i)
+      checked.push_back(grader.result(student, assignment.exercises()[i], made_from[i]));
+    const ordered_json document = results.add(student, checked, made_from);
+    const fs::path file = out / "students" / student.slug;
+    write_or_fail(file.string() + ".json", indented(document));
+    write_or_fail(out / "gradescope" / (student.slug + ".json"), indented(gradescope_results(document)));
+    page.student = student.name.empty() ? student.id : student.name;
+    page.notes = student.notes;
+    page.notes.insert(page.notes.begin(), "Sandbox: " + sandbox + ".");
+    if (const int days = document.at("student").at("days_late"); days > 0)
+      page.notes.push_back(fmt::format("Handed in {} late: of the points {:g} % count, which is {:g}.",
+                                       plural(static_cast<std::size_t>(days), "day"),
+                                       100 * document.at("student").at("late_factor").get<double>(),
+                                       document.at("student").at("score").get<double>()));
+    page.exercises.clear();
+    for (CheckResult& each : checked) page.exercises.push_back({std::move(each), {}, {}});
+    write_or_fail(file.string() + ".html", report_page(page));
+  }
+  const ordered_json document = results.document();
+  write_or_fail(out / "grades.csv", grades_csv(document));
+  write_or_fail(out / "junit.xml", junit_xml(document));
+  write_or_fail(out / "class.html", class_page(document, page.date));
+  return document;
+}
+
+void print_changes(const fs::path& class_file, const ordered_json& document) {
+  const auto before = read_file(class_file);
+  if (!before) return;
+  try {
+    const std::vector<std::string> changes = changed_marks(ordered_json::parse(*before), document);
+    for (const std::string& line : changes) fmt::print("  {}\n", line);
+    if (changes.empty()) fmt::print("No mark has changed.\n");
+  } catch (const nlohmann::json::exception&) {
+    fmt::print("The results of the last run cannot be read, so changes are not shown.\n");
+  }
+}
+
+}  // namespace
+
+int grade(const Course& given, const Options& options) {
+  try {
+    const std::string sandbox = sandbox_sentence(options.allow_reduced);
+    fmt::print("Sandbox: {}.\n", sandbox);
+    const fs::path out = fs::absolute(*options.out).lexically_normal();
+    const fs::path submissions = fs::absolute(options.submissions);
+    if (!fs::exists(submissions)) throw GradingError(fmt::format("There is no {}.", shown_path(submissions)));
+    Course course = given;
+    course.use_scratch(out / "work");
+    const Assignment assignment(course, options.assignment);
+    const std::vector<RosterEntry> roster = options.roster ? read_roster(*options.roster) : std::vector<RosterEntry>{};
+    prepare_folder(out);
+    Grader grader(course, assignment, options.seed, out);
+    grader.build_all();
+    give_up_root(out, {submissions, course.lectures(), course.toolchain_file()});
+    const Intake intake = take_in(submissions, course, roster, out / "submissions");
+    grader.begin(intake);
+    if (grader.damaged() > 0) fmt::print("{} of the journal are damaged.\n", plural(grader.damaged(), "line"));
+    fmt::print("{}, {}: {} to judge.\n", plural(intake.students.size(), "student"),
+               plural(assignment.exercises().size(), "exercise"), plural(grader.left_to_judge(), "different file"));
+    std::fflush(stdout);
+    grader.judge_all();
+    const ordered_json document = write_results(grader, intake, course, assignment, options, sandbox, out);
+    print_changes(out / "class.json", document);
+    write_or_fail(out / "class.json", indented(document));
+    std::error_code ignored;
+    fs::remove_all(out / "work", ignored);
+    for (const std::string& sentence : intake.problems) fmt::print("{}\n", sentence);
+    for (const std::string sentence : document.at("not_judged")) fmt::print("Not judged: {}\n", sentence);
+    fmt::print("The page of the class is {}; grades.csv and a page for every student are beside it.\n",
+               shown_path(out / "class.html"));
+    return document.at("not_judged").empty() ? all_passed : checker_failed;
+  } catch (const GradingError& problem) {
+    throw UsageError(problem.what());
+  }
+}
+
+}  // namespace workbook

@@ -1,0 +1,181 @@
+#include "checker/grading/assignment.hpp"
+
+#include "checker/base/text.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <time.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace workbook {
+
+using nlohmann::json;
+
+Table read_csv(std::string_view text) {
+  Table table;
+  std::string field;
+  std::vector<std::string> row;
+  bool is_quoted = false;
+  const auto end_row = [&] {
+    if (!row.empty() || !field.empty()) {
+      row.push_back(std::exchange(field, {}));
+      table.push_back(std::exchange(row, {}));
+    }
+  };
+  for (std::size_t at = text.starts_with("\ufeff") ? 3 : 0; at < text.size(); ++at) {
+    const char letter = text[at];
+    if (is_quoted) {
+      if (letter != '"')
+        field += letter;
+      else if (at + 1 < text.size() && text[at + 1] == '"')
+        field += text[++at];
+      else
+        is_quoted = false;
+    } else if (letter == '"') {
+      is_quoted = true;
+    } else if (letter == ',') {
+      row.push_back(std::exchange(field, {}));
+    } else if (letter == '\n') {
+      end_row();
+    } else if (letter != '\r') {
+      field += letter;
+    }
+  }
+  end_row();
+  return table;
+}
+
+std::string write_csv(const Table& table) {
+  std::string text;
+  for (const auto& row : table) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      std::string field = printable(row[i]);
+      if (field.find_first_of("=+-@\t\r") == 0) field.insert(0, "'");
+      if (field.find_first_of("\",\r\n") != std::string::npos) {
+        for (std::size_t at = 0; (at = field.find('"', at)) != std::string::npos; at += 2) field.insert(at, "\"");
+        field = '"' + field + '"';
+      }
+      text += (i == 0 ? "" : ",") + field;
+    }
+    text += "\r\n";
+  }
+  return text;
+}
+
+std::optional<std::int64_t> read_time(const std::string& text) {
+  std::tm time{};
+  const char* const end = ::strptime(text.c_str(), "%Y-%m-%dT%H:%M:%SZ", &time);
+  if (end == nullptr || *end != '\0') return std::nullopt;
+  return ::timegm(&time);
+}
+
+namespace {
+
+constexpr double seconds_per_day = 86400;
+
+std::string text_of(const std::filesystem::path& file) {
+  const std::optional<std::string> text = read_file(file, std::size_t{16} << 20);
+  if (!text) throw GradingError(fmt::format("{} cannot be read; check its name.", shown_path(file)));
+  return *text;
+}
+
+/// Every key must be known: a misspelt one would change grades in silence.
+void require_known(const json& object, const std::string& place, const std::set<std::string>& known) {
+  if (!object.is_object()) throw std::runtime_error(place + " should be an object");
+  for (const auto& [key, unused] : object.items())
+    if (!known.contains(key))
+      throw std::runtime_error(fmt::format("{} has the key '{}', which means nothing; known are {}", place,
+                                           printable(key), fmt::join(known, ", ")));
+}
+
+double number_between(const json& object, const char* key, double least, double most) {
+  const json& value = object.at(key);
+  if (!value.is_number() || !(value.get<double>() >= least) || !(value.get<double>() <= most))
+    throw std::runtime_error(fmt::format("'{}' should be a number from {:g} to {:g}", key, least, most));
+  return value.get<double>();
+}
+
+}  // namespace
+
+Assignment::Assignment(const Course& course, const std::optional<std::filesystem::path>& file) {
+  std::map<std::string, double> points;
+  std::vector<std::string> names;
+  if (file) try {
+      const json document = json::parse(text_of(*file));
+      require_known(document, "the file", {"title", "exercises", "due", "late"});
+      title_ = document.value("title", "");
+      for (const json& each : document.value("exercises", json::array())) {
+        const std::string name = each.is_object() ? each.at("name").get<std::string>() : each.get<std::string>();
+        if (each.is_object()) require_known(each, "an exercise", {"name", "points"});
+        for (const Exercise& exercise : course.find(name)) {
+          if (std::ranges::count(names, exercise.name()) > 0)
+            throw std::runtime_error(fmt::format("'exercises' names {} twice", exercise.name()));
+          names.push_back(exercise.name());
+          if (each.contains("points")) points[exercise.name()] = number_between(each, "points", 0.001, 1000);
+        }
+      }
+      if (document.contains("due")) {
+        due_ = read_time(document.at("due").get<std::string>());
+        if (!due_) throw std::runtime_error("'due' should be a time like 2027-03-01T23:59:00Z");
+      }
+      if (document.contains("late")) {
+        const json& late = document.at("late");
+        require_known(late, "'late'", {"per_day", "days"});
+        late_per_day_ = number_between(late, "per_day", 0, 1);
+        latest_day_ = static_cast<int>(number_between(late, "days", 0, 10000));
+      }
+    } catch (const json::exception& problem) {
+      const std::string reason = problem.what();  // "[json.exception.…] (/late/days) key …"
+      throw GradingError(fmt::format("{}: {}.", shown_path(*file), printable(reason.substr(reason.find(']') + 2))));
+    } catch (const GradingError&) {
+      throw;
+    } catch (const std::runtime_error& problem) {
+      throw GradingError(fmt::format("{}: {}.", shown_path(*file), without_full_stop(problem.what())));
+    }
+  for (const Exercise& exercise : course.exercises()) {
+    if (!names.empty() && std::ranges::count(names, exercise.name()) == 0) continue;
+    entries_.push_back(*exercise.entry);
+    if (points.contains(exercise.name())) entries_.back().points = points.at(exercise.name());
+    exercises_.push_back({exercise.card, &entries_.back()});
+  }
+}
+
+int Assignment::days_late(const std::optional<std::int64_t>& submitted) const {
+  if (!due_ || !submitted || *submitted <= *due_) return 0;
+  return static_cast<int>(std::ceil(static_cast<double>(*submitted - *due_) / seconds_per_day));
+}
+
+double Assignment::late_factor(int days) const {
+  if (days <= 0) return 1.0;
+  return days > latest_day_ ? 0.0 : std::max(0.0, 1.0 - late_per_day_ * days);
+}
+
+std::vector<RosterEntry> read_roster(const std::filesystem::path& file) {
+  const Table table = read_csv(text_of(file));
+  const auto column = [&](const char* name) -> std::size_t {
+    if (table.empty()) return 0;
+    return static_cast<std::size_t>(std::ranges::find(table.front(), name) - table.front().begin());
+  };
+  const std::size_t id = column("id"), name = column("name"), submitted = column("submitted");
+  if (table.empty() || id == table.front().size())
+    throw GradingError(fmt::format("{}: the first line should name the columns, one of them id.", shown_path(file)));
+  std::vector<RosterEntry> entries;
+  std::set<std::string> ids;
+  for (std::size_t row = 1; row < table.size(); ++row) {
+    const auto field = [&](std::size_t at) { return at < table[row].size() ? table[row][at] : std::string(); };
+    const auto refuse = [&](const std::string& reason) {
+      throw GradingError(fmt::format("{}: row {}: {}.", shown_path(file), row + 1, reason));
+    };
+    RosterEntry entry{field(id), field(name), read_time(field(submitted))};
+    if (entry.id.empty()) refuse("the id is missing");
+    if (!ids.insert(entry.id).second) refuse(fmt::format("the id {} is there twice", printable(entry.id)));
+    if (!entry.submitted && !field(submitted).empty()) refuse("'submitted' should be a time like 2027-03-01T23:59:00Z");
+    entries.push_back(std::move(entry));
+  }
+  return entries;
+}
+
+}  // namespace workbook

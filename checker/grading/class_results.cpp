@@ -1,0 +1,194 @@
+#include "checker/grading/class_results.hpp"
+
+#include "checker/base/text.hpp"
+#include "checker/report/reports.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace workbook {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+constexpr std::size_t most_of_a_rare_output = 3;
+
+std::string output_fingerprint(const CheckResult& checked) {
+  std::string bytes;
+  for (const Reply& reply : checked.observation.replies)
+    bytes.append(reinterpret_cast<const char*>(reply.value.numbers.data()),
+                 reply.value.numbers.size() * sizeof(double));
+  return fingerprint(bytes);
+}
+
+bool is_unexplained(const CheckResult& checked) {
+  return checked.judgement.verdict == Verdict::wrong_value && checked.explanation.findings.empty() &&
+         std::ranges::all_of(checked.explanation.diagnoses, &Diagnosis::is_symptom);
+}
+
+/// Of passing an exercise with the points of all others; null where one of them is the same for all.
+ordered_json correlation(const std::vector<std::pair<double, double>>& pairs) {
+  const double n = static_cast<double>(pairs.size());
+  double x = 0, y = 0, xx = 0, yy = 0, xy = 0;
+  for (const auto& [a, b] : pairs) {
+    x += a, y += b;
+  }
+  for (const auto& [a, b] : pairs) {
+    xx += (a - x / n) * (a - x / n), yy += (b - y / n) * (b - y / n), xy += (a - x / n) * (b - y / n);
+  }
+  if (pairs.size() < 2 || !(xx > 0) || !(yy > 1e-9)) return nullptr;
+  return std::round(xy / std::sqrt(xx * yy) * 1000) / 1000;
+}
+
+double rounded(double points) { return std::round(points * 10000) / 10000; }
+
+}  // namespace
+
+ClassResults::ClassResults(const Assignment& assignment, std::uint64_t seed, const std::string& sandbox,
+                           const std::vector<std::string>& problems)
+    : assignment_(assignment),
+      head_{
+          {"format", 1}, {"title", assignment.title()}, {"seed", seed}, {"sandbox", sandbox}, {"problems", problems}} {}
+
+ordered_json ClassResults::add(const Student& student, const std::vector<CheckResult>& results,
+                               const std::vector<std::string>& made_from) {
+  const int days_late = assignment_.days_late(student.submitted);
+  const double factor = assignment_.late_factor(days_late);
+  double points = 0, possible = 0;
+  ordered_json document = ordered_json::parse(json_report(results, head_.at("seed")));
+  ordered_json marks = ordered_json::array();
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const CheckResult& checked = results[i];
+    ordered_json& result = document["results"][i];
+    result.erase("seconds");  // the same submission gives the same document
+    marks.push_back({{"exercise", checked.name()},
+                     {"verdict", result["verdict"]},
+                     {"score", result["score"]},
+                     {"points", checked.points()},
+                     {"message", printable(checked.judgement.message)},
+                     {"made_from", made_from[i]}});
+    if (!checked.is_judged()) {
+      not_judged_.push_back(
+          fmt::format("{}: {}: {}", student.id, checked.name(), printable(checked.judgement.message)));
+      continue;
+    }
+    possible += checked.points();
+    points += checked.score();
+    for (const Diagnosis& diagnosis : checked.explanation.diagnoses) {
+      if (diagnosis.kind != DiagnosisKind::misconception) continue;
+      ordered_json& known = misconceptions_[{checked.name(), diagnosis.name}];
+      if (known.is_null())
+        known = {
+            {"exercise", checked.name()}, {"name", diagnosis.name}, {"message", diagnosis.message}, {"students", 0}};
+      known["students"] = known["students"].get<int>() + 1;
+    }
+    if (!is_unexplained(checked)) continue;
+    SameOutput& same = outputs_[{checked.name(), output_fingerprint(checked)}];
+    same.exercise = checked.name();
+    same.first_failure = result["first_failure"];
+    same.students.push_back(student.id);
+  }
+  const double score = rounded(points * factor);
+  ordered_json entry = {{"id", student.id},      {"name", student.name},  {"slug", student.slug},
+                        {"score", score},        {"possible", possible},  {"days_late", days_late},
+                        {"late_factor", factor}, {"notes", student.notes}};
+  ++distribution_.at(possible > 0 ? static_cast<std::size_t>(std::min(9.0, 10 * score / possible)) : 0);
+  document["student"] = entry;
+  document["sandbox"] = head_["sandbox"];
+  entry["results"] = marks;
+  students_.push_back(std::move(entry));
+  return document;
+}
+
+ordered_json ClassResults::exercise_entry(std::size_t number) const {
+  int judged = 0, started = 0, passed = 0;
+  std::vector<std::pair<double, double>> with_the_rest;
+  for (const ordered_json& student : students_) {
+    double rest = 0;
+    for (const ordered_json& mark : student.at("results"))
+      if (mark.at("score").is_number()) rest += mark.at("score").get<double>();
+    const ordered_json& mark = student.at("results").at(number);
+    if (mark.at("score").is_null()) continue;
+    const bool has_passed = mark.at("verdict") == "passed";
+    ++judged;
+    started += mark.at("verdict") != "not_started" ? 1 : 0;
+    passed += has_passed ? 1 : 0;
+    with_the_rest.emplace_back(has_passed ? 1.0 : 0.0, rest - mark.at("score").get<double>());
+  }
+  const Exercise& exercise = assignment_.exercises()[number];
+  return {{"exercise", exercise.name()},
+          {"lecture", exercise.lecture()},
+          {"points", exercise.entry->points},
+          {"judged", judged},
+          {"started", started},
+          {"passed", passed},
+          {"difficulty", judged > 0 ? ordered_json(rounded(1.0 - static_cast<double>(passed) / judged)) : nullptr},
+          {"discrimination", correlation(with_the_rest)}};
+}
+
+ordered_json ClassResults::document() const {
+  ordered_json document = head_;
+  document["exercises"] = ordered_json::array();
+  for (std::size_t i = 0; i < assignment_.exercises().size(); ++i) document["exercises"].push_back(exercise_entry(i));
+  document["distribution"] = distribution_;
+  const auto more_students = [](const ordered_json& a, const ordered_json& b) { return a["students"] > b["students"]; };
+  std::vector<ordered_json> misconceptions;
+  for (const auto& [unused, each] : misconceptions_) misconceptions.push_back(each);
+  std::ranges::stable_sort(misconceptions, more_students);
+  document["misconceptions"] = misconceptions;
+  std::vector<const SameOutput*> outputs;
+  for (const auto& [unused, each] : outputs_)
+    if (each.students.size() > 1) outputs.push_back(&each);
+  std::ranges::stable_sort(outputs, std::greater<>(), [](const SameOutput* each) { return each->students.size(); });
+  document["identical_wrong_outputs"] = ordered_json::array();
+  for (const SameOutput* each : outputs)
+    document["identical_wrong_outputs"].push_back({{"exercise", each->exercise},
+                                                   {"first_failure", each->first_failure},
+                                                   {"students", each->students},
+                                                   {"is_rare", each->students.size() <= most_of_a_rare_output}});
+  document["not_judged"] = not_judged_;
+  document["students"] = students_;
+  return document;
+}
+
+std::vector<std::string> changed_marks(const ordered_json& before, const ordered_json& now) {
+  std::vector<std::string> lines;
+  std::map<std::string, const ordered_json*> known;
+  for (const ordered_json& student : before.at("students")) known[student.at("id")] = &student;
+  for (const ordered_json& student : now.at("students")) {
+    const std::string id = student.at("id");
+    if (!known.contains(id)) {
+      lines.push_back(fmt::format("{}: {:g} points; new.", id, student.at("score").get<double>()));
+      continue;
+    }
+    const ordered_json& old = *known.at(id);
+    known.erase(id);
+    if (old.at("score") == student.at("score") && old.at("possible") == student.at("possible")) continue;
+    std::vector<std::string> reasons;
+    if (old.at("late_factor") != student.at("late_factor")) reasons.emplace_back("handed in at another time");
+    for (const ordered_json& mark : student.at("results")) {
+      const auto same = std::ranges::find_if(
+          old.at("results"), [&](const ordered_json& each) { return each.at("exercise") == mark.at("exercise"); });
+      if (same == old.at("results").end()) {
+        reasons.push_back(mark.at("exercise").get<std::string>() + " is new in the assignment");
+      } else if (same->at("verdict") != mark.at("verdict")) {
+        const bool is_other_file = same->at("made_from") != mark.at("made_from");
+        reasons.push_back(fmt::format("{} was {} and is {}, {}", mark.at("exercise").get<std::string>(),
+                                      in_words(same->at("verdict")), in_words(mark.at("verdict")),
+                                      is_other_file ? "with another file" : "with other cases or another checker"));
+      } else if (same->at("points") != mark.at("points")) {
+        reasons.push_back(mark.at("exercise").get<std::string>() + " has other points");
+      }
+    }
+    if (reasons.empty()) reasons.emplace_back("other exercises in the assignment");
+    lines.push_back(fmt::format("{}: {:g} of {:g} points, before {:g} of {:g}: {}.", id,
+                                student.at("score").get<double>(), student.at("possible").get<double>(),
+                                old.at("score").get<double>(), old.at("possible").get<double>(),
+                                fmt::join(reasons, "; ")));
+  }
+  for (const auto& [id, unused] : known) lines.push_back(fmt::format("{}: no longer in the class.", id));
+  return lines;
+}
+
+}  // namespace workbook

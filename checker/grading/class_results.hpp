@@ -1,0 +1,59 @@
+/// @file
+/// What came of a class: one document, from which every table and page is made.
+#pragma once
+
+#include "checker/grading/intake.hpp"
+#include "checker/pipeline/check_exercise.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+
+namespace workbook {
+
+/// Collects the results of one student after the other, and keeps of each only what the class is told.
+class ClassResults {
+ public:
+  ClassResults(const Assignment& assignment, std::uint64_t seed, const std::string& sandbox,
+               const std::vector<std::string>& problems);
+
+  /// @param results  in the order of the assignment's exercises. @param made_from  fingerprints of what was judged
+  /// @return the document about this student
+  nlohmann::ordered_json add(const Student& student, const std::vector<CheckResult>& results,
+                             const std::vector<std::string>& made_from);
+
+  /// The document about the class: class.json.
+  nlohmann::ordered_json document() const;
+
+ private:
+  /// Students who gave the same wrong values for the same unknown reason.
+  struct SameOutput {
+    std::string exercise;
+    nlohmann::ordered_json first_failure;
+    std::vector<std::string> students;
+  };
+
+  nlohmann::ordered_json exercise_entry(std::size_t number) const;
+
+  const Assignment& assignment_;
+  nlohmann::ordered_json head_;
+  nlohmann::ordered_json students_ = nlohmann::ordered_json::array();
+  std::map<std::pair<std::string, std::string>, nlohmann::ordered_json> misconceptions_;  ///< by exercise and name
+  std::map<std::pair<std::string, std::string>, SameOutput> outputs_;  ///< by exercise and fingerprint
+  std::vector<std::string> not_judged_;
+  std::array<int, 10> distribution_{};
+};
+
+/// Whose mark is another one than before, and why, a line each.
+std::vector<std::string> changed_marks(const nlohmann::ordered_json& before, const nlohmann::ordered_json& now);
+
+// --- the class document in the forms that other programs read
+std::string grades_csv(const nlohmann::ordered_json& document);
+std::string junit_xml(const nlohmann::ordered_json& document);
+/// The page about the class. @param date  as it is to be read
+std::string class_page(const nlohmann::ordered_json& document, const std::string& date);
+
+/// results.json of Gradescope, from the document about one student.
+nlohmann::ordered_json gradescope_results(const nlohmann::ordered_json& student);
+
+}  // namespace workbook

@@ -1,0 +1,185 @@
+// The class document in the forms that other programs, and people, read.
+#include "checker/base/text.hpp"
+#include "checker/grading/class_results.hpp"
+#include "checker/report/reports.hpp"
+
+#include <algorithm>
+
+namespace workbook {
+
+using nlohmann::ordered_json;
+
+extern const char* const class_page_template;
+
+namespace {
+
+std::string xml(const std::string& text) {
+  std::string escaped;
+  for (const char letter : printable(text)) {
+    switch (letter) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      default:
+        escaped += letter;
+    }
+  }
+  return escaped;
+}
+
+std::string number(const ordered_json& value) {
+  return value.is_number() ? fmt::format("{:g}", value.get<double>()) : "";
+}
+
+std::string percent(const ordered_json& fraction) {
+  return fraction.is_number() ? fmt::format("{:.0f} %", 100 * fraction.get<double>()) : "–";
+}
+
+ordered_json look_of(const std::string& verdict) {
+  if (verdict == "passed") return {{"tone", "good"}, {"mark", "✓"}};
+  if (verdict == "not_started") return {{"tone", "idle"}, {"mark", "·"}};
+  if (verdict == "checker_error") return {{"tone", "unclear"}, {"mark", "!"}};
+  return {{"tone", "bad"}, {"mark", "✗"}};
+}
+
+}  // namespace
+
+std::string grades_csv(const ordered_json& document) {
+  Table table = {{"id", "name", "score", "possible", "days_late"}};
+  for (const ordered_json& exercise : document.at("exercises")) table[0].push_back(exercise.at("exercise"));
+  for (const ordered_json& student : document.at("students")) {
+    table.push_back({student.at("id"), student.at("name"), number(student.at("score")), number(student.at("possible")),
+                     number(student.at("days_late"))});
+    for (const ordered_json& mark : student.at("results")) table.back().push_back(number(mark.at("score")));
+  }
+  return write_csv(table);
+}
+
+std::string junit_xml(const ordered_json& document) {
+  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
+  for (const ordered_json& student : document.at("students")) {
+    std::string cases;
+    int failures = 0, errors = 0, skipped = 0;
+    for (const ordered_json& mark : student.at("results")) {
+      const std::string verdict = mark.at("verdict"), message = xml(mark.at("message"));
+      std::string inside;
+      if (verdict == "not_started") {
+        ++skipped;
+        inside = "<skipped/>";
+      } else if (verdict == "checker_error") {
+        ++errors;
+        inside = fmt::format("<error type=\"{}\" message=\"{}\"/>", verdict, message);
+      } else if (verdict != "passed") {
+        ++failures;
+        inside = fmt::format("<failure type=\"{}\" message=\"{}\"/>", verdict, message);
+      }
+      cases += fmt::format("    <testcase classname=\"{}\" name=\"{}\">{}</testcase>\n", xml(student.at("id")),
+                           xml(mark.at("exercise")), inside);
+    }
+    text += fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\">\n{}",
+                        xml(student.at("id")), student.at("results").size(), failures, errors, skipped, cases);
+    text += "  </testsuite>\n";
+  }
+  return text + "</testsuites>\n";
+}
+
+ordered_json gradescope_results(const ordered_json& student) {
+  std::vector<std::string> notes = student.at("student").at("notes");
+  notes.insert(notes.begin(), "Sandbox: " + student.at("sandbox").get<std::string>());
+  const int days_late = student.at("student").at("days_late");
+  if (days_late > 0)
+    notes.push_back(fmt::format("Handed in {} late.", plural(static_cast<std::size_t>(days_late), "day")));
+  ordered_json tests = ordered_json::array();
+  for (const ordered_json& result : student.at("results")) {
+    const std::string verdict = result.at("verdict");
+    ordered_json test = {{"name", result.at("exercise")},
+                         {"max_score", result.at("points")},
+                         {"output", printable(verdict == "passed" ? "" : result.at("message").get<std::string>())},
+                         {"output_format", "text"}};
+    if (result.at("score").is_number()) {
+      test["score"] = result.at("score");
+      test["status"] = verdict == "passed" ? "passed" : "failed";
+    }
+    tests.push_back(std::move(test));
+  }
+  return {{"score", student.at("student").at("score")},
+          {"output", fmt::format("{}", fmt::join(notes, "\n"))},
+          {"output_format", "text"},
+          {"tests", tests}};
+}
+
+std::string class_page(const ordered_json& document, const std::string& date) {
+  ordered_json page = {{"title", document.at("title")},
+                       {"date", date},
+                       {"seed", number(document.at("seed"))},
+                       {"sandbox", document.at("sandbox")},
+                       {"problems", document.at("problems")},
+                       {"not_judged", document.at("not_judged")},
+                       {"count", plural(document.at("students").size(), "student")}};
+  page["columns"] = ordered_json::array();
+  for (const ordered_json& each : document.at("exercises"))
+    page["columns"].push_back(
+        {{"name", each.at("exercise")},
+         {"lecture", each.at("lecture")},
+         {"points", number(each.at("points"))},
+         {"started", number(each.at("started"))},
+         {"passed", number(each.at("passed"))},
+         {"difficulty", percent(each.at("difficulty"))},
+         {"discrimination",
+          each.at("discrimination").is_null() ? "–" : fmt::format("{:.2f}", each.at("discrimination").get<double>())}});
+  page["rows"] = ordered_json::array();
+  for (const ordered_json& student : document.at("students")) {
+    ordered_json cells = ordered_json::array();
+    for (const ordered_json& mark : student.at("results")) {
+      cells.push_back(look_of(mark.at("verdict")));
+      cells.back()["words"] = in_words(mark.at("verdict"));
+    }
+    const std::string id = student.at("id"), name = student.at("name");
+    const int days = student.at("days_late");
+    page["rows"].push_back(
+        {{"id", name.empty() ? id : fmt::format("{} ({})", name, id)},
+         {"page", student.at("slug")},
+         {"score", number(student.at("score")) + " of " + number(student.at("possible"))},
+         {"late", days > 0 ? fmt::format("{} late", plural(static_cast<std::size_t>(days), "day")) : ""},
+         {"notes", student.at("notes")},
+         {"cells", cells}});
+  }
+  page["bins"] = ordered_json::array();
+  const std::vector<int> counts = document.at("distribution");
+  const int most = std::max(1, *std::ranges::max_element(counts));
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    page["bins"].push_back({{"range", fmt::format("{} – {} %", 10 * i, 10 * (i + 1))},
+                            {"count", std::to_string(counts[i])},
+                            {"width", fmt::format("{:.1f}", 20.0 * counts[i] / most)}});
+  page["misconceptions"] = ordered_json::array();
+  for (const ordered_json& each : document.at("misconceptions"))
+    page["misconceptions"].push_back(
+        {{"exercise", each.at("exercise")}, {"message", each.at("message")}, {"count", number(each.at("students"))}});
+  page["outputs"] = ordered_json::array();
+  for (const ordered_json& each : document.at("identical_wrong_outputs")) {
+    const std::vector<std::string> students = each.at("students");
+    const ordered_json& failure = each.at("first_failure");
+    const auto shown = [&](const char* key) { return shortened(failure.at(key).dump(), 200); };
+    page["outputs"].push_back({{"exercise", each.at("exercise")},
+                               {"count", std::to_string(students.size())},
+                               {"students", shortened(fmt::format("{}", fmt::join(students, ", ")), 300)},
+                               {"case", failure.is_null() ? "" : failure.at("case").get<std::string>()},
+                               {"expected", failure.is_null() ? "" : shown("expected")},
+                               {"actual", failure.is_null() ? "" : shown("actual")},
+                               {"rare", each.at("is_rare").get<bool>()}});
+  }
+  for (const char* list : {"problems", "not_judged", "misconceptions", "outputs"})
+    page[std::string("any_") + list] = !page[list].empty();
+  return rendered_page(class_page_template, page, {{"style", page_style()}});
+}
+
+}  // namespace workbook

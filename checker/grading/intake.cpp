@@ -1,0 +1,272 @@
+#include "checker/grading/intake.hpp"
+
+#include "checker/base/text.hpp"
+#include "checker/source/submission.hpp"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <set>
+
+namespace workbook {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_notes = 20;
+constexpr std::size_t most_entries = 20'000;  // looked at in one student's folder
+constexpr int deepest = 16;
+
+/// "Spring Energy-2 (1)" → "spring_energy": what somebody meant who did not keep to a name.
+std::string plain_name(std::string stem) {
+  while (!stem.empty() && std::string_view("0123456789()-_ ").find(stem.back()) != std::string_view::npos)
+    stem.pop_back();
+  for (char& letter : stem) {
+    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter + 32);
+    if (letter == ' ' || letter == '-') letter = '_';
+  }
+  return stem;
+}
+
+std::vector<std::string> pieces_of(const std::string& text) {
+  std::vector<std::string> pieces(1);
+  for (const char letter : text) {
+    if (letter == '_')
+      pieces.emplace_back();
+    else
+      pieces.back() += letter;
+  }
+  return pieces;
+}
+
+/// In the order of their names, so that every run sees the same.
+std::vector<fs::path> sorted_entries(const fs::path& folder) {
+  std::error_code problem;
+  std::vector<fs::path> entries;
+  for (fs::directory_iterator next(folder, problem), end; !problem && next != end; next.increment(problem))
+    if (!next->path().filename().string().starts_with('.')) entries.push_back(next->path());
+  std::ranges::sort(entries);
+  return entries;
+}
+
+class Collector {
+ public:
+  Collector(const Course& course, const std::vector<RosterEntry>& roster, fs::path copies)
+      : copies_(std::move(copies)), exercises_(course.exercises()), has_roster_(!roster.empty()) {
+    for (const Exercise& exercise : exercises_) names_.push_back(exercise.name() + ".cpp");
+    for (const RosterEntry& entry : roster) {
+      Student& student = add_student(entry.id);
+      student.name = printable(entry.name);
+      student.submitted = entry.submitted;
+    }
+  }
+
+  Intake intake;
+
+  void take_top_level(const fs::path& submissions) {
+    if (fs::is_regular_file(fs::symlink_status(submissions))) return take_zip(submissions, "");
+    for (const fs::path& entry : sorted_entries(submissions)) {
+      const fs::file_type type = fs::symlink_status(entry).type();
+      const std::string name = entry.filename().string();
+      if (name == "__MACOSX") continue;
+      if (type == fs::file_type::directory) {
+        looked_at_ = 0;
+        if (Student* student = student_of(name)) take_folder(entry, name, *student, 1);
+      } else if (entry.extension() == ".zip") {
+        take_zip(entry, entry.stem().string() + "/");
+      } else {
+        take(name, entry, nullptr);
+      }
+    }
+  }
+
+ private:
+  Student& add_student(const std::string& raw) {
+    // Names of files that differ in case only are one file on some systems.
+    std::string slug;
+    for (const char letter : cut(raw, 60)) {
+      const bool is_kept = std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_' || letter == '.';
+      slug += is_kept ? letter : '-';
+    }
+    slug.erase(0, slug.find_first_not_of(".-"));
+    if (slug.empty()) slug = "student";
+    const auto lower = [](std::string text) {
+      std::ranges::transform(text, text.begin(), [](unsigned char letter) { return std::tolower(letter); });
+      return text;
+    };
+    std::string unique = slug;
+    for (int number = 2; !slugs_.insert(lower(unique)).second; ++number) unique = fmt::format("{}-{}", slug, number);
+    std::string id = printable(raw);
+    std::ranges::replace_if(
+        id, [](char letter) { return letter == '\n' || letter == '\t'; }, '?');
+    students_.emplace(raw, intake.students.size());
+    intake.students.push_back({shortened(id, 200), "", unique, {}, {}, {}});
+    return intake.students.back();
+  }
+
+  void problem(const std::string& sentence) {
+    if (std::ranges::count(intake.problems, sentence) == 0 && intake.problems.size() < 1000)
+      intake.problems.push_back(sentence);
+  }
+
+  static void note(Student& student, const std::string& sentence) {
+    if (student.notes.size() < most_notes) student.notes.push_back(sentence);
+  }
+
+  /// Names of Moodle and Canvas hold the id between others, separated by "_": the roster tells which it is.
+  Student* student_of(const std::string& raw) {
+    if (const auto known = students_.find(raw); known != students_.end()) return &intake.students[known->second];
+    if (!has_roster_) return &add_student(raw);
+    std::set<std::size_t> meant;
+    for (const std::string& piece : pieces_of(raw))
+      if (const auto known = students_.find(piece); known != students_.end()) meant.insert(known->second);
+    if (meant.size() == 1) return &intake.students[*meant.begin()];
+    problem(fmt::format("'{}' was not read: {} of the roster.", shortened(printable(raw), 100),
+                        meant.empty() ? "it names no id" : "it names several ids"));
+    return nullptr;
+  }
+
+  void take_folder(const fs::path& folder, const std::string& relative, Student& student, int depth) {
+    for (const fs::path& entry : sorted_entries(folder)) {
+      if (++looked_at_ > most_entries) return note(student, "The folder holds too many files; the rest was not read.");
+      const std::string name = entry.filename().string(), below = relative + "/" + name;
+      const bool is_folder = fs::symlink_status(entry).type() == fs::file_type::directory;
+      if (is_folder && std::ranges::count(names_, name) == 0) {
+        if (depth == deepest)
+          note(student, "Folders in folders in folders: the deepest were not read.");
+        else
+          take_folder(entry, below, student, depth + 1);
+      } else if (entry.extension() == ".zip") {
+        take_zip(entry, relative + "/");
+      } else {
+        take(below, entry, nullptr);
+      }
+    }
+  }
+
+  void take_zip(const fs::path& file, const std::string& prefix) {
+    try {
+      std::vector<std::string> endings = names_;
+      endings.emplace_back(".cpp");
+      for (const Zipped& each : read_zip(file, endings)) take(prefix + each.path, {}, &each);
+    } catch (const RejectedFile& reason) {
+      const std::size_t slash = prefix.find('/');
+      Student* const student = slash == std::string::npos ? nullptr : student_of(prefix.substr(0, slash));
+      if (student)
+        note(*student, reason.what());
+      else
+        problem(reason.what());
+    }
+  }
+
+  /// A file by its path in the submissions: whose it is, for what, and what is in it.
+  /// @param zipped  or nullptr: it lies at `file`
+  void take(const std::string& relative, const fs::path& file, const Zipped* zipped) {
+    const std::string shown = shortened(printable(relative), 200);
+    std::vector<std::string> parts;
+    for (const fs::path& part : fs::path(relative))
+      if (!part.empty() && part != "." && part != "/") parts.push_back(part.string());
+    if (parts.empty() || std::ranges::any_of(parts, [](const auto& part) { return part.starts_with('.'); })) {
+      if (std::ranges::count(parts, "..") > 0) problem(fmt::format("'{}' was not read: its path leads away.", shown));
+      return;
+    }
+    if (parts.size() == 1) return take_flat(parts.front(), file, zipped);
+    if (parts.front() == "__MACOSX") return;
+    const std::string stem = fs::path(parts.back()).stem().string();
+    const auto exercise = std::ranges::find(exercises_, stem, &Exercise::name);
+    Student* const student = student_of(parts.front());
+    if (student == nullptr) return;
+    if (exercise != exercises_.end() && parts.back() == stem + ".cpp") {
+      const std::string place = fmt::format("/lectures/{}/exercises/{}.cpp", exercise->lecture(), stem);
+      hand_in(*student, stem, {relative.ends_with(place), relative, ""}, file, zipped);
+    } else if (const std::string meant = plain_name(fs::path(stem).stem().string());
+               std::ranges::find(exercises_, meant, &Exercise::name) != exercises_.end() &&
+               parts.back().find(".cpp") != std::string::npos) {
+      note(*student, fmt::format("'{}' was not read: the file should be called {}.cpp.", shown, meant));
+    }
+  }
+
+  /// "ID_EXERCISE.cpp"; Canvas puts "-1" behind the name of what was handed in once more.
+  void take_flat(const std::string& name, const fs::path& file, const Zipped* zipped) {
+    std::string stem = name.ends_with(".cpp") ? name.substr(0, name.size() - 4) : "";
+    if (const std::size_t end = stem.find_last_not_of("0123456789"); end != std::string::npos && stem[end] == '-')
+      stem.resize(end);
+    const Exercise* meant = nullptr;
+    for (const Exercise& exercise : exercises_)
+      if (stem.size() > exercise.name().size() + 1 && stem.ends_with("_" + exercise.name()) &&
+          (meant == nullptr || exercise.name().size() > meant->name().size()))
+        meant = &exercise;
+    if (meant == nullptr)
+      return problem(fmt::format("'{}' was not read: it should be a student's folder, a zip file or ID_EXERCISE.cpp.",
+                                 shortened(printable(name), 100)));
+    if (Student* student = student_of(stem.substr(0, stem.size() - meant->name().size() - 1)))
+      hand_in(*student, meant->name(), {false, name, ""}, file, zipped);
+  }
+
+  void hand_in(Student& student, const std::string& exercise, HandedIn found, const fs::path& file,
+               const Zipped* zipped) {
+    const fs::path copy = copies_ / student.slug / (exercise + ".cpp");
+    const std::string shown = shortened(printable(found.where.string()), 200);
+    const auto known = student.files.find(exercise);
+    const bool is_second = known != student.files.end();
+    if (is_second && known->second.is_in_place && !found.is_in_place) return;
+    std::string text;
+    try {
+      text = zipped ? text_of(*zipped, shown) : text_of(file, shown);
+    } catch (const RejectedFile& reason) {
+      found.refusal = reason.what();
+    }
+    if (is_second && known->second.is_in_place == found.is_in_place) {
+      if (known->second.refusal.empty() && found.refusal.empty() && read_file(copy) == text) return;
+      found.refusal = fmt::format("{}.cpp is there twice: '{}' and '{}'; hand in one.", exercise,
+                                  shortened(printable(known->second.where.string()), 200), shown);
+    }
+    std::error_code ignored;
+    fs::remove(copy, ignored);
+    if (found.refusal.empty())
+      if (const std::string trouble = write_file(copy, text); !trouble.empty())
+        throw std::runtime_error(fmt::format("{} cannot be written ({}).", shown_path(copy), trouble));
+    student.files[exercise] = std::move(found);
+  }
+
+  static std::string text_of(const fs::path& file, const std::string& shown) {
+    struct stat status {};
+    if (::lstat(file.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_nlink > 1)
+      throw RejectedFile(shown + " is a hard link, so it may be somebody else's; hand in a file of its own.");
+    return read_submission(file, shown).text;
+  }
+
+  /// Through a file, for it is judged like all others.
+  std::string text_of(const Zipped& zipped, const std::string& shown) const {
+    if (!zipped.refusal.empty()) throw RejectedFile(shown + " " + zipped.refusal + ".");
+    const fs::path unpacked = copies_ / ".unpacked";
+    if (const std::string trouble = write_file(unpacked, zipped.text); !trouble.empty())
+      throw std::runtime_error(fmt::format("{} cannot be written ({}).", shown_path(unpacked), trouble));
+    return read_submission(unpacked, shown).text;
+  }
+
+  const fs::path copies_;
+  const std::vector<Exercise> exercises_;
+  const bool has_roster_;
+  std::vector<std::string> names_;
+  std::map<std::string, std::size_t> students_;
+  std::set<std::string> slugs_;
+  std::size_t looked_at_ = 0;
+};
+
+}  // namespace
+
+Intake take_in(const fs::path& submissions, const Course& course, const std::vector<RosterEntry>& roster,
+               const fs::path& copies) {
+  std::error_code problem;
+  const fs::file_type type = fs::status(submissions, problem).type();
+  if (type != fs::file_type::directory && !(type == fs::file_type::regular && submissions.extension() == ".zip"))
+    throw GradingError(fmt::format("{} is neither a folder nor a zip file.", shown_path(submissions)));
+  fs::remove_all(copies, problem);
+  Collector collector(course, roster, copies);
+  collector.take_top_level(submissions);
+  fs::remove(copies / ".unpacked", problem);
+  return std::move(collector.intake);
+}
+
+}  // namespace workbook

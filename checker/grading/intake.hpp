@@ -1,0 +1,47 @@
+/// @file
+/// What a class has handed in: whatever lies there, only files with the names of exercises are read, each for one
+/// student, and copied to fixed names.
+#pragma once
+
+#include "checker/grading/assignment.hpp"
+
+namespace workbook {
+
+/// What was found for one exercise.
+struct HandedIn {
+  bool is_in_place = false;     ///< it lies where the workbook has it: other files of that name don't count
+  std::filesystem::path where;  ///< in the submissions
+  std::string refusal;          ///< one sentence; "": it was copied
+};
+
+struct Student {
+  std::string id;    ///< as it may be shown
+  std::string name;  ///< of the roster; may be empty
+  std::string slug;  ///< names this student's files: letters, digits, "-", "_" and "."
+  std::optional<std::int64_t> submitted;
+  std::map<std::string, HandedIn> files;  ///< by exercise
+  std::vector<std::string> notes;         ///< what else is to be said of the submission
+};
+
+struct Intake {
+  std::vector<Student> students;
+  std::vector<std::string> problems;  ///< what belongs to no student
+};
+
+/// Takes in a folder per student, files called ID_EXERCISE.cpp, and zip files of both.
+/// @param copies  DIR/SLUG/EXERCISE.cpp is written there. @throws GradingError, std::runtime_error
+Intake take_in(const std::filesystem::path& submissions, const Course& course, const std::vector<RosterEntry>& roster,
+               const std::filesystem::path& copies);
+
+/// One file of a zip file.
+struct Zipped {
+  std::string path;
+  std::string text;
+  std::string refusal;  ///< one sentence; "": here is its text
+};
+
+/// Reads, in a process of its own and in a sandbox, the files with these names; what is zipped once more as well.
+/// @throws RejectedFile
+std::vector<Zipped> read_zip(const std::filesystem::path& file, const std::vector<std::string>& names);
+
+}  // namespace workbook

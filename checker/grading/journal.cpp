@@ -1,0 +1,102 @@
+#include "checker/grading/journal.hpp"
+
+#include "checker/base/text.hpp"
+#include "checker/grading/assignment.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <fcntl.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace workbook {
+namespace {
+
+using nlohmann::ordered_json;
+
+// {"sum":"0123456789abcdef","entry":{"key":"0123456789abcdef", …}}, and the end of the line.
+constexpr std::string_view before_sum = R"({"sum":")", before_entry = R"(","entry":)", before_key = R"({"key":")";
+constexpr std::size_t hash_size = 16, entry_at = before_sum.size() + hash_size + before_entry.size();
+
+std::string_view entry_of(std::string_view line) {
+  if (line.size() < entry_at + before_key.size() + hash_size + 2 || !line.starts_with(before_sum)) return {};
+  const std::string_view entry = line.substr(entry_at, line.size() - entry_at - 1);
+  return fingerprint(entry) == line.substr(before_sum.size(), hash_size) ? entry : std::string_view{};
+}
+
+[[noreturn]] void fail(const std::filesystem::path& file, const char* what) {
+  throw std::runtime_error(fmt::format("{} cannot be {} ({}).", shown_path(file), what, std::strerror(errno)));
+}
+
+}  // namespace
+
+Journal::Journal(std::filesystem::path file) : file_(std::move(file)) {
+  descriptor_ = Descriptor(::open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0600));
+  if (!descriptor_) fail(file_, "opened");
+  // Of the kind that jobs which outlive a killed checker for a moment do not inherit.
+  struct flock lock {};
+  lock.l_type = F_WRLCK;
+  if (::fcntl(descriptor_.number(), F_SETLK, &lock) != 0)
+    throw GradingError(fmt::format("Another `grade` is at work in {}.", shown_path(file_.parent_path())));
+  std::string rest;
+  std::array<char, 1 << 16> buffer{};
+  for (std::int64_t at = 0;;) {
+    const ssize_t got = ::pread(descriptor_.number(), buffer.data(), buffer.size(), at);
+    if (got < 0) fail(file_, "read");
+    if (got == 0) break;
+    at += got;
+    rest.append(buffer.data(), static_cast<std::size_t>(got));
+    std::size_t begin = 0;
+    for (std::size_t end = 0; (end = rest.find('\n', begin)) != std::string::npos; begin = end + 1) {
+      const std::string_view line(rest.data() + begin, end - begin);
+      const std::string_view entry = entry_of(line);
+      if (entry.empty())
+        ++damaged_;
+      else
+        places_[std::string(entry.substr(before_key.size(), hash_size))] = {end_, line.size()};
+      end_ += static_cast<std::int64_t>(line.size()) + 1;
+    }
+    rest.erase(0, begin);
+  }
+  if (::ftruncate(descriptor_.number(), end_) != 0) fail(file_, "written");
+}
+
+std::optional<CheckResult> Journal::find(const std::string& key, const std::string& content) const {
+  const auto place = places_.find(key);
+  if (place == places_.end()) return std::nullopt;
+  std::string line(place->second.size, '\0');
+  if (::pread(descriptor_.number(), line.data(), line.size(), place->second.offset) !=
+      static_cast<ssize_t>(line.size()))
+    return std::nullopt;
+  try {
+    const auto entry = nlohmann::json::parse(entry_of(line));
+    // The key is a short hash, for which somebody may have made two files.
+    if (entry.at("content").get<std::string>() != base64(content)) return std::nullopt;
+    return read_result(from_base64(entry.at("result").get<std::string>()));
+  } catch (const std::exception&) {  // of another version, or damaged: it is judged again
+    return std::nullopt;
+  }
+}
+
+void Journal::append(const std::string& key, const std::string& content, const CheckResult& checked) {
+  const ordered_json entry = {{"key", key},
+                              {"exercise", checked.name()},
+                              {"verdict", to_string(checked.judgement.verdict)},
+                              {"content", base64(content)},
+                              {"result", base64(written_result(checked))}};
+  const std::string text = entry.dump();
+  const std::string line = fmt::format("{}{}{}{}}}", before_sum, fingerprint(text), before_entry, text);
+  const std::string bytes = line + "\n";
+  if (::write(descriptor_.number(), bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size()) ||
+      ::fdatasync(descriptor_.number()) != 0) {
+    const int reason = errno;
+    [[maybe_unused]] const int unused = ::ftruncate(descriptor_.number(), end_);
+    errno = reason;
+    fail(file_, "written");
+  }
+  places_[key] = {end_, line.size()};
+  end_ += static_cast<std::int64_t>(bytes.size());
+}
+
+}  // namespace workbook

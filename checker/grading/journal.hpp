@@ -1,0 +1,38 @@
+/// @file
+/// What has been judged, in a file that only grows: a program that is killed loses nothing but what it was doing.
+#pragma once
+
+#include "checker/pipeline/check_exercise.hpp"
+
+namespace workbook {
+
+class Journal {
+ public:
+  /// Opens the file for this program alone, and drops what was written by halves.
+  /// @throws GradingError if another one grades there, std::runtime_error
+  explicit Journal(std::filesystem::path file);
+
+  bool has(const std::string& key) const { return places_.contains(key); }
+
+  /// The result under the key, if it was made from exactly this content.
+  std::optional<CheckResult> find(const std::string& key, const std::string& content) const;
+
+  /// On disk when it returns. @throws std::runtime_error
+  void append(const std::string& key, const std::string& content, const CheckResult& checked);
+
+  std::size_t damaged() const { return damaged_; }
+
+ private:
+  struct Place {
+    std::int64_t offset = 0;
+    std::size_t size = 0;
+  };
+
+  std::filesystem::path file_;
+  Descriptor descriptor_;
+  std::map<std::string, Place> places_;
+  std::int64_t end_ = 0;
+  std::size_t damaged_ = 0;
+};
+
+}  // namespace workbook

@@ -1,0 +1,220 @@
+// A class graded by one command.
+#include "tests/grading/made_up_class.hpp"
+#include "tests/support/processes.hpp"
+
+#include "checker/grading/assignment.hpp"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <random>
+#include <thread>
+
+using namespace workbook::testing;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string verdict(const nlohmann::json& student, std::size_t exercise = 0) {
+  return student.at("results").at(exercise).at("verdict");
+}
+
+/// Of a class that is judged in a few seconds.
+void hand_in_few_files(const MadeUpClass& few) {
+  few.energy("ada", right_energy);
+  few.force("ada", force_by_energy);
+  few.energy("ben", "return k * x.squaredNorm();");
+  few.force("ben", force_by_energy);
+  few.energy("cleo", "return 0.5 * k * x.norm()");
+}
+
+}  // namespace
+
+TEST_CASE("a class gets the grades of the single checks, and hostile submissions cost nobody else anything") {
+  const MadeUpClass all;
+  all.hand_in_ordinary_files();
+  all.hand_in_hostile_files();
+  const std::string canary = read(all.solution("spring_energy"));
+  const Outcome graded = all.grade();
+  REQUIRE_MESSAGE(graded.status == 0, graded.said());
+  CHECK(nothing_left_running());
+  CHECK(read(all.solution("spring_energy")) == canary);
+
+  const auto document = nlohmann::json::parse(read(all.root() / "out/class.json"));
+  std::map<std::string, double> scores;
+  std::map<std::string, int> compared;
+  for (const auto& entry : document.at("students")) {
+    const std::string id = entry.at("id"), slug = entry.at("slug");
+    scores[id] = entry.at("score");
+    CAPTURE(id);
+    const auto student = all.student(id);
+    for (const auto& result : student.at("results")) {
+      const std::string exercise = result.at("exercise");
+      CAPTURE(exercise);
+      const fs::path copy = all.root() / "out/submissions" / slug / (exercise + ".cpp");
+      if (!fs::exists(copy)) {
+        CHECK((result.at("verdict") == "not_started" || result.at("verdict") == "rejected_file"));
+        continue;
+      }
+      if (compared[read(copy) + (exercise == "spring_force" ? slug : "")]++ > 0) continue;  // once is enough
+      if (result.at("verdict") == "time_limit") continue;                                   // which takes its time
+      auto single = all.run(fmt::format("check {} --file '{}' --json", exercise, copy.string())).result();
+      for (const char* key :
+           {"verdict", "score", "points", "message", "diagnosis", "findings", "first_failure", "cases"})
+        CHECK_MESSAGE(single.at(key) == result.at(key), key);
+    }
+  }
+  const std::map<std::string, double> right = {{"ada", 3},  {"ben", 0},   {"cleo", 3},  {"dora", 0},
+                                               {"emil", 0}, {"fritz", 3}, {"gustl", 1}, {"hans", 2},
+                                               {"ida", 0},  {"jan", 0},   {"kim", 0},   {"lea", 0}};
+  for (const auto& [id, score] : right) CHECK_MESSAGE(scores.at(id) == score, id);
+  CHECK(scores.size() == right.size() + 14);
+
+  CHECK(verdict(all.student("ben"), 1) == "waiting");
+  CHECK(verdict(all.student("ida")) == "uncaught_exception");
+  CHECK(verdict(all.student("lea")) == "not_started");
+  CHECK(has(all.student("jan").at("student").dump(), "spring_energy.cpp"));
+  for (const char* id : {"link", "fifo", "folder", "hard_link", "sparse", "binary", "twice", "bomb"})
+    CHECK_MESSAGE(verdict(all.student(id)) == "rejected_file", id);
+  CHECK(verdict(all.student("slip"), 1) == "rejected_file");
+  CHECK(verdict(all.student("ADA")) == "compile_error");
+  CHECK(verdict(all.student("killer")) == "forbidden_operation");
+  CHECK(!has(graded.said(), "\033"));
+  CHECK(document.at("not_judged").empty());
+  CHECK(document.at("problems").size() == 3);  // the linked folder, a path that leads away, the stray file
+
+  // dora and emil gave the same wrong values for no reason that the exercise knows.
+  CHECK(document.at("identical_wrong_outputs").at(0).at("students") == nlohmann::json{"dora", "emil"});
+  CHECK(document.at("misconceptions").at(0).at("name") == "no_half");
+  CHECK(document.at("exercises").at(0).at("judged") == scores.size());
+
+  // Nothing that comes from a student is markup, a formula, or a place in somebody else's folder.
+  for (const auto& [name, text] : results_in(all.root() / "out")) {
+    if (name.starts_with("submissions/")) continue;
+    CAPTURE(name);
+    if (name.ends_with(".html") || name.ends_with(".xml"))
+      for (const char* markup : {"<img", "<script"}) CHECK(!has(text, markup));
+    CHECK(!has(text, "\033"));
+    CHECK(!has(text, "/judging/"));
+    CHECK(!has(text, "root:x:0"));
+  }
+  const workbook::Table grades = workbook::read_csv(read(all.root() / "out/grades.csv"));
+  CHECK(grades.size() == scores.size() + 1);
+  for (const auto& row : grades) {
+    CHECK(row.size() == 7);
+    for (const std::string& cell : row) CHECK(cell.find_first_of("=+-@") != 0);
+  }
+
+  // Nothing is judged twice, and what has changed is told with its reason.
+  const auto before = results_in(all.root() / "out");
+  CHECK(has(all.grade().out, " 0 different files"));
+  CHECK(results_in(all.root() / "out") == before);
+  all.energy("ben", right_energy);
+  const Outcome again = all.grade();
+  CHECK(has(again.out, "ben: 3 of 3 points, before 0 of 3: spring_energy was wrong value and is passed"));
+  CHECK(!has(again.out, "ada:"));
+}
+
+TEST_CASE("a run that is killed at any instant goes on where it was") {
+  const MadeUpClass few;
+  hand_in_few_files(few);
+  REQUIRE(few.grade("undisturbed").status == 0);
+  std::mt19937 random(7);
+  const std::string course = (few.root() / "course.json").string();
+  for (int kills = 0; kills < 8; ++kills) {
+    const pid_t process = fork();
+    if (process == 0) {
+      if (chdir(few.root().c_str()) != 0 || !std::freopen("/dev/null", "w", stdout)) _exit(1);
+      execl(WORKBOOK_TEST_CHECKER, "checker", "--course", course.c_str(), "grade", "submissions", "--out", "killed",
+            "--allow-reduced", nullptr);
+      _exit(127);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(random() % 900));
+    kill(process, SIGKILL);
+    int status = 0;
+    waitpid(process, &status, 0);
+  }
+  const Outcome finished = few.grade("killed");
+  REQUIRE_MESSAGE(finished.status == 0, finished.said());
+  CHECK(results_in(few.root() / "killed") == results_in(few.root() / "undisturbed"));
+}
+
+TEST_CASE("a damaged journal changes no result") {
+  const MadeUpClass few;
+  few.energy("ada", right_energy);
+  few.energy("ben", "return k * x.squaredNorm();");
+  REQUIRE(few.grade().status == 0);
+  const auto results = results_in(few.root() / "out");
+  const std::string journal = read(few.root() / "out/journal.jsonl");
+  std::mt19937 random(3);
+  for (int damage = 0; damage < 6; ++damage) {
+    std::string damaged = journal;
+    if (damage == 0)
+      damaged.resize(damaged.size() - 5);
+    else
+      for (int i = 0; i < 40; ++i) damaged[random() % damaged.size()] = static_cast<char>(random());
+    write(few.root() / "out/journal.jsonl", damaged);
+    const Outcome graded = few.grade();
+    CHECK_MESSAGE(graded.status == 0, graded.said());
+    CHECK(results_in(few.root() / "out") == results);
+  }
+}
+
+TEST_CASE("assignment and roster: points, lateness, ids of Moodle and Canvas") {
+  const MadeUpClass few;
+  few.energy("Ada Byron_101_assignsubmission_file_", right_energy);
+  write(few.submissions() / "byronben_102_99_spring_energy-1.cpp", energy_text(right_energy));
+  few.energy("104", right_energy);
+  few.energy("stranger", right_energy);
+  write(few.root() / "roster.csv",
+        "\xef\xbb\xbfname,id,submitted\r\n\"Byron, Ada\",101,2027-03-01T12:00:00Z\r\nBen,102,2027-03-03T12:00:00Z\r\n"
+        "\"=cmd()\",103,\r\nCleo,104,2027-04-01T00:00:00Z\r\n");
+  write(few.root() / "assignment.json", R"({"title": "Week 1", "exercises": [{"name": "spring_energy", "points": 10}],
+      "due": "2027-03-01T23:59:00Z", "late": {"per_day": 0.25, "days": 3}})");
+  const Outcome graded = few.grade("out", "--roster roster.csv --assignment assignment.json");
+  REQUIRE_MESSAGE(graded.status == 0, graded.said());
+  CHECK(has(graded.out, "'stranger'"));
+  CHECK(read(few.root() / "out/grades.csv") ==
+        "id,name,score,possible,days_late,spring_energy\r\n101,\"Byron, Ada\",10,10,0,10\r\n102,Ben,5,10,2,10\r\n"
+        "103,'=cmd(),0,10,0,0\r\n104,Cleo,0,10,31,10\r\n");
+  CHECK(has(read(few.root() / "out/students/102.html"), "2 days late"));
+
+  const auto refuses = [&](const std::string& text, const std::string& place) {
+    write(few.root() / "assignment.json", text);
+    const Outcome refused = few.grade("out", "--assignment assignment.json");
+    CHECK_MESSAGE((refused.status == 2 && has(refused.err, "assignment.json") && has(refused.err, place)),
+                  refused.said());
+  };
+  refuses("{", "column");
+  refuses("[]", "object");
+  refuses(R"({"exercises": ["spring_energy", "springs"]})", "twice");
+  refuses(R"({"exercises": ["spring_enrgy"]})", "spring_energy");
+  refuses(R"({"exercises": [{"name": "spring_energy", "points": -1}]})", "points");
+  refuses(R"({"due": "tomorrow"})", "due");
+  refuses(R"({"late": {"per_day": 0.1}})", "days");
+  refuses(R"({"lat": {}})", "'lat'");
+  write(few.root() / "roster.csv", "name\nAda\n");
+  CHECK(few.grade("out", "--roster roster.csv").status == 2);
+}
+
+TEST_CASE("nothing is graded in a weaker sandbox than was agreed to, nor into somebody's folder") {
+  const MadeUpClass few;
+  few.energy("ada", right_energy);
+  const Outcome refused = few.run("grade submissions --out out");
+  CHECK(refused.status == 2);
+  CHECK(has(refused.err, "--allow-reduced"));
+  CHECK(!fs::exists(few.root() / "out"));
+  CHECK(few.grade("lectures").status == 2);
+  CHECK(fs::exists(few.exercise("spring_energy")));
+  CHECK(few.run("grade nothing --out out --allow-reduced").status == 2);
+}
+
+TEST_CASE("tables are read as they are written") {
+  const workbook::Table table = {{"a", "b\"c", "d,e"}, {"", "f\ng", "ü"}};
+  CHECK(workbook::read_csv(workbook::write_csv(table)) == table);
+  CHECK(workbook::write_csv({{"=1+1", "-1", "@x", "a=b"}}) == "'=1+1,'-1,'@x,a=b\r\n");
+}

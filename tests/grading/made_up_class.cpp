@@ -1,0 +1,137 @@
+#include "tests/grading/made_up_class.hpp"
+
+#include <archive.h>
+#include <archive_entry.h>
+#include <fmt/format.h>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cstring>
+#include <stdexcept>
+
+namespace workbook::testing {
+
+namespace fs = std::filesystem;
+
+const char* const right_energy = "return 0.5 * k * x.squaredNorm();";
+const char* const right_force = "return -k * x;";
+const char* const force_by_energy =
+    "if (x.isZero(0)) return x;\n  return -2 * spring_energy(k, x) / x.squaredNorm() * x;";
+
+std::string energy_text(const std::string& body) {
+  return "#include <rigid/springs.hpp>\nnamespace rigid {\ndouble spring_energy(double k, const Vector3d& x) {\n  " +
+         body + "\n}\n}\n";
+}
+
+std::string force_text(const std::string& body) {
+  return "#include <rigid/springs.hpp>\nnamespace rigid {\nVector3d spring_force(double k, const Vector3d& x) {\n  " +
+         body + "\n}\n}\n";
+}
+
+void write_zip(const fs::path& file, const std::vector<std::pair<std::string, const char*>>& texts) {
+  fs::create_directories(file.parent_path());
+  archive* const zip = archive_write_new();
+  archive_write_set_format_zip(zip);
+  archive_write_open_filename(zip, file.c_str());
+  for (const auto& [name, text] : texts) {
+    archive_entry* const entry = archive_entry_new();
+    archive_entry_set_pathname(entry, name.c_str());
+    archive_entry_set_filetype(entry, text ? AE_IFREG : AE_IFLNK);
+    archive_entry_set_perm(entry, 0644);
+    if (text)
+      archive_entry_set_size(entry, static_cast<la_int64_t>(std::strlen(text)));
+    else
+      archive_entry_set_symlink(entry, "/etc/passwd");
+    if (archive_write_header(zip, entry) != ARCHIVE_OK) throw std::runtime_error(archive_error_string(zip));
+    if (text) archive_write_data(zip, text, std::strlen(text));
+    archive_entry_free(entry);
+  }
+  archive_write_free(zip);
+}
+
+void MadeUpClass::energy(const std::string& student, const std::string& body) const {
+  write(submissions() / student / "spring_energy.cpp", energy_text(body));
+}
+
+void MadeUpClass::force(const std::string& student, const std::string& body) const {
+  write(submissions() / student / "spring_force.cpp", force_text(body));
+}
+
+void MadeUpClass::hand_in_ordinary_files() const {
+  energy("ada", right_energy);
+  force("ada", right_force);
+  energy("ben", "return k * x.squaredNorm();");
+  force("ben", force_by_energy);  // waits for the other one
+  energy("cleo", right_energy);
+  force("cleo", force_by_energy);
+  const std::string odd = "double e = 0;\n  for (int i = 0; i < 3; ++i) e += std::cosh(k * x[i]);\n  return e;";
+  energy("dora/deeper/and deeper", odd);
+  energy("emil", odd);
+  energy("emil/kept", odd);  // the same once more
+  const std::string clone = "fritz/workbook/lectures/01_springs/exercises";
+  energy("fritz", "return 7;");  // not where the workbook has it
+  energy(clone, right_energy);
+  force(clone, right_force);
+  write(submissions() / "fritz/workbook/.git/spring_force.cpp", "not looked at");
+  write(submissions() / "gustl_spring_energy.cpp", energy_text("return 0.5 * k * x^2;"));
+  write(submissions() / "gustl_spring_force-2.cpp", force_text(right_force));
+  write_zip(submissions() / "hans.zip", {{"spring_energy.cpp", energy_text(right_energy).c_str()},
+                                         {"files/spring_force.cpp", force_text("return k * x;").c_str()},
+                                         {"readme.txt", "Hello."}});
+  const fs::path inner = root() / "inner.zip";
+  write_zip(submissions() / "ida/work.zip", {{"ü/spring_energy.cpp", energy_text("return x(7);").c_str()}});
+  write(submissions() / "jan/Spring Energy (1).cpp", energy_text(right_energy));
+  write(submissions() / "kim/readme.txt", "I have not done anything.");
+  energy("lea", "throw NotStarted{};");
+}
+
+void MadeUpClass::hand_in_hostile_files() const {
+  const auto place = [&](const std::string& student) {
+    fs::create_directories(submissions() / student);
+    return submissions() / student / "spring_energy.cpp";
+  };
+  fs::create_symlink(solution("spring_energy"), place("link"));
+  fs::create_directory_symlink(submissions() / "ada", submissions() / "linked_folder");
+  if (::mkfifo(place("fifo").c_str(), 0600) != 0) throw std::runtime_error("no FIFO can be made");
+  fs::create_directories(place("folder") / "below");
+  fs::create_hard_link(solution("spring_energy"), place("hard_link"));
+  write(place("sparse"), "");
+  fs::resize_file(place("sparse"), std::uintmax_t{20} << 30);
+  write(place("binary"), energy_text(right_energy) + std::string(1, '\0'));
+  energy("twice/a", right_energy);
+  energy("twice/b", "return 1;");
+  const std::string zeros(std::size_t{8} << 20, '/');
+  write_zip(submissions() / "bomb.zip", {{"spring_energy.cpp", zeros.c_str()}});
+  const std::string right = energy_text(right_energy), wrong = energy_text("return 0;");
+  write_zip(submissions() / "slip.zip", {{"../ada/spring_energy.cpp", wrong.c_str()},
+                                         {"/tmp/spring_energy.cpp", wrong.c_str()},
+                                         {"x/spring_force.cpp", nullptr}});
+  write(submissions() / "torn.zip", "PK\3\4 and then nothing of use");
+  energy("=HYPERLINK(\"http:evil\",\"click\")", "for (volatile int i = 0;;) i = i + 1;");
+  energy("<img src=x onerror=alert(1)>\n\033[31m", "throw std::runtime_error(\"<script>alert(1)</script>\");");
+  energy("ADA", "asm(\".incbin \\\"/etc/passwd\\\"\"); return 0;");
+  write(place("killer"), "#include <signal.h>\n#include <unistd.h>\n" + energy_text("kill(getppid(), 9); return 0;"));
+  write(submissions() / "stray.txt", "Nobody's.");
+}
+
+Outcome MadeUpClass::grade(const std::string& out, const std::string& options) const {
+  return run(fmt::format("grade submissions --out {} --allow-reduced {}", out, options));
+}
+
+nlohmann::json MadeUpClass::student(const std::string& id) const {
+  const auto document = nlohmann::json::parse(read(root() / "out/class.json"));
+  for (const auto& student : document.at("students"))
+    if (student.at("id") == id)
+      return nlohmann::json::parse(read(root() / "out/students" / (student.at("slug").get<std::string>() + ".json")));
+  throw std::runtime_error("no student " + id);
+}
+
+std::map<std::string, std::string> results_in(const fs::path& out) {
+  std::map<std::string, std::string> files;
+  for (const fs::path& file : files_below(out))
+    if (file.filename() != "journal.jsonl") files[file.lexically_relative(out).string()] = read(file);
+  return files;
+}
+
+}  // namespace workbook::testing

@@ -1,0 +1,46 @@
+/// @file
+/// A made-up class on the tiny course: right and wrong answers, and submissions that try to do harm.
+#pragma once
+
+#include "tests/program/program.hpp"
+
+#include <map>
+#include <utility>
+
+namespace workbook::testing {
+
+/// A copy of the tiny course with the submissions of a class.
+class MadeUpClass : public CourseCopy {
+ public:
+  std::filesystem::path submissions() const { return root() / "submissions"; }
+
+  /// Hands in a file whose function has this body.
+  void energy(const std::string& student, const std::string& body) const;
+  void force(const std::string& student, const std::string& body) const;
+
+  /// Twelve students with what students hand in, in every form.
+  void hand_in_ordinary_files() const;
+  /// Submissions that are no files, or not what they seem.
+  void hand_in_hostile_files() const;
+
+  /// `checker grade submissions --out OUT`, with more options.
+  Outcome grade(const std::string& out = "out", const std::string& options = "") const;
+
+  /// The results of a student in out.
+  nlohmann::json student(const std::string& id) const;
+};
+
+/// The body of a function that is right, or wrong for a reason.
+extern const char *const right_energy, *const right_force, *const force_by_energy;
+
+/// The text of a file with such a function.
+std::string energy_text(const std::string& body);
+std::string force_text(const std::string& body);
+
+/// Writes a zip file; a text that is a null pointer makes a symbolic link to /etc/passwd.
+void write_zip(const std::filesystem::path& file, const std::vector<std::pair<std::string, const char*>>& texts);
+
+/// All files of the results but the journal, with their content.
+std::map<std::string, std::string> results_in(const std::filesystem::path& out);
+
+}  // namespace workbook::testing
