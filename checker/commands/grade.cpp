@@ -52,8 +52,9 @@ void prepare_folder(const fs::path& out) {
                                     (fs::is_empty(out, problem) || fs::is_regular_file(out / journal_name, problem))))
     throw GradingError(
         fmt::format("{} is neither empty nor the folder of an earlier `grade`; give another one.", shown_path(out)));
+  const std::string trouble = fs::exists(out / journal_name) ? "" : write_file(out / journal_name, "");
+  if (!trouble.empty()) throw GradingError(fmt::format("{} cannot be written ({}).", shown_path(out), trouble));
   fs::create_directories(out / "work", problem);
-  if (problem) throw GradingError(fmt::format("{} cannot be made ({}).", shown_path(out), problem.message()));
 }
 
 /// What judges, apart from the cases: a change of it makes another result possible.
@@ -80,21 +81,20 @@ class Grader {
   Grader(const Course& course, const Assignment& assignment, std::uint64_t seed, fs::path out)
       : context_(course), assignment_(assignment), seed_(seed), out_(std::move(out)), all_(course.exercises()) {}
 
-  /// What builds and reads what only the owner of the workbook may.
+  /// Builds now what is else built at its first need: who gives up root can write into no build afterwards.
   void build_all() {
-    for (const Card& card : context_.course().cards())
-      if (!card.exercises.empty()) context_.course().reference(card.lecture, seed_, card.exercises.front().name);
     std::vector<Toolchain> toolchains = {context_.toolchain()};
     if (missing_for_diagnostic_runs(toolchains.front()).empty())
       toolchains.push_back(read_toolchain(toolchains.front().diagnostic));
-    for (const Toolchain& toolchain : toolchains) {
-      const auto complete = [&](std::size_t k) {
-        return std::make_unique<ForkedJob>([&, k] { return require_complete(toolchain, all_[k].name()), ""; },
-                                           std::chrono::minutes(30));
-      };
-      require_complete(toolchain, all_.front().name());  // what all share
-      run_jobs(all_.size(), complete, [](std::size_t, ForkedJob& job) { job.finish(); });
-      for (const Exercise& exercise : all_) require_complete(toolchain, exercise.name());  // says what is wrong
+    const auto last = std::ranges::find(all_, assignment_.exercises().back().name(), &Exercise::name);
+    const std::vector<Exercise> needed(all_.begin(), last + 1);  // it may call all those before it
+    ProgressBar bar;
+    for (std::size_t i = 0; i < needed.size(); ++i) {
+      bar.show(i, needed.size(), "prepared");
+      for (const Toolchain& toolchain : toolchains)
+        if (i == 0 || ::geteuid() == 0) require_complete(toolchain, needed[i].name());
+      if (i == 0 || needed[i].card != needed[i - 1].card)
+        context_.course().reference(needed[i].lecture(), seed_, needed[i].name());
     }
     tools_ = tools_fingerprint(context_.course(), context_.toolchain());
   }
@@ -146,7 +146,6 @@ class Grader {
       bar.show(done, waiting_.size(),
                done == 0 ? "" : fmt::format("about {} s left", std::chrono::ceil<std::chrono::seconds>(left).count()));
     }
-    fs::current_path(origin_);
   }
 
   /// @param made_from  gets the fingerprint of what the result was made from
@@ -166,7 +165,6 @@ class Grader {
     if (!checked) {  // its key is that of something else, or its entry is damaged
       checked = finish_job(*begin_job(content, exercise, waiting_.size()), waiting_.size());
       keep(content, *checked);
-      fs::current_path(origin_);
     }
     checked->task = task;
     checked->reference = &reference;
@@ -223,14 +221,15 @@ class Grader {
   /// In a folder that says nothing of whose files these are, for others may have handed in the same.
   std::unique_ptr<CheckJob> begin_job(const Content& content, const Exercise& exercise, std::size_t number) {
     for (const auto& [name, text] : content.files) write_or_fail(folder(number) / (name + ".cpp"), text);
-    fs::current_path(folder(number));
-    return std::make_unique<CheckJob>(
+    fs::current_path(folder(number));  // messages name files as seen from there
+    auto job = std::make_unique<CheckJob>(
         context_, CheckTask{exercise, folder(number) / (exercise.name() + ".cpp"), seed_, true, false});
+    leave_folder();
+    return job;
   }
 
   CheckResult finish_job(CheckJob& job, std::size_t number) {
     CheckResult checked = job.result();
-    fs::current_path(origin_);
     for (const auto& entry : fs::directory_iterator(folder(number)))
       boost::replace_all(checked.judgement.next_step, " --file " + shell_quoted(entry.path().string()), "");
     std::error_code ignored;
@@ -238,6 +237,12 @@ class Grader {
     checked.observation.compile_seconds = checked.observation.run_seconds = 0;  // the same for the same files
     checked.executable.clear();
     return checked;
+  }
+
+  void leave_folder() const {
+    std::error_code ignored;  // without root it may be closed
+    fs::current_path(origin_, ignored);
+    if (ignored) fs::current_path("/");
   }
 
   /// Our own failure is nobody's result: the next run tries again.

@@ -65,6 +65,8 @@ std::string grades_csv(const ordered_json& document) {
 }
 
 std::string junit_xml(const ordered_json& document) {
+  const std::string head = fmt::format("    <properties><property name=\"sandbox\" value=\"{}\"/></properties>\n",
+                                       xml(document.at("sandbox")));
   std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
   for (const ordered_json& student : document.at("students")) {
     std::string cases;
@@ -86,7 +88,7 @@ std::string junit_xml(const ordered_json& document) {
                            xml(mark.at("exercise")), inside);
     }
     text += fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\">\n{}",
-                        xml(student.at("id")), student.at("results").size(), failures, errors, skipped, cases);
+                        xml(student.at("id")), student.at("results").size(), failures, errors, skipped, head + cases);
     text += "  </testsuite>\n";
   }
   return text + "</testsuites>\n";

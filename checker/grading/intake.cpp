@@ -137,6 +137,7 @@ class Collector {
         else
           take_folder(entry, below, student, depth + 1);
       } else if (entry.extension() == ".zip") {
+        looked_at_ += most_entries / 20;
         take_zip(entry, relative + "/");
       } else {
         take(below, entry, nullptr);

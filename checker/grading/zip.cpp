@@ -21,7 +21,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t most_zipped = 200'000;
-constexpr std::size_t most_bytes = std::size_t{64} << 20;      // of all files that are taken
+constexpr std::size_t most_bytes = std::size_t{32} << 20;      // of all files that are taken
 constexpr std::size_t largest_archive = std::size_t{1} << 30;  // as it is stored
 constexpr std::size_t largest_inner = std::size_t{32} << 20;
 constexpr std::chrono::seconds longest{60};
@@ -58,7 +58,8 @@ class Reader {
 
  private:
   void add(const std::string& path, const std::string& text, const std::string& refusal) {
-    if ((bytes_ += text.size() + path.size()) > most_bytes) throw std::runtime_error("holds too much");
+    if ((bytes_ += text.size() + path.size()) > most_bytes)
+      throw std::runtime_error("holds more than 32 MiB of source files; unpack it yourself");
     found.push_back({json::binary({path.begin(), path.end()}), json::binary({text.begin(), text.end()}), refusal});
   }
 

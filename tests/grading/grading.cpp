@@ -60,8 +60,9 @@ TEST_CASE("a class gets the grades of the single checks, and hostile submissions
         CHECK((result.at("verdict") == "not_started" || result.at("verdict") == "rejected_file"));
         continue;
       }
-      if (compared[read(copy) + (exercise == "spring_force" ? slug : "")]++ > 0) continue;  // once is enough
-      if (result.at("verdict") == "time_limit") continue;                                   // which takes its time
+      // Of each kind one is enough, and a time limit takes its time.
+      if (compared[exercise + result.at("verdict").get<std::string>()]++ > 0 || result.at("verdict") == "time_limit")
+        continue;
       auto single = all.run(fmt::format("check {} --file '{}' --json", exercise, copy.string())).result();
       for (const char* key :
            {"verdict", "score", "points", "message", "diagnosis", "findings", "first_failure", "cases"})
@@ -125,7 +126,7 @@ TEST_CASE("a run that is killed at any instant goes on where it was") {
   REQUIRE(few.grade("undisturbed").status == 0);
   std::mt19937 random(7);
   const std::string course = (few.root() / "course.json").string();
-  for (int kills = 0; kills < 8; ++kills) {
+  for (int kills = 0; kills < 6; ++kills) {
     const pid_t process = fork();
     if (process == 0) {
       if (chdir(few.root().c_str()) != 0 || !std::freopen("/dev/null", "w", stdout)) _exit(1);
@@ -151,7 +152,7 @@ TEST_CASE("a damaged journal changes no result") {
   const auto results = results_in(few.root() / "out");
   const std::string journal = read(few.root() / "out/journal.jsonl");
   std::mt19937 random(3);
-  for (int damage = 0; damage < 6; ++damage) {
+  for (int damage = 0; damage < 3; ++damage) {
     std::string damaged = journal;
     if (damage == 0)
       damaged.resize(damaged.size() - 5);
