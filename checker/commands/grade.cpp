@@ -35,7 +35,7 @@ std::string write_or_fail(const fs::path& file, const std::string& text) {
 
 std::string sandbox_sentence(bool allow_reduced) {
   const SandboxStrength sandbox = probe_sandbox();
-  const std::string sentence = sandbox.sentence();
+  std::string sentence = sandbox.sentence();
   if (sandbox.tier() != SandboxTier::reduced)
     throw GradingError("Strangers' code is not graded on this machine: its sandbox is " + sentence + ".");
   if (!allow_reduced)
@@ -46,8 +46,14 @@ std::string sandbox_sentence(bool allow_reduced) {
 }
 
 /// An empty folder, or that of an earlier run: files in it are deleted.
-void prepare_folder(const fs::path& out) {
+void prepare_folder(const fs::path& out, const fs::path& submissions) {
   std::error_code problem;
+  const auto is_below = [&](const fs::path& file, const fs::path& folder) {
+    const fs::path way = fs::proximate(file, folder, problem);
+    return !way.empty() && *way.begin() != "..";
+  };
+  if (is_below(out, submissions) || is_below(submissions, out))
+    throw GradingError("The submissions and --out must not lie in each other.");
   if (fs::exists(out, problem) && !(fs::is_directory(out, problem) &&
                                     (fs::is_empty(out, problem) || fs::is_regular_file(out / journal_name, problem))))
     throw GradingError(
@@ -134,6 +140,7 @@ class Grader {
         running.push_back({next++, std::move(content), std::move(job)});
       }
       std::vector<pollfd> watched;
+      watched.reserve(running.size());
       for (const Running& each : running) watched.push_back({each.job->descriptor(), POLLIN, 0});
       ::poll(watched.data(), watched.size(), 1000);
       std::erase_if(running, [&](Running& each) {
@@ -199,7 +206,7 @@ class Grader {
       content.files.emplace_back(own.path.stem().string(), own.text);
     std::string judged_by = tools_;
     for (const auto& [name, file] : content.files) {
-      content.bytes += name + '\0' + file + '\0';
+      content.bytes.append(name).append(1, '\0').append(file).append(1, '\0');
       judged_by += reference_fingerprint(name);
     }
     content.key = fingerprint(fmt::format("{} {} {}", judged_by, seed_, content.bytes));
@@ -302,7 +309,7 @@ ordered_json write_results(Grader& grader, const Intake& intake, const Course& c
     for (CheckResult& each : checked) page.exercises.push_back({std::move(each), {}, {}});
     write_or_fail(file.string() + ".html", report_page(page));
   }
-  const ordered_json document = results.document();
+  ordered_json document = results.document();
   write_or_fail(out / "grades.csv", grades_csv(document));
   write_or_fail(out / "junit.xml", junit_xml(document));
   write_or_fail(out / "class.html", class_page(document, page.date));
@@ -334,7 +341,7 @@ int grade(const Course& given, const Options& options) {
     course.use_scratch(out / "work");
     const Assignment assignment(course, options.assignment);
     const std::vector<RosterEntry> roster = options.roster ? read_roster(*options.roster) : std::vector<RosterEntry>{};
-    prepare_folder(out);
+    prepare_folder(out, submissions);
     Grader grader(course, assignment, options.seed, out);
     grader.build_all();
     give_up_root(out, {submissions, course.lectures(), course.toolchain_file()});

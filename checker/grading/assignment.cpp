@@ -56,7 +56,7 @@ std::string write_csv(const Table& table) {
       if (field.find_first_of("=+-@\t\r") == 0) field.insert(0, "'");
       if (field.find_first_of("\",\r\n") != std::string::npos) {
         for (std::size_t at = 0; (at = field.find('"', at)) != std::string::npos; at += 2) field.insert(at, "\"");
-        field = '"' + field + '"';
+        field = fmt::format("\"{}\"", field);
       }
       text += (i == 0 ? "" : ",") + field;
     }

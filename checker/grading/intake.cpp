@@ -40,13 +40,17 @@ std::vector<std::string> pieces_of(const std::string& text) {
 }
 
 /// In the order of their names, so that every run sees the same.
-std::vector<fs::path> sorted_entries(const fs::path& folder) {
-  std::error_code problem;
+std::vector<fs::path> sorted_entries(const fs::path& folder, std::error_code& problem) {
   std::vector<fs::path> entries;
   for (fs::directory_iterator next(folder, problem), end; !problem && next != end; next.increment(problem))
     if (!next->path().filename().string().starts_with('.')) entries.push_back(next->path());
   std::ranges::sort(entries);
   return entries;
+}
+
+fs::file_type type_of(const fs::path& file) {
+  std::error_code ignored;
+  return fs::symlink_status(file, ignored).type();
 }
 
 class Collector {
@@ -64,9 +68,10 @@ class Collector {
   Intake intake;
 
   void take_top_level(const fs::path& submissions) {
-    if (fs::is_regular_file(fs::symlink_status(submissions))) return take_zip(submissions, "");
-    for (const fs::path& entry : sorted_entries(submissions)) {
-      const fs::file_type type = fs::symlink_status(entry).type();
+    if (type_of(submissions) == fs::file_type::regular) return take_zip(submissions, "");
+    std::error_code unreadable;
+    for (const fs::path& entry : sorted_entries(submissions, unreadable)) {
+      const fs::file_type type = type_of(entry);
       const std::string name = entry.filename().string();
       if (name == "__MACOSX") continue;
       if (type == fs::file_type::directory) {
@@ -127,10 +132,15 @@ class Collector {
   }
 
   void take_folder(const fs::path& folder, const std::string& relative, Student& student, int depth) {
-    for (const fs::path& entry : sorted_entries(folder)) {
+    std::error_code unreadable;
+    const std::vector<fs::path> entries = sorted_entries(folder, unreadable);
+    if (unreadable)
+      note(student, fmt::format("The folder '{}' cannot be read ({}).", shortened(printable(relative), 200),
+                                unreadable.message()));
+    for (const fs::path& entry : entries) {
       if (++looked_at_ > most_entries) return note(student, "The folder holds too many files; the rest was not read.");
-      const std::string name = entry.filename().string(), below = relative + "/" + name;
-      const bool is_folder = fs::symlink_status(entry).type() == fs::file_type::directory;
+      const std::string name = entry.filename().string(), below = fmt::format("{}/{}", relative, name);
+      const bool is_folder = type_of(entry) == fs::file_type::directory;
       if (is_folder && std::ranges::count(names_, name) == 0) {
         if (depth == deepest)
           note(student, "Folders in folders in folders: the deepest were not read.");

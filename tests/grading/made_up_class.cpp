@@ -99,6 +99,8 @@ void MadeUpClass::hand_in_hostile_files() const {
   write(place("sparse"), "");
   fs::resize_file(place("sparse"), std::uintmax_t{20} << 30);
   write(place("binary"), energy_text(right_energy) + std::string(1, '\0'));
+  energy("locked/away", right_energy);
+  fs::permissions(submissions() / "locked/away", fs::perms::none);
   energy("twice/a", right_energy);
   energy("twice/b", "return 1;");
   const std::string zeros(std::size_t{8} << 20, '/');
