@@ -23,6 +23,26 @@ std::string verdict(const nlohmann::json& student, std::size_t exercise = 0) {
   return student.at("results").at(exercise).at("verdict");
 }
 
+void check_exports(const MadeUpClass& of, std::size_t students) {
+  // Nothing that comes from a student is markup, a formula, or a place in somebody else's folder.
+  for (const auto& each : results_in(of.root() / "out")) {
+    const std::string &name = each.first, &text = each.second;
+    if (name.starts_with("submissions/")) continue;
+    CAPTURE(name);
+    if (name.ends_with(".html") || name.ends_with(".xml"))
+      for (const char* markup : {"<img", "<script"}) CHECK(!has(text, markup));
+    CHECK(!has(text, "\033"));
+    CHECK(!has(text, "/judging/"));
+    CHECK(!has(text, "root:x:0"));
+  }
+  const workbook::Table grades = workbook::read_csv(read(of.root() / "out/grades.csv"));
+  CHECK(grades.size() == students + 1);
+  for (const auto& row : grades) {
+    CHECK(row.size() == 7);
+    for (const std::string& cell : row) CHECK(cell.find_first_of("=+-@") != 0);
+  }
+}
+
 /// Of a class that is judged in a few seconds.
 void hand_in_few_files(const MadeUpClass& few) {
   few.energy("ada", right_energy);
@@ -93,23 +113,7 @@ TEST_CASE("a class gets the grades of the single checks, and hostile submissions
   CHECK(document.at("misconceptions").at(0).at("name") == "no_half");
   CHECK(document.at("exercises").at(0).at("judged") == scores.size());
 
-  // Nothing that comes from a student is markup, a formula, or a place in somebody else's folder.
-  for (const auto& each : results_in(all.root() / "out")) {
-    const std::string &name = each.first, &text = each.second;
-    if (name.starts_with("submissions/")) continue;
-    CAPTURE(name);
-    if (name.ends_with(".html") || name.ends_with(".xml"))
-      for (const char* markup : {"<img", "<script"}) CHECK(!has(text, markup));
-    CHECK(!has(text, "\033"));
-    CHECK(!has(text, "/judging/"));
-    CHECK(!has(text, "root:x:0"));
-  }
-  const workbook::Table grades = workbook::read_csv(read(all.root() / "out/grades.csv"));
-  CHECK(grades.size() == scores.size() + 1);
-  for (const auto& row : grades) {
-    CHECK(row.size() == 7);
-    for (const std::string& cell : row) CHECK(cell.find_first_of("=+-@") != 0);
-  }
+  check_exports(all, scores.size());
 
   // Nothing is judged twice, and what has changed is told with its reason.
   const auto before = results_in(all.root() / "out");
