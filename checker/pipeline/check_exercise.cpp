@@ -268,8 +268,8 @@ void wait_for_own_functions(const Course& course, const Toolchain& toolchain, co
   }
   if (reasons.empty()) return;
   judgement.verdict = Verdict::waiting;
-  judgement.message = fmt::format("Your function calls {} of yours; with {} right it can be judged.",
-                                  fmt::join(reasons, " and "), reasons.size() == 1 ? "that one" : "those");
+  judgement.message = fmt::format("Your function calls your own {}; once {}, it can be judged.",
+                                  fmt::join(reasons, " and "), reasons.size() == 1 ? "that passes" : "those pass");
   judgement.next_step = fmt::format("First {}.", fmt::join(commands, ", "));
 }
 

@@ -44,9 +44,9 @@ TEST_CASE("gdb stops in the function at the first failing case, and shows vector
   course.answer_energy("const Vector3d twice = 2 * x;\nreturn k * twice.norm();");
   write(course.root() / "typed", "info args\nnext\ninfo locals\nkill\nquit\n");
   const std::string typing = R"(sh -c 'cat typed | "$0" "$@"')";
-  const Outcome session = course.run("debug spring_energy", typing);
-  CHECK_MESSAGE(has(session.out, "x = (0, 1, 0)"), session.said());
-  CHECK(has(session.out, "twice = (0, 2, 0)"));
+  const Outcome stepped = course.run("debug spring_energy", typing);
+  CHECK_MESSAGE(has(stepped.out, "x = (0, 1, 0)"), stepped.said());
+  CHECK(has(stepped.out, "twice = (0, 2, 0)"));
   const Outcome other = course.run("debug spring_energy --case 2", typing);
   CHECK(has(other.out, "Case 2 "));
   CHECK(course.run("debug spring_energy --case 99999").status == 2);
