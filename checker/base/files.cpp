@@ -39,6 +39,11 @@ std::string write_file(const fs::path& file, std::string_view content) {
   return problem ? problem.message() : "";
 }
 
+void write_or_throw(const fs::path& file, std::string_view content) {
+  if (const std::string reason = write_file(file, content); !reason.empty())
+    throw std::runtime_error(fmt::format("{} cannot be written ({}).", shown_path(file), reason));
+}
+
 std::string file_fingerprint(const fs::path& file) {
   const auto content = read_file(file);
   return content ? fingerprint(*content) : "";

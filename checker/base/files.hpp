@@ -18,6 +18,9 @@ std::optional<std::string> read_file(const std::filesystem::path& file, std::siz
 /// @returns "" or the system's reason
 std::string write_file(const std::filesystem::path& file, std::string_view content);
 
+/// The same where nothing can go on without it. @throws std::runtime_error naming file and reason
+void write_or_throw(const std::filesystem::path& file, std::string_view content);
+
 /// The fingerprint of a file's content; "" if it cannot be read.
 std::string file_fingerprint(const std::filesystem::path& file);
 

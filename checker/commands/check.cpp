@@ -52,16 +52,6 @@ void draw_unasked(const Course& course, const CheckResult& checked, const Consol
   fmt::print("  Plot   {}\n", command("plot " + checked.name()));
 }
 
-/// A fingerprint of what a failing function returned; "" if it passes or returned nothing.
-std::string wrong_values(const CheckResult& checked) {
-  if (checked.judgement.verdict != Verdict::wrong_value) return "";
-  std::string bytes;
-  for (const Reply& reply : checked.observation.replies)
-    bytes.append(reinterpret_cast<const char*>(reply.value.numbers.data()),
-                 reply.value.numbers.size() * sizeof(double));
-  return fingerprint(bytes);
-}
-
 std::string same_values_again(const std::string& exercise) {
   return fmt::format("Your change has changed no value. `{}` shows the next hint.", command("hint " + exercise));
 }
@@ -170,8 +160,9 @@ int check(const Course& course, const Options& options) {
     ++done;
     bool is_repeated = false;
     if (checked.task.counts_as_progress() && checked.is_judged())
-      is_repeated = progress.remember(checked.name(), to_string(checked.judgement.verdict), checked.source,
-                                      wrong_values(checked));
+      is_repeated =
+          progress.remember(checked.name(), to_string(checked.judgement.verdict), checked.source,
+                            checked.judgement.verdict == Verdict::wrong_value ? checked.fingerprint_of_values() : "");
     progress_bar.clear();
     if (options.started && !checked.is_started()) return;
     if (!options.json) fmt::print("{}", terminal_report(checked, course, console, detail));

@@ -66,8 +66,7 @@ bool build_program(const Course& course, const fs::path& source, const std::vect
   const Toolchain toolchain = read_toolchain(course.toolchain_file());
   make({toolchain.setup, toolchain.build}, {toolchain.target});
   const fs::path around = program.parent_path() / "support.cpp";
-  if (const std::string problem = write_file(around, support); !problem.empty())
-    throw std::runtime_error(fmt::format("{} cannot be written ({}).", shown_path(around), problem));
+  write_or_throw(around, support);
   std::vector<std::string> arguments = toolchain.flags;
   arguments.insert(arguments.end(), options.begin(), options.end());
   arguments.insert(arguments.end(), {"-Wall", "-fmax-errors=20", "-include", toolchain.prelude.string(),
@@ -162,8 +161,7 @@ std::string program_of_case(const ExerciseReference& exercise, std::size_t index
 int try_out(const Course& course, const Options& options) {
   const fs::path file = fs::absolute(options.file.value_or(course.lectures() / "try.cpp"));
   if (!options.file && !fs::exists(file)) {
-    if (const std::string problem = write_file(file, first_experiment); !problem.empty())
-      throw std::runtime_error(fmt::format("{} cannot be written ({}).", shown_path(file), problem));
+    write_or_throw(file, first_experiment);
     fmt::print("A first experiment is in {}: change it as you like.\n\n", shown_path(file));
   }
   const Submission experiment = read_submission(file);
@@ -196,12 +194,9 @@ int debug(const Course& course, const Options& options) {
 
   const fs::path folder = folder_of(course, "debug");
   const fs::path source = folder / "case.cpp";
-  if (const std::string problem = write_file(source, program_of_case(reference, index)); !problem.empty())
-    throw std::runtime_error(fmt::format("{} cannot be written ({}).", shown_path(source), problem));
-  const Submission submission = read_submission(task.file);
-  std::vector<Submission> files =
-      own_functions(submission.text, course.exercises(), [&](const Exercise& one) { return course.student_file(one); });
-  std::erase_if(files, [&](const Submission& file) { return file.path == submission.path; });
+  write_or_throw(source, program_of_case(reference, index));
+  const Submission submission = read_with_library(course, task);
+  std::vector<Submission> files = submission.library;
   files.push_back(submission);
   const fs::path program = folder / "program";
   if (!build_program(course, source, files, {"-O0", "-g", "-w"}, program)) return something_failed;

@@ -200,9 +200,8 @@ class Grader {
     Content content;
     const std::string text = read_submission(file_of(student, exercise)).text;
     content.files.emplace_back(exercise.name(), text);
-    std::vector<Exercise> others = all_;
-    std::erase_if(others, [&](const Exercise& each) { return each.name() == exercise.name(); });
-    for (const Submission& own : own_functions(text, others, [&](auto& each) { return file_of(student, each); }))
+    for (const Submission& own : own_functions(text, context_.course().exercises_before(exercise),
+                                               [&](auto& each) { return file_of(student, each); }))
       content.files.emplace_back(own.path.stem().string(), own.text);
     std::string judged_by = tools_;
     for (const auto& [name, file] : content.files) {

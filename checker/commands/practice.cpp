@@ -204,8 +204,7 @@ int review(const Course& course, const Options& /*options*/) {
   }
   const Exercise& exercise = *due.exercise;
   const std::string stub = stub_text(*exercise.entry, exercise.card->contract, declared_signature(course, exercise));
-  if (const std::string problem = write_file(file_of(exercise), stub); !problem.empty())
-    throw std::runtime_error(fmt::format("{} cannot be written ({}).", shown_path(file_of(exercise)), problem));
+  write_or_throw(file_of(exercise), stub);
   fmt::print("{}\n{}\n", console.styled(exercise.name(), Style::strong), console.wrapped(exercise.entry->task, 2));
   fmt::print("\n{}\n",
              console.wrapped(fmt::format("You wrote it on {}. Write it again without looking, in {}, then `{}`.",

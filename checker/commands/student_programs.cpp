@@ -237,14 +237,12 @@ int live(const Course& course, const Options& options) {
   for (const Submission& file : own_functions(fmt::format("{}", fmt::join(own, " ")), course.exercises(), file_of))
     files += fmt::format("\"{}\"\n", file.path.string());
   const fs::path folder = course.build().directory / "live/student";
-  fs::create_directories(folder);
   const std::string list = "#include \"lectures/live/functions.hpp\"\n" + includes +
                            "void workbook::throw_eigen_error(const char*) { __builtin_trap(); }\n"
                            "const std::vector<workbook::live::Function> workbook::live::functions{\n" +
                            entries + "};\n";
   for (const auto& [name, text] : {std::pair{"functions.cpp", list}, {"files.rsp", files}})
-    if (const std::string problem = write_file(folder / name, text); !problem.empty())
-      throw std::runtime_error(problem);
+    write_or_throw(folder / name, text);
   const FinishedProgram built = make(course.build(), {"notes", "live_of_the_student"});
   if (!built.succeeded())
     throw std::runtime_error(fmt::format("{}\nThe live figures could not be built on your functions.", built.output));

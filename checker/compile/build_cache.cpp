@@ -22,7 +22,8 @@ constexpr const char* workspace_prefix = "compile-";
 
 /// The key, and what notices a damaged executable. It need not withstand an enemy.
 std::string sealed(const std::string& key, const std::string& executable) {
-  return fmt::format("format 2 {} {:x} {}\n{}\n", executable.size(), std::hash<std::string>{}(executable), key.size(), key);
+  return fmt::format("format 2 {} {:x} {}\n{}\n", executable.size(), std::hash<std::string>{}(executable), key.size(),
+                     key);
 }
 
 [[noreturn]] void cannot_write(const fs::path& where, const std::string& reason) {

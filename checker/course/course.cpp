@@ -126,6 +126,12 @@ std::vector<Exercise> Course::exercises() const {
   return all;
 }
 
+std::vector<Exercise> Course::exercises_before(const Exercise& exercise) const {
+  std::vector<Exercise> all = exercises();
+  all.erase(std::ranges::find(all, exercise.name(), &Exercise::name), all.end());
+  return all;
+}
+
 const Card& Course::find_lecture(const std::string& name) const {
   std::vector<std::string> known;
   for (const Card& card : cards_) {

@@ -61,6 +61,9 @@ class Course {
   /// All exercises in course order.
   std::vector<Exercise> exercises() const;
 
+  /// Those that come before one, in course order: it may call their functions.
+  std::vector<Exercise> exercises_before(const Exercise& exercise) const;
+
   /// The exercises that a name stands for: one exercise, or all of a lecture ("03_inertia_tensor", "03", "3",
   /// "inertia_tensor"). @throws UnknownName with a proposal.
   std::vector<Exercise> find(const std::string& name) const;

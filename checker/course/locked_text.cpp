@@ -1,5 +1,6 @@
 #include "checker/course/locked_text.hpp"
 
+#include "checker/base/text.hpp"
 #include "checker/judging/comparison.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +16,6 @@ namespace workbook {
 namespace {
 
 using nlohmann::json;
-using Bytes = std::vector<unsigned char>;
 
 constexpr int locked_format = 1;
 constexpr double enough_bits = 48;  // beside the slow hash below
@@ -36,12 +36,14 @@ double canonical(double number, Comparison comparison) {
   return number;
 }
 
+unsigned char* raw(std::string& bytes) { return reinterpret_cast<unsigned char*>(bytes.data()); }
+const unsigned char* raw(const std::string& bytes) { return reinterpret_cast<const unsigned char*>(bytes.data()); }
+
 /// A key from results as whole numbers of their quanta.
-Bytes key_of(const std::string& secret, const Bytes& salt) {
-  Bytes key(crypto_secretbox_KEYBYTES);
-  if (crypto_pwhash(key.data(), key.size(), secret.data(), secret.size(), salt.data(),
-                    crypto_pwhash_OPSLIMIT_INTERACTIVE, crypto_pwhash_MEMLIMIT_INTERACTIVE,
-                    crypto_pwhash_ALG_DEFAULT) != 0)
+std::string key_of(const std::string& secret, const std::string& salt) {
+  std::string key(crypto_secretbox_KEYBYTES, '\0');
+  if (crypto_pwhash(raw(key), key.size(), secret.data(), secret.size(), raw(salt), crypto_pwhash_OPSLIMIT_INTERACTIVE,
+                    crypto_pwhash_MEMLIMIT_INTERACTIVE, crypto_pwhash_ALG_DEFAULT) != 0)
     throw std::runtime_error("There is too little memory to make a key from your results (64 MiB).");
   return key;
 }
@@ -54,8 +56,8 @@ std::string whole_numbers(const Value& value, Comparison comparison, const std::
   return text;
 }
 
-Bytes random_bytes(std::size_t count) {
-  Bytes bytes(count);
+std::string random_bytes(std::size_t count) {
+  std::string bytes(count, '\0');
   randombytes_buf(bytes.data(), bytes.size());
   return bytes;
 }
@@ -88,42 +90,44 @@ std::string locked_text(const ExerciseReference& reference, const std::string& t
   }
   if (bits < enough_bits && reference.result_kind != Kind::integer)
     throw std::runtime_error(fmt::format("{} has too few cases for a key", reference.name));
-  const Bytes salt = random_bytes(crypto_pwhash_SALTBYTES), nonce = random_bytes(crypto_secretbox_NONCEBYTES);
-  Bytes box(text.size() + crypto_secretbox_MACBYTES);
-  crypto_secretbox_easy(box.data(), reinterpret_cast<const unsigned char*>(text.data()), text.size(), nonce.data(),
-                        key_of(secret, salt).data());
+  const std::string salt = random_bytes(crypto_pwhash_SALTBYTES), nonce = random_bytes(crypto_secretbox_NONCEBYTES);
+  std::string box(text.size() + crypto_secretbox_MACBYTES, '\0');
+  crypto_secretbox_easy(raw(box), raw(text), text.size(), raw(nonce), raw(key_of(secret, salt)));
   const json document = {{"format", locked_format}, {"comparison", static_cast<int>(reference.comparison)},
-                         {"calls", calls},          {"salt", salt},
-                         {"nonce", nonce},          {"box", box}};
+                         {"calls", calls},          {"salt", base64(salt)},
+                         {"nonce", base64(nonce)},  {"box", base64(box)}};
   return document.dump() + "\n";
 }
 
 std::optional<std::string> unlocked_text(const std::string& locked, const Evaluate& evaluate) {
   start_sodium();
+  json calls;
+  Comparison comparison{};
+  std::string box, nonce, salt;
   try {
     const json document = json::parse(locked);
     if (document.at("format") != locked_format) throw std::runtime_error("another format");
-    const auto comparison = static_cast<Comparison>(document.at("comparison").get<int>());
-    std::string secret;
-    for (const json& call : document.at("calls")) {
-      const auto quanta = call.at("quanta").get<std::vector<double>>();
-      const auto value = evaluate(call.at("inputs").get<std::vector<Value>>(), call.at("rows"), call.at("cols"));
-      if (!value || value->numbers.size() < quanta.size()) return std::nullopt;
-      secret += whole_numbers(*value, comparison, quanta);
-    }
-    const auto box = document.at("box").get<Bytes>(), nonce = document.at("nonce").get<Bytes>();
-    const auto salt = document.at("salt").get<Bytes>();
+    comparison = static_cast<Comparison>(document.at("comparison").get<int>());
+    calls = document.at("calls");
+    const auto bytes = [&](const char* part) { return from_base64(document.at(part).get<std::string>()); };
+    box = bytes("box"), nonce = bytes("nonce"), salt = bytes("salt");
     if (box.size() < crypto_secretbox_MACBYTES || nonce.size() != crypto_secretbox_NONCEBYTES ||
         salt.size() != crypto_pwhash_SALTBYTES)
       throw std::runtime_error("wrong sizes");
-    std::string text(box.size() - crypto_secretbox_MACBYTES, ' ');
-    if (crypto_secretbox_open_easy(reinterpret_cast<unsigned char*>(text.data()), box.data(), box.size(), nonce.data(),
-                                   key_of(secret, salt).data()) != 0)
-      return std::nullopt;
-    return text;
-  } catch (const json::exception& problem) {
+  } catch (const std::exception& problem) {
     throw std::runtime_error(fmt::format("The locked text is damaged ({}).", problem.what()));
   }
+  std::string secret;
+  for (const json& call : calls) {
+    const auto quanta = call.at("quanta").get<std::vector<double>>();
+    const auto value = evaluate(call.at("inputs").get<std::vector<Value>>(), call.at("rows"), call.at("cols"));
+    if (!value || value->numbers.size() < quanta.size()) return std::nullopt;
+    secret += whole_numbers(*value, comparison, quanta);
+  }
+  std::string text(box.size() - crypto_secretbox_MACBYTES, ' ');
+  if (crypto_secretbox_open_easy(raw(text), raw(box), box.size(), raw(nonce), raw(key_of(secret, salt))) != 0)
+    return std::nullopt;
+  return text;
 }
 
 }  // namespace workbook

@@ -14,14 +14,6 @@ namespace {
 
 constexpr std::size_t most_of_a_rare_output = 3;
 
-std::string output_fingerprint(const CheckResult& checked) {
-  std::string bytes;
-  for (const Reply& reply : checked.observation.replies)
-    bytes.append(reinterpret_cast<const char*>(reply.value.numbers.data()),
-                 reply.value.numbers.size() * sizeof(double));
-  return fingerprint(bytes);
-}
-
 bool is_unexplained(const CheckResult& checked) {
   return checked.judgement.verdict == Verdict::wrong_value && checked.explanation.findings.empty() &&
          std::ranges::all_of(checked.explanation.diagnoses, &Diagnosis::is_symptom);
@@ -84,7 +76,7 @@ ordered_json ClassResults::add(const Student& student, const std::vector<CheckRe
       known["students"] = known["students"].get<int>() + 1;
     }
     if (!is_unexplained(checked)) continue;
-    SameOutput& same = outputs_[{checked.name(), output_fingerprint(checked)}];
+    SameOutput& same = outputs_[{checked.name(), checked.fingerprint_of_values()}];
     same.exercise = checked.name();
     same.first_failure = result["first_failure"];
     same.students.push_back(student.id);

@@ -3,6 +3,8 @@
 #include "checker/grading/class_results.hpp"
 #include "checker/report/reports.hpp"
 
+#include <boost/algorithm/string/replace.hpp>
+
 #include <algorithm>
 
 namespace workbook {
@@ -14,25 +16,9 @@ extern const char* const class_page_template;
 namespace {
 
 std::string xml(const std::string& text) {
-  std::string escaped;
-  for (const char letter : printable(text)) {
-    switch (letter) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += letter;
-    }
-  }
+  std::string escaped = printable(text);
+  for (const auto& [letter, entity] : {std::pair{"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}})
+    boost::replace_all(escaped, letter, entity);
   return escaped;
 }
 
@@ -42,13 +28,6 @@ std::string number(const ordered_json& value) {
 
 std::string percent(const ordered_json& fraction) {
   return fraction.is_number() ? fmt::format("{:.0f} %", 100 * fraction.get<double>()) : "–";
-}
-
-ordered_json look_of(const std::string& verdict) {
-  if (verdict == "passed") return {{"tone", "good"}, {"mark", "✓"}};
-  if (verdict == "not_started") return {{"tone", "idle"}, {"mark", "·"}};
-  if (verdict == "checker_error") return {{"tone", "unclear"}, {"mark", "!"}};
-  return {{"tone", "bad"}, {"mark", "✗"}};
 }
 
 }  // namespace
@@ -142,7 +121,7 @@ std::string class_page(const ordered_json& document, const std::string& date) {
   for (const ordered_json& student : document.at("students")) {
     ordered_json cells = ordered_json::array();
     for (const ordered_json& mark : student.at("results")) {
-      cells.push_back(look_of(mark.at("verdict")));
+      cells.push_back(ordered_json(look_of(mark.at("verdict"))));
       cells.back()["words"] = in_words(mark.at("verdict"));
     }
     const std::string id = student.at("id"), name = student.at("name");

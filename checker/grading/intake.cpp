@@ -3,6 +3,9 @@
 #include "checker/base/text.hpp"
 #include "checker/source/submission.hpp"
 
+#include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/split.hpp>
+
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -26,17 +29,6 @@ std::string plain_name(std::string stem) {
     if (letter == ' ' || letter == '-') letter = '_';
   }
   return stem;
-}
-
-std::vector<std::string> pieces_of(const std::string& text) {
-  std::vector<std::string> pieces(1);
-  for (const char letter : text) {
-    if (letter == '_')
-      pieces.emplace_back();
-    else
-      pieces.back() += letter;
-  }
-  return pieces;
 }
 
 /// In the order of their names, so that every run sees the same.
@@ -95,12 +87,9 @@ class Collector {
     }
     slug.erase(0, slug.find_first_not_of(".-"));
     if (slug.empty()) slug = "student";
-    const auto lower = [](std::string text) {
-      std::ranges::transform(text, text.begin(), [](unsigned char letter) { return std::tolower(letter); });
-      return text;
-    };
     std::string unique = slug;
-    for (int number = 2; !slugs_.insert(lower(unique)).second; ++number) unique = fmt::format("{}-{}", slug, number);
+    for (int number = 2; !slugs_.insert(boost::to_lower_copy(unique)).second; ++number)
+      unique = fmt::format("{}-{}", slug, number);
     std::string id = printable(raw);
     std::ranges::replace_if(
         id, [](char letter) { return letter == '\n' || letter == '\t'; }, '?');
@@ -123,7 +112,9 @@ class Collector {
     if (const auto known = students_.find(raw); known != students_.end()) return &intake.students[known->second];
     if (!has_roster_) return &add_student(raw);
     std::set<std::size_t> meant;
-    for (const std::string& piece : pieces_of(raw))
+    std::vector<std::string> pieces;
+    boost::split(pieces, raw, [](char letter) { return letter == '_'; });
+    for (const std::string& piece : pieces)
       if (const auto known = students_.find(piece); known != students_.end()) meant.insert(known->second);
     if (meant.size() == 1) return &intake.students[*meant.begin()];
     problem(fmt::format("'{}' was not read: {} of the roster.", shortened(printable(raw), 100),
@@ -234,9 +225,7 @@ class Collector {
     }
     std::error_code ignored;
     fs::remove(copy, ignored);
-    if (found.refusal.empty())
-      if (const std::string trouble = write_file(copy, text); !trouble.empty())
-        throw std::runtime_error(fmt::format("{} cannot be written ({}).", shown_path(copy), trouble));
+    if (found.refusal.empty()) write_or_throw(copy, text);
     student.files[exercise] = std::move(found);
   }
 
@@ -251,8 +240,7 @@ class Collector {
   std::string text_of(const Zipped& zipped, const std::string& shown) const {
     if (!zipped.refusal.empty()) throw RejectedFile(shown + " " + zipped.refusal + ".");
     const fs::path unpacked = copies_ / ".unpacked";
-    if (const std::string trouble = write_file(unpacked, zipped.text); !trouble.empty())
-      throw std::runtime_error(fmt::format("{} cannot be written ({}).", shown_path(unpacked), trouble));
+    write_or_throw(unpacked, zipped.text);
     return read_submission(unpacked, shown).text;
   }
 

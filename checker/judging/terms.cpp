@@ -19,8 +19,8 @@ using Eigen::VectorXd;
 constexpr double coefficient_tolerance = 1e-6;
 constexpr Eigen::Index spare_term_equations = 3;  // an exact fit of so many more equations than terms is no accident
 
-/// The normal equations of the least-squares problem, for columns of length 1, so that large and small terms count alike.
-/// A few unknowns need no more accurate decomposition, and this one compiles in a quarter of the time of a QR.
+/// The normal equations of the least-squares problem, for columns of length 1, so that large and small terms count
+/// alike. A few unknowns need no more accurate decomposition, and this one compiles in a quarter of the time of a QR.
 struct NormalEquations {
   explicit NormalEquations(const MatrixXd& columns)
       : lengths(columns.colwise().norm()), unit(columns * lengths.cwiseInverse().asDiagonal()) {

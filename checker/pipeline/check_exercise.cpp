@@ -24,15 +24,6 @@ std::filesystem::path own_file(const Course& course, const CheckTask& task, cons
   return task.is_elsewhere && std::filesystem::exists(beside) ? beside : course.student_file(exercise);
 }
 
-Submission read_with_library(const Course& course, const CheckTask& task) {
-  Submission submission = read_submission(task.file);
-  std::vector<Exercise> earlier = course.exercises();
-  earlier.erase(std::ranges::find(earlier, task.exercise.name(), &Exercise::name), earlier.end());
-  submission.library = own_functions(submission.text, earlier,
-                                     [&](const Exercise& exercise) { return own_file(course, task, exercise); });
-  return submission;
-}
-
 /// What the function returns when the same inputs are given in smaller units.
 std::vector<UnitProbe> take_probes(ExerciseRunner& runner, const ExerciseReference& reference) {
   std::vector<UnitProbe> probes = plan_probes(reference);
@@ -155,6 +146,14 @@ Explanation explain(const CheckResult& checked, const CompileTask& compile_task,
 
 }  // namespace
 
+std::string CheckResult::fingerprint_of_values() const {
+  std::string bytes;
+  for (const Reply& reply : observation.replies)
+    bytes.append(reinterpret_cast<const char*>(reply.value.numbers.data()),
+                 reply.value.numbers.size() * sizeof(double));
+  return fingerprint(bytes);
+}
+
 std::string CheckResult::next_step() const {
   const bool is_explained = has_values(judgement.verdict) && !explanation.is_empty();
   return is_explained ? "Fix what the reason names, and check again." : judgement.next_step;
@@ -177,6 +176,13 @@ std::vector<Submission> own_functions(const std::string& text, const std::vector
     add_words(files.back().text);
   }
   return files;
+}
+
+Submission read_with_library(const Course& course, const CheckTask& task) {
+  Submission submission = read_submission(task.file);
+  submission.library = own_functions(submission.text, course.exercises_before(task.exercise),
+                                     [&](const Exercise& exercise) { return own_file(course, task, exercise); });
+  return submission;
 }
 
 CheckTask check_task(const Course& course, const Exercise& exercise, std::optional<std::uint64_t> seed,

@@ -50,6 +50,8 @@ struct CheckResult {
   double score() const { return judgement.passed() ? points() : 0.0; }
   bool is_judged() const { return judgement.verdict != Verdict::checker_error; }
   bool is_started() const { return judgement.verdict != Verdict::not_started; }
+  /// The same where two functions returned the same values at all cases.
+  std::string fingerprint_of_values() const;
   /// What to do: the explanation's own advice where there is one.
   std::string next_step() const;
 };
@@ -58,6 +60,10 @@ struct CheckResult {
 /// @throws RejectedFile
 std::vector<Submission> own_functions(const std::string& text, const std::vector<Exercise>& exercises,
                                       const std::function<std::filesystem::path(const Exercise&)>& file_of);
+
+/// The task's file with those of earlier exercises whose functions it may call, directly or through another one.
+/// @throws RejectedFile
+Submission read_with_library(const Course& course, const CheckTask& task);
 
 /// The exercise's own file with the seed of the course, or the given ones.
 CheckTask check_task(const Course& course, const Exercise& exercise, std::optional<std::uint64_t> seed = {},

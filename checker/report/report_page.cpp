@@ -77,16 +77,12 @@ json entry_of(const ReportedExercise& exercise, const ReportedCourse& course) {
   const bool is_judged = checked.is_judged();
   Score score;
   score.add(checked);
-  const json look = passed                  ? json{{"tone", "good"}, {"mark", "✓"}}
-                    : !checked.is_started() ? json{{"tone", "idle"}, {"mark", "·"}}
-                    : is_judged             ? json{{"tone", "bad"}, {"mark", "✗"}}
-                                            : json{{"tone", "unclear"}, {"mark", "!"}};
   json entry = {
       {"name", checked.name()},
       {"started", checked.is_started()},
       {"passed", passed},
       {"verdict", is_judged ? in_words(to_string(judgement.verdict)) : "could not be judged"},
-      {"look", look},
+      {"look", look_of(to_string(judgement.verdict))},
       {"score", is_judged ? score.text() : ""},
       {"cases",
        judgement.cases_total == 0 ? "" : fmt::format("{} of {}", judgement.cases_passed(), judgement.cases_total)},
@@ -194,6 +190,13 @@ std::string rendered_page(const std::string& page_template, const json& document
   std::string text = form.render(values);
   if (!form.is_valid()) throw std::logic_error("the page has no usable template: " + form.error_message());
   return text;
+}
+
+json look_of(const std::string& verdict) {
+  if (verdict == "passed") return {{"tone", "good"}, {"mark", "✓"}};
+  if (verdict == "not_started") return {{"tone", "idle"}, {"mark", "·"}};
+  if (verdict == "checker_error") return {{"tone", "unclear"}, {"mark", "!"}};
+  return {{"tone", "bad"}, {"mark", "✗"}};
 }
 
 std::string page_style() {

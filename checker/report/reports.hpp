@@ -60,6 +60,9 @@ std::string report_page(const ReportedCourse& reported);
 std::string rendered_page(const std::string& page_template, const nlohmann::json& document,
                           const std::map<std::string, std::string>& raw = {});
 
+/// How pages show a verdict by its name: its tone, which the style sheet knows, and its mark.
+nlohmann::json look_of(const std::string& verdict);
+
 /// The style sheet of the report page, which other pages share.
 std::string page_style();
 

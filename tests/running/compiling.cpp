@@ -8,7 +8,6 @@
 #include <signal.h>
 #include <sys/resource.h>
 
-
 namespace workbook::testing {
 namespace fs = std::filesystem;
 namespace {
