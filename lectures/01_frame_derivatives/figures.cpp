@@ -7,23 +7,13 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
 using namespace rigid;
-using workbook::arc;
-using workbook::Side;
-using workbook::Sketch;
-namespace colors = workbook::colors;
+using namespace workbook;
 
 namespace {
-
-using Curve = std::vector<Vector3d>;
-
-constexpr double pi = std::numbers::pi;
-const Vector3d origin = Vector3d::Zero();
-const Vector3d x_axis = Vector3d::UnitX(), y_axis = Vector3d::UnitY(), z_axis = Vector3d::UnitZ();
 
 Vector3d rotated(const Vector3d& vector, const Vector3d& axis, double angle) {
   return rotated_basis(Matrix3d::Identity(), axis, angle) * vector;
@@ -43,7 +33,7 @@ void draw_two_sources(const std::filesystem::path& directory) {
   sketch.line(arc(origin, 0.88 * radius, x_axis, y_axis, 0.1, 0.4), colors::grey, 2);
   sketch.arrow(rotated(0.88 * radius * x_axis, z_axis, 0.4), rotated(0.88 * radius * x_axis, z_axis, 0.44),
                colors::grey, "ω", Side::left, 2);
-  Curve path;
+  SpaceCurve path;
   for (int k = 0; k <= 60; ++k) path.push_back(place(4.4 * k / 60));
   sketch.line(path, colors::grey, 2);
   sketch.text(place(0.9), "path", colors::grey, Side::right);
@@ -137,7 +127,7 @@ void draw_leaving_the_circle(const std::filesystem::path& directory) {
   const int steps = 12;
   const Vector3d dTheta = 2 * pi / steps * z_axis;
   Vector3d e = x_axis;
-  Curve spiral{e};
+  SpaceCurve spiral{e};
   Sketch sketch;
   for (int k = 0; k < steps; ++k) {
     e += dTheta.cross(e);
@@ -163,7 +153,7 @@ void draw_book(Sketch& sketch, const Vector3d& center, const Matrix3d& attitude)
   for (int axis = 0; axis < 3; ++axis) {
     for (const double side : {1.0, -1.0}) {
       if (!sketch.faces_reader(side * attitude.col(axis))) continue;
-      Curve face;
+      SpaceCurve face;
       for (const auto& [a, b] : {std::pair{1.0, 1.0}, {-1.0, 1.0}, {-1.0, -1.0}, {1.0, -1.0}}) {
         Vector3d corner;
         corner[axis] = side;
@@ -210,11 +200,11 @@ void draw_book_orders(const std::filesystem::path& directory) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return workbook::draw_figures(argc, argv,
-                                {{"two_sources_of_change", draw_two_sources},
-                                 {"small_rotation", draw_small_rotation},
-                                 {"turbine", draw_turbine},
-                                 {"rodrigues", draw_rodrigues},
-                                 {"leaving_the_circle", draw_leaving_the_circle},
-                                 {"book", draw_book_orders}});
+  return draw_figures(argc, argv,
+                      {{"two_sources_of_change", draw_two_sources},
+                       {"small_rotation", draw_small_rotation},
+                       {"turbine", draw_turbine},
+                       {"rodrigues", draw_rodrigues},
+                       {"leaving_the_circle", draw_leaving_the_circle},
+                       {"book", draw_book_orders}});
 }

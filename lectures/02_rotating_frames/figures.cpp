@@ -10,35 +10,24 @@
 
 #include <cmath>
 #include <complex>
-#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
 using namespace rigid;
-using workbook::arc;
-using workbook::FigureSize;
-using workbook::Side;
-using workbook::Sketch;
-namespace colors = workbook::colors;
+using namespace workbook;
 
 namespace {
 
-using Curve = std::vector<Vector3d>;
-
-constexpr double pi = std::numbers::pi;
-constexpr double degree = pi / 180;
 constexpr double Omega_earth = 7.292115e-5;  // rad/s
-const Vector3d origin = Vector3d::Zero();
-const Vector3d x_axis = Vector3d::UnitX(), y_axis = Vector3d::UnitY(), z_axis = Vector3d::UnitZ();
 
 Vector3d rotated(const Vector3d& vector, const Vector3d& axis, double angle) {
   return rotated_basis(Matrix3d::Identity(), axis, angle) * vector;
 }
 
 /// With few points, because each frame of a moving picture draws it again.
-Curve circle(const Vector3d& center, double radius) {
-  Curve points;
+SpaceCurve circle(const Vector3d& center, double radius) {
+  SpaceCurve points;
   for (int k = 0; k <= 36; ++k) points.push_back(center + radius * rotated(x_axis, z_axis, k * pi / 18));
   return points;
 }
@@ -48,30 +37,27 @@ void draw_puck(const std::filesystem::path& directory) {
   const Vector3d r0(-1, 0, 0), v0(0.5, 0.1, 0);
   constexpr int frames = 41;
   const FigureSize size{600, 330};
-  workbook::draw_animation(
-      directory, "puck_moving", size, frames, frames - 1, [&](gnuplotio::Gnuplot& gnuplot, int frame) {
-        Sketch sketch;
-        const double now = 0.1 * frame;  // s
-        for (const bool riding : {false, true}) {
-          const Vector3d center(riding ? 1.3 : -1.3, -0.08, 0);
-          const double table = riding ? 0 : now;  // angle of the table as it is drawn
-          const auto place = [&](double t) -> Vector3d {
-            return center + rotated(r0 + v0 * t, z_axis, riding ? -t : 0);
-          };
-          sketch.face(circle(center, 1.12), colors::shade, 1);
-          // A cross painted on the table, so that its rotation is seen.
-          const Vector3d one = rotated(1.12 * x_axis, z_axis, table), other = z_axis.cross(one);
-          sketch.line({center + one, center, center + other, center - other}, colors::pale, 2);
-          sketch.line({center, center - one}, colors::vermilion, 2);
-          Curve path;
-          for (int k = 0; k <= frame; ++k) path.push_back(place(0.1 * k));
-          if (path.size() > 1) sketch.line(path, colors::blue, 3);
-          for (int second = 0; second <= now + 1e-9; ++second) sketch.dot(place(second), colors::blue, 0.6);
-          sketch.dot(place(now), colors::black, 1.3);
-          sketch.text(center + 1.27 * y_axis, riding ? "riding on the turntable" : "beside the turntable");
-        }
-        sketch.send(gnuplot, size, 2.5);
-      });
+  draw_animation(directory, "puck_moving", size, frames, frames - 1, [&](gnuplotio::Gnuplot& gnuplot, int frame) {
+    Sketch sketch;
+    const double now = 0.1 * frame;  // s
+    for (const bool riding : {false, true}) {
+      const Vector3d center(riding ? 1.3 : -1.3, -0.08, 0);
+      const double table = riding ? 0 : now;  // angle of the table as it is drawn
+      const auto place = [&](double t) -> Vector3d { return center + rotated(r0 + v0 * t, z_axis, riding ? -t : 0); };
+      sketch.face(circle(center, 1.12), colors::shade, 1);
+      // A cross painted on the table, so that its rotation is seen.
+      const Vector3d one = rotated(1.12 * x_axis, z_axis, table), other = z_axis.cross(one);
+      sketch.line({center + one, center, center + other, center - other}, colors::pale, 2);
+      sketch.line({center, center - one}, colors::vermilion, 2);
+      SpaceCurve path;
+      for (int k = 0; k <= frame; ++k) path.push_back(place(0.1 * k));
+      if (path.size() > 1) sketch.line(path, colors::blue, 3);
+      for (int second = 0; second <= now + 1e-9; ++second) sketch.dot(place(second), colors::blue, 0.6);
+      sketch.dot(place(now), colors::black, 1.3);
+      sketch.text(center + 1.27 * y_axis, riding ? "riding on the turntable" : "beside the turntable");
+    }
+    sketch.send(gnuplot, size, 2.5);
+  });
 }
 
 /// A radial walk: the carried velocity grows with the radius, and the walker's own velocity is carried round.
@@ -105,8 +91,8 @@ void draw_two_origins(const std::filesystem::path& directory) {
 }
 
 /// The pieces of a curve on the unit sphere that face the reader.
-void draw_front(Sketch& sketch, const Curve& curve, const char* color, double width) {
-  Curve piece;
+void draw_front(Sketch& sketch, const SpaceCurve& curve, const char* color, double width) {
+  SpaceCurve piece;
   for (const Vector3d& point : curve) {
     if (sketch.faces_reader(point)) {
       piece.push_back(point);
@@ -175,7 +161,7 @@ void draw_tower_from_outside(const std::filesystem::path& directory) {
   Sketch sketch;
   const double height = 0.4, rate = 0.42, top = 1 + height;  // GM = R = 1
   // The orbit, in small steps of Störmer and Verlet.
-  Curve orbit{top * y_axis};
+  SpaceCurve orbit{top * y_axis};
   Vector3d r = orbit.front(), v = -rate * top * x_axis;
   const double dt = 1e-3;
   double time = 0;
@@ -219,23 +205,22 @@ void draw_rosette(const std::filesystem::path& directory) {
     return {zeta.real(), zeta.imag(), 0};
   };
   const FigureSize size{600, 350};
-  workbook::draw_animation(
-      directory, "rosette_moving", size, frames, frames - 1, [&](gnuplotio::Gnuplot& gnuplot, int frame) {
-        Sketch sketch;
-        for (const bool at_rest_on_floor : {true, false}) {
-          const Vector3d center(at_rest_on_floor ? -1.3 : 1.3, -0.15, 0);
-          sketch.line(circle(center, 1.05), colors::pale, 1.5);
-          Curve path;
-          for (int k = 0; k <= frame * points; ++k)
-            path.push_back(center + place(duration * k / (points * (frames - 1)), at_rest_on_floor));
-          if (path.size() > 1) sketch.line(path, colors::blue, 2);
-          sketch.line({center, path.back()}, colors::grey, 1.5);
-          sketch.dot(path.back(), colors::black, 1.3);
-          sketch.text(center + 1.27 * y_axis, at_rest_on_floor ? "released at rest on the floor"
-                                                               : "given the velocity −{/:Bold Ω}_z × {/:Bold r}");
-        }
-        sketch.send(gnuplot, size, 2.5);
-      });
+  draw_animation(directory, "rosette_moving", size, frames, frames - 1, [&](gnuplotio::Gnuplot& gnuplot, int frame) {
+    Sketch sketch;
+    for (const bool at_rest_on_floor : {true, false}) {
+      const Vector3d center(at_rest_on_floor ? -1.3 : 1.3, -0.15, 0);
+      sketch.line(circle(center, 1.05), colors::pale, 1.5);
+      SpaceCurve path;
+      for (int k = 0; k <= frame * points; ++k)
+        path.push_back(center + place(duration * k / (points * (frames - 1)), at_rest_on_floor));
+      if (path.size() > 1) sketch.line(path, colors::blue, 2);
+      sketch.line({center, path.back()}, colors::grey, 1.5);
+      sketch.dot(path.back(), colors::black, 1.3);
+      sketch.text(center + 1.27 * y_axis,
+                  at_rest_on_floor ? "released at rest on the floor" : "given the velocity −{/:Bold Ω}_z × {/:Bold r}");
+    }
+    sketch.send(gnuplot, size, 2.5);
+  });
 }
 
 /// How far to its right a shell lands that flies `range` in `time` in the given direction, to first order in the
@@ -265,7 +250,7 @@ void draw_over_latitude(const std::filesystem::path& directory) {
     northward.emplace_back(k, 1e-3 * drift_to_the_right(latitude, 0, 120e3, 176));
     southward.emplace_back(k, 1e-3 * drift_to_the_right(latitude, pi, 120e3, 176));
   }
-  workbook::draw_figure(directory, "over_latitude", {580, 640}, [&](gnuplotio::Gnuplot& gnuplot) {
+  draw_figure(directory, "over_latitude", {580, 640}, [&](gnuplotio::Gnuplot& gnuplot) {
     gnuplot << "set multiplot layout 3,1 margins 0.12,0.97,0.12,0.95 spacing 0.085\n"
                "unset key; set xrange [-90:90]; set xtics 30 format ''; set border 3; set tics nomirror\n"
             << "set xzeroaxis lw 1 lc rgb '" << colors::grey << "'\n"
@@ -292,12 +277,12 @@ void draw_over_latitude(const std::filesystem::path& directory) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return workbook::draw_figures(argc, argv,
-                                {{"puck_moving", draw_puck},
-                                 {"two_origins", draw_two_origins},
-                                 {"globe", draw_globe},
-                                 {"plumb_line", draw_plumb_line},
-                                 {"tower_from_outside", draw_tower_from_outside},
-                                 {"rosette_moving", draw_rosette},
-                                 {"over_latitude", draw_over_latitude}});
+  return draw_figures(argc, argv,
+                      {{"puck_moving", draw_puck},
+                       {"two_origins", draw_two_origins},
+                       {"globe", draw_globe},
+                       {"plumb_line", draw_plumb_line},
+                       {"tower_from_outside", draw_tower_from_outside},
+                       {"rosette_moving", draw_rosette},
+                       {"over_latitude", draw_over_latitude}});
 }

@@ -7,22 +7,12 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 using namespace rigid;
-using workbook::arc;
-using workbook::Side;
-using workbook::Sketch;
-namespace colors = workbook::colors;
+using namespace workbook;
 
 namespace {
-
-using Curve = std::vector<Vector3d>;
-
-constexpr double pi = std::numbers::pi;
-const Vector3d origin = Vector3d::Zero();
-const Vector3d x_axis = Vector3d::UnitX(), y_axis = Vector3d::UnitY(), z_axis = Vector3d::UnitZ();
 
 /// A mass on its circle about the axis.
 void draw_circle_of_a_point(const std::filesystem::path& directory) {
@@ -110,7 +100,7 @@ void draw_inertia_ellipsoid(const std::filesystem::path& directory) {
     return box.axes * n.cwiseProduct(half_axes);
   };
   const auto draw_front = [&](const auto& at) {
-    Curve piece;
+    SpaceCurve piece;
     for (int i = 0; i <= 72; ++i) {
       const Vector3d p = at(i / 72.0);
       const Vector3d normal = box.axes * box.moments.asDiagonal() * box.axes.transpose() * p;
@@ -128,7 +118,7 @@ void draw_inertia_ellipsoid(const std::filesystem::path& directory) {
   // Its outline: where the normal is at right angles to the line of sight.
   const Vector3d sight = half_axes.cwiseInverse().cwiseProduct(box.axes.transpose() * sketch.towards()).normalized();
   const Vector3d across = sight.unitOrthogonal();
-  Curve outline = arc(origin, 1, across, sight.cross(across));
+  SpaceCurve outline = arc(origin, 1, across, sight.cross(across));
   for (Vector3d& n : outline) n = box.axes * n.cwiseProduct(half_axes);
   sketch.line(outline, colors::sky, 2);
   for (int i = 0; i < 3; ++i) {
@@ -143,8 +133,8 @@ void draw_inertia_ellipsoid(const std::filesystem::path& directory) {
 }
 
 /// One level line of the energy on the unit sphere of directions, round ±e₁ or ±e₃, on principal axes.
-Curve level_line(const Vector3d& I, double level, double sign) {
-  Curve curve;
+SpaceCurve level_line(const Vector3d& I, double level, double sign) {
+  SpaceCurve curve;
   const bool low = level < I[1];
   const int pole = low ? 0 : 2, far = low ? 2 : 0;
   const double a = std::sqrt((level - I[pole]) / (I[1] - I[pole])),
@@ -168,8 +158,8 @@ void draw_energy_on_sphere(const std::filesystem::path& directory) {
     const Vector3d right = z_axis.cross(towards).normalized(), up = towards.cross(right);
     const Vector3d center(-1.15 * side, 0, 0);
     const auto place = [&](const Vector3d& n) -> Vector3d { return center + Vector3d(n.dot(right), n.dot(up), 0); };
-    const auto draw_front = [&](const Curve& curve, const char* color, double width) {
-      Curve piece;
+    const auto draw_front = [&](const SpaceCurve& curve, const char* color, double width) {
+      SpaceCurve piece;
       for (const Vector3d& n : curve) {
         if (n.dot(towards) >= 0) {
           piece.push_back(place(n));
@@ -203,10 +193,10 @@ void draw_energy_on_sphere(const std::filesystem::path& directory) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return workbook::draw_figures(argc, argv,
-                                {{"circle_of_a_point", draw_circle_of_a_point},
-                                 {"skew_dumbbell", draw_skew_dumbbell},
-                                 {"cube_axes", draw_cube_axes},
-                                 {"inertia_ellipsoid", draw_inertia_ellipsoid},
-                                 {"energy_on_sphere", draw_energy_on_sphere}});
+  return draw_figures(argc, argv,
+                      {{"circle_of_a_point", draw_circle_of_a_point},
+                       {"skew_dumbbell", draw_skew_dumbbell},
+                       {"cube_axes", draw_cube_axes},
+                       {"inertia_ellipsoid", draw_inertia_ellipsoid},
+                       {"energy_on_sphere", draw_energy_on_sphere}});
 }

@@ -8,24 +8,15 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
 using namespace rigid;
+using namespace workbook;
 using gnuplotio::Gnuplot;
-using workbook::arc;
-using workbook::Side;
-using workbook::Sketch;
-namespace colors = workbook::colors;
 
 namespace {
-
-using Curve = std::vector<std::pair<double, double>>;
-
-constexpr double pi = std::numbers::pi;
-const Vector3d x_axis = Vector3d::UnitX(), y_axis = Vector3d::UnitY(), z_axis = Vector3d::UnitZ();
 
 void label(Gnuplot& gnuplot, const std::string& text, double x, double y, const char* color) {
   gnuplot << fmt::format("set label '{}' at {},{} center front tc rgb '{}'\n", text, x, y, color);
@@ -83,7 +74,7 @@ void draw_pendulum(const std::filesystem::path& directory) {
   ruler.dot(at(d0 * d0 / d, 0), colors::vermilion, 1);
   ruler.text(at(d0 * d0 / d, -1), "d_0^2/d", colors::vermilion, Side::right);
 
-  workbook::draw_figure(directory, "pendulum", {590, 340}, [&](Gnuplot& gnuplot) {
+  draw_figure(directory, "pendulum", {590, 340}, [&](Gnuplot& gnuplot) {
     gnuplot << "set multiplot\nset origin 0,0; set size 0.3,1\n";
     ruler.send(gnuplot, {180, 340}, 0.34);
     gnuplot << "unset label; unset arrow\nset origin 0.3,0; set size 0.7,1\n"
@@ -96,12 +87,12 @@ void draw_pendulum(const std::filesystem::path& directory) {
                            colors::grey);
     label(gnuplot, "the same period", 1 / 3.0, period(0.5) + 0.07, colors::vermilion);
     label(gnuplot, "d_0", d0 + 0.02, 1.45, colors::grey);
-    Curve curve;
+    PlaneCurve curve;
     for (double nail = 0.03; nail < 0.501; nail += 0.0025) curve.emplace_back(nail, period(nail));
     gnuplot << fmt::format("plot '-' w l lw 3 lc rgb '{}', '-' w p pt 7 ps 1.2 lc rgb '{}'\n", colors::blue,
                            colors::vermilion);
     gnuplot.send1d(curve);
-    gnuplot.send1d(Curve{{d0 * d0 / 0.5, period(0.5)}, {0.5, period(0.5)}});
+    gnuplot.send1d(PlaneCurve{{d0 * d0 / 0.5, period(0.5)}, {0.5, period(0.5)}});
     gnuplot << "unset multiplot\n";
   });
 }
@@ -118,11 +109,11 @@ struct Block {
 void draw_along_the_diagonal(const std::filesystem::path& directory) {
   const Block block;
   const Matrix3d corner = block.at_corner();
-  workbook::draw_figure(directory, "origin_on_the_diagonal", {590, 400}, [&](Gnuplot& gnuplot) {
+  draw_figure(directory, "origin_on_the_diagonal", {590, 400}, [&](Gnuplot& gnuplot) {
     gnuplot << "set xlabel 'new origin on the diagonal (0: corner, ½: centre)'\n"
                "set ylabel 'entry of I (kg m²)'\n"
                "set xrange [-0.25:1.25]; set yrange [-25:65]; unset key; set xtics 0.25\n";
-    Curve xx, yz, mistaken, reversed;
+    PlaneCurve xx, yz, mistaken, reversed;
     for (int k = 0; k <= 150; ++k) {
       const double s = -0.25 + 0.01 * k;
       const Vector3d R = -s * block.edges;
@@ -144,7 +135,7 @@ void draw_along_the_diagonal(const std::filesystem::path& directory) {
     gnuplot.send1d(yz);
     gnuplot.send1d(reversed);
     gnuplot.send1d(mistaken);
-    gnuplot.send1d(Curve{{0, corner(0, 0)}, {0.5, block.at_center()(0, 0)}});
+    gnuplot.send1d(PlaneCurve{{0, corner(0, 0)}, {0.5, block.at_center()(0, 0)}});
   });
 }
 
@@ -232,8 +223,8 @@ void draw_moving_origin(const std::filesystem::path& directory) {
   const auto bead_at = [&](double angle) -> Vector3d {
     return radius * Vector3d(-std::sin(angle), 0, -std::cos(angle));
   };
-  const workbook::FigureSize size{590, 430};
-  workbook::draw_figure(directory, "moving_origin", size, [&](Gnuplot& gnuplot) {
+  const FigureSize size{590, 430};
+  draw_figure(directory, "moving_origin", size, [&](Gnuplot& gnuplot) {
     gnuplot << "set xlabel 'angle of the wheel (degrees)'; set ylabel 'energy (J)'\n"
                "set xrange [0:360]; set yrange [-1.4:3.3]; set xtics 90; set ytics 1; unset key\n"
                "set lmargin at screen 0.1; set rmargin at screen 0.93\n"
@@ -249,7 +240,7 @@ void draw_moving_origin(const std::filesystem::path& directory) {
                              x + wheel * place.x(), y + wheel * place.z() * size.width / size.height,
                              colors::vermilion);
     }
-    Curve rotation, mixed, translation, total, by_points;
+    PlaneCurve rotation, mixed, translation, total, by_points;
     for (int k = 0; k <= 72; ++k) {
       const double degrees = 5.0 * k;
       const Vector3d place = bead_at(degrees * pi / 180), r_cm = bead / M * place;
@@ -277,19 +268,19 @@ void draw_moving_origin(const std::filesystem::path& directory) {
         "plot 0 lc rgb '{}' lw 1, '-' w l lw 2.5 lc rgb '{}', '-' w l lw 2.5 lc rgb '{}', '-' w l lw 2.5 lc "
         "rgb '{}', '-' w l lw 3.5 lc rgb '{}', '-' w p pt 6 ps 1.4 lw 2 lc rgb '{}'\n",
         colors::grey, colors::blue, colors::green, colors::vermilion, colors::black, colors::orange);
-    for (const Curve& curve : {rotation, translation, mixed, total, by_points}) gnuplot.send1d(curve);
+    for (const PlaneCurve& curve : {rotation, translation, mixed, total, by_points}) gnuplot.send1d(curve);
   });
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return workbook::draw_figures(argc, argv,
-                                {{"origins", draw_origins},
-                                 {"pendulum", draw_pendulum},
-                                 {"origin_on_the_diagonal", draw_along_the_diagonal},
-                                 {"corner_and_center", draw_corner_and_center},
-                                 {"wedge", draw_wedge},
-                                 {"handle", draw_handle},
-                                 {"moving_origin", draw_moving_origin}});
+  return draw_figures(argc, argv,
+                      {{"origins", draw_origins},
+                       {"pendulum", draw_pendulum},
+                       {"origin_on_the_diagonal", draw_along_the_diagonal},
+                       {"corner_and_center", draw_corner_and_center},
+                       {"wedge", draw_wedge},
+                       {"handle", draw_handle},
+                       {"moving_origin", draw_moving_origin}});
 }

@@ -10,24 +10,13 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <utility>
 #include <vector>
 
 using namespace rigid;
-using workbook::arc;
-using workbook::Side;
-using workbook::Sketch;
-namespace colors = workbook::colors;
+using namespace workbook;
 
 namespace {
-
-using Curve = std::vector<std::pair<double, double>>;
-
-constexpr double pi = std::numbers::pi;
-constexpr double degree = pi / 180;
-const Vector3d origin = Vector3d::Zero();
-const Vector3d x_axis = Vector3d::UnitX(), y_axis = Vector3d::UnitY(), z_axis = Vector3d::UnitZ();
 
 /// A bicycle wheel that hangs by one end of its axle: the torque of gravity turns L sideways.
 void draw_gyroscope(const std::filesystem::path& directory) {
@@ -106,7 +95,7 @@ void draw_holding_torque(const std::filesystem::path& directory) {
                                      {"thick disc, I_3 = 1.3 I_1", 1.3, colors::orange, "(12,4)", 0.21},
                                      {"sphere, cube: none", 1.0, colors::black, "(3,3)", 0.05},
                                      {"rod, dumbbell, I_3 = 0", 0.0, colors::blue, "(12,4,3,4)", -0.33}}};
-  workbook::draw_figure(directory, "holding_torque", {560, 360}, [&](gnuplotio::Gnuplot& gnuplot) {
+  draw_figure(directory, "holding_torque", {560, 360}, [&](gnuplotio::Gnuplot& gnuplot) {
     gnuplot << "unset key; set xlabel 'angle α between ω and axis 3 (degrees)'\n"
                "set ylabel 'torque / (I_1 ω^2)'\n"
                "set xrange [0:90]; set xtics 15; set yrange [-0.6:0.65]; set ytics 0.25\n";
@@ -118,7 +107,7 @@ void draw_holding_torque(const std::filesystem::path& directory) {
     }
     gnuplot << plot.substr(0, plot.size() - 2) << "\n";
     for (const Shape& shape : shapes) {
-      Curve curve;
+      PlaneCurve curve;
       for (int angle = 0; angle <= 90; ++angle) {
         const Vector3d omega(-std::sin(angle * degree), 0, std::cos(angle * degree));
         const Matrix3d I = Vector3d(1, 1, shape.ratio).asDiagonal();
@@ -161,10 +150,10 @@ void draw_integrators(const std::filesystem::path& directory) {
     rule.omega.push_back(tumbling_start);
     for (int i = 0; i < steps; ++i) rule.omega.push_back(rule.step(rule.omega.back(), h));
   }
-  const auto exact = workbook::history(tumbling_body, {tumbling_start}, duration, 301);
+  const auto exact = history(tumbling_body, {tumbling_start}, duration, 301);
   const double T0 = rotation_invariants(tumbling_body, tumbling_start)[0];
 
-  workbook::draw_figure(directory, "integrators", {560, 590}, [&](gnuplotio::Gnuplot& gnuplot) {
+  draw_figure(directory, "integrators", {560, 590}, [&](gnuplotio::Gnuplot& gnuplot) {
     const std::array<const char*, 3> axis_colors{colors::vermilion, colors::green, colors::purple};
     gnuplot << "set multiplot layout 2,1\nunset key; set lmargin 9; set rmargin 2; set tmargin 1.6; set xrange [0:60]; "
                "set xtics 10\n"
@@ -180,7 +169,7 @@ void draw_integrators(const std::filesystem::path& directory) {
     }
     gnuplot << plot;
     for (int i = 0; i < 3; ++i) {
-      Curve line, dots;
+      PlaneCurve line, dots;
       for (std::size_t k = 0; k < exact.size(); ++k)
         line.emplace_back(duration * static_cast<double>(k) / 300, exact[k].omega[i]);
       for (std::size_t k = 0; k < rules[0].omega.size(); k += 6)
@@ -200,7 +189,7 @@ void draw_integrators(const std::filesystem::path& directory) {
     }
     gnuplot << plot;
     for (const Rule& rule : rules) {
-      Curve curve;
+      PlaneCurve curve;
       for (std::size_t k = 4; k < rule.omega.size(); k += 4) {
         const double drift = rotation_invariants(tumbling_body, rule.omega[k])[0] / T0 - 1;
         curve.emplace_back(static_cast<double>(k) * h, std::max(std::abs(drift), 1e-13));
@@ -221,7 +210,7 @@ void draw_tumbling(const std::filesystem::path& directory) {
   for (int i = 0; i < 8; ++i) {
     const int column = i % 4, row = i / 4;
     const Vector3d center = 2.3 * column * right - 2.4 * row * up;
-    const Matrix3d A = workbook::integrated(tumbling_body, {tumbling_start}, step * i).A;
+    const Matrix3d A = integrated(tumbling_body, {tumbling_start}, step * i).A;
     const auto corner = [&](double x, double y) -> Vector3d { return center + A * Vector3d(0.78 * x, 0.55 * y, 0); };
     const std::vector<Vector3d> cover{corner(1, 1), corner(-1, 1), corner(-1, -1), corner(1, -1), corner(1, 1)};
     sketch.face({cover.begin(), cover.end() - 1}, sketch.faces_reader(A.col(2)) ? colors::sky : colors::orange, 0.45);
@@ -238,10 +227,10 @@ void draw_tumbling(const std::filesystem::path& directory) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return workbook::draw_figures(argc, argv,
-                                {{"gyroscope", draw_gyroscope},
-                                 {"skewed_bodies", draw_skewed_bodies},
-                                 {"holding_torque", draw_holding_torque},
-                                 {"integrators", draw_integrators},
-                                 {"tumbling", draw_tumbling}});
+  return draw_figures(argc, argv,
+                      {{"gyroscope", draw_gyroscope},
+                       {"skewed_bodies", draw_skewed_bodies},
+                       {"holding_torque", draw_holding_torque},
+                       {"integrators", draw_integrators},
+                       {"tumbling", draw_tumbling}});
 }

@@ -10,31 +10,19 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
 using namespace rigid;
+using namespace workbook;
 using gnuplotio::Gnuplot;
-using workbook::arc;
-using workbook::history;
-using workbook::integrated;
-using workbook::Motion;
-using workbook::Side;
-using workbook::Sketch;
-namespace colors = workbook::colors;
 
 namespace {
 
 using Point = std::pair<double, double>;
 using Plot = std::vector<Point>;
-using Curve = std::vector<Vector3d>;
 
-constexpr double pi = std::numbers::pi;
-constexpr double degree = pi / 180;
-const Vector3d origin = Vector3d::Zero();
-const Vector3d x_axis = Vector3d::UnitX(), y_axis = Vector3d::UnitY(), z_axis = Vector3d::UnitZ();
 const std::array<const char*, 3> axis_colors{colors::vermilion, colors::green, colors::purple};
 
 const Vector3d flat_body(1, 2, 3);
@@ -53,9 +41,9 @@ Plot component(const std::vector<Motion>& motion, double duration, int index, do
 }
 
 /// Those pieces of a curve on a closed surface that the reader sees; `normal` gives the outward normal at a point.
-void draw_front(Sketch& sketch, const Curve& curve, const std::function<Vector3d(const Vector3d&)>& normal,
+void draw_front(Sketch& sketch, const SpaceCurve& curve, const std::function<Vector3d(const Vector3d&)>& normal,
                 const char* color, double width, const std::string& style = "") {
-  Curve piece;
+  SpaceCurve piece;
   for (const Vector3d& point : curve) {
     if (sketch.faces_reader(normal(point))) {
       piece.push_back(point);
@@ -70,8 +58,8 @@ void draw_front(Sketch& sketch, const Curve& curve, const std::function<Vector3d
 // ---- the symmetric top
 
 /// As arc(), with fewer points: moving pictures hold many.
-Curve circle(const Vector3d& center, double radius, const Vector3d& first, const Vector3d& second) {
-  Curve points;
+SpaceCurve circle(const Vector3d& center, double radius, const Vector3d& first, const Vector3d& second) {
+  SpaceCurve points;
   for (int i = 0; i <= 36; ++i)
     points.emplace_back(center + radius * (std::cos(i * pi / 18) * first + std::sin(i * pi / 18) * second));
   return points;
@@ -85,7 +73,7 @@ void draw_cone(Sketch& sketch, const Vector3d& apex, const Vector3d& axis, const
     return apex + std::cos(half_angle) * axis +
            std::sin(half_angle) * (std::cos(angle) * first + std::sin(angle) * second);
   };
-  const Curve opening = circle(apex + std::cos(half_angle) * axis, std::sin(half_angle), first, second);
+  const SpaceCurve opening = circle(apex + std::cos(half_angle) * axis, std::sin(half_angle), first, second);
   // The outline touches the rim where the surface turns away from the reader.
   const double u = first.dot(sketch.towards()), v = second.dot(sketch.towards());
   const double turn = std::tan(half_angle) * axis.dot(sketch.towards()) / std::hypot(u, v);
@@ -96,7 +84,7 @@ void draw_cone(Sketch& sketch, const Vector3d& apex, const Vector3d& axis, const
   }
   sketch.face(opening, color, 0.2);
   sketch.line(opening, color, 2, dash);
-  Curve star;
+  SpaceCurve star;
   for (int i = 0; i < lines; ++i) star.insert(star.end(), {apex, rim(2 * pi * i / lines)});
   if (lines > 0) sketch.line(star, color, 0.7);
 }
@@ -113,8 +101,8 @@ void animate_cones(const std::filesystem::path& directory) {
   const std::array<Top, 2> tops{{{"long, I_3 = I_1 / 2", 0.5, std::acos(0.75), 8, -1.15},
                                  {"flattened, I_3 = 1.8 I_1", 1.8, std::acos(0.9), 10, 1.2}}};
   const int frames = 30;
-  const workbook::FigureSize size{600, 320};
-  workbook::draw_animation(directory, "cones", size, frames, 15, [&](Gnuplot& gnuplot, int frame) {
+  const FigureSize size{600, 320};
+  draw_animation(directory, "cones", size, frames, 15, [&](Gnuplot& gnuplot, int frame) {
     Sketch sketch({0, -1, 0.42});
     for (const Top& top : tops) {
       const Vector3d at(top.place, 0, -0.7);
@@ -157,7 +145,7 @@ void draw_cylinders(const std::filesystem::path& directory) {
                                     {"ice-hockey puck", 2 / 3.0, 0.15, 0.05},
                                     {"behaves like a sphere: h = √3 r", std::sqrt(3.0), 0.15, 0.1},
                                     {"tin of food", 2.97, 0.15, 0.09}}};
-  workbook::draw_figure(directory, "cylinders", {560, 340}, [&](Gnuplot& gnuplot) {
+  draw_figure(directory, "cylinders", {560, 340}, [&](Gnuplot& gnuplot) {
     gnuplot << "unset key; set xlabel 'height / radius of the cylinder'; set ylabel 'Ω / ω_3'\n"
                "set xrange [0:6.4]; set yrange [-1.1:1.15]; set ytics 0.5\n"
             << fmt::format("set label 'pencil →' at 6.2,-0.68 right front tc rgb '{}'\n", colors::black)
@@ -216,7 +204,7 @@ void draw_slip(const std::filesystem::path& directory) {
     slides.emplace_back(t, std::sqrt(rates[1] / rates[0]) * std::sin(std::sqrt(rates.prod()) * t));
     if (i % 6 == 3) corrected.emplace_back(t, 1e5 * linearized_top(I, omega3, amplitude, 0, t)[1]);
   }
-  workbook::draw_figure(directory, "slip", {560, 360}, [&](Gnuplot& gnuplot) {
+  draw_figure(directory, "slip", {560, 360}, [&](Gnuplot& gnuplot) {
     gnuplot << "unset key; set xlabel 'time (s)'; set ylabel 'ω_2 (10^{-5} rad/s)'\n"
                "set xrange [0:3]; set yrange [-0.95:0.95]; set ytics 0.5\n"
             << fmt::format("set xzeroaxis lt 1 lw 1 lc rgb '{}'\n", colors::grey)
@@ -269,7 +257,7 @@ void draw_portraits(const std::filesystem::path& directory) {
         sketch.line({center - reach * Vector3d(1, sign * slope, 0), center + reach * Vector3d(1, sign * slope, 0)},
                     colors::black, 2.4);
         for (const double size : {0.3, 0.6}) {
-          Curve left, upper;
+          SpaceCurve left, upper;
           for (int i = -24; i <= 24; ++i) {
             const double s = std::sinh(i / 10.0), c = std::cosh(i / 10.0);
             const Vector3d through_x(sign * size * c, size * slope * s, 0);
@@ -300,7 +288,7 @@ void draw_growth_rates(const std::filesystem::path& directory) {
   const std::array<double, 5> ratios{0.1, 0.2, 0.35, 0.5, 0.7};
   const std::array<const char*, 5> dashes{"solid", "(12,4)", "(6,4)", "(3,3)", "(12,4,3,4)"};
   const std::array<Point, 5> places{{{0.928, 0.62}, {0.83, 0.635}, {0.73, 0.49}, {0.745, 0.3}, {0.85, 0.13}}};
-  workbook::draw_figure(directory, "growth_rates", {560, 400}, [&](Gnuplot& gnuplot) {
+  draw_figure(directory, "growth_rates", {560, 400}, [&](Gnuplot& gnuplot) {
     gnuplot << "unset key; set xlabel 'I_2 / I_3'; set ylabel 'growth rate σ / |ω_2|'\n"
                "set xrange [0.5:1]; set yrange [0:1.05]\n"
             << fmt::format("set label \"no body here:\\nI_1 + I_2 < I_3\" at 0.53,0.88 left front tc rgb '{}'\n",
@@ -339,12 +327,12 @@ void draw_growth_rates(const std::filesystem::path& directory) {
 
 /// The curve on the ellipsoid Σ e_i x_i² = 1 on which Σ e_i f_i x_i² = level, round ±axis (2 or 0), for ascending or
 /// descending f.
-Curve level_curve(const Vector3d& e, const Vector3d& f, double level, int axis, double side) {
+SpaceCurve level_curve(const Vector3d& e, const Vector3d& f, double level, int axis, double side) {
   const int other = 2 - axis;
   const double excess = f[axis] - level;
   const double across = std::sqrt(excess / (e[other] * (f[axis] - f[other])));
   const double middle = std::sqrt(excess / (e[1] * (f[axis] - f[1])));
-  Curve curve;
+  SpaceCurve curve;
   for (int i = 0; i <= 240; ++i) {
     Vector3d x;
     x[other] = across * std::cos(2 * pi * i / 240);
@@ -356,7 +344,7 @@ Curve level_curve(const Vector3d& e, const Vector3d& f, double level, int axis, 
 }
 
 /// One of the two plane curves of that kind through the ends of the middle axis.
-Curve separatrix_curve(const Vector3d& e, const Vector3d& f, double side) {
+SpaceCurve separatrix_curve(const Vector3d& e, const Vector3d& f, double side) {
   const double slope = side * std::sqrt(e[0] * (f[1] - f[0]) / (e[2] * (f[2] - f[1])));
   const double first = 1 / std::sqrt(e[0] + e[2] * slope * slope);
   return arc(origin, 1, first * Vector3d(1, 0, slope), y_axis / std::sqrt(e[1]));
@@ -369,10 +357,10 @@ void draw_surface(Sketch& sketch, const Vector3d& e, const Vector3d& f,
   const auto normal = [&](const Vector3d& x) -> Vector3d { return e.cwiseProduct(x); };
   const Vector3d root = e.cwiseSqrt();
   const Vector3d pole = sketch.towards().cwiseProduct(root).normalized(), across = pole.unitOrthogonal();
-  Curve outline = arc(origin, 1, across, pole.cross(across));
+  SpaceCurve outline = arc(origin, 1, across, pole.cross(across));
   for (Vector3d& x : outline) x = x.cwiseQuotient(root);
   sketch.face(outline, colors::pale, 0.25);
-  const auto mark = [&](const Curve& curve, std::size_t index, const char* color) {
+  const auto mark = [&](const SpaceCurve& curve, std::size_t index, const char* color) {
     const Vector3d& x = curve[index];
     const Vector3d step = 0.04 / root.minCoeff() * rate(x).normalized();
     if (sketch.faces_reader(normal(x))) sketch.arrow(x - step, x + step, color, "", Side::right, 2);
@@ -381,14 +369,14 @@ void draw_surface(Sketch& sketch, const Vector3d& e, const Vector3d& f,
     const int axis = 2 * family;
     for (std::size_t i = 0; i < levels[static_cast<std::size_t>(family)].size(); ++i) {
       for (const double side : {1.0, -1.0}) {
-        const Curve curve = level_curve(e, f, levels[static_cast<std::size_t>(family)][i], axis, side);
+        const SpaceCurve curve = level_curve(e, f, levels[static_cast<std::size_t>(family)][i], axis, side);
         draw_front(sketch, curve, normal, axis_colors[static_cast<std::size_t>(axis)], 2);
         if (side > 0 && i % 2 == 0) mark(curve, 45, axis_colors[static_cast<std::size_t>(axis)]);
       }
     }
   }
   for (const double side : {1.0, -1.0}) {
-    const Curve curve = separatrix_curve(e, f, side);
+    const SpaceCurve curve = separatrix_curve(e, f, side);
     draw_front(sketch, curve, normal, colors::black, 3);
     for (const std::size_t index : {9U, 27U}) mark(curve, index, colors::black);
   }
@@ -423,7 +411,7 @@ void draw_momentum_sphere(const std::filesystem::path& directory) {
   draw_surface(sketch, Vector3d::Ones(), I.cwiseInverse(), {{{0.95, 0.8, 0.65, 0.54}, {0.345, 0.38, 0.43, 0.48}}},
                rate);
   // The simplest friction that keeps |L|: dL/dt = L × ω + κ L × (L × ω).
-  Curve path;
+  SpaceCurve path;
   Vector3d L = Vector3d(1, -0.104, 0.06).normalized();
   for (int i = 0; i < 40000; ++i) {
     if (i % 10 == 0) path.push_back(L);
@@ -445,7 +433,7 @@ void draw_flip(const std::filesystem::path& directory) {
   const Vector3d omega0(0, 1, 1e-3);
   const double duration = 90, interval = tumbling_period(flat_body, omega0) / 2, first = interval / 2;
   const auto motion = history(flat_body, {omega0}, duration, 601);
-  workbook::draw_figure(directory, "flip", {560, 360}, [&](Gnuplot& gnuplot) {
+  draw_figure(directory, "flip", {560, 360}, [&](Gnuplot& gnuplot) {
     gnuplot << "unset key; set xlabel 'time (s)'; set ylabel 'component of ω in the body (rad/s)'\n"
                "set xrange [0:90]; set yrange [-1.35:1.55]; set ytics 0.5\n";
     for (int i = 0; i < 3; ++i) {
@@ -476,7 +464,7 @@ void draw_flip_law(const std::filesystem::path& directory) {
     exact.emplace_back(disturbance, tumbling_period(flat_body, {0, 1, disturbance}) / 2);
     logarithm.emplace_back(disturbance, std::log(16 * (2 + 6 * squared) / (6 * squared)) / sigma);
   }
-  workbook::draw_figure(directory, "flip_law", {560, 360}, [&](Gnuplot& gnuplot) {
+  draw_figure(directory, "flip_law", {560, 360}, [&](Gnuplot& gnuplot) {
     gnuplot << "unset key; set logscale x; set format x '10^{%T}'; set mxtics 1\n"
                "set xlabel 'ω_3 at the start (rad/s)'; set ylabel 'time between flips (s)'\n"
                "set xrange [1e-6:1]; set yrange [0:60]\n"
@@ -509,7 +497,7 @@ struct Flight {
 /// The racket at one attitude, 1.7 long, its two faces in different colours.
 void draw_racket_at(Sketch& sketch, const Vector3d& center, const Matrix3d& A, double handle) {
   const auto placed = [&](double x, double y) -> Vector3d { return center + A * Vector3d(x, y, 0); };
-  const Curve head = circle(placed(0.45, 0), 1, 0.42 * A.col(0), 0.3 * A.col(1));
+  const SpaceCurve head = circle(placed(0.45, 0), 1, 0.42 * A.col(0), 0.3 * A.col(1));
   const char* color = sketch.faces_reader(A.col(2)) ? colors::sky : colors::orange;
   sketch.face(head, color, 0.6);
   sketch.line(head, colors::black, 3);
@@ -543,7 +531,7 @@ void animate_racket(const std::filesystem::path& directory) {
   const int frames = 40;
   const auto motion = history(flight.I, flight.start, flight.period, frames + 1);
   const Plot curve = component(history(flight.I, flight.start, flight.period, 61), flight.period, 1);
-  workbook::draw_animation(directory, "racket_moving", {480, 440}, frames, 11, [&](Gnuplot& gnuplot, int frame) {
+  draw_animation(directory, "racket_moving", {480, 440}, frames, 11, [&](Gnuplot& gnuplot, int frame) {
     const Motion& now = motion[static_cast<std::size_t>(frame)];
     Sketch sketch(towards_racket);
     draw_racket_at(sketch, origin, now.A, 9);
@@ -569,17 +557,17 @@ void animate_racket(const std::filesystem::path& directory) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return workbook::draw_figures(argc, argv,
-                                {{"cones", animate_cones},
-                                 {"cylinders", draw_cylinders},
-                                 {"plate", draw_plate},
-                                 {"slip", draw_slip},
-                                 {"portraits", draw_portraits},
-                                 {"growth_rates", draw_growth_rates},
-                                 {"polhodes", draw_polhodes},
-                                 {"momentum_sphere", draw_momentum_sphere},
-                                 {"flip", draw_flip},
-                                 {"flip_law", draw_flip_law},
-                                 {"racket", draw_racket},
-                                 {"racket_moving", animate_racket}});
+  return draw_figures(argc, argv,
+                      {{"cones", animate_cones},
+                       {"cylinders", draw_cylinders},
+                       {"plate", draw_plate},
+                       {"slip", draw_slip},
+                       {"portraits", draw_portraits},
+                       {"growth_rates", draw_growth_rates},
+                       {"polhodes", draw_polhodes},
+                       {"momentum_sphere", draw_momentum_sphere},
+                       {"flip", draw_flip},
+                       {"flip_law", draw_flip_law},
+                       {"racket", draw_racket},
+                       {"racket_moving", animate_racket}});
 }

@@ -8,33 +8,20 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
 using namespace rigid;
+using namespace workbook;
 using gnuplotio::Gnuplot;
-using workbook::arc;
-using workbook::Side;
-using workbook::Sketch;
-namespace colors = workbook::colors;
 
 namespace {
-
-using Curve = std::vector<std::pair<double, double>>;
-
-constexpr double pi = std::numbers::pi;
-constexpr double degree = pi / 180;
-const Vector3d origin = Vector3d::Zero();
-const Vector3d x_axis = Vector3d::UnitX(), y_axis = Vector3d::UnitY(), z_axis = Vector3d::UnitZ();
 
 /// The body axes as columns, on the inertial axes.
 Matrix3d triad(const Vector3d& angles) { return rotation_matrix(angles).transpose(); }
 
 // ---- the three rotations ----
-
-constexpr const char* vertical_name = "{/:Bold e}@^0_3";
 
 /// Sketches side by side in one: a panel is an offset in the plane of the picture.
 class Panels {
@@ -194,7 +181,7 @@ void draw_gimbal_lock(const std::filesystem::path& directory) {
 
 /// A body that rotates steadily about an axis near the horizontal: its third axis passes close to the vertical.
 void draw_passage(const std::filesystem::path& directory) {
-  workbook::draw_figure(directory, "passage", {590, 410}, [](Gnuplot& gnuplot) {
+  draw_figure(directory, "passage", {590, 410}, [](Gnuplot& gnuplot) {
     gnuplot << "set xlabel 'angle of the steady rotation (degrees)'; set ylabel 'φ (degrees)'\n"
                "set xrange [-90:90]; set yrange [-110:110]; set xtics 30; set ytics 30; unset key\n";
     struct Pass {
@@ -205,11 +192,11 @@ void draw_passage(const std::filesystem::path& directory) {
     const std::array<Pass, 3> passes{
         {{30, colors::green, 54, 56}, {10, colors::blue, 42, 69}, {2, colors::vermilion, 24, 96}}};
     std::string plot;
-    std::vector<Curve> curves;
+    std::vector<PlaneCurve> curves;
     for (const Pass& pass : passes) {
       const double closest = pass.closest * degree;
       const Vector3d axis(-std::cos(closest), 0, std::sin(closest));
-      Curve phi, sum;
+      PlaneCurve phi, sum;
       for (int i = -360; i <= 360; ++i) {
         const Matrix3d A = Eigen::AngleAxisd(0.25 * i * degree, axis) * triad({0, closest, 0});
         const Vector3d angles = euler_angles(A.transpose());
@@ -227,7 +214,7 @@ void draw_passage(const std::filesystem::path& directory) {
       }
     }
     gnuplot << plot << "\n";
-    for (const Curve& curve : curves) gnuplot.send1d(curve);
+    for (const PlaneCurve& curve : curves) gnuplot.send1d(curve);
   });
 }
 
@@ -268,10 +255,10 @@ void draw_two_readings(const std::filesystem::path& directory) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return workbook::draw_figures(argc, argv,
-                                {{"three_turns", draw_three_turns},
-                                 {"two_planes", draw_two_planes},
-                                 {"two_readings", draw_two_readings},
-                                 {"passage", draw_passage},
-                                 {"gimbal_lock", draw_gimbal_lock}});
+  return draw_figures(argc, argv,
+                      {{"three_turns", draw_three_turns},
+                       {"two_planes", draw_two_planes},
+                       {"two_readings", draw_two_readings},
+                       {"passage", draw_passage},
+                       {"gimbal_lock", draw_gimbal_lock}});
 }

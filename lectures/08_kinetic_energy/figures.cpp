@@ -8,29 +8,15 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
 using namespace rigid;
+using namespace workbook;
 using gnuplotio::Gnuplot;
-using workbook::AngleMotion;
-using workbook::arc;
-using workbook::Side;
-using workbook::Sketch;
-namespace colors = workbook::colors;
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
-constexpr double degree = pi / 180;
-const Vector3d origin = Vector3d::Zero();
-constexpr const char* vertical_name = "{/:Bold e}@^0_3";
-const Vector3d x_axis = Vector3d::UnitX(), y_axis = Vector3d::UnitY(), z_axis = Vector3d::UnitZ();
-
-using PlaneCurve = std::vector<std::pair<double, double>>;
-using SpaceCurve = std::vector<Vector3d>;
 
 /// The direction of the body's third axis.
 Vector3d axis_at(const Vector3d& angles) { return inertial_components(z_axis, angles); }
@@ -61,7 +47,7 @@ void draw_convention(const std::filesystem::path& directory) {
   const Vector3d rates(5, -2, 9);
   const Vector3d racket(1.21e-3, 16.38e-3, 17.48e-3), exchanged(racket[1], racket[0], racket[2]);
   const Vector3d symmetric(8.795e-3, 8.795e-3, 17.48e-3);
-  workbook::draw_figure(directory, "convention", {590, 380}, [&](Gnuplot& gnuplot) {
+  draw_figure(directory, "convention", {590, 380}, [&](Gnuplot& gnuplot) {
     gnuplot << "set xlabel 'ψ (degrees)'; set ylabel 'T (J)'; set xrange [0:360]; set xtics 90; set yrange [1.42:1.6]\n"
                "unset key\n";
     PlaneCurve right, mistaken, flat;
@@ -121,8 +107,8 @@ void draw_free_top(const std::filesystem::path& directory) {
     const Vector3d L = I.cwiseProduct(omega);
     const Vector3d angles(0, std::acos(L[2] / L.norm()), std::atan2(L[1], -L[0]));
     return path_of_axis(
-        workbook::history({angles, euler_angle_rates(angles, omega)}, duration, 601,
-                          [&](const Vector3d& q, const Vector3d& v) { return euler_angle_accelerations(I, q, v); }));
+        history({angles, euler_angle_rates(angles, omega)}, duration, 601,
+                [&](const Vector3d& q, const Vector3d& v) { return euler_angle_accelerations(I, q, v); }));
   };
   Sketch sketch({0.3, -1.0, 1.15});
   for (int polar = 15; polar <= 60; polar += 15) {
@@ -143,6 +129,6 @@ void draw_free_top(const std::filesystem::path& directory) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return workbook::draw_figures(
+  return draw_figures(
       argc, argv, {{"convention", draw_convention}, {"projections", draw_projections}, {"free_top", draw_free_top}});
 }

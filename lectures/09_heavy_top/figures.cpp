@@ -10,29 +10,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
 using namespace rigid;
+using namespace workbook;
 using gnuplotio::Gnuplot;
-using workbook::AngleMotion;
-using workbook::arc;
-using workbook::Side;
-using workbook::Sketch;
-namespace colors = workbook::colors;
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
-constexpr double degree = pi / 180;
-const Vector3d origin = Vector3d::Zero();
-constexpr const char* vertical_name = "{/:Bold e}@^0_3";
-const Vector3d x_axis = Vector3d::UnitX(), y_axis = Vector3d::UnitY(), z_axis = Vector3d::UnitZ();
-
-using PlaneCurve = std::vector<std::pair<double, double>>;
-using SpaceCurve = std::vector<Vector3d>;
 
 constexpr double I1 = 3.28e-4, I3 = 6.6e-5, Mgl = 0.0456;  // kg m², kg m², J: the top of the worked examples
 
@@ -41,10 +27,10 @@ Vector3d axis_at(const Vector3d& angles) { return inertial_components(z_axis, an
 
 /// Motion from a moment at which the axis has the given rate of precession and no other.
 std::vector<AngleMotion> moved(double theta, double precession, double omega3, double duration, int count) {
-  return workbook::history({Vector3d(0, theta, 0), Vector3d(precession, 0, omega3 - precession * std::cos(theta))},
-                           duration, count, [](const Vector3d& q, const Vector3d& v) {
-                             return heavy_top_accelerations({I1, I1, I3}, Mgl, q, v);
-                           });
+  return history({Vector3d(0, theta, 0), Vector3d(precession, 0, omega3 - precession * std::cos(theta))}, duration,
+                 count, [](const Vector3d& q, const Vector3d& v) {
+                   return heavy_top_accelerations({I1, I1, I3}, Mgl, q, v);
+                 });
 }
 
 /// A toy top: a cone on its tip.
@@ -101,7 +87,7 @@ void draw_heavy_top(const std::filesystem::path& directory) {
 
 void draw_effective_potential(const std::filesystem::path& directory) {
   const double start = 30 * degree;
-  workbook::draw_figure(directory, "effective_potential", {590, 380}, [&](Gnuplot& gnuplot) {
+  draw_figure(directory, "effective_potential", {590, 380}, [&](Gnuplot& gnuplot) {
     gnuplot << "set xlabel 'θ (degrees)'; set ylabel 'U_{eff} − energy (mJ)'\n"
                "set xrange [20:70]; set yrange [-5:7]; unset key\n";
     const std::array<double, 3> spins{200, 150, 110};
@@ -132,7 +118,7 @@ void draw_effective_potential(const std::filesystem::path& directory) {
 
 /// Slow and fast precession over the spin, of a top that stands and of one that hangs.
 void draw_steady(const std::filesystem::path& directory) {
-  workbook::draw_figure(directory, "steady", {590, 400}, [&](Gnuplot& gnuplot) {
+  draw_figure(directory, "steady", {590, 400}, [&](Gnuplot& gnuplot) {
     gnuplot << "set xlabel 'spin (rad/s)'; set ylabel 'rate of precession (rad/s)'\n"
                "set xrange [0:250]; set yrange [-60:60]; unset key\n";
     const double theta = 30 * degree, least = 1.00101 * 2 * std::sqrt(I1 * Mgl * std::cos(theta)) / I3;
@@ -166,7 +152,7 @@ void draw_steady(const std::filesystem::path& directory) {
 
 /// The effective potential of an upright top for four spins.
 void draw_upright(const std::filesystem::path& directory) {
-  workbook::draw_figure(directory, "upright", {590, 380}, [&](Gnuplot& gnuplot) {
+  draw_figure(directory, "upright", {590, 380}, [&](Gnuplot& gnuplot) {
     gnuplot << "set xlabel 'θ (degrees)'; set ylabel 'U_{eff} − U_{eff}(0) (mJ)'\n"
                "set xrange [-70:70]; set xtics 30; set yrange [-3:3]; unset key\n";
     const std::array<double, 4> shares{1.1, 1.0, 0.9, 0.8};
@@ -206,8 +192,8 @@ void draw_nutation(const std::filesystem::path& directory) {
   for (const AngleMotion& state : moved(theta0, 0, slow, duration, frames * steps + 1))
     path.push_back(axis_at(state.angles));
   const double low = std::cos(nutation_limits(I1, I3, Mgl, theta0, {0, 0, slow})[1]);
-  const workbook::FigureSize size{440, 340};
-  workbook::draw_animation(directory, "nutation", size, frames, 5, [&](Gnuplot& gnuplot, int frame) {
+  const FigureSize size{440, 340};
+  draw_animation(directory, "nutation", size, frames, 5, [&](Gnuplot& gnuplot, int frame) {
     Sketch sketch({0.2, -1.0, 0.6});
     const Vector3d tip = -0.45 * z_axis;  // the picture is centred on the origin
     const auto moved = [&](SpaceCurve curve) {
@@ -303,12 +289,12 @@ void draw_planet(const std::filesystem::path& directory) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return workbook::draw_figures(argc, argv,
-                                {{"heavy_top", draw_heavy_top},
-                                 {"effective_potential", draw_effective_potential},
-                                 {"steady", draw_steady},
-                                 {"upright", draw_upright},
-                                 {"nutation", draw_nutation},
-                                 {"paths", draw_paths},
-                                 {"planet", draw_planet}});
+  return draw_figures(argc, argv,
+                      {{"heavy_top", draw_heavy_top},
+                       {"effective_potential", draw_effective_potential},
+                       {"steady", draw_steady},
+                       {"upright", draw_upright},
+                       {"nutation", draw_nutation},
+                       {"paths", draw_paths},
+                       {"planet", draw_planet}});
 }

@@ -10,26 +10,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
 using namespace rigid;
+using namespace workbook;
 using gnuplotio::Gnuplot;
-using workbook::arc;
-using workbook::Motion;
-using workbook::Side;
-using workbook::Sketch;
-namespace colors = workbook::colors;
 
 namespace {
 
-using Curve = std::vector<Vector3d>;
-
-constexpr double pi = std::numbers::pi;
-constexpr double degree = pi / 180;
-const Vector3d origin = Vector3d::Zero();
-const Vector3d x_axis = Vector3d::UnitX(), y_axis = Vector3d::UnitY(), z_axis = Vector3d::UnitZ();
 const std::array<const char*, 3> axis_colors{colors::vermilion, colors::green, colors::purple};
 
 /// The crate of the lecture, kg m², and two motions, rad/s.
@@ -48,9 +37,9 @@ std::vector<Motion> with_L_along(const Vector3d& up, const Vector3d& I, const Ve
 }
 
 /// Draws the pieces of a curve on a closed surface that the reader sees, and those behind it in another style.
-void draw_on_surface(Sketch& sketch, const Curve& curve, const Curve& normals, const char* color, double width,
-                     const std::string& hidden = "") {
-  Curve piece;
+void draw_on_surface(Sketch& sketch, const SpaceCurve& curve, const SpaceCurve& normals, const char* color,
+                     double width, const std::string& hidden = "") {
+  SpaceCurve piece;
   bool in_front = true;
   const auto end_piece = [&] {
     if (piece.size() > 1 && in_front) sketch.line(piece, color, width);
@@ -82,7 +71,7 @@ void draw_poinsot(const std::filesystem::path& directory) {
   sketch.face(arc(foot, 1.55, x_axis, y_axis), colors::pale, 0.5);
   for (const double radius : {radii[0], radii[1]})
     sketch.line(arc(foot, radius, x_axis, y_axis), colors::grey, 1.5, "dt (5,4)");
-  Curve herpolhode;
+  SpaceCurve herpolhode;
   for (const Motion& each : motion) herpolhode.emplace_back(each.A * each.omega);
   sketch.line(herpolhode, colors::blue, 1.5);
 
@@ -93,19 +82,19 @@ void draw_poinsot(const std::filesystem::path& directory) {
     const Vector3d first = pole.unitOrthogonal(), second = pole.normalized().cross(first);
     return arc(origin, 1, first, second);
   };
-  const auto mapped = [](const Curve& points, const auto& map) {
-    Curve images;
+  const auto mapped = [](const SpaceCurve& points, const auto& map) {
+    SpaceCurve images;
     for (const Vector3d& point : points) images.push_back(map(point));
     return images;
   };
   const Vector3d away = (now.A.transpose() * sketch.towards()).cwiseQuotient(half_axes);
-  const Curve outline = mapped(great_circle(away), place);
+  const SpaceCurve outline = mapped(great_circle(away), place);
   sketch.face(outline, colors::sky, 0.25);
   for (int axis = 0; axis < 3; ++axis) {
-    const Curve circle = great_circle(Vector3d::Unit(axis));
+    const SpaceCurve circle = great_circle(Vector3d::Unit(axis));
     draw_on_surface(sketch, mapped(circle, place), mapped(circle, normal), colors::grey, 1);
   }
-  Curve polhode, normals;
+  SpaceCurve polhode, normals;
   for (int i = 0; i <= 240; ++i) {
     const Vector3d omega = motion[static_cast<std::size_t>(i)].omega;
     polhode.emplace_back(now.A * omega);
@@ -139,7 +128,7 @@ void draw_herpolhode(const std::filesystem::path& directory) {
     const Vector3d center = panel.place * x_axis;
     const Vector2d radii = panel.scale * herpolhode_radii(crate, panel.omega0);
     const auto motion = with_L_along(z_axis, crate, panel.omega0, 6 * P, 1801);
-    Curve curve;
+    SpaceCurve curve;
     for (const Motion& each : motion) {
       Vector3d tip = panel.scale * (each.A * each.omega);
       tip[2] = 0;
@@ -167,7 +156,7 @@ void draw_track(const std::filesystem::path& directory) {
   const auto motion = with_L_along(z_axis, crate, about_3, 4 * P, 1601);
   const Vector3d start = motion[0].A.col(2);
   const Eigen::AngleAxisd to_the_left(-2.6 - std::atan2(start[1], start[0]), z_axis);
-  Curve track;
+  SpaceCurve track;
   for (const Motion& each : motion) track.emplace_back(to_the_left * each.A.col(2));
   const Vector3d view = sketch.towards().normalized(), side = z_axis.cross(view).normalized();
   sketch.face(arc(origin, 1, side, view.cross(side)), colors::shade, 1);
@@ -175,10 +164,10 @@ void draw_track(const std::filesystem::path& directory) {
   const auto is_lower = [](const Vector3d& one, const Vector3d& other) { return one[2] < other[2]; };
   const auto [lowest, highest] = std::minmax_element(track.begin(), track.end(), is_lower);
   for (const double height : {(*lowest)[2], (*highest)[2]}) {
-    const Curve circle = arc(height * z_axis, std::sqrt(1 - height * height), x_axis, y_axis);
+    const SpaceCurve circle = arc(height * z_axis, std::sqrt(1 - height * height), x_axis, y_axis);
     draw_on_surface(sketch, circle, circle, colors::grey, 1.5);
   }
-  const Curve later(track.begin() + 400, track.end()), first(track.begin(), track.begin() + 401);
+  const SpaceCurve later(track.begin() + 400, track.end()), first(track.begin(), track.begin() + 401);
   draw_on_surface(sketch, later, later, colors::sky, 1);
   draw_on_surface(sketch, first, first, colors::purple, 3.5, "dt (4,3)");
   sketch.arrow(origin, 1.6 * z_axis, colors::blue, "{/:Bold L}", Side::right);
@@ -189,8 +178,8 @@ void draw_track(const std::filesystem::path& directory) {
 }
 
 /// The closed path of the direction of L on the axes of the body.
-Curve path_of_L(const Vector3d& I, const Vector3d& omega0) {
-  Curve path;
+SpaceCurve path_of_L(const Vector3d& I, const Vector3d& omega0) {
+  SpaceCurve path;
   const double P = tumbling_period(I, omega0);
   for (int i = 0; i <= 240; ++i) path.emplace_back(I.cwiseProduct(exact_rotation(I, omega0, P * i / 240)).normalized());
   return path;
@@ -200,10 +189,10 @@ Curve path_of_L(const Vector3d& I, const Vector3d& omega0) {
 void draw_solid_angle(const std::filesystem::path& directory) {
   Sketch sketch({1.0, 0.9, 0.85});
   const Vector3d view = sketch.towards().normalized(), side = z_axis.cross(view).normalized();
-  const Curve outline = arc(origin, 1, side, view.cross(side));
+  const SpaceCurve outline = arc(origin, 1, side, view.cross(side));
   sketch.face(outline, colors::shade, 1);
   const auto draw_path = [&](const Vector3d& omega0, const char* color) {
-    const Curve path = path_of_L(crate, omega0);
+    const SpaceCurve path = path_of_L(crate, omega0);
     sketch.face(path, color, 0.35);
     draw_on_surface(sketch, path, path, color, 3.5);
     for (const std::size_t at : {30U, 150U}) sketch.arrow(path[at - 3], path[at + 3], color, "", Side::right, 2.5);
@@ -267,7 +256,7 @@ void draw_twist_map(const std::filesystem::path& directory) {
       now = next;
     }
   }
-  workbook::draw_figure(directory, "twist_map", {540, 500}, [&](Gnuplot& gnuplot) {
+  draw_figure(directory, "twist_map", {540, 500}, [&](Gnuplot& gnuplot) {
     gnuplot << "unset key; set size ratio -1; set xrange [-20.125:20.125]; set yrange [-20.25:20.25]\n"
                "set xtics 10; set ytics 10; set tics out; unset grid; set style fill solid 1 noborder\n"
                "set xlabel 'ω off axis 2, towards the handle (°)'\n"
@@ -295,10 +284,10 @@ void draw_twist_map(const std::filesystem::path& directory) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return workbook::draw_figures(argc, argv,
-                                {{"poinsot", draw_poinsot},
-                                 {"herpolhode", draw_herpolhode},
-                                 {"track", draw_track},
-                                 {"solid_angle", draw_solid_angle},
-                                 {"twist_map", draw_twist_map}});
+  return draw_figures(argc, argv,
+                      {{"poinsot", draw_poinsot},
+                       {"herpolhode", draw_herpolhode},
+                       {"track", draw_track},
+                       {"solid_angle", draw_solid_angle},
+                       {"twist_map", draw_twist_map}});
 }

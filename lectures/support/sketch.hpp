@@ -7,11 +7,22 @@
 #include <Eigen/Dense>
 
 #include <filesystem>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace workbook {
+
+// What figures name often.
+inline constexpr double pi = std::numbers::pi;
+inline constexpr double degree = pi / 180;
+inline const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+inline const Eigen::Vector3d x_axis = Eigen::Vector3d::UnitX(), y_axis = Eigen::Vector3d::UnitY(),
+                             z_axis = Eigen::Vector3d::UnitZ();
+inline constexpr const char* vertical_name = "{/:Bold e}@^0_3";
+using PlaneCurve = std::vector<std::pair<double, double>>;
+using SpaceCurve = std::vector<Eigen::Vector3d>;
 
 /// Where a text stands at its place.
 enum class Side { left, right, above, below, centre };

@@ -25,8 +25,6 @@ inline constexpr const char* products_sign =
 inline constexpr const char* indices_shifted =
     "The differences of moments are shifted by one place: I₃ − I₂ goes with ω₂ω₃, which has its indices.";
 
-inline Vector3d L_of(const Vector3d& I, const Vector3d& omega) { return I.cwiseProduct(omega); }
-
 /// ω × L as a difference of two products: (ω₂L₃, ω₃L₁, ω₁L₂) less (ω₃L₂, ω₁L₃, ω₂L₁).
 inline Vector3d first_products(const Vector3d& w, const Vector3d& L) { return {w[1] * L[2], w[2] * L[0], w[0] * L[1]}; }
 inline Vector3d second_products(const Vector3d& w, const Vector3d& L) {

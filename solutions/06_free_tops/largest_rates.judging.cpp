@@ -7,7 +7,6 @@ double beyond_separatrix(const Vector3d& I, const Vector3d& w) {
   return I[0] * (I[0] - I[1]) * w[0] * w[0] + I[2] * (I[2] - I[1]) * w[2] * w[2];
 }
 double squared_L(const Vector3d& I, const Vector3d& w) { return I.cwiseProduct(w).squaredNorm(); }
-double twice_T(const Vector3d& I, const Vector3d& w) { return I.dot(w.cwiseAbs2()); }
 double root(double square) { return sqrt(max(square, 0.0)); }
 
 auto round_axis(int axis) {

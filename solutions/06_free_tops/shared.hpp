@@ -20,9 +20,6 @@ inline const Vector3d lecture_omega(0.4 * cos(0.3), 0.4 * sin(0.3), 2);
 /// L of a symmetric top.
 inline Vector3d L_of(double I1, double I3, const Vector3d& w) { return {I1 * w[0], I1 * w[1], I3 * w[2]}; }
 
-/// The rates of change of ω without a torque.
-inline Vector3d free_rate(const Vector3d& I, const Vector3d& w) { return cross(I.cwiseProduct(w), w).cwiseQuotient(I); }
-
 /// The axis in question becomes axis 3.
 inline Vector3d turned_round(const Vector3d& I, int axis) { return {I[(axis + 1) % 3], I[(axis + 2) % 3], I[axis]}; }
 

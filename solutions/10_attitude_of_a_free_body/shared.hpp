@@ -8,9 +8,6 @@
 
 inline const Vector3d lecture_body(1.2, 2, 2.7), round_3(0.4, -0.9, 0.6), round_1(0.9, -0.5, 0.2);
 
-inline double twice_T(const Vector3d& I, const Vector3d& w) { return I.dot(w.cwiseAbs2()); }
-inline Vector3d L_of(const Vector3d& I, const Vector3d& w) { return I.cwiseProduct(w); }
-
 /// (L² − 2T I₂)/L²: positive for motion round axis 3, negative round axis 1.
 inline double side_of_separatrix(const Vector3d& I, const Vector3d& w) {
   const double excess = I[2] * (I[2] - I[1]) * w[2] * w[2] - I[0] * (I[1] - I[0]) * w[0] * w[0];
@@ -49,7 +46,7 @@ inline Moved integrated(const Vector3d& I, const Vector3d& start, double t) {
   State state = {start[0], start[1], start[2], 1, 0, 0, 0, 1, 0, 0, 0, 1};
   const auto rate = [&](const State& now, State& rates, double) {
     const Vector3d w(now[0], now[1], now[2]);
-    Vector3d::Map(rates.data()) = cross(L_of(I, w), w).cwiseQuotient(I);
+    Vector3d::Map(rates.data()) = free_rate(I, w);
     Matrix3d::Map(rates.data() + 3) = Matrix3d::Map(now.data() + 3) * skew(w);
   };
   const auto stepper = odeint::make_controlled(1e-15, 1e-15, odeint::runge_kutta_fehlberg78<State>());

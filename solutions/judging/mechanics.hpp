@@ -32,6 +32,11 @@ inline Vector3d cross(const Vector3d& a, const Vector3d& b) { return a.cross(b);
 inline Matrix3d skew(const Vector3d& w) { return Matrix3d{{0, -w[2], w[1]}, {w[2], 0, -w[0]}, {-w[1], w[0], 0}}; }
 inline Vector3d axial(const Matrix3d& W) { return {W(2, 1), W(0, 2), W(1, 0)}; }
 
+/// L and 2T on principal axes, and the rates of change of ω without a torque.
+inline Vector3d L_of(const Vector3d& I, const Vector3d& w) { return I.cwiseProduct(w); }
+inline double twice_T(const Vector3d& I, const Vector3d& w) { return I.dot(w.cwiseAbs2()); }
+inline Vector3d free_rate(const Vector3d& I, const Vector3d& w) { return cross(L_of(I, w), w).cwiseQuotient(I); }
+
 /// r r, the matrix with entries rᵢ rⱼ.
 inline Matrix3d dyad(const Vector3d& r) { return r * r.transpose(); }
 
