@@ -236,6 +236,7 @@ class CommandLine {
     option("--case debug", "CASE", options_.case_name, "stop at this case, by number or name");
     option("--build-only", "", options_.build_only, "only build the program, for an editor's debugger");
     option("PREDICTION", "", options_.predictions, "a case and the numbers of its result: '4=0 0 1.5'");
+    option("ANSWER", "", options_.answer, "a, b or c; none: show the question");
     option("--started", "", options_.started, "leave out what is not started");
     option("--full", "", options_.full, "show everything: all failing cases, long lists, all compiler messages");
     option("--json", "", options_.json, "print one JSON document and nothing else");
@@ -287,7 +288,7 @@ class CommandLine {
         "Show the next hint of an exercise\n\nEvery exercise has three hints, weakest first. Each call shows one more; "
         "the last one stays. Without a name: the next exercise that does not pass.",
         {"hint", "hint inertia_of_points", "hint inertia_of_points --all"}, {"EXERCISE or next", "--all hints"}, hint);
-    add("solution", students, "Show the solution of an exercise that passes\n\nAnd where its derivation is to be read.",
+    add("solution", students, "Show the solution of an exercise that passes\n\nAnd where another route, or the derivation, is to be read.",
         {"solution inertia_of_points"}, {"EXERCISE", "--now"}, solution);
     add("plot", students,
         "Draw your curve on the reference\n\nWrites an SVG and a PNG with your curve on the reference and the "
@@ -336,6 +337,10 @@ class CommandLine {
         "that can tell these from the right one.",
         {"predict euler_equations", "predict euler_equations '1=0 0 0' '4=0.1 -0.2 0'"}, {"EXERCISE", "PREDICTION"},
         predict);
+    add("question", students,
+        "Answer a question on an exercise that passes\n\nShows what another function returned, and three mistakes, one "
+        "of which it made. Your first answer is kept for the report page.",
+        {"question euler_equations", "question euler_equations b"}, {"EXERCISE", "ANSWER"}, question);
     add("review", students,
         "Write an exercise of an earlier lecture once more\n\nOne that is due: after 1, 3, 7, 21 and 60 days. It comes "
         "with an empty file and other cases; `review` again checks it. The first verdict is kept beside the others.",

@@ -52,6 +52,23 @@ void draw_unasked(const Course& course, const CheckResult& checked, const Consol
   fmt::print("  Plot   {}\n", command("plot " + checked.name()));
 }
 
+/// What there is to do with a function that passes: it is offered, never demanded.
+std::string after_pass(const Course& course, const Exercise& exercise, const Progress& progress,
+                       const Console& console) {
+  std::string text;
+  const auto offer = [&](const std::string& label, const std::string& words, const std::string& arguments) {
+    text += fmt::format("  {:<10}{}\n{:12}{}\n", label, console.wrapped(words, 12).substr(12), "", command(arguments));
+  };
+  const std::vector<std::string> examples = examples_that_call(course, exercise);
+  if (!examples.empty())
+    offer("Used in", fmt::format("“{}”, which your function computes now:", examples.front()),
+          "examples " + exercise.lecture());
+  offer("Route", "another way to the same result, and why it is the same:", "solution " + exercise.name());
+  if (!progress.practice(exercise.name()).answered_right)
+    offer("Question", "which mistake another function makes:", "question " + exercise.name());
+  return text;
+}
+
 std::string same_values_again(const std::string& exercise) {
   return fmt::format("Your change has changed no value. `{}` shows the next hint.", command("hint " + exercise));
 }
@@ -167,6 +184,8 @@ int check(const Course& course, const Options& options) {
     if (options.started && !checked.is_started()) return;
     if (!options.json) fmt::print("{}", terminal_report(checked, course, console, detail));
     if (!options.json && is_repeated) fmt::print("{}\n", console.wrapped(same_values_again(checked.name()), 2));
+    if (!options.json && tasks.size() == 1 && checked.judgement.passed() && checked.task.counts_as_progress())
+      fmt::print("{}", after_pass(course, checked.task.exercise, progress, console));
     if (options.plot) {
       draw(course, checked, picture, console, !options.json);
     } else if (!options.json && tasks.size() == 1) {
@@ -257,10 +276,12 @@ int report(const Course& course, const Options& options) {
   for (const Card& card : course.cards()) reported.headings.merge(read_headings(course.notes_file(card)));
 
   CheckContext context(course);
+  const Progress progress(course.progress_file());
   ProgressBar progress_bar;
   check_all(context, tasks, [&](CheckResult checked) {
     progress_bar.show(reported.exercises.size(), tasks.size(), checked.name());
-    ReportedExercise exercise{std::move(checked), {}, {}};
+    const auto answered = progress.practice(checked.name()).answered_right;
+    ReportedExercise exercise{std::move(checked), {}, {}, answered};
     if (has_gnuplot) add_picture(course, exercise);
     reported.exercises.push_back(std::move(exercise));
   });

@@ -26,6 +26,7 @@ struct Options {
   bool plot = false;
   bool all = false;                      ///< all hints, or all plots and figures
   std::vector<std::string> predictions;  ///< "4=0 0 1.5": a case and the numbers of the result
+  std::string answer;                    ///< to the question on an exercise: "a", "b" or "c"; "": show the question
   bool build_only = false;               ///< the program for a debugger, without the debugger
   bool now = false;                      ///< the solution of an exercise that does not pass yet
   PictureKind picture = PictureKind::automatic;
@@ -77,6 +78,9 @@ std::size_t find_case(const ExerciseReference& exercise, const std::string& aske
 
 /// Results that the student expects before there is a function: are they right, and which wrong functions would agree?
 int predict(const Course& course, const Options& options);
+
+/// A question on an exercise that passes: which mistake does another function make?
+int question(const Course& course, const Options& options);
 
 /// An exercise of some time ago, to be written once more.
 int review(const Course& course, const Options& options);

@@ -72,8 +72,13 @@ void write_stubs(const Course& course, const fs::path& copy) {
 }
 
 /// What the reference implementation made: the results to judge by, the numbers and figures of the notes.
-void copy_made(const Course& course, const fs::path& copy, const std::vector<LectureReference>& references) {
-  for (const LectureReference& reference : references) {
+void copy_made(const Course& course, const fs::path& copy, std::vector<LectureReference> references) {
+  for (LectureReference& reference : references) {
+    // Names of routes and of small bugs tell how the function is written.
+    for (ExerciseReference& exercise : reference.exercises) {
+      for (std::size_t k = 0; k < exercise.routes.size(); ++k) exercise.routes[k].name = fmt::format("route {}", k + 1);
+      exercise.adequacy = {};
+    }
     const fs::path data = copy / "lectures" / reference.lecture / "handed_out";
     place_file(course.build().directory / "printed" / (reference.lecture + ".txt"), data / "printed.txt");
     copy_figures(course, reference.lecture, data / "figures");
@@ -84,7 +89,7 @@ void copy_made(const Course& course, const fs::path& copy, const std::vector<Lec
     place_file(script, copy / "lectures/live/handed_out/rigid.js");
 }
 
-/// Solution and derivation of every exercise that has one, for those whose function is right.
+/// Solution and another route, or the derivation, for those whose function is right.
 void lock_derivations(const Course& course, const fs::path& copy) {
   const std::uint64_t seed = std::random_device()();
   for (const Card& card : course.cards()) {

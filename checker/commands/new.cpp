@@ -211,6 +211,8 @@ int new_exercise(const Course& course, const std::string& name, const std::strin
   write(course.hints_file(exercise), hints_text);
   write(course.solution_file(exercise), solution_text(signature, card.contract));
   write(course.judging_file(exercise), judging_text(signature, name, card.contract));
+  write(course.derivation_file(exercise),
+        fmt::format("# {}\n\nTODO: another route, and why it is equal.\n", as_title(name)));
   write(contract_file, contract, false);
   write(notes_file, fmt::format("{}\n### {} {{#{}}}\n\nTODO\n", notes, as_title(name), entry.notes), false);
   write(card_file, new_card, false);

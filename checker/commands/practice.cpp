@@ -1,10 +1,12 @@
-// Learning that lasts: predict asks for results before there is a function, review for an exercise of some time ago.
+// Learning that lasts: predict asks for results before there is a function, question for the mistake of another one,
+// review for an exercise of some time ago.
 #include "checker/base/console.hpp"
 #include "checker/base/files.hpp"
 #include "checker/base/text.hpp"
 #include "checker/commands/commands.hpp"
 #include "checker/course/exercise_texts.hpp"
 #include "checker/course/progress.hpp"
+#include "checker/explain/question.hpp"
 #include "checker/judging/comparison.hpp"
 #include "checker/judging/value_text.hpp"
 #include "checker/pipeline/check_exercise.hpp"
@@ -29,6 +31,8 @@ std::string inputs_text(const ExerciseReference& exercise, const Case& one) {
         fmt::format("{} = {}", exercise.arguments[k].name, format_value(one.inputs[k], exercise.arguments[k].kind, 6)));
   return fmt::format("{}", fmt::join(inputs, ", "));
 }
+
+constexpr std::string_view answer_letters = "abc";
 
 struct Prediction {
   std::size_t case_index;
@@ -183,6 +187,54 @@ int predict(const Course& course, const Options& options) {
     fmt::print("\n{}\n", console.wrapped(fmt::format("These tell the function from all {} that are known.",
                                                      plural(reference.misconceptions.size(), "wrong one"))));
   return right.size() == options.predictions.size() && told == 0 ? all_passed : something_failed;
+}
+
+int question(const Course& course, const Options& options) {
+  const Console console = Console::of_standard_output();
+  const Exercise exercise = course.find_exercise(options.name);
+  Progress progress(course.progress_file());
+  if (!progress.passed(exercise.name(), file_fingerprint(course.student_file(exercise)))) {
+    fmt::print("{}\n", console.wrapped(fmt::format("The question on {} comes when yours passes: `{}`.", exercise.name(),
+                                                   command("check " + exercise.name()))));
+    return something_failed;
+  }
+  CheckContext context(course);
+  const ExerciseReference& reference = context.reference(check_task(course, exercise));
+  const std::optional<Question> asked = question_on(reference);
+  if (!asked) {
+    fmt::print("There is no question on {}.\n", exercise.name());
+    return all_passed;
+  }
+  const Case& one = reference.cases[asked->case_index];
+  const auto mistake = [&](std::size_t choice) -> const Misconception& {
+    return reference.misconceptions[asked->choices.at(choice)];
+  };
+  const auto given = [&](std::size_t choice) {
+    return format_value(mistake(choice).outputs[asked->case_index], reference.result_kind, 4);
+  };
+  if (options.answer.empty()) {
+    fmt::print("{}\n\n",
+               console.wrapped(fmt::format("Another {} was called with {} and returned {}. Right is {}. Which of "
+                                           "these would the checker say about it?",
+                                           exercise.name(), inputs_text(reference, one), given(asked->right),
+                                           format_value(one.expected, reference.result_kind, 4))));
+    for (std::size_t k = 0; k < asked->choices.size(); ++k)
+      fmt::print("{}\n", console.wrapped(fmt::format("{}  {}", answer_letters[k], mistake(k).message), 3));
+    fmt::print("\nYour answer: {}\n", command(fmt::format("question {} a, b or c", exercise.name())));
+    return all_passed;
+  }
+  const std::size_t choice = answer_letters.find(options.answer);
+  if (options.answer.size() != 1 || choice == std::string_view::npos)
+    throw UsageError(fmt::format("An answer is a, b or c, not '{}'.", printable(options.answer)));
+  progress.remember_answer(exercise.name(), choice == asked->right);
+  if (choice == asked->right) {
+    fmt::print("{}Right.\n", console.mark("✓", Style::good));
+  } else {
+    fmt::print("{}{}\n", console.mark("✗", Style::bad),
+               console.wrapped(fmt::format("No: with that mistake it would have returned {}.", given(choice))));
+  }
+  if (!progress.warning().empty()) fmt::print(stderr, "{}\n", progress.warning());
+  return choice == asked->right ? all_passed : something_failed;
 }
 
 int review(const Course& course, const Options& /*options*/) {

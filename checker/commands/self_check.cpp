@@ -2,6 +2,7 @@
 #include "checker/base/text.hpp"
 #include "checker/commands/commands.hpp"
 #include "checker/course/inspection.hpp"
+#include "checker/explain/question.hpp"
 #include "checker/explain/repair.hpp"
 #include "checker/judging/soundness.hpp"
 #include "checker/pipeline/check_exercise.hpp"
@@ -110,6 +111,11 @@ class SelfCheck {
         misconceptions_ += judged.misconceptions.size();
         adequacy_ += adequacy_text(exercise, judged.adequacy);
         add(faults_of_texts(course_, exercise, judged));
+        if (!question_on(judged))
+          add({fmt::format(
+              "solutions/{}/{}.judging.cpp: no case tells three of its wrong answers apart, as the question "
+              "after a pass needs; add one.",
+              card.lecture, exercise.name())});
       }
       if (!course_.has_solutions()) continue;
       const auto require = [&](const std::filesystem::path& file, Verdict wanted) {

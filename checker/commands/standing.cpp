@@ -149,7 +149,8 @@ int solution(const Course& course, const Options& options) {
   const std::filesystem::path derivation = course.derivation_file(exercise);
   if (std::filesystem::exists(derivation)) {
     const std::filesystem::path page = course.notes_folder() / ("exercise_" + exercise.name() + ".html");
-    fmt::print("Derivation: {}\n", shown_path(std::filesystem::exists(page) ? page : derivation));
+    fmt::print("{}: {}\n", exercise.entry->is_problem() ? "Derivation" : "Another route",
+               shown_path(std::filesystem::exists(page) ? page : derivation));
   }
   return all_passed;
 }

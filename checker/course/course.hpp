@@ -92,7 +92,7 @@ class Course {
   std::filesystem::path judging_file(const Exercise& exercise) const {  ///< likewise
     return root_ / "solutions" / exercise.lecture() / (exercise.name() + ".judging.cpp");
   }
-  std::filesystem::path derivation_file(const Exercise& exercise) const {  ///< likewise; problems have one
+  std::filesystem::path derivation_file(const Exercise& exercise) const {  ///< likewise; another route
     return root_ / "solutions" / exercise.lecture() / (exercise.name() + ".md");
   }
   /// In what students get: solution and derivation, which a right function opens.

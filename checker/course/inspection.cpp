@@ -106,8 +106,7 @@ Sentences faults_of_lecture(const Course& course, const Card& card) {
   for (const CardExercise& entry : card.exercises) {
     const Exercise exercise{&card, &entry};
     exercises.insert({course.student_file(exercise), course.hints_file(exercise)});
-    solutions.insert({course.solution_file(exercise), course.judging_file(exercise)});
-    if (entry.is_problem()) solutions.insert(course.solution_file(exercise).replace_extension(".md"));
+    solutions.insert({course.solution_file(exercise), course.judging_file(exercise), course.derivation_file(exercise)});
   }
   const fs::path solution_folder = course.root() / "solutions" / card.lecture;
   solutions.insert(solution_folder / "shared.hpp");
@@ -145,6 +144,7 @@ Sentences faults_of_parts(const Course& course, const Exercise& exercise) {
                        fmt::format("the stub; `{}` writes it", command("reset " + exercise.name())));
     parts.require_file(course.solution_file(exercise), "the solution");
     parts.require_file(course.judging_file(exercise), "how it is judged");
+    parts.require_file(course.derivation_file(exercise), "another route to the same result, and why it is equal");
   }
   return parts.message();
 }

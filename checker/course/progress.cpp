@@ -40,7 +40,9 @@ void Progress::read() {
       }
       const auto hints = entry.get_ref<const json::object_t&>().find("hints");
       one.values = entry.value("values", "");
-      one.practice = {entry.value("passed_on", ""), entry.value("reviews", std::vector<Review>())};
+      one.practice = {
+          entry.value("passed_on", ""), entry.value("reviews", std::vector<Review>()),
+          entry.contains("answered_right") ? std::optional(entry.at("answered_right").get<bool>()) : std::nullopt};
       if (entry.contains("hints")) one.hints = hints->second.get_ref<const json::number_unsigned_t&>();
     }
     known_ = std::move(known);
@@ -75,6 +77,7 @@ void Progress::change(const Change& something) {
     if (!one.values.empty()) exercises[exercise]["values"] = one.values;
     if (!one.practice.passed_on.empty()) exercises[exercise]["passed_on"] = one.practice.passed_on;
     if (!one.practice.reviews.empty()) exercises[exercise]["reviews"] = one.practice.reviews;
+    if (one.practice.answered_right) exercises[exercise]["answered_right"] = *one.practice.answered_right;
   }
   const json document = {{"format", current_format}, {"exercises", exercises}};
   if (!write_file(file_, document.dump(2) + "\n").empty())
@@ -101,6 +104,13 @@ void Progress::remember_review(const std::string& exercise, const Review& review
   change([&] {
     std::vector<Review>& reviews = known_[exercise].practice.reviews;
     if (reviews.empty() || reviews.back().day != review.day) reviews.push_back(review);
+  });
+}
+
+void Progress::remember_answer(const std::string& exercise, bool is_right) {
+  change([&] {
+    std::optional<bool>& first = known_[exercise].practice.answered_right;
+    first = first.value_or(is_right);
   });
 }
 

@@ -19,6 +19,7 @@ struct Review {
 struct Practice {
   std::string passed_on;  ///< the day when it first passed; "" if it has not
   std::vector<Review> reviews;
+  std::optional<bool> answered_right;  ///< the first answer to its question
 };
 
 class Progress {
@@ -51,6 +52,8 @@ class Progress {
   void remember_hints(const std::string& exercise, std::size_t count);
 
   Practice practice(const std::string& exercise) const { return of(exercise).practice; }
+  /// Only the first answer counts.
+  void remember_answer(const std::string& exercise, bool is_right);
   /// Only the first verdict of a review counts: one on the same day is none.
   void remember_review(const std::string& exercise, const Review& review);
 

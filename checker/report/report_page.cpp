@@ -95,6 +95,8 @@ json entry_of(const ReportedExercise& exercise, const ReportedCourse& course) {
       {"printed", shortened_end(printed(checked.observation))},
       {"compiler", shortened_end(checked.observation.refusal_details)},
       {"source", checked.is_started() ? shortened_end(checked.source) : ""},
+      {"answer",
+       exercise.answered_right ? (*exercise.answered_right ? "answered right" : "answered wrong at first") : ""},
       {"picture", base64(exercise.picture)},
       {"description", exercise.picture_description}};
   for (const Finding& finding : checked.explanation.findings)

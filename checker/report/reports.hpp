@@ -38,6 +38,7 @@ struct ReportedExercise {
   CheckResult checked;
   std::string picture;              ///< the plot as SVG; empty: none
   std::string picture_description;  ///< what it shows, in words
+  std::optional<bool> answered_right = {};  ///< the question on it
 };
 
 /// One student's results.

@@ -113,7 +113,11 @@ When you are stuck, `./checker/run hint @name@` gives a hint, and a further one 
     # Only instructors' notes have it: what students get holds no solutions.
     if(EXISTS ${source}/solutions/${lecture}/${name}.md)
       file(READ ${source}/solutions/${lecture}/${name}.md derivation)
-      string(APPEND text "\n## Derivation {#exercise_${name}_derivation}\n\n\\answer\n${derivation}\n\\endanswer\n")
+      set(heading "Derivation")
+      if(is_exercise)
+        set(heading "Another route")
+      endif()
+      string(APPEND text "\n## ${heading} {#exercise_${name}_derivation}\n\n\\answer\n${derivation}\n\\endanswer\n")
     endif()
     file(WRITE ${output}/exercises/${name}.md "${text}")
   endforeach()

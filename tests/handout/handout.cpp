@@ -231,6 +231,13 @@ TEST_CASE("solution and derivation of a problem lie locked, and a right function
     const std::string sentence = squeezed(text.substr(text.size() / 2, 60));
     for (const auto& copied : texts()) CHECK_MESSAGE(!has(copied.second, sentence), copied.first.string());
   }
+  // Names of routes and of small bugs would tell parts of a solution.
+  for (const fs::path& data : files_below(copy() / "lectures"))
+    if (data.filename() == "reference.json")
+      for (const auto& exercise : workbook::read_reference_results(data).exercises) {
+        CHECK(exercise.adequacy.survivors.empty());
+        for (const auto& route : exercise.routes) CHECK_MESSAGE(route.name.starts_with("route "), route.name);
+      }
   const Outcome before = checker("solution inertia_rate");
   CHECK(before.status == 1);
   fs::copy_file(project / "solutions/03_inertia_tensor/inertia_rate.cpp",

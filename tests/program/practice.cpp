@@ -72,6 +72,33 @@ TEST_CASE("an exercise of an earlier lecture comes back when it is due, and its 
   CHECK(has(on("2026-03-03", "review").out, "Write it again"));
 }
 
+TEST_CASE("after a pass comes a question with one right answer, and the first answer is kept") {
+  const CourseCopy course;
+  CHECK(course.run("question spring_force").status == 1);  // it does not pass yet
+  course.solve("spring_force");
+  CHECK(has(course.run("check spring_force").out, "question spring_force"));
+  CHECK(has(course.run("question spring_force").out, "Right is"));
+  CHECK(course.run("question spring_force d").status == 2);
+  std::string right;
+  std::vector<std::string> wrong;
+  for (const char* answer : {"a", "b", "c"}) {
+    const CourseCopy other;
+    other.solve("spring_force");
+    other.run("check spring_force");
+    const bool is_right = other.run(fmt::format("question spring_force {}", answer)).status == 0;
+    CHECK(has(read(other.root() / ".workbook/progress.json"), fmt::format("\"answered_right\": {}", is_right)));
+    is_right ? right = answer : wrong.emplace_back(answer);
+  }
+  CHECK((!right.empty() && wrong.size() == 2));
+  const Outcome first = course.run("question spring_force " + wrong.at(0));
+  CHECK(has(first.out, "it would have returned"));
+  CHECK(course.run("question spring_force " + right).status == 0);
+  CHECK(has(read(course.root() / ".workbook/progress.json"), "\"answered_right\": false"));
+  CHECK_FALSE(has(course.run("check spring_force").out, "question spring_force"));
+  course.run("report --html page.html");
+  CHECK(has(read(course.root() / "page.html"), "answered wrong at first"));
+}
+
 TEST_CASE("a change that changes no value is told, and the next hint is offered") {
   const CourseCopy course;
   course.answer_energy("return k * x.squaredNorm();");
