@@ -212,6 +212,7 @@ class CommandLine {
     }
     const Course course(course_file_);
     options_.seed = seed_.value_or(course.seed());
+    options_.is_seed_given = seed_.has_value();
     for (std::string& name : options_.names) name = known_name(course, name);
     if (!options_.name.empty()) options_.name = known_name(course, options_.name);
     return job_(course, options_);
@@ -228,7 +229,10 @@ class CommandLine {
     option("EXERCISE", "", options_.name, "its name", true);
     option("EXERCISE or next", "", options_.name, "its name; none: the next one that does not pass");
     option("LECTURE", "", options_.name, "its name, number or topic", true);
-    option("FOLDER", "", folder_, "a new folder for the copy", true);
+    option("FOLDER", "", options_.out, "a new folder for the copy, or an earlier copy to --update", true);
+    option("--update", "", options_.update, "bring FOLDER, an earlier copy, to a new release");
+    option("--message", "TEXT", options_.message, "what is new, for the change log");
+    option("KIT", "", options_.out, "the folder of the new release", true);
     option("--file", "FILE", options_.file, "check this file instead of the exercise's own");
     option("--seed", "NUMBER", seed_, "draw other random cases");
     option("--case", "CASE", options_.case_name, "show this case in full, by number or name, even if it passes");
@@ -288,7 +292,8 @@ class CommandLine {
         "Show the next hint of an exercise\n\nEvery exercise has three hints, weakest first. Each call shows one more; "
         "the last one stays. Without a name: the next exercise that does not pass.",
         {"hint", "hint inertia_of_points", "hint inertia_of_points --all"}, {"EXERCISE or next", "--all hints"}, hint);
-    add("solution", students, "Show the solution of an exercise that passes\n\nAnd where another route, or the derivation, is to be read.",
+    add("solution", students,
+        "Show the solution of an exercise that passes\n\nAnd where another route, or the derivation, is to be read.",
         {"solution inertia_of_points"}, {"EXERCISE", "--now"}, solution);
     add("plot", students,
         "Draw your curve on the reference\n\nWrites an SVG and a PNG with your curve on the reference and the "
@@ -345,6 +350,11 @@ class CommandLine {
         "Write an exercise of an earlier lecture once more\n\nOne that is due: after 1, 3, 7, 21 and 60 days. It comes "
         "with an empty file and other cases; `review` again checks it. The first verdict is kept beside the others.",
         {"review"}, {}, review);
+    add("update", students,
+        "Bring your copy of the workbook to a new release\n\nKIT is the newer copy, unpacked somewhere else. Exercises "
+        "that you have begun and files of your own stay as they are; another file that you have changed is kept under "
+        ".workbook/kept. What has changed is printed.",
+        {"update ../phy711-release-2"}, {"KIT"}, update);
     add("doctor", students, "Check what is installed and writable on this machine", {}, {}, doctor);
     add("completion", students, "Print a script that lets bash complete commands, options and names", {}, {},
         [this](const Course& course, const Options&) {
@@ -356,9 +366,11 @@ class CommandLine {
     add("handout", instructors,
         "Write the copy of the workbook that students get\n\nThe copy has no solutions: reference results, printed "
         "numbers and figures are data, and every exercise is back at the beginning. Students type the same commands "
-        "in it. With --seed all random cases are others, this year's for example.",
-        {"handout ../phy711-students", "handout ../phy711-2027 --seed 2027"}, {"FOLDER", "--seed"},
-        [this](const Course& course, const Options& options) { return handout(course, folder_, options.seed); });
+        "in it. With --seed all random cases are others, this year's for example. With --update an earlier copy "
+        "becomes the next release, with a change log; students get it by `update`.",
+        {"handout ../phy711-students", "handout ../phy711-2027 --seed 2027 --assignment week3.json",
+         "handout ../phy711-2027 --update --message 'Hints of lecture 03 corrected'"},
+        {"FOLDER", "--update", "--message", "--seed", "--assignment"}, handout);
     add("grade", instructors,
         "Grade a class\n\nSUBMISSIONS holds a folder or a zip file per student, or files called ID_EXERCISE.cpp, as "
         "Moodle "
@@ -437,7 +449,6 @@ class CommandLine {
   CLI::App app_;
   fs::path course_file_;
   Options options_;
-  fs::path folder_;
   std::optional<std::uint64_t> seed_;
   int seeds_ = 3;
   bool mutants_ = false;

@@ -184,6 +184,9 @@ int check(const Course& course, const Options& options) {
     if (options.started && !checked.is_started()) return;
     if (!options.json) fmt::print("{}", terminal_report(checked, course, console, detail));
     if (!options.json && is_repeated) fmt::print("{}\n", console.wrapped(same_values_again(checked.name()), 2));
+    if (!options.json && tasks.size() == 1 && !checked.is_started())
+      fmt::print("{}\n  {}\n", console.wrapped(checked.task.exercise.entry->task, 2),
+                 notes_place(course, checked.task.exercise, checked.task.exercise.entry->notes));
     if (!options.json && tasks.size() == 1 && checked.judgement.passed() && checked.task.counts_as_progress())
       fmt::print("{}", after_pass(course, checked.task.exercise, progress, console));
     if (options.plot) {

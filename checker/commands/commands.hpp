@@ -18,7 +18,10 @@ struct Options {
   std::vector<std::string> names;  ///< exercises and lectures; none: the whole course
   std::string name;                ///< one exercise or lecture; "": the command's own choice
   std::optional<std::filesystem::path> file;
-  std::uint64_t seed = 1;                ///< that of the course, or another one
+  std::uint64_t seed = 1;  ///< that of the course, or another one
+  bool is_seed_given = false;
+  bool update = false;                   ///< the folder holds an earlier release
+  std::string message;                   ///< what is new in a release
   std::optional<std::string> case_name;  ///< show this case in full, whether it passes or not
   bool started = false;                  ///< leave out what is not started
   bool full = false;                     ///< with all that the compiler says
@@ -30,7 +33,7 @@ struct Options {
   bool build_only = false;               ///< the program for a debugger, without the debugger
   bool now = false;                      ///< the solution of an exercise that does not pass yet
   PictureKind picture = PictureKind::automatic;
-  std::optional<std::filesystem::path> out;  ///< folder for pictures, or for the results of a class
+  std::optional<std::filesystem::path> out;  ///< folder for pictures, results of a class, or a copy
   double seconds_per_figure = 60.0;
   std::filesystem::path html;
   std::string student;                ///< whose page it is; may be empty
@@ -104,9 +107,12 @@ void require_pictures(const std::filesystem::path& directory);
 /// @throws std::filesystem::filesystem_error
 std::size_t copy_figures(const Course& course, const std::string& lecture, const std::filesystem::path& to);
 
-/// Writes the copy of the workbook that students get: without solutions, with the reference results of a
-/// seed as data.
-int handout(const Course& course, const std::filesystem::path& directory, std::uint64_t seed);
+/// Writes the copy of the workbook that students get, or brings one to a new release: without solutions, with the
+/// reference results of a seed as data.
+int handout(const Course& course, const Options& options);
+
+/// Brings this copy to the release of another one.
+int update(const Course& course, const Options& options);
 
 /// Grades a class, whose submissions come from strangers.
 int grade(const Course& course, const Options& options);

@@ -3,6 +3,9 @@
 #include "checker/commands/commands.hpp"
 #include "checker/course/exercise_texts.hpp"
 #include "checker/course/locked_text.hpp"
+#include "checker/course/progress.hpp"
+#include "checker/course/release.hpp"
+#include "checker/grading/assignment.hpp"
 
 #include <fmt/format.h>
 
@@ -117,9 +120,35 @@ void make_copy(const Course& course, const fs::path& copy, const std::vector<Lec
   lock_derivations(course, copy);
 }
 
+/// What an update leaves to the reader to look at.
+void print_update(const Release& release, int before, const UpdateResult& result) {
+  fmt::print("Release {}, before {}: {} written.\n", release.number, before, plural(result.written, "file"));
+  for (const ReleaseChange& change : release.changes) {
+    if (change.release <= before) continue;
+    fmt::print("  {} ({})  {}\n", change.release, printable(change.date), printable(change.message));
+    for (const std::string& file : change.files) fmt::print("    {}\n", printable(file));
+  }
+  for (const std::string& file : result.kept) fmt::print("Your version is kept as {}.\n", printable(file));
+  for (const std::string& file : result.own)
+    fmt::print("{} has changed, but yours is begun and stays; `{}` writes the new one.\n", printable(file),
+               command("reset " + fs::path(file).stem().string()));
+}
+
+/// The folder of an earlier release if it is to be updated, or one that is to be filled. @throws UsageError
+fs::path target_of(const Options& options) {
+  const fs::path directory = fs::absolute(*options.out).lexically_normal();
+  std::error_code problem;
+  const fs::file_status there = fs::status(directory, problem);
+  if (!options.update && fs::exists(there) && !(fs::is_directory(there) && fs::is_empty(directory, problem)))
+    throw UsageError(fmt::format(
+        "{} exists and is not empty; name a new or an empty folder, so that nothing is lost, or --update it.",
+        shown_path(directory)));
+  return directory.has_filename() ? directory : directory.parent_path();
+}
+
 }  // namespace
 
-int handout(const Course& course, const fs::path& directory, std::uint64_t seed) {
+int handout(const Course& course, const Options& options) {
   const auto stop = [](ExitStatus status, const std::string& sentence) {
     fmt::print(stderr, "{}\n", sentence);
     return status;
@@ -128,41 +157,64 @@ int handout(const Course& course, const fs::path& directory, std::uint64_t seed)
     return stop(wrong_usage,
                 "This copy was handed out itself: it has no solutions, so no other copy can be made from it. Copy the "
                 "folder.");
-  std::error_code problem;
-  const fs::file_status there = fs::status(directory, problem);
-  if (fs::exists(there) && !(fs::is_directory(there) && fs::is_empty(directory, problem)))
-    return stop(wrong_usage,
-                fmt::format("{} exists and is not empty; name a new or an empty folder, so that nothing is "
-                            "lost.",
-                            directory.string()));
+  const fs::path whole = target_of(options);
+  std::optional<Release> before;
+  try {
+    if (options.update) before = read_release(whole);
+    Assignment(course, options.assignment);
+  } catch (const std::runtime_error& problem) {
+    return stop(wrong_usage, problem.what());
+  }
   const FinishedProgram built = make(course.build(), {"handed_out"});
   if (!built.succeeded())
     return stop(checker_failed, fmt::format("{}\nNothing was handed out, because the reference results, figures and "
                                             "numbers of the notes could not be made; fix what the lines above name.",
                                             built.output));
+  // An update keeps the cases of the copy, unless others are asked for.
+  const std::uint64_t seed = before && !options.is_seed_given ? before->seed : options.seed;
   std::vector<LectureReference> references;
   for (const Card& card : course.cards()) references.push_back(course.reference(card.lecture, seed));
   // Under another name first, so that there is a whole copy or none.
-  const fs::path target = fs::absolute(directory).lexically_normal();
-  const fs::path whole = target.has_filename() ? target : target.parent_path();
   const fs::path unfinished = fmt::format("{}.unfinished-{}", whole.string(), getpid());
+  std::error_code problem;
   try {
     make_copy(course, unfinished, references);
-    if (fs::exists(whole)) fs::remove(whole);
-    fs::rename(unfinished, whole);
+    if (options.assignment) place_file(*options.assignment, unfinished / "lectures/assignment.json");
+    const Release release =
+        write_release(unfinished, seed, current_day(), options.message, before ? &*before : nullptr);
+    if (before) {
+      print_update(release, before->number, update_copy(unfinished, whole));
+      fs::remove_all(unfinished);
+    } else {
+      if (fs::exists(whole)) fs::remove(whole);
+      fs::rename(unfinished, whole);
+    }
   } catch (const std::exception& reason) {
     fs::remove_all(unfinished, problem);
     return stop(checker_failed, fmt::format("{} could not be written ({}); nothing was handed out. Name a folder in a "
                                             "place that is writable.",
-                                            directory.string(), reason.what()));
+                                            options.out->string(), without_full_stop(reason.what())));
   }
   fmt::print(
       "{} holds {} with {}, their cases drawn with seed {}, and no solutions. Students type ./checker/run in it; put "
-      "it "
-      "into an archive or a repository of its own.\n",
-      directory.string(), plural(course.cards().size(), "lecture"), plural(course.exercises().size(), "exercise"),
+      "it into an archive or a repository of its own.\n",
+      options.out->string(), plural(course.cards().size(), "lecture"), plural(course.exercises().size(), "exercise"),
       seed);
   return all_passed;
+}
+
+int update(const Course& course, const Options& options) {
+  try {
+    const int before = read_release(course.root()).number;
+    const Release release = read_release(*options.out);
+    if (release.number < before)
+      throw UsageError(
+          fmt::format("{} is release {}; yours is {} already.", shown_path(*options.out), release.number, before));
+    print_update(release, before, update_copy(*options.out, course.root()));
+    return all_passed;
+  } catch (const ReleaseError& problem) {
+    throw UsageError(problem.what());
+  }
 }
 
 }  // namespace workbook

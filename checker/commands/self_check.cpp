@@ -157,6 +157,9 @@ nlohmann::json try_mutants(const Course& course, const Toolchain& toolchain, con
                            const ExerciseReference& reference) {
   constexpr std::size_t at_once = 150;  // compiled in well under a minute
   const Submission solution = read_submission(course.solution_file(exercise));
+  const Observation no_observation;
+  const Judgement no_judgement;
+  const DiagnosticTask task{solution, reference, no_observation, no_judgement};
   const std::vector<Variant> all = source_mutants(SourceText(solution.text), reference);
   std::size_t made = 0;
   std::vector<std::string> survivors;
@@ -164,7 +167,7 @@ nlohmann::json try_mutants(const Course& course, const Toolchain& toolchain, con
     std::vector<Variant> mutants = {Variant{}};  // the solution itself, to be sure of the rest
     std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(first), std::min(at_once, all.size() - first),
                 std::back_inserter(mutants));
-    VariantRunner runner({solution, reference, {}, {}}, mutants, toolchain, course.scratch() / "compiled",
+    VariantRunner runner(task, mutants, toolchain, course.scratch() / "compiled",
                          {.compilations = 50,
                           .compiling = std::chrono::minutes(5),
                           .running = std::chrono::minutes(10),

@@ -7,6 +7,7 @@
 #include "checker/course/inspection.hpp"
 #include "checker/course/locked_text.hpp"
 #include "checker/course/progress.hpp"
+#include "checker/grading/assignment.hpp"
 #include "checker/pipeline/check_exercise.hpp"
 #include "checker/report/reports.hpp"
 #include "checker/sandbox/worker_process.hpp"
@@ -21,6 +22,18 @@ void print_remarks(const Course& course, const Progress& progress) {
   if (!progress.warning().empty()) fmt::print(stderr, "{}\n", progress.warning());
   for (const Card& card : course.cards())
     for (const std::string& remark : stray_exercises(course, card)) fmt::print(stderr, "{}\n", remark);
+}
+
+/// "Week 3, due 2027-03-01T23:59:00Z: 2 of 5 exercises pass."
+std::string assignment_state(const Course& course, const ProgressSummary& summary) {
+  const Assignment assignment(course, course.lectures() / "assignment.json");
+  std::size_t passed = 0;
+  for (const Exercise& exercise : assignment.exercises())
+    for (std::size_t k = 0; k < summary.exercises.size(); ++k)
+      passed += summary.passed[k] && summary.exercises[k].name() == exercise.name() ? 1 : 0;
+  return fmt::format("{}{}: {} of {} exercises pass.", assignment.title().empty() ? "Assignment" : assignment.title(),
+                     assignment.due_text().empty() ? "" : ", due " + assignment.due_text(), passed,
+                     assignment.exercises().size());
 }
 
 /// What the copy for students keeps locked, opened by the student's own function.
@@ -60,6 +73,8 @@ int status(const Course& course, const Options& /*options*/) {
   const Progress progress(course.progress_file());
   const ProgressSummary summary = summary_of(course, progress);
   fmt::print("{}\n", overview(course, summary, console));
+  if (std::filesystem::exists(course.lectures() / "assignment.json"))
+    fmt::print("{}\n", console.wrapped(assignment_state(course, summary)) + "\n");
   if (const Exercise* next = summary.next()) {
     const State state = state_of(course, progress, *next);
     fmt::print("{}", introduction(course, *next, console));

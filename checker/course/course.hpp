@@ -12,7 +12,7 @@ struct CardExercise {
   std::string name;
   double points = 1.0;
   std::string notes;   ///< anchor of its paragraph
-  std::string task;    ///< what to write, in a line or two: the comment at the head of the stub
+  std::string task;    ///< what to write, in a line or two
   int difficulty = 0;  ///< of a problem, 1 to 3: its statement gives the physics, the formula is to be found; else 0
   int minutes = 0;     ///< that a problem takes about; else 0
 

@@ -80,13 +80,12 @@ std::string declared_signature(const Course& course, const Exercise& exercise) {
 }
 
 std::string stub_text(const CardExercise& entry, const std::string& contract, const std::string& signature) {
-  std::string task;
-  for (const std::string& line : wrapped_lines(entry.task, stub_width - 3)) task += "// " + line + "\n";
   return fmt::format(
-      "{}#include <rigid/{}.hpp>\n\nnamespace rigid {{\n\n{} {{\n"
+      "// The task stands in include/rigid/{1}.hpp; ./checker/run check {0} shows it in short.\n"
+      "#include <rigid/{1}.hpp>\n\nnamespace rigid {{\n\n{2} {{\n"
       "  // TODO: write this function; the next line says that you have not started yet.\n"
       "  throw NotStarted{{}};\n}}\n\n}}  // namespace rigid\n",
-      task, contract, wrapped_parameters(signature));
+      entry.name, contract, wrapped_parameters(signature));
 }
 
 bool is_begun(const std::filesystem::path& file) {

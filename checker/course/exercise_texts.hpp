@@ -21,7 +21,8 @@ std::vector<std::string> examples_that_call(const Course& course, const Exercise
 /// "Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r)". "" if the contract does not declare it.
 std::string declared_signature(const Course& course, const Exercise& exercise);
 
-/// The text of the stub: the task, the contract's header, the function with its TODO.
+/// The text of the stub: where the task is to be read, so that a correction of it never touches a student's file; the
+/// contract's header, the function with its TODO.
 std::string stub_text(const CardExercise& entry, const std::string& contract, const std::string& signature);
 
 /// Has the student begun, as far as can be seen without compiling: the file is there and no longer says "not started".

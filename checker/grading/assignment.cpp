@@ -118,7 +118,8 @@ Assignment::Assignment(const Course& course, const std::optional<std::filesystem
         }
       }
       if (document.contains("due")) {
-        due_ = read_time(document.at("due").get<std::string>());
+        due_text_ = document.at("due");
+        due_ = read_time(due_text_);
         if (!due_) throw std::runtime_error("'due' should be a time like 2027-03-01T23:59:00Z");
       }
       if (document.contains("late")) {

@@ -36,6 +36,8 @@ class Assignment {
   /// In the order of the course, with the points of the assignment.
   const std::vector<Exercise>& exercises() const { return exercises_; }
 
+  /// As the file has it; "" if nothing is due.
+  const std::string& due_text() const { return due_text_; }
   /// Days begun after the due date; 0 where there is none, or no time is known.
   int days_late(const std::optional<std::int64_t>& submitted) const;
   /// What is left of the points after so many days.
@@ -45,6 +47,7 @@ class Assignment {
   std::string title_;
   std::deque<CardExercise> entries_;
   std::vector<Exercise> exercises_;
+  std::string due_text_;
   std::optional<std::int64_t> due_;
   double late_per_day_ = 0.0;
   int latest_day_ = 0;

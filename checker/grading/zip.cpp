@@ -25,6 +25,11 @@ constexpr std::size_t most_bytes = std::size_t{32} << 20;      // of all files t
 constexpr std::size_t largest_archive = std::size_t{1} << 30;  // as it is stored
 constexpr std::size_t largest_inner = std::size_t{32} << 20;
 constexpr std::chrono::seconds longest{60};
+#ifdef __SANITIZE_ADDRESS__
+constexpr std::size_t most_memory = 0;  // its runtime reserves terabytes of addresses
+#else
+constexpr std::size_t most_memory = std::size_t{512} << 20;
+#endif
 
 class Reader {
  public:
@@ -96,8 +101,9 @@ std::string unpacked(int file, const std::vector<std::string>& names) {
   Reader reader(names);
   try {
     ::setlocale(LC_CTYPE, "C.UTF-8");
-    const Sandbox sandbox(
-        {.calls = SandboxProfile::Calls::build, .processor_seconds = static_cast<unsigned>(longest.count())});
+    const Sandbox sandbox({.calls = SandboxProfile::Calls::build,
+                           .processor_seconds = static_cast<unsigned>(longest.count()),
+                           .memory_bytes = most_memory});
     if (const char* failed = sandbox.enter()) throw std::runtime_error(std::string("cannot be read safely: ") + failed);
     archive_read_support_format_zip(opened.get());
     if (archive_read_open_fd(opened.get(), file, 65536) != ARCHIVE_OK)

@@ -1,5 +1,6 @@
 // The copy that students get: what is in it, what is not, and that its commands work.
 #include <doctest/doctest.h>
+#include "checker/data/reference_results.hpp"
 #include "tests/support/files.hpp"
 
 #include <fmt/format.h>
@@ -84,17 +85,20 @@ std::string body_of(const std::string& function, const std::string& source) {
 /// Runs the checker on the copy, with the workers of this build: they are made from the same files.
 class CheckerInCopy {
  public:
-  CheckerInCopy() {
-    const Outcome configured = run(fmt::format("cd '{}' && cmake --preset workbook", copy().string()));
+  explicit CheckerInCopy(fs::path folder = copy()) : folder_(std::move(folder)) {
+    const Outcome configured = run(fmt::format("cd '{}' && cmake --preset workbook", folder_.string()));
     REQUIRE_MESSAGE(configured.status == 0, configured.said());
-    auto course = nlohmann::json::parse(read(copy() / "build/workbook/checker/course.json"));
+    auto course = nlohmann::json::parse(read(folder_ / "build/workbook/checker/course.json"));
     course["toolchain"] = nlohmann::json::parse(read(WORKBOOK_COURSE)).at("toolchain");
-    write(copy() / "build/course.json", course.dump(2));
+    write(folder_ / "build/course.json", course.dump(2));
   }
   Outcome operator()(const std::string& arguments) const {
-    return run(fmt::format("cd '{}' && '{}' --course build/course.json {}", copy().string(), WORKBOOK_TEST_CHECKER,
+    return run(fmt::format("cd '{}' && '{}' --course build/course.json {}", folder_.string(), WORKBOOK_TEST_CHECKER,
                            arguments));
   }
+
+ private:
+  fs::path folder_;
 };
 
 }  // namespace
@@ -245,6 +249,35 @@ TEST_CASE("solution and derivation of a problem lie locked, and a right function
   const Outcome after = checker("solution inertia_rate");
   CHECK_MESSAGE(after.status == 0, after.said());
   CHECK(has(after.out, read(project / "solutions/03_inertia_tensor/inertia_rate.md")));
+}
+
+TEST_CASE("a copy becomes the next release, and a student's copy follows") {
+  const fs::path student = scratch / "student", mine = "lectures/07_euler_angles/exercises/line_of_nodes.cpp";
+  fs::remove_all(student);
+  for (const fs::path& file : files_below(copy())) {
+    const fs::path name = file.lexically_relative(copy());
+    if (*name.begin() == "build" || *name.begin() == ".workbook") continue;
+    fs::create_directories((student / name).parent_path());
+    fs::copy_file(file, student / name);
+  }
+  write(student / mine, "// mine\n");
+  write(student / "lectures/07_euler_angles/notes.md", "# of the first release\n");
+  const fs::path assignment = scratch / "week3.json";
+  write(assignment, R"({"title": "Week 3", "exercises": ["07"], "due": "2027-03-01T23:59:00Z"})");
+  const Outcome made = run(fmt::format("'{}' handout --assignment '{}' --update '{}' --message 'Week 3 begins'",
+                                       WORKBOOK_TEST_CHECKER, assignment.string(), copy().string()));
+  REQUIRE_MESSAGE(made.status == 0, made.said());
+  CHECK(has(made.out, "Release 2, before 1"));
+  CHECK(has(made.out, "seed 7"));
+
+  const CheckerInCopy checker;
+  CHECK(has(checker("").out, "Week 3, due 2027-03-01T23:59:00Z: 0 of 12 exercises pass"));
+  const Outcome updated = CheckerInCopy(student)(fmt::format("update '{}'", copy().string()));
+  REQUIRE_MESSAGE(updated.status == 0, updated.said());
+  CHECK(has(updated.out, "Week 3 begins"));
+  CHECK(read(student / mine) == "// mine\n");
+  CHECK(read(student / "lectures/assignment.json") == read(assignment));
+  CHECK(read(student / "lectures/07_euler_angles/notes.md") == "# of the first release\n");  // not new here
 }
 
 TEST_CASE("a folder that holds something is not written to") {

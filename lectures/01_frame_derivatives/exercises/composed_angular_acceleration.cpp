@@ -1,5 +1,4 @@
-// The angular acceleration, in inertial components, of a rotor that spins on a rotating platform. E holds the axes of
-// the platform; spin and spin_rate are what is measured on the platform.
+// The task stands in include/rigid/frame_derivatives.hpp; ./checker/run check composed_angular_acceleration shows it in short.
 #include <rigid/frame_derivatives.hpp>
 
 namespace rigid {

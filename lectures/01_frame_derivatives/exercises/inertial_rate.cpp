@@ -1,5 +1,4 @@
-// The rate of change of V in the inertial frame, from the rate that is seen in a frame rotating with omega. All
-// vectors are on the same axes.
+// The task stands in include/rigid/frame_derivatives.hpp; ./checker/run check inertial_rate shows it in short.
 #include <rigid/frame_derivatives.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// At this moment the points of one straight line move along it, or not at all. Return the point of this line that is
-// nearest to the origin.
+// The task stands in include/rigid/frame_derivatives.hpp; ./checker/run check point_on_screw_axis shows it in short.
 #include <rigid/frame_derivatives.hpp>
 
 namespace rigid {

@@ -1,6 +1,4 @@
-// The basis E (its columns are the basis vectors) after rotating for a time dt with the constant angular velocity
-// omega. All components are inertial. The rotation is finite: the first-order step ω × e dt will not do. omega may
-// vanish.
+// The task stands in include/rigid/frame_derivatives.hpp; ./checker/run check rotated_basis shows it in short.
 #include <rigid/frame_derivatives.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// The one rotation about a fixed axis that takes the inertial axes to the columns of E: the vector along its axis
-// with the angle as length, to nine digits for any angle.
+// The task stands in include/rigid/frame_derivatives.hpp; ./checker/run check rotation_vector shows it in short.
 #include <rigid/frame_derivatives.hpp>
 
 namespace rigid {

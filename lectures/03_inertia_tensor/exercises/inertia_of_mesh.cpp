@@ -1,5 +1,4 @@
-// The inertia tensor about the origin of a uniform body that is given by its surface: triangles, three columns of
-// corners each, anticlockwise as seen from outside. The origin may lie anywhere, and the body may have hollows.
+// The task stands in include/rigid/inertia_tensor.hpp; ./checker/run check inertia_of_mesh shows it in short.
 #include <rigid/inertia_tensor.hpp>
 
 namespace rigid {

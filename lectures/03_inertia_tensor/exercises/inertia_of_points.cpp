@@ -1,5 +1,4 @@
-// The inertia tensor of point masses about the origin, from the masses m and the positions in the columns of r. Mind
-// the sign off the diagonal, and give back zero when there are no points.
+// The task stands in include/rigid/inertia_tensor.hpp; ./checker/run check inertia_of_points shows it in short.
 #include <rigid/inertia_tensor.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// A rigid body rotates about a fixed point with the angular velocity omega; I is its inertia tensor about that point
-// at this moment, on axes that do not rotate. At what rate do the nine entries of I change?
+// The task stands in include/rigid/inertia_tensor.hpp; ./checker/run check inertia_rate shows it in short.
 #include <rigid/inertia_tensor.hpp>
 
 namespace rigid {

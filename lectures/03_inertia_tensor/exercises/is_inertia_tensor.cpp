@@ -1,5 +1,4 @@
-// Can the matrix I be the inertia tensor of a body made of positive masses? Return 1 or 0. What is violated by less
-// than 1e-9 of the largest entry counts as rounding.
+// The task stands in include/rigid/inertia_tensor.hpp; ./checker/run check is_inertia_tensor shows it in short.
 #include <rigid/inertia_tensor.hpp>
 
 namespace rigid {

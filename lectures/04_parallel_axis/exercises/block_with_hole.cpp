@@ -1,5 +1,4 @@
-// A uniform block has its centre at the origin; a ball of the given radius around center is cut out of it. Return the
-// inertia tensor of what remains, about the centre of mass of what remains.
+// The task stands in include/rigid/parallel_axis.hpp; ./checker/run check block_with_hole shows it in short.
 #include <rigid/parallel_axis.hpp>
 
 namespace rigid {

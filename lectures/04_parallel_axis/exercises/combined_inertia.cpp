@@ -1,5 +1,4 @@
-// The inertia tensor of several bodies fixed to one another, about their common centre of mass. Body k has the mass
-// masses[k], its own centre of mass in column k of centers, and the tensor tensors[k] about that centre.
+// The task stands in include/rigid/parallel_axis.hpp; ./checker/run check combined_inertia shows it in short.
 #include <rigid/parallel_axis.hpp>
 
 namespace rigid {

@@ -1,4 +1,4 @@
-// The inertia tensor of a uniform cuboid of mass M with whole edges a, b, c along x, y, z, about its centre.
+// The task stands in include/rigid/parallel_axis.hpp; ./checker/run check cuboid_about_center shows it in short.
 #include <rigid/parallel_axis.hpp>
 
 namespace rigid {

@@ -1,6 +1,4 @@
-// A rigid pendulum of unknown mass and moment of inertia swings on one knife edge, at h1 from its centre of mass,
-// with the period T1, and on another one, at h2 on the opposite side, with the period T2. What is the acceleration of
-// free fall?
+// The task stands in include/rigid/parallel_axis.hpp; ./checker/run check gravity_from_kater shows it in short.
 #include <rigid/parallel_axis.hpp>
 
 namespace rigid {

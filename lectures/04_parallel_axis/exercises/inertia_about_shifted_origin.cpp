@@ -1,5 +1,4 @@
-// The inertia tensor after every position has become r' = r + R. The old origin need not be the centre of mass, which
-// sits at r_cm as seen from there. Mind which way R points: the new origin is at -R.
+// The task stands in include/rigid/parallel_axis.hpp; ./checker/run check inertia_about_shifted_origin shows it in short.
 #include <rigid/parallel_axis.hpp>
 
 namespace rigid {

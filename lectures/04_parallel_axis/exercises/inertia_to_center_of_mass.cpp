@@ -1,4 +1,4 @@
-// The inertia tensor about the centre of mass, which sits at r_cm, from the tensor about the origin.
+// The task stands in include/rigid/parallel_axis.hpp; ./checker/run check inertia_to_center_of_mass shows it in short.
 #include <rigid/parallel_axis.hpp>
 
 namespace rigid {

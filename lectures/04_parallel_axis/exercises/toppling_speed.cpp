@@ -1,5 +1,4 @@
-// A uniform block slides over a smooth floor until its lower front edge meets a low fixed ridge, from which it
-// neither rebounds nor slips. Above which speed does it topple over the ridge?
+// The task stands in include/rigid/parallel_axis.hpp; ./checker/run check toppling_speed shows it in short.
 #include <rigid/parallel_axis.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// A free body at rest is struck: its point r receives the impulse. With what velocity does its point p begin to move?
-// Both points are seen from the centre of mass.
+// The task stands in include/rigid/parallel_axis.hpp; ./checker/run check velocity_after_blow shows it in short.
 #include <rigid/parallel_axis.hpp>
 
 namespace rigid {

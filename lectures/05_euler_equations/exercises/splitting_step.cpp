@@ -1,6 +1,4 @@
-// One step of free rotation, put together from exact motions: the energy is a sum of three terms, and L follows the
-// first term alone for h/2, the second for h/2, the third for h, the second for h/2, the first for h/2. Return the
-// angular velocity at the end.
+// The task stands in include/rigid/euler_equations.hpp; ./checker/run check splitting_step shows it in short.
 #include <rigid/euler_equations.hpp>
 
 namespace rigid {

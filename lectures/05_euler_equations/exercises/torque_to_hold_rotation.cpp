@@ -1,4 +1,4 @@
-// The torque that a body with inertia tensor I needs to go on rotating with the constant angular velocity omega.
+// The task stands in include/rigid/euler_equations.hpp; ./checker/run check torque_to_hold_rotation shows it in short.
 #include <rigid/euler_equations.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// Is a free spin about the axis with the moment I[axis] stable (+1), unstable (-1) or neutral (0)? Moments come in
-// any order; axis is 0, 1 or 2. Neutral means that another moment is equal to this one.
+// The task stands in include/rigid/free_tops.hpp; ./checker/run check axis_stability shows it in short.
 #include <rigid/free_tops.hpp>
 
 namespace rigid {

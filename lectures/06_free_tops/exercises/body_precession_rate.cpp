@@ -1,5 +1,4 @@
-// The rate Ω at which the angular velocity of a free symmetric top runs round the symmetry axis, seen from the body.
-// It has a sign: keep that of the slides.
+// The task stands in include/rigid/free_tops.hpp; ./checker/run check body_precession_rate shows it in short.
 #include <rigid/free_tops.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// A body is thrown with the angular velocity omega0, mainly about its intermediate axis. The first time t > 0 at
-// which the component on this axis vanishes.
+// The task stands in include/rigid/free_tops.hpp; ./checker/run check first_flip shows it in short.
 #include <rigid/free_tops.hpp>
 
 namespace rigid {

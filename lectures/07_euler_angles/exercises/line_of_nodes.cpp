@@ -1,4 +1,4 @@
-// The line of nodes ê₂′ (the axis of the second rotation) in body components.
+// The task stands in include/rigid/euler_angles.hpp; ./checker/run check line_of_nodes shows it in short.
 #include <rigid/euler_angles.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// The rotation matrix R of the slides, V_body = R V_inertial, from the Euler angles (φ, θ, ψ): φ about the vertical,
-// θ about the new y axis (the line of nodes), ψ about the body's own z axis.
+// The task stands in include/rigid/euler_angles.hpp; ./checker/run check rotation_matrix shows it in short.
 #include <rigid/euler_angles.hpp>
 
 namespace rigid {

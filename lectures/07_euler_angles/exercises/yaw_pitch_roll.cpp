@@ -1,5 +1,4 @@
-// The attitude of an aircraft is given by its z–y–z angles. Find its yaw, pitch and roll: turns about axis 3, then
-// about the new axis 2, then about the newest axis 1, from the same inertial axes to the same body axes.
+// The task stands in include/rigid/euler_angles.hpp; ./checker/run check yaw_pitch_roll shows it in short.
 #include <rigid/euler_angles.hpp>
 
 namespace rigid {

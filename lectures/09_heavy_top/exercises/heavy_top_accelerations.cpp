@@ -1,5 +1,4 @@
-// The second derivatives of (φ, θ, ψ) for a body with three principal moments that rotates about a fixed point under
-// its weight. The centre of mass lies on axis 3; sin θ is not zero.
+// The task stands in include/rigid/heavy_top.hpp; ./checker/run check heavy_top_accelerations shows it in short.
 #include <rigid/heavy_top.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// A heavy symmetric top starts at the inclination theta with the rates (φ̇, θ̇, ψ̇). The smallest and the largest
-// inclination of its axis.
+// The task stands in include/rigid/heavy_top.hpp; ./checker/run check nutation_limits shows it in short.
 #include <rigid/heavy_top.hpp>
 
 namespace rigid {

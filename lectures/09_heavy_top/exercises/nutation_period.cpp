@@ -1,4 +1,4 @@
-// The time that a heavy symmetric top takes for one nutation, from one largest inclination to the next.
+// The task stands in include/rigid/heavy_top.hpp; ./checker/run check nutation_period shows it in short.
 #include <rigid/heavy_top.hpp>
 
 namespace rigid {

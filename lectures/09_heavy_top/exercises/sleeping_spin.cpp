@@ -1,4 +1,4 @@
-// A top spins upright on its tip. Friction slows it down. The spin at which it begins to wobble.
+// The task stands in include/rigid/heavy_top.hpp; ./checker/run check sleeping_spin shows it in short.
 #include <rigid/heavy_top.hpp>
 
 namespace rigid {

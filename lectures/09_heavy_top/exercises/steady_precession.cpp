@@ -1,5 +1,4 @@
-// The two rates at which a heavy symmetric top with the spin omega3 precesses without nutation at the inclination
-// theta: that of smaller magnitude first, both to nine digits.
+// The task stands in include/rigid/heavy_top.hpp; ./checker/run check steady_precession shows it in short.
 #include <rigid/heavy_top.hpp>
 
 namespace rigid {

@@ -1,6 +1,4 @@
-// The attitude of a free body, as free_attitude of lecture 05 (principal axes along the inertial axes at time 0; the
-// columns are the principal axes), but for times up to days and exact up to rounding. The moments come in ascending
-// order.
+// The task stands in include/rigid/attitude_of_a_free_body.hpp; ./checker/run check exact_attitude shows it in short.
 #include <rigid/attitude_of_a_free_body.hpp>
 
 namespace rigid {

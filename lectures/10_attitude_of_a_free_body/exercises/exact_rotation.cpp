@@ -1,5 +1,4 @@
-// The angular velocity of a free body with three different moments (ascending) at time t, possibly days after it was
-// omega0. Exact up to rounding: a step-by-step integration over the whole time is too slow and too inaccurate.
+// The task stands in include/rigid/attitude_of_a_free_body.hpp; ./checker/run check exact_rotation shows it in short.
 #include <rigid/attitude_of_a_free_body.hpp>
 
 namespace rigid {

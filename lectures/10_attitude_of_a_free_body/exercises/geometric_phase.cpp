@@ -1,5 +1,4 @@
-// On the axes of the body the direction of L moves once around axis 1 or axis 3 in a period, along a closed curve on
-// the unit sphere. The solid angle, between 0 and 2π, that it encloses around that axis.
+// The task stands in include/rigid/attitude_of_a_free_body.hpp; ./checker/run check geometric_phase shows it in short.
 #include <rigid/attitude_of_a_free_body.hpp>
 
 namespace rigid {

@@ -1,5 +1,4 @@
-// The point of contact of Poinsot's ellipsoid draws a curve on the plane, between two circles around the foot of the
-// perpendicular. Their radii, the smaller first. The moments come in ascending order.
+// The task stands in include/rigid/attitude_of_a_free_body.hpp; ./checker/run check herpolhode_radii shows it in short.
 #include <rigid/attitude_of_a_free_body.hpp>
 
 namespace rigid {

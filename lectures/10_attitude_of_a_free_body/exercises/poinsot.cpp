@@ -1,6 +1,4 @@
-// The ellipsoid of all angular velocities that have the energy of the present motion, fixed in a free body, touches a
-// plane fixed in space and rolls on it. Return {distance of the plane from the centre, distance of the point of
-// contact from the foot of the perpendicular}, both to nine digits.
+// The task stands in include/rigid/attitude_of_a_free_body.hpp; ./checker/run check poinsot shows it in short.
 #include <rigid/attitude_of_a_free_body.hpp>
 
 namespace rigid {

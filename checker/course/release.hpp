@@ -1,0 +1,53 @@
+/// @file
+/// Releases of the copy for students: what each holds, what has changed, and how a copy gets from one to the next.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace workbook {
+
+/// A copy, or what it is updated from, cannot be used: file and reason in one sentence.
+struct ReleaseError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct ReleaseChange {
+  int release = 1;
+  std::string date;
+  std::string message;             ///< the instructor's words; may be empty
+  std::vector<std::string> files;  ///< added, changed or removed
+};
+
+/// What `.release.json` at the top level of a copy says.
+struct Release {
+  int number = 1;
+  std::uint64_t seed = 1;
+  std::map<std::string, std::string> files;  ///< all that was handed out, and the fingerprint of each
+  std::vector<ReleaseChange> changes;        ///< since the first release, oldest first
+};
+
+/// @throws ReleaseError
+Release read_release(const std::filesystem::path& copy);
+
+/// Writes `.release.json` for all files of a new copy. @param before  the release that it follows, or nullptr
+/// @throws ReleaseError
+Release write_release(const std::filesystem::path& copy, std::uint64_t seed, const std::string& date,
+                      const std::string& message, const Release* before);
+
+/// What an update did with files that were changed in the copy.
+struct UpdateResult {
+  std::size_t written = 0;
+  std::vector<std::string> own;   ///< exercises that the new release changes: the copy's files stay as they are
+  std::vector<std::string> kept;  ///< other files: the copy's own version lies below .workbook/kept now
+};
+
+/// Brings a copy to another release. Exercises that were worked on, and files that were never handed out, are not
+/// touched. If it is stopped, the next call goes on. @throws ReleaseError
+UpdateResult update_copy(const std::filesystem::path& from, const std::filesystem::path& copy);
+
+}  // namespace workbook
