@@ -80,6 +80,17 @@ void judge_heavy_top_accelerations(Lecture& lecture) {
           "cosine", [](auto& I, auto mgl, auto& q, auto& v) {
             return weightless(I, q, v) + by_torque(I, q, mgl * cos(q[1]) * y_axis);
           });
+  e.wrong(
+      "Sine and cosine of ψ are exchanged in the torque; on the axes of the body the line of nodes is "
+      "(sin ψ, cos ψ, 0).",
+      "nodes_exchanged", [](auto& I, auto mgl, auto& q, auto& v) {
+        return under_torque(I, mgl * sin(q[1]) * Vector3d(cos(q[2]), sin(q[2]), 0), q, v);
+      });
+  e.wrong(
+      "The torque of the weight acts about axis 2 of the body here; its axis is the line of nodes, "
+      "(sin ψ, cos ψ, 0).",
+      "about_axis_2",
+      [](auto& I, auto mgl, auto& q, auto& v) { return under_torque(I, mgl * sin(q[1]) * y_axis, q, v); });
   e.wrong("The weight turns φ here; its torque is about the line of nodes, and its work is done on θ.",
           "about_vertical", [](auto& I, auto mgl, auto& q, auto& v) {
             return weightless(I, q, v) + by_torque(I, q, mgl * sin(q[1]) * x_axis);

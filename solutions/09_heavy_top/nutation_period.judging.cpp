@@ -11,6 +11,18 @@ auto with_modulus(const Parameter& modulus) {
   };
 }
 
+/// The period of a small nutation about the bottom of the effective potential.
+double small_nutation(double I1, double I3, double mgl, double theta, const Vector3d& rates) {
+  const Cubic cubic{Start(I1, I3, mgl, theta, rates)};
+  double low = 0, high = pi;
+  for (int i = 0; i < 100; ++i) {
+    const double at = (low + high) / 2, c = cos(at), rate = cubic.phi_rate(c);
+    (I1 * c * rate * rate - I1 * cubic.b * rate + mgl > 0 ? low : high) = at;  // where θ̈ > 0, the bottom lies beyond
+  }
+  const double rate = cubic.phi_rate(cos(low));
+  return 2 * pi / hypot(rate * sin(low), cubic.b - 2 * rate * cos(low));
+}
+
 double spin_of(double theta, const Vector3d& rates) { return abs(rates[0] * cos(theta) + rates[2]); }
 
 }  // namespace
@@ -28,6 +40,14 @@ void judge_nutation_period(Lecture& lecture) {
           "modulus", with_modulus([](double m) { return m; }));
   e.wrong("This holds where K = π/2, for a small nutation; yours is not small.", "small_nutation",
           with_modulus([](double) { return 0; }));
+  e.wrong({"This is the period of a small nutation at the bottom of the effective potential; that of this top is not "
+           "small.",
+           "heavy_top_effective_potential"},
+          "bottom_of_the_well", small_nutation);
+  e.wrong("u₃ − u₂ stands under the root where u₃ − u₁ belongs.", "upper_limit", [](auto... inputs) {
+    const Cubic cubic{Start(inputs...)};
+    return 4 * std::comp_ellint_1(sqrt(cubic.m())) / sqrt(cubic.beta * (cubic.third - cubic.high));
+  });
   e.wrong_inputs(spin_as_psi_rate, "psi_rate_as_omega3", spin_confused);
   e.wrong("This is the time of one turn of a fast top round the vertical, 2πI₃ω₃/(mgl).", "precession_time",
           [](auto, auto I3, auto mgl, auto theta, auto& rates) { return 2 * pi * I3 * spin_of(theta, rates) / mgl; });

@@ -60,6 +60,29 @@ void judge_precession_per_nutation(Lecture& lecture) {
             const Cubic cubic{Start(inputs...)};
             return cubic.over_one_nutation([&](double u) { return cubic.a / (1 - u * u); });
           });
+  e.wrong("φ̇ is divided by sin θ once; it is (p_φ − p_ψ cos θ)/(I₁ sin²θ).", "sine_not_squared", [](auto... inputs) {
+    const Cubic cubic{Start(inputs...)};
+    return cubic.over_one_nutation([&](double u) { return cubic.phi_rate(u) * sqrt(1 - u * u); });
+  });
+  e.wrong({"p_ψ − p_φ cos θ stands where p_φ − p_ψ cos θ belongs.", "heavy_top_conserved"}, "momenta_exchanged",
+          [](auto... inputs) {
+            const Cubic cubic{Start(inputs...)};
+            return cubic.over_one_nutation([&](double u) { return (cubic.b - cubic.a * u) / (1 - u * u); });
+          });
+  e.wrong({"This is the change of ψ, the turn of the body about its own axis; asked for is φ.", "heavy_top_conserved"},
+          "psi_advance", [](auto I1, auto I3, auto mgl, auto theta, auto& rates) {
+            const Cubic cubic{Start(I1, I3, mgl, theta, rates)};
+            return cubic.over_one_nutation([&](double u) { return I1 / I3 * cubic.b - u * cubic.phi_rate(u); });
+          });
+  e.wrong("This is the mean of φ̇ at both limits times the period; between them it changes in another way.",
+          "mean_of_limits", [](auto I1, auto I3, auto mgl, auto theta, auto& rates) {
+            const Cubic cubic{Start(I1, I3, mgl, theta, rates)};
+            return (cubic.phi_rate(cubic.low) + cubic.phi_rate(cubic.high)) / 2 *
+                   nutation_period(I1, I3, mgl, theta, rates);
+          });
+  const char* const modulo = "Whole turns are missing: this is the angle modulo 2π.";
+  e.wrong_output(modulo, "modulo_nearest", [](auto& angle) { angle = std::remainder(angle, 2 * pi); });
+  e.wrong_output(modulo, "modulo", [](auto& angle) { angle -= 2 * pi * std::floor(angle / (2 * pi)); });
   const char* const weak =
       "Only a weight that is very weak beside the motion moves the axis so little, and there the closed formula for "
       "the "

@@ -62,6 +62,11 @@ void judge_steady_precession(Lecture& lecture) {
   };
   e.random("any top", 6, top(1));
   e.random("hanging below its support", 5, top(-1));
+  e.random("a very fast top", 2, [](Random& random) {
+    const double I1 = random.uniform(1e-4, 6e-4), I3 = I1 * random.uniform(0.15, 1.5), theta = random.uniform(0.3, 1.2);
+    const double mgl = random.uniform(1e-8, 1e-7), least = 2 * sqrt(I1 * mgl * cos(theta)) / I3;
+    return tuple{I1, I3, mgl, random.sign() * least * random.uniform(1e4, 4e4), theta};
+  });
   e.scale([](auto... inputs) { return Vector2d(steady_precession(inputs...).cwiseAbs()); });
   e.sweep({"A small top at θ = 0.5: the slow and the fast precession", "spin ω₃ (rad/s)", "rate (rad/s)"},
           {{"slow", 0}, {"fast", 1}}, {102.1, 250},
@@ -82,6 +87,18 @@ void judge_steady_precession(Lecture& lecture) {
     const double larger = (b + copysign(root, b)) / 2;
     return Vector2d(mgl / larger, larger / a);
   });
+  e.wrong("mgl sin θ stands where mgl belongs: the level part of L has the factor sin θ too, and it drops out.",
+          "sine_on_one_side", [](auto I1, auto I3, auto mgl, auto omega3, auto theta) {
+            return steady_precession(I1, I3, mgl * sin(theta), omega3, theta);
+          });
+  e.wrong(
+      {"The slow rate comes from a difference of two nearly equal numbers, and digits are lost; the product of both "
+       "rates gives it without one.",
+       "heavy_top_steady"},
+      "difference", [](auto I1, auto I3, auto mgl, auto omega3, auto theta) {
+        const double a = I1 * cos(theta), b = I3 * omega3, root = copysign(sqrt(b * b - 4 * a * mgl), b);
+        return Vector2d((b - root) / (2 * a), (b + root) / (2 * a));
+      });
   e.wrong_input<2>(weight_sign, "hanging", negated);
   e.wrong_input<4>("The angle is counted from the downward vertical here; θ is the angle to the upward one.",
                    "from_below", [](double& theta) { theta = pi - theta; });

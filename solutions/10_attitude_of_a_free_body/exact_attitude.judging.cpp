@@ -9,11 +9,14 @@ Matrix3d about_L(const Vector3d& I, const Vector3d& w, double angle) {
   return turn(L_of(I, w), std::fmod(angle, 2 * pi));
 }
 
+/// What makes a whole number of the number of periods.
+using Whole = double (*)(double);
+
 /// The number of whole periods in t, and what is left of it.
 struct Split {
-  Split(const Vector3d& I, const Vector3d& w, double t) {
+  Split(const Vector3d& I, const Vector3d& w, double t, Whole whole_of = std::floor) {
     const double P = ExactTop(I, w).period();
-    whole = std::floor(t / P);
+    whole = whole_of(t / P);
     rest = std::fma(-whole, P, t);
   }
   double whole, rest;
@@ -21,9 +24,9 @@ struct Split {
 
 /// The attitude after whole periods of a turn of one's own about L.
 template <class Turn>
-auto with_turn(const Turn& turn_in_a_period) {
+auto with_turn(const Turn& turn_in_a_period, Whole whole_of) {
   return [=](const Vector3d& I, const Vector3d& w, double t) {
-    const Split time(I, w, t);
+    const Split time(I, w, t, whole_of);
     return about_L(I, w, time.whole * turn_in_a_period(I, w)) * exact_attitude(I, w, time.rest);
   };
 }
@@ -98,32 +101,53 @@ void judge_exact_attitude(Lecture& lecture) {
 
   e.wrong_output("This is the transposed matrix: the principal axes are its rows; they should be its columns.",
                  "transposed", transposed);
-  e.wrong(
-      "This is the attitude at the remainder of t after whole periods; in each of these the body has turned about L.",
-      "no_turn", with_turn([](auto&, auto&) { return 0.0; }));
   e.wrong("This is the attitude in a frame with L upright; at time 0 it is not the unit matrix.", "L_upright",
           [](auto& I, auto& w, auto t) {
             const Vector3d L = L_of(I, w);
             return turn(z_axis, 0) * turn(y_axis, atan2(hypot(L[0], L[1]), L[2])) * turn(z_axis, atan2(L[1], -L[0])) *
                    exact_attitude(I, w, t);
           });
-  e.wrong("The body turns about L in the wrong sense in whole periods; axis 3 goes round L in the positive one.",
-          "turn_reversed", with_turn([](auto& I, auto& w) { return -turn_per_period(I, w); }));
-  e.wrong("The turn about L of the whole periods stands on the right; L has its inertial components, so it acts last.",
-          "turn_on_the_right", [](auto& I, auto& w, auto t) {
-            const Split time(I, w, t);
-            return exact_attitude(I, w, time.rest) * about_L(I, w, time.whole * turn_per_period(I, w));
-          });
-  e.wrong({"In each period this turns the body about L by 2TP/L; the solid angle is missing.", "attitude_phase"},
-          "dynamical_phase_only", with_turn(dynamical_phase));
-  e.wrong(
-      {"In each period this turns the body about L by 2TP/L + S round axis 3, and 2TP/L − S round axis 1; the solid "
-       "angle has the other sign.",
-       "attitude_phase"},
-      "phase_reversed", with_turn([](auto& I, auto& w) {
-        const double S = geometric_phase(I, w);
-        return dynamical_phase(I, w) + (is_round_3(I, w) ? S : -S);
-      }));
+  // The remainder of t may be counted from the period before, from that towards 0, or from the nearest one.
+  const std::tuple<std::string, Whole> countings[] = {
+      {"", std::floor}, {"_towards_0", std::trunc}, {"_nearest", std::round}};
+  for (const auto& [counting, whole_of] : countings) {
+    e.wrong(
+        "This is the attitude at the remainder of t after whole periods; in each of these the body has turned about L.",
+        "no_turn" + counting, with_turn([](auto&, auto&) { return 0.0; }, whole_of));
+    e.wrong("The body turns about L in the wrong sense in whole periods; axis 3 goes round L in the positive one.",
+            "turn_reversed" + counting, with_turn([](auto& I, auto& w) { return -turn_per_period(I, w); }, whole_of));
+    e.wrong(
+        "The turn about L of the whole periods stands on the right; L has its inertial components, so it acts last.",
+        "turn_on_the_right" + counting, [=](auto& I, auto& w, auto t) {
+          const Split time(I, w, t, whole_of);
+          return Matrix3d(exact_attitude(I, w, time.rest) * about_L(I, w, time.whole * turn_per_period(I, w)));
+        });
+    e.wrong("The turns of the whole periods are about ω here; what stays after a period is L.",
+            "about_omega" + counting, [=](auto& I, auto& w, auto t) {
+              const Split time(I, w, t, whole_of);
+              return Matrix3d(turn(w, std::fmod(time.whole * turn_per_period(I, w), 2 * pi)) *
+                              exact_attitude(I, w, time.rest));
+            });
+    e.wrong({"In each period this turns the body about L by 2TP/L; the solid angle is missing.", "attitude_phase"},
+            "dynamical_phase_only" + counting, with_turn(dynamical_phase, whole_of));
+    e.wrong(
+        {"In each period this turns the body about L by 2TP/L + S round axis 3, and 2TP/L − S round axis 1; the solid "
+         "angle has the other sign.",
+         "attitude_phase"},
+        "phase_reversed" + counting,
+        with_turn(
+            [](auto& I, auto& w) {
+              const double S = geometric_phase(I, w);
+              return dynamical_phase(I, w) + (is_round_3(I, w) ? S : -S);
+            },
+            whole_of));
+    e.wrong({"In each period this turns the body about L by 2TP/L − S always; round axis 1 it is 2TP/L + S.",
+             "attitude_phase"},
+            "round_axis_3_always" + counting,
+            with_turn([](auto& I, auto& w) { return dynamical_phase(I, w) - geometric_phase(I, w); }, whole_of));
+  }
+  e.wrong("ω keeps its components on the axes of the body here; they change, unless it lies along a principal axis.",
+          "constant_omega", [](auto&, auto& w, auto t) { return turn(w, std::fmod(w.norm() * t, 2 * pi)); });
   e.property(Is::rotation_matrix, "The principal axes stay at right angles and of length 1, and right-handed.");
   e.route("a turn about L for whole periods, the rest integrated", turns_and_rest);
   e.route("one period integrated, its attitude raised to a power", power_of_a_period);

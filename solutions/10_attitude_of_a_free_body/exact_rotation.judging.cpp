@@ -67,6 +67,24 @@ void judge_exact_rotation(Lecture& lecture) {
             const Elliptic top(I, w);
             return top.jacobi(top.k, top.rate * t);
           });
+  e.wrong({"The phase of the start has lost its quadrant: an arcsine of ω₂ alone does not tell the sign of the cosine.",
+           "attitude_exact_rotation"},
+          "quadrant_lost", [](auto& I, auto& w, auto t) {
+            const Elliptic top(I, w);
+            return top.jacobi(top.k, top.rate * t + ellint_1(top.k, asin(sin(top.phase))));
+          });
+  e.wrong("The component along the axis that ω circles has the sign + always; it keeps the sign of the start.",
+          "sign_of_axis", [](auto& I, auto& w, auto t) {
+            Elliptic top(I, w);
+            top.parts = top.parts.cwiseAbs();
+            top.phase = atan2(w[1] / top.parts[1], w[2 - top.c] / top.parts[0]);
+            return top.jacobi(top.k, top.rate * t + ellint_1(top.k, top.phase));
+          });
+  e.wrong_output({"Round axis 1 the components 1 and 3 are exchanged; the labels must be exchanged back at the end.",
+                  "attitude_exact_rotation"},
+                 "not_exchanged_back", [](auto& omega, auto& I, auto& w, auto) {
+                   if (!is_round_3(I, w)) omega = Vector3d(omega.reverse());
+                 });
   e.wrong("This comes out with the parameter m = k² where the library expects the modulus k.", "modulus",
           [](auto& I, auto& w, auto t) {
             const Elliptic top(I, w);

@@ -10,8 +10,9 @@ double turn_of_the_body(const Vector3d& I, const Vector3d& w) {
   return atan2(cross(axis, across).dot(A * across), across.dot(A * across));
 }
 
-/// ∮ (1 − cos ϑ) dχ on the sphere about the axis that L circles, with ϑ at each azimuth χ from the energy: no motion.
-double area(const Vector3d& I, const Vector3d& w) {
+/// ∮ f(sin²ϑ) dχ on the sphere about the axis that L circles, with ϑ at each azimuth χ from the energy: no motion.
+template <class Integrand>
+double around_the_axis(const Vector3d& I, const Vector3d& w, const Integrand& f) {
   const int c = is_round_3(I, w) ? 2 : 0;
   const double Ia = I[2 - c], Ib = I[1], Ic = I[c];
   constexpr int steps = 4000;
@@ -21,9 +22,14 @@ double area(const Vector3d& I, const Vector3d& w) {
   for (int i = 0; i < steps; ++i) {
     const double chi = 2 * pi * i / steps;
     const double sin2 = above / (pow(cos(chi), 2) * (Ic - Ia) / Ia + pow(sin(chi), 2) * (Ic - Ib) / Ib);
-    sum += sin2 / (1 + sqrt(1 - sin2));
+    sum += f(sin2);
   }
   return sum * 2 * pi / steps;
+}
+
+/// The solid angle: 1 − cos ϑ.
+double area(const Vector3d& I, const Vector3d& w) {
+  return around_the_axis(I, w, [](double sin2) { return sin2 / (1 + sqrt(1 - sin2)); });
 }
 
 }  // namespace
@@ -60,6 +66,26 @@ void judge_geometric_phase(Lecture& lecture) {
           [](auto& I, auto& w) { return modulo(dynamical_phase(I, w), 2 * pi); });
   e.wrong_output("This is the solid angle on the other side of the curve, 4π − S.", "other_side",
                  [](auto& S) { S = 4 * pi - S; });
+  e.wrong(
+      "This is the area of the curve's projection on the plane across the axis, with ½ sin²ϑ in place of 1 − cos ϑ.",
+      "projected", [](auto& I, auto& w) { return around_the_axis(I, w, [](double sin2) { return sin2 / 2; }); });
+  e.wrong("This is the solid angle of a circle through the start; the angle from the axis changes along the curve.",
+          "circle",
+          [](auto& I, auto& w) { return 2 * pi * (1 - abs(L_of(I, w).normalized()[is_round_3(I, w) ? 2 : 0])); });
+  e.wrong("This is the solid angle of the direction of ω; asked for is that of the direction of L.", "of_omega",
+          [](auto& I, auto& w) {
+            const int a = is_round_3(I, w) ? 0 : 2, c = 2 - a;
+            const double L2 = L_of(I, w).squaredNorm(), T2 = twice_T(I, w), along = (T2 * I[c] - L2) * I[c];
+            constexpr int steps = 4000;
+            double sum = 0;
+            for (int i = 0; i < steps; ++i) {  // Σ Iᵢ (L² − 2T Iᵢ) ωᵢ² = 0
+              const double chi = 2 * pi * i / steps;
+              const double across =
+                  (L2 - T2 * I[a]) * I[a] * pow(cos(chi), 2) + (L2 - T2 * I[1]) * I[1] * pow(sin(chi), 2);
+              sum += 1 - sqrt(across / (along + across));
+            }
+            return sum * 2 * pi / steps;
+          });
   e.property(Is::nonnegative, "The solid angle is counted from 0.");
   e.route("from the turn of the integrated body", [](auto& I, auto& w) {
     const double difference = dynamical_phase(I, w) - turn_of_the_body(I, w);

@@ -16,6 +16,15 @@ double squared_without(int i, const Vector3d& I, const Vector3d& w) {
   return (twice_T(I, w) * (Ij + Ik) - L_of(I, w).squaredNorm()) / (Ij * Ik);
 }
 
+/// The square of the radius where component i vanishes; negative where it never does.
+double square_without(int i, const Vector3d& I, const Vector3d& w) {
+  const double Ij = I[(i + 1) % 3], Ik = I[(i + 2) % 3], L2 = L_of(I, w).squaredNorm(), T2 = twice_T(I, w);
+  return (T2 * Ik - L2) * (L2 - T2 * Ij) / (Ij * Ik * L2);
+}
+double radius_without(int i, const Vector3d& I, const Vector3d& w) { return root(square_without(i, I, w)); }
+
+Vector2d sorted(double one, double other) { return {min(one, other), max(one, other)}; }
+
 /// Smallest and largest of some length along the motion, by steps through a period and a parabola at each extremum.
 template <class Length>
 Vector2d extremes(const Vector3d& I, const Vector3d& w, const Length& length) {
@@ -72,6 +81,26 @@ void judge_herpolhode_radii(Lecture& lecture) {
             const double one = between(I, w, squared_without(1, I, w), squared_without(1, I, w))[0];
             return Vector2d(min(one, other), max(one, other));
           });
+  const Sentence not_reached{
+      "One of your radii belongs to a component that never vanishes in this motion: round axis 1 that "
+      "is ω₁, round axis 3 it is ω₃.",
+      "attitude_herpolhode"};
+  e.wrong(not_reached, "round_axis_3_clamped",
+          [](auto& I, auto& w) { return sorted(radius_without(1, I, w), radius_without(0, I, w)); });
+  e.wrong(not_reached, "round_axis_3_absolute", [](auto& I, auto& w) {
+    return sorted(sqrt(abs(square_without(1, I, w))), sqrt(abs(square_without(0, I, w))));
+  });
+  e.wrong(
+      {"Your radii belong to ω₁ = 0 and to ω₃ = 0; ω₂ vanishes in every motion, and one of the two others never does.",
+       "attitude_herpolhode"},
+      "never_axis_2", [](auto& I, auto& w) { return sorted(radius_without(0, I, w), radius_without(2, I, w)); });
+  e.wrong(
+      {"This holds if ω reaches the ends of the half-axes √(2T/Iᵢ) of the ellipsoid; the polhode does not go there.",
+       "attitude_herpolhode"},
+      "half_axes", [](auto& I, auto& w) {
+        const double height = twice_T(I, w) / L_of(I, w).norm();
+        return sorted(root(twice_T(I, w) / I[2] - height * height), root(twice_T(I, w) / I[0] - height * height));
+      });
   e.wrong(
       "These are the smallest and the largest |ω|, distances from the centre of the ellipsoid; asked for are those "
       "from the foot of the perpendicular.",

@@ -3,6 +3,14 @@
 #include <boost/math/special_functions/ellint_rf.hpp>
 #include <boost/math/special_functions/ellint_rj.hpp>
 
+/// The closed form with the parameter n of motion round axis 3 always.
+static double same_n(const Vector3d& I, const Vector3d& w) {
+  const double L2 = L_of(I, w).squaredNorm(), L = sqrt(L2), below = twice_T(I, w) * I[2] - L2;
+  const double above = L2 - twice_T(I, w) * I[0], P = ExactTop(I, w).period(), rate = ExactTop(I, w).rate();
+  const double m = 1 - ExactTop(I, w).complementary_parameter(), n = -m * I[2] * above / (I[0] * below);
+  return L * P / I[2] + 4 * L * (I[2] - I[0]) / (I[0] * I[2] * rate) * std::comp_ellint_3(sqrt(m), n);
+}
+
 void judge_turn_per_period(Lecture& lecture) {
   auto& e = lecture.exercise("turn_per_period", &turn_per_period, {{"I", ascending_moments}, {"omega0", rad_per_s}},
                              {"angle", rad});
@@ -29,6 +37,16 @@ void judge_turn_per_period(Lecture& lecture) {
           "mean_rate", dynamical_phase);
   e.wrong("This is L/I₃ times the period, the rate of a rotation about axis 3 alone.", "L_over_I3",
           [](auto& I, auto& w) { return L_of(I, w).norm() / I[2] * ExactTop(I, w).period(); });
+  e.wrong("This is L/I₁ times the period; only the axis of a symmetric top goes round L at this rate.", "L_over_I1",
+          [](auto& I, auto& w) { return L_of(I, w).norm() / I[0] * ExactTop(I, w).period(); });
+  e.wrong("The velocity of the tip of axis 3 is not divided by the squared distance of the tip from the line of L.",
+          "no_distance", [](auto& I, auto& w) {
+            return over_a_period(I, w, [&](const Vector3d& now) {
+              const Vector3d L = L_of(I, now);
+              return (L[0] * now[0] + L[1] * now[1]) / L.norm();
+            });
+          });
+  e.wrong({"n is −k² cot²θ₀ for motion round axis 1 too; there it is −cot²θ₀.", "attitude_third"}, "same_n", same_n);
   e.wrong_output("Whole turns are missing: this is the angle modulo 2π.", "modulo",
                  [](auto& angle) { angle = modulo(angle, 2 * pi); });
   e.wrong_output("This is half of the angle: 2K/ν is half a period, after which two components of ω are reversed.",
