@@ -256,6 +256,8 @@ class CommandLine {
     option("--out class", "FOLDER", options_.out, "the folder for all results; the next run goes on in it", true);
     option("--roster", "FILE", options_.roster, "CSV with the column id, and name and submitted if there are");
     option("--assignment", "FILE", options_.assignment, "JSON: what is graded and what it is worth");
+    option("--shard", "K/N", options_.shard, "only judge the K-th of N parts of the class; --merge joins them");
+    option("--merge", "FOLDER...", options_.merged, "take over what was judged in these folders, of parts for example");
     option("--allow-reduced", "", options_.allow_reduced, "be content with the sandbox that `doctor` calls reduced");
     option("--seeds", "NUMBER", seeds_, "how many seeds to try, from 1 on");
     option("--mutants", "", mutants_, "try small bugs in the solutions instead: do the cases find all?");
@@ -381,7 +383,8 @@ class CommandLine {
         "mark has changed, and why, is printed.",
         {"grade submissions --out grades --allow-reduced",
          "grade week3.zip --out week3 --roster class.csv --assignment week3.json --seed 2027 --allow-reduced"},
-        {"SUBMISSIONS", "--out class", "--roster", "--assignment", "--seed", "--allow-reduced"}, grade);
+        {"SUBMISSIONS", "--out class", "--roster", "--assignment", "--seed", "--shard", "--merge", "--allow-reduced"},
+        grade);
     add("self-check", authors,
         "Check the workbook itself\n\nTries every stub, solution, right route, wrong answer, hint and pointer of the "
         "course, and names the file and the fix for everything that is wrong.",

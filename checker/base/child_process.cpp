@@ -330,17 +330,17 @@ bool ForkedJob::collect() {
     if (got == 0) closed_ = true;
     if (got < 0 && errno != EINTR) break;
   }
-  return closed_;
+  return closed_ || Clock::now() >= deadline_;
 }
 
 std::string ForkedJob::finish() {
   while (!collect()) {
-    if (Clock::now() >= deadline_) {
-      end();
-      return "it ran for too long";
-    }
     pollfd watched{bytes_.number(), POLLIN, 0};
     ::poll(&watched, 1, milliseconds_until(deadline_));
+  }
+  if (!closed_) {
+    end();
+    return "it ran for too long";
   }
   int status = 0;
   while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) continue;
@@ -362,6 +362,18 @@ void ForkedJob::end() {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   process_ = -1;
+}
+
+std::size_t usable_processors() {
+  cpu_set_t usable;
+  const bool is_known = ::sched_getaffinity(0, sizeof usable, &usable) == 0;
+  return is_known ? static_cast<std::size_t>(CPU_COUNT(&usable)) : std::max(1U, std::thread::hardware_concurrency());
+}
+
+void wait_for_any(const std::vector<int>& descriptors) {
+  std::vector<pollfd> watched;
+  for (const int descriptor : descriptors) watched.push_back({descriptor, POLLIN, 0});
+  ::poll(watched.data(), watched.size(), 1000);
 }
 
 }  // namespace workbook

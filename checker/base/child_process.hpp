@@ -7,16 +7,13 @@
 
 #include <sys/types.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstddef>
-#include <deque>
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace workbook {
@@ -136,7 +133,7 @@ class ForkedJob {
 
   /// Becomes readable when there is something to collect.
   int descriptor() const { return bytes_.number(); }
-  /// Takes what has come so far, without waiting. True once the job has closed its end.
+  /// Takes what has come so far, without waiting. True once the job is over, or its time: then finish() does not wait.
   bool collect();
   /// Waits for the end. Returns "" if the job handed over its bytes, or what happened instead.
   std::string finish();
@@ -155,17 +152,28 @@ class ForkedJob {
   bool closed_ = false;
 };
 
-/// Keeps as many jobs running as there are processors, and collects each when its turn comes.
+/// How many processors this process may use: all, or those that a batch system gave it.
+std::size_t usable_processors();
+
+/// Waits until one of these can be read, a second at most.
+void wait_for_any(const std::vector<int>& descriptors);
+
+/// Keeps as many jobs running as there are processors, and collects each when it is over.
 /// @param begin    begin(k) starts the k-th job and returns a pointer that owns it
-/// @param collect  collect(k, job) waits for it; called in the order of k
+/// @param collect  collect(k, job); called in the order in which the jobs end
 template <class Begin, class Collect>
 void run_jobs(std::size_t count, const Begin& begin, const Collect& collect) {
-  const std::size_t at_once = std::max(1U, std::thread::hardware_concurrency());
-  std::deque<decltype(begin(count))> running;
-  for (std::size_t next = 0, turn = 0; turn < count; ++turn) {
-    while (next < count && running.size() < at_once) running.push_back(begin(next++));
-    collect(turn, *running.front());
-    running.pop_front();
+  std::vector<std::pair<std::size_t, decltype(begin(count))>> running;
+  for (std::size_t next = 0; next < count || !running.empty();) {
+    for (; next < count && running.size() < usable_processors(); ++next) running.emplace_back(next, begin(next));
+    std::vector<int> descriptors;
+    for (const auto& [unused, job] : running) descriptors.push_back(job->descriptor());
+    wait_for_any(descriptors);
+    std::erase_if(running, [&](const auto& each) {
+      if (!each.second->collect()) return false;
+      collect(each.first, *each.second);
+      return true;
+    });
   }
 }
 

@@ -13,8 +13,6 @@
 
 #include <boost/algorithm/string/replace.hpp>
 
-#include <poll.h>
-
 #include <algorithm>
 #include <set>
 
@@ -63,6 +61,21 @@ void prepare_folder(const fs::path& out, const fs::path& submissions) {
   fs::create_directories(out / "work", problem);
 }
 
+/// The journals of other runs, for as long as nobody writes into them.
+std::vector<Journal> journals_in(const std::vector<fs::path>& folders, const fs::path& out) {
+  std::vector<Journal> journals;
+  std::error_code ignored;
+  for (const fs::path& folder : folders) {
+    if (fs::equivalent(folder, out, ignored)) continue;
+    if (!fs::is_directory(folder)) throw GradingError(fmt::format("There is no folder {}.", shown_path(folder)));
+    if (fs::exists(folder / journal_name))
+      journals.emplace_back(folder / journal_name, Journal::Access::read);
+    else
+      fmt::print("{} holds no results; what is missing is judged now.\n", shown_path(folder));
+  }
+  return journals;
+}
+
 /// What judges, apart from the cases: a change of it makes another result possible.
 std::string tools_fingerprint(const Course& course, const Toolchain& toolchain) {
   std::string text = file_fingerprint("/proc/self/exe") + file_fingerprint(course.toolchain_file());
@@ -84,8 +97,13 @@ struct Content {
 
 class Grader {
  public:
-  Grader(const Course& course, const Assignment& assignment, std::uint64_t seed, fs::path out)
-      : context_(course), assignment_(assignment), seed_(seed), out_(std::move(out)), all_(course.exercises()) {}
+  Grader(const Course& course, const Assignment& assignment, std::uint64_t seed, fs::path out, Journal& journal)
+      : context_(course),
+        assignment_(assignment),
+        seed_(seed),
+        out_(std::move(out)),
+        journal_(journal),
+        all_(course.exercises()) {}
 
   /// Builds now what is else built at its first need: who gives up root can write into no build afterwards.
   void build_all() {
@@ -106,7 +124,6 @@ class Grader {
   }
 
   void begin(const Intake& intake) {
-    journal_.emplace(out_ / journal_name);
     for (const Exercise& exercise : all_) {
       write_or_fail(stub(exercise), stub_text(*exercise.entry, exercise.card->contract,
                                               declared_signature(context_.course(), exercise)));
@@ -115,44 +132,31 @@ class Grader {
       for (const Exercise& exercise : assignment_.exercises()) {
         if (is_refused(student, exercise)) continue;
         const std::string key = content_of(student, exercise).key;
-        if (!journal_->has(key) && keys_.insert(key).second) waiting_.push_back({&student, exercise});
+        if (!journal_.has(key) && keys_.insert(key).second) waiting_.push_back({&student, exercise});
       }
   }
 
   std::size_t left_to_judge() const { return waiting_.size(); }
-  std::size_t damaged() const { return journal_->damaged(); }
+  std::size_t failed() const { return failures_.size(); }
 
   void judge_all() {
-    struct Running {
-      std::size_t number;
-      Content content;
-      std::unique_ptr<CheckJob> job;
-    };
-    std::vector<Running> running;
+    std::map<std::size_t, Content> contents;
     ProgressBar bar;
     const Clock::time_point begun = Clock::now();
-    const std::size_t at_once = std::max(1U, std::thread::hardware_concurrency());
-    for (std::size_t next = 0, done = 0; done < waiting_.size();) {
-      while (next < waiting_.size() && running.size() < at_once) {
-        const auto& [student, exercise] = waiting_[next];
-        Content content = content_of(*student, exercise);
-        auto job = begin_job(content, exercise, next);
-        running.push_back({next++, std::move(content), std::move(job)});
-      }
-      std::vector<pollfd> watched;
-      watched.reserve(running.size());
-      for (const Running& each : running) watched.push_back({each.job->descriptor(), POLLIN, 0});
-      ::poll(watched.data(), watched.size(), 1000);
-      std::erase_if(running, [&](Running& each) {
-        if (!each.job->collect() && !each.job->is_out_of_time()) return false;
-        keep(each.content, finish_job(*each.job, each.number));
-        ++done;
-        return true;
-      });
-      const auto left = (Clock::now() - begun) * (waiting_.size() - done) / std::max<std::size_t>(1, done);
+    std::size_t done = 0;
+    bar.show(done, waiting_.size(), "");
+    const auto begin = [&](std::size_t k) {
+      const auto& [student, exercise] = waiting_[k];
+      return begin_job(contents[k] = content_of(*student, exercise), exercise, k);
+    };
+    run_jobs(waiting_.size(), begin, [&](std::size_t k, CheckJob& job) {
+      keep(contents.at(k), finish_job(job, k));
+      contents.erase(k);
+      ++done;
+      const auto left = (Clock::now() - begun) * (waiting_.size() - done) / done;
       bar.show(done, waiting_.size(),
-               done == 0 ? "" : fmt::format("about {} s left", std::chrono::ceil<std::chrono::seconds>(left).count()));
-    }
+               fmt::format("about {} s left", std::chrono::ceil<std::chrono::seconds>(left).count()));
+    });
   }
 
   /// @param made_from  gets the fingerprint of what the result was made from
@@ -166,7 +170,7 @@ class Grader {
     }
     const Content content = content_of(student, exercise);
     made_from = fingerprint(content.bytes);
-    std::optional<CheckResult> checked = journal_->find(content.key, content.bytes);
+    std::optional<CheckResult> checked = journal_.find(content.key, content.bytes);
     if (const auto failed = failures_.find(content.key); !checked && failed != failures_.end())
       return failed_check(task, failed->second);
     if (!checked) {  // its key is that of something else, or its entry is damaged
@@ -254,7 +258,7 @@ class Grader {
   /// Our own failure is nobody's result: the next run tries again.
   void keep(const Content& content, const CheckResult& checked) {
     if (checked.is_judged())
-      journal_->append(content.key, content.bytes, checked);
+      journal_.append(content.key, content.bytes, checked);
     else
       failures_.emplace(content.key, checked.judgement.message);
   }
@@ -263,10 +267,10 @@ class Grader {
   const Assignment& assignment_;
   const std::uint64_t seed_;
   const fs::path out_;
+  Journal& journal_;
   const fs::path origin_ = fs::current_path();
   const std::vector<Exercise> all_;
   std::string tools_;
-  std::optional<Journal> journal_;
   std::set<std::string> keys_;
   std::vector<std::pair<const Student*, Exercise>> waiting_;
   std::map<std::string, std::string> failures_;
@@ -340,21 +344,30 @@ int grade(const Course& given, const Options& options) {
     course.use_scratch(out / "work");
     const Assignment assignment(course, options.assignment);
     const std::vector<RosterEntry> roster = options.roster ? read_roster(*options.roster) : std::vector<RosterEntry>{};
+    const Shard shard = options.shard.empty() ? Shard{} : read_shard(options.shard);
     prepare_folder(out, submissions);
-    Grader grader(course, assignment, options.seed, out);
+    Journal journal(out / journal_name);
+    for (const Journal& each : journals_in(options.merged, out)) journal.merge(each);
+    if (journal.damaged() > 0) fmt::print("{} of the journal are damaged.\n", plural(journal.damaged(), "line"));
+    Grader grader(course, assignment, options.seed, out, journal);
     grader.build_all();
     give_up_root(out, {submissions, course.lectures(), course.toolchain_file()});
-    const Intake intake = take_in(submissions, course, roster, out / "submissions");
+    const Intake intake = take_in(submissions, course, roster, out / "submissions", shard);
     grader.begin(intake);
-    if (grader.damaged() > 0) fmt::print("{} of the journal are damaged.\n", plural(grader.damaged(), "line"));
     fmt::print("{}, {}: {} to judge.\n", plural(intake.students.size(), "student"),
                plural(assignment.exercises().size(), "exercise"), plural(grader.left_to_judge(), "different file"));
     std::fflush(stdout);
     grader.judge_all();
+    std::error_code ignored;
+    if (!options.shard.empty()) {
+      for (const char* folder : {"work", "submissions"}) fs::remove_all(out / folder, ignored);
+      fmt::print("Part {} is judged; `{}` joins the parts.\n", options.shard,
+                 command("grade SUBMISSIONS --out FOLDER --merge " + shell_quoted(options.out->string())));
+      return grader.failed() == 0 ? all_passed : checker_failed;
+    }
     const ordered_json document = write_results(grader, intake, course, assignment, options, sandbox, out);
     print_changes(out / "class.json", document);
     write_or_fail(out / "class.json", indented(document));
-    std::error_code ignored;
     fs::remove_all(out / "work", ignored);
     for (const std::string& sentence : intake.problems) fmt::print("{}\n", sentence);
     for (const std::string sentence : document.at("not_judged")) fmt::print("Not judged: {}\n", sentence);

@@ -212,17 +212,17 @@ int self_check_mutants(const Course& course, const std::vector<std::string>& nam
     return std::make_unique<ForkedJob>(try_all, std::chrono::minutes(20));
   };
   ProgressBar progress_bar;
-  std::string tried, faults;
-  std::size_t made = 0, killed = 0;
+  std::vector<std::string> tried(exercises.size()), faults(exercises.size());
+  std::size_t made = 0, killed = 0, done = 0;
   run_jobs(exercises.size(), begin, [&](std::size_t k, ForkedJob& job) {
     const Exercise& exercise = exercises[k];
-    progress_bar.show(k, exercises.size(), exercise.name());
+    progress_bar.show(++done, exercises.size(), exercise.name());
     const std::string place = fmt::format("solutions/{}/{}", exercise.lecture(), exercise.name());
     std::string trouble = job.finish();
     const auto found = nlohmann::json::parse(job.output(), nullptr, false);
     if (trouble.empty()) trouble = found.value("problem", "");
     if (!trouble.empty()) {
-      faults += fmt::format("{}.cpp: its mutants could not be tried: {}.\n", place, without_full_stop(trouble));
+      faults[k] = fmt::format("{}.cpp: its mutants could not be tried: {}.\n", place, without_full_stop(trouble));
       return;
     }
     Adequacy adequacy = context.reference(check_task(course, exercise)).adequacy;
@@ -232,12 +232,13 @@ int self_check_mutants(const Course& course, const std::vector<std::string>& nam
     adequacy.equal = 0;
     made += adequacy.made;
     killed += adequacy.killed;
-    tried += adequacy_text(exercise, adequacy);
-    for (const std::string& sentence : unshown_bugs(adequacy)) faults += place + ".judging.cpp: " + sentence + "\n";
+    tried[k] = adequacy_text(exercise, adequacy);
+    for (const std::string& sentence : unshown_bugs(adequacy)) faults[k] += place + ".judging.cpp: " + sentence + "\n";
   });
   progress_bar.clear();
-  fmt::print("{}{}In all: {} of {} bugs found.\n", tried, faults, killed, made);
-  return faults.empty() ? all_passed : something_failed;
+  fmt::print("{}{}In all: {} of {} bugs found.\n", fmt::join(tried, ""), fmt::join(faults, ""), killed, made);
+  const bool has_fault = !std::ranges::all_of(faults, &std::string::empty);
+  return has_fault ? something_failed : all_passed;
 }
 
 }  // namespace workbook

@@ -28,10 +28,20 @@ struct Intake {
   std::vector<std::string> problems;  ///< what belongs to no student
 };
 
+/// Which students are taken in: those of one of several equal parts of the class, which any machine tells by their ids.
+struct Shard {
+  std::uint64_t number = 1, count = 1;
+
+  bool has(const std::string& id) const;
+};
+
+/// "2/8". @throws GradingError
+Shard read_shard(const std::string& text);
+
 /// Takes in a folder per student, files called ID_EXERCISE.cpp, and zip files of both.
 /// @param copies  DIR/SLUG/EXERCISE.cpp is written there. @throws GradingError, std::runtime_error
 Intake take_in(const std::filesystem::path& submissions, const Course& course, const std::vector<RosterEntry>& roster,
-               const std::filesystem::path& copies);
+               const std::filesystem::path& copies, const Shard& shard = {});
 
 /// One file of a zip file.
 struct Zipped {

@@ -31,12 +31,13 @@ std::string_view entry_of(std::string_view line) {
 
 }  // namespace
 
-Journal::Journal(std::filesystem::path file) : file_(std::move(file)) {
-  descriptor_ = Descriptor(::open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0600));
+Journal::Journal(std::filesystem::path file, Access access) : file_(std::move(file)) {
+  const int flags = access == Access::write ? O_RDWR | O_CREAT | O_APPEND : O_RDONLY;
+  descriptor_ = Descriptor(::open(file_.c_str(), flags | O_CLOEXEC | O_NOFOLLOW, 0600));
   if (!descriptor_) fail(file_, "opened");
   // Of the kind that jobs which outlive a killed checker for a moment do not inherit.
   struct flock lock {};
-  lock.l_type = F_WRLCK;
+  lock.l_type = access == Access::write ? F_WRLCK : F_RDLCK;
   if (::fcntl(descriptor_.number(), F_SETLK, &lock) != 0)
     throw GradingError(fmt::format("Another `grade` is at work in {}.", shown_path(file_.parent_path())));
   std::string rest;
@@ -59,18 +60,20 @@ Journal::Journal(std::filesystem::path file) : file_(std::move(file)) {
     }
     rest.erase(0, begin);
   }
-  if (::ftruncate(descriptor_.number(), end_) != 0) fail(file_, "written");
+  if (access == Access::write && ::ftruncate(descriptor_.number(), end_) != 0) fail(file_, "written");
+}
+
+std::string Journal::line_at(const Place& place) const {
+  std::string line(place.size, '\0');
+  const ssize_t got = ::pread(descriptor_.number(), line.data(), line.size(), place.offset);
+  return got == static_cast<ssize_t>(line.size()) ? line : "";
 }
 
 std::optional<CheckResult> Journal::find(const std::string& key, const std::string& content) const {
   const auto place = places_.find(key);
   if (place == places_.end()) return std::nullopt;
-  std::string line(place->second.size, '\0');
-  if (::pread(descriptor_.number(), line.data(), line.size(), place->second.offset) !=
-      static_cast<ssize_t>(line.size()))
-    return std::nullopt;
   try {
-    const auto entry = nlohmann::json::parse(entry_of(line));
+    const auto entry = nlohmann::json::parse(entry_of(line_at(place->second)));
     // The key is a short hash, for which somebody may have made two files.
     if (entry.at("content").get<std::string>() != base64(content)) return std::nullopt;
     return read_result(from_base64(entry.at("result").get<std::string>()));
@@ -86,10 +89,20 @@ void Journal::append(const std::string& key, const std::string& content, const C
                               {"content", base64(content)},
                               {"result", base64(written_result(checked))}};
   const std::string text = entry.dump();
-  const std::string line = fmt::format("{}{}{}{}}}", before_sum, fingerprint(text), before_entry, text);
+  write(key, fmt::format("{}{}{}{}}}", before_sum, fingerprint(text), before_entry, text));
+  sync();
+}
+
+void Journal::merge(const Journal& other) {
+  for (const auto& [key, place] : other.places_)
+    if (const std::string line = has(key) ? "" : other.line_at(place); !line.empty()) write(key, line);
+  damaged_ += other.damaged_;
+  sync();
+}
+
+void Journal::write(const std::string& key, const std::string& line) {
   const std::string bytes = line + "\n";
-  if (::write(descriptor_.number(), bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size()) ||
-      ::fdatasync(descriptor_.number()) != 0) {
+  if (::write(descriptor_.number(), bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size())) {
     const int reason = errno;
     [[maybe_unused]] const int unused = ::ftruncate(descriptor_.number(), end_);
     errno = reason;
@@ -97,6 +110,10 @@ void Journal::append(const std::string& key, const std::string& content, const C
   }
   places_[key] = {end_, line.size()};
   end_ += static_cast<std::int64_t>(bytes.size());
+}
+
+void Journal::sync() const {
+  if (::fdatasync(descriptor_.number()) != 0) fail(file_, "written");
 }
 
 }  // namespace workbook

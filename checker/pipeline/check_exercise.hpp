@@ -118,10 +118,9 @@ class CheckJob {
 
   /// Becomes readable when there is something to collect.
   int descriptor() const { return job_->descriptor(); }
-  /// Takes what has come so far. True once the job is over.
+  /// Takes what has come so far. True once the job is over, or its time: then result() does not wait.
   bool collect() { return job_->collect(); }
   Clock::time_point begun() const { return job_->begun(); }
-  bool is_out_of_time() const;
 
   /// The last whole message that has been collected: the verdict alone, until the result is there, for its explanation
   /// may take a second longer.

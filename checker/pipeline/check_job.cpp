@@ -112,8 +112,6 @@ std::optional<CheckResult> CheckJob::last_message() const {
   return checked;
 }
 
-bool CheckJob::is_out_of_time() const { return Clock::now() - begun() > longest_check; }
-
 CheckResult CheckJob::result() {
   const std::string trouble = job_->finish();
   try {
@@ -127,9 +125,14 @@ CheckResult CheckJob::result() {
 
 void check_all(CheckContext& context, const std::vector<CheckTask>& tasks,
                const std::function<void(CheckResult)>& deliver) {
+  std::map<std::size_t, CheckResult> early;
+  std::size_t turn = 0;
   run_jobs(
       tasks.size(), [&](std::size_t k) { return std::make_unique<CheckJob>(context, tasks[k]); },
-      [&](std::size_t, CheckJob& job) { deliver(job.result()); });
+      [&](std::size_t k, CheckJob& job) {
+        early.emplace(k, job.result());
+        for (; early.contains(turn); ++turn) deliver(std::move(early.extract(turn).mapped()));
+      });
 }
 
 }  // namespace workbook

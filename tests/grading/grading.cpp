@@ -149,6 +149,39 @@ TEST_CASE("a run that is killed at any instant goes on where it was") {
   CHECK(results_in(few.root() / "killed") == results_in(few.root() / "undisturbed"));
 }
 
+TEST_CASE("parts of a class, judged by themselves and joined, give the results of a single run") {
+  const MadeUpClass few;
+  hand_in_few_files(few);
+  few.energy("dora", right_energy);
+  write(few.root() / "roster.csv", "id\nada\nben\ncleo\ndora\nemil\n");
+  const std::string roster = "--roster roster.csv";
+  REQUIRE(few.grade("single", roster).status == 0);
+  for (const char* shard : {"1/3", "2/3", "3/3"}) {
+    const Outcome judged = few.grade("part" + std::string(shard, 1), fmt::format("{} --shard {}", roster, shard));
+    REQUIRE_MESSAGE(judged.status == 0, judged.said());
+  }
+  const Outcome joined = few.grade("joined", roster + " --merge part1 part2 part3");
+  REQUIRE_MESSAGE(joined.status == 0, joined.said());
+  CHECK(has(joined.out, " 0 different files"));
+  CHECK(results_in(few.root() / "joined") == results_in(few.root() / "single"));
+  const auto size = [&](const char* out) { return fs::file_size(few.root() / out / "journal.jsonl"); };
+  CHECK(size("joined") == size("single"));
+
+  // A part that is missing, or was killed while it wrote, is judged by the run that joins them.
+  const std::string journal = read(few.root() / "single/journal.jsonl");
+  write(few.root() / "killed/journal.jsonl", journal.substr(0, journal.size() - 100));
+  fs::create_directories(few.root() / "never_begun");
+  const Outcome completed = few.grade("again", roster + " --merge killed never_begun");
+  REQUIRE_MESSAGE(completed.status == 0, completed.said());
+  CHECK(has(completed.out, " 1 different file "));
+  CHECK(results_in(few.root() / "again") == results_in(few.root() / "single"));
+  CHECK(size("again") == size("single"));
+
+  for (const char* wrong : {"0/3", "4/3", "1", "1/", "1/0", "a/b", "1/2x"})
+    CHECK_MESSAGE(few.grade("out", "--shard " + std::string(wrong)).status == 2, wrong);
+  CHECK(few.grade("out", "--merge no_such_folder").status == 2);
+}
+
 TEST_CASE("a damaged journal changes no result") {
   const MadeUpClass few;
   few.energy("ada", right_energy);
