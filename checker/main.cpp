@@ -256,6 +256,8 @@ class CommandLine {
     option("--out class", "FOLDER", options_.out, "the folder for all results; the next run goes on in it", true);
     option("--roster", "FILE", options_.roster, "CSV with the column id, and name and submitted if there are");
     option("--assignment", "FILE", options_.assignment, "JSON: what is graded and what it is worth");
+    option("--reference", "FILE...", options_.references, "judge by these reference results, made before, of one seed");
+    option("--only", "VERDICT", options_.only, "judge once more what had this verdict, wrong_value for example");
     option("--shard", "K/N", options_.shard, "only judge the K-th of N parts of the class; --merge joins them");
     option("--merge", "FOLDER...", options_.merged, "take over what was judged in these folders, of parts for example");
     option("--allow-reduced", "", options_.allow_reduced, "be content with the sandbox that `doctor` calls reduced");
@@ -383,8 +385,11 @@ class CommandLine {
         "mark has changed, and why, is printed.",
         {"grade submissions --out grades --allow-reduced",
          "grade week3.zip --out week3 --roster class.csv --assignment week3.json --seed 2027 --allow-reduced"},
-        {"SUBMISSIONS", "--out class", "--roster", "--assignment", "--seed", "--shard", "--merge", "--allow-reduced"},
-        grade);
+        {"SUBMISSIONS", "--out class", "--roster", "--assignment", "--seed", "--reference", "--only", "--shard",
+         "--merge", "--allow-reduced"},
+        grade)
+        .get_option("--reference")
+        ->excludes("--seed");
     add("self-check", authors,
         "Check the workbook itself\n\nTries every stub, solution, right route, wrong answer, hint and pointer of the "
         "course, and names the file and the fix for everything that is wrong.",

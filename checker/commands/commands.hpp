@@ -39,9 +39,11 @@ struct Options {
   std::string student;                ///< whose page it is; may be empty
   std::filesystem::path submissions;  ///< of a class: a folder or a zip file
   std::optional<std::filesystem::path> roster, assignment;
-  std::string shard;                          ///< "2/8": judge only this part of the class
-  std::vector<std::filesystem::path> merged;  ///< folders of such parts, to be joined
-  bool allow_reduced = false;                 ///< grade strangers' files in the reduced sandbox
+  std::vector<std::filesystem::path> references;  ///< reference results to judge by
+  std::string only;                               ///< judge what has this verdict once more
+  std::string shard;                              ///< "2/8": judge only this part of the class
+  std::vector<std::filesystem::path> merged;      ///< folders of such parts, to be joined
+  bool allow_reduced = false;                     ///< grade strangers' files in the reduced sandbox
 };
 
 /// Where the student stands, and what is next.

@@ -179,6 +179,7 @@ class Grader {
     }
     checked->task = task;
     checked->reference = &reference;
+    checked->share = assignment_.share(checked->judgement, hints_of(student, exercise));
     return *checked;
   }
 
@@ -188,6 +189,12 @@ class Grader {
   }
   fs::path stub(const Exercise& exercise) const { return out_ / "work" / "stubs" / (exercise.name() + ".cpp"); }
   fs::path folder(std::size_t number) const { return out_ / "work" / "judging" / std::to_string(number); }
+
+  static std::optional<std::size_t> hints_of(const Student& student, const Exercise& exercise) {
+    if (!student.hints) return std::nullopt;
+    const auto known = student.hints->find(exercise.name());
+    return known == student.hints->end() ? 0 : known->second;
+  }
 
   static bool is_refused(const Student& student, const Exercise& exercise) {
     const auto file = student.files.find(exercise.name());
@@ -281,17 +288,39 @@ std::string indented(const ordered_json& document) {
   return document.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
+/// The verdict of that name. @throws GradingError
+std::string known_verdict(const std::string& name) {
+  const std::string known = to_string(nlohmann::json(name).get<Verdict>());
+  if (known != name || name == to_string(Verdict::checker_error))
+    throw GradingError(fmt::format("No result has the verdict '{}'; one is wrong_value.", printable(name)));
+  return known;
+}
+
+/// The seed of the cases, which is that of the reference results where such are given.
+std::uint64_t seed_of(Course& course, const Options& options) {
+  std::optional<std::uint64_t> seed;
+  for (const fs::path& file : options.references) {
+    const std::uint64_t given = course.use_reference(file);
+    if (seed.value_or(given) != given)
+      throw GradingError(fmt::format("{} was made with seed {}, another one with {}; give such of one seed.",
+                                     shown_path(file), given, *seed));
+    seed = given;
+  }
+  return seed.value_or(options.seed);
+}
+
 /// Files for every student, then those for the class; class.json comes last: it is what the next run compares with.
 ordered_json write_results(Grader& grader, const Intake& intake, const Course& course, const Assignment& assignment,
-                           const Options& options, const std::string& sandbox, const fs::path& out) {
+                           std::uint64_t seed, const std::string& sandbox, const fs::path& out) {
   ReportedCourse page;
   page.date = current_day();
-  page.seed = options.seed;
+  page.seed = seed;
   for (const Card& card : course.cards()) page.headings.merge(read_headings(course.notes_file(card)));
-  ClassResults results(assignment, options.seed, sandbox, intake.problems);
+  ClassResults results(assignment, seed, sandbox, intake.problems);
   std::error_code ignored;
   for (const char* folder : {"students", "gradescope"}) fs::remove_all(out / folder, ignored);
-  for (const Student& student : intake.students) {
+  for (Student student : intake.students) {
+    std::ranges::copy(assignment.rules(student.hints.has_value()), std::back_inserter(student.notes));
     std::vector<CheckResult> checked;
     std::vector<std::string> made_from(assignment.exercises().size());
     for (std::size_t i = 0; i < made_from.size(); ++i)
@@ -342,16 +371,20 @@ int grade(const Course& given, const Options& options) {
     if (!fs::exists(submissions)) throw GradingError(fmt::format("There is no {}.", shown_path(submissions)));
     Course course = given;
     course.use_scratch(out / "work");
+    const std::uint64_t seed = seed_of(course, options);
     const Assignment assignment(course, options.assignment);
     const std::vector<RosterEntry> roster = options.roster ? read_roster(*options.roster) : std::vector<RosterEntry>{};
     const Shard shard = options.shard.empty() ? Shard{} : read_shard(options.shard);
     prepare_folder(out, submissions);
     Journal journal(out / journal_name);
+    if (!options.only.empty()) journal.forget(known_verdict(options.only));
     for (const Journal& each : journals_in(options.merged, out)) journal.merge(each);
     if (journal.damaged() > 0) fmt::print("{} of the journal are damaged.\n", plural(journal.damaged(), "line"));
-    Grader grader(course, assignment, options.seed, out, journal);
+    Grader grader(course, assignment, seed, out, journal);
     grader.build_all();
-    give_up_root(out, {submissions, course.lectures(), course.toolchain_file()});
+    std::vector<fs::path> needed = options.references;
+    needed.insert(needed.end(), {submissions, course.lectures(), course.toolchain_file()});
+    give_up_root(out, needed);
     const Intake intake = take_in(submissions, course, roster, out / "submissions", shard);
     grader.begin(intake);
     fmt::print("{}, {}: {} to judge.\n", plural(intake.students.size(), "student"),
@@ -365,7 +398,7 @@ int grade(const Course& given, const Options& options) {
                  command("grade SUBMISSIONS --out FOLDER --merge " + shell_quoted(options.out->string())));
       return grader.failed() == 0 ? all_passed : checker_failed;
     }
-    const ordered_json document = write_results(grader, intake, course, assignment, options, sandbox, out);
+    const ordered_json document = write_results(grader, intake, course, assignment, seed, sandbox, out);
     print_changes(out / "class.json", document);
     write_or_fail(out / "class.json", indented(document));
     fs::remove_all(out / "work", ignored);

@@ -214,8 +214,11 @@ fs::path Course::reference_of_seed(const std::string& lecture, std::uint64_t see
 }
 
 LectureReference Course::reference(const std::string& lecture, std::uint64_t seed, const std::string& only) const {
-  if (has_solutions()) make_reference(lecture);
-  const fs::path file = seed == seed_ ? reference_file(lecture) : reference_of_seed(lecture, seed);
+  const auto given = given_.find(lecture);
+  if (given == given_.end() && has_solutions()) make_reference(lecture);
+  const fs::path file = given != given_.end() ? given->second
+                        : seed == seed_       ? reference_file(lecture)
+                                              : reference_of_seed(lecture, seed);
   LectureReference results = read_reference_results(file, only);
   for (const CardExercise& exercise : find_lecture(lecture).exercises)
     if ((only.empty() || exercise.name == only) &&
@@ -224,6 +227,12 @@ LectureReference Course::reference(const std::string& lecture, std::uint64_t see
           fmt::format("{}: '{}' is missing, though the card lists it; `{}` names what is to be written.", file.string(),
                       exercise.name, command("self-check " + exercise.name)));
   return results;
+}
+
+std::uint64_t Course::use_reference(const fs::path& file) {
+  const LectureReference results = read_reference_results(file);
+  given_[find_lecture(results.lecture).lecture] = fs::absolute(file);
+  return results.seed;
 }
 
 }  // namespace workbook

@@ -5,6 +5,8 @@
 #include "checker/base/child_process.hpp"
 #include "checker/data/reference_results.hpp"
 
+#include <map>
+
 namespace workbook {
 
 /// The names are the keys of card.json, here and below.
@@ -133,6 +135,10 @@ class Course {
   /// @throws ReferenceError if they are not there, cannot be made or cannot be read, or lack an exercise of the card.
   LectureReference reference(const std::string& lecture, std::uint64_t seed, const std::string& only = "") const;
 
+  /// From now on takes the results of a lecture from this file, for whichever seed. Returns the seed that they were
+  /// made with. @throws ReferenceError, UnknownName
+  std::uint64_t use_reference(const std::filesystem::path& file);
+
  private:
   void make_reference(const std::string& lecture) const;
   std::filesystem::path reference_of_seed(const std::string& lecture, std::uint64_t seed) const;
@@ -144,6 +150,7 @@ class Course {
   std::filesystem::path notes_;
   Build build_;
   std::vector<Card> cards_;
+  std::map<std::string, std::filesystem::path> given_;  ///< by lecture: reference results to be used
   std::uint64_t seed_ = 1;
 };
 

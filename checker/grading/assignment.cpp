@@ -105,7 +105,7 @@ Assignment::Assignment(const Course& course, const std::optional<std::filesystem
   std::vector<std::string> names;
   if (file) try {
       const json document = json::parse(text_of(*file));
-      require_known(document, "the file", {"title", "exercises", "due", "late"});
+      require_known(document, "the file", {"title", "exercises", "due", "late", "hint_cost", "partial"});
       title_ = document.value("title", "");
       for (const json& each : document.value("exercises", json::array())) {
         const std::string name = each.is_object() ? each.at("name").get<std::string>() : each.get<std::string>();
@@ -128,6 +128,8 @@ Assignment::Assignment(const Course& course, const std::optional<std::filesystem
         late_per_day_ = number_between(late, "per_day", 0, 1);
         latest_day_ = static_cast<int>(number_between(late, "days", 0, 10000));
       }
+      if (document.contains("hint_cost")) hint_cost_ = number_between(document, "hint_cost", 0, 1);
+      is_partial_ = document.value("partial", false);
     } catch (const json::exception& problem) {
       const std::string reason = problem.what();  // "[json.exception.…] (/late/days) key …"
       throw GradingError(fmt::format("{}: {}.", shown_path(*file), printable(reason.substr(reason.find(']') + 2))));
@@ -152,6 +154,26 @@ int Assignment::days_late(const std::optional<std::int64_t>& submitted) const {
 double Assignment::late_factor(int days) const {
   if (days <= 0) return 1.0;
   return days > latest_day_ ? 0.0 : std::max(0.0, 1.0 - late_per_day_ * days);
+}
+
+double Assignment::share(const Judgement& judgement, std::optional<std::size_t> hints) const {
+  // A crash, a call that is forbidden or a value that changes is no part of an answer.
+  const bool has_values = judgement.verdict == Verdict::wrong_value || judgement.verdict == Verdict::non_finite_value;
+  const double earned = judgement.passed() ? 1.0
+                        : is_partial_ && has_values
+                            ? static_cast<double>(judgement.cases_passed()) / static_cast<double>(judgement.cases_total)
+                            : 0.0;
+  return earned * std::max(0.0, 1.0 - hint_cost_ * static_cast<double>(hints.value_or(0)));
+}
+
+std::vector<std::string> Assignment::rules(bool hints_are_known) const {
+  std::vector<std::string> sentences;
+  if (is_partial_) sentences.emplace_back("Values that are right at some of the cases earn that part of the points.");
+  if (has_hint_cost())
+    sentences.push_back(fmt::format("Each hint that was shown costs {:g} % of what its exercise earns{}",
+                                    100 * hint_cost_,
+                                    hints_are_known ? "." : "; no progress file was handed in, so none is counted."));
+  return sentences;
 }
 
 std::vector<RosterEntry> read_roster(const std::filesystem::path& file) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "checker/course/course.hpp"
+#include "checker/judging/judge.hpp"
 
 #include <cstdint>
 #include <deque>
@@ -43,6 +44,12 @@ class Assignment {
   /// What is left of the points after so many days.
   double late_factor(int days) const;
 
+  /// What an exercise earns of its points. @param hints  that have been shown; nothing: unknown, and at no cost
+  double share(const Judgement& judgement, std::optional<std::size_t> hints) const;
+  bool has_hint_cost() const { return hint_cost_ > 0; }
+  /// What a student is told about the points, apart from lateness.
+  std::vector<std::string> rules(bool hints_are_known) const;
+
  private:
   std::string title_;
   std::deque<CardExercise> entries_;
@@ -51,6 +58,8 @@ class Assignment {
   std::optional<std::int64_t> due_;
   double late_per_day_ = 0.0;
   int latest_day_ = 0;
+  double hint_cost_ = 0.0;
+  bool is_partial_ = false;
 };
 
 /// One row of the roster.

@@ -171,6 +171,8 @@ std::vector<std::string> changed_marks(const ordered_json& before, const ordered
                                       is_other_file ? "with another file" : "with other cases or another checker"));
       } else if (same->at("points") != mark.at("points")) {
         reasons.push_back(mark.at("exercise").get<std::string>() + " has other points");
+      } else if (same->at("score") != mark.at("score")) {
+        reasons.push_back(mark.at("exercise").get<std::string>() + " earns another part of its points");
       }
     }
     if (reasons.empty()) reasons.emplace_back("other exercises in the assignment");

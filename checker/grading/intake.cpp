@@ -1,6 +1,7 @@
 #include "checker/grading/intake.hpp"
 
 #include "checker/base/text.hpp"
+#include "checker/course/progress.hpp"
 #include "checker/source/submission.hpp"
 
 #include <boost/algorithm/string/case_conv.hpp>
@@ -20,6 +21,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t most_notes = 20;
 constexpr std::size_t most_entries = 20'000;  // looked at in one student's folder
 constexpr int deepest = 16;
+const fs::path progress_file = ".workbook/progress.json";
 constexpr std::size_t in_another_shard = SIZE_MAX;
 
 /// "Spring Energy-2 (1)" → "spring_energy": what somebody meant who did not keep to a name.
@@ -100,7 +102,7 @@ class Collector {
     std::ranges::replace_if(
         id, [](char letter) { return letter == '\n' || letter == '\t'; }, '?');
     students_.emplace(raw, intake.students.size());
-    intake.students.push_back({shortened(id, 200), "", unique, {}, {}, {}});
+    intake.students.push_back({shortened(id, 200), "", unique, {}, {}, {}, {}});
     return intake.students.back();
   }
 
@@ -135,6 +137,9 @@ class Collector {
     if (unreadable)
       note(student, fmt::format("The folder '{}' cannot be read ({}).", shortened(printable(relative), 200),
                                 unreadable.message()));
+    if (const fs::path own = folder / progress_file.parent_path(); type_of(own) == fs::file_type::directory)
+      if (const fs::path file = folder / progress_file; type_of(file) != fs::file_type::not_found)
+        take(relative + "/" + progress_file.string(), file, nullptr);
     for (const fs::path& entry : entries) {
       if (++looked_at_ > most_entries) return note(student, "The folder holds too many files; the rest was not read.");
       const std::string name = entry.filename().string(), below = fmt::format("{}/{}", relative, name);
@@ -156,7 +161,7 @@ class Collector {
   void take_zip(const fs::path& file, const std::string& prefix) {
     try {
       std::vector<std::string> endings = names_;
-      endings.emplace_back(".cpp");
+      endings.insert(endings.end(), {".cpp", progress_file.filename().string()});
       for (const Zipped& each : read_zip(file, endings)) take(prefix + each.path, {}, &each);
     } catch (const RejectedFile& reason) {
       const std::size_t slash = prefix.find('/');
@@ -175,8 +180,14 @@ class Collector {
     std::vector<std::string> parts;
     for (const fs::path& part : fs::path(relative))
       if (!part.empty() && part != "." && part != "/") parts.push_back(part.string());
+    const bool is_progress = parts.size() > 2 && fs::path(parts[parts.size() - 2]) / parts.back() == progress_file;
+    if (is_progress) parts.resize(parts.size() - 2);
     if (parts.empty() || std::ranges::any_of(parts, [](const auto& part) { return part.starts_with('.'); })) {
       if (std::ranges::count(parts, "..") > 0) problem(fmt::format("'{}' was not read: its path leads away.", shown));
+      return;
+    }
+    if (is_progress) {
+      if (Student* const student = student_of(parts.front())) take_progress(*student, file, zipped, shown);
       return;
     }
     if (parts.size() == 1) return take_flat(parts.front(), file, zipped);
@@ -192,6 +203,22 @@ class Collector {
                std::ranges::find(exercises_, meant, &Exercise::name) != exercises_.end() &&
                parts.back().find(".cpp") != std::string::npos) {
       note(*student, fmt::format("'{}' was not read: the file should be called {}.cpp.", shown, meant));
+    }
+  }
+
+  /// Of several the one counts, for each exercise, that tells of more hints.
+  void take_progress(Student& student, const fs::path& file, const Zipped* zipped, const std::string& shown) {
+    const fs::path copy = copies_ / student.slug / "progress.json";
+    try {
+      write_or_throw(copy, zipped ? text_of(*zipped, shown) : text_of(file, shown));
+      const Progress progress(copy);
+      if (progress.warning().empty() && !student.hints) student.hints.emplace();
+      for (const Exercise& exercise : exercises_)
+        if (const std::size_t hints = progress.hints_shown(exercise.name()); hints > 0)
+          (*student.hints)[exercise.name()] = std::max((*student.hints)[exercise.name()], hints);
+      if (!progress.warning().empty()) note(student, shown + " is damaged, so it was not used.");
+    } catch (const RejectedFile& reason) {
+      note(student, reason.what());
     }
   }
 

@@ -20,7 +20,9 @@ struct Student {
   std::string slug;  ///< names this student's files: letters, digits, "-", "_" and "."
   std::optional<std::int64_t> submitted;
   std::map<std::string, HandedIn> files;  ///< by exercise
-  std::vector<std::string> notes;         ///< what else is to be said of the submission
+  /// By exercise, as the progress file says that was handed in; nothing: there is none that can be read.
+  std::optional<std::map<std::string, std::size_t>> hints;
+  std::vector<std::string> notes;  ///< what else is to be said of the submission
 };
 
 struct Intake {

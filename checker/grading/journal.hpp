@@ -25,6 +25,9 @@ class Journal {
   /// Copies the results that this journal lacks. On disk when it returns. @throws std::runtime_error
   void merge(const Journal& other);
 
+  /// Leaves out the results with this verdict from now on.
+  void forget(const std::string& verdict);
+
   std::size_t damaged() const { return damaged_; }
 
  private:

@@ -44,10 +44,11 @@ struct CheckResult {
   Explanation explanation;
   std::filesystem::path executable;  ///< for the plot; empty if the file did not compile
   const ExerciseReference* reference = nullptr;
+  std::optional<double> share;  ///< of the points that it earns, where that is not all or nothing
 
   const std::string& name() const { return task.exercise.name(); }
   double points() const { return task.exercise.entry->points; }
-  double score() const { return judgement.passed() ? points() : 0.0; }
+  double score() const { return points() * share.value_or(judgement.passed() ? 1.0 : 0.0); }
   bool is_judged() const { return judgement.verdict != Verdict::checker_error; }
   bool is_started() const { return judgement.verdict != Verdict::not_started; }
   /// The same where two functions returned the same values at all cases.

@@ -240,6 +240,67 @@ TEST_CASE("assignment and roster: points, lateness, ids of Moodle and Canvas") {
   CHECK(few.grade("out", "--roster roster.csv").status == 2);
 }
 
+TEST_CASE("hints cost points, and values that are right at some cases earn some, where the assignment says so") {
+  const MadeUpClass few;
+  const std::string progress = R"({"format": 1, "exercises": {"spring_energy": {"hints": 2}, "spring_force": {}}})";
+  for (const char* student : {"ada", "ben", "cleo"}) few.energy(student, right_energy);
+  few.force("ada", "return x[0] > 0 ? Vector3d(-k * x) : Vector3d(k * x);");
+  write(few.submissions() / "ada/.workbook/progress.json", progress);
+  write(few.submissions() / "ada/.workbook/kept/spring_energy.cpp", energy_text("return 7;"));
+  write_zip(few.submissions() / "ben.zip", {{".workbook/progress.json", progress.c_str()}});
+  write(few.submissions() / "cleo/.workbook/progress.json", "[[[[[[");
+  write(few.submissions() / "dora/spring_energy.cpp", energy_text(right_energy));
+  fs::create_directory_symlink(few.submissions() / "ada/.workbook", few.submissions() / "dora/.workbook");
+  few.force("dora", "if (k > 1) throw 1;\n  return -k * x;");
+  write(few.root() / "assignment.json", R"({"hint_cost": 0.25, "partial": true})");
+  const Outcome graded = few.grade("out", "--assignment assignment.json");
+  REQUIRE_MESSAGE(graded.status == 0, graded.said());
+  const auto energy = [&](const char* id) { return few.student(id).at("results").at(0).at("score").get<double>(); };
+  CHECK(energy("ada") == 1);
+  CHECK(energy("ben") == 1);
+  CHECK(energy("cleo") == 2);  // a progress file that cannot be read costs nothing, and is named
+  CHECK(has(few.student("cleo").at("student").at("notes").dump(), "progress.json"));
+  CHECK(energy("dora") == 2);  // another one's file is not read
+  const auto force = few.student("ada").at("results").at(1);
+  const double right = force.at("cases").at("passed"), all = force.at("cases").at("total");
+  CHECK(verdict(few.student("ada"), 1) == "wrong_value");
+  CHECK((right > 0 && right < all));
+  CHECK(force.at("score").get<double>() == doctest::Approx(right / all));
+  CHECK(few.student("dora").at("results").at(1).at("score") == 0);
+  CHECK(has(read(few.root() / "out/students/ada.html"), "25 %"));
+
+  // What the assignment says of points changes no verdict, so nothing is judged again.
+  write(few.root() / "assignment.json", R"({"hint_cost": 0.1})");
+  const Outcome again = few.grade("out", "--assignment assignment.json");
+  CHECK(has(again.out, " 0 different files"));
+  CHECK(has(again.out, "ben: 1.6 of 3 points, before 1 of 3: spring_energy earns another part of its points"));
+  CHECK(few.student("ada").at("results").at(1).at("score") == 0);
+}
+
+TEST_CASE("one group of results is judged again, and given reference results take the place of a seed") {
+  const MadeUpClass few;
+  hand_in_few_files(few);
+  REQUIRE(few.grade().status == 0);
+  const auto results = results_in(few.root() / "out");
+  CHECK(has(few.grade("out", "--only wrong_value").out, " 1 different file "));
+  CHECK(results_in(few.root() / "out") == results);
+  CHECK(has(few.grade().out, " 0 different files"));
+  CHECK(few.grade("out", "--only wrong").status == 2);
+  CHECK(few.grade("out", "--only checker_error").status == 2);
+
+  const fs::path drawn = few.root() / "drawn.json";
+  REQUIRE(few.run("check spring_energy --seed 7").status == 1);  // the stub; the reference results are made now
+  fs::copy_file(fs::path(WORKBOOK_TEST_SCRATCH) / "shared/reference/01_springs-seed-7.json", drawn);
+  REQUIRE(few.grade("seed", "--seed 7").status == 0);
+  const Outcome given = few.grade("given", "--reference drawn.json");
+  REQUIRE_MESSAGE(given.status == 0, given.said());
+  CHECK(results_in(few.root() / "given") == results_in(few.root() / "seed"));
+  CHECK(few.grade("given", "--reference drawn.json --seed 7").status == 2);
+  CHECK(few.grade("given", "--reference drawn.json " + few.reference().string()).status == 2);
+  write(drawn, "damaged");
+  CHECK(few.grade("given", "--reference drawn.json").status == 3);
+}
+
 TEST_CASE("nothing is graded in a weaker sandbox than was agreed to, nor into somebody's folder") {
   const MadeUpClass few;
   few.energy("ada", right_energy);
