@@ -378,8 +378,10 @@ class CommandLine {
     add("grade", instructors,
         "Grade a class\n\nSUBMISSIONS holds a folder or a zip file per student, or files called ID_EXERCISE.cpp, as "
         "Moodle "
-        "and Canvas export them. Only files with the names of exercises are read. FOLDER gets class.html, grades.csv, "
-        "junit.xml, class.json, and for every student a page, JSON, and results for Gradescope. What is judged is kept "
+        "and Canvas export them. Only files with the names of exercises are read. FOLDER gets class.html, class.json, "
+        "tables "
+        "for spreadsheets, Moodle and Canvas, and for every student a page, JSON, and results for other autograders. "
+        "What is judged is kept "
         "there: a run that was stopped goes on, and of a class that was graded before only what is new is judged; "
         "whose "
         "mark has changed, and why, is printed.",

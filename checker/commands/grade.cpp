@@ -284,10 +284,6 @@ class Grader {
   std::map<std::string, std::string> reference_fingerprints_;
 };
 
-std::string indented(const ordered_json& document) {
-  return document.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
-}
-
 /// The verdict of that name. @throws GradingError
 std::string known_verdict(const std::string& name) {
   const std::string known = to_string(nlohmann::json(name).get<Verdict>());
@@ -318,7 +314,8 @@ ordered_json write_results(Grader& grader, const Intake& intake, const Course& c
   for (const Card& card : course.cards()) page.headings.merge(read_headings(course.notes_file(card)));
   ClassResults results(assignment, seed, sandbox, intake.problems);
   std::error_code ignored;
-  for (const char* folder : {"students", "gradescope"}) fs::remove_all(out / folder, ignored);
+  for (const char* folder : {"students", "gradescope", "autolab", "github_classroom", "classroom50"})
+    fs::remove_all(out / folder, ignored);
   for (Student student : intake.students) {
     std::ranges::copy(assignment.rules(student.hints.has_value()), std::back_inserter(student.notes));
     std::vector<CheckResult> checked;
@@ -328,7 +325,8 @@ ordered_json write_results(Grader& grader, const Intake& intake, const Course& c
     const ordered_json document = results.add(student, checked, made_from);
     const fs::path file = out / "students" / student.slug;
     write_or_fail(file.string() + ".json", indented(document));
-    write_or_fail(out / "gradescope" / (student.slug + ".json"), indented(gradescope_results(document)));
+    for (const auto& [folder, text] : student_exports(document))
+      write_or_fail(out / folder / (student.slug + ".json"), text);
     page.student = student.name.empty() ? student.id : student.name;
     page.notes = student.notes;
     page.notes.insert(page.notes.begin(), "Sandbox: " + sandbox + ".");
@@ -342,8 +340,7 @@ ordered_json write_results(Grader& grader, const Intake& intake, const Course& c
     write_or_fail(file.string() + ".html", report_page(page));
   }
   ordered_json document = results.document();
-  write_or_fail(out / "grades.csv", grades_csv(document));
-  write_or_fail(out / "junit.xml", junit_xml(document));
+  for (const auto& [name, text] : class_exports(document)) write_or_fail(out / name, text);
   write_or_fail(out / "class.html", class_page(document, page.date));
   return document;
 }

@@ -47,13 +47,15 @@ class ClassResults {
 /// Whose mark is another one than before, and why, a line each.
 std::vector<std::string> changed_marks(const nlohmann::ordered_json& before, const nlohmann::ordered_json& now);
 
-// --- the class document in the forms that other programs read
-std::string grades_csv(const nlohmann::ordered_json& document);
-std::string junit_xml(const nlohmann::ordered_json& document);
+/// A document as it is written to a file.
+std::string indented(const nlohmann::ordered_json& document);
+
+// --- in the forms that other programs read
+/// Texts by the names of their files.
+std::map<std::string, std::string> class_exports(const nlohmann::ordered_json& document);
+/// Texts by the names of the folders that hold such a file of every student. @param student  the document about one
+std::map<std::string, std::string> student_exports(const nlohmann::ordered_json& student);
 /// The page about the class. @param date  as it is to be read
 std::string class_page(const nlohmann::ordered_json& document, const std::string& date);
-
-/// results.json of Gradescope, from the document about one student.
-nlohmann::ordered_json gradescope_results(const nlohmann::ordered_json& student);
 
 }  // namespace workbook

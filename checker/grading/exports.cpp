@@ -3,9 +3,12 @@
 #include "checker/grading/class_results.hpp"
 #include "checker/report/reports.hpp"
 
+#include <fmt/chrono.h>
 #include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <ctime>
 
 namespace workbook {
 
@@ -29,8 +32,6 @@ std::string number(const ordered_json& value) {
 std::string percent(const ordered_json& fraction) {
   return fraction.is_number() ? fmt::format("{:.0f} %", 100 * fraction.get<double>()) : "–";
 }
-
-}  // namespace
 
 std::string grades_csv(const ordered_json& document) {
   Table table = {{"id", "name", "score", "possible", "days_late"}};
@@ -73,6 +74,43 @@ std::string junit_xml(const ordered_json& document) {
   return text + "</testsuites>\n";
 }
 
+/// What gradebooks take: whose results are not all judged is left out, for a part would count as the whole.
+Table gradebook(const ordered_json& document, const std::vector<std::string>& heading,
+                const std::function<std::vector<std::string>(const std::string& id, const std::string& name)>& row) {
+  const std::string title = document.at("title");
+  Table table = {heading};
+  table[0].push_back(title.empty() ? "Rigid Body Workbook" : title);
+  for (const ordered_json& student : document.at("students")) {
+    const auto is_judged = [](const ordered_json& mark) { return mark.at("score").is_number(); };
+    if (!std::ranges::all_of(student.at("results"), is_judged)) continue;
+    table.push_back(row(student.at("id"), student.at("name")));
+    table.back().push_back(number(student.at("score")));
+  }
+  return table;
+}
+
+/// The instructor says at the import which column is which. https://docs.moodle.org/en/Grade_import
+std::string moodle_csv(const ordered_json& document) {
+  return write_csv(gradebook(document, {"ID number", "Full name"}, [](const std::string& id, const std::string& name) {
+    return std::vector<std::string>{id, name};
+  }));
+}
+
+/// Columns and the second row as lib/gradebook_importer.rb of Canvas demands them. It takes digits in the second column
+/// for its own number of a student, and looks for others in the next two.
+std::string canvas_csv(const ordered_json& document) {
+  const std::vector<std::string> heading = {"Student", "ID", "SIS User ID", "SIS Login ID", "Section"};
+  Table table = gradebook(document, heading, [](const std::string& id, const std::string& name) {
+    const bool is_number = id.find_first_not_of("0123456789") == std::string::npos;
+    const std::string own = is_number ? id : "", other = is_number ? "" : id;
+    return std::vector<std::string>{name.empty() ? id : name, own, other, other, ""};
+  });
+  double possible = 0;
+  for (const ordered_json& exercise : document.at("exercises")) possible += exercise.at("points").get<double>();
+  table.insert(table.begin() + 1, {"    Points Possible", "", "", "", "", number(possible)});
+  return write_csv(table);
+}
+
 ordered_json gradescope_results(const ordered_json& student) {
   std::vector<std::string> notes = student.at("student").at("notes");
   notes.insert(notes.begin(), "Sandbox: " + student.at("sandbox").get<std::string>());
@@ -96,6 +134,86 @@ ordered_json gradescope_results(const ordered_json& student) {
           {"output", fmt::format("{}", fmt::join(notes, "\n"))},
           {"output_format", "text"},
           {"tests", tests}};
+}
+
+/// The last line that a grader prints for Autolab. https://docs.autolabproject.com/lab/
+ordered_json autolab_scores(const ordered_json& student) {
+  ordered_json scores = ordered_json::object();
+  for (const ordered_json& result : student.at("results"))
+    if (result.at("score").is_number()) scores[result.at("exercise")] = result.at("score");
+  return {{"scores", scores}};
+}
+
+/// What a runner hands to autograding-grading-reporter of GitHub Classroom, there in base64.
+ordered_json github_classroom_result(const ordered_json& student) {
+  ordered_json tests = ordered_json::array();
+  std::string status = "pass";
+  for (const ordered_json& result : student.at("results")) {
+    const bool is_judged = result.at("score").is_number(), has_passed = result.at("verdict") == "passed";
+    const std::string of_test = !is_judged ? "error" : has_passed ? "pass" : "fail";
+    if (!has_passed && status != "error") status = of_test;
+    tests.push_back({{"name", result.at("exercise")},
+                     {"status", of_test},
+                     {"score", is_judged ? result.at("score") : ordered_json(0)},
+                     {"message", printable(has_passed ? "" : result.at("message").get<std::string>())},
+                     {"line_no", 0}});
+  }
+  return {{"version", 1}, {"status", status}, {"max_score", student.at("student").at("possible")}, {"tests", tests}};
+}
+
+/// result.json of Classroom 50, schemas/result-v1.schema.json there, whose runner says in its environment what is
+/// graded. Points are whole numbers, so that ours are given in hundredths.
+ordered_json classroom50_result(const ordered_json& student) {
+  ordered_json document = {{"schema", "classroom50/result/v1"}};
+  for (const auto& [key, variable] :
+       std::initializer_list<std::pair<const char*, const char*>>{{"classroom", "CLASSROOM"},
+                                                                  {"assignment", "ASSIGNMENT"},
+                                                                  {"assignment_type", "ASSIGNMENT_TYPE"},
+                                                                  {"owner", "OWNER"},
+                                                                  {"submission", "SUBMISSION_TAG"},
+                                                                  {"commit", "COMMIT_URL"},
+                                                                  {"release", "RELEASE_URL"},
+                                                                  {"review", "REVIEW_URL"}})
+    document[key] = environment(variable, "");
+  document["datetime"] = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+  const auto hundredths = [](const ordered_json& points) { return std::lround(100 * points.get<double>()); };
+  long score = 0, most = 0;
+  ordered_json tests = ordered_json::array();
+  for (const ordered_json& result : student.at("results")) {
+    if (!result.at("score").is_number()) continue;
+    score += hundredths(result.at("score"));
+    most += hundredths(result.at("points"));
+    tests.push_back({{"test-name", result.at("exercise")},
+                     {"passed", result.at("verdict") == "passed"},
+                     {"score", hundredths(result.at("score"))},
+                     {"max-score", hundredths(result.at("points"))},
+                     {"message", printable(result.at("message").get<std::string>())}});
+  }
+  document["score"] = score;
+  document["max-score"] = most;
+  document["tests"] = tests;
+  return document;
+}
+
+}  // namespace
+
+std::string indented(const ordered_json& document) {
+  return document.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+std::map<std::string, std::string> class_exports(const ordered_json& document) {
+  return {{"grades.csv", grades_csv(document)},
+          {"moodle.csv", moodle_csv(document)},
+          {"canvas.csv", canvas_csv(document)},
+          {"junit.xml", junit_xml(document)}};
+}
+
+std::map<std::string, std::string> student_exports(const ordered_json& student) {
+  std::map<std::string, std::string> texts = {{"gradescope", indented(gradescope_results(student))},
+                                              {"autolab", autolab_scores(student).dump() + "\n"},
+                                              {"github_classroom", indented(github_classroom_result(student))}};
+  if (!environment("CLASSROOM", "").empty()) texts.emplace("classroom50", indented(classroom50_result(student)));
+  return texts;
 }
 
 std::string class_page(const ordered_json& document, const std::string& date) {

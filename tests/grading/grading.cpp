@@ -43,6 +43,26 @@ void check_exports(const MadeUpClass& of, std::size_t students) {
   }
 }
 
+/// What autograders of four systems would have said of a student who passes the first exercise only.
+void check_results_for_autograders(const fs::path& out, const std::string& slug) {
+  const auto of = [&](const char* folder) { return nlohmann::json::parse(read(out / folder / (slug + ".json"))); };
+  CHECK(of("gradescope").at("score") == 2);
+  CHECK(of("autolab") == nlohmann::json::parse(R"({"scores": {"spring_energy": 2.0, "spring_force": 0.0}})"));
+  CHECK(read(out / "autolab" / (slug + ".json")).find('\n') + 1 == fs::file_size(out / "autolab" / (slug + ".json")));
+  const auto github = of("github_classroom");
+  CHECK(github.at("status") == "fail");
+  CHECK(github.at("max_score") == 3);
+  CHECK(github.at("tests").at(0).at("status") == "pass");
+  CHECK(github.at("tests").at(1).at("status") == "fail");
+  CHECK(github.at("tests").at(1).at("score") == 0);
+  const auto classroom50 = of("classroom50");
+  CHECK(classroom50.at("schema") == "classroom50/result/v1");
+  CHECK(classroom50.at("owner") == "hans");
+  CHECK(classroom50.at("score") == 200);
+  CHECK(classroom50.at("max-score") == 300);
+  CHECK(classroom50.at("tests").at(0).at("passed") == true);
+}
+
 /// Of a class that is judged in a few seconds.
 void hand_in_few_files(const MadeUpClass& few) {
   few.energy("ada", right_energy);
@@ -221,6 +241,11 @@ TEST_CASE("assignment and roster: points, lateness, ids of Moodle and Canvas") {
         "id,name,score,possible,days_late,spring_energy\r\n101,\"Byron, Ada\",10,10,0,10\r\n102,Ben,5,10,2,10\r\n"
         "103,'=cmd(),0,10,0,0\r\n104,Cleo,0,10,31,10\r\n");
   CHECK(has(read(few.root() / "out/students/102.html"), "2 days late"));
+  CHECK(read(few.root() / "out/moodle.csv") ==
+        "ID number,Full name,Week 1\r\n101,\"Byron, Ada\",10\r\n102,Ben,5\r\n103,'=cmd(),0\r\n104,Cleo,0\r\n");
+  CHECK(read(few.root() / "out/canvas.csv") ==
+        "Student,ID,SIS User ID,SIS Login ID,Section,Week 1\r\n    Points Possible,,,,,10\r\n"
+        "\"Byron, Ada\",101,,,,10\r\nBen,102,,,,5\r\n'=cmd(),103,,,,0\r\nCleo,104,,,,0\r\n");
 
   const auto refuses = [&](const std::string& text, const std::string& place) {
     write(few.root() / "assignment.json", text);
@@ -299,6 +324,20 @@ TEST_CASE("one group of results is judged again, and given reference results tak
   CHECK(few.grade("given", "--reference drawn.json " + few.reference().string()).status == 2);
   write(drawn, "damaged");
   CHECK(few.grade("given", "--reference drawn.json").status == 3);
+}
+
+TEST_CASE("results are written as other systems read them") {
+  const MadeUpClass few;
+  few.energy("hans", right_energy);
+  few.force("hans", "return k * x;");
+  CHECK(few.grade().status == 0);
+  CHECK(!fs::exists(few.root() / "out/classroom50"));  // it makes sense in the runner of that system only
+  const char* runner =
+      "CLASSROOM=physics ASSIGNMENT=springs ASSIGNMENT_TYPE=individual OWNER=hans SUBMISSION_TAG=submit/1 "
+      "COMMIT_URL=https://example.org/c RELEASE_URL=https://example.org/r REVIEW_URL=https://example.org/v";
+  const Outcome graded = few.run("grade submissions --out out --allow-reduced", runner);
+  REQUIRE_MESSAGE(graded.status == 0, graded.said());
+  check_results_for_autograders(few.root() / "out", "hans");
 }
 
 TEST_CASE("nothing is graded in a weaker sandbox than was agreed to, nor into somebody's folder") {
