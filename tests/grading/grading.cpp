@@ -11,6 +11,8 @@
 #include <unistd.h>
 
 #include <random>
+#include <set>
+#include <sstream>
 #include <thread>
 
 using namespace workbook::testing;
@@ -70,6 +72,31 @@ void hand_in_few_files(const MadeUpClass& few) {
   few.energy("ben", "return k * x.squaredNorm();");
   few.force("ben", force_by_energy);
   few.energy("cleo", "return 0.5 * k * x.norm()");
+}
+
+/// `checker grade submissions --out OUT` that is killed after a while.
+void grade_and_kill(const MadeUpClass& of, const char* out, std::chrono::milliseconds after) {
+  const std::string course = (of.root() / "course.json").string();
+  std::fflush(stdout);  // or the copy would say it again
+  const pid_t process = fork();
+  if (process == 0) {
+    if (chdir(of.root().c_str()) != 0 || !std::freopen("/dev/null", "w", stdout)) _exit(1);
+    execl(WORKBOOK_TEST_CHECKER, "checker", "--course", course.c_str(), "grade", "submissions", "--out", out,
+          "--allow-reduced", nullptr);
+    _exit(127);
+  }
+  std::this_thread::sleep_for(after);
+  kill(process, SIGKILL);
+  int status = 0;
+  waitpid(process, &status, 0);
+}
+
+bool is_judged_once(const fs::path& journal) {
+  std::set<std::string> keys;
+  std::istringstream lines(read(journal));
+  for (std::string line; std::getline(lines, line);)
+    if (!keys.insert(nlohmann::json::parse(line).at("entry").at("key")).second) return false;
+  return !keys.empty();
 }
 
 }  // namespace
@@ -145,28 +172,36 @@ TEST_CASE("a class gets the grades of the single checks, and hostile submissions
   CHECK(!has(again.out, "ada:"));
 }
 
-TEST_CASE("a run that is killed at any instant goes on where it was") {
+TEST_CASE("a run that is killed at any of fifty instants goes on where it was") {
   const MadeUpClass few;
   hand_in_few_files(few);
   REQUIRE(few.grade("undisturbed").status == 0);
+  const auto right = results_in(few.root() / "undisturbed");
+  const fs::path journal = few.root() / "killed/journal.jsonl";
+  const auto lines = [&] {
+    const std::string text = fs::exists(journal) ? read(journal) : "";
+    return text.substr(0, text.rfind('\n') + 1);
+  };
   std::mt19937 random(7);
-  const std::string course = (few.root() / "course.json").string();
-  for (int kills = 0; kills < 6; ++kills) {
-    const pid_t process = fork();
-    if (process == 0) {
-      if (chdir(few.root().c_str()) != 0 || !std::freopen("/dev/null", "w", stdout)) _exit(1);
-      execl(WORKBOOK_TEST_CHECKER, "checker", "--course", course.c_str(), "grade", "submissions", "--out", "killed",
-            "--allow-reduced", nullptr);
-      _exit(127);
+  std::string known;
+  int while_it_judged = 0;
+  for (int kills = 1; kills <= 50; ++kills) {
+    grade_and_kill(few, "killed", std::chrono::milliseconds(random() % 500));
+    CHECK(lines().starts_with(known));  // what is judged stays
+    while_it_judged += lines().size() > known.size() ? 1 : 0;
+    known = lines();
+    if (kills % 10 == 0) {
+      fs::remove_all(few.root() / "finished");
+      fs::copy(few.root() / "killed", few.root() / "finished", fs::copy_options::recursive);
+      const Outcome finished = few.grade("finished");
+      REQUIRE_MESSAGE(finished.status == 0, finished.said());
+      CHECK(results_in(few.root() / "finished") == right);
+      CHECK(is_judged_once(few.root() / "finished/journal.jsonl"));
     }
-    std::this_thread::sleep_for(std::chrono::milliseconds(random() % 900));
-    kill(process, SIGKILL);
-    int status = 0;
-    waitpid(process, &status, 0);
+    // What is compiled stays too, so that there is something to judge in a moment.
+    if (kills % 3 == 0) write(journal, known = known.substr(0, known.find('\n') + 1));
   }
-  const Outcome finished = few.grade("killed");
-  REQUIRE_MESSAGE(finished.status == 0, finished.said());
-  CHECK(results_in(few.root() / "killed") == results_in(few.root() / "undisturbed"));
+  CHECK(while_it_judged >= 5);
 }
 
 TEST_CASE("parts of a class, judged by themselves and joined, give the results of a single run") {
@@ -186,6 +221,7 @@ TEST_CASE("parts of a class, judged by themselves and joined, give the results o
   CHECK(results_in(few.root() / "joined") == results_in(few.root() / "single"));
   const auto size = [&](const char* out) { return fs::file_size(few.root() / out / "journal.jsonl"); };
   CHECK(size("joined") == size("single"));
+  CHECK(is_judged_once(few.root() / "joined/journal.jsonl"));
 
   // A part that is missing, or was killed while it wrote, is judged by the run that joins them.
   const std::string journal = read(few.root() / "single/journal.jsonl");
