@@ -20,18 +20,9 @@ double integrated_advance(double I1, double I3, double mgl, double theta, const 
   return state[2];
 }
 
-}  // namespace
-
-void judge_precession_per_nutation(Lecture& lecture) {
-  auto& e =
-      lecture.exercise("precession_per_nutation", &precession_per_nutation, arguments_of_nutation, {"advance", rad});
-  describe_starts(e);
-  e.scale([](auto... inputs) { return max(abs(precession_per_nutation(inputs...)), 1e-2); });
-  e.tolerance(1e-8, "Loops may bring the angle near zero, and the integral has steep ends near the vertical.");
-  e.sweep({"A small top from θ = 0.5, with ω₃ = 150 rad/s", "φ̇ at the start (rad/s)", "advance (rad)"}, {"advance"},
-          {-20, 28},
-          [](auto rate) { return tuple(top_I1, top_I3, top_mgl, 0.5, Vector3d(rate, 0.3, 150 - rate * cos(0.5))); });
-
+/// The wrong answers that are known.
+template <class Exercise>
+void mistakes_of_precession_per_nutation(Exercise& e) {
   e.wrong("This is the mean rate mgl/(I₃ω₃) of a fast top times the period.", "slow_precession",
           [](auto I1, auto I3, auto mgl, auto theta, auto& rates) {
             return mgl / (I3 * (rates[0] * cos(theta) + rates[2])) * nutation_period(I1, I3, mgl, theta, rates);
@@ -53,7 +44,7 @@ void judge_precession_per_nutation(Lecture& lecture) {
   });
   e.wrong_output("The angle has the wrong sign.", "sense", negated);
   e.wrong_inputs(spin_as_psi_rate, "psi_rate_as_omega3", spin_confused);
-  e.wrong_input<2>(weight_sign, "hanging", negated);
+  e.template wrong_input<2>(weight_sign, "hanging", negated);
   e.wrong_output("This is the number of turns; the angle is asked for.", "turns", times(0.5 / pi));
   e.wrong("Only p_φ/(I₁ sin²θ) is integrated; the spin takes its part p_ψ cos θ of p_φ.", "no_coupling",
           [](auto... inputs) {
@@ -83,6 +74,21 @@ void judge_precession_per_nutation(Lecture& lecture) {
   const char* const modulo = "Whole turns are missing: this is the angle modulo 2π.";
   e.wrong_output(modulo, "modulo_nearest", [](auto& angle) { angle = std::remainder(angle, 2 * pi); });
   e.wrong_output(modulo, "modulo", [](auto& angle) { angle -= 2 * pi * std::floor(angle / (2 * pi)); });
+}
+
+}  // namespace
+
+void judge_precession_per_nutation(Lecture& lecture) {
+  auto& e =
+      lecture.exercise("precession_per_nutation", &precession_per_nutation, arguments_of_nutation, {"advance", rad});
+  describe_starts(e);
+  e.scale([](auto... inputs) { return max(abs(precession_per_nutation(inputs...)), 1e-2); });
+  e.tolerance(1e-8, "Loops may bring the angle near zero, and the integral has steep ends near the vertical.");
+  e.sweep({"A small top from θ = 0.5, with ω₃ = 150 rad/s", "φ̇ at the start (rad/s)", "advance (rad)"}, {"advance"},
+          {-20, 28},
+          [](auto rate) { return tuple(top_I1, top_I3, top_mgl, 0.5, Vector3d(rate, 0.3, 150 - rate * cos(0.5))); });
+
+  mistakes_of_precession_per_nutation(e);
   const char* const weak =
       "Only a weight that is very weak beside the motion moves the axis so little, and there the closed formula for "
       "the "

@@ -26,6 +26,44 @@ double root_from(double I1, double I3, double mgl, double omega3, double theta, 
   return rate;
 }
 
+/// The wrong answers that are known.
+template <class Exercise>
+void mistakes_of_steady_precession(Exercise& e) {
+  e.wrong("These are the limits for a fast top, mgl/(I₃ω₃) and I₃ω₃/(I₁ cos θ); the exact rates differ.", "fast_top",
+          [](auto I1, auto I3, auto mgl, auto omega3, auto theta) {
+            return Vector2d(mgl / (I3 * omega3), I3 * omega3 / (I1 * cos(theta)));
+          });
+  e.wrong("The inclination does not enter your rates; the level part of L contains cos θ.", "no_cosine",
+          [](auto I1, auto I3, auto mgl, auto omega3, auto) {
+            return steady_precession(I1, I3, min(mgl, 0.999 * pow(I3 * omega3, 2) / (4 * I1)), omega3, 1e-9);
+          });
+  e.wrong_output("The fast precession stands first; the rate of smaller magnitude is asked for first.", "order",
+                 reversed);
+  e.wrong(spin_as_psi_rate, "spin_as_psi_rate", [](auto I1, auto I3, auto mgl, auto omega3, auto theta) {
+    const double a = (I1 - I3) * cos(theta), b = I3 * omega3, root = sqrt(max(b * b - 4 * a * mgl, 0.0));
+    const double larger = (b + copysign(root, b)) / 2;
+    return Vector2d(mgl / larger, larger / a);
+  });
+  e.wrong("mgl sin θ stands where mgl belongs: the level part of L has the factor sin θ too, and it drops out.",
+          "sine_on_one_side", [](auto I1, auto I3, auto mgl, auto omega3, auto theta) {
+            return steady_precession(I1, I3, mgl * sin(theta), omega3, theta);
+          });
+  e.wrong(
+      {"The slow rate comes from a difference of two nearly equal numbers, and digits are lost; the product of both "
+       "rates gives it without one.",
+       "heavy_top_steady"},
+      "difference", [](auto I1, auto I3, auto mgl, auto omega3, auto theta) {
+        const double a = I1 * cos(theta), b = I3 * omega3, root = copysign(sqrt(b * b - 4 * a * mgl), b);
+        return Vector2d((b - root) / (2 * a), (b + root) / (2 * a));
+      });
+  e.template wrong_input<2>(weight_sign, "hanging", negated);
+  e.template wrong_input<4>("The angle is counted from the downward vertical here; θ is the angle to the upward one.",
+                            "from_below", [](double& theta) { theta = pi - theta; });
+  e.template wrong_input<4>("Sine and cosine of the inclination are exchanged.", "sine",
+                            [](double& theta) { theta = acos(copysign(sin(theta), cos(theta))); });
+  e.wrong_output("Both rates have the wrong sign.", "sense", negated);
+}
+
 }  // namespace
 
 void judge_steady_precession(Lecture& lecture) {
@@ -72,39 +110,7 @@ void judge_steady_precession(Lecture& lecture) {
           {{"slow", 0}, {"fast", 1}}, {102.1, 250},
           [](auto omega3) { return tuple(top_I1, top_I3, top_mgl, omega3, 0.5); });
 
-  e.wrong("These are the limits for a fast top, mgl/(I₃ω₃) and I₃ω₃/(I₁ cos θ); the exact rates differ.", "fast_top",
-          [](auto I1, auto I3, auto mgl, auto omega3, auto theta) {
-            return Vector2d(mgl / (I3 * omega3), I3 * omega3 / (I1 * cos(theta)));
-          });
-  e.wrong("The inclination does not enter your rates; the level part of L contains cos θ.", "no_cosine",
-          [](auto I1, auto I3, auto mgl, auto omega3, auto) {
-            return steady_precession(I1, I3, min(mgl, 0.999 * pow(I3 * omega3, 2) / (4 * I1)), omega3, 1e-9);
-          });
-  e.wrong_output("The fast precession stands first; the rate of smaller magnitude is asked for first.", "order",
-                 reversed);
-  e.wrong(spin_as_psi_rate, "spin_as_psi_rate", [](auto I1, auto I3, auto mgl, auto omega3, auto theta) {
-    const double a = (I1 - I3) * cos(theta), b = I3 * omega3, root = sqrt(max(b * b - 4 * a * mgl, 0.0));
-    const double larger = (b + copysign(root, b)) / 2;
-    return Vector2d(mgl / larger, larger / a);
-  });
-  e.wrong("mgl sin θ stands where mgl belongs: the level part of L has the factor sin θ too, and it drops out.",
-          "sine_on_one_side", [](auto I1, auto I3, auto mgl, auto omega3, auto theta) {
-            return steady_precession(I1, I3, mgl * sin(theta), omega3, theta);
-          });
-  e.wrong(
-      {"The slow rate comes from a difference of two nearly equal numbers, and digits are lost; the product of both "
-       "rates gives it without one.",
-       "heavy_top_steady"},
-      "difference", [](auto I1, auto I3, auto mgl, auto omega3, auto theta) {
-        const double a = I1 * cos(theta), b = I3 * omega3, root = copysign(sqrt(b * b - 4 * a * mgl), b);
-        return Vector2d((b - root) / (2 * a), (b + root) / (2 * a));
-      });
-  e.wrong_input<2>(weight_sign, "hanging", negated);
-  e.wrong_input<4>("The angle is counted from the downward vertical here; θ is the angle to the upward one.",
-                   "from_below", [](double& theta) { theta = pi - theta; });
-  e.wrong_input<4>("Sine and cosine of the inclination are exchanged.", "sine",
-                   [](double& theta) { theta = acos(copysign(sin(theta), cos(theta))); });
-  e.wrong_output("Both rates have the wrong sign.", "sense", negated);
+  mistakes_of_steady_precession(e);
   e.survivor("std::copysign( -std::sqrt", "std::copysign takes the magnitude of its first argument.");
   e.angles_read_as_degrees();
   e.route("dL/dt − τ in space, by Newton's method", [](auto I1, auto I3, auto mgl, auto omega3, auto theta) {

@@ -42,32 +42,9 @@ Vector2d extremes(const Vector3d& I, const Vector3d& w, const Length& length) {
   return found;
 }
 
-}  // namespace
-
-void judge_herpolhode_radii(Lecture& lecture) {
-  auto& e = lecture.exercise("herpolhode_radii", &herpolhode_radii,
-                             {{"I", ascending_moments}, {"omega0", nonzero(rad_per_s)}}, {"radii", rad_per_s});
-  e.domain([](auto& I, auto& w) { return I[0] < I[2] && abs(side_of_separatrix(I, w)) >= 1e-3; });
-  e.worked("round axis 3", lecture_body, round_3);
-  e.worked("round axis 1", lecture_body, round_1);
-  e.special("a flattened symmetric body", {1, 1, 1.8}, {0.4, 0, 2});
-  e.special("a long symmetric body", {0.6, 1, 1}, {-2, 0.5, 0.3});
-  e.special("starting at the larger radius", lecture_body, {0.8, 0, 0.7});
-  e.special("starting at the smaller radius", lecture_body, {0, 0.6, 1});
-  e.special("a flat body", {1, 2, 3}, {0.2, -1, 0.8});
-  const char* const alone =
-      "For a spin about one axis a difference of squares vanishes, and rounding leaves half the digits to its root.";
-  e.special("a spin about axis 3 alone", {1, 2, 3}, {0, 0, -3});
-  e.tolerance_of_last_case(1e-6, alone);
-  e.special("a spin about axis 1 alone", {1.1, 2.3, 3.1}, {0.7, 0, 0});
-  e.tolerance_of_last_case(1e-6);
-  e.random("round axis 3", 6, round_axis(3));
-  e.random("round axis 1", 6, round_axis(1));
-  e.scale([](auto&, auto& w) { return w.norm(); });
-  e.sweep({"I = (1.2, 2, 2.7) kg m², ω = (0.5, 0.6, ω₃) rad/s: round axis 1 on the left, round axis 3 on the right",
-           "ω₃ at the start (rad/s)", "radius (rad/s)"},
-          {"smaller", "larger"}, {0, 1.5, 76}, [](auto w3) { return tuple(lecture_body, Vector3d(0.5, 0.6, w3)); });
-
+/// The wrong answers that are known.
+template <class Exercise>
+void mistakes_of_herpolhode_radii(Exercise& e) {
   e.wrong("Both radii are the one at the start; the point of contact comes closer to the foot, and goes further away.",
           "start_twice", [](auto& I, auto& w) { return Vector2d(Vector2d::Constant(poinsot(I, w)[1])); });
   e.wrong_output("The larger radius comes first here; the smaller one is asked for first.", "largest_first", reversed);
@@ -117,6 +94,35 @@ void judge_herpolhode_radii(Lecture& lecture) {
             return Vector2d(root(below / (I[0] * (I[2] - I[0]))),
                             I[2] > I[1] ? root(below / (I[1] * (I[2] - I[1]))) : 0.0);
           });
+}
+
+}  // namespace
+
+void judge_herpolhode_radii(Lecture& lecture) {
+  auto& e = lecture.exercise("herpolhode_radii", &herpolhode_radii,
+                             {{"I", ascending_moments}, {"omega0", nonzero(rad_per_s)}}, {"radii", rad_per_s});
+  e.domain([](auto& I, auto& w) { return I[0] < I[2] && abs(side_of_separatrix(I, w)) >= 1e-3; });
+  e.worked("round axis 3", lecture_body, round_3);
+  e.worked("round axis 1", lecture_body, round_1);
+  e.special("a flattened symmetric body", {1, 1, 1.8}, {0.4, 0, 2});
+  e.special("a long symmetric body", {0.6, 1, 1}, {-2, 0.5, 0.3});
+  e.special("starting at the larger radius", lecture_body, {0.8, 0, 0.7});
+  e.special("starting at the smaller radius", lecture_body, {0, 0.6, 1});
+  e.special("a flat body", {1, 2, 3}, {0.2, -1, 0.8});
+  const char* const alone =
+      "For a spin about one axis a difference of squares vanishes, and rounding leaves half the digits to its root.";
+  e.special("a spin about axis 3 alone", {1, 2, 3}, {0, 0, -3});
+  e.tolerance_of_last_case(1e-6, alone);
+  e.special("a spin about axis 1 alone", {1.1, 2.3, 3.1}, {0.7, 0, 0});
+  e.tolerance_of_last_case(1e-6);
+  e.random("round axis 3", 6, round_axis(3));
+  e.random("round axis 1", 6, round_axis(1));
+  e.scale([](auto&, auto& w) { return w.norm(); });
+  e.sweep({"I = (1.2, 2, 2.7) kg m², ω = (0.5, 0.6, ω₃) rad/s: round axis 1 on the left, round axis 3 on the right",
+           "ω₃ at the start (rad/s)", "radius (rad/s)"},
+          {"smaller", "larger"}, {0, 1.5, 76}, [](auto w3) { return tuple(lecture_body, Vector3d(0.5, 0.6, w3)); });
+
+  mistakes_of_herpolhode_radii(e);
   e.property(Is::nonnegative, "A radius is never negative.");
   e.route("ω² as a number linear in T and L²", [](auto& I, auto& w) {
     return between(I, w, squared_without(1, I, w), squared_without(is_round_3(I, w) ? 0 : 2, I, w));

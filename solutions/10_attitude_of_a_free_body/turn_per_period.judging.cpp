@@ -3,34 +3,19 @@
 #include <boost/math/special_functions/ellint_rf.hpp>
 #include <boost/math/special_functions/ellint_rj.hpp>
 
+namespace {
+
 /// The closed form with the parameter n of motion round axis 3 always.
-static double same_n(const Vector3d& I, const Vector3d& w) {
+double same_n(const Vector3d& I, const Vector3d& w) {
   const double L2 = L_of(I, w).squaredNorm(), L = sqrt(L2), below = twice_T(I, w) * I[2] - L2;
   const double above = L2 - twice_T(I, w) * I[0], P = ExactTop(I, w).period(), rate = ExactTop(I, w).rate();
   const double m = 1 - ExactTop(I, w).complementary_parameter(), n = -m * I[2] * above / (I[0] * below);
   return L * P / I[2] + 4 * L * (I[2] - I[0]) / (I[0] * I[2] * rate) * std::comp_ellint_3(sqrt(m), n);
 }
 
-void judge_turn_per_period(Lecture& lecture) {
-  auto& e = lecture.exercise("turn_per_period", &turn_per_period, {{"I", ascending_moments}, {"omega0", rad_per_s}},
-                             {"angle", rad});
-  e.domain([](auto& I, auto& w) { return tumbles(I, w, 1e-3); });
-  e.worked("round axis 3", lecture_body, round_3);
-  e.worked("round axis 1", lecture_body, round_1);
-  e.worked("close to the middle axis", {1, 2, 3}, {0.1, 1, 0.1});
-  e.worked("backwards about axis 3", lecture_body, {0.3, 0.02, -1});
-  e.special("starting with ω₂ = 0", lecture_body, {0.5, 0, -0.8});
-  e.special("starting with ω₁ = 0", lecture_body, {0, -0.7, 0.8});
-  e.special("starting with ω₃ = 0", lecture_body, {0.9, 0.3, 0});
-  e.special("a small wobble about axis 3", lecture_body, {0.05, 0.03, -1});
-  e.special("a small wobble about axis 1", lecture_body, {1, 0.03, 0.05});
-  e.special("moments close together", {1, 1.07, 1.15}, {0.3, -0.2, 0.5});
-  e.random("round axis 3", 6, round_axis(3));
-  e.random("round axis 1", 6, round_axis(1));
-  e.sweep({"I = (1.2, 2, 2.7) kg m², ω = (0.5, 0.6, ω₃) rad/s: round axis 1 on the left, round axis 3 on the right",
-           "ω₃ (rad/s)", "turn about L in a period (rad)"},
-          {"turn"}, {0, 1.5, 76}, [](auto w3) { return tuple(lecture_body, Vector3d(0.5, 0.6, w3)); });
-
+/// The wrong answers that are known.
+template <class Exercise>
+void mistakes_of_turn_per_period(Exercise& e) {
   e.wrong({"This is 2TP/L, the mean rate of rotation about L times the period; axis 3 goes round at another rate, "
            "because the body also rotates about it.",
            "attitude_phase"},
@@ -57,6 +42,31 @@ void judge_turn_per_period(Lecture& lecture) {
           [](auto& I, auto& w) {
             return over_a_period(I, w, [&](const Vector3d& now) { return rate_about_L(I, now, 0); });
           });
+}
+
+}  // namespace
+
+void judge_turn_per_period(Lecture& lecture) {
+  auto& e = lecture.exercise("turn_per_period", &turn_per_period, {{"I", ascending_moments}, {"omega0", rad_per_s}},
+                             {"angle", rad});
+  e.domain([](auto& I, auto& w) { return tumbles(I, w, 1e-3); });
+  e.worked("round axis 3", lecture_body, round_3);
+  e.worked("round axis 1", lecture_body, round_1);
+  e.worked("close to the middle axis", {1, 2, 3}, {0.1, 1, 0.1});
+  e.worked("backwards about axis 3", lecture_body, {0.3, 0.02, -1});
+  e.special("starting with ω₂ = 0", lecture_body, {0.5, 0, -0.8});
+  e.special("starting with ω₁ = 0", lecture_body, {0, -0.7, 0.8});
+  e.special("starting with ω₃ = 0", lecture_body, {0.9, 0.3, 0});
+  e.special("a small wobble about axis 3", lecture_body, {0.05, 0.03, -1});
+  e.special("a small wobble about axis 1", lecture_body, {1, 0.03, 0.05});
+  e.special("moments close together", {1, 1.07, 1.15}, {0.3, -0.2, 0.5});
+  e.random("round axis 3", 6, round_axis(3));
+  e.random("round axis 1", 6, round_axis(1));
+  e.sweep({"I = (1.2, 2, 2.7) kg m², ω = (0.5, 0.6, ω₃) rad/s: round axis 1 on the left, round axis 3 on the right",
+           "ω₃ (rad/s)", "turn about L in a period (rad)"},
+          {"turn"}, {0, 1.5, 76}, [](auto w3) { return tuple(lecture_body, Vector3d(0.5, 0.6, w3)); });
+
+  mistakes_of_turn_per_period(e);
   e.property(Is::nonnegative, "Axis 3 goes round L in the positive sense all the time.");
   e.route("the rate summed over a period", [](auto& I, auto& w) {
     return over_a_period(I, w, [&](const Vector3d& now) {
