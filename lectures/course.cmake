@@ -20,13 +20,12 @@ endforeach()
 foreach(lecture IN LISTS WORKBOOK_LECTURES)
   set(${lecture}_exercises)
   set(solutions ${CMAKE_SOURCE_DIR}/solutions/${lecture})
-  file(GLOB sources CONFIGURE_DEPENDS ${solutions}/*.cpp)
-  file(GLOB hints RELATIVE ${CMAKE_CURRENT_LIST_DIR}/${lecture}/exercises
-    CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/${lecture}/exercises/*.hints.md)
+  file(GLOB sources CONFIGURE_DEPENDS ${solutions}/*.cpp ${solutions}/judging/*.cpp)
+  file(GLOB hints CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/${lecture}/hints/*.md)
   foreach(file IN LISTS hints)
-    string(REPLACE ".hints.md" "" exercise ${file})
-    if(NOT WORKBOOK_HAS_SOLUTIONS OR EXISTS ${solutions}/judging.cpp
-       OR (EXISTS ${solutions}/${exercise}.cpp AND EXISTS ${solutions}/${exercise}.judging.cpp))
+    cmake_path(GET file STEM exercise)
+    if(NOT WORKBOOK_HAS_SOLUTIONS
+       OR (EXISTS ${solutions}/${exercise}.cpp AND EXISTS ${solutions}/judging/${exercise}.cpp))
       list(APPEND ${lecture}_exercises ${exercise})
     endif()
   endforeach()

@@ -3,7 +3,7 @@
 #include "checker/base/files.hpp"
 #include "checker/base/text.hpp"
 #include "checker/commands/commands.hpp"
-#include "checker/judging/value_text.hpp"
+#include "checker/data/value_text.hpp"
 #include "checker/pipeline/check_exercise.hpp"
 #include "checker/report/reports.hpp"
 

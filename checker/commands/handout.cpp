@@ -66,10 +66,8 @@ void write_stubs(const Course& course, const fs::path& copy) {
     fs::create_directories(exercises);
     for (const CardExercise& entry : card.exercises) {
       const Exercise exercise{&card, &entry};
-      place_file(course.hints_file(exercise), exercises / course.hints_file(exercise).filename());
-      const std::string problem = write_file(exercises / (entry.name + ".cpp"),
-                                             stub_text(entry, card.contract, declared_signature(course, exercise)));
-      if (!problem.empty()) throw std::runtime_error(problem);
+      write_or_throw(exercises / (entry.name + ".cpp"),
+                     stub_text(entry, card.contract, declared_signature(course, exercise)));
     }
   }
 }

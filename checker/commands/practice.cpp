@@ -6,9 +6,9 @@
 #include "checker/commands/commands.hpp"
 #include "checker/course/exercise_texts.hpp"
 #include "checker/course/progress.hpp"
+#include "checker/data/value_text.hpp"
 #include "checker/explain/question.hpp"
 #include "checker/judging/comparison.hpp"
-#include "checker/judging/value_text.hpp"
 #include "checker/pipeline/check_exercise.hpp"
 #include "checker/report/reports.hpp"
 

@@ -105,7 +105,7 @@ class SelfCheck {
     for (const Exercise& exercise : exercises_of(card)) {
       const ExerciseReference& judged = reference.exercise(exercise.name());
       for (const std::string& sentence : unsound_parts(judged))
-        add({fmt::format("solutions/{}/{}.judging.cpp: {}", card.lecture, exercise.name(), sentence)});
+        add({fmt::format("solutions/{}/judging/{}.cpp: {}", card.lecture, exercise.name(), sentence)});
       if (is_first) {
         routes_ += judged.routes.size();
         misconceptions_ += judged.misconceptions.size();
@@ -113,7 +113,7 @@ class SelfCheck {
         add(faults_of_texts(course_, exercise, judged));
         if (!question_on(judged))
           add({fmt::format(
-              "solutions/{}/{}.judging.cpp: no case tells three of its wrong answers apart, as the question "
+              "solutions/{}/judging/{}.cpp: no case tells three of its wrong answers apart, as the question "
               "after a pass needs; add one.",
               card.lecture, exercise.name())});
       }
@@ -217,12 +217,12 @@ int self_check_mutants(const Course& course, const std::vector<std::string>& nam
   run_jobs(exercises.size(), begin, [&](std::size_t k, ForkedJob& job) {
     const Exercise& exercise = exercises[k];
     progress_bar.show(++done, exercises.size(), exercise.name());
-    const std::string place = fmt::format("solutions/{}/{}", exercise.lecture(), exercise.name());
     std::string trouble = job.finish();
     const auto found = nlohmann::json::parse(job.output(), nullptr, false);
     if (trouble.empty()) trouble = found.value("problem", "");
     if (!trouble.empty()) {
-      faults[k] = fmt::format("{}.cpp: its mutants could not be tried: {}.\n", place, without_full_stop(trouble));
+      faults[k] = fmt::format("{}: its mutants could not be tried: {}.\n", shown_path(course.solution_file(exercise)),
+                              without_full_stop(trouble));
       return;
     }
     Adequacy adequacy = context.reference(check_task(course, exercise)).adequacy;
@@ -233,7 +233,8 @@ int self_check_mutants(const Course& course, const std::vector<std::string>& nam
     made += adequacy.made;
     killed += adequacy.killed;
     tried[k] = adequacy_text(exercise, adequacy);
-    for (const std::string& sentence : unshown_bugs(adequacy)) faults[k] += place + ".judging.cpp: " + sentence + "\n";
+    for (const std::string& sentence : unshown_bugs(adequacy))
+      faults[k] += fmt::format("{}: {}\n", shown_path(course.judging_file(exercise)), sentence);
   });
   progress_bar.clear();
   fmt::print("{}{}In all: {} of {} bugs found.\n", fmt::join(tried, ""), fmt::join(faults, ""), killed, made);

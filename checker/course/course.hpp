@@ -86,16 +86,16 @@ class Course {
     return lectures() / exercise.lecture() / "exercises" / (exercise.name() + ".cpp");
   }
   std::filesystem::path hints_file(const Exercise& exercise) const {
-    return lectures() / exercise.lecture() / "exercises" / (exercise.name() + ".hints.md");
+    return lectures() / exercise.lecture() / "hints" / (exercise.name() + ".md");
   }
   std::filesystem::path solution_file(const Exercise& exercise) const {  ///< absent in what students get
     return root_ / "solutions" / exercise.lecture() / (exercise.name() + ".cpp");
   }
   std::filesystem::path judging_file(const Exercise& exercise) const {  ///< likewise
-    return root_ / "solutions" / exercise.lecture() / (exercise.name() + ".judging.cpp");
+    return root_ / "solutions" / exercise.lecture() / "judging" / (exercise.name() + ".cpp");
   }
   std::filesystem::path derivation_file(const Exercise& exercise) const {  ///< likewise; another route
-    return root_ / "solutions" / exercise.lecture() / (exercise.name() + ".md");
+    return root_ / "solutions" / exercise.lecture() / "derivations" / (exercise.name() + ".md");
   }
   /// In what students get: solution and derivation, which a right function opens.
   std::filesystem::path locked_file(const Exercise& exercise) const {

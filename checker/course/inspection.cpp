@@ -101,17 +101,16 @@ Sentences faults_of_lecture(const Course& course, const Card& card) {
                                    card.lecture, earlier));
   }
   if (!course.has_solutions()) return faults;  // a student may keep any file there
-  std::set<fs::path> exercises;
-  std::set<fs::path> solutions;
+  const fs::path solutions = course.root() / "solutions" / card.lecture;
+  std::set<fs::path> known = {solutions / "shared.hpp"};
   for (const CardExercise& entry : card.exercises) {
     const Exercise exercise{&card, &entry};
-    exercises.insert({course.student_file(exercise), course.hints_file(exercise)});
-    solutions.insert({course.solution_file(exercise), course.judging_file(exercise), course.derivation_file(exercise)});
+    known.insert({course.student_file(exercise), course.hints_file(exercise), course.solution_file(exercise),
+                  course.judging_file(exercise), course.derivation_file(exercise)});
   }
-  const fs::path solution_folder = course.root() / "solutions" / card.lecture;
-  solutions.insert(solution_folder / "shared.hpp");
-  name_strays(course, folder / "exercises", exercises, faults);
-  name_strays(course, solution_folder, solutions, faults);
+  for (const fs::path& each :
+       {folder / "exercises", folder / "hints", solutions, solutions / "judging", solutions / "derivations"})
+    name_strays(course, each, known, faults);
   return faults;
 }
 

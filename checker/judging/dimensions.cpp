@@ -1,7 +1,7 @@
 #include "checker/base/text.hpp"
+#include "checker/data/value_text.hpp"
 #include "checker/judging/diagnosis.hpp"
 #include "checker/judging/judge.hpp"
-#include "checker/judging/value_text.hpp"
 
 #include <fmt/format.h>
 

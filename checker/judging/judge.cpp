@@ -1,9 +1,9 @@
 #include "checker/judging/judge.hpp"
 
 #include "checker/base/text.hpp"
+#include "checker/data/value_text.hpp"
 #include "checker/judging/comparison.hpp"
 #include "checker/judging/run_failures.hpp"
-#include "checker/judging/value_text.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

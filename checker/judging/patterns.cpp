@@ -1,8 +1,8 @@
 // Where an answer is wrong, and what that has in common: cases, components, inputs.
 #include "checker/base/text.hpp"
+#include "checker/data/value_text.hpp"
 #include "checker/judging/diagnosis.hpp"
 #include "checker/judging/quantities.hpp"
-#include "checker/judging/value_text.hpp"
 
 #include <fmt/format.h>
 #include <Eigen/Dense>

@@ -1,8 +1,8 @@
 // What a wrong component lacks or has too much: its error as one or two products of the inputs.
 #include "checker/base/text.hpp"
+#include "checker/data/value_text.hpp"
 #include "checker/judging/diagnosis.hpp"
 #include "checker/judging/quantities.hpp"
-#include "checker/judging/value_text.hpp"
 
 #include <fmt/format.h>
 #include <Eigen/Dense>

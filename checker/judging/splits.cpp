@@ -1,8 +1,8 @@
 // What the cases have in common at which an answer is wrong.
 #include "checker/base/text.hpp"
+#include "checker/data/value_text.hpp"
 #include "checker/judging/diagnosis.hpp"
 #include "checker/judging/quantities.hpp"
-#include "checker/judging/value_text.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
+#include "checker/data/value_text.hpp"
 #include "checker/judging/diagnosis.hpp"
-#include "checker/judging/value_text.hpp"
 
 #include <fmt/format.h>
 

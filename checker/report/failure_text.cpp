@@ -1,7 +1,7 @@
 #include "checker/report/failure_text.hpp"
 
 #include "checker/base/text.hpp"
-#include "checker/judging/value_text.hpp"
+#include "checker/data/value_text.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -111,8 +111,8 @@ Write it in `lectures/@lecture@/exercises/@name@.cpp`, then
 When you are stuck, `./checker/run hint @name@` gives a hint, and a further one each time you ask.
 ]] text @ONLY)
     # Only instructors' notes have it: what students get holds no solutions.
-    if(EXISTS ${source}/solutions/${lecture}/${name}.md)
-      file(READ ${source}/solutions/${lecture}/${name}.md derivation)
+    if(EXISTS ${source}/solutions/${lecture}/derivations/${name}.md)
+      file(READ ${source}/solutions/${lecture}/derivations/${name}.md derivation)
       set(heading "Derivation")
       if(is_exercise)
         set(heading "Another route")

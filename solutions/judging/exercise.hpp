@@ -381,7 +381,7 @@ class Lecture {
 };
 
 /// Describes all exercises of a lecture. CMake makes it: it calls `void judge_NAME(Lecture&)` of every
-/// NAME.judging.cpp.
+/// judging/NAME.cpp.
 void describe(Lecture& lecture);
 
 }  // namespace workbook::judging

@@ -76,7 +76,8 @@ void solve_as_author(const fs::path& folder) {
         "#include \"rigid/pendulums.hpp\"\n\n#include <cmath>\n#include <numbers>\n\nnamespace rigid {\n\n"
         "double pendulum_period(double length, double g) {\n"
         "  return 2 * std::numbers::pi * std::sqrt(length / g);\n}\n\n}  // namespace rigid\n");
-  write(folder / "solutions/02_pendulums/pendulum_period.judging.cpp", period_judging);
+  write(folder / "solutions/02_pendulums/judging/pendulum_period.cpp", period_judging);
+  write(folder / "solutions/02_pendulums/derivations/pendulum_period.md", "# The period\n\nBy the energy.\n");
 }
 
 }  // namespace
@@ -100,7 +101,7 @@ TEST_CASE("a fresh clone checks, grows by a lecture, and is built where it lies"
   CHECK(verdict(first, "pendulum_period") == "not_started");
   const Outcome unfinished = run(first, "./checker/run self-check --seeds 1 pendulum_period");
   CHECK(unfinished.status == 1);
-  CHECK_MESSAGE(has(unfinished.out, "solutions/02_pendulums/pendulum_period.judging.cpp: "), unfinished.out);
+  CHECK_MESSAGE(has(unfinished.out, "solutions/02_pendulums/judging/pendulum_period.cpp: "), unfinished.out);
 
   // An author writes it, and a student solves it.
   solve_as_author(first);

@@ -229,7 +229,7 @@ TEST_CASE("solution and derivation of a problem lie locked, and a right function
   const CheckerInCopy checker;
   for (const fs::path& derivation : files_below(project / "solutions")) {
     if (derivation.extension() != ".md") continue;
-    const std::string lecture = derivation.parent_path().filename(), name = derivation.stem();
+    const std::string lecture = derivation.parent_path().parent_path().filename(), name = derivation.stem();
     CHECK_MESSAGE(fs::exists(copy() / "lectures" / lecture / "handed_out" / (name + ".locked")), name);
     const std::string text = read(derivation);
     const std::string sentence = squeezed(text.substr(text.size() / 2, 60));
@@ -248,7 +248,7 @@ TEST_CASE("solution and derivation of a problem lie locked, and a right function
                 copy() / "lectures/03_inertia_tensor/exercises/inertia_rate.cpp", fs::copy_options::overwrite_existing);
   const Outcome after = checker("solution inertia_rate");
   CHECK_MESSAGE(after.status == 0, after.said());
-  CHECK(has(after.out, read(project / "solutions/03_inertia_tensor/inertia_rate.md")));
+  CHECK(has(after.out, read(project / "solutions/03_inertia_tensor/derivations/inertia_rate.md")));
 }
 
 TEST_CASE("a copy becomes the next release, and a student's copy follows") {

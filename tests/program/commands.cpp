@@ -73,7 +73,6 @@ TEST_CASE("an exercise and a lecture have names, numbers and files") {
 
 TEST_CASE("the solution is shown after a pass, or when it is asked for all the same") {
   const CourseCopy course;
-  write(course.solution("spring_energy").replace_extension(".md"), "Half of k times the square of x.\n");
   const Outcome early = course.run("solution spring_energy");
   CHECK(early.status == 1);
   CHECK_FALSE(has(early.out, "return"));
@@ -97,10 +96,10 @@ TEST_CASE("hints come one at a time, and the last one stays") {
   CHECK(has(course.run("hint").out, "Write."));  // of the next exercise
   const std::string all = course.run("hint spring_force --all").out;
   CHECK((has(all, "Read.") && has(all, "Think.") && has(all, "Write.")));
-  fs::remove(course.root() / "lectures/01_springs/exercises/spring_force.hints.md");
+  fs::remove(course.root() / "lectures/01_springs/hints/spring_force.md");
   const Outcome missing = course.run("hint spring_force");
   CHECK(missing.status == 3);
-  CHECK(has(missing.err, "spring_force.hints.md"));
+  CHECK(has(missing.err, "hints/spring_force.md"));
 }
 
 TEST_CASE("two checkers at once each keep what the other writes down") {

@@ -38,9 +38,10 @@ TEST_CASE("self-check names all missing parts of an exercise in one message") {
       "\"exercises\": [ {\"name\": \"ghost\", \"points\": 1, \"notes\": \"springs_ghost\", \"task\": \"None.\"},");
   const Outcome outcome = course.run("self-check ghost");
   CHECK(outcome.status == 1);
-  for (const char* file : {"include/rigid/springs.hpp", "lectures/01_springs/exercises/ghost.hints.md",
-                           "lectures/01_springs/notes.md", "lectures/01_springs/exercises/ghost.cpp",
-                           "solutions/01_springs/ghost.cpp", "solutions/01_springs/ghost.judging.cpp"})
+  for (const char* file :
+       {"include/rigid/springs.hpp", "lectures/01_springs/hints/ghost.md", "lectures/01_springs/notes.md",
+        "lectures/01_springs/exercises/ghost.cpp", "solutions/01_springs/ghost.cpp",
+        "solutions/01_springs/judging/ghost.cpp", "solutions/01_springs/derivations/ghost.md"})
     CHECK_MESSAGE(has(outcome.out, std::string("\n  ") + file + ": "), outcome.out);
   CHECK(has(outcome.out, "\n1 fault to fix."));
   CHECK(has(course.run("check ghost").out, "self-check ghost"));
@@ -48,8 +49,8 @@ TEST_CASE("self-check names all missing parts of an exercise in one message") {
 
 TEST_CASE("self-check finds hints that are too few") {
   const CourseCopy course;
-  write(course.root() / "lectures/01_springs/exercises/spring_energy.hints.md", "Read.\n\n---\n\nThink.\n");
-  require_fault(course, "lectures/01_springs/exercises/spring_energy.hints.md", "2 hints instead of 3");
+  write(course.root() / "lectures/01_springs/hints/spring_energy.md", "Read.\n\n---\n\nThink.\n");
+  require_fault(course, "lectures/01_springs/hints/spring_energy.md", "2 hints instead of 3");
 }
 
 TEST_CASE("self-check finds a stub that is solved") {
@@ -123,7 +124,7 @@ TEST_CASE("self-check names the mutants that no case finds, unless there is a re
   replace_in(course.solution("spring_force"), "-k * x", "-k * x * std::cos(1e-30)");
   const Outcome survived = course.run("self-check --mutants spring_force");
   CHECK(survived.status == 1);
-  CHECK_MESSAGE(has(survived.out, "solutions/01_springs/spring_force.judging.cpp: "), survived.out);
+  CHECK_MESSAGE(has(survived.out, "solutions/01_springs/judging/spring_force.cpp: "), survived.out);
   CHECK_MESSAGE(has(survived.out, "line 5, another number: "), survived.out);
   CHECK(!has(survived.out, "spring_energy"));
 }

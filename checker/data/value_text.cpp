@@ -1,4 +1,4 @@
-#include "checker/judging/value_text.hpp"
+#include "checker/data/value_text.hpp"
 
 #include "checker/base/text.hpp"
 
