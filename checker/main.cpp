@@ -359,7 +359,7 @@ class CommandLine {
         "that you have begun and files of your own stay as they are; another file that you have changed is kept under "
         ".workbook/kept. What has changed is printed.",
         {"update ../phy711-release-2"}, {"KIT"}, update);
-    add("doctor", students, "Check what is installed and writable on this machine", {}, {}, doctor);
+    add("doctor", students, "Check what is installed and writable on this machine", {}, {"--json"}, doctor);
     add("completion", students, "Print a script that lets bash complete commands, options and names", {}, {},
         [this](const Course& course, const Options&) {
           fmt::print("{}", completion_script(app_, course));
@@ -385,8 +385,8 @@ class CommandLine {
         "there: a run that was stopped goes on, and of a class that was graded before only what is new is judged; "
         "whose "
         "mark has changed, and why, is printed.",
-        {"grade submissions --out grades --allow-reduced",
-         "grade week3.zip --out week3 --roster class.csv --assignment week3.json --seed 2027 --allow-reduced"},
+        {"grade submissions --out grades",
+         "grade week3.zip --out week3 --roster class.csv --assignment week3.json --seed 2027"},
         {"SUBMISSIONS", "--out class", "--roster", "--assignment", "--seed", "--reference", "--only", "--shard",
          "--merge", "--allow-reduced"},
         grade)

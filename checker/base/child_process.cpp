@@ -21,14 +21,6 @@
 namespace workbook {
 namespace {
 
-/// Sent from the new process when it cannot become the program. It is a copy of the checker: a literal stands at the
-/// same address in both.
-struct Failure {
-  const char* step;
-  int reason;
-};
-
-constexpr int report_descriptor = 4;  // closed by exec
 constexpr int first_free_descriptor = program_descriptor + 1;
 
 /// Both ends of a pipe or of a channel. What is written to the second is read from the first.
@@ -46,9 +38,8 @@ struct Ends {
 };
 
 /// Null-terminated pointers into strings that live on.
-std::vector<char*> pointers(const std::vector<std::string>& strings, const std::string* first = nullptr) {
+std::vector<char*> pointers(const std::vector<std::string>& strings) {
   std::vector<char*> result;
-  if (first) result.push_back(const_cast<char*>(first->c_str()));
   for (const std::string& string : strings) result.push_back(const_cast<char*>(string.c_str()));
   result.push_back(nullptr);
   return result;
@@ -79,14 +70,15 @@ class NewProcess {
     if (!failed && launch.with_channel && !open_program()) failed = "start the program";
     if (!failed && launch.prepare) failed = launch.prepare();
     if (!failed) {
-      if (launch.with_channel)
+      if (launch.with_channel && launch.namespaces.empty())
         ::syscall(SYS_execveat, program_descriptor, "", arguments, environment, AT_EMPTY_PATH);
       else
-        ::execve(launch.program.c_str(), arguments, environment);
+        ::execve(arguments[0], arguments, environment);
       failed = "start the program";
     }
-    const Failure failure{failed, errno};
-    [[maybe_unused]] const ssize_t unused = ::write(report, &failure, sizeof failure);
+    ProcessReport said{ProcessReport::failed, errno};
+    std::strncpy(said.step, failed, sizeof said.step - 1);
+    [[maybe_unused]] const ssize_t unused = ::write(report, &said, sizeof said);
     ::_exit(127);
   }
 
@@ -98,7 +90,7 @@ class NewProcess {
       if (*descriptor < 0) return "move its descriptors";
     }
     if (::dup2(input, STDIN_FILENO) < 0 || ::dup2(output, STDOUT_FILENO) < 0 || ::dup2(output, STDERR_FILENO) < 0 ||
-        ::dup2(channel, channel_descriptor) < 0 || ::dup3(report, report_descriptor, O_CLOEXEC) < 0)
+        ::dup2(channel, channel_descriptor) < 0 || ::dup3(report, report_descriptor, closed_by_exec()) < 0)
       return "place its descriptors";
     report = report_descriptor;
     ::closefrom(program_descriptor);
@@ -119,16 +111,15 @@ class NewProcess {
     return nullptr;
   }
 
+  /// By the program itself: what makes namespaces for it hands these descriptors on.
+  int closed_by_exec() const noexcept { return launch.namespaces.empty() ? O_CLOEXEC : 0; }
+
   bool open_program() const noexcept {
-    const int program = ::open(launch.program.c_str(), O_PATH | O_CLOEXEC);
+    const int program = ::open(launch.program.c_str(), O_PATH | closed_by_exec());
     return program == program_descriptor ||
-           (program >= 0 && ::dup3(program, program_descriptor, O_CLOEXEC) == program_descriptor);
+           (program >= 0 && ::dup3(program, program_descriptor, closed_by_exec()) == program_descriptor);
   }
 };
-
-double seconds(const timeval& time) {
-  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-}
 
 constexpr rlim_t most_memory = rlim_t{4} << 30;  // a check needs some 100 MB; a scanner that runs wild stops here
 
@@ -174,21 +165,28 @@ Launch launch_of(const std::string& program, const std::vector<std::string>& arg
 
 }  // namespace
 
-LaunchError::LaunchError(const char* step, int system_error)
-    : std::runtime_error(std::string(step) + ": " + std::generic_category().message(system_error)) {}
+LaunchError::LaunchError(const std::string& step, int system_error)
+    : std::runtime_error(step + ": " + std::generic_category().message(system_error)) {}
 
 int milliseconds_until(Clock::time_point deadline) {
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
   return static_cast<int>(std::clamp<long>(left, 0, 3'600'000));
 }
 
-ChildProcess::ChildProcess(const Launch& launch) {
+ChildProcess::ChildProcess(const Launch& launch) : in_namespaces_(!launch.namespaces.empty()) {
   const Ends input;  // closed at once: there is nothing to read
-  Ends output, report;
+  Ends output, report(true);
   Ends channel(launch.with_channel);
-  const std::vector<char*> arguments = pointers(launch.arguments, &launch.program);
+  std::vector<std::string> command = launch.namespaces;
+  command.push_back(launch.program);
+  command.insert(command.end(), launch.arguments.begin(), launch.arguments.end());
+  const std::vector<char*> arguments = pointers(command);
   const std::vector<char*> environment = pointers(launch.environment);
   const std::string directory = launch.directory.string();
+  const int names_senders = 1;
+  ::setsockopt(report.first.number(), SOL_SOCKET, SO_PASSCRED, &names_senders, sizeof names_senders);
+  const timeval longest_silence{10, 0};
+  ::setsockopt(report.first.number(), SOL_SOCKET, SO_RCVTIMEO, &longest_silence, sizeof longest_silence);
   NewProcess child{launch,
                    arguments.data(),
                    environment.data(),
@@ -198,22 +196,60 @@ ChildProcess::ChildProcess(const Launch& launch) {
                    output.second.number(),
                    channel.first.number(),
                    report.second.number()};
-  process_ = ::fork();
+  process_ = program_ = ::fork();
   if (process_ < 0) throw LaunchError("start a process", errno);
   if (process_ == 0) child.become_program();
 
   output_ = std::move(output.first);
   (launch.with_channel ? channel_ : lifeline_) = std::move(channel.second);
+  reports_ = std::move(report.first);
   for (const Descriptor& ours : {std::cref(output_), std::cref(channel_)}) ::fcntl(ours.number(), F_SETFL, O_NONBLOCK);
+  output.second.close();
   report.second.close();
-  Failure failure{};
-  ssize_t got = 0;
-  do got = ::read(report.first.number(), &failure, sizeof failure);
-  while (got < 0 && errno == EINTR);
-  if (got == 0) return;  // closed by exec: the program runs
+  wait_for_start();
+}
+
+void ChildProcess::wait_for_start() {
+  while (const std::optional<ProcessReport> report = hear()) {
+    if (report->kind == ProcessReport::started) return;
+    if (report->kind != ProcessReport::failed) continue;
+    kill();
+    throw LaunchError(report->step, report->number);
+  }
+  const int silence = errno;
+  if (silence == 0 && !in_namespaces_) return;  // closed by exec: the program runs
+  ::kill(-process_, SIGKILL);
+  std::array<char, 500> said{};  // by what should make the namespaces
+  const ssize_t size = in_namespaces_ ? ::read(output_.number(), said.data(), said.size()) : 0;
   kill();
-  if (got == sizeof failure) throw LaunchError(failure.step, failure.reason);
-  throw LaunchError("hear from the new process", EPIPE);
+  if (size <= 0) throw LaunchError("hear from the new process", silence == 0 ? EPIPE : silence);
+  const std::string_view text(said.data(), static_cast<std::size_t>(size));
+  throw LaunchError(printable(text.substr(0, text.find('\n'))));
+}
+
+/// The next report; nothing at their end, or with an errno.
+std::optional<ProcessReport> ChildProcess::hear() {
+  ProcessReport report;
+  alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(ucred))> control{};
+  iovec bytes{&report, sizeof report};
+  msghdr message{};
+  message.msg_iov = &bytes;
+  message.msg_iovlen = 1;
+  message.msg_control = control.data();
+  message.msg_controllen = control.size();
+  ssize_t got = 0;
+  do got = ::recvmsg(reports_.number(), &message, MSG_WAITALL | MSG_CMSG_CLOEXEC);
+  while (got < 0 && errno == EINTR);
+  if (got >= 0) errno = 0;
+  if (got != sizeof report) return std::nullopt;
+  report.step[sizeof report.step - 1] = '\0';
+  const cmsghdr* const sender = CMSG_FIRSTHDR(&message);
+  if (report.kind == ProcessReport::begun && sender && sender->cmsg_type == SCM_CREDENTIALS) {
+    ucred credentials{};
+    std::memcpy(&credentials, CMSG_DATA(sender), sizeof credentials);
+    program_ = credentials.pid;
+  }
+  return report;
 }
 
 ChildProcess::~ChildProcess() { kill(); }
@@ -233,7 +269,11 @@ std::optional<ProcessEnd> ChildProcess::wait_until(Clock::time_point deadline) {
 }
 
 ProcessEnd ChildProcess::kill() {
+  constexpr std::chrono::seconds patience{2};
   if (end_) return *end_;
+  // The process above the program ends everything in its namespaces, and then itself.
+  if (in_namespaces_ && program_ != process_ && ::shutdown(reports_.number(), SHUT_WR) == 0)
+    if (const std::optional<ProcessEnd> end = wait_until(Clock::now() + patience)) return *end;
   ::kill(process_, SIGKILL);
   return reap();
 }
@@ -241,16 +281,22 @@ ProcessEnd ChildProcess::kill() {
 ProcessEnd ChildProcess::reap() {
   // While the leader is not waited for, its number cannot name another group.
   ::kill(-process_, SIGKILL);
-  int status = 0;
+  int status = SIGKILL;
   rusage usage{};
   pid_t waited = 0;
   do waited = ::wait4(process_, &status, 0, &usage);
   while (waited < 0 && errno == EINTR);
+  double processor_seconds = seconds(usage);
+  if (in_namespaces_) {
+    status = SIGKILL;  // unless the process above the program still could tell
+    while (const std::optional<ProcessReport> report = hear())
+      if (report->kind == ProcessReport::ended) status = report->number, processor_seconds = report->processor_seconds;
+  }
   ProcessEnd end;
   if (waited == process_) {
     end.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
     end.exit_status = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
-    end.processor_seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+    end.processor_seconds = processor_seconds;
   }
   end_ = end;
   return end;

@@ -5,6 +5,7 @@
 
 #include "checker/base/files.hpp"
 
+#include <sys/resource.h>
 #include <sys/types.h>
 
 #include <chrono>
@@ -22,12 +23,30 @@ using Clock = std::chrono::steady_clock;
 
 /// What the new process finds behind standard input, output and error.
 inline constexpr int channel_descriptor = 3;  ///< the socket pair to talk over, or the read end of the lifeline
+inline constexpr int report_descriptor = 4;   ///< where its ProcessReport goes; closed by exec
 inline constexpr int program_descriptor = 5;  ///< with a channel: the program itself; closed by exec
+
+/// What a new process says of itself before it becomes the program. In namespaces the process above it then goes on.
+struct ProcessReport {
+  enum Kind : int { begun, failed, started, ended } kind = failed;
+  int number = 0;                  ///< failed: an errno; ended: the status as waitpid has it
+  double processor_seconds = 0.0;  ///< ended
+  char step[48] = "";              ///< failed
+};
+
+/// Processor time.
+inline double seconds(const rusage& usage) {
+  const auto microseconds = [](const timeval& time) {
+    return 1e6 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec);
+  };
+  return 1e-6 * (microseconds(usage.ru_utime) + microseconds(usage.ru_stime));
+}
 
 /// The program could not be started.
 struct LaunchError : std::runtime_error {
   /// @param step  that failed: "enter its directory". @param system_error  an errno
-  LaunchError(const char* step, int system_error);
+  LaunchError(const std::string& step, int system_error);
+  using std::runtime_error::runtime_error;
 };
 
 /// What to start.
@@ -42,6 +61,9 @@ struct Launch {
   /// Runs in the new process just before the program, and may only make system calls: between fork and exec nothing
   /// else is safe. Returns nullptr, or the step that failed (a literal), with the reason in errno.
   std::function<const char*()> prepare;
+  /// A command that makes namespaces, and in them starts what follows as the program: checker/worker/last_stage.cpp at
+  /// its end. Empty: none.
+  std::vector<std::string> namespaces;
 };
 
 /// How a process ended.
@@ -62,7 +84,7 @@ class ChildProcess {
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  pid_t number() const { return process_; }
+  pid_t number() const { return program_; }
   int output() const { return output_.number(); }    ///< does not block
   int channel() const { return channel_.number(); }  ///< does not block
 
@@ -76,12 +98,17 @@ class ChildProcess {
   ProcessEnd kill();
 
  private:
+  void wait_for_start();
+  std::optional<ProcessReport> hear();
   ProcessEnd reap();
 
   pid_t process_ = -1;
+  pid_t program_ = -1;  ///< the same, or in its namespaces
+  bool in_namespaces_;
   Descriptor output_;
   Descriptor channel_;
   Descriptor lifeline_;
+  Descriptor reports_;
   std::optional<ProcessEnd> end_;
 };
 

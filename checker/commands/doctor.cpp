@@ -5,12 +5,17 @@
 #include "checker/sandbox/diagnostic_run.hpp"
 #include "checker/sandbox/sandbox.hpp"
 
+#include <nlohmann/json.hpp>
+
 namespace workbook {
 
-int doctor(const Course& course, const Options& /*options*/) {
+int doctor(const Course& course, const Options& options) {
   const Console console = Console::of_standard_output();
   bool can_check = true;
+  nlohmann::json document = {{"format", 1}};
   const auto report = [&](bool good, const std::string& what, const std::string& detail) {
+    document[what] = {{"good", good}, {"detail", detail}};
+    if (options.json) return;
     const std::string mark = console.plain() ? (good ? "good: " : "not good: ")
                                              : console.mark(good ? "✓" : "✗", good ? Style::good : Style::bad);
     fmt::print("{}{} {}\n", mark, padded(what, 12), detail);
@@ -45,7 +50,14 @@ int doctor(const Course& course, const Options& /*options*/) {
   }
 
   const SandboxStrength sandbox = probe_sandbox();
-  report(sandbox.tier() == SandboxTier::reduced, "sandbox", sandbox.sentence());
+  const bool is_full = sandbox.tier() == SandboxTier::full;
+  report(
+      sandbox.tier() >= SandboxTier::reduced, "sandbox",
+      sandbox.sentence() + (is_full ? "; this is for `grade`, single checks start quicker in the tier reduced" : ""));
+  document["sandbox"].update({{"tier", to_string(sandbox.tier())},
+                              {"filters_system_calls", sandbox.filters_system_calls},
+                              {"landlock", sandbox.landlock},
+                              {"namespaces", !sandbox.namespaces.empty()}});
 
   const std::string gnuplot = program_on_path("gnuplot");
   report(!gnuplot.empty(), "gnuplot",
@@ -62,6 +74,8 @@ int doctor(const Course& course, const Options& /*options*/) {
                : "not built as pages; read lectures/*/notes.md, or type: cmake --build --preset notes");
 
   report(true, "terminal", fmt::format("{} columns, {}", console.width(), console.color() ? "colour" : "no colour"));
+  document["can_check"] = can_check;
+  if (options.json) fmt::print("{}\n", document.dump(1));
   return can_check ? all_passed : checker_failed;
 }
 

@@ -31,16 +31,15 @@ std::string write_or_fail(const fs::path& file, const std::string& text) {
   return text;
 }
 
-std::string sandbox_sentence(bool allow_reduced) {
-  const SandboxStrength sandbox = probe_sandbox();
-  std::string sentence = sandbox.sentence();
-  if (sandbox.tier() != SandboxTier::reduced)
-    throw GradingError("Strangers' code is not graded on this machine: its sandbox is " + sentence + ".");
-  if (!allow_reduced)
-    throw GradingError("The sandbox is " + sentence +
-                       "; but file names and processes of this machine are not hidden. If that will do, say "
+SandboxStrength strong_sandbox(bool allow_reduced) {
+  SandboxStrength sandbox = probe_sandbox();
+  if (sandbox.tier() < SandboxTier::reduced)
+    throw GradingError("Strangers' code is not graded on this machine: its sandbox is " + sandbox.sentence() + ".");
+  if (sandbox.tier() < SandboxTier::full && !allow_reduced)
+    throw GradingError("The sandbox is " + sandbox.sentence() +
+                       ". File names and processes of this machine are not hidden in it. If that will do, say "
                        "--allow-reduced; for strangers, better on a machine that holds nothing else.");
-  return sentence;
+  return sandbox;
 }
 
 /// An empty folder, or that of an earlier run: files in it are deleted.
@@ -106,7 +105,7 @@ class Grader {
         all_(course.exercises()) {}
 
   /// Builds now what is else built at its first need: who gives up root can write into no build afterwards.
-  void build_all() {
+  void build_all(SandboxTier tier) {
     std::vector<Toolchain> toolchains = {context_.toolchain()};
     if (missing_for_diagnostic_runs(toolchains.front()).empty())
       toolchains.push_back(read_toolchain(toolchains.front().diagnostic));
@@ -120,7 +119,7 @@ class Grader {
       if (i == 0 || needed[i].card != needed[i - 1].card)
         context_.course().reference(needed[i].lecture(), seed_, needed[i].name());
     }
-    tools_ = tools_fingerprint(context_.course(), context_.toolchain());
+    tools_ = tools_fingerprint(context_.course(), context_.toolchain()) + to_string(tier);
   }
 
   void begin(const Intake& intake) {
@@ -361,8 +360,8 @@ void print_changes(const fs::path& class_file, const ordered_json& document) {
 
 int grade(const Course& given, const Options& options) {
   try {
-    const std::string sandbox = sandbox_sentence(options.allow_reduced);
-    fmt::print("Sandbox: {}.\n", sandbox);
+    const SandboxStrength sandbox = strong_sandbox(options.allow_reduced);
+    fmt::print("Sandbox: {}.\n", sandbox.sentence());
     const fs::path out = fs::absolute(*options.out).lexically_normal();
     const fs::path submissions = fs::absolute(options.submissions);
     if (!fs::exists(submissions)) throw GradingError(fmt::format("There is no {}.", shown_path(submissions)));
@@ -378,10 +377,11 @@ int grade(const Course& given, const Options& options) {
     for (const Journal& each : journals_in(options.merged, out)) journal.merge(each);
     if (journal.damaged() > 0) fmt::print("{} of the journal are damaged.\n", plural(journal.damaged(), "line"));
     Grader grader(course, assignment, seed, out, journal);
-    grader.build_all();
+    grader.build_all(sandbox.tier());
     std::vector<fs::path> needed = options.references;
     needed.insert(needed.end(), {submissions, course.lectures(), course.toolchain_file()});
     give_up_root(out, needed);
+    use_sandbox(sandbox);
     const Intake intake = take_in(submissions, course, roster, out / "submissions", shard);
     grader.begin(intake);
     fmt::print("{}, {}: {} to judge.\n", plural(intake.students.size(), "student"),
@@ -395,7 +395,7 @@ int grade(const Course& given, const Options& options) {
                  command("grade SUBMISSIONS --out FOLDER --merge " + shell_quoted(options.out->string())));
       return grader.failed() == 0 ? all_passed : checker_failed;
     }
-    const ordered_json document = write_results(grader, intake, course, assignment, seed, sandbox, out);
+    const ordered_json document = write_results(grader, intake, course, assignment, seed, sandbox.sentence(), out);
     print_changes(out / "class.json", document);
     write_or_fail(out / "class.json", indented(document));
     fs::remove_all(out / "work", ignored);

@@ -68,14 +68,17 @@ std::vector<std::string> dependencies(const fs::path& list) {
   return names;
 }
 
-/// The file that the sandbox kept from compiler or assembler; "" if there is none.
+/// The file that the sandbox kept from compiler or assembler; "" if there is none. Whether such a file is there at all
+/// makes no difference, and must not.
 std::string denied_file(const std::string& output) {
   static const std::regex denied(
-      "rror: (?:can't open |file not found: )?(/[^:]*?)(?: for reading)?(?:: Permission denied)?");
+      "rror: (?:can't open |file not found: )?(/[^:]*?)(?: for reading)?"
+      "(?:: (?:Permission denied|No such file or directory))?");
   for (const std::string& line : lines_of(output)) {
     std::smatch found;
-    const bool tells = line.size() < 1000 && (line.ends_with(": Permission denied") ||
-                                              line.find("rror: file not found: ") != std::string::npos);
+    const bool tells =
+        line.size() < 1000 && (line.ends_with(": Permission denied") || line.ends_with(": No such file or directory") ||
+                               line.find("rror: file not found: ") != std::string::npos);
     const std::size_t begin = tells ? line.find("rror: ") : std::string::npos;
     const std::string rest = begin == std::string::npos ? "" : line.substr(begin);
     if (std::regex_match(rest, found, denied)) return found[1];

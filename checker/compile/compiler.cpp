@@ -50,7 +50,7 @@ FinishedProgram Compiler::run(const fs::path& program, std::vector<std::string> 
   launch.environment = {"PATH=" + environment("PATH", "/usr/local/bin:/usr/bin:/bin"), "LC_ALL=C.UTF-8",
                         "TMPDIR=" + workspace_.string()};
   launch.directory = workspace_;
-  launch.prepare = [sandbox = Sandbox(profile(limits))] { return sandbox.enter(); };
+  confine(launch, profile(limits));
   try {
     FinishedProgram finished = run_program(launch, limits.time, limits.output_bytes);
     finished.output = printable(finished.output);

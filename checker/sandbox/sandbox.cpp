@@ -2,26 +2,21 @@
 
 #include "checker/base/child_process.hpp"
 
-#include <fmt/format.h>
-
 #include <fcntl.h>
 #include <linux/audit.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
-#include <signal.h>
 #include <sys/personality.h>
 #include <sys/prctl.h>
-#include <sys/ptrace.h>
 #include <sys/resource.h>
-#include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
-#include <sys/wait.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdint>
+#include <cstdlib>
 
 namespace workbook {
 namespace {
@@ -201,54 +196,43 @@ bool allow(int ruleset, const std::string& path, std::uint64_t access) {
 
 }  // namespace landlock
 
+}  // namespace
+
 SandboxStrength what_the_kernel_offers() {
   constexpr unsigned ask_version = 1;
   const long version = ::syscall(landlock::create_ruleset, nullptr, 0, ask_version);
-  const bool has_filters = architecture != 0 && (::prctl(PR_GET_SECCOMP) >= 0 || errno != EINVAL);
-  return {has_filters, std::max(0, static_cast<int>(version)), {}};
+  SandboxStrength strength;
+  strength.filters_system_calls = architecture != 0 && (::prctl(PR_GET_SECCOMP) >= 0 || errno != EINVAL);
+  strength.landlock = std::max(0, static_cast<int>(version));
+  return strength;
 }
 
-/// Where compilers and shared libraries are installed, never anybody's own files.
-std::vector<std::string> system_folders(const std::string& compiler) {
-  std::vector<std::string> folders = {"/etc/ld.so.cache", "/lib", "/lib64", "/nix/store"};
-  std::error_code error;
-  const std::filesystem::path program = std::filesystem::canonical(compiler, error);
-  for (const std::filesystem::path& prefix :
-       {std::filesystem::path("/usr"), std::filesystem::path("/usr/local"), program.parent_path().parent_path()})
-    for (const char* folder : {"bin", "include", "lib", "lib64", "libexec"})
-      if (!prefix.empty()) folders.push_back((prefix / folder).string());
-  return folders;
+std::vector<std::string> written(const SandboxProfile& profile) {
+  std::vector<std::string> words;
+  for (const std::size_t number : {static_cast<std::size_t>(profile.calls), std::size_t{profile.processor_seconds},
+                                   profile.memory_bytes, profile.stack_bytes, profile.file_bytes,
+                                   std::size_t{profile.open_files}, profile.readable.size(), profile.writable.size()})
+    words.push_back(std::to_string(number));
+  for (const auto* paths : {&profile.readable, &profile.writable})
+    words.insert(words.end(), paths->begin(), paths->end());
+  return words;
 }
 
-struct Attempt {
-  const char* what;
-  bool (*succeeds)();
-};
-
-constexpr Attempt attempts[] = {
-    {"read a file", [] { return ::open("/etc/passwd", O_RDONLY | O_CLOEXEC) >= 0; }},
-    {"write a file", [] { return ::open(".", O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600) >= 0; }},
-    {"open a connection", [] { return ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0) >= 0; }},
-    {"signal another process", [] { return ::kill(::getppid(), 0) == 0; }},
-    {"trace another process", [] { return ::ptrace(PTRACE_SEIZE, ::getppid(), nullptr, nullptr) == 0; }},
-    {"start a process", [] {
-       const pid_t started = ::fork();
-       if (started == 0) ::_exit(0);
-       return started > 0;
-     }}};
-
-/// In a copy of this process.
-bool succeeds(const Attempt& attempt, const Sandbox& sandbox) {
-  const pid_t process = ::fork();
-  if (process == 0) ::_exit(sandbox.enter() == nullptr && attempt.succeeds() ? 0 : 1);
-  int status = 0;
-  while (process > 0 && ::waitpid(process, &status, 0) < 0 && errno == EINTR) continue;
-  return process > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+SandboxProfile read_profile(char**& words) {
+  const auto number = [&] { return std::strtoull(*words++, nullptr, 10); };
+  SandboxProfile profile;
+  profile.calls = static_cast<SandboxProfile::Calls>(number());
+  profile.processor_seconds = static_cast<unsigned>(number());
+  profile.memory_bytes = number();
+  profile.stack_bytes = number();
+  profile.file_bytes = number();
+  profile.open_files = static_cast<unsigned>(number());
+  profile.readable.resize(number());
+  profile.writable.resize(number());
+  for (auto* paths : {&profile.readable, &profile.writable})
+    for (std::string& path : *paths) path = *words++;
+  return profile;
 }
-
-}  // namespace
-
-Sandbox::Sandbox(SandboxProfile profile) : profile_(std::move(profile)), strength_(what_the_kernel_offers()) {}
 
 const char* Sandbox::enter() const noexcept {
   if (const char* failed = limit_resources()) return failed;
@@ -286,7 +270,7 @@ const char* Sandbox::limit_resources() const noexcept {
 }
 
 const char* Sandbox::restrict_files() const noexcept {
-  const int version = strength_.landlock;
+  const int version = landlock_;
   if (version == 0) return nullptr;
   // All that a version knows: 13 kinds of access, and one more with versions 2, 3 and 5; network from 4, scopes from 6.
   const std::uint64_t all = (std::uint64_t{1} << (13 + (version >= 2) + (version >= 3) + (version >= 5))) - 1;
@@ -303,7 +287,7 @@ const char* Sandbox::restrict_files() const noexcept {
 }
 
 const char* Sandbox::filter_system_calls() const noexcept {
-  if (!strength_.filters_system_calls) return nullptr;
+  if (!filters_) return nullptr;
   const bool builds = profile_.calls == SandboxProfile::Calls::build;
   Filter filter;
   if (builds) {
@@ -319,60 +303,5 @@ const char* Sandbox::filter_system_calls() const noexcept {
   // A trap and not a plain kill: the worker's own handler can then say which call it was before it ends.
   return filter.load(builds ? SECCOMP_RET_ALLOW : SECCOMP_RET_TRAP) ? nullptr : "filter its system calls";
 }
-
-SandboxProfile run_profile() { return {}; }
-
-SandboxProfile diagnose_profile(const std::string& compiler, const std::string& program) {
-  SandboxProfile profile{.calls = SandboxProfile::Calls::compute_and_read,
-                         .memory_bytes = 0,
-                         .open_files = 32,
-                         .readable = system_folders(compiler)};
-  profile.readable.insert(profile.readable.end(), {program, "/proc/self"});
-  return profile;
-}
-
-SandboxProfile compile_profile(const std::string& compiler, const std::vector<std::string>& inputs,
-                               const std::string& workspace) {
-  SandboxProfile profile{.calls = SandboxProfile::Calls::build,
-                         .processor_seconds = 60,
-                         .memory_bytes = std::size_t{2} << 30,
-                         .stack_bytes = std::size_t{64} << 20,
-                         .file_bytes = std::size_t{64} << 20,
-                         .open_files = 256,
-                         .readable = system_folders(compiler),
-                         .writable = {workspace, "/dev/null"}};
-  profile.readable.insert(profile.readable.end(), inputs.begin(), inputs.end());
-  return profile;
-}
-
-SandboxTier SandboxStrength::tier() const {
-  if (!filters_system_calls || !holes.empty()) return SandboxTier::none;
-  return landlock > 0 ? SandboxTier::reduced : SandboxTier::minimal;
-}
-
-std::string SandboxStrength::sentence() const {
-  if (tier() == SandboxTier::reduced)
-    return "reduced: system calls are filtered, and compilers read only what they need";
-  if (tier() == SandboxTier::minimal)
-    return "minimal: system calls are filtered, but this kernel has no Landlock: a student's file can include any file "
-           "that you can read";
-  return fmt::format("none: limits on time, memory and output only; a function can {}",
-                     holes.empty() ? "do what you can" : fmt::format("{}", fmt::join(holes, ", ")));
-}
-
-std::string to_string(SandboxTier tier) {
-  constexpr const char* names[] = {"none", "minimal", "reduced"};
-  return names[static_cast<int>(tier)];
-}
-
-SandboxStrength probe_sandbox() {
-  SandboxStrength strength = what_the_kernel_offers();
-  const Sandbox sandbox(run_profile());
-  for (const Attempt& attempt : attempts)
-    if (succeeds(attempt, sandbox)) strength.holes.emplace_back(attempt.what);
-  return strength;
-}
-
-bool can_confine_files() { return what_the_kernel_offers().tier() == SandboxTier::reduced; }
 
 }  // namespace workbook

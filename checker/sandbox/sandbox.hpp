@@ -1,7 +1,7 @@
 /// @file
 /// The sandbox: what a program that comes from a student, or reads a student's file, may do and use. Resource limits, a
 /// filter of system calls (seccomp) and rules for files (Landlock), set up in the new process before the program
-/// starts.
+/// starts. In the strongest tier that process stands in namespaces of its own (bubblewrap), where nothing else exists.
 #pragma once
 
 #include <string>
@@ -9,25 +9,37 @@
 
 namespace workbook {
 
+struct Launch;
+
 /// From weakest to strongest.
 enum class SandboxTier {
   none,     ///< limits on time, memory and output only
   minimal,  ///< and a filter of system calls: a function reaches nothing, but a compiler can read every file
-  reduced   ///< and rules for files, for the compiler too
+  reduced,  ///< and rules for files, for the compiler too
+  full      ///< and namespaces: no network, no other process, no file but those that the program needs
 };
 
 /// What sandboxes hold back on this machine.
 struct SandboxStrength {
   bool filters_system_calls = false;
-  int landlock = 0;                ///< its version; 0: this kernel has none
-  std::vector<std::string> holes;  ///< what a program in a sandbox could do although it must not: "read a file"
+  int landlock = 0;                     ///< its version; 0: this kernel has none
+  std::vector<std::string> holes;       ///< what a program in a sandbox could do although it must not: "read a file"
+  std::vector<std::string> namespaces;  ///< the beginning of the command that makes them; empty: there are none
+  std::string no_namespaces;            ///< why there are none, and what to do about it
 
   SandboxTier tier() const;
   std::string sentence() const;
 };
 
-/// Found out by trying.
+/// Found out by starting programs that try; what root must not start, as a user without rights.
 SandboxStrength probe_sandbox();
+
+/// Of the kernel alone.
+SandboxStrength what_the_kernel_offers();
+
+/// From now on all programs get as strong a sandbox as that, apart from root's, who gets no namespaces. Before, it is
+/// what the kernel offers: a single check is a student's own code, and starts quicker without namespaces.
+void use_sandbox(const SandboxStrength& strength);
 
 /// Are there both a filter of system calls and rules for files?
 bool can_confine_files();
@@ -66,9 +78,17 @@ SandboxProfile diagnose_profile(const std::string& compiler, const std::string& 
 SandboxProfile compile_profile(const std::string& compiler, const std::vector<std::string>& inputs,
                                const std::string& workspace);
 
+/// As words of a command, and back: `words` is moved behind what was read.
+std::vector<std::string> written(const SandboxProfile& profile);
+SandboxProfile read_profile(char**& words);
+
+/// Starts it in a sandbox of the tier in use.
+void confine(Launch& launch, const SandboxProfile& profile);
+
 class Sandbox {
  public:
-  explicit Sandbox(SandboxProfile profile);
+  explicit Sandbox(SandboxProfile profile, const SandboxStrength& strength = what_the_kernel_offers())
+      : profile_(std::move(profile)), filters_(strength.filters_system_calls), landlock_(strength.landlock) {}
 
   /// For Launch::prepare. Makes system calls only. Returns the step that failed, or nullptr.
   const char* enter() const noexcept;
@@ -79,7 +99,8 @@ class Sandbox {
   const char* filter_system_calls() const noexcept;
 
   SandboxProfile profile_;
-  SandboxStrength strength_;
+  bool filters_;
+  int landlock_;
 };
 
 }  // namespace workbook

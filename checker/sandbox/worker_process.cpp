@@ -58,11 +58,11 @@ protocol::ReplyHeader header_in(const std::vector<char>& bytes) {
   return header;
 }
 
-Launch launch(const std::filesystem::path& program, SandboxProfile profile) {
+Launch launch(const std::filesystem::path& program, const SandboxProfile& profile) {
   Launch launch;
   launch.program = program.string();
   launch.with_channel = true;
-  launch.prepare = [sandbox = Sandbox(std::move(profile))] { return sandbox.enter(); };
+  confine(launch, profile);
   return launch;
 }
 

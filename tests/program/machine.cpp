@@ -14,6 +14,14 @@ TEST_CASE("doctor names each thing that the checker needs, and how it stands") {
     CHECK_MESSAGE(has(outcome.out, line), outcome.out);
 }
 
+TEST_CASE("doctor tells programs what the sandbox can do") {
+  const CourseCopy course;
+  const auto sandbox = course.run("doctor --json", "PATH=/nowhere").json().at("sandbox");
+  CHECK(sandbox.at("tier") == (sandbox.at("landlock") > 0 ? "reduced" : "minimal"));
+  CHECK(sandbox.at("namespaces") == false);
+  CHECK(has(sandbox.at("detail"), "apt-get install bubblewrap"));
+}
+
 TEST_CASE("doctor says in words what is well where marks would not be read") {
   const CourseCopy course;
   const Outcome outcome = course.run("doctor", "WORKBOOK_PLAIN=1 PATH=/nowhere");

@@ -140,7 +140,7 @@ const char* const right = "\ndouble rigid::twice(double x) { return 2 * x; }\n";
 
 TEST_CASE("what the sandboxes hold back would happen without them") {
   fs::create_directories(workspace());
-  const bool has_all = probe_sandbox().tier() == SandboxTier::reduced;
+  const bool has_all = can_confine_files();
   const SandboxProfile running = run_profile();
   const SandboxProfile diagnosing = diagnose_profile(toolchain().compiler.string(), "/bin/true");
   const SandboxProfile compiling = compile_profile(toolchain().compiler.string(), {}, workspace().string());
@@ -159,20 +159,51 @@ TEST_CASE("what the sandboxes hold back would happen without them") {
 TEST_CASE("the machine says how strong its sandbox is") {
   const SandboxStrength strength = probe_sandbox();
   CHECK(strength.holes.empty());
-  CHECK(to_string(strength.tier()) == (strength.landlock > 0 ? "reduced" : "minimal"));
-  CHECK(SandboxStrength{true, 0, {}}.tier() == SandboxTier::minimal);
-  CHECK(SandboxStrength{false, 7, {}}.tier() == SandboxTier::none);
-  CHECK(SandboxStrength{true, 7, {"read a file"}}.tier() == SandboxTier::none);
+  CHECK(strength.tier() >= sandbox_tier());
+  SandboxStrength weaker = strength;
+  weaker.namespaces = {"bwrap"};
+  CHECK(weaker.tier() == SandboxTier::full);
+  weaker.namespaces.clear();
+  weaker.landlock = 7;
+  CHECK(weaker.tier() == SandboxTier::reduced);
+  weaker.landlock = 0;
+  CHECK(weaker.tier() == SandboxTier::minimal);
+  weaker.holes = {"read a file"};
+  CHECK(weaker.tier() == SandboxTier::none);
+  weaker = strength;
+  weaker.filters_system_calls = false;
+  CHECK(weaker.tier() == SandboxTier::none);
+}
+
+TEST_CASE("a tier is found out by trying") {
+  const auto tier_without = [](int system_call, SandboxTier expected) {
+    return in_another_process(
+        [&] { return refuse_system_call(system_call, EOPNOTSUPP) && probe_sandbox().tier() == expected; });
+  };
+  constexpr int landlock_create_ruleset = 444;
+  if (sandbox_tier() == SandboxTier::full) {
+    CHECK(tier_without(landlock_create_ruleset, SandboxTier::full));
+    CHECK(tier_without(SYS_unshare, SandboxTier::full));  // as with a bubblewrap that has no --disable-userns
+    CHECK(tier_without(SYS_pivot_root, SandboxTier::reduced));
+    CHECK(in_another_process([] {
+      ::setenv("PATH", "/nowhere", 1);
+      return has(probe_sandbox().sentence(), "apt-get install bubblewrap");
+    }));
+  }
+  CHECK(tier_without(SYS_seccomp, SandboxTier::none));
+}
+
+TEST_CASE("without Landlock a function is still judged, but not run again for reasons") {
   const fs::path program = executable(right);
-  const bool works_without_landlock = in_another_process([&] {
-    constexpr int landlock_create_ruleset = 444;
-    return refuse_system_call(landlock_create_ruleset, EOPNOTSUPP) && probe_sandbox().tier() == SandboxTier::minimal &&
-           missing_for_diagnostic_runs(toolchain()).find("Landlock") == 0 &&
+  CHECK(in_another_process([&] {
+    SandboxStrength minimal = what_the_kernel_offers();
+    minimal.landlock = 0;
+    use_sandbox(minimal);
+    return missing_for_diagnostic_runs(toolchain()).find("Landlock") == 0 &&
            compile_text(std::string(right) + "// again\n").executable.has_value() &&
            ExerciseRunner(program, short_limits()).observe({twice_case(1)}, {}).replies.at(0).ending ==
                Ending::returned;
-  });
-  CHECK(works_without_landlock);
+  }));
 }
 
 TEST_CASE("code generated at the link reaches no file, for there is none") {

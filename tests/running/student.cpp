@@ -1,16 +1,52 @@
 #include "tests/running/student.hpp"
 
+#include "checker/base/text.hpp"
+#include "checker/grading/privileges.hpp"
+
 #include <doctest/doctest.h>
 
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <thread>
 
 namespace workbook::testing {
 namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int skipped = 77;  // as ctest knows it
+
+/// The strongest tier of this machine, or the one that WORKBOOK_TEST_SANDBOX names.
+const SandboxTier tier = [] {
+  SandboxStrength strength = probe_sandbox();
+  const std::string wanted = environment("WORKBOOK_TEST_SANDBOX", to_string(strength.tier()).c_str());
+  if (wanted != "full") strength.namespaces.clear();
+  if (wanted == "minimal") strength.landlock = 0;
+  if (to_string(strength.tier()) != wanted) {
+    fmt::print("Skipped: there is no tier {} here. {}.\n", wanted, strength.sentence());
+    std::exit(skipped);
+  }
+  const bool changes_user = strength.tier() == SandboxTier::full && ::geteuid() == 0;
+  if (changes_user) {
+    for (const char* exercise : {"twice", "signed_by", "scaled", "counted", "moved"})
+      for (const fs::path& file : {fs::path(WORKBOOK_TEST_TOOLCHAIN), toolchain().diagnostic})
+        if (!file.empty()) require_complete(read_toolchain(file), exercise);
+    fs::create_directories(WORKBOOK_TEST_SCRATCH);
+    give_up_root(WORKBOOK_TEST_SCRATCH, {WORKBOOK_TEST_TOOLCHAIN});
+    ::prctl(PR_SET_DUMPABLE, 1);  // as processes of users are
+  }
+  use_sandbox(strength);
+  return strength.tier();
+}();
+
+}  // namespace
+
+SandboxTier sandbox_tier() { return tier; }
 
 const Toolchain& toolchain() {
   static const Toolchain read = read_toolchain(WORKBOOK_TEST_TOOLCHAIN);

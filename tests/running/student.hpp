@@ -3,6 +3,7 @@
 #pragma once
 
 #include "checker/compile/compile.hpp"
+#include "checker/sandbox/sandbox.hpp"
 #include "checker/sandbox/worker_process.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/processes.hpp"
@@ -13,6 +14,9 @@
 #include <vector>
 
 namespace workbook::testing {
+
+/// Of all that the tests compile and run: the strongest of this machine, or WORKBOOK_TEST_SANDBOX.
+SandboxTier sandbox_tier();
 
 /// The toolchain of the fixture contract.
 const Toolchain& toolchain();

@@ -1,0 +1,203 @@
+// Which sandbox a program gets on this machine.
+#include "checker/base/child_process.hpp"
+#include "checker/base/text.hpp"
+#include "checker/sandbox/attempts.hpp"
+#include "checker/sandbox/sandbox.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <grp.h>
+
+#include <algorithm>
+#include <cerrno>
+
+namespace workbook {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SandboxStrength, filters_system_calls, landlock, holes, namespaces, no_namespaces)
+
+namespace {
+
+using Calls = SandboxProfile::Calls;
+
+SandboxStrength& in_use() {
+  static SandboxStrength strength = what_the_kernel_offers();
+  return strength;
+}
+
+void confine_to(const SandboxStrength& strength, Launch& launch, const SandboxProfile& profile) {
+  if (strength.namespaces.empty() || ::geteuid() == 0) {
+    launch.prepare = [sandbox = Sandbox(profile, strength)] { return sandbox.enter(); };
+    return;
+  }
+  std::vector<std::string>& command = launch.namespaces;
+  command = strength.namespaces;
+  for (const std::string& path : profile.readable)
+    if (path == "/proc/self")
+      command.insert(command.end(), {"--proc", "/proc"});
+    else
+      command.insert(command.end(), {"--ro-bind-try", path, path});
+  for (const std::string& path : profile.writable) command.insert(command.end(), {"--dev-bind-try", path, path});
+  command.insert(command.end(), {"--ro-bind", WORKBOOK_LAST_STAGE, "/last_stage", "--remount-ro", "/", "/last_stage"});
+  std::ranges::move(written(profile), std::back_inserter(command));
+}
+
+/// Where shared libraries are installed, and compilers, never anybody's own files.
+std::vector<std::string> system_folders(const std::string& compiler, std::initializer_list<const char*> kinds) {
+  std::vector<std::string> folders = {"/etc/ld.so.cache", "/etc/alternatives", "/lib", "/lib64", "/nix/store"};
+  std::error_code error;
+  const std::filesystem::path program = std::filesystem::canonical(compiler, error);
+  for (const std::filesystem::path& prefix :
+       {std::filesystem::path("/usr"), std::filesystem::path("/usr/local"), program.parent_path().parent_path()})
+    for (const char* kind : kinds)
+      if (const std::string folder = (prefix / kind).string();
+          !prefix.empty() && std::ranges::count(folders, folder) == 0)
+        folders.push_back(folder);
+  return folders;
+}
+
+/// Started like every student's function and every compiler. @throws LaunchError
+bool succeeds(std::size_t attempt, const SandboxStrength& strength, Calls calls) {
+  Launch launch;
+  launch.program = WORKBOOK_LAST_STAGE;
+  launch.arguments = {std::to_string(attempt)};
+  launch.with_channel = calls != Calls::build;
+  SandboxProfile profile{.calls = calls, .readable = {WORKBOOK_LAST_STAGE}};
+  if (calls == Calls::compute_and_read) profile.readable.emplace_back("/proc/self");
+  confine_to(strength, launch, profile);
+  return run_program(launch, std::chrono::seconds(10), 1000).succeeded();
+}
+
+/// @throws LaunchError
+std::vector<std::string> holes_of(const SandboxStrength& strength) {
+  std::vector<std::string> holes;
+  for (const Calls calls : {Calls::compute, Calls::compute_and_read, Calls::build})
+    for (std::size_t k = 0; k < std::size(attempts); ++k) {
+      const bool confines_files = strength.landlock > 0 || !strength.namespaces.empty();
+      if (calls != Calls::compute && !confines_files) continue;
+      if ((calls != Calls::build || attempts[k].is_for_compilers) && std::ranges::count(holes, attempts[k].what) == 0 &&
+          succeeds(k, strength, calls))
+        holes.emplace_back(attempts[k].what);
+    }
+  return holes;
+}
+
+/// Fills in the namespaces, or why there are none.
+void try_namespaces(SandboxStrength& strength) {
+  const std::string program = program_on_path("bwrap");
+  if (program.empty()) {
+    strength.no_namespaces = "bubblewrap is missing (on Debian: apt-get install bubblewrap)";
+    return;
+  }
+  // The oldest versions cannot do all.
+  for (const bool disables_more : {true, false}) {
+    SandboxStrength full = strength;
+    full.namespaces = {program, "--unshare-all", "--unshare-user"};
+    if (disables_more) full.namespaces.emplace_back("--disable-userns");
+    for (const char* word : {"--uid", "65534", "--gid", "65534", "--as-pid-1", "--die-with-parent"})
+      full.namespaces.emplace_back(word);
+    try {
+      const std::vector<std::string> holes = holes_of(full);
+      strength.no_namespaces = holes.empty() ? "" : fmt::format("a program in them can {}", fmt::join(holes, ", "));
+      if (!holes.empty()) return;
+      strength.namespaces = full.namespaces;
+      return;
+    } catch (const LaunchError& problem) {
+      if (strength.no_namespaces.empty()) strength.no_namespaces = problem.what();
+    }
+  }
+  strength.no_namespaces +=
+      "; user namespaces may be turned off here (sysctl kernel.unprivileged_userns_clone=1 or "
+      "kernel.apparmor_restrict_unprivileged_userns=0), or not allowed in this container";
+}
+
+}  // namespace
+
+SandboxStrength probe_sandbox() {
+  SandboxStrength strength = what_the_kernel_offers();
+  try {
+    strength.holes = holes_of(strength);
+    if (strength.tier() == SandboxTier::none) return strength;
+    if (::geteuid() != 0) {
+      try_namespaces(strength);
+      return strength;
+    }
+    // As root, bubblewrap would leave settings of the kernel writable.
+    ForkedJob job(
+        [&] {
+          constexpr uid_t nobody = 65534;
+          if (::setgroups(0, nullptr) != 0 || ::setresgid(nobody, nobody, nobody) != 0 ||
+              ::setresuid(nobody, nobody, nobody) != 0)
+            throw LaunchError("give up root", errno);
+          try_namespaces(strength);
+          return nlohmann::json(strength).dump();
+        },
+        std::chrono::minutes(1));
+    const std::string trouble = job.finish();
+    if (trouble.empty()) return nlohmann::json::parse(job.output()).get<SandboxStrength>();
+    strength.no_namespaces = "root cannot be given up here";
+  } catch (const LaunchError& problem) {
+    strength.holes = {fmt::format("do what you can ({})", problem.what())};
+  }
+  return strength;
+}
+
+void use_sandbox(const SandboxStrength& strength) { in_use() = strength; }
+
+bool can_confine_files() { return in_use().tier() >= SandboxTier::reduced; }
+
+void confine(Launch& launch, const SandboxProfile& profile) { confine_to(in_use(), launch, profile); }
+
+SandboxTier SandboxStrength::tier() const {
+  if (!filters_system_calls || !holes.empty()) return SandboxTier::none;
+  if (!namespaces.empty()) return SandboxTier::full;
+  return landlock > 0 ? SandboxTier::reduced : SandboxTier::minimal;
+}
+
+std::string SandboxStrength::sentence() const {
+  const std::string why = no_namespaces.empty() ? "" : fmt::format("; no namespaces: {}", no_namespaces);
+  switch (tier()) {
+    case SandboxTier::full:
+      return "full: a program sees no other process, no network, and of the files only what it needs";
+    case SandboxTier::reduced:
+      return "reduced: system calls are filtered, and compilers read only what they need" + why;
+    case SandboxTier::minimal:
+      return "minimal: system calls are filtered, but this kernel has no Landlock: a student's file can include any "
+             "file that you can read" +
+             why;
+    default:
+      return fmt::format("none: limits on time, memory and output only; a function can {}{}",
+                         holes.empty() ? "do what you can" : fmt::format("{}", fmt::join(holes, ", ")), why);
+  }
+}
+
+std::string to_string(SandboxTier tier) {
+  constexpr const char* names[] = {"none", "minimal", "reduced", "full"};
+  return names[static_cast<int>(tier)];
+}
+
+SandboxProfile run_profile() { return {}; }
+
+SandboxProfile diagnose_profile(const std::string& compiler, const std::string& program) {
+  SandboxProfile profile{.calls = Calls::compute_and_read,
+                         .memory_bytes = 0,
+                         .open_files = 32,
+                         .readable = system_folders(compiler, {"lib", "lib64"})};
+  profile.readable.insert(profile.readable.end(), {program, "/proc/self"});
+  return profile;
+}
+
+SandboxProfile compile_profile(const std::string& compiler, const std::vector<std::string>& inputs,
+                               const std::string& workspace) {
+  SandboxProfile profile{.calls = Calls::build,
+                         .processor_seconds = 60,
+                         .memory_bytes = std::size_t{2} << 30,
+                         .stack_bytes = std::size_t{64} << 20,
+                         .file_bytes = std::size_t{64} << 20,
+                         .open_files = 256,
+                         .readable = system_folders(compiler, {"bin", "include", "lib", "lib64", "libexec"}),
+                         .writable = {workspace, "/dev/null"}};
+  profile.readable.insert(profile.readable.end(), inputs.begin(), inputs.end());
+  return profile;
+}
+
+}  // namespace workbook
