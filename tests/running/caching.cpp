@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <sys/stat.h>
+
 #include <fstream>
 #include <thread>
 
@@ -155,6 +157,16 @@ TEST_CASE("two checkers may compile the same file at the same time") {
   CHECK(answers(*one.executable));
   CHECK(answers(*other.executable));
   CHECK(entries(course.cache) == 1);
+}
+
+TEST_CASE("a pipe in the place of a kept executable is not waited for") {
+  const std::string text = "double rigid::twice(double x) { return x + x + 0; }";
+  const fs::path kept = executable(text);
+  fs::remove(kept);
+  REQUIRE(::mkfifo(kept.c_str(), 0600) == 0);
+  const Compilation again = compile_text(text);
+  CHECK(again.executable.has_value());
+  CHECK_FALSE(again.from_cache);
 }
 
 }  // namespace workbook::testing

@@ -198,7 +198,7 @@ TEST_CASE("line ends of other systems and byte order marks do not matter") {
 
 TEST_CASE("nothing of the checker's environment reaches the compiler") {
   ::setenv("CPLUS_INCLUDE_PATH", fresh_directory("environment").c_str(), 1);
-  write(fs::path(WORKBOOK_TEST_SCRATCH) / "environment" / "only_here.hpp", "");
+  write(scratch() / "environment" / "only_here.hpp", "");
   refused_text("#include <only_here.hpp>\n");
   ::unsetenv("CPLUS_INCLUDE_PATH");
 }

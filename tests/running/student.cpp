@@ -36,8 +36,9 @@ const SandboxTier tier = [] {
     for (const char* exercise : {"twice", "signed_by", "scaled", "counted", "moved"})
       for (const fs::path& file : {fs::path(WORKBOOK_TEST_TOOLCHAIN), toolchain().diagnostic})
         if (!file.empty()) require_complete(read_toolchain(file), exercise);
-    fs::create_directories(WORKBOOK_TEST_SCRATCH);
-    give_up_root(WORKBOOK_TEST_SCRATCH, {WORKBOOK_TEST_TOOLCHAIN});
+    const fs::path own = fs::path(WORKBOOK_TEST_SCRATCH) / wanted;
+    fs::create_directories(own);
+    give_up_root(own, {WORKBOOK_TEST_TOOLCHAIN});
     ::prctl(PR_SET_DUMPABLE, 1);  // as processes of users are
   }
   use_sandbox(strength);
@@ -48,19 +49,21 @@ const SandboxTier tier = [] {
 
 SandboxTier sandbox_tier() { return tier; }
 
+fs::path scratch() { return fs::path(WORKBOOK_TEST_SCRATCH) / to_string(tier); }
+
 const Toolchain& toolchain() {
   static const Toolchain read = read_toolchain(WORKBOOK_TEST_TOOLCHAIN);
   return read;
 }
 
 fs::path fresh_directory(const std::string& name) {
-  fs::path directory = fs::path(WORKBOOK_TEST_SCRATCH) / name;
+  fs::path directory = scratch() / name;
   fs::remove_all(directory);
   fs::create_directories(directory);
   return directory;
 }
 
-fs::path shared_cache() { return fs::path(WORKBOOK_TEST_SCRATCH) / "cache"; }
+fs::path shared_cache() { return scratch() / "cache"; }
 
 std::string signature(const std::string& exercise) {
   if (exercise == "twice") return "double twice(double x)";

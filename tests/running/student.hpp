@@ -18,6 +18,9 @@ namespace workbook::testing {
 /// Of all that the tests compile and run: the strongest of this machine, or WORKBOOK_TEST_SANDBOX.
 SandboxTier sandbox_tier();
 
+/// Of this tier alone: tests of several may run at the same time.
+std::filesystem::path scratch();
+
 /// The toolchain of the fixture contract.
 const Toolchain& toolchain();
 

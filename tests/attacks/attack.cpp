@@ -1,0 +1,154 @@
+#include "tests/attacks/attack.hpp"
+
+#include "checker/pipeline/check_exercise.hpp"
+#include "checker/worker/protocol.hpp"
+
+#include <doctest/doctest.h>
+
+#include <poll.h>
+#include <sys/socket.h>
+
+#include <array>
+#include <cstring>
+
+namespace workbook::testing {
+
+namespace fs = std::filesystem;
+
+bool answers_42(const Unhindered& control) { return control.value == 42.0; }
+bool exits_with_success(const Unhindered& control) {
+  return !control.value && !control.went_on && control.end.signal == 0 && control.end.exit_status == 0;
+}
+bool prints_pass(const Unhindered& control) { return has(control.printed, "PASS"); }
+bool is_killed(const Unhindered& control) { return !control.value && !control.went_on && control.end.signal != 0; }
+bool goes_on(const Unhindered& control) { return control.went_on; }
+bool shows_secret(const Unhindered& control) { return has(control.compiler.output + control.object, "secret"); }
+bool compiles(const Unhindered& control) { return control.compiler.succeeded(); }
+bool takes_long(const Unhindered& control) {
+  constexpr std::size_t large = std::size_t{16} << 20;
+  return control.compiler.out_of_time || control.object.size() > large ||
+         control.compiler.end.processor_seconds > 0.5 || !control.compiler.succeeded();
+}
+bool says_much(const Unhindered& control) { return control.compiler.output.size() > 20'000; }
+
+fs::path canary() {
+  static const fs::path folder = fresh_directory("canary");
+  return folder / "canary";
+}
+
+bool canary_is_unchanged() {
+  const auto files = files_below(canary().parent_path());
+  return files.size() == 1 && read(canary()) == "secret\n";
+}
+
+void restore_canary() {
+  CHECK(nothing_left_running());
+  fs::remove_all(canary().parent_path());
+  // Newer than what is compiled, so that there is something to be found out about it.
+  fs::last_write_time(write(canary(), "secret\n"), fs::file_time_type::clock::now() + std::chrono::hours(1));
+}
+
+std::string filled_in(std::string code) {
+  for (const auto& [word, text] : {std::pair{"CANARY", canary().string()},
+                                   {"REPLY_MAGIC", std::to_string(protocol::reply_magic) + "ul"},
+                                   {"REQUEST_MAGIC", std::to_string(protocol::request_magic) + "ul"}})
+    for (std::size_t at = 0; (at = code.find(word)) != std::string::npos;)
+      code.replace(at, std::string(word).size(), text);
+  return code;
+}
+
+Unhindered run_unhindered(const fs::path& program, double x, bool will_go_on) {
+  const std::chrono::milliseconds patience(will_go_on ? 300 : 5000);
+  constexpr std::size_t whole_reply = sizeof(protocol::ReplyHeader) + sizeof(double);
+  struct {
+    protocol::RequestHeader header{protocol::request_magic, 1, 1, {1, 1}, 0};
+    protocol::Shape shape{1, 1};
+    double number;
+  } request;
+  request.number = x;
+  Launch launch;
+  launch.program = program.string();
+  launch.with_channel = true;
+  launch.environment = {"SECRET=42"};
+  ChildProcess process(launch);
+  Unhindered control;
+  std::array<char, 4096> buffer{};
+  [[maybe_unused]] const ssize_t sent = ::send(process.channel(), &request, sizeof request, MSG_NOSIGNAL);
+  const auto deadline = Clock::now() + patience;
+  bool is_open = true;
+  while (is_open && control.answer.size() < whole_reply && Clock::now() < deadline) {
+    std::array<pollfd, 2> both{{{process.channel(), POLLIN, 0}, {process.output(), POLLIN, 0}}};
+    ::poll(both.data(), both.size(), 20);
+    if (const ssize_t got = ::read(process.output(), buffer.data(), buffer.size());
+        got > 0 && control.printed.size() < 100'000)
+      control.printed.append(buffer.data(), static_cast<std::size_t>(got));
+    const ssize_t got = ::recv(process.channel(), buffer.data(), buffer.size(), MSG_DONTWAIT);
+    if (got > 0) control.answer.append(buffer.data(), static_cast<std::size_t>(got));
+    is_open = got > 0 || (got < 0 && (errno == EAGAIN || errno == EINTR));
+  }
+  // What announces a crash comes before it.
+  if (control.answer.size() >= whole_reply) {
+    double value = 0;
+    std::memcpy(&value, control.answer.data() + sizeof(protocol::ReplyHeader), sizeof value);
+    control.value = value;
+  }
+  process.close_write();
+  const auto end = process.wait_until(Clock::now() + std::chrono::milliseconds(is_open ? 20 : 300));
+  control.went_on = !control.value && !end;
+  control.end = end ? *end : process.kill();
+  return control;
+}
+
+FinishedProgram compiler_unhindered(const std::vector<std::string>& arguments, const fs::path& directory,
+                                    std::chrono::seconds limit) {
+  Launch launch;
+  launch.program = toolchain().compiler.string();
+  launch.arguments = arguments;
+  launch.environment = {"PATH=/usr/bin:/bin", "LC_ALL=C"};
+  launch.directory = directory;
+  return run_program(launch, limit, 1 << 20);
+}
+
+Unhindered compile_unhindered(const std::string& text, const std::string& name) {
+  const fs::path directory = fresh_directory("unhindered");
+  write(directory / name, text);
+  std::vector<std::string> arguments = toolchain().flags;
+  arguments.insert(arguments.end(), {"-pipe", "-include", toolchain().prelude.string(), "-c", name, "-o", "unit.o"});
+  Unhindered control;
+  control.compiler = compiler_unhindered(arguments, directory, std::chrono::seconds(2));
+  if (fs::exists(directory / "unit.o")) control.object = read(directory / "unit.o");
+  fs::remove_all(directory);
+  return control;
+}
+
+ExerciseReference reference_at(double x) {
+  ExerciseReference reference;
+  reference.name = "twice";
+  reference.signature = signature("twice");
+  reference.arguments = {{"x", Kind::number, {}}};
+  for (const double input : {1.0, x, 2.0}) {
+    Case one = twice_case(input);
+    one.name = std::to_string(input);
+    one.scale = {std::abs(2 * input)};
+    reference.cases.push_back(one);
+  }
+  return reference;
+}
+
+void expect(const Attack& attack, const ExerciseReference& reference, const Observation& observation,
+            std::chrono::steady_clock::time_point begun) {
+  CheckResult checked;
+  CardExercise entry;
+  entry.points = 1;
+  checked.task.exercise.entry = &entry;
+  checked.judgement = judge(reference, observation);
+  CHECK_MESSAGE(checked.judgement.verdict == attack.verdict, to_string(checked.judgement.verdict)
+                                                                 << " instead of " << to_string(attack.verdict) << ": "
+                                                                 << checked.judgement.message);
+  CHECK(checked.score() == (attack.verdict == Verdict::passed ? 1.0 : 0.0));
+  CHECK(canary_is_unchanged());
+  CHECK(nothing_left_running());
+  CHECK(std::chrono::steady_clock::now() - begun < std::chrono::seconds(15));
+}
+
+}  // namespace workbook::testing

@@ -1,0 +1,203 @@
+// How strong the sandbox of each tier is, and that the checker knows.
+#include "tests/attacks/attack.hpp"
+#include "tests/support/system_calls.hpp"
+
+#include "checker/sandbox/diagnostic_run.hpp"
+
+#include <doctest/doctest.h>
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/ptrace.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <functional>
+#include <thread>
+
+namespace workbook::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path workspace() { return canary().parent_path().parent_path() / "workspace"; }
+
+bool opens(const fs::path& file, int flags) { return ::open(file.c_str(), flags | O_CLOEXEC, 0600) >= 0; }
+
+bool is_there(const fs::path& file) {
+  struct stat status {};
+  return ::stat(file.c_str(), &status) == 0;
+}
+
+bool runs(const char* program) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::execl(program, program, nullptr);
+    ::_exit(1);
+  }
+  int status = 1;
+  return child > 0 && ::waitpid(child, &status, 0) == child && status == 0;
+}
+
+/// Which sandboxes let it happen.
+struct Attempt {
+  std::string what;
+  std::function<bool()> succeeds;
+  bool in_diagnosis = false;
+  bool in_compiling = false;
+};
+
+const Attempt attempts[] = {
+    {"read a secret", [] { return opens(canary(), O_RDONLY); }},
+    {"read a secret around the corner", [] { return opens("/proc/self/root" + canary().string(), O_RDONLY); }},
+    {"read who uses the machine", [] { return opens("/etc/passwd", O_RDONLY); }},
+    {"read another process", [] { return opens("/proc/" + std::to_string(::getppid()) + "/maps", O_RDONLY); }},
+    {"read a system library",
+     [] {
+       return opens("/lib/x86_64-linux-gnu/libc.so.6", O_RDONLY) || opens("/lib/libc.so.6", O_RDONLY) ||
+              opens("/lib/aarch64-linux-gnu/libc.so.6", O_RDONLY);
+     },
+     true, true},
+    {"write into the workspace", [] { return opens(workspace() / "out", O_WRONLY | O_CREAT); }, false, true},
+    {"change a secret", [] { return opens(canary(), O_WRONLY | O_APPEND); }},
+    {"make a file", [] { return opens(workspace().parent_path() / "new", O_WRONLY | O_CREAT); }},
+    {"make a file in /tmp", [] { return opens("/tmp", O_WRONLY | O_TMPFILE); }},
+    {"delete a secret", [] { return ::unlink((workspace().string() + ".copy").c_str()) == 0; }},
+    {"rename a secret",
+     [] { return ::rename((workspace().string() + ".copy").c_str(), (workspace().string() + ".moved").c_str()) == 0; }},
+    {"ask whether a file is there", [] { return is_there(canary()); }, false, true},
+    {"start a process", [] { return runs("/bin/true"); }, false, true},
+    {"start a thread",
+     [] {
+       std::thread([] {}).join();
+       return true;
+     },
+     false, true},
+    {"become another program",
+     [] {
+       ::execl("/bin/true", "true", nullptr);
+       return false;
+     },
+     false, true},
+    {"open a connection", [] { return ::socket(AF_INET, SOCK_STREAM, 0) >= 0; }},
+    {"talk to a local server", [] { return ::socket(AF_UNIX, SOCK_STREAM, 0) >= 0; }},
+    {"trace the checker", [] { return ::ptrace(PTRACE_SEIZE, ::getppid(), nullptr, nullptr) == 0; }},
+};
+
+/// Does it happen, in a sandbox or, without one, in a process like any other?
+bool happens(const Attempt& attempt, const SandboxProfile* profile) {
+  write(workspace().string() + ".copy", "secret\n");
+  return in_another_process([&] {
+    if (::setsid() < 0 || (profile != nullptr && Sandbox(*profile).enter() != nullptr)) return false;
+    return attempt.succeeds();
+  });
+}
+
+const char* const right = "\ndouble rigid::twice(double x) { return 2 * x; }\n";
+
+}  // namespace
+
+TEST_CASE("what the sandboxes hold back would happen without them") {
+  restore_canary();
+  fs::create_directories(workspace());
+  const bool has_all = can_confine_files();
+  const SandboxProfile running = run_profile();
+  const SandboxProfile diagnosing = diagnose_profile(toolchain().compiler.string(), "/bin/true");
+  const SandboxProfile compiling = compile_profile(toolchain().compiler.string(), {}, workspace().string());
+  for (const Attempt& attempt : attempts) {
+    CAPTURE(attempt.what);
+    CHECK(happens(attempt, nullptr));
+    if (!has_all) continue;
+    CHECK_FALSE(happens(attempt, &running));
+    CHECK(happens(attempt, &diagnosing) == attempt.in_diagnosis);
+    CHECK(happens(attempt, &compiling) == attempt.in_compiling);
+  }
+  CHECK(read(canary()) == "secret\n");
+  CHECK(nothing_left_running());
+}
+
+TEST_CASE("the machine says how strong its sandbox is") {
+  const SandboxStrength strength = probe_sandbox();
+  CHECK(strength.holes.empty());
+  CHECK(strength.tier() >= sandbox_tier());
+  SandboxStrength weaker = strength;
+  weaker.namespaces = {"bwrap"};
+  CHECK(weaker.tier() == SandboxTier::full);
+  weaker.namespaces.clear();
+  weaker.landlock = 7;
+  CHECK(weaker.tier() == SandboxTier::reduced);
+  weaker.landlock = 0;
+  CHECK(weaker.tier() == SandboxTier::minimal);
+  weaker.holes = {"read a file"};
+  CHECK(weaker.tier() == SandboxTier::none);
+  weaker = strength;
+  weaker.filters_system_calls = false;
+  CHECK(weaker.tier() == SandboxTier::none);
+}
+
+TEST_CASE("a tier is found out by trying") {
+  const auto tier_without = [](int system_call, SandboxTier expected) {
+    return in_another_process(
+        [&] { return refuse_system_call(system_call, EOPNOTSUPP) && probe_sandbox().tier() == expected; });
+  };
+  constexpr int landlock_create_ruleset = 444;
+  if (sandbox_tier() == SandboxTier::full) {
+    CHECK(tier_without(landlock_create_ruleset, SandboxTier::full));
+    CHECK(tier_without(SYS_unshare, SandboxTier::full));  // as with a bubblewrap that has no --disable-userns
+    CHECK(tier_without(SYS_pivot_root, SandboxTier::reduced));
+    CHECK(in_another_process([] {
+      ::setenv("PATH", "/nowhere", 1);
+      return has(probe_sandbox().sentence(), "apt-get install bubblewrap");
+    }));
+  }
+  CHECK(tier_without(SYS_seccomp, SandboxTier::none));
+}
+
+TEST_CASE("without Landlock a function is still judged, but not run again for reasons") {
+  const fs::path program = executable(right);
+  CHECK(in_another_process([&] {
+    SandboxStrength minimal = what_the_kernel_offers();
+    minimal.landlock = 0;
+    use_sandbox(minimal);
+    return missing_for_diagnostic_runs(toolchain()).find("Landlock") == 0 &&
+           compile_text(std::string(right) + "// again\n").executable.has_value() &&
+           ExerciseRunner(program, short_limits()).observe({twice_case(1)}, {}).replies.at(0).ending ==
+               Ending::returned;
+  }));
+}
+
+TEST_CASE("however a checker ends, what it runs in its sandbox ends with it") {
+  const fs::path program = executable("#include <unistd.h>\ndouble rigid::twice(double) { for (;;) usleep(1000); }\n");
+  for (const int signal : {SIGKILL, SIGTERM}) {
+    CAPTURE(signal);
+    const pid_t checker = ::fork();
+    if (checker == 0) {
+      Budget budget{Clock::now() + std::chrono::seconds(30), 5.0, 1000};
+      Worker worker(program, run_profile(), budget);
+      std::thread([signal] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        ::signal(signal, SIG_DFL);
+        ::kill(::getpid(), signal);
+      }).detach();
+      worker.call({twice_case(1).inputs, 1, 1});
+      ::_exit(0);
+    }
+    int status = 0;
+    REQUIRE(::waitpid(checker, &status, 0) == checker);
+    CHECK(WIFSIGNALED(status));
+    CHECK(nothing_left_running());  // its children are ours now
+  }
+}
+
+TEST_CASE("what is not there for a function is not there for the compiler either") {
+  if (sandbox_tier() != SandboxTier::full) return;
+  // Of the tier full alone: nothing tells whether a file of this machine exists.
+  const Compilation absent =
+      compile_text("#if __has_include(\"" + canary().string() + "\")\n#error it is there\n#endif\n" + right);
+  CHECK_MESSAGE(absent.executable.has_value(), absent.details);
+}
+
+}  // namespace workbook::testing
