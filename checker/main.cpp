@@ -256,10 +256,10 @@ class CommandLine {
     option("--out class", "FOLDER", options_.out, "the folder for all results; the next run goes on in it", true);
     option("--roster", "FILE", options_.roster, "CSV with the column id, and name and submitted if there are");
     option("--assignment", "FILE", options_.assignment, "JSON: what is graded and what it is worth");
-    option("--reference", "FILE...", options_.references, "judge by these reference results, made before, of one seed");
+    option("--reference", "FILE", options_.references, "judge by these reference results, made before, of one seed");
     option("--only", "VERDICT", options_.only, "judge once more what had this verdict, wrong_value for example");
     option("--shard", "K/N", options_.shard, "only judge the K-th of N parts of the class; --merge joins them");
-    option("--merge", "FOLDER...", options_.merged, "take over what was judged in these folders, of parts for example");
+    option("--merge", "FOLDER", options_.merged, "take over what was judged in these folders, of parts for example");
     option("--allow-reduced", "", options_.allow_reduced, "be content with the sandbox that `doctor` calls reduced");
     option("--seeds", "NUMBER", seeds_, "how many seeds to try, from 1 on");
     option("--mutants", "", mutants_, "try small bugs in the solutions instead: do the cases find all?");
@@ -386,7 +386,8 @@ class CommandLine {
         "whose "
         "mark has changed, and why, is printed.",
         {"grade submissions --out grades",
-         "grade week3.zip --out week3 --roster class.csv --assignment week3.json --seed 2027"},
+         "grade week3.zip --out week3 --roster class.csv --assignment week3.json --seed 2027",
+         "grade submissions --out part1 --shard 1/2", "grade submissions --out grades --merge part1 part2"},
         {"SUBMISSIONS", "--out class", "--roster", "--assignment", "--seed", "--reference", "--only", "--shard",
          "--merge", "--allow-reduced"},
         grade)

@@ -418,6 +418,7 @@ std::size_t usable_processors() {
 
 void wait_for_any(const std::vector<int>& descriptors) {
   std::vector<pollfd> watched;
+  watched.reserve(descriptors.size());
   for (const int descriptor : descriptors) watched.push_back({descriptor, POLLIN, 0});
   ::poll(watched.data(), watched.size(), 1000);
 }

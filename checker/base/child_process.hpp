@@ -194,6 +194,7 @@ void run_jobs(std::size_t count, const Begin& begin, const Collect& collect) {
   for (std::size_t next = 0; next < count || !running.empty();) {
     for (; next < count && running.size() < usable_processors(); ++next) running.emplace_back(next, begin(next));
     std::vector<int> descriptors;
+    descriptors.reserve(running.size());
     for (const auto& [unused, job] : running) descriptors.push_back(job->descriptor());
     wait_for_any(descriptors);
     std::erase_if(running, [&](const auto& each) {

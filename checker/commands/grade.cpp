@@ -370,10 +370,11 @@ int grade(const Course& given, const Options& options) {
     const std::uint64_t seed = seed_of(course, options);
     const Assignment assignment(course, options.assignment);
     const std::vector<RosterEntry> roster = options.roster ? read_roster(*options.roster) : std::vector<RosterEntry>{};
+    const std::string forgotten = options.only.empty() ? "" : known_verdict(options.only);
     const Shard shard = options.shard.empty() ? Shard{} : read_shard(options.shard);
     prepare_folder(out, submissions);
     Journal journal(out / journal_name);
-    if (!options.only.empty()) journal.forget(known_verdict(options.only));
+    if (!forgotten.empty()) journal.forget(forgotten);
     for (const Journal& each : journals_in(options.merged, out)) journal.merge(each);
     if (journal.damaged() > 0) fmt::print("{} of the journal are damaged.\n", plural(journal.damaged(), "line"));
     Grader grader(course, assignment, seed, out, journal);
