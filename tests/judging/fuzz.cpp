@@ -24,7 +24,7 @@ using nlohmann::json;
 constexpr unsigned damaged_cards = 2500, damaged_references = 2500, damaged_journals = 4000, damaged_replies = 1000;
 
 fs::path fuzz_folder(const std::string& name) {
-  const fs::path folder = fs::path(WORKBOOK_TEST_SCRATCH) / "fuzz" / name;
+  fs::path folder = fs::path(WORKBOOK_TEST_SCRATCH) / "fuzz" / name;
   fs::remove_all(folder);
   fs::create_directories(folder);
   return folder;
