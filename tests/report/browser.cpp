@@ -1,7 +1,9 @@
-// The report page in a real browser, wide and narrow, light and dark.
+// The pages of a student and of a class in a real browser, wide and narrow, light and dark.
 #include "tests/site/browser.hpp"
 #include "tests/program/program.hpp"
 #include "tests/report/made_up.hpp"
+
+#include "checker/grading/class_results.hpp"
 
 #include <doctest/doctest.h>
 
@@ -25,7 +27,7 @@ void set_view(Browser& browser, int width, const std::string& colors) {
   browser.evaluate("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done(0))))");
 }
 
-/// What must hold of every report page.
+/// What must hold of every page of results. Its links stay on it, or lead to the page of a student.
 void check_page(Browser& browser, const fs::path& file) {
   const std::string url = "file://" + fs::canonical(file).string();
   const std::string overflow = read(fs::path(SITE_SCRIPTS) / "overflow.js");
@@ -53,6 +55,7 @@ void check_page(Browser& browser, const fs::path& file) {
                          ".filter(each => each.name.startsWith('on')).length") == 0);
   CHECK(browser.evaluate("document.querySelectorAll('h1').length") == 1);
   CHECK(browser.evaluate("[...document.querySelectorAll('a')].every(each => "
+                         "/students\\/[\\w.-]+\\.html$/.test(each.pathname) || "
                          "document.getElementById(decodeURIComponent(each.hash.slice(1))) !== null)") == true);
   for (const nlohmann::json& event : browser.take_events()) {
     const std::string method = event["method"];
@@ -91,6 +94,50 @@ TEST_CASE("a page full of hostile text is text, at every width and in both colou
   CHECK(browser.evaluate("document.images.length") == 6);
   CHECK(browser.evaluate("[...document.querySelectorAll('pre')].some(each => each.scrollWidth > each.clientWidth)") ==
         true);
+}
+
+TEST_CASE("a class with hostile names and values has a page of text") {
+  using nlohmann::ordered_json;
+  const auto mark = [](const char* exercise, const char* verdict, const ordered_json& score) {
+    return ordered_json{{"exercise", exercise}, {"verdict", verdict}, {"score", score}, {"message", hostile}};
+  };
+  ordered_json document = {
+      {"title", hostile}, {"seed", 1}, {"sandbox", hostile}, {"problems", {hostile}}, {"not_judged", {hostile}}};
+  for (const char* exercise : {"spring_energy", "spring_force"})
+    document["exercises"].push_back({{"exercise", exercise},
+                                     {"lecture", "01_springs"},
+                                     {"points", 1},
+                                     {"started", 2},
+                                     {"passed", 1},
+                                     {"difficulty", 0.5},
+                                     {"discrimination", nullptr}});
+  document["distribution"] = {0, 0, 1, 0, 0, 0, 0, 0, 0, 30};
+  document["misconceptions"] = ordered_json::array(
+      {{{"exercise", "spring_energy"}, {"name", "no_half"}, {"message", hostile}, {"students", 2}}});
+  document["identical_wrong_outputs"] =
+      ordered_json::array({{{"exercise", "spring_energy"},
+                            {"first_failure", {{"case", hostile}, {"expected", 1.5}, {"actual", hostile}}},
+                            {"students", {hostile, std::string(500, 'w')}},
+                            {"is_rare", true}}});
+  for (int k = 0; k < 31; ++k)
+    document["students"].push_back(
+        {{"id", fmt::format("{} {}", k, hostile)},
+         {"name", k % 2 == 0 ? hostile : std::string(200, 'W')},
+         {"slug", std::to_string(k)},
+         {"score", 1},
+         {"possible", 2},
+         {"days_late", k},
+         {"notes", {hostile}},
+         {"results", {mark("spring_energy", "passed", 1), mark("spring_force", "checker_error", nullptr)}}});
+  const fs::path file = scratch / "class.html";
+  write(file, class_page(document, "22 November 2026"));
+  Browser browser(SITE_CHROMIUM);
+  check_page(browser, file);
+  CHECK(browser.evaluate("document.title") == "Results of a class: " + hostile);
+  CHECK(browser.evaluate("document.querySelectorAll('.marks tbody tr').length") == 31);
+  CHECK(browser.evaluate("document.images.length") == 0);
+  const std::string text = browser.evaluate("document.body.textContent");
+  for (const std::string& where : {"Sandbox: " + hostile, "30 " + hostile}) CHECK(has(text, where));
 }
 
 TEST_CASE("the page of a student whose code prints markup is sound, with its real plots") {
