@@ -82,6 +82,16 @@ void judge_precession_per_nutation(Lecture& lecture) {
   auto& e =
       lecture.exercise("precession_per_nutation", &precession_per_nutation, arguments_of_nutation, {"advance", rad});
   describe_starts(e);
+  // Its axis goes round by more than half a turn, so that whole turns which are taken away show.
+  e.random("without spin: a spherical pendulum", 2, [](Random& random) {
+    while (true) {
+      const double I1 = random.uniform(1e-4, 6e-4), mgl = random.uniform(0.02, 0.1), theta = random.uniform(1.9, 2.4);
+      const double rate = sqrt(mgl / I1), phi_rate = random.sign() * rate * random.uniform(0.4, 0.8);
+      const Vector3d rates(phi_rate, rate * random.uniform(0.1, 0.5), -phi_rate * cos(theta));
+      Start start{I1, I1 * random.uniform(0.15, 1.5), mgl, theta, rates};
+      if (nutates(start, 0.1, 0.1)) return start;
+    }
+  });
   e.scale([](auto... inputs) { return max(abs(precession_per_nutation(inputs...)), 1e-2); });
   e.tolerance(1e-8, "Loops may bring the angle near zero, and the integral has steep ends near the vertical.");
   e.sweep({"A small top from θ = 0.5, with ω₃ = 150 rad/s", "φ̇ at the start (rad/s)", "advance (rad)"}, {"advance"},
