@@ -1,6 +1,5 @@
 /// @file
-/// What a program tries to find out how strong its sandbox is. The checker starts checker/worker/last_stage.cpp with
-/// the number of each.
+/// What checker/worker/last_stage.cpp tries to find out how strong its sandbox is.
 #pragma once
 
 #include <fcntl.h>
