@@ -42,7 +42,6 @@ struct Attack {
   const char* code;  ///< CANARY stands for the path of a file with the word secret
   Verdict verdict = Verdict::forbidden_operation;
   bool (*works)(const Unhindered&) = answers_42;
-  bool is_for_readers = false;  ///< it only tells what may be read: no verdict where the compiler may read everything
 };
 
 /// A file that no student's code or compiler may read or change, alone in its folder.

@@ -5,6 +5,7 @@
 #include "checker/sandbox/diagnostic_run.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 namespace workbook::testing {
 namespace {

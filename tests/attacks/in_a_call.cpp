@@ -3,6 +3,7 @@
 #include "tests/attacks/attack.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <map>
 

@@ -8,8 +8,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const right = "\ndouble rigid::twice(double x) { return 2 * x; }\n";
-
 /// The text of an assembler file as a string of C++.
 std::string as_asm(const std::string& text) { return "asm(R\"~~(" + text + ")~~\");\n"; }
 

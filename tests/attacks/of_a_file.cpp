@@ -100,8 +100,6 @@ const Attack attacks[] = {
      "#include \"CANARY\"\n#line 1 \"student.cpp\"\nint x = y;\n", compile_error, shows_secret},
     {"reading at compile time", "whether a file is there",
      "#if __has_include(\"CANARY\")\n#error secret\n#else\n#error none\n#endif\n" RIGHT, compile_error, shows_secret},
-    {"reading at compile time", "how old a file is", "#pragma GCC dependency \"CANARY\" secret\n" RIGHT, compile_error,
-     shows_secret, true},
     {"reading at compile time", "through the kernel", "#include \"/proc/self/root/CANARY\"\n" RIGHT, compile_error,
      shows_secret},
     {"reading at compile time", "its own command line", "#include \"/proc/self/cmdline\"\n" RIGHT, compile_error,
@@ -173,7 +171,6 @@ TEST_CASE("what a file tries before it runs, and in the compiler, gets it nothin
   limits.output_bytes = 16'000;
   restore_canary();
   for (const Attack& attack : attacks) {
-    if (attack.is_for_readers && !can_confine_files()) continue;
     INFO(std::string(attack.kind) << ": " << std::string(attack.what));
     const std::string text = filled_in(attack.code);
     const auto begun = std::chrono::steady_clock::now();

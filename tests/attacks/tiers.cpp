@@ -198,12 +198,14 @@ TEST_CASE("however a checker ends, what it runs in its sandbox ends with it") {
   }
 }
 
-TEST_CASE("what is not there for a function is not there for the compiler either") {
-  if (sandbox_tier() != SandboxTier::full) return;
-  // Of the tier full alone: nothing tells whether a file of this machine exists.
-  const Compilation absent =
-      compile_text("#if __has_include(\"" + canary().string() + "\")\n#error it is there\n#endif\n" + right);
-  CHECK_MESSAGE(absent.executable.has_value(), absent.details);
+TEST_CASE("compilers tell neither how old a file is nor, in namespaces, whether it is there") {
+  restore_canary();
+  const std::string age = "#pragma GCC dependency \"" + canary().string() + "\" secret\n" + right;
+  const std::string existence = "#if __has_include(\"" + canary().string() + "\")\n#error secret\n#endif\n" + right;
+  for (const std::string& text : {age, existence}) CHECK(shows_secret(compile_unhindered(text)));
+  if (can_confine_files()) CHECK(compile_text(age).refusal == Refusal::compile_error);
+  const Compilation absent = compile_text(existence);
+  CHECK_MESSAGE(absent.executable.has_value() == (sandbox_tier() == SandboxTier::full), absent.details);
 }
 
 }  // namespace workbook::testing
