@@ -156,6 +156,7 @@ class Grader {
       bar.show(done, waiting_.size(),
                fmt::format("about {} s left", std::chrono::ceil<std::chrono::seconds>(left).count()));
     });
+    journal_.sync();
   }
 
   /// @param made_from  gets the fingerprint of what the result was made from

@@ -90,14 +90,13 @@ void Journal::append(const std::string& key, const std::string& content, const C
                               {"result", base64(written_result(checked))}};
   const std::string text = entry.dump();
   write(key, fmt::format("{}{}{}{}}}", before_sum, fingerprint(text), before_entry, text));
-  sync();
+  if (Clock::now() - synced_ > std::chrono::seconds(1)) sync();
 }
 
 void Journal::merge(const Journal& other) {
   for (const auto& [key, place] : other.places_)
     if (const std::string line = has(key) ? "" : other.line_at(place); !line.empty()) write(key, line);
   damaged_ += other.damaged_;
-  sync();
 }
 
 void Journal::forget(const std::string& verdict) {
@@ -118,8 +117,9 @@ void Journal::write(const std::string& key, const std::string& line) {
   end_ += static_cast<std::int64_t>(bytes.size());
 }
 
-void Journal::sync() const {
+void Journal::sync() {
   if (::fdatasync(descriptor_.number()) != 0) fail(file_, "written");
+  synced_ = Clock::now();
 }
 
 }  // namespace workbook

@@ -19,11 +19,15 @@ class Journal {
   /// The result under the key, if it was made from exactly this content.
   std::optional<CheckResult> find(const std::string& key, const std::string& content) const;
 
-  /// On disk when it returns. @throws std::runtime_error
+  /// Safe from the end of this program at once, and from that of the machine a second later or after sync(): waiting
+  /// for the disk after each result would keep processors idle. @throws std::runtime_error
   void append(const std::string& key, const std::string& content, const CheckResult& checked);
 
-  /// Copies the results that this journal lacks. On disk when it returns. @throws std::runtime_error
+  /// Copies the results that this journal lacks. @throws std::runtime_error
   void merge(const Journal& other);
+
+  /// All is on disk when it returns. @throws std::runtime_error
+  void sync();
 
   /// Leaves out the results with this verdict from now on.
   void forget(const std::string& verdict);
@@ -38,12 +42,12 @@ class Journal {
 
   std::string line_at(const Place& place) const;
   void write(const std::string& key, const std::string& line);
-  void sync() const;
 
   std::filesystem::path file_;
   Descriptor descriptor_;
   std::map<std::string, Place> places_;
   std::int64_t end_ = 0;
+  Clock::time_point synced_ = Clock::now();
   std::size_t damaged_ = 0;
 };
 
