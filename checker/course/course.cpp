@@ -208,8 +208,8 @@ fs::path Course::reference_of_seed(const std::string& lecture, std::uint64_t see
       run_with_path(program.string(), {"--lecture", lecture, "--seed", std::to_string(seed), "--out", file.string()},
                     std::chrono::seconds(120));
   if (!made.succeeded())
-    throw ReferenceError(
-        fmt::format("{}: making reference results for seed {} failed: {}", program.string(), seed, made.output));
+    throw ReferenceError(fmt::format("{}: making reference results for seed {} failed: {}", program.string(), seed,
+                                     made.out_of_time ? "it took more than 120 s" : made.output));
   return file;
 }
 

@@ -43,8 +43,9 @@ bool has_dimension(const ExerciseReference& exercise, char base) {
 }
 
 /// The powers p of the observed growth factor^p, one per number that can be used; nothing if a reply is missing.
+/// @param number  of the result; nothing: all
 std::optional<std::vector<double>> observed_powers(const ExerciseReference& exercise, const Answers& answers,
-                                                   const UnitProbe& probe, std::size_t unit_index) {
+                                                   const UnitProbe& probe, std::optional<std::size_t> number) {
   std::vector<double> powers;
   for (std::size_t k = 0; k < probe.case_indices.size(); ++k) {
     const std::size_t i = probe.case_indices[k];
@@ -52,7 +53,7 @@ std::optional<std::vector<double>> observed_powers(const ExerciseReference& exer
     const Case& one = exercise.cases[i];
     if (!has_usable_value(probe.replies[k], one)) return std::nullopt;
     for (std::size_t n = 0; n < one.expected.numbers.size(); ++n) {
-      if (exercise.result_units.size() > 1 && n != unit_index) continue;
+      if (number && n != *number) continue;
       const double before = answers[i]->numbers[n];
       const double after = probe.replies[k].value.numbers[n];
       if (!(std::abs(before) > safely_away_from_zero * scale_at(one, n))) continue;
@@ -84,6 +85,18 @@ Power single_power(const std::vector<double>& powers) {
   return {largest_distance > clearly_off ? UnitFinding::no_single_power : UnitFinding::nothing, 0.0};
 }
 
+/// Where each number of the result has one power of its own: the first with another than the expected one.
+std::optional<std::pair<std::size_t, Power>> odd_number(const ExerciseReference& exercise, const Answers& answers,
+                                                        const UnitProbe& probe, double expected) {
+  std::optional<std::pair<std::size_t, Power>> odd;
+  for (std::size_t n = 0; n < exercise.cases[probe.case_indices.front()].expected.numbers.size(); ++n) {
+    const Power power = single_power(observed_powers(exercise, answers, probe, n).value_or(std::vector<double>()));
+    if (power.finding == UnitFinding::no_single_power) return std::nullopt;
+    if (!odd && power.finding == UnitFinding::single_power && power.value != expected) odd = {n, power};
+  }
+  return odd;
+}
+
 std::string unit_change(char base) {
   return base == 'k' ? "With masses in g" : base == 'm' ? "With lengths in cm" : "With times in ms";
 }
@@ -96,19 +109,18 @@ std::string growth(double decades, const char* grow, const char* shrink, const c
   return fmt::format("{} {} times", decades > 0 ? grow : shrink, times);
 }
 
-/// "the result", or one component of it
-std::string part(const std::string& owner, std::optional<std::size_t> component) {
-  return component ? fmt::format("component {} of {} result", *component, owner) : owner + " result";
+/// "the result", or "component 2 of the result"
+std::string part(const std::string& owner, const std::string& component) {
+  return (component.empty() ? "" : component + " of ") + owner + " result";
 }
 
-std::string wrong_power(char base, double expected_decades, double actual_decades,
-                        std::optional<std::size_t> component) {
+std::string wrong_power(char base, double expected_decades, double actual_decades, const std::string& component) {
   return fmt::format("{} {} {}, yours {}.", unit_change(base), part("the", component),
                      growth(expected_decades, "should grow", "should shrink", "should not change"),
                      growth(actual_decades, "grows", "shrinks", "does not change"));
 }
 
-std::string no_single_power(char base, std::optional<std::size_t> component) {
+std::string no_single_power(char base, const std::string& component) {
   return fmt::format(
       "{} {} grows by no single power of ten: quantities of different dimension are being added, or a "
       "number in the formula hides a unit.",
@@ -141,13 +153,20 @@ std::vector<Diagnosis> diagnose_dimensions(const ExerciseReference& exercise, co
   std::vector<Diagnosis> no_powers;
   for (const UnitProbe& probe : probes) {
     for (std::size_t u = 0; u < exercise.result_units.size(); ++u) {
-      const auto powers = observed_powers(exercise, answers, probe, u);
+      const bool has_many_units = exercise.result_units.size() > 1;
+      const auto powers = observed_powers(exercise, answers, probe, has_many_units ? std::optional(u) : std::nullopt);
       if (!powers) break;
       const double expected = exponent(exercise.result_units[u], probe.base);
-      const Power observed = single_power(*powers);
+      Power observed = single_power(*powers);
       const int decades = static_cast<int>(std::lround(std::log10(probe.factor)));
-      const std::optional<std::size_t> component =
-          exercise.result_units.size() > 1 ? std::optional(u + 1) : std::nullopt;
+      std::string component = has_many_units ? fmt::format("component {}", u + 1) : "";
+      if (const auto odd = has_many_units || observed.finding != UnitFinding::no_single_power
+                               ? std::nullopt
+                               : odd_number(exercise, answers, probe, expected)) {
+        const Case& one = exercise.cases[probe.case_indices.front()];
+        component = entry_name(one.expected, exercise.result_kind, odd->first);
+        observed = odd->second;
+      }
       if (observed.finding == UnitFinding::single_power && observed.value != expected) {
         wrong_powers.push_back({DiagnosisKind::dimension, std::string(1, probe.base),
                                 wrong_power(probe.base, expected * decades, observed.value * decades, component), ""});

@@ -136,7 +136,8 @@ Violation drift_violation(const ExerciseReference& exercise, const Property& pro
     const double difference = deviation.difference.numbers[col];
     worst.consider(std::abs(difference) / deviation.allowed[col] * one.tolerance, [&] {
       const auto [yours, right] = distinct_texts(constant + difference, constant, shown_digits);
-      return fmt::format("in column {} it is {} instead of {}", col + 1, yours, right);
+      const std::string place = value.cols > 1 ? fmt::format("in column {} ", col + 1) : "";
+      return fmt::format("{}it is {} instead of {}", place, yours, right);
     });
   }
   return worst.take();

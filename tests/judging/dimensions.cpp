@@ -13,11 +13,13 @@ namespace {
 using D = double;
 using Formula = std::function<D(D m, D v, D k, D x)>;
 
-/// The formula once, or twice where the exercise asks for two numbers.
-Function function_of(const Formula& formula, bool twice = false) {
-  return [formula, twice](const Inputs& in) {
-    const D y = formula(in[0].numbers[0], in[1].numbers[0], in[2].numbers[0], in[3].numbers[0]);
-    return twice ? vector({y, y}) : number(y);
+/// The formula once, or, where the exercise asks for two numbers, with a second one.
+Function function_of(const Formula& formula, const Formula& second = {}) {
+  return [formula, second](const Inputs& in) {
+    const auto value = [&](const Formula& of) {
+      return of(in[0].numbers[0], in[1].numbers[0], in[2].numbers[0], in[3].numbers[0]);
+    };
+    return second ? vector({value(formula), value(second)}) : number(value(formula));
   };
 }
 
@@ -35,7 +37,7 @@ Exercise energy(const std::vector<Unit>& result = {units::joule}) {
   for (int k = 1; k <= 6; ++k)
     add_case(exercise, "case " + std::to_string(k),
              {number(k), number(1 + 0.1 * k), number(2 + 0.2 * k), number(1 / (1.0 + k))},
-             function_of(energy_of, result.size() == 2));
+             result.size() == 2 ? function_of(energy_of, energy_of) : function_of(energy_of));
   return exercise;
 }
 
@@ -53,12 +55,15 @@ struct Answer {
   Formula formula;
   std::string bases;  ///< of which something is said
   Exercise exercise = energy();
+  Formula second = {};  ///< of its second number
 };
 
 std::vector<Answer> answers() {
   Exercise near_zero = energy();
   for (Case& one : near_zero.cases) one.scale = {1e6};
   const Exercise two_units = energy({units::joule, units::joule * units::joule});
+  Exercise two_energies = energy({units::joule, units::joule});
+  two_energies.result_units.resize(1);
   return {
       {"an energy", [](D m, D v, D k, D x) { return m * v * v + k * x * x / 7; }, ""},
       {"m v", momentum_of, "ms"},
@@ -66,7 +71,8 @@ std::vector<Answer> answers() {
       {"v²", [](D, D v, D, D) { return v * v; }, "k"},
       {"m √m v²", [](D m, D v, D, D) { return m * std::sqrt(m) * v * v; }, "k"},
       {"m for a pure number", [](D m, D, D, D) { return m; }, "k", energy({units::none})},
-      {"an energy for its square", energy_of, "kms", two_units},
+      {"an energy for its square", energy_of, "kms", two_units, energy_of},
+      {"an energy and m v", energy_of, "ms", two_energies, momentum_of},
       // Of a sum of dimensions one sentence is enough; a single wrong power says more and stands alone.
       {"m v + k x²", [](D m, D v, D k, D x) { return m * v + k * x * x; }, "m"},
       {"m² v + k m x²", [](D m, D v, D k, D x) { return m * m * v + k * m * x * x; }, "k"},
@@ -94,7 +100,7 @@ TEST_CASE("Probes are the same quantities in small units, for base units of argu
 TEST_CASE("A wrong power is told for every base unit where it is wrong, and a right one never") {
   std::string text;
   for (const Answer& answer : answers()) {
-    const Function function = function_of(answer.formula, answer.exercise.result_units.size() == 2);
+    const Function function = function_of(answer.formula, answer.second);
     const Answers values = all_answers(outputs(answer.exercise, function));
     std::string bases;
     text += answer.about + "\n";
