@@ -118,7 +118,7 @@ show_progress() {  # $1: the folder. One line that is written over and over; whe
   while IFS= read -r line; do
     [[ $line =~ $step && $line != *"Re-checking globbed"* && $line != *"Re-running CMake"* ]] || continue
     finished=${BASH_REMATCH[1]} total=${BASH_REMATCH[2]} elapsed=${BASH_REMATCH[3]}
-    [ -n "$begun" ] || say "Building in $1 (only what has changed) ..."
+    [ -n "$begun" ] || say "Building in $1 ..."
     begun=yes
     left=$((finished == 0 ? 0 : elapsed * (total - finished) / finished))
     text="  $finished of $total steps"
