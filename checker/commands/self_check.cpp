@@ -148,7 +148,7 @@ std::string name_of(const Variant& mutant, const std::string& text) {
   const auto line = static_cast<std::size_t>(mutant.place.line);
   std::string changed = lines_of(is_gone ? text : edited(text, mutant.edits)).at(line - 1);
   changed.erase(0, changed.find_first_not_of(' '));
-  changed.erase(changed.find_last_not_of(";") + 1);
+  changed.erase(changed.find_last_not_of(';') + 1);
   return fmt::format("line {}, {}: {}", line, mutant.words, changed);
 }
 

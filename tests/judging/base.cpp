@@ -25,7 +25,7 @@ using Texts = std::vector<std::pair<std::string, std::string>>;
 
 /// An empty folder.
 fs::path scratch() {
-  const fs::path folder = fs::path(WORKBOOK_TEST_SCRATCH) / "files";
+  fs::path folder = fs::path(WORKBOOK_TEST_SCRATCH) / "files";
   std::error_code ignored;
   fs::permissions(folder / "locked", fs::perms::owner_all, ignored);
   fs::remove_all(folder);
