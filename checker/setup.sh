@@ -78,6 +78,7 @@ install_packages() {  # $1: the table of packages; $2: the stamp that remembers 
       return 1
     fi
     say "Installed."
+    rm -f "${stamp%/*}/build.ninja"  # configured once more, so that what was missing is found
   fi
   { mkdir -p "${stamp%/*}" && : >"$stamp"; } 2>/dev/null || true  # build says what is wrong with the folder
 }

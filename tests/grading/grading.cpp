@@ -94,6 +94,17 @@ void grade_and_kill(const MadeUpClass& of, const char* out, std::chrono::nanosec
   waitpid(process, &status, 0);
 }
 
+/// Root becomes another user to grade, who must reach this build.
+bool is_open_to_all() {
+  if (geteuid() != 0) return true;
+  const pid_t process = fork();
+  if (process == 0) _exit(setuid(64000) == 0 && access(WORKBOOK_TEST_CHECKER, X_OK) == 0 ? 0 : 1);
+  int status = 1;
+  waitpid(process, &status, 0);
+  if (status != 0) std::puts("Left out: as root, grading needs a workbook that everybody can read.");
+  return status == 0;
+}
+
 bool is_judged_once(const fs::path& journal) {
   std::set<std::string> keys;
   std::istringstream lines(read(journal));
@@ -103,6 +114,8 @@ bool is_judged_once(const fs::path& journal) {
 }
 
 }  // namespace
+
+TEST_SUITE_BEGIN("grading" * doctest::skip(!is_open_to_all()));
 
 TEST_CASE("a class gets the grades of the single checks, and hostile submissions cost nobody else anything") {
   const MadeUpClass all;
@@ -410,3 +423,5 @@ TEST_CASE("tables are read as they are written") {
   CHECK(workbook::read_csv(workbook::write_csv(table)) == table);
   CHECK(workbook::write_csv({{"=1+1", "-1", "@x", "a=b"}}) == "'=1+1,'-1,'@x,a=b\r\n");
 }
+
+TEST_SUITE_END();
