@@ -59,10 +59,8 @@ std::string after_pass(const Course& course, const Exercise& exercise, const Pro
   const auto offer = [&](const std::string& label, const std::string& words, const std::string& arguments) {
     text += fmt::format("  {:<10}{}\n{:12}{}\n", label, console.wrapped(words, 12).substr(12), "", command(arguments));
   };
-  const std::vector<std::string> examples = examples_that_call(course, exercise);
-  if (!examples.empty())
-    offer("Used in", fmt::format("“{}”, which your function computes now:", examples.front()),
-          "examples " + exercise.lecture());
+  if (const std::string example = example_that_calls(course, exercise); !example.empty())
+    offer("Used in", fmt::format("“{}”, which your function computes now:", example), "examples " + exercise.lecture());
   offer("Route", "another way to the same result, and why it is the same:", "solution " + exercise.name());
   if (!progress.practice(exercise.name()).answered_right)
     offer("Question", "which mistake another function makes:", "question " + exercise.name());
@@ -182,13 +180,16 @@ int check(const Course& course, const Options& options) {
                             checked.judgement.verdict == Verdict::wrong_value ? checked.fingerprint_of_values() : "");
     progress_bar.clear();
     if (options.started && !checked.is_started()) return;
-    if (!options.json) fmt::print("{}", terminal_report(checked, course, console, detail));
-    if (!options.json && is_repeated) fmt::print("{}\n", console.wrapped(same_values_again(checked.name()), 2));
-    if (!options.json && tasks.size() == 1 && !checked.is_started())
-      fmt::print("{}\n  {}\n", console.wrapped(checked.task.exercise.entry->task, 2),
-                 notes_place(course, checked.task.exercise, checked.task.exercise.entry->notes));
-    if (!options.json && tasks.size() == 1 && checked.judgement.passed() && checked.task.counts_as_progress())
-      fmt::print("{}", after_pass(course, checked.task.exercise, progress, console));
+    if (!options.json) {
+      const Exercise& exercise = checked.task.exercise;
+      fmt::print("{}", terminal_report(checked, course, console, detail));
+      if (is_repeated) fmt::print("{}\n", console.wrapped(same_values_again(checked.name()), 2));
+      if (tasks.size() == 1 && !checked.is_started())
+        fmt::print("{}\n  {}\n", console.wrapped(exercise.entry->task, 2),
+                   notes_place(course, exercise, exercise.entry->notes));
+      if (tasks.size() == 1 && checked.judgement.passed() && checked.task.counts_as_progress())
+        fmt::print("{}", after_pass(course, exercise, progress, console));
+    }
     if (options.plot) {
       draw(course, checked, picture, console, !options.json);
     } else if (!options.json && tasks.size() == 1) {

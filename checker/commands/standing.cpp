@@ -27,10 +27,10 @@ void print_remarks(const Course& course, const Progress& progress) {
 /// "Week 3, due 2027-03-01T23:59:00Z: 2 of 5 exercises pass."
 std::string assignment_state(const Course& course, const ProgressSummary& summary) {
   const Assignment assignment(course, course.lectures() / "assignment.json");
-  std::size_t passed = 0;
-  for (const Exercise& exercise : assignment.exercises())
-    for (std::size_t k = 0; k < summary.exercises.size(); ++k)
-      passed += summary.passed[k] && summary.exercises[k].name() == exercise.name() ? 1 : 0;
+  const auto passed = std::ranges::count_if(assignment.exercises(), [&](const Exercise& exercise) {
+    const auto same = std::ranges::find(summary.exercises, exercise.name(), &Exercise::name);
+    return summary.passed[static_cast<std::size_t>(same - summary.exercises.begin())];
+  });
   return fmt::format("{}{}: {} of {} exercises pass.", assignment.title().empty() ? "Assignment" : assignment.title(),
                      assignment.due_text().empty() ? "" : ", due " + assignment.due_text(), passed,
                      assignment.exercises().size());
@@ -61,9 +61,9 @@ int unlock(const Course& course, const Exercise& exercise, const std::string& lo
 
 int list(const Course& course, const Options& /*options*/) {
   const Progress progress(course.progress_file());
-  fmt::print("{}", exercise_list(course, progress, Console::of_standard_output()));
-  if (const ProgressSummary summary = summary_of(course, progress); const Exercise* next = summary.next())
-    fmt::print("\nNext: {}\n", next->name());
+  const ProgressSummary summary = summary_of(course, progress);
+  fmt::print("{}", exercise_list(course, progress, summary, Console::of_standard_output()));
+  if (const Exercise* next = summary.next()) fmt::print("\nNext: {}\n", next->name());
   print_remarks(course, progress);
   return all_passed;
 }
@@ -74,7 +74,7 @@ int status(const Course& course, const Options& /*options*/) {
   const ProgressSummary summary = summary_of(course, progress);
   fmt::print("{}\n", overview(course, summary, console));
   if (std::filesystem::exists(course.lectures() / "assignment.json"))
-    fmt::print("{}\n", console.wrapped(assignment_state(course, summary)) + "\n");
+    fmt::print("{}\n\n", console.wrapped(assignment_state(course, summary)));
   if (const Exercise* next = summary.next()) {
     const State state = state_of(course, progress, *next);
     fmt::print("{}", introduction(course, *next, console));

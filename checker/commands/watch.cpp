@@ -339,7 +339,10 @@ class Watch {
 
   void show_plot() { begin_plot(true); }
 
-  void show_list() { panel(exercise_list(course_, Progress(course_.progress_file()), console_)); }
+  void show_list() {
+    const Progress progress(course_.progress_file());
+    panel(exercise_list(course_, progress, summary_of(course_, progress), console_));
+  }
 
   void show_hint() {
     const Exercise& exercise = exercises_[current_];

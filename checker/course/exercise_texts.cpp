@@ -57,18 +57,17 @@ std::map<std::string, std::string> read_headings(const std::filesystem::path& no
   return headings;
 }
 
-std::vector<std::string> examples_that_call(const Course& course, const Exercise& exercise) {
+std::string example_that_calls(const Course& course, const Exercise& exercise) {
   const std::string text = read_file(course.lectures() / exercise.lecture() / "worked_examples.cpp").value_or("");
   static const std::regex begin(R"rx(TEST_CASE\("(?:\w+: )?([^"]+)"\) \{)rx");
   const std::regex call("\\b" + exercise.name() + "\\(");
-  std::vector<std::string> titles;
   for (std::sregex_iterator match(text.begin(), text.end(), begin), end; match != end;) {
     const std::string title = (*match)[1];
     const auto body = match->suffix().first;
     ++match;
-    if (std::regex_search(body, match == end ? text.end() : (*match)[0].first, call)) titles.push_back(title);
+    if (std::regex_search(body, match == end ? text.end() : (*match)[0].first, call)) return title;
   }
-  return titles;
+  return "";
 }
 
 std::string declared_signature(const Course& course, const Exercise& exercise) {

@@ -14,8 +14,8 @@ std::vector<std::string> read_hints(const std::filesystem::path& file);
 /// be read: a heading is a help, and the anchor does as well.
 std::map<std::string, std::string> read_headings(const std::filesystem::path& notes);
 
-/// The titles of the lecture's worked examples that call the function.
-std::vector<std::string> examples_that_call(const Course& course, const Exercise& exercise);
+/// The title of the lecture's first worked example that calls the function; "" if none does.
+std::string example_that_calls(const Course& course, const Exercise& exercise);
 
 /// An exercise's declaration in the contract, on one line and without the semicolon:
 /// "Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r)". "" if the contract does not declare it.

@@ -47,28 +47,27 @@ std::string overview(const Course& course, const ProgressSummary& summary, const
   return text;
 }
 
-std::string exercise_list(const Course& course, const Progress& progress, const Console& console) {
+std::string exercise_list(const Course& course, const Progress& progress, const ProgressSummary& summary,
+                          const Console& console) {
   std::size_t name_width = 0;
   for (const Exercise& exercise : course.exercises()) name_width = std::max(name_width, display_width(exercise.name()));
   const bool is_wide = console.width() >= name_width + 40;
   std::string text;
   for (const Card& card : course.cards()) {
     text += (text.empty() ? "" : "\n") + console.styled(card.lecture, Style::strong) + "\n";
-    std::string rows;
-    std::size_t passed = 0;
+    std::string place =
+        fmt::format("{}: {} of {} are yours", card.title, summary.count_passed(card.lecture), card.exercises.size());
+    if (!card.builds_on.empty()) place += fmt::format("; builds on {}", fmt::join(card.builds_on, ", "));
+    text += console.wrapped(place, 2) + "\n";
     for (const CardExercise& entry : card.exercises) {
       const State state = state_of(course, progress, {&card, &entry});
-      passed += state.style == Style::good ? 1 : 0;
-      rows += "  " + console.mark(state.mark, state.style) + padded(entry.name, is_wide ? name_width : 0) + "  " +
+      text += "  " + console.mark(state.mark, state.style) + padded(entry.name, is_wide ? name_width : 0) + "  " +
               console.styled(is_wide ? padded(state.words, 24) : state.words, state.style);
       std::string worth = entry.points == 1 ? "1 point" : fmt::format("{} points", entry.points);
       if (entry.is_problem()) worth += fmt::format(", problem, {} min", entry.minutes);
-      if (is_wide) rows += console.styled(worth, Style::quiet);
-      rows += "\n";
+      if (is_wide) text += console.styled(worth, Style::quiet);
+      text += "\n";
     }
-    std::string place = fmt::format("{}: {} of {} are yours", card.title, passed, card.exercises.size());
-    if (!card.builds_on.empty()) place += fmt::format("; builds on {}", fmt::join(card.builds_on, ", "));
-    text += console.wrapped(place, 2) + "\n" + rows;
   }
   return text;
 }

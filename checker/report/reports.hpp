@@ -36,8 +36,8 @@ std::string json_report(const std::vector<CheckResult>& results, std::uint64_t s
 
 struct ReportedExercise {
   CheckResult checked;
-  std::string picture;              ///< the plot as SVG; empty: none
-  std::string picture_description;  ///< what it shows, in words
+  std::string picture;                      ///< the plot as SVG; empty: none
+  std::string picture_description;          ///< what it shows, in words
   std::optional<bool> answered_right = {};  ///< the question on it
 };
 
@@ -78,8 +78,9 @@ State state_of(const Course& course, const Progress& progress, const Exercise& e
 /// How much of each lecture passes, line by line, and in all.
 std::string overview(const Course& course, const ProgressSummary& summary, const Console& console);
 
-/// Every exercise with its state and points, below its lecture.
-std::string exercise_list(const Course& course, const Progress& progress, const Console& console);
+/// Every exercise with its state and points, below its lecture and how much of that is the student's own.
+std::string exercise_list(const Course& course, const Progress& progress, const ProgressSummary& summary,
+                          const Console& console);
 
 /// What an exercise asks for, its file and where to read: "Next: NAME" and a few lines below it.
 std::string introduction(const Course& course, const Exercise& exercise, const Console& console);
