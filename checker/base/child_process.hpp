@@ -190,9 +190,10 @@ void wait_for_any(const std::vector<int>& descriptors);
 /// @param collect  collect(k, job); called in the order in which the jobs end
 template <class Begin, class Collect>
 void run_jobs(std::size_t count, const Begin& begin, const Collect& collect) {
+  const std::size_t at_once = usable_processors();
   std::vector<std::pair<std::size_t, decltype(begin(count))>> running;
   for (std::size_t next = 0; next < count || !running.empty();) {
-    for (; next < count && running.size() < usable_processors(); ++next) running.emplace_back(next, begin(next));
+    for (; next < count && running.size() < at_once; ++next) running.emplace_back(next, begin(next));
     std::vector<int> descriptors;
     descriptors.reserve(running.size());
     for (const auto& [unused, job] : running) descriptors.push_back(job->descriptor());

@@ -24,11 +24,10 @@ using nlohmann::ordered_json;
 
 constexpr const char* journal_name = "journal.jsonl";
 
-std::string write_or_fail(const fs::path& file, const std::string& text) {
+void write_or_fail(const fs::path& file, const std::string& text) {
   if (const std::string trouble = write_file(file, text); !trouble.empty())
     throw std::runtime_error(
         fmt::format("{} cannot be written ({}); what is judged is kept, so start again.", shown_path(file), trouble));
-  return text;
 }
 
 SandboxStrength strong_sandbox(bool allow_reduced) {

@@ -119,10 +119,10 @@ void make_copy(const Course& course, const fs::path& copy, const std::vector<Lec
 }
 
 /// What an update leaves to the reader to look at.
-void print_update(const Release& release, int before, const UpdateResult& result) {
-  fmt::print("Release {}, before {}: {} written.\n", release.number, before, plural(result.written, "file"));
-  for (const ReleaseChange& change : release.changes) {
-    if (change.release <= before) continue;
+void print_update(const Release& now, const Release& before, const UpdateResult& result) {
+  fmt::print("Release {}, before {}: {} written.\n", now.number, before.number, plural(result.written, "file"));
+  for (const ReleaseChange& change : now.changes) {
+    if (change.release <= before.number) continue;
     fmt::print("  {} ({})  {}\n", change.release, printable(change.date), printable(change.message));
     for (const std::string& file : change.files) fmt::print("    {}\n", printable(file));
   }
@@ -181,7 +181,7 @@ int handout(const Course& course, const Options& options) {
     const Release release =
         write_release(unfinished, seed, current_day(), options.message, before ? &*before : nullptr);
     if (before) {
-      print_update(release, before->number, update_copy(unfinished, whole));
+      print_update(release, *before, update_copy(unfinished, release, whole, *before));
       fs::remove_all(unfinished);
     } else {
       if (fs::exists(whole)) fs::remove(whole);
@@ -203,12 +203,11 @@ int handout(const Course& course, const Options& options) {
 
 int update(const Course& course, const Options& options) {
   try {
-    const int before = read_release(course.root()).number;
-    const Release release = read_release(*options.out);
-    if (release.number < before)
+    const Release before = read_release(course.root()), now = read_release(*options.out);
+    if (now.number < before.number)
       throw UsageError(
-          fmt::format("{} is release {}; yours is {} already.", shown_path(*options.out), release.number, before));
-    print_update(release, before, update_copy(*options.out, course.root()));
+          fmt::format("{} is release {}; yours is {} already.", shown_path(*options.out), now.number, before.number));
+    print_update(now, before, update_copy(*options.out, now, course.root(), before));
     return all_passed;
   } catch (const ReleaseError& problem) {
     throw UsageError(problem.what());

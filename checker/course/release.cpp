@@ -75,13 +75,11 @@ Release write_release(const fs::path& copy, std::uint64_t seed, const std::strin
     release.changes = before->changes;
     release.changes.push_back(change);
   }
-  if (const std::string trouble = write_file(copy / release_name, json(release).dump(1) + "\n"); !trouble.empty())
-    throw ReleaseError(fmt::format("{} cannot be written ({}).", shown_path(copy / release_name), trouble));
+  write_or_throw(copy / release_name, json(release).dump(1) + "\n");
   return release;
 }
 
-UpdateResult update_copy(const fs::path& from, const fs::path& copy) {
-  const Release now = read_release(from), before = read_release(copy);
+UpdateResult update_copy(const fs::path& from, const Release& now, const fs::path& copy, const Release& before) {
   UpdateResult result;
   std::error_code ignored;
   const auto has = [](const Release& release, const std::string& file, const std::string& content) {

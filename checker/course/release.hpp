@@ -35,7 +35,7 @@ struct Release {
 Release read_release(const std::filesystem::path& copy);
 
 /// Writes `.release.json` for all files of a new copy. @param before  the release that it follows, or nullptr
-/// @throws ReleaseError
+/// @throws std::runtime_error
 Release write_release(const std::filesystem::path& copy, std::uint64_t seed, const std::string& date,
                       const std::string& message, const Release* before);
 
@@ -46,8 +46,9 @@ struct UpdateResult {
   std::vector<std::string> kept;  ///< other files: the copy's own version lies below .workbook/kept now
 };
 
-/// Brings a copy to another release. Exercises that were worked on, and files that were never handed out, are not
-/// touched. If it is stopped, the next call goes on. @throws ReleaseError
-UpdateResult update_copy(const std::filesystem::path& from, const std::filesystem::path& copy);
+/// Brings a copy from the release that it has been to the one in another folder. Exercises that were worked on, and
+/// files that were never handed out, are not touched. If it is stopped, the next call goes on. @throws ReleaseError
+UpdateResult update_copy(const std::filesystem::path& from, const Release& now, const std::filesystem::path& copy,
+                         const Release& before);
 
 }  // namespace workbook

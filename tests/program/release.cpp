@@ -27,6 +27,10 @@ fs::path made(const std::string& name, const Files& files, const fs::path& befor
   return folder;
 }
 
+UpdateResult updated(const fs::path& next, const fs::path& copy) {
+  return update_copy(next, read_release(next), copy, read_release(copy));
+}
+
 const Files first = {{"README.md", "one"},
                      {"lectures/01/notes.md", "one"},
                      {"lectures/01/old.md", "one"},
@@ -50,7 +54,7 @@ TEST_CASE("an update brings what is new and leaves what the student has written"
   write(copy / "README.md", "my remarks");
   write(copy / "drafts/spin.cpp", "mine");
 
-  const UpdateResult result = update_copy(next, copy);
+  const UpdateResult result = updated(next, copy);
   CHECK(result.own == std::vector<std::string>{"lectures/01/exercises/begun.cpp"});
   CHECK(result.kept == std::vector<std::string>{".workbook/kept/lectures/01/notes.md"});
   CHECK(result.written == 3);
@@ -66,7 +70,7 @@ TEST_CASE("an update brings what is new and leaves what the student has written"
   CHECK(!fs::exists(copy / "lectures/01/old.md"));
   CHECK(read_release(copy).number == 2);
 
-  const UpdateResult again = update_copy(next, copy);
+  const UpdateResult again = updated(next, copy);
   CHECK(again.written == 0);
   CHECK(again.kept.empty());
 }
@@ -74,7 +78,7 @@ TEST_CASE("an update brings what is new and leaves what the student has written"
 TEST_CASE("an update that was stopped goes on, and takes what it has written for no student's work") {
   const fs::path copy = made("copy", first), next = made("next", second, copy);
   write(copy / "lectures/01/notes.md", "two");
-  const UpdateResult result = update_copy(next, copy);
+  const UpdateResult result = updated(next, copy);
   CHECK(result.kept.empty());
   CHECK(result.written == 3);
 }
@@ -95,10 +99,10 @@ TEST_CASE("what is no release, is damaged, or leads outside is refused before an
   for (const char* damage : {"", "{", R"({"number": 2, "seed": 1, "changes": [], "files": {"../outside": "x"}})",
                              R"({"number": 2, "seed": 1, "changes": [], "files": {"/etc/passwd": "x"}})"}) {
     write(next / ".release.json", damage);
-    CHECK_THROWS_AS(update_copy(next, copy), ReleaseError);
+    CHECK_THROWS_AS(updated(next, copy), ReleaseError);
   }
   fs::remove(next / ".release.json");
-  CHECK_THROWS_AS(update_copy(next, copy), ReleaseError);
+  CHECK_THROWS_AS(updated(next, copy), ReleaseError);
   CHECK(read(copy / "lectures/01/notes.md") == "one");
   const CourseCopy course;
   CHECK(course.run("update .").status == 2);  // it was never handed out
