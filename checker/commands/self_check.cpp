@@ -23,7 +23,7 @@ namespace {
 Sentences faults_of_verdict(const Course& course, const Toolchain& toolchain, const Exercise& exercise,
                             const ExerciseReference& reference, const std::filesystem::path& file, Verdict wanted) {
   const CheckResult checked = check_exercise(course, toolchain, check_task(course, exercise, 1, file), reference);
-  const std::string shown = file.lexically_relative(course.root()).string();
+  const std::string shown = in_course(course, file);
   if (checked.judgement.verdict != wanted)
     return {fmt::format("{}: the verdict is {}, not {}: {} {}", shown, to_string(checked.judgement.verdict),
                         to_string(wanted), checked.judgement.message,
@@ -104,18 +104,16 @@ class SelfCheck {
     if (is_first) add(faults_of_notes(course_, card, reference));
     for (const Exercise& exercise : exercises_of(card)) {
       const ExerciseReference& judged = reference.exercise(exercise.name());
-      for (const std::string& sentence : unsound_parts(judged))
-        add({fmt::format("solutions/{}/judging/{}.cpp: {}", card.lecture, exercise.name(), sentence)});
+      const std::string judging = in_course(course_, course_.judging_file(exercise));
+      for (const std::string& sentence : unsound_parts(judged)) add({fmt::format("{}: {}", judging, sentence)});
       if (is_first) {
         routes_ += judged.routes.size();
         misconceptions_ += judged.misconceptions.size();
         adequacy_ += adequacy_text(exercise, judged.adequacy);
         add(faults_of_texts(course_, exercise, judged));
         if (!question_on(judged))
-          add({fmt::format(
-              "solutions/{}/judging/{}.cpp: no case tells three of its wrong answers apart, as the question "
-              "after a pass needs; add one.",
-              card.lecture, exercise.name())});
+          add({judging +
+               ": no case tells three of its wrong answers apart, as the question after a pass needs; add one."});
       }
       if (!course_.has_solutions()) continue;
       const auto require = [&](const std::filesystem::path& file, Verdict wanted) {
@@ -221,8 +219,8 @@ int self_check_mutants(const Course& course, const std::vector<std::string>& nam
     const auto found = nlohmann::json::parse(job.output(), nullptr, false);
     if (trouble.empty()) trouble = found.value("problem", "");
     if (!trouble.empty()) {
-      faults[k] = fmt::format("{}: its mutants could not be tried: {}.\n", shown_path(course.solution_file(exercise)),
-                              without_full_stop(trouble));
+      faults[k] = fmt::format("{}: its mutants could not be tried: {}.\n",
+                              in_course(course, course.solution_file(exercise)), without_full_stop(trouble));
       return;
     }
     Adequacy adequacy = context.reference(check_task(course, exercise)).adequacy;
@@ -234,7 +232,7 @@ int self_check_mutants(const Course& course, const std::vector<std::string>& nam
     killed += adequacy.killed;
     tried[k] = adequacy_text(exercise, adequacy);
     for (const std::string& sentence : unshown_bugs(adequacy))
-      faults[k] += fmt::format("{}: {}\n", shown_path(course.judging_file(exercise)), sentence);
+      faults[k] += fmt::format("{}: {}\n", in_course(course, course.judging_file(exercise)), sentence);
   });
   progress_bar.clear();
   fmt::print("{}{}In all: {} of {} bugs found.\n", fmt::join(tried, ""), fmt::join(faults, ""), killed, made);

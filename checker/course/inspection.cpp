@@ -16,10 +16,6 @@ namespace {
 
 constexpr std::size_t hints_wanted = 3;
 
-std::string in_course(const Course& course, const fs::path& file) {
-  return file.lexically_relative(course.root()).string();
-}
-
 std::string text_of(const fs::path& file) { return read_file(file).value_or(""); }
 
 bool has_anchor(const std::string& notes, const std::string& anchor) {
@@ -76,6 +72,10 @@ void name_unmarked_quotes(const Course& course, const fs::path& notes_file, cons
 }
 
 }  // namespace
+
+std::string in_course(const Course& course, const fs::path& file) {
+  return file.lexically_relative(course.root()).string();
+}
 
 Sentences faults_of_cards(const Course& course) {
   Sentences faults;

@@ -18,6 +18,14 @@ namespace {
 using nlohmann::json;
 
 constexpr int locked_format = 1;
+/// One input at which the key was made.
+struct LockedCall {
+  std::vector<Value> inputs;
+  int rows = 0, cols = 0;
+  std::vector<double> quanta;  ///< 0: not used, so near to where rounding changes that a right answer could differ
+};
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LockedCall, inputs, rows, cols, quanta)
+
 constexpr double enough_bits = 48;  // beside the slow hash below
 
 /// One number of a result, with the freedom of its comparison taken out.
@@ -70,12 +78,12 @@ void start_sodium() {
 
 std::string locked_text(const ExerciseReference& reference, const std::string& text) {
   start_sodium();
-  json calls = json::array();
+  std::vector<LockedCall> calls;
   std::string secret;
   double bits = 0;
   for (const Case& one : reference.cases) {
     if (one.group != Group::random || bits >= 2 * enough_bits) continue;
-    std::vector<double> quanta;  // 0: not used, so near to where rounding changes that a right answer could differ
+    std::vector<double> quanta;
     for (std::size_t i = 0; i < one.expected.numbers.size(); ++i) {
       const bool is_whole = reference.result_kind == Kind::integer;
       const double quantum = is_whole ? 1.0 : std::max(100 * one.tolerance, 1e-6) * scale_at(one, i);
@@ -84,8 +92,7 @@ std::string locked_text(const ExerciseReference& reference, const std::string& t
       quanta.push_back(is_clear ? quantum : 0.0);
       if (is_clear) bits += is_whole ? 1 : std::log2(1 + std::abs(quotient));
     }
-    calls.push_back(
-        {{"inputs", one.inputs}, {"rows", one.expected.rows}, {"cols", one.expected.cols}, {"quanta", quanta}});
+    calls.push_back({one.inputs, one.expected.rows, one.expected.cols, quanta});
     secret += whole_numbers(one.expected, reference.comparison, quanta);
   }
   if (bits < enough_bits && reference.result_kind != Kind::integer)
@@ -101,14 +108,14 @@ std::string locked_text(const ExerciseReference& reference, const std::string& t
 
 std::optional<std::string> unlocked_text(const std::string& locked, const Evaluate& evaluate) {
   start_sodium();
-  json calls;
+  std::vector<LockedCall> calls;
   Comparison comparison{};
   std::string box, nonce, salt;
   try {
     const json document = json::parse(locked);
     if (document.at("format") != locked_format) throw std::runtime_error("another format");
     comparison = static_cast<Comparison>(document.at("comparison").get<int>());
-    calls = document.at("calls");
+    document.at("calls").get_to(calls);
     const auto bytes = [&](const char* part) { return from_base64(document.at(part).get<std::string>()); };
     box = bytes("box"), nonce = bytes("nonce"), salt = bytes("salt");
     if (box.size() < crypto_secretbox_MACBYTES || nonce.size() != crypto_secretbox_NONCEBYTES ||
@@ -118,11 +125,10 @@ std::optional<std::string> unlocked_text(const std::string& locked, const Evalua
     throw std::runtime_error(fmt::format("The locked text is damaged ({}).", problem.what()));
   }
   std::string secret;
-  for (const json& call : calls) {
-    const auto quanta = call.at("quanta").get<std::vector<double>>();
-    const auto value = evaluate(call.at("inputs").get<std::vector<Value>>(), call.at("rows"), call.at("cols"));
-    if (!value || value->numbers.size() < quanta.size()) return std::nullopt;
-    secret += whole_numbers(*value, comparison, quanta);
+  for (const LockedCall& call : calls) {
+    const std::optional<Value> value = evaluate(call.inputs, call.rows, call.cols);
+    if (!value || value->numbers.size() < call.quanta.size()) return std::nullopt;
+    secret += whole_numbers(*value, comparison, call.quanta);
   }
   std::string text(box.size() - crypto_secretbox_MACBYTES, ' ');
   if (crypto_secretbox_open_easy(raw(text), raw(box), box.size(), raw(nonce), raw(key_of(secret, salt))) != 0)
