@@ -159,14 +159,11 @@ std::vector<Diagnosis> diagnose_dimensions(const ExerciseReference& exercise, co
       const double expected = exponent(exercise.result_units[u], probe.base);
       Power observed = single_power(*powers);
       const int decades = static_cast<int>(std::lround(std::log10(probe.factor)));
-      std::string component = has_many_units ? fmt::format("component {}", u + 1) : "";
-      if (const auto odd = has_many_units || observed.finding != UnitFinding::no_single_power
-                               ? std::nullopt
-                               : odd_number(exercise, answers, probe, expected)) {
-        const Case& one = exercise.cases[probe.case_indices.front()];
-        component = entry_name(one.expected, exercise.result_kind, odd->first);
-        observed = odd->second;
-      }
+      auto number = has_many_units ? std::optional(u) : std::nullopt;
+      if (!has_many_units && observed.finding == UnitFinding::no_single_power)
+        if (const auto odd = odd_number(exercise, answers, probe, expected)) std::tie(number, observed) = *odd;
+      const Value& result = exercise.cases[probe.case_indices.front()].expected;
+      const std::string component = number ? entry_name(result, exercise.result_kind, *number) : "";
       if (observed.finding == UnitFinding::single_power && observed.value != expected) {
         wrong_powers.push_back({DiagnosisKind::dimension, std::string(1, probe.base),
                                 wrong_power(probe.base, expected * decades, observed.value * decades, component), ""});
