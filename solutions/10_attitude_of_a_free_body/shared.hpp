@@ -33,6 +33,22 @@ inline auto round_axis(int axis) {
   };
 }
 
+/// What is asked of a whole period: bodies that tumble round axis 1 or 3.
+template <class Asked>
+void cases_of_a_period(Asked& e) {
+  e.domain([](auto& I, auto& w) { return tumbles(I, w, 1e-3); });
+  e.worked("round axis 3", lecture_body, round_3);
+  e.worked("round axis 1", lecture_body, round_1);
+  e.worked("close to the middle axis", {1, 2, 3}, {0.1, 1, 0.1});
+  e.special("starting with ω₂ = 0", lecture_body, {0.5, 0, -0.8});
+  e.special("starting with ω₃ = 0", lecture_body, {0.9, 0.3, 0});
+  e.special("a small wobble about axis 3", lecture_body, {0.05, 0.03, -1});
+  e.special("a small wobble about axis 1", lecture_body, {1, 0.03, 0.05});
+  e.special("moments close together", {1, 1.07, 1.15}, {0.3, -0.2, 0.5});
+  e.random("round axis 3", 6, round_axis(3));
+  e.random("round axis 1", 6, round_axis(1));
+}
+
 /// A moving body: ω and the attitude that it had reached from the unit matrix.
 struct Moved {
   Vector3d omega;

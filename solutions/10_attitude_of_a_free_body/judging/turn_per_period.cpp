@@ -49,19 +49,9 @@ void mistakes_of_turn_per_period(Exercise& e) {
 void judge_turn_per_period(Lecture& lecture) {
   auto& e = lecture.exercise("turn_per_period", &turn_per_period, {{"I", ascending_moments}, {"omega0", rad_per_s}},
                              {"angle", rad});
-  e.domain([](auto& I, auto& w) { return tumbles(I, w, 1e-3); });
-  e.worked("round axis 3", lecture_body, round_3);
-  e.worked("round axis 1", lecture_body, round_1);
-  e.worked("close to the middle axis", {1, 2, 3}, {0.1, 1, 0.1});
   e.worked("backwards about axis 3", lecture_body, {0.3, 0.02, -1});
-  e.special("starting with ω₂ = 0", lecture_body, {0.5, 0, -0.8});
   e.special("starting with ω₁ = 0", lecture_body, {0, -0.7, 0.8});
-  e.special("starting with ω₃ = 0", lecture_body, {0.9, 0.3, 0});
-  e.special("a small wobble about axis 3", lecture_body, {0.05, 0.03, -1});
-  e.special("a small wobble about axis 1", lecture_body, {1, 0.03, 0.05});
-  e.special("moments close together", {1, 1.07, 1.15}, {0.3, -0.2, 0.5});
-  e.random("round axis 3", 6, round_axis(3));
-  e.random("round axis 1", 6, round_axis(1));
+  cases_of_a_period(e);
   e.sweep({"I = (1.2, 2, 2.7) kg m², ω = (0.5, 0.6, ω₃) rad/s: round axis 1 on the left, round axis 3 on the right",
            "ω₃ (rad/s)", "turn about L in a period (rad)"},
           {"turn"}, {0, 1.5, 76}, [](auto w3) { return tuple(lecture_body, Vector3d(0.5, 0.6, w3)); });
