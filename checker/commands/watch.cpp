@@ -324,7 +324,9 @@ class Watch {
   }
 
   void check_again() {
-    if (check_ && checked_.index == current_) return;
+    const bool is_running = check_ && checked_.index == current_;
+    if (is_running && !result_) return;
+    if (is_running) check_.reset();  // its verdict is shown; what it still does is for that one
     notices_.clear();
     come_to(current_);
     waiting_.push_front({current_, Reason::asked});
