@@ -317,7 +317,8 @@ TEST_CASE("where nothing can be drawn, verdicts come one below the other, withou
     CHECK(watch.has_verdict(force, "passed"));
     watch.send(SIGTERM);
     CHECK(watch.ends() == 0);
-    CHECK(watch.shows({"All 2 exercises pass."}));
+    // With its end the terminal is hung up, perhaps before cat has written.
+    if (terminal.has_keys) CHECK(watch.shows({"All 2 exercises pass."}));
     CHECK_FALSE(has(watch.written(), "\033"));
     if (terminal.variable == std::string("WORKBOOK_PLAIN=1")) CHECK_FALSE(has(watch.written(), "✓"));
   }
