@@ -174,7 +174,7 @@ int milliseconds_until(Clock::time_point deadline) {
   return static_cast<int>(std::clamp<long>(left, 0, 3'600'000));
 }
 
-ChildProcess::ChildProcess(const Launch& launch) : in_namespaces_(!launch.namespaces.empty()) {
+ChildProcess::ChildProcess(const Launch& launch) : in_namespaces_(!launch.namespaces.empty()), held_(launch.held) {
   const Ends input;  // closed at once: there is nothing to read
   Ends output, report(true);
   Ends channel(launch.with_channel);

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -61,6 +62,8 @@ struct Launch {
   /// Runs in the new process just before the program, and may only make system calls: between fork and exec nothing
   /// else is safe. Returns nullptr, or the step that failed (a literal), with the reason in errno.
   std::function<const char*()> prepare;
+  /// Lives as long as the process.
+  std::shared_ptr<const void> held;
   /// A command that makes namespaces, and in them starts what follows as the program: checker/worker/last_stage.cpp at
   /// its end. Empty: none.
   std::vector<std::string> namespaces;
@@ -110,6 +113,7 @@ class ChildProcess {
   Descriptor lifeline_;
   Descriptor reports_;
   std::optional<ProcessEnd> end_;
+  std::shared_ptr<const void> held_;
 };
 
 /// Milliseconds for poll, rounded up so that it does not spin at the end.

@@ -30,8 +30,8 @@ void write_or_fail(const fs::path& file, const std::string& text) {
         fmt::format("{} cannot be written ({}); what is judged is kept, so start again.", shown_path(file), trouble));
 }
 
-SandboxStrength strong_sandbox(bool allow_reduced) {
-  SandboxStrength sandbox = probe_sandbox();
+SandboxStrength strong_sandbox(bool allow_reduced, const fs::path& out) {
+  SandboxStrength sandbox = probe_sandbox(grading_user(out));
   if (sandbox.tier() < SandboxTier::reduced)
     throw GradingError("Strangers' code is not graded on this machine: its sandbox is " + sandbox.sentence() + ".");
   if (sandbox.tier() < SandboxTier::full && !allow_reduced)
@@ -360,9 +360,9 @@ void print_changes(const fs::path& class_file, const ordered_json& document) {
 
 int grade(const Course& given, const Options& options) {
   try {
-    const SandboxStrength sandbox = strong_sandbox(options.allow_reduced);
-    fmt::print("Sandbox: {}.\n", sandbox.sentence());
     const fs::path out = fs::absolute(*options.out).lexically_normal();
+    const SandboxStrength sandbox = strong_sandbox(options.allow_reduced, out);
+    fmt::print("Sandbox: {}.\n", sandbox.sentence());
     const fs::path submissions = fs::absolute(options.submissions);
     if (!fs::exists(submissions)) throw GradingError(fmt::format("There is no {}.", shown_path(submissions)));
     Course course = given;

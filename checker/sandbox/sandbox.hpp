@@ -4,6 +4,9 @@
 /// starts. In the strongest tier that process stands in namespaces of its own (bubblewrap), where nothing else exists.
 #pragma once
 
+#include <sys/types.h>
+#include <unistd.h>
+
 #include <string>
 #include <vector>
 
@@ -16,7 +19,8 @@ enum class SandboxTier {
   none,     ///< limits on time, memory and output only
   minimal,  ///< and a filter of system calls: a function reaches nothing, but a compiler can read every file
   reduced,  ///< and rules for files, for the compiler too
-  full      ///< and namespaces: no network, no other process, no file but those that the program needs
+  full,     ///< and namespaces: no network, no other process, no file but those that the program needs
+  grouped   ///< and a control group, which limits a program together with all that it starts
 };
 
 /// What sandboxes hold back on this machine.
@@ -26,13 +30,16 @@ struct SandboxStrength {
   std::vector<std::string> holes;       ///< what a program in a sandbox could do although it must not: "read a file"
   std::vector<std::string> namespaces;  ///< the beginning of the command that makes them; empty: there are none
   std::string no_namespaces;            ///< why there are none, and what to do about it
+  std::vector<std::string> control_groups;  ///< below which each program gets one of its own; empty: there are none
+  std::string no_control_groups;            ///< why there are none
 
   SandboxTier tier() const;
   std::string sentence() const;
 };
 
 /// Found out by starting programs that try; what root must not start, as a user without rights.
-SandboxStrength probe_sandbox();
+/// @param user  who will use it, if this program is root and gives that up
+SandboxStrength probe_sandbox(uid_t user = ::geteuid());
 
 /// Of the kernel alone.
 SandboxStrength what_the_kernel_offers();

@@ -2,6 +2,7 @@
 #include "checker/base/child_process.hpp"
 #include "checker/base/text.hpp"
 #include "checker/sandbox/attempts.hpp"
+#include "checker/sandbox/control_group.hpp"
 #include "checker/sandbox/sandbox.hpp"
 
 #include <nlohmann/json.hpp>
@@ -24,19 +25,34 @@ SandboxStrength& in_use() {
   return strength;
 }
 
-void confine_to(const SandboxStrength& strength, Launch& launch, const SandboxProfile& profile) {
+constexpr const char* newer_option = "--disable-userns";  ///< of bubblewrap since version 0.8
+
+void confine_to(const SandboxStrength& strength, Launch& launch, SandboxProfile profile) {
   if (strength.namespaces.empty() || ::geteuid() == 0) {
-    launch.prepare = [sandbox = Sandbox(profile, strength)] { return sandbox.enter(); };
+    launch.prepare = [sandbox = Sandbox(std::move(profile), strength)] { return sandbox.enter(); };
     return;
+  }
+  const bool builds = profile.calls == Calls::build;
+  if (!strength.control_groups.empty()) {
+    // Where addresses cannot be limited, whoever starts the program watches its memory and stops it before this does.
+    const std::size_t memory = profile.memory_bytes == 0 ? std::size_t{2} << 30 : profile.memory_bytes;
+    const auto group = std::make_shared<const ControlGroup>(strength.control_groups, memory, builds ? 64 : 16);
+    launch.prepare = [members = group.get()] { return members->enter(); };
+    launch.held = group;
   }
   std::vector<std::string>& command = launch.namespaces;
   command = strength.namespaces;
+  const bool has_files = builds && profile.file_bytes > 0 && std::ranges::count(command, newer_option) > 0;
+  if (has_files)
+    for (const char* word : {"--size", "268435456", "--tmpfs", "/tmp", "--setenv", "TMPDIR", "/tmp"})
+      command.emplace_back(word);
   for (const std::string& path : profile.readable)
     if (path == "/proc/self")
       command.insert(command.end(), {"--proc", "/proc"});
     else
       command.insert(command.end(), {"--ro-bind-try", path, path});
   for (const std::string& path : profile.writable) command.insert(command.end(), {"--dev-bind-try", path, path});
+  if (has_files) profile.writable.emplace_back("/tmp");
   command.insert(command.end(), {"--ro-bind", WORKBOOK_LAST_STAGE, "/last_stage", "--remount-ro", "/", "/last_stage"});
   std::ranges::move(written(profile), std::back_inserter(command));
 }
@@ -87,7 +103,7 @@ void try_namespaces(SandboxStrength& strength) {
   for (const bool disables_more : {true, false}) {
     SandboxStrength full = strength;
     full.namespaces = {program, "--unshare-all", "--unshare-user"};
-    if (disables_more) full.namespaces.emplace_back("--disable-userns");
+    if (disables_more) full.namespaces.emplace_back(newer_option);
     for (const char* word : {"--uid", "65534", "--gid", "65534", "--as-pid-1", "--die-with-parent"})
       full.namespaces.emplace_back(word);
     try {
@@ -105,15 +121,28 @@ void try_namespaces(SandboxStrength& strength) {
       "kernel.apparmor_restrict_unprivileged_userns=0), or not allowed in this container";
 }
 
+/// Fills in the control groups, or why there are none.
+void try_control_groups(SandboxStrength& strength, uid_t user) {
+  std::vector<std::string> groups = control_groups_for(user, strength.no_control_groups);
+  if (groups.empty()) return;
+  try {
+    const ControlGroup tried(groups, std::size_t{512} << 20, 16);
+    strength.control_groups = std::move(groups);
+  } catch (const LaunchError& problem) {
+    strength.no_control_groups = problem.what();
+  }
+}
+
 }  // namespace
 
-SandboxStrength probe_sandbox() {
+SandboxStrength probe_sandbox(uid_t user) {
   SandboxStrength strength = what_the_kernel_offers();
   try {
     strength.holes = holes_of(strength);
     if (strength.tier() == SandboxTier::none) return strength;
     if (::geteuid() != 0) {
       try_namespaces(strength);
+      if (!strength.namespaces.empty()) try_control_groups(strength, user);
       return strength;
     }
     // As root, bubblewrap would leave settings of the kernel writable.
@@ -128,7 +157,11 @@ SandboxStrength probe_sandbox() {
         },
         std::chrono::minutes(1));
     const std::string trouble = job.finish();
-    if (trouble.empty()) return nlohmann::json::parse(job.output()).get<SandboxStrength>();
+    if (trouble.empty()) {
+      nlohmann::json::parse(job.output()).get_to(strength);
+      if (!strength.namespaces.empty()) try_control_groups(strength, user);
+      return strength;
+    }
     strength.no_namespaces = "root cannot be given up here";
   } catch (const LaunchError& problem) {
     strength.holes = {fmt::format("do what you can ({})", problem.what())};
@@ -144,15 +177,18 @@ void confine(Launch& launch, const SandboxProfile& profile) { confine_to(in_use(
 
 SandboxTier SandboxStrength::tier() const {
   if (!filters_system_calls || !holes.empty()) return SandboxTier::none;
-  if (!namespaces.empty()) return SandboxTier::full;
+  if (!namespaces.empty()) return control_groups.empty() ? SandboxTier::full : SandboxTier::grouped;
   return landlock > 0 ? SandboxTier::reduced : SandboxTier::minimal;
 }
 
 std::string SandboxStrength::sentence() const {
+  constexpr const char* full = "a program sees no other process, no network, and of the files only what it needs";
   const std::string why = no_namespaces.empty() ? "" : fmt::format("; no namespaces: {}", no_namespaces);
   switch (tier()) {
+    case SandboxTier::grouped:
+      return fmt::format("full+cgroup: {}; memory and processes are limited for all that it starts together", full);
     case SandboxTier::full:
-      return "full: a program sees no other process, no network, and of the files only what it needs";
+      return fmt::format("full: {} (no control groups: {})", full, no_control_groups);
     case SandboxTier::reduced:
       return "reduced: system calls are filtered, and compilers read only what they need" + why;
     case SandboxTier::minimal:
@@ -166,7 +202,7 @@ std::string SandboxStrength::sentence() const {
 }
 
 std::string to_string(SandboxTier tier) {
-  constexpr const char* names[] = {"none", "minimal", "reduced", "full"};
+  constexpr const char* names[] = {"none", "minimal", "reduced", "full", "full+cgroup"};
   return names[static_cast<int>(tier)];
 }
 

@@ -128,6 +128,9 @@ TEST_CASE("the machine says how strong its sandbox is") {
   CHECK(strength.tier() >= sandbox_tier());
   SandboxStrength weaker = strength;
   weaker.namespaces = {"bwrap"};
+  weaker.control_groups = {"/sys/fs/cgroup"};
+  CHECK(weaker.tier() == SandboxTier::grouped);
+  weaker.control_groups.clear();
   CHECK(weaker.tier() == SandboxTier::full);
   weaker.namespaces.clear();
   weaker.landlock = 7;
@@ -149,11 +152,13 @@ TEST_CASE("a tier is found out by trying") {
   CHECK((run_program(unhindered, std::chrono::seconds(10), 1000).end.exit_status & read_write_and_connect) ==
         read_write_and_connect);
   const auto tier_without = [](int system_call, SandboxTier expected) {
-    return in_another_process(
-        [&] { return refuse_system_call(system_call, EOPNOTSUPP) && probe_sandbox().tier() == expected; });
+    return in_another_process([&] {
+      return refuse_system_call(system_call, EOPNOTSUPP) &&
+             std::min(probe_sandbox().tier(), SandboxTier::full) == expected;
+    });
   };
   constexpr int landlock_create_ruleset = 444;
-  if (sandbox_tier() == SandboxTier::full) {
+  if (sandbox_tier() >= SandboxTier::full) {
     CHECK(tier_without(landlock_create_ruleset, SandboxTier::full));
     CHECK(tier_without(SYS_unshare, SandboxTier::full));  // as with a bubblewrap that has no --disable-userns
     CHECK(tier_without(SYS_pivot_root, SandboxTier::reduced));
@@ -176,6 +181,68 @@ TEST_CASE("without Landlock a function is still judged, but not run again for re
            ExerciseRunner(program, short_limits()).observe({twice_case(1)}, {}).replies.at(0).ending ==
                Ending::returned;
   }));
+}
+
+TEST_CASE("what a compiler starts has limits together with it, and a small /tmp of its own") {
+  if (!can_confine_files()) return;  // it could write into the machine's own /tmp
+  const std::string program = R"(
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <sys/wait.h>
+#include <unistd.h>
+
+bool all_succeed(int count, int megabytes) {
+  int begun[2], failed = 0;
+  if (pipe(begun) != 0) return false;
+  for (int k = 0; k < count; ++k) {
+    const pid_t child = fork();
+    if (child < 0) ++failed;
+    if (child != 0) continue;
+    char* memory = static_cast<char*>(malloc(megabytes * 1000000 + 1));
+    memset(memory, 1, megabytes * 1000000 + 1);
+    close(begun[1]);
+    read(begun[0], memory, 1);  // ends when the parent has started all
+    sleep(1);
+    _exit(memory[0] - 1);
+  }
+  close(begun[1]);
+  close(begun[0]);
+  for (int status; wait(&status) > 0;) failed += status != 0;
+  return failed == 0;
+}
+
+bool all_written(const char* folder, int count, int megabytes) {
+  char name[100];
+  static char block[1000000];
+  bool done = true;
+  for (int k = 0; k < count; ++k) {
+    snprintf(name, sizeof name, "%s/workbook-%d", folder, k);
+    FILE* file = fopen(name, "w");
+    for (int n = 0; done && n < megabytes; ++n) done = file && fwrite(block, sizeof block, 1, file) == 1;
+    done = file && fclose(file) == 0 && done;
+  }
+  return done;
+}
+
+int main() {
+  return all_succeed(3, 120) + 2 * all_succeed(80, 0) + 4 * all_written("/tmp", 1, 10) + 8 * all_written("/tmp", 6, 50);
+}
+)";
+  const fs::path folder = fresh_directory("starts_others");
+  write(folder / "starts_others.cpp", program);
+  REQUIRE(compiler_unhindered({"-static", "starts_others.cpp", "-o", "starts_others"}, folder).succeeded());
+  Launch launch;
+  launch.program = (folder / "starts_others").string();
+  SandboxProfile profile = compile_profile(toolchain().compiler.string(), {folder.string()}, workspace().string());
+  profile.memory_bytes = std::size_t{300} << 20;
+  confine(launch, profile);
+  const FinishedProgram ran = run_program(launch, std::chrono::seconds(30), 1000);
+  CHECK(ran.end.signal == 0);
+  constexpr int starts_all = 3, has_own_files = 4;
+  const bool is_grouped = sandbox_tier() == SandboxTier::grouped, is_full = sandbox_tier() >= SandboxTier::full;
+  CHECK(ran.end.exit_status == (is_grouped ? 0 : starts_all) + (is_full ? has_own_files : 0));
+  CHECK_FALSE(fs::exists("/tmp/workbook-0"));
 }
 
 TEST_CASE("however a checker ends, what it runs in its sandbox ends with it") {
@@ -208,7 +275,7 @@ TEST_CASE("compilers tell neither how old a file is nor, in namespaces, whether 
   for (const std::string& text : {age, existence}) CHECK(shows_secret(compile_unhindered(text)));
   if (can_confine_files()) CHECK(compile_text(age).refusal == Refusal::compile_error);
   const Compilation absent = compile_text(existence);
-  CHECK_MESSAGE(absent.executable.has_value() == (sandbox_tier() == SandboxTier::full), absent.details);
+  CHECK_MESSAGE(absent.executable.has_value() == (sandbox_tier() >= SandboxTier::full), absent.details);
 }
 
 }  // namespace workbook::testing

@@ -20,25 +20,26 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int skipped = 77;  // as ctest knows it
+constexpr const char* wanted_tier = "WORKBOOK_TEST_SANDBOX";
 
 /// The strongest tier of this machine, or the one that WORKBOOK_TEST_SANDBOX names.
 const SandboxTier tier = [] {
-  SandboxStrength strength = probe_sandbox();
-  const std::string wanted = environment("WORKBOOK_TEST_SANDBOX", to_string(strength.tier()).c_str());
-  if (wanted != "full") strength.namespaces.clear();
+  SandboxStrength strength = probe_sandbox(grading_user(scratch()));
+  const std::string wanted = environment(wanted_tier, to_string(strength.tier()).c_str());
+  if (wanted == "full") strength.control_groups.clear();
+  if (!wanted.starts_with("full")) strength.namespaces.clear();
   if (wanted == "minimal") strength.landlock = 0;
   if (to_string(strength.tier()) != wanted) {
     fmt::print("Skipped: there is no tier {} here. {}.\n", wanted, strength.sentence());
     std::exit(skipped);
   }
-  const bool changes_user = strength.tier() == SandboxTier::full && ::geteuid() == 0;
+  const bool changes_user = strength.tier() >= SandboxTier::full && ::geteuid() == 0;
   if (changes_user) {
     for (const char* exercise : {"twice", "signed_by", "scaled", "counted", "moved"})
       for (const fs::path& file : {fs::path(WORKBOOK_TEST_TOOLCHAIN), toolchain().diagnostic})
         if (!file.empty()) require_complete(read_toolchain(file), exercise);
-    const fs::path own = fs::path(WORKBOOK_TEST_SCRATCH) / wanted;
-    fs::create_directories(own);
-    give_up_root(own, {WORKBOOK_TEST_TOOLCHAIN});
+    fs::create_directories(scratch());
+    give_up_root(scratch(), {WORKBOOK_TEST_TOOLCHAIN});
     ::prctl(PR_SET_DUMPABLE, 1);  // as processes of users are
   }
   use_sandbox(strength);
@@ -49,7 +50,7 @@ const SandboxTier tier = [] {
 
 SandboxTier sandbox_tier() { return tier; }
 
-fs::path scratch() { return fs::path(WORKBOOK_TEST_SCRATCH) / to_string(tier); }
+fs::path scratch() { return fs::path(WORKBOOK_TEST_SCRATCH) / environment(wanted_tier, "strongest"); }
 
 const Toolchain& toolchain() {
   static const Toolchain read = read_toolchain(WORKBOOK_TEST_TOOLCHAIN);

@@ -1,0 +1,162 @@
+#include "checker/sandbox/control_group.hpp"
+
+#include "checker/base/child_process.hpp"
+#include "checker/base/text.hpp"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+namespace workbook {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* members = "/cgroup.procs";
+constexpr const char* own_name = "workbook-checker";
+
+/// Into a file of the kernel: in one piece, and never creating it.
+bool put(const std::string& file, std::string_view text) noexcept {
+  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CLOEXEC);
+  const bool done = descriptor >= 0 && ::write(descriptor, text.data(), text.size()) >= 0;
+  const int problem = errno;
+  if (descriptor >= 0) ::close(descriptor);
+  errno = problem;
+  return done;
+}
+
+/// "memory,pids" as one word among others that commas or spaces part
+bool has_word(const std::string& text, std::string_view word) {
+  std::istringstream words(text);
+  for (std::string each; words >> each;)
+    for (std::string_view rest = each; !rest.empty();) {
+      const std::size_t end = std::min(rest.find(','), rest.size());
+      if (rest.substr(0, end) == word) return true;
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+  return false;
+}
+
+/// The group of this program.
+/// @param controller  of version 1; "" for version 2. @returns "" if there is none
+std::string own_group(const std::string& controller) {
+  std::string group;
+  std::ifstream groups("/proc/self/cgroup");
+  for (std::string line; std::getline(groups, line);) {  // "4:memory:/a/b", "0::/a/b"
+    const std::size_t first = line.find(':'), second = line.find(':', first + 1);
+    const std::string controllers = line.substr(first + 1, second - first - 1);
+    if (controller.empty() ? controllers.empty() : has_word(controllers, controller)) group = line.substr(second + 1);
+  }
+  std::ifstream mounts("/proc/self/mountinfo");
+  for (std::string line;
+       !group.empty() && std::getline(mounts, line);) {  // "32 31 0:29 ROOT PLACE rw - TYPE NAME rw,memory"
+    std::istringstream before(line.substr(0, line.find(" - "))), after(line.substr(line.find(" - ") + 3));
+    std::string unused, root, place, type, name, options;
+    before >> unused >> unused >> unused >> root >> place;
+    after >> type >> name >> options;
+    if (type != (controller.empty() ? "cgroup2" : "cgroup") || (!controller.empty() && !has_word(options, controller)))
+      continue;
+    if (root != "/" && group.starts_with(root)) group.erase(0, root.size());
+    return place + (group == "/" ? "" : group);
+  }
+  return "";
+}
+
+bool give_to(uid_t user, std::initializer_list<std::string> files) {
+  return std::ranges::all_of(
+      files, [&](const std::string& file) { return ::geteuid() != 0 || ::lchown(file.c_str(), user, user) == 0; });
+}
+
+/// What earlier runs have left that were killed; groups in use stay.
+void remove_groups_below(const std::string& folder) {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
+    if (entry.path().filename().string().starts_with("run-")) ::rmdir(entry.path().c_str());
+}
+
+/// Of version 2, whose groups have either processes or groups of their own.
+std::string unified_group_for(uid_t user, std::string& problem) {
+  std::string group = own_group("");
+  if (group.ends_with(own_name)) return fs::path(group).parent_path().string();
+  std::string controllers;
+  std::getline(std::ifstream(group + "/cgroup.controllers"), controllers);
+  if (group.empty() || !has_word(controllers, "memory") || !has_word(controllers, "pids")) {
+    problem = "no control group with the controllers memory and pids is handed over to this program";
+    return "";
+  }
+  const std::string own = group + "/" + own_name, pid = std::to_string(::getpid());
+  const bool moved = (::mkdir(own.c_str(), 0755) == 0 || errno == EEXIST) && put(own + members, pid);
+  if (moved && put(group + "/cgroup.subtree_control", "+memory +pids") && give_to(user, {group, group + members}))
+    return group;
+  problem = fmt::format("the control group {} cannot be divided ({})", group, std::strerror(errno));
+  if (moved) put(group + members, pid);
+  ::rmdir(own.c_str());
+  return "";
+}
+
+}  // namespace
+
+std::vector<std::string> control_groups_for(uid_t user, std::string& problem) {
+  std::vector<std::string> folders;
+  for (const char* controller : {"memory", "pids"}) {
+    const std::string own = own_group(controller);
+    if (own.empty()) break;
+    const std::string folder = fmt::format("{}/workbook-{}", own, user);
+    if ((::mkdir(folder.c_str(), 0755) != 0 && errno != EEXIST) || !give_to(user, {folder})) {
+      problem = fmt::format("{} cannot be made ({})", folder, std::strerror(errno));
+      return {};
+    }
+    folders.push_back(folder);
+  }
+  if (folders.size() < 2) folders = {unified_group_for(user, problem)};
+  if (folders.front().empty()) return {};
+  std::ranges::for_each(folders, remove_groups_below);
+  return folders;
+}
+
+ControlGroup::ControlGroup(const std::vector<std::string>& parents, std::size_t memory_bytes, unsigned processes) {
+  static std::atomic<unsigned> made = 0;
+  const std::string name = fmt::format("/run-{}-{}", ::getpid(), ++made);
+  const std::string memory = std::to_string(memory_bytes), count = std::to_string(processes);
+  for (const std::string& parent : parents) {
+    const std::string folder = folders_.emplace_back(parent + name);
+    members_.push_back(folder + members);
+    bool done = ::mkdir(folder.c_str(), 0755) == 0 || errno == EEXIST;
+    // Which of them are there depends on the version, and on whether the kernel counts what is swapped out.
+    for (const auto& [file, limit] : {std::pair{"/memory.max", memory.c_str()},
+                                      {"/memory.swap.max", "0"},
+                                      {"/memory.limit_in_bytes", memory.c_str()},
+                                      {"/memory.memsw.limit_in_bytes", memory.c_str()},
+                                      {"/pids.max", count.c_str()}})
+      done = done && (put(folder + file, limit) || errno == ENOENT);
+    if (done) continue;
+    const int problem = errno;
+    for (const std::string& each : folders_) ::rmdir(each.c_str());
+    throw LaunchError("make a control group", problem);
+  }
+}
+
+ControlGroup::~ControlGroup() {
+  for (std::size_t k = 0; k < folders_.size(); ++k)
+    for (int attempt = 0; ::rmdir(folders_[k].c_str()) != 0 && errno == EBUSY && attempt < 1000; ++attempt) {
+      std::ifstream left(members_[k]);
+      for (pid_t process = 0; left >> process;) ::kill(process, SIGKILL);
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+}
+
+const char* ControlGroup::enter() const noexcept {
+  return std::ranges::all_of(members_, [](const std::string& file) { return put(file, "0"); })
+             ? nullptr
+             : "enter a control group";
+}
+
+}  // namespace workbook
