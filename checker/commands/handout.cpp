@@ -100,7 +100,7 @@ void lock_derivations(const Course& course, const fs::path& copy) {
       const auto derivation = read_file(course.derivation_file(exercise));
       const auto code = read_file(course.solution_file(exercise));
       if (!derivation || !code) continue;
-      if (!secret) secret = course.reference(card.lecture, seed);
+      if (!secret) secret = course.random_cases(card.lecture, seed);
       const fs::path file = copy / course.locked_file(exercise).lexically_relative(course.root());
       const std::string problem =
           write_file(file, locked_text(secret->exercise(entry.name), *code + "\n" + *derivation));

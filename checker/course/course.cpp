@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <set>
 
@@ -90,6 +92,19 @@ bool is_named(const Card& card, const std::string& name) {
   const std::string number = card.lecture.substr(0, card.lecture.find('_'));
   const std::string wanted = without_zeros(name);
   return wanted == without_zeros(card.lecture) || wanted == without_zeros(number) || wanted == topic_of(card);
+}
+
+/// @param cases  "all" or "random"
+void run_reference_program(const fs::path& program, const std::string& lecture, std::uint64_t seed,
+                           const fs::path& file, const char* cases) {
+  fs::create_directories(file.parent_path());
+  const FinishedProgram made =
+      run_with_path(program.string(),
+                    {"--lecture", lecture, "--seed", std::to_string(seed), "--out", file.string(), "--cases", cases},
+                    std::chrono::seconds(120));
+  if (!made.succeeded())
+    throw ReferenceError(fmt::format("{}: making reference results for seed {} failed: {}", program.string(), seed,
+                                     made.out_of_time ? "it took more than 120 s" : made.output));
 }
 
 }  // namespace
@@ -194,23 +209,30 @@ void Course::make_reference(const std::string& lecture) const {
                                      shown_path(build_.directory / "build.log"), first_errors(made.output)));
 }
 
-fs::path Course::reference_of_seed(const std::string& lecture, std::uint64_t seed) const {
-  const fs::path program = reference_ / ("reference_" + lecture);
+fs::path Course::reference_program(const std::string& lecture) const {
+  fs::path program = reference_ / ("reference_" + lecture);
   if (!fs::exists(program))
     throw ReferenceError(fmt::format(
         "This copy of the workbook has reference results for seed {} only; other seeds need the solutions, which it "
         "does not have.",
         seed_));
+  return program;
+}
+
+fs::path Course::reference_of_seed(const std::string& lecture, std::uint64_t seed) const {
+  const fs::path program = reference_program(lecture);
   fs::path file = scratch_ / "reference" / fmt::format("{}-seed-{}.json", lecture, seed);
-  if (!is_newer(program, file)) return file;
-  fs::create_directories(file.parent_path());
-  const FinishedProgram made =
-      run_with_path(program.string(), {"--lecture", lecture, "--seed", std::to_string(seed), "--out", file.string()},
-                    std::chrono::seconds(120));
-  if (!made.succeeded())
-    throw ReferenceError(fmt::format("{}: making reference results for seed {} failed: {}", program.string(), seed,
-                                     made.out_of_time ? "it took more than 120 s" : made.output));
+  if (is_newer(program, file)) run_reference_program(program, lecture, seed, file, "all");
   return file;
+}
+
+LectureReference Course::random_cases(const std::string& lecture, std::uint64_t seed) const {
+  make_reference(lecture);
+  const fs::path file = scratch_ / "reference" / fmt::format("{}-random-{}.json", lecture, ::getpid());
+  run_reference_program(reference_program(lecture), lecture, seed, file, "random");
+  LectureReference results = read_reference_results(file);
+  fs::remove(file);
+  return results;
 }
 
 LectureReference Course::reference(const std::string& lecture, std::uint64_t seed, const std::string& only) const {

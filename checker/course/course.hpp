@@ -135,12 +135,16 @@ class Course {
   /// @throws ReferenceError if they are not there, cannot be made or cannot be read, or lack an exercise of the card.
   LectureReference reference(const std::string& lecture, std::uint64_t seed, const std::string& only = "") const;
 
+  /// Results at the random cases alone, which take a moment. @throws ReferenceError
+  LectureReference random_cases(const std::string& lecture, std::uint64_t seed) const;
+
   /// From now on takes the results of a lecture from this file, for whichever seed. Returns the seed that they were
   /// made with. @throws ReferenceError, UnknownName
   std::uint64_t use_reference(const std::filesystem::path& file);
 
  private:
   void make_reference(const std::string& lecture) const;
+  std::filesystem::path reference_program(const std::string& lecture) const;
   std::filesystem::path reference_of_seed(const std::string& lecture, std::uint64_t seed) const;
 
   std::filesystem::path root_;

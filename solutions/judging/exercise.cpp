@@ -221,10 +221,10 @@ void AnyExercise::add_sweep(ExerciseReference& out) const {
   }
 }
 
-ExerciseReference AnyExercise::evaluate(std::uint64_t seed) const {
+ExerciseReference AnyExercise::evaluate(std::uint64_t seed, bool random_cases_only) const {
   ExerciseReference out = result_;
   const Subject subject = subject_of(out);
-  for (const Values& inputs : ladder(subject)) {
+  for (const Values& inputs : random_cases_only ? std::vector<Values>{} : ladder(subject)) {
     Case prototype;
     prototype.name = "small whole numbers " + std::to_string(out.cases.size() + 1);
     prototype.group = Group::special;
@@ -233,12 +233,17 @@ ExerciseReference AnyExercise::evaluate(std::uint64_t seed) const {
     add_case(prototype, inputs, out);
   }
   for (const Batch& batch : batches_) {
+    if (random_cases_only && batch.prototype.group != Group::random) continue;
     Random random(batch_seed(seed, out.name, batch.prototype.name));
     for (int i = 1; i <= batch.count; ++i) {
       Case prototype = batch.prototype;
       if (batch.count > 1) prototype.name += " " + std::to_string(i);
       add_case(prototype, batch.draw(random), out);
     }
+  }
+  if (random_cases_only) {
+    out.properties.clear();  // they are judged at all cases
+    return out;
   }
   std::vector<Case> corners = corner_cases(subject);
   prove_adequacy(subject, corners, out.adequacy);
@@ -252,9 +257,9 @@ ExerciseReference AnyExercise::evaluate(std::uint64_t seed) const {
   return out;
 }
 
-LectureReference Lecture::evaluate(std::string name, std::uint64_t seed) const {
+LectureReference Lecture::evaluate(std::string name, std::uint64_t seed, bool random_cases_only) const {
   LectureReference result{seed, std::move(name), {}};
-  for (const auto& exercise : exercises_) result.exercises.push_back(exercise->evaluate(seed));
+  for (const auto& exercise : exercises_) result.exercises.push_back(exercise->evaluate(seed, random_cases_only));
   return result;
 }
 

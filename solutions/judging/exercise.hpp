@@ -140,7 +140,7 @@ class AnyExercise {
   /// Runs the reference solution and all wrong answers at all cases, the described and the generated ones.
   /// @throws std::logic_error naming exercise and case if an input is not legal, or an expected number is not finite or
   /// has no natural scale.
-  ExerciseReference evaluate(std::uint64_t seed) const;
+  ExerciseReference evaluate(std::uint64_t seed, bool random_cases_only) const;
 
  protected:
   using Function = OnValues<Value>;
@@ -374,7 +374,7 @@ class Lecture {
     return handle;
   }
 
-  LectureReference evaluate(std::string name, std::uint64_t seed) const;
+  LectureReference evaluate(std::string name, std::uint64_t seed, bool random_cases_only) const;
 
  private:
   std::vector<std::unique_ptr<AnyExercise>> exercises_;

@@ -8,16 +8,18 @@
 #include <string>
 
 int main(int argc, char** argv) {
-  std::map<std::string, std::string> options{{"--seed", "1"}};
+  std::map<std::string, std::string> options{{"--seed", "1"}, {"--cases", "all"}};
   for (int i = 1; i + 1 < argc; i += 2) options[argv[i]] = argv[i + 1];
-  if (argc % 2 == 0 || options.size() != 3 || !options.contains("--lecture") || !options.contains("--out")) {
-    std::fprintf(stderr, "usage: %s --lecture FOLDER --out FILE [--seed N]\n", argv[0]);
+  const std::string cases = options["--cases"];
+  if (argc % 2 == 0 || options.size() != 4 || (cases != "all" && cases != "random") || !options.contains("--lecture") ||
+      !options.contains("--out")) {
+    std::fprintf(stderr, "usage: %s --lecture FOLDER --out FILE [--seed N] [--cases random]\n", argv[0]);
     return 2;
   }
   try {
     workbook::judging::Lecture lecture;
     workbook::judging::describe(lecture);
-    const auto results = lecture.evaluate(options["--lecture"], std::stoull(options["--seed"]));
+    const auto results = lecture.evaluate(options["--lecture"], std::stoull(options["--seed"]), cases == "random");
     workbook::write_reference_results(results, options["--out"]);
   } catch (const std::exception& problem) {
     std::fprintf(stderr, "%s: the reference results could not be made: %s\n", options["--lecture"].c_str(),
