@@ -200,6 +200,7 @@ class CommandLine {
     declare_options();
     add_commands_of_the_exercises();
     add_commands_of_the_course();
+    add_commands_of_instructors();
     add_new();
   }
 
@@ -367,6 +368,9 @@ class CommandLine {
         })
         .footer(fmt::format("Put this line into ~/.bashrc, with the path of your workbook:\n  source <({})",
                             command("completion")));
+  }
+
+  void add_commands_of_instructors() {
     add("handout", instructors,
         "Write the copy of the workbook that students get\n\nThe copy has no solutions: reference results, printed "
         "numbers and figures are data, and every exercise is back at the beginning. Students type the same commands "

@@ -7,6 +7,28 @@ static Vector3d ship_at(double t, double latitude, double radius, double rate, c
   return turn(axis, rate * t) * (radius * (cos(angle) * z_axis + sin(angle) * heading));
 }
 
+static void add_routes_of_apparent_gravity(auto& e) {
+  e.route("the path in the inertial frame, differentiated twice", [](auto lat, auto R, auto g, auto rate, auto& v) {
+    const double h = 2e-2 / (rate + v.norm() / R);
+    const double weights[] = {-49. / 18, 3. / 2, -3. / 20, 1. / 90};
+    Vector3d sum = weights[0] * ship_at(0, lat, R, rate, v);
+    for (int k = 1; k <= 3; ++k)
+      sum += weights[k] * (ship_at(k * h, lat, R, rate, v) + ship_at(-k * h, lat, R, rate, v));
+    return -g * z_axis - sum / (h * h);
+  });
+  e.route("a point at rest in the frame of the ship", [](auto lat, auto R, auto g, auto rate, auto& v) {
+    // This frame rotates with Ω and, about the axis of the great circle, with v/R, which Ω carries round.
+    const Vector3d rotation = rate * Vector3d(0, cos(lat), sin(lat)), along = cross(z_axis, {v.x(), v.y(), 0}) / R;
+    const Vector3d w = rotation + along, r = R * z_axis;
+    return -g * z_axis - cross(cross(rotation, along), r) - cross(w, cross(w, r));
+  });
+  e.route("up from the speed among the stars", [](auto lat, auto R, auto g, auto rate, auto& v) {
+    const double east = v.x() + rate * R * cos(lat), turning = rate * sin(lat);
+    const double up = (east * east + v.y() * v.y()) / R - g;
+    return Vector3d(2 * turning * v.y(), -turning * (east + v.x()), up);
+  });
+}
+
 void judge_apparent_gravity(Lecture& lecture) {
   auto& e = lecture.exercise("apparent_gravity", &apparent_gravity,
                              {{"latitude", latitude_angle},
@@ -70,23 +92,5 @@ void judge_apparent_gravity(Lecture& lecture) {
   e.wrong_output("This is the force per mass that holds a body aboard, upwards; free fall is the other way.", "upwards",
                  negated);
   e.angles_read_as_degrees();
-  e.route("the path in the inertial frame, differentiated twice", [](auto lat, auto R, auto g, auto rate, auto& v) {
-    const double h = 2e-2 / (rate + v.norm() / R);
-    const double weights[] = {-49. / 18, 3. / 2, -3. / 20, 1. / 90};
-    Vector3d sum = weights[0] * ship_at(0, lat, R, rate, v);
-    for (int k = 1; k <= 3; ++k)
-      sum += weights[k] * (ship_at(k * h, lat, R, rate, v) + ship_at(-k * h, lat, R, rate, v));
-    return -g * z_axis - sum / (h * h);
-  });
-  e.route("a point at rest in the frame of the ship", [](auto lat, auto R, auto g, auto rate, auto& v) {
-    // This frame rotates with Ω and, about the axis of the great circle, with v/R, which Ω carries round.
-    const Vector3d rotation = rate * Vector3d(0, cos(lat), sin(lat)), along = cross(z_axis, {v.x(), v.y(), 0}) / R;
-    const Vector3d w = rotation + along, r = R * z_axis;
-    return -g * z_axis - cross(cross(rotation, along), r) - cross(w, cross(w, r));
-  });
-  e.route("up from the speed among the stars", [](auto lat, auto R, auto g, auto rate, auto& v) {
-    const double east = v.x() + rate * R * cos(lat), turning = rate * sin(lat);
-    const double up = (east * east + v.y() * v.y()) / R - g;
-    return Vector3d(2 * turning * v.y(), -turning * (east + v.x()), up);
-  });
+  add_routes_of_apparent_gravity(e);
 }

@@ -3,6 +3,38 @@
 /// The square of the angular velocity, in units of the critical one.
 static double speed_ratio(double radius, double g, double rate) { return rate * rate * radius / g; }
 
+static void add_routes_of_bead_on_hoop(auto& e) {
+  e.route("root and slope of the force along the hoop", [](auto radius, auto g, auto rate) {
+    const auto force = [&](double angle) { return (rate * rate * radius * cos(angle) - g) * sin(angle) / radius; };
+    double low = 0, high = force(1e-4) > 0 ? pi / 2 : 0;
+    if (high > 0) low = 1e-4;
+    while (high - low > 1e-15) {
+      const double middle = (low + high) / 2;
+      if (middle <= low || middle >= high) break;
+      (force(middle) > 0 ? low : high) = middle;
+    }
+    const double h = 1e-3, angle = (low + high) / 2;
+    const double slope =
+        (8 * (force(angle + h) - force(angle - h)) - force(angle + 2 * h) + force(angle - 2 * h)) / (12 * h);
+    return Vector2d(angle, sqrt(-slope));
+  });
+  e.route("along the plumb line in the frame of the hoop", [](auto radius, auto g, auto rate) {
+    const double ratio = speed_ratio(radius, g, rate);
+    double angle = ratio > 1 ? pi / 2 : 0;
+    for (int k = 0; k < 5000; ++k) angle = atan(ratio * sin(angle));
+    // Gravity and centrifugal force along the rod to the centre, less the growth of the latter along the hoop.
+    const double pull = g * cos(angle) / radius + pow(rate * sin(angle), 2);
+    return Vector2d(angle, sqrt(pull - pow(rate * cos(angle), 2)));
+  });
+  e.route("half angles", [](auto radius, auto g, auto rate) {
+    const double own = sqrt(g / radius), hoop = abs(rate);
+    if (hoop < own) return Vector2d(0, sqrt((own - hoop) * (own + hoop)));
+    const double difference = (hoop - own) * (hoop + own), sum = hoop * hoop + own * own;
+    return Vector2d(2 * atan(sqrt(difference / sum)), sqrt(difference * sum) / hoop);
+  });
+  e.survivor("hoop <= pendulum", "At the critical rate both branches give 0.");
+}
+
 void judge_bead_on_hoop(Lecture& lecture) {
   auto& e = lecture.exercise("bead_on_hoop", &bead_on_hoop,
                              {{"radius", positive(metre)}, {"g", positive(m_per_s2)}, {"rate", rad_per_s}},
@@ -56,33 +88,5 @@ void judge_bead_on_hoop(Lecture& lecture) {
                  [](auto& result) { result[0] = pi - result[0]; });
   e.wrong_output("This is the square of the frequency.", "squared", [](auto& result) { result[1] *= result[1]; });
   e.property(Is::nonnegative, "The angle is counted from 0 to π, and a frequency is not negative.");
-  e.route("root and slope of the force along the hoop", [](auto radius, auto g, auto rate) {
-    const auto force = [&](double angle) { return (rate * rate * radius * cos(angle) - g) * sin(angle) / radius; };
-    double low = 0, high = force(1e-4) > 0 ? pi / 2 : 0;
-    if (high > 0) low = 1e-4;
-    while (high - low > 1e-15) {
-      const double middle = (low + high) / 2;
-      if (middle <= low || middle >= high) break;
-      (force(middle) > 0 ? low : high) = middle;
-    }
-    const double h = 1e-3, angle = (low + high) / 2;
-    const double slope =
-        (8 * (force(angle + h) - force(angle - h)) - force(angle + 2 * h) + force(angle - 2 * h)) / (12 * h);
-    return Vector2d(angle, sqrt(-slope));
-  });
-  e.route("along the plumb line in the frame of the hoop", [](auto radius, auto g, auto rate) {
-    const double ratio = speed_ratio(radius, g, rate);
-    double angle = ratio > 1 ? pi / 2 : 0;
-    for (int k = 0; k < 5000; ++k) angle = atan(ratio * sin(angle));
-    // Gravity and centrifugal force along the rod to the centre, less the growth of the latter along the hoop.
-    const double pull = g * cos(angle) / radius + pow(rate * sin(angle), 2);
-    return Vector2d(angle, sqrt(pull - pow(rate * cos(angle), 2)));
-  });
-  e.route("half angles", [](auto radius, auto g, auto rate) {
-    const double own = sqrt(g / radius), hoop = abs(rate);
-    if (hoop < own) return Vector2d(0, sqrt((own - hoop) * (own + hoop)));
-    const double difference = (hoop - own) * (hoop + own), sum = hoop * hoop + own * own;
-    return Vector2d(2 * atan(sqrt(difference / sum)), sqrt(difference * sum) / hoop);
-  });
-  e.survivor("hoop <= pendulum", "At the critical rate both branches give 0.");
+  add_routes_of_bead_on_hoop(e);
 }

@@ -6,6 +6,38 @@
 static Vector3d line_of_fire(double azimuth) { return {sin(azimuth), cos(azimuth), 0}; }
 static Vector3d to_the_right(double azimuth) { return {cos(azimuth), -sin(azimuth), 0}; }
 
+static void add_routes_of_shell_drift(auto& e) {
+  e.route("the Coriolis acceleration integrated twice",
+          [](auto lat, auto azimuth, auto range, auto time, auto g, auto rate) {
+            const auto moved = [&](double t) {
+              const Vector3d v = range / time * line_of_fire(azimuth) + g * (time / 2 - t) * z_axis;
+              return (time - t) * to_the_right(azimuth).dot(coriolis_acceleration(v, lat, rate));
+            };
+            return boost::math::quadrature::gauss<double, 7>::integrate(moved, 0.0, time);
+          });
+  e.route("the whole motion, differentiated with respect to the rate",
+          [](auto lat, auto azimuth, auto range, auto time, auto g, auto rate) {
+            using State = Eigen::Matrix<double, 6, 1>;
+            const auto drift_at = [&](double slow) {
+              State state;
+              state << zero, range / time * line_of_fire(azimuth) + g * time / 2 * z_axis;
+              const auto motion = [&](const State& s) -> State {
+                const Vector3d v = s.tail<3>(), a = -2 * slow * cross({0, cos(lat), sin(lat)}, v) - g * z_axis;
+                return (State() << v, a).finished();
+              };
+              return to_the_right(azimuth).dot(one_step_on(state, time, motion).template head<3>());
+            };
+            const double h = 1e-3 / time;
+            return rate * (8 * (drift_at(h) - drift_at(-h)) - (drift_at(2 * h) - drift_at(-2 * h))) / (12 * h);
+          });
+  e.route("−2 Ω × the integral of the path over time",
+          [](auto lat, auto azimuth, auto range, auto time, auto g, auto rate) {
+            const double mean_height = g * time * time / 12;
+            const Vector3d integral = range * time / 2 * line_of_fire(azimuth) + mean_height * time * z_axis;
+            return -2 * rate * cross({0, cos(lat), sin(lat)}, integral).dot(to_the_right(azimuth));
+          });
+}
+
 void judge_shell_drift(Lecture& lecture) {
   auto& e = lecture.exercise("shell_drift", &shell_drift,
                              {{"latitude", latitude_angle},
@@ -63,33 +95,5 @@ void judge_shell_drift(Lecture& lecture) {
   e.wrong_input<1>("The azimuth does not enter; the climb matters most for a shot along the meridian.", "no_azimuth",
                    fixed(0.0));
   e.angles_read_as_degrees();
-  e.route("the Coriolis acceleration integrated twice",
-          [](auto lat, auto azimuth, auto range, auto time, auto g, auto rate) {
-            const auto moved = [&](double t) {
-              const Vector3d v = range / time * line_of_fire(azimuth) + g * (time / 2 - t) * z_axis;
-              return (time - t) * to_the_right(azimuth).dot(coriolis_acceleration(v, lat, rate));
-            };
-            return boost::math::quadrature::gauss<double, 7>::integrate(moved, 0.0, time);
-          });
-  e.route("the whole motion, differentiated with respect to the rate",
-          [](auto lat, auto azimuth, auto range, auto time, auto g, auto rate) {
-            using State = Eigen::Matrix<double, 6, 1>;
-            const auto drift_at = [&](double slow) {
-              State state;
-              state << zero, range / time * line_of_fire(azimuth) + g * time / 2 * z_axis;
-              const auto motion = [&](const State& s) -> State {
-                const Vector3d v = s.tail<3>(), a = -2 * slow * cross({0, cos(lat), sin(lat)}, v) - g * z_axis;
-                return (State() << v, a).finished();
-              };
-              return to_the_right(azimuth).dot(one_step_on(state, time, motion).template head<3>());
-            };
-            const double h = 1e-3 / time;
-            return rate * (8 * (drift_at(h) - drift_at(-h)) - (drift_at(2 * h) - drift_at(-2 * h))) / (12 * h);
-          });
-  e.route("−2 Ω × the integral of the path over time",
-          [](auto lat, auto azimuth, auto range, auto time, auto g, auto rate) {
-            const double mean_height = g * time * time / 12;
-            const Vector3d integral = range * time / 2 * line_of_fire(azimuth) + mean_height * time * z_axis;
-            return -2 * rate * cross({0, cos(lat), sin(lat)}, integral).dot(to_the_right(azimuth));
-          });
+  add_routes_of_shell_drift(e);
 }

@@ -89,6 +89,42 @@ static void add_cases(auto& e) {
           [omega0](auto t) { return tuple(example_moments, omega0, VectorXd{{t}}); });
 }
 
+static void add_routes_of_free_rotation(auto& e) {
+  e.route("a controlled integration of high order", free_rotation);
+  e.route("the classical Runge-Kutta method", [](auto& I, auto& start, auto& moments) {
+    return follow(start, moments, [&](const Vector3d& w) { return euler_equations(I, w, zero); });
+  });
+  e.route("L in the body, then divided", [](auto& I, auto& start, auto& moments) -> Matrix3Xd {
+    const Matrix3Xd L =
+        follow(L_of(I, start), moments, [&](const Vector3d& M) { return cross(M, M.cwiseQuotient(I)); });
+    return I.cwiseInverse().asDiagonal() * L;
+  });
+  e.route("the attitude, with L at rest in space", [](auto& I, auto& start, auto& moments) {
+    // A quaternion follows the body; ω is read off the constant L on the body's axes.
+    const Vector3d L = L_of(I, start);
+    const auto omega_at = [&](const Eigen::Vector4d& q) -> Vector3d {
+      return (Eigen::Quaterniond(q).normalized().conjugate() * L).cwiseQuotient(I);
+    };
+    Matrix3Xd omega(3, moments.size());
+    const auto attitudes =
+        follow(Eigen::Vector4d(0, 0, 0, 1), moments, [&](const Eigen::Vector4d& q) -> Eigen::Vector4d {
+          const Vector3d half = omega_at(q) / 2;
+          return (Eigen::Quaterniond(q) * Eigen::Quaterniond(0, half[0], half[1], half[2])).coeffs();
+        });
+    for (int k = 0; k < moments.size(); ++k) omega.col(k) = omega_at(attitudes.col(k));
+    return omega;
+  });
+  e.survivor("from == to", "An integration over no time changes nothing.");
+  e.survivor("make_controlled(", "Tolerances nearby reach the accuracy that is asked for.");
+  e.survivor("first_step = ", "The stepper corrects its first step.");
+  e.survivor("std::abs(times[", "The order of the times saves work only.");
+  e.survivor("std::sort(outwards", "The order of the times saves work only.");
+  e.survivor("future) continue", "The order of the times saves work only.");
+  e.survivor("double size = ", "ω and time are scaled by it in opposite ways.");
+  e.survivor("-size == 0", "Zero has no sign.");
+  e.survivor("advance( -I", "Only ratios of moments enter.");
+}
+
 void judge_free_rotation(Lecture& lecture) {
   auto& e = lecture.exercise("free_rotation", &free_rotation,
                              {{"I", positive(kg_m2)}, {"omega0", rad_per_s}, {"times", second}}, {"omega", rad_per_s});
@@ -136,37 +172,5 @@ void judge_free_rotation(Lecture& lecture) {
               [](auto& I, auto&, auto&) { return I; });
   e.conserves({"In free rotation L keeps its length from t = 0: Σ Iᵢ²ωᵢ² stays the same.", invariants},
               [](auto& I, auto&, auto&) { return Vector3d(I.cwiseAbs2()); });
-  e.route("a controlled integration of high order", free_rotation);
-  e.route("the classical Runge-Kutta method", [](auto& I, auto& start, auto& moments) {
-    return follow(start, moments, [&](const Vector3d& w) { return euler_equations(I, w, zero); });
-  });
-  e.route("L in the body, then divided", [](auto& I, auto& start, auto& moments) -> Matrix3Xd {
-    const Matrix3Xd L =
-        follow(L_of(I, start), moments, [&](const Vector3d& M) { return cross(M, M.cwiseQuotient(I)); });
-    return I.cwiseInverse().asDiagonal() * L;
-  });
-  e.route("the attitude, with L at rest in space", [](auto& I, auto& start, auto& moments) {
-    // A quaternion follows the body; ω is read off the constant L on the body's axes.
-    const Vector3d L = L_of(I, start);
-    const auto omega_at = [&](const Eigen::Vector4d& q) -> Vector3d {
-      return (Eigen::Quaterniond(q).normalized().conjugate() * L).cwiseQuotient(I);
-    };
-    Matrix3Xd omega(3, moments.size());
-    const auto attitudes =
-        follow(Eigen::Vector4d(0, 0, 0, 1), moments, [&](const Eigen::Vector4d& q) -> Eigen::Vector4d {
-          const Vector3d half = omega_at(q) / 2;
-          return (Eigen::Quaterniond(q) * Eigen::Quaterniond(0, half[0], half[1], half[2])).coeffs();
-        });
-    for (int k = 0; k < moments.size(); ++k) omega.col(k) = omega_at(attitudes.col(k));
-    return omega;
-  });
-  e.survivor("from == to", "An integration over no time changes nothing.");
-  e.survivor("make_controlled(", "Tolerances nearby reach the accuracy that is asked for.");
-  e.survivor("first_step = ", "The stepper corrects its first step.");
-  e.survivor("std::abs(times[", "The order of the times saves work only.");
-  e.survivor("std::sort(outwards", "The order of the times saves work only.");
-  e.survivor("future) continue", "The order of the times saves work only.");
-  e.survivor("double size = ", "ω and time are scaled by it in opposite ways.");
-  e.survivor("-size == 0", "Zero has no sign.");
-  e.survivor("advance( -I", "Only ratios of moments enter.");
+  add_routes_of_free_rotation(e);
 }

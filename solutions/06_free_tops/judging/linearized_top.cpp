@@ -46,6 +46,29 @@ auto wobbles(double sign_of_rates) {
 
 }  // namespace
 
+static void add_routes_of_linearized_top(auto& e) {
+  e.route("sign and ratio apart", with_factor([](auto& p) { return copysign(p.ratio, p.rates[1]); }));
+  e.route("turning an initial vector", [](auto& I, auto spin, auto A, auto phase, auto t) {
+    const Wobble p(I, spin);  // x and y/ratio turn like the hand of a clock, in the sense of Ω1
+    const auto hand = polar(A, p.sign * phase) * polar(1.0, p.sign * p.frequency * t);
+    return Vector2d(hand.real(), p.ratio * hand.imag());
+  });
+  e.route("step by step", [](auto& I, auto spin, auto A, auto phase, auto t) {
+    const Vector2d rates = linearized_rates(I, spin);
+    const Eigen::Matrix2d one = Eigen::Matrix2d::Identity(),
+                          h = t / 4000 * Eigen::Matrix2d{{0, -rates[0]}, {rates[1], 0}};
+    const Eigen::Matrix2d step = one + h * (one + h / 2 * (one + h / 3 * (one + h / 4)));
+    Vector2d omega = linearized_top(I, spin, A, phase, 0);
+    for (int i = 0; i < 4000; ++i) omega = step * omega;
+    return omega;
+  });
+  e.route("frequency from the moments", [](auto& I, auto spin, auto A, auto phase, auto t) {
+    const double a = I[2] - I[1], b = I[2] - I[0], side = spin * a > 0 ? 1 : -1;
+    const double angle = abs(spin) * sqrt(a * b / (I[0] * I[1])) * t + phase;
+    return A * Vector2d(cos(angle), side * sqrt(b * I[0] / (a * I[1])) * sin(angle));
+  });
+}
+
 void judge_linearized_top(Lecture& lecture) {
   auto& e = lecture.exercise(
       "linearized_top", &linearized_top,
@@ -107,24 +130,5 @@ void judge_linearized_top(Lecture& lecture) {
                    Vector2d(std::cosh(p.frequency * t + phase), p.sign * p.ratio * std::sinh(p.frequency * t + phase));
           });
   e.angles_read_as_degrees(linear);
-  e.route("sign and ratio apart", with_factor([](auto& p) { return copysign(p.ratio, p.rates[1]); }));
-  e.route("turning an initial vector", [](auto& I, auto spin, auto A, auto phase, auto t) {
-    const Wobble p(I, spin);  // x and y/ratio turn like the hand of a clock, in the sense of Ω1
-    const auto hand = polar(A, p.sign * phase) * polar(1.0, p.sign * p.frequency * t);
-    return Vector2d(hand.real(), p.ratio * hand.imag());
-  });
-  e.route("step by step", [](auto& I, auto spin, auto A, auto phase, auto t) {
-    const Vector2d rates = linearized_rates(I, spin);
-    const Eigen::Matrix2d one = Eigen::Matrix2d::Identity(),
-                          h = t / 4000 * Eigen::Matrix2d{{0, -rates[0]}, {rates[1], 0}};
-    const Eigen::Matrix2d step = one + h * (one + h / 2 * (one + h / 3 * (one + h / 4)));
-    Vector2d omega = linearized_top(I, spin, A, phase, 0);
-    for (int i = 0; i < 4000; ++i) omega = step * omega;
-    return omega;
-  });
-  e.route("frequency from the moments", [](auto& I, auto spin, auto A, auto phase, auto t) {
-    const double a = I[2] - I[1], b = I[2] - I[0], side = spin * a > 0 ? 1 : -1;
-    const double angle = abs(spin) * sqrt(a * b / (I[0] * I[1])) * t + phase;
-    return A * Vector2d(cos(angle), side * sqrt(b * I[0] / (a * I[1])) * sin(angle));
-  });
+  add_routes_of_linearized_top(e);
 }

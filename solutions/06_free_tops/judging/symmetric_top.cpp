@@ -16,6 +16,30 @@ static auto turning_at(const Rate& rate) {
   return [rate](auto I1, auto I3, auto& w, auto t) { return turn(z_axis, rate(I1, I3, w) * t) * w; };
 }
 
+static void add_routes_of_symmetric_top(auto& e) {
+  e.route("amplitude and phase", [](auto I1, auto I3, auto& w, auto t) {
+    const double amplitude = hypot(w[0], w[1]), angle = angle_of(I1, I3, w, t) + atan2(w[1], w[0]);
+    return Vector3d(amplitude * cos(angle), amplitude * sin(angle), w[2]);
+  });
+  e.route("a complex number", [](auto I1, auto I3, auto& w, auto t) {
+    const std::complex<double> transverse = std::complex(w[0], w[1]) * polar(1.0, w[2] * (I3 / I1 - 1) * t);
+    return Vector3d(transverse.real(), transverse.imag(), w[2]);
+  });
+  e.route("Euler's equations, step by step", [](auto I1, auto I3, auto& omega0, auto t) {
+    const Vector3d I(I1, I1, I3);
+    Vector3d w = omega0;
+    for (int i = 0; i < 4000; ++i) w = one_step_on(w, t / 4000, [&](const Vector3d& now) { return free_rate(I, now); });
+    return w;
+  });
+  e.route("the exact asymmetric top, with two equal moments",
+          [](auto I1, auto I3, auto& w, auto t) { return ExactTop(Vector3d(I1, I1, I3), w).omega(t); });
+  e.route("back from inertial components", [](auto I1, auto I3, auto& w, auto t) {
+    // In space ω turns about L with L/I1; the body turns likewise and, besides, about its own axis with −Ω.
+    const Matrix3d turned = about_L(I1, I3, w, t);
+    return (turned * turn(z_axis, -angle_of(I1, I3, w, t))).transpose() * (turned * w);
+  });
+}
+
 void judge_symmetric_top(Lecture& lecture) {
   auto& e = lecture.exercise("symmetric_top", &symmetric_top,
                              {{"I1", positive(kg_m2)}, {"I3", positive(kg_m2)}, {"omega0", rad_per_s}, {"t", second}},
@@ -75,25 +99,5 @@ void judge_symmetric_top(Lecture& lecture) {
   e.conserves({"The kinetic energy of a free top does not change: I₁ω₁² + I₁ω₂² + I₃ω₃² is the same at all times.",
                "free_tops_energy"},
               [](auto I1, auto I3, auto&...) { return Vector3d(I1, I1, I3); });
-  e.route("amplitude and phase", [](auto I1, auto I3, auto& w, auto t) {
-    const double amplitude = hypot(w[0], w[1]), angle = angle_of(I1, I3, w, t) + atan2(w[1], w[0]);
-    return Vector3d(amplitude * cos(angle), amplitude * sin(angle), w[2]);
-  });
-  e.route("a complex number", [](auto I1, auto I3, auto& w, auto t) {
-    const std::complex<double> transverse = std::complex(w[0], w[1]) * polar(1.0, w[2] * (I3 / I1 - 1) * t);
-    return Vector3d(transverse.real(), transverse.imag(), w[2]);
-  });
-  e.route("Euler's equations, step by step", [](auto I1, auto I3, auto& omega0, auto t) {
-    const Vector3d I(I1, I1, I3);
-    Vector3d w = omega0;
-    for (int i = 0; i < 4000; ++i) w = one_step_on(w, t / 4000, [&](const Vector3d& now) { return free_rate(I, now); });
-    return w;
-  });
-  e.route("the exact asymmetric top, with two equal moments",
-          [](auto I1, auto I3, auto& w, auto t) { return ExactTop(Vector3d(I1, I1, I3), w).omega(t); });
-  e.route("back from inertial components", [](auto I1, auto I3, auto& w, auto t) {
-    // In space ω turns about L with L/I1; the body turns likewise and, besides, about its own axis with −Ω.
-    const Matrix3d turned = about_L(I1, I3, w, t);
-    return (turned * turn(z_axis, -angle_of(I1, I3, w, t))).transpose() * (turned * w);
-  });
+  add_routes_of_symmetric_top(e);
 }

@@ -1,5 +1,30 @@
 #include "solutions/07_euler_angles/shared.hpp"
 
+static void add_routes_of_euler_angles(auto& e) {
+  e.route("Eigen's angles of the transpose, with θ brought into its range", [](auto& R) {
+    const Vector3d q = R.transpose().eulerAngles(2, 1, 2);
+    return q[1] < 0 ? Vector3d(q[0] + pi, -q[1], q[2] + pi) : q;
+  });
+  e.route("arccosine, and φ = 0 where sin θ vanishes", [](auto& R) {
+    const double theta = acos(clamp(R(2, 2), -1.0, 1.0));
+    if (hypot(R(2, 0), R(2, 1)) < 1e-12) return Vector3d(0, theta, atan2(R(0, 1), R(1, 1)));
+    return Vector3d(atan2(R(2, 1), R(2, 0)), theta, atan2(R(1, 2), -R(0, 2)));
+  });
+  e.route("half angles of the quaternion", [](auto& R) {
+    const Quaterniond q(Matrix3d(R.transpose()));
+    const double half_sum = atan2(q.z(), q.w()), half_difference = atan2(q.x(), q.y());  // of ψ and φ
+    const double theta = 2 * atan2(hypot(q.x(), q.y()), hypot(q.z(), q.w()));
+    return Vector3d(half_sum - half_difference, theta, half_sum + half_difference);
+  });
+  e.route("with full turns more", [](auto& R) {
+    const Vector3d q = euler_angles(R);
+    return Vector3d(q[0] - 2 * pi, q[1], q[2] + 4 * pi);
+  });
+  e.survivor("& R = ", "Angles follow from ratios of the entries.");
+  e.survivor("std::hypot(", "hypot depends on no sign.");
+  e.survivor("nodes = ", "Only its direction counts.");
+}
+
 void judge_euler_angles(Lecture& lecture) {
   auto& e = lecture.exercise("euler_angles", &euler_angles, {{"R_body_from_inertial", rotation}}, {"angles", rad});
   e.compare(attitude_by_angles);
@@ -65,26 +90,5 @@ void judge_euler_angles(Lecture& lecture) {
   e.wrong_output({"These are z–x–z angles; on the slides the middle turn is about y′.", zxz_notes}, "z_x_z",
                  [](auto& q) { q += Vector3d(pi / 2, 0, -pi / 2); });
   e.wrong_output({"Your angles come in degrees; radians are asked for.", turns_notes}, "in_degrees", times(1 / degree));
-  e.route("Eigen's angles of the transpose, with θ brought into its range", [](auto& R) {
-    const Vector3d q = R.transpose().eulerAngles(2, 1, 2);
-    return q[1] < 0 ? Vector3d(q[0] + pi, -q[1], q[2] + pi) : q;
-  });
-  e.route("arccosine, and φ = 0 where sin θ vanishes", [](auto& R) {
-    const double theta = acos(clamp(R(2, 2), -1.0, 1.0));
-    if (hypot(R(2, 0), R(2, 1)) < 1e-12) return Vector3d(0, theta, atan2(R(0, 1), R(1, 1)));
-    return Vector3d(atan2(R(2, 1), R(2, 0)), theta, atan2(R(1, 2), -R(0, 2)));
-  });
-  e.route("half angles of the quaternion", [](auto& R) {
-    const Quaterniond q(Matrix3d(R.transpose()));
-    const double half_sum = atan2(q.z(), q.w()), half_difference = atan2(q.x(), q.y());  // of ψ and φ
-    const double theta = 2 * atan2(hypot(q.x(), q.y()), hypot(q.z(), q.w()));
-    return Vector3d(half_sum - half_difference, theta, half_sum + half_difference);
-  });
-  e.route("with full turns more", [](auto& R) {
-    const Vector3d q = euler_angles(R);
-    return Vector3d(q[0] - 2 * pi, q[1], q[2] + 4 * pi);
-  });
-  e.survivor("& R = ", "Angles follow from ratios of the entries.");
-  e.survivor("std::hypot(", "hypot depends on no sign.");
-  e.survivor("nodes = ", "Only its direction counts.");
+  add_routes_of_euler_angles(e);
 }

@@ -9,6 +9,24 @@ Vector3d L_at_limit(double p_phi, double p_psi, double theta) {
 
 }  // namespace
 
+static void add_routes_of_effective_potential(auto& e) {
+  e.route("rates from the momenta, then the energy",
+          [](auto I1, auto I3, auto mgl, auto p_phi, auto p_psi, auto theta) {
+            const Vector3d q(0, theta, 0), I(I1, I1, I3);
+            const Vector3d rates = mass_matrix<double>(I, q).fullPivLu().solve(Vector3d(p_phi, 0, p_psi));
+            return 0.5 * rates.dot(mass_matrix<double>(I, q) * rates) + mgl * cos(theta);
+          });
+  e.route("L² over the moments", [](auto I1, auto I3, auto mgl, auto p_phi, auto p_psi, auto theta) {
+    return 0.5 * L_at_limit(p_phi, p_psi, theta).cwiseAbs2().cwiseQuotient(Vector3d(I1, I1, I3)).sum() +
+           mgl * cos(theta);
+  });
+  e.route("the length of L, and what the axis has more",
+          [](auto I1, auto I3, auto mgl, auto p_phi, auto p_psi, auto theta) {
+            const double L2 = L_at_limit(p_phi, p_psi, theta).squaredNorm();
+            return L2 / (2 * I1) + p_psi * p_psi * (1 / I3 - 1 / I1) / 2 + mgl * cos(theta);
+          });
+}
+
 void judge_effective_potential(Lecture& lecture) {
   auto& e = lecture.exercise("effective_potential", &effective_potential,
                              {{"I1", positive(kg_m2)},
@@ -75,19 +93,5 @@ void judge_effective_potential(Lecture& lecture) {
     e.survivor(bug, close);
   e.survivor("std::sin( -theta)", "The quotient is squared.");
   e.angles_read_as_degrees();
-  e.route("rates from the momenta, then the energy",
-          [](auto I1, auto I3, auto mgl, auto p_phi, auto p_psi, auto theta) {
-            const Vector3d q(0, theta, 0), I(I1, I1, I3);
-            const Vector3d rates = mass_matrix<double>(I, q).fullPivLu().solve(Vector3d(p_phi, 0, p_psi));
-            return 0.5 * rates.dot(mass_matrix<double>(I, q) * rates) + mgl * cos(theta);
-          });
-  e.route("L² over the moments", [](auto I1, auto I3, auto mgl, auto p_phi, auto p_psi, auto theta) {
-    return 0.5 * L_at_limit(p_phi, p_psi, theta).cwiseAbs2().cwiseQuotient(Vector3d(I1, I1, I3)).sum() +
-           mgl * cos(theta);
-  });
-  e.route("the length of L, and what the axis has more",
-          [](auto I1, auto I3, auto mgl, auto p_phi, auto p_psi, auto theta) {
-            const double L2 = L_at_limit(p_phi, p_psi, theta).squaredNorm();
-            return L2 / (2 * I1) + p_psi * p_psi * (1 / I3 - 1 / I1) / 2 + mgl * cos(theta);
-          });
+  add_routes_of_effective_potential(e);
 }
