@@ -88,7 +88,7 @@ void draw_pendulum(const std::filesystem::path& directory) {
     label(gnuplot, "the same period", 1 / 3.0, period(0.5) + 0.07, colors::vermilion);
     label(gnuplot, "d_0", d0 + 0.02, 1.45, colors::grey);
     PlaneCurve curve;
-    for (double nail = 0.03; nail < 0.501; nail += 0.0025) curve.emplace_back(nail, period(nail));
+    for (int k = 12; k <= 200; ++k) curve.emplace_back(k / 400.0, period(k / 400.0));
     gnuplot << fmt::format("plot '-' w l lw 3 lc rgb '{}', '-' w p pt 7 ps 1.2 lc rgb '{}'\n", colors::blue,
                            colors::vermilion);
     gnuplot.send1d(curve);
