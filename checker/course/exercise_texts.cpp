@@ -62,7 +62,7 @@ std::string example_that_calls(const Course& course, const Exercise& exercise) {
   static const std::regex begin(R"rx(TEST_CASE\("(?:\w+: )?([^"]+)"\) \{)rx");
   const std::regex call("\\b" + exercise.name() + "\\(");
   for (std::sregex_iterator match(text.begin(), text.end(), begin), end; match != end;) {
-    const std::string title = (*match)[1];
+    std::string title = (*match)[1];
     const auto body = match->suffix().first;
     ++match;
     if (std::regex_search(body, match == end ? text.end() : (*match)[0].first, call)) return title;

@@ -602,6 +602,7 @@ std::vector<Case> corner_cases(const Subject& subject) {
 std::vector<InputTransform> input_transforms(const Subject& subject) {
   const ExerciseReference& exercise = subject.described;
   std::vector<Value> expected;
+  expected.reserve(exercise.cases.size());
   for (const Case& one : exercise.cases) expected.push_back(one.expected);
   std::vector<InputTransform> transforms;
   const bool has_lists = std::ranges::any_of(exercise.arguments, [](const Argument& argument) {

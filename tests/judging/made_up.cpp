@@ -22,6 +22,7 @@ Value three_rows(const std::vector<std::vector<double>>& rows) {
 
 std::vector<Value> outputs(const Exercise& exercise, const Function& function) {
   std::vector<Value> values;
+  values.reserve(exercise.cases.size());
   for (const Case& one : exercise.cases) values.push_back(function(one.inputs));
   return values;
 }
