@@ -67,10 +67,11 @@ std::vector<Answer> all_answers() {
 
 void check(Answer& answer, const fs::path& scratch) try {
   const fs::path file = write(scratch / (answer.exercise + ".cpp"), answer.code);
-  const auto result = run_command(fmt::format("'{}' check {} --file '{}' --seed {} --json", WORKBOOK_TEST_CHECKER,
-                                              answer.exercise, file.string(), environment("WORKBOOK_SEED", "1")),
-                                  scratch)
-                          .result();
+  const Outcome checked = run_command(fmt::format("'{}' check {} --file '{}' --seed {} --json", WORKBOOK_TEST_CHECKER,
+                                                  answer.exercise, file.string(), environment("WORKBOOK_SEED", "1")),
+                                      scratch);
+  if (!checked.err.empty()) throw std::runtime_error(checked.err);  // of what explains, and is left out if it crashes
+  const auto result = checked.result();
   answer.verdict = result.at("verdict");
   answer.message = result.at("message");
   for (const auto& found : result.at("findings"))
