@@ -190,11 +190,12 @@ std::string terminal_report(const CheckResult& checked, const Course& course, co
 std::string failing_cases(const CheckResult& checked, std::size_t columns) {
   const std::vector<std::size_t>& failing = checked.judgement.failing;
   std::string list;
-  std::size_t shown = 0;
+  std::size_t shown = 0, width = 0;
   for (; shown < failing.size(); ++shown) {
     const std::size_t i = failing[shown];
     const std::string next = fmt::format("{}{} “{}”", shown == 0 ? "" : ", ", i + 1, checked.reference->cases[i].name);
-    if (shown > 0 && display_width(list) + display_width(next) > columns) break;
+    width += display_width(next);
+    if (shown > 0 && width > columns) break;
     list += next;
   }
   while (shown < failing.size()) {  // runs of three and more as "5–70"
