@@ -119,7 +119,7 @@ ordered_json ClassResults::exercise_entry(std::size_t number) const {
           {"discrimination", correlation(with_the_rest)}};
 }
 
-ordered_json ClassResults::document() const {
+ordered_json ClassResults::document() {
   ordered_json document = head_;
   document["exercises"] = ordered_json::array();
   for (std::size_t i = 0; i < assignment_.exercises().size(); ++i) document["exercises"].push_back(exercise_entry(i));
@@ -140,7 +140,7 @@ ordered_json ClassResults::document() const {
                                                    {"students", each->students},
                                                    {"is_rare", each->students.size() <= most_of_a_rare_output}});
   document["not_judged"] = not_judged_;
-  document["students"] = students_;
+  document["students"] = std::move(students_);
   return document;
 }
 

@@ -22,8 +22,8 @@ class ClassResults {
   nlohmann::ordered_json add(const Student& student, const std::vector<CheckResult>& results,
                              const std::vector<std::string>& made_from);
 
-  /// The document about the class: class.json.
-  nlohmann::ordered_json document() const;
+  /// The document about the class: class.json. Nothing is added afterwards.
+  nlohmann::ordered_json document();
 
  private:
   /// Students who gave the same wrong values for the same unknown reason.
