@@ -242,20 +242,20 @@ class Collector {
   void hand_in(Student& student, const std::string& exercise, HandedIn found, const fs::path& file,
                const Zipped* zipped) {
     const fs::path copy = copies_ / student.slug / (exercise + ".cpp");
-    const std::string shown = shortened(printable(found.where.string()), 200);
+    found.where = shortened(printable(found.where), 200);
     const auto known = student.files.find(exercise);
     const bool is_second = known != student.files.end();
     if (is_second && known->second.is_in_place && !found.is_in_place) return;
     std::string text;
     try {
-      text = zipped ? text_of(*zipped, shown) : text_of(file, shown);
+      text = zipped ? text_of(*zipped, found.where) : text_of(file, found.where);
     } catch (const RejectedFile& reason) {
       found.refusal = reason.what();
     }
     if (is_second && known->second.is_in_place == found.is_in_place) {
       if (known->second.refusal.empty() && found.refusal.empty() && read_file(copy) == text) return;
-      found.refusal = fmt::format("{}.cpp is there twice: '{}' and '{}'; hand in one.", exercise,
-                                  shortened(printable(known->second.where.string()), 200), shown);
+      found.refusal =
+          fmt::format("{}.cpp is there twice: '{}' and '{}'; hand in one.", exercise, known->second.where, found.where);
     }
     std::error_code ignored;
     fs::remove(copy, ignored);

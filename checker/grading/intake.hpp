@@ -9,9 +9,9 @@ namespace workbook {
 
 /// What was found for one exercise.
 struct HandedIn {
-  bool is_in_place = false;     ///< it lies where the workbook has it: other files of that name don't count
-  std::filesystem::path where;  ///< in the submissions
-  std::string refusal;          ///< one sentence; "": it was copied
+  bool is_in_place = false;  ///< it lies where the workbook has it: other files of that name don't count
+  std::string where;         ///< in the submissions, as it may be shown
+  std::string refusal;       ///< one sentence; "": it was copied
 };
 
 struct Student {

@@ -2,6 +2,7 @@
 #include "tests/attacks/attack.hpp"
 #include "tests/support/system_calls.hpp"
 
+#include "checker/sandbox/control_group.hpp"
 #include "checker/sandbox/diagnostic_run.hpp"
 
 #include <doctest/doctest.h>
@@ -168,6 +169,17 @@ TEST_CASE("a tier is found out by trying") {
     }));
   }
   CHECK(tier_without(SYS_seccomp, SandboxTier::none));
+}
+
+TEST_CASE("two graders at once leave each other's control groups alone") {
+  const SandboxStrength strength = probe_sandbox();
+  if (strength.control_groups.empty()) return;
+  const ControlGroup begun(strength.control_groups, std::size_t{64} << 20, 4);  // nothing runs in it yet
+  CHECK(in_another_process([&] {
+    std::string problem;
+    return !control_groups_for(::geteuid(), problem).empty();
+  }));
+  CHECK(in_another_process([&] { return begun.enter() == nullptr; }));
 }
 
 TEST_CASE("without Landlock a function is still judged, but not run again for reasons") {
