@@ -3,6 +3,8 @@
 #include "checker/base/child_process.hpp"
 #include "checker/base/text.hpp"
 
+#include <boost/algorithm/string/split.hpp>
+
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/stat.h>
@@ -35,16 +37,11 @@ bool put(const std::string& file, std::string_view text) noexcept {
   return done;
 }
 
-/// "memory,pids" as one word among others that commas or spaces part
-bool has_word(const std::string& text, std::string_view word) {
-  std::istringstream words(text);
-  for (std::string each; words >> each;)
-    for (std::string_view rest = each; !rest.empty();) {
-      const std::size_t end = std::min(rest.find(','), rest.size());
-      if (rest.substr(0, end) == word) return true;
-      rest.remove_prefix(std::min(end + 1, rest.size()));
-    }
-  return false;
+/// In "rw,memory", or in "cpu memory pids".
+bool has_word(const std::string& text, const std::string& word) {
+  std::vector<std::string> words;
+  boost::split(words, text, [](char letter) { return letter == ',' || letter == ' '; });
+  return std::ranges::count(words, word) > 0;
 }
 
 /// The group of this program.
@@ -90,42 +87,37 @@ void remove_groups_below(const std::string& folder) {
   }
 }
 
-/// Of version 2, whose groups have either processes or groups of their own.
-std::string unified_group_for(uid_t user, std::string& problem) {
+/// Of version 2, whose groups have either processes or groups of their own. @throws LaunchError
+std::string unified_group_for(uid_t user) {
   std::string group = own_group("");
   if (group.ends_with(own_name)) return fs::path(group).parent_path().string();
   std::string controllers;
   std::getline(std::ifstream(group + "/cgroup.controllers"), controllers);
-  if (group.empty() || !has_word(controllers, "memory") || !has_word(controllers, "pids")) {
-    problem = "no control group with the controllers memory and pids is handed over to this program";
-    return "";
-  }
+  if (group.empty() || !has_word(controllers, "memory") || !has_word(controllers, "pids"))
+    throw LaunchError("no control group with the controllers memory and pids is handed over to this program");
   const std::string own = group + "/" + own_name, pid = std::to_string(::getpid());
   const bool moved = (::mkdir(own.c_str(), 0755) == 0 || errno == EEXIST) && put(own + members, pid);
   if (moved && put(group + "/cgroup.subtree_control", "+memory +pids") && give_to(user, {group, group + members}))
     return group;
-  problem = fmt::format("the control group {} cannot be divided ({})", group, std::strerror(errno));
+  const LaunchError problem(fmt::format("the control group {} cannot be divided ({})", group, std::strerror(errno)));
   if (moved) put(group + members, pid);
   ::rmdir(own.c_str());
-  return "";
+  throw problem;
 }
 
 }  // namespace
 
-std::vector<std::string> control_groups_for(uid_t user, std::string& problem) {
+std::vector<std::string> control_groups_for(uid_t user) {
   std::vector<std::string> folders;
   for (const char* controller : {"memory", "pids"}) {
     const std::string own = own_group(controller);
     if (own.empty()) break;
     const std::string folder = fmt::format("{}/workbook-{}", own, user);
-    if ((::mkdir(folder.c_str(), 0755) != 0 && errno != EEXIST) || !give_to(user, {folder})) {
-      problem = fmt::format("{} cannot be made ({})", folder, std::strerror(errno));
-      return {};
-    }
+    if ((::mkdir(folder.c_str(), 0755) != 0 && errno != EEXIST) || !give_to(user, {folder}))
+      throw LaunchError(fmt::format("{} cannot be made ({})", folder, std::strerror(errno)));
     folders.push_back(folder);
   }
-  if (folders.size() < 2) folders = {unified_group_for(user, problem)};
-  if (folders.front().empty()) return {};
+  if (folders.size() < 2) folders = {unified_group_for(user)};
   std::ranges::for_each(folders, remove_groups_below);
   return folders;
 }

@@ -13,8 +13,8 @@ namespace workbook {
 /// The folders below which a user may make groups that limit memory and processes: one with version 2, and one of each
 /// controller with version 1. They lie below the groups of this program, which with version 2 must be alone in its
 /// group, as `systemd-run --user --scope -p Delegate=yes` starts it, and moves one below.
-/// @param user  who gets them if this program is root. @param problem  why there are none
-std::vector<std::string> control_groups_for(uid_t user, std::string& problem);
+/// @param user  who gets them if this program is root. @throws LaunchError that says why there are none
+std::vector<std::string> control_groups_for(uid_t user);
 
 /// The group of one program. With this object it is gone, and whatever still runs in it.
 class ControlGroup {

@@ -26,6 +26,7 @@ SandboxStrength& in_use() {
 }
 
 constexpr const char* newer_option = "--disable-userns";  ///< of bubblewrap since version 0.8
+constexpr const char* temporary_bytes = "268435456";      ///< in the /tmp of a compiler
 
 void confine_to(const SandboxStrength& strength, Launch& launch, SandboxProfile profile) {
   if (strength.namespaces.empty() || ::geteuid() == 0) {
@@ -36,7 +37,8 @@ void confine_to(const SandboxStrength& strength, Launch& launch, SandboxProfile 
   if (!strength.control_groups.empty()) {
     // Where addresses cannot be limited, whoever starts the program watches its memory and stops it before this does.
     const std::size_t memory = profile.memory_bytes == 0 ? std::size_t{2} << 30 : profile.memory_bytes;
-    const auto group = std::make_shared<const ControlGroup>(strength.control_groups, memory, builds ? 64 : 16);
+    const unsigned processes = builds ? 64 : 16;  // bubblewrap's own are among them
+    const auto group = std::make_shared<const ControlGroup>(strength.control_groups, memory, processes);
     launch.prepare = [members = group.get()] { return members->enter(); };
     launch.held = group;
   }
@@ -44,8 +46,7 @@ void confine_to(const SandboxStrength& strength, Launch& launch, SandboxProfile 
   command = strength.namespaces;
   const bool has_files = builds && profile.file_bytes > 0 && std::ranges::count(command, newer_option) > 0;
   if (has_files)
-    for (const char* word : {"--size", "268435456", "--tmpfs", "/tmp", "--setenv", "TMPDIR", "/tmp"})
-      command.emplace_back(word);
+    command.insert(command.end(), {"--size", temporary_bytes, "--tmpfs", "/tmp", "--setenv", "TMPDIR", "/tmp"});
   for (const std::string& path : profile.readable)
     if (path == "/proc/self")
       command.insert(command.end(), {"--proc", "/proc"});
@@ -121,11 +122,28 @@ void try_namespaces(SandboxStrength& strength) {
       "kernel.apparmor_restrict_unprivileged_userns=0), or not allowed in this container";
 }
 
+/// As root, bubblewrap would leave settings of the kernel writable. @throws LaunchError
+void try_namespaces_as_nobody(SandboxStrength& strength) {
+  ForkedJob job(
+      [&] {
+        constexpr uid_t nobody = 65534;
+        if (::setgroups(0, nullptr) != 0 || ::setresgid(nobody, nobody, nobody) != 0 ||
+            ::setresuid(nobody, nobody, nobody) != 0)
+          throw LaunchError("give up root", errno);
+        try_namespaces(strength);
+        return nlohmann::json(strength).dump();
+      },
+      std::chrono::minutes(1));
+  if (job.finish().empty())
+    nlohmann::json::parse(job.output()).get_to(strength);
+  else
+    strength.no_namespaces = "root cannot be given up here";
+}
+
 /// Fills in the control groups, or why there are none.
 void try_control_groups(SandboxStrength& strength, uid_t user) {
-  std::vector<std::string> groups = control_groups_for(user, strength.no_control_groups);
-  if (groups.empty()) return;
   try {
+    std::vector<std::string> groups = control_groups_for(user);
     const ControlGroup tried(groups, std::size_t{512} << 20, 16);
     strength.control_groups = std::move(groups);
   } catch (const LaunchError& problem) {
@@ -140,29 +158,11 @@ SandboxStrength probe_sandbox(uid_t user) {
   try {
     strength.holes = holes_of(strength);
     if (strength.tier() == SandboxTier::none) return strength;
-    if (::geteuid() != 0) {
+    if (::geteuid() == 0)
+      try_namespaces_as_nobody(strength);
+    else
       try_namespaces(strength);
-      if (!strength.namespaces.empty()) try_control_groups(strength, user);
-      return strength;
-    }
-    // As root, bubblewrap would leave settings of the kernel writable.
-    ForkedJob job(
-        [&] {
-          constexpr uid_t nobody = 65534;
-          if (::setgroups(0, nullptr) != 0 || ::setresgid(nobody, nobody, nobody) != 0 ||
-              ::setresuid(nobody, nobody, nobody) != 0)
-            throw LaunchError("give up root", errno);
-          try_namespaces(strength);
-          return nlohmann::json(strength).dump();
-        },
-        std::chrono::minutes(1));
-    const std::string trouble = job.finish();
-    if (trouble.empty()) {
-      nlohmann::json::parse(job.output()).get_to(strength);
-      if (!strength.namespaces.empty()) try_control_groups(strength, user);
-      return strength;
-    }
-    strength.no_namespaces = "root cannot be given up here";
+    if (!strength.namespaces.empty()) try_control_groups(strength, user);
   } catch (const LaunchError& problem) {
     strength.holes = {fmt::format("do what you can ({})", problem.what())};
   }
