@@ -221,10 +221,27 @@ void AnyExercise::add_sweep(ExerciseReference& out) const {
   }
 }
 
-ExerciseReference AnyExercise::evaluate(std::uint64_t seed, bool random_cases_only) const {
+void AnyExercise::add_cases(const Batch& batch, std::uint64_t seed, ExerciseReference& out) const {
+  Random random(batch_seed(seed, out.name, batch.prototype.name));
+  for (int i = 1; i <= batch.count; ++i) {
+    Case prototype = batch.prototype;
+    if (batch.count > 1) prototype.name += " " + std::to_string(i);
+    add_case(prototype, batch.draw(random), out);
+  }
+}
+
+ExerciseReference AnyExercise::random_cases(std::uint64_t seed) const {
+  ExerciseReference out = result_;
+  out.properties.clear();  // they are judged at all cases
+  for (const Batch& batch : batches_)
+    if (batch.prototype.group == Group::random) add_cases(batch, seed, out);
+  return out;
+}
+
+ExerciseReference AnyExercise::evaluate(std::uint64_t seed) const {
   ExerciseReference out = result_;
   const Subject subject = subject_of(out);
-  for (const Values& inputs : random_cases_only ? std::vector<Values>{} : ladder(subject)) {
+  for (const Values& inputs : ladder(subject)) {
     Case prototype;
     prototype.name = "small whole numbers " + std::to_string(out.cases.size() + 1);
     prototype.group = Group::special;
@@ -232,19 +249,7 @@ ExerciseReference AnyExercise::evaluate(std::uint64_t seed, bool random_cases_on
     prototype.tolerance = batches_.back().prototype.tolerance;
     add_case(prototype, inputs, out);
   }
-  for (const Batch& batch : batches_) {
-    if (random_cases_only && batch.prototype.group != Group::random) continue;
-    Random random(batch_seed(seed, out.name, batch.prototype.name));
-    for (int i = 1; i <= batch.count; ++i) {
-      Case prototype = batch.prototype;
-      if (batch.count > 1) prototype.name += " " + std::to_string(i);
-      add_case(prototype, batch.draw(random), out);
-    }
-  }
-  if (random_cases_only) {
-    out.properties.clear();  // they are judged at all cases
-    return out;
-  }
+  for (const Batch& batch : batches_) add_cases(batch, seed, out);
   std::vector<Case> corners = corner_cases(subject);
   prove_adequacy(subject, corners, out.adequacy);
   out.input_transforms = input_transforms(subject);
@@ -257,9 +262,15 @@ ExerciseReference AnyExercise::evaluate(std::uint64_t seed, bool random_cases_on
   return out;
 }
 
-LectureReference Lecture::evaluate(std::string name, std::uint64_t seed, bool random_cases_only) const {
+LectureReference Lecture::evaluate(std::string name, std::uint64_t seed) const {
   LectureReference result{seed, std::move(name), {}};
-  for (const auto& exercise : exercises_) result.exercises.push_back(exercise->evaluate(seed, random_cases_only));
+  for (const auto& exercise : exercises_) result.exercises.push_back(exercise->evaluate(seed));
+  return result;
+}
+
+LectureReference Lecture::random_cases(std::string name, std::uint64_t seed) const {
+  LectureReference result{seed, std::move(name), {}};
+  for (const auto& exercise : exercises_) result.exercises.push_back(exercise->random_cases(seed));
   return result;
 }
 

@@ -140,7 +140,9 @@ class AnyExercise {
   /// Runs the reference solution and all wrong answers at all cases, the described and the generated ones.
   /// @throws std::logic_error naming exercise and case if an input is not legal, or an expected number is not finite or
   /// has no natural scale.
-  ExerciseReference evaluate(std::uint64_t seed, bool random_cases_only) const;
+  ExerciseReference evaluate(std::uint64_t seed) const;
+  /// The same at the random cases alone, which takes a moment.
+  ExerciseReference random_cases(std::uint64_t seed) const;
 
  protected:
   using Function = OnValues<Value>;
@@ -170,6 +172,7 @@ class AnyExercise {
   Case case_at(const Case& prototype, const Values& inputs) const;
   bool is_legal(const Values& inputs) const;
   void add_case(const Case& prototype, const Values& inputs, ExerciseReference& out) const;
+  void add_cases(const Batch& batch, std::uint64_t seed, ExerciseReference& out) const;
   Subject subject_of(const ExerciseReference& out) const;
   void add_sweep(ExerciseReference& out) const;
 
@@ -374,7 +377,8 @@ class Lecture {
     return handle;
   }
 
-  LectureReference evaluate(std::string name, std::uint64_t seed, bool random_cases_only) const;
+  LectureReference evaluate(std::string name, std::uint64_t seed) const;
+  LectureReference random_cases(std::string name, std::uint64_t seed) const;
 
  private:
   std::vector<std::unique_ptr<AnyExercise>> exercises_;

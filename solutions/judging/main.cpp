@@ -19,7 +19,9 @@ int main(int argc, char** argv) {
   try {
     workbook::judging::Lecture lecture;
     workbook::judging::describe(lecture);
-    const auto results = lecture.evaluate(options["--lecture"], std::stoull(options["--seed"]), cases == "random");
+    const std::uint64_t seed = std::stoull(options["--seed"]);
+    const auto results = cases == "random" ? lecture.random_cases(options["--lecture"], seed)
+                                           : lecture.evaluate(options["--lecture"], seed);
     workbook::write_reference_results(results, options["--out"]);
   } catch (const std::exception& problem) {
     std::fprintf(stderr, "%s: the reference results could not be made: %s\n", options["--lecture"].c_str(),
