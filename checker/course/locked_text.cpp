@@ -18,6 +18,8 @@ namespace {
 using nlohmann::json;
 
 constexpr int locked_format = 1;
+constexpr double enough_bits = 48;  // beside the slow hash below
+
 /// One input at which the key was made.
 struct LockedCall {
   std::vector<Value> inputs;
@@ -25,8 +27,6 @@ struct LockedCall {
   std::vector<double> quanta;  ///< 0: not used, so near to where rounding changes that a right answer could differ
 };
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LockedCall, inputs, rows, cols, quanta)
-
-constexpr double enough_bits = 48;  // beside the slow hash below
 
 /// One number of a result, with the freedom of its comparison taken out.
 double canonical(double number, Comparison comparison) {
