@@ -84,12 +84,16 @@ void judge_angular_velocity_from_three_points(Lecture& lecture) {
             const Vector3d rate = v.col(1) - v.col(0), other_rate = v.col(2) - v.col(0);
             return cross(rate, other_rate) / rate.dot(r.col(2) - r.col(0));
           });
-  e.route("least squares for ω and v₀ together", [](auto& r, auto& v) {
-    Eigen::Matrix<double, 9, 6> equations;
-    for (Eigen::Index i = 0; i < 3; ++i)
-      equations.template middleRows<3>(3 * i) << -skew(r.col(i) - r.col(0)), Matrix3d::Identity();
-    const Eigen::Matrix<double, 9, 1> right = v.reshaped();
-    return Vector3d(equations.colPivHouseholderQr().solve(right).head(3));
+  e.route("from L = I·ω of three equal masses about their center", [](auto& r, auto& v) {
+    const Matrix3d from_center = r.colwise() - r.rowwise().mean();
+    Matrix3d inertia = Matrix3d::Zero();
+    Vector3d L = zero;
+    for (int i = 0; i < 3; ++i) {
+      const Vector3d a = from_center.col(i);
+      inertia += of_unit_mass(a);
+      L += cross(a, v.col(i));
+    }
+    return Vector3d(inertia.inverse() * L);
   });
   e.route("the matrix that takes three edges to their rates", [](auto& r, auto& v) {
     const Vector3d a = r.col(1) - r.col(0), b = r.col(2) - r.col(0), a_rate = v.col(1) - v.col(0),

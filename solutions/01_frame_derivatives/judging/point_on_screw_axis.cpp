@@ -28,18 +28,14 @@ void judge_point_on_screw_axis(Lecture& lecture) {
   e.wrong_input<1>("This is the line through the given point; its points move along ω only if v does.",
                    "through_the_point", fixed(zero));
   e.perpendicular_to(2, "The point of the line that is nearest to the origin is at right angles to ω.");
-  e.route("four linear equations", [](auto& r, auto& v, auto& w) {
-    // ω × p − s ω = ω × r − v and ω·p = 0, in units that make ω a unit vector.
-    const Vector3d n = w.stableNormalized();
-    Eigen::Matrix4d equations;
-    equations << skew(n), -n, n.transpose(), 0;
-    Eigen::Vector4d right;
-    right << cross(n, r) - v / w.norm(), 0;
-    return Vector3d(equations.partialPivLu().solve(right).head(3));
+  e.route("linear equations", [](auto& r, auto& v, auto& w) {
+    // n × p = n × r − v/ω apart from what is along n, and n (n·p) = 0 added.
+    const Vector3d n = w.stableNormalized(), right = cross(n, r) - v / w.norm();
+    return Vector3d((skew(n) + dyad(n)).inverse() * (right - n * n.dot(right)));
   });
-  e.route("shortest of the points with the smallest speed", [](auto& r, auto& v, auto& w) {
-    const Vector3d n = w.stableNormalized();
-    return Vector3d(skew(n).completeOrthogonalDecomposition().solve(cross(n, r) - v / w.norm()));
+  e.route("coordinates in the plane across the axis", [](auto& r, auto& v, auto& w) {
+    const Vector3d x = w.unitOrthogonal(), y = cross(w.stableNormalized(), x);
+    return Vector3d((r.dot(x) - v.dot(y) / w.norm()) * x + (r.dot(y) + v.dot(x) / w.norm()) * y);
   });
   e.route("along and across the axis", [](auto& r, auto& v, auto& w) {
     const Vector3d n = w.stableNormalized(), radius = cross(n, v) / w.norm();

@@ -31,7 +31,8 @@ void judge_moment_about_axis(Lecture& lecture) {
   e.route("n·I·n / n·n", [](auto& I, auto& axis) { return axis.dot(I * axis) / axis.squaredNorm(); });
   e.route("twice the energy at unit speed", [](auto& I, auto& n) { return 2 * kinetic_energy(I, n.normalized()); });
   e.route("entry of the turned tensor", [](auto& I, auto& axis) {
-    const Matrix3d turned = Eigen::Quaterniond::FromTwoVectors(axis, Vector3d::UnitZ()).toRotationMatrix();
+    const Vector3d n = axis.normalized(), across = n.unitOrthogonal();
+    const Matrix3d turned = (Matrix3d() << across, cross(n, across), n).finished().transpose();
     return rotated_inertia(I, turned)(2, 2);
   });
   e.survivor("n = - axis", "n̂ enters twice.");

@@ -58,12 +58,9 @@ void judge_angle_between_attitudes(Lecture& lecture) {
     const Eigen::Vector4d p = of_half_angles(a).coeffs(), q = of_half_angles(b).coeffs();
     return 4 * atan2(min((p - q).norm(), (p + q).norm()), max((p - q).norm(), (p + q).norm()));
   });
-  e.route("argument of the complex eigenvalues", [](auto& a, auto& b) {
+  e.route("sine from the antisymmetric part, cosine from the trace", [](auto& a, auto& b) {
     const Matrix3d D = rotation_matrix(b).transpose() * rotation_matrix(a);
-    double largest = 0;
-    for (const std::complex<double>& each : Eigen::EigenSolver<Matrix3d>(D).eigenvalues().eval())
-      largest = max(largest, abs(arg(each)));
-    return largest;
+    return atan2(axial(D - D.transpose()).norm(), D.trace() - 1);
   });
   e.survivor("AngleAxisd( -q[1]", "Both attitudes are mirrored, and the angle between them stays.");
   e.survivor("- Vector3d::UnitY()", "Both attitudes are mirrored, and the angle between them stays.");

@@ -52,12 +52,14 @@ void judge_attitude_quaternion(Lecture& lecture) {
     const Vector3d part = sin(one.angle() / 2) * one.axis();
     return VectorXd{{cos(one.angle() / 2), part.x(), part.y(), part.z()}};
   });
-  e.route("largest eigenvector of Davenport's matrix", [](auto& q) -> VectorXd {
+  e.route("longest column of Davenport's matrix, which is 4 q qᵀ − 1", [](auto& q) -> VectorXd {
     const Matrix3d A = rotation_matrix(q).transpose();
     Eigen::Matrix4d K;
     K << A.trace(), 2 * axial((A - A.transpose()) / 2).transpose(), 2 * axial((A - A.transpose()) / 2),
         A + A.transpose() - A.trace() * Matrix3d::Identity();
-    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(K).eigenvectors().col(3);
+    Eigen::Index longest = 0;
+    K.diagonal().maxCoeff(&longest);
+    return (K.col(longest) + Eigen::Vector4d::Unit(longest)).normalized();
   });
   e.survivor("c = std::cos(", "The cosine is even.");
   e.survivor("return - VectorXd", "q and −q are one attitude.");

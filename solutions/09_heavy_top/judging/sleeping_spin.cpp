@@ -56,8 +56,8 @@ void judge_sleeping_spin(Lecture& lecture) {
     // z = θ e^{iφ} obeys z̈ = i (I₃ω/I₁) ż + (mgl/I₁) z.
     const double rate = sqrt(mgl / I1);
     return largest_spin(I1, I3, mgl, [&](double spin) {
-      const Eigen::Matrix2cd flow{{0, rate}, {rate, Complex(0, I3 * spin / I1)}};
-      return flow.eigenvalues().real().maxCoeff() > 1e-6 * rate;
+      const double turning = I3 * spin / (2 * I1);  // e^{λt} with λ = i·turning ± root
+      return sqrt(Complex(rate * rate - turning * turning)).real() > 1e-6 * rate;
     });
   });
   e.route("the least spin of all steady precessions", [](auto I1, auto I3, auto mgl) {
