@@ -64,8 +64,8 @@ struct Launch {
   std::function<const char*()> prepare;
   /// Lives as long as the process.
   std::shared_ptr<const void> held;
-  /// A command that makes namespaces, and in them starts what follows as the program: checker/worker/last_stage.cpp at
-  /// its end. Empty: none.
+  /// A command that makes namespaces, and in them starts what follows as the program: checker/sandbox/last_stage at its
+  /// end. Empty: none.
   std::vector<std::string> namespaces;
 };
 

@@ -2,7 +2,7 @@
 #include "checker/base/files.hpp"
 #include "checker/base/text.hpp"
 #include "checker/commands/commands.hpp"
-#include "checker/sandbox/diagnostic_run.hpp"
+#include "checker/explain/diagnostic_run.hpp"
 #include "checker/sandbox/sandbox.hpp"
 
 #include <nlohmann/json.hpp>

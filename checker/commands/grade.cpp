@@ -4,11 +4,11 @@
 #include "checker/commands/commands.hpp"
 #include "checker/course/exercise_texts.hpp"
 #include "checker/course/progress.hpp"
+#include "checker/explain/diagnostic_run.hpp"
 #include "checker/grading/class_results.hpp"
 #include "checker/grading/journal.hpp"
 #include "checker/grading/privileges.hpp"
 #include "checker/report/reports.hpp"
-#include "checker/sandbox/diagnostic_run.hpp"
 #include "checker/sandbox/sandbox.hpp"
 
 #include <boost/algorithm/string/replace.hpp>
@@ -287,7 +287,7 @@ class Grader {
 
 /// The verdict of that name. @throws GradingError
 std::string known_verdict(const std::string& name) {
-  const std::string known = to_string(nlohmann::json(name).get<Verdict>());
+  std::string known = to_string(nlohmann::json(name).get<Verdict>());
   if (known != name || name == to_string(Verdict::checker_error))
     throw GradingError(fmt::format("No result has the verdict '{}'; one is wrong_value.", printable(name)));
   return known;

@@ -1,4 +1,4 @@
-#include "checker/sandbox/diagnostic_run.hpp"
+#include "checker/explain/diagnostic_run.hpp"
 
 #include "checker/base/text.hpp"
 #include "checker/compile/compile.hpp"

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "checker/compile/toolchain.hpp"
+#include "checker/explain/diagnostic_run.hpp"
 #include "checker/explain/variants.hpp"
-#include "checker/sandbox/diagnostic_run.hpp"
 #include "checker/sandbox/worker_process.hpp"
 
 #include <chrono>

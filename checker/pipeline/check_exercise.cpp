@@ -4,8 +4,8 @@
 #include "checker/base/text.hpp"
 #include "checker/compile/compile.hpp"
 #include "checker/compile/source_findings.hpp"
+#include "checker/explain/diagnostic_run.hpp"
 #include "checker/explain/repair.hpp"
-#include "checker/sandbox/diagnostic_run.hpp"
 #include "checker/sandbox/worker_process.hpp"
 #include "checker/source/source_text.hpp"
 

@@ -1,8 +1,8 @@
 // Which sandbox a program gets on this machine.
 #include "checker/base/child_process.hpp"
 #include "checker/base/text.hpp"
-#include "checker/sandbox/attempts.hpp"
 #include "checker/sandbox/control_group.hpp"
+#include "checker/sandbox/last_stage/attempts.hpp"
 #include "checker/sandbox/sandbox.hpp"
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 // What a worker says in a diagnostic run: the sanitizers' reports, and lines "event NAME|FACT|…" on what they do not
-// see. The chain of calls follows each in lines "frame LINE|FILE|FUNCTION". checker/sandbox/diagnostic_run.cpp reads
+// see. The chain of calls follows each in lines "frame LINE|FILE|FUNCTION". checker/explain/diagnostic_run.cpp reads
 // them.
 #include "checker/worker/prelude.hpp"
 #include "checker/worker/protocol.hpp"

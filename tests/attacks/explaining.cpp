@@ -2,7 +2,7 @@
 // it reports is text that the function can write itself.
 #include "tests/attacks/attack.hpp"
 
-#include "checker/sandbox/diagnostic_run.hpp"
+#include "checker/explain/diagnostic_run.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>

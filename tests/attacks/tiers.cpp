@@ -2,8 +2,8 @@
 #include "tests/attacks/attack.hpp"
 #include "tests/support/system_calls.hpp"
 
+#include "checker/explain/diagnostic_run.hpp"
 #include "checker/sandbox/control_group.hpp"
-#include "checker/sandbox/diagnostic_run.hpp"
 
 #include <doctest/doctest.h>
 

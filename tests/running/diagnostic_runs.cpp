@@ -3,8 +3,8 @@
 #include "tests/running/student.hpp"
 #include "tests/support/golden.hpp"
 
+#include "checker/explain/diagnostic_run.hpp"
 #include "checker/judging/judge.hpp"
-#include "checker/sandbox/diagnostic_run.hpp"
 
 #include <doctest/doctest.h>
 

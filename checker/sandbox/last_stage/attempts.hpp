@@ -1,5 +1,5 @@
 /// @file
-/// What checker/worker/last_stage.cpp tries to find out how strong its sandbox is.
+/// What checker/sandbox/last_stage/last_stage.cpp tries to find out how strong its sandbox is.
 #pragma once
 
 #include <fcntl.h>

@@ -6,7 +6,7 @@
 //   last_stage PROFILE... PROGRAM ARGUMENT...      see written(SandboxProfile)
 //   last_stage                                     tries what a program must not be able to; see try_all
 #include "checker/base/child_process.hpp"
-#include "checker/sandbox/attempts.hpp"
+#include "checker/sandbox/last_stage/attempts.hpp"
 #include "checker/sandbox/sandbox.hpp"
 
 #include <poll.h>
