@@ -451,7 +451,7 @@ class CommandLine {
 
   template <class T>
   void option(const std::string& key, const char* type, T& target, const char* help, bool required = false) {
-    declared_[key] = [&target, name = key.substr(0, key.find(' ')), type, help, required](CLI::App& command) {
+    declared_[key] = [=, &target, name = key.substr(0, key.find(' '))](CLI::App& command) {
       if constexpr (std::is_same_v<T, bool>) {
         command.add_flag(name, target, help);
       } else {

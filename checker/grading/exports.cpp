@@ -140,7 +140,7 @@ ordered_json gradescope_results(const ordered_json& student) {
 ordered_json autolab_scores(const ordered_json& student) {
   ordered_json scores = ordered_json::object();
   for (const ordered_json& result : student.at("results"))
-    if (result.at("score").is_number()) scores[result.at("exercise")] = result.at("score");
+    if (result.at("score").is_number()) scores[result.at("exercise").get<std::string>()] = result.at("score");
   return {{"scores", scores}};
 }
 

@@ -63,8 +63,8 @@ class Reader {
 
  private:
   void add(const std::string& path, const std::string& text, const std::string& refusal) {
-    if ((bytes_ += text.size() + path.size()) > most_bytes)
-      throw std::runtime_error("holds more than 32 MiB of source files; unpack it yourself");
+    bytes_ += text.size() + path.size();
+    if (bytes_ > most_bytes) throw std::runtime_error("holds more than 32 MiB of source files; unpack it yourself");
     found.push_back({json::binary({path.begin(), path.end()}), json::binary({text.begin(), text.end()}), refusal});
   }
 

@@ -182,12 +182,12 @@ class Fitter {
 
   /// "lacks omega_1·omega_2"; empty where nothing fits.
   std::string words(const VectorXd& error, const VectorXd& scale, Unit unit) {
-    const std::string plain = words_over(error, scale, unit, nullptr);
+    std::string plain = words_over(error, scale, unit, nullptr);
     if (!plain.empty()) return plain;
     for (const Quantity& divisor : quantities_) {
       if (divisor.unit == units::none || divisor.is_angle()) continue;
       if (at_rows(divisor.values, rows_).cwiseAbs().minCoeff() == 0) continue;
-      const std::string ratio = words_over(error, scale, unit, &divisor);
+      std::string ratio = words_over(error, scale, unit, &divisor);
       if (!ratio.empty()) return ratio;
     }
     return "";

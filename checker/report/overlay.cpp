@@ -1,6 +1,7 @@
 #include "checker/report/overlay.hpp"
 
 #include "checker/base/files.hpp"
+#include "checker/base/text.hpp"
 #include "checker/sandbox/worker_process.hpp"
 
 #include <fmt/format.h>
