@@ -54,7 +54,7 @@ Pages& pages() {
 std::string in_tex(double number, double size, int digits) {
   if (!std::isfinite(number)) throw std::domain_error("a result must be finite");
   if (std::abs(number) <= 1e-15 * size) return "0";
-  const std::string text = fmt::format("{:.{}g}", number, digits);
+  std::string text = fmt::format("{:.{}g}", number, digits);
   const std::size_t exponent = text.find('e');
   if (exponent == std::string::npos) return text;
   const std::string mantissa = text.substr(0, exponent);

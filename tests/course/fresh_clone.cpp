@@ -32,7 +32,7 @@ std::string verdict(const fs::path& folder, const std::string& exercise) {
 
 /// All that is not the course, and the small course.
 fs::path clone(const std::string& name) {
-  const fs::path folder = scratch / name;
+  fs::path folder = scratch / name;
   const fs::path course = project / "tests/program/course";
   fs::create_directories(folder / "include/rigid");
   for (const char* part :

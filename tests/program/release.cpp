@@ -18,7 +18,7 @@ using Files = std::map<std::string, std::string>;
 
 /// A release with these files, in a folder of its own.
 fs::path made(const std::string& name, const Files& files, const fs::path& before = {}) {
-  const fs::path folder = fs::path(WORKBOOK_TEST_SCRATCH) / "releases" / name;
+  fs::path folder = fs::path(WORKBOOK_TEST_SCRATCH) / "releases" / name;
   fs::remove_all(folder);
   for (const auto& [file, text] : files) write(folder / file, text);
   std::optional<Release> earlier;

@@ -38,7 +38,7 @@ TEST_CASE("report takes names, a seed and a file as check does, and makes the pa
 TEST_CASE("a student's file that is missing, or is no text, leaves a page all the same") {
   const CourseCopy course;
   fs::remove(course.exercise("spring_energy"));
-  write(course.exercise("spring_force"), std::string("\xff\xfe\0\x01 int main", 14));
+  write(course.exercise("spring_force"), std::string("\xff\xfe\0\x01 int main", 13));
   CHECK(course.run("report --html page.html", without_programs).status == 0);
   const std::string page = read(course.root() / "page.html");
   CHECK(has(page, "rejected file"));

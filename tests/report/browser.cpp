@@ -6,6 +6,7 @@
 #include "checker/grading/class_results.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -63,7 +64,8 @@ void check_page(Browser& browser, const fs::path& file) {
     if (method == "Network.requestWillBeSent") {
       const std::string to = event["params"]["request"]["url"];
       // The browser's own spelling of the address, in which a space is %20.
-      const bool stays = to == browser.evaluate("location.href") || to.starts_with("data:");
+      const std::string here = browser.evaluate("location.href");
+      const bool stays = to == here || to.starts_with("data:");
       CHECK(stays);
     }
     CHECK(method != "Runtime.exceptionThrown");

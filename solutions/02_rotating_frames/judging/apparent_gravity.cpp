@@ -18,9 +18,9 @@ static void add_routes_of_apparent_gravity(auto& e) {
   });
   e.route("a point at rest in the frame of the ship", [](auto lat, auto R, auto g, auto rate, auto& v) {
     // This frame rotates with Ω and, about the axis of the great circle, with v/R, which Ω carries round.
-    const Vector3d rotation = rate * Vector3d(0, cos(lat), sin(lat)), along = cross(z_axis, {v.x(), v.y(), 0}) / R;
-    const Vector3d w = rotation + along, r = R * z_axis;
-    return -g * z_axis - cross(cross(rotation, along), r) - cross(w, cross(w, r));
+    const Vector3d Omega = rate * Vector3d(0, cos(lat), sin(lat)), along = cross(z_axis, {v.x(), v.y(), 0}) / R;
+    const Vector3d w = Omega + along, r = R * z_axis;
+    return -g * z_axis - cross(cross(Omega, along), r) - cross(w, cross(w, r));
   });
   e.route("up from the speed among the stars", [](auto lat, auto R, auto g, auto rate, auto& v) {
     const double east = v.x() + rate * R * cos(lat), turning = rate * sin(lat);

@@ -8,8 +8,8 @@ static Vector2d moment_of_unbalance(const VectorXd& m, const Matrix3Xd& r) {
   return r.topRows<2>() * m.cwiseProduct(r.row(2).transpose());
 }
 
-static Matrix3Xd in_planes(const Vector2d& first, const Vector2d& second, const Vector2d& planes) {
-  return Matrix3Xd{{first[0], second[0]}, {first[1], second[1]}, {planes[0], planes[1]}};
+static Matrix3Xd in_planes(const Vector2d& in_first, const Vector2d& in_second, const Vector2d& planes) {
+  return Matrix3Xd{{in_first[0], in_second[0]}, {in_first[1], in_second[1]}, {planes[0], planes[1]}};
 }
 
 static Matrix3Xd by_linear_system(const VectorXd& m, const Matrix3Xd& r, const Vector2d& planes, double correction) {

@@ -48,8 +48,8 @@ void judge_sleeping_spin(Lecture& lecture) {
   e.route("curvature of the effective potential", [](auto I1, auto I3, auto mgl) {
     return largest_spin(I1, I3, mgl, [&](double spin) {
       const double p = I3 * spin, tilt = 1e-6;  // cos θ by half angles: nothing cancels
-      const double rotation = pow(p * tan(tilt / 2), 2) / (2 * I1), fall = 2 * mgl * pow(sin(tilt / 2), 2);
-      return rotation < fall;
+      const double rise = pow(p * tan(tilt / 2), 2) / (2 * I1), fall = 2 * mgl * pow(sin(tilt / 2), 2);
+      return rise < fall;
     });
   });
   e.route("growth of a small tilt", [](auto I1, auto I3, auto mgl) {
