@@ -60,7 +60,7 @@ struct BuiltProgram {
 class BuildCache {
  public:
   /// @throws std::runtime_error if the directory cannot be made
-  explicit BuildCache(std::filesystem::path directory, std::size_t most_entries = 200);
+  explicit BuildCache(std::filesystem::path directory, std::size_t most_entries = 300);
 
   /// What was made from exactly this key.
   std::optional<BuiltProgram> find(const std::string& key) const;
