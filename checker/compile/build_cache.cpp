@@ -20,7 +20,7 @@ constexpr const char* executable_name = "worker";
 constexpr const char* seal_name = "made_from";
 constexpr const char* workspace_prefix = "compile-";
 
-/// The key, and what notices a damaged executable. It need not withstand an enemy.
+/// The key, and what notices a damaged executable. It need not withstand an attacker.
 std::string sealed(const std::string& key, const std::string& executable) {
   return fmt::format("format 2 {} {:x} {}\n{}\n", executable.size(), std::hash<std::string>{}(executable), key.size(),
                      key);

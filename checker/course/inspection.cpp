@@ -28,10 +28,10 @@ struct MissingParts {
   std::string what;
   std::string lines = {};
 
-  void require(const fs::path& file, bool is_there, const std::string& cure) {
-    if (!is_there) lines += fmt::format("\n  {}: {}", in_course(course, file), cure);
+  void require(const fs::path& file, bool is_there, const std::string& fix) {
+    if (!is_there) lines += fmt::format("\n  {}: {}", in_course(course, file), fix);
   }
-  void require_file(const fs::path& file, const std::string& cure) { require(file, fs::is_regular_file(file), cure); }
+  void require_file(const fs::path& file, const std::string& fix) { require(file, fs::is_regular_file(file), fix); }
   Sentences message() const {
     if (lines.empty()) return {};
     return {fmt::format("{}: write what is missing, or remove the entry from the card.{}", what, lines)};

@@ -1,5 +1,5 @@
 /// @file
-/// Is the workbook itself in order? Each function returns sentences that name a file and the cure; none if all is well.
+/// Is the workbook itself in order? Each function returns sentences that name a file and the fix; none if all is well.
 #pragma once
 
 #include "checker/course/course.hpp"

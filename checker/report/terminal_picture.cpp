@@ -29,7 +29,7 @@ constexpr std::size_t rows_for_text = 4;     // the paths and the next prompt st
 struct UnbufferedInput {
   UnbufferedInput() : changed(tcgetattr(STDIN_FILENO, &before) == 0) {
     termios raw = before;
-    // Without the interrupt key as well: a process ended here would leave the terminal mute.
+    // Without the interrupt key as well: a process that ends here would leave the terminal without echo.
     raw.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO | ISIG);
     raw.c_cc[VMIN] = raw.c_cc[VTIME] = 0;
     changed = changed && tcsetattr(STDIN_FILENO, TCSADRAIN, &raw) == 0;

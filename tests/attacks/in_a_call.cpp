@@ -12,7 +12,7 @@ namespace {
 
 using enum Verdict;
 
-/// `gentle` asks for a bounded variant of what would harm the machine without walls.
+/// `gentle` asks for a bounded variant of what would harm the machine without a sandbox.
 const char* const beginning = R"code(
 #include <fixture/contract.hpp>
 #include <chrono>

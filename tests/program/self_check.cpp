@@ -1,4 +1,4 @@
-// self-check: every fault that an author can make is found, with the file and the cure.
+// self-check: every fault that an author can make is found, with the file and the fix.
 #include "tests/program/program.hpp"
 
 #include <doctest/doctest.h>
@@ -11,11 +11,11 @@ namespace fs = std::filesystem;
 namespace {
 
 /// The file is named once and in the first word of a line, and the sentence says what is needed.
-void require_fault(const CourseCopy& course, const std::string& file, const std::string& cure) {
+void require_fault(const CourseCopy& course, const std::string& file, const std::string& fix) {
   const Outcome outcome = course.run("self-check --seeds 1");
   CHECK(outcome.status == 1);
   CHECK_MESSAGE(has(outcome.out, file + ": "), outcome.out);
-  CHECK_MESSAGE(has(outcome.out, cure), outcome.out);
+  CHECK_MESSAGE(has(outcome.out, fix), outcome.out);
 }
 
 }  // namespace

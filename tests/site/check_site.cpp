@@ -57,7 +57,7 @@ int main(int argc, char** argv) {
       for (const std::string& page : pages) inspection.photograph(page, pictures);
       return 0;
     }
-    // All pages of exercises are made alike: the first speaks for the others.
+    // All pages of exercises are made alike: only the first is judged whole.
     bool exercise_judged = false;
     for (const std::string& page : pages) {
       const bool is_exercise = page.starts_with("exercise_");

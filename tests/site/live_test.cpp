@@ -207,7 +207,7 @@ TEST_CASE("every live figure starts, runs, rests, obeys, and shows what the func
     resize(390);
     for (int figure = 0; figure < count; ++figure)
       CHECK(evaluate_in(figure, "place.scrollWidth <= place.clientWidth") == true);
-    // Figures are made alike: the first with every kind of control speaks for the others.
+    // Figures are made alike: only the first with every kind of control is judged whole.
     if (!judged && !std::string_view(SITE_AXE).empty() &&
         browser().evaluate("!!document.querySelector('.live select')")) {
       check_accessibility();

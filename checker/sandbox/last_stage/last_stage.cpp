@@ -1,4 +1,4 @@
-// Started by bubblewrap in new namespaces, as their first process: puts on the walls that bubblewrap cannot give,
+// Started by bubblewrap in new namespaces, as their first process: sets the limits and filters that bubblewrap cannot,
 // starts the program, and tells the checker how that ended, for bubblewrap tells signals and exit statuses apart no
 // more. With the end of this process everything in its namespaces ends. A small static program of its own, because it
 // is started for every run.
