@@ -59,6 +59,7 @@ struct BuiltProgram {
 /// disappear at once (by renaming), so several checkers may share a cache. A damaged entry counts as absent.
 class BuildCache {
  public:
+  /// @param most_entries  stub, solution and a draft of every exercise, or a check of all finds none of the last one
   /// @throws std::runtime_error if the directory cannot be made
   explicit BuildCache(std::filesystem::path directory, std::size_t most_entries = 300);
 

@@ -85,15 +85,9 @@ void judge_angular_velocity_from_three_points(Lecture& lecture) {
             return cross(rate, other_rate) / rate.dot(r.col(2) - r.col(0));
           });
   e.route("from L = I·ω of three equal masses about their center", [](auto& r, auto& v) {
-    const Matrix3d from_center = r.colwise() - r.rowwise().mean();
-    Matrix3d inertia = Matrix3d::Zero();
-    Vector3d L = zero;
-    for (int i = 0; i < 3; ++i) {
-      const Vector3d a = from_center.col(i);
-      inertia += of_unit_mass(a);
-      L += cross(a, v.col(i));
-    }
-    return Vector3d(inertia.inverse() * L);
+    const Matrix3d c = r.colwise() - r.rowwise().mean(), squares = c * c.transpose(), moments = v * c.transpose();
+    const Matrix3d I = squares.trace() * Matrix3d::Identity() - squares;
+    return Vector3d(I.inverse() * axial(moments - moments.transpose()));
   });
   e.route("the matrix that takes three edges to their rates", [](auto& r, auto& v) {
     const Vector3d a = r.col(1) - r.col(0), b = r.col(2) - r.col(0), a_rate = v.col(1) - v.col(0),

@@ -57,7 +57,7 @@ void judge_sleeping_spin(Lecture& lecture) {
     const double rate = sqrt(mgl / I1);
     return largest_spin(I1, I3, mgl, [&](double spin) {
       const double turning = I3 * spin / (2 * I1);  // e^{λt} with λ = i·turning ± root
-      return sqrt(Complex(rate * rate - turning * turning)).real() > 1e-6 * rate;
+      return sqrt(max(rate * rate - turning * turning, 0.0)) > 1e-6 * rate;
     });
   });
   e.route("the least spin of all steady precessions", [](auto I1, auto I3, auto mgl) {
