@@ -491,8 +491,6 @@ int run(int argc, char** argv) {
     return CommandLine(argv[0]).run(argc, argv);
   } catch (const UsageError& problem) {
     return fail(problem, wrong_usage);
-  } catch (const UnknownName& problem) {
-    return fail(problem, wrong_usage);
   } catch (const std::exception& problem) {
     return fail(problem, checker_failed);
   }

@@ -1,12 +1,5 @@
 // The commands check, plot and report: all of them check exercises, and differ in what they make of it.
-#include "checker/base/console.hpp"
-#include "checker/base/files.hpp"
-#include "checker/base/text.hpp"
 #include "checker/commands/commands.hpp"
-#include "checker/course/exercise_texts.hpp"
-#include "checker/course/progress.hpp"
-#include "checker/pipeline/check_exercise.hpp"
-#include "checker/report/reports.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -16,8 +9,6 @@
 namespace workbook {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 std::vector<CheckTask> tasks_of(const Course& course, const Options& options) {
   const std::vector<Exercise> exercises = course.choose(options.names);
@@ -65,10 +56,6 @@ std::string after_pass(const Course& course, const Exercise& exercise, const Pro
   if (!progress.practice(exercise.name()).answered_right)
     offer("Question", "which mistake another function makes:", "question " + exercise.name());
   return text;
-}
-
-std::string same_values_again(const std::string& exercise) {
-  return fmt::format("Your change has changed no value. `{}` shows the next hint.", command("hint " + exercise));
 }
 
 int exit_status(const std::vector<CheckResult>& results) {
@@ -128,6 +115,10 @@ void add_picture(const Course& course, ReportedExercise& reported) {
 
 }  // namespace
 
+void warn(const Progress& progress) {
+  if (!progress.warning().empty()) fmt::print(stderr, "{}\n", progress.warning());
+}
+
 std::size_t find_case(const ExerciseReference& exercise, const std::string& asked) {
   const std::vector<Case>& cases = exercise.cases;
   std::size_t number = 0;
@@ -140,10 +131,10 @@ std::size_t find_case(const ExerciseReference& exercise, const std::string& aske
     if (i < exercise.described_cases()) known.push_back(cases[i].name);
   }
   const std::string proposal = did_you_mean(asked, known);
-  throw UnknownName(fmt::format("{} has no case '{}'. {}", exercise.name, printable(asked),
-                                proposal.empty() ? fmt::format("Its cases have the numbers 1 to {}; the first are: {}.",
-                                                               cases.size(), fmt::join(known, "; "))
-                                                 : fmt::format("Did you mean '{}'?", proposal)));
+  throw UsageError(fmt::format("{} has no case '{}'. {}", exercise.name, printable(asked),
+                               proposal.empty() ? fmt::format("Its cases have the numbers 1 to {}; the first are: {}.",
+                                                              cases.size(), fmt::join(known, "; "))
+                                                : fmt::format("Did you mean '{}'?", proposal)));
 }
 
 void require_pictures(const fs::path& directory) {
@@ -183,7 +174,10 @@ int check(const Course& course, const Options& options) {
     if (!options.json) {
       const Exercise& exercise = checked.task.exercise;
       fmt::print("{}", terminal_report(checked, course, console, detail));
-      if (is_repeated) fmt::print("{}\n", console.wrapped(same_values_again(checked.name()), 2));
+      if (is_repeated)
+        fmt::print("{}\n", console.wrapped(fmt::format("Your change has changed no value. `{}` shows the next hint.",
+                                                       command("hint " + checked.name())),
+                                           2));
       if (tasks.size() == 1 && !checked.is_started())
         fmt::print("{}\n  {}\n", console.wrapped(exercise.entry->task, 2),
                    notes_place(course, exercise, exercise.entry->notes));
@@ -208,7 +202,7 @@ int check(const Course& course, const Options& options) {
   } else if (results.empty()) {
     fmt::print("No exercise is started, so there was nothing to check.\n");
   }
-  if (!progress.warning().empty()) fmt::print(stderr, "{}\n", progress.warning());
+  warn(progress);
   return exit_status(results);
 }
 
@@ -248,9 +242,9 @@ int plot(const Course& course, const Options& options) {
         if (!options.all) fmt::print("{}\n", file.string());
       if (!overlay.student.empty()) return;
       worst = std::max<int>(worst, something_failed);
-      fmt::print("{}\n", console.wrapped(fmt::format("{}: only the reference is drawn, because your function gave no "
-                                                     "value. {}",
-                                                     checked.name(), checked.judgement.message)));
+      say("{}: only the reference is drawn, because your function gave no "
+          "value. {}",
+          checked.name(), checked.judgement.message);
     } catch (const std::runtime_error& problem) {
       complain(problem.what(), checker_failed);
     }

@@ -1,6 +1,3 @@
-#include "checker/base/console.hpp"
-#include "checker/base/files.hpp"
-#include "checker/base/text.hpp"
 #include "checker/commands/commands.hpp"
 #include "checker/explain/diagnostic_run.hpp"
 #include "checker/sandbox/sandbox.hpp"
@@ -37,7 +34,7 @@ int doctor(const Course& course, const Options& options) {
   try {
     std::size_t made = 0;
     for (const Card& card : course.cards()) {
-      if (course.has_solutions() && !std::filesystem::exists(course.reference_file(card.lecture))) continue;
+      if (course.has_solutions() && !fs::exists(course.reference_file(card.lecture))) continue;
       read_reference_results(course.reference_file(card.lecture));
       ++made;
     }

@@ -1,13 +1,6 @@
 // The commands try and debug: programs that call the student's own functions, started as the student would.
-#include "checker/base/console.hpp"
-#include "checker/base/files.hpp"
-#include "checker/base/text.hpp"
 #include "checker/commands/commands.hpp"
 #include "checker/data/value_text.hpp"
-#include "checker/pipeline/check_exercise.hpp"
-#include "checker/report/reports.hpp"
-
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
@@ -15,8 +8,6 @@
 namespace workbook {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr const char* first_experiment =
     R"(// An experiment of your own: any program that calls your functions. `checker try` builds and runs it.
@@ -184,7 +175,7 @@ int debug(const Course& course, const Options& options) {
   if (options.case_name) {
     index = find_case(reference, *options.case_name);
   } else {
-    const CheckResult checked = check_exercise(course, context.toolchain(), task, reference);
+    const CheckResult checked = check_exercise(context, task);
     if (checked.executable.empty() || !checked.is_started()) {
       fmt::print("{}", terminal_report(checked, course, Console::of_standard_output(), {}));
       return something_failed;

@@ -1,14 +1,9 @@
 // A class graded: take in → judge what was not judged yet → write results. Whatever happens, what is judged is kept.
-#include "checker/base/console.hpp"
-#include "checker/base/text.hpp"
 #include "checker/commands/commands.hpp"
-#include "checker/course/exercise_texts.hpp"
-#include "checker/course/progress.hpp"
 #include "checker/explain/diagnostic_run.hpp"
 #include "checker/grading/class_results.hpp"
 #include "checker/grading/journal.hpp"
 #include "checker/grading/privileges.hpp"
-#include "checker/report/reports.hpp"
 #include "checker/sandbox/sandbox.hpp"
 
 #include <boost/algorithm/string/replace.hpp>
@@ -19,7 +14,6 @@
 namespace workbook {
 namespace {
 
-namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 constexpr const char* journal_name = "journal.jsonl";

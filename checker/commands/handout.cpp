@@ -1,26 +1,13 @@
-#include "checker/base/files.hpp"
-#include "checker/base/text.hpp"
 #include "checker/commands/commands.hpp"
-#include "checker/course/exercise_texts.hpp"
 #include "checker/course/locked_text.hpp"
-#include "checker/course/progress.hpp"
 #include "checker/course/release.hpp"
 #include "checker/grading/assignment.hpp"
-
-#include <fmt/format.h>
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <random>
-#include <stdexcept>
-#include <system_error>
-#include <vector>
 
 namespace workbook {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -178,8 +165,7 @@ int handout(const Course& course, const Options& options) {
   try {
     make_copy(course, unfinished, references);
     if (options.assignment) place_file(*options.assignment, unfinished / "lectures/assignment.json");
-    const Release release =
-        write_release(unfinished, seed, current_day(), options.message, before ? &*before : nullptr);
+    const Release release = write_release(unfinished, seed, current_day(), options.message, before);
     if (before) {
       print_update(release, *before, update_copy(unfinished, release, whole, *before));
       fs::remove_all(unfinished);
@@ -202,16 +188,12 @@ int handout(const Course& course, const Options& options) {
 }
 
 int update(const Course& course, const Options& options) {
-  try {
-    const Release before = read_release(course.root()), now = read_release(*options.out);
-    if (now.number < before.number)
-      throw UsageError(
-          fmt::format("{} is release {}; yours is {} already.", shown_path(*options.out), now.number, before.number));
-    print_update(now, before, update_copy(*options.out, now, course.root(), before));
-    return all_passed;
-  } catch (const ReleaseError& problem) {
-    throw UsageError(problem.what());
-  }
+  const Release before = read_release(course.root()), now = read_release(*options.out);
+  if (now.number < before.number)
+    throw UsageError(
+        fmt::format("{} is release {}; yours is {} already.", shown_path(*options.out), now.number, before.number));
+  print_update(now, before, update_copy(*options.out, now, course.root(), before));
+  return all_passed;
 }
 
 }  // namespace workbook

@@ -1,9 +1,6 @@
 /// @file
 /// Skeletons for authors: what is written here builds at once, and `self-check` names what remains to be done.
-#include "checker/base/files.hpp"
-#include "checker/base/text.hpp"
 #include "checker/commands/commands.hpp"
-#include "checker/course/exercise_texts.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -13,8 +10,6 @@
 #include <sstream>
 
 namespace workbook {
-
-namespace fs = std::filesystem;
 
 namespace {
 

@@ -1,16 +1,9 @@
 // Learning that lasts: predict asks for results before there is a function, question for the mistake of another one,
 // review for an exercise of some time ago.
-#include "checker/base/console.hpp"
-#include "checker/base/files.hpp"
-#include "checker/base/text.hpp"
 #include "checker/commands/commands.hpp"
-#include "checker/course/exercise_texts.hpp"
-#include "checker/course/progress.hpp"
 #include "checker/data/value_text.hpp"
 #include "checker/explain/question.hpp"
 #include "checker/judging/comparison.hpp"
-#include "checker/pipeline/check_exercise.hpp"
-#include "checker/report/reports.hpp"
 
 #include <algorithm>
 #include <array>
@@ -21,8 +14,6 @@
 namespace workbook {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 std::string inputs_text(const ExerciseReference& exercise, const Case& one) {
   std::vector<std::string> inputs;
@@ -39,7 +30,7 @@ struct Prediction {
   Value value;
 };
 
-/// "4=(0, 0, 1.5)": the number of a case and the numbers of the result, row by row. @throws UsageError, UnknownName
+/// "4=(0, 0, 1.5)": the number of a case and the numbers of the result, row by row. @throws UsageError
 Prediction read_prediction(const ExerciseReference& exercise, const std::string& typed) {
   const std::size_t equals = std::min(typed.find('='), typed.size());
   Prediction prediction{find_case(exercise, typed.substr(0, equals)), {}};
@@ -116,8 +107,7 @@ int check_review(const Course& course, const Exercise& exercise, const fs::path&
   CheckContext context(course);
   const std::size_t number = progress.practice(exercise.name()).reviews.size() + 1;
   const std::uint64_t seed = course.seed() + (course.has_solutions() ? number : 0);
-  const CheckTask task = check_task(course, exercise, seed, file);
-  const CheckResult checked = check_exercise(course, context.toolchain(), task, context.reference(task));
+  const CheckResult checked = check_exercise(context, check_task(course, exercise, seed, file));
   fmt::print("{}", terminal_report(checked, course, console, {}));
   if (!checked.is_judged()) return checker_failed;
   if (!checked.is_started()) {
@@ -125,10 +115,7 @@ int check_review(const Course& course, const Exercise& exercise, const fs::path&
     return something_failed;
   }
   progress.remember_review(exercise.name(), {current_day(), to_string(checked.judgement.verdict)});
-  if (!checked.judgement.passed()) {
-    fmt::print("\n{}\n", console.wrapped(fmt::format("Go on in {}, then `{}`.", shown_path(file), command("review"))));
-    return something_failed;
-  }
+  if (!checked.judgement.passed()) return stop("\nGo on in {}, then `{}`.", shown_path(file), command("review"));
   const Practice practice = progress.practice(exercise.name());
   fmt::print("\nFirst passed on {}. Reviews so far:\n", practice.passed_on);
   for (const Review& review : practice.reviews)
@@ -146,11 +133,9 @@ int predict(const Course& course, const Options& options) {
   CheckContext context(course);
   const ExerciseReference& reference = context.reference(check_task(course, exercise));
   if (options.predictions.empty()) {
-    fmt::print("{}\n\n",
-               console.wrapped(fmt::format(
-                   "What will {} return here? Take two or three of these, a limit or a symmetry first, and work "
-                   "them out before you write the function:",
-                   exercise.name())));
+    say("What will {} return here? Take two or three of these, a limit or a symmetry first, and work "
+        "them out before you write the function:\n\n",
+        exercise.name());
     std::size_t shown = 0;
     for (std::size_t i = 0; i < reference.described_cases() && shown < 8; ++i) {
       const std::string inputs = inputs_text(reference, reference.cases[i]);
@@ -158,8 +143,8 @@ int predict(const Course& course, const Options& options) {
       fmt::print("{}\n", console.wrapped(fmt::format("{:>4}  {}", i + 1, inputs), 6));
       ++shown;
     }
-    fmt::print("\n{}\n", console.wrapped(fmt::format("Then: `{}`, with the numbers of the result, row by row.",
-                                                     command(fmt::format("predict {} '1=…' '4=…'", exercise.name())))));
+    say("\nThen: `{}`, with the numbers of the result, row by row.",
+        command(fmt::format("predict {} '1=…' '4=…'", exercise.name())));
     return all_passed;
   }
   std::vector<Prediction> right;
@@ -184,8 +169,7 @@ int predict(const Course& course, const Options& options) {
   }
   if (told > 0) fmt::print("Another case can: add one.\n");
   if (!right.empty() && told == 0 && right.size() == options.predictions.size())
-    fmt::print("\n{}\n", console.wrapped(fmt::format("These tell the function from all {} that are known.",
-                                                     plural(reference.misconceptions.size(), "wrong one"))));
+    say("\nThese tell the function from all {} that are known.", plural(reference.misconceptions.size(), "wrong one"));
   return right.size() == options.predictions.size() && told == 0 ? all_passed : something_failed;
 }
 
@@ -193,11 +177,9 @@ int question(const Course& course, const Options& options) {
   const Console console = Console::of_standard_output();
   const Exercise exercise = course.find_exercise(options.name);
   Progress progress(course.progress_file());
-  if (!progress.passed(exercise.name(), file_fingerprint(course.student_file(exercise)))) {
-    fmt::print("{}\n", console.wrapped(fmt::format("The question on {} comes when yours passes: `{}`.", exercise.name(),
-                                                   command("check " + exercise.name()))));
-    return something_failed;
-  }
+  if (!progress.passed(exercise.name(), file_fingerprint(course.student_file(exercise))))
+    return stop("The question on {} comes when yours passes: `{}`.", exercise.name(),
+                command("check " + exercise.name()));
   CheckContext context(course);
   const ExerciseReference& reference = context.reference(check_task(course, exercise));
   const std::optional<Question> asked = question_on(reference);
@@ -213,11 +195,10 @@ int question(const Course& course, const Options& options) {
     return format_value(mistake(choice).outputs[asked->case_index], reference.result_kind, 4);
   };
   if (options.answer.empty()) {
-    fmt::print("{}\n\n",
-               console.wrapped(fmt::format("Another {} was called with {} and returned {}. Right is {}. Which of "
-                                           "these would the checker say about it?",
-                                           exercise.name(), inputs_text(reference, one), given(asked->right),
-                                           format_value(one.expected, reference.result_kind, 4))));
+    say("Another {} was called with {} and returned {}. Right is {}. Which of "
+        "these would the checker say about it?\n\n",
+        exercise.name(), inputs_text(reference, one), given(asked->right),
+        format_value(one.expected, reference.result_kind, 4));
     for (std::size_t k = 0; k < asked->choices.size(); ++k)
       fmt::print("{}\n", console.wrapped(fmt::format("{}  {}", answer_letters[k], mistake(k).message), 3));
     fmt::print("\nYour answer: {}\n", command(fmt::format("question {} a, b or c", exercise.name())));
@@ -233,7 +214,7 @@ int question(const Course& course, const Options& options) {
     fmt::print("{}{}\n", console.mark("✗", Style::bad),
                console.wrapped(fmt::format("No: with that mistake it would have returned {}.", given(choice))));
   }
-  if (!progress.warning().empty()) fmt::print(stderr, "{}\n", progress.warning());
+  warn(progress);
   return choice == asked->right ? all_passed : something_failed;
 }
 
@@ -245,23 +226,19 @@ int review(const Course& course, const Options& /*options*/) {
   for (const Exercise& exercise : exercises)
     if (fs::exists(file_of(exercise))) return check_review(course, exercise, file_of(exercise), progress);
   const Due due = most_due(exercises, progress, current_day());
-  const Console console = Console::of_standard_output();
   if (due.exercise == nullptr || due.days_over < 0) {
-    fmt::print("{}\n",
-               console.wrapped(due.exercise == nullptr
-                                   ? "Nothing to review yet: exercises of earlier lectures that pass come here."
-                                   : fmt::format("Nothing is due today; {} is next, in {}.", due.exercise->name(),
-                                                 plural(static_cast<std::size_t>(-due.days_over), "day"))));
+    say("{}", due.exercise == nullptr ? "Nothing to review yet: exercises of earlier lectures that pass come here."
+                                      : fmt::format("Nothing is due today; {} is next, in {}.", due.exercise->name(),
+                                                    plural(static_cast<std::size_t>(-due.days_over), "day")));
     return all_passed;
   }
   const Exercise& exercise = *due.exercise;
   const std::string stub = stub_text(*exercise.entry, exercise.card->contract, declared_signature(course, exercise));
   write_or_throw(file_of(exercise), stub);
+  const Console console = Console::of_standard_output();
   fmt::print("{}\n{}\n", console.styled(exercise.name(), Style::strong), console.wrapped(exercise.entry->task, 2));
-  fmt::print("\n{}\n",
-             console.wrapped(fmt::format("You wrote it on {}. Write it again without looking, in {}, then `{}`.",
-                                         progress.practice(exercise.name()).passed_on, shown_path(file_of(exercise)),
-                                         command("review"))));
+  say("\nYou wrote it on {}. Write it again without looking, in {}, then `{}`.",
+      progress.practice(exercise.name()).passed_on, shown_path(file_of(exercise)), command("review"));
   return all_passed;
 }
 

@@ -1,28 +1,22 @@
-#include "checker/base/console.hpp"
-#include "checker/base/text.hpp"
 #include "checker/commands/commands.hpp"
 #include "checker/course/inspection.hpp"
 #include "checker/explain/question.hpp"
 #include "checker/explain/repair.hpp"
 #include "checker/judging/soundness.hpp"
-#include "checker/pipeline/check_exercise.hpp"
-#include "checker/report/reports.hpp"
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <memory>
-#include <stdexcept>
 
 namespace workbook {
 
 namespace {
 
 /// Runs a stub or a solution; its verdict is the one that it should have, without an explanation.
-Sentences faults_of_verdict(const Course& course, const Toolchain& toolchain, const Exercise& exercise,
-                            const ExerciseReference& reference, const std::filesystem::path& file, Verdict wanted) {
-  const CheckResult checked = check_exercise(course, toolchain, check_task(course, exercise, 1, file), reference);
+Sentences faults_of_verdict(CheckContext& context, const Exercise& exercise, std::uint64_t seed, const fs::path& file,
+                            Verdict wanted) {
+  const Course& course = context.course();
+  const CheckResult checked = check_exercise(context, check_task(course, exercise, seed, file));
   const std::string shown = in_course(course, file);
   if (checked.judgement.verdict != wanted)
     return {fmt::format("{}: the verdict is {}, not {}: {} {}", shown, to_string(checked.judgement.verdict),
@@ -48,10 +42,7 @@ std::string adequacy_text(const Exercise& exercise, const Adequacy& adequacy) {
 class SelfCheck {
  public:
   SelfCheck(const Course& course, std::vector<Exercise> exercises, const std::vector<std::uint64_t>& seeds)
-      : course_(course),
-        toolchain_(read_toolchain(course.toolchain_file())),
-        exercises_(std::move(exercises)),
-        seeds_(seeds) {}
+      : course_(course), context_(course), exercises_(std::move(exercises)), seeds_(seeds) {}
 
   int run(const std::vector<const Card*>& cards) {
     add(faults_of_cards(course_));
@@ -116,8 +107,8 @@ class SelfCheck {
                ": no case tells three of its wrong answers apart, as the question after a pass needs; add one."});
       }
       if (!course_.has_solutions()) continue;
-      const auto require = [&](const std::filesystem::path& file, Verdict wanted) {
-        add(faults_of_verdict(course_, toolchain_, exercise, judged, file, wanted));
+      const auto require = [&](const fs::path& file, Verdict wanted) {
+        add(faults_of_verdict(context_, exercise, seed, file, wanted));
       };
       if (is_first) require(course_.student_file(exercise), Verdict::not_started);
       require(course_.solution_file(exercise), Verdict::passed);
@@ -131,7 +122,7 @@ class SelfCheck {
   }
 
   const Course& course_;
-  const Toolchain toolchain_;
+  CheckContext context_;
   const std::vector<Exercise> exercises_;
   const std::vector<std::uint64_t> seeds_;
   std::string adequacy_;
@@ -165,7 +156,7 @@ nlohmann::json try_mutants(const Course& course, const Toolchain& toolchain, con
     std::vector<Variant> mutants = {Variant{}};  // the solution itself, to be sure of the rest
     std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(first), std::min(at_once, all.size() - first),
                 std::back_inserter(mutants));
-    VariantRunner runner(task, mutants, toolchain, course.scratch() / "compiled",
+    VariantRunner runner(task, mutants, toolchain, course.compiled(),
                          {.compilations = 50,
                           .compiling = std::chrono::minutes(5),
                           .running = std::chrono::minutes(10),

@@ -1,15 +1,8 @@
 // Where the student stands, exercise by exercise: the commands status (the one without a name), list, hint and reset.
-#include "checker/base/console.hpp"
-#include "checker/base/files.hpp"
-#include "checker/base/text.hpp"
 #include "checker/commands/commands.hpp"
-#include "checker/course/exercise_texts.hpp"
 #include "checker/course/inspection.hpp"
 #include "checker/course/locked_text.hpp"
-#include "checker/course/progress.hpp"
 #include "checker/grading/assignment.hpp"
-#include "checker/pipeline/check_exercise.hpp"
-#include "checker/report/reports.hpp"
 #include "checker/sandbox/worker_process.hpp"
 
 #include <algorithm>
@@ -19,7 +12,7 @@ namespace workbook {
 namespace {
 
 void print_remarks(const Course& course, const Progress& progress) {
-  if (!progress.warning().empty()) fmt::print(stderr, "{}\n", progress.warning());
+  warn(progress);
   for (const Card& card : course.cards())
     for (const std::string& remark : stray_exercises(course, card)) fmt::print(stderr, "{}\n", remark);
 }
@@ -37,10 +30,9 @@ std::string assignment_state(const Course& course, const ProgressSummary& summar
 }
 
 /// What the copy for students keeps locked, opened by the student's own function.
-int unlock(const Course& course, const Exercise& exercise, const std::string& locked, const Console& console) {
+int unlock(const Course& course, const Exercise& exercise, const std::string& locked) {
   CheckContext context(course);
-  const CheckTask task = check_task(course, exercise);
-  const CheckResult checked = check_exercise(course, context.toolchain(), task, context.reference(task));
+  const CheckResult checked = check_exercise(context, check_task(course, exercise));
   const auto evaluate = [&](const std::vector<Value>& inputs, int rows, int cols) -> std::optional<Value> {
     const std::vector<Reply> replies = ExerciseRunner(checked.executable).evaluate({{inputs, rows, cols}});
     if (replies.empty() || replies.front().ending != Ending::returned) return std::nullopt;
@@ -51,10 +43,7 @@ int unlock(const Course& course, const Exercise& exercise, const std::string& lo
       fmt::print("{}", *text);
       return all_passed;
     }
-  fmt::print("{}\n",
-             console.wrapped(fmt::format("Your {} does not pass yet; its solution and derivation open once it does.",
-                                         exercise.name())));
-  return something_failed;
+  return stop("Your {} does not pass yet; its solution and derivation open once it does.", exercise.name());
 }
 
 }  // namespace
@@ -73,8 +62,7 @@ int status(const Course& course, const Options& /*options*/) {
   const Progress progress(course.progress_file());
   const ProgressSummary summary = summary_of(course, progress);
   fmt::print("{}\n", overview(course, summary, console));
-  if (std::filesystem::exists(course.lectures() / "assignment.json"))
-    fmt::print("{}\n\n", console.wrapped(assignment_state(course, summary)));
+  if (fs::exists(course.lectures() / "assignment.json")) say("{}\n\n", assignment_state(course, summary));
   if (const Exercise* next = summary.next()) {
     const State state = state_of(course, progress, *next);
     fmt::print("{}", introduction(course, *next, console));
@@ -82,10 +70,9 @@ int status(const Course& course, const Options& /*options*/) {
     fmt::print("  check  {}\n  hint   {}\n  watch  {}\n", command("check " + next->name()),
                command("hint " + next->name()), command("watch"));
   } else {
-    fmt::print("{}\n",
-               console.wrapped(fmt::format("All {} exercises pass. You have written the library; `{}` runs the "
-                                           "worked examples of a lecture on it, `{}` draws its figures.",
-                                           summary.exercises.size(), command("examples 03"), command("figures 03"))));
+    say("All {} exercises pass. You have written the library; `{}` runs the "
+        "worked examples of a lecture on it, `{}` draws its figures.",
+        summary.exercises.size(), command("examples 03"), command("figures 03"));
   }
   print_remarks(course, progress);
   return all_passed;
@@ -96,9 +83,7 @@ int hint(const Course& course, const Options& options) {
   Progress progress(course.progress_file());
   const ProgressSummary summary = summary_of(course, progress);
   if (options.name.empty() && summary.next() == nullptr) {
-    fmt::print("{}\n", console.wrapped(
-                           fmt::format("Every exercise passes, so there is no next one. `{}` shows the hints of one.",
-                                       command("hint EXERCISE"))));
+    say("Every exercise passes, so there is no next one. `{}` shows the hints of one.", command("hint EXERCISE"));
     return all_passed;
   }
   const Exercise exercise = options.name.empty() ? *summary.next() : course.find_exercise(options.name);
@@ -116,30 +101,29 @@ int hint(const Course& course, const Options& options) {
     fmt::print("That was the last hint. Read on in\n  {}\n", notes_place(course, exercise, exercise.entry->notes));
   }
   progress.remember_hints(exercise.name(), std::max(shown_before, last + 1));
-  if (!progress.warning().empty()) fmt::print(stderr, "{}\n", progress.warning());
+  warn(progress);
   return all_passed;
 }
 
 int reset(const Course& course, const Options& options) {
   const Exercise exercise = course.find_exercise(options.name);
-  const auto stop = [&](const std::string& reason) {
+  const auto refuse = [&](const std::string& reason) {
     fmt::print(stderr, "{} was not reset: {}.\n", exercise.name(), reason);
     return checker_failed;
   };
   const std::string signature = declared_signature(course, exercise);
-  if (signature.empty())
-    return stop(fmt::format("{} does not declare it", shown_path(course.contract_file(*exercise.card))));
-  const std::filesystem::path file = course.student_file(exercise);
+  if (signature.empty()) return refuse(shown_path(course.contract_file(*exercise.card)) + " does not declare it");
+  const fs::path file = course.student_file(exercise);
   std::error_code problem;
-  if (std::filesystem::exists(file, problem)) {
+  if (fs::exists(file, problem)) {
     const auto kept = free_name(course.progress_file().parent_path() / "kept" / (exercise.name() + ".cpp"));
-    std::filesystem::create_directories(kept.parent_path(), problem);
-    if (!std::filesystem::copy_file(file, kept, problem))
-      return stop(fmt::format("your version could not be kept as {} ({})", shown_path(kept), problem.message()));
+    fs::create_directories(kept.parent_path(), problem);
+    if (!fs::copy_file(file, kept, problem))
+      return refuse(fmt::format("your version could not be kept as {} ({})", shown_path(kept), problem.message()));
     fmt::print("Your version is kept as {}.\n", shown_path(kept));
   }
   const std::string failure = write_file(file, stub_text(*exercise.entry, exercise.card->contract, signature));
-  if (!failure.empty()) return stop(fmt::format("{} cannot be written ({})", shown_path(file), failure));
+  if (!failure.empty()) return refuse(fmt::format("{} cannot be written ({})", shown_path(file), failure));
   Progress(course.progress_file()).forget(exercise.name());
   fmt::print("{} is as it was at the beginning.\n", shown_path(file));
   return all_passed;
@@ -147,25 +131,20 @@ int reset(const Course& course, const Options& options) {
 
 int solution(const Course& course, const Options& options) {
   const Exercise exercise = course.find_exercise(options.name);
-  const Console console = Console::of_standard_output();
-  const auto say = [&](const std::string& sentence) {
-    fmt::print("{}\n", console.wrapped(sentence));
-    return something_failed;
-  };
   const std::optional<std::string> locked = read_file(course.locked_file(exercise));
-  if (locked) return unlock(course, exercise, *locked, console);
+  if (locked) return unlock(course, exercise, *locked);
   const std::optional<std::string> code = read_file(course.solution_file(exercise));
-  if (!code) return say("This copy of the workbook does not have this solution; your instructor has it.");
+  if (!code) return stop("This copy of the workbook does not have this solution; your instructor has it.");
   const Progress progress(course.progress_file());
   if (!options.now && !progress.passed(exercise.name(), file_fingerprint(course.student_file(exercise))))
-    return say(fmt::format("Your {} does not pass yet; its solution is shown once it does, or now by `{}`.",
-                           exercise.name(), command("solution " + exercise.name() + " --now")));
+    return stop("Your {} does not pass yet; its solution is shown once it does, or now by `{}`.", exercise.name(),
+                command("solution " + exercise.name() + " --now"));
   fmt::print("{}\n", *code);
-  const std::filesystem::path derivation = course.derivation_file(exercise);
-  if (std::filesystem::exists(derivation)) {
-    const std::filesystem::path page = course.notes_folder() / ("exercise_" + exercise.name() + ".html");
+  const fs::path derivation = course.derivation_file(exercise);
+  if (fs::exists(derivation)) {
+    const fs::path page = course.notes_folder() / ("exercise_" + exercise.name() + ".html");
     fmt::print("{}: {}\n", exercise.entry->is_problem() ? "Derivation" : "Another route",
-               shown_path(std::filesystem::exists(page) ? page : derivation));
+               shown_path(fs::exists(page) ? page : derivation));
   }
   return all_passed;
 }

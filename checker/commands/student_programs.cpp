@@ -1,10 +1,5 @@
 // The commands examples, figures and live: what a lecture shows, on the student's own functions.
-#include "checker/base/console.hpp"
-#include "checker/base/files.hpp"
-#include "checker/base/text.hpp"
 #include "checker/commands/commands.hpp"
-#include "checker/course/progress.hpp"
-#include "checker/pipeline/check_exercise.hpp"
 
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
@@ -18,7 +13,6 @@ namespace workbook {
 
 namespace {
 
-namespace fs = std::filesystem;
 namespace tree = boost::property_tree;
 
 /// Builds a lecture's program on the student's functions and returns its path. Where files of the student do not
@@ -155,8 +149,7 @@ int examples(const Course& course, const Options& options) {
   try {
     all = read_report(finished.output);
   } catch (const tree::ptree_error&) {
-    fmt::print("{}\n", console.wrapped(without_report(finished, lecture)));
-    return something_failed;
+    return stop("{}", without_report(finished, lecture));
   }
   std::size_t passed = 0;
   for (const Example& example : all) {
@@ -183,12 +176,11 @@ int figures(const Course& course, const Options& options) {
   const FinishedProgram listed = run_with_path(program, {"--list"}, std::chrono::seconds(10));
   const std::vector<std::string> names = lines_of(listed.output);
   const Console console = Console::of_standard_output();
-  if (!listed.succeeded() || names.empty()) {
-    fmt::print("{}\n", console.wrapped(fmt::format("The program of the figures ends before it draws anything, because "
-                                                   "code of yours runs before main(); `{}` finds it.",
-                                                   command("check " + lecture))));
-    return something_failed;
-  }
+  if (!listed.succeeded() || names.empty())
+    return stop(
+        "The program of the figures ends before it draws anything, because "
+        "code of yours runs before main(); `{}` finds it.",
+        command("check " + lecture));
   std::size_t drawn = 0;
   ProgressBar progress_bar;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -205,18 +197,13 @@ int figures(const Course& course, const Options& options) {
 
 int live(const Course& course, const Options& options) {
   const std::string lecture = course.find_lecture(options.name).lecture;
-  const Console console = Console::of_standard_output();
-  const auto stop = [&](const std::string& sentence) {
-    fmt::print("{}\n", console.wrapped(sentence));
-    return something_failed;
-  };
   // What the figures call, as lectures/live/live.js has it.
   const std::string script = read_file(course.lectures() / lecture / "live.js").value_or("");
   std::set<std::string> called;
   static const std::regex call(R"(rigid\.(\w+)\()");
   for (std::sregex_iterator match(script.begin(), script.end(), call), end; match != end; ++match)
     called.insert((*match)[1]);
-  if (called.empty()) return stop(fmt::format("{} has no live figures.", lecture));
+  if (called.empty()) return stop("{} has no live figures.", lecture);
 
   const ProgressSummary summary = summary_of(course, Progress(course.progress_file()));
   std::string includes, entries, files;
@@ -230,8 +217,7 @@ int live(const Course& course, const Options& options) {
                            exercise.name());
   }
   if (own.empty())
-    return stop(
-        fmt::format("The live figures of {} call {}; none of these passes yet.", lecture, fmt::join(called, ", ")));
+    return stop("The live figures of {} call {}; none of these passes yet.", lecture, fmt::join(called, ", "));
   // With what they call in turn.
   const auto file_of = [&](const Exercise& exercise) { return course.student_file(exercise); };
   for (const Submission& file : own_functions(fmt::format("{}", fmt::join(own, " ")), course.exercises(), file_of))
@@ -252,10 +238,9 @@ int live(const Course& course, const Options& options) {
       pages += fmt::format("  file://{}?yours\n", page.path().string());
   if (pages.empty())
     return stop("The notes of this copy have still figures only: it was handed out by a machine without emscripten.");
-  fmt::print("{}\n{}", console.wrapped(fmt::format("Computed with your {}:", fmt::join(own, ", "))), pages);
-  if (!called.empty())
-    fmt::print("{}\n", console.wrapped(fmt::format("With the reference implementation, until yours pass: {}.",
-                                                   fmt::join(called, ", "))));
+  say("Computed with your {}:", fmt::join(own, ", "));
+  fmt::print("{}", pages);
+  if (!called.empty()) say("With the reference implementation, until yours pass: {}.", fmt::join(called, ", "));
   return all_passed;
 }
 

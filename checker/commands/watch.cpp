@@ -1,12 +1,6 @@
 /// @file
 /// The watch: whatever exercise is saved is checked, and the verdict is shown in place.
-#include "checker/base/files.hpp"
-#include "checker/base/text.hpp"
 #include "checker/commands/commands.hpp"
-#include "checker/course/exercise_texts.hpp"
-#include "checker/course/progress.hpp"
-#include "checker/pipeline/check_exercise.hpp"
-#include "checker/report/reports.hpp"
 #include "checker/source/submission.hpp"
 #include "checker/watch/file_changes.hpp"
 #include "checker/watch/screen.hpp"
@@ -18,13 +12,10 @@
 #include <algorithm>
 #include <cstdlib>
 #include <deque>
-#include <utility>
 
 namespace workbook {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 std::vector<fs::path> files_of(const Course& course) {
   std::vector<fs::path> files;
@@ -241,9 +232,8 @@ class Watch {
 
   std::string plot() {
     try {
-      const CheckTask task = check_task(course_, exercises_[current_]);
       const CheckResult checked =
-          result_ ? *result_ : check_exercise(course_, context_.toolchain(), task, context_.reference(task));
+          result_ ? *result_ : check_exercise(context_, check_task(course_, exercises_[current_]));
       if (!checked.is_judged()) return checked.judgement.message;
       const Overlay overlay = overlay_of(checked);
       const std::vector<fs::path> files = draw_overlay(overlay, plots_directory(course_), checked.name());

@@ -1,18 +1,13 @@
 #include "checker/course/course.hpp"
 
-#include "checker/base/files.hpp"
 #include "checker/base/text.hpp"
 
 #include <nlohmann/json.hpp>
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <set>
 
 namespace workbook {
-
-namespace fs = std::filesystem;
 
 static void from_json(const nlohmann::json& part, CardExercise& exercise) {
   exercise = {part.at("name"), part.at("points"), part.at("notes"), part.at("task")};
@@ -76,8 +71,8 @@ std::string first_errors(const std::string& output) {
 [[noreturn]] void throw_unknown(const std::string& what, const std::string& name,
                                 const std::vector<std::string>& known) {
   const std::string meant = did_you_mean(name, known);
-  throw UnknownName(fmt::format("There is no {} '{}'.{} `{}` shows all names.", what, name,
-                                meant.empty() ? "" : fmt::format(" Did you mean '{}'?", meant), command("list")));
+  throw UsageError(fmt::format("There is no {} '{}'.{} `{}` shows all names.", what, name,
+                               meant.empty() ? "" : fmt::format(" Did you mean '{}'?", meant), command("list")));
 }
 
 std::string without_zeros(const std::string& name) {

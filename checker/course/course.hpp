@@ -9,6 +9,8 @@
 
 namespace workbook {
 
+namespace fs = std::filesystem;
+
 /// The names are the keys of card.json, here and below.
 struct CardExercise {
   std::string name;
@@ -37,8 +39,8 @@ struct CourseError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A name on the command line means nothing here; the sentence says what was perhaps meant.
-struct UnknownName : std::runtime_error {
+/// What was typed means nothing; the sentence says what to type, or what was perhaps meant.
+struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
@@ -56,7 +58,7 @@ struct Exercise {
 class Course {
  public:
   /// @throws CourseError
-  explicit Course(const std::filesystem::path& course_file);
+  explicit Course(const fs::path& course_file);
 
   const std::vector<Card>& cards() const { return cards_; }
 
@@ -67,65 +69,64 @@ class Course {
   std::vector<Exercise> exercises_before(const Exercise& exercise) const;
 
   /// The exercises that a name stands for: one exercise, or all of a lecture ("03_inertia_tensor", "03", "3",
-  /// "inertia_tensor"). @throws UnknownName with a proposal.
+  /// "inertia_tensor"). @throws UsageError with a proposal.
   std::vector<Exercise> find(const std::string& name) const;
 
-  /// The lecture of that name, number or topic; it may have no exercise yet. @throws UnknownName with a proposal.
+  /// The lecture of that name, number or topic; it may have no exercise yet. @throws UsageError with a proposal.
   const Card& find_lecture(const std::string& name) const;
 
   /// The exercises that all the names together stand for, each once; without names the whole course.
-  /// @throws UnknownName with a proposal.
+  /// @throws UsageError with a proposal.
   std::vector<Exercise> choose(const std::vector<std::string>& names) const;
 
-  /// Exactly one exercise. @throws UnknownName with a proposal.
+  /// Exactly one exercise. @throws UsageError with a proposal.
   Exercise find_exercise(const std::string& name) const;
 
-  const std::filesystem::path& root() const { return root_; }
-  std::filesystem::path lectures() const { return root_ / "lectures"; }
-  std::filesystem::path student_file(const Exercise& exercise) const {
+  const fs::path& root() const { return root_; }
+  fs::path lectures() const { return root_ / "lectures"; }
+  fs::path student_file(const Exercise& exercise) const {
     return lectures() / exercise.lecture() / "exercises" / (exercise.name() + ".cpp");
   }
-  std::filesystem::path hints_file(const Exercise& exercise) const {
+  fs::path hints_file(const Exercise& exercise) const {
     return lectures() / exercise.lecture() / "hints" / (exercise.name() + ".md");
   }
-  std::filesystem::path solution_file(const Exercise& exercise) const {  ///< absent in what students get
+  fs::path solution_file(const Exercise& exercise) const {  ///< absent in what students get
     return root_ / "solutions" / exercise.lecture() / (exercise.name() + ".cpp");
   }
-  std::filesystem::path judging_file(const Exercise& exercise) const {  ///< likewise
+  fs::path judging_file(const Exercise& exercise) const {  ///< likewise
     return root_ / "solutions" / exercise.lecture() / "judging" / (exercise.name() + ".cpp");
   }
-  std::filesystem::path derivation_file(const Exercise& exercise) const {  ///< likewise; another route
+  fs::path derivation_file(const Exercise& exercise) const {  ///< likewise; another route
     return root_ / "solutions" / exercise.lecture() / "derivations" / (exercise.name() + ".md");
   }
   /// In what students get: solution and derivation, which a right function opens.
-  std::filesystem::path locked_file(const Exercise& exercise) const {
+  fs::path locked_file(const Exercise& exercise) const {
     return lectures() / exercise.lecture() / "handed_out" / (exercise.name() + ".locked");
   }
-  std::filesystem::path contract_file(const Card& card) const {
-    return root_ / "include" / "rigid" / (card.contract + ".hpp");
-  }
-  std::filesystem::path notes_file(const Card& card) const { return lectures() / card.lecture / "notes.md"; }
-  const std::filesystem::path& toolchain_file() const { return toolchain_file_; }
-  bool has_solutions() const { return std::filesystem::exists(root_ / "solutions"); }
+  fs::path contract_file(const Card& card) const { return root_ / "include" / "rigid" / (card.contract + ".hpp"); }
+  fs::path notes_file(const Card& card) const { return lectures() / card.lecture / "notes.md"; }
+  const fs::path& toolchain_file() const { return toolchain_file_; }
+  bool has_solutions() const { return fs::exists(root_ / "solutions"); }
 
   /// The build that this program belongs to.
   const Build& build() const { return build_; }
 
   /// What the program may write: compiled workers, plots, reference results of other seeds.
-  const std::filesystem::path& scratch() const { return scratch_; }
-  void use_scratch(const std::filesystem::path& folder) { scratch_ = folder; }
+  const fs::path& scratch() const { return scratch_; }
+  fs::path compiled() const { return scratch_ / "compiled"; }
+  void use_scratch(const fs::path& folder) { scratch_ = folder; }
 
   /// The student's progress, kept apart from the build so that a fresh build does not forget it.
-  std::filesystem::path progress_file() const { return root_ / ".workbook" / "progress.json"; }
+  fs::path progress_file() const { return root_ / ".workbook" / "progress.json"; }
 
-  const std::filesystem::path& notes_folder() const { return notes_; }
+  const fs::path& notes_folder() const { return notes_; }
 
   /// The file of a page of the notes, if the notes have been built.
-  std::optional<std::filesystem::path> notes_page(const std::string& lecture) const;
+  std::optional<fs::path> notes_page(const std::string& lecture) const;
 
   /// Where the reference results of a lecture are: in the copies that students get, beside the lecture; else in the
   /// build, as soon as they have been needed.
-  std::filesystem::path reference_file(const std::string& lecture) const;
+  fs::path reference_file(const std::string& lecture) const;
 
   /// The seed of the cases that count: 1, or what a handed-out copy was drawn with.
   std::uint64_t seed() const { return seed_; }
@@ -139,22 +140,22 @@ class Course {
   LectureReference random_cases(const std::string& lecture, std::uint64_t seed) const;
 
   /// From now on takes the results of a lecture from this file, for whichever seed. Returns the seed that they were
-  /// made with. @throws ReferenceError, UnknownName
-  std::uint64_t use_reference(const std::filesystem::path& file);
+  /// made with. @throws ReferenceError, UsageError
+  std::uint64_t use_reference(const fs::path& file);
 
  private:
   void make_reference(const std::string& lecture) const;
-  std::filesystem::path reference_program(const std::string& lecture) const;
-  std::filesystem::path reference_of_seed(const std::string& lecture, std::uint64_t seed) const;
+  fs::path reference_program(const std::string& lecture) const;
+  fs::path reference_of_seed(const std::string& lecture, std::uint64_t seed) const;
 
-  std::filesystem::path root_;
-  std::filesystem::path reference_;
-  std::filesystem::path toolchain_file_;
-  std::filesystem::path scratch_;
-  std::filesystem::path notes_;
+  fs::path root_;
+  fs::path reference_;
+  fs::path toolchain_file_;
+  fs::path scratch_;
+  fs::path notes_;
   Build build_;
   std::vector<Card> cards_;
-  std::map<std::string, std::filesystem::path> given_;  ///< by lecture: reference results to be used
+  std::map<std::string, fs::path> given_;  ///< by lecture: reference results to be used
   std::uint64_t seed_ = 1;
 };
 

@@ -1,6 +1,5 @@
 #include "checker/course/exercise_texts.hpp"
 
-#include "checker/base/files.hpp"
 #include "checker/base/text.hpp"
 
 #include <regex>
@@ -33,7 +32,7 @@ std::string wrapped_parameters(const std::string& signature) {
 
 }  // namespace
 
-std::vector<std::string> read_hints(const std::filesystem::path& file) {
+std::vector<std::string> read_hints(const fs::path& file) {
   const std::optional<std::string> text = read_file(file);
   if (!text) throw CourseError(fmt::format("{}: missing; take the file from the workbook again.", file.string()));
   std::vector<std::string> hints(1);
@@ -48,7 +47,7 @@ std::vector<std::string> read_hints(const std::filesystem::path& file) {
   return hints;
 }
 
-std::map<std::string, std::string> read_headings(const std::filesystem::path& notes) {
+std::map<std::string, std::string> read_headings(const fs::path& notes) {
   static const std::regex heading(R"(^#+\s+(.*\S)\s*\{#(\w+)\}\s*$)");
   std::map<std::string, std::string> headings;
   std::smatch match;
@@ -87,7 +86,7 @@ std::string stub_text(const CardExercise& entry, const std::string& contract, co
       entry.name, contract, wrapped_parameters(signature));
 }
 
-bool is_begun(const std::filesystem::path& file) {
+bool is_begun(const fs::path& file) {
   const std::optional<std::string> text = read_file(file);
   return text && text->find("throw NotStarted") == std::string::npos;
 }

@@ -8,11 +8,11 @@ namespace workbook {
 
 /// The hints of a file, weakest first, which are separated by lines of three dashes.
 /// @throws CourseError if it is missing or holds none.
-std::vector<std::string> read_hints(const std::filesystem::path& file);
+std::vector<std::string> read_hints(const fs::path& file);
 
 /// The headings of a lecture's notes by their anchors: "steiner" → "The theorem of Steiner". Empty if the file cannot
 /// be read: a heading is a help, and the anchor does as well.
-std::map<std::string, std::string> read_headings(const std::filesystem::path& notes);
+std::map<std::string, std::string> read_headings(const fs::path& notes);
 
 /// The title of the lecture's first worked example that calls the function; "" if none does.
 std::string example_that_calls(const Course& course, const Exercise& exercise);
@@ -26,6 +26,6 @@ std::string declared_signature(const Course& course, const Exercise& exercise);
 std::string stub_text(const CardExercise& entry, const std::string& contract, const std::string& signature);
 
 /// Has the student begun, as far as can be seen without compiling: the file is there and no longer says "not started".
-bool is_begun(const std::filesystem::path& file);
+bool is_begun(const fs::path& file);
 
 }  // namespace workbook

@@ -1,6 +1,5 @@
 #include "checker/course/inspection.hpp"
 
-#include "checker/base/files.hpp"
 #include "checker/base/text.hpp"
 #include "checker/course/exercise_texts.hpp"
 
@@ -9,8 +8,6 @@
 #include <set>
 
 namespace workbook {
-
-namespace fs = std::filesystem;
 
 namespace {
 

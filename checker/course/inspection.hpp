@@ -10,7 +10,7 @@ namespace workbook {
 using Sentences = std::vector<std::string>;
 
 /// The file as sentences name it: from the top level of the course on.
-std::string in_course(const Course& course, const std::filesystem::path& file);
+std::string in_course(const Course& course, const fs::path& file);
 
 /// Exercises that stand on two cards.
 Sentences faults_of_cards(const Course& course);

@@ -3,13 +3,11 @@
 #include "checker/base/text.hpp"
 #include "checker/judging/comparison.hpp"
 
-#include <fmt/format.h>
 #include <sodium.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace workbook {
 

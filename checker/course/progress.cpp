@@ -1,6 +1,5 @@
 #include "checker/course/progress.hpp"
 
-#include "checker/base/files.hpp"
 #include "checker/base/text.hpp"
 
 #include <nlohmann/json.hpp>
@@ -14,7 +13,6 @@
 
 namespace workbook {
 
-namespace fs = std::filesystem;
 using nlohmann::json;
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Review, day, verdict)

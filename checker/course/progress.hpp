@@ -26,7 +26,7 @@ class Progress {
  public:
   /// Reads the file; a missing one is an empty progress. A damaged one is renamed to FILE.damaged and warning() says
   /// so.
-  explicit Progress(std::filesystem::path file) : file_(std::move(file)) { read(); }
+  explicit Progress(fs::path file) : file_(std::move(file)) { read(); }
 
   /// Remembers a verdict ("passed", "wrong_value") on a text and writes the file, under another name first, so that it
   /// is never half written. What another checker has written meanwhile is kept. If it cannot be written, warning() says
@@ -74,7 +74,7 @@ class Progress {
   template <class Change>
   void change(const Change& something);
 
-  std::filesystem::path file_;
+  fs::path file_;
   std::map<std::string, Known> known_;
   std::string warning_;
 };

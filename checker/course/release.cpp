@@ -1,16 +1,13 @@
 #include "checker/course/release.hpp"
 
-#include "checker/base/files.hpp"
 #include "checker/base/text.hpp"
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 
 namespace workbook {
 
-namespace fs = std::filesystem;
 using nlohmann::json;
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ReleaseChange, release, date, message, files)
@@ -37,7 +34,7 @@ void copy_to(const fs::path& from, const fs::path& to) {
   const fs::path unfinished = to.string() + ".unfinished";
   fs::copy_file(from, unfinished, fs::copy_options::overwrite_existing, problem);
   if (!problem) fs::rename(unfinished, to, problem);
-  if (problem) throw ReleaseError(fmt::format("{} cannot be written ({}).", shown_path(to), problem.message()));
+  if (problem) throw UsageError(fmt::format("{} cannot be written ({}).", shown_path(to), problem.message()));
 }
 
 }  // namespace
@@ -46,26 +43,25 @@ Release read_release(const fs::path& copy) {
   const fs::path file = copy / release_name;
   const std::optional<std::string> text = read_file(file);
   if (!text)
-    throw ReleaseError(
-        fmt::format("{} is no copy that `handout` wrote: it has no {}.", shown_path(copy), release_name));
+    throw UsageError(fmt::format("{} is no copy that `handout` wrote: it has no {}.", shown_path(copy), release_name));
   try {
     Release release = json::parse(*text).get<Release>();
     for (const auto& [name, content] : release.files)
       if (!is_inside(name)) throw std::runtime_error(fmt::format("'{}' lies outside", printable(name)));
     return release;
   } catch (const std::exception& problem) {
-    throw ReleaseError(
+    throw UsageError(
         fmt::format("{} is damaged ({}).", shown_path(file), without_full_stop(printable(problem.what()))));
   }
 }
 
 Release write_release(const fs::path& copy, std::uint64_t seed, const std::string& date, const std::string& message,
-                      const Release* before) {
-  Release release{before == nullptr ? 1 : before->number + 1, seed, {}, {}};
+                      const std::optional<Release>& before) {
+  Release release{before ? before->number + 1 : 1, seed, {}, {}};
   for (const auto& entry : fs::recursive_directory_iterator(copy))
     if (entry.is_regular_file())
       release.files[entry.path().lexically_relative(copy).string()] = file_fingerprint(entry.path());
-  if (before != nullptr) {
+  if (before) {
     ReleaseChange change{release.number, date, message, {}};
     for (const auto& [file, content] : release.files)
       if ((!before->files.contains(file) || before->files.at(file) != content) && !file.ends_with(".locked"))

@@ -2,19 +2,9 @@
 /// Releases of the copy for students: what each holds, what has changed, and how a copy gets from one to the next.
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <map>
-#include <stdexcept>
-#include <string>
-#include <vector>
+#include "checker/course/course.hpp"
 
 namespace workbook {
-
-/// A copy, or what it is updated from, cannot be used: file and reason in one sentence.
-struct ReleaseError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 struct ReleaseChange {
   int release = 1;
@@ -31,13 +21,13 @@ struct Release {
   std::vector<ReleaseChange> changes;        ///< since the first release, oldest first
 };
 
-/// @throws ReleaseError
-Release read_release(const std::filesystem::path& copy);
+/// @throws UsageError
+Release read_release(const fs::path& copy);
 
-/// Writes `.release.json` for all files of a new copy. @param before  the release that it follows, or nullptr
+/// Writes `.release.json` for all files of a new copy. @param before  the release that it follows, if any
 /// @throws std::runtime_error
-Release write_release(const std::filesystem::path& copy, std::uint64_t seed, const std::string& date,
-                      const std::string& message, const Release* before);
+Release write_release(const fs::path& copy, std::uint64_t seed, const std::string& date, const std::string& message,
+                      const std::optional<Release>& before);
 
 /// What an update did with files that were changed in the copy.
 struct UpdateResult {
@@ -47,8 +37,7 @@ struct UpdateResult {
 };
 
 /// Brings a copy from the release that it has been to the one in another folder. Exercises that were worked on, and
-/// files that were never handed out, are not touched. If it is stopped, the next call goes on. @throws ReleaseError
-UpdateResult update_copy(const std::filesystem::path& from, const Release& now, const std::filesystem::path& copy,
-                         const Release& before);
+/// files that were never handed out, are not touched. If it is stopped, the next call goes on. @throws UsageError
+UpdateResult update_copy(const fs::path& from, const Release& now, const fs::path& copy, const Release& before);
 
 }  // namespace workbook

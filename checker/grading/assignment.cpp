@@ -76,7 +76,7 @@ namespace {
 
 constexpr double seconds_per_day = 86400;
 
-std::string text_of(const std::filesystem::path& file) {
+std::string text_of(const fs::path& file) {
   const std::optional<std::string> text = read_file(file, std::size_t{16} << 20);
   if (!text) throw GradingError(fmt::format("{} cannot be read; check its name.", shown_path(file)));
   return *text;
@@ -100,7 +100,7 @@ double number_between(const json& object, const char* key, double least, double 
 
 }  // namespace
 
-Assignment::Assignment(const Course& course, const std::optional<std::filesystem::path>& file) {
+Assignment::Assignment(const Course& course, const std::optional<fs::path>& file) {
   std::map<std::string, double> points;
   std::vector<std::string> names;
   if (file) try {
@@ -176,7 +176,7 @@ std::vector<std::string> Assignment::rules(bool hints_are_known) const {
   return sentences;
 }
 
-std::vector<RosterEntry> read_roster(const std::filesystem::path& file) {
+std::vector<RosterEntry> read_roster(const fs::path& file) {
   const Table table = read_csv(text_of(file));
   const auto column = [&](const char* name) -> std::size_t {
     if (table.empty()) return 0;

@@ -5,7 +5,6 @@
 #include "checker/course/course.hpp"
 #include "checker/judging/judge.hpp"
 
-#include <cstdint>
 #include <deque>
 
 namespace workbook {
@@ -31,7 +30,7 @@ class Assignment {
  public:
   /// All exercises of the course with the points of their cards, nothing due; or what the file says.
   /// @throws GradingError
-  Assignment(const Course& course, const std::optional<std::filesystem::path>& file);
+  Assignment(const Course& course, const std::optional<fs::path>& file);
 
   const std::string& title() const { return title_; }
   /// In the order of the course, with the points of the assignment.
@@ -70,6 +69,6 @@ struct RosterEntry {
 };
 
 /// A table with a heading; the column id is needed, name and submitted are read. @throws GradingError
-std::vector<RosterEntry> read_roster(const std::filesystem::path& file);
+std::vector<RosterEntry> read_roster(const fs::path& file);
 
 }  // namespace workbook

@@ -1,6 +1,5 @@
 #include "checker/grading/class_results.hpp"
 
-#include "checker/base/text.hpp"
 #include "checker/report/reports.hpp"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // The class document in the forms that other programs, and people, read.
-#include "checker/base/text.hpp"
 #include "checker/grading/class_results.hpp"
 #include "checker/report/reports.hpp"
 

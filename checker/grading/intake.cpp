@@ -16,8 +16,6 @@
 namespace workbook {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr std::size_t most_notes = 20;
 constexpr std::size_t most_entries = 20'000;  // looked at in one student's folder
 constexpr int deepest = 16;

@@ -42,8 +42,8 @@ Shard read_shard(const std::string& text);
 
 /// Takes in a folder per student, files called ID_EXERCISE.cpp, and zip files of both.
 /// @param copies  DIR/SLUG/EXERCISE.cpp is written there. @throws GradingError, std::runtime_error
-Intake take_in(const std::filesystem::path& submissions, const Course& course, const std::vector<RosterEntry>& roster,
-               const std::filesystem::path& copies, const Shard& shard = {});
+Intake take_in(const fs::path& submissions, const Course& course, const std::vector<RosterEntry>& roster,
+               const fs::path& copies, const Shard& shard = {});
 
 /// One file of a zip file.
 struct Zipped {
@@ -54,6 +54,6 @@ struct Zipped {
 
 /// Reads, in a process of its own and in a sandbox, the files with these names; what is zipped once more as well.
 /// @throws RejectedFile
-std::vector<Zipped> read_zip(const std::filesystem::path& file, const std::vector<std::string>& names);
+std::vector<Zipped> read_zip(const fs::path& file, const std::vector<std::string>& names);
 
 }  // namespace workbook

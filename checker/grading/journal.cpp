@@ -25,13 +25,13 @@ std::string_view entry_of(std::string_view line) {
   return fingerprint(entry) == line.substr(before_sum.size(), hash_size) ? entry : std::string_view{};
 }
 
-[[noreturn]] void fail(const std::filesystem::path& file, const char* what) {
+[[noreturn]] void fail(const fs::path& file, const char* what) {
   throw std::runtime_error(fmt::format("{} cannot be {} ({}).", shown_path(file), what, std::strerror(errno)));
 }
 
 }  // namespace
 
-Journal::Journal(std::filesystem::path file, Access access) : file_(std::move(file)) {
+Journal::Journal(fs::path file, Access access) : file_(std::move(file)) {
   const int flags = access == Access::write ? O_RDWR | O_CREAT | O_APPEND : O_RDONLY;
   descriptor_ = Descriptor(::open(file_.c_str(), flags | O_CLOEXEC | O_NOFOLLOW, 0600));
   if (!descriptor_) fail(file_, "opened");

@@ -12,7 +12,7 @@ class Journal {
 
   /// To write, opens the file for this program alone, and drops what was written by halves.
   /// @throws GradingError if another one grades there, std::runtime_error
-  explicit Journal(std::filesystem::path file, Access access = Access::write);
+  explicit Journal(fs::path file, Access access = Access::write);
 
   bool has(const std::string& key) const { return places_.contains(key); }
 
@@ -43,7 +43,7 @@ class Journal {
   std::string line_at(const Place& place) const;
   void write(const std::string& key, const std::string& line);
 
-  std::filesystem::path file_;
+  fs::path file_;
   Descriptor descriptor_;
   std::map<std::string, Place> places_;
   std::int64_t end_ = 0;

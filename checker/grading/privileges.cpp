@@ -1,19 +1,13 @@
 #include "checker/grading/privileges.hpp"
 
-#include "checker/base/files.hpp"
 #include "checker/grading/assignment.hpp"
 
 #include <grp.h>
 #include <pwd.h>
 #include <sys/stat.h>
-#include <unistd.h>
-
-#include <fmt/format.h>
 
 namespace workbook {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr uid_t first_unused = 64000, last_unused = 64999;
 

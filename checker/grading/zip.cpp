@@ -13,7 +13,6 @@
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <memory>
 
 namespace workbook {
 namespace {
@@ -121,7 +120,7 @@ std::string unpacked(int file, const std::vector<std::string>& names) {
 
 }  // namespace
 
-std::vector<Zipped> read_zip(const std::filesystem::path& file, const std::vector<std::string>& names) {
+std::vector<Zipped> read_zip(const fs::path& file, const std::vector<std::string>& names) {
   const auto reject = [&](const std::string& reason) {
     throw RejectedFile(fmt::format("{} {}.", printable(file.filename().string()), reason));
   };

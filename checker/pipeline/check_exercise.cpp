@@ -1,6 +1,5 @@
 #include "checker/pipeline/check_exercise.hpp"
 
-#include "checker/base/files.hpp"
 #include "checker/base/text.hpp"
 #include "checker/compile/compile.hpp"
 #include "checker/compile/source_findings.hpp"
@@ -9,19 +8,51 @@
 #include "checker/sandbox/worker_process.hpp"
 #include "checker/source/source_text.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
-#include <functional>
+#include <cstring>
 #include <numeric>
 #include <set>
 
 namespace workbook {
 
+using nlohmann::json;
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Finding, line, excerpt, sentence, name, column)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Judgement, verdict, message, next_step, failing, cases_total, waiting_for)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Explanation, findings, diagnoses)
+
+/// Between processes numbers travel bit by bit: NaN and infinity as well.
+static void to_json(json& part, const Reply& reply) {
+  part = {static_cast<int>(reply.ending), reply.value.rows, reply.value.cols, reply.value.numbers, reply.printed};
+}
+static void from_json(const json& part, Reply& reply) {
+  reply.ending = static_cast<Ending>(part.at(0).get<int>());
+  reply.value = {part.at(1), part.at(2), part.at(3)};
+  reply.printed = part.at(4);
+}
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Repeat, case_index, reply)
+// What reports show of an observation; the rest has done its work by then.
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Observation, refusal_details, replies, repeats, compile_seconds, run_seconds)
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CheckResult, source, observation, judgement, explanation, executable)
+
 namespace {
 
+constexpr std::chrono::seconds longest_check{180};  // the limits of its parts together are shorter
+
+/// A message: its length in eight bytes, and a result.
+std::string message_of(const CheckResult& checked) {
+  const std::string bytes = written_result(checked);
+  const std::uint64_t size = bytes.size();
+  return std::string(reinterpret_cast<const char*>(&size), sizeof size) + bytes;
+}
+
 /// An exercise's own file; where the checked file lies elsewhere, the one beside it, if there is one.
-std::filesystem::path own_file(const Course& course, const CheckTask& task, const Exercise& exercise) {
-  const std::filesystem::path beside = task.file.parent_path() / (exercise.name() + ".cpp");
-  return task.is_elsewhere && std::filesystem::exists(beside) ? beside : course.student_file(exercise);
+fs::path own_file(const Course& course, const CheckTask& task, const Exercise& exercise) {
+  const fs::path beside = task.file.parent_path() / (exercise.name() + ".cpp");
+  return task.is_elsewhere && fs::exists(beside) ? beside : course.student_file(exercise);
 }
 
 /// What the function returns when the same inputs are given in smaller units.
@@ -81,12 +112,23 @@ std::vector<IndependentInput> confirmed(std::vector<IndependentInput> inputs, Ex
 
 bool has_values(Verdict verdict) { return verdict == Verdict::wrong_value || verdict == Verdict::non_finite_value; }
 
+/// A file up to its judgement, with what explaining it needs.
+struct Judged {
+  CheckResult checked = {};
+  Submission submission = {};
+  Compilation compilation = {};
+  std::optional<ExerciseRunner> runner = {};  ///< where it could be compiled
+
+  CompileTask compile_task() const { return {submission, checked.reference->name, checked.reference->signature}; }
+};
+
 /// Where the values tell symptoms only.
-void explain_deeper(Explanation& explanation, const DiagnosticTask& task, bool has_mistake_in_code,
-                    const Answers& answers, const Toolchain& toolchain, const std::filesystem::path& cache,
-                    ExerciseRunner& runner) {
+void explain_deeper(Judged& judged, const DiagnosticTask& task, bool has_mistake_in_code, const Answers& answers,
+                    const CheckContext& context) {
+  Explanation& explanation = judged.checked.explanation;
   std::vector<Diagnosis>& diagnoses = explanation.diagnoses;
-  std::vector<Finding> deeper = diagnostic_run(task, toolchain, cache);
+  const fs::path cache = context.course().compiled();
+  std::vector<Finding> deeper = diagnostic_run(task, context.toolchain(), cache);
   if (!deeper.empty()) {
     diagnoses.clear();
     return add(explanation.findings, std::move(deeper));
@@ -95,40 +137,42 @@ void explain_deeper(Explanation& explanation, const DiagnosticTask& task, bool h
   const auto is_place = [](const Diagnosis& each) { return each.kind == DiagnosisKind::place; };
   if (has_mistake_in_code) std::erase_if(diagnoses, std::not_fn(is_place));
   if (task.judgement.verdict != Verdict::wrong_value) return;
-  const auto slip = slip_or_branch(task, toolchain, cache);
+  const auto slip = slip_or_branch(task, context.toolchain(), cache);
   if (slip) {
     std::erase_if(diagnoses, [&](const Diagnosis& each) {
       return each.kind != DiagnosisKind::split && (slip->name == "branch" || !is_place(each));
     });
     add(explanation.findings, {*slip});
   } else if (!has_mistake_in_code) {
-    const auto inputs = confirmed(independent_inputs(task.reference, answers), runner, task.reference, answers);
+    const auto inputs = confirmed(independent_inputs(task.reference, answers), *judged.runner, task.reference, answers);
     if (!inputs.empty() && inputs.size() <= 6)
       diagnoses.insert(diagnoses.begin(), independence(task.reference, inputs));
   }
 }
 
-Explanation explain(const CheckResult& checked, const CompileTask& compile_task, const Compilation& compilation,
-                    const Toolchain& toolchain, const std::filesystem::path& cache, ExerciseRunner& runner) {
-  Explanation explanation{checked.observation.findings, {}};
-  const Verdict verdict = checked.judgement.verdict;
-  if (verdict == Verdict::passed || verdict == Verdict::not_started || verdict == Verdict::checker_error)
-    return explanation;
+void explain(Judged& judged, const CheckContext& context) {
+  const CheckResult& checked = judged.checked;
   const ExerciseReference& reference = *checked.reference;
-  std::vector<Finding> in_code = source_findings(compile_task, compilation, toolchain, cache);
-  const DiagnosticTask task{compile_task.submission, reference, checked.observation, checked.judgement};
+  const Verdict verdict = checked.judgement.verdict;
+  Explanation& explanation = judged.checked.explanation;
+  explanation.findings = checked.observation.findings;
+  if (!judged.runner || verdict == Verdict::passed || verdict == Verdict::not_started ||
+      verdict == Verdict::checker_error)
+    return;
+  const fs::path cache = context.course().compiled();
+  std::vector<Finding> in_code = source_findings(judged.compile_task(), judged.compilation, context.toolchain(), cache);
+  const DiagnosticTask task{judged.submission, reference, checked.observation, checked.judgement};
   if (!has_values(verdict)) {
-    add(explanation.findings, diagnostic_run(task, toolchain, cache));
+    add(explanation.findings, diagnostic_run(task, context.toolchain(), cache));
     std::erase_if(in_code, is_remark);
-    add(explanation.findings, std::move(in_code));
-    return explanation;
+    return add(explanation.findings, std::move(in_code));
   }
   // A slip of C++ is not explained as physics.
-  const CodeReasons code = code_reasons(task, in_code, toolchain, cache);
+  const CodeReasons code = code_reasons(task, in_code, context.toolchain(), cache);
   if (!code.findings.empty()) {
     explanation.findings = code.findings;
     if (!code.are_all) add(explanation.findings, std::move(in_code));
-    return explanation;
+    return;
   }
   const bool has_mistake_in_code = !std::ranges::all_of(in_code, is_remark);
   const bool has_no_value = std::ranges::count(in_code, "uninitialized_variable", &Finding::name) > 0;
@@ -136,13 +180,67 @@ Explanation explain(const CheckResult& checked, const CompileTask& compile_task,
   if (!has_no_value)
     explanation.diagnoses =
         diagnose(reference, answers,
-                 verdict == Verdict::wrong_value ? take_probes(runner, reference) : std::vector<UnitProbe>{});
+                 verdict == Verdict::wrong_value ? take_probes(*judged.runner, reference) : std::vector<UnitProbe>{});
   if (std::ranges::all_of(explanation.diagnoses, &Diagnosis::is_symptom))
-    explain_deeper(explanation, task, has_mistake_in_code, answers, toolchain, cache, runner);
+    explain_deeper(judged, task, has_mistake_in_code, answers, context);
   for (Diagnosis& diagnosis : explanation.diagnoses)
     if (diagnosis.notes.empty()) diagnosis.notes = checked.task.exercise.entry->notes;
   add(explanation.findings, std::move(in_code));
-  return explanation;
+}
+
+CheckResult missing_file(const CheckTask& task, const ExerciseReference& reference) {
+  CheckResult checked;
+  checked.task = task;
+  checked.reference = &reference;
+  checked.observation.replies.assign(reference.cases.size(), Reply{.ending = Ending::not_started});
+  checked.judgement = judge(reference, checked.observation);
+  checked.judgement.message = "You have not started this exercise: its file is missing.";
+  checked.judgement.next_step =
+      fmt::format("The file {} is missing: `{}` writes it.", shown_path(task.file), command("reset " + checked.name()));
+  return checked;
+}
+
+/// read → compile → run → judge. @throws RejectedFile, std::runtime_error
+Judged judge_file(CheckContext& context, const CheckTask& task) {
+  Judged judged;
+  CheckResult& checked = judged.checked;
+  checked.task = task;
+  checked.reference = &context.reference(task);
+  judged.submission = read_with_library(context.course(), task);
+  checked.source = judged.submission.text;
+  judged.compilation = compile(judged.compile_task(), context.toolchain(), context.course().compiled());
+  if (judged.compilation.executable) {
+    checked.executable = *judged.compilation.executable;
+    judged.runner.emplace(checked.executable);
+    checked.observation = judged.runner->observe(checked.reference->cases, plan_repeats(*checked.reference));
+    checked.observation.compile_seconds = judged.compilation.seconds;
+  } else {
+    checked.observation = refused(judged.compilation);
+  }
+  checked.judgement = judge(*checked.reference, checked.observation);
+  return judged;
+}
+
+/// A failure may be that of an own function that is linked: if one of these does not pass itself, the exercise waits
+/// for it.
+void wait_for_own_functions(CheckContext& context, const CheckTask& task, const std::vector<std::string>& linked,
+                            Judgement& judgement) {
+  std::vector<std::string> reasons, commands;
+  for (const std::string& name : linked) {
+    const Exercise exercise = context.course().find_exercise(name);
+    const CheckTask own = check_task(context.course(), exercise, task.seed, own_file(context.course(), task, exercise));
+    const Judgement of_own = judge_file(context, own).checked.judgement;
+    if (of_own.passed()) continue;
+    judgement.waiting_for.push_back(name);
+    reasons.push_back(fmt::format("{} ({})", name, in_words(to_string(of_own.verdict))));
+    const std::string file = own.is_elsewhere ? " --file " + shell_quoted(own.file.string()) : "";
+    commands.push_back(fmt::format("`{}`", command(fmt::format("check {}{}", name, file))));
+  }
+  if (reasons.empty()) return;
+  judgement.verdict = Verdict::waiting;
+  judgement.message = fmt::format("Your function calls your own {}; once {}, it can be judged.",
+                                  fmt::join(reasons, " and "), reasons.size() == 1 ? "that passes" : "those pass");
+  judgement.next_step = fmt::format("First {}.", fmt::join(commands, ", "));
 }
 
 }  // namespace
@@ -161,7 +259,7 @@ std::string CheckResult::next_step() const {
 }
 
 std::vector<Submission> own_functions(const std::string& text, const std::vector<Exercise>& exercises,
-                                      const std::function<std::filesystem::path(const Exercise&)>& file_of) {
+                                      const std::function<fs::path(const Exercise&)>& file_of) {
   std::set<std::string, std::less<>> words;
   const auto add_words = [&](const std::string& of) {
     const auto is_in_it = [&](const Exercise& exercise) { return of.find(exercise.name()) != std::string::npos; };
@@ -173,8 +271,8 @@ std::vector<Submission> own_functions(const std::string& text, const std::vector
   std::vector<Submission> files;
   // From the last to the first: each may name those before it.
   for (auto exercise = exercises.rbegin(); exercise != exercises.rend(); ++exercise) {
-    const std::filesystem::path file = file_of(*exercise);
-    if (!words.contains(exercise->name()) || !std::filesystem::exists(file)) continue;
+    const fs::path file = file_of(*exercise);
+    if (!words.contains(exercise->name()) || !fs::exists(file)) continue;
     files.push_back(read_submission(file));
     add_words(files.back().text);
   }
@@ -189,8 +287,8 @@ Submission read_with_library(const Course& course, const CheckTask& task) {
 }
 
 CheckTask check_task(const Course& course, const Exercise& exercise, std::optional<std::uint64_t> seed,
-                     const std::optional<std::filesystem::path>& file) {
-  const std::filesystem::path own = course.student_file(exercise);
+                     const std::optional<fs::path>& file) {
+  const fs::path own = course.student_file(exercise);
   return {exercise, file.value_or(own), seed.value_or(course.seed()), file && *file != own,
           seed && *seed != course.seed()};
 }
@@ -211,109 +309,106 @@ CheckResult rejected_check(const CheckTask& task, const ExerciseReference& refer
   return checked;
 }
 
-namespace {
-
-std::filesystem::path compiled_directory(const Course& course) { return course.scratch() / "compiled"; }
-
-CheckResult missing_file(const CheckTask& task, const ExerciseReference& reference) {
-  CheckResult checked;
-  checked.task = task;
-  checked.reference = &reference;
-  checked.observation.replies.assign(reference.cases.size(), Reply{.ending = Ending::not_started});
-  checked.judgement = judge(reference, checked.observation);
-  checked.judgement.message = "You have not started this exercise: its file is missing.";
-  checked.judgement.next_step =
-      fmt::format("The file {} is missing: `{}` writes it.", shown_path(task.file), command("reset " + checked.name()));
-  return checked;
-}
-
-/// A file up to its judgement, with what explaining it needs.
-struct Judged {
-  CheckResult checked;
-  Submission submission;
-  Compilation compilation;
-  std::optional<ExerciseRunner> runner;  ///< where it could be compiled
-};
-
-/// read → compile → run → judge. @throws RejectedFile, std::runtime_error
-Judged judge_file(const Course& course, const Toolchain& toolchain, const CheckTask& task,
-                  const ExerciseReference& reference) {
-  Judged judged;
-  CheckResult& checked = judged.checked;
-  checked.task = task;
-  checked.reference = &reference;
-  judged.submission = read_with_library(course, task);
-  checked.source = judged.submission.text;
-  judged.compilation =
-      compile({.submission = judged.submission, .exercise = reference.name, .signature = reference.signature},
-              toolchain, compiled_directory(course));
-  if (judged.compilation.executable) {
-    checked.executable = *judged.compilation.executable;
-    judged.runner.emplace(checked.executable);
-    checked.observation = judged.runner->observe(reference.cases, plan_repeats(reference));
-    checked.observation.compile_seconds = judged.compilation.seconds;
-  } else {
-    checked.observation = refused(judged.compilation);
-  }
-  checked.judgement = judge(reference, checked.observation);
-  return judged;
-}
-
-/// A failure may be that of an own function that is linked: if one of these does not pass itself, the exercise waits
-/// for it.
-void wait_for_own_functions(const Course& course, const Toolchain& toolchain, const CheckTask& task,
-                            const std::vector<std::string>& linked, Judgement& judgement) {
-  std::vector<std::string> reasons, commands;
-  for (const std::string& name : linked) {
-    const Exercise exercise = course.find_exercise(name);
-    const CheckTask own = check_task(course, exercise, task.seed, own_file(course, task, exercise));
-    const LectureReference results = course.reference(exercise.lecture(), task.seed, name);
-    const Judgement of_own = judge_file(course, toolchain, own, results.exercise(name)).checked.judgement;
-    if (of_own.passed()) continue;
-    judgement.waiting_for.push_back(name);
-    reasons.push_back(fmt::format("{} ({})", name, in_words(to_string(of_own.verdict))));
-    const std::string file = own.is_elsewhere ? " --file " + shell_quoted(own.file.string()) : "";
-    commands.push_back(fmt::format("`{}`", command(fmt::format("check {}{}", name, file))));
-  }
-  if (reasons.empty()) return;
-  judgement.verdict = Verdict::waiting;
-  judgement.message = fmt::format("Your function calls your own {}; once {}, it can be judged.",
-                                  fmt::join(reasons, " and "), reasons.size() == 1 ? "that passes" : "those pass");
-  judgement.next_step = fmt::format("First {}.", fmt::join(commands, ", "));
-}
-
-}  // namespace
-
-CheckResult check_exercise(const Course& course, const Toolchain& toolchain, const CheckTask& task,
-                           const ExerciseReference& reference,
+CheckResult check_exercise(CheckContext& context, const CheckTask& task,
                            const std::function<void(const CheckResult&)>& on_verdict) {
   try {
-    if (!task.is_elsewhere && !std::filesystem::exists(task.file)) return missing_file(task, reference);
-    Judged judged = judge_file(course, toolchain, task, reference);
+    const ExerciseReference& reference = context.reference(task);
+    if (!task.is_elsewhere && !fs::exists(task.file)) return missing_file(task, reference);
+    Judged judged = judge_file(context, task);
     CheckResult& checked = judged.checked;
     if (!checked.judgement.passed() && !judged.compilation.linked.empty()) {
-      wait_for_own_functions(course, toolchain, task, judged.compilation.linked, checked.judgement);
+      wait_for_own_functions(context, task, judged.compilation.linked, checked.judgement);
       if (checked.judgement.verdict == Verdict::waiting) {
         checked.observation.replies.clear();  // values that say nothing of this file
         checked.executable.clear();
         return checked;
       }
     }
-    if (!judged.runner) {
-      checked.explanation.findings = checked.observation.findings;
-      return checked;
-    }
-    if (on_verdict && !checked.judgement.passed()) on_verdict(checked);
-    const CompileTask compile_task{
-        .submission = judged.submission, .exercise = reference.name, .signature = reference.signature};
-    checked.explanation =
-        explain(checked, compile_task, judged.compilation, toolchain, compiled_directory(course), *judged.runner);
+    if (on_verdict && judged.runner && !checked.judgement.passed()) on_verdict(checked);
+    explain(judged, context);
     return checked;
   } catch (const RejectedFile& reason) {
-    return rejected_check(task, reference, reason.what());
+    return rejected_check(task, context.reference(task), reason.what());
   } catch (const std::exception& problem) {
     return failed_check(task, problem.what());
   }
+}
+
+std::string written_result(const CheckResult& checked) {
+  const std::vector<std::uint8_t> bytes = json::to_cbor(checked);
+  return {bytes.begin(), bytes.end()};
+}
+
+CheckResult read_result(std::string_view bytes) { return json::from_cbor(bytes).get<CheckResult>(); }
+
+CheckContext::CheckContext(const Course& course)
+    : course_(course), toolchain_(read_toolchain(course.toolchain_file())) {}
+
+const ExerciseReference& CheckContext::reference(const CheckTask& task) {
+  const auto lecture = std::pair(task.exercise.lecture(), task.seed);
+  const auto key = std::pair(task.exercise.name(), task.seed);
+  if (const auto failed = failures_.find(lecture); failed != failures_.end()) throw ReferenceError(failed->second);
+  if (!references_.contains(key)) {
+    try {
+      references_.emplace(key, course_.reference(lecture.first, task.seed, key.first).exercises.front());
+    } catch (const std::exception& problem) {
+      failures_.emplace(lecture, problem.what());
+      throw ReferenceError(problem.what());
+    }
+  }
+  return references_.at(key);
+}
+
+CheckJob::CheckJob(CheckContext& context, CheckTask task) : task_(std::move(task)) {
+  try {
+    reference_ = &context.reference(task_);
+  } catch (const std::exception&) {  // the job says so
+  }
+  job_.emplace(
+      [this, &context](const ForkedJob::Send& send) {
+        return message_of(check_exercise(context, task_, [&](const CheckResult& judged) { send(message_of(judged)); }));
+      },
+      longest_check);
+}
+
+std::optional<CheckResult> CheckJob::last_message() const {
+  std::string_view rest = job_->output();
+  std::optional<std::string_view> last;
+  for (std::uint64_t size = 0; rest.size() >= sizeof size;) {
+    std::memcpy(&size, rest.data(), sizeof size);
+    rest.remove_prefix(sizeof size);
+    if (rest.size() < size) break;
+    last = rest.substr(0, size);
+    rest.remove_prefix(size);
+  }
+  if (!last) return std::nullopt;
+  CheckResult checked = read_result(*last);
+  checked.task = task_;
+  checked.reference = reference_;
+  return checked;
+}
+
+CheckResult CheckJob::result() {
+  const std::string trouble = job_->finish();
+  try {
+    if (const auto message = last_message()) return *message;  // what ends an explanation does not change the verdict
+    throw std::runtime_error(trouble.empty() ? "it says nothing" : trouble);
+  } catch (const std::exception& problem) {
+    return failed_check(task_, fmt::format("The check of {} was not completed: {}.", task_.exercise.name(),
+                                           without_full_stop(problem.what())));
+  }
+}
+
+void check_all(CheckContext& context, const std::vector<CheckTask>& tasks,
+               const std::function<void(CheckResult)>& deliver) {
+  std::map<std::size_t, CheckResult> early;
+  std::size_t turn = 0;
+  run_jobs(
+      tasks.size(), [&](std::size_t k) { return std::make_unique<CheckJob>(context, tasks[k]); },
+      [&](std::size_t k, CheckJob& job) {
+        early.emplace(k, job.result());
+        for (; early.contains(turn); ++turn) deliver(std::move(early.extract(turn).mapped()));
+      });
 }
 
 }  // namespace workbook

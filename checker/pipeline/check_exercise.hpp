@@ -10,9 +10,6 @@
 #include "checker/judging/judge.hpp"
 #include "checker/source/submission.hpp"
 
-#include <functional>
-#include <map>
-
 namespace workbook {
 
 /// Why a function failed: what is so in its code, and what its values tell. A help, never a grade.
@@ -26,7 +23,7 @@ struct Explanation {
 /// What is to be checked.
 struct CheckTask {
   Exercise exercise;
-  std::filesystem::path file;
+  fs::path file;
   std::uint64_t seed = 1;
   bool is_elsewhere = false;   ///< the file is not the exercise's own
   bool is_other_seed = false;  ///< the cases are not those that count
@@ -42,7 +39,7 @@ struct CheckResult {
   Observation observation;
   Judgement judgement;
   Explanation explanation;
-  std::filesystem::path executable;  ///< for the plot; empty if the file did not compile
+  fs::path executable;  ///< for the plot; empty if the file did not compile
   const ExerciseReference* reference = nullptr;
   std::optional<double> share;  ///< of the points that it earns, where that is not all or nothing
 
@@ -60,7 +57,7 @@ struct CheckResult {
 /// The files of the exercises that a text names, and of those that these name: what it may call is among them.
 /// @throws RejectedFile
 std::vector<Submission> own_functions(const std::string& text, const std::vector<Exercise>& exercises,
-                                      const std::function<std::filesystem::path(const Exercise&)>& file_of);
+                                      const std::function<fs::path(const Exercise&)>& file_of);
 
 /// The task's file with those of earlier exercises whose functions it may call, directly or through another one.
 /// @throws RejectedFile
@@ -68,14 +65,7 @@ Submission read_with_library(const Course& course, const CheckTask& task);
 
 /// The exercise's own file with the seed of the course, or the given ones.
 CheckTask check_task(const Course& course, const Exercise& exercise, std::optional<std::uint64_t> seed = {},
-                     const std::optional<std::filesystem::path>& file = {});
-
-/// Never throws for anything that a student's file can cause; trouble of our own comes back as the verdict
-/// checker_error.
-/// @param on_verdict  hears of the result before a failure is explained, which takes longer than judging
-CheckResult check_exercise(const Course& course, const Toolchain& toolchain, const CheckTask& task,
-                           const ExerciseReference& reference,
-                           const std::function<void(const CheckResult&)>& on_verdict = {});
+                     const std::optional<fs::path>& file = {});
 
 /// A result without a run: the checker itself failed.
 CheckResult failed_check(const CheckTask& task, const std::string& reason);
@@ -87,8 +77,6 @@ CheckResult rejected_check(const CheckTask& task, const ExerciseReference& refer
 std::string written_result(const CheckResult& checked);
 /// @throws std::exception if these are no such bytes
 CheckResult read_result(std::string_view bytes);
-
-// --- in processes of their own: whatever a file does to the checker, it ends that one check and no other
 
 /// What all checks with one seed share: the toolchain, and the reference results, read once per exercise.
 class CheckContext {
@@ -112,6 +100,14 @@ class CheckContext {
   std::map<std::pair<std::string, std::uint64_t>, std::string> failures_;  ///< why there are none
 };
 
+/// Never throws for anything that a student's file can cause; trouble of our own comes back as the verdict
+/// checker_error.
+/// @param on_verdict  hears of the result before a failure is explained, which takes longer than judging
+CheckResult check_exercise(CheckContext& context, const CheckTask& task,
+                           const std::function<void(const CheckResult&)>& on_verdict = {});
+
+// --- in processes of their own: whatever a file does to the checker, it ends that one check and no other
+
 /// One running check. It is ended with this object, with all that it has started.
 class CheckJob {
  public:
@@ -133,7 +129,6 @@ class CheckJob {
  private:
   const CheckTask task_;
   const ExerciseReference* reference_ = nullptr;  ///< read before the job begins, for others need it too
-  std::string problem_;                           ///< why there is none
   std::optional<ForkedJob> job_;
 };
 

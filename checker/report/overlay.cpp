@@ -1,10 +1,6 @@
 #include "checker/report/overlay.hpp"
 
-#include "checker/base/files.hpp"
-#include "checker/base/text.hpp"
 #include "checker/sandbox/worker_process.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -12,8 +8,6 @@
 #include <numbers>
 
 namespace workbook {
-
-namespace fs = std::filesystem;
 
 namespace {
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "checker/base/console.hpp"
+#include "checker/base/text.hpp"
 #include "checker/pipeline/check_exercise.hpp"
 
 #include <limits>
@@ -34,21 +35,20 @@ struct Overlay {
 Overlay overlay_of(const CheckResult& checked);
 
 /// Where plots lie unless another place is asked for.
-std::filesystem::path plots_directory(const Course& course);
+fs::path plots_directory(const Course& course);
 
 /// Draws DIRECTORY/NAME.svg and DIRECTORY/NAME.png. Returns both paths.
 /// @throws std::runtime_error if gnuplot is missing, the folder cannot be written, or gnuplot fails
-std::vector<std::filesystem::path> draw_overlay(const Overlay& overlay, const std::filesystem::path& directory,
-                                                const std::string& name);
+std::vector<fs::path> draw_overlay(const Overlay& overlay, const fs::path& directory, const std::string& name);
 
 /// What gnuplot draws on a terminal of the given name and options: the curves, and below them the difference.
 /// @param directory  for files on the way
 /// @throws std::runtime_error
-std::string drawn_overlay(const Overlay& overlay, const std::string& terminal, const std::filesystem::path& directory);
+std::string drawn_overlay(const Overlay& overlay, const std::string& terminal, const fs::path& directory);
 
 /// The curves alone, made of letters on such a terminal, and what the letters mean.
 std::string drawn_letters(const Overlay& overlay, const std::string& terminal, std::size_t columns,
-                          const std::filesystem::path& directory);
+                          const fs::path& directory);
 std::string meaning_of_letters(const Overlay& overlay);
 
 // --- on the terminal itself, in the best way that it can show
@@ -97,7 +97,6 @@ std::string kitty_picture(std::string_view png, std::size_t columns);
 /// What to print for the plot to be seen, no larger than the window; "" for `none`.
 /// @param png  what draw_overlay() has left
 /// @throws std::runtime_error
-std::string terminal_picture(PictureKind kind, const Overlay& overlay, const std::filesystem::path& png,
-                             const Console& console);
+std::string terminal_picture(PictureKind kind, const Overlay& overlay, const fs::path& png, const Console& console);
 
 }  // namespace workbook

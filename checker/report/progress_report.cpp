@@ -1,7 +1,5 @@
 #include "checker/report/reports.hpp"
 
-#include "checker/base/files.hpp"
-#include "checker/base/text.hpp"
 #include "checker/judging/judge.hpp"
 
 #include <algorithm>

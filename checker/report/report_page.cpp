@@ -1,6 +1,5 @@
 #include "checker/report/reports.hpp"
 
-#include "checker/base/text.hpp"
 #include "checker/report/failure_text.hpp"
 
 #include <kainjow/mustache.hpp>

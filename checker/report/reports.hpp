@@ -2,7 +2,6 @@
 /// What people and programs are told of verdicts: on the terminal, as JSON, as a page; and how far a student has come.
 #pragma once
 
-#include "checker/base/console.hpp"
 #include "checker/course/progress.hpp"
 #include "checker/report/overlay.hpp"
 

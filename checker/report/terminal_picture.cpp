@@ -1,8 +1,5 @@
 #include "checker/report/overlay.hpp"
 
-#include "checker/base/files.hpp"
-#include "checker/base/text.hpp"
-
 #include <poll.h>
 #include <sys/ioctl.h>
 #include <termios.h>
@@ -98,7 +95,7 @@ Space space_on(const Console& console) {
   return space;
 }
 
-std::string sixel_picture(const Overlay& overlay, const std::filesystem::path& directory, const Space& space) {
+std::string sixel_picture(const Overlay& overlay, const fs::path& directory, const Space& space) {
   const std::size_t width = space.columns * space.cell_width;
   // Letters and lines shrink with the picture, as far as they can be read.
   const double scale = std::clamp(static_cast<double>(width) / 800.0, 0.6, 1.5);
@@ -110,7 +107,7 @@ std::string sixel_picture(const Overlay& overlay, const std::filesystem::path& d
       directory);
 }
 
-std::string letter_picture(const Overlay& overlay, const std::filesystem::path& directory, const Console& console) {
+std::string letter_picture(const Overlay& overlay, const fs::path& directory, const Console& console) {
   const std::size_t columns = std::min(console.width(), widest_picture) - 1;
   const std::size_t rows = std::clamp<std::size_t>(space_on(console).rows, 12, 28);
   const std::string terminal =
@@ -177,9 +174,8 @@ std::string kitty_picture(std::string_view png, std::size_t columns) {
   return result;
 }
 
-std::string terminal_picture(PictureKind kind, const Overlay& overlay, const std::filesystem::path& png,
-                             const Console& console) {
-  const std::filesystem::path directory = png.parent_path();
+std::string terminal_picture(PictureKind kind, const Overlay& overlay, const fs::path& png, const Console& console) {
+  const fs::path directory = png.parent_path();
   if (kind == PictureKind::kitty) return kitty_picture(read_file(png).value_or(""), space_on(console).columns) + "\n";
   if (kind == PictureKind::sixel) return sixel_picture(overlay, directory, space_on(console)) + "\n";
   return kind == PictureKind::text ? letter_picture(overlay, directory, console) : "";

@@ -1,7 +1,5 @@
 #include "checker/report/reports.hpp"
 
-#include "checker/base/files.hpp"
-#include "checker/base/text.hpp"
 #include "checker/course/exercise_texts.hpp"
 #include "checker/report/failure_text.hpp"
 

@@ -68,7 +68,7 @@ TEST_CASE("an exercise and a lecture have names, numbers and files") {
   const workbook::Course renamed(course.root() / "course.json");
   CHECK(renamed.find("spring_force").size() == 1);
   CHECK(renamed.find("01_spring_force").size() == 2);
-  CHECK_THROWS_AS(renamed.find("02"), workbook::UnknownName);
+  CHECK_THROWS_AS(renamed.find("02"), workbook::UsageError);
 }
 
 TEST_CASE("the solution is shown after a pass, or when it is asked for all the same") {
