@@ -117,8 +117,7 @@ class Grader {
 
   void begin(const Intake& intake) {
     for (const Exercise& exercise : all_) {
-      write_or_fail(stub(exercise), stub_text(*exercise.entry, exercise.card->contract,
-                                              declared_signature(context_.course(), exercise)));
+      write_or_fail(stub(exercise), stub_text(exercise, declared_signature(context_.course(), exercise)));
     }
     for (const Student& student : intake.students)
       for (const Exercise& exercise : assignment_.exercises()) {

@@ -53,8 +53,7 @@ void write_stubs(const Course& course, const fs::path& copy) {
     fs::create_directories(exercises);
     for (const CardExercise& entry : card.exercises) {
       const Exercise exercise{&card, &entry};
-      write_or_throw(exercises / (entry.name + ".cpp"),
-                     stub_text(entry, card.contract, declared_signature(course, exercise)));
+      write_or_throw(exercises / (entry.name + ".cpp"), stub_text(exercise, declared_signature(course, exercise)));
     }
   }
 }
@@ -89,9 +88,7 @@ void lock_derivations(const Course& course, const fs::path& copy) {
       if (!derivation || !code) continue;
       if (!secret) secret = course.random_cases(card.lecture, seed);
       const fs::path file = copy / course.locked_file(exercise).lexically_relative(course.root());
-      const std::string problem =
-          write_file(file, locked_text(secret->exercise(entry.name), *code + "\n" + *derivation));
-      if (!problem.empty()) throw std::runtime_error(problem);
+      write_or_throw(file, locked_text(secret->exercise(entry.name), *code + "\n" + *derivation));
     }
   }
 }
@@ -134,34 +131,29 @@ fs::path target_of(const Options& options) {
 }  // namespace
 
 int handout(const Course& course, const Options& options) {
-  const auto stop = [](ExitStatus status, const std::string& sentence) {
-    fmt::print(stderr, "{}\n", sentence);
-    return status;
-  };
   if (!course.has_solutions())
-    return stop(wrong_usage,
-                "This copy was handed out itself: it has no solutions, so no other copy can be made from it. Copy the "
-                "folder.");
+    throw UsageError(
+        "This copy was handed out itself: it has no solutions, so no other copy can be made from it. Copy the folder.");
   const fs::path whole = target_of(options);
   std::optional<Release> before;
+  if (options.update) before = read_release(whole);
   try {
-    if (options.update) before = read_release(whole);
     Assignment(course, options.assignment);
-  } catch (const std::runtime_error& problem) {
-    return stop(wrong_usage, problem.what());
+  } catch (const GradingError& problem) {
+    throw UsageError(problem.what());
   }
   const FinishedProgram built = make(course.build(), {"handed_out"});
   if (!built.succeeded())
-    return stop(checker_failed, fmt::format("{}\nNothing was handed out, because the reference results, figures and "
-                                            "numbers of the notes could not be made; fix what the lines above name.",
-                                            built.output));
+    throw std::runtime_error(
+        built.output +
+        "\nNothing was handed out, because the reference results, figures and numbers of the notes could "
+        "not be made; fix what the lines above name.");
   // An update keeps the cases of the copy, unless others are asked for.
   const std::uint64_t seed = before && !options.is_seed_given ? before->seed : options.seed;
   std::vector<LectureReference> references;
   for (const Card& card : course.cards()) references.push_back(course.reference(card.lecture, seed));
   // Under another name first, so that there is a whole copy or none.
   const fs::path unfinished = fmt::format("{}.unfinished-{}", whole.string(), getpid());
-  std::error_code problem;
   try {
     make_copy(course, unfinished, references);
     if (options.assignment) place_file(*options.assignment, unfinished / "lectures/assignment.json");
@@ -174,10 +166,11 @@ int handout(const Course& course, const Options& options) {
       fs::rename(unfinished, whole);
     }
   } catch (const std::exception& reason) {
-    fs::remove_all(unfinished, problem);
-    return stop(checker_failed, fmt::format("{} could not be written ({}); nothing was handed out. Name a folder in a "
-                                            "place that is writable.",
-                                            options.out->string(), without_full_stop(reason.what())));
+    std::error_code ignored;
+    fs::remove_all(unfinished, ignored);
+    throw std::runtime_error(
+        fmt::format("{} could not be written ({}); nothing was handed out. Name a folder in a place that is writable.",
+                    options.out->string(), without_full_stop(reason.what())));
   }
   fmt::print(
       "{} holds {} with {}, their cases drawn with seed {}, and no solutions. Students type ./checker/run in it; put "

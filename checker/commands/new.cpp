@@ -202,7 +202,7 @@ int new_exercise(const Course& course, const std::string& name, const std::strin
   contract.insert(end + 1, declaration_text(signature));
   const fs::path notes_file = course.notes_file(card);
   const std::string notes = read_file(notes_file).value_or("");
-  write(course.student_file(exercise), stub_text(entry, card.contract, signature.text));
+  write(course.student_file(exercise), stub_text(exercise, signature.text));
   write(course.hints_file(exercise), hints_text);
   write(course.solution_file(exercise), solution_text(signature, card.contract));
   write(course.judging_file(exercise), judging_text(signature, name, card.contract));

@@ -233,7 +233,7 @@ int review(const Course& course, const Options& /*options*/) {
     return all_passed;
   }
   const Exercise& exercise = *due.exercise;
-  const std::string stub = stub_text(*exercise.entry, exercise.card->contract, declared_signature(course, exercise));
+  const std::string stub = stub_text(exercise, declared_signature(course, exercise));
   write_or_throw(file_of(exercise), stub);
   const Console console = Console::of_standard_output();
   fmt::print("{}\n{}\n", console.styled(exercise.name(), Style::strong), console.wrapped(exercise.entry->task, 2));

@@ -1,6 +1,5 @@
 // Where the student stands, exercise by exercise: the commands status (the one without a name), list, hint and reset.
 #include "checker/commands/commands.hpp"
-#include "checker/course/inspection.hpp"
 #include "checker/course/locked_text.hpp"
 #include "checker/grading/assignment.hpp"
 #include "checker/sandbox/worker_process.hpp"
@@ -10,6 +9,23 @@
 namespace workbook {
 
 namespace {
+
+/// Files among the exercises of a lecture that are none: a slip in a name, or something of the student's own.
+std::vector<std::string> stray_exercises(const Course& course, const Card& card) {
+  std::vector<std::string> names;
+  for (const CardExercise& entry : card.exercises) names.push_back(entry.name);
+  std::vector<std::string> remarks;
+  std::error_code problem;
+  for (const auto& entry : fs::directory_iterator(course.lectures() / card.lecture / "exercises", problem)) {
+    const std::string name = entry.path().stem().string();
+    if (entry.path().extension() != ".cpp" || name.starts_with('.') || std::ranges::count(names, name) > 0) continue;
+    const std::string meant = did_you_mean(name, names);
+    remarks.push_back(fmt::format("{} is no exercise of the course and is not checked.{}",
+                                  course.in_course(entry.path()),
+                                  meant.empty() ? "" : fmt::format(" Did you mean {}.cpp?", meant)));
+  }
+  return remarks;
+}
 
 void print_remarks(const Course& course, const Progress& progress) {
   warn(progress);
@@ -122,7 +138,7 @@ int reset(const Course& course, const Options& options) {
       return refuse(fmt::format("your version could not be kept as {} ({})", shown_path(kept), problem.message()));
     fmt::print("Your version is kept as {}.\n", shown_path(kept));
   }
-  const std::string failure = write_file(file, stub_text(*exercise.entry, exercise.card->contract, signature));
+  const std::string failure = write_file(file, stub_text(exercise, signature));
   if (!failure.empty()) return refuse(fmt::format("{} cannot be written ({})", shown_path(file), failure));
   Progress(course.progress_file()).forget(exercise.name());
   fmt::print("{} is as it was at the beginning.\n", shown_path(file));

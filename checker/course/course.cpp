@@ -89,19 +89,6 @@ bool is_named(const Card& card, const std::string& name) {
   return wanted == without_zeros(card.lecture) || wanted == without_zeros(number) || wanted == topic_of(card);
 }
 
-/// @param cases  "all" or "random"
-void run_reference_program(const fs::path& program, const std::string& lecture, std::uint64_t seed,
-                           const fs::path& file, const char* cases) {
-  fs::create_directories(file.parent_path());
-  const FinishedProgram made =
-      run_with_path(program.string(),
-                    {"--lecture", lecture, "--seed", std::to_string(seed), "--out", file.string(), "--cases", cases},
-                    std::chrono::seconds(120));
-  if (!made.succeeded())
-    throw ReferenceError(fmt::format("{}: making reference results for seed {} failed: {}", program.string(), seed,
-                                     made.out_of_time ? "it took more than 120 s" : made.output));
-}
-
 }  // namespace
 
 Course::Course(const fs::path& course_file) {
@@ -204,27 +191,29 @@ void Course::make_reference(const std::string& lecture) const {
                                      shown_path(build_.directory / "build.log"), first_errors(made.output)));
 }
 
-fs::path Course::reference_program(const std::string& lecture) const {
-  fs::path program = reference_ / ("reference_" + lecture);
+/// @param cases  "all" or "random"
+void Course::run_reference_program(const std::string& lecture, std::uint64_t seed, const fs::path& file,
+                                   const char* cases) const {
+  const fs::path program = reference_program(lecture);
   if (!fs::exists(program))
     throw ReferenceError(fmt::format(
         "This copy of the workbook has reference results for seed {} only; other seeds need the solutions, which it "
         "does not have.",
         seed_));
-  return program;
-}
-
-fs::path Course::reference_of_seed(const std::string& lecture, std::uint64_t seed) const {
-  const fs::path program = reference_program(lecture);
-  fs::path file = scratch_ / "reference" / fmt::format("{}-seed-{}.json", lecture, seed);
-  if (is_newer(program, file)) run_reference_program(program, lecture, seed, file, "all");
-  return file;
+  fs::create_directories(file.parent_path());
+  const FinishedProgram made =
+      run_with_path(program.string(),
+                    {"--lecture", lecture, "--seed", std::to_string(seed), "--out", file.string(), "--cases", cases},
+                    std::chrono::seconds(120));
+  if (!made.succeeded())
+    throw ReferenceError(fmt::format("{}: making reference results for seed {} failed: {}", program.string(), seed,
+                                     made.out_of_time ? "it took more than 120 s" : made.output));
 }
 
 LectureReference Course::random_cases(const std::string& lecture, std::uint64_t seed) const {
   make_reference(lecture);
   const fs::path file = scratch_ / "reference" / fmt::format("{}-random-{}.json", lecture, ::getpid());
-  run_reference_program(reference_program(lecture), lecture, seed, file, "random");
+  run_reference_program(lecture, seed, file, "random");
   LectureReference results = read_reference_results(file);
   fs::remove(file);
   return results;
@@ -233,9 +222,11 @@ LectureReference Course::random_cases(const std::string& lecture, std::uint64_t 
 LectureReference Course::reference(const std::string& lecture, std::uint64_t seed, const std::string& only) const {
   const auto given = given_.find(lecture);
   if (given == given_.end() && has_solutions()) make_reference(lecture);
-  const fs::path file = given != given_.end() ? given->second
-                        : seed == seed_       ? reference_file(lecture)
-                                              : reference_of_seed(lecture, seed);
+  fs::path file = given != given_.end() ? given->second : reference_file(lecture);
+  if (given == given_.end() && seed != seed_) {
+    file = scratch_ / "reference" / fmt::format("{}-seed-{}.json", lecture, seed);
+    if (is_newer(reference_program(lecture), file)) run_reference_program(lecture, seed, file, "all");
+  }
   LectureReference results = read_reference_results(file, only);
   for (const CardExercise& exercise : find_lecture(lecture).exercises)
     if ((only.empty() || exercise.name == only) &&

@@ -83,26 +83,17 @@ class Course {
   Exercise find_exercise(const std::string& name) const;
 
   const fs::path& root() const { return root_; }
+  /// The file as sentences name it: from the top level on.
+  std::string in_course(const fs::path& file) const { return file.lexically_relative(root_).string(); }
   fs::path lectures() const { return root_ / "lectures"; }
-  fs::path student_file(const Exercise& exercise) const {
-    return lectures() / exercise.lecture() / "exercises" / (exercise.name() + ".cpp");
-  }
-  fs::path hints_file(const Exercise& exercise) const {
-    return lectures() / exercise.lecture() / "hints" / (exercise.name() + ".md");
-  }
-  fs::path solution_file(const Exercise& exercise) const {  ///< absent in what students get
-    return root_ / "solutions" / exercise.lecture() / (exercise.name() + ".cpp");
-  }
-  fs::path judging_file(const Exercise& exercise) const {  ///< likewise
-    return root_ / "solutions" / exercise.lecture() / "judging" / (exercise.name() + ".cpp");
-  }
-  fs::path derivation_file(const Exercise& exercise) const {  ///< likewise; another route
-    return root_ / "solutions" / exercise.lecture() / "derivations" / (exercise.name() + ".md");
-  }
-  /// In what students get: solution and derivation, which a right function opens.
-  fs::path locked_file(const Exercise& exercise) const {
-    return lectures() / exercise.lecture() / "handed_out" / (exercise.name() + ".locked");
-  }
+  fs::path student_file(const Exercise& exercise) const { return part(exercise, "lectures", "exercises", ".cpp"); }
+  fs::path hints_file(const Exercise& exercise) const { return part(exercise, "lectures", "hints", ".md"); }
+  // Students do not get these:
+  fs::path solution_file(const Exercise& exercise) const { return part(exercise, "solutions", "", ".cpp"); }
+  fs::path judging_file(const Exercise& exercise) const { return part(exercise, "solutions", "judging", ".cpp"); }
+  fs::path derivation_file(const Exercise& exercise) const { return part(exercise, "solutions", "derivations", ".md"); }
+  /// But solution and derivation in one, which a right function opens.
+  fs::path locked_file(const Exercise& exercise) const { return part(exercise, "lectures", "handed_out", ".locked"); }
   fs::path contract_file(const Card& card) const { return root_ / "include" / "rigid" / (card.contract + ".hpp"); }
   fs::path notes_file(const Card& card) const { return lectures() / card.lecture / "notes.md"; }
   const fs::path& toolchain_file() const { return toolchain_file_; }
@@ -144,9 +135,13 @@ class Course {
   std::uint64_t use_reference(const fs::path& file);
 
  private:
+  fs::path part(const Exercise& exercise, const char* of, const char* folder, const char* ending) const {
+    return root_ / of / exercise.lecture() / folder / (exercise.name() + ending);
+  }
+  fs::path reference_program(const std::string& lecture) const { return reference_ / ("reference_" + lecture); }
   void make_reference(const std::string& lecture) const;
-  fs::path reference_program(const std::string& lecture) const;
-  fs::path reference_of_seed(const std::string& lecture, std::uint64_t seed) const;
+  void run_reference_program(const std::string& lecture, std::uint64_t seed, const fs::path& file,
+                             const char* cases) const;
 
   fs::path root_;
   fs::path reference_;

@@ -77,13 +77,13 @@ std::string declared_signature(const Course& course, const Exercise& exercise) {
   return std::regex_replace(found[1].str(), std::regex("\\s+"), " ");
 }
 
-std::string stub_text(const CardExercise& entry, const std::string& contract, const std::string& signature) {
+std::string stub_text(const Exercise& exercise, const std::string& signature) {
   return fmt::format(
       "// The task stands in include/rigid/{1}.hpp; ./checker/run check {0} shows it in short.\n"
       "#include <rigid/{1}.hpp>\n\nnamespace rigid {{\n\n{2} {{\n"
       "  // TODO: write this function; the next line says that you have not started yet.\n"
       "  throw NotStarted{{}};\n}}\n\n}}  // namespace rigid\n",
-      entry.name, contract, wrapped_parameters(signature));
+      exercise.name(), exercise.card->contract, wrapped_parameters(signature));
 }
 
 bool is_begun(const fs::path& file) {

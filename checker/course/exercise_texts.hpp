@@ -23,7 +23,7 @@ std::string declared_signature(const Course& course, const Exercise& exercise);
 
 /// The text of the stub: where the task is to be read, so that a correction of it never touches a student's file; the
 /// contract's header, the function with its TODO.
-std::string stub_text(const CardExercise& entry, const std::string& contract, const std::string& signature);
+std::string stub_text(const Exercise& exercise, const std::string& signature);
 
 /// Has the student begun, as far as can be seen without compiling: the file is there and no longer says "not started".
 bool is_begun(const fs::path& file);

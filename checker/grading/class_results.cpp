@@ -2,6 +2,9 @@
 
 #include "checker/report/reports.hpp"
 
+#include <boost/math/statistics/bivariate_statistics.hpp>
+#include <boost/math/statistics/univariate_statistics.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -19,17 +22,11 @@ bool is_unexplained(const CheckResult& checked) {
 }
 
 /// Of passing an exercise with the points of all others; null where one of them is the same for all.
-ordered_json correlation(const std::vector<std::pair<double, double>>& pairs) {
-  const double n = static_cast<double>(pairs.size());
-  double x = 0, y = 0, xx = 0, yy = 0, xy = 0;
-  for (const auto& [a, b] : pairs) {
-    x += a, y += b;
-  }
-  for (const auto& [a, b] : pairs) {
-    xx += (a - x / n) * (a - x / n), yy += (b - y / n) * (b - y / n), xy += (a - x / n) * (b - y / n);
-  }
-  if (pairs.size() < 2 || !(xx > 0) || !(yy > 1e-9)) return nullptr;
-  return std::round(xy / std::sqrt(xx * yy) * 1000) / 1000;
+ordered_json correlation(const std::vector<double>& passed, const std::vector<double>& rest) {
+  using boost::math::statistics::correlation_coefficient, boost::math::statistics::variance;
+  if (passed.size() < 2 || variance(passed) == 0 || variance(rest) * static_cast<double>(rest.size()) < 1e-9)
+    return nullptr;
+  return std::round(correlation_coefficient(passed, rest) * 1000) / 1000;
 }
 
 double rounded(double points) { return std::round(points * 10000) / 10000; }
@@ -75,10 +72,10 @@ ordered_json ClassResults::add(const Student& student, const std::vector<CheckRe
       known["students"] = known["students"].get<int>() + 1;
     }
     if (!is_unexplained(checked)) continue;
-    SameOutput& same = outputs_[{checked.name(), checked.fingerprint_of_values()}];
-    same.exercise = checked.name();
-    same.first_failure = result["first_failure"];
-    same.students.push_back(student.id);
+    ordered_json& same = outputs_[{checked.name(), checked.fingerprint_of_values()}];
+    same["exercise"] = checked.name();
+    same["first_failure"] = result["first_failure"];
+    same["students"].push_back(student.id);
   }
   const double score = rounded(points * factor);
   ordered_json entry = {{"id", student.id},      {"name", student.name},  {"slug", student.slug},
@@ -94,7 +91,7 @@ ordered_json ClassResults::add(const Student& student, const std::vector<CheckRe
 
 ordered_json ClassResults::exercise_entry(std::size_t number) const {
   int judged = 0, started = 0, passed = 0;
-  std::vector<std::pair<double, double>> with_the_rest;
+  std::vector<double> passes, rests;
   for (const ordered_json& student : students_) {
     double rest = 0;
     for (const ordered_json& mark : student.at("results"))
@@ -105,7 +102,8 @@ ordered_json ClassResults::exercise_entry(std::size_t number) const {
     ++judged;
     started += mark.at("verdict") != "not_started" ? 1 : 0;
     passed += has_passed ? 1 : 0;
-    with_the_rest.emplace_back(has_passed ? 1.0 : 0.0, rest - mark.at("score").get<double>());
+    passes.push_back(has_passed ? 1.0 : 0.0);
+    rests.push_back(rest - mark.at("score").get<double>());
   }
   const Exercise& exercise = assignment_.exercises()[number];
   return {{"exercise", exercise.name()},
@@ -115,7 +113,7 @@ ordered_json ClassResults::exercise_entry(std::size_t number) const {
           {"started", started},
           {"passed", passed},
           {"difficulty", judged > 0 ? ordered_json(rounded(1.0 - static_cast<double>(passed) / judged)) : nullptr},
-          {"discrimination", correlation(with_the_rest)}};
+          {"discrimination", correlation(passes, rests)}};
 }
 
 ordered_json ClassResults::document() {
@@ -123,21 +121,16 @@ ordered_json ClassResults::document() {
   document["exercises"] = ordered_json::array();
   for (std::size_t i = 0; i < assignment_.exercises().size(); ++i) document["exercises"].push_back(exercise_entry(i));
   document["distribution"] = distribution_;
-  const auto more_students = [](const ordered_json& a, const ordered_json& b) { return a["students"] > b["students"]; };
-  std::vector<ordered_json> misconceptions;
+  std::vector<ordered_json> misconceptions, outputs;
   for (const auto& [unused, each] : misconceptions_) misconceptions.push_back(each);
-  std::ranges::stable_sort(misconceptions, more_students);
+  std::ranges::stable_sort(misconceptions, std::greater<>(), [](const ordered_json& each) { return each["students"]; });
   document["misconceptions"] = misconceptions;
-  std::vector<const SameOutput*> outputs;
+  const auto students = [](const ordered_json& each) { return each["students"].size(); };
   for (const auto& [unused, each] : outputs_)
-    if (each.students.size() > 1) outputs.push_back(&each);
-  std::ranges::stable_sort(outputs, std::greater<>(), [](const SameOutput* each) { return each->students.size(); });
-  document["identical_wrong_outputs"] = ordered_json::array();
-  for (const SameOutput* each : outputs)
-    document["identical_wrong_outputs"].push_back({{"exercise", each->exercise},
-                                                   {"first_failure", each->first_failure},
-                                                   {"students", each->students},
-                                                   {"is_rare", each->students.size() <= most_of_a_rare_output}});
+    if (students(each) > 1) outputs.push_back(each);
+  std::ranges::stable_sort(outputs, std::greater<>(), students);
+  for (ordered_json& each : outputs) each["is_rare"] = students(each) <= most_of_a_rare_output;
+  document["identical_wrong_outputs"] = outputs;
   document["not_judged"] = not_judged_;
   document["students"] = std::move(students_);
   return document;
@@ -146,38 +139,38 @@ ordered_json ClassResults::document() {
 std::vector<std::string> changed_marks(const ordered_json& before, const ordered_json& now) {
   std::vector<std::string> lines;
   std::map<std::string, const ordered_json*> known;
+  const auto name_of_mark = [](const ordered_json& mark) { return mark.at("exercise").get<std::string>(); };
+  const auto number = [](const ordered_json& student, const char* key) { return student.at(key).get<double>(); };
   for (const ordered_json& student : before.at("students")) known[student.at("id")] = &student;
   for (const ordered_json& student : now.at("students")) {
     const std::string id = student.at("id");
     if (!known.contains(id)) {
-      lines.push_back(fmt::format("{}: {:g} points; new.", id, student.at("score").get<double>()));
+      lines.push_back(fmt::format("{}: {:g} points; new.", id, number(student, "score")));
       continue;
     }
-    const ordered_json& old = *known.at(id);
-    known.erase(id);
+    const ordered_json& old = *known.extract(id).mapped();
     if (old.at("score") == student.at("score") && old.at("possible") == student.at("possible")) continue;
     std::vector<std::string> reasons;
     if (old.at("late_factor") != student.at("late_factor")) reasons.emplace_back("handed in at another time");
     for (const ordered_json& mark : student.at("results")) {
-      const auto same = std::ranges::find_if(
-          old.at("results"), [&](const ordered_json& each) { return each.at("exercise") == mark.at("exercise"); });
+      const std::string exercise = name_of_mark(mark);
+      const auto same = std::ranges::find(old.at("results"), exercise, name_of_mark);
       if (same == old.at("results").end()) {
-        reasons.push_back(mark.at("exercise").get<std::string>() + " is new in the assignment");
+        reasons.push_back(exercise + " is new in the assignment");
       } else if (same->at("verdict") != mark.at("verdict")) {
         const bool is_other_file = same->at("made_from") != mark.at("made_from");
-        reasons.push_back(fmt::format("{} was {} and is {}, {}", mark.at("exercise").get<std::string>(),
-                                      in_words(same->at("verdict")), in_words(mark.at("verdict")),
+        reasons.push_back(fmt::format("{} was {} and is {}, {}", exercise, in_words(same->at("verdict")),
+                                      in_words(mark.at("verdict")),
                                       is_other_file ? "with another file" : "with other cases or another checker"));
       } else if (same->at("points") != mark.at("points")) {
-        reasons.push_back(mark.at("exercise").get<std::string>() + " has other points");
+        reasons.push_back(exercise + " has other points");
       } else if (same->at("score") != mark.at("score")) {
-        reasons.push_back(mark.at("exercise").get<std::string>() + " earns another part of its points");
+        reasons.push_back(exercise + " earns another part of its points");
       }
     }
     if (reasons.empty()) reasons.emplace_back("other exercises in the assignment");
-    lines.push_back(fmt::format("{}: {:g} of {:g} points, before {:g} of {:g}: {}.", id,
-                                student.at("score").get<double>(), student.at("possible").get<double>(),
-                                old.at("score").get<double>(), old.at("possible").get<double>(),
+    lines.push_back(fmt::format("{}: {:g} of {:g} points, before {:g} of {:g}: {}.", id, number(student, "score"),
+                                number(student, "possible"), number(old, "score"), number(old, "possible"),
                                 fmt::join(reasons, "; ")));
   }
   for (const auto& [id, unused] : known) lines.push_back(fmt::format("{}: no longer in the class.", id));

@@ -26,20 +26,14 @@ class ClassResults {
   nlohmann::ordered_json document();
 
  private:
-  /// Students who gave the same wrong values for the same unknown reason.
-  struct SameOutput {
-    std::string exercise;
-    nlohmann::ordered_json first_failure;
-    std::vector<std::string> students;
-  };
-
   nlohmann::ordered_json exercise_entry(std::size_t number) const;
 
   const Assignment& assignment_;
   nlohmann::ordered_json head_;
   nlohmann::ordered_json students_ = nlohmann::ordered_json::array();
   std::map<std::pair<std::string, std::string>, nlohmann::ordered_json> misconceptions_;  ///< by exercise and name
-  std::map<std::pair<std::string, std::string>, SameOutput> outputs_;  ///< by exercise and fingerprint
+  /// Students who gave the same wrong values for the same unknown reason: by exercise and fingerprint of these.
+  std::map<std::pair<std::string, std::string>, nlohmann::ordered_json> outputs_;
   std::vector<std::string> not_judged_;
   std::array<int, 10> distribution_{};
 };

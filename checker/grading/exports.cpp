@@ -28,10 +28,6 @@ std::string number(const ordered_json& value) {
   return value.is_number() ? fmt::format("{:g}", value.get<double>()) : "";
 }
 
-std::string percent(const ordered_json& fraction) {
-  return fraction.is_number() ? fmt::format("{:.0f} %", 100 * fraction.get<double>()) : "–";
-}
-
 std::string grades_csv(const ordered_json& document) {
   Table table = {{"id", "name", "score", "possible", "days_late"}};
   for (const ordered_json& exercise : document.at("exercises")) table[0].push_back(exercise.at("exercise"));
@@ -90,9 +86,8 @@ Table gradebook(const ordered_json& document, const std::vector<std::string>& he
 
 /// The instructor says at the import which column is which. https://docs.moodle.org/en/Grade_import
 std::string moodle_csv(const ordered_json& document) {
-  return write_csv(gradebook(document, {"ID number", "Full name"}, [](const std::string& id, const std::string& name) {
-    return std::vector<std::string>{id, name};
-  }));
+  const auto row = [](const std::string& id, const std::string& name) { return std::vector{id, name}; };
+  return write_csv(gradebook(document, {"ID number", "Full name"}, row));
 }
 
 /// Columns and the second row as lib/gradebook_importer.rb of Canvas demands them. It takes digits in the second column
@@ -113,9 +108,8 @@ std::string canvas_csv(const ordered_json& document) {
 ordered_json gradescope_results(const ordered_json& student) {
   std::vector<std::string> notes = student.at("student").at("notes");
   notes.insert(notes.begin(), "Sandbox: " + student.at("sandbox").get<std::string>());
-  const int days_late = student.at("student").at("days_late");
-  if (days_late > 0)
-    notes.push_back(fmt::format("Handed in {} late.", plural(static_cast<std::size_t>(days_late), "day")));
+  const std::size_t days_late = student.at("student").at("days_late");
+  if (days_late > 0) notes.push_back(fmt::format("Handed in {} late.", plural(days_late, "day")));
   ordered_json tests = ordered_json::array();
   for (const ordered_json& result : student.at("results")) {
     const std::string verdict = result.at("verdict");
@@ -216,24 +210,16 @@ std::map<std::string, std::string> student_exports(const ordered_json& student) 
 }
 
 std::string class_page(const ordered_json& document, const std::string& date) {
-  ordered_json page = {{"title", document.at("title")},
-                       {"date", date},
-                       {"seed", number(document.at("seed"))},
-                       {"sandbox", document.at("sandbox")},
-                       {"problems", document.at("problems")},
-                       {"not_judged", document.at("not_judged")},
-                       {"count", plural(document.at("students").size(), "student")}};
-  page["columns"] = ordered_json::array();
-  for (const ordered_json& each : document.at("exercises"))
-    page["columns"].push_back(
-        {{"name", each.at("exercise")},
-         {"lecture", each.at("lecture")},
-         {"points", number(each.at("points"))},
-         {"started", number(each.at("started"))},
-         {"passed", number(each.at("passed"))},
-         {"difficulty", percent(each.at("difficulty"))},
-         {"discrimination",
-          each.at("discrimination").is_null() ? "–" : fmt::format("{:.2f}", each.at("discrimination").get<double>())}});
+  ordered_json page = {{"date", date}, {"count", plural(document.at("students").size(), "student")}};
+  for (const char* key :
+       {"title", "seed", "sandbox", "problems", "not_judged", "exercises", "misconceptions", "identical_wrong_outputs"})
+    page[key] = document.at(key);
+  for (ordered_json& each : page["exercises"]) {
+    ordered_json& fraction = each["difficulty"];
+    fraction = fraction.is_null() ? "–" : fmt::format("{:.0f} %", 100 * fraction.get<double>());
+    ordered_json& correlation = each["discrimination"];
+    correlation = correlation.is_null() ? "–" : fmt::format("{:.2f}", correlation.get<double>());
+  }
   // Each row by itself: what a template is filled with takes some fifteen times the memory of what it makes.
   std::string rows;
   for (const ordered_json& student : document.at("students")) {
@@ -243,40 +229,30 @@ std::string class_page(const ordered_json& document, const std::string& date) {
       cells.back()["words"] = in_words(mark.at("verdict"));
     }
     const std::string id = student.at("id"), name = student.at("name");
-    const int days = student.at("days_late");
-    rows +=
-        rendered_page(class_page_row_template,
-                      {{"id", name.empty() ? id : fmt::format("{} ({})", name, id)},
-                       {"page", student.at("slug")},
-                       {"score", number(student.at("score")) + " of " + number(student.at("possible"))},
-                       {"late", days > 0 ? fmt::format("{} late", plural(static_cast<std::size_t>(days), "day")) : ""},
-                       {"cells", cells}});
+    const std::size_t days = student.at("days_late");
+    rows += rendered_page(class_page_row_template, {{"id", name.empty() ? id : fmt::format("{} ({})", name, id)},
+                                                    {"page", student.at("slug")},
+                                                    {"score", student.at("score")},
+                                                    {"possible", student.at("possible")},
+                                                    {"late", days > 0 ? plural(days, "day") : ""},
+                                                    {"cells", cells}});
   }
-  page["bins"] = ordered_json::array();
   const std::vector<int> counts = document.at("distribution");
   const int most = std::max(1, *std::ranges::max_element(counts));
   for (std::size_t i = 0; i < counts.size(); ++i)
     page["bins"].push_back({{"range", fmt::format("{} – {} %", 10 * i, 10 * (i + 1))},
-                            {"count", std::to_string(counts[i])},
+                            {"count", counts[i]},
                             {"width", fmt::format("{:.1f}", 20.0 * counts[i] / most)}});
-  page["misconceptions"] = ordered_json::array();
-  for (const ordered_json& each : document.at("misconceptions"))
-    page["misconceptions"].push_back(
-        {{"exercise", each.at("exercise")}, {"message", each.at("message")}, {"count", number(each.at("students"))}});
-  page["outputs"] = ordered_json::array();
-  for (const ordered_json& each : document.at("identical_wrong_outputs")) {
-    const std::vector<std::string> students = each.at("students");
-    const ordered_json& failure = each.at("first_failure");
-    const auto shown = [&](const char* key) { return shortened(failure.at(key).dump(), 200); };
-    page["outputs"].push_back({{"exercise", each.at("exercise")},
-                               {"count", std::to_string(students.size())},
-                               {"students", shortened(fmt::format("{}", fmt::join(students, ", ")), 300)},
-                               {"case", failure.is_null() ? "" : failure.at("case").get<std::string>()},
-                               {"expected", failure.is_null() ? "" : shown("expected")},
-                               {"actual", failure.is_null() ? "" : shown("actual")},
-                               {"rare", each.at("is_rare").get<bool>()}});
+  for (ordered_json& each : page["identical_wrong_outputs"]) {
+    each["count"] = each.at("students").size();
+    each["students"] =
+        shortened(fmt::format("{}", fmt::join(each.at("students").get<std::vector<std::string>>(), ", ")), 300);
+    const ordered_json failure = std::exchange(each["first_failure"], nullptr);
+    if (failure.is_null()) continue;
+    each["case"] = failure.at("case");
+    for (const char* key : {"expected", "actual"}) each[key] = shortened(failure.at(key).dump(), 200);
   }
-  for (const char* list : {"problems", "not_judged", "misconceptions", "outputs"})
+  for (const char* list : {"problems", "not_judged", "misconceptions", "identical_wrong_outputs"})
     page[std::string("any_") + list] = !page[list].empty();
   return rendered_page(class_page_template, page, {{"style", page_style()}, {"rows", rows}});
 }

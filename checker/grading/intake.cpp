@@ -47,6 +47,18 @@ fs::file_type type_of(const fs::path& file) {
   return fs::symlink_status(file, ignored).type();
 }
 
+/// The text of one file, wherever it lies, for which sentences have a name. @throws RejectedFile
+using Read = std::function<std::string(const std::string& shown)>;
+
+Read read_of(const fs::path& file) {
+  return [file](const std::string& shown) {
+    struct stat status {};
+    if (::lstat(file.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_nlink > 1)
+      throw RejectedFile(shown + " is a hard link, so it may be somebody else's; hand in a file of its own.");
+    return read_submission(file, shown).text;
+  };
+}
+
 class Collector {
  public:
   Collector(const Course& course, const std::vector<RosterEntry>& roster, fs::path copies, const Shard& shard)
@@ -78,7 +90,7 @@ class Collector {
       } else if (entry.extension() == ".zip") {
         take_zip(entry, entry.stem().string() + "/");
       } else {
-        take(name, entry, nullptr);
+        take(name, read_of(entry));
       }
     }
   }
@@ -137,7 +149,7 @@ class Collector {
                                 unreadable.message()));
     if (const fs::path own = folder / progress_file.parent_path(); type_of(own) == fs::file_type::directory)
       if (const fs::path file = folder / progress_file; type_of(file) != fs::file_type::not_found)
-        take(relative + "/" + progress_file.string(), file, nullptr);
+        take(relative + "/" + progress_file.string(), read_of(file));
     for (const fs::path& entry : entries) {
       if (++looked_at_ > most_entries) return note(student, "The folder holds too many files; the rest was not read.");
       const std::string name = entry.filename().string(), below = fmt::format("{}/{}", relative, name);
@@ -151,7 +163,7 @@ class Collector {
         looked_at_ += most_entries / 20;
         take_zip(entry, relative + "/");
       } else {
-        take(below, entry, nullptr);
+        take(below, read_of(entry));
       }
     }
   }
@@ -160,7 +172,7 @@ class Collector {
     try {
       std::vector<std::string> endings = names_;
       endings.insert(endings.end(), {".cpp", progress_file.filename().string()});
-      for (const Zipped& each : read_zip(file, endings)) take(prefix + each.path, {}, &each);
+      for (const Zipped& each : read_zip(file, endings)) take(prefix + each.path, read_of_zipped(each));
     } catch (const RejectedFile& reason) {
       const std::size_t slash = prefix.find('/');
       Student* const student = slash == std::string::npos ? nullptr : student_of(prefix.substr(0, slash));
@@ -172,8 +184,7 @@ class Collector {
   }
 
   /// A file by its path in the submissions: whose it is, for what, and what is in it.
-  /// @param zipped  or nullptr: it lies at `file`
-  void take(const std::string& relative, const fs::path& file, const Zipped* zipped) {
+  void take(const std::string& relative, const Read& read) {
     const std::string shown = shortened(printable(relative), 200);
     std::vector<std::string> parts;
     for (const fs::path& part : fs::path(relative))
@@ -185,10 +196,10 @@ class Collector {
       return;
     }
     if (is_progress) {
-      if (Student* const student = student_of(parts.front())) take_progress(*student, file, zipped, shown);
+      if (Student* const student = student_of(parts.front())) take_progress(*student, read, shown);
       return;
     }
-    if (parts.size() == 1) return take_flat(parts.front(), file, zipped);
+    if (parts.size() == 1) return take_flat(parts.front(), read);
     if (parts.front() == "__MACOSX") return;
     const std::string stem = fs::path(parts.back()).stem().string();
     const auto exercise = std::ranges::find(exercises_, stem, &Exercise::name);
@@ -196,7 +207,7 @@ class Collector {
     if (student == nullptr) return;
     if (exercise != exercises_.end() && parts.back() == stem + ".cpp") {
       const std::string place = fmt::format("/lectures/{}/exercises/{}.cpp", exercise->lecture(), stem);
-      hand_in(*student, stem, {relative.ends_with(place), relative, ""}, file, zipped);
+      hand_in(*student, stem, {relative.ends_with(place), relative, ""}, read);
     } else if (const std::string meant = plain_name(fs::path(stem).stem().string());
                std::ranges::find(exercises_, meant, &Exercise::name) != exercises_.end() &&
                parts.back().find(".cpp") != std::string::npos) {
@@ -205,10 +216,10 @@ class Collector {
   }
 
   /// Of several the one counts, for each exercise, that tells of more hints.
-  void take_progress(Student& student, const fs::path& file, const Zipped* zipped, const std::string& shown) {
+  void take_progress(Student& student, const Read& read, const std::string& shown) {
     const fs::path copy = copies_ / student.slug / "progress.json";
     try {
-      write_or_throw(copy, zipped ? text_of(*zipped, shown) : text_of(file, shown));
+      write_or_throw(copy, read(shown));
       const Progress progress(copy);
       if (progress.warning().empty() && !student.hints) student.hints.emplace();
       for (const Exercise& exercise : exercises_)
@@ -221,7 +232,7 @@ class Collector {
   }
 
   /// "ID_EXERCISE.cpp"; Canvas puts "-1" behind the name of what was handed in once more.
-  void take_flat(const std::string& name, const fs::path& file, const Zipped* zipped) {
+  void take_flat(const std::string& name, const Read& read) {
     std::string stem = name.ends_with(".cpp") ? name.substr(0, name.size() - 4) : "";
     if (const std::size_t end = stem.find_last_not_of("0123456789"); end != std::string::npos && stem[end] == '-')
       stem.resize(end);
@@ -234,11 +245,10 @@ class Collector {
       return problem(fmt::format("'{}' was not read: it should be a student's folder, a zip file or ID_EXERCISE.cpp.",
                                  shortened(printable(name), 100)));
     if (Student* student = student_of(stem.substr(0, stem.size() - meant->name().size() - 1)))
-      hand_in(*student, meant->name(), {false, name, ""}, file, zipped);
+      hand_in(*student, meant->name(), {false, name, ""}, read);
   }
 
-  void hand_in(Student& student, const std::string& exercise, HandedIn found, const fs::path& file,
-               const Zipped* zipped) {
+  void hand_in(Student& student, const std::string& exercise, HandedIn found, const Read& read) {
     const fs::path copy = copies_ / student.slug / (exercise + ".cpp");
     found.where = shortened(printable(found.where), 200);
     const auto known = student.files.find(exercise);
@@ -246,7 +256,7 @@ class Collector {
     if (is_second && known->second.is_in_place && !found.is_in_place) return;
     std::string text;
     try {
-      text = zipped ? text_of(*zipped, found.where) : text_of(file, found.where);
+      text = read(found.where);
     } catch (const RejectedFile& reason) {
       found.refusal = reason.what();
     }
@@ -261,19 +271,13 @@ class Collector {
     student.files[exercise] = std::move(found);
   }
 
-  static std::string text_of(const fs::path& file, const std::string& shown) {
-    struct stat status {};
-    if (::lstat(file.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_nlink > 1)
-      throw RejectedFile(shown + " is a hard link, so it may be somebody else's; hand in a file of its own.");
-    return read_submission(file, shown).text;
-  }
-
   /// Through a file, for it is judged like all others.
-  std::string text_of(const Zipped& zipped, const std::string& shown) const {
-    if (!zipped.refusal.empty()) throw RejectedFile(shown + " " + zipped.refusal + ".");
-    const fs::path unpacked = copies_ / ".unpacked";
-    write_or_throw(unpacked, zipped.text);
-    return read_submission(unpacked, shown).text;
+  Read read_of_zipped(const Zipped& zipped) const {
+    return [&zipped, unpacked = copies_ / ".unpacked"](const std::string& shown) {
+      if (!zipped.refusal.empty()) throw RejectedFile(shown + " " + zipped.refusal + ".");
+      write_or_throw(unpacked, zipped.text);
+      return read_submission(unpacked, shown).text;
+    };
   }
 
   const fs::path copies_;

@@ -35,6 +35,8 @@ data for_template(const json& value) {
     for (const json& part : value) list << for_template(part);
     return list;
   }
+  if (value.is_null()) return data(false);
+  if (value.is_number()) return data(fmt::format("{:g}", value.get<double>()));
   std::string text = value.get<std::string>();
   std::erase(text, '\r');
   return text.empty() ? data(false) : data(printable(text));
