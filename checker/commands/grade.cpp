@@ -151,6 +151,47 @@ class Grader {
     journal_.sync();
   }
 
+  /// Files for every student, then those for the class; class.json comes last: it is what the next run compares with.
+  ordered_json write_results(const Intake& intake, const std::string& sandbox) {
+    ReportedCourse page;
+    page.date = current_day();
+    page.seed = seed_;
+    for (const Card& card : context_.course().cards())
+      page.headings.merge(read_headings(context_.course().notes_file(card)));
+    ClassResults results(assignment_, seed_, sandbox, intake.problems);
+    std::error_code ignored;
+    for (const char* folder : {"students", "gradescope", "autolab", "github_classroom", "classroom50"})
+      fs::remove_all(out_ / folder, ignored);
+    for (Student student : intake.students) {
+      std::ranges::copy(assignment_.rules(student.hints.has_value()), std::back_inserter(student.notes));
+      std::vector<CheckResult> checked;
+      std::vector<std::string> made_from(assignment_.exercises().size());
+      for (std::size_t i = 0; i < made_from.size(); ++i)
+        checked.push_back(result(student, assignment_.exercises()[i], made_from[i]));
+      const ordered_json document = results.add(student, checked, made_from);
+      const fs::path file = out_ / "students" / student.slug;
+      write_or_fail(file.string() + ".json", indented(document));
+      for (const auto& [folder, text] : student_exports(document))
+        write_or_fail(out_ / folder / (student.slug + ".json"), text);
+      page.student = student.name.empty() ? student.id : student.name;
+      page.notes = student.notes;
+      page.notes.insert(page.notes.begin(), "Sandbox: " + sandbox + ".");
+      if (const int days = document.at("student").at("days_late"); days > 0)
+        page.notes.push_back(fmt::format("Handed in {} late: of the points {:g} % count, which is {:g}.",
+                                         plural(static_cast<std::size_t>(days), "day"),
+                                         100 * document.at("student").at("late_factor").get<double>(),
+                                         document.at("student").at("score").get<double>()));
+      page.exercises.clear();
+      for (CheckResult& each : checked) page.exercises.push_back({std::move(each), {}, {}});
+      write_or_fail(file.string() + ".html", report_page(page));
+    }
+    ordered_json document = results.document();
+    for (const auto& [name, text] : class_exports(document)) write_or_fail(out_ / name, text);
+    write_or_fail(out_ / "class.html", class_page(document, page.date));
+    return document;
+  }
+
+ private:
   /// @param made_from  gets the fingerprint of what the result was made from
   CheckResult result(const Student& student, const Exercise& exercise, std::string& made_from) {
     const CheckTask task{exercise, copy(student, exercise), seed_, true, false};
@@ -175,7 +216,6 @@ class Grader {
     return *checked;
   }
 
- private:
   fs::path copy(const Student& student, const Exercise& exercise) const {
     return out_ / "submissions" / student.slug / (exercise.name() + ".cpp");
   }
@@ -299,46 +339,6 @@ std::uint64_t seed_of(Course& course, const Options& options) {
   return seed.value_or(options.seed);
 }
 
-/// Files for every student, then those for the class; class.json comes last: it is what the next run compares with.
-ordered_json write_results(Grader& grader, const Intake& intake, const Course& course, const Assignment& assignment,
-                           std::uint64_t seed, const std::string& sandbox, const fs::path& out) {
-  ReportedCourse page;
-  page.date = current_day();
-  page.seed = seed;
-  for (const Card& card : course.cards()) page.headings.merge(read_headings(course.notes_file(card)));
-  ClassResults results(assignment, seed, sandbox, intake.problems);
-  std::error_code ignored;
-  for (const char* folder : {"students", "gradescope", "autolab", "github_classroom", "classroom50"})
-    fs::remove_all(out / folder, ignored);
-  for (Student student : intake.students) {
-    std::ranges::copy(assignment.rules(student.hints.has_value()), std::back_inserter(student.notes));
-    std::vector<CheckResult> checked;
-    std::vector<std::string> made_from(assignment.exercises().size());
-    for (std::size_t i = 0; i < made_from.size(); ++i)
-      checked.push_back(grader.result(student, assignment.exercises()[i], made_from[i]));
-    const ordered_json document = results.add(student, checked, made_from);
-    const fs::path file = out / "students" / student.slug;
-    write_or_fail(file.string() + ".json", indented(document));
-    for (const auto& [folder, text] : student_exports(document))
-      write_or_fail(out / folder / (student.slug + ".json"), text);
-    page.student = student.name.empty() ? student.id : student.name;
-    page.notes = student.notes;
-    page.notes.insert(page.notes.begin(), "Sandbox: " + sandbox + ".");
-    if (const int days = document.at("student").at("days_late"); days > 0)
-      page.notes.push_back(fmt::format("Handed in {} late: of the points {:g} % count, which is {:g}.",
-                                       plural(static_cast<std::size_t>(days), "day"),
-                                       100 * document.at("student").at("late_factor").get<double>(),
-                                       document.at("student").at("score").get<double>()));
-    page.exercises.clear();
-    for (CheckResult& each : checked) page.exercises.push_back({std::move(each), {}, {}});
-    write_or_fail(file.string() + ".html", report_page(page));
-  }
-  ordered_json document = results.document();
-  for (const auto& [name, text] : class_exports(document)) write_or_fail(out / name, text);
-  write_or_fail(out / "class.html", class_page(document, page.date));
-  return document;
-}
-
 void print_changes(const fs::path& class_file, const ordered_json& document) {
   const auto before = read_file(class_file);
   if (!before) return;
@@ -391,7 +391,7 @@ int grade(const Course& given, const Options& options) {
                  command("grade SUBMISSIONS --out FOLDER --merge " + shell_quoted(options.out->string())));
       return grader.failed() == 0 ? all_passed : checker_failed;
     }
-    const ordered_json document = write_results(grader, intake, course, assignment, seed, sandbox.sentence(), out);
+    const ordered_json document = grader.write_results(intake, sandbox.sentence());
     print_changes(out / "class.json", document);
     write_or_fail(out / "class.json", indented(document));
     fs::remove_all(out / "work", ignored);

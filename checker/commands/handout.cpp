@@ -28,11 +28,6 @@ bool is_left_behind(const fs::path& file) {
   return name.starts_with('.') || name.ends_with('~') || name.ends_with(".orig");
 }
 
-void place_file(const fs::path& from, const fs::path& to) {
-  fs::create_directories(to.parent_path());
-  fs::copy_file(from, to, fs::copy_options::overwrite_existing);
-}
-
 /// Copies a file, or a folder without dot-files and editors' backups.
 void copy_part(const fs::path& from, const fs::path& to) {
   if (!fs::is_directory(from)) return place_file(from, to);
@@ -47,15 +42,10 @@ void copy_part(const fs::path& from, const fs::path& to) {
 
 /// Every exercise as it was at the beginning, whatever has been tried in this copy.
 void write_stubs(const Course& course, const fs::path& copy) {
-  for (const Card& card : course.cards()) {
-    const fs::path exercises = copy / "lectures" / card.lecture / "exercises";
-    fs::remove_all(exercises);
-    fs::create_directories(exercises);
-    for (const CardExercise& entry : card.exercises) {
-      const Exercise exercise{&card, &entry};
-      write_or_throw(exercises / (entry.name + ".cpp"), stub_text(exercise, declared_signature(course, exercise)));
-    }
-  }
+  for (const Card& card : course.cards()) fs::remove_all(copy / "lectures" / card.lecture / "exercises");
+  for (const Exercise& exercise : course.exercises())
+    write_or_throw(copy / course.in_course(course.student_file(exercise)),
+                   stub_text(exercise, declared_signature(course, exercise)));
 }
 
 /// What the reference implementation made: the results to judge by, the numbers and figures of the notes.
@@ -79,17 +69,14 @@ void copy_made(const Course& course, const fs::path& copy, std::vector<LectureRe
 /// Solution and another route, or the derivation, for those whose function is right.
 void lock_derivations(const Course& course, const fs::path& copy) {
   const std::uint64_t seed = std::random_device()();
-  for (const Card& card : course.cards()) {
-    std::optional<LectureReference> secret;
-    for (const CardExercise& entry : card.exercises) {
-      const Exercise exercise{&card, &entry};
-      const auto derivation = read_file(course.derivation_file(exercise));
-      const auto code = read_file(course.solution_file(exercise));
-      if (!derivation || !code) continue;
-      if (!secret) secret = course.random_cases(card.lecture, seed);
-      const fs::path file = copy / course.locked_file(exercise).lexically_relative(course.root());
-      write_or_throw(file, locked_text(secret->exercise(entry.name), *code + "\n" + *derivation));
-    }
+  LectureReference secret;
+  for (const Exercise& exercise : course.exercises()) {
+    const auto derivation = read_file(course.derivation_file(exercise));
+    const auto code = read_file(course.solution_file(exercise));
+    if (!derivation || !code) continue;
+    if (secret.lecture != exercise.lecture()) secret = course.random_cases(exercise.lecture(), seed);
+    write_or_throw(copy / course.in_course(course.locked_file(exercise)),
+                   locked_text(secret.exercise(exercise.name()), *code + "\n" + *derivation));
   }
 }
 

@@ -81,41 +81,6 @@ Signature parsed_signature(const std::string& text, const std::string& function)
   return signature;
 }
 
-std::string declaration_text(const Signature& signature) {
-  return fmt::format(
-      "/// TODO: what it computes, in one sentence.\n///\n{}"
-      "/// @pre TODO: which inputs are legal; the degenerate ones by name\n"
-      "/// @return TODO: meaning, frame, unit\n{};\n\n",
-      signature.described, signature.text);
-}
-
-std::string solution_text(const Signature& signature, const std::string& contract) {
-  return fmt::format(
-      "#include \"rigid/{}.hpp\"\n\nnamespace rigid {{\n\n{} {{\n  return {};  // TODO: the solution\n}}\n\n"
-      "}}  // namespace rigid\n",
-      contract, signature.unnamed, signature.placeholder);
-}
-
-std::string judging_text(const Signature& signature, const std::string& name, const std::string& contract) {
-  return fmt::format(R"(#include "rigid/{0}.hpp"
-#include "solutions/judging/judging.hpp"
-
-void judge_{1}(workbook::judging::Lecture& lecture) {{
-  using namespace workbook::judging;
-  // TODO: the units in place of none.
-  auto& e = lecture.exercise("{1}", &rigid::{1}, {{{2}}}, {{"result", none}});
-  e.random("a random input", 10, [](Random& random) {{ return std::tuple{{{3}}}; }});
-  e.scale(1.0);  // TODO: remove it; the size of the expected numbers will do in most cases
-  // TODO: worked and special cases, three wrong answers, three routes, what every right result has, a sweep to plot.
-}}
-)",
-                     contract, name, signature.quantities, signature.drawn);
-}
-
-constexpr const char* hints_text =
-    "TODO: what to think of first.\n\n---\n\nTODO: the decisive step.\n\n---\n\nTODO: the formula, and how to write "
-    "it.\n";
-
 void write(const fs::path& file, const std::string& text, bool is_new = true) {
   const std::string problem = is_new && fs::exists(file) ? "it exists already" : write_file(file, text);
   if (!problem.empty()) throw UsageError(fmt::format("{} cannot be written: {}.", shown_path(file), problem));
@@ -199,13 +164,35 @@ int new_exercise(const Course& course, const std::string& name, const std::strin
   std::string contract = read_file(contract_file).value_or("");
   const std::size_t end = contract.rfind("\n}");
   if (end == std::string::npos) throw UsageError(shown_path(contract_file) + " does not end its namespace.");
-  contract.insert(end + 1, declaration_text(signature));
+  contract.insert(end + 1, fmt::format("/// TODO: what it computes, in one sentence.\n///\n{}"
+                                       "/// @pre TODO: which inputs are legal; the degenerate ones by name\n"
+                                       "/// @return TODO: meaning, frame, unit\n{};\n\n",
+                                       signature.described, signature.text));
   const fs::path notes_file = course.notes_file(card);
   const std::string notes = read_file(notes_file).value_or("");
   write(course.student_file(exercise), stub_text(exercise, signature.text));
-  write(course.hints_file(exercise), hints_text);
-  write(course.solution_file(exercise), solution_text(signature, card.contract));
-  write(course.judging_file(exercise), judging_text(signature, name, card.contract));
+  write(
+      course.hints_file(exercise),
+      "TODO: what to think of first.\n\n---\n\nTODO: the decisive step.\n\n---\n\nTODO: the formula, and how to write "
+      "it.\n");
+  write(course.solution_file(exercise),
+        fmt::format(
+            "#include \"rigid/{}.hpp\"\n\nnamespace rigid {{\n\n{} {{\n  return {};  // TODO: the solution\n}}\n\n"
+            "}}  // namespace rigid\n",
+            card.contract, signature.unnamed, signature.placeholder));
+  write(course.judging_file(exercise), fmt::format(R"(#include "rigid/{0}.hpp"
+#include "solutions/judging/judging.hpp"
+
+void judge_{1}(workbook::judging::Lecture& lecture) {{
+  using namespace workbook::judging;
+  // TODO: the units in place of none.
+  auto& e = lecture.exercise("{1}", &rigid::{1}, {{{2}}}, {{"result", none}});
+  e.random("a random input", 10, [](Random& random) {{ return std::tuple{{{3}}}; }});
+  e.scale(1.0);  // TODO: remove it; the size of the expected numbers will do in most cases
+  // TODO: worked and special cases, three wrong answers, three routes, what every right result has, a sweep to plot.
+}}
+)",
+                                                   card.contract, name, signature.quantities, signature.drawn));
   write(course.derivation_file(exercise),
         fmt::format("# {}\n\nTODO: another route, and why it is equal.\n", as_title(name)));
   write(contract_file, contract, false);

@@ -10,27 +10,22 @@ namespace workbook {
 
 namespace {
 
-/// Files among the exercises of a lecture that are none: a slip in a name, or something of the student's own.
-std::vector<std::string> stray_exercises(const Course& course, const Card& card) {
-  std::vector<std::string> names;
-  for (const CardExercise& entry : card.exercises) names.push_back(entry.name);
-  std::vector<std::string> remarks;
-  std::error_code problem;
-  for (const auto& entry : fs::directory_iterator(course.lectures() / card.lecture / "exercises", problem)) {
-    const std::string name = entry.path().stem().string();
-    if (entry.path().extension() != ".cpp" || name.starts_with('.') || std::ranges::count(names, name) > 0) continue;
-    const std::string meant = did_you_mean(name, names);
-    remarks.push_back(fmt::format("{} is no exercise of the course and is not checked.{}",
-                                  course.in_course(entry.path()),
-                                  meant.empty() ? "" : fmt::format(" Did you mean {}.cpp?", meant)));
-  }
-  return remarks;
-}
-
+/// What is odd: the progress, and files among the exercises that are none, a slip in a name or something of the
+/// student's own.
 void print_remarks(const Course& course, const Progress& progress) {
   warn(progress);
-  for (const Card& card : course.cards())
-    for (const std::string& remark : stray_exercises(course, card)) fmt::print(stderr, "{}\n", remark);
+  for (const Card& card : course.cards()) {
+    std::vector<std::string> names;
+    for (const CardExercise& entry : card.exercises) names.push_back(entry.name);
+    std::error_code problem;
+    for (const auto& entry : fs::directory_iterator(course.lectures() / card.lecture / "exercises", problem)) {
+      const std::string name = entry.path().stem().string();
+      if (entry.path().extension() != ".cpp" || name.starts_with('.') || std::ranges::count(names, name) > 0) continue;
+      const std::string meant = did_you_mean(name, names);
+      fmt::print(stderr, "{} is no exercise of the course and is not checked.{}\n", course.in_course(entry.path()),
+                 meant.empty() ? "" : fmt::format(" Did you mean {}.cpp?", meant));
+    }
+  }
 }
 
 /// "Week 3, due 2027-03-01T23:59:00Z: 2 of 5 exercises pass."

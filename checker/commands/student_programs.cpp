@@ -36,7 +36,8 @@ struct Outcome {
   bool is_not_started = false;
 };
 
-void print_outcome(const Console& console, const std::string& name, const Outcome& outcome) {
+void print_outcome(const std::string& name, const Outcome& outcome) {
+  const Console console = Console::of_standard_output();
   const bool is_good = outcome.trouble.empty();
   const std::string mark = is_good                  ? console.mark("✓", Style::good)
                            : outcome.is_not_started ? console.mark("·", Style::quiet)
@@ -159,7 +160,7 @@ int examples(const Course& course, const Options& options) {
                                 : is_not_started
                                     ? fmt::format("needs {} (not started)", fmt::join(example.missing, ", "))
                                     : plural(example.failed.size(), "check") + " failed";
-    print_outcome(console, example.title, {trouble, is_not_started});
+    print_outcome(example.title, {trouble, is_not_started});
     for (const std::string& check : example.failed) fmt::print("{}\n", console.wrapped(check, 4));
   }
   fmt::print("\n{} of {} worked examples of {} hold with your functions.\n", passed, all.size(), lecture);
@@ -175,7 +176,6 @@ int figures(const Course& course, const Options& options) {
 
   const FinishedProgram listed = run_with_path(program, {"--list"}, std::chrono::seconds(10));
   const std::vector<std::string> names = lines_of(listed.output);
-  const Console console = Console::of_standard_output();
   if (!listed.succeeded() || names.empty())
     return stop(
         "The program of the figures ends before it draws anything, because "
@@ -188,7 +188,7 @@ int figures(const Course& course, const Options& options) {
     const Outcome outcome = draw_figure(program, directory, names[i], options.seconds_per_figure);
     progress_bar.clear();
     drawn += outcome.trouble.empty() ? 1 : 0;
-    print_outcome(console, names[i], outcome);
+    print_outcome(names[i], outcome);
   }
   fmt::print("\n{} of {} figures of {} are drawn with your functions.\n  {}\n", drawn, names.size(), lecture,
              shown_path(directory));

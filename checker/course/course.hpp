@@ -61,26 +61,18 @@ class Course {
   explicit Course(const fs::path& course_file);
 
   const std::vector<Card>& cards() const { return cards_; }
-
-  /// All exercises in course order.
+  // In course order, all exercises, and those before one, whose functions it may call.
   std::vector<Exercise> exercises() const;
-
-  /// Those that come before one, in course order: it may call their functions.
   std::vector<Exercise> exercises_before(const Exercise& exercise) const;
 
-  /// The exercises that a name stands for: one exercise, or all of a lecture ("03_inertia_tensor", "03", "3",
-  /// "inertia_tensor"). @throws UsageError with a proposal.
+  // What names stand for. @throws UsageError with a proposal
+  /// One exercise, or all of a lecture ("03_inertia_tensor", "03", "3", "inertia_tensor").
   std::vector<Exercise> find(const std::string& name) const;
-
-  /// The lecture of that name, number or topic; it may have no exercise yet. @throws UsageError with a proposal.
-  const Card& find_lecture(const std::string& name) const;
-
-  /// The exercises that all the names together stand for, each once; without names the whole course.
-  /// @throws UsageError with a proposal.
+  /// Those of all the names together, each once; without names the whole course.
   std::vector<Exercise> choose(const std::vector<std::string>& names) const;
-
-  /// Exactly one exercise. @throws UsageError with a proposal.
   Exercise find_exercise(const std::string& name) const;
+  /// By name, number or topic; it may have no exercise yet.
+  const Card& find_lecture(const std::string& name) const;
 
   const fs::path& root() const { return root_; }
   /// The file as sentences name it: from the top level on.
@@ -99,7 +91,6 @@ class Course {
   const fs::path& toolchain_file() const { return toolchain_file_; }
   bool has_solutions() const { return fs::exists(root_ / "solutions"); }
 
-  /// The build that this program belongs to.
   const Build& build() const { return build_; }
 
   /// What the program may write: compiled workers, plots, reference results of other seeds.
@@ -111,8 +102,7 @@ class Course {
   fs::path progress_file() const { return root_ / ".workbook" / "progress.json"; }
 
   const fs::path& notes_folder() const { return notes_; }
-
-  /// The file of a page of the notes, if the notes have been built.
+  /// The page of a lecture there, if the notes have been built.
   std::optional<fs::path> notes_page(const std::string& lecture) const;
 
   /// Where the reference results of a lecture are: in the copies that students get, beside the lecture; else in the

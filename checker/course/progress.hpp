@@ -36,7 +36,6 @@ class Progress {
   bool remember(const std::string& exercise, const std::string& verdict, const std::string& source,
                 const std::string& values = "");
 
-  /// Forgets an exercise.
   void forget(const std::string& exercise);
 
   /// Nothing ("") if the exercise was never checked.

@@ -27,7 +27,9 @@ bool is_inside(const std::string& file) {
   return !file.empty() && path.is_relative() && path.lexically_normal() == path && *path.begin() != "..";
 }
 
-void copy_to(const fs::path& from, const fs::path& to) {
+}  // namespace
+
+void place_file(const fs::path& from, const fs::path& to) {
   std::error_code problem;
   fs::create_directories(to.parent_path(), problem);
   // Under another name first, so that there is never half a file.
@@ -36,8 +38,6 @@ void copy_to(const fs::path& from, const fs::path& to) {
   if (!problem) fs::rename(unfinished, to, problem);
   if (problem) throw UsageError(fmt::format("{} cannot be written ({}).", shown_path(to), problem.message()));
 }
-
-}  // namespace
 
 Release read_release(const fs::path& copy) {
   const fs::path file = copy / release_name;
@@ -93,15 +93,15 @@ UpdateResult update_copy(const fs::path& from, const Release& now, const fs::pat
     if (is_own && has(before, file, wanted)) continue;  // changed here only
     if (is_own) {
       const fs::path kept = free_name(copy / ".workbook/kept" / file);
-      copy_to(copy / file, kept);
+      place_file(copy / file, kept);
       result.kept.push_back(kept.lexically_relative(copy).string());
     }
-    copy_to(from / file, copy / file);
+    place_file(from / file, copy / file);
     ++result.written;
   }
   for (const auto& [file, content] : before.files)
     if (!now.files.contains(file) && file_fingerprint(copy / file) == content) fs::remove(copy / file, ignored);
-  copy_to(from / release_name, copy / release_name);
+  place_file(from / release_name, copy / release_name);
   return result;
 }
 

@@ -103,8 +103,9 @@ double number_between(const json& object, const char* key, double least, double 
 Assignment::Assignment(const Course& course, const std::optional<fs::path>& file) {
   std::map<std::string, double> points;
   std::vector<std::string> names;
+  const std::string text = file ? text_of(*file) : "";
   if (file) try {
-      const json document = json::parse(text_of(*file));
+      const json document = json::parse(text);
       require_known(document, "the file", {"title", "exercises", "due", "late", "hint_cost", "partial"});
       title_ = document.value("title", "");
       for (const json& each : document.value("exercises", json::array())) {
@@ -133,8 +134,6 @@ Assignment::Assignment(const Course& course, const std::optional<fs::path>& file
     } catch (const json::exception& problem) {
       const std::string reason = problem.what();  // "[json.exception.…] (/late/days) key …"
       throw GradingError(fmt::format("{}: {}.", shown_path(*file), printable(reason.substr(reason.find(']') + 2))));
-    } catch (const GradingError&) {
-      throw;
     } catch (const std::runtime_error& problem) {
       throw GradingError(fmt::format("{}: {}.", shown_path(*file), without_full_stop(problem.what())));
     }

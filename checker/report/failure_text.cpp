@@ -1,11 +1,9 @@
-#include "checker/report/failure_text.hpp"
+#include "checker/report/reports.hpp"
 
-#include "checker/base/text.hpp"
 #include "checker/data/value_text.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numeric>
 
 namespace workbook {

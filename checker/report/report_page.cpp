@@ -1,7 +1,5 @@
 #include "checker/report/reports.hpp"
 
-#include "checker/report/failure_text.hpp"
-
 #include <kainjow/mustache.hpp>
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,5 @@
 // A failing case in full, as a student reads it; the text is in golden/cases.txt.
-#include "checker/report/failure_text.hpp"
+#include "checker/report/reports.hpp"
 #include "tests/judging/made_up.hpp"
 #include "tests/support/files.hpp"
 
