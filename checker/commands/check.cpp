@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 
 namespace workbook {
@@ -27,7 +26,7 @@ void draw(const Course& course, const CheckResult& checked, PictureKind picture,
   if (checked.executable.empty()) return;
   try {
     const Overlay overlay = overlay_of(checked);
-    const auto files = draw_overlay(overlay, plots_directory(course), checked.name());
+    const auto files = draw_overlay(overlay, course.plots(), checked.name());
     if (!to_terminal) return;
     fmt::print("{}  Plot   {}\n", terminal_picture(picture, overlay, files.back(), console), shown_path(files.front()));
   } catch (const std::exception& problem) {
@@ -104,7 +103,7 @@ void add_picture(const Course& course, ReportedExercise& reported) {
     const Overlay overlay = overlay_of(checked);
     if (overlay.student.empty()) return;
     const std::string terminal = "svg noenhanced size 640,512 font 'Helvetica,14' background rgb 'white'";
-    reported.picture = drawn_overlay(overlay, terminal, plots_directory(course));
+    reported.picture = drawn_overlay(overlay, terminal, course.plots());
     reported.picture_description =
         fmt::format("Plot of {}: {}. The submitted function on the reference{}; below, the difference.", checked.name(),
                     overlay.sweep->title,
@@ -121,13 +120,10 @@ void warn(const Progress& progress) {
 
 std::size_t find_case(const ExerciseReference& exercise, const std::string& asked) {
   const std::vector<Case>& cases = exercise.cases;
-  std::size_t number = 0;
-  const auto [end, problem] = std::from_chars(asked.data(), asked.data() + asked.size(), number);
-  if (problem == std::errc() && end == asked.data() + asked.size() && number >= 1 && number <= cases.size())
-    return number - 1;
+  const std::string number = asked.substr(std::min(asked.find_first_not_of('0'), asked.size()));
   std::vector<std::string> known;
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    if (cases[i].name == asked) return i;
+    if (number == std::to_string(i + 1) || asked == cases[i].name) return i;
     if (i < exercise.described_cases()) known.push_back(cases[i].name);
   }
   const std::string proposal = did_you_mean(asked, known);
@@ -212,7 +208,7 @@ int plot(const Course& course, const Options& options) {
     throw UsageError(fmt::format("Say which exercise to plot, for example `{}`, or --all.",
                                  command("plot " + course.exercises().front().name())));
   const std::vector<CheckTask> tasks = tasks_of(course, options);
-  const fs::path directory = options.out.value_or(plots_directory(course));
+  const fs::path directory = options.out.value_or(course.plots());
   require_pictures(directory);
 
   const Console console = Console::of_standard_output();

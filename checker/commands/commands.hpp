@@ -2,7 +2,6 @@
 /// What the program can be asked to do. Every command returns the exit status.
 #pragma once
 
-#include "checker/course/exercise_texts.hpp"
 #include "checker/report/reports.hpp"
 
 namespace workbook {

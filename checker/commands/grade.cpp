@@ -1,9 +1,7 @@
 // A class graded: take in → judge what was not judged yet → write results. Whatever happens, what is judged is kept.
 #include "checker/commands/commands.hpp"
 #include "checker/explain/diagnostic_run.hpp"
-#include "checker/grading/class_results.hpp"
-#include "checker/grading/journal.hpp"
-#include "checker/grading/privileges.hpp"
+#include "checker/grading/grading.hpp"
 #include "checker/sandbox/sandbox.hpp"
 
 #include <boost/algorithm/string/replace.hpp>
@@ -222,10 +220,8 @@ class Grader {
   fs::path stub(const Exercise& exercise) const { return out_ / "work" / "stubs" / (exercise.name() + ".cpp"); }
   fs::path folder(std::size_t number) const { return out_ / "work" / "judging" / std::to_string(number); }
 
-  static std::optional<std::size_t> hints_of(const Student& student, const Exercise& exercise) {
-    if (!student.hints) return std::nullopt;
-    const auto known = student.hints->find(exercise.name());
-    return known == student.hints->end() ? 0 : known->second;
+  static std::size_t hints_of(const Student& student, const Exercise& exercise) {
+    return student.hints && student.hints->contains(exercise.name()) ? student.hints->at(exercise.name()) : 0;
   }
 
   static bool is_refused(const Student& student, const Exercise& exercise) {

@@ -1,10 +1,7 @@
 /// @file
 /// The watch: whatever exercise is saved is checked, and the verdict is shown in place.
+#include "checker/watch/watch.hpp"
 #include "checker/commands/commands.hpp"
-#include "checker/source/submission.hpp"
-#include "checker/watch/file_changes.hpp"
-#include "checker/watch/screen.hpp"
-#include "checker/watch/terminal.hpp"
 
 #include <poll.h>
 #include <signal.h>
@@ -236,7 +233,7 @@ class Watch {
           result_ ? *result_ : check_exercise(context_, check_task(course_, exercises_[current_]));
       if (!checked.is_judged()) return checked.judgement.message;
       const Overlay overlay = overlay_of(checked);
-      const std::vector<fs::path> files = draw_overlay(overlay, plots_directory(course_), checked.name());
+      const std::vector<fs::path> files = draw_overlay(overlay, course_.plots(), checked.name());
       std::string text = fmt::format("  Plot   {}\n", shown_path(files.front()));
       if (plot_is_asked_) text = terminal_picture(PictureKind::text, overlay, files.back(), console_) + text;
       if (overlay.student.empty())

@@ -1,7 +1,5 @@
 #include "checker/course/course.hpp"
 
-#include "checker/base/text.hpp"
-
 #include <nlohmann/json.hpp>
 
 #include <algorithm>

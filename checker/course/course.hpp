@@ -1,8 +1,9 @@
 /// @file
-/// The course as the checker sees it: where everything lies, and which exercises there are.
+/// The course as the checker sees it: where everything lies, which exercises there are, and how far the student is.
 #pragma once
 
 #include "checker/base/child_process.hpp"
+#include "checker/base/text.hpp"
 #include "checker/data/reference_results.hpp"
 
 #include <map>
@@ -96,6 +97,7 @@ class Course {
   /// What the program may write: compiled workers, plots, reference results of other seeds.
   const fs::path& scratch() const { return scratch_; }
   fs::path compiled() const { return scratch_ / "compiled"; }
+  fs::path plots() const { return scratch_ / "plots"; }
   void use_scratch(const fs::path& folder) { scratch_ = folder; }
 
   /// The student's progress, kept apart from the build so that a fresh build does not forget it.
@@ -143,5 +145,115 @@ class Course {
   std::map<std::string, fs::path> given_;  ///< by lecture: reference results to be used
   std::uint64_t seed_ = 1;
 };
+
+// --- the texts that belong to an exercise: its hints, its place in the notes, its stub
+
+/// The hints of a file, weakest first, which are separated by lines of three dashes.
+/// @throws CourseError if it is missing or holds none.
+std::vector<std::string> read_hints(const fs::path& file);
+
+/// The headings of a lecture's notes by their anchors: "steiner" → "The theorem of Steiner". Empty if the file cannot
+/// be read: a heading is a help, and the anchor does as well.
+std::map<std::string, std::string> read_headings(const fs::path& notes);
+
+/// The title of the lecture's first worked example that calls the function; "" if none does.
+std::string example_that_calls(const Course& course, const Exercise& exercise);
+
+/// An exercise's declaration in the contract, on one line and without the semicolon:
+/// "Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r)". "" if the contract does not declare it.
+std::string declared_signature(const Course& course, const Exercise& exercise);
+
+/// The text of the stub: where the task is to be read, so that a correction of it never touches a student's file; the
+/// contract's header, the function with its TODO.
+std::string stub_text(const Exercise& exercise, const std::string& signature);
+
+/// Has the student begun, as far as can be seen without compiling: the file is there and no longer says "not started".
+bool is_begun(const fs::path& file);
+
+// --- what the student has done so far. Survives restarts; a damaged file is set aside, never fatal
+
+/// Today's date, "2026-11-22"; WORKBOOK_TODAY sets another one.
+std::string current_day();
+
+/// The first verdict on an exercise that was written once more.
+struct Review {
+  std::string day;
+  std::string verdict;
+};
+
+/// What became of an exercise after it was solved.
+struct Practice {
+  std::string passed_on;  ///< the day when it first passed; "" if it has not
+  std::vector<Review> reviews;
+  std::optional<bool> answered_right;  ///< the first answer to its question
+};
+
+class Progress {
+ public:
+  /// Reads the file; a missing one is an empty progress. A damaged one is renamed to FILE.damaged and warning() says
+  /// so.
+  explicit Progress(fs::path file) : file_(std::move(file)) { read(); }
+
+  /// Remembers a verdict ("passed", "wrong_value") on a text and writes the file, under another name first, so that it
+  /// is never half written. What another checker has written meanwhile is kept. If it cannot be written, warning() says
+  /// so and the check goes on.
+  /// @param values  fingerprint of what a failing function returned
+  /// @return true if another text has just returned the same wrong values
+  bool remember(const std::string& exercise, const std::string& verdict, const std::string& source,
+                const std::string& values = "");
+
+  void forget(const std::string& exercise);
+
+  /// Nothing ("") if the exercise was never checked.
+  std::string verdict(const std::string& exercise) const { return of(exercise).verdict; }
+
+  /// True if the exercise passed and its file has not changed since. @param source  the file's fingerprint
+  bool passed(const std::string& exercise, const std::string& source) const {
+    return of(exercise).verdict == "passed" && of(exercise).source == source;
+  }
+
+  /// How many hints of the exercise have been shown.
+  std::size_t hints_shown(const std::string& exercise) const { return of(exercise).hints; }
+  void remember_hints(const std::string& exercise, std::size_t count);
+
+  Practice practice(const std::string& exercise) const { return of(exercise).practice; }
+  /// Only the first answer counts.
+  void remember_answer(const std::string& exercise, bool is_right);
+  /// Only the first verdict of a review counts: one on the same day is none.
+  void remember_review(const std::string& exercise, const Review& review);
+
+  /// One sentence, or "" if all is well.
+  const std::string& warning() const { return warning_; }
+
+ private:
+  struct Known {
+    std::string verdict;
+    std::string source;  ///< fingerprint of the file that was judged
+    std::size_t hints = 0;
+    std::string values;  ///< fingerprint of the wrong values, if it failed with any
+    Practice practice;
+  };
+
+  Known of(const std::string& exercise) const { return known_.contains(exercise) ? known_.at(exercise) : Known{}; }
+  void read();
+  template <class Change>
+  void change(const Change& something);
+
+  fs::path file_;
+  std::map<std::string, Known> known_;
+  std::string warning_;
+};
+
+/// Which exercises of the course pass as their files stand now, in course order.
+struct ProgressSummary {
+  std::vector<Exercise> exercises;
+  std::vector<bool> passed;
+
+  /// Those of a lecture; "": of the course.
+  std::size_t count_passed(const std::string& lecture = "") const;
+  /// The first exercise that does not pass, or nullptr if all do.
+  const Exercise* next() const;
+};
+ProgressSummary summary_of(const Course& course, const Progress& progress);
 
 }  // namespace workbook

@@ -1,6 +1,4 @@
-#include "checker/course/exercise_texts.hpp"
-
-#include "checker/base/text.hpp"
+#include "checker/course/course.hpp"
 
 #include <regex>
 #include <sstream>

@@ -1,6 +1,4 @@
-#include "checker/course/progress.hpp"
-
-#include "checker/base/text.hpp"
+#include "checker/course/course.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,8 +1,4 @@
-#include "checker/grading/assignment.hpp"
-
-#include "checker/base/text.hpp"
-
-#include <nlohmann/json.hpp>
+#include "checker/grading/grading.hpp"
 
 #include <time.h>
 
@@ -155,14 +151,14 @@ double Assignment::late_factor(int days) const {
   return days > latest_day_ ? 0.0 : std::max(0.0, 1.0 - late_per_day_ * days);
 }
 
-double Assignment::share(const Judgement& judgement, std::optional<std::size_t> hints) const {
+double Assignment::share(const Judgement& judgement, std::size_t hints) const {
   // A crash, a call that is forbidden or a value that changes is no part of an answer.
   const bool has_values = judgement.verdict == Verdict::wrong_value || judgement.verdict == Verdict::non_finite_value;
   const double earned = judgement.passed() ? 1.0
                         : is_partial_ && has_values
                             ? static_cast<double>(judgement.cases_passed()) / static_cast<double>(judgement.cases_total)
                             : 0.0;
-  return earned * std::max(0.0, 1.0 - hint_cost_ * static_cast<double>(hints.value_or(0)));
+  return earned * std::max(0.0, 1.0 - hint_cost_ * static_cast<double>(hints));
 }
 
 std::vector<std::string> Assignment::rules(bool hints_are_known) const {

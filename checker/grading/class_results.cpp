@@ -1,4 +1,4 @@
-#include "checker/grading/class_results.hpp"
+#include "checker/grading/grading.hpp"
 
 #include "checker/report/reports.hpp"
 

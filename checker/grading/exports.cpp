@@ -1,5 +1,5 @@
 // The class document in the forms that other programs, and people, read.
-#include "checker/grading/class_results.hpp"
+#include "checker/grading/grading.hpp"
 #include "checker/report/reports.hpp"
 
 #include <fmt/chrono.h>
@@ -12,8 +12,6 @@
 namespace workbook {
 
 using nlohmann::ordered_json;
-
-extern const char *const class_page_template, *const class_page_row_template;
 
 namespace {
 
@@ -157,18 +155,16 @@ ordered_json github_classroom_result(const ordered_json& student) {
 /// result.json of Classroom 50, schemas/result-v1.schema.json there, whose runner says in its environment what is
 /// graded. Points are whole numbers, so that ours are given in hundredths.
 ordered_json classroom50_result(const ordered_json& student) {
-  ordered_json document = {{"schema", "classroom50/result/v1"}};
-  for (const auto& [key, variable] :
-       std::initializer_list<std::pair<const char*, const char*>>{{"classroom", "CLASSROOM"},
-                                                                  {"assignment", "ASSIGNMENT"},
-                                                                  {"assignment_type", "ASSIGNMENT_TYPE"},
-                                                                  {"owner", "OWNER"},
-                                                                  {"submission", "SUBMISSION_TAG"},
-                                                                  {"commit", "COMMIT_URL"},
-                                                                  {"release", "RELEASE_URL"},
-                                                                  {"review", "REVIEW_URL"}})
-    document[key] = environment(variable, "");
-  document["datetime"] = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+  ordered_json document = {{"schema", "classroom50/result/v1"},
+                           {"classroom", environment("CLASSROOM")},
+                           {"assignment", environment("ASSIGNMENT")},
+                           {"assignment_type", environment("ASSIGNMENT_TYPE")},
+                           {"owner", environment("OWNER")},
+                           {"submission", environment("SUBMISSION_TAG")},
+                           {"commit", environment("COMMIT_URL")},
+                           {"release", environment("RELEASE_URL")},
+                           {"review", environment("REVIEW_URL")},
+                           {"datetime", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))}};
   const auto hundredths = [](const ordered_json& points) { return std::lround(100 * points.get<double>()); };
   long score = 0, most = 0;
   ordered_json tests = ordered_json::array();

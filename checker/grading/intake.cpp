@@ -1,8 +1,4 @@
-#include "checker/grading/intake.hpp"
-
-#include "checker/base/text.hpp"
-#include "checker/course/progress.hpp"
-#include "checker/source/submission.hpp"
+#include "checker/grading/grading.hpp"
 
 #include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/split.hpp>

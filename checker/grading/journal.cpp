@@ -1,9 +1,5 @@
-#include "checker/grading/journal.hpp"
 
-#include "checker/base/text.hpp"
-#include "checker/grading/assignment.hpp"
-
-#include <nlohmann/json.hpp>
+#include "checker/grading/grading.hpp"
 
 #include <fcntl.h>
 

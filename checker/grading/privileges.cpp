@@ -1,6 +1,5 @@
-#include "checker/grading/privileges.hpp"
 
-#include "checker/grading/assignment.hpp"
+#include "checker/grading/grading.hpp"
 
 #include <grp.h>
 #include <pwd.h>

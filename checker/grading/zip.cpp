@@ -1,13 +1,10 @@
 // Zip files are read by libarchive, which sees bytes made by strangers: in a process that can write nothing and open
 // nothing, with limits on all that comes back.
-#include "checker/base/text.hpp"
-#include "checker/grading/intake.hpp"
+#include "checker/grading/grading.hpp"
 #include "checker/sandbox/sandbox.hpp"
-#include "checker/source/submission.hpp"
 
 #include <archive.h>
 #include <archive_entry.h>
-#include <nlohmann/json.hpp>
 
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -1,6 +1,5 @@
 #include "checker/pipeline/check_exercise.hpp"
 
-#include "checker/base/text.hpp"
 #include "checker/compile/compile.hpp"
 #include "checker/compile/source_findings.hpp"
 #include "checker/explain/diagnostic_run.hpp"
@@ -244,6 +243,11 @@ void wait_for_own_functions(CheckContext& context, const CheckTask& task, const 
 }
 
 }  // namespace
+
+std::optional<std::size_t> CheckResult::first_failure() const {
+  if (judgement.failing.empty() || reference == nullptr || observation.replies.empty()) return std::nullopt;
+  return judgement.failing.front();
+}
 
 std::string CheckResult::fingerprint_of_values() const {
   std::string bytes;

@@ -48,6 +48,8 @@ struct CheckResult {
   double score() const { return points() * share.value_or(judgement.passed() ? 1.0 : 0.0); }
   bool is_judged() const { return judgement.verdict != Verdict::checker_error; }
   bool is_started() const { return judgement.verdict != Verdict::not_started; }
+  /// The case to be shown of a failure, where there are values.
+  std::optional<std::size_t> first_failure() const;
   /// The same where two functions returned the same values at all cases.
   std::string fingerprint_of_values() const;
   /// What to do: the explanation's own advice where there is one.

@@ -96,8 +96,7 @@ Lines matrix_lines(const Value& value, std::size_t first_col, int digits, const 
 
 /// Blocks of lines below a title beside each other as long as they fit on the page, each row of blocks below the one
 /// before.
-Lines side_by_side(const std::vector<Lines>& blocks, std::size_t indent, const Page& page) {
-  constexpr std::size_t gap = 3;
+Lines side_by_side(const std::vector<Lines>& blocks, std::size_t indent, const Page& page, std::size_t gap = 3) {
   Lines result;
   Lines band;  // blocks that stand beside each other
   const auto finish_band = [&] {
@@ -114,19 +113,6 @@ Lines side_by_side(const std::vector<Lines>& blocks, std::size_t indent, const P
   return result;
 }
 
-/// Texts in columns of one width, as many beside each other as fit on the page.
-Lines wrapped_in_columns(const Lines& texts, const Page& page) {
-  const std::size_t width = widest(texts) + 2;
-  const std::size_t per_line = std::max<std::size_t>(1, (page.width - block_indent + 2) / width);
-  Lines lines;
-  for (std::size_t k = 0; k < texts.size(); ++k) {
-    if (k % per_line == 0) lines.emplace_back(block_indent, ' ');
-    lines.back() += padded(texts[k], width);
-  }
-  std::ranges::transform(lines, lines.begin(), without_trailing_blanks);
-  return lines;
-}
-
 // --- what went in
 
 Lines input_lines(const Argument& argument, const Value& value, const Page& page) {
@@ -141,7 +127,9 @@ Lines input_lines(const Argument& argument, const Value& value, const Page& page
   if (is_vector(argument.kind)) {
     Lines texts;
     for (double number : value.numbers) texts.push_back(number_text(number, all_digits));
-    append(lines, wrapped_in_columns(aligned_on_point(texts), page));
+    std::vector<Lines> blocks;
+    for (const std::string& text : aligned_on_point(texts)) blocks.push_back({text});
+    append(lines, side_by_side(blocks, block_indent, {.width = page.width}, 2));
   } else if (argument.kind == Kind::points) {
     lines.front() += ", column by column";
     const std::size_t shown = std::min(cols, page.most_rows);

@@ -10,10 +10,9 @@ using nlohmann::ordered_json;
 
 /// The case at which it first failed: what went in, what should have come out, and what did.
 ordered_json first_failure(const CheckResult& checked) {
-  if (checked.judgement.failing.empty() || checked.reference == nullptr || checked.observation.replies.empty())
-    return nullptr;
+  if (!checked.first_failure()) return nullptr;
   const ExerciseReference& reference = *checked.reference;
-  const std::size_t index = checked.judgement.failing.front();
+  const std::size_t index = *checked.first_failure();
   const Case& failed = reference.cases[index];
   ordered_json inputs = ordered_json::object();
   for (std::size_t i = 0; i < reference.arguments.size(); ++i)

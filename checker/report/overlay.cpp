@@ -1,4 +1,4 @@
-#include "checker/report/overlay.hpp"
+#include "checker/report/reports.hpp"
 
 #include "checker/sandbox/worker_process.hpp"
 
@@ -214,8 +214,6 @@ Overlay overlay_of(const CheckResult& checked) {
   }
   return overlay;
 }
-
-fs::path plots_directory(const Course& course) { return course.scratch() / "plots"; }
 
 std::vector<fs::path> draw_overlay(const Overlay& overlay, const fs::path& directory, const std::string& name) {
   std::vector<fs::path> files = {directory / (name + ".svg"), directory / (name + ".png")};

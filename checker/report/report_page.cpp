@@ -7,10 +7,6 @@
 
 namespace workbook {
 
-// report_page.html. It is part of the program, which then works wherever it is copied and never meets a template of
-// another version.
-extern const char* const report_page_template;
-
 namespace {
 
 using kainjow::mustache::data;
@@ -104,12 +100,12 @@ json entry_of(const ReportedExercise& exercise, const ReportedCourse& course) {
   for (const Diagnosis& diagnosis : checked.explanation.diagnoses)
     entry["diagnoses"].push_back(
         {{"message", diagnosis.message}, {"read", place_of(diagnosis.notes, exercise, course)}});
-  const std::vector<std::size_t>& failing = judgement.failing;
-  if (failing.empty() || checked.reference == nullptr || checked.observation.replies.empty()) return entry;
+  const auto failing = checked.first_failure();
+  if (!failing) return entry;
   const Answers answers = answers_of(*checked.reference, checked.observation.replies);
-  const auto lines = describe_case(*checked.reference, failing.front(), answers[failing.front()], {.most_rows = 24});
+  const auto lines = describe_case(*checked.reference, *failing, answers[*failing], {.most_rows = 24});
   entry["case"] = fmt::format("{}", fmt::join(lines, "\n"));
-  if (failing.size() > 1) entry["failing"] = failing_cases(checked);
+  if (judgement.failing.size() > 1) entry["failing"] = failing_cases(checked);
   return entry;
 }
 

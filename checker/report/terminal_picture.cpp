@@ -1,4 +1,4 @@
-#include "checker/report/overlay.hpp"
+#include "checker/report/reports.hpp"
 
 #include <poll.h>
 #include <sys/ioctl.h>

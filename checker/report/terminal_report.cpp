@@ -1,7 +1,5 @@
 #include "checker/report/reports.hpp"
 
-#include "checker/course/exercise_texts.hpp"
-
 #include <algorithm>
 
 namespace workbook {
@@ -83,10 +81,8 @@ class Report {
 
   /// The case to be shown in full, if any.
   std::optional<std::size_t> shown_case() const {
-    if (checked_.reference == nullptr || checked_.observation.replies.empty()) return std::nullopt;
-    if (detail_.case_index) return detail_.case_index;
-    const std::vector<std::size_t>& failing = checked_.judgement.failing;
-    return failing.empty() ? std::nullopt : std::optional(failing.front());
+    const bool has_values = checked_.reference != nullptr && !checked_.observation.replies.empty();
+    return has_values && detail_.case_index ? detail_.case_index : checked_.first_failure();
   }
 
   void add_case(std::size_t index) {

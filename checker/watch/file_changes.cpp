@@ -1,16 +1,11 @@
-#include "checker/watch/file_changes.hpp"
-
-#include "checker/base/files.hpp"
+#include "checker/watch/watch.hpp"
 
 #include <sys/inotify.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <utility>
 
 namespace workbook {
 
-namespace fs = std::filesystem;
 using std::chrono::milliseconds;
 
 namespace {

@@ -1,9 +1,6 @@
-#include "checker/watch/screen.hpp"
-
-#include "checker/base/text.hpp"
+#include "checker/watch/watch.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace workbook {
 

@@ -1,17 +1,12 @@
-#include "checker/watch/terminal.hpp"
-
-#include "checker/base/text.hpp"
+#include "checker/watch/watch.hpp"
 
 #include <signal.h>
 #include <sys/ioctl.h>
 #include <sys/signalfd.h>
 #include <termios.h>
 
-#include <array>
 #include <cctype>
-#include <cerrno>
 #include <cstdio>
-#include <system_error>
 
 namespace workbook {
 

@@ -2,7 +2,7 @@
 #include "tests/grading/made_up_class.hpp"
 #include "tests/support/processes.hpp"
 
-#include "checker/grading/assignment.hpp"
+#include "checker/grading/grading.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>

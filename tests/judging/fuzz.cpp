@@ -2,8 +2,7 @@
 // gives no mark that they do not earn. The damage follows from a number, so a failure can be repeated.
 #include "checker/base/text.hpp"
 #include "checker/course/course.hpp"
-#include "checker/grading/assignment.hpp"
-#include "checker/grading/journal.hpp"
+#include "checker/grading/grading.hpp"
 #include "checker/judging/diagnosis.hpp"
 #include "checker/judging/judge.hpp"
 #include "checker/sandbox/worker_process.hpp"

@@ -1,7 +1,6 @@
 // The commands of a student, one after another, as they change what is remembered.
 #include "checker/base/text.hpp"
 #include "checker/course/course.hpp"
-#include "checker/course/progress.hpp"
 #include "tests/program/program.hpp"
 
 #include <doctest/doctest.h>

@@ -1,7 +1,7 @@
 // Plots in files and on the terminal, figures, worked examples, and every picture at once.
 #include "checker/base/text.hpp"
 #include "checker/data/reference_results.hpp"
-#include "checker/report/overlay.hpp"
+#include "checker/report/reports.hpp"
 #include "tests/program/program.hpp"
 
 #include <doctest/doctest.h>

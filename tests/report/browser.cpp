@@ -3,7 +3,7 @@
 #include "tests/program/program.hpp"
 #include "tests/report/made_up.hpp"
 
-#include "checker/grading/class_results.hpp"
+#include "checker/grading/grading.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>

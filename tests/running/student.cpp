@@ -1,7 +1,7 @@
 #include "tests/running/student.hpp"
 
 #include "checker/base/text.hpp"
-#include "checker/grading/privileges.hpp"
+#include "checker/grading/grading.hpp"
 
 #include <doctest/doctest.h>
 

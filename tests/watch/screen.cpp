@@ -1,5 +1,5 @@
 // The pure parts of the watch: what is a key, and what fits on a screen.
-#include "checker/watch/screen.hpp"
+#include "checker/watch/watch.hpp"
 #include "checker/base/text.hpp"
 #include "tests/support/files.hpp"
 

@@ -1,0 +1,232 @@
+/// @file
+/// A class is graded: what the instructor says about it, what was handed in, what has been judged, and what came of it.
+#pragma once
+
+#include "checker/pipeline/check_exercise.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <sys/types.h>
+
+#include <array>
+#include <deque>
+
+namespace workbook {
+
+// --- the assignment, the roster; and the tables that spreadsheets exchange
+
+/// A file of the instructor's cannot be used: file, place and reason in one sentence.
+struct GradingError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+using Table = std::vector<std::vector<std::string>>;
+
+/// Rows of an RFC 4180 text: fields in quotation marks may hold commas, line ends and doubled quotation marks.
+Table read_csv(std::string_view text);
+
+/// The same, written. A cell that a spreadsheet would take for a formula gets an apostrophe in front.
+std::string write_csv(const Table& table);
+
+/// Seconds since 1970 of "2027-03-01T23:59:00Z". Nothing else is read, so that no time zone is guessed.
+std::optional<std::int64_t> read_time(const std::string& text);
+
+/// What is graded, and what it is worth.
+class Assignment {
+ public:
+  /// All exercises of the course with the points of their cards, nothing due; or what the file says.
+  /// @throws GradingError
+  Assignment(const Course& course, const std::optional<fs::path>& file);
+
+  const std::string& title() const { return title_; }
+  /// In the order of the course, with the points of the assignment.
+  const std::vector<Exercise>& exercises() const { return exercises_; }
+
+  /// As the file has it; "" if nothing is due.
+  const std::string& due_text() const { return due_text_; }
+  /// Days begun after the due date; 0 where there is none, or no time is known.
+  int days_late(const std::optional<std::int64_t>& submitted) const;
+  /// What is left of the points after so many days.
+  double late_factor(int days) const;
+
+  /// What an exercise earns of its points. @param hints  that have been shown
+  double share(const Judgement& judgement, std::size_t hints) const;
+  bool has_hint_cost() const { return hint_cost_ > 0; }
+  /// What a student is told about the points, apart from lateness.
+  std::vector<std::string> rules(bool hints_are_known) const;
+
+ private:
+  std::string title_;
+  std::deque<CardExercise> entries_;
+  std::vector<Exercise> exercises_;
+  std::string due_text_;
+  std::optional<std::int64_t> due_;
+  double late_per_day_ = 0.0;
+  int latest_day_ = 0;
+  double hint_cost_ = 0.0;
+  bool is_partial_ = false;
+};
+
+/// One row of the roster.
+struct RosterEntry {
+  std::string id;
+  std::string name;
+  std::optional<std::int64_t> submitted;
+};
+
+/// A table with a heading; the column id is needed, name and submitted are read. @throws GradingError
+std::vector<RosterEntry> read_roster(const fs::path& file);
+
+// --- what a class has handed in: whatever lies there, only files with the names of exercises are read, each for one
+// student, and copied to fixed names
+
+/// What was found for one exercise.
+struct HandedIn {
+  bool is_in_place = false;  ///< it lies where the workbook has it: other files of that name don't count
+  std::string where;         ///< in the submissions, as it may be shown
+  std::string refusal;       ///< one sentence; "": it was copied
+};
+
+struct Student {
+  std::string id;    ///< as it may be shown
+  std::string name;  ///< of the roster; may be empty
+  std::string slug;  ///< names this student's files: letters, digits, "-", "_" and "."
+  std::optional<std::int64_t> submitted;
+  std::map<std::string, HandedIn> files;  ///< by exercise
+  /// By exercise, as the progress file says that was handed in; nothing: there is none that can be read.
+  std::optional<std::map<std::string, std::size_t>> hints;
+  std::vector<std::string> notes;  ///< what else is to be said of the submission
+};
+
+struct Intake {
+  std::vector<Student> students;
+  std::vector<std::string> problems;  ///< what belongs to no student
+};
+
+/// Which students are taken in: those of one of several equal parts of the class, which any machine tells by their ids.
+struct Shard {
+  std::uint64_t number = 1, count = 1;
+
+  bool has(const std::string& id) const;
+};
+
+/// "2/8". @throws GradingError
+Shard read_shard(const std::string& text);
+
+/// Takes in a folder per student, files called ID_EXERCISE.cpp, and zip files of both.
+/// @param copies  DIR/SLUG/EXERCISE.cpp is written there. @throws GradingError, std::runtime_error
+Intake take_in(const fs::path& submissions, const Course& course, const std::vector<RosterEntry>& roster,
+               const fs::path& copies, const Shard& shard = {});
+
+/// One file of a zip file.
+struct Zipped {
+  std::string path;
+  std::string text;
+  std::string refusal;  ///< one sentence; "": here is its text
+};
+
+/// Reads, in a process of its own and in a sandbox, the files with these names; what is zipped once more as well.
+/// @throws RejectedFile
+std::vector<Zipped> read_zip(const fs::path& file, const std::vector<std::string>& names);
+
+// --- what has been judged, in a file that only grows: a program that is killed loses nothing but what it was doing
+
+class Journal {
+ public:
+  enum class Access { write, read };
+
+  /// To write, opens the file for this program alone, and drops what was written by halves.
+  /// @throws GradingError if another one grades there, std::runtime_error
+  explicit Journal(fs::path file, Access access = Access::write);
+
+  bool has(const std::string& key) const { return places_.contains(key); }
+
+  /// The result under the key, if it was made from exactly this content.
+  std::optional<CheckResult> find(const std::string& key, const std::string& content) const;
+
+  /// Safe from the end of this program at once, and from that of the machine a second later or after sync(): waiting
+  /// for the disk after each result would keep processors idle. @throws std::runtime_error
+  void append(const std::string& key, const std::string& content, const CheckResult& checked);
+
+  /// Copies the results that this journal lacks. @throws std::runtime_error
+  void merge(const Journal& other);
+
+  /// All is on disk when it returns. @throws std::runtime_error
+  void sync();
+
+  /// Leaves out the results with this verdict from now on.
+  void forget(const std::string& verdict);
+
+  std::size_t damaged() const { return damaged_; }
+
+ private:
+  struct Place {
+    std::int64_t offset = 0;
+    std::size_t size = 0;
+  };
+
+  std::string line_at(const Place& place) const;
+  void write(const std::string& key, const std::string& line);
+
+  fs::path file_;
+  Descriptor descriptor_;
+  std::map<std::string, Place> places_;
+  std::int64_t end_ = 0;
+  Clock::time_point synced_ = Clock::now();
+  std::size_t damaged_ = 0;
+};
+
+// --- what came of a class: one document, from which every table and page is made
+
+/// Collects the results of one student after the other, and keeps of each only what the class is told.
+class ClassResults {
+ public:
+  ClassResults(const Assignment& assignment, std::uint64_t seed, const std::string& sandbox,
+               const std::vector<std::string>& problems);
+
+  /// @param results  in the order of the assignment's exercises. @param made_from  fingerprints of what was judged
+  /// @return the document about this student
+  nlohmann::ordered_json add(const Student& student, const std::vector<CheckResult>& results,
+                             const std::vector<std::string>& made_from);
+
+  /// The document about the class: class.json. Nothing is added afterwards.
+  nlohmann::ordered_json document();
+
+ private:
+  nlohmann::ordered_json exercise_entry(std::size_t number) const;
+
+  const Assignment& assignment_;
+  nlohmann::ordered_json head_;
+  nlohmann::ordered_json students_ = nlohmann::ordered_json::array();
+  std::map<std::pair<std::string, std::string>, nlohmann::ordered_json> misconceptions_;  ///< by exercise and name
+  /// Students who gave the same wrong values for the same unknown reason: by exercise and fingerprint of these.
+  std::map<std::pair<std::string, std::string>, nlohmann::ordered_json> outputs_;
+  std::vector<std::string> not_judged_;
+  std::array<int, 10> distribution_{};
+};
+
+/// Whose mark is another one than before, and why, a line each.
+std::vector<std::string> changed_marks(const nlohmann::ordered_json& before, const nlohmann::ordered_json& now);
+
+/// A document as it is written to a file.
+std::string indented(const nlohmann::ordered_json& document);
+
+// --- in the forms that other programs read
+/// Texts by the names of their files.
+std::map<std::string, std::string> class_exports(const nlohmann::ordered_json& document);
+/// Texts by the names of the folders that hold such a file of every student. @param student  the document about one
+std::map<std::string, std::string> student_exports(const nlohmann::ordered_json& student);
+/// The page about the class. @param date  as it is to be read
+std::string class_page(const nlohmann::ordered_json& document, const std::string& date);
+
+// --- no student's code is run by an administrator
+
+/// Who grades into a folder: this user; or where that is root the owner that the folder has from an earlier run, or
+/// else a user whom nobody is.
+uid_t grading_user(const fs::path& folder);
+
+/// Where this program runs as root: hands the folder over to the user who grades, and becomes that user for good.
+/// @param needed  must be readable to everybody. @throws GradingError if that cannot be
+void give_up_root(const fs::path& folder, const std::vector<fs::path>& needed);
+
+}  // namespace workbook
