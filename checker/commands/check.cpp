@@ -15,7 +15,6 @@ std::vector<CheckTask> tasks_of(const Course& course, const Options& options) {
     throw UsageError(
         fmt::format("--file and --case need one exercise, for example `{}`.", command("check EXERCISE --file FILE")));
   std::vector<CheckTask> tasks;
-  tasks.reserve(exercises.size());
   for (const Exercise& exercise : exercises) tasks.push_back(check_task(course, exercise, options.seed, options.file));
   return tasks;
 }
@@ -52,7 +51,7 @@ std::string after_pass(const Course& course, const Exercise& exercise, const Pro
   if (const std::string example = example_that_calls(course, exercise); !example.empty())
     offer("Used in", fmt::format("“{}”, which your function computes now:", example), "examples " + exercise.lecture());
   offer("Route", "another way to the same result, and why it is the same:", "solution " + exercise.name());
-  if (!progress.practice(exercise.name()).answered_right)
+  if (!progress.of(exercise.name()).answered_right)
     offer("Question", "which mistake another function makes:", "question " + exercise.name());
   return text;
 }
@@ -274,7 +273,7 @@ int report(const Course& course, const Options& options) {
   ProgressBar progress_bar;
   check_all(context, tasks, [&](CheckResult checked) {
     progress_bar.show(reported.exercises.size(), tasks.size(), checked.name());
-    const auto answered = progress.practice(checked.name()).answered_right;
+    const auto answered = progress.of(checked.name()).answered_right;
     ReportedExercise exercise{std::move(checked), {}, {}, answered};
     if (has_gnuplot) add_picture(course, exercise);
     reported.exercises.push_back(std::move(exercise));

@@ -73,16 +73,13 @@ bool build_program(const Course& course, const fs::path& source, const std::vect
 }
 
 /// Goes on as another program, on this terminal. @throws std::runtime_error if it cannot be started
-[[noreturn]] void become(const std::string& program, const std::vector<std::string>& arguments) {
+[[noreturn]] void become(std::vector<std::string> program_and_arguments) {
   std::fflush(stdout);
-  std::vector<std::string> all = {program};
-  all.insert(all.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
-  pointers.reserve(all.size() + 1);
-  for (std::string& one : all) pointers.push_back(one.data());
+  for (std::string& one : program_and_arguments) pointers.push_back(one.data());
   pointers.push_back(nullptr);
-  ::execv(program.c_str(), pointers.data());
-  throw std::runtime_error(fmt::format("{} cannot be started ({}).", program, std::strerror(errno)));
+  ::execv(pointers.front(), pointers.data());
+  throw std::runtime_error(fmt::format("{} cannot be started ({}).", pointers.front(), std::strerror(errno)));
 }
 
 /// A folder of this command, new and empty. @throws std::runtime_error
@@ -101,7 +98,6 @@ std::string declaration(const std::string& name, const Value& value, Kind kind) 
   const auto number = [&](int row, int col) { return number_text(value.at(row, col), all_digits); };
   const auto list = [&](int rows, const auto& element) {
     std::vector<std::string> elements;
-    elements.reserve(static_cast<std::size_t>(rows));
     for (int row = 0; row < rows; ++row) elements.push_back(element(row));
     return fmt::format("{{{}}}", fmt::join(elements, ", "));
   };
@@ -160,7 +156,7 @@ int try_out(const Course& course, const Options& options) {
   const auto files = own_functions(experiment.text, course.exercises(),
                                    [&](const Exercise& exercise) { return course.student_file(exercise); });
   if (!build_program(course, file, files, {}, program)) return something_failed;
-  become(program.string(), {});
+  become({program.string()});
 }
 
 int debug(const Course& course, const Options& options) {
@@ -194,8 +190,8 @@ int debug(const Course& course, const Options& options) {
   fmt::print("Case {} “{}” of {} is in {}.\n", index + 1, reference.cases[index].name, exercise.name(),
              shown_path(source));
   if (options.build_only) return all_passed;
-  become(gdb, {"-q", "-x", (context.toolchain().main_include / "checker/commands/eigen.gdb.py").string(), "-ex",
-               "break rigid::" + exercise.name(), "-ex", "run", program.string()});
+  become({gdb, "-q", "-x", (context.toolchain().main_include / "checker/commands/eigen.gdb.py").string(), "-ex",
+          "break rigid::" + exercise.name(), "-ex", "run", program.string()});
 }
 
 }  // namespace workbook

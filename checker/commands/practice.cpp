@@ -86,10 +86,10 @@ struct Due {
 Due most_due(const std::vector<Exercise>& exercises, const Progress& progress, const std::string& today) {
   std::string last_lecture;
   for (const Exercise& exercise : exercises)
-    if (!progress.verdict(exercise.name()).empty()) last_lecture = exercise.lecture();
+    if (!progress.of(exercise.name()).verdict.empty()) last_lecture = exercise.lecture();
   Due due;
   for (const Exercise& exercise : exercises) {
-    const Practice practice = progress.practice(exercise.name());
+    const Practice practice = progress.of(exercise.name());
     if (practice.passed_on.empty() || exercise.lecture() == last_lecture) continue;
     const std::string last = practice.reviews.empty() ? practice.passed_on : practice.reviews.back().day;
     const auto failed = std::find_if(practice.reviews.rbegin(), practice.reviews.rend(),
@@ -105,7 +105,7 @@ Due most_due(const std::vector<Exercise>& exercises, const Progress& progress, c
 int check_review(const Course& course, const Exercise& exercise, const fs::path& file, Progress& progress) {
   const Console console = Console::of_standard_output();
   CheckContext context(course);
-  const std::size_t number = progress.practice(exercise.name()).reviews.size() + 1;
+  const std::size_t number = progress.of(exercise.name()).reviews.size() + 1;
   const std::uint64_t seed = course.seed() + (course.has_solutions() ? number : 0);
   const CheckResult checked = check_exercise(context, check_task(course, exercise, seed, file));
   fmt::print("{}", terminal_report(checked, course, console, {}));
@@ -116,7 +116,7 @@ int check_review(const Course& course, const Exercise& exercise, const fs::path&
   }
   progress.remember_review(exercise.name(), {current_day(), to_string(checked.judgement.verdict)});
   if (!checked.judgement.passed()) return stop("\nGo on in {}, then `{}`.", shown_path(file), command("review"));
-  const Practice practice = progress.practice(exercise.name());
+  const Practice practice = progress.of(exercise.name());
   fmt::print("\nFirst passed on {}. Reviews so far:\n", practice.passed_on);
   for (const Review& review : practice.reviews)
     fmt::print("  {}  {} at the first try\n", review.day, in_words(review.verdict));
@@ -237,8 +237,8 @@ int review(const Course& course, const Options& /*options*/) {
   write_or_throw(file_of(exercise), stub);
   const Console console = Console::of_standard_output();
   fmt::print("{}\n{}\n", console.styled(exercise.name(), Style::strong), console.wrapped(exercise.entry->task, 2));
-  say("\nYou wrote it on {}. Write it again without looking, in {}, then `{}`.",
-      progress.practice(exercise.name()).passed_on, shown_path(file_of(exercise)), command("review"));
+  say("\nYou wrote it on {}. Write it again without looking, in {}, then `{}`.", progress.of(exercise.name()).passed_on,
+      shown_path(file_of(exercise)), command("review"));
   return all_passed;
 }
 

@@ -77,7 +77,8 @@ int status(const Course& course, const Options& /*options*/) {
   if (const Exercise* next = summary.next()) {
     const State state = state_of(course, progress, *next);
     fmt::print("{}", introduction(course, *next, console));
-    if (!progress.verdict(next->name()).empty()) fmt::print("  state  {}\n", console.styled(state.words, state.style));
+    if (!progress.of(next->name()).verdict.empty())
+      fmt::print("  state  {}\n", console.styled(state.words, state.style));
     fmt::print("  check  {}\n  hint   {}\n  watch  {}\n", command("check " + next->name()),
                command("hint " + next->name()), command("watch"));
   } else {
@@ -99,7 +100,7 @@ int hint(const Course& course, const Options& options) {
   }
   const Exercise exercise = options.name.empty() ? *summary.next() : course.find_exercise(options.name);
   const std::vector<std::string> hints = read_hints(course.hints_file(exercise));
-  const std::size_t shown_before = progress.hints_shown(exercise.name());
+  const std::size_t shown_before = progress.of(exercise.name()).hints_shown;
   const std::size_t first = options.all ? 0 : std::min(shown_before, hints.size() - 1);
   const std::size_t last = options.all ? hints.size() - 1 : first;
   for (std::size_t i = first; i <= last; ++i) {

@@ -338,7 +338,7 @@ class Watch {
     try {
       const std::vector<std::string> hints = read_hints(course_.hints_file(exercise));
       Progress progress(course_.progress_file());
-      const std::size_t number = std::min(progress.hints_shown(exercise.name()) + 1, hints.size());
+      const std::size_t number = std::min(progress.of(exercise.name()).hints_shown + 1, hints.size());
       progress.remember_hints(exercise.name(), number);
       const std::string heading = fmt::format("Hint {} of {}", number, hints.size());
       const std::string notes = notes_place(course_, exercise, exercise.entry->notes);

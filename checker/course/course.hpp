@@ -181,8 +181,12 @@ struct Review {
   std::string verdict;
 };
 
-/// What became of an exercise after it was solved.
+/// What is known of an exercise.
 struct Practice {
+  std::string verdict;  ///< "passed", "wrong_value"; "" if it was never checked
+  std::string source;   ///< fingerprint of the file that was judged
+  std::string values;   ///< fingerprint of the wrong values, if it failed with any
+  std::size_t hints_shown = 0;
   std::string passed_on;  ///< the day when it first passed; "" if it has not
   std::vector<Review> reviews;
   std::optional<bool> answered_right;  ///< the first answer to its question
@@ -204,19 +208,16 @@ class Progress {
 
   void forget(const std::string& exercise);
 
-  /// Nothing ("") if the exercise was never checked.
-  std::string verdict(const std::string& exercise) const { return of(exercise).verdict; }
+  Practice of(const std::string& exercise) const {
+    return known_.contains(exercise) ? known_.at(exercise) : Practice{};
+  }
 
   /// True if the exercise passed and its file has not changed since. @param source  the file's fingerprint
   bool passed(const std::string& exercise, const std::string& source) const {
     return of(exercise).verdict == "passed" && of(exercise).source == source;
   }
 
-  /// How many hints of the exercise have been shown.
-  std::size_t hints_shown(const std::string& exercise) const { return of(exercise).hints; }
   void remember_hints(const std::string& exercise, std::size_t count);
-
-  Practice practice(const std::string& exercise) const { return of(exercise).practice; }
   /// Only the first answer counts.
   void remember_answer(const std::string& exercise, bool is_right);
   /// Only the first verdict of a review counts: one on the same day is none.
@@ -226,21 +227,12 @@ class Progress {
   const std::string& warning() const { return warning_; }
 
  private:
-  struct Known {
-    std::string verdict;
-    std::string source;  ///< fingerprint of the file that was judged
-    std::size_t hints = 0;
-    std::string values;  ///< fingerprint of the wrong values, if it failed with any
-    Practice practice;
-  };
-
-  Known of(const std::string& exercise) const { return known_.contains(exercise) ? known_.at(exercise) : Known{}; }
   void read();
   template <class Change>
   void change(const Change& something);
 
   fs::path file_;
-  std::map<std::string, Known> known_;
+  std::map<std::string, Practice> known_;
   std::string warning_;
 };
 

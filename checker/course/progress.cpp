@@ -27,19 +27,18 @@ void Progress::read() {
   try {
     const json document = json::parse(read_file(file_).value_or(""));
     if (document.at("format").get<int>() != current_format) throw std::runtime_error("format");
-    std::map<std::string, Known> known;
+    std::map<std::string, Practice> known;
     for (const auto& [exercise, entry] : document.at("exercises").get_ref<const json::object_t&>()) {
-      Known& one = known[exercise];
+      Practice& one = known[exercise];
       if (entry.contains("verdict")) {
         one.verdict = entry.at("verdict");
         one.source = entry.at("source");
       }
-      const auto hints = entry.get_ref<const json::object_t&>().find("hints");
       one.values = entry.value("values", "");
-      one.practice = {
-          entry.value("passed_on", ""), entry.value("reviews", std::vector<Review>()),
-          entry.contains("answered_right") ? std::optional(entry.at("answered_right").get<bool>()) : std::nullopt};
-      if (entry.contains("hints")) one.hints = hints->second.get_ref<const json::number_unsigned_t&>();
+      one.passed_on = entry.value("passed_on", "");
+      one.reviews = entry.value("reviews", std::vector<Review>());
+      if (entry.contains("answered_right")) one.answered_right = entry.at("answered_right").get<bool>();
+      if (entry.contains("hints")) one.hints_shown = entry.at("hints").get_ref<const json::number_unsigned_t&>();
     }
     known_ = std::move(known);
   } catch (const std::exception&) {
@@ -69,11 +68,11 @@ void Progress::change(const Change& something) {
   json exercises = json::object();
   for (const auto& [exercise, one] : known_) {
     if (!one.verdict.empty()) exercises[exercise] = {{"verdict", one.verdict}, {"source", one.source}};
-    if (one.hints > 0) exercises[exercise]["hints"] = one.hints;
+    if (one.hints_shown > 0) exercises[exercise]["hints"] = one.hints_shown;
     if (!one.values.empty()) exercises[exercise]["values"] = one.values;
-    if (!one.practice.passed_on.empty()) exercises[exercise]["passed_on"] = one.practice.passed_on;
-    if (!one.practice.reviews.empty()) exercises[exercise]["reviews"] = one.practice.reviews;
-    if (one.practice.answered_right) exercises[exercise]["answered_right"] = *one.practice.answered_right;
+    if (!one.passed_on.empty()) exercises[exercise]["passed_on"] = one.passed_on;
+    if (!one.reviews.empty()) exercises[exercise]["reviews"] = one.reviews;
+    if (one.answered_right) exercises[exercise]["answered_right"] = *one.answered_right;
   }
   const json document = {{"format", current_format}, {"exercises", exercises}};
   if (!write_file(file_, document.dump(2) + "\n").empty())
@@ -86,26 +85,26 @@ bool Progress::remember(const std::string& exercise, const std::string& verdict,
                         const std::string& values) {
   bool is_repeated = false;
   change([&] {
-    Known& one = known_[exercise];
+    Practice& one = known_[exercise];
     is_repeated = !values.empty() && values == one.values && one.source != fingerprint(source);
     one.verdict = verdict;
     one.source = fingerprint(source);
     one.values = values;
-    if (verdict == "passed" && one.practice.passed_on.empty()) one.practice.passed_on = current_day();
+    if (verdict == "passed" && one.passed_on.empty()) one.passed_on = current_day();
   });
   return is_repeated;
 }
 
 void Progress::remember_review(const std::string& exercise, const Review& review) {
   change([&] {
-    std::vector<Review>& reviews = known_[exercise].practice.reviews;
+    std::vector<Review>& reviews = known_[exercise].reviews;
     if (reviews.empty() || reviews.back().day != review.day) reviews.push_back(review);
   });
 }
 
 void Progress::remember_answer(const std::string& exercise, bool is_right) {
   change([&] {
-    std::optional<bool>& first = known_[exercise].practice.answered_right;
+    std::optional<bool>& first = known_[exercise].answered_right;
     first = first.value_or(is_right);
   });
 }
@@ -123,7 +122,7 @@ void Progress::forget(const std::string& exercise) {
 }
 
 void Progress::remember_hints(const std::string& exercise, std::size_t count) {
-  change([&] { known_[exercise].hints = count; });
+  change([&] { known_[exercise].hints_shown = count; });
 }
 
 std::size_t ProgressSummary::count_passed(const std::string& lecture) const {

@@ -219,7 +219,7 @@ class Collector {
       const Progress progress(copy);
       if (progress.warning().empty() && !student.hints) student.hints.emplace();
       for (const Exercise& exercise : exercises_)
-        if (const std::size_t hints = progress.hints_shown(exercise.name()); hints > 0)
+        if (const std::size_t hints = progress.of(exercise.name()).hints_shown; hints > 0)
           (*student.hints)[exercise.name()] = std::max((*student.hints)[exercise.name()], hints);
       if (!progress.warning().empty()) note(student, shown + " is damaged, so it was not used.");
     } catch (const RejectedFile& reason) {

@@ -169,7 +169,7 @@ class Report {
 }  // namespace
 
 State state_of(const Course& course, const Progress& progress, const Exercise& exercise) {
-  const std::string verdict = progress.verdict(exercise.name());
+  const std::string verdict = progress.of(exercise.name()).verdict;
   if (verdict == "passed") {
     if (progress.passed(exercise.name(), file_fingerprint(course.student_file(exercise))))
       return {"✓", "passed", Style::good};

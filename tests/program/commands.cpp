@@ -111,8 +111,8 @@ TEST_CASE("two checkers at once each keep what the other writes down") {
   hint.remember_hints("spring_force", 1);
   const workbook::Progress both(file);
   CHECK(both.passed("spring_energy", workbook::fingerprint("its text")));
-  CHECK(both.hints_shown("spring_energy") == 2);
-  CHECK(both.hints_shown("spring_force") == 1);
+  CHECK(both.of("spring_energy").hints_shown == 2);
+  CHECK(both.of("spring_force").hints_shown == 1);
 }
 
 TEST_CASE("the report says what to type to see the same failure again, and it is the same") {
