@@ -42,11 +42,9 @@ std::string cache_key(const CompileTask& task, const Toolchain& toolchain) {
   return key + task.submission.text;
 }
 
-/// Does an object file hold a section that makes other tools run? As every section's name stands in the file, its bytes
-/// tell; true as well for a file that cannot be read.
-bool has_section(const fs::path& object, std::string_view name) {
-  const std::optional<std::string> bytes = read_file(object);
-  return !bytes || bytes->find(name) != std::string::npos;
+/// Does an object file hold the name of a section or of a symbol? All names stand in the file, so its bytes tell.
+bool names(const std::string& object, std::initializer_list<std::string_view> any_of) {
+  return std::ranges::any_of(any_of, [&](std::string_view name) { return object.find(name) != std::string::npos; });
 }
 
 /// The files of a list of dependencies as compilers write it for make: "unit.o: a.hpp \\ b\\ c.hpp".
@@ -102,17 +100,20 @@ class CompilationInProgress {
 
  private:
   /// UNIT.o of a file; returns the warnings.
-  std::string compile_file(const Submission& file, const std::string& unit) const {
+  std::string compile_file(const Submission& file, const std::string& unit) {
     compiler_.write(file.text, {}, unit + ".cpp");
     const FinishedProgram compiled = compiler_.run(compiler_.arguments(arguments_for(file, unit)));
     if (!compiled.succeeded()) refuse_uncompiled(compiled, file, unit);
-    const fs::path object = compiler_.workspace() / (unit + ".o");
+    const std::optional<std::string> object = read_file(compiler_.workspace() / (unit + ".o"));
+    if (!object) refuse("Your file compiles, but into nothing that can be read.");
     // Such sections make the linker run another compiler, with options that the file chooses.
-    if (has_section(object, ".gnu.lto_"))
+    if (names(*object, {".gnu.lto_"}))
       refuse("Your file asks for code to be generated when it is linked; no exercise needs that.");
     // And such a one makes the system run another program in place of the worker.
-    if (is_static() && has_section(object, std::string_view(".interp\0", 8)))
+    if (is_static() && names(*object, {std::string_view(".interp\0", 8)}))
       refuse("Your file names a program that shall run it (.interp); no exercise needs that.");
+    // std::cout, cerr, clog, cin, or the object that <iostream> brings.
+    uses_streams_ = uses_streams_ || names(*object, {"_ZSt4c", "_ZNSt8ios_base4Init"});
     for (const char* list : {".includes", ".assembled"})
       for (const std::string& name : dependencies(compiler_.workspace() / (unit + list)))
         if (!compiler_.may_be_included(name)) refuse_foreign_file(name);
@@ -162,9 +163,11 @@ class CompilationInProgress {
   }
 
   fs::path link() const {
-    std::vector<std::string> arguments = {"unit.o", toolchain_.worker_object(task_.exercise).string()};
+    std::vector<std::string> arguments;
+    for (const fs::path& support : toolchain_.support)  // first, so that streams work when a student's objects begin
+      if (uses_streams_ || support.stem() != "streams") arguments.push_back(support.string());
+    arguments.insert(arguments.end(), {"unit.o", toolchain_.worker_object(task_.exercise).string()});
     for (const std::string& own : linked_) arguments.push_back(own + ".o");
-    for (const fs::path& support : toolchain_.support) arguments.push_back(support.string());
     for (const std::string& flag : toolchain_.link_flags) arguments.push_back(flag);
     arguments.insert(arguments.end(), {"-o", "worker"});
     const FinishedProgram linked = compiler_.run(arguments);
@@ -254,6 +257,7 @@ class CompilationInProgress {
   const Compiler& compiler_;
   const SourceText source_;
   std::vector<std::string> linked_;
+  bool uses_streams_ = false;
 };
 
 /// @throws Compilation that says why there is none

@@ -21,7 +21,7 @@ struct Toolchain {
   std::filesystem::path prelude;                           ///< included before the first line of a student's file
   std::vector<std::filesystem::path> include_directories;  ///< the only places that a student's file may include from
   std::filesystem::path directory;                         ///< of all that is made
-  std::vector<std::filesystem::path> support;              ///< objects that every worker needs
+  std::vector<std::filesystem::path> support;              ///< objects that every worker needs; streams.o only some
   std::vector<std::string> link_flags;
   std::filesystem::path nm;
   std::filesystem::path diagnostic;    ///< the toolchain file for the diagnostic run; empty: there is none

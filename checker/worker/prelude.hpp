@@ -45,14 +45,22 @@ void throw_eigen_error(const char* condition);
 #include <cstdlib>
 #include <functional>
 #include <iomanip>
-#include <iostream>
+#include <istream>
 #include <limits>
 #include <map>
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <ostream>
 #include <random>
 #include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
+
+// As <iostream> declares them, but without its static object, which would link all of locale and streams, half a
+// worker, to functions that print nothing. streams.cpp has that object; it is linked where a file names one of these.
+namespace std {
+extern istream cin;
+extern ostream cout, cerr, clog;
+}  // namespace std

@@ -12,7 +12,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
-#include <iostream>
 #include <new>
 #include <string_view>
 
@@ -115,6 +114,7 @@ void throw_eigen_error(const char* condition) {
 [[gnu::weak]] void before_call(std::int32_t) {}
 [[gnu::weak]] void fill_memory(void*, std::size_t) {}
 [[gnu::weak]] void after_call() {}
+[[gnu::weak]] void flush_streams() {}
 
 int serve_calls(std::size_t argument_count, const Call& call) {
   std::setvbuf(stdout, nullptr, _IONBF, 0);  // what is printed before a crash must be seen
@@ -131,8 +131,7 @@ int serve_calls(std::size_t argument_count, const Call& call) {
     before_call(request.mode);
     protocol::ReplyHeader reply = answer(call, arguments, result);
     reply.nonce = request.nonce;
-    std::cout.flush();  // what the student's function prints belongs to this call
-    std::clog.flush();
+    flush_streams();  // what the student's function prints belongs to this call
     if (!send(&reply, sizeof reply)) return 1;
     if (reply.status == protocol::Status::returned &&
         !send(result.numbers.data(), result.numbers.size() * sizeof(double)))

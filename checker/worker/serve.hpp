@@ -41,6 +41,8 @@ using Call = std::function<void(const std::vector<NumbersView>& arguments, CallR
 /// Answers requests until the checker closes its side. Returns the exit status of the worker.
 int serve_calls(std::size_t argument_count, const Call& call);
 
+void flush_streams();  ///< where a file uses streams: streams.cpp is linked then
+
 // What a diagnostic run does around a call; it does nothing in judging.
 void before_call(std::int32_t mode);
 void fill_memory(void* result, std::size_t size);  ///< the place of the result, and the stack

@@ -32,7 +32,7 @@ function(workbook_add_toolchain target)
     FLAGS -std=c++20 -O1 -ftrivial-auto-var-init=pattern -D_GLIBCXX_ASSERTIONS
     LINK_FLAGS -static -s -fno-lto ${link_flags}
     PRELUDE "#include \"${sources}/prelude.hpp\"\n"
-    PARTS ${sources}/serve.cpp ${sources}/crash_handler.cpp
+    PARTS ${sources}/serve.cpp ${sources}/crash_handler.cpp ${sources}/streams.cpp
     MAIN ${sources}/serve.hpp serve
     DIAGNOSTIC "${diagnostic}")
 
@@ -47,7 +47,7 @@ function(workbook_add_toolchain target)
     FLAGS -std=c++20 -O0 -g1 -fno-omit-frame-pointer -fno-stack-protector -D_GLIBCXX_ASSERTIONS ${sanitizers}
     LINK_FLAGS -fno-lto ${link_flags} ${sanitizers}
     PRELUDE "#define WORKBOOK_DIAGNOSE\n#include \"${sources}/prelude.hpp\"\n"
-    PARTS ${sources}/serve.cpp ${sources}/diagnostics.cpp
+    PARTS ${sources}/serve.cpp ${sources}/diagnostics.cpp ${sources}/streams.cpp
     MAIN ${sources}/serve.hpp serve)
 endfunction()
 
