@@ -172,15 +172,20 @@ LectureReference parsed(const std::string& content, const std::string& only) {
   const json header = json::parse(content.substr(0, end));
   if (const int format = header.at("format"); format != LectureReference::format)
     throw std::runtime_error(fmt::format("it has format {}, this checker reads {}", format, LectureReference::format));
-  const std::string_view rest = std::string_view(content).substr(end + 1);
-  if (header.at("checksum") != fingerprint(rest)) throw std::runtime_error("its checksum does not match its content");
-  const auto lines = lines_of(rest);
+  const auto lines = lines_of(std::string_view(content).substr(end + 1));
+  const auto require_intact = [](const json& checksum, const std::string& line) {
+    if (checksum != fingerprint(line)) throw std::runtime_error("its checksum does not match its content");
+  };
+  require_intact(header.at("checksum"), lines.at(0));
   const json about = json::parse(lines.at(0));
   LectureReference lecture{about.at("seed"), about.at("lecture"), {}};
   const std::vector<std::string> names = about.at("exercises");
+  if (lines.size() != names.size() + 1 || !content.ends_with('\n'))
+    throw std::runtime_error("it has not one line per exercise");
   for (std::size_t k = 0; k < names.size(); ++k) {
     if (!only.empty() && names[k] != only) continue;
-    lecture.exercises.push_back(json::parse(lines.at(k + 1)));
+    require_intact(about.at("checksums").at(k), lines[k + 1]);
+    lecture.exercises.push_back(json::parse(lines[k + 1]));
     require_sound(lecture.exercises.back());
   }
   return lecture;
@@ -239,15 +244,18 @@ void write_reference_results(const LectureReference& results, const std::filesys
     throw ReferenceError(
         fmt::format("The reference results of {} are inconsistent: {}.", results.lecture, problem.what()));
   }
-  json about = {{"lecture", results.lecture}, {"seed", results.seed}, {"exercises", json::array()}};
+  json about = {
+      {"lecture", results.lecture}, {"seed", results.seed}, {"exercises", json::array()}, {"checksums", json::array()}};
   std::string lines;
   for (const ExerciseReference& exercise : results.exercises) {
+    const std::string line = json(exercise).dump();
     about["exercises"].push_back(exercise.name);
-    lines += json(exercise).dump() + "\n";
+    about["checksums"].push_back(fingerprint(line));
+    lines += line + "\n";
   }
-  const std::string content = about.dump() + "\n" + lines;
-  const json header = {{"format", LectureReference::format}, {"checksum", fingerprint(content)}};
-  if (const std::string reason = write_file(file, header.dump() + "\n" + content); !reason.empty())
+  const json header = {{"format", LectureReference::format}, {"checksum", fingerprint(about.dump())}};
+  const std::string content = fmt::format("{}\n{}\n{}", header.dump(), about.dump(), lines);
+  if (const std::string reason = write_file(file, content); !reason.empty())
     throw ReferenceError(fmt::format("The reference results {} cannot be written: {}.", shown_path(file), reason));
 }
 

@@ -179,7 +179,7 @@ struct ExerciseReference {
 };
 
 struct LectureReference {
-  static constexpr int format = 3;  ///< of the file
+  static constexpr int format = 4;  ///< of the file
   std::uint64_t seed = 1;
   std::string lecture;
   std::vector<ExerciseReference> exercises;
@@ -194,8 +194,8 @@ struct ReferenceError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Lines of JSON: the format and a checksum of all that follows; lecture, seed and the names of the exercises; one line
-/// per exercise.
+/// Lines of JSON: the format and a checksum of the next line; lecture, seed, and of each exercise the name and the
+/// checksum of its line; one line per exercise.
 /// @param only the exercise to read, for a check needs one of a lecture only; empty for all.
 /// @throws ReferenceError if the file is missing, damaged, of another format, or inconsistent.
 LectureReference read_reference_results(const std::filesystem::path& file, const std::string& only = "");

@@ -1,6 +1,7 @@
 // Ten thousand damaged files and replies: whatever their bytes are, the checker does not crash, does not hang, and
 // gives no mark that they do not earn. The damage follows from a number, so a failure can be repeated.
 #include "checker/base/text.hpp"
+#include "checker/course/assignment.hpp"
 #include "checker/course/course.hpp"
 #include "checker/grading/grading.hpp"
 #include "checker/judging/diagnosis.hpp"
@@ -151,10 +152,12 @@ TEST_CASE("Damaged reference results: a sentence, or such that nothing wrong pas
       std::vector<std::string> changed = lines;
       std::string& one = changed[1 + random() % (changed.size() - 1)];
       one = either_damaged(json::parse(one), random);
-      const std::string rest = joined({changed.begin() + 1, changed.end()}) + "\n";
-      json header = json::parse(lines[0]);
-      header["checksum"] = fingerprint(rest);
-      replace(file, header.dump() + "\n" + rest);
+      json header = json::parse(lines[0]), about = json::parse(changed[1], nullptr, false);
+      if (about.is_object()) about["checksums"] = json::array({fingerprint(changed[2]), fingerprint(changed[3])});
+      changed[1] = about.is_discarded() ? changed[1] : about.dump();
+      header["checksum"] = fingerprint(changed[1]);
+      changed[0] = header.dump();
+      replace(file, joined(changed) + "\n");
     } else {
       replace(file, damaged_text(whole, random));
     }

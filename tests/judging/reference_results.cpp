@@ -145,7 +145,7 @@ TEST_CASE("A file that is cut short, or in which a byte has changed, is refused"
     return std::uniform_int_distribution<std::size_t>(0, limit - 1)(random);
   };
   for (int k = 0; k < 300; ++k) {
-    // Every third time in the first line, which no checksum guards.
+    // Every third time in the first line, which no checksum protects.
     const std::size_t at = below(k % 3 == 0 ? text.find('\n') + 1 : text.size());
     std::string mutated = text;
     mutated[at] = static_cast<char>(mutated[at] ^ static_cast<char>(1 + below(255)));
