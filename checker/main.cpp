@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
-#include <numeric>
 
 namespace {
 
@@ -175,17 +174,18 @@ std::string known_name(const Course& course, const fs::path& typed) {
                                command("check " + named + " --file " + shell_quoted(file))));
 }
 
-/// The build writes course.json beside the program.
-fs::path course_file_beside_the_program(const char* argv0) {
+fs::path running_program(const char* argv0) {
   std::error_code problem;
-  fs::path program = fs::read_symlink("/proc/self/exe", problem);
-  if (problem) program = fs::canonical(argv0, problem);
-  return program.parent_path() / "course.json";
+  const fs::path program = fs::read_symlink("/proc/self/exe", problem);
+  return problem ? fs::canonical(argv0, problem) : program;
 }
 
 class CommandLine {
  public:
-  explicit CommandLine(const char* argv0) : course_file_(course_file_beside_the_program(argv0)) {
+  CommandLine(int argc, char** argv) : argc_(argc), argv_(argv) {
+    options_.program = running_program(argv[0]);
+    options_.typed.assign(argv + 1, argv + argc);
+    course_file_ = options_.program.parent_path() / "course.json";  // where the build writes it
     app_.name(command("").substr(0, command("").size() - 1));
     app_.description(program_description);
     app_.footer(program_footer + fmt::format("More about one command: {}", command("COMMAND --help")));
@@ -204,9 +204,9 @@ class CommandLine {
     add_new();
   }
 
-  int run(int argc, char** argv) {
+  int run() {
     try {
-      app_.parse(argc, argv);
+      app_.parse(argc_, argv_);
     } catch (const CLI::ParseError& problem) {
       if (problem.get_exit_code() != 0) throw UsageError(usage_sentence(app_, problem, course_file_));
       return app_.exit(problem);  // --help
@@ -262,8 +262,8 @@ class CommandLine {
     option("--shard", "K/N", options_.shard, "only judge the K-th of N parts of the class; --merge joins them");
     option("--merge", "FOLDER", options_.merged, "take over what was judged in these folders, of parts for example");
     option("--allow-reduced", "", options_.allow_reduced, "be content with the sandbox that `doctor` calls reduced");
-    option("--seeds", "NUMBER", seeds_, "how many seeds to try, from 1 on");
-    option("--mutants", "", mutants_, "try small bugs in the solutions instead: do the cases find all?");
+    option("--seeds", "NUMBER", options_.seeds, "how many seeds to try, from 1 on");
+    option("--mutants", "", options_.mutants, "try small bugs in the solutions instead: do the cases find all?");
     declared_["--picture"] = [this](CLI::App& command) {
       static const std::map<std::string, PictureKind> kinds = {{"auto", PictureKind::automatic},
                                                                {"kitty", PictureKind::kitty},
@@ -401,12 +401,7 @@ class CommandLine {
         "Check the workbook itself\n\nTries every stub, solution, right route, wrong answer, hint and pointer of the "
         "course, and names the file and the fix for everything that is wrong.",
         {"self-check --seeds 20", "self-check 03", "self-check --mutants 03"}, {"NAME", "--seeds", "--mutants"},
-        [this](const Course& course, const Options& options) {
-          if (mutants_) return self_check_mutants(course, options.names);
-          std::vector<std::uint64_t> seeds(static_cast<std::size_t>(seeds_));
-          std::iota(seeds.begin(), seeds.end(), std::uint64_t{1});
-          return self_check(course, options.names, seeds);
-        })
+        self_check)
         .get_option("--seeds")
         ->check(CLI::Range(1, 1000));
   }
@@ -424,15 +419,14 @@ class CommandLine {
       to->add_option(name, target, help)->required()->type_name(type);
     };
     CLI::App* lecture = added.add_subcommand("lecture", "Write the skeleton of a lecture");
-    required(lecture, "folder", "FOLDER", new_name_, "NN_topic; the number says where in the course it stands");
-    lecture->callback([this] { job_ = [this](auto& course, auto&) { return new_lecture(course, new_name_); }; });
+    required(lecture, "folder", "FOLDER", options_.new_name, "NN_topic; the number says where in the course it stands");
+    lecture->callback([this] { job_ = new_lecture; });
     CLI::App* exercise = added.add_subcommand("exercise", "Write the skeleton of an exercise");
-    required(exercise, "name", "NAME", new_name_, "the name of its function");
-    required(exercise, "--lecture", "LECTURE", new_lecture_, "its lecture");
-    required(exercise, "--signature", "TEXT", signature_, "its declaration: 'Vector3d f(const Matrix3d& I, double t)'");
-    exercise->callback([this] {
-      job_ = [this](auto& course, auto&) { return new_exercise(course, new_name_, new_lecture_, signature_); };
-    });
+    required(exercise, "name", "NAME", options_.new_name, "the name of its function");
+    required(exercise, "--lecture", "LECTURE", options_.new_lecture, "its lecture");
+    required(exercise, "--signature", "TEXT", options_.signature,
+             "its declaration: 'Vector3d f(const Matrix3d& I, double t)'");
+    exercise->callback([this] { job_ = new_exercise; });
   }
 
   /// @param help  its first line stands in the list of commands, the rest below the options
@@ -461,13 +455,12 @@ class CommandLine {
     };
   }
 
+  int argc_;
+  char** argv_;
   CLI::App app_;
   fs::path course_file_;
   Options options_;
   std::optional<std::uint64_t> seed_;
-  int seeds_ = 3;
-  bool mutants_ = false;
-  std::string new_name_, new_lecture_, signature_;
   std::map<std::string, std::function<void(CLI::App&)>> declared_;
   Job job_ = status;
 };
@@ -488,7 +481,7 @@ int run(int argc, char** argv) {
     return status;
   };
   try {
-    return CommandLine(argv[0]).run(argc, argv);
+    return CommandLine(argc, argv).run();
   } catch (const UsageError& problem) {
     return fail(problem, wrong_usage);
   } catch (const std::exception& problem) {

@@ -350,6 +350,15 @@ FinishedProgram make(const Build& build, const std::vector<std::string>& targets
   return finished;
 }
 
+void become(std::vector<std::string> program_and_arguments) {
+  std::fflush(stdout);
+  std::vector<char*> pointers;
+  for (std::string& one : program_and_arguments) pointers.push_back(one.data());
+  pointers.push_back(nullptr);
+  ::execv(pointers.front(), pointers.data());
+  throw std::runtime_error(fmt::format("{} cannot be started ({}).", pointers.front(), std::strerror(errno)));
+}
+
 FinishedProgram run_with_path(const std::string& program, const std::vector<std::string>& arguments,
                               std::chrono::duration<double> limit) {
   return run_program(launch_of(program, arguments), limit, most_output);

@@ -143,6 +143,9 @@ struct Build {
 /// @throws LaunchError
 FinishedProgram make(const Build& build, const std::vector<std::string>& targets);
 
+/// Goes on as another program, on this terminal. @throws std::runtime_error if it cannot be started
+[[noreturn]] void become(std::vector<std::string> program_and_arguments);
+
 /// Runs a program that finds others on PATH and inherits nothing else. @throws LaunchError
 FinishedProgram run_with_path(const std::string& program, const std::vector<std::string>& arguments,
                               std::chrono::duration<double> limit);

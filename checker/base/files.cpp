@@ -4,7 +4,9 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <sstream>
 
@@ -55,6 +57,22 @@ fs::path free_name(const fs::path& file) {
   for (int number = 2; fs::exists(fs::symlink_status(name, ignored)); ++number)
     name = fmt::format("{}.{}", file.string(), number);
   return name;
+}
+
+std::string folder_trouble(const fs::path& folder) {
+  std::error_code problem;
+  fs::create_directories(folder, problem);
+  if (problem) return problem.message();
+  return access(folder.c_str(), W_OK) == 0 ? "" : std::strerror(errno);
+}
+
+bool is_newer(const fs::path& file_or_folder, const fs::path& than) {
+  std::error_code problem, ignored;
+  const auto time = fs::last_write_time(than, problem);
+  const auto is_later = [&](const fs::path& file) { return fs::last_write_time(file, ignored) > time; };
+  if (problem || is_later(file_or_folder)) return true;
+  const fs::recursive_directory_iterator files(file_or_folder, ignored);
+  return std::any_of(begin(files), end(files), is_later);
 }
 
 std::string shown_path(const fs::path& file) {

@@ -27,6 +27,12 @@ std::string file_fingerprint(const std::filesystem::path& file);
 /// FILE itself, or the first of FILE.2, FILE.3, … that is not taken.
 std::filesystem::path free_name(const std::filesystem::path& file);
 
+/// "" or why nothing can be written into a folder, which is made if need be: found out before the long work begins.
+std::string folder_trouble(const std::filesystem::path& folder);
+
+/// Is a file, or anything in a folder, newer than that file, or is that file missing?
+bool is_newer(const std::filesystem::path& file_or_folder, const std::filesystem::path& than);
+
 /// As seen from the current folder, safe to print.
 std::string shown_path(const std::filesystem::path& file);
 

@@ -1,4 +1,4 @@
-// The commands check, plot and report: all of them check exercises, and differ in what they make of it.
+// The commands check and plot.
 #include "checker/commands/commands.hpp"
 
 #include <algorithm>
@@ -8,16 +8,6 @@
 namespace workbook {
 
 namespace {
-
-std::vector<CheckTask> tasks_of(const Course& course, const Options& options) {
-  const std::vector<Exercise> exercises = course.choose(options.names);
-  if ((options.file || options.case_name) && exercises.size() != 1)
-    throw UsageError(
-        fmt::format("--file and --case need one exercise, for example `{}`.", command("check EXERCISE --file FILE")));
-  std::vector<CheckTask> tasks;
-  for (const Exercise& exercise : exercises) tasks.push_back(check_task(course, exercise, options.seed, options.file));
-  return tasks;
-}
 
 /// What is drawn of one exercise, in words too. A plot that fails changes no verdict.
 void draw(const Course& course, const CheckResult& checked, PictureKind picture, const Console& console,
@@ -81,40 +71,20 @@ std::size_t copy_all_figures(const Course& course, const fs::path& directory,
   return count;
 }
 
-[[noreturn]] void refuse_page(const fs::path& file, const std::string& reason) {
-  throw std::runtime_error(fmt::format("The page cannot be written to {} ({}); give --html another file.",
-                                       printable(file.string()), reason));
-}
-
-/// "" or why nothing can be written into a folder, which is made if need be: found out before the long work begins.
-std::string folder_trouble(const fs::path& folder) {
-  std::error_code problem;
-  fs::create_directories(folder, problem);
-  if (problem) return problem.message();
-  return access(folder.c_str(), W_OK) == 0 ? "" : std::strerror(errno);
-}
-
-/// The plot, where the function gave a value. A plot that fails leaves the page without it.
-void add_picture(const Course& course, ReportedExercise& reported) {
-  const CheckResult& checked = reported.checked;
-  if (checked.executable.empty() || !checked.is_judged()) return;
-  try {
-    const Overlay overlay = overlay_of(checked);
-    if (overlay.student.empty()) return;
-    const std::string terminal = "svg noenhanced size 640,512 font 'Helvetica,14' background rgb 'white'";
-    reported.picture = drawn_overlay(overlay, terminal, course.plots());
-    reported.picture_description =
-        fmt::format("Plot of {}: {}. The submitted function on the reference{}; below, the difference.", checked.name(),
-                    overlay.sweep->title,
-                    overlay.misconception.empty() ? "" : fmt::format(" and on “{}”", overlay.misconception_name));
-  } catch (const std::runtime_error&) {  // there is none
-  }
-}
-
 }  // namespace
 
 void warn(const Progress& progress) {
   if (!progress.warning().empty()) fmt::print(stderr, "{}\n", progress.warning());
+}
+
+std::vector<CheckTask> tasks_of(const Course& course, const Options& options) {
+  const std::vector<Exercise> exercises = course.choose(options.names);
+  if ((options.file || options.case_name) && exercises.size() != 1)
+    throw UsageError(
+        fmt::format("--file and --case need one exercise, for example `{}`.", command("check EXERCISE --file FILE")));
+  std::vector<CheckTask> tasks;
+  for (const Exercise& exercise : exercises) tasks.push_back(check_task(course, exercise, options.seed, options.file));
+  return tasks;
 }
 
 std::size_t find_case(const ExerciseReference& exercise, const std::string& asked) {
@@ -137,6 +107,19 @@ void require_pictures(const fs::path& directory) {
   if (const std::string trouble = folder_trouble(directory); !trouble.empty())
     throw std::runtime_error(fmt::format("Pictures cannot be written into {} ({}); give another folder with --out.",
                                          shown_path(directory), trouble));
+}
+
+std::size_t copy_figures(const Course& course, const std::string& lecture, const fs::path& to) {
+  const fs::path from = course.build().directory / "figures" / lecture;
+  std::size_t count = 0;
+  if (!fs::exists(from)) return count;
+  fs::create_directories(to);
+  for (const auto& picture : fs::directory_iterator(from)) {
+    if (picture.path().filename() == "drawn") continue;  // the build's own mark
+    fs::copy_file(picture.path(), to / picture.path().filename(), fs::copy_options::overwrite_existing);
+    count += picture.path().extension() == ".svg" ? 1 : 0;
+  }
+  return count;
 }
 
 int check(const Course& course, const Options& options) {
@@ -250,40 +233,6 @@ int plot(const Course& course, const Options& options) {
                shown_path(directory));
   }
   return worst;
-}
-
-int report(const Course& course, const Options& options) {
-  const std::vector<CheckTask> tasks = tasks_of(course, options);
-  std::error_code ignored;
-  const std::string trouble = folder_trouble(fs::absolute(options.html).parent_path());
-  if (!trouble.empty()) refuse_page(options.html, trouble);
-  if (fs::exists(options.html, ignored) && !fs::is_regular_file(options.html, ignored))
-    refuse_page(options.html, "not an ordinary file");
-
-  ReportedCourse reported;
-  reported.student = options.student;
-  reported.date = current_day();
-  reported.seed = options.seed;
-  const bool has_gnuplot = !program_on_path("gnuplot").empty();
-  if (!has_gnuplot) reported.picture_trouble = gnuplot_is_missing;
-  for (const Card& card : course.cards()) reported.headings.merge(read_headings(course.notes_file(card)));
-
-  CheckContext context(course);
-  const Progress progress(course.progress_file());
-  ProgressBar progress_bar;
-  check_all(context, tasks, [&](CheckResult checked) {
-    progress_bar.show(reported.exercises.size(), tasks.size(), checked.name());
-    const auto answered = progress.of(checked.name()).answered_right;
-    ReportedExercise exercise{std::move(checked), {}, {}, answered};
-    if (has_gnuplot) add_picture(course, exercise);
-    reported.exercises.push_back(std::move(exercise));
-  });
-  progress_bar.clear();
-
-  if (const std::string reason = write_file(options.html, report_page(reported)); !reason.empty())
-    refuse_page(options.html, reason);
-  fmt::print("The page is in {}.\n", printable(options.html.string()));
-  return all_passed;
 }
 
 }  // namespace workbook

@@ -34,25 +34,23 @@ struct Options {
   std::string student;   ///< whose page it is; may be empty
   fs::path submissions;  ///< of a class: a folder or a zip file
   std::optional<fs::path> roster, assignment;
-  std::vector<fs::path> references;  ///< reference results to judge by
-  std::string only;                  ///< judge what has this verdict once more
-  std::string shard;                 ///< "2/8": judge only this part of the class
-  std::vector<fs::path> merged;      ///< folders of such parts, to be joined
-  bool allow_reduced = false;        ///< grade strangers' files in the reduced sandbox
+  std::vector<fs::path> references;              ///< reference results to judge by
+  std::string only;                              ///< judge what has this verdict once more
+  std::string shard;                             ///< "2/8": judge only this part of the class
+  std::vector<fs::path> merged;                  ///< folders of such parts, to be joined
+  bool allow_reduced = false;                    ///< grade strangers' files in the reduced sandbox
+  int seeds = 3;                                 ///< how many seeds the workbook itself is checked with, from 1 on
+  bool mutants = false;                          ///< check it by small bugs in the solutions instead
+  std::string new_name, new_lecture, signature;  ///< what a new lecture or exercise is to be
+  fs::path program;                              ///< the file of the running program
+  std::vector<std::string> typed;                ///< the words of the command line behind the program's name
 };
 
 /// What each does stands in its help, in checker/main.cpp.
 using Command = int(const Course& course, const Options& options);
 Command status, list, check, hint, solution, plot, report, reset;                    // exercises
 Command figures, live, examples, try_out, debug, predict, question, review, update;  // the course
-Command watch, doctor, handout, grade;
-
-/// @param seeds  in a copy without solutions its own is taken
-int self_check(const Course& course, const std::vector<std::string>& names, std::vector<std::uint64_t> seeds);
-int self_check_mutants(const Course& course, const std::vector<std::string>& names);
-int new_lecture(const Course& course, const std::string& folder);
-int new_exercise(const Course& course, const std::string& name, const std::string& lecture,
-                 const std::string& signature);
+Command watch, doctor, handout, grade, self_check, new_lecture, new_exercise;
 
 // --- what several of them do
 
@@ -72,6 +70,9 @@ int stop(fmt::format_string<Parts...> text, Parts&&... parts) {
 
 /// Where the progress could not be read or saved, says so on standard error.
 void warn(const Progress& progress);
+
+/// What the command line asks to check. @throws UsageError
+std::vector<CheckTask> tasks_of(const Course& course, const Options& options);
 
 /// The case of that number, counted from 1, or name. @throws UsageError
 std::size_t find_case(const ExerciseReference& exercise, const std::string& asked);

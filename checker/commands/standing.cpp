@@ -1,7 +1,7 @@
 // Where the student stands, exercise by exercise: the commands status (the one without a name), list, hint and reset.
 #include "checker/commands/commands.hpp"
+#include "checker/course/assignment.hpp"
 #include "checker/course/locked_text.hpp"
-#include "checker/grading/grading.hpp"
 #include "checker/sandbox/worker_process.hpp"
 
 #include <algorithm>

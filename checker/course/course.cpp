@@ -44,18 +44,6 @@ Card read_card(const fs::path& lecture) {
   return card;
 }
 
-bool is_newer(const fs::path& file, const fs::path& than) {
-  std::error_code problem;
-  const auto time = fs::last_write_time(than, problem);
-  return problem || fs::last_write_time(file, problem) > time;
-}
-
-bool any_is_newer(const fs::path& folder, const fs::path& than) {
-  std::error_code ignored;
-  const fs::recursive_directory_iterator files(folder, ignored);
-  return std::any_of(begin(files), end(files), [&](const auto& file) { return is_newer(file, than); });
-}
-
 /// What the compiler complains about first.
 std::string first_errors(const std::string& output) {
   constexpr int most_errors = 3;
@@ -177,16 +165,21 @@ fs::path Course::reference_file(const std::string& lecture) const {
   return fs::exists(handed_out) ? handed_out : reference_ / (lecture + ".json");
 }
 
+std::string Course::trouble_to_build(const std::string& target, const fs::path& file,
+                                     const std::vector<fs::path>& sources) const {
+  const bool is_old = std::ranges::any_of(sources, [&](const fs::path& source) { return is_newer(source, file); });
+  if (build_.setup.empty() || !is_old) return "";
+  const FinishedProgram made = make(build_, {target});
+  if (made.succeeded()) return "";
+  return fmt::format("{} says why.{}", shown_path(build_.directory / "build.log"), first_errors(made.output));
+}
+
 void Course::make_reference(const std::string& lecture) const {
-  const fs::path file = reference_ / (lecture + ".json");
   const fs::path solutions = root_ / "solutions";
-  if (build_.setup.empty() || !(any_is_newer(solutions / lecture, file) || any_is_newer(solutions / "judging", file) ||
-                                any_is_newer(root_ / "include", file)))
-    return;
-  const FinishedProgram made = make(build_, {"reference_results_" + lecture});
-  if (!made.succeeded())
-    throw ReferenceError(fmt::format("The reference results of {} could not be made; {} says why.{}", lecture,
-                                     shown_path(build_.directory / "build.log"), first_errors(made.output)));
+  const std::string trouble = trouble_to_build("reference_results_" + lecture, reference_ / (lecture + ".json"),
+                                               {solutions / lecture, solutions / "judging", root_ / "include"});
+  if (!trouble.empty())
+    throw ReferenceError(fmt::format("The reference results of {} could not be made; {}", lecture, trouble));
 }
 
 /// @param cases  "all" or "random"

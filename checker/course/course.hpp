@@ -94,6 +94,11 @@ class Course {
 
   const Build& build() const { return build_; }
 
+  /// Builds a target of which a file comes, if one of the sources, files or folders, is newer than that file.
+  /// Returns "" or, where that fails, which file says why and what the compiler says first.
+  std::string trouble_to_build(const std::string& target, const std::filesystem::path& file,
+                               const std::vector<std::filesystem::path>& sources) const;
+
   /// What the program may write: compiled workers, plots, reference results of other seeds.
   const fs::path& scratch() const { return scratch_; }
   fs::path compiled() const { return scratch_ / "compiled"; }

@@ -1,7 +1,8 @@
 /// @file
-/// A class is graded: what the instructor says about it, what was handed in, what has been judged, and what came of it.
+/// A class is graded: what was handed in, what has been judged, and what came of it.
 #pragma once
 
+#include "checker/course/assignment.hpp"
 #include "checker/pipeline/check_exercise.hpp"
 
 #include <nlohmann/json.hpp>
@@ -9,73 +10,8 @@
 #include <sys/types.h>
 
 #include <array>
-#include <deque>
 
 namespace workbook {
-
-// --- the assignment, the roster; and the tables that spreadsheets exchange
-
-/// A file of the instructor's cannot be used: file, place and reason in one sentence.
-struct GradingError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-using Table = std::vector<std::vector<std::string>>;
-
-/// Rows of an RFC 4180 text: fields in quotation marks may hold commas, line ends and doubled quotation marks.
-Table read_csv(std::string_view text);
-
-/// The same, written. A cell that a spreadsheet would take for a formula gets an apostrophe in front.
-std::string write_csv(const Table& table);
-
-/// Seconds since 1970 of "2027-03-01T23:59:00Z". Nothing else is read, so that no time zone is guessed.
-std::optional<std::int64_t> read_time(const std::string& text);
-
-/// What is graded, and what it is worth.
-class Assignment {
- public:
-  /// All exercises of the course with the points of their cards, nothing due; or what the file says.
-  /// @throws GradingError
-  Assignment(const Course& course, const std::optional<fs::path>& file);
-
-  const std::string& title() const { return title_; }
-  /// In the order of the course, with the points of the assignment.
-  const std::vector<Exercise>& exercises() const { return exercises_; }
-
-  /// As the file has it; "" if nothing is due.
-  const std::string& due_text() const { return due_text_; }
-  /// Days begun after the due date; 0 where there is none, or no time is known.
-  int days_late(const std::optional<std::int64_t>& submitted) const;
-  /// What is left of the points after so many days.
-  double late_factor(int days) const;
-
-  /// What an exercise earns of its points. @param hints  that have been shown
-  double share(const Judgement& judgement, std::size_t hints) const;
-  bool has_hint_cost() const { return hint_cost_ > 0; }
-  /// What a student is told about the points, apart from lateness.
-  std::vector<std::string> rules(bool hints_are_known) const;
-
- private:
-  std::string title_;
-  std::deque<CardExercise> entries_;
-  std::vector<Exercise> exercises_;
-  std::string due_text_;
-  std::optional<std::int64_t> due_;
-  double late_per_day_ = 0.0;
-  int latest_day_ = 0;
-  double hint_cost_ = 0.0;
-  bool is_partial_ = false;
-};
-
-/// One row of the roster.
-struct RosterEntry {
-  std::string id;
-  std::string name;
-  std::optional<std::int64_t> submitted;
-};
-
-/// A table with a heading; the column id is needed, name and submitted are read. @throws GradingError
-std::vector<RosterEntry> read_roster(const fs::path& file);
 
 // --- what a class has handed in: whatever lies there, only files with the names of exercises are read, each for one
 // student, and copied to fixed names

@@ -244,17 +244,4 @@ int live(const Course& course, const Options& options) {
   return all_passed;
 }
 
-std::size_t copy_figures(const Course& course, const std::string& lecture, const fs::path& to) {
-  const fs::path from = course.build().directory / "figures" / lecture;
-  std::size_t count = 0;
-  if (!fs::exists(from)) return count;
-  fs::create_directories(to);
-  for (const auto& picture : fs::directory_iterator(from)) {
-    if (picture.path().filename() == "drawn") continue;  // the build's own mark
-    fs::copy_file(picture.path(), to / picture.path().filename(), fs::copy_options::overwrite_existing);
-    count += picture.path().extension() == ".svg" ? 1 : 0;
-  }
-  return count;
-}
-
 }  // namespace workbook

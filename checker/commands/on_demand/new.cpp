@@ -117,7 +117,8 @@ void require_solutions(const Course& course) {
 
 }  // namespace
 
-int new_lecture(const Course& course, const std::string& folder) {
+int new_lecture(const Course& course, const Options& options) {
+  const std::string& folder = options.new_name;
   require_solutions(course);
   if (!std::regex_match(folder, std::regex(R"(\d\d_[a-z][a-z0-9_]*)")))
     throw UsageError(fmt::format("'{}' should read NN_topic, two digits and a name in small letters.", folder));
@@ -149,11 +150,11 @@ int new_lecture(const Course& course, const std::string& folder) {
   return all_passed;
 }
 
-int new_exercise(const Course& course, const std::string& name, const std::string& lecture,
-                 const std::string& signature_text) {
+int new_exercise(const Course& course, const Options& options) {
   require_solutions(course);
-  const Card& card = course.find_lecture(lecture);
-  const Signature signature = parsed_signature(signature_text, name);
+  const std::string& name = options.new_name;
+  const Card& card = course.find_lecture(options.new_lecture);
+  const Signature signature = parsed_signature(options.signature, name);
   const CardExercise entry{name, 1, card.contract + "_" + name, "TODO: what to write, in a line or two."};
   const Exercise exercise{&card, &entry};
   for (const Exercise& other : course.exercises())

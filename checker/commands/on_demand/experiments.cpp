@@ -29,6 +29,7 @@ int main() {
 /// What the prelude and a function that is not started need, where there is no worker around them.
 constexpr const char* support = R"(#include <cstdio>
 #include <exception>
+#include <iostream>
 #include <unistd.h>
 
 void workbook::throw_eigen_error(const char* condition) { throw EigenError(condition); }
@@ -70,16 +71,6 @@ bool build_program(const Course& course, const fs::path& source, const std::vect
   if (!compiled.succeeded())
     fmt::print(stderr, "The program does not compile{}.\n", compiled.out_of_time ? " within two minutes" : "");
   return compiled.succeeded();
-}
-
-/// Goes on as another program, on this terminal. @throws std::runtime_error if it cannot be started
-[[noreturn]] void become(std::vector<std::string> program_and_arguments) {
-  std::fflush(stdout);
-  std::vector<char*> pointers;
-  for (std::string& one : program_and_arguments) pointers.push_back(one.data());
-  pointers.push_back(nullptr);
-  ::execv(pointers.front(), pointers.data());
-  throw std::runtime_error(fmt::format("{} cannot be started ({}).", pointers.front(), std::strerror(errno)));
 }
 
 /// A folder of this command, new and empty. @throws std::runtime_error
@@ -190,8 +181,8 @@ int debug(const Course& course, const Options& options) {
   fmt::print("Case {} “{}” of {} is in {}.\n", index + 1, reference.cases[index].name, exercise.name(),
              shown_path(source));
   if (options.build_only) return all_passed;
-  become({gdb, "-q", "-x", (context.toolchain().main_include / "checker/commands/eigen.gdb.py").string(), "-ex",
-          "break rigid::" + exercise.name(), "-ex", "run", program.string()});
+  become({gdb, "-q", "-x", (context.toolchain().main_include / "checker/commands/on_demand/eigen.gdb.py").string(),
+          "-ex", "break rigid::" + exercise.name(), "-ex", "run", program.string()});
 }
 
 }  // namespace workbook

@@ -1,4 +1,6 @@
-#include "checker/grading/grading.hpp"
+#include "checker/course/assignment.hpp"
+
+#include <nlohmann/json.hpp>
 
 #include <time.h>
 

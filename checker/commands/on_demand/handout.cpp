@@ -1,7 +1,7 @@
 #include "checker/commands/commands.hpp"
+#include "checker/course/assignment.hpp"
 #include "checker/course/locked_text.hpp"
 #include "checker/course/release.hpp"
-#include "checker/grading/grading.hpp"
 
 #include <algorithm>
 #include <array>

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <numeric>
 #include <regex>
 #include <set>
 
@@ -309,19 +310,7 @@ nlohmann::json try_mutants(const Course& course, const Toolchain& toolchain, con
   return {{"made", made}, {"survivors", survivors}};
 }
 
-}  // namespace
-
-int self_check(const Course& course, const std::vector<std::string>& names, std::vector<std::uint64_t> seeds) {
-  if (!course.has_solutions()) seeds = {course.seed()};
-  const std::vector<Exercise> exercises = course.choose(names);
-  std::vector<const Card*> cards;
-  for (const Card& card : course.cards()) {
-    const auto is_of_card = [&](const Exercise& exercise) { return exercise.card == &card; };
-    if (names.empty() || std::ranges::any_of(exercises, is_of_card)) cards.push_back(&card);
-  }
-  return SelfCheck(course, exercises, seeds).run(cards);
-}
-
+/// Do the cases of these exercises find every small bug in their solutions?
 int self_check_mutants(const Course& course, const std::vector<std::string>& names) {
   if (!course.has_solutions())
     throw UsageError("Mutants are made of solutions, and this copy of the workbook has none.");
@@ -368,6 +357,22 @@ int self_check_mutants(const Course& course, const std::vector<std::string>& nam
   fmt::print("{}{}In all: {} of {} bugs found.\n", fmt::join(tried, ""), fmt::join(faults, ""), killed, made);
   const bool has_fault = !std::ranges::all_of(faults, &std::string::empty);
   return has_fault ? something_failed : all_passed;
+}
+
+}  // namespace
+
+int self_check(const Course& course, const Options& options) {
+  if (options.mutants) return self_check_mutants(course, options.names);
+  std::vector<std::uint64_t> seeds(static_cast<std::size_t>(options.seeds));
+  std::iota(seeds.begin(), seeds.end(), std::uint64_t{1});
+  if (!course.has_solutions()) seeds = {course.seed()};
+  const std::vector<Exercise> exercises = course.choose(options.names);
+  std::vector<const Card*> cards;
+  for (const Card& card : course.cards()) {
+    const auto is_of_card = [&](const Exercise& exercise) { return exercise.card == &card; };
+    if (options.names.empty() || std::ranges::any_of(exercises, is_of_card)) cards.push_back(&card);
+  }
+  return SelfCheck(course, exercises, seeds).run(cards);
 }
 
 }  // namespace workbook
