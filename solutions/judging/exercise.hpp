@@ -365,13 +365,18 @@ class Exercise : public AnyExercise {
 /// The exercises of one lecture.
 class Lecture {
  public:
-  /// Adds an exercise with its solution, the names and sorts of its parameters in the order of the contract, and of its
-  /// result.
+  /// Lets `judge` describe the exercise of this name.
+  void add(const char* name, void (*judge)(Lecture&)) {
+    name_ = name;
+    judge(*this);
+  }
+
+  /// Adds that exercise with its solution, the names and sorts of its parameters in the order of the contract, and of
+  /// its result.
   template <class Result, class... Parameters>
-  auto& exercise(std::string name, Result (*solution)(Parameters...), const std::vector<Named>& arguments,
-                 const Named& result) {
+  auto& exercise(Result (*solution)(Parameters...), const std::vector<Named>& arguments, const Named& result) {
     using Added = Exercise<Result, std::remove_cvref_t<Parameters>...>;
-    auto added = std::make_unique<Added>(std::move(name), solution, arguments, result);
+    auto added = std::make_unique<Added>(name_, solution, arguments, result);
     Added& handle = *added;
     exercises_.push_back(std::move(added));
     return handle;
@@ -381,11 +386,11 @@ class Lecture {
   LectureReference random_cases(std::string name, std::uint64_t seed) const;
 
  private:
+  std::string name_;
   std::vector<std::unique_ptr<AnyExercise>> exercises_;
 };
 
-/// Describes all exercises of a lecture. CMake makes it: it calls `void judge_NAME(Lecture&)` of every
-/// judging/NAME.cpp.
+/// Describes all exercises of a lecture. CMake makes it: it adds `void judge_NAME(Lecture&)` of every judging/NAME.cpp.
 void describe(Lecture& lecture);
 
 }  // namespace workbook::judging

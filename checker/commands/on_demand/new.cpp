@@ -187,7 +187,7 @@ int new_exercise(const Course& course, const Options& options) {
 void judge_{1}(workbook::judging::Lecture& lecture) {{
   using namespace workbook::judging;
   // TODO: the units in place of none.
-  auto& e = lecture.exercise("{1}", &rigid::{1}, {{{2}}}, {{"result", none}});
+  auto& e = lecture.exercise(&rigid::{1}, {{{2}}}, {{"result", none}});
   e.random("a random input", 10, [](Random& random) {{ return std::tuple{{{3}}}; }});
   e.scale(1.0);  // TODO: remove it; the size of the expected numbers will do in most cases
   // TODO: worked and special cases, three wrong answers, three routes, what every right result has, a sweep to plot.

@@ -48,8 +48,7 @@ static void add_points_cases(auto& e) {
 }
 
 void judge_angular_velocity_from_three_points(Lecture& lecture) {
-  auto& e = lecture.exercise("angular_velocity_from_three_points", &angular_velocity_from_three_points,
-                             {{"r", metre}, {"v", m_per_s}}, {"omega", rad_per_s});
+  auto& e = lecture.exercise(&angular_velocity_from_three_points, {{"r", metre}, {"v", m_per_s}}, {"omega", rad_per_s});
   e.domain([](auto& r, auto& v) {
     const double longest = longest_side(r);
     for (int i = 0; i < 3; ++i) {

@@ -1,8 +1,7 @@
 #include "solutions/01_frame_derivatives/shared.hpp"
 
 void judge_angular_velocity_of_basis(Lecture& lecture) {
-  auto& e = lecture.exercise("angular_velocity_of_basis", &angular_velocity_of_basis,
-                             {{"E", rotation}, {"E_rate", per_s}}, {"omega", rad_per_s});
+  auto& e = lecture.exercise(&angular_velocity_of_basis, {{"E", rotation}, {"E_rate", per_s}}, {"omega", rad_per_s});
   e.domain([](auto& E, auto& rate) {
     const Matrix3d W = rate * E.transpose();
     return (W + W.transpose()).norm() <= 1e-9 * W.norm();

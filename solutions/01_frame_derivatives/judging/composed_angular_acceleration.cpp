@@ -2,7 +2,7 @@
 
 void judge_composed_angular_acceleration(Lecture& lecture) {
   auto& e = lecture.exercise(
-      "composed_angular_acceleration", &composed_angular_acceleration,
+      &composed_angular_acceleration,
       {{"E", rotation}, {"omega", rad_per_s}, {"alpha", rad_per_s2}, {"spin", rad_per_s}, {"spin_rate", rad_per_s2}},
       {"alpha_rotor", rad_per_s2});
   const Matrix3d E0 = example_basis, along = Matrix3d::Identity();

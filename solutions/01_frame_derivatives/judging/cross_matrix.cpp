@@ -1,7 +1,7 @@
 #include "solutions/01_frame_derivatives/shared.hpp"
 
 void judge_cross_matrix(Lecture& lecture) {
-  auto& e = lecture.exercise("cross_matrix", &cross_matrix, {{"omega", rad_per_s}}, {"[omega]x", rad_per_s});
+  auto& e = lecture.exercise(&cross_matrix, {{"omega", rad_per_s}}, {"[omega]x", rad_per_s});
   e.worked("the angular velocity of the lecture", example_omega);
   e.special("rotation about z", {0, 0, 2});
   e.special("no rotation", {0, 0, 0});

@@ -1,8 +1,8 @@
 #include "solutions/01_frame_derivatives/shared.hpp"
 
 void judge_inertial_rate(Lecture& lecture) {
-  auto& e = lecture.exercise("inertial_rate", &inertial_rate,
-                             {{"rate_body", m_per_s}, {"omega", rad_per_s}, {"V", metre}}, {"rate", m_per_s});
+  auto& e =
+      lecture.exercise(&inertial_rate, {{"rate_body", m_per_s}, {"omega", rad_per_s}, {"V", metre}}, {"rate", m_per_s});
   // V stands for any vector; here it is taken for a position.
   e.worked("the vectors of the lecture", {0.4, -0.3, 0.6}, example_omega, {1, 2, -1});
   e.special("V is fixed in the rotating frame", {0, 0, 0}, example_omega, {1, 2, -1});

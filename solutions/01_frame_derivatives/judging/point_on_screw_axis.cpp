@@ -1,8 +1,8 @@
 #include "solutions/01_frame_derivatives/shared.hpp"
 
 void judge_point_on_screw_axis(Lecture& lecture) {
-  auto& e = lecture.exercise("point_on_screw_axis", &point_on_screw_axis,
-                             {{"r", metre}, {"v", m_per_s}, {"omega", nonzero(rad_per_s)}}, {"point", metre});
+  auto& e = lecture.exercise(&point_on_screw_axis, {{"r", metre}, {"v", m_per_s}, {"omega", nonzero(rad_per_s)}},
+                             {"point", metre});
   const Vector3d r0(1, 2, -1), v0(0.4, -0.3, 0.6);
   e.worked("the vectors of the lecture", r0, v0, example_omega);
   e.worked("a wheel rolls along x", {7, 0.5, 0}, {2, 0, 0}, {0, 0, -4});

@@ -38,8 +38,7 @@ static void add_cases(auto& e) {
 }
 
 void judge_rotated_basis(Lecture& lecture) {
-  auto& e = lecture.exercise("rotated_basis", &rotated_basis, {{"E", rotation}, {"omega", rad_per_s}, {"dt", second}},
-                             {"basis", none});
+  auto& e = lecture.exercise(&rotated_basis, {{"E", rotation}, {"omega", rad_per_s}, {"dt", second}}, {"basis", none});
   add_cases(e);
   const char* const small = "frame_derivatives_small";
   e.term("e", 1, [](auto& E, auto&, auto) { return E; });

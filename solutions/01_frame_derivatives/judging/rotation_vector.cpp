@@ -47,7 +47,7 @@ static void add_turns(auto& e) {
 }
 
 void judge_rotation_vector(Lecture& lecture) {
-  auto& e = lecture.exercise("rotation_vector", &rotation_vector, {{"E", rotation}}, {"v", rad});
+  auto& e = lecture.exercise(&rotation_vector, {{"E", rotation}}, {"v", rad});
   e.compare(rotation_by_vector);
   add_turns(e);
   e.wrong(

@@ -30,7 +30,7 @@ static void add_routes_of_apparent_gravity(auto& e) {
 }
 
 void judge_apparent_gravity(Lecture& lecture) {
-  auto& e = lecture.exercise("apparent_gravity", &apparent_gravity,
+  auto& e = lecture.exercise(&apparent_gravity,
                              {{"latitude", latitude_angle},
                               {"radius", positive(metre)},
                               {"g0", positive(m_per_s2)},

@@ -36,9 +36,9 @@ static void add_routes_of_bead_on_hoop(auto& e) {
 }
 
 void judge_bead_on_hoop(Lecture& lecture) {
-  auto& e = lecture.exercise("bead_on_hoop", &bead_on_hoop,
-                             {{"radius", positive(metre)}, {"g", positive(m_per_s2)}, {"rate", rad_per_s}},
-                             {"angle and frequency", none});
+  auto& e =
+      lecture.exercise(&bead_on_hoop, {{"radius", positive(metre)}, {"g", positive(m_per_s2)}, {"rate", rad_per_s}},
+                       {"angle and frequency", none});
   e.result_units({rad, rad_per_s});
   e.domain([](auto radius, auto g, auto rate) { return abs(sqrt(speed_ratio(radius, g, rate)) - 1) >= 0.01; });
   e.worked("a hoop that rotates with 7 rad/s", 0.5, 9.81, 7);

@@ -8,7 +8,7 @@ static auto rotating_about(const Vector3d& cosines, const Vector3d& sines) {
 }
 
 void judge_coriolis_acceleration(Lecture& lecture) {
-  auto& e = lecture.exercise("coriolis_acceleration", &coriolis_acceleration,
+  auto& e = lecture.exercise(&coriolis_acceleration,
                              {{"v_enu", m_per_s}, {"latitude", latitude_angle}, {"earth_rate", earth_rate}},
                              {"a_enu", m_per_s2});
   const Vector3d v0(30, -20, 10);

@@ -3,7 +3,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 
 void judge_eastward_deflection(Lecture& lecture) {
-  auto& e = lecture.exercise("eastward_deflection", &eastward_deflection,
+  auto& e = lecture.exercise(&eastward_deflection,
                              {{"height", not_negative(metre)},
                               {"latitude", latitude_angle},
                               {"g", positive(m_per_s2)},

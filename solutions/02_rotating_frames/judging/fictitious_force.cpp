@@ -2,7 +2,7 @@
 
 void judge_fictitious_force(Lecture& lecture) {
   auto& e = lecture.exercise(
-      "fictitious_force", &fictitious_force,
+      &fictitious_force,
       {{"m", positive(kg)}, {"r", metre}, {"v_body", m_per_s}, {"omega", rad_per_s}, {"alpha", rad_per_s2}},
       {"F", newton});
   e.worked("2 kg with the motion of the lecture", 2, example_r, example_v, example_omega, example_alpha);

@@ -21,7 +21,7 @@ static auto turned(double turns, double release, double second_order) {
 }
 
 void judge_foucault_path(Lecture& lecture) {
-  auto& e = lecture.exercise("foucault_path", &foucault_path,
+  auto& e = lecture.exercise(&foucault_path,
                              {{"start", metre},
                               {"length", positive(metre)},
                               {"g", positive(m_per_s2)},

@@ -1,8 +1,8 @@
 #include "solutions/02_rotating_frames/shared.hpp"
 
 void judge_foucault_period(Lecture& lecture) {
-  auto& e = lecture.exercise("foucault_period", &foucault_period,
-                             {{"latitude", latitude_angle}, {"sidereal_day", positive(second)}}, {"period", second});
+  auto& e = lecture.exercise(&foucault_period, {{"latitude", latitude_angle}, {"sidereal_day", positive(second)}},
+                             {"period", second});
   e.domain([](auto latitude, auto) { return latitude > 0; });
   e.worked("Paris", 48.8462 * degree, our_sidereal_day);
   e.special("at the pole", pi / 2, our_sidereal_day);

@@ -2,7 +2,7 @@
 
 void judge_inertial_acceleration(Lecture& lecture) {
   auto& e = lecture.exercise(
-      "inertial_acceleration", &inertial_acceleration,
+      &inertial_acceleration,
       {{"a_body", m_per_s2}, {"v_body", m_per_s}, {"r", metre}, {"omega", rad_per_s}, {"alpha", rad_per_s2}},
       {"a_inertial", m_per_s2});
   e.worked("the vectors of the lecture", example_a, example_v, example_r, example_omega, example_alpha);

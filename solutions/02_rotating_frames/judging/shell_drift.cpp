@@ -39,7 +39,7 @@ static void add_routes_of_shell_drift(auto& e) {
 }
 
 void judge_shell_drift(Lecture& lecture) {
-  auto& e = lecture.exercise("shell_drift", &shell_drift,
+  auto& e = lecture.exercise(&shell_drift,
                              {{"latitude", latitude_angle},
                               {"azimuth", rad},
                               {"range", not_negative(metre)},

@@ -1,8 +1,7 @@
 #include "solutions/03_inertia_tensor/shared.hpp"
 
 void judge_angular_momentum(Lecture& lecture) {
-  auto& e = lecture.exercise("angular_momentum", &angular_momentum, {{"I", inertia_tensor}, {"omega", rad_per_s}},
-                             {"L", kg_m2_per_s});
+  auto& e = lecture.exercise(&angular_momentum, {{"I", inertia_tensor}, {"omega", rad_per_s}}, {"L", kg_m2_per_s});
   add_tensors_and_omegas(e);
   e.scale([](auto& I, auto& w) { return I.norm() * max(w.norm(), 1e-3); });
   e.sweep({"Angular momentum while ω turns in the xy plane, |ω| = 1 rad/s", "angle of ω from the x axis (rad)",

@@ -52,7 +52,7 @@ static Matrix3Xd by_newton_step(const VectorXd& m, const Matrix3Xd& r, const Vec
 }
 
 void judge_balance_rotor(Lecture& lecture) {
-  auto& e = lecture.exercise("balance_rotor", &balance_rotor,
+  auto& e = lecture.exercise(&balance_rotor,
                              {{"m", positive(kg)}, {"r", metre}, {"planes", metre}, {"correction", positive(kg)}},
                              {"positions", metre});
   e.domain([](auto& m, auto& r, auto& planes, auto) { return m.size() == r.cols() && planes[0] != planes[1]; });

@@ -110,8 +110,8 @@ static Matrix3Xd turned_and_shifted(Random& random, const Matrix3Xd& points) {
 }
 
 void judge_inertia_of_mesh(Lecture& lecture) {
-  auto& e = lecture.exercise("inertia_of_mesh", &inertia_of_mesh,
-                             {{"corners", metre}, {"density", positive(kg / metre / metre / metre)}}, {"I", kg_m2});
+  auto& e = lecture.exercise(&inertia_of_mesh, {{"corners", metre}, {"density", positive(kg / metre / metre / metre)}},
+                             {"I", kg_m2});
   e.domain(
       [](auto& r, auto) { return is_closed_surface(r) && (r.cols() == 0 || volume_and_first_moment(r).first > 0); });
   e.scale([](auto& r, auto density) { return or_one(inertia_of_mesh(r, density).norm()); });

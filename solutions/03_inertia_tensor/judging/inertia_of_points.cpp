@@ -1,8 +1,7 @@
 #include "solutions/03_inertia_tensor/shared.hpp"
 
 void judge_inertia_of_points(Lecture& lecture) {
-  auto& e =
-      lecture.exercise("inertia_of_points", &inertia_of_points, {{"m", positive(kg)}, {"r", metre}}, {"I", kg_m2});
+  auto& e = lecture.exercise(&inertia_of_points, {{"m", positive(kg)}, {"r", metre}}, {"I", kg_m2});
   e.domain([](auto& m, auto& r) { return m.size() == r.cols(); });
   const auto [masses, points] = four_masses();
   e.worked("the four masses of the lecture", masses, points);

@@ -31,8 +31,7 @@ static Matrix3d from_moving_masses(const Matrix3d& I, const Vector3d& omega) {
 }
 
 void judge_inertia_rate(Lecture& lecture) {
-  auto& e = lecture.exercise("inertia_rate", &inertia_rate, {{"I", inertia_tensor}, {"omega", rad_per_s}},
-                             {"I_rate", kg_m2_per_s});
+  auto& e = lecture.exercise(&inertia_rate, {{"I", inertia_tensor}, {"omega", rad_per_s}}, {"I_rate", kg_m2_per_s});
   e.scale([](auto& I, auto& omega) { return or_one(I.norm() * omega.norm()); });
   e.worked("the four masses of the lecture", tensor_of_four_masses, example_omega);
   e.special("about a principal axis", Vector3d(1, 2, 3).asDiagonal(), {0, 0, 2});

@@ -44,7 +44,7 @@ static Matrix3d on_turned_axes(Random& random, const Vector3d& moments) {
 }
 
 void judge_is_inertia_tensor(Lecture& lecture) {
-  auto& e = lecture.exercise("is_inertia_tensor", &rigid::is_inertia_tensor, {{"I", kg_m2}}, {"answer", none});
+  auto& e = lecture.exercise(&rigid::is_inertia_tensor, {{"I", kg_m2}}, {"answer", none});
   e.domain([](auto& I) {
     const double violation = max(asymmetry(I), -2 * smallest_spread(I)) / or_one(largest_entry(I));
     return violation < 5e-10 || violation > 1e-6;

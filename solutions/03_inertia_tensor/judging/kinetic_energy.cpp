@@ -1,8 +1,7 @@
 #include "solutions/03_inertia_tensor/shared.hpp"
 
 void judge_kinetic_energy(Lecture& lecture) {
-  auto& e =
-      lecture.exercise("kinetic_energy", &kinetic_energy, {{"I", inertia_tensor}, {"omega", rad_per_s}}, {"T", joule});
+  auto& e = lecture.exercise(&kinetic_energy, {{"I", inertia_tensor}, {"omega", rad_per_s}}, {"T", joule});
   add_tensors_and_omegas(e);
   e.scale([](auto& I, auto& w) { return I.norm() * max(w.squaredNorm(), 1e-3) / 2; });
   e.sweep(

@@ -26,8 +26,7 @@ static double by_search_over_directions(const Vector3d& I) {
 }
 
 void judge_largest_angle_between_L_and_omega(Lecture& lecture) {
-  auto& e = lecture.exercise("largest_angle_between_L_and_omega", &largest_angle_between_L_and_omega,
-                             {{"I", positive(kg_m2)}}, {"angle", rad});
+  auto& e = lecture.exercise(&largest_angle_between_L_and_omega, {{"I", positive(kg_m2)}}, {"angle", rad});
   e.domain([](auto& I) { return 2 * I.maxCoeff() <= (1 + 1e-12) * I.sum(); });
   e.scale(1.0);
   e.worked("three different moments, not in order", {2.5, 1.2, 3.1});

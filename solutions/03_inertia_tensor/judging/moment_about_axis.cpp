@@ -1,8 +1,7 @@
 #include "solutions/03_inertia_tensor/shared.hpp"
 
 void judge_moment_about_axis(Lecture& lecture) {
-  auto& e = lecture.exercise("moment_about_axis", &moment_about_axis, {{"I", inertia_tensor}, {"axis", nonzero(none)}},
-                             {"I_n", kg_m2});
+  auto& e = lecture.exercise(&moment_about_axis, {{"I", inertia_tensor}, {"axis", nonzero(none)}}, {"I_n", kg_m2});
   e.worked("the four masses about (1, 2, 2)", tensor_of_four_masses, {1, 2, 2});
   e.special("a coordinate axis", tensor_of_four_masses, Vector3d::UnitX());
   e.special("a very short axis vector", tensor_of_four_masses, {1e-5, 2e-5, -2e-5});

@@ -1,7 +1,7 @@
 #include "solutions/03_inertia_tensor/shared.hpp"
 
 void judge_principal_axes(Lecture& lecture) {
-  auto& e = lecture.exercise("principal_axes", &principal_axes, {{"I", inertia_tensor}}, {"axes", none});
+  auto& e = lecture.exercise(&principal_axes, {{"I", inertia_tensor}}, {"axes", none});
   e.compare(eigenvectors);
   add_tensors(e);
   e.sweep({"Axis of the smallest moment of a 1 kg cuboid (a, 1 m, 2 m) about its corner", "edge a (m)",

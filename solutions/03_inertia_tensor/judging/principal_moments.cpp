@@ -11,7 +11,7 @@ static Vector3d moments_by_cubic_formula(const Matrix3d& I) {
 }
 
 void judge_principal_moments(Lecture& lecture) {
-  auto& e = lecture.exercise("principal_moments", &principal_moments, {{"I", inertia_tensor}}, {"moments", kg_m2});
+  auto& e = lecture.exercise(&principal_moments, {{"I", inertia_tensor}}, {"moments", kg_m2});
   add_tensors(e);
   e.special("two moments nearly equal", Vector3d(1, 1 + 1e-7, 1.5).asDiagonal());
   e.tolerance_of_last_case(

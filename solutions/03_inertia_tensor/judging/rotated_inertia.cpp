@@ -1,8 +1,8 @@
 #include "solutions/03_inertia_tensor/shared.hpp"
 
 void judge_rotated_inertia(Lecture& lecture) {
-  auto& e = lecture.exercise("rotated_inertia", &rotated_inertia,
-                             {{"I_body", inertia_tensor}, {"A_inertial_from_body", rotation}}, {"I", kg_m2});
+  auto& e = lecture.exercise(&rotated_inertia, {{"I_body", inertia_tensor}, {"A_inertial_from_body", rotation}},
+                             {"I", kg_m2});
   const Matrix3d moments = Vector3d(1, 2, 3).asDiagonal();
   e.worked("moments 1, 2, 3 and the attitude (0.3, 0.7, 1.1)", moments, attitude({0.3, 0.7, 1.1}));
   e.special("no rotation", moments, Matrix3d::Identity());

@@ -56,7 +56,7 @@ static Matrix3d by_discs(double density, const Vector3d& edges, const Vector3d& 
 }
 
 void judge_block_with_hole(Lecture& lecture) {
-  auto& e = lecture.exercise("block_with_hole", &block_with_hole,
+  auto& e = lecture.exercise(&block_with_hole,
                              {{"density", positive(kg / metre / metre / metre)},
                               {"edges", positive(metre)},
                               {"center", metre},

@@ -31,7 +31,7 @@ static Matrix3d one_after_another(const VectorXd& m, const Matrix3Xd& r, const T
 }
 
 void judge_combined_inertia(Lecture& lecture) {
-  auto& e = lecture.exercise("combined_inertia", &combined_inertia,
+  auto& e = lecture.exercise(&combined_inertia,
                              {{"masses", positive(kg)}, {"centers", metre}, {"tensors", inertia_tensor}}, {"I", kg_m2});
   e.domain([](auto& m, auto& r, auto& I) { return m.size() > 0 && r.cols() == m.size() && std::ssize(I) == m.size(); });
   const Matrix3d first = Vector3d(1, 2, 2.5).asDiagonal(), second_body = Vector3d(0.5, 0.6, 0.7).asDiagonal();

@@ -2,7 +2,7 @@
 
 void judge_cuboid_about_center(Lecture& lecture) {
   auto& e = lecture.exercise(
-      "cuboid_about_center", &cuboid_about_center,
+      &cuboid_about_center,
       {{"M", positive(kg)}, {"a", not_negative(metre)}, {"b", not_negative(metre)}, {"c", not_negative(metre)}},
       {"I", kg_m2});
   e.worked("6 kg, edges 1 m, 2 m, 3 m", 6, 1, 2, 3);

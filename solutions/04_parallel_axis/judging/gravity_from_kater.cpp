@@ -18,7 +18,7 @@ static double by_bisection(double h1, double T1, double h2, double T2) {
 
 void judge_gravity_from_kater(Lecture& lecture) {
   auto& e = lecture.exercise(
-      "gravity_from_kater", &gravity_from_kater,
+      &gravity_from_kater,
       {{"h1", positive(metre)}, {"T1", positive(second)}, {"h2", positive(metre)}, {"T2", positive(second)}},
       {"g", m_per_s2});
   e.domain([](auto h1, auto T1, auto h2, auto T2) {

@@ -1,7 +1,7 @@
 #include "solutions/04_parallel_axis/shared.hpp"
 
 void judge_inertia_about_shifted_origin(Lecture& lecture) {
-  auto& e = lecture.exercise("inertia_about_shifted_origin", &inertia_about_shifted_origin,
+  auto& e = lecture.exercise(&inertia_about_shifted_origin,
                              {{"I_origin", kg_m2}, {"M", positive(kg)}, {"r_cm", metre}, {"R", metre}}, {"I", kg_m2});
   e.domain([](auto& I, auto M, auto& r, auto&) { return is_inertia_tensor(I - M * of_unit_mass(r)); });
   const FourMasses body;

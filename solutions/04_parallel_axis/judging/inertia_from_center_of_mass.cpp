@@ -1,7 +1,7 @@
 #include "solutions/04_parallel_axis/shared.hpp"
 
 void judge_inertia_from_center_of_mass(Lecture& lecture) {
-  auto& e = lecture.exercise("inertia_from_center_of_mass", &inertia_from_center_of_mass,
+  auto& e = lecture.exercise(&inertia_from_center_of_mass,
                              {{"I_cm", inertia_tensor}, {"M", positive(kg)}, {"d", metre}}, {"I", kg_m2});
   const FourMasses body;
   e.worked("the four masses of lecture 03, seen from (1, −1, 2)", body.I_cm, body.M, {1, -1, 2});

@@ -1,8 +1,8 @@
 #include "solutions/04_parallel_axis/shared.hpp"
 
 void judge_inertia_to_center_of_mass(Lecture& lecture) {
-  auto& e = lecture.exercise("inertia_to_center_of_mass", &inertia_to_center_of_mass,
-                             {{"I_origin", kg_m2}, {"M", positive(kg)}, {"r_cm", metre}}, {"I_cm", kg_m2});
+  auto& e = lecture.exercise(&inertia_to_center_of_mass, {{"I_origin", kg_m2}, {"M", positive(kg)}, {"r_cm", metre}},
+                             {"I_cm", kg_m2});
   e.domain([](auto& I, auto M, auto& r) { return is_inertia_tensor(I - M * of_unit_mass(r)); });
   const FourMasses body;
   e.worked("the four masses of lecture 03", body.I_origin, body.M, body.r_cm);

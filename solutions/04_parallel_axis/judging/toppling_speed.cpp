@@ -47,7 +47,7 @@ static double by_work_of_torque(double length, double height, double g) {
 }
 
 void judge_toppling_speed(Lecture& lecture) {
-  auto& e = lecture.exercise("toppling_speed", &toppling_speed,
+  auto& e = lecture.exercise(&toppling_speed,
                              {{"length", positive(metre)}, {"height", positive(metre)}, {"g", positive(m_per_s2)}},
                              {"v", m_per_s});
   e.worked("a block of 0.3 m by 0.5 m", 0.3, 0.5, 9.81);

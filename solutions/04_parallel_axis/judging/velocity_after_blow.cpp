@@ -24,7 +24,7 @@ static Vector3d by_stationary_energy(double M, const Matrix3d& I_cm, const Vecto
 
 void judge_velocity_after_blow(Lecture& lecture) {
   auto& e = lecture.exercise(
-      "velocity_after_blow", &velocity_after_blow,
+      &velocity_after_blow,
       {{"M", positive(kg)}, {"I_cm", regular_tensor}, {"r", metre}, {"impulse", newton * second}, {"p", metre}},
       {"v", m_per_s});
   e.scale([](auto M, auto& I, auto& r, auto& impulse, auto& p) {

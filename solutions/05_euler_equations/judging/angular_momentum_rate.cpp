@@ -1,7 +1,7 @@
 #include "solutions/05_euler_equations/shared.hpp"
 
 void judge_angular_momentum_rate(Lecture& lecture) {
-  auto& e = lecture.exercise("angular_momentum_rate", &angular_momentum_rate,
+  auto& e = lecture.exercise(&angular_momentum_rate,
                              {{"I", regular_tensor}, {"omega", rad_per_s}, {"omega_rate", rad_per_s2}},
                              {"L_rate", newton_metre});
   const Vector3d rate0(0.1, 0.2, -0.3);

@@ -24,7 +24,7 @@ Matrix3Xd two_forces(const Vector3d& sum, const Vector3d& torque, const Vector2d
 
 void judge_bearing_forces(Lecture& lecture) {
   auto& e = lecture.exercise(
-      "bearing_forces", &bearing_forces,
+      &bearing_forces,
       {{"I_cm", inertia_tensor}, {"M", positive(kg)}, {"r_cm", metre}, {"rate", rad_per_s}, {"bearings", metre}},
       {"forces", newton});
   e.domain([](auto&, auto, auto&, auto, auto& z) { return z[0] != z[1]; });

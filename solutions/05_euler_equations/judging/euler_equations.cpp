@@ -1,8 +1,7 @@
 #include "solutions/05_euler_equations/shared.hpp"
 
 void judge_euler_equations(Lecture& lecture) {
-  auto& e = lecture.exercise("euler_equations", &euler_equations,
-                             {{"I", positive(kg_m2)}, {"omega", rad_per_s}, {"torque", newton_metre}},
+  auto& e = lecture.exercise(&euler_equations, {{"I", positive(kg_m2)}, {"omega", rad_per_s}, {"torque", newton_metre}},
                              {"omega_rate", rad_per_s2});
   e.worked("moments 1, 2, 3 under a torque", example_moments, example_omega, example_torque);
   e.special("no torque", example_moments, example_omega, zero);

@@ -1,7 +1,7 @@
 #include "solutions/05_euler_equations/shared.hpp"
 
 void judge_euler_equations_general(Lecture& lecture) {
-  auto& e = lecture.exercise("euler_equations_general", &euler_equations_general,
+  auto& e = lecture.exercise(&euler_equations_general,
                              {{"I", regular_tensor}, {"omega", rad_per_s}, {"torque", newton_metre}},
                              {"omega_rate", rad_per_s2});
   e.worked("the four masses of lecture 03 under a torque", tensor_of_four_masses, example_omega, example_torque);

@@ -35,8 +35,8 @@ void at_gauss_points(const Vector3d& I, const Vector3d& start, double t, const U
 }  // namespace
 
 void judge_free_attitude(Lecture& lecture) {
-  auto& e = lecture.exercise("free_attitude", &free_attitude,
-                             {{"I", positive(kg_m2)}, {"omega0", rad_per_s}, {"t", second}}, {"A", none});
+  auto& e =
+      lecture.exercise(&free_attitude, {{"I", positive(kg_m2)}, {"omega0", rad_per_s}, {"t", second}}, {"A", none});
   e.domain([](auto& I, auto& w, auto t) { return is_inertia_tensor(I.asDiagonal()) && w.norm() <= 2 && abs(t) <= 30; });
   e.worked("moments 1.2, 2, 2.7 after 12 s", {1.2, 2, 2.7}, {0.4, -0.9, 0.6}, 12);
   e.worked("the same in the past", {1.2, 2, 2.7}, {0.4, -0.9, 0.6}, -7.5);

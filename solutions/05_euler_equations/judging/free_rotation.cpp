@@ -126,8 +126,8 @@ static void add_routes_of_free_rotation(auto& e) {
 }
 
 void judge_free_rotation(Lecture& lecture) {
-  auto& e = lecture.exercise("free_rotation", &free_rotation,
-                             {{"I", positive(kg_m2)}, {"omega0", rad_per_s}, {"times", second}}, {"omega", rad_per_s});
+  auto& e = lecture.exercise(&free_rotation, {{"I", positive(kg_m2)}, {"omega0", rad_per_s}, {"times", second}},
+                             {"omega", rad_per_s});
   add_cases(e);
   e.wrong("Each column is one Euler step on from the last; between the times many small steps are needed.",
           "given_times_as_steps", euler_steps);

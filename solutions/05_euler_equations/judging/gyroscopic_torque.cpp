@@ -9,10 +9,9 @@ static auto turning(const Momentum& L) {
 }
 
 void judge_gyroscopic_torque(Lecture& lecture) {
-  auto& e =
-      lecture.exercise("gyroscopic_torque", &gyroscopic_torque,
-                       {{"I1", positive(kg_m2)}, {"I3", positive(kg_m2)}, {"spin", rad_per_s}, {"turn", rad_per_s}},
-                       {"torque", newton_metre});
+  auto& e = lecture.exercise(
+      &gyroscopic_torque, {{"I1", positive(kg_m2)}, {"I3", positive(kg_m2)}, {"spin", rad_per_s}, {"turn", rad_per_s}},
+      {"torque", newton_metre});
   e.worked("a rotor in a vehicle that turns obliquely", 0.35, 0.6, 40, {0.3, -0.5, 2});
   e.worked("a propeller in a level turn", 2.1, 4, 250, {0, 0.2, 0});
   e.special("no spin: a body carried round", 0.35, 0.6, 0, {0.3, -0.5, 2});

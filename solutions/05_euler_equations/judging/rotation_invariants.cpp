@@ -1,8 +1,8 @@
 #include "solutions/05_euler_equations/shared.hpp"
 
 void judge_rotation_invariants(Lecture& lecture) {
-  auto& e = lecture.exercise("rotation_invariants", &rotation_invariants,
-                             {{"I", positive(kg_m2)}, {"omega", rad_per_s}}, {"invariants", joule});
+  auto& e =
+      lecture.exercise(&rotation_invariants, {{"I", positive(kg_m2)}, {"omega", rad_per_s}}, {"invariants", joule});
   e.result_units({joule, kg_m2_per_s * kg_m2_per_s});
   e.worked("moments 1, 2, 3", example_moments, example_omega);
   e.special("rotation about a principal axis", example_moments, {0, 0, -2});

@@ -28,8 +28,8 @@ void five_stages(double h, const Follow& each) {
 }  // namespace
 
 void judge_splitting_step(Lecture& lecture) {
-  auto& e = lecture.exercise("splitting_step", &splitting_step,
-                             {{"I", positive(kg_m2)}, {"omega", rad_per_s}, {"h", second}}, {"omega", rad_per_s});
+  auto& e = lecture.exercise(&splitting_step, {{"I", positive(kg_m2)}, {"omega", rad_per_s}, {"h", second}},
+                             {"omega", rad_per_s});
   // Beyond some turns an answer that integrates the stages loses digits.
   e.generated([](auto& I, auto& w, auto h) { return abs(h) * L_of(I, w).norm() < 10 * I.minCoeff(); });
   e.worked("moments 1, 2, 3, a large step", example_moments, example_omega, 0.8);

@@ -1,8 +1,8 @@
 #include "solutions/05_euler_equations/shared.hpp"
 
 void judge_torque_to_hold_rotation(Lecture& lecture) {
-  auto& e = lecture.exercise("torque_to_hold_rotation", &torque_to_hold_rotation,
-                             {{"I", regular_tensor}, {"omega", rad_per_s}}, {"torque", newton_metre});
+  auto& e = lecture.exercise(&torque_to_hold_rotation, {{"I", regular_tensor}, {"omega", rad_per_s}},
+                             {"torque", newton_metre});
   e.worked("the four masses of lecture 03", tensor_of_four_masses, example_omega);
   e.special("rotation about a principal axis", tensor_of_example, {0, 2, 0});
   e.special("a sphere", tensor_of_sphere, example_omega);

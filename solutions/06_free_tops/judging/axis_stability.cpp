@@ -12,8 +12,7 @@ static auto with_ties(int at_tie, const Rule& rule) {
 }
 
 void judge_axis_stability(Lecture& lecture) {
-  auto& e = lecture.exercise("axis_stability", &axis_stability, {{"I", positive(kg_m2)}, {"axis", none}},
-                             {"stability", none});
+  auto& e = lecture.exercise(&axis_stability, {{"I", positive(kg_m2)}, {"axis", none}}, {"stability", none});
   e.domain([](auto&, int axis) { return 0 <= axis && axis <= 2; });
   e.worked("moments 2, 3, 1: the intermediate moment", {2, 3, 1}, 0);
   e.worked("moments 2, 3, 1: the largest moment", {2, 3, 1}, 1);

@@ -2,8 +2,8 @@
 
 void judge_body_precession_rate(Lecture& lecture) {
   auto& e =
-      lecture.exercise("body_precession_rate", &body_precession_rate,
-                       {{"I1", positive(kg_m2)}, {"I3", positive(kg_m2)}, {"omega3", rad_per_s}}, {"Omega", rad_per_s});
+      lecture.exercise(&body_precession_rate, {{"I1", positive(kg_m2)}, {"I3", positive(kg_m2)}, {"omega3", rad_per_s}},
+                       {"Omega", rad_per_s});
   e.worked("the top of the lecture", 1, 1.8, 2);
   e.worked("a long top, whose Ω is negative", 2, 0.5, 3);
   e.worked("a long top that spins the other way", 2, 0.5, -3);

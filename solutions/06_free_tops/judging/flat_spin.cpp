@@ -7,8 +7,7 @@ static Vector2d ending_with(double moment, const Vector3d& I, const Vector3d& w)
 }
 
 void judge_flat_spin(Lecture& lecture) {
-  auto& e = lecture.exercise("flat_spin", &flat_spin, {{"I", positive(kg_m2)}, {"omega", rad_per_s}},
-                             {"heat_and_rate", joule});
+  auto& e = lecture.exercise(&flat_spin, {{"I", positive(kg_m2)}, {"omega", rad_per_s}}, {"heat_and_rate", joule});
   e.result_units({joule, rad_per_s});
   e.domain([](auto& I, auto&) { return is_inertia_tensor(I.asDiagonal()); });
   e.worked("the largest moment comes first", {2.7, 1.2, 2}, {0.3, 5, -0.4});

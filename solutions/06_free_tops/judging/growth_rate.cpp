@@ -4,8 +4,8 @@
 static double product(const Vector3d& I) { return (I[1] - I[0]) * (I[2] - I[1]); }
 
 void judge_growth_rate(Lecture& lecture) {
-  auto& e = lecture.exercise("growth_rate", &growth_rate, {{"I_ascending", ascending_moments}, {"omega2", rad_per_s}},
-                             {"sigma", per_s});
+  auto& e =
+      lecture.exercise(&growth_rate, {{"I_ascending", ascending_moments}, {"omega2", rad_per_s}}, {"sigma", per_s});
   e.worked("moments 1, 2, 3", {1, 2, 3}, 1.5);
   e.worked("moments 2, 3, 4 and the other sense", {2, 3, 4}, -2.5);
   e.special("I1 = I2", {2, 2, 3}, 1.5);

@@ -1,8 +1,7 @@
 #include "solutions/06_free_tops/shared.hpp"
 
 void judge_linearized_rates(Lecture& lecture) {
-  auto& e = lecture.exercise("linearized_rates", &linearized_rates, {{"I", positive(kg_m2)}, {"omega3", rad_per_s}},
-                             {"rates", rad_per_s});
+  auto& e = lecture.exercise(&linearized_rates, {{"I", positive(kg_m2)}, {"omega3", rad_per_s}}, {"rates", rad_per_s});
   e.worked("the smallest moment about axis 3", {2, 3, 1}, 5);
   e.worked("the intermediate moment about axis 3", {3, 1, 2}, -1.5);
   e.special("a symmetric top: both rates are Ω", {1, 1, 1.8}, 2);

@@ -71,7 +71,7 @@ static void add_routes_of_linearized_top(auto& e) {
 
 void judge_linearized_top(Lecture& lecture) {
   auto& e = lecture.exercise(
-      "linearized_top", &linearized_top,
+      &linearized_top,
       {{"I", positive(kg_m2)}, {"omega3", rad_per_s}, {"amplitude", rad_per_s}, {"phase", rad}, {"t", second}},
       {"omega", rad_per_s});
   e.domain([](auto& I, auto spin, auto...) { return linearized_rates(I, spin).prod() > 0; });

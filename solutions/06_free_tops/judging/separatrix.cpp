@@ -21,9 +21,8 @@ auto with_functions(const Even& even, const Odd& odd) {
 }  // namespace
 
 void judge_separatrix(Lecture& lecture) {
-  auto& e =
-      lecture.exercise("separatrix", &separatrix,
-                       {{"I", ascending_moments}, {"spin", positive(rad_per_s)}, {"t", second}}, {"omega", rad_per_s});
+  auto& e = lecture.exercise(&separatrix, {{"I", ascending_moments}, {"spin", positive(rad_per_s)}, {"t", second}},
+                             {"omega", rad_per_s});
   e.domain([](auto& I, auto, auto) { return min(I[1] - I[0], I[2] - I[1]) >= 1e-3 * I[2]; });
   // In between, where tanh is almost 1, an answer that takes sech as the root of 1 − tanh² has lost half its digits.
   e.generated([](auto& I, auto spin, auto t) { return abs(growth_rate(I, spin) * abs(t) - 18) > 7; });

@@ -2,8 +2,8 @@
 
 void judge_space_precession_rate(Lecture& lecture) {
   auto& e =
-      lecture.exercise("space_precession_rate", &space_precession_rate,
-                       {{"I1", positive(kg_m2)}, {"I3", positive(kg_m2)}, {"omega", rad_per_s}}, {"rate", rad_per_s});
+      lecture.exercise(&space_precession_rate, {{"I1", positive(kg_m2)}, {"I3", positive(kg_m2)}, {"omega", rad_per_s}},
+                       {"rate", rad_per_s});
   e.worked("the top of the lecture", 1, 1.8, lecture_omega);
   e.worked("a plate that spins the other way", 0.5, 1, {0.8, -0.5, -3});
   e.special("a sphere", 2, 2, {0.3, -0.2, 0.5});

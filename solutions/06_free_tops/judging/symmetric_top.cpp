@@ -41,7 +41,7 @@ static void add_routes_of_symmetric_top(auto& e) {
 }
 
 void judge_symmetric_top(Lecture& lecture) {
-  auto& e = lecture.exercise("symmetric_top", &symmetric_top,
+  auto& e = lecture.exercise(&symmetric_top,
                              {{"I1", positive(kg_m2)}, {"I3", positive(kg_m2)}, {"omega0", rad_per_s}, {"t", second}},
                              {"omega", rad_per_s});
   e.worked("the top of the lecture", 1, 1.8, lecture_omega, 0.7);

@@ -11,8 +11,7 @@ Quaterniond of_half_angles(const Vector3d& q) {
 }  // namespace
 
 void judge_angle_between_attitudes(Lecture& lecture) {
-  auto& e = lecture.exercise("angle_between_attitudes", &angle_between_attitudes, {{"angles1", rad}, {"angles2", rad}},
-                             {"angle", rad});
+  auto& e = lecture.exercise(&angle_between_attitudes, {{"angles1", rad}, {"angles2", rad}}, {"angle", rad});
   e.worked("from the attitude of the lecture", example_angles, {-0.4, 1.2, 2});
   e.worked("turns of 3 + 3: the short way back is 2π − 6", zero, {3, 0, 3});
   e.worked("1e-8 apart", example_angles, example_angles + Vector3d(1e-8, 0, 0));

@@ -1,8 +1,7 @@
 #include "solutions/07_euler_angles/shared.hpp"
 
 void judge_angular_velocity_body(Lecture& lecture) {
-  auto& e = lecture.exercise("angular_velocity_body", &angular_velocity_body, {{"angles", rad}, {"rates", rad_per_s}},
-                             {"omega", rad_per_s});
+  auto& e = lecture.exercise(&angular_velocity_body, {{"angles", rad}, {"rates", rad_per_s}}, {"omega", rad_per_s});
   add_angles_and_rates(e);
   e.sweep({"ω seen from a body that spins about ê₃: θ = 0.7, rates 0.5, −0.2 and 0.9 rad/s", "ψ (rad)",
            "body component of ω (rad/s)"},

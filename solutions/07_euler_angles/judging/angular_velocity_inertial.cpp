@@ -1,8 +1,7 @@
 #include "solutions/07_euler_angles/shared.hpp"
 
 void judge_angular_velocity_inertial(Lecture& lecture) {
-  auto& e = lecture.exercise("angular_velocity_inertial", &angular_velocity_inertial,
-                             {{"angles", rad}, {"rates", rad_per_s}}, {"omega", rad_per_s});
+  auto& e = lecture.exercise(&angular_velocity_inertial, {{"angles", rad}, {"rates", rad_per_s}}, {"omega", rad_per_s});
   add_angles_and_rates(e);
   e.sweep({"ω seen from the inertial frame while the body goes round: θ = 0.7, rates 0.5, −0.2 and 0.9 rad/s",
            "φ (rad)", "inertial component of ω (rad/s)"},

@@ -7,7 +7,7 @@ VectorXd scalar_first(const Quaterniond& q) { return VectorXd{{q.w(), q.x(), q.y
 }  // namespace
 
 void judge_attitude_quaternion(Lecture& lecture) {
-  auto& e = lecture.exercise("attitude_quaternion", &attitude_quaternion, {{"angles", rad}}, {"(w, x, y, z)", none});
+  auto& e = lecture.exercise(&attitude_quaternion, {{"angles", rad}}, {"(w, x, y, z)", none});
   e.compare(up_to_sign);
   e.worked("the angles of the lecture", example_angles);
   e.worked("w < 0", {2.8, -0.4, 5.1});

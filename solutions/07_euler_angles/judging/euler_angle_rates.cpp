@@ -1,8 +1,8 @@
 #include "solutions/07_euler_angles/shared.hpp"
 
 void judge_euler_angle_rates(Lecture& lecture) {
-  auto& e = lecture.exercise("euler_angle_rates", &euler_angle_rates,
-                             {{"angles", angles_off_gimbal_lock}, {"omega_body", rad_per_s}}, {"rates", rad_per_s});
+  auto& e = lecture.exercise(&euler_angle_rates, {{"angles", angles_off_gimbal_lock}, {"omega_body", rad_per_s}},
+                             {"rates", rad_per_s});
   const Vector3d omega0(0.7, -1.1, 0.4);
   e.worked("angles and rates of the lecture", example_angles, angular_velocity_body(example_angles, example_rates));
   e.special("at rest", example_angles, zero);

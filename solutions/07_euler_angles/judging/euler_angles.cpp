@@ -26,7 +26,7 @@ static void add_routes_of_euler_angles(auto& e) {
 }
 
 void judge_euler_angles(Lecture& lecture) {
-  auto& e = lecture.exercise("euler_angles", &euler_angles, {{"R_body_from_inertial", rotation}}, {"angles", rad});
+  auto& e = lecture.exercise(&euler_angles, {{"R_body_from_inertial", rotation}}, {"angles", rad});
   e.compare(attitude_by_angles);
   e.worked("θ beyond a right angle", rotation_matrix({0.3, 2.4, 1.1}));
   e.worked("φ beyond a right angle", rotation_matrix({2, 0.7, 1.1}));

@@ -1,8 +1,7 @@
 #include "solutions/07_euler_angles/shared.hpp"
 
 void judge_inertial_components(Lecture& lecture) {
-  auto& e = lecture.exercise("inertial_components", &inertial_components, {{"V_body", metre}, {"angles", rad}},
-                             {"V_inertial", metre});
+  auto& e = lecture.exercise(&inertial_components, {{"V_body", metre}, {"angles", rad}}, {"V_inertial", metre});
   e.worked("the vector (1, 2, 3) at the angles of the lecture", {1, 2, 3}, example_angles);
   e.special("no turn at all", {1, 2, 3}, zero);
   e.special("the zero vector", zero, example_angles);

@@ -1,7 +1,7 @@
 #include "solutions/07_euler_angles/shared.hpp"
 
 void judge_line_of_nodes(Lecture& lecture) {
-  auto& e = lecture.exercise("line_of_nodes", &line_of_nodes, {{"psi", rad}}, {"e2'", none});
+  auto& e = lecture.exercise(&line_of_nodes, {{"psi", rad}}, {"e2'", none});
   e.worked("ψ of the lecture", 1.1);
   e.special("ψ = 0", 0);
   e.special("ψ = π", pi);

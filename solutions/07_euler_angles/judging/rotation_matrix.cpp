@@ -1,7 +1,7 @@
 #include "solutions/07_euler_angles/shared.hpp"
 
 void judge_rotation_matrix(Lecture& lecture) {
-  auto& e = lecture.exercise("rotation_matrix", &rotation_matrix, {{"angles", rad}}, {"R", none});
+  auto& e = lecture.exercise(&rotation_matrix, {{"angles", rad}}, {"R", none});
   e.worked("the angles of the lecture", example_angles);
   e.special("no turn at all", zero);
   e.special("θ = 0: the turns φ and ψ add up", {0.4, 0, 0.9});

@@ -15,8 +15,7 @@ Matrix3d mirror(const Vector3d& across) { return Matrix3d::Identity() - 2 * dyad
 }  // namespace
 
 void judge_shortest_rotation(Lecture& lecture) {
-  auto& e = lecture.exercise("shortest_rotation", &shortest_rotation, {{"a", nonzero(none)}, {"b", nonzero(none)}},
-                             {"D", none});
+  auto& e = lecture.exercise(&shortest_rotation, {{"a", nonzero(none)}, {"b", nonzero(none)}}, {"D", none});
   e.domain([](auto& a, auto& b) { return angle_from(a.normalized(), b.normalized()) <= pi - 0.02; });
   e.worked("two oblique directions", {1, 2, -1}, {0.4, -0.3, 0.6});
   e.worked("nearly opposite", {1, 0, 0}, {-1, 0.01, 0.02});

@@ -1,7 +1,7 @@
 #include "solutions/07_euler_angles/shared.hpp"
 
 void judge_vertical_in_body(Lecture& lecture) {
-  auto& e = lecture.exercise("vertical_in_body", &vertical_in_body, {{"theta", rad}, {"psi", rad}}, {"e3_0", none});
+  auto& e = lecture.exercise(&vertical_in_body, {{"theta", rad}, {"psi", rad}}, {"e3_0", none});
   e.worked("θ and ψ of the lecture", 0.7, 1.1);
   e.special("upright", 0, 1.1);
   e.special("upside down", pi, 1.1);

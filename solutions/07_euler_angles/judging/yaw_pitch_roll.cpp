@@ -14,7 +14,7 @@ double cosine_of_pitch(const Vector3d& q) { return hypot(cos(q[1]), sin(q[1]) * 
 }  // namespace
 
 void judge_yaw_pitch_roll(Lecture& lecture) {
-  auto& e = lecture.exercise("yaw_pitch_roll", &yaw_pitch_roll, {{"angles", rad}}, {"(yaw, pitch, roll)", rad});
+  auto& e = lecture.exercise(&yaw_pitch_roll, {{"angles", rad}}, {"(yaw, pitch, roll)", rad});
   e.compare(attitude_by_yaw_pitch_roll);
   e.worked("the angles of the lecture", example_angles);
   e.worked("nose backwards", {2.8, -0.4, 5.1});

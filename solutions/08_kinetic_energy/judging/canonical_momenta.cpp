@@ -1,8 +1,8 @@
 #include "solutions/08_kinetic_energy/shared.hpp"
 
 void judge_canonical_momenta(Lecture& lecture) {
-  auto& e = lecture.exercise("canonical_momenta", &canonical_momenta,
-                             {{"I", positive(kg_m2)}, {"angles", rad}, {"rates", rad_per_s}}, {"p", kg_m2_per_s});
+  auto& e = lecture.exercise(&canonical_momenta, {{"I", positive(kg_m2)}, {"angles", rad}, {"rates", rad_per_s}},
+                             {"p", kg_m2_per_s});
   e.worked("moments 1, 2, 3 and the angles of the lecture", {1, 2, 3}, lecture_angles, lecture_rates);
   e.special("a symmetric top", {1, 1, 3}, lecture_angles, lecture_rates);
   e.special("no nutation", {1, 2, 3}, lecture_angles, {0.5, 0, 0.9});

@@ -36,7 +36,7 @@ auto lagrange(double gradient_factor, double rate_factor) {
 }  // namespace
 
 void judge_euler_angle_accelerations(Lecture& lecture) {
-  auto& e = lecture.exercise("euler_angle_accelerations", &euler_angle_accelerations,
+  auto& e = lecture.exercise(&euler_angle_accelerations,
                              {{"I", positive(kg_m2)}, {"angles", angles_off_gimbal_lock}, {"rates", rad_per_s}},
                              {"accelerations", rad_per_s2});
   e.worked("moments 1, 2, 3 and the angles of the lecture", {1, 2, 3}, lecture_angles, lecture_rates);

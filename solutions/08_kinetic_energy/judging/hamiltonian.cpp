@@ -13,8 +13,8 @@ auto with_L(const Function& L) {
 }  // namespace
 
 void judge_hamiltonian(Lecture& lecture) {
-  auto& e = lecture.exercise("hamiltonian", &hamiltonian,
-                             {{"I", positive(kg_m2)}, {"angles", rad}, {"momenta", kg_m2_per_s}}, {"H", joule});
+  auto& e =
+      lecture.exercise(&hamiltonian, {{"I", positive(kg_m2)}, {"angles", rad}, {"momenta", kg_m2_per_s}}, {"H", joule});
   e.domain([](auto&, auto& q, auto&) { return abs(sin(q[1])) >= 0.05; });
   e.worked("moments 1, 2, 3 and the angles of the lecture", {1, 2, 3}, lecture_angles, {1.3, -0.4, 0.8});
   e.special("a symmetric top", {2, 2, 3}, lecture_angles, {1.3, -0.4, 0.8});

@@ -7,8 +7,8 @@ static Vector3d omega_body_zxz(const Vector3d& q, const Vector3d& v) {
 }
 
 void judge_kinetic_energy_euler(Lecture& lecture) {
-  auto& e = lecture.exercise("kinetic_energy_euler", &kinetic_energy_euler,
-                             {{"I", positive(kg_m2)}, {"angles", rad}, {"rates", rad_per_s}}, {"T", joule});
+  auto& e = lecture.exercise(&kinetic_energy_euler, {{"I", positive(kg_m2)}, {"angles", rad}, {"rates", rad_per_s}},
+                             {"T", joule});
   e.worked("moments 1, 2, 3 and the angles of the lecture", {1, 2, 3}, lecture_angles, lecture_rates);
   e.special("a symmetric top", {1, 1, 3}, lecture_angles, lecture_rates);
   e.special("no nutation", {1, 2, 3}, lecture_angles, {0.5, 0, 0.9});

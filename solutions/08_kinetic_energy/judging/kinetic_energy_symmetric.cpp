@@ -9,7 +9,7 @@ static auto of_components(const Components& components) {
 }
 
 void judge_kinetic_energy_symmetric(Lecture& lecture) {
-  auto& e = lecture.exercise("kinetic_energy_symmetric", &kinetic_energy_symmetric,
+  auto& e = lecture.exercise(&kinetic_energy_symmetric,
                              {{"I1", positive(kg_m2)}, {"I3", positive(kg_m2)}, {"theta", rad}, {"rates", rad_per_s}},
                              {"T", joule});
   e.worked("moments 2 and 3", 2, 3, 0.7, lecture_rates);

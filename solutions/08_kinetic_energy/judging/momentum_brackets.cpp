@@ -22,8 +22,8 @@ Matrix3d gradient_of_L(const Vector3d& q, const Vector3d& p) {
 }  // namespace
 
 void judge_momentum_brackets(Lecture& lecture) {
-  auto& e = lecture.exercise("momentum_brackets", &momentum_brackets, {{"angles", rad}, {"momenta", kg_m2_per_s}},
-                             {"brackets", kg_m2_per_s});
+  auto& e =
+      lecture.exercise(&momentum_brackets, {{"angles", rad}, {"momenta", kg_m2_per_s}}, {"brackets", kg_m2_per_s});
   e.domain([](auto& q, auto&) { return abs(sin(q[1])) >= 0.05; });
   e.worked("the angles of the lecture", lecture_angles, {1.3, -0.4, 0.8});
   e.worked("θ < 0", {2, -1.2, 4}, {0.2, 0.5, -1});

@@ -50,7 +50,7 @@ double energy_of_points(const RollingCone& cone) {
 
 void judge_rolling_cone_energy(Lecture& lecture) {
   auto& e = lecture.exercise(
-      "rolling_cone_energy", &rolling_cone_energy,
+      &rolling_cone_energy,
       {{"M", positive(kg)}, {"height", positive(metre)}, {"half_angle", positive(rad)}, {"rate", rad_per_s}},
       {"T", joule});
   e.domain([](auto, auto, auto half_angle, auto) { return half_angle < pi / 2; });

@@ -18,7 +18,7 @@ auto second_difference(const Function& f) {
 }  // namespace
 
 void judge_spinning_coin(Lecture& lecture) {
-  auto& e = lecture.exercise("spinning_coin", &spinning_coin,
+  auto& e = lecture.exercise(&spinning_coin,
                              {{"radius", positive(metre)}, {"g", positive(m_per_s2)}, {"inclination", positive(rad)}},
                              {"Omega", rad_per_s});
   e.domain([](auto, auto, auto inclination) { return inclination < pi / 2; });

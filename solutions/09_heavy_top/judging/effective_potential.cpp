@@ -28,7 +28,7 @@ static void add_routes_of_effective_potential(auto& e) {
 }
 
 void judge_effective_potential(Lecture& lecture) {
-  auto& e = lecture.exercise("effective_potential", &effective_potential,
+  auto& e = lecture.exercise(&effective_potential,
                              {{"I1", positive(kg_m2)},
                               {"I3", positive(kg_m2)},
                               {"mgl", positive(joule)},

@@ -67,7 +67,7 @@ void mistakes_of_heavy_top_accelerations(Exercise& e) {
 
 void judge_heavy_top_accelerations(Lecture& lecture) {
   auto& e =
-      lecture.exercise("heavy_top_accelerations", &heavy_top_accelerations,
+      lecture.exercise(&heavy_top_accelerations,
                        {{"I", positive(kg_m2)}, {"mgl", not_negative(joule)}, {"angles", rad}, {"rates", rad_per_s}},
                        {"accelerations", rad_per_s2});
   e.domain([](auto&, auto, auto& q, auto&) { return abs(sin(q[1])) >= 0.05; });

@@ -32,7 +32,7 @@ Vector2d turning_points(double I1, double I3, double mgl, double theta, const Ve
 }  // namespace
 
 void judge_nutation_limits(Lecture& lecture) {
-  auto& e = lecture.exercise("nutation_limits", &nutation_limits, arguments_of_nutation, {"limits", rad});
+  auto& e = lecture.exercise(&nutation_limits, arguments_of_nutation, {"limits", rad});
   describe_starts(e);
   e.sweep({"A small top, let go at rest at θ = 0.5", "spin (rad/s)", "θ (rad)"}, {{"smallest", 0}, {"largest", 1}},
           {20, 250}, [](auto spin) { return tuple(top_I1, top_I3, top_mgl, 0.5, Vector3d(0, 0, spin)); });

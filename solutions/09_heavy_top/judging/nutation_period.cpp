@@ -28,7 +28,7 @@ double spin_of(double theta, const Vector3d& rates) { return abs(rates[0] * cos(
 }  // namespace
 
 void judge_nutation_period(Lecture& lecture) {
-  auto& e = lecture.exercise("nutation_period", &nutation_period, arguments_of_nutation, {"period", second});
+  auto& e = lecture.exercise(&nutation_period, arguments_of_nutation, {"period", second});
   describe_starts(e);
   e.sweep({"A small top, let go at rest at θ = 0.5", "spin (rad/s)", "period (s)"}, {"period"}, {20, 250},
           [](auto spin) { return tuple(top_I1, top_I3, top_mgl, 0.5, Vector3d(0, 0, spin)); });

@@ -39,7 +39,7 @@ Vector3d torque_on_six_masses(double I1, double I3, double n, double obliquity, 
 }  // namespace
 
 void judge_planet_precession_rate(Lecture& lecture) {
-  auto& e = lecture.exercise("planet_precession_rate", &planet_precession_rate,
+  auto& e = lecture.exercise(&planet_precession_rate,
                              {{"I1", positive(kg_m2)},
                               {"I3", positive(kg_m2)},
                               {"spin", positive(rad_per_s)},

@@ -79,8 +79,7 @@ void mistakes_of_precession_per_nutation(Exercise& e) {
 }  // namespace
 
 void judge_precession_per_nutation(Lecture& lecture) {
-  auto& e =
-      lecture.exercise("precession_per_nutation", &precession_per_nutation, arguments_of_nutation, {"advance", rad});
+  auto& e = lecture.exercise(&precession_per_nutation, arguments_of_nutation, {"advance", rad});
   describe_starts(e);
   // Its axis goes round by more than half a turn, so that whole turns which are taken away show.
   e.random("without spin: a spherical pendulum", 2, [](Random& random) {

@@ -16,9 +16,9 @@ double largest_spin(double I1, double I3, double mgl, const Condition& wobbles) 
 }  // namespace
 
 void judge_sleeping_spin(Lecture& lecture) {
-  auto& e = lecture.exercise("sleeping_spin", &sleeping_spin,
-                             {{"I1", positive(kg_m2)}, {"I3", positive(kg_m2)}, {"mgl", positive(joule)}},
-                             {"omega", rad_per_s});
+  auto& e =
+      lecture.exercise(&sleeping_spin, {{"I1", positive(kg_m2)}, {"I3", positive(kg_m2)}, {"mgl", positive(joule)}},
+                       {"omega", rad_per_s});
   e.domain([](auto I1, auto I3, auto) { return is_top(I1, I3); });
   e.worked("a small top", top_I1, top_I3, top_mgl);
   e.worked("the toy top of the lecture", 3.28e-4, 6.6e-5, 0.0456);

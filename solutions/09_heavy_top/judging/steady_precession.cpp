@@ -67,7 +67,7 @@ void mistakes_of_steady_precession(Exercise& e) {
 }  // namespace
 
 void judge_steady_precession(Lecture& lecture) {
-  auto& e = lecture.exercise("steady_precession", &steady_precession,
+  auto& e = lecture.exercise(&steady_precession,
                              {{"I1", positive(kg_m2)},
                               {"I3", positive(kg_m2)},
                               {"mgl", positive(joule)},

@@ -123,8 +123,8 @@ void mistakes_of_exact_attitude(Exercise& e) {
 }  // namespace
 
 void judge_exact_attitude(Lecture& lecture) {
-  auto& e = lecture.exercise("exact_attitude", &exact_attitude,
-                             {{"I", ascending_moments}, {"omega0", rad_per_s}, {"t", second}}, {"A", none});
+  auto& e =
+      lecture.exercise(&exact_attitude, {{"I", ascending_moments}, {"omega0", rad_per_s}, {"t", second}}, {"A", none});
   e.domain([](auto& I, auto& w, auto t) { return tumbles(I, w, 0.01, 0.2) && abs(t) <= 1e6; });
   e.worked("round axis 3, after eight days", lecture_body, round_3, 700000);
   e.worked("round axis 1, after eight days", lecture_body, round_1, 700000);

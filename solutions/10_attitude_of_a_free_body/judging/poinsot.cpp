@@ -1,8 +1,8 @@
 #include "solutions/10_attitude_of_a_free_body/shared.hpp"
 
 void judge_poinsot(Lecture& lecture) {
-  auto& e = lecture.exercise("poinsot", &poinsot, {{"I", positive(kg_m2)}, {"omega", nonzero(rad_per_s)}},
-                             {"distances", rad_per_s});
+  auto& e =
+      lecture.exercise(&poinsot, {{"I", positive(kg_m2)}, {"omega", nonzero(rad_per_s)}}, {"distances", rad_per_s});
   e.worked("moments 1.2, 2, 2.7 kg m²", lecture_body, round_3);
   e.worked("ω nearly along L", {1, 2, 3}, {1e-5, 2e-5, 1});
   e.special("a spin about the middle axis", {1, 2, 3}, {0, -2, 0});

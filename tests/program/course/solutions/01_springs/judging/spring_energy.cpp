@@ -2,8 +2,7 @@
 #include "solutions/judging/judging.hpp"
 
 void judge_spring_energy(Lecture& lecture) {
-  auto& e =
-      lecture.exercise("spring_energy", &spring_energy, {{"k", positive(newton / metre)}, {"x", metre}}, {"E", joule});
+  auto& e = lecture.exercise(&spring_energy, {{"k", positive(newton / metre)}, {"x", metre}}, {"E", joule});
   e.worked("2 N/m stretched by 3 m", 2, {3, 0, 0});
   e.random("a random spring", 6, any::uniform(1.5, 5), any::vector(2));
   e.sweep({"Energy", "x (m)", "E (J)"}, {"E"}, {0, 2, 11}, [](auto x) { return tuple(3, Vector3d(x, 0, 0)); });

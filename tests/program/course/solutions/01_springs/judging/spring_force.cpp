@@ -2,8 +2,7 @@
 #include "solutions/judging/judging.hpp"
 
 void judge_spring_force(Lecture& lecture) {
-  auto& e =
-      lecture.exercise("spring_force", &spring_force, {{"k", positive(newton / metre)}, {"x", metre}}, {"F", newton});
+  auto& e = lecture.exercise(&spring_force, {{"k", positive(newton / metre)}, {"x", metre}}, {"F", newton});
   e.worked("2 N/m stretched by (3, 1, 2) m", 2, {3, 1, 2});
   e.random("a random spring", 6, any::uniform(1.5, 5), any::vector(2));
   e.sweep({"Force", "x (m)", "F (N)"}, {"F_x", "F_y"}, {0, 2, 11}, [](auto x) { return tuple(3, Vector3d(x, 1, 0)); });
