@@ -12,8 +12,6 @@ inline const Sentence products_of_opposite_sign{
     "The products of inertia enter with the opposite sign; the tensor already carries their minus.",
     "inertia_tensor_products"};
 
-inline Vector3d in_xy_plane(double angle) { return {cos(angle), sin(angle), 0}; }
-
 /// What kinetic_energy and angular_momentum are asked about.
 template <class Exercise>
 void add_tensors_and_omegas(Exercise& e) {

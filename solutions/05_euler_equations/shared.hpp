@@ -37,5 +37,3 @@ inline Vector3d shifted(const Vector3d& a) { return {a[1], a[2], a[0]}; }
 /// The differences of moments and the products of ω, as the slides write ω × L on principal axes.
 inline Vector3d differences(const Vector3d& I) { return {I[2] - I[1], I[0] - I[2], I[1] - I[0]}; }
 inline Vector3d products(const Vector3d& w) { return {w[1] * w[2], w[2] * w[0], w[0] * w[1]}; }
-
-inline Vector3d in_xy_plane(double angle) { return {cos(angle), sin(angle), 0}; }

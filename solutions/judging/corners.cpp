@@ -67,22 +67,18 @@ std::string scaled(const std::string& name, double factor) {
   return factor == 0 ? name + " = 0" : factor == -1 ? "−" + name : fmt::format("{} × {:.3g}", name, factor);
 }
 
+/// Puts every number through f.
+auto each(std::function<double(double)> f) {
+  return [f = std::move(f)](Value& value) { std::ranges::transform(value.numbers, value.numbers.begin(), f); };
+}
+
 void scale(Value& value, double factor) {
   for (double& number : value.numbers) number *= factor;
 }
 
 double norm(const Value& value) { return as_matrix(value).norm(); }
 
-/// An input that may become a case.
-struct Candidate {
-  Values inputs;
-  std::string name;  ///< "omega_2 = 0"
-  int base = -1;
-  int argument = -1;
-  int entry = -1;
-};
-
-/// All candidates that are made from one described case.
+/// All candidates, cases without results so far, that are made from one described case.
 class Neighbours {
  public:
   Neighbours(const ExerciseReference& exercise, std::size_t base)
@@ -91,7 +87,7 @@ class Neighbours {
         inputs_(exercise.cases[base].inputs),
         handles_(handles_of(exercise, inputs_)) {}
 
-  std::vector<Candidate> all() {
+  std::vector<Case> all() {
     single_numbers({0, -1, 1.37, 1e-3, 1e-6});
     whole_arguments({0, -1, 1e-3, 1e-2, 1. / 30, 30, 1e2, 1e3});
     equalities();
@@ -104,7 +100,7 @@ class Neighbours {
   }
 
   /// Every number and every argument somewhat changed: enough to see on what a result depends.
-  std::vector<Candidate> probes() {
+  std::vector<Case> probes() {
     single_numbers({1.37});
     whole_arguments({2});
     return std::move(found_);
@@ -112,7 +108,7 @@ class Neighbours {
 
   /// Besides these every number and every argument through all orders of magnitude, times but a few, and every rotation
   /// matrix next to those with zeros.
-  std::vector<Candidate> dense() {
+  std::vector<Case> dense() {
     for (int decade = -12; decade <= 4; ++decade) {
       const double factor = std::pow(10.0, decade);
       for (const Handle& handle : handles_) {
@@ -140,17 +136,17 @@ class Neighbours {
   const std::string& name_of(std::size_t argument) const { return exercise_.arguments[argument].name; }
 
   void add(const std::string& name, Values inputs, int argument = -1, int entry = -1) {
-    found_.push_back({std::move(inputs), fmt::format("{} ({})", name, exercise_.cases[base_].name),
-                      static_cast<int>(base_), argument, entry});
+    Case& made = found_.emplace_back();
+    made.name = fmt::format("{} ({})", name, exercise_.cases[base_].name);
+    made.inputs = std::move(inputs);
+    made.base = static_cast<int>(base_);
+    made.argument = argument;
+    made.entry = entry;
   }
 
   void single_numbers(const std::vector<double>& factors) {
     for (const Handle& handle : handles_) {
-      for (const double factor : factors) {
-        Values changed = inputs_;
-        handle.set(changed, factor * handle.get(inputs_));
-        add(scaled(handle.name, factor), changed, static_cast<int>(handle.argument), static_cast<int>(handle.entry));
-      }
+      for (const double factor : factors) set(handle, factor * handle.get(inputs_), scaled(handle.name, factor));
     }
   }
 
@@ -174,12 +170,8 @@ class Neighbours {
         for (const double factor : {1.0, -1.0, 1 + 1e-3, 1 + 1e-6}) {
           Values changed = inputs_;
           handles_[k].set(changed, factor * handles_[i].get(inputs_));
-          add(fmt::format("{} = {}{}", handles_[k].name,
-                          factor == 1    ? ""
-                          : factor == -1 ? "−"
-                                         : fmt::format("{} ", factor),
-                          handles_[i].name),
-              changed);
+          const std::string sign_or_factor = factor == 1 ? "" : factor == -1 ? "−" : fmt::format("{} ", factor);
+          add(handles_[k].name + " = " + sign_or_factor + handles_[i].name, changed);
         }
       }
     }
@@ -187,12 +179,12 @@ class Neighbours {
 
   /// A rotation matrix close to one with zeros. What else is no symmetric matrix turns along: a rate of it stays one.
   void attitudes(std::size_t a) {
-    const Eigen::Vector3d axes[] = {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()};
-    for (const Eigen::Vector3d& about : axes) {
-      for (const Eigen::Vector3d& off : axes) {
+    const Vector3d axes[] = {x_axis, y_axis, z_axis};
+    for (const Vector3d& about : axes) {
+      for (const Vector3d& off : axes) {
         for (const double angle : {0.0, pi / 2, pi}) {
           for (const double small : {0.1, 1e-2, 3e-3, 3e-4, 1e-5, 1e-7, 1e-10}) {
-            const Eigen::Matrix3d wanted = (Eigen::AngleAxisd(angle, about) * Eigen::AngleAxisd(small, off)).matrix();
+            const Matrix3d wanted = turn(about, angle) * turn(off, small);
             Values changed = inputs_;
             for (std::size_t b = 0; b < inputs_.size(); ++b) {
               if (exercise_.arguments[b].kind == Kind::matrix3 && !is_symmetric(inputs_[b]))
@@ -256,46 +248,47 @@ class Neighbours {
   }
 
   void set_angle(const Handle& handle, double angle) {
+    set(handle, angle, fmt::format("{} = {:.7g}", handle.name, angle));
+  }
+
+  void set(const Handle& handle, double number, const std::string& name) {
     Values changed = inputs_;
-    handle.set(changed, angle);
-    add(fmt::format("{} = {:.7g}", handle.name, angle), changed, static_cast<int>(handle.argument),
-        static_cast<int>(handle.entry));
+    handle.set(changed, number);
+    add(name, changed, static_cast<int>(handle.argument), static_cast<int>(handle.entry));
   }
 
   void relations() {
     for (std::size_t a = 0; a < inputs_.size(); ++a) {
       const Argument& argument = exercise_.arguments[a];
+      Values changed = inputs_;
       if (argument.kind == Kind::matrix3 && is_symmetric(inputs_[a])) {
-        Values changed = inputs_;
-        changed[a] = to_value(Eigen::Matrix3d::Identity() * as_matrix(inputs_[a]).trace() / 3);
+        changed[a] = to_value(Matrix3d::Identity() * as_matrix(inputs_[a]).trace() / 3);
         add(name_of(a) + " a multiple of the unit matrix", changed);
-        changed[a] = to_value(Eigen::MatrixXd(as_matrix(inputs_[a]).diagonal().asDiagonal()));
+        changed[a] = to_value(diagonal_part(as_matrix(inputs_[a])));
         add(name_of(a) + " diagonal", changed);
       } else if (argument.kind == Kind::matrix3) {
-        Values changed = inputs_;
-        const std::pair<const char*, Eigen::Matrix3d> turns[] = {
-            {"the unit matrix", Eigen::Matrix3d::Identity()},
-            {"a quarter turn about x", Eigen::AngleAxisd(pi / 2, Eigen::Vector3d::UnitX()).toRotationMatrix()},
-            {"half a turn about z", Eigen::AngleAxisd(pi, Eigen::Vector3d::UnitZ()).toRotationMatrix()}};
-        for (const auto& [name, turn] : turns) {
-          changed[a] = to_value(turn);
+        const std::pair<const char*, Matrix3d> turns[] = {{"the unit matrix", Matrix3d::Identity()},
+                                                          {"a quarter turn about x", turn(x_axis, pi / 2)},
+                                                          {"half a turn about z", turn(z_axis, pi)}};
+        for (const auto& [name, A] : turns) {
+          changed[a] = to_value(A);
           add(name_of(a) + " " + name, changed);
         }
       }
       if (argument.kind != Kind::vector3) continue;
       for (std::size_t b = 0; b < inputs_.size(); ++b) {
         if (b == a || exercise_.arguments[b].kind != Kind::vector3) continue;
-        const Eigen::Vector3d u = as_matrix(inputs_[a]), v = as_matrix(inputs_[b]);
-        const std::pair<const char*, Eigen::Vector3d> relatives[] = {
+        const Vector3d u = as_matrix(inputs_[a]), v = as_matrix(inputs_[b]);
+        const std::pair<const char*, Vector3d> relatives[] = {
             {"parallel to", u * (v.norm() / u.norm())},
             {"minus", -u},
             {"equal to", u},
             {"at right angles to", v - u * (u.dot(v) / u.squaredNorm())}};
         for (const auto& [relation, w] : relatives) {
-          Values changed = inputs_;
           changed[b] = to_value(w);
           add(fmt::format("{} {} {}", name_of(b), relation, name_of(a)), changed);
         }
+        changed[b] = inputs_[b];
       }
     }
   }
@@ -304,7 +297,7 @@ class Neighbours {
   std::size_t base_;
   const Values& inputs_;
   std::vector<Handle> handles_;
-  std::vector<Candidate> found_;
+  std::vector<Case> found_;
 };
 
 /// The described cases that others are made from: generic ones.
@@ -343,16 +336,11 @@ bool passes_at(const Subject& subject, const Case& one, const std::optional<Valu
 }
 
 /// This candidate with the reference's value, be it within the reach of other routes or not.
-std::optional<Case> unchecked_case_at(const Subject& subject, const Candidate& candidate) {
-  const auto is_finite = [](const Value& value) { return value.is_finite(); };
-  if (!std::ranges::all_of(candidate.inputs, is_finite) || !subject.legal(candidate.inputs)) return std::nullopt;
+std::optional<Case> unchecked_case_at(const Subject& subject, const Case& candidate) {
+  if (!std::ranges::all_of(candidate.inputs, &Value::is_finite) || !subject.legal(candidate.inputs))
+    return std::nullopt;
   try {
-    Case one = subject.judged(candidate.inputs);
-    one.name = candidate.name;
-    one.base = candidate.base;
-    one.argument = candidate.argument;
-    one.entry = candidate.entry;
-    return one;
+    return subject.judged(candidate);
   } catch (const std::logic_error&) {
     return std::nullopt;
   }
@@ -360,7 +348,7 @@ std::optional<Case> unchecked_case_at(const Subject& subject, const Candidate& c
 
 /// A case of this candidate, if it is legal and all routes agree there. They must agree better than an answer must, so
 /// that a right answer by yet another route passes.
-std::optional<Case> case_at(const Subject& subject, const Candidate& candidate) {
+std::optional<Case> case_at(const Subject& subject, const Case& candidate) {
   std::optional<Case> one = unchecked_case_at(subject, candidate);
   if (!one) return std::nullopt;
   Case strict = *one;
@@ -374,22 +362,21 @@ std::optional<Case> case_at(const Subject& subject, const Candidate& candidate) 
 
 constexpr std::size_t rungs = 7, most_rungs = 3;
 
-Eigen::Vector3d small_vector(std::size_t rung, std::size_t argument) {
-  if (rung == 0) return Eigen::Vector3d::Unit(static_cast<Eigen::Index>(argument % 3));
-  if (rung == 1) return Eigen::Vector3d::Ones() - Eigen::Vector3d::Unit(static_cast<Eigen::Index>(argument % 3));
-  const Eigen::Vector3d vectors[] = {{1, 2, 3}, {2, -1, 1}, {1, 1, -2}, {3, 0, 1}, {0, 2, -1}};
+Vector3d small_vector(std::size_t rung, std::size_t argument) {
+  const Vector3d axis = Vector3d::Unit(static_cast<Eigen::Index>(argument % 3));
+  if (rung < 2) return rung == 0 ? axis : Vector3d::Ones() - axis;
+  const Vector3d vectors[] = {{1, 2, 3}, {2, -1, 1}, {1, 1, -2}, {3, 0, 1}, {0, 2, -1}};
   return vectors[(argument + rung) % 5];
 }
 
-Eigen::Matrix3d small_tensor(std::size_t rung) {
-  if (rung < 2)
-    return Eigen::Vector3d(1, 1.0 + static_cast<double>(rung), 1.0 + static_cast<double>(rung)).asDiagonal();
-  return Eigen::Matrix3d{{3, -1, 0}, {-1, 3, 0}, {0, 0, 4}} * std::pow(10.0, static_cast<double>(rung - 2) / 2);
+Matrix3d small_tensor(std::size_t rung) {
+  if (rung < 2) return Vector3d(1, 1.0 + static_cast<double>(rung), 1.0 + static_cast<double>(rung)).asDiagonal();
+  return Matrix3d{{3, -1, 0}, {-1, 3, 0}, {0, 0, 4}} * std::pow(10.0, static_cast<double>(rung - 2) / 2);
 }
 
-Eigen::Matrix3d small_rotation(std::size_t rung) {
-  const Eigen::Matrix3d rotations[] = {Eigen::Matrix3d::Identity(), Eigen::Matrix3d{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
-                                       Eigen::Matrix3d{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}};
+Matrix3d small_rotation(std::size_t rung) {
+  const Matrix3d rotations[] = {Matrix3d::Identity(), Matrix3d{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
+                                Matrix3d{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}};
   return rotations[std::min<std::size_t>(rung, 2)];
 }
 
@@ -405,12 +392,12 @@ Eigen::MatrixXd small_input(const Argument& argument, std::size_t a, std::size_t
     case Kind::vector2:
       return small_vector(rung, a).head<2>();
     case Kind::vector3:
-      if (is_angle) return Eigen::Vector3d(rung > 0 ? 1 : 0, rung > 1 ? 2 : 1, rung > 1 ? 3 : 0);
+      if (is_angle) return Vector3d(rung > 0 ? 1 : 0, rung > 1 ? 2 : 1, rung > 1 ? 3 : 0);
       if (argument.unit == units::kilogram * units::metre * units::metre)
-        return rung < 2 ? Eigen::Vector3d(1, n, n) : Eigen::Vector3d(2, 3, 4);
+        return rung < 2 ? Vector3d(1, n, n) : Vector3d(2, 3, 4);
       return small_vector(rung, a);
     case Kind::vector:
-      return Eigen::VectorXd::LinSpaced(count, 1, static_cast<double>(count));
+      return VectorXd::LinSpaced(count, 1, static_cast<double>(count));
     case Kind::points: {
       Eigen::MatrixXd points(3, count);
       for (Eigen::Index k = 0; k < count; ++k) points.col(k) = small_vector(rung, static_cast<std::size_t>(k));
@@ -436,13 +423,8 @@ struct NamedChange {
 
 void add_changes_of(std::vector<NamedChange>& changes, const Argument& argument, std::size_t a) {
   const std::string& name = argument.name;
-  const auto add = [&](const std::string& key, const std::string& words, const Change& change) {
-    changes.push_back({name + "_" + key, words, change});
-  };
-  const auto each = [a](const std::function<double(double)>& f) {
-    return [a, f](Values& inputs) {
-      for (double& number : inputs[a].numbers) number = f(number);
-    };
+  const auto add = [&](const std::string& key, const std::string& words, const std::function<void(Value&)>& change) {
+    changes.push_back({name + "_" + key, words, [a, change](Values& inputs) { change(inputs[a]); }});
   };
   add("negated", "−" + name, each([](double x) { return -x; }));
   add("zero", name + " = 0", each([](double) { return 0.0; }));
@@ -457,40 +439,35 @@ void add_changes_of(std::vector<NamedChange>& changes, const Argument& argument,
     const std::size_t size = argument.kind == Kind::vector3 ? 3 : 2;
     for (std::size_t n = 0; n < size; ++n) {
       const std::string entry = fmt::format("{}_{}", name, n + 1);
-      add(fmt::format("{}_zero", n + 1), entry + " = 0", [a, n](Values& inputs) { inputs[a].numbers[n] = 0; });
+      add(fmt::format("{}_zero", n + 1), entry + " = 0", [n](Value& value) { value.numbers[n] = 0; });
       add(fmt::format("{}_negated", n + 1), fmt::format("−{0} in place of {0}", entry),
-          [a, n](Values& inputs) { inputs[a].numbers[n] *= -1; });
+          [n](Value& value) { value.numbers[n] *= -1; });
       for (std::size_t k = n + 1; k < size; ++k)
         add(fmt::format("{}_{}_exchanged", n + 1, k + 1),
             fmt::format("{} with components {} and {} exchanged", name, n + 1, k + 1),
-            [a, n, k](Values& inputs) { std::swap(inputs[a].numbers[n], inputs[a].numbers[k]); });
+            [n, k](Value& value) { std::swap(value.numbers[n], value.numbers[k]); });
     }
     if (size == 3)
       for (const int shift : {1, 2})
         add(fmt::format("shifted_{}", shift), fmt::format("{} with its components shifted round by {}", name, shift),
-            [a, shift](Values& inputs) {
-              std::rotate(inputs[a].numbers.begin(), inputs[a].numbers.begin() + shift, inputs[a].numbers.end());
-            });
-    add("unit", name + " divided by its length", [a](Values& inputs) { scale(inputs[a], 1 / norm(inputs[a])); });
+            [shift](Value& value) { std::ranges::rotate(value.numbers, value.numbers.begin() + shift); });
+    add("unit", name + " divided by its length", [](Value& value) { scale(value, 1 / norm(value)); });
   }
   if (argument.kind == Kind::matrix3) {
-    add("transposed", "the transpose of " + name,
-        [a](Values& inputs) { inputs[a] = to_value(as_matrix(inputs[a]).transpose()); });
+    add("transposed", "the transpose of " + name, [](Value& value) { value = to_value(as_matrix(value).transpose()); });
     add("diagonal", "the diagonal part of " + name,
-        [a](Values& inputs) { inputs[a] = to_value(Eigen::MatrixXd(as_matrix(inputs[a]).diagonal().asDiagonal())); });
-    add("off_diagonal_negated", name + " with the opposite signs off its diagonal", [a](Values& inputs) {
-      const Eigen::MatrixXd diagonal = as_matrix(inputs[a]).diagonal().asDiagonal();
-      inputs[a] = to_value(2 * diagonal - as_matrix(inputs[a]));
-    });
+        [](Value& value) { value = to_value(diagonal_part(as_matrix(value))); });
+    add("off_diagonal_negated", name + " with the opposite signs off its diagonal",
+        [](Value& value) { value = to_value(products_flipped(as_matrix(value))); });
   }
   if (argument.kind == Kind::vector || argument.kind == Kind::points) {
-    const auto drop = [a, is_list = argument.kind == Kind::points](bool first) {
-      return [=](Values& inputs) {
-        const Eigen::MatrixXd all = as_matrix(inputs[a]);
+    const auto drop = [is_list = argument.kind == Kind::points](bool first) {
+      return [=](Value& value) {
+        const Eigen::MatrixXd all = as_matrix(value);
         const Eigen::Index left = (is_list ? all.cols() : all.rows()) - 1;
         if (left < 1) return;
-        inputs[a] = is_list ? to_value(first ? all.rightCols(left) : all.leftCols(left))
-                            : to_value(first ? all.bottomRows(left) : all.topRows(left));
+        value = is_list ? to_value(first ? all.rightCols(left) : all.leftCols(left))
+                        : to_value(first ? all.bottomRows(left) : all.topRows(left));
       };
     };
     add("without_last", name + " without its last entry", drop(false));
@@ -532,9 +509,9 @@ std::function<Value(const Values&)> with_changed_input(const Subject& subject, C
 }
 
 std::function<Value(const Values&)> with_changed_output(const Subject& subject, std::function<double(double)> change) {
-  return [right = subject.right, change = std::move(change)](const Values& inputs) {
+  return [right = subject.right, change = each(std::move(change))](const Values& inputs) {
     Value value = right(inputs);
-    for (double& number : value.numbers) number = change(number);
+    change(value);
     return value;
   };
 }
@@ -561,36 +538,32 @@ void add_threshold_templates(std::vector<BugTemplate>& templates, const Subject&
 
 }  // namespace
 
-std::vector<Values> ladder(const Subject& subject) {
-  std::vector<Values> found;
+std::vector<Case> ladder(const Subject& subject) {
+  std::vector<Case> found;
   const std::vector<Argument>& arguments = subject.described.arguments;
   for (std::size_t rung = 0; rung < rungs && found.size() < most_rungs; ++rung) {
-    Values inputs;
+    Case candidate;
+    candidate.name = fmt::format("small whole numbers {}", found.size() + 1);
     for (std::size_t a = 0; a < arguments.size(); ++a) {
       Eigen::MatrixXd input = small_input(arguments[a], a, rung);
-      const bool is_rate =
-          arguments[a].kind == Kind::matrix3 && a > 0 && arguments[a].unit == units::none / units::second;
-      if (is_rate) {  // of the rotation matrix before it
-        const Eigen::Vector3d omega = small_vector(rung, 2);
-        input = as_matrix(inputs[a - 1]);
-        for (Eigen::Index k = 0; k < 3; ++k) input.col(k) = omega.cross(Eigen::Vector3d(input.col(k)));
-      }
-      inputs.push_back(to_value(input));
+      if (arguments[a].kind == Kind::matrix3 && a > 0 && arguments[a].unit == units::none / units::second)
+        input = skew(small_vector(rung, 2)) * as_matrix(candidate.inputs[a - 1]);  // a rate of the rotation before it
+      candidate.inputs.push_back(to_value(input));
     }
-    if (case_at(subject, {inputs, "small whole numbers"})) found.push_back(std::move(inputs));
+    if (const auto one = case_at(subject, candidate)) found.push_back(*one);
   }
   return found;
 }
 
 std::vector<Case> corner_cases(const Subject& subject) {
-  std::vector<Candidate> candidates;
+  std::vector<Case> candidates;
   for (const std::size_t base : bases_of(subject.described)) {
     Neighbours neighbours(subject.described, base);
     std::ranges::move(candidates.empty() ? neighbours.all() : neighbours.probes(), std::back_inserter(candidates));
   }
   std::vector<Case> cases;
   std::set<std::vector<double>> seen;
-  for (const Candidate& candidate : candidates) {
+  for (const Case& candidate : candidates) {
     std::vector<double> key;
     for (const Value& value : candidate.inputs) key.insert(key.end(), value.numbers.begin(), value.numbers.end());
     if (!seen.insert(key).second) continue;
@@ -682,14 +655,14 @@ std::vector<BugTemplate> bug_templates(const Subject& subject) {
 
 void prove_adequacy(const Subject& subject, std::vector<Case>& cases, Adequacy& adequacy) {
   struct Point {
-    Candidate candidate;
+    Case candidate;
     std::optional<Value> right;
     bool is_tried = false;  // as a case
     std::optional<Case> one = {};
   };
   std::vector<Point> sample;
   for (const std::size_t base : bases_of(subject.described)) {
-    for (Candidate& candidate : Neighbours(subject.described, base).dense()) {
+    for (Case& candidate : Neighbours(subject.described, base).dense()) {
       if (!subject.legal(candidate.inputs)) continue;
       const std::optional<Value> right = attempt(subject.right, candidate.inputs);
       if (right) sample.push_back({std::move(candidate), right});

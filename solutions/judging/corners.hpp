@@ -19,13 +19,13 @@ struct Subject {
   std::function<Value(const Values&)> right;
   std::vector<std::function<Value(const Values&)>> routes;
   std::function<bool(const Values&)> legal;
-  /// A case at these inputs: expected value, scale, weights of conserved sums. @throws if it cannot be one
-  std::function<Case(const Values&)> judged;
+  /// A generated case with this name and these inputs: expected value, scale, tolerance. @throws if it cannot be one
+  std::function<Case(Case)> judged;
 };
 
 /// A few inputs of small whole numbers, the simplest first, that are legal and where all routes agree: the first case
 /// that a student's answer fails can then be worked out by hand.
-std::vector<Values> ladder(const Subject& subject);
+std::vector<Case> ladder(const Subject& subject);
 
 /// Cases at zeros, equalities, extreme sizes, nearly unit directions, special angles, nearly equal numbers and parallel
 /// vectors: those that are legal and where all routes agree with the reference.

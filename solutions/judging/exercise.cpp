@@ -57,11 +57,7 @@ std::uint64_t batch_seed(std::uint64_t seed, const std::string& exercise, const 
   return hash;
 }
 
-double largest(const Value& value) {
-  double result = 0.0;
-  for (const double number : value.numbers) result = std::max(result, std::abs(number));
-  return result;
-}
+double largest(const Value& value) { return as_matrix(value).lpNorm<Eigen::Infinity>(); }
 
 /// Finite, and neither products nor quotients of such numbers overflow or underflow.
 bool has_ordinary_size(double number) { return number == 0 || (std::abs(number) > 1e-100 && std::abs(number) < 1e100); }
@@ -105,14 +101,9 @@ void AnyExercise::wrong_terms(Sentence says, std::string name, const Doubles& co
   if (coefficients.size() != terms_.size())
     throw std::logic_error(result_.name + ", " + name + ": give one coefficient for every term declared");
   add_wrong(std::move(says), std::move(name), [terms = terms_, coefficients](const Values& inputs) {
-    Value result;
-    for (std::size_t k = 0; k < terms.size(); ++k) {
-      const Value summand = terms[k](inputs);
-      if (k == 0) result = {summand.rows, summand.cols, Doubles(summand.numbers.size())};
-      for (std::size_t i = 0; i < summand.numbers.size(); ++i)
-        result.numbers[i] += coefficients[k] * summand.numbers[i];
-    }
-    return result;
+    Eigen::MatrixXd sum = coefficients[0] * as_matrix(terms[0](inputs));
+    for (std::size_t k = 1; k < terms.size(); ++k) sum += coefficients[k] * as_matrix(terms[k](inputs));
+    return to_value(sum);
   });
 }
 
@@ -169,11 +160,10 @@ bool AnyExercise::is_legal(const Values& inputs) const {
   return !domain_ || domain_(inputs);
 }
 
-Case AnyExercise::case_at(const Case& prototype, const Values& inputs) const {
-  const std::string place = result_.name + ", case '" + prototype.name + "'";
+Case AnyExercise::case_at(Case judged) const {
+  const Values& inputs = judged.inputs;
+  const std::string place = result_.name + ", case '" + judged.name + "'";
   if (!is_legal(inputs)) throw std::logic_error(place + ": the input lies outside the domain of the contract");
-  Case judged = prototype;
-  judged.inputs = inputs;
   judged.expected = reference_(inputs);
   if (scale_) {
     judged.scale = scale_(inputs);
@@ -193,20 +183,21 @@ Case AnyExercise::case_at(const Case& prototype, const Values& inputs) const {
   return judged;
 }
 
-void AnyExercise::add_case(const Case& prototype, const Values& inputs, ExerciseReference& out) const {
-  out.cases.push_back(case_at(prototype, inputs));
-  add_outputs(out.terms, terms_, inputs, &Term::outputs);
-  add_outputs(out.misconceptions, misconceptions_, inputs, &Misconception::outputs);
-  add_outputs(out.routes, routes_, inputs, &Route::outputs);
+void AnyExercise::add_case(const Case& one, ExerciseReference& out) const {
+  out.cases.push_back(case_at(one));
+  add_outputs(out.terms, terms_, one.inputs, &Term::outputs);
+  add_outputs(out.misconceptions, misconceptions_, one.inputs, &Misconception::outputs);
+  add_outputs(out.routes, routes_, one.inputs, &Route::outputs);
 }
 
 Subject AnyExercise::subject_of(const ExerciseReference& out) const {
   const auto legal = [this](const Values& inputs) { return is_legal(inputs) && (!moderate_ || moderate_(inputs)); };
-  Case prototype;
-  prototype.group = Group::generated;
-  prototype.deciding = false;
-  prototype.tolerance = batches_.back().prototype.tolerance;
-  return {out, reference_, routes_, legal, [=, this](const Values& inputs) { return case_at(prototype, inputs); }};
+  return {out, reference_, routes_, legal, [this](Case candidate) {
+            candidate.group = Group::generated;
+            candidate.deciding = false;
+            candidate.tolerance = batches_.back().prototype.tolerance;
+            return case_at(std::move(candidate));
+          }};
 }
 
 void AnyExercise::add_sweep(ExerciseReference& out) const {
@@ -224,9 +215,10 @@ void AnyExercise::add_sweep(ExerciseReference& out) const {
 void AnyExercise::add_cases(const Batch& batch, std::uint64_t seed, ExerciseReference& out) const {
   Random random(batch_seed(seed, out.name, batch.prototype.name));
   for (int i = 1; i <= batch.count; ++i) {
-    Case prototype = batch.prototype;
-    if (batch.count > 1) prototype.name += " " + std::to_string(i);
-    add_case(prototype, batch.draw(random), out);
+    Case one = batch.prototype;
+    if (batch.count > 1) one.name += " " + std::to_string(i);
+    one.inputs = batch.draw(random);
+    add_case(one, out);
   }
 }
 
@@ -241,13 +233,9 @@ ExerciseReference AnyExercise::random_cases(std::uint64_t seed) const {
 ExerciseReference AnyExercise::evaluate(std::uint64_t seed) const {
   ExerciseReference out = result_;
   const Subject subject = subject_of(out);
-  for (const Values& inputs : ladder(subject)) {
-    Case prototype;
-    prototype.name = "small whole numbers " + std::to_string(out.cases.size() + 1);
-    prototype.group = Group::special;
-    prototype.deciding = false;
-    prototype.tolerance = batches_.back().prototype.tolerance;
-    add_case(prototype, inputs, out);
+  for (Case& one : ladder(subject)) {
+    one.group = Group::special;
+    add_case(one, out);
   }
   for (const Batch& batch : batches_) add_cases(batch, seed, out);
   std::vector<Case> corners = corner_cases(subject);
@@ -262,15 +250,10 @@ ExerciseReference AnyExercise::evaluate(std::uint64_t seed) const {
   return out;
 }
 
-LectureReference Lecture::evaluate(std::string name, std::uint64_t seed) const {
+LectureReference Lecture::evaluate(std::string name, std::uint64_t seed, bool at_random_cases_alone) const {
   LectureReference result{seed, std::move(name), {}};
-  for (const auto& exercise : exercises_) result.exercises.push_back(exercise->evaluate(seed));
-  return result;
-}
-
-LectureReference Lecture::random_cases(std::string name, std::uint64_t seed) const {
-  LectureReference result{seed, std::move(name), {}};
-  for (const auto& exercise : exercises_) result.exercises.push_back(exercise->random_cases(seed));
+  for (const auto& each : exercises_)
+    result.exercises.push_back(at_random_cases_alone ? each->random_cases(seed) : each->evaluate(seed));
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include "solutions/judging/random.hpp"
 
 #include <memory>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -70,16 +71,6 @@ Doubles doubles(const T& values) {
   } else {
     return Doubles(values.begin(), values.end());
   }
-}
-
-/// A tuple as it is, and anything else as a tuple of one.
-template <class... T>
-std::tuple<T...> as_tuple(std::tuple<T...> values) {
-  return values;
-}
-template <class T>
-std::tuple<T> as_tuple(T value) {
-  return {std::move(value)};
 }
 
 /// What a lambda returns must be a value: an Eigen expression would refer to temporaries that are gone.
@@ -169,9 +160,9 @@ class AnyExercise {
     std::function<Values(Random&)> draw;
   };
 
-  Case case_at(const Case& prototype, const Values& inputs) const;
+  Case case_at(Case judged) const;
   bool is_legal(const Values& inputs) const;
-  void add_case(const Case& prototype, const Values& inputs, ExerciseReference& out) const;
+  void add_case(const Case& one, ExerciseReference& out) const;
   void add_cases(const Batch& batch, std::uint64_t seed, ExerciseReference& out) const;
   Subject subject_of(const ExerciseReference& out) const;
   void add_sweep(ExerciseReference& out) const;
@@ -231,8 +222,9 @@ class Exercise : public AnyExercise {
   template <class... Draws>
   void random(std::string name, int count, const Draws&... draws) {
     add_batch(std::move(name), Group::random, count, [draws...](Random& random) {
-      const std::tuple<decltype(detail::as_tuple(std::invoke(draws, random)))...> drawn{
-          detail::as_tuple(std::invoke(draws, random))...};
+      // std::tuple(…) leaves a tuple as it is, and makes a tuple of one of anything else.
+      const std::tuple<decltype(std::tuple(std::invoke(draws, random)))...> drawn{
+          std::tuple(std::invoke(draws, random))...};
       return values(Tuple(std::apply([](const auto&... each) { return std::tuple_cat(each...); }, drawn)));
     });
   }
@@ -254,6 +246,17 @@ class Exercise : public AnyExercise {
   void sweep(const SweepLabels& labels, const std::vector<Drawn>& components, SweepRange range,
              const InputsAt& inputs_at) {
     set_sweep(labels, components, range, [inputs_at](double x) { return values(Tuple(inputs_at(x))); });
+  }
+
+  /// The same where only input number `index` varies; the others stay as in the first case.
+  template <std::size_t index, class InputAt = std::identity>
+  void sweep(const SweepLabels& labels, const std::vector<Drawn>& components, SweepRange range,
+             const InputAt& input_at = {}) {
+    sweep(labels, components, range, [first = first_case_.value(), input_at](double x) {
+      Tuple inputs = first;
+      std::get<index>(inputs) = input_at(x);
+      return inputs;
+    });
   }
 
   // ---- what is known of wrong and right answers ------------------------------------------------------------------
@@ -356,10 +359,12 @@ class Exercise : public AnyExercise {
   }
 
   void fixed_case(std::string name, Group group, const Inputs&... inputs) {
+    if (!first_case_) first_case_ = Tuple(inputs...);
     add_batch(std::move(name), group, 1, [fixed = values(Tuple(inputs...))](Random&) { return fixed; });
   }
 
   Solution right_;
+  std::optional<Tuple> first_case_;
 };
 
 /// The exercises of one lecture.
@@ -382,8 +387,7 @@ class Lecture {
     return handle;
   }
 
-  LectureReference evaluate(std::string name, std::uint64_t seed) const;
-  LectureReference random_cases(std::string name, std::uint64_t seed) const;
+  LectureReference evaluate(std::string name, std::uint64_t seed, bool at_random_cases_alone) const;
 
  private:
   std::string name_;

@@ -20,9 +20,8 @@ int main(int argc, char** argv) {
     workbook::judging::Lecture lecture;
     workbook::judging::describe(lecture);
     const std::uint64_t seed = std::stoull(options["--seed"]);
-    const auto results = cases == "random" ? lecture.random_cases(options["--lecture"], seed)
-                                           : lecture.evaluate(options["--lecture"], seed);
-    workbook::write_reference_results(results, options["--out"]);
+    workbook::write_reference_results(lecture.evaluate(options["--lecture"], seed, cases == "random"),
+                                      options["--out"]);
   } catch (const std::exception& problem) {
     std::fprintf(stderr, "%s: the reference results could not be made: %s\n", options["--lecture"].c_str(),
                  problem.what());

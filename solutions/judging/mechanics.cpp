@@ -10,10 +10,10 @@ Matrix3d of_unit_mass_by_entries(const Vector3d& r) {
   return Matrix3d{{y * y + z * z, -x * y, -x * z}, {-x * y, x * x + z * z, -y * z}, {-x * z, -y * z, x * x + y * y}};
 }
 
-Matrix3d second_moment(const VectorXd& m, const Matrix3Xd& r) {
-  Matrix3d sum = Matrix3d::Zero();
-  for (Eigen::Index k = 0; k < m.size(); ++k) sum += m[k] * dyad(r.col(k));
-  return sum;
+Matrix3Xd six_points(const Matrix3d& I_cm, double M) {
+  const PrincipalFrame spread(moment_of_tensor(I_cm));
+  const Matrix3d reach = spread.axes * (3 / M * spread.moments.cwiseMax(0)).cwiseSqrt().asDiagonal();
+  return (Matrix3Xd(3, 6) << reach, -reach).finished();
 }
 
 Matrix3d of_cuboid(double M, const Vector3d& edges, double diagonal, double product) {
@@ -54,8 +54,8 @@ bool each(const Value& value, const Predicate& holds) {
 }  // namespace
 
 bool is_inertia_tensor(const Matrix3d& I) {
-  const Matrix3d spread = I.trace() / 2 * Matrix3d::Identity() - I;
-  return (I - I.transpose()).norm() <= rounding * I.norm() && PrincipalFrame(spread).moments[0] >= -rounding * I.norm();
+  return (I - I.transpose()).norm() <= rounding * I.norm() &&
+         PrincipalFrame(moment_of_tensor(I)).moments[0] >= -rounding * I.norm();
 }
 
 bool positive(const Value& value) {

@@ -8,6 +8,7 @@
 #include "rigid/vocabulary.hpp"
 #include "solutions/judging/algebra.hpp"
 
+#include <cmath>
 #include <numbers>
 
 namespace workbook::judging {
@@ -28,9 +29,16 @@ inline const Matrix3d tensor_of_four_masses{{43, -4, -4}, {-4, 36, -4}, {-4, -4,
 
 inline Vector3d cross(const Vector3d& a, const Vector3d& b) { return a.cross(b); }
 
+inline Matrix3d columns(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+  return (Matrix3d() << a, b, c).finished();
+}
+
 /// The matrix that does what w× does, and back.
 inline Matrix3d skew(const Vector3d& w) { return Matrix3d{{0, -w[2], w[1]}, {w[2], 0, -w[0]}, {-w[1], w[0], 0}}; }
 inline Vector3d axial(const Matrix3d& W) { return {W(2, 1), W(0, 2), W(1, 0)}; }
+inline Vector3d axial_part(const Matrix3d& W) { return axial(W - W.transpose()) / 2; }
+
+inline Vector3d in_xy_plane(double angle) { return {std::cos(angle), std::sin(angle), 0}; }
 
 /// L and 2T on principal axes, and the rates of change of ω without a torque.
 inline Vector3d L_of(const Vector3d& I, const Vector3d& w) { return I.cwiseProduct(w); }
@@ -59,8 +67,13 @@ inline Matrix3d products_flipped(const Matrix3d& I) { return 2 * diagonal_part(I
 inline Matrix3d of_unit_mass(const Vector3d& r) { return r.squaredNorm() * Matrix3d::Identity() - dyad(r); }
 Matrix3d of_unit_mass_by_entries(const Vector3d& r);
 
-/// Σ m r r
-Matrix3d second_moment(const VectorXd& m, const Matrix3Xd& r);
+/// Σ m r r; and the tensor of a body with such second moments, tr C 1 − C, and back.
+inline Matrix3d second_moment(const VectorXd& m, const Matrix3Xd& r) { return r * m.asDiagonal() * r.transpose(); }
+inline Matrix3d tensor_of_moment(const Matrix3d& C) { return C.trace() * Matrix3d::Identity() - C; }
+inline Matrix3d moment_of_tensor(const Matrix3d& I) { return I.trace() / 2 * Matrix3d::Identity() - I; }
+
+/// Six points about the centre of mass; with a sixth of the mass each they have the tensor of a given body.
+Matrix3Xd six_points(const Matrix3d& I_cm, double M);
 
 inline Vector3d center_of_mass(const VectorXd& m, const Matrix3Xd& r) { return r * m / m.sum(); }
 
@@ -77,11 +90,34 @@ struct PrincipalFrame {
   Matrix3d axes;
 };
 
+/// A symmetric matrix from its quadratic form, as the tensor is read off the energy; exact for any quadratic function.
+template <class QuadraticForm>
+Matrix3d from_quadratic_form(const QuadraticForm& form) {
+  return Matrix3d::NullaryExpr([&](Eigen::Index i, Eigen::Index j) {
+    const Vector3d one = Vector3d::Unit(i), other = Vector3d::Unit(j);
+    return (form(one + other) - form(one - other)) / 4;
+  });
+}
+
+/// The derivative of a function at 0, by central differences extrapolated to h = 0 (Richardson).
+template <class Function>
+auto derivative_at_0(const Function& f, double h) {
+  const auto difference = [&](double t) { return (f(t) - f(-t)) / (2 * t); };
+  return (64 * difference(h) - 20 * difference(2 * h) + difference(4 * h)) / 45;
+}
+
 /// One step of the classical Runge-Kutta method.
 template <class State, class RateOf>
 State one_step_on(const State& state, double h, const RateOf& rate) {
   const State k1 = rate(state), k2 = rate(State(state + h / 2 * k1)), k3 = rate(State(state + h / 2 * k2));
   return state + h / 6 * (k1 + 2 * k2 + 2 * k3 + rate(State(state + h * k3)));
+}
+
+/// So many of these steps, over the time t.
+template <class State, class RateOf>
+State followed(State state, double t, int steps, const RateOf& rate) {
+  for (int i = 0; i < steps; ++i) state = one_step_on(state, t / steps, rate);
+  return state;
 }
 
 /// A quantity that vanishes needs some natural size all the same.

@@ -54,8 +54,7 @@ constexpr const char* period_judging =
 
           void judge_pendulum_period(workbook::judging::Lecture& lecture) {
             using namespace workbook::judging;
-            auto& e = lecture.exercise(&rigid::pendulum_period, {{"length", metre}, {"g", m_per_s2}},
-                                       {"T", second});
+            auto& e = lecture.exercise(&rigid::pendulum_period, {{"length", metre}, {"g", m_per_s2}}, {"T", second});
             e.worked("a metre on Earth", 1, 9.81);
             e.random("a pendulum", 8, [](Random& random) { return std::tuple{random.uniform(0.5, 3), random.uniform(1.5, 12)}; });
             e.wrong_output("The factor 2π is missing.", "no_two_pi", times(1 / (2 * pi)));

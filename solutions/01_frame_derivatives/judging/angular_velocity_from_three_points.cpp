@@ -15,19 +15,15 @@ static auto moving(const Matrix3d& r, const Vector3d& v0, const Vector3d& omega)
   return tuple{r, Matrix3d((skew(omega) * r).colwise() + v0)};
 }
 
-static Matrix3d points(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
-  return (Matrix3d() << a, b, c).finished();
-}
-
 static void add_points_cases(auto& e) {
-  const Matrix3d r0 = points({1, 0.5, -0.2}, {0.3, 1.8, 0.4}, {-0.6, 0.2, 1.5});
+  const Matrix3d r0 = columns({1, 0.5, -0.2}, {0.3, 1.8, 0.4}, {-0.6, 0.2, 1.5});
   const Vector3d v0(1, -2, 0.5), side = r0.col(1) - r0.col(0), normal = cross(side, r0.col(2) - r0.col(0));
   const auto add = [&](auto kind, const char* name, const auto& motion) {
     std::apply([&](auto& r, auto& v) { (e.*kind)(name, r, v); }, motion);
   };
   using Added = std::remove_reference_t<decltype(e)>;
   const auto worked = &Added::worked, special = &Added::special;
-  const Matrix3d far = r0.colwise() + Vector3d(800, -300, 500), right = points({1, 1, 1}, {2, 1, 1}, {1, 2, 1});
+  const Matrix3d far = r0.colwise() + Vector3d(800, -300, 500), right = columns({1, 1, 1}, {2, 1, 1}, {1, 2, 1});
   add(worked, "the triangle of the problem", moving(r0, v0, example_omega));
   add(special, "rotation about a side", moving(r0, v0, 0.4 * side));
   add(worked, "a right triangle rotates about a line in its plane", moving(right, zero, {1, 2, 0}));
@@ -37,13 +33,13 @@ static void add_points_cases(auto& e) {
   add(special, "at rest", moving(r0, zero, zero));
   add(special, "far from the origin", moving(far, v0, example_omega));
   add(special, "slow", moving(r0, v0 * 1e-8, example_omega * 1e-8));
-  add(special, "a flat triangle", moving(points(zero, {0.5, 0.15, 0}, {1, 0, 0}), v0, example_omega));
+  add(special, "a flat triangle", moving(columns(zero, {0.5, 0.15, 0}, {1, 0, 0}), v0, example_omega));
   e.random("a random triangle and motion", 10, [](Random& random) {
     const Matrix3d axes = random.rotation();
     const Vector3d a = random.vector(), b(random.uniform(0.7, 1.5), 0, 0);
     const Vector3d c(random.uniform(-0.5, 1), random.uniform(0.5, 1.5), 0);
     const Vector3d omega(random.vector(2)), v(random.vector(2));
-    return moving(points(a, a + axes * b, a + axes * c), v, omega);
+    return moving(columns(a, a + axes * b, a + axes * c), v, omega);
   });
 }
 
@@ -63,7 +59,7 @@ void judge_angular_velocity_from_three_points(Lecture& lecture) {
   e.sweep({"A triangle in the x–y plane; ω of 1 rad/s tilts from its normal into its plane and on to the other side",
            "angle between ω and the normal (rad)", "component of ω (rad/s)"},
           {"x", "y", "z"}, {0, pi}, [](auto tilt) {
-            return moving(points({1, 0, 0}, {0, 1, 0}, {-1, -1, 0}), {1, -2, 0.5},
+            return moving(columns({1, 0, 0}, {0, 1, 0}, {-1, -1, 0}), {1, -2, 0.5},
                           {0.6 * sin(tilt), 0.8 * sin(tilt), cos(tilt)});
           });
 
@@ -92,8 +88,8 @@ void judge_angular_velocity_from_three_points(Lecture& lecture) {
     const Vector3d a = r.col(1) - r.col(0), b = r.col(2) - r.col(0), a_rate = v.col(1) - v.col(0),
                    b_rate = v.col(2) - v.col(0);
     const Matrix3d W =
-        points(a_rate, b_rate, cross(a_rate, b) + cross(a, b_rate)) * points(a, b, cross(a, b)).inverse();
-    return axial((W - W.transpose()) / 2);
+        columns(a_rate, b_rate, cross(a_rate, b) + cross(a, b_rate)) * columns(a, b, cross(a, b)).inverse();
+    return axial_part(W);
   });
   e.route("one side, and the rest from the third point", [](auto& r, auto& v) {
     const Vector3d a = r.col(1) - r.col(0), b = r.col(2) - r.col(0), seen = across_side(r, v, 0, 1);

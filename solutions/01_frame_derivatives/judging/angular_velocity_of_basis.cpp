@@ -48,18 +48,11 @@ void judge_angular_velocity_of_basis(Lecture& lecture) {
           "speed_of_columns", [](auto&, auto& rate) -> Vector3d { return rate.colwise().norm().transpose(); });
   e.route("read off Ė Eᵀ", [](auto& E, auto& rate) { return axial(rate * E.transpose()); });
   e.route("least squares", [](auto& E, auto& rate) {
-    // ė = ω × e = −[e]× ω: nine equations for three unknowns.
-    Matrix3d normal = Matrix3d::Zero();
-    Vector3d right = Vector3d::Zero();
-    for (int i = 0; i < 3; ++i) normal -= skew(E.col(i)) * skew(E.col(i));
-    for (int i = 0; i < 3; ++i) right += skew(E.col(i)) * rate.col(i);
-    return normal.inverse() * right;
+    // ė = ω × e = −[e]× ω: nine equations for three unknowns, and so −Σ [e]² ω = Σ e × ė.
+    return tensor_of_moment(E * E.transpose()).inverse() * (2 * axial_part(rate * E.transpose()));
   });
   e.route("components on the basis first", [](auto& E, auto& rate) {
     return E * Vector3d(rate.col(1).dot(E.col(2)), rate.col(2).dot(E.col(0)), rate.col(0).dot(E.col(1)));
   });
-  e.route("with the inverse", [](auto& E, auto& rate) {
-    const Matrix3d W = rate * E.inverse();
-    return axial((W - W.transpose()) / 2);
-  });
+  e.route("with the inverse", [](auto& E, auto& rate) { return axial_part(rate * E.inverse()); });
 }

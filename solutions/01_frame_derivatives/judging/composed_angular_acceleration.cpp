@@ -55,8 +55,7 @@ void judge_composed_angular_acceleration(Lecture& lecture) {
     // R = E B with B = 1 at this instant; R̈ Rᵀ is the cross matrix of the rate plus a symmetric square.
     const Matrix3d E_rate = skew(w) * E, E_rate2 = (skew(alpha) + skew(w) * skew(w)) * E;
     const Matrix3d R_rate2 = E_rate2 + 2 * E_rate * skew(spin) + E * (skew(rate) + skew(spin) * skew(spin));
-    const Matrix3d W = R_rate2 * E.transpose();
-    return axial((W - W.transpose()) / 2);
+    return axial_part(R_rate2 * E.transpose());
   });
   e.route("all on the axes of the platform", [](auto& E, auto& w, auto& alpha, auto& spin, auto& rate) {
     const Matrix3d to_platform = E.transpose();
@@ -64,7 +63,6 @@ void judge_composed_angular_acceleration(Lecture& lecture) {
   });
   e.route("differences of the angular velocity", [](auto& E, auto& w, auto& alpha, auto& spin, auto& rate) {
     const double h = 1e-3 / or_one(w.norm());
-    const auto at = [&](double t) { return w + t * alpha + turn(w, w.norm() * t) * E * (spin + t * rate); };
-    return (8 * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h))) / (12 * h);
+    return derivative_at_0([&](double t) { return w + t * alpha + turn(w, w.norm() * t) * E * (spin + t * rate); }, h);
   });
 }

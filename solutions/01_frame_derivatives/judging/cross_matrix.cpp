@@ -11,7 +11,7 @@ void judge_cross_matrix(Lecture& lecture) {
   e.sweep({"ω of 1 rad/s turns in the x–y plane, with 0.5 rad/s along z beside it", "direction of ω in the plane (rad)",
            "entry of the matrix (rad/s)"},
           {{"row x, column y", 0, 1}, {"row x, column z", 0, 2}, {"row y, column z", 1, 2}}, {0, 2 * pi},
-          [](auto angle) { return Vector3d(cos(angle), sin(angle), 0.5); });
+          [](auto angle) { return in_xy_plane(angle) + 0.5 * z_axis; });
 
   const char* const entries[] = {"ω_x in rows and columns y, z", "ω_y in rows and columns z, x",
                                  "ω_z in rows and columns x, y"};
@@ -35,11 +35,7 @@ void judge_cross_matrix(Lecture& lecture) {
   e.wrong_input<0>("Your entries are those of the unit vector ω/|ω|; ω × V also grows with the length of ω.",
                    "unit_vector", [](auto& w) { w.stableNormalize(); });
   e.property(Is::antisymmetric, "The matrix of ω× is antisymmetric, because ω × V is perpendicular to V for every V.");
-  e.route("column by column", [](auto& w) {
-    Matrix3d W;
-    for (int i = 0; i < 3; ++i) W.col(i) = cross(w, Vector3d::Unit(i));
-    return W;
-  });
+  e.route("column by column", [](auto& w) { return columns(cross(w, x_axis), cross(w, y_axis), cross(w, z_axis)); });
   e.route("upper triangle less its mirror image", [](auto& w) {
     const Matrix3d upper{{0, -w.z(), w.y()}, {0, 0, -w.x()}, {0, 0, 0}};
     return upper - upper.transpose();

@@ -5,18 +5,16 @@ void judge_inertial_rate(Lecture& lecture) {
       lecture.exercise(&inertial_rate, {{"rate_body", m_per_s}, {"omega", rad_per_s}, {"V", metre}}, {"rate", m_per_s});
   // V stands for any vector; here it is taken for a position.
   e.worked("the vectors of the lecture", {0.4, -0.3, 0.6}, example_omega, {1, 2, -1});
-  e.special("V is fixed in the rotating frame", {0, 0, 0}, example_omega, {1, 2, -1});
+  e.special("V is fixed in the rotating frame", zero, example_omega, {1, 2, -1});
   e.special("V is fixed in the inertial frame", {0.8, -0.8, -0.8}, example_omega, {1, 2, -1});
-  e.special("the frame does not turn", {0.4, -0.3, 0.6}, {0, 0, 0}, {1, 2, -1});
+  e.special("the frame does not turn", {0.4, -0.3, 0.6}, zero, {1, 2, -1});
   e.special("V lies along ω", {0.4, -0.3, 0.6}, example_omega, 2 * example_omega);
   e.random("a random vector", 8, any::vector(2), any::vector(3), any::vector(2));
   e.scale([](auto& rate, auto& w, auto& V) { return rate.norm() + w.norm() * V.norm(); });
   e.sweep({"A vector of 2 m turns in the x–y plane of a frame with ω = (0.3, −0.2, 0.5) rad/s, at 1 rad/s",
            "direction of V (rad)", "inertial rate (m/s)"},
-          {"x", "y", "z"}, {0, 2 * pi}, [](auto angle) {
-            const Vector3d V(2 * cos(angle), 2 * sin(angle), 0);
-            return tuple(Vector3d(-V.y(), V.x(), 0), example_omega, V);
-          });
+          {"x", "y", "z"}, {0, 2 * pi},
+          [](auto angle) { return tuple(2 * in_xy_plane(angle + pi / 2), example_omega, 2 * in_xy_plane(angle)); });
 
   e.term("the body's rate", 1, [](auto& rate, auto&, auto&) { return rate; });
   e.term("ω × V", 1, [](auto&, auto& w, auto& V) { return cross(w, V); });
@@ -34,7 +32,7 @@ void judge_inertial_rate(Lecture& lecture) {
           "speed_times_vector", [](auto& rate, auto& w, auto& V) { return rate + w.norm() * V; });
   e.route("with the cross matrix", [](auto& rate, auto& w, auto& V) { return skew(w) * V + rate; });
   e.route("the sum over turning basis vectors", [](auto& rate, auto& w, auto& V) {
-    Vector3d sum = Vector3d::Zero();
+    Vector3d sum = zero;
     for (int i = 0; i < 3; ++i) sum += rate[i] * Vector3d::Unit(i) + V[i] * cross(w, Vector3d::Unit(i));
     return sum;
   });

@@ -31,10 +31,9 @@ static void add_cases(auto& e) {
   e.worked("many turns", E0, example_omega, 60);
   e.random("a random basis and angular velocity", 8, &Random::rotation, any::vector(2), any::uniform(0.3, 1.2));
   e.scale(1);
-  e.sweep({"The first basis vector during one turn with ω = (0.3, −0.2, 0.5) rad/s", "time (s)",
-           "component of the first basis vector"},
-          {"x", "y", "z"}, {0, 2 * pi / example_omega.norm(), 121},
-          [](auto dt) { return tuple(example_basis, example_omega, dt); });
+  e.template sweep<2>({"The first basis vector during one turn with ω = (0.3, −0.2, 0.5) rad/s", "time (s)",
+                       "component of the first basis vector"},
+                      {"x", "y", "z"}, {0, 2 * pi / example_omega.norm(), 121});
 }
 
 void judge_rotated_basis(Lecture& lecture) {
@@ -76,9 +75,9 @@ void judge_rotated_basis(Lecture& lecture) {
           [=](auto& E, auto& w, auto dt) { return about(0, w, dt) * about(1, w, dt) * about(2, w, dt) * E; });
   e.wrong(three_turns, "three_turns_other_order",
           [=](auto& E, auto& w, auto dt) { return about(2, w, dt) * about(1, w, dt) * about(0, w, dt) * E; });
-  e.wrong(
+  e.wrong_output(
       "The part of e along the axis shrinks with cos θ: (1 − cos θ) n (n·e) is missing.", "no_parallel_part",
-      [](auto& E, auto& w, auto dt) { return turn_of(w, dt) * E - (1 - cos(w.norm() * dt)) * dyad(unit_of(w)) * E; });
+      [](auto& turned, auto& E, auto& w, auto dt) { turned -= (1 - cos(w.norm() * dt)) * dyad(unit_of(w)) * E; });
   e.wrong_input<0>("This is the rotation itself; the basis E that is to be turned does not enter.", "rotation_only",
                    fixed<Matrix3d>(Matrix3d::Identity()));
   e.wrong_output("The basis vectors are the rows of your result; they belong into its columns.", "rows", transposed);
@@ -88,13 +87,12 @@ void judge_rotated_basis(Lecture& lecture) {
   e.route("exponential of the cross matrix", [](auto& E, auto& w, auto dt) { return exponential(dt * skew(w)) * E; });
   e.route("unit quaternion", [](auto& E, auto& w, auto dt) {
     const double half = 0.5 * w.norm() * dt;
-    const Vector3d v = sin(half) * w.stableNormalized();
+    const Vector3d v = sin(half) * unit_of(w);
     return Eigen::Quaterniond(cos(half), v[0], v[1], v[2]).toRotationMatrix() * E;
   });
   e.route("parallel and perpendicular part", [](auto& E, auto& w, auto dt) {
-    const Vector3d n = w.stableNormalized();
-    const Matrix3d along = dyad(n) * E;
-    return along + cos(w.norm() * dt) * (E - along) + sin(w.norm() * dt) * skew(n) * E;
+    const Matrix3d along = dyad(unit_of(w)) * E, across = skew(unit_of(w)) * E;
+    return along + cos(w.norm() * dt) * (E - along) + sin(w.norm() * dt) * across;
   });
   e.route("on the body axes, from the right",
           [](auto& E, auto& w, auto dt) { return E * turn(E.transpose() * w, w.norm() * dt); });

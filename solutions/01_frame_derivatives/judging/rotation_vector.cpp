@@ -1,8 +1,5 @@
 #include "solutions/01_frame_derivatives/shared.hpp"
 
-/// 2 sin θ n.
-static Vector3d antisymmetric_part(const Matrix3d& E) { return axial(E - E.transpose()); }
-
 static double cosine_of(const Matrix3d& E) { return clamp((E.trace() - 1) / 2, -1.0, 1.0); }
 
 /// A rotation by an angle from this range, about any axis.
@@ -53,9 +50,9 @@ void judge_rotation_vector(Lecture& lecture) {
   e.wrong(
       "This is the axis times the sine of the angle; the angle itself is "
       "asked for.",
-      "no_theta_over_sin", [](auto& E) { return antisymmetric_part(E) / 2; });
+      "no_theta_over_sin", [](auto& E) { return axial_part(E); });
   e.wrong("The angle comes from its sine alone, which is the same for θ and π − θ.", "asin", [](auto& E) {
-    const Vector3d v = antisymmetric_part(E) / 2;
+    const Vector3d v = axial_part(E);
     return asin(min(v.norm(), 1.0)) * v.stableNormalized();
   });
   e.wrong_output(
@@ -68,7 +65,7 @@ void judge_rotation_vector(Lecture& lecture) {
       "The axis comes from E − Eᵀ, which vanishes at half a turn; (E + "
       "Eᵀ)/2 still has it.",
       "zero_at_half_turn", [](auto& E) {
-        const Vector3d v = antisymmetric_part(E) / 2;
+        const Vector3d v = axial_part(E);
         return atan2(v.norm(), (E.trace() - 1) / 2) * v.stableNormalized();
       });
   e.wrong_output(
@@ -93,7 +90,7 @@ void judge_rotation_vector(Lecture& lecture) {
     return atan2(axis.dot(cross(across, moved)), 1 + across.dot(moved)) * axis;
   });
   e.route("the angle from |E − 1|, the axis from the diagonal where the turn is large", [](auto& E) {
-    const Vector3d v = antisymmetric_part(E) / 2;
+    const Vector3d v = axial_part(E);
     const double sine_of_half = (E - Matrix3d::Identity()).norm() / sqrt(8);
     if (sine_of_half == 0) return zero;
     const double angle = 2 * atan2(sine_of_half, v.norm() / (2 * sine_of_half)), cosine = 1 - 2 * pow(sine_of_half, 2);

@@ -48,11 +48,8 @@ void judge_apparent_gravity(Lecture& lecture) {
   e.special("westwards along the equator, against the rotation", 0, our_radius, g0, our_earth_rate,
             {-our_radius * our_earth_rate, 0});
   e.special("eastwards at 60° south", -60 * degree, our_radius, g0, our_earth_rate, {20, 0});
-  e.random("a random ship on a planet", 10, [](Random& random) {
-    const double latitude = generic_latitude(random), radius = random.uniform(2e6, 2e7), g = random.uniform(5, 15);
-    const Vector2d v = random.vector(300).head<2>();
-    return tuple{latitude, radius, g, random.uniform(3e-5, 2e-4), v};
-  });
+  e.random("a random ship on a planet", 10, generic_latitude, any::uniform(2e6, 2e7), any::uniform(5, 15),
+           any::uniform(3e-5, 2e-4), [](Random& random) -> Vector2d { return random.vector(300).head<2>(); });
   e.scale([](auto, auto, auto g, auto, auto&) { return g; });
   e.sweep({"Aboard a ship on our Earth's equator that sails east (or, with a negative speed, west)",
            "speed to the east (m/s)", "component up (m/s²)"},

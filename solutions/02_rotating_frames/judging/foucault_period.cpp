@@ -12,8 +12,8 @@ void judge_foucault_period(Lecture& lecture) {
   e.random("a random place on a planet", 10, [](auto& r) {
     return tuple{abs(generic_latitude(r)), r.uniform(3e4, 2e5)};
   });
-  e.sweep({"The turn of a Foucault pendulum, from 20° to the pole", "latitude (°)", "time of a full turn (h)", 3600},
-          {"period"}, {20, 90, 71}, [](auto degrees) { return tuple(degrees * degree, our_sidereal_day); });
+  e.sweep<0>({"The turn of a Foucault pendulum, from 20° to the pole", "latitude (°)", "time of a full turn (h)", 3600},
+             {"period"}, {20, 90, 71}, [](auto degrees) { return degrees * degree; });
 
   e.term("T / sin λ", 1, [](auto latitude, auto day) { return day / sin(latitude); });
   e.wrong("The latitude enters with its cosine; the vertical part of the rotation is Ω sin λ, largest at the pole.",

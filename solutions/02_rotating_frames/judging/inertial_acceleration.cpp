@@ -15,11 +15,9 @@ void judge_inertial_acceleration(Lecture& lecture) {
   e.scale([](auto& a, auto& v, auto& r, auto& w, auto& alpha) {
     return a.norm() + 2 * w.norm() * v.norm() + alpha.norm() * r.norm() + w.squaredNorm() * r.norm();
   });
-  e.sweep({"The lecture's motion in a frame that turns faster and faster about its axis", "|ω| (rad/s)",
-           "inertial acceleration (m/s²)"},
-          {"x", "y", "z"}, {0, 2}, [](auto rate) {
-            return tuple(example_a, example_v, example_r, rate * example_omega.normalized(), example_alpha);
-          });
+  e.sweep<3>({"The lecture's motion in a frame that turns faster and faster about its axis", "|ω| (rad/s)",
+              "inertial acceleration (m/s²)"},
+             {"x", "y", "z"}, {0, 2}, [](auto rate) { return rate * example_omega.normalized(); });
 
   e.term("a_body", 1, [](auto& a, auto&, auto&, auto&, auto&) { return a; });
   e.term("ω × v", 2, [](auto&, auto& v, auto&, auto& w, auto&) { return cross(w, v); });

@@ -4,10 +4,9 @@ void judge_angular_momentum(Lecture& lecture) {
   auto& e = lecture.exercise(&angular_momentum, {{"I", inertia_tensor}, {"omega", rad_per_s}}, {"L", kg_m2_per_s});
   add_tensors_and_omegas(e);
   e.scale([](auto& I, auto& w) { return I.norm() * max(w.norm(), 1e-3); });
-  e.sweep({"Angular momentum while ω turns in the xy plane, |ω| = 1 rad/s", "angle of ω from the x axis (rad)",
-           "component of L (kg m²/s)"},
-          {"L_x", "L_y", "L_z"}, {0, 2 * pi},
-          [](auto angle) { return tuple(tensor_of_four_masses, in_xy_plane(angle)); });
+  e.sweep<1>({"Angular momentum while ω turns in the xy plane, |ω| = 1 rad/s", "angle of ω from the x axis (rad)",
+              "component of L (kg m²/s)"},
+             {"L_x", "L_y", "L_z"}, {0, 2 * pi}, in_xy_plane);
 
   e.term("Iᵢᵢ ωᵢ (diagonal)", 1, [](auto& I, auto& w) { return diagonal_part(I) * w; });
   e.term("Σ Iᵢⱼ ωⱼ (j ≠ i)", 1, [](auto& I, auto& w) { return (I - diagonal_part(I)) * w; });
@@ -24,9 +23,6 @@ void judge_angular_momentum(Lecture& lecture) {
   e.route("row by row", [](auto& I, auto& w) { return Vector3d(I.row(0).dot(w), I.row(1).dot(w), I.row(2).dot(w)); });
   e.route("sum of columns", [](auto& I, auto& w) { return w[2] * I.col(2) + w[1] * I.col(1) + w[0] * I.col(0); });
   e.route("gradient of the energy", [](auto& I, auto& w) {
-    Vector3d gradient;  // T is quadratic, so the central difference is exact for any step
-    for (int i = 0; i < 3; ++i)
-      gradient[i] = (kinetic_energy(I, w + Vector3d::Unit(i)) - kinetic_energy(I, w - Vector3d::Unit(i))) / 2;
-    return gradient;
+    return 2 * from_quadratic_form([&](const Vector3d& omega) { return kinetic_energy(I, omega); }) * w;
   });
 }

@@ -15,9 +15,8 @@ void judge_cuboid_about_corner(Lecture& lecture) {
 
   e.term("M (b² + c²), M (a² + c²), M (a² + b²) on the diagonal", 1. / 3,
          [](auto M, auto a, auto b, auto c) { return of_cuboid(M, Vector3d(a, b, c), 1, 0); });
-  e.term("M ab, M ac, M bc off the diagonal", -1. / 4, [](auto M, auto a, auto b, auto c) {
-    return M * (dyad(Vector3d(a, b, c)) - diagonal_part(dyad(Vector3d(a, b, c))));
-  });
+  e.term("M ab, M ac, M bc off the diagonal", -1. / 4,
+         [](auto M, auto a, auto b, auto c) { return of_cuboid(M, Vector3d(a, b, c), 0, 1); });
   const char* const products = "inertia_tensor_products";
   e.wrong_terms({"The products of inertia have the wrong sign: I_xy = −¼ M ab, with a minus.", products},
                 "products_positive", {1. / 3, 1. / 4});

@@ -50,9 +50,6 @@ void judge_inertia_of_points(Lecture& lecture) {
     for (int p = static_cast<int>(m.size()) - 1; p >= 0; --p) I += m[p] * of_unit_mass_by_entries(r.col(p));
     return I;
   });
-  e.route("trace of the second moment", [](auto& m, auto& r) {
-    const Matrix3d moment = second_moment(m, r);
-    return moment.trace() * Matrix3d::Identity() - moment;
-  });
+  e.route("trace of the second moment", [](auto& m, auto& r) { return tensor_of_moment(second_moment(m, r)); });
   e.survivor("r_p = - r.col(p)", "Every term holds r_p twice.");
 }

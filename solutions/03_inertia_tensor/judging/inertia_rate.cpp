@@ -21,13 +21,8 @@ static Matrix3d from_principal_axes(const Matrix3d& I, const Vector3d& omega) {
 
 /// Of six masses of ½ kg with the given tensor; m r² stays the same, and m r r changes.
 static Matrix3d from_moving_masses(const Matrix3d& I, const Vector3d& omega) {
-  const PrincipalFrame spread(I.trace() / 2 * Matrix3d::Identity() - I);
-  Matrix3d rate = Matrix3d::Zero();
-  for (int i = 0; i < 3; ++i) {
-    const Vector3d r = sqrt(max(spread.moments[i], 0.0)) * spread.axes.col(i), v = cross(omega, r);
-    rate -= v * r.transpose() + r * v.transpose();
-  }
-  return rate;
+  const Matrix3Xd r = six_points(I, 3), v = skew(omega) * r;
+  return -0.5 * (v * r.transpose() + r * v.transpose());
 }
 
 void judge_inertia_rate(Lecture& lecture) {
@@ -39,9 +34,9 @@ void judge_inertia_rate(Lecture& lecture) {
   e.special("a sphere", 2 * Matrix3d::Identity(), example_omega);
   e.special("no rotation", tensor_of_four_masses, {0, 0, 0});
   e.random("a random body", 8, &Random::inertia_tensor, any::vector(3));
-  e.sweep({"The four masses; ω of 2 rad/s turns from x to y", "angle of ω from x (rad)", "rate of an entry (kg m²/s)"},
-          {{"I_xx", 0, 0}, {"I_xy", 0, 1}, {"I_zz", 2, 2}}, {0, pi},
-          [](auto angle) { return tuple(tensor_of_four_masses, 2 * in_xy_plane(angle)); });
+  e.sweep<1>(
+      {"The four masses; ω of 2 rad/s turns from x to y", "angle of ω from x (rad)", "rate of an entry (kg m²/s)"},
+      {{"I_xx", 0, 0}, {"I_xy", 0, 1}, {"I_zz", 2, 2}}, {0, pi}, [](auto angle) { return 2 * in_xy_plane(angle); });
 
   e.term("[ω]× I", 1, [](auto& I, auto& omega) { return skew(omega) * I; });
   e.term("I [ω]×", -1, [](auto& I, auto& omega) { return I * skew(omega); });

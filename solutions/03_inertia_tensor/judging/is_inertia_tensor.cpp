@@ -1,21 +1,18 @@
 #include "solutions/03_inertia_tensor/shared.hpp"
 
-/// ½ tr I − I: the second moments Σ m r r of a body that has the tensor I.
-static Matrix3d second_moments_of(const Matrix3d& I) { return I.trace() / 2 * Matrix3d::Identity() - I; }
-
 static double largest_entry(const Matrix3d& I) { return I.cwiseAbs().maxCoeff(); }
 static double asymmetry(const Matrix3d& I) { return largest_entry(I - I.transpose()); }
 
 /// The smallest second moment, with the symmetric part of I.
 static double smallest_spread(const Matrix3d& I) {
-  return PrincipalFrame(second_moments_of(0.5 * (I + I.transpose()))).moments[0];
+  return PrincipalFrame(moment_of_tensor(0.5 * (I + I.transpose()))).moments[0];
 }
 
 static int is_symmetric_and(const Matrix3d& I, bool holds) { return holds && asymmetry(I) <= 1e-9 * largest_entry(I); }
 
 static int by_principal_minors(const Matrix3d& I) {
   const double size = or_one(largest_entry(I));
-  const Matrix3d C = second_moments_of(I) / size;
+  const Matrix3d C = moment_of_tensor(I) / size;
   bool holds = C.determinant() >= -1e-9;
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;
@@ -26,14 +23,8 @@ static int by_principal_minors(const Matrix3d& I) {
 
 /// Six masses of ½ kg on the principal axes have this tensor, if any body has it.
 static int by_building_a_body(const Matrix3d& I) {
-  const PrincipalFrame C(second_moments_of(I));
-  Matrix3Xd places(3, 6);
-  for (int i = 0; i < 3; ++i) {
-    places.col(i) = sqrt(max(C.moments[i], 0.0)) * C.axes.col(i);
-    places.col(i + 3) = -places.col(i);
-  }
-  return is_symmetric_and(
-      I, largest_entry(inertia_of_points(VectorXd::Constant(6, 0.5), places) - I) <= 2e-9 * largest_entry(I));
+  const Matrix3d built = inertia_of_points(VectorXd::Constant(6, 0.5), six_points(I, 3));
+  return is_symmetric_and(I, largest_entry(built - I) <= 2e-9 * largest_entry(I));
 }
 
 /// On axes that are turned at random.

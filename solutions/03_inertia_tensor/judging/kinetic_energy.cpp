@@ -4,13 +4,12 @@ void judge_kinetic_energy(Lecture& lecture) {
   auto& e = lecture.exercise(&kinetic_energy, {{"I", inertia_tensor}, {"omega", rad_per_s}}, {"T", joule});
   add_tensors_and_omegas(e);
   e.scale([](auto& I, auto& w) { return I.norm() * max(w.squaredNorm(), 1e-3) / 2; });
-  e.sweep(
+  e.sweep<1>(
       {"Energy over the direction of ω, |ω| = 1 rad/s", "angle of ω from the x axis in the xy plane (rad)", "T (J)"},
-      {"T"}, {0, 2 * pi}, [](auto angle) { return tuple(tensor_of_four_masses, in_xy_plane(angle)); });
+      {"T"}, {0, 2 * pi}, in_xy_plane);
 
   e.term("Σ Iᵢᵢ ωᵢ²", 0.5, [](auto& I, auto& w) { return I.diagonal().dot(w.cwiseAbs2()); });
-  e.term("Σ Iᵢⱼ ωᵢ ωⱼ (i < j)", 1,
-         [](auto& I, auto& w) { return I(0, 1) * w[0] * w[1] + I(0, 2) * w[0] * w[2] + I(1, 2) * w[1] * w[2]; });
+  e.term("Σ Iᵢⱼ ωᵢ ωⱼ (i < j)", 1, [](auto& I, auto& w) { return w.dot((I - diagonal_part(I)) * w) / 2; });
   e.wrong_output("The factor ½ is missing: T = ½ ω·I·ω.", "no_half", times(2));
   e.wrong_terms("The products of inertia do not enter; ω·I·ω has nine terms, not three.", "diagonal_only", {0.5, 0});
   e.wrong(
@@ -24,13 +23,7 @@ void judge_kinetic_energy(Lecture& lecture) {
   e.wrong_terms("Each product of inertia enters once; ω·I·ω has I_xy and I_yx.", "upper_triangle_once", {0.5, 0.5});
   e.property(Is::nonnegative, "A kinetic energy is never negative.");
   e.route("half of L·ω", [](auto& I, auto& w) { return angular_momentum(I, w).dot(w) / 2; });
-  e.route("entry by entry", [](auto& I, auto& w) {
-    double twice = 0;
-    for (int j = 2; j >= 0; --j) {
-      for (int i = 2; i >= 0; --i) twice += w[i] * w[j] * I(i, j);
-    }
-    return twice / 2;
-  });
+  e.route("entry by entry", [](auto& I, auto& w) { return dyad(w).cwiseProduct(I).sum() / 2; });
   e.route("on principal axes", [](auto& I, auto& w) {
     const PrincipalFrame frame(I);
     return 0.5 * frame.moments.dot((frame.axes.transpose() * w).cwiseAbs2());

@@ -6,15 +6,13 @@ void judge_moment_about_axis(Lecture& lecture) {
   e.special("a coordinate axis", tensor_of_four_masses, Vector3d::UnitX());
   e.special("a very short axis vector", tensor_of_four_masses, {1e-5, 2e-5, -2e-5});
   e.random("a random body and axis", 8, &Random::inertia_tensor, [](auto& r) { return r.vector(r.uniform(1.5, 4)); });
-  e.sweep(
+  e.sweep<1>(
       {"Moment about an axis that turns from x to y and beyond", "angle of the axis from x (rad)", "moment (kg m²)"},
-      {"I_n"}, {0, pi}, [](auto angle) { return tuple(tensor_of_four_masses, 2 * in_xy_plane(angle)); });
+      {"I_n"}, {0, pi}, [](auto angle) { return 2 * in_xy_plane(angle); });
 
   e.term("Σ Iᵢᵢ nᵢ²", 1, [](auto& I, auto& axis) { return I.diagonal().dot(axis.normalized().cwiseAbs2()); });
-  e.term("Σ Iᵢⱼ nᵢ nⱼ (i < j)", 2, [](auto& I, auto& axis) {
-    const Vector3d n = axis.normalized();
-    return I(0, 1) * n[0] * n[1] + I(0, 2) * n[0] * n[2] + I(1, 2) * n[1] * n[2];
-  });
+  e.term("Σ Iᵢⱼ nᵢ nⱼ (i < j)", 2,
+         [](auto& I, auto& axis) { return axis.dot((I - diagonal_part(I)) * axis) / (2 * axis.squaredNorm()); });
   e.wrong("The axis is not normalised: divide by |n|², so that a longer arrow gives the same moment.", "not_normalised",
           [](auto& I, auto& axis) { return axis.dot(I * axis); });
   e.wrong("This is divided by |n| once; n stands twice in n·I·n, so |n|² is to be divided by.", "normalised_once",
@@ -31,8 +29,7 @@ void judge_moment_about_axis(Lecture& lecture) {
   e.route("twice the energy at unit speed", [](auto& I, auto& n) { return 2 * kinetic_energy(I, n.normalized()); });
   e.route("entry of the turned tensor", [](auto& I, auto& axis) {
     const Vector3d n = axis.normalized(), across = n.unitOrthogonal();
-    const Matrix3d turned = (Matrix3d() << across, cross(n, across), n).finished().transpose();
-    return rotated_inertia(I, turned)(2, 2);
+    return rotated_inertia(I, columns(across, cross(n, across), n).transpose())(2, 2);
   });
   e.survivor("n = - axis", "n̂ enters twice.");
 }

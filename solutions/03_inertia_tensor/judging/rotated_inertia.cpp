@@ -8,10 +8,10 @@ void judge_rotated_inertia(Lecture& lecture) {
   e.special("no rotation", moments, Matrix3d::Identity());
   e.special("half a turn about z", tensor_of_four_masses, turn(z_axis, pi));
   e.random("a random body and attitude", 8, &Random::inertia_tensor, &Random::rotation);
-  e.sweep({"The tensor diag(1, 2, 3) kg m² turned about the direction (1, 1, 1)", "angle of rotation (rad)",
-           "entry of I (kg m²)"},
-          {"I_xx", {"I_xy", 0, 1}, {"I_xz", 0, 2}}, {0, 2 * pi},
-          [moments](auto angle) { return tuple(moments, turn(Vector3d::Ones(), angle)); });
+  e.sweep<1>({"The tensor diag(1, 2, 3) kg m² turned about the direction (1, 1, 1)", "angle of rotation (rad)",
+              "entry of I (kg m²)"},
+             {"I_xx", {"I_xy", 0, 1}, {"I_xz", 0, 2}}, {0, 2 * pi},
+             [](auto angle) { return turn(Vector3d::Ones(), angle); });
 
   e.wrong_input<1>("The tensor is turned backwards: AᵀIA leads to body axes.", "inverse_rotation", transposed);
   e.wrong("Only the left side is turned: a tensor has two indices, so it takes A on the left and Aᵀ on the right.",
@@ -32,8 +32,7 @@ void judge_rotated_inertia(Lecture& lecture) {
     return turned;
   });
   e.route("turned principal axes", [](auto& I, auto& A) {
-    const PrincipalFrame frame(I);
-    const Matrix3d axes = A * frame.axes;
-    return axes * frame.moments.asDiagonal() * axes.transpose();
+    const auto [values, axes] = PrincipalFrame(I);
+    return A * axes * values.asDiagonal() * (A * axes).transpose();
   });
 }

@@ -32,8 +32,7 @@ static Matrix3d by_points(double density, const Vector3d& edges, const Vector3d&
   Matrix3Xd r(3, 14);
   r << gauss_points_of_cuboid(edges), unit(radius * sqrt(0.6)), unit(-radius * sqrt(0.6));
   r.rightCols<6>().colwise() += center;
-  const Matrix3d C = second_moment(m, r.colwise() - center_of_mass(m, r));
-  return unit(C.trace()) - C;
+  return as_points(m, r, center_of_mass(m, r));
 }
 
 /// The ball as thin discs at the points of a Gauss rule.

@@ -8,13 +8,6 @@ static Matrix3d sum_of(const Tensors& tensors) {
   return std::accumulate(tensors.begin(), tensors.end(), Matrix3d(Matrix3d::Zero()));
 }
 
-/// Σ m (d² 1 − d d) for the distances from any one point.
-static Matrix3d as_points(const VectorXd& m, const Matrix3Xd& r, const Vector3d& point) {
-  Matrix3d sum = Matrix3d::Zero();
-  for (int k = 0; k < m.size(); ++k) sum += m[k] * of_unit_mass(r.col(k) - point);
-  return sum;
-}
-
 static Matrix3d as_points(const VectorXd& m, const Matrix3Xd& r) { return as_points(m, r, center_of_mass(m, r)); }
 
 /// Two bodies at a distance d have the sum of their tensors and reduced mass · (d² 1 − d d) besides.
@@ -43,20 +36,17 @@ void judge_combined_inertia(Lecture& lecture) {
             Tensors(4, Matrix3d::Zero()));
   e.random("a random assembly", 8, [](Random& random) {
     const int count = random.whole(2, 5);
-    tuple assembly{random.masses(count), Matrix3Xd(3, count), Tensors{}};
+    tuple assembly{random.masses(count), Matrix3Xd(3, count), Tensors(count)};
     auto& [masses, centers, tensors] = assembly;
     masses[0] += 3;  // equal masses would put the centre of mass into the mean of the centres
     for (auto place : centers.colwise()) place = random.vector(2.0) + Vector3d(1, -2, 1.5);
-    for (int k = 0; k < count; ++k) tensors.push_back(random.inertia_tensor());
+    for (Matrix3d& tensor : tensors) tensor = random.inertia_tensor();
     return assembly;
   });
-  e.sweep({"The 3 kg body moves away from the 2 kg body along (1, 2, 3)", "distance of their centres (m)",
-           "entry of I (kg m²)"},
-          {"I_xx", {"I_zz", 2, 2}, {"I_yz", 1, 2}}, {0, 4}, [=](auto distance) {
-            Matrix3Xd places = Matrix3Xd::Zero(3, 2);
-            places.col(1) = distance * Vector3d(1, 2, 3).normalized();
-            return tuple(VectorXd{{2, 3}}, places, Tensors{first, second_body});
-          });
+  e.sweep<1>({"The 3 kg body moves away from the 2 kg body along (1, 2, 3)", "distance of their centres (m)",
+              "entry of I (kg m²)"},
+             {"I_xx", {"I_zz", 2, 2}, {"I_yz", 1, 2}}, {0, 4},
+             [](auto distance) { return Vector3d(1, 2, 3).normalized() * Eigen::RowVector2d(0, distance); });
 
   e.term("Σ Iₖ", 1, [](auto&, auto&, auto& I) { return sum_of(I); });
   e.term("Σ mₖ dₖ² 1", 1, [](auto& m, auto& r, auto&) { return unit(as_points(m, r).trace() / 2); });
@@ -64,7 +54,7 @@ void judge_combined_inertia(Lecture& lecture) {
   e.wrong_terms("The tensors are added as they are; each is to be carried from its own centre to the common one.",
                 "sum_of_tensors", {1, 0, 0});
   e.wrong("This is the tensor about the origin; asked for is the common centre of mass.", "about_origin",
-          [](auto& m, auto& r, auto& I) { return sum_of(I) + as_points(m, r, Vector3d::Zero()); });
+          [](auto& m, auto& r, auto& I) { return sum_of(I) + as_points(m, r, zero); });
   e.wrong("The mean of the centres stands for the common centre of mass; each counts with its mass.", "mean_of_centers",
           [](auto& m, auto& r, auto& I) { return sum_of(I) + as_points(m, r, r.rowwise().mean()); });
   e.wrong("This is the tensor about the first body's centre; asked for is the common centre of mass.",
@@ -87,7 +77,7 @@ void judge_combined_inertia(Lecture& lecture) {
           [](auto& m, auto& r, auto& I) { return sum_of(I) + m.sum() * of_unit_mass(center_of_mass(m, r)); });
   e.is_inertia_tensor(theorem_notes, theorem_notes);
   e.route("about the origin, then to the centre of mass", [](auto& m, auto& r, auto& I) {
-    return inertia_to_center_of_mass(sum_of(I) + as_points(m, r, Vector3d::Zero()), m.sum(), center_of_mass(m, r));
+    return inertia_to_center_of_mass(sum_of(I) + as_points(m, r, zero), m.sum(), center_of_mass(m, r));
   });
   e.route("pair by pair", [](auto& m, auto& r, auto& I) {
     // The centre of mass is never needed: Σ m d d = Σ over pairs of m m' / M times the dyad of their distance.

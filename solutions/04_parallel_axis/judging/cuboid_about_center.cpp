@@ -39,8 +39,7 @@ void judge_cuboid_about_center(Lecture& lecture) {
   e.wrong_terms("Your tensor is zero: 1/12 is 0 in C++, a quotient of integers.", "integer_division", {0});
   e.is_inertia_tensor(theorem_notes, theorem_notes);
   e.route("Gauss quadrature over the body", [](auto M, auto a, auto b, auto c) {
-    const Matrix3d spread = second_moment(VectorXd::Constant(8, M / 8), gauss_points_of_cuboid({a, b, c}));
-    return unit(spread.trace()) - spread;
+    return tensor_of_moment(second_moment(VectorXd::Constant(8, M / 8), gauss_points_of_cuboid({a, b, c})));
   });
   e.route("from the corner, by the slides", [](auto M, auto a, auto b, auto c) {
     const Vector3d center(a / 2, b / 2, c / 2);

@@ -4,23 +4,18 @@ void judge_inertia_about_shifted_origin(Lecture& lecture) {
   auto& e = lecture.exercise(&inertia_about_shifted_origin,
                              {{"I_origin", kg_m2}, {"M", positive(kg)}, {"r_cm", metre}, {"R", metre}}, {"I", kg_m2});
   e.domain([](auto& I, auto M, auto& r, auto&) { return is_inertia_tensor(I - M * of_unit_mass(r)); });
-  const FourMasses body;
-  const auto& [I0, M0, r0, I_cm] = body;
-  e.worked("the four masses of lecture 03 with R = (0.5, −1, 2)", I0, M0, r0, {0.5, -1, 2});
-  e.special("to the centre of mass, R = −r_cm", I0, M0, r0, -r0);
-  e.special("from the centre of mass, r_cm = 0", I_cm, M0, {0, 0, 0}, {1, -1, 2});
-  e.special("no shift", I0, M0, r0, {0, 0, 0});
-  e.special("to the mirror point, R = −2 r_cm", I0, M0, r0, -2 * r0);
-  e.random("a random body and shift", 8, [](auto& random) {
-    const double M = random.uniform(1.5, 5);
-    const Vector3d r_cm = random.vector(1.5);
-    return tuple{random.inertia_tensor() + M * of_unit_mass(r_cm), M, r_cm, random.vector(2.0)};
-  });
+  const Matrix3d I0 = tensor_of_four_masses;
+  const Vector3d r0 = center_of_four_masses;
+  e.worked("the four masses of lecture 03 with R = (0.5, −1, 2)", I0, 10, r0, {0.5, -1, 2});
+  e.special("to the centre of mass, R = −r_cm", I0, 10, r0, -r0);
+  e.special("from the centre of mass, r_cm = 0", central_tensor_of_four_masses, 10, zero, {1, -1, 2});
+  e.special("no shift", I0, 10, r0, zero);
+  e.special("to the mirror point, R = −2 r_cm", I0, 10, r0, -2 * r0);
+  e.random("a random body and shift", 8, off_center(1.5), any::vector(2));
   // The terms cancel where the new origin lies near the centre of mass, so their size is the scale.
   e.scale([](auto& I, auto M, auto& r, auto& R) { return I.norm() + M * R.norm() * (R.norm() + 2 * r.norm()); });
-  e.sweep({"The origin moves by s along (1, 2, −1)", "s, with R = −s (1, 2, −1)/√6 (m)", "entry of I (kg m²)"},
-          {"I_xx", {"I_yy", 1, 1}, {"I_xy", 0, 1}}, {-2, 3},
-          [body](auto s) { return tuple(body.I_origin, body.M, body.r_cm, -s * along_sweep); });
+  e.sweep<3>({"The origin moves by s along (1, 2, −1)", "s, with R = −s (1, 2, −1)/√6 (m)", "entry of I (kg m²)"},
+             {"I_xx", {"I_yy", 1, 1}, {"I_xy", 0, 1}}, {-2, 3}, [](auto s) { return -s * along_sweep; });
 
   e.term("I_origin", 1, [](auto& I, auto, auto&, auto&) { return I; });
   e.term("M R² 1", 1, [](auto&, auto M, auto&, auto& R) { return unit(M * R.squaredNorm()); });

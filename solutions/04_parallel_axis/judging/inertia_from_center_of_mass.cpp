@@ -3,16 +3,14 @@
 void judge_inertia_from_center_of_mass(Lecture& lecture) {
   auto& e = lecture.exercise(&inertia_from_center_of_mass,
                              {{"I_cm", inertia_tensor}, {"M", positive(kg)}, {"d", metre}}, {"I", kg_m2});
-  const FourMasses body;
-  e.worked("the four masses of lecture 03, seen from (1, −1, 2)", body.I_cm, body.M, {1, -1, 2});
-  e.special("no displacement", body.I_cm, body.M, {0, 0, 0});
-  e.special("a displacement along z only", body.I_cm, body.M, {0, 0, 1.5});
+  e.worked("the four masses of lecture 03, seen from (1, −1, 2)", central_tensor_of_four_masses, 10, {1, -1, 2});
+  e.special("no displacement", central_tensor_of_four_masses, 10, zero);
+  e.special("a displacement along z only", central_tensor_of_four_masses, 10, {0, 0, 1.5});
   e.special("a point mass", Matrix3d::Zero(), 2, {1, 2, 3});
   e.random("a random body and displacement", 8, &Random::inertia_tensor, any::uniform(1.5, 5), any::vector(2));
-  e.sweep({"The point moves from the centre of mass along (1, 2, −1)", "distance from the centre of mass (m)",
-           "entry of I (kg m²)"},
-          {"I_xx", {"I_yy", 1, 1}, {"I_xy", 0, 1}}, {0, 3},
-          [body](auto distance) { return tuple(body.I_cm, body.M, distance * along_sweep); });
+  e.sweep<2>({"The point moves from the centre of mass along (1, 2, −1)", "distance from the centre of mass (m)",
+              "entry of I (kg m²)"},
+             {"I_xx", {"I_yy", 1, 1}, {"I_xy", 0, 1}}, {0, 3}, [](auto distance) { return distance * along_sweep; });
 
   e.term("I_cm", 1, [](auto& I, auto, auto&) { return I; });
   e.term("M d² 1", 1, [](auto&, auto M, auto& d) { return unit(M * d.squaredNorm()); });

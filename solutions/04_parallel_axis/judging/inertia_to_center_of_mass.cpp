@@ -4,17 +4,12 @@ void judge_inertia_to_center_of_mass(Lecture& lecture) {
   auto& e = lecture.exercise(&inertia_to_center_of_mass, {{"I_origin", kg_m2}, {"M", positive(kg)}, {"r_cm", metre}},
                              {"I_cm", kg_m2});
   e.domain([](auto& I, auto M, auto& r) { return is_inertia_tensor(I - M * of_unit_mass(r)); });
-  const FourMasses body;
-  e.worked("the four masses of lecture 03", body.I_origin, body.M, body.r_cm);
-  e.special("already at the centre of mass", body.I_cm, body.M, {0, 0, 0});
+  e.worked("the four masses of lecture 03", tensor_of_four_masses, 10, center_of_four_masses);
+  e.special("already at the centre of mass", central_tensor_of_four_masses, 10, zero);
   e.special("a cuboid of 6 kg with edges 1 m, 2 m, 3 m, from its corner", of_cuboid(6, {1, 2, 3}, 1. / 3, -1. / 4), 6,
             {0.5, 1, 1.5});
   e.special("a centre of mass on the z axis", Vector3d(2.55, 2.55, 0.3).asDiagonal(), 1, {0, 0, 1.5});
-  e.random("a random body off the origin", 8, [](auto& random) {
-    const double M = random.uniform(1.5, 5);
-    const Vector3d r_cm = random.vector(2.0);
-    return tuple{random.inertia_tensor() + M * of_unit_mass(r_cm), M, r_cm};
-  });
+  e.random("a random body off the origin", 8, off_center(2));
   e.scale([](auto& I, auto, auto&) { return I.norm(); });  // what is taken off can be much larger than what is left
   e.sweep({"Back to the centre of a cuboid (1 m, 2 m, 3 m) whose tensor is known about ever farther points",
            "distance of the centre along (1, 2, −1) (m)", "entry of I_cm (kg m²)"},
@@ -41,10 +36,8 @@ void judge_inertia_to_center_of_mass(Lecture& lecture) {
   e.wrong_input<1>("The mass does not enter your shift: M (r_CM² 1 − r_CM r_CM).", "mass_dropped", fixed(1.0));
   e.wrong_terms("This is the tensor about the origin unchanged.", "not_shifted", {1, 0, 0});
   e.is_inertia_tensor(theorem_notes, theorem_notes);
-  e.route("by the second moment", [](auto& I, auto M, auto& r) {
-    const Matrix3d moment = unit(I.trace() / 2) - I - M * dyad(r);
-    return unit(moment.trace()) - moment;
-  });
+  e.route("by the second moment",
+          [](auto& I, auto M, auto& r) { return tensor_of_moment(moment_of_tensor(I) - M * dyad(r)); });
   e.route("plus the square of the cross matrix", [](auto& I, auto M, auto& r) { return I + M * skew(r) * skew(r); });
   e.route("the slides' formula with R = −r_cm",
           [](auto& I, auto M, auto& r) { return inertia_about_shifted_origin(I, M, r, -r); });

@@ -11,13 +11,9 @@ static Vector3d by_stationary_energy(double M, const Matrix3d& I_cm, const Vecto
     velocity << Matrix3d::Identity(), -skew(place);
     return velocity;
   };
-  const PrincipalFrame spread(unit(I_cm.trace() / 2) - I_cm);
   Eigen::Matrix<double, 6, 6> masses = Eigen::Matrix<double, 6, 6>::Zero();
-  for (int i = 0; i < 3; ++i) {
-    const Vector3d reach = sqrt(3 * max(spread.moments[i], 0.0) / M) * spread.axes.col(i);
-    for (const Velocity& velocity : {velocity_at(reach), velocity_at(-reach)})
-      masses += M / 6 * (velocity.transpose() * velocity);
-  }
+  const Matrix3Xd points = six_points(I_cm, M);
+  for (const auto place : points.colwise()) masses += M / 6 * (velocity_at(place).transpose() * velocity_at(place));
   const Vector6d motion = masses.fullPivLu().solve(Vector6d(velocity_at(r).transpose() * impulse));
   return velocity_at(p) * motion;
 }
@@ -30,7 +26,7 @@ void judge_velocity_after_blow(Lecture& lecture) {
   e.scale([](auto M, auto& I, auto& r, auto& impulse, auto& p) {
     return or_one(impulse.norm() / M + (I.inverse() * cross(r, impulse)).norm() * p.norm());
   });
-  const Matrix3d I{{19.7, 0, 2.5}, {0, 16.6, 6.4}, {2.5, 6.4, 8.1}};  // of the four masses of lecture 03
+  const Matrix3d I = central_tensor_of_four_masses;
   const Matrix3d bat = Vector3d(0.001, 0.045, 0.045).asDiagonal();
   const Vector3d struck(0.5, -0.3, 0.8), impulse(2, -1, 4), grip(-0.4, 0, 0);
   e.worked("the four masses of lecture 03", 10, I, struck, impulse, {-0.7, 0.4, 0.2});
@@ -68,8 +64,8 @@ void judge_velocity_after_blow(Lecture& lecture) {
     return v;
   });
   e.route("on principal axes", [](auto M, auto& tensor, auto& r, auto& J, auto& p) -> Vector3d {
-    const PrincipalFrame frame(tensor);
-    const Vector3d torque = frame.axes.transpose() * cross(r, J);
-    return J / M + cross(frame.axes * torque.cwiseQuotient(frame.moments), p);
+    const auto [moments, axes] = PrincipalFrame(tensor);
+    const Vector3d torque = axes.transpose() * cross(r, J);
+    return J / M + cross(axes * torque.cwiseQuotient(moments), p);
   });
 }

@@ -14,10 +14,9 @@ void judge_angular_momentum_rate(Lecture& lecture) {
             euler_equations(example_moments, example_omega, zero));
   e.random("a random body", 10, &Random::inertia_tensor, any::vector(2), any::vector(4));
   e.scale([](auto& I, auto& w, auto& rate) { return I.norm() * max(w.squaredNorm() + rate.norm(), 1e-3); });
-  e.sweep({"The four masses at ω = (0.3, −0.2, 0.5) rad/s, speeded up along ω", "rate of |ω| (rad/s²)",
-           "component of dL/dt (N m)"},
-          {"x", "y", "z"}, {-1, 1},
-          [](auto rate) { return tuple(tensor_of_four_masses, example_omega, rate * example_omega.normalized()); });
+  e.sweep<2>({"The four masses at ω = (0.3, −0.2, 0.5) rad/s, speeded up along ω", "rate of |ω| (rad/s²)",
+              "component of dL/dt (N m)"},
+             {"x", "y", "z"}, {-1, 1}, [](auto rate) { return rate * example_omega.normalized(); });
 
   e.term("I dω/dt", 1, [](auto& I, auto&, auto& rate) { return I * rate; });
   e.term("ω × L", 1, [](auto& I, auto& w, auto&) { return cross(w, I * w); });

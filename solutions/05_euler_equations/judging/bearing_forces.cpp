@@ -46,10 +46,11 @@ void judge_bearing_forces(Lecture& lecture) {
     const double unbalance = hypot(I(0, 2), I(1, 2)) + M * off_axis * (abs(r[2]) + z.norm());
     return or_one(rate * rate * (unbalance > 0 ? unbalance : I.norm() + M * r.squaredNorm()) / distance);
   });
-  e.sweep({"A rotor out of balance at 300 rad/s, bearings at z = −0.1 and 0.35 m: where along the shaft is its mass?",
-           "z of the centre of mass (m)", "x component of the force (N)"},
-          {{"bearing at −0.1 m", 0, 0}, {"bearing at 0.35 m", 0, 1}}, {-0.3, 0.55},
-          [](auto z) { return tuple(rotor, 4, Vector3d(0.001, -0.002, z), 300, rotor_bearings); });
+  e.sweep<2>(
+      {"A rotor out of balance at 300 rad/s, bearings at z = −0.1 and 0.35 m: where along the shaft is its mass?",
+       "z of the centre of mass (m)", "x component of the force (N)"},
+      {{"bearing at −0.1 m", 0, 0}, {"bearing at 0.35 m", 0, 1}}, {-0.3, 0.55},
+      [](auto z) { return Vector3d(0.001, -0.002, z); });
 
   e.wrong_output("These are the forces of the shaft on the bearings; those of the bearings on the shaft are opposite.",
                  "on_the_bearings", negated);
@@ -69,11 +70,9 @@ void judge_bearing_forces(Lecture& lecture) {
   e.wrong_output("The two columns are exchanged: the first belongs to the bearing at bearings[0].", "exchanged",
                  [](auto& forces) -> Matrix3Xd { return forces.rowwise().reverse(); });
   e.route("six masses, each on its circle", [](auto& I, auto M, auto& r_cm, auto rate, auto& z) {
-    const auto [spreads, axes] = PrincipalFrame(I.trace() / 2 * Matrix3d::Identity() - I);
     Vector3d sum = zero, torque = zero;
-    for (int p = 0; p < 6; ++p) {
-      const double distance = sqrt(3 * max(spreads[p / 2], 0.0) / M);
-      const Vector3d r = r_cm + (p % 2 ? distance : -distance) * Vector3d(axes.col(p / 2));
+    const Matrix3Xd points = six_points(I, M).colwise() + r_cm;
+    for (const Vector3d r : points.colwise()) {
       const Vector3d force = -M / 6 * rate * rate * Vector3d(r[0], r[1], 0);
       sum += force;
       torque += cross(r, force);
@@ -91,12 +90,8 @@ void judge_bearing_forces(Lecture& lecture) {
   });
   e.route("momentum and angular momentum a little later", [](auto& I, auto M, auto& r_cm, auto rate, auto& z) {
     const Vector3d L = rate * about_point(I, M, r_cm).col(2), p = M * rate * cross(z_axis, r_cm);
-    // Both turned by ±h, and the central difference extrapolated to h = 0 (Richardson).
-    const auto difference = [&](const Vector3d& vector, double h) {
-      return rate / (2 * h) * ((turn(z_axis, h) - turn(z_axis, -h)) * vector);
-    };
     const auto rate_of = [&](const Vector3d& vector) {
-      return (64 * difference(vector, 0.005) - 20 * difference(vector, 0.01) + difference(vector, 0.02)) / 45;
+      return rate * derivative_at_0([&](double angle) { return turn(z_axis, angle) * vector; }, 0.005);
     };
     return two_forces(rate_of(p), rate_of(L), z);
   });

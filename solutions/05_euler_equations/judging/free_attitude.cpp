@@ -12,10 +12,8 @@ Matrix3d integrated(const Vector3d& start, double t, const OmegaRate& omega_rate
     const Matrix3d A = now.rightCols<3>();
     return (Motion() << omega_rate(omega), attitude_rate(A, omega)).finished();
   };
-  Motion now = (Motion() << start, Matrix3d::Identity()).finished();
-  const int steps = 1 + static_cast<int>(abs(t) / 0.01);
-  for (int i = 0; i < steps; ++i) now = one_step_on(now, t / steps, rates);
-  return now.rightCols<3>();
+  const Motion now = (Motion() << start, Matrix3d::Identity()).finished();
+  return followed(now, t, 1 + static_cast<int>(abs(t) / 0.01), rates).template rightCols<3>();
 }
 
 auto euler(const Vector3d& I, double sign = 1) {

@@ -61,9 +61,6 @@ void judge_gyroscopic_torque(Lecture& lecture) {
       const Matrix3d vehicle = turn(n, n.norm() * t), A = vehicle * turn(z_axis, spin * t);
       return A * rotor_tensor(I1, I3) * A.transpose() * (n + spin * Vector3d(vehicle.col(2)));
     };
-    // The central difference extrapolated to t = 0 (Richardson).
-    const auto difference = [&](double t) { return (L_at(t) - L_at(-t)) / (2 * t); };
-    const double t = 0.005 / or_one(n.norm());
-    return (64 * difference(t) - 20 * difference(2 * t) + difference(4 * t)) / 45;
+    return derivative_at_0(L_at, 0.005 / or_one(n.norm()));
   });
 }

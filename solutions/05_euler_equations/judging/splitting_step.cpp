@@ -41,9 +41,9 @@ void judge_splitting_step(Lecture& lecture) {
   e.special("no rotation", example_moments, zero, 0.8);
   e.random("a random body", 10, &Random::principal_moments, any::vector(2), any::spin(0.3, 1));
   e.scale([](auto& I, auto& w, auto) { return or_one(L_of(I, w).norm() / I.minCoeff()); });
-  e.sweep(
+  e.sweep<2>(
       {"One step from ω = (0.3, −0.2, 0.5) rad/s, moments 1, 2, 3 kg m²", "step h (s)", "body component of ω (rad/s)"},
-      {"omega_1", "omega_2", "omega_3"}, {-6, 6}, [](auto h) { return tuple(example_moments, example_omega, h); });
+      {"omega_1", "omega_2", "omega_3"}, {-6, 6});
 
   e.wrong_input<2>(
       "This is the step with −h: L turns the wrong way. The body turns about ω, and sees L turn against it.", "sense",
@@ -85,7 +85,7 @@ void judge_splitting_step(Lecture& lecture) {
     Vector3d L = L_of(I, w);
     five_stages(h, [&](int i, double time) {
       const auto rate = [&](const Vector3d& now) { return cross(now, now[i] / I[i] * Vector3d::Unit(i)); };
-      for (int k = 0; k < 2000; ++k) L = one_step_on(L, time / 2000, rate);
+      L = followed(L, time, 2000, rate);
     });
     return L.cwiseQuotient(I);
   });

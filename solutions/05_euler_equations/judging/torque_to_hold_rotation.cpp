@@ -10,9 +10,9 @@ void judge_torque_to_hold_rotation(Lecture& lecture) {
   e.special("no rotation", tensor_of_four_masses, zero);
   e.random("a random body", 10, &Random::inertia_tensor, any::vector(3));
   e.scale([](auto& I, auto& w) { return I.norm() * max(w.squaredNorm(), 1e-3); });
-  e.sweep({"The torque on the four masses while ω points round the xy plane, |ω| = 1 rad/s",
-           "angle of ω from the x axis (rad)", "component of the torque (N m)"},
-          {"τ_x", "τ_y", "τ_z"}, {0, 6.3}, [](auto angle) { return tuple(tensor_of_four_masses, in_xy_plane(angle)); });
+  e.sweep<1>({"The torque on the four masses while ω points round the xy plane, |ω| = 1 rad/s",
+              "angle of ω from the x axis (rad)", "component of the torque (N m)"},
+             {"τ_x", "τ_y", "τ_z"}, {0, 6.3}, in_xy_plane);
 
   e.term("(ω_y L_z, ω_z L_x, ω_x L_y)", 1, [](auto& I, auto& w) { return first_products(w, I * w); });
   e.term("(ω_z L_y, ω_x L_z, ω_y L_x)", -1, [](auto& I, auto& w) { return second_products(w, I * w); });
@@ -34,8 +34,6 @@ void judge_torque_to_hold_rotation(Lecture& lecture) {
     return axes * L_of(differences(moments), products(axes.transpose() * w));
   });
   e.route("the turning of L in a short time", [](auto& I, auto& w) {
-    // L turned by ±h, and the central difference extrapolated to h = 0 (Richardson).
-    const auto difference = [&](auto h) { return w.norm() * ((turn(w, h) - turn(w, -h)) * (I * w)) / (2 * h); };
-    return (64 * difference(0.005) - 20 * difference(0.01) + difference(0.02)) / 45;
+    return w.norm() * derivative_at_0([&](double angle) { return turn(w, angle) * (I * w); }, 0.005);
   });
 }
