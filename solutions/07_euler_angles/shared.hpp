@@ -30,8 +30,10 @@ inline Matrix3d about_z(double angle) { return turn(z_axis, -angle); }
 inline Matrix3d zxz(const Vector3d& angles) { return about_z(angles[2]) * about_x(angles[1]) * about_z(angles[0]); }
 inline Matrix3d zyx(const Vector3d& angles) { return about_x(angles[2]) * about_y(angles[1]) * about_z(angles[0]); }
 
+/// From half angles, with w of either sign: it follows the angles without a jump.
 inline Quaterniond body_to_inertial(const Vector3d& q) {
-  return Quaterniond(turn(z_axis, q[0])) * Quaterniond(turn(y_axis, q[1])) * Quaterniond(turn(z_axis, q[2]));
+  const auto about = [](const Vector3d& axis, double angle) { return Quaterniond(Eigen::AngleAxisd(angle, axis)); };
+  return about(z_axis, q[0]) * about(y_axis, q[1]) * about(z_axis, q[2]);
 }
 
 /// The three turns done on a triad, each about an axis of the triad as it stands by then. Columns: the body axes.
@@ -43,28 +45,19 @@ inline Matrix3d turned_triad(const Vector3d& angles) {
 
 /// The matrix E with the three axes of rotation as columns, in body components: ω = E (rates).
 inline Matrix3d rates_to_omega(const Vector3d& q) {
-  return (Matrix3d() << turned_triad(q).row(2).transpose(), about_z(q[2]).col(1), z_axis).finished();
+  return columns(turned_triad(q).row(2).transpose(), about_z(q[2]).col(1), z_axis);
 }
 
-/// The rotation matrix and its rate of change, by a step along the imaginary axis: nothing is subtracted, so no digit
-/// is lost however small the step.
-inline std::pair<Matrix3d, Matrix3d> matrix_and_rate(const Vector3d& angles, const Vector3d& rates) {
-  constexpr double step = 1e-30;
-  const auto about = [&](int axis, int angle) {
-    const std::complex<double> z(angles[angle], step * rates[angle]);
-    const Eigen::Vector3cd n = Vector3d::Unit(axis).cast<std::complex<double>>();
-    const Eigen::Matrix3cd N = skew(Vector3d::Unit(axis)).cast<std::complex<double>>(), along = n * n.transpose();
-    return along + cos(z) * (Eigen::Matrix3cd::Identity() - along) - sin(z) * N;
-  };
-  const Eigen::Matrix3cd R = about(2, 2) * about(1, 1) * about(2, 0);
-  return {R.real(), R.imag() / step};
+/// The rate of change of something that depends on the angles.
+template <class Function>
+auto rate_along(const Vector3d& angles, const Vector3d& rates, const Function& f) {
+  return derivative_at_0([&](double t) { return f(angles + t * rates); }, 0.02 / or_one(rates.norm()));
 }
 
-/// A random attitude that no simple symmetry marks out, and rates or components of generic size.
-inline tuple<Vector3d, Vector3d> angles_and_vector(Random& random) {
-  const Vector3d angles = random.euler_angles();
-  return {angles, random.vector(3.0)};
-}
+/// Opposite quadrants taken for one, as by the arctangent of a quotient.
+inline double folded(double angle) { return atan(tan(angle)); }
+inline const Sentence quadrant =
+    "An arctangent of a quotient cannot tell opposite quadrants; atan2(y, x) takes both signs.";
 
 /// An angle away from the multiples of π/4.
 inline double oblique_angle(Random& random) {
@@ -85,6 +78,6 @@ void add_angles_and_rates(Exercise& e) {
   e.special("θ = π/2", {0.4, pi / 2, 0.9}, example_rates);
   e.special("φ = ψ and equal rates of both", {0.6, 1.2, 0.6}, {0.5, 0.3, 0.5});
   e.special("a tiny θ", {-2.5, 1e-8, 0.3}, example_rates);
-  e.random("any attitude and rates", 8, angles_and_vector);
+  e.random("any attitude and rates", 8, &Random::euler_angles, any::vector(3));
   e.scale([](auto&, auto& rates) { return max(rates.norm(), 1e-3); });
 }

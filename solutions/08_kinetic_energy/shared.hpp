@@ -56,6 +56,13 @@ Eigen::Matrix<Number, 3, 3> mass_matrix(const Vector3d& I, const Eigen::Matrix<N
   return rate_axes(q).transpose() * (I.cast<Number>().asDiagonal() * rate_axes(q));
 }
 
+/// The derivative of what depends on the angles when they move with the rates v, by a complex step: exact to rounding.
+template <class Function>
+auto derivative_along(const Vector3d& q, const Vector3d& v, const Function& f) {
+  constexpr double step = 1e-100;
+  return f(Eigen::Vector3cd(q.cast<Complex>() + Complex(0, step) * v.cast<Complex>())).imag() / step;
+}
+
 inline double energy(const Vector3d& I, const Vector3d& omega) { return 0.5 * I.dot(omega.cwiseAbs2()); }
 
 inline constexpr auto first_for_second = [](Vector3d& I) { I[1] = I[0]; };

@@ -81,9 +81,9 @@ void judge_first_flip(Lecture& lecture) {
   e.tolerance(1e-8,
               "Close to the separatrix the time hangs on the small difference of L² and 2TI₂, which rounding and every "
               "integration change a little.");
-  e.sweep({"I = (1, 2, 3) kg m², ω = (ω₁, 1, 0.1) rad/s at t = 0: growing at first on the right, where ω₁ > 0",
-           "ω₁ at the start (rad/s)", "time of the first flip (s)"},
-          {"time"}, {-0.4, 0.4, 81}, [](auto w1) { return tuple(Vector3d(1, 2, 3), Vector3d(w1, 1, 0.1)); });
+  e.sweep<1>({"I = (1, 2, 3) kg m², ω = (ω₁, 1, 0.1) rad/s at t = 0: growing at first on the right, where ω₁ > 0",
+              "ω₁ at the start (rad/s)", "time of the first flip (s)"},
+             {"time"}, {-0.4, 0.4, 81}, [](auto w1) { return Vector3d(w1, 1, 0.1); });
 
   e.wrong("This is half the tumbling period, from one flip to the next; the start lies in between.", "half_period",
           [](auto& I, auto& w) { return ExactTop(I, w).period() / 2; });

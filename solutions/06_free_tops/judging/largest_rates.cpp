@@ -20,7 +20,7 @@ auto round_axis(int axis) {
 }
 
 /// The largest absolute values along one period of the motion, each from a parabola through three neighbours.
-Vector3d followed(const Vector3d& I, const Vector3d& start) {
+Vector3d largest_along_the_motion(const Vector3d& I, const Vector3d& start) {
   constexpr int steps = 16000;
   const double h = tumbling_period(I, start) / steps;
   Vector3d before = start, now = start, largest = start.cwiseAbs();
@@ -59,10 +59,10 @@ void judge_largest_rates(Lecture& lecture) {
   e.random("round axis 3", 5, round_axis(2));
   e.random("round axis 1", 5, round_axis(0));
   e.scale([](auto&, auto& w) { return w.norm(); });
-  e.sweep({"I = (1.2, 2, 2.7) kg m², ω = (0.5, 0.6, ω₃) rad/s: round axis 1 on the left, round axis 3 on the right",
-           "ω₃ at the start (rad/s)", "largest value (rad/s)"},
-          {"of |omega_1|", "of |omega_2|", "of |omega_3|"}, {0, 1, 80},
-          [](auto w3) { return tuple(Vector3d(1.2, 2, 2.7), Vector3d(0.5, 0.6, w3)); });
+  e.sweep<1>({"I = (1.2, 2, 2.7) kg m², ω = (0.5, 0.6, ω₃) rad/s: round axis 1 on the left, round axis 3 on the right",
+              "ω₃ at the start (rad/s)", "largest value (rad/s)"},
+             {"of |omega_1|", "of |omega_2|", "of |omega_3|"}, {0, 1, 80},
+             [](auto w3) { return Vector3d(0.5, 0.6, w3); });
 
   e.wrong("These are the absolute values at the start; other moments of the motion have larger ones.", "start_values",
           [](auto&, auto& w) -> Vector3d { return w.cwiseAbs(); });
@@ -99,5 +99,5 @@ void judge_largest_rates(Lecture& lecture) {
     }
     return largest.cwiseSqrt();
   });
-  e.route("the motion followed for a period", followed);
+  e.route("the motion followed for a period", largest_along_the_motion);
 }

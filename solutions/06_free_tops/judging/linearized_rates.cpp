@@ -36,15 +36,9 @@ void judge_linearized_rates(Lecture& lecture) {
                    [](auto& I) { I[1] = I[0]; });
   e.route("ratios of moments",
           [](auto& I, auto spin) { return spin * Vector2d(I[2] / I[0] - I[1] / I[0], I[2] / I[1] - I[0] / I[1]); });
-  e.route("differentiated from Euler's equations", [](auto& I, auto spin) {
-    // Euler's equations are quadratic, so the central difference is exact for any step.
-    const Vector3d along_2 = free_rate(I, {0, 1, spin}) - free_rate(I, {0, -1, spin});
-    const Vector3d along_1 = free_rate(I, {1, 0, spin}) - free_rate(I, {-1, 0, spin});
-    return Vector2d(-along_2[0] / 2, along_1[1] / 2);
+  e.route("read off Euler's equations, which are linear in ω₁ and in ω₂", [](auto& I, auto spin) {
+    return Vector2d(-free_rate(I, {0, 1, spin})[0], free_rate(I, {1, 0, spin})[1]);
   });
-  e.route("entry by entry", [](auto& I, auto spin) {
-    Vector2d rates;
-    for (int i = 0; i < 2; ++i) rates[i] = (I[2] - I[1 - i]) * (spin / I[i]);
-    return rates;
-  });
+  e.route("entry by entry",
+          [](auto& I, auto spin) { return Vector2d((I[2] - I[1]) * (spin / I[0]), (I[2] - I[0]) * (spin / I[1])); });
 }

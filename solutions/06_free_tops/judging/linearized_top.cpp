@@ -7,27 +7,17 @@ struct Wobble {
   double spin;
   Vector2d rates;
   double frequency = sqrt(rates.prod()), ratio = sqrt(rates[1] / rates[0]), sign = rates[0] < 0 ? -1 : 1;
+  double factor = sign * ratio;
 };
 
-/// A cos x and factor · A sin x, for an x and a factor of one's own.
-template <class Angle, class Factor>
-auto with(const Angle& angle, const Factor& factor) {
+/// A cos x and factor · A sin x with x = frequency · t + phase, for a frequency and a factor of one's own.
+template <class Frequency, class Factor>
+auto with(const Frequency& frequency, const Factor& factor) {
   return [=](auto& I, auto omega3, auto A, auto phase, auto t) {
     const Wobble wobble(I, omega3);
-    const double x = angle(wobble, t) + phase;
-    return A * Vector2d(cos(x), factor(wobble) * sin(x));
+    const double x = std::invoke(frequency, wobble) * t + phase;
+    return A * Vector2d(cos(x), std::invoke(factor, wobble) * sin(x));
   };
-}
-
-/// The right angle and another factor; the right factor and another frequency.
-template <class Factor>
-auto with_factor(const Factor& factor) {
-  return with([](const Wobble& p, double t) { return p.frequency * t; }, factor);
-}
-template <class Frequency>
-auto with_frequency(const Frequency& frequency) {
-  return with([=](const Wobble& p, double t) { return frequency(p) * t; },
-              [](const Wobble& p) { return p.sign * p.ratio; });
 }
 
 /// A wobble with Ω1 and Ω2 of the given sign, away from the angles at which sine or cosine vanish.
@@ -47,20 +37,15 @@ auto wobbles(double sign_of_rates) {
 }  // namespace
 
 static void add_routes_of_linearized_top(auto& e) {
-  e.route("sign and ratio apart", with_factor([](auto& p) { return copysign(p.ratio, p.rates[1]); }));
+  e.route("sign and ratio apart", with(&Wobble::frequency, [](auto& p) { return copysign(p.ratio, p.rates[1]); }));
   e.route("turning an initial vector", [](auto& I, auto spin, auto A, auto phase, auto t) {
     const Wobble p(I, spin);  // x and y/ratio turn like the hand of a clock, in the sense of Ω1
     const auto hand = polar(A, p.sign * phase) * polar(1.0, p.sign * p.frequency * t);
     return Vector2d(hand.real(), p.ratio * hand.imag());
   });
   e.route("step by step", [](auto& I, auto spin, auto A, auto phase, auto t) {
-    const Vector2d rates = linearized_rates(I, spin);
-    const Eigen::Matrix2d one = Eigen::Matrix2d::Identity(),
-                          h = t / 4000 * Eigen::Matrix2d{{0, -rates[0]}, {rates[1], 0}};
-    const Eigen::Matrix2d step = one + h * (one + h / 2 * (one + h / 3 * (one + h / 4)));
-    Vector2d omega = linearized_top(I, spin, A, phase, 0);
-    for (int i = 0; i < 4000; ++i) omega = step * omega;
-    return omega;
+    const Vector2d rates = linearized_rates(I, spin), start = linearized_top(I, spin, A, phase, 0);
+    return followed(start, t, 4000, [&](const Vector2d& w) { return Vector2d(-rates[0] * w[1], rates[1] * w[0]); });
   });
   e.route("frequency from the moments", [](auto& I, auto spin, auto A, auto phase, auto t) {
     const double a = I[2] - I[1], b = I[2] - I[0], side = spin * a > 0 ? 1 : -1;
@@ -86,48 +71,49 @@ void judge_linearized_top(Lecture& lecture) {
   e.random("both rates negative", 6, wobbles(-1));
   e.random("both rates positive", 4, wobbles(1));
   e.scale([](auto& I, auto spin, auto A, auto, auto) { return or_one(abs(A)) * Vector2d(1, Wobble(I, spin).ratio); });
-  e.sweep({"I = (2, 3, 1) kg m², ω₃ = 5 rad/s, A = 0.01 rad/s, φ = 0.3: both rates are negative", "time (s)",
-           "body component of ω (rad/s)"},
-          {"omega_1", "omega_2"}, {0, 3}, [](auto t) { return tuple(Vector3d(2, 3, 1), 5, 0.01, 0.3, t); });
+  e.sweep<4>({"I = (2, 3, 1) kg m², ω₃ = 5 rad/s, A = 0.01 rad/s, φ = 0.3: both rates are negative", "time (s)",
+              "body component of ω (rad/s)"},
+             {"omega_1", "omega_2"}, {0, 3});
 
   const char* const linear = "free_tops_linear";
   e.wrong("This is the formula printed on the slides, which slip: if Ω₁ and Ω₂ are negative, ω₂ has the opposite sign.",
-          "formula_of_the_slides", with_factor([](auto& p) { return p.ratio; }));
+          "formula_of_the_slides", with(&Wobble::frequency, &Wobble::ratio));
   e.wrong("Your ω₂ has the wrong sign where Ω₁ and Ω₂ are positive; its sign is that of Ω₁, not always minus.",
-          "sign_always_reversed", with_factor([](auto& p) { return -p.ratio; }));
+          "sign_always_reversed", with(&Wobble::frequency, [](auto& p) { return -p.ratio; }));
   e.wrong_output("Your ω₂ has the wrong sign everywhere: dω₁/dt = −Ω₁ω₂ shows it.", "sign_reversed", negate(1));
   e.wrong("The motion is right, but with another phase: the sign of Ω₁ belongs to ω₂, not to the frequency.",
-          "sign_in_frequency",
-          with([](auto& p, auto t) { return p.sign * p.frequency * t; }, [](auto& p) { return p.ratio; }));
+          "sign_in_frequency", with([](auto& p) { return p.sign * p.frequency; }, &Wobble::ratio));
   e.wrong("Your ω₂ has the sign of ω₃; it is the sign of Ω₁, which also changes with I₃ − I₂.", "sign_of_spin",
-          with_factor([](auto& p) { return copysign(p.ratio, p.spin); }));
+          with(&Wobble::frequency, [](auto& p) { return copysign(p.ratio, p.spin); }));
   const Sentence inverted{"Your ratio of amplitudes is inverted: ω₂ has √(Ω₂/Ω₁) times the amplitude of ω₁.", linear};
   const Sentence equal{"Both components have one amplitude, as in a symmetric top; ω₂ has √(Ω₂/Ω₁) times that of ω₁.",
                        linear};
-  e.wrong(inverted, "ratio_inverted", with_factor([](auto& p) { return p.sign / p.ratio; }));
-  e.wrong(inverted, "ratio_inverted_and_unsigned", with_factor([](auto& p) { return 1 / p.ratio; }));
-  e.wrong(equal, "equal_amplitudes", with_factor([](auto& p) { return p.sign; }));
-  e.wrong(equal, "equal_amplitudes_unsigned", with_factor([](auto&) { return 1; }));
+  e.wrong(inverted, "ratio_inverted", with(&Wobble::frequency, [](auto& p) { return p.sign / p.ratio; }));
+  e.wrong(inverted, "ratio_inverted_and_unsigned", with(&Wobble::frequency, [](auto& p) { return 1 / p.ratio; }));
+  e.wrong(equal, "equal_amplitudes", with(&Wobble::frequency, &Wobble::sign));
+  e.wrong(equal, "equal_amplitudes_unsigned", with(&Wobble::frequency, [](auto&) { return 1; }));
   e.wrong({"The root is missing in the ratio of amplitudes: it is √(Ω₂/Ω₁).", linear}, "ratio_without_root",
-          with_factor([](auto& p) { return p.sign * p.ratio * p.ratio; }));
+          with(&Wobble::frequency, [](auto& p) { return p.sign * p.ratio * p.ratio; }));
   e.wrong({"The root is missing in your frequency: it is √(Ω₁Ω₂).", linear}, "frequency_without_root",
-          with_frequency([](auto& p) { return p.rates.prod(); }));
+          with([](auto& p) { return p.rates.prod(); }, &Wobble::factor));
   e.wrong({"Your wobble has the frequency |Ω₁|; it is √(Ω₁Ω₂), between |Ω₁| and |Ω₂|.", linear}, "frequency_first",
-          with_frequency([](auto& p) { return abs(p.rates[0]); }));
+          with([](auto& p) { return abs(p.rates[0]); }, &Wobble::factor));
   e.wrong({"Your frequency is the mean of |Ω₁| and |Ω₂|; it is the root of their product.", linear}, "frequency_mean",
-          with_frequency([](auto& p) { return abs(p.rates.sum()) / 2; }));
+          with([](auto& p) { return abs(p.rates.sum()) / 2; }, &Wobble::factor));
   e.wrong_input<3>({"The phase does not enter: at t = 0 ω₁ is A cos φ.", linear}, "phase_lost", fixed(0.0));
   e.wrong_input<3>({"The phase is subtracted here; the slides add it.", linear}, "phase_subtracted", negated);
   e.wrong_input<4>({"Your result does not depend on time.", linear}, "time_lost", fixed(0.0));
-  e.wrong(
-      {"Sine and cosine are exchanged: ω₁ takes the cosine, ω₂ the sine.", linear}, "sine_and_cosine_exchanged",
-      [](auto& I, auto spin, auto A, auto phase, auto t) { return linearized_top(I, spin, A, pi / 2 - phase, -t); });
+  e.wrong_inputs({"Sine and cosine are exchanged: ω₁ takes the cosine, ω₂ the sine.", linear},
+                 "sine_and_cosine_exchanged", [](auto&, auto, auto, auto& phase, auto& t) {
+                   phase = pi / 2 - phase;
+                   t = -t;
+                 });
   e.wrong_input<2>({"The amplitude does not enter; both components contain it.", linear}, "amplitude_lost", fixed(1.0));
   e.wrong({"This comes out with cosh and sinh; about a stable axis Ω₁Ω₂ > 0, and the wobble swings.", stability_notes},
           "hyperbolic", [](auto& I, auto spin, auto A, auto phase, auto t) {
             const Wobble p(I, spin);
-            return A *
-                   Vector2d(std::cosh(p.frequency * t + phase), p.sign * p.ratio * std::sinh(p.frequency * t + phase));
+            const double x = p.frequency * t + phase;
+            return A * Vector2d(std::cosh(x), p.factor * std::sinh(x));
           });
   e.angles_read_as_degrees(linear);
   add_routes_of_linearized_top(e);

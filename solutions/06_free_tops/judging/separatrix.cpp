@@ -39,8 +39,8 @@ void judge_separatrix(Lecture& lecture) {
     return tuple{I, spin, angle / growth_rate(I, spin)};
   });
   e.scale([](auto&, auto spin, auto) { return spin; });
-  e.sweep({"The turning over: I = (1.2, 1.7, 2.6) kg m², spin 1.5 rad/s", "time (s)", "body component of ω (rad/s)"},
-          {"omega_1", "omega_2", "omega_3"}, {-8, 8}, [](auto t) { return tuple(Vector3d(1.2, 1.7, 2.6), 1.5, t); });
+  e.sweep<2>({"The turning over: I = (1.2, 1.7, 2.6) kg m², spin 1.5 rad/s", "time (s)", "body component of ω (rad/s)"},
+             {"omega_1", "omega_2", "omega_3"}, {-8, 8});
 
   e.wrong_output(
       "Your ω₂ goes from +spin to −spin; Euler's second equation makes it grow where ω₁ and ω₃ are positive.",
@@ -70,8 +70,7 @@ void judge_separatrix(Lecture& lecture) {
   e.route("the direction on the separatrix, integrated", [](auto& I, auto spin, auto t) {
     // ω = half_way cos χ + spin ê₂ sin χ, and Euler's second equation is dχ/dt = σ cos χ.
     const double angle = clamp(growth_rate(I, spin) * t, -40.0, 40.0);
-    double chi = 0;
-    for (int i = 0; i < 8000; ++i) chi = one_step_on(chi, angle / 8000, [](double now) { return cos(now); });
+    const double chi = followed(0.0, angle, 8000, [](double now) { return cos(now); });
     return cos(chi) * half_way(I, spin) + spin * sin(chi) * y_axis;
   });
 }

@@ -13,10 +13,9 @@ void judge_space_precession_rate(Lecture& lecture) {
   e.special("a wobble of 1e-8", 1, 1.8, {1e-8, 0, 2});
   e.random("a random top", 8, symmetric_moments, any::vector(3));
   e.scale([](auto I1, auto I3, auto& w) { return or_one(max(1.0, I3 / I1) * w.norm()); });
-  e.sweep({"A top of I₁ = 1, I₃ = 1.8 kg m² and ω₃ = 2 rad/s wobbles harder and harder",
-           "amplitude A of the wobble (rad/s)", "rate of precession (rad/s)"},
-          {"rate"}, {0, 6},
-          [](auto amplitude) { return tuple(1, 1.8, Vector3d(0.6 * amplitude, 0.8 * amplitude, 2)); });
+  e.sweep<2>({"A top of I₁ = 1, I₃ = 1.8 kg m² and ω₃ = 2 rad/s wobbles harder and harder",
+              "amplitude A of the wobble (rad/s)", "rate of precession (rad/s)"},
+             {"rate"}, {0, 6}, [](auto amplitude) { return Vector3d(0.6 * amplitude, 0.8 * amplitude, 2); });
 
   const Sentence small_wobble =
       "This is ω₃I₃/I₁, right for a small wobble only; it lacks the cosine of the angle from L to the axis as a "
@@ -34,9 +33,9 @@ void judge_space_precession_rate(Lecture& lecture) {
   e.wrong_output("This is L; the rate is L/I₁.", "not_divided", [](auto& rate, auto I1, auto&...) { rate *= I1; });
   e.wrong_inputs("I₁ and I₃ are exchanged: I₃ goes with ω₃, and I₁ divides.", "moments_exchanged", first_two_exchanged);
   e.wrong_input<2>("ω₂ does not enter; both components across the axis belong to L.", "second_component_lost",
-                   [](auto& w) { w[1] = 0; });
+                   zeroed(1));
   e.wrong_input<2>("ω₁ does not enter; both components across the axis belong to L.", "first_component_lost",
-                   [](auto& w) { w[0] = 0; });
+                   zeroed(0));
   e.wrong_output("This is L²/I₁; the square root of L² is missing.", "momentum_squared",
                  [](auto& rate, auto I1, auto&...) { rate *= rate * I1; });
   e.wrong_output(
@@ -49,8 +48,7 @@ void judge_space_precession_rate(Lecture& lecture) {
   e.wrong_output("This is the rate in turns per second; asked for is rad/s.", "turns_per_second", times(0.5 / pi));
   e.property(Is::nonnegative, "The precession is right-handed about L, so its rate is never negative.");
   e.route("components in turn", [](auto I1, auto I3, auto& w) {
-    const double x = I1 * w[0], y = I1 * w[1], z = I3 * w[2];
-    return sqrt(x * x + y * y + z * z) / I1;
+    return sqrt(pow(I1 * w[0], 2) + pow(I1 * w[1], 2) + pow(I3 * w[2], 2)) / I1;
   });
   e.route("across and along the axis", [](auto I1, auto I3, auto& w) { return hypot(w[0], w[1], I3 / I1 * w[2]); });
   e.route("with Ω", [](auto I1, auto I3, auto& w) {

@@ -22,14 +22,11 @@ static void add_routes_of_symmetric_top(auto& e) {
     return Vector3d(amplitude * cos(angle), amplitude * sin(angle), w[2]);
   });
   e.route("a complex number", [](auto I1, auto I3, auto& w, auto t) {
-    const std::complex<double> transverse = std::complex(w[0], w[1]) * polar(1.0, w[2] * (I3 / I1 - 1) * t);
+    const auto transverse = std::complex(w[0], w[1]) * polar(1.0, w[2] * (I3 / I1 - 1) * t);
     return Vector3d(transverse.real(), transverse.imag(), w[2]);
   });
   e.route("Euler's equations, step by step", [](auto I1, auto I3, auto& omega0, auto t) {
-    const Vector3d I(I1, I1, I3);
-    Vector3d w = omega0;
-    for (int i = 0; i < 4000; ++i) w = one_step_on(w, t / 4000, [&](const Vector3d& now) { return free_rate(I, now); });
-    return w;
+    return followed(omega0, t, 4000, [&](const Vector3d& w) { return free_rate(Vector3d(I1, I1, I3), w); });
   });
   e.route("the exact asymmetric top, with two equal moments",
           [](auto I1, auto I3, auto& w, auto t) { return ExactTop(Vector3d(I1, I1, I3), w).omega(t); });
@@ -60,9 +57,9 @@ void judge_symmetric_top(Lecture& lecture) {
     return tuple{I1, I3, omega, random.sign() * angle / abs(body_precession_rate(I1, I3, omega[2]))};
   });
   e.scale([](auto, auto, auto& w, auto) { return or_one(w.norm()); });
-  e.sweep({"The top of the lecture: I₁ = 1, I₃ = 1.8 kg m², A = 0.4, ω₃ = 2 rad/s", "time (s)",
-           "body component of ω (rad/s)"},
-          {"omega_1", "omega_2", "omega_3"}, {0, 6}, [](auto t) { return tuple(1, 1.8, lecture_omega, t); });
+  e.sweep<3>({"The top of the lecture: I₁ = 1, I₃ = 1.8 kg m², A = 0.4, ω₃ = 2 rad/s", "time (s)",
+              "body component of ω (rad/s)"},
+             {"omega_1", "omega_2", "omega_3"}, {0, 6});
 
   e.term("cos Ωt · (ω₁, ω₂, 0) of time 0", 1,
          [](auto I1, auto I3, auto& w, auto t) { return cos(angle_of(I1, I3, w, t)) * Vector3d(w[0], w[1], 0); });

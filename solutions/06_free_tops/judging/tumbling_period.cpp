@@ -24,7 +24,10 @@ struct EllipticMotion {
 /// 4K/ν for a K of one's own.
 template <class Integral>
 static auto with_K(const Integral& K) {
-  return [K](auto& I, auto& w) { return 4 * K(EllipticMotion(I, w)) / EllipticMotion(I, w).lambda; };
+  return [K](auto& I, auto& w) {
+    const EllipticMotion motion(I, w);
+    return 4 * K(motion) / motion.lambda;
+  };
 }
 
 void judge_tumbling_period(Lecture& lecture) {
@@ -44,23 +47,21 @@ void judge_tumbling_period(Lecture& lecture) {
       if (abs(EllipticMotion(I, omega).m - 0.575) < 0.375) return tuple{I, omega};
     }
   });
-  e.sweep({"I = (1, 2, 3) kg m², ω₁ = 1, ω₂ = 0.5 rad/s: from axis 1 across the separatrix to axis 3", "ω₃ (rad/s)",
-           "period (s)"},
-          {"period"}, {0.1 / sqrt(3), 2.6 / sqrt(3), 51},
-          [](auto omega3) { return tuple(Vector3d(1, 2, 3), Vector3d(1, 0.5, omega3)); });
+  e.sweep<1>({"I = (1, 2, 3) kg m², ω₁ = 1, ω₂ = 0.5 rad/s: from axis 1 across the separatrix to axis 3", "ω₃ (rad/s)",
+              "period (s)"},
+             {"period"}, {0.1 / sqrt(3), 2.6 / sqrt(3), 51}, [](auto omega3) { return Vector3d(1, 0.5, omega3); });
 
   const char *const modulus = "free_tops_modulus", *const flip = "free_tops_flip";
   e.wrong_output("This is half the period, 2K/ν: two components have changed their signs by then.", "half", times(0.5));
   e.wrong_output("This is K/ν, a quarter of the period.", "quarter", times(0.25));
   e.wrong({"This comes out with the parameter m where the library expects the modulus k = √m.", modulus},
-          "parameter_as_modulus", with_K([](const EllipticMotion& motion) { return ellint_1(motion.m); }));
+          "parameter_as_modulus", with_K([](auto& motion) { return ellint_1(motion.m); }));
   e.wrong({"The root of m is taken twice here: K gets the modulus k = √m, once.", modulus}, "root_taken_twice",
-          with_K([](const EllipticMotion& motion) { return ellint_1(pow(motion.m, 0.25)); }));
+          with_K([](auto& motion) { return ellint_1(pow(motion.m, 0.25)); }));
   e.wrong({"This comes out with 1 − m where m belongs; check with m → 0, where K → π/2.", modulus},
-          "complementary_parameter",
-          with_K([](const EllipticMotion& motion) { return ellint_rf(0.0, max(motion.m, 1e-300), 1.0); }));
+          "complementary_parameter", with_K([](auto& motion) { return ellint_rf(0.0, max(motion.m, 1e-300), 1.0); }));
   e.wrong("This is 2π/ν, as if K were π/2; that holds only in the limit m → 0.", "no_elliptic_integral",
-          with_K([](const EllipticMotion&) { return pi / 2; }));
+          with_K([](auto&) { return pi / 2; }));
   e.wrong("This is 2π/√(Ω₁Ω₂), the period of a small wobble about axis 3; the motion here is not small.",
           "small_wobble_about_3", [](auto& I, auto& w) { return over(2 * pi, wobble_about(I, w[2], 2)); });
   e.wrong("This is the period of a small wobble about axis 1; the motion here is not small.", "small_wobble_about_1",
@@ -74,8 +75,8 @@ void judge_tumbling_period(Lecture& lecture) {
   e.wrong_output("This is divided by ν²; its root is missing.", "lambda_squared",
                  [](auto& P, auto& I, auto& w) { P /= EllipticMotion(I, w).lambda; });
   e.wrong({"This is the law ln(16/(1 − m)) that holds close to the separatrix; here it is not exact.", flip},
-          "logarithm", with_K([](const EllipticMotion& motion) { return std::log(16 / motion.complement) / 2; }));
-  e.route("arithmetic-geometric mean", with_K([](const EllipticMotion& motion) {
+          "logarithm", with_K([](auto& motion) { return std::log(16 / motion.complement) / 2; }));
+  e.route("arithmetic-geometric mean", with_K([](auto& motion) {
             double a = 1, b = sqrt(motion.complement);
             for (int i = 0; i < 60; ++i) std::tie(a, b) = tuple{(a + b) / 2, sqrt(a * b)};
             return pi / (2 * a);
@@ -87,7 +88,7 @@ void judge_tumbling_period(Lecture& lecture) {
     const double above = (L2 - twice_energy * I1) * (I3 - I2), m = (twice_energy * I3 - L2) * (I2 - I1) / above;
     return 4 * std::comp_ellint_1(sqrt(m)) / sqrt(above / (I1 * I2 * I3));
   });
-  e.route("quadrature of the elliptic integral", with_K([](const EllipticMotion& motion) {
+  e.route("quadrature of the elliptic integral", with_K([](auto& motion) {
             // Periodic, so the trapezoidal rule converges exponentially; near m = 1 it needs many nodes.
             double sum = 0;
             constexpr int nodes = 30000;
@@ -101,6 +102,6 @@ void judge_tumbling_period(Lecture& lecture) {
     const ExactTop top(I, w);  // a steady rotation has no period: there the limit of small wobbles is asked for
     return top.rate() > 0 ? top.period() : 2 * pi / EllipticMotion(I, w).lambda;
   });
-  e.route("Boost's complete integral", with_K([](const EllipticMotion& motion) { return ellint_1(sqrt(motion.m)); }));
+  e.route("Boost's complete integral", with_K([](auto& motion) { return ellint_1(sqrt(motion.m)); }));
   e.survivor("excess <= 0", "Zero is the separatrix, on which there is no period.");
 }

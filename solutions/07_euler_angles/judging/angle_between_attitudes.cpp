@@ -1,15 +1,5 @@
 #include "solutions/07_euler_angles/shared.hpp"
 
-namespace {
-
-/// The product of three quaternions as it comes, w of either sign.
-Quaterniond of_half_angles(const Vector3d& q) {
-  const auto about = [](const Vector3d& axis, double angle) { return Quaterniond(Eigen::AngleAxisd(angle, axis)); };
-  return about(z_axis, q[0]) * about(y_axis, q[1]) * about(z_axis, q[2]);
-}
-
-}  // namespace
-
 void judge_angle_between_attitudes(Lecture& lecture) {
   auto& e = lecture.exercise(&angle_between_attitudes, {{"angles1", rad}, {"angles2", rad}}, {"angle", rad});
   e.worked("from the attitude of the lecture", example_angles, {-0.4, 1.2, 2});
@@ -40,7 +30,7 @@ void judge_angle_between_attitudes(Lecture& lecture) {
   e.wrong_output("This is half of the angle: a quaternion holds cosine and sine of α/2.", "half_angle", times(0.5));
   e.wrong("Where your angle is larger than π, the rotation the other way round is shorter: q and −q are one attitude.",
           "long_way", [](auto& a, auto& b) {
-            const Quaterniond q = of_half_angles(b) * of_half_angles(a).conjugate();
+            const Quaterniond q = body_to_inertial(b) * body_to_inertial(a).conjugate();
             return 2 * atan2(q.vec().norm(), q.w());
           });
   e.wrong("This is the sum of the turns in φ, θ and ψ; a single rotation is shorter.", "sum_of_turns",
@@ -50,11 +40,11 @@ void judge_angle_between_attitudes(Lecture& lecture) {
   e.angles_read_as_degrees(turns_notes);
   e.property(Is::nonnegative, "The smallest angle of a rotation lies between 0 and π.");
   e.route("quaternion from one attitude to the other", [](auto& a, auto& b) {
-    const Quaterniond q = of_half_angles(a).conjugate() * of_half_angles(b);
+    const Quaterniond q = body_to_inertial(a).conjugate() * body_to_inertial(b);
     return 2 * atan2(q.vec().norm(), abs(q.w()));
   });
   e.route("half sum and half difference of two quaternions", [](auto& a, auto& b) {
-    const Eigen::Vector4d p = of_half_angles(a).coeffs(), q = of_half_angles(b).coeffs();
+    const Eigen::Vector4d p = body_to_inertial(a).coeffs(), q = body_to_inertial(b).coeffs();
     return 4 * atan2(min((p - q).norm(), (p + q).norm()), max((p - q).norm(), (p + q).norm()));
   });
   e.route("sine from the antisymmetric part, cosine from the trace", [](auto& a, auto& b) {

@@ -3,9 +3,9 @@
 void judge_angular_velocity_body(Lecture& lecture) {
   auto& e = lecture.exercise(&angular_velocity_body, {{"angles", rad}, {"rates", rad_per_s}}, {"omega", rad_per_s});
   add_angles_and_rates(e);
-  e.sweep({"ω seen from a body that spins about ê₃: θ = 0.7, rates 0.5, −0.2 and 0.9 rad/s", "ψ (rad)",
-           "body component of ω (rad/s)"},
-          {"ω_1", "ω_2", "ω_3"}, {0, 2 * pi}, [](auto psi) { return tuple(Vector3d(0.3, 0.7, psi), example_rates); });
+  e.sweep<0>({"ω seen from a body that spins about ê₃: θ = 0.7, rates 0.5, −0.2 and 0.9 rad/s", "ψ (rad)",
+              "body component of ω (rad/s)"},
+             {"ω_1", "ω_2", "ω_3"}, {0, 2 * pi}, [](auto psi) { return Vector3d(0.3, 0.7, psi); });
 
   e.term("φ̇ ê₃⁰", 1, [](auto& q, auto& v) { return v[0] * vertical_in_body(q[1], q[2]); });
   e.term("θ̇ ê₂′", 1, [](auto& q, auto& v) { return v[1] * line_of_nodes(q[2]); });
@@ -43,17 +43,11 @@ void judge_angular_velocity_body(Lecture& lecture) {
   e.wrong("These are the rates themselves, about three axes that are not the body's.", "rates_unchanged",
           [](auto&, auto& v) { return v; });
   e.angles_read_as_degrees(turns_notes);
-  e.route("from Aᵀ dA/dt, differentiated along the imaginary axis", [](auto& q, auto& v) {
-    const auto [R, R_rate] = matrix_and_rate(q, v);
-    return axial(R * R_rate.transpose());
-  });
+  e.route("from Aᵀ dA/dt by differences",
+          [](auto& q, auto& v) { return axial(rotation_matrix(q) * rate_along(q, v, turned_triad)); });
   e.route("from the rate of a quaternion", [](auto& q, auto& v) -> Vector3d {
-    const Quaterniond phi(turn(z_axis, q[0])), theta(turn(y_axis, q[1])), psi(turn(z_axis, q[2]));
-    const auto turning = [](const Vector3d& w) { return Quaterniond(0, w[0] / 2, w[1] / 2, w[2] / 2); };
-    const Quaterniond rate((turning(v[0] * z_axis) * phi * theta * psi).coeffs() +
-                           (phi * turning(v[1] * y_axis) * theta * psi).coeffs() +
-                           (phi * theta * turning(v[2] * z_axis) * psi).coeffs());
-    return 2 * ((phi * theta * psi).conjugate() * rate).vec();
+    const Quaterniond rate(rate_along(q, v, [](const Vector3d& angles) { return body_to_inertial(angles).coeffs(); }));
+    return 2 * (body_to_inertial(q).conjugate() * rate).vec();
   });
   e.route("the matrix of the three axes times the rates", [](auto& q, auto& v) { return rates_to_omega(q) * v; });
   e.route("R times the inertial components",

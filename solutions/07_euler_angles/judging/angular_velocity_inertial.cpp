@@ -3,9 +3,9 @@
 void judge_angular_velocity_inertial(Lecture& lecture) {
   auto& e = lecture.exercise(&angular_velocity_inertial, {{"angles", rad}, {"rates", rad_per_s}}, {"omega", rad_per_s});
   add_angles_and_rates(e);
-  e.sweep({"ω seen from the inertial frame while the body goes round: θ = 0.7, rates 0.5, −0.2 and 0.9 rad/s",
-           "φ (rad)", "inertial component of ω (rad/s)"},
-          {"ω_x", "ω_y", "ω_z"}, {0, 2 * pi}, [](auto phi) { return tuple(Vector3d(phi, 0.7, 1.1), example_rates); });
+  e.sweep<0>({"ω seen from the inertial frame while the body goes round: θ = 0.7, rates 0.5, −0.2 and 0.9 rad/s",
+              "φ (rad)", "inertial component of ω (rad/s)"},
+             {"ω_x", "ω_y", "ω_z"}, {0, 2 * pi}, [](auto phi) { return Vector3d(phi, 0.7, 1.1); });
 
   const char* const shares[] = {"φ̇ ê₃⁰", "θ̇ ê₂′", "ψ̇ ê₃"};
   for (int i = 0; i < 3; ++i)
@@ -35,10 +35,8 @@ void judge_angular_velocity_inertial(Lecture& lecture) {
   e.wrong({"These are the rates themselves, about three axes that are not the inertial ones.", omega_notes},
           "rates_unchanged", [](auto&, auto& v) { return v; });
   e.angles_read_as_degrees(turns_notes);
-  e.route("from dA/dt Aᵀ, differentiated along the imaginary axis", [](auto& q, auto& v) {
-    const auto [R, R_rate] = matrix_and_rate(q, v);
-    return axial(R_rate.transpose() * R);
-  });
+  e.route("from dA/dt Aᵀ by differences",
+          [](auto& q, auto& v) { return axial(rate_along(q, v, turned_triad) * rotation_matrix(q)); });
   e.route("Rᵀ times the body components",
           [](auto& q, auto& v) { return rotation_matrix(q).transpose() * angular_velocity_body(q, v); });
   e.route("the axes of the turned triad", [](auto& q, auto& v) {

@@ -12,7 +12,7 @@ void judge_euler_angle_rates(Lecture& lecture) {
   e.special("a spin about ê₃ only", example_angles, {0, 0, 2});
   e.special("close to gimbal lock, θ = 0.001", {0.3, 1e-3, 1.1}, omega0);
   e.special("close to gimbal lock, θ = π − 0.001", {0.3, pi - 1e-3, 1.1}, omega0);
-  e.random("any attitude and angular velocity", 8, angles_and_vector);
+  e.random("any attitude and angular velocity", 8, &Random::euler_angles, any::vector(3));
   e.scale([](auto& q, auto& w) { return max(w.norm(), 1e-3) / abs(sin(q[1])); });
   e.sweep(
       {"Rates that one and the same ω demands: φ̇ and ψ̇ grow without bound at θ = 0 and π", "θ (rad)", "rate (rad/s)"},
@@ -21,18 +21,16 @@ void judge_euler_angle_rates(Lecture& lecture) {
 
   // The part of ω across the line of nodes, in the plane of ê₁ and ê₂: φ̇ sin θ.
   const auto across = [](const Vector3d& q, const Vector3d& w) { return -w[0] * cos(q[2]) + w[1] * sin(q[2]); };
-  e.term("(−ω₁ cos ψ + ω₂ sin ψ)/sin θ in φ̇", 1,
-         [=](auto& q, auto& w) { return Vector3d(across(q, w) / sin(q[1]), 0, 0); });
-  e.term("ω₁ sin ψ + ω₂ cos ψ in θ̇", 1, [](auto& q, auto& w) { return Vector3d(0, w.dot(line_of_nodes(q[2])), 0); });
-  e.term("ω₃ in ψ̇", 1, [](auto&, auto& w) { return Vector3d(0, 0, w[2]); });
-  e.term("cot θ (ω₁ cos ψ − ω₂ sin ψ) in ψ̇", 1,
-         [=](auto& q, auto& w) { return Vector3d(0, 0, -across(q, w) / tan(q[1])); });
+  e.term("(−ω₁ cos ψ + ω₂ sin ψ)/sin θ in φ̇", 1, [=](auto& q, auto& w) { return across(q, w) / sin(q[1]) * x_axis; });
+  e.term("ω₁ sin ψ + ω₂ cos ψ in θ̇", 1, [](auto& q, auto& w) { return w.dot(line_of_nodes(q[2])) * y_axis; });
+  e.term("ω₃ in ψ̇", 1, [](auto&, auto& w) { return w[2] * z_axis; });
+  e.term("cot θ (ω₁ cos ψ − ω₂ sin ψ) in ψ̇", 1, [=](auto& q, auto& w) { return -across(q, w) / tan(q[1]) * z_axis; });
   e.wrong("The transpose of the rate matrix stands for its inverse; its columns are not orthogonal.", "transposed",
           [](auto& q, auto& w) { return rates_to_omega(q).transpose() * w; });
   e.wrong("This is ω for rates that have the numbers of ω; asked for is the way back, from ω to the rates.",
           "not_inverted", angular_velocity_body);
   e.wrong_input<1>({"These are the rates of z–x–z angles; on the slides the line of nodes is the y′ axis.", zxz_notes},
-                   "z_x_z", [](auto& w) { w = Vector3d(-w[1], w[0], w[2]); });
+                   "z_x_z", [](auto& w) { return turn(z_axis, pi / 2) * w; });
   e.wrong_terms("Your ψ̇ is ω₃, in which the turn about the vertical has a share: ψ̇ = ω₃ − φ̇ cos θ.",
                 "spin_is_third_component", {1, 1, 1, 0});
   e.wrong_terms("In ψ̇ the term with cos θ has the wrong sign: ψ̇ = ω₃ − φ̇ cos θ.", "spin_plus", {1, 1, 1, -1});
@@ -63,7 +61,7 @@ void judge_euler_angle_rates(Lecture& lecture) {
   e.route("the reciprocal triad", [](auto& q, auto& w) {
     const Matrix3d E = rates_to_omega(q);
     const Vector3d a = E.col(0), b = E.col(1), c = E.col(2);
-    return Vector3d(w.dot(cross(b, c)), w.dot(cross(c, a)), w.dot(cross(a, b))) / a.dot(cross(b, c));
+    return columns(cross(b, c), cross(c, a), cross(a, b)).transpose() * w / a.dot(cross(b, c));
   });
   e.route("through inertial components", [](auto& q, auto& omega_body) {
     const Vector3d w = turned_triad(q) * omega_body;

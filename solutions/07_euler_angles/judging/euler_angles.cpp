@@ -57,9 +57,7 @@ void judge_euler_angles(Lecture& lecture) {
   const Sentence corner = "θ is taken from R₁₃ here, which is −sin θ cos ψ; only R₃₃ = cos θ holds θ alone.";
   const Sentence exchanged = "φ and ψ are exchanged: φ stands in the third row of R, ψ in the third column.";
   const Sentence phi_from_column = "φ is taken from the third column of R, which holds ψ; φ stands in the third row.";
-  const Sentence quadrant = "An arctangent of a quotient cannot tell opposite quadrants; atan2(y, x) takes both signs.";
   const auto arcsine = [](auto x) { return asin(clamp(x, -1.0, 1.0)); };
-  const auto folded = [](auto angle) { return atan(tan(angle)); };
   e.wrong_output("An arcsine finds θ up to π/2; θ runs to π, and its cosine R₃₃ decides.", "theta_by_arcsine",
                  [](auto& q, auto& R) { q[1] = asin(min(1.0, hypot(R(2, 0), R(2, 1)))); });
   e.wrong_output(corner, "theta_from_corner", [=](auto& q, auto& R) { q[1] = arcsine(R(0, 2)); });
@@ -84,9 +82,9 @@ void judge_euler_angles(Lecture& lecture) {
                  "sine_of_theta_negated", negate(1));
   e.wrong_output("The sine comes first in atan2(y, x): yours gives π/2 − φ and π/2 − ψ.", "atan2_arguments",
                  [](auto& q) { q = Vector3d(pi / 2 - q[0], q[1], pi / 2 - q[2]); });
-  e.wrong_output(quadrant, "arctangent_for_phi", [=](auto& q) { q[0] = folded(q[0]); });
-  e.wrong_output(quadrant, "arctangent_for_psi", [=](auto& q) { q[2] = folded(q[2]); });
-  e.wrong_output(quadrant, "arctangent_for_both", [=](auto& q) { q = Vector3d(folded(q[0]), q[1], folded(q[2])); });
+  e.wrong_output(quadrant, "arctangent_for_phi", [](auto& q) { q[0] = folded(q[0]); });
+  e.wrong_output(quadrant, "arctangent_for_psi", [](auto& q) { q[2] = folded(q[2]); });
+  e.wrong_output(quadrant, "arctangent_for_both", [](auto& q) { q = Vector3d(folded(q[0]), q[1], folded(q[2])); });
   e.wrong_output({"These are z–x–z angles; on the slides the middle turn is about y′.", zxz_notes}, "z_x_z",
                  [](auto& q) { q += Vector3d(pi / 2, 0, -pi / 2); });
   e.wrong_output({"Your angles come in degrees; radians are asked for.", turns_notes}, "in_degrees", times(1 / degree));

@@ -8,10 +8,7 @@ void judge_inertial_components(Lecture& lecture) {
   e.special("θ = 0: the turns φ and ψ add up", {1, -2, 3}, {0.4, 0, 0.9});
   e.special("θ = π: upside down", {1, -2, 3}, {0.4, pi, 0.9});
   e.special("φ = ψ", {1, -2, 3}, {0.6, 1.2, 0.6});
-  e.random("any vector and attitude", 8, [](Random& random) {
-    const auto [angles, vector] = angles_and_vector(random);
-    return tuple{vector, angles};
-  });
+  e.random("any vector and attitude", 8, any::vector(3), &Random::euler_angles);
   e.scale([](auto& V, auto&) { return max(V.norm(), 1e-3); });
   e.sweep({"The body axis ê₃ + ½ ê₁ while the body spins about ê₃, φ = 0.3, θ = 0.7", "ψ (rad)", "inertial component"},
           {"V_x", "V_y", "V_z"}, {0, 2 * pi},
@@ -19,11 +16,10 @@ void judge_inertial_components(Lecture& lecture) {
 
   const char* const axes[] = {"V₁ ê₁", "V₂ ê₂", "V₃ ê₃"};
   for (int i = 0; i < 3; ++i) e.term(axes[i], 1, [i](auto& V, auto& q) { return V[i] * turned_triad(q).col(i); });
-  const Sentence order = "Your turns come in the wrong order: R⁻¹ undoes ψ first, then θ, then φ.";
   e.wrong("This is R V, from inertial to body components; the way back is the transpose of R.", "not_inverted",
           [](auto& V, auto& q) { return rotation_matrix(q) * V; });
-  e.wrong_input<1>(order, "order_reversed", exchange(0, 2));
-  e.wrong(order, "angles_negated", [](auto& V, auto& q) { return rotation_matrix(-q) * V; });
+  e.wrong_input<1>("Your turns come in the wrong order: R⁻¹ undoes ψ first, then θ, then φ.", "order_reversed",
+                   exchange(0, 2));
   e.wrong("This is R_φ R_θ R_ψ V: the order is right, but each factor is still to be transposed.",
           "order_reversed_and_not_inverted", [](auto& V, auto& q) { return rotation_matrix(q.reverse()) * V; });
   e.wrong_input<1>("The turn θ goes backwards: R_θᵀ has +sin θ at the upper right.", "theta_negated", negate(1));

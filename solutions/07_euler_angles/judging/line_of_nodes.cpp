@@ -8,8 +8,8 @@ void judge_line_of_nodes(Lecture& lecture) {
   e.special("ψ = π/4, where sine and cosine agree", pi / 4);
   e.special("a tiny ψ", 1e-8);
   e.random("any ψ", 8, oblique_angle);
-  e.sweep({"The line of nodes seen from the body", "ψ (rad)", "component on the body axis"}, {"along ê_1", "along ê_2"},
-          {0, 2 * pi}, [](auto psi) { return psi; });
+  e.sweep<0>({"The line of nodes seen from the body", "ψ (rad)", "component on the body axis"},
+             {"along ê_1", "along ê_2"}, {0, 2 * pi});
 
   e.term("sin ψ ê₁", 1, [](auto psi) { return sin(psi) * x_axis; });
   e.term("cos ψ ê₂", 1, [](auto psi) { return cos(psi) * y_axis; });
@@ -24,7 +24,7 @@ void judge_line_of_nodes(Lecture& lecture) {
   e.property(Is::unit_norm, "ê₂′ is a unit vector.");
   e.route("R_ψ (0, 1, 0)", [](auto psi) { return about_z(psi) * y_axis; });
   e.route("i exp(−iψ)", [](auto psi) {
-    const std::complex<double> node = std::complex<double>(0, 1) * polar(1.0, -psi);
+    const auto node = std::complex(0.0, 1.0) * polar(1.0, -psi);
     return Vector3d(node.real(), node.imag(), 0);
   });
   e.route("across the two vertical axes",

@@ -9,14 +9,13 @@ void judge_rotation_matrix(Lecture& lecture) {
   e.special("a quarter turn of each", Vector3d::Constant(pi / 2));
   e.special("a tiny θ", {-2.5, 1e-8, 0.3});
   e.special("more than a full turn", {7.5, 0.7, -8.2});
-  e.random("any attitude", 8, [](auto& random) { return random.euler_angles(); });
+  e.random("any attitude", 8, &Random::euler_angles);
   e.scale(1);
   e.sweep({"R while θ grows, φ = 0.3, ψ = 1.1", "θ (rad)", "entry of R"}, {{"R_13", 0, 2}, {"R_31", 2}, {"R_33", 2, 2}},
           {-pi, 2 * pi}, [](auto theta) { return Vector3d(0.3, theta, 1.1); });
 
-  const Sentence reversed_order = "Your matrix is R_φ R_θ R_ψ; the first turn stands on the right: R_ψ R_θ R_φ.";
-  e.wrong_input<0>(reversed_order, "order_reversed", exchange(0, 2));
-  e.wrong_input<0>(reversed_order, "angles_exchanged", exchange(0, 2));
+  e.wrong_input<0>("Your matrix is R_φ R_θ R_ψ; the first turn stands on the right: R_ψ R_θ R_φ.", "order_reversed",
+                   exchange(0, 2));
   e.wrong_output("This is Rᵀ, from body to inertial components; V_body = R V_inertial.", "transposed", transposed);
   e.wrong_input<0>("All three turns go backwards: the slides' matrices are passive.", "active_turns", negated);
   e.wrong_input<0>("The middle turn goes backwards: R_θ has −sin θ at the upper right, sin θ at the lower left.",

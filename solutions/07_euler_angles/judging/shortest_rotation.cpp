@@ -68,8 +68,6 @@ void judge_shortest_rotation(Lecture& lecture) {
     const Vector3d u = a.normalized(), v = b.normalized(), across = cross(u, v);
     if (across.norm() < 1e-12) return Matrix3d::Identity();
     const Vector3d n = across.normalized();
-    const Matrix3d from = (Matrix3d() << u, n, cross(u, n)).finished(),
-                   to = (Matrix3d() << v, n, cross(v, n)).finished();
-    return to * from.transpose();
+    return columns(v, n, cross(v, n)) * columns(u, n, cross(u, n)).transpose();
   });
 }

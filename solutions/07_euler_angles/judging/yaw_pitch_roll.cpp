@@ -38,8 +38,6 @@ void judge_yaw_pitch_roll(Lecture& lecture) {
   e.sweep({"The nose rises with θ, φ = 0.3, ψ = 1.1", "θ (rad)", "angle (rad)"}, {"yaw", "pitch", "roll"}, {-pi, pi},
           [](auto theta) { return Vector3d(0.3, theta, 1.1); });
 
-  const auto folded = [](auto angle) { return atan(tan(angle)); };
-  const Sentence quadrant = "An arctangent of a quotient cannot tell opposite quadrants; atan2(y, x) takes both signs.";
   e.wrong("These are the z–y–z angles themselves; yaw, pitch and roll are three other turns to the same attitude.",
           "unchanged", [](auto& q) { return q; });
   e.wrong("These are yaw, pitch and roll of the inverse rotation, Rᵀ in place of R.", "transposed",
@@ -52,9 +50,9 @@ void judge_yaw_pitch_roll(Lecture& lecture) {
   e.wrong_output("Your roll has the wrong sign: a positive roll takes axis 2 towards axis 3.", "roll_sign", negate(2));
   e.wrong_output("The angles come as (roll, pitch, yaw); asked for is (yaw, pitch, roll).", "order_of_result",
                  reversed);
-  e.wrong_output(quadrant, "arctangent_for_yaw", [=](auto& a) { a[0] = folded(a[0]); });
-  e.wrong_output(quadrant, "arctangent_for_roll", [=](auto& a) { a[2] = folded(a[2]); });
-  e.wrong_output(quadrant, "arctangent_for_both", [=](auto& a) { a = Vector3d(folded(a[0]), a[1], folded(a[2])); });
+  e.wrong_output(quadrant, "arctangent_for_yaw", [](auto& a) { a[0] = folded(a[0]); });
+  e.wrong_output(quadrant, "arctangent_for_roll", [](auto& a) { a[2] = folded(a[2]); });
+  e.wrong_output(quadrant, "arctangent_for_both", [](auto& a) { a = Vector3d(folded(a[0]), a[1], folded(a[2])); });
   e.wrong_inputs(turned_about_x, "zxz", [](auto& q) { q += Vector3d(-pi / 2, 0, pi / 2); });
   e.angles_read_as_degrees(turns_notes);
   e.route("arcsine and arctangents of entries of R", [](auto& q) { return yaw_pitch_roll_of(rotation_matrix(q)); });

@@ -2,16 +2,8 @@
 
 namespace {
 
-constexpr double step = 1e-100;
-
-/// The angles a complex step on: derivatives along the motion are imaginary parts over the step, exact to rounding.
-Eigen::Vector3cd ahead_of(const Vector3d& q, const Vector3d& v) {
-  return q.cast<Complex>() + Complex(0, step) * v.cast<Complex>();
-}
-
-Matrix3d rate_axes_derivative(const Vector3d& q, const Vector3d& v) { return rate_axes(ahead_of(q, v)).imag() / step; }
 Matrix3d mass_matrix_derivative(const Vector3d& I, const Vector3d& q, const Vector3d& v) {
-  return mass_matrix(I, ahead_of(q, v)).imag() / step;
+  return derivative_along(q, v, [&](auto&& angles) { return mass_matrix(I, angles); });
 }
 
 Vector3d omega_rate(const Vector3d& I, const Vector3d& q, const Vector3d& v) {
@@ -20,7 +12,7 @@ Vector3d omega_rate(const Vector3d& I, const Vector3d& q, const Vector3d& v) {
 
 /// B⁻¹ (ω̇ − Ḃ q̇) with ω̇ and Ḃ made from rates of one's own.
 Vector3d solve(const Vector3d& q, const Vector3d& rate_of_omega, const Vector3d& rates_of_axes, const Vector3d& v) {
-  return rate_axes(q).inverse() * (rate_of_omega - rate_axes_derivative(q, rates_of_axes) * v);
+  return rate_axes(q).inverse() * (rate_of_omega - derivative_along(q, rates_of_axes, rate_axes<Complex>) * v);
 }
 
 /// M⁻¹ (∂T/∂q − Ṁ q̇) with factors of one's own.
@@ -86,14 +78,14 @@ void judge_euler_angle_accelerations(Lecture& lecture) {
   e.route("L stays in space", [](auto& I, auto& q, auto& v) {
     // q̇ = B⁻¹ I⁻¹ Aᵀ L with constant L, differentiated along the motion by a complex step.
     const Vector3d L = attitude(q) * L_body(I, q, v);
-    const Eigen::Vector3cd ahead = ahead_of(q, v);
-    const Complex s = sin(ahead[1]), c = cos(ahead[1]), sp = sin(ahead[2]), cp = cos(ahead[2]);
-    const Complex along = cos(ahead[0]) * L.x() + sin(ahead[0]) * L.y();
-    const Complex across = -sin(ahead[0]) * L.x() + cos(ahead[0]) * L.y();
-    const Complex first = c * along - s * L.z();  // L on the axes before ψ turns them
-    const Complex w1 = (cp * first + sp * across) / I[0], w2 = (-sp * first + cp * across) / I[1];
-    const Complex w3 = (s * along + c * L.z()) / I[2], phi_rate = (-w1 * cp + w2 * sp) / s;
-    return Vector3d(phi_rate.imag(), (w1 * sp + w2 * cp).imag(), (w3 - c * phi_rate).imag()) / step;
+    return derivative_along(q, v, [&](const Eigen::Vector3cd& ahead) {
+      const Complex s = sin(ahead[1]), c = cos(ahead[1]), sp = sin(ahead[2]), cp = cos(ahead[2]);
+      const Complex along = cos(ahead[0]) * L.x() + sin(ahead[0]) * L.y();
+      const Complex across = -sin(ahead[0]) * L.x() + cos(ahead[0]) * L.y();
+      const Complex first = c * along - s * L.z();  // L on the axes before ψ turns them
+      const Eigen::Vector3cd on_body(cp * first + sp * across, -sp * first + cp * across, s * along + c * L.z());
+      return rate_axes(ahead).inverse() * on_body.cwiseQuotient(I.template cast<Complex>());
+    });
   });
   e.route("B and its derivative as matrices",
           [](auto& I, auto& q, auto& v) { return solve(q, omega_rate(I, q, v), v, v); });

@@ -66,14 +66,7 @@ void judge_hamiltonian(Lecture& lecture) {
   e.property(Is::nonnegative, "A kinetic energy is never negative.");
   e.route("Legendre transformation with the matrix of the energy by differences", [](auto& I, auto& q, auto& p) {
     const auto T = [&](const Vector3d& rates) { return kinetic_energy_euler(I, q, rates); };
-    Matrix3d M;  // T is quadratic in the rates, so these differences are exact
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) {
-        const Vector3d u = Vector3d::Unit(i), v = Vector3d::Unit(j);
-        M(i, j) = (T(u + v) - T(u - v)) / 2;
-      }
-    }
-    const Vector3d rates = M.fullPivLu().solve(p);
+    const Vector3d rates = (2 * from_quadratic_form(T)).fullPivLu().solve(p);
     return p.dot(rates) - T(rates);
   });
   e.route("L in space, seen from the body", [](auto& I, auto& q, auto& p) {

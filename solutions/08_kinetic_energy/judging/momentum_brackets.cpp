@@ -10,13 +10,8 @@ Eigen::Matrix<Number, 3, 3> unit_rotations(const Eigen::Matrix<Number, 3, 1>& q)
 
 /// ∂L̃/∂q by a complex step.
 Matrix3d gradient_of_L(const Vector3d& q, const Vector3d& p) {
-  constexpr double tiny_step = 1e-100;
-  Matrix3d gradient;
-  for (int k = 0; k < 3; ++k) {
-    const Eigen::Vector3cd ahead = q.cast<Complex>() + Complex(0, tiny_step) * Vector3d::Unit(k).cast<Complex>();
-    gradient.col(k) = L_of_momenta<Complex>(ahead, p.cast<Complex>()).imag() / tiny_step;
-  }
-  return gradient;
+  const auto L = [&](const Eigen::Vector3cd& angles) { return L_of_momenta<Complex>(angles, p.cast<Complex>()); };
+  return columns(derivative_along(q, x_axis, L), derivative_along(q, y_axis, L), derivative_along(q, z_axis, L));
 }
 
 }  // namespace
@@ -82,12 +77,10 @@ void judge_momentum_brackets(Lecture& lecture) {
     return half - half.transpose();
   });
   e.route("commutators of the rotations about the body axes", [](auto& q, auto& p) {
-    constexpr double tiny_step = 1e-100;
     Matrix3d brackets;
     for (int j = 0; j < 3; ++j) {
       const Vector3d along = unit_rotations<double>(q).col(j);
-      const Eigen::Vector3cd ahead = q.template cast<Complex>() + Complex(0, tiny_step) * along.cast<Complex>();
-      brackets.col(j) = (unit_rotations<Complex>(ahead).imag() / tiny_step).transpose() * p;
+      brackets.col(j) = derivative_along(q, along, unit_rotations<Complex>).transpose() * p;
     }
     return brackets - brackets.transpose();
   });
