@@ -56,8 +56,7 @@ void judge_effective_potential(Lecture& lecture) {
   e.scale([](auto I1, auto I3, auto mgl, auto p_phi, auto p_psi, auto theta) {
     return pow(abs(p_phi) + abs(p_psi), 2) / (2 * I1 * pow(sin(theta), 2)) + p_psi * p_psi / (2 * I3) + mgl;
   });
-  e.sweep({"A small top with p_φ = 0.012 and p_ψ = 0.0137 kg m²/s", "θ (rad)", "U (J)"}, {"U"}, {0.3, 1.2},
-          [](auto theta) { return tuple(top_I1, top_I3, top_mgl, 0.012, 0.0137, theta); });
+  e.sweep<5>({"A small top with p_φ = 0.012 and p_ψ = 0.0137 kg m²/s", "θ (rad)", "U (J)"}, {"U"}, {0.3, 1.2});
 
   e.term("(p_φ − p_ψ cos θ)²/(I₁ sin²θ)", 0.5, [](auto I1, auto, auto, auto p_phi, auto p_psi, auto theta) {
     return pow((p_phi - p_psi * cos(theta)) / sin(theta), 2) / I1;

@@ -2,13 +2,7 @@
 
 namespace {
 
-constexpr double step = 1e-100;
-
-Eigen::Vector3cd ahead_of(const Vector3d& q, const Vector3d& v) {
-  return q.cast<Complex>() + Complex(0, step) * v.cast<Complex>();
-}
-
-Vector3d turning_axes(const Vector3d& q, const Vector3d& v) { return (rate_axes(ahead_of(q, v)).imag() / step) * v; }
+Vector3d turning_axes(const Vector3d& q, const Vector3d& v) { return derivative_along(q, v, rate_axes<Complex>) * v; }
 
 Vector3d torque_on_body(double mgl, const Vector3d& q) { return mgl * cross(attitude(q).transpose() * z_axis, z_axis); }
 
@@ -107,12 +101,10 @@ void judge_heavy_top_accelerations(Lecture& lecture) {
              "Half a turn about axis 3 changes no moment: at thousands of turns, digits alone.");
   e.angles_read_as_degrees();
   e.route("Lagrange's equations by a complex step", [](auto& I, auto mgl, auto& q, auto& v) {
+    const auto M = [&](const Eigen::Vector3cd& ahead) { return mass_matrix(I, ahead); };
     Vector3d force(0, mgl * sin(q[1]), 0);
-    for (int i = 0; i < 3; ++i) {
-      const Vector3d direction = Vector3d::Unit(i);
-      force[i] += 0.5 * v.dot(mass_matrix(I, ahead_of(q, direction)).imag() / step * v);
-    }
-    return by_torque(I, q, force - mass_matrix(I, ahead_of(q, v)).imag() / step * v);
+    for (int i = 0; i < 3; ++i) force[i] += 0.5 * v.dot(derivative_along(q, Vector3d::Unit(i), M) * v);
+    return by_torque(I, q, force - derivative_along(q, v, M) * v);
   });
   e.route("Euler's equations with the torque",
           [](auto& I, auto mgl, auto& q, auto& v) { return under_torque(I, torque_on_body(mgl, q), q, v); });
@@ -122,13 +114,11 @@ void judge_heavy_top_accelerations(Lecture& lecture) {
   e.route("Hamilton's equations by a complex step", [](auto& I, auto mgl, auto& q, auto& v) {
     // q̇ = B⁻¹ I⁻¹ B⁻ᵀ p along the motion, with ṗ = ∂T/∂q + Q
     Vector3d p_rate(0, mgl * sin(q[1]), 0);
-    for (int i = 0; i < 3; ++i) {
-      const Vector3d direction = Vector3d::Unit(i);
-      p_rate[i] += L_body(I, q, v).dot(rate_axes(ahead_of(q, direction)).imag() / step * v);
-    }
-    const Vector3d p = mass_matrix<double>(I, q) * v;
-    const Eigen::Vector3cd p_ahead = ahead_of(p, p_rate);
-    const Eigen::Matrix3cd M = mass_matrix(I, ahead_of(q, v));
-    return Vector3d((M.inverse() * p_ahead).imag() / step);
+    for (int i = 0; i < 3; ++i)
+      p_rate[i] += L_body(I, q, v).dot(derivative_along(q, Vector3d::Unit(i), rate_axes<Complex>) * v);
+    const auto rates_at_p = [&](const Eigen::Vector3cd& ahead) {
+      return mass_matrix(I, ahead).inverse() * (mass_matrix<double>(I, q) * v).template cast<Complex>();
+    };
+    return derivative_along(q, v, rates_at_p) + by_torque(I, q, p_rate);
   });
 }

@@ -34,8 +34,8 @@ Vector2d turning_points(double I1, double I3, double mgl, double theta, const Ve
 void judge_nutation_limits(Lecture& lecture) {
   auto& e = lecture.exercise(&nutation_limits, arguments_of_nutation, {"limits", rad});
   describe_starts(e);
-  e.sweep({"A small top, let go at rest at θ = 0.5", "spin (rad/s)", "θ (rad)"}, {{"smallest", 0}, {"largest", 1}},
-          {20, 250}, [](auto spin) { return tuple(top_I1, top_I3, top_mgl, 0.5, Vector3d(0, 0, spin)); });
+  e.sweep<4>({"A small top, let go at rest at θ = 0.5", "spin (rad/s)", "θ (rad)"}, {{"smallest", 0}, {"largest", 1}},
+             {20, 250}, [](auto spin) { return spin * z_axis; });
 
   e.wrong_inputs("These are the limits of an axis let go from rest; it starts with rates of its own.", "from_rest",
                  let_go_from_rest);

@@ -30,8 +30,8 @@ double spin_of(double theta, const Vector3d& rates) { return abs(rates[0] * cos(
 void judge_nutation_period(Lecture& lecture) {
   auto& e = lecture.exercise(&nutation_period, arguments_of_nutation, {"period", second});
   describe_starts(e);
-  e.sweep({"A small top, let go at rest at θ = 0.5", "spin (rad/s)", "period (s)"}, {"period"}, {20, 250},
-          [](auto spin) { return tuple(top_I1, top_I3, top_mgl, 0.5, Vector3d(0, 0, spin)); });
+  e.sweep<4>({"A small top, let go at rest at θ = 0.5", "spin (rad/s)", "period (s)"}, {"period"}, {20, 250},
+             [](auto spin) { return spin * z_axis; });
 
   e.wrong_output("This is the time from one limit to the other; back again it takes as long.", "half", times(0.5));
   e.wrong("This is the period 2πI₁/(I₃ω₃) of a fast top.", "fast_top",

@@ -61,8 +61,7 @@ void judge_planet_precession_rate(Lecture& lecture) {
   e.scale([](auto I1, auto I3, auto spin, auto orbital_rate, auto) {
     return 1.5 * orbital_rate * orbital_rate / spin * max((I3 - I1) / I3, 1e-4);
   });
-  e.sweep({"Mars at other obliquities", "obliquity (rad)", "rate (rad/s)"}, {"rate"}, {0.01, 3.13},
-          [](auto obliquity) { return tuple(0.99462, 1, mars_spin, mars_orbital_rate, obliquity); });
+  e.sweep<4>({"Mars at other obliquities", "obliquity (rad)", "rate (rad/s)"}, {"rate"}, {0.01, 3.13});
 
   e.wrong_output("This is twice the rate: the largest torque of the year stands for its mean.", "not_averaged",
                  times(2));

@@ -20,6 +20,15 @@ double integrated_advance(double I1, double I3, double mgl, double theta, const 
   return state[2];
 }
 
+/// ∫ f dt over one nutation, for an f of the cubic and u = cos θ.
+template <class Function>
+auto integral_of(const Function& f) {
+  return [f](auto... inputs) {
+    const Cubic cubic{Start(inputs...)};
+    return cubic.over_one_nutation([&](double u) { return f(cubic, u); });
+  };
+}
+
 /// The wrong answers that are known.
 template <class Exercise>
 void mistakes_of_precession_per_nutation(Exercise& e) {
@@ -38,28 +47,18 @@ void mistakes_of_precession_per_nutation(Exercise& e) {
           [](auto I1, auto I3, auto mgl, auto theta, auto& rates) {
             return rates[0] * nutation_period(I1, I3, mgl, theta, rates);
           });
-  e.wrong("The parts of the loops that run backwards are counted forwards.", "absolute_rate", [](auto... inputs) {
-    const Cubic cubic{Start(inputs...)};
-    return cubic.over_one_nutation([&](double u) { return abs(cubic.phi_rate(u)); });
-  });
+  e.wrong("The parts of the loops that run backwards are counted forwards.", "absolute_rate",
+          integral_of([](auto& cubic, double u) { return abs(cubic.phi_rate(u)); }));
   e.wrong_output("The angle has the wrong sign.", "sense", negated);
   e.wrong_inputs(spin_as_psi_rate, "psi_rate_as_omega3", spin_confused);
   e.template wrong_input<2>(weight_sign, "hanging", negated);
   e.wrong_output("This is the number of turns; the angle is asked for.", "turns", times(0.5 / pi));
   e.wrong("Only p_φ/(I₁ sin²θ) is integrated; the spin takes its part p_ψ cos θ of p_φ.", "no_coupling",
-          [](auto... inputs) {
-            const Cubic cubic{Start(inputs...)};
-            return cubic.over_one_nutation([&](double u) { return cubic.a / (1 - u * u); });
-          });
-  e.wrong("φ̇ is divided by sin θ once; it is (p_φ − p_ψ cos θ)/(I₁ sin²θ).", "sine_not_squared", [](auto... inputs) {
-    const Cubic cubic{Start(inputs...)};
-    return cubic.over_one_nutation([&](double u) { return cubic.phi_rate(u) * sqrt(1 - u * u); });
-  });
+          integral_of([](auto& cubic, double u) { return cubic.a / (1 - u * u); }));
+  e.wrong("φ̇ is divided by sin θ once; it is (p_φ − p_ψ cos θ)/(I₁ sin²θ).", "sine_not_squared",
+          integral_of([](auto& cubic, double u) { return cubic.phi_rate(u) * sqrt(1 - u * u); }));
   e.wrong({"p_ψ − p_φ cos θ stands where p_φ − p_ψ cos θ belongs.", "heavy_top_conserved"}, "momenta_exchanged",
-          [](auto... inputs) {
-            const Cubic cubic{Start(inputs...)};
-            return cubic.over_one_nutation([&](double u) { return (cubic.b - cubic.a * u) / (1 - u * u); });
-          });
+          integral_of([](auto& cubic, double u) { return (cubic.b - cubic.a * u) / (1 - u * u); }));
   e.wrong({"This is the change of ψ, the turn of the body about its own axis; asked for is φ.", "heavy_top_conserved"},
           "psi_advance", [](auto I1, auto I3, auto mgl, auto theta, auto& rates) {
             const Cubic cubic{Start(I1, I3, mgl, theta, rates)};
@@ -93,9 +92,8 @@ void judge_precession_per_nutation(Lecture& lecture) {
   });
   e.scale([](auto... inputs) { return max(abs(precession_per_nutation(inputs...)), 1e-2); });
   e.tolerance(1e-8, "Loops may bring the angle near zero, and the integral has steep ends near the vertical.");
-  e.sweep({"A small top from θ = 0.5, with ω₃ = 150 rad/s", "φ̇ at the start (rad/s)", "advance (rad)"}, {"advance"},
-          {-20, 28},
-          [](auto rate) { return tuple(top_I1, top_I3, top_mgl, 0.5, Vector3d(rate, 0.3, 150 - rate * cos(0.5))); });
+  e.sweep<4>({"A small top from θ = 0.5, with ω₃ = 150 rad/s", "φ̇ at the start (rad/s)", "advance (rad)"}, {"advance"},
+             {-20, 28}, [](auto rate) { return Vector3d(rate, 0.3, 150 - rate * cos(0.5)); });
 
   mistakes_of_precession_per_nutation(e);
   const char* const weak =
@@ -109,10 +107,7 @@ void judge_precession_per_nutation(Lecture& lecture) {
     const Vector3d azimuth = Followed(Start(inputs...)).azimuth_at;
     return azimuth[2] - azimuth[0];
   });
-  e.route("φ̇ as an integral without ends", [](auto... inputs) {
-    const Cubic cubic{Start(inputs...)};
-    return cubic.over_one_nutation([&](double u) { return cubic.phi_rate(u); });
-  });
+  e.route("φ̇ as an integral without ends", integral_of([](auto& cubic, double u) { return cubic.phi_rate(u); }));
   e.route("the standard library's elliptic integrals of the third kind", [](auto... inputs) {
     const Cubic cubic{Start(inputs...)};
     const auto share = [&](double end) {

@@ -106,9 +106,8 @@ void judge_steady_precession(Lecture& lecture) {
     return tuple{I1, I3, mgl, random.sign() * least * random.uniform(1e4, 4e4), theta};
   });
   e.scale([](auto... inputs) { return Vector2d(steady_precession(inputs...).cwiseAbs()); });
-  e.sweep({"A small top at θ = 0.5: the slow and the fast precession", "spin ω₃ (rad/s)", "rate (rad/s)"},
-          {{"slow", 0}, {"fast", 1}}, {102.1, 250},
-          [](auto omega3) { return tuple(top_I1, top_I3, top_mgl, omega3, 0.5); });
+  e.sweep<3>({"A small top at θ = 0.5: the slow and the fast precession", "spin ω₃ (rad/s)", "rate (rad/s)"},
+             {{"slow", 0}, {"fast", 1}}, {102.1, 250});
 
   mistakes_of_steady_precession(e);
   e.survivor("std::copysign( -std::sqrt", "std::copysign takes the magnitude of its first argument.");

@@ -34,7 +34,7 @@ auto with_turn(const Turn& turn_in_a_period, Whole whole_of) {
 /// The attitude in the frame whose third axis is along L and whose first one points to the side of axis 1.
 Matrix3d beside_L(const Vector3d& L) {
   const Vector3d up = L.normalized(), along = x_axis, first = (along - along.dot(up) * up).normalized();
-  return (Matrix3d() << first, cross(up, first), up).finished().transpose();
+  return columns(first, cross(up, first), up).transpose();
 }
 
 Matrix3d turns_and_rest(const Vector3d& I, const Vector3d& w, double t) {
@@ -148,10 +148,10 @@ void judge_exact_attitude(Lecture& lecture) {
   e.random("within a minute", 4, round_axis(1), any::spin(20, 60));
   e.tolerance(1e-6, "After a million seconds the last digits of period and turn have become an error of a few 10⁻⁸.");
   e.scale(1);
-  e.sweep({"I = (1.2, 2, 2.7) kg m², ω = (0.4, −0.9, 0.6) rad/s: how far each axis is from where it was 8 days before",
-           "t − 691200 s (s)", "cosine of the angle"},
-          {{"axis 1", 0, 0}, {"axis 2", 1, 1}, {"axis 3", 2, 2}}, {0, 30, 91},
-          [](auto t) { return tuple(lecture_body, round_3, 691200 + t); });
+  e.sweep<2>(
+      {"I = (1.2, 2, 2.7) kg m², ω = (0.4, −0.9, 0.6) rad/s: how far each axis is from where it was 8 days before",
+       "t − 691200 s (s)", "cosine of the angle"},
+      {{"axis 1", 0, 0}, {"axis 2", 1, 1}, {"axis 3", 2, 2}}, {0, 30, 91}, [](auto t) { return 691200 + t; });
 
   mistakes_of_exact_attitude(e);
   e.property(Is::rotation_matrix, "The principal axes stay at right angles and of length 1, and right-handed.");

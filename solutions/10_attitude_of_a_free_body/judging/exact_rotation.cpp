@@ -101,10 +101,9 @@ void judge_exact_rotation(Lecture& lecture) {
   e.random("within a minute", 4, round_axis(1), any::spin(2, 60));
   e.tolerance(1e-7, "After a million seconds the last digits of the period have become an error of a few 10⁻⁹.");
   e.scale([](auto&, auto& w, auto) { return w.norm(); });
-  e.sweep({"I = (1.2, 2, 2.7) kg m², ω = (0.4, −0.9, 0.6) rad/s at t = 0: a minute of the eighth day",
-           "t − 604800 s (s)", "body component of ω (rad/s)"},
-          {"omega_1", "omega_2", "omega_3"}, {0, 40, 121},
-          [](auto t) { return tuple(lecture_body, round_3, 604800 + t); });
+  e.sweep<2>({"I = (1.2, 2, 2.7) kg m², ω = (0.4, −0.9, 0.6) rad/s at t = 0: a minute of the eighth day",
+              "t − 604800 s (s)", "body component of ω (rad/s)"},
+             {"omega_1", "omega_2", "omega_3"}, {0, 40, 121}, [](auto t) { return 604800 + t; });
 
   mistakes_of_exact_rotation(e);
   e.conserves("T is constant: Σ Iᵢωᵢ² stays the same.", [](auto& I, auto...) { return I; });

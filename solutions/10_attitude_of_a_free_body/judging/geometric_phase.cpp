@@ -40,9 +40,9 @@ void judge_geometric_phase(Lecture& lecture) {
   e.special("round axis 3 in the other sense", lecture_body, {0.3, 0.02, -1});
   cases_of_a_period(e);
   e.scale(1);
-  e.sweep({"I = (1.2, 2, 2.7) kg m², ω = (0.5, 0.6, ω₃) rad/s: round axis 1 on the left, round axis 3 on the right",
-           "ω₃ (rad/s)", "solid angle"},
-          {"S"}, {0, 1.5, 76}, [](auto w3) { return tuple(lecture_body, Vector3d(0.5, 0.6, w3)); });
+  e.sweep<1>({"I = (1.2, 2, 2.7) kg m², ω = (0.5, 0.6, ω₃) rad/s: round axis 1 on the left, round axis 3 on the right",
+              "ω₃ (rad/s)", "solid angle"},
+             {"S"}, {0, 1.5, 76}, [](auto w3) { return Vector3d(0.5, 0.6, w3); });
 
   e.wrong("This is the turn about L itself, modulo 2π; the angle 2TP/L is still in it.", "turn_itself",
           [](auto& I, auto& w) { return modulo(turn_per_period(I, w), 2 * pi); });

@@ -118,9 +118,9 @@ void judge_herpolhode_radii(Lecture& lecture) {
   e.random("round axis 3", 6, round_axis(3));
   e.random("round axis 1", 6, round_axis(1));
   e.scale([](auto&, auto& w) { return w.norm(); });
-  e.sweep({"I = (1.2, 2, 2.7) kg m², ω = (0.5, 0.6, ω₃) rad/s: round axis 1 on the left, round axis 3 on the right",
-           "ω₃ at the start (rad/s)", "radius (rad/s)"},
-          {"smaller", "larger"}, {0, 1.5, 76}, [](auto w3) { return tuple(lecture_body, Vector3d(0.5, 0.6, w3)); });
+  e.sweep<1>({"I = (1.2, 2, 2.7) kg m², ω = (0.5, 0.6, ω₃) rad/s: round axis 1 on the left, round axis 3 on the right",
+              "ω₃ at the start (rad/s)", "radius (rad/s)"},
+             {"smaller", "larger"}, {0, 1.5, 76}, [](auto w3) { return Vector3d(0.5, 0.6, w3); });
 
   mistakes_of_herpolhode_radii(e);
   e.property(Is::nonnegative, "A radius is never negative.");

@@ -19,10 +19,10 @@ void judge_poinsot(Lecture& lecture) {
     const Vector2d distances = poinsot(I, w);
     return Vector2d(distances[0], distances[1] >= 1e-5 * w.norm() ? distances[1] : 1e-3 * w.norm());
   });
-  e.sweep({"I = (1.2, 2, 2.7) kg m², ω of 1 rad/s in the plane of the axes 1 and 3", "angle of ω from axis 1 (rad)",
-           "distance (rad/s)"},
-          {"of the plane", "of the contact from the foot"}, {0, pi / 2},
-          [](auto angle) { return tuple(lecture_body, Vector3d(cos(angle), 0, sin(angle))); });
+  e.sweep<1>({"I = (1.2, 2, 2.7) kg m², ω of 1 rad/s in the plane of the axes 1 and 3", "angle of ω from axis 1 (rad)",
+              "distance (rad/s)"},
+             {"of the plane", "of the contact from the foot"}, {0, pi / 2},
+             [](auto angle) { return Vector3d(cos(angle), 0, sin(angle)); });
 
   const char* const where = "attitude_height";
   e.wrong({"Your first distance is L/2T, the reciprocal of the right one: ω·L/L = 2T/L.", where}, "inverse",

@@ -51,9 +51,9 @@ void judge_turn_per_period(Lecture& lecture) {
   e.worked("backwards about axis 3", lecture_body, {0.3, 0.02, -1});
   e.special("starting with ω₁ = 0", lecture_body, {0, -0.7, 0.8});
   cases_of_a_period(e);
-  e.sweep({"I = (1.2, 2, 2.7) kg m², ω = (0.5, 0.6, ω₃) rad/s: round axis 1 on the left, round axis 3 on the right",
-           "ω₃ (rad/s)", "turn about L in a period (rad)"},
-          {"turn"}, {0, 1.5, 76}, [](auto w3) { return tuple(lecture_body, Vector3d(0.5, 0.6, w3)); });
+  e.sweep<1>({"I = (1.2, 2, 2.7) kg m², ω = (0.5, 0.6, ω₃) rad/s: round axis 1 on the left, round axis 3 on the right",
+              "ω₃ (rad/s)", "turn about L in a period (rad)"},
+             {"turn"}, {0, 1.5, 76}, [](auto w3) { return Vector3d(0.5, 0.6, w3); });
 
   mistakes_of_turn_per_period(e);
   e.property(Is::nonnegative, "Axis 3 goes round L in the positive sense all the time.");
