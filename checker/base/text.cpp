@@ -1,5 +1,6 @@
 #include "checker/base/text.hpp"
 
+#include <boost/algorithm/string/replace.hpp>
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/binary_from_base64.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
@@ -9,7 +10,10 @@
 #include <array>
 #include <cstdint>
 #include <cstdlib>
+#include <iterator>
+#include <map>
 #include <numeric>
+#include <regex>
 #include <sstream>
 #include <utility>
 
@@ -41,6 +45,22 @@ std::size_t distance(const std::string& a, const std::string& b) {
     }
   }
   return row.back();
+}
+
+const std::regex& regex_of(std::string_view pattern) {
+  static std::map<std::string, std::regex, std::less<>> made;
+  const auto known = made.find(pattern);
+  if (known != made.end()) return known->second;
+  return made.emplace(pattern, std::regex(pattern.data(), pattern.size())).first->second;
+}
+
+Match match_of(const std::cmatch& found) {
+  Match match;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    match.groups.push_back(found.str(i));
+    match.offsets.push_back(static_cast<std::size_t>(found.position(i)));
+  }
+  return match;
 }
 
 }  // namespace
@@ -145,6 +165,31 @@ std::string superscript(int exponent) {
   std::string raised;
   for (const char digit : std::to_string(exponent)) raised += digit == '-' ? "⁻" : digits.at(digit - '0');
   return raised;
+}
+
+std::string Match::fill(std::string sentence, char mark) const {
+  for (std::size_t i = 1; i < groups.size(); ++i) boost::replace_all(sentence, fmt::format("{}{}", mark, i), groups[i]);
+  return sentence;
+}
+
+Match search(std::string_view text, std::string_view pattern) {
+  std::cmatch found;
+  std::regex_search(text.data(), text.data() + text.size(), found, regex_of(pattern));
+  return match_of(found);
+}
+
+std::vector<Match> search_all(std::string_view text, std::string_view pattern) {
+  std::vector<Match> all;
+  for (std::cregex_iterator next(text.data(), text.data() + text.size(), regex_of(pattern)), end; next != end; ++next)
+    all.push_back(match_of(*next));
+  return all;
+}
+
+std::string replaced(std::string_view text, std::string_view pattern, const std::string& replacement) {
+  std::string result;
+  std::regex_replace(std::back_inserter(result), text.data(), text.data() + text.size(), regex_of(pattern),
+                     replacement);
+  return result;
 }
 
 std::string base64(std::string_view bytes) {

@@ -49,6 +49,26 @@ std::string without_full_stop(std::string sentence);
 /// "²" for 2, "⁻¹⁰" for −10: exponents of units and powers of ten.
 std::string superscript(int exponent);
 
+/// What a pattern found in a text.
+struct Match {
+  std::vector<std::string> groups;   ///< the whole, then what each of its groups stands for; empty: nothing was found
+  std::vector<std::size_t> offsets;  ///< where these begin in the text
+
+  explicit operator bool() const { return !groups.empty(); }
+  /// "" for a group that took no part.
+  std::string operator[](std::size_t group) const { return group < groups.size() ? groups[group] : ""; }
+  /// A sentence in which the groups stand for "$1", "$2", … or these with another mark.
+  std::string fill(std::string sentence, char mark = '$') const;
+};
+
+/// The first place that a regular expression (of ECMAScript) fits. Patterns are kept, for to make one takes longer than
+/// to use it. The text should be short: std::regex recurses over its length.
+Match search(std::string_view text, std::string_view pattern);
+/// All of them, which do not overlap.
+std::vector<Match> search_all(std::string_view text, std::string_view pattern);
+/// All of them replaced, by a text in which "$1" is the first group.
+std::string replaced(std::string_view text, std::string_view pattern, const std::string& replacement);
+
 /// Base64 with its closing "=" signs and without line breaks.
 std::string base64(std::string_view bytes);
 /// The bytes of such a text. @throws std::exception if it is none

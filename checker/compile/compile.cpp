@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <regex>
 
 namespace workbook {
 namespace fs = std::filesystem;
@@ -69,17 +68,16 @@ std::vector<std::string> dependencies(const fs::path& list) {
 /// The file that the sandbox kept from compiler or assembler; "" if there is none. Whether such a file is there at all
 /// makes no difference, and must not.
 std::string denied_file(const std::string& output) {
-  static const std::regex denied(
-      "rror: (?:can't open |file not found: )?(/[^:]*?)(?: for reading)?"
-      "(?:: (?:Permission denied|No such file or directory))?");
+  constexpr const char* denied =
+      "^rror: (?:can't open |file not found: )?(/[^:]*?)(?: for reading)?"
+      "(?:: (?:Permission denied|No such file or directory))?$";
   for (const std::string& line : lines_of(output)) {
-    std::smatch found;
     const bool tells =
         line.size() < 1000 && (line.ends_with(": Permission denied") || line.ends_with(": No such file or directory") ||
                                line.find("rror: file not found: ") != std::string::npos);
     const std::size_t begin = tells ? line.find("rror: ") : std::string::npos;
-    const std::string rest = begin == std::string::npos ? "" : line.substr(begin);
-    if (std::regex_match(rest, found, denied)) return found[1];
+    if (begin == std::string::npos) continue;
+    if (const Match found = search(line.substr(begin), denied)) return found[1];
   }
   return "";
 }
@@ -180,30 +178,29 @@ class CompilationInProgress {
 
   /// As GNU linkers and LLVM's tell it.
   [[noreturn]] void refuse_unlinked(const std::string& output) const {
-    static const std::regex twice("(multiple definition of|duplicate symbol:) [`']?([\\w:~]+)");
-    static const std::regex undefined("undefined (?:reference to|symbol:) [`']?([\\w:~]+)(\\([^']*)?");
     for (const std::string& line : lines_of(output)) {
       const std::string text = line.substr(0, 1000);
-      std::smatch found;
-      if (std::regex_search(text, found, twice) && found[2] == "main")
+      const Match twice = search(text, "(?:multiple definition of|duplicate symbol:) [`']?([\\w:~]+)");
+      if (twice[1] == "main")
         refuse_symbol(Refusal::compile_error, "defines_main", "main", output,
                       "Your file defines main(); leave it out, the checker calls your function itself.");
-      if (!linked_.empty() && std::regex_search(text, found, twice))
-        refuse_symbol(Refusal::compile_error, "defined_twice", found[2], output,
+      if (!linked_.empty() && twice)
+        refuse_symbol(Refusal::compile_error, "defined_twice", twice[1], output,
                       fmt::format("Two of your files, which are linked here, define `{}` ({}); put helpers into "
                                   "`namespace {{ }}`, and what both need into one of them.",
-                                  found[2].str(), fmt::join(linked_, ", ")));
-      if (!std::regex_search(text, found, undefined)) continue;
+                                  twice[1], fmt::join(linked_, ", ")));
+      const Match undefined = search(text, "undefined (?:reference to|symbol:) [`']?([\\w:~]+)(\\([^']*)?");
+      if (!undefined) continue;
       if (text.find(toolchain_.worker_object(task_.exercise).string()) != std::string::npos)
         refuse_symbol(
-            Refusal::missing_function, "missing_function", found[1], output,
+            Refusal::missing_function, "missing_function", undefined[1], output,
             fmt::format("Your file does not define `{}`: it defines {}. Keep namespace, name and parameters of "
                         "the contract, without inline, static or template.",
-                        in_plain_words(found[1].str() + found[2].str()), defined_functions()));
-      refuse_symbol(Refusal::compile_error, "undefined_function", found[1], output,
+                        in_plain_words(undefined[1] + undefined[2]), defined_functions()));
+      refuse_symbol(Refusal::compile_error, "undefined_function", undefined[1], output,
                     fmt::format("Your file uses `{}`, which it does not define, nor does an earlier exercise of yours; "
                                 "write what you need into this file.",
-                                found[1].str()));
+                                undefined[1]));
     }
     refuse("Your file compiles, but cannot be linked into a program; see what the linker says.", output);
   }

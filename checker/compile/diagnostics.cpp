@@ -1,19 +1,18 @@
 #include "checker/compile/diagnostics.hpp"
 
+#include "checker/base/text.hpp"
+
 #include <algorithm>
 #include <map>
-#include <regex>
 
 namespace workbook {
 
 CompilerOutput read_compiler_output(std::string_view output, const std::string& shown_name,
                                     const std::function<bool(const std::string&)>& may_be_shown) {
-  constexpr std::size_t longest_head = 1000;  // std::regex recurses over the length of its text
+  constexpr std::size_t longest_head = 1000;
   constexpr std::size_t longest_text = 4000;  // of an error, of its notes, of its context
-  static const std::regex include(R"(^(?:In file included| {10,}) from (.+?):(\d{1,9})[:,])");
-  static const std::regex placed(
-      R"(^([^ ].*?):(\d{1,9})(?::(\d{1,9}))?: (?:(fatal error|error|Error|warning|note): )?)");
-  static const std::regex scope("^([^ ].*?): (?:In|At) ");
+  constexpr const char* placed =
+      R"(^([^ ].*?):(\d{1,9})(?::(\d{1,9}))?: (?:(fatal error|error|Error|warning|note): )?)";
   CompilerOutput result;
   std::map<std::string, bool> allowed;
   std::string context;
@@ -24,16 +23,17 @@ CompilerOutput read_compiler_output(std::string_view output, const std::string& 
   for (std::size_t at = 0, end = 0; at < output.size(); at = end + 1) {
     end = std::min(output.find('\n', at), output.size());
     const std::string_view line = output.substr(at, end - at);
-    const std::string head(line.substr(0, longest_head));
-    std::smatch found;
-    if (std::regex_search(head, found, include)) {
+    const std::string_view head = line.substr(0, longest_head);
+    if (const Match include = search(head, R"(^(?:In file included| {10,}) from (.+?):(\d{1,9})[:,])")) {
       if (head[0] == 'I') included_at = {};
-      if (found[1] == unit_name && included_at.line == 0) included_at.line = std::stoi(found[2]);
+      if (include[1] == unit_name && included_at.line == 0) included_at.line = std::stoi(include[2]);
       continue;  // paths of this machine
     }
-    const bool has_place = std::regex_search(head, found, placed);
-    const bool in_unit = (has_place || std::regex_search(head, found, scope)) && found[1] == unit_name;
-    if (!found.empty()) {
+    Match found = search(head, placed);
+    const bool has_place{found};
+    if (!has_place) found = search(head, "^([^ ].*?): (?:In|At) ");
+    const bool in_unit = found[1] == unit_name;
+    if (found) {
       const auto [file, is_new] = allowed.try_emplace(found[1], in_unit);
       if (is_new && !in_unit) file->second = may_be_shown(file->first);
       is_hidden = !file->second;
@@ -41,10 +41,10 @@ CompilerOutput read_compiler_output(std::string_view output, const std::string& 
     } else if (!head.starts_with(' ')) {
       is_hidden = false;  // what is quoted below a place belongs to it
     }
-    if (!is_hidden && !found.empty()) {
-      const std::string text(line.substr(static_cast<std::size_t>(found.length()), longest_text));
-      const Place place = has_place ? Place{std::stoi(found[2]), found[3].matched ? std::stoi(found[3]) : 0} : Place{};
-      const std::string kind = has_place ? found[4] : std::string();
+    if (!is_hidden && found) {
+      const std::string text(line.substr(found[0].size(), longest_text));
+      const Place place = has_place ? Place{std::stoi(found[2]), found[3].empty() ? 0 : std::stoi(found[3])} : Place{};
+      const std::string kind = found[4];
       if (kind.empty()) {
         // "header.h: In instantiation of 'f() [with T = …]':" begins, "unit.cpp:4:5:   required from here" goes on.
         in_warning = false;
@@ -58,7 +58,7 @@ CompilerOutput read_compiler_output(std::string_view output, const std::string& 
                                       in_unit           ? place
                                       : led_by.line > 0 ? led_by
                                                         : included_at,
-                                      in_unit ? "" : found[1].str(), text, "", "", context});
+                                      in_unit ? "" : found[1], text, "", "", context});
         Diagnostic& one = result.diagnostics.back();
         if (const std::size_t option = text.rfind(" [-W"); option != std::string::npos && text.ends_with(']')) {
           one.option = text.substr(option + 2, text.size() - option - 3);

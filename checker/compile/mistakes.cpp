@@ -6,28 +6,23 @@
 #include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
-#include <map>
-#include <regex>
 
 namespace workbook {
 namespace {
 
-constexpr std::size_t longest_for_patterns = 1500;  // std::regex recurses over the length of its text
+constexpr std::size_t longest_for_patterns = 1500;
 constexpr std::size_t most_warnings = 100;
 
-/// Made once: to make one takes longer than to match it.
-const std::regex& regex_of(const char* pattern) {
-  thread_local std::map<const char*, std::regex> made;
-  if (const auto known = made.find(pattern); known != made.end()) return known->second;
-  std::string text = pattern;
+/// With <number>, <matrix> and the like written out.
+std::string whole_pattern(std::string pattern) {
   const std::string number = "(?:(?:long |unsigned |short )*(?:double|float|int|char|bool|long))";
   const std::string matrix = "(?:(?:Row)?(?:Vector|Matrix)\\w+|(?:[\\dn]+×[\\dn]+ )?(?:row vector|vector|matrix))";
   const std::string list = "(?:std::(?:vector|array)<|double(?: \\(&\\))? ?\\[|double\\*)[^']*";
   for (const auto& [kind, type] : {std::pair{"<number>", number}, std::pair{"<matrix>", "(" + matrix + ")"},
                                    std::pair{"<value>", "(" + number + "|" + matrix + ")"}, std::pair{"<list>", list},
                                    std::pair{"<type>", std::string("([^']*?)")}})
-    boost::replace_all(text, kind, "'(?:const )?" + type + "&*'");
-  return made.emplace(pattern, std::regex(text)).first->second;
+    boost::replace_all(pattern, kind, "'(?:const )?" + type + "&*'");
+  return pattern;
 }
 
 /// The first mistake of the table that explains what was said.
@@ -40,21 +35,19 @@ std::optional<Finding> recognized(const std::vector<MessageMistake>& table, cons
   const std::string marked_code = source.marked_code(place);
   const std::string code = boost::erase_first_copy(marked_code, "@");
   for (const MessageMistake& mistake : table) {
-    std::smatch in_message, in_code;
-    if (!std::regex_search(message, in_message, regex_of(mistake.message))) continue;
-    const std::regex& pattern = regex_of(mistake.code);
-    if (!std::regex_search(marked_code, in_code, pattern) && !std::regex_search(code, in_code, pattern)) continue;
+    const Match in_message = search(message, whole_pattern(mistake.message));
+    if (!in_message) continue;
+    Match in_code = search(marked_code, mistake.code);
+    if (!in_code) in_code = search(code, mistake.code);
+    if (!in_code) continue;
     std::string sentence = mistake.sentence;
     const bool of_member = sentence.find("$member") != std::string::npos;
-    const std::string wrong = (of_member ? ";." : ";") + in_message[1].str() + "=";
+    const std::string wrong = (of_member ? ";." : ";") + in_message[1] + "=";
     const std::size_t at = spellings.find(wrong);
     if ((of_member || sentence.find("$right") != std::string::npos) && at == std::string_view::npos) continue;
     const std::string_view right = at == std::string_view::npos ? "" : spellings.substr(at + wrong.size());
     for (const char* word : {"$right", "$member"}) boost::replace_all(sentence, word, right.substr(0, right.find(';')));
-    for (std::size_t i = 1; i < 5; ++i) {
-      boost::replace_all(sentence, "$" + std::to_string(i), i < in_message.size() ? in_message[i].str() : "");
-      boost::replace_all(sentence, "%" + std::to_string(i), i < in_code.size() ? in_code[i].str() : "");
-    }
+    sentence = in_code.fill(in_message.fill(sentence), '%');
     boost::replace_all(sentence, "$contract", signature);
     return source.finding(place, mistake.name, sentence);
   }

@@ -5,7 +5,6 @@
 #include <boost/algorithm/string/split.hpp>
 
 #include <algorithm>
-#include <regex>
 
 namespace workbook {
 namespace {
@@ -23,15 +22,14 @@ struct Shape {
 
 /// "3×1 vector", "Matrix3d", "const RowVector3d&"
 std::optional<Shape> shape_of(const std::string& type) {
-  static const std::regex noun("(\\d+|n)×(\\d+|n) (?:row vector|vector|matrix)");
-  static const std::regex name("(Row)?(Vector|Matrix)([1-4X])([1-4X])?[df]");
   const auto number = [](const std::string& size) { return size == "n" || size == "X" ? -1 : std::stoi(size); };
-  std::smatch found;
-  if (std::regex_search(type, found, noun)) return Shape{number(found[1]), number(found[2])};
-  if (!std::regex_search(type, found, name)) return std::nullopt;
-  const int size = number(found[3]);
-  if (found[1].matched) return Shape{1, size};
-  return Shape{size, found[2] == "Vector" ? 1 : found[4].matched ? number(found[4]) : size};
+  if (const Match noun = search(type, "(\\d+|n)×(\\d+|n) (?:row vector|vector|matrix)"))
+    return Shape{number(noun[1]), number(noun[2])};
+  const Match name = search(type, "(Row)?(Vector|Matrix)([1-4X])([1-4X])?[df]");
+  if (!name) return std::nullopt;
+  const int size = number(name[3]);
+  if (!name[1].empty()) return Shape{1, size};
+  return Shape{size, name[2] == "Vector" ? 1 : name[4].empty() ? size : number(name[4])};
 }
 
 std::string noun(Shape shape) {
@@ -58,8 +56,8 @@ std::string shortened(const std::string& name, const std::string& list) {
   boost::split(arguments, boost::replace_all_copy(list, ", ", ","), [](char letter) { return letter == ','; });
   arguments.resize(std::max<std::size_t>(arguments.size(), 3));
   const auto is = [&](std::string_view names) { return names.find(" " + name + " ") != std::string_view::npos; };
-  static const std::regex number("-?\\d{1,6}");
-  const bool is_sized = std::regex_match(arguments[1], number) && std::regex_match(arguments[2], number);
+  const auto is_number = [](const std::string& text) { return bool{search(text, "^-?\\d{1,6}$")}; };
+  const bool is_sized = is_number(arguments[1]) && is_number(arguments[2]);
   if (is(" Matrix Array ") && is_sized) return matrix(arguments[0], std::stoi(arguments[1]), std::stoi(arguments[2]));
   if (is(" Block ") && is_sized) return noun({std::stoi(arguments[1]), std::stoi(arguments[2])});
   const auto first = shape_of(arguments[0]), second = shape_of(arguments[1]), third = shape_of(arguments[2]);
@@ -69,7 +67,7 @@ std::string shortened(const std::string& name, const std::string& list) {
   if (is(" CwiseBinaryOp ") && second && third)
     return noun({std::max(second->rows, third->rows), std::max(second->columns, third->columns)});
   if (is(" CwiseUnaryOp CwiseNullaryOp CwiseUnaryView Solve ") && second) return noun(*second);
-  if (is(" VectorBlock ") && first && std::regex_match(arguments[1], number))
+  if (is(" VectorBlock ") && first && is_number(arguments[1]))
     return noun(first->rows == 1 ? Shape{1, std::stoi(arguments[1])} : Shape{std::stoi(arguments[1]), 1});
   if (is(" Map Ref Inverse ArrayWrapper MatrixWrapper NoAlias Reverse Select ") && first) return noun(*first);
   std::string shown = name == "vector" ? arguments[0] : list;
@@ -80,24 +78,22 @@ std::string shortened(const std::string& name, const std::string& list) {
 }  // namespace
 
 std::string in_plain_words(std::string_view text) {
-  constexpr std::size_t longest = 2000;  // std::regex recurses over the length of its text
-  static const std::regex noise(R"(\b(class|struct) (?=\w*::)| \[-fpermissive\]| \[with [^\]]*\])");
-  static const std::regex innermost(R"((?:Eigen::)?(?!operator\b)\b(\w+)<([^<>]*?) ?>(::)?)");
-  static const std::regex aka(R"('[^']*' \{aka '([^']*)'\}|'[^'{]* \{aka ([^'}]*)\}')");
-  static const std::regex constant(R"((\w[\w:]*(?:\x01[\w:]+\x02)?) const&)");
-  static const std::regex name(R"(\bEigen::(?=(Row)?(Vector|Matrix)[234X]+[df]\b))");
-  std::string plain = std::regex_replace(cut(text, longest), noise, "");
-  for (std::smatch found; std::regex_search(plain, found, innermost);) {
+  constexpr std::size_t longest = 2000;
+  std::string plain =
+      replaced(cut(text, longest), R"(\b(class|struct) (?=\w*::)| \[-fpermissive\]| \[with [^\]]*\])", "");
+  constexpr const char* innermost = R"((?:Eigen::)?(?!operator\b)\b(\w+)<([^<>]*?) ?>(::)?)";
+  while (const Match found = search(plain, innermost)) {
     // A member of a template, A<…>::B, has not the shape of A.
     const std::string type =
-        found[3].matched ? found[1].str() + open_mark + "…" + close_mark + "::" : shortened(found[1], found[2]);
-    plain.replace(static_cast<std::size_t>(found.position()), static_cast<std::size_t>(found.length()), type);
+        found[3].empty() ? shortened(found[1], found[2]) : found[1] + open_mark + "…" + close_mark + "::";
+    plain.replace(found.offsets[0], found[0].size(), type);
   }
-  plain = std::regex_replace(std::regex_replace(plain, aka, "'$1$2'"), constant, "const $1&");
+  plain = replaced(plain, R"('[^']*' \{aka '([^']*)'\}|'[^'{]* \{aka ([^'}]*)\}')", "'$1$2'");
+  plain = replaced(plain, R"((\w[\w:]*(?:\x01[\w:]+\x02)?) const&)", "const $1&");
   std::ranges::replace(plain, open_mark, '<');
   std::ranges::replace(plain, close_mark, '>');
   std::ranges::replace(plain, comma_mark, ',');
-  return std::regex_replace(plain, name, "");
+  return replaced(plain, R"(\bEigen::(?=(Row)?(Vector|Matrix)[234X]+[df]\b))", "");
 }
 
 }  // namespace workbook

@@ -1,6 +1,5 @@
 #include "checker/course/course.hpp"
 
-#include <regex>
 #include <sstream>
 
 namespace workbook {
@@ -46,33 +45,28 @@ std::vector<std::string> read_hints(const fs::path& file) {
 }
 
 std::map<std::string, std::string> read_headings(const fs::path& notes) {
-  static const std::regex heading(R"(^#+\s+(.*\S)\s*\{#(\w+)\}\s*$)");
   std::map<std::string, std::string> headings;
-  std::smatch match;
   for (const std::string& line : lines_of(read_file(notes).value_or("")))
-    if (line.starts_with('#') && std::regex_match(line, match, heading)) headings.emplace(match[2], match[1]);
+    if (const Match heading = search(line, R"(^#+\s+(.*\S)\s*\{#(\w+)\}\s*$)"))
+      headings.emplace(heading[2], heading[1]);
   return headings;
 }
 
 std::string example_that_calls(const Course& course, const Exercise& exercise) {
   const std::string text = read_file(course.lectures() / exercise.lecture() / "worked_examples.cpp").value_or("");
-  static const std::regex begin(R"rx(TEST_CASE\("(?:\w+: )?([^"]+)"\) \{)rx");
-  const std::regex call("\\b" + exercise.name() + "\\(");
-  for (std::sregex_iterator match(text.begin(), text.end(), begin), end; match != end;) {
-    std::string title = (*match)[1];
-    const auto body = match->suffix().first;
-    ++match;
-    if (std::regex_search(body, match == end ? text.end() : (*match)[0].first, call)) return title;
+  std::string title;
+  const std::string begin = R"rx(TEST_CASE\("(?:\w+: )?([^"]+)"\) \{)rx";
+  for (const Match& each : search_all(text, begin + "|\\b" + exercise.name() + "\\(")) {
+    if (each[1].empty() && !title.empty()) return title;
+    title = each[1];
   }
   return "";
 }
 
 std::string declared_signature(const Course& course, const Exercise& exercise) {
   const std::string header = read_file(course.contract_file(*exercise.card)).value_or("");
-  std::smatch found;
-  const std::regex declaration("(?:^|\n)([A-Za-z][^;{}/\n]*\\b" + exercise.name() + "\\([^;{}]*\\));");
-  if (!std::regex_search(header, found, declaration)) return "";
-  return std::regex_replace(found[1].str(), std::regex("\\s+"), " ");
+  const Match found = search(header, "(?:^|\n)([A-Za-z][^;{}/\n]*\\b" + exercise.name() + "\\([^;{}]*\\));");
+  return replaced(found[1], "\\s+", " ");
 }
 
 std::string stub_text(const Exercise& exercise, const std::string& signature) {

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstdlib>
-#include <regex>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -17,10 +16,10 @@ namespace workbook {
 namespace {
 
 struct KnownEvent {
-  const char* pattern;     ///< of its text
-  const char* name;        ///< of the finding
-  const char* sentence;    ///< with $1, $2 for what the pattern finds
-  bool undefined = false;  ///< the language leaves undefined what follows: wrong by itself, however the call ends
+  const char* pattern = "";   ///< of its text
+  const char* name = "";      ///< of the finding
+  const char* sentence = "";  ///< with $1, $2 for what the pattern finds
+  bool undefined = false;     ///< the language leaves undefined what follows: wrong by itself, however the call ends
 };
 
 /// The first that fits counts.
@@ -68,22 +67,13 @@ constexpr KnownEvent known_events[] = {
 };
 // clang-format on
 
-const KnownEvent* known(const std::string& text, std::smatch& found) {
-  static const auto patterns = [] {
-    std::vector<std::regex> all;
-    for (const KnownEvent& event : known_events) all.emplace_back(event.pattern);
-    return all;
-  }();
-  const auto first =
-      std::ranges::find_if(patterns, [&](const std::regex& pattern) { return std::regex_match(text, found, pattern); });
-  return first == patterns.end() ? nullptr : &known_events[first - patterns.begin()];
+std::pair<KnownEvent, Match> known(const std::string& text) {
+  for (const KnownEvent& event : known_events)
+    if (const Match found = search(text, fmt::format("^(?:{})$", event.pattern))) return {event, found};
+  return {};
 }
 
-bool is_undefined_behavior(const DiagnosticEvent& event) {
-  std::smatch ignored;
-  const KnownEvent* const found = known(event.text, ignored);
-  return found != nullptr && found->undefined;
-}
+bool is_undefined_behavior(const DiagnosticEvent& event) { return known(event.text).first.undefined; }
 
 /// The line from which the student's function calls itself, if the chain of calls shows that it does so without end.
 int recursion_line(const DiagnosticEvent& event) {
@@ -95,16 +85,14 @@ int recursion_line(const DiagnosticEvent& event) {
 
 /// The line of the only variable that is declared without a value, and its name; 0 if there are several or none.
 std::pair<int, std::string> declaration_without_value(const std::vector<std::string>& lines) {
-  static const std::regex declaration(
+  constexpr const char* declaration =
       R"((?:^|[;{}])\s*(?:Eigen::)?(?:double|float|Matrix\w+|Vector\w+|Array\w+|Quaternion\w+|std::array<[^;]*>)\s+)"
-      R"((\w+)\s*(?:\[\w*\]|\([^();]*(?:\(\)[^();]*)?\))?\s*;)");
+      R"((\w+)\s*(?:\[\w*\]|\([^();]*(?:\(\)[^();]*)?\))?\s*;)";
   std::pair<int, std::string> found{0, ""};
   for (std::size_t k = 0; k < lines.size(); ++k) {
-    const std::string line = cut(lines[k], 300);
-    for (auto each = std::sregex_iterator(line.begin(), line.end(), declaration); each != std::sregex_iterator();
-         ++each) {
+    for (const Match& each : search_all(cut(lines[k], 300), declaration)) {
       if (found.first > 0) return {0, ""};
-      found = {static_cast<int>(k) + 1, (*each)[1]};
+      found = {static_cast<int>(k) + 1, each[1]};
     }
   }
   return found;
@@ -179,8 +167,7 @@ class DiagnosticRun {
 
   /// What is known of "NAME|FACT|…".
   void tell(int line, const std::string& text) {
-    std::smatch found;
-    if (const KnownEvent* const event = known(text, found)) add(line, event->name, found.format(event->sentence));
+    if (const auto& [event, found] = known(text); found) add(line, event.name, found.fill(event.sentence));
   }
 
   void tell_undefined(const Run& run) {
@@ -239,11 +226,10 @@ class DiagnosticRun {
         trapped.events.rbegin()[1].line() == trapped.trap_line())
       return "division";
     if (!trapped.events.back().in_c_library) return "";
-    static const std::regex call("\\b(sqrt|a?cosh?|a?sinh?|a?tanh?|log(?:2|10)?|pow|exp|fmod)\\s*\\(");
-    const std::string line = source_line(trapped.trap_line());
     std::set<std::string> functions;
-    for (auto found = std::sregex_iterator(line.begin(), line.end(), call); found != std::sregex_iterator(); ++found)
-      functions.insert((*found)[1]);
+    for (const Match& call : search_all(source_line(trapped.trap_line()),
+                                        "\\b(sqrt|a?cosh?|a?sinh?|a?tanh?|log(?:2|10)?|pow|exp|fmod)\\s*\\("))
+      functions.insert(call[1]);
     return functions.size() == 1 ? *functions.begin() : "";
   }
 
@@ -292,41 +278,40 @@ class DiagnosticRun {
 
 std::vector<DiagnosticEvent> read_report(const std::string& text, const std::string& file_name) {
   constexpr std::size_t longest = 500;  // std::regex recurses over the length of its text
-  static const std::regex memory(
-      "==\\d+==ERROR: AddressSanitizer: ([A-Za-z-]+)(?: on unknown address (0x[0-9a-f]+))?.*");
-  static const std::regex behavior(".*:\\d+:\\d+: runtime error: (.*)");
-  static const std::regex summary("SUMMARY: UndefinedBehaviorSanitizer: ([a-z-]+) .*");
-  static const std::regex assertion(".*: Assertion [`'](.*)' failed\\.");
-  static const std::regex call("frame (\\d+)\\|(.*)\\|([^(]*)(.*)");
+  constexpr const char* memory = "^==\\d+==ERROR: AddressSanitizer: ([A-Za-z-]+)(?: on unknown address (0x[0-9a-f]+))?";
+  constexpr const char* behavior = "^.*:\\d+:\\d+: runtime error: (.*)$";
+  constexpr const char* summary = "^SUMMARY: UndefinedBehaviorSanitizer: ([a-z-]+) ";
+  constexpr const char* assertion = "^.*: Assertion [`'](.*)' failed\\.$";
+  constexpr const char* call = "^frame (\\d+)\\|(.*)\\|([^(]*)(.*)$";
   const std::string student_file = "shown/" + file_name;  // -fdebug-prefix-map
   std::vector<DiagnosticEvent> events;
   bool has_calls = true, in_calls = false;  // the last event, the last line
   for (const std::string& whole : lines_of(text)) {
     const std::string line = cut(whole, longest);
-    std::smatch found;
+    Match found;
     const auto begin = [&](const std::string& event) {
       events.push_back({event, {}});
       has_calls = false;
     };
     const bool was_in_calls = std::exchange(in_calls, false);
-    if (!events.empty() && std::regex_match(line, found, call)) {
+    if (!events.empty() && (found = search(line, call))) {
       // A report may go on with other chains: who freed the memory, who asked for it.
-      const bool is_students = found[2].str().ends_with(student_file);
-      if (!has_calls) events.back().in_c_library = !is_students && found[4].length() == 0;
-      if ((!has_calls || was_in_calls) && is_students) events.back().lines.push_back(std::atoi(found[1].str().c_str()));
+      const bool is_students = found[2].ends_with(student_file);
+      if (!has_calls) events.back().in_c_library = !is_students && found[4].empty();
+      if ((!has_calls || was_in_calls) && is_students) events.back().lines.push_back(std::atoi(found[1].c_str()));
       in_calls = !has_calls || was_in_calls;
       has_calls = true;
     } else if (line.starts_with("event ")) {
       // What has no calls yet announced what now throws or aborts: an assertion, memory, a forbidden call.
       if (line != "event thrown" || has_calls) begin(line.substr(6));
-    } else if (std::regex_match(line, found, assertion)) {
-      begin("assertion|" + found[1].str());
-    } else if (std::regex_match(line, found, memory)) {
-      if (found[1] != "ABRT" || has_calls) begin(found[1].str() + "|" + found[2].str());
-    } else if (std::regex_match(line, found, behavior)) {
-      begin("|" + found[1].str());
-    } else if (!events.empty() && events.back().text.starts_with('|') && std::regex_match(line, found, summary)) {
-      events.back().text.insert(0, found[1].str());
+    } else if ((found = search(line, assertion))) {
+      begin("assertion|" + found[1]);
+    } else if ((found = search(line, memory))) {
+      if (found[1] != "ABRT" || has_calls) begin(found[1] + "|" + found[2]);
+    } else if ((found = search(line, behavior))) {
+      begin("|" + found[1]);
+    } else if (!events.empty() && events.back().text.starts_with('|') && (found = search(line, summary))) {
+      events.back().text.insert(0, found[1]);
     }
   }
   return events;

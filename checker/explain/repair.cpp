@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <functional>
 #include <iterator>
 #include <numeric>
-#include <regex>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -19,15 +19,14 @@ namespace workbook {
 
 namespace {
 
+const std::string variants_name = "variants.cpp";
+
 /// The variants whose lines the compiler objects to.
 std::set<int> uncompilable(const VariantUnit& unit, const std::string& compiler_output) {
-  static const std::regex place(R"(^variants\.cpp:(\d{1,7}):)");
   std::set<int> objected;
-  for (const std::string& line : lines_of(compiler_output)) {
-    std::smatch found;
-    const std::string head = cut(line, 200);
-    if (std::regex_search(head, found, place)) objected.insert(unit.variant_at(std::stoi(found[1])));
-  }
+  for (const std::string& line : lines_of(compiler_output))
+    if (line.starts_with(variants_name + ':'))
+      objected.insert(unit.variant_at(std::atoi(line.c_str() + variants_name.size() + 1)));
   objected.erase(-1);
   return objected;
 }
@@ -46,7 +45,7 @@ std::filesystem::path compile_variants(const DiagnosticTask& task, std::vector<V
     limits.time = std::chrono::duration_cast<decltype(limits.time)>(deadline - Clock::now());
     if (limits.time <= decltype(limits.time)::zero()) break;
     const VariantUnit unit(task.submission.text, variants, task.reference);
-    const Submission all{"variants.cpp", "variants.cpp", unit.text(), task.submission.library};
+    const Submission all{variants_name, variants_name, unit.text(), task.submission.library};
     const Compilation compilation =
         compile({.submission = all, .exercise = task.reference.name, .signature = task.reference.signature}, toolchain,
                 cache, limits);

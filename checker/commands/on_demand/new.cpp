@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <regex>
 #include <sstream>
 
 namespace workbook {
@@ -49,19 +48,16 @@ struct Signature {
 };
 
 Signature parsed_signature(const std::string& text, const std::string& function) {
-  static const std::regex whole(R"(\s*(\S+)\s+(\w+)\s*\((.*)\)\s*;?\s*)");
-  static const std::regex one(R"(\s*(?:const\s+)?([\w:<>]+)\s*&?\s+(\w+)\s*)");
-  std::smatch found;
-  if (!std::regex_match(text, found, whole) || found[2] != function)
+  const Match found = search(text, R"(^\s*(\S+)\s+(\w+)\s*\((.*)\)\s*;?\s*$)");
+  if (!found || found[2] != function)
     throw UsageError(
         fmt::format("The signature should read like 'Vector3d {}(const Matrix3d& I, double t)'.", function));
   Signature signature;
   std::istringstream parameters(found[3]);
   std::string list;
   for (std::string parameter; std::getline(parameters, parameter, ',');) {
-    std::smatch part;
-    if (!std::regex_match(parameter, part, one))
-      throw UsageError(fmt::format("'{}' is no parameter with a type and a name.", parameter));
+    const Match part = search(parameter, R"(^\s*(?:const\s+)?([\w:<>]+)\s*&?\s+(\w+)\s*$)");
+    if (!part) throw UsageError(fmt::format("'{}' is no parameter with a type and a name.", parameter));
     const ContractType& type = contract_type(part[1]);
     const std::string name = part[2];
     const bool by_value = type.name == std::string("double") || type.name == std::string("int");
@@ -120,7 +116,7 @@ void require_solutions(const Course& course) {
 int new_lecture(const Course& course, const Options& options) {
   const std::string& folder = options.new_name;
   require_solutions(course);
-  if (!std::regex_match(folder, std::regex(R"(\d\d_[a-z][a-z0-9_]*)")))
+  if (!search(folder, R"(^\d\d_[a-z][a-z0-9_]*$)"))
     throw UsageError(fmt::format("'{}' should read NN_topic, two digits and a name in small letters.", folder));
   const fs::path lecture = course.lectures() / folder;
   if (fs::exists(lecture)) throw UsageError(fmt::format("lectures/{} exists already.", folder));

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <regex>
 #include <set>
 
 namespace workbook {
@@ -214,12 +213,12 @@ class SelfCheck {
         fault(notes_file, "quotes '{}' of {}, which has {} of the two marks `//! {}`; put them around the example.",
               region, course_.in_course(file), marks, mark);
     };
-    static const std::regex quote(R"(\\snippet\s+(\S+)\s+([^\n]*\S)|\\computed\{([^,}]+),([^}]+)\})");
-    for (std::sregex_iterator match(notes.begin(), notes.end(), quote), end; match != end; ++match) {
-      if ((*match)[1].matched) require_marks(course_.lectures() / (*match)[1].str(), (*match)[2]);
+    constexpr const char* quotes = R"(\\snippet\s+(\S+)\s+([^\n]*\S)|\\computed\{([^,}]+),([^}]+)\})";
+    for (const Match& quote : search_all(notes, quotes)) {
+      if (!quote[1].empty()) require_marks(course_.lectures() / quote[1], quote[2]);
       for (const char* part : {"", " in brief"})
-        if ((*match)[3].matched)
-          require_marks(course_.lectures() / (*match)[3].str() / "worked_examples.cpp", (*match)[4].str() + part);
+        if (!quote[3].empty())
+          require_marks(course_.lectures() / quote[3] / "worked_examples.cpp", quote[4] + part);
     }
   }
 

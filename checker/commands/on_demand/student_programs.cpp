@@ -5,7 +5,6 @@
 #include <boost/property_tree/xml_parser.hpp>
 
 #include <cstring>
-#include <regex>
 #include <set>
 #include <sstream>
 
@@ -21,9 +20,8 @@ std::string student_program(const Course& course, const std::string& target, con
   const FinishedProgram built = make(course.build(), {target});
   if (built.succeeded()) return (course.build().directory / "lectures" / target).string();
   std::set<std::string> exercises;
-  static const std::regex error(R"(lectures/\w+/exercises/(\w+)\.cpp:\d+:\d+: error)");
-  for (std::sregex_iterator match(built.output.begin(), built.output.end(), error), end; match != end; ++match)
-    exercises.insert((*match)[1]);
+  for (const Match& error : search_all(built.output, R"(lectures/\w+/exercises/(\w+)\.cpp:\d+:\d+: error)"))
+    exercises.insert(error[1]);
   if (exercises.empty()) throw std::runtime_error(fmt::format("{}\nThe {} could not be built.", built.output, what));
   fmt::print("The {} need files of yours that do not compile:\n", what);
   for (const std::string& exercise : exercises) fmt::print("  {}\n", command("check " + exercise));
@@ -64,9 +62,8 @@ std::string on_one_line(const std::string& text) {
 /// A check, or the example as a whole, that threw or failed.
 void add_failure(Example& example, const tree::ptree& failure) {
   const std::string thrown = on_one_line(failure.get("Exception", failure.data()));
-  static const std::regex not_started("not started: (\\w+)");  // as lectures/support/not_started.cpp has it
-  if (std::smatch match; std::regex_search(thrown, match, not_started)) {
-    example.missing.insert(match[1]);
+  if (const Match found = search(thrown, "not started: (\\w+)")) {  // as lectures/support/not_started.cpp has it
+    example.missing.insert(found[1]);
     return;
   }
   const std::string file = failure.get("<xmlattr>.filename", "");
@@ -200,9 +197,7 @@ int live(const Course& course, const Options& options) {
   // What the figures call, as lectures/live/live.js has it.
   const std::string script = read_file(course.lectures() / lecture / "live.js").value_or("");
   std::set<std::string> called;
-  static const std::regex call(R"(rigid\.(\w+)\()");
-  for (std::sregex_iterator match(script.begin(), script.end(), call), end; match != end; ++match)
-    called.insert((*match)[1]);
+  for (const Match& call : search_all(script, R"(rigid\.(\w+)\()")) called.insert(call[1]);
   if (called.empty()) return stop("{} has no live figures.", lecture);
 
   const ProgressSummary summary = summary_of(course, Progress(course.progress_file()));
