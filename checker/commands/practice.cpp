@@ -1,7 +1,6 @@
 // Learning that lasts: predict asks for results before there is a function, question for the mistake of another one,
 // review for an exercise of some time ago.
 #include "checker/commands/commands.hpp"
-#include "checker/data/value_text.hpp"
 #include "checker/explain/question.hpp"
 #include "checker/judging/comparison.hpp"
 

@@ -23,22 +23,21 @@ struct NumbersView {
 template <class T>
 struct KindOf;
 
-template <>
-struct KindOf<double> {
-  static constexpr const char* name = "number";
-  static double read(NumbersView view) { return view.numbers[0]; }
-  static int rows(double) { return 1; }
-  static int cols(double) { return 1; }
-  static void write(double value, double* out) { out[0] = value; }
+template <class Number>
+struct NumberKind {
+  static Number read(NumbersView view) { return static_cast<Number>(view.numbers[0]); }
+  static int rows(Number) { return 1; }
+  static int cols(Number) { return 1; }
+  static void write(Number value, double* out) { out[0] = value; }
 };
 
 template <>
-struct KindOf<int> {
+struct KindOf<double> : NumberKind<double> {
+  static constexpr const char* name = "number";
+};
+template <>
+struct KindOf<int> : NumberKind<int> {
   static constexpr const char* name = "integer";
-  static int read(NumbersView view) { return static_cast<int>(view.numbers[0]); }
-  static int rows(int) { return 1; }
-  static int cols(int) { return 1; }
-  static void write(int value, double* out) { out[0] = value; }
 };
 
 /// Every Eigen matrix of the contracts, fixed or free in size.

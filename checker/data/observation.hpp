@@ -4,14 +4,10 @@
 
 #include "checker/data/value.hpp"
 
-#include <cstddef>
 #include <optional>
-#include <string>
-#include <vector>
 
 namespace workbook {
 
-/// How one call of the student's function ended.
 enum class Ending {
   returned,
   not_started,    ///< threw rigid::NotStarted

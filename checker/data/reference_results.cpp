@@ -3,7 +3,6 @@
 #include "checker/base/files.hpp"
 #include "checker/base/text.hpp"
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>

@@ -9,8 +9,6 @@
 #include <filesystem>
 #include <map>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
 namespace workbook {
 
@@ -18,7 +16,6 @@ namespace workbook {
 /// ones come last; they carry inputs and expected values only.
 enum class Group { worked, special, random, generated };
 
-/// How an answer is compared with the expected one.
 enum class Comparison {
   plain,                       ///< entry by entry
   up_to_sign,                  ///< the whole value or its negative (quaternions)
@@ -28,7 +25,6 @@ enum class Comparison {
   rotation_by_vector,          ///< axis times angle, through the rotation matrix; the angle at most half a turn
 };
 
-/// One parameter of the exercise's function.
 struct Argument {
   std::string name;
   Kind kind = Kind::number;
@@ -154,7 +150,6 @@ struct Adequacy {
   bool operator==(const Adequacy&) const = default;
 };
 
-/// All about one exercise.
 struct ExerciseReference {
   std::string name;
   std::string signature;  ///< as the contract declares it

@@ -1,5 +1,6 @@
 #include "checker/data/value.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -32,6 +33,23 @@ json rows_to_json(const Value& value, int first_col, int cols) {
   }
   return rows;
 }
+
+constexpr int largest_denominator = 12;
+
+/// Entries of the columns [first, first + cols), row by row: "26 -3; -3 20".
+std::string rows_text(const Value& value, int first, int cols, int digits) {
+  std::string text = "[";
+  for (int row = 0; row < value.rows; ++row) {
+    if (row > 0) text += "; ";
+    for (int col = first; col < first + cols; ++col) {
+      if (col > first) text += ' ';
+      text += number_text(value.at(row, col), digits);
+    }
+  }
+  return text + "]";
+}
+
+std::size_t point_position(const std::string& number) { return std::min(number.find_first_of(".e"), number.size()); }
 
 }  // namespace
 
@@ -97,6 +115,101 @@ json json_of(const Value& value, Kind kind) {
   if (is_vector(kind) && value.rows == 1) return json::array({number_to_json(value.numbers.at(0))});
   if (kind == Kind::points) return rows_to_json(value, 0, value.cols);
   return value;
+}
+
+std::string number_text(double number, int digits) {
+  if (std::isnan(number)) return "NaN";  // never "-nan": its sign says nothing
+  if (number == 0) return "0";
+  return digits == all_digits ? fmt::format("{}", number) : fmt::format("{:.{}g}", number, digits);
+}
+
+std::pair<std::string, std::string> distinct_texts(double one, double other, int digits) {
+  std::pair<std::string, std::string> texts;
+  do {
+    texts = {number_text(one, digits), number_text(other, digits)};
+  } while (texts.first == texts.second && ++digits <= 17);
+  return texts;
+}
+
+int digits_to_tell_apart(double one, double other) {
+  const double difference = std::abs(one - other);
+  if (!(difference > 0) || !std::isfinite(difference)) return 6;
+  const double size = std::max(std::abs(one), std::abs(other));
+  return std::clamp(static_cast<int>(std::ceil(std::log10(size / difference))) + 2, 6, 17);
+}
+
+std::string coefficient_text(double coefficient) {
+  const std::string sign = coefficient < 0 ? "−" : "";
+  const double size = std::abs(coefficient);
+  for (int denominator = 1; denominator <= largest_denominator; ++denominator) {
+    const double numerator = std::round(size * denominator);
+    if (std::abs(size - numerator / denominator) > 1e-6 * std::max(1.0, size)) continue;
+    if (numerator == 0) return "0";
+    return denominator == 1 ? fmt::format("{}{}", sign, numerator)
+                            : fmt::format("{}{}/{}", sign, numerator, denominator);
+  }
+  return sign + number_text(size, 4);
+}
+
+std::string format_value(const Value& value, Kind kind, int digits) {
+  switch (kind) {
+    case Kind::number:
+    case Kind::integer:
+      return value.numbers.empty() ? "nothing" : number_text(value.numbers.front(), digits);
+    case Kind::vector2:
+    case Kind::vector3:
+    case Kind::vector: {
+      std::vector<std::string> texts;
+      for (double number : value.numbers) texts.push_back(number_text(number, digits));
+      return fmt::format("({})", fmt::join(texts, ", "));
+    }
+    case Kind::matrix3:
+    case Kind::points:
+      return value.cols == 0 ? "[]" : rows_text(value, 0, value.cols, digits);
+    case Kind::matrices: {
+      std::vector<std::string> texts;
+      for (int col = 0; col + 3 <= value.cols; col += 3) texts.push_back(rows_text(value, col, 3, digits));
+      return fmt::format("{{{}}}", fmt::join(texts, ", "));
+    }
+  }
+  return "";
+}
+
+std::string entry_name(const Value& value, Kind kind, std::size_t number) {
+  const auto rows = static_cast<std::size_t>(std::max(value.rows, 1));
+  const std::size_t row = number % rows + 1;
+  const std::size_t col = number / rows + 1;
+  switch (kind) {
+    case Kind::number:
+    case Kind::integer:
+      return "the result";
+    case Kind::vector2:
+    case Kind::vector3:
+    case Kind::vector:
+      return fmt::format("component {}", row);
+    case Kind::matrix3:
+    case Kind::points:
+      return fmt::format("entry ({},{})", row, col);
+    case Kind::matrices:
+      return fmt::format("entry ({},{}) of matrix {}", row, (col - 1) % 3 + 1, (col - 1) / 3 + 1);
+  }
+  return "";
+}
+
+std::vector<std::string> aligned_on_point(const std::vector<std::string>& numbers) {
+  std::size_t before = 0;
+  std::size_t after = 0;
+  for (const std::string& number : numbers) {
+    before = std::max(before, point_position(number));
+    after = std::max(after, number.size() - point_position(number));
+  }
+  std::vector<std::string> aligned;
+  for (const std::string& number : numbers) {
+    const std::size_t position = point_position(number);
+    aligned.push_back(std::string(before - position, ' ') + number +
+                      std::string(after - (number.size() - position), ' '));
+  }
+  return aligned;
 }
 
 }  // namespace workbook

@@ -5,13 +5,6 @@
 #include "checker/data/observation.hpp"
 #include "checker/data/reference_results.hpp"
 
-#include <Eigen/Core>
-
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace workbook {
 
 /// How many times the tolerance a deviation must be to be told from rounding.

@@ -5,14 +5,6 @@
 
 #include "checker/judging/comparison.hpp"
 
-#include <Eigen/Core>
-#include <nlohmann/json_fwd.hpp>
-
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace workbook {
 
 enum class DiagnosisKind {
@@ -34,8 +26,8 @@ std::string to_string(DiagnosisKind kind);
 struct Diagnosis {
   DiagnosisKind kind = DiagnosisKind::misconception;
   std::string name;
-  std::string message;  ///< one sentence
-  std::string notes;    ///< anchor of the paragraph to read; may be empty
+  std::string message;     ///< one sentence
+  std::string notes = {};  ///< anchor of the paragraph to read; may be empty
 
   /// True, but a consequence of a reason that it does not name.
   bool is_symptom() const;
@@ -49,36 +41,26 @@ void from_json(const nlohmann::json& json, Diagnosis& diagnosis);
 std::vector<Diagnosis> diagnose(const ExerciseReference& exercise, const Answers& answers,
                                 const std::vector<UnitProbe>& probes);
 
-// --- recognising a whole answer (whole_answer.cpp)
+/// Looks for one kind of reason.
+using Mechanism = std::optional<Diagnosis>(const ExerciseReference& exercise, const Answers& answers);
 
-/// The misconception that gives the student's answers at all deciding cases; none if two with different messages fit,
-/// or if the student is not wrong at any of them.
-std::optional<Diagnosis> diagnose_misconception(const ExerciseReference& exercise, const Answers& answers);
+// --- recognising a whole answer at all deciding cases (whole_answer.cpp)
 
-/// A common factor (−1, 2, ½, degrees for radians, or any other), a transposed matrix, or components in another order.
-std::optional<Diagnosis> diagnose_transform(const ExerciseReference& exercise, const Answers& answers);
-
-/// The right result for changed inputs, at all deciding cases.
-std::optional<Diagnosis> diagnose_input_transform(const ExerciseReference& exercise, const Answers& answers);
+Mechanism diagnose_misconception;    ///< none if two with different messages fit
+Mechanism diagnose_transform;        ///< a common factor, a transposed matrix, or components in another order
+Mechanism diagnose_input_transform;  ///< the right result for changed inputs
 
 // --- what a wrong component lacks or has too much (regression.cpp)
 
 /// The error of every wrong component as exactly one or two products of the inputs with simple coefficients.
-std::optional<Diagnosis> diagnose_difference(const ExerciseReference& exercise, const Answers& answers);
+Mechanism diagnose_difference;
 
 // --- where it is wrong, and on what it depends (patterns.cpp)
 
-/// "Only component 3 is wrong, at all 14 cases": always true, and silent where all components are wrong.
-std::optional<Diagnosis> diagnose_place(const ExerciseReference& exercise, const Answers& answers);
-
-/// Entries that hold what belongs in others, while the rest is right.
-std::optional<Diagnosis> diagnose_entries(const ExerciseReference& exercise, const Answers& answers);
-
-/// Columns that are principal axes, but in another order, of another length or of the other handedness.
-std::optional<Diagnosis> diagnose_eigenvectors(const ExerciseReference& exercise, const Answers& answers);
-
-/// Euler angles of the right attitudes, with θ beyond its range.
-std::optional<Diagnosis> diagnose_range(const ExerciseReference& exercise, const Answers& answers);
+Mechanism diagnose_place;         ///< "Only component 3 is wrong": always true, and silent where all are
+Mechanism diagnose_entries;       ///< entries that hold what belongs in others, while the rest is right
+Mechanism diagnose_eigenvectors;  ///< principal axes in another order, of another length or handedness
+Mechanism diagnose_range;         ///< Euler angles of the right attitudes, with θ beyond its range
 
 /// One number of an argument.
 struct IndependentInput {
@@ -105,22 +87,16 @@ struct Outcomes {
 Outcomes outcomes_of(const ExerciseReference& exercise, const Answers& answers);
 
 /// The feature of the inputs (a sign, a zero, an equality, an order, a count) that tells wrong cases from right ones.
-std::optional<Diagnosis> diagnose_split(const ExerciseReference& exercise, const Answers& answers);
-
-/// The feature with which all is right, and without which almost all is wrong.
-std::optional<Diagnosis> diagnose_one_side(const ExerciseReference& exercise, const Answers& answers);
-
-/// The few cases that are wrong, by name, or the one change that makes a right case wrong.
-std::optional<Diagnosis> diagnose_few(const ExerciseReference& exercise, const Answers& answers);
-
-/// The one misconception that fits all failing cases, where others are right.
-std::optional<Diagnosis> diagnose_conditional(const ExerciseReference& exercise, const Answers& answers);
+Mechanism diagnose_split;
+Mechanism diagnose_one_side;     ///< the feature with which all is right, and without which almost all is wrong
+Mechanism diagnose_few;          ///< the few wrong cases by name, or the one change that makes a right case wrong
+Mechanism diagnose_conditional;  ///< the one misconception that fits all failing cases, where others are right
 
 // --- wrong coefficients (terms.cpp)
 
-/// Says which coefficients are off, if the student's answers are exactly a sum of the terms. Silent where the whole
-/// answer is a multiple of the right one, which is better said of the whole.
-std::optional<Diagnosis> diagnose_terms(const ExerciseReference& exercise, const Answers& answers);
+/// Where the student's answers are exactly a sum of the terms. Silent where the whole answer is a multiple of the right
+/// one, which is better said of the whole.
+Mechanism diagnose_terms;
 
 /// The terms as columns and the given values as a vector, one row per number of every deciding case, each divided by
 /// its natural size.
@@ -152,6 +128,26 @@ bool clearly_lacks(const ExerciseReference& exercise, const Property& property, 
 /// One diagnosis for each property that all expected values have and a student's value at some deciding case clearly
 /// lacks.
 std::vector<Diagnosis> diagnose_properties(const ExerciseReference& exercise, const Answers& answers);
+
+// --- the inputs as named numbers: what formulas are made of (quantities.cpp)
+
+/// One number of the inputs, at every case.
+struct Quantity {
+  std::string name;  ///< "omega_2", "I_13", "theta"
+  Unit unit;
+  std::size_t argument = 0;
+  std::size_t entry = 0;
+  std::vector<double> values;  ///< per case
+
+  bool is_angle() const { return unit == units::radian; }
+};
+
+/// All numbers of arguments of fixed size. Of matrices that are symmetric at every case the upper triangle stands for
+/// both.
+std::vector<Quantity> quantities_of(const ExerciseReference& exercise);
+
+/// How the entry of a value of that kind is called behind its name: "_2", "_13", "".
+std::string entry_suffix(Kind kind, std::size_t entry);
 
 // --- dimensions by a change of units: a quantity in kg m² grows 10⁴ times when lengths are given in centimetres
 // (dimensions.cpp)

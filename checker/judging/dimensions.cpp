@@ -1,21 +1,24 @@
 #include "checker/base/text.hpp"
-#include "checker/data/value_text.hpp"
 #include "checker/judging/diagnosis.hpp"
 #include "checker/judging/judge.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 namespace workbook {
 
 namespace {
 
-constexpr std::array<std::pair<char, double>, 3> bases = {{{'k', 1000.0}, {'m', 100.0}, {'s', 1000.0}}};
+struct Base {
+  char name;
+  int Unit::*exponent;
+  double factor;  ///< how many small units make one
+  const char* change;
+};
+constexpr Base bases[] = {{'k', &Unit::kilogram, 1000.0, "With masses in g"},
+                          {'m', &Unit::metre, 100.0, "With lengths in cm"},
+                          {'s', &Unit::second, 1000.0, "With times in ms"}};
 constexpr std::size_t probed_cases = 3;
 
 // Powers are exact but for rounding, and for the step error of an integration; what is neither exact nor clearly off
@@ -26,21 +29,7 @@ constexpr double clearly_off = 0.05;
 // A number so much smaller than the result's natural size may be a rounding error.
 constexpr double safely_away_from_zero = 1e-3;
 
-int exponent(const Unit& unit, char base) {
-  switch (base) {
-    case 'k':
-      return unit.kilogram;
-    case 'm':
-      return unit.metre;
-    default:
-      return unit.second;
-  }
-}
-
-bool has_dimension(const ExerciseReference& exercise, char base) {
-  return std::ranges::any_of(exercise.arguments,
-                             [base](const Argument& argument) { return exponent(argument.unit, base) != 0; });
-}
+const Base& base_of(const UnitProbe& probe) { return *std::ranges::find(bases, probe.base, &Base::name); }
 
 /// The powers p of the observed growth factor^p, one per number that can be used; nothing if a reply is missing.
 /// @param number  of the result; nothing: all
@@ -97,10 +86,6 @@ std::optional<std::pair<std::size_t, Power>> odd_number(const ExerciseReference&
   return odd;
 }
 
-std::string unit_change(char base) {
-  return base == 'k' ? "With masses in g" : base == 'm' ? "With lengths in cm" : "With times in ms";
-}
-
 std::string growth(double decades, const char* grow, const char* shrink, const char* unchanged) {
   const double size = std::abs(decades);
   if (size == 0) return unchanged;
@@ -114,26 +99,28 @@ std::string part(const std::string& owner, const std::string& component) {
   return (component.empty() ? "" : component + " of ") + owner + " result";
 }
 
-std::string wrong_power(char base, double expected_decades, double actual_decades, const std::string& component) {
-  return fmt::format("{} {} {}, yours {}.", unit_change(base), part("the", component),
+std::string wrong_power(const Base& base, double expected_decades, double actual_decades,
+                        const std::string& component) {
+  return fmt::format("{} {} {}, yours {}.", base.change, part("the", component),
                      growth(expected_decades, "should grow", "should shrink", "should not change"),
                      growth(actual_decades, "grows", "shrinks", "does not change"));
 }
 
-std::string no_single_power(char base, const std::string& component) {
+std::string no_single_power(const Base& base, const std::string& component) {
   return fmt::format(
       "{} {} grows by no single power of ten: quantities of different dimension are being added, or a "
       "number in the formula hides a unit.",
-      unit_change(base), part("your", component));
+      base.change, part("your", component));
 }
 
 }  // namespace
 
 std::vector<UnitProbe> plan_probes(const ExerciseReference& exercise) {
   std::vector<UnitProbe> probes;
-  for (const auto& [base, factor] : bases) {
-    if (has_dimension(exercise, base))
-      probes.push_back({base, factor, spread(deciding_cases(exercise), probed_cases), {}});
+  for (const Base& base : bases) {
+    const auto has_dimension = [&](const Argument& argument) { return argument.unit.*base.exponent != 0; };
+    if (std::ranges::any_of(exercise.arguments, has_dimension))
+      probes.push_back({base.name, base.factor, spread(deciding_cases(exercise), probed_cases), {}});
   }
   return probes;
 }
@@ -141,7 +128,7 @@ std::vector<UnitProbe> plan_probes(const ExerciseReference& exercise) {
 std::vector<Value> probe_inputs(const ExerciseReference& exercise, const UnitProbe& probe, std::size_t case_index) {
   std::vector<Value> inputs = exercise.cases.at(case_index).inputs;
   for (std::size_t a = 0; a < inputs.size(); ++a) {
-    const double growth = std::pow(probe.factor, exponent(exercise.arguments.at(a).unit, probe.base));
+    const double growth = std::pow(probe.factor, exercise.arguments.at(a).unit.*base_of(probe).exponent);
     for (double& number : inputs[a].numbers) number *= growth;
   }
   return inputs;
@@ -153,10 +140,11 @@ std::vector<Diagnosis> diagnose_dimensions(const ExerciseReference& exercise, co
   std::vector<Diagnosis> no_powers;
   for (const UnitProbe& probe : probes) {
     for (std::size_t u = 0; u < exercise.result_units.size(); ++u) {
+      const Base& base = base_of(probe);
       const bool has_many_units = exercise.result_units.size() > 1;
       const auto powers = observed_powers(exercise, answers, probe, has_many_units ? std::optional(u) : std::nullopt);
       if (!powers) break;
-      const double expected = exponent(exercise.result_units[u], probe.base);
+      const double expected = exercise.result_units[u].*base.exponent;
       Power observed = single_power(*powers);
       const int decades = static_cast<int>(std::lround(std::log10(probe.factor)));
       auto number = has_many_units ? std::optional(u) : std::nullopt;
@@ -166,12 +154,11 @@ std::vector<Diagnosis> diagnose_dimensions(const ExerciseReference& exercise, co
       const std::string component = number ? entry_name(result, exercise.result_kind, *number) : "";
       if (observed.finding == UnitFinding::single_power && observed.value != expected) {
         wrong_powers.push_back({DiagnosisKind::dimension, std::string(1, probe.base),
-                                wrong_power(probe.base, expected * decades, observed.value * decades, component), ""});
+                                wrong_power(base, expected * decades, observed.value * decades, component)});
         break;
       }
       if (observed.finding == UnitFinding::no_single_power) {
-        no_powers.push_back(
-            {DiagnosisKind::dimension, std::string(1, probe.base), no_single_power(probe.base, component), ""});
+        no_powers.push_back({DiagnosisKind::dimension, std::string(1, probe.base), no_single_power(base, component)});
         break;
       }
     }

@@ -1,18 +1,16 @@
 #include "checker/judging/judge.hpp"
 
 #include "checker/base/text.hpp"
-#include "checker/data/value_text.hpp"
 #include "checker/judging/comparison.hpp"
 #include "checker/judging/run_failures.hpp"
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <utility>
 
 namespace workbook {
 
@@ -43,33 +41,16 @@ const char* const only_the_function =
 
 std::string at(const Case& one) { return fmt::format("at the case “{}”", one.name); }
 
-/// The verdict on a call that gave no value.
+/// On a call that gave no value. A function that returns at other inputs has been started; what it throws is then an
+/// exception like any other.
 Verdict verdict_of(Ending ending) {
-  switch (ending) {
-    // A function that returns at other inputs has been started; what it throws is then an exception like any other.
-    case Ending::not_started:
-    case Ending::exception:
-      return Verdict::uncaught_exception;
-    case Ending::wrong_shape:
-      return Verdict::wrong_shape;
-    case Ending::crashed:
-      return Verdict::crashed;
-    case Ending::stopped_early:
-      return Verdict::stopped_early;
-    case Ending::not_run:
-    case Ending::time_limit:
-      return Verdict::time_limit;
-    case Ending::memory_limit:
-      return Verdict::memory_limit;
-    case Ending::output_limit:
-      return Verdict::output_limit;
-    case Ending::forbidden_operation:
-      return Verdict::forbidden_operation;
-    case Ending::returned:
-    case Ending::protocol_violation:
-      break;
-  }
-  return Verdict::protocol_violation;
+  using enum Verdict;
+  // In the order of Ending.
+  constexpr std::array verdicts = {
+      protocol_violation, uncaught_exception, uncaught_exception, wrong_shape,  crashed,
+      stopped_early,      time_limit,         memory_limit,       output_limit, forbidden_operation,
+      protocol_violation, time_limit};
+  return verdicts.at(static_cast<std::size_t>(ending));
 }
 
 /// The shape in the words of the kind.
@@ -145,9 +126,9 @@ Advice refused(Refusal refusal, const std::string& message, const std::string& s
 }
 
 Verdict verdict_of(Refusal refusal) {
-  constexpr Verdict verdicts[] = {Verdict::rejected_file, Verdict::compile_error, Verdict::missing_function,
-                                  Verdict::checker_error};
-  return verdicts[static_cast<std::size_t>(refusal)];
+  using enum Verdict;
+  constexpr std::array verdicts = {rejected_file, compile_error, missing_function, checker_error};
+  return verdicts.at(static_cast<std::size_t>(refusal));
 }
 
 /// The repeat whose value differs from that of the first run by more than rounding, if there is one, or of which one
@@ -209,6 +190,25 @@ void judge_repeats(Judgement& judgement, const ExerciseReference& exercise, cons
           "Go on to the next exercise, or read in the notes what to try next."});
 }
 
+/// @param verdict  of the first case that has not passed
+void decide_failed(Judgement& judgement, const ExerciseReference& exercise, const Observation& observation,
+                   Verdict verdict) {
+  const std::size_t first = judgement.failing.front();
+  const Repeat* const repeat = verdict == Verdict::wrong_value || verdict == Verdict::non_finite_value
+                                   ? inconsistent_repeat(exercise, observation)
+                                   : nullptr;
+  const std::string when = at(exercise.cases[first]);
+  if (repeat != nullptr) {  // random answers and variables that are never set have no other explanation
+    decide_inconsistent(judgement, exercise, observation, *repeat);
+  } else if (first < observation.replies.size()) {
+    decide(judgement, verdict, advice_on(exercise, first, when, observation.replies[first], verdict, judgement));
+  } else {
+    decide(judgement, verdict,
+           {fmt::format("No reply came back {}.", when),
+            "Check that the function returns at every input and does not end the program."});
+  }
+}
+
 bool is_not_started(const ExerciseReference& exercise, const std::vector<Reply>& replies) {
   return replies.size() >= exercise.cases.size() &&
          std::ranges::all_of(replies, [](const Reply& reply) { return reply.ending == Ending::not_started; });
@@ -233,60 +233,35 @@ std::string in_words(std::string verdict) {
 }
 
 Judgement judge(const ExerciseReference& exercise, const Observation& observation) {
+  const std::vector<Reply>& replies = observation.replies;
+  const bool has_run = !observation.refusal && !exercise.cases.empty();
+  const bool is_started = has_run && !is_not_started(exercise, replies);
   Judgement judgement;
   judgement.cases_total = exercise.cases.size();
-  const std::vector<Reply>& replies = observation.replies;
-  if (observation.refusal || exercise.cases.empty()) {
-    const Refusal refusal = observation.refusal.value_or(Refusal::checker_error);
-    judgement.failing.resize(exercise.cases.size());
-    std::iota(judgement.failing.begin(), judgement.failing.end(), std::size_t{0});
-    decide(judgement, verdict_of(refusal),
-           refused(refusal,
-                   observation.refusal ? observation.refusal_message
-                                       : fmt::format("The reference results hold no cases for {}.", exercise.name),
-                   exercise.signature));
-    return judgement;
+  std::vector<Verdict> verdicts;
+  for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
+    verdicts.push_back(is_started && i < replies.size() ? assess(exercise, i, replies[i])
+                                                        : Verdict::protocol_violation);
+    if (verdicts.back() != Verdict::passed) judgement.failing.push_back(i);
   }
-  if (is_not_started(exercise, replies)) {
-    judgement.failing.resize(exercise.cases.size());
-    std::iota(judgement.failing.begin(), judgement.failing.end(), std::size_t{0});
+  if (!has_run) {
+    const Refusal refusal = observation.refusal.value_or(Refusal::checker_error);
+    const std::string message = observation.refusal
+                                    ? observation.refusal_message
+                                    : fmt::format("The reference results hold no cases for {}.", exercise.name);
+    decide(judgement, verdict_of(refusal), refused(refusal, message, exercise.signature));
+  } else if (!is_started) {
     decide(judgement, Verdict::not_started,
            {"You have not started this exercise: the TODO is still there.",
             "Open the file, replace the TODO by your formula, and check again."});
-    return judgement;
-  }
-
-  std::vector<Verdict> verdicts;
-  for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
-    verdicts.push_back(i < replies.size() ? assess(exercise, i, replies[i]) : Verdict::protocol_violation);
-    if (verdicts.back() != Verdict::passed) judgement.failing.push_back(i);
-  }
-  if (judgement.failing.empty() && replies.size() == exercise.cases.size()) {
+  } else if (!judgement.failing.empty()) {
+    decide_failed(judgement, exercise, observation, verdicts[judgement.failing.front()]);
+  } else if (replies.size() == exercise.cases.size()) {
     judge_repeats(judgement, exercise, observation);
-    return judgement;
-  }
-  if (judgement.failing.empty()) {
+  } else {
     decide(
         judgement, Verdict::protocol_violation,
         {fmt::format("There were {} replies to {} calls.", replies.size(), exercise.cases.size()), only_the_function});
-    return judgement;
-  }
-  const std::size_t first = judgement.failing.front();
-  const Verdict verdict = verdicts[first];
-  if (verdict == Verdict::wrong_value || verdict == Verdict::non_finite_value) {
-    // Random answers and variables that are never set have no other explanation.
-    if (const Repeat* repeat = inconsistent_repeat(exercise, observation)) {
-      decide_inconsistent(judgement, exercise, observation, *repeat);
-      return judgement;
-    }
-  }
-  if (first >= replies.size()) {
-    decide(judgement, verdict,
-           {fmt::format("No reply came back {}.", at(exercise.cases[first])),
-            "Check that the function returns at every input and does not end the program."});
-  } else {
-    decide(judgement, verdict,
-           advice_on(exercise, first, at(exercise.cases[first]), replies[first], verdict, judgement));
   }
   return judgement;
 }

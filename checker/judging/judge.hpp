@@ -5,13 +5,6 @@
 #include "checker/data/observation.hpp"
 #include "checker/data/reference_results.hpp"
 
-#include <nlohmann/json_fwd.hpp>
-
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace workbook {
 
 enum class Verdict {

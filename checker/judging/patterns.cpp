@@ -1,15 +1,11 @@
 // Where an answer is wrong, and what that has in common: cases, components, inputs.
 #include "checker/base/text.hpp"
-#include "checker/data/value_text.hpp"
 #include "checker/judging/diagnosis.hpp"
-#include "checker/judging/quantities.hpp"
 
-#include <fmt/format.h>
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 namespace workbook {
@@ -49,8 +45,7 @@ std::optional<Diagnosis> diagnose_place(const ExerciseReference& exercise, const
                                               plural(outcome.right.size() + outcome.wrong.size(), "case"));
   return Diagnosis{DiagnosisKind::place, "place",
                    fmt::format("Only {} {} wrong, {}; all other numbers are right everywhere.", listed(names),
-                               wrong.size() == 1 ? "is" : "are", where),
-                   ""};
+                               wrong.size() == 1 ? "is" : "are", where)};
 }
 
 std::vector<IndependentInput> independent_inputs(const ExerciseReference& exercise, const Answers& answers) {
@@ -92,7 +87,7 @@ Diagnosis independence(const ExerciseReference& exercise, const std::vector<Inde
     if (std::ranges::find(names, name) == names.end()) names.push_back(name);
   }
   return {DiagnosisKind::independence, "independence",
-          fmt::format("Your result never changes with {}; the right one does.", listed(names)), ""};
+          fmt::format("Your result never changes with {}; the right one does.", listed(names))};
 }
 
 std::optional<Diagnosis> diagnose_entries(const ExerciseReference& exercise, const Answers& answers) {
@@ -128,7 +123,7 @@ std::optional<Diagnosis> diagnose_entries(const ExerciseReference& exercise, con
     }
   }
   if (moved.size() == wrong.size() && moved.size() <= 3)
-    return Diagnosis{DiagnosisKind::entry, "moved_entry", capitalized(listed(moved)) + ".", ""};
+    return Diagnosis{DiagnosisKind::entry, "moved_entry", capitalized(listed(moved)) + "."};
   return std::nullopt;
 }
 
@@ -147,16 +142,21 @@ std::optional<Diagnosis> diagnose_range(const ExerciseReference& exercise, const
       DiagnosisKind::property, "range",
       fmt::format("Your angles give the right attitude at every case, but at {} θ is not in [0, π]: it is "
                   "{} at the case “{}”. (φ + π, −θ, ψ + π) is the same attitude.",
-                  plural(beyond, "case"), number_text(answers[*first]->numbers[1], 4), exercise.cases[*first].name),
-      ""};
+                  plural(beyond, "case"), number_text(answers[*first]->numbers[1], 4), exercise.cases[*first].name)};
 }
 
 std::optional<Diagnosis> diagnose_eigenvectors(const ExerciseReference& exercise, const Answers& answers) {
   if (exercise.comparison != Comparison::eigenvectors) return std::nullopt;
-  std::size_t total = 0, unsorted = 0, left_handed = 0, oblique = 0;
+  struct Fault {
+    const char* name;
+    const char* words;
+    std::size_t cases = 0;
+  };
+  Fault unsorted{"order", "are not in the order of ascending moments"};
+  Fault left_handed{"handedness", "form a left-handed triad (determinant −1)"};
+  Fault oblique{"oblique", "are not perpendicular to each other, as axes of equal moments need not be by themselves"};
   for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
     if (!answers[i] || !answers[i]->is_finite()) return std::nullopt;
-    ++total;
     const Eigen::Matrix3d I = as_matrix(exercise.cases[i].inputs.at(0)), V = as_matrix(*answers[i]);
     const Eigen::Vector3d moments = (V.transpose() * I * V).diagonal();
     const double allowed = clear_margin * exercise.cases[i].tolerance;
@@ -165,28 +165,21 @@ std::optional<Diagnosis> diagnose_eigenvectors(const ExerciseReference& exercise
     if (!are_axes || !are_units) return std::nullopt;
     if (passes(exercise, i, *answers[i])) continue;
     const double step = allowed * I.norm();
-    if (moments[0] > moments[1] + step || moments[1] > moments[2] + step)
-      ++unsorted;
-    else if (std::abs(std::abs(V.determinant()) - 1) > allowed)
-      ++oblique;
-    else
-      ++left_handed;
+    const bool is_unsorted = moments[0] > moments[1] + step || moments[1] > moments[2] + step;
+    const bool is_oblique = std::abs(std::abs(V.determinant()) - 1) > allowed;
+    ++(is_unsorted ? unsorted : is_oblique ? oblique : left_handed).cases;
   }
   std::vector<std::string> faults;
-  const auto add = [&](std::size_t count, const char* words) {
-    if (count > 0) faults.push_back(fmt::format("at {} they {}", plural(count, "case"), words));
-  };
-  add(unsorted, "are not in the order of ascending moments");
-  add(left_handed, "form a left-handed triad (determinant −1)");
-  add(oblique, "are not perpendicular to each other, as axes of equal moments need not be by themselves");
+  const char* name = "";  // of the first
+  for (const Fault& fault : {unsorted, left_handed, oblique}) {
+    if (fault.cases == 0) continue;
+    if (faults.empty()) name = fault.name;
+    faults.push_back(fmt::format("at {} they {}", plural(fault.cases, "case"), fault.words));
+  }
   if (faults.empty()) return std::nullopt;
-  return Diagnosis{DiagnosisKind::entry,
-                   unsorted > 0      ? "order"
-                   : left_handed > 0 ? "handedness"
-                                     : "oblique",
-                   fmt::format("Your columns are principal axes of length 1 at all {}, but {}.", plural(total, "case"),
-                               listed(faults)),
-                   ""};
+  return Diagnosis{DiagnosisKind::entry, name,
+                   fmt::format("Your columns are principal axes of length 1 at all {}, but {}.",
+                               plural(exercise.cases.size(), "case"), listed(faults))};
 }
 
 }  // namespace workbook

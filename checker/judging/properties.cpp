@@ -1,8 +1,5 @@
 #include "checker/base/text.hpp"
-#include "checker/data/value_text.hpp"
 #include "checker/judging/diagnosis.hpp"
-
-#include <fmt/format.h>
 
 #include <Eigen/Dense>
 
@@ -19,56 +16,45 @@ using Eigen::MatrixXd;
 
 constexpr int shown_digits = 6;
 
-/// Keeps the worst violation seen.
-class Worst {
- public:
-  template <class Detail>
-  void consider(double size, Detail&& detail) {
-    if (size > worst_.size) worst_ = {size, detail()};
-  }
-  Violation take() { return std::move(worst_); }
-
- private:
-  Violation worst_;
-};
-
-std::string entry_and_entry(Index row, Index col, double one, Index other_row, Index other_col, double other) {
-  const auto [first, second] = distinct_texts(one, other, shown_digits);
-  return fmt::format("entry ({},{}) is {}, entry ({},{}) is {}", row + 1, col + 1, first, other_row + 1, other_col + 1,
-                     second);
+/// Keeps the worst.
+template <class Detail>
+void consider(Violation& worst, double size, const Detail& detail) {
+  if (size > worst.size) worst = {size, detail()};
 }
 
 /// matrix = sign × its transpose
 Violation transposition_violation(const MatrixXd& matrix, double sign, double scale) {
-  Worst worst;
+  Violation worst;
   for (Index row = 0; row < matrix.rows(); ++row) {
     for (Index col = row; col < matrix.cols(); ++col) {
       const double entry = matrix(row, col), mirrored = matrix(col, row);
-      worst.consider(std::abs(entry - sign * mirrored) / scale, [&] {
-        return row == col ? fmt::format("entry ({},{}) is {}", row + 1, row + 1, number_text(entry, shown_digits))
-                          : entry_and_entry(row, col, entry, col, row, mirrored);
+      consider(worst, std::abs(entry - sign * mirrored) / scale, [&] {
+        const auto [first, second] = distinct_texts(entry, mirrored, shown_digits);
+        return row == col
+                   ? fmt::format("entry ({0},{0}) is {1}", row + 1, number_text(entry, shown_digits))
+                   : fmt::format("entry ({0},{1}) is {2}, entry ({1},{0}) is {3}", row + 1, col + 1, first, second);
       });
     }
   }
-  return worst.take();
+  return worst;
 }
 
 Violation negative_eigenvalue(const Matrix3d& matrix, double scale) {
   const Matrix3d symmetric_part = (matrix + matrix.transpose()) / 2;
   const double smallest =
       Eigen::SelfAdjointEigenSolver<Matrix3d>(symmetric_part, Eigen::EigenvaluesOnly).eigenvalues()[0];
-  Worst worst;
-  worst.consider(-smallest / scale,
-                 [&] { return "its smallest eigenvalue is " + number_text(smallest, shown_digits); });
-  return worst.take();
+  Violation worst;
+  consider(worst, -smallest / scale,
+           [&] { return "its smallest eigenvalue is " + number_text(smallest, shown_digits); });
+  return worst;
 }
 
 Violation rotation_violation(const Matrix3d& matrix) {
   const Matrix3d products = matrix.transpose() * matrix;
-  Worst worst;
+  Violation worst;
   for (Index i = 0; i < products.rows(); ++i) {
     for (Index j = i; j < products.cols(); ++j) {
-      worst.consider(std::abs(products(i, j) - (i == j ? 1 : 0)), [&] {
+      consider(worst, std::abs(products(i, j) - (i == j ? 1 : 0)), [&] {
         return i == j ? fmt::format("column {} has the length {}", i + 1,
                                     distinct_texts(std::sqrt(products(i, i)), 1, shown_digits).first)
                       : fmt::format("columns {} and {} have the dot product {}", i + 1, j + 1,
@@ -79,49 +65,49 @@ Violation rotation_violation(const Matrix3d& matrix) {
   const double determinant = matrix.determinant();
   // With orthonormal columns the determinant can only be off by its sign.
   if (determinant < 0)
-    worst.consider(1 - determinant, [&] { return "its determinant is " + number_text(determinant, shown_digits); });
-  return worst.take();
+    consider(worst, 1 - determinant, [&] { return "its determinant is " + number_text(determinant, shown_digits); });
+  return worst;
 }
 
 Violation length_violation(const Value& value) {
   const double length = as_matrix(value).norm();
-  Worst worst;
-  worst.consider(std::abs(length - 1),
-                 [&] { return "its length is " + distinct_texts(length, 1, shown_digits).first; });
-  return worst.take();
+  Violation worst;
+  consider(worst, std::abs(length - 1),
+           [&] { return "its length is " + distinct_texts(length, 1, shown_digits).first; });
+  return worst;
 }
 
 Violation descent(const Value& value, double scale) {
-  Worst worst;
+  Violation worst;
   for (std::size_t n = 1; n < value.numbers.size(); ++n) {
     const double before = value.numbers[n - 1], here = value.numbers[n];
-    worst.consider((before - here) / scale, [&] {
+    consider(worst, (before - here) / scale, [&] {
       const auto [first, second] = distinct_texts(before, here, shown_digits);
       return fmt::format("component {} is {}, component {} is {}", n, first, n + 1, second);
     });
   }
-  return worst.take();
+  return worst;
 }
 
 Violation negative_entry(const Value& value, Kind kind, const Case& one) {
-  Worst worst;
+  Violation worst;
   for (std::size_t n = 0; n < value.numbers.size(); ++n) {
-    worst.consider(-value.numbers[n] / scale_at(one, n), [&] {
+    consider(worst, -value.numbers[n] / scale_at(one, n), [&] {
       return fmt::format("{} is {}", entry_name(value, kind, n), number_text(value.numbers[n], shown_digits));
     });
   }
-  return worst.take();
+  return worst;
 }
 
 Violation oblique_angle(const Value& value, const Value& argument, const std::string& argument_name, double scale) {
   const double length = as_matrix(argument).norm();
   if (length == 0) return {};
   const double product = as_matrix(value).cwiseProduct(as_matrix(argument)).sum();
-  Worst worst;
-  worst.consider(std::abs(product) / (length * scale), [&] {
+  Violation worst;
+  consider(worst, std::abs(product) / (length * scale), [&] {
     return fmt::format("its dot product with {} is {}", argument_name, number_text(product, shown_digits));
   });
-  return worst.take();
+  return worst;
 }
 
 Violation drift_violation(const ExerciseReference& exercise, const Property& property, std::size_t case_index,
@@ -131,16 +117,16 @@ Violation drift_violation(const ExerciseReference& exercise, const Property& pro
   const Deviation deviation = drift(exercise, property, case_index, value);
   const std::vector<double>& weights = property.weights.at(case_index);
   const double constant = weighted_squares(weights, one.expected).front();
-  Worst worst;
+  Violation worst;
   for (std::size_t col = 0; col < deviation.allowed.size(); ++col) {
     const double difference = deviation.difference.numbers[col];
-    worst.consider(std::abs(difference) / deviation.allowed[col] * one.tolerance, [&] {
+    consider(worst, std::abs(difference) / deviation.allowed[col] * one.tolerance, [&] {
       const auto [yours, right] = distinct_texts(constant + difference, constant, shown_digits);
       const std::string place = value.cols > 1 ? fmt::format("in column {} ", col + 1) : "";
       return fmt::format("{}it is {} instead of {}", place, yours, right);
     });
   }
-  return worst.take();
+  return worst;
 }
 
 }  // namespace

@@ -1,6 +1,4 @@
-#include "checker/judging/quantities.hpp"
-
-#include "checker/data/value.hpp"
+#include "checker/judging/diagnosis.hpp"
 
 #include <fmt/format.h>
 

@@ -1,15 +1,11 @@
 // What a wrong component lacks or has too much: its error as one or two products of the inputs.
 #include "checker/base/text.hpp"
-#include "checker/data/value_text.hpp"
 #include "checker/judging/diagnosis.hpp"
-#include "checker/judging/quantities.hpp"
 
-#include <fmt/format.h>
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace workbook {
 
@@ -247,7 +243,7 @@ std::optional<Diagnosis> diagnose_difference(const ExerciseReference& exercise, 
   }
   if (wrong == 0) return std::nullopt;
   if (shape.numbers.size() > wrong) sentence += "; all else is right";
-  return Diagnosis{DiagnosisKind::difference, "difference", "In your result " + sentence + ".", ""};
+  return Diagnosis{DiagnosisKind::difference, "difference", "In your result " + sentence + "."};
 }
 
 }  // namespace workbook

@@ -2,15 +2,12 @@
 
 #include "checker/base/text.hpp"
 
-#include <fmt/format.h>
-
 #include <sys/syscall.h>
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstring>
-#include <string_view>
-#include <vector>
 
 namespace workbook {
 
@@ -107,25 +104,16 @@ std::string thrown(const Reply& reply) {
 }
 
 std::string sentence(ProtocolViolation violation) {
-  switch (violation) {
-    case ProtocolViolation::not_a_reply:
-      return "what came back is not a reply";
-    case ProtocolViolation::another_request:
-      return "a reply came that does not belong to the request";
-    case ProtocolViolation::too_early:
-      return "a reply came before its request was read";
-    case ProtocolViolation::impossible_shape:
-      return "a reply has an impossible shape";
-    case ProtocolViolation::unknown_status:
-      return "a reply has an unknown status";
-    case ProtocolViolation::second_reply:
-      return "more came back than one reply";
-    case ProtocolViolation::after_last_reply:
-      return "something came back after the last reply";
-    case ProtocolViolation::closed_channel:
-      return "the connection to the checker was closed";
-  }
-  return "";
+  // In the order of ProtocolViolation.
+  constexpr std::array sentences = {"what came back is not a reply",
+                                    "a reply came that does not belong to the request",
+                                    "a reply came before its request was read",
+                                    "a reply has an impossible shape",
+                                    "a reply has an unknown status",
+                                    "more came back than one reply",
+                                    "something came back after the last reply",
+                                    "the connection to the checker was closed"};
+  return sentences.at(static_cast<std::size_t>(violation));
 }
 
 struct ForbiddenCalls {

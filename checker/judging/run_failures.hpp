@@ -4,8 +4,6 @@
 
 #include "checker/data/observation.hpp"
 
-#include <string>
-
 namespace workbook {
 
 /// The sentence, and what to do.

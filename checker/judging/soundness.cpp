@@ -4,8 +4,6 @@
 #include "checker/judging/diagnosis.hpp"
 #include "checker/judging/judge.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -22,11 +20,7 @@ constexpr std::size_t fewest_deciding_cases = 6;
 /// The verdict on a student who gives these values.
 Judgement judge_values(const ExerciseReference& exercise, const std::vector<Value>& values) {
   Observation observation;
-  for (const Value& value : values) {
-    observation.replies.emplace_back();
-    observation.replies.back().ending = Ending::returned;
-    observation.replies.back().value = value;
-  }
+  for (const Value& value : values) observation.replies.push_back({.ending = Ending::returned, .value = value});
   return judge(exercise, observation);
 }
 
@@ -61,27 +55,21 @@ void check_expected(const ExerciseReference& exercise, Sentences& found) {
   }
 }
 
-bool is_right_at_deciding_cases(const ExerciseReference& exercise, const Misconception& misconception) {
-  return std::ranges::all_of(deciding_cases(exercise),
-                             [&](std::size_t i) { return passes(exercise, i, misconception.outputs.at(i)); });
-}
-
-bool cannot_be_told_apart(const ExerciseReference& exercise, const Misconception& one, const Misconception& other) {
-  return std::ranges::all_of(deciding_cases(exercise), [&](std::size_t i) {
-    return is_same_answer(exercise, i, one.outputs.at(i), other.outputs.at(i));
-  });
-}
-
 void check_misconceptions(const ExerciseReference& exercise, Sentences& found) {
   const auto& misconceptions = exercise.misconceptions;
+  const std::vector<std::size_t> deciding = deciding_cases(exercise);
   for (auto one = misconceptions.begin(); one != misconceptions.end(); ++one) {
-    if (is_right_at_deciding_cases(exercise, *one)) {
+    const auto is_right = [&](std::size_t i) { return passes(exercise, i, one->outputs.at(i)); };
+    if (std::ranges::all_of(deciding, is_right)) {
       found.push_back(fmt::format("The misconception {} is right at all deciding cases.", one->name));
       continue;
     }
     bool has_twin = false;
     for (auto other = misconceptions.begin(); other != misconceptions.end(); ++other) {
-      if (one == other || one->message == other->message || !cannot_be_told_apart(exercise, *one, *other)) continue;
+      const auto is_same = [&](std::size_t i) {
+        return is_same_answer(exercise, i, one->outputs.at(i), other->outputs.at(i));
+      };
+      if (one == other || one->message == other->message || !std::ranges::all_of(deciding, is_same)) continue;
       has_twin = true;
       if (one < other) {
         found.push_back(fmt::format(

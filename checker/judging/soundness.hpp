@@ -4,9 +4,6 @@
 
 #include "checker/data/reference_results.hpp"
 
-#include <string>
-#include <vector>
-
 namespace workbook {
 
 /// One sentence for every contradiction and every missing part: misconceptions that cannot be told apart, terms that do

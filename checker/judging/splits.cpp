@@ -1,17 +1,12 @@
 // What the cases have in common at which an answer is wrong.
 #include "checker/base/text.hpp"
-#include "checker/data/value_text.hpp"
 #include "checker/judging/diagnosis.hpp"
-#include "checker/judging/quantities.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
 #include <set>
-#include <utility>
 
 namespace workbook {
 
@@ -274,40 +269,33 @@ std::optional<Diagnosis> diagnose_split(const ExerciseReference& exercise, const
     return Diagnosis{DiagnosisKind::split, "split",
                      fmt::format("Yours is wrong exactly where {}{} ({} of {}), and right elsewhere.{}", exact.front(),
                                  exact.size() > 1 ? ", which here is also where " + exact.back() : "",
-                                 outcome.wrong.size(), total, there),
-                     ""};
+                                 outcome.wrong.size(), total, there)};
   if (!exact.empty() || nearly.size() != 1) return std::nullopt;  // of many that fit none is certain
   const auto& [words, right] = nearly.front();
   return Diagnosis{DiagnosisKind::split, "split",
                    fmt::format("Yours is wrong only where {} (at {} of those {}), and right elsewhere.{}", words,
-                               outcome.wrong.size(), plural(outcome.wrong.size() + right, "case"), there),
-                   ""};
+                               outcome.wrong.size(), plural(outcome.wrong.size() + right, "case"), there)};
 }
 
 std::optional<Diagnosis> diagnose_one_side(const ExerciseReference& exercise, const Answers& answers) {
   const Outcomes outcome = outcomes_of(exercise, answers);
   constexpr std::size_t fewest = 4;
   if (outcome.wrong.empty()) return std::nullopt;
-  struct Side {
-    std::string words;
-    std::size_t right = 0;
-  };
-  std::vector<Side> sides;
+  std::vector<std::pair<std::string, std::size_t>> sides;  // with how many right ones there
   for (const Feature& each : Features(exercise).all()) {
     const auto holds = [&](std::size_t i) { return each.holds[i]; };
     if (std::ranges::any_of(outcome.wrong, holds)) continue;
     const auto right = static_cast<std::size_t>(std::ranges::count_if(outcome.right, holds));
     const std::size_t right_elsewhere = outcome.right.size() - right;
     if (right < fewest || right_elsewhere * 10 > outcome.wrong.size() || right_elsewhere > right) continue;
-    sides.push_back({each.words, right});
+    sides.emplace_back(each.words, right);
   }
   if (sides.size() != 1) return std::nullopt;
-  const Side& side = sides.front();
-  const std::size_t elsewhere = outcome.right.size() + outcome.wrong.size() - side.right;
+  const auto& [words, right] = sides.front();
+  const std::size_t elsewhere = outcome.right.size() + outcome.wrong.size() - right;
   return Diagnosis{DiagnosisKind::split, "one_side",
                    fmt::format("Yours is right at all {} where {}, and wrong at {} of the {} others.",
-                               plural(side.right, "case"), side.words, outcome.wrong.size(), elsewhere),
-                   ""};
+                               plural(right, "case"), words, outcome.wrong.size(), elsewhere)};
 }
 
 std::optional<Diagnosis> diagnose_few(const ExerciseReference& exercise, const Answers& answers) {
@@ -336,16 +324,14 @@ std::optional<Diagnosis> diagnose_few(const ExerciseReference& exercise, const A
     return Diagnosis{DiagnosisKind::split, "one_change",
                      fmt::format("Yours is right at the case {}, and wrong once this alone is changed there: {}{}.{}",
                                  in_quotes(base), change,
-                                 others == 0 ? "" : fmt::format(" (and {} like it)", plural(others, "change")), there),
-                     ""};
+                                 others == 0 ? "" : fmt::format(" (and {} like it)", plural(others, "change")), there)};
   }
   if (described.size() + changes.size() > most_named) return std::nullopt;
   std::vector<std::string> names;
   for (const std::size_t i : outcome.wrong) names.push_back(in_quotes(exercise.cases[i].name));
   return Diagnosis{DiagnosisKind::split, "few",
                    fmt::format("Yours is right at {} of {}; only {} {} wrong.{}", outcome.right.size(),
-                               plural(total, "case"), listed(names), names.size() == 1 ? "is" : "are", there),
-                   ""};
+                               plural(total, "case"), listed(names), names.size() == 1 ? "is" : "are", there)};
 }
 
 std::optional<Diagnosis> diagnose_conditional(const ExerciseReference& exercise, const Answers& answers) {

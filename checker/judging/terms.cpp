@@ -1,4 +1,3 @@
-#include "checker/data/value_text.hpp"
 #include "checker/judging/diagnosis.hpp"
 
 #include <fmt/format.h>
@@ -81,25 +80,23 @@ std::string sentence_of(const std::vector<WrongCoefficient>& wrong) {
 }  // namespace
 
 TermEquations term_equations(const ExerciseReference& exercise, const Answers& values) {
-  std::vector<std::vector<double>> rows;
-  std::vector<double> right_sides;
+  const std::vector<std::size_t> deciding = deciding_cases(exercise);
+  std::size_t rows = 0;
+  for (const std::size_t i : deciding) rows += exercise.cases[i].expected.numbers.size();
   TermEquations equations;
-  for (std::size_t i : deciding_cases(exercise)) {
+  equations.terms.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(exercise.terms.size()));
+  equations.values.resize(equations.terms.rows());
+  Eigen::Index row = 0;
+  for (const std::size_t i : deciding) {
     const Case& one = exercise.cases[i];
     equations.tolerance = std::max(equations.tolerance, one.tolerance);
-    for (std::size_t n = 0; n < one.expected.numbers.size(); ++n) {
-      std::vector<double> row;
-      for (const Term& term : exercise.terms) row.push_back(term.outputs.at(i).numbers.at(n) / scale_at(one, n));
-      rows.push_back(std::move(row));
-      right_sides.push_back(values.at(i)->numbers.at(n) / scale_at(one, n));
+    for (std::size_t n = 0; n < one.expected.numbers.size(); ++n, ++row) {
+      Eigen::Index col = 0;
+      for (const Term& term : exercise.terms)
+        equations.terms(row, col++) = term.outputs.at(i).numbers.at(n) / scale_at(one, n);
+      equations.values[row] = values.at(i)->numbers.at(n) / scale_at(one, n);
     }
   }
-  equations.terms.resize(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(exercise.terms.size()));
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    equations.terms.row(static_cast<Eigen::Index>(r)) =
-        Eigen::Map<const Eigen::RowVectorXd>(rows[r].data(), static_cast<Eigen::Index>(rows[r].size()));
-  }
-  equations.values = Eigen::Map<const VectorXd>(right_sides.data(), static_cast<Eigen::Index>(right_sides.size()));
   return equations;
 }
 
@@ -130,7 +127,7 @@ std::optional<Diagnosis> diagnose_terms(const ExerciseReference& exercise, const
     }
   }
   if (wrong.empty() || is_multiple_of_right_answer(coefficients, right)) return std::nullopt;
-  return Diagnosis{DiagnosisKind::term, wrong.front().term, sentence_of(wrong), ""};
+  return Diagnosis{DiagnosisKind::term, wrong.front().term, sentence_of(wrong)};
 }
 
 }  // namespace workbook

@@ -1,4 +1,3 @@
-#include "checker/data/value_text.hpp"
 #include "checker/judging/diagnosis.hpp"
 
 #include <fmt/format.h>
@@ -18,16 +17,16 @@ using Eigen::MatrixXd;
 constexpr std::size_t telling_numbers = 3;  // a factor common to so many numbers is no accident
 constexpr int largest_permuted_size = 4;
 
-bool fits(const ExerciseReference& exercise, const Answers& answers, const Misconception& misconception) {
-  const auto deciding = deciding_cases(exercise);
-  const auto agrees = [&](std::size_t i) {
-    return is_same_answer(exercise, i, *answers[i], misconception.outputs.at(i));
-  };
-  // Where both are wrong, the agreement says something.
-  const auto both_are_wrong = [&](std::size_t i) {
-    return !passes(exercise, i, *answers[i]) && !passes(exercise, i, misconception.outputs.at(i));
-  };
-  return std::ranges::all_of(deciding, agrees) && std::ranges::any_of(deciding, both_are_wrong);
+/// Are these the student's answers at all deciding cases?
+bool agree(const ExerciseReference& exercise, const Answers& answers,
+           const std::function<Value(std::size_t case_index)>& value_at) {
+  return std::ranges::all_of(deciding_cases(exercise),
+                             [&](std::size_t i) { return is_same_answer(exercise, i, *answers[i], value_at(i)); });
+}
+
+bool is_wrong_somewhere(const ExerciseReference& exercise, const Answers& answers) {
+  return std::ranges::any_of(deciding_cases(exercise),
+                             [&](std::size_t i) { return !passes(exercise, i, *answers[i]); });
 }
 
 struct Transform {
@@ -35,13 +34,6 @@ struct Transform {
   std::string message;
   std::function<MatrixXd(const MatrixXd&)> apply;
 };
-
-bool explains(const ExerciseReference& exercise, const Answers& answers, const Transform& transform) {
-  return std::ranges::all_of(deciding_cases(exercise), [&](std::size_t i) {
-    const MatrixXd transformed = transform.apply(as_matrix(exercise.cases[i].expected));
-    return is_same_answer(exercise, i, *answers[i], to_value(transformed));
-  });
-}
 
 /// The factor by least squares, each number measured in its natural size.
 std::optional<double> common_factor(const ExerciseReference& exercise, const Answers& answers) {
@@ -139,7 +131,13 @@ std::optional<Diagnosis> diagnose_misconception(const ExerciseReference& exercis
   if (!all_deciding_cases_answered(exercise, answers)) return std::nullopt;
   std::optional<Diagnosis> named;
   for (const Misconception& misconception : exercise.misconceptions) {
-    if (!fits(exercise, answers, misconception)) continue;
+    // Where both are wrong, the agreement says something.
+    const auto both_are_wrong = [&](std::size_t i) {
+      return !passes(exercise, i, *answers[i]) && !passes(exercise, i, misconception.outputs.at(i));
+    };
+    if (!agree(exercise, answers, [&](std::size_t i) { return misconception.outputs.at(i); }) ||
+        std::ranges::none_of(deciding_cases(exercise), both_are_wrong))
+      continue;
     if (named && named->message != misconception.message) return std::nullopt;
     if (!named) named = {DiagnosisKind::misconception, misconception.name, misconception.message, misconception.notes};
   }
@@ -147,11 +145,7 @@ std::optional<Diagnosis> diagnose_misconception(const ExerciseReference& exercis
 }
 
 std::optional<Diagnosis> diagnose_transform(const ExerciseReference& exercise, const Answers& answers) {
-  if (!all_deciding_cases_answered(exercise, answers)) return std::nullopt;
-  const bool is_wrong_somewhere =
-      std::ranges::any_of(deciding_cases(exercise), [&](std::size_t i) { return !passes(exercise, i, *answers[i]); });
-  if (!is_wrong_somewhere) return std::nullopt;
-
+  if (!all_deciding_cases_answered(exercise, answers) || !is_wrong_somewhere(exercise, answers)) return std::nullopt;
   std::vector<Transform> candidates;
   const std::optional<double> factor = common_factor(exercise, answers);
   // A factor within the tolerance of 1 would say that the answer is right.
@@ -159,22 +153,21 @@ std::optional<Diagnosis> diagnose_transform(const ExerciseReference& exercise, c
   std::ranges::move(reorderings(exercise), std::back_inserter(candidates));
 
   for (const Transform& transform : candidates) {
-    if (explains(exercise, answers, transform)) {
-      return Diagnosis{DiagnosisKind::transform, transform.name, transform.message, ""};
-    }
+    const auto transformed = [&](std::size_t i) {
+      return to_value(transform.apply(as_matrix(exercise.cases[i].expected)));
+    };
+    if (agree(exercise, answers, transformed))
+      return Diagnosis{DiagnosisKind::transform, transform.name, transform.message};
   }
   return std::nullopt;
 }
 
 std::optional<Diagnosis> diagnose_input_transform(const ExerciseReference& exercise, const Answers& answers) {
-  if (!all_deciding_cases_answered(exercise, answers)) return std::nullopt;
-  const auto deciding = deciding_cases(exercise);
+  if (!all_deciding_cases_answered(exercise, answers) || !is_wrong_somewhere(exercise, answers)) return std::nullopt;
   for (const InputTransform& transform : exercise.input_transforms) {
-    const auto agrees = [&](std::size_t i) { return is_same_answer(exercise, i, *answers[i], transform.outputs[i]); };
-    const auto is_wrong = [&](std::size_t i) { return !passes(exercise, i, *answers[i]); };
-    if (!std::ranges::all_of(deciding, agrees) || !std::ranges::any_of(deciding, is_wrong)) continue;
+    if (!agree(exercise, answers, [&](std::size_t i) { return transform.outputs[i]; })) continue;
     return Diagnosis{DiagnosisKind::input_transform, transform.name,
-                     fmt::format("At every case yours is the right result for {}.", transform.message), ""};
+                     fmt::format("At every case yours is the right result for {}.", transform.message)};
   }
   return std::nullopt;
 }

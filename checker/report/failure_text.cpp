@@ -1,6 +1,5 @@
 #include "checker/report/reports.hpp"
 
-#include "checker/data/value_text.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "solutions/judging/corners.hpp"
 
 #include "checker/judging/comparison.hpp"
-#include "checker/judging/quantities.hpp"
+#include "checker/judging/diagnosis.hpp"
 #include "solutions/judging/mechanics.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // Values and units: as JSON, and as people read them.
 #include "checker/data/unit.hpp"
-#include "checker/data/value_text.hpp"
+#include "checker/data/value.hpp"
 #include "tests/judging/made_up.hpp"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,5 @@
 // The commands try and debug: programs that call the student's own functions, started as the student would.
 #include "checker/commands/commands.hpp"
-#include "checker/data/value_text.hpp"
 
 #include <cerrno>
 #include <cstring>
