@@ -1,14 +1,11 @@
 #include "checker/compile/compile.hpp"
 
-#include "checker/base/files.hpp"
 #include "checker/base/text.hpp"
 
 #include <stdlib.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
-#include <functional>
 #include <iterator>
 #include <sstream>
 
@@ -40,7 +37,7 @@ BuildCache::BuildCache(fs::path directory, std::size_t most_entries)
   if (error) cannot_write(directory_, error.message());
 }
 
-std::optional<BuiltProgram> BuildCache::find(const std::string& key) const {
+std::optional<Compilation> BuildCache::find(const std::string& key) const {
   const fs::path entry = directory_ / fingerprint(key);
   const std::optional<std::string> seal = read_file(entry / seal_name);
   const std::optional<std::string> executable = read_file(entry / executable_name);
@@ -52,34 +49,36 @@ std::optional<BuiltProgram> BuildCache::find(const std::string& key) const {
   // One line with the functions that were linked, then the compiler's output.
   const std::size_t end_of_line = std::min(seal->find('\n', expected.size()), seal->size());
   std::istringstream names(seal->substr(expected.size(), end_of_line - expected.size()));
-  return BuiltProgram{entry / executable_name,
-                      seal->substr(std::min(end_of_line + 1, seal->size())),
-                      {std::istream_iterator<std::string>(names), {}}};
+  return Compilation{.executable = entry / executable_name,
+                     .compiler_output = seal->substr(std::min(end_of_line + 1, seal->size())),
+                     .linked = {std::istream_iterator<std::string>(names), {}}};
 }
 
-BuiltProgram BuildCache::keep(const BuiltProgram& built, const std::string& key) const {
-  const std::optional<std::string> bytes = read_file(built.executable);
-  if (!bytes) cannot_write(built.executable, "the executable is gone");
-  const fs::path prepared = built.executable.parent_path() / "entry";
+Compilation BuildCache::keep(Compilation built, const std::string& key) const {
+  const fs::path executable = *built.executable;
+  const std::optional<std::string> bytes = read_file(executable);
+  if (!bytes) cannot_write(executable, "the executable is gone");
+  const fs::path prepared = executable.parent_path() / "entry";
   const std::string problem =
       write_file(prepared / seal_name,
                  fmt::format("{}{}\n{}", sealed(key, *bytes), fmt::join(built.linked, " "), built.compiler_output));
   if (!problem.empty()) cannot_write(prepared, problem);
   std::error_code error;
-  fs::rename(built.executable, prepared / executable_name, error);
+  fs::rename(executable, prepared / executable_name, error);
   if (error) cannot_write(prepared, error.message());
 
   const fs::path place = directory_ / fingerprint(key);
   fs::rename(prepared, place, error);
   if (error) {
     // Somebody made it at the same time: theirs is as good. Otherwise it is a damaged one, and nobody uses that.
-    if (const std::optional<BuiltProgram> other = find(key)) return *other;
-    fs::rename(place, built.executable.parent_path() / "damaged", error);
+    if (const std::optional<Compilation> other = find(key)) return *other;
+    fs::rename(place, executable.parent_path() / "damaged", error);
     fs::rename(prepared, place, error);
     if (error) cannot_write(place, error.message());
   }
   drop_oldest();
-  return {place / executable_name, built.compiler_output, built.linked};
+  built.executable = place / executable_name;
+  return built;
 }
 
 void BuildCache::drop_oldest() const {

@@ -1,8 +1,6 @@
 #include "checker/compile/compile.hpp"
 
-#include "checker/base/files.hpp"
 #include "checker/base/text.hpp"
-#include "checker/compile/mistakes.hpp"
 
 #include <signal.h>
 
@@ -82,19 +80,17 @@ std::string denied_file(const std::string& output) {
   return "";
 }
 
-/// From the source to an executable; ends with a Compilation that says why there is none.
+/// From the source to an executable; throws a Compilation that says why there is none.
 class CompilationInProgress {
  public:
   CompilationInProgress(const CompileTask& task, const Toolchain& toolchain, const Compiler& compiler)
       : task_(task), toolchain_(toolchain), compiler_(compiler), source_(task.submission.text) {}
 
-  BuiltProgram run() {
+  Compilation run() {
     const std::string warnings = compile_file(task_.submission, "unit");
     if (!task_.submission.library.empty()) compile_library();
-    return {link(), warnings, linked_};
+    return {.executable = link(), .compiler_output = warnings, .linked = linked_};
   }
-
-  const std::vector<std::string>& linked() const { return linked_; }
 
  private:
   /// UNIT.o of a file; returns the warnings.
@@ -148,12 +144,13 @@ class CompilationInProgress {
            {*error});
   }
 
-  [[noreturn]] static void refuse(const std::string& message, const std::string& details = "",
-                                  const std::vector<Finding>& findings = {}, Refusal refusal = Refusal::compile_error) {
-    throw Compilation{.refusal = refusal, .message = message, .details = details, .findings = findings};
+  [[noreturn]] void refuse(const std::string& message, const std::string& details = "",
+                           const std::vector<Finding>& findings = {}, Refusal refusal = Refusal::compile_error) const {
+    throw Compilation{
+        .linked = linked_, .refusal = refusal, .message = message, .details = details, .findings = findings};
   }
 
-  [[noreturn]] static void refuse_foreign_file(const std::string& name) {
+  [[noreturn]] void refuse_foreign_file(const std::string& name) const {
     refuse(
         fmt::format("Your file includes {}, but it is compiled alone: include only headers "
                     "of the course, of Eigen and of the standard library.",
@@ -257,17 +254,6 @@ class CompilationInProgress {
   bool uses_streams_ = false;
 };
 
-/// @throws Compilation that says why there is none
-BuiltProgram build(const CompileTask& task, const Toolchain& toolchain, const Compiler& compiler) {
-  CompilationInProgress compilation(task, toolchain, compiler);
-  try {
-    return compilation.run();
-  } catch (Compilation& refused) {
-    refused.linked = compilation.linked();
-    throw;
-  }
-}
-
 }  // namespace
 
 Compilation compile(const CompileTask& task, const Toolchain& toolchain, const fs::path& cache_directory,
@@ -278,16 +264,14 @@ Compilation compile(const CompileTask& task, const Toolchain& toolchain, const f
     require_complete(toolchain, task.exercise);
     const std::string key = cache_key(task, toolchain);
     const BuildCache cache(fs::absolute(cache_directory));
-    std::optional<BuiltProgram> built = cache.find(key);
-    result.from_cache = built.has_value();
-    if (!built) {
+    if (std::optional<Compilation> found = cache.find(key)) {
+      result = std::move(*found);
+      result.from_cache = true;
+    } else {
       const Workspace workspace(cache.directory());
       const Compiler compiler(toolchain, limits, workspace.directory());
-      built = cache.keep(build(task, toolchain, compiler), key);
+      result = cache.keep(CompilationInProgress(task, toolchain, compiler).run(), key);
     }
-    result.executable = built->executable;
-    result.compiler_output = std::move(built->compiler_output);
-    result.linked = std::move(built->linked);
   } catch (const Compilation& refused) {
     result = refused;
   } catch (const std::runtime_error& error) {  // of the toolchain, the cache, the file system

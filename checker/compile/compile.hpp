@@ -34,26 +34,28 @@ struct Compilation {
 
   // Where there is no executable:
   Refusal refusal = Refusal::checker_error;
-  std::string message;            ///< one sentence
-  std::string details;            ///< the errors as the compiler printed them
-  std::vector<Finding> findings;  ///< the first error, with its line
+  std::string message = {};            ///< one sentence
+  std::string details = {};            ///< the errors as the compiler printed them
+  std::vector<Finding> findings = {};  ///< the first error, with its line
 };
 
 /// Compiles the file alone and links it with the worker of its exercise, and with the functions of its library that it
-/// calls. Never throws for anything that a student or a
-/// broken installation can cause.
+/// calls. Never throws for anything that a student or a broken installation can cause.
 Compilation compile(const CompileTask& task, const Toolchain& toolchain, const std::filesystem::path& cache_directory,
                     const CompileLimits& limits = {});
 
 /// What to judge where nothing could run. @pre there is no executable
 Observation refused(const Compilation& compilation);
 
-/// What came of a compilation.
-struct BuiltProgram {
-  std::filesystem::path executable;
-  std::string compiler_output;
-  std::vector<std::string> linked = {};
-};
+/// Mistakes in a file that compiles but fails: what its text, the compiler's warnings and the check for kept
+/// expressions give away. What is certainly so and may be what is wrong, by line; a few at most. Whatever goes wrong
+/// here means only that nothing is found. Where the file says `auto`, it is compiled once more for that.
+std::vector<Finding> source_findings(const CompileTask& task, const Compilation& compilation,
+                                     const Toolchain& toolchain, const std::filesystem::path& cache_directory,
+                                     const CompileLimits& limits = {.time = std::chrono::seconds(3)});
+
+/// Is it only odd, and no reason why a function crashes or stops?
+bool is_remark(const Finding& finding);
 
 /// A directory of entries, each a directory with an executable and all that it was made from. Entries appear and
 /// disappear at once (by renaming), so several checkers may share a cache. A damaged entry counts as absent.
@@ -64,11 +66,11 @@ class BuildCache {
   explicit BuildCache(std::filesystem::path directory, std::size_t most_entries = 300);
 
   /// What was made from exactly this key.
-  std::optional<BuiltProgram> find(const std::string& key) const;
+  std::optional<Compilation> find(const std::string& key) const;
 
   /// Takes the executable, a file in a directory on the same file system, into the cache; drops what was not used for
   /// longest. Returns where it is now. @throws std::runtime_error
-  BuiltProgram keep(const BuiltProgram& built, const std::string& key) const;
+  Compilation keep(Compilation built, const std::string& key) const;
 
   const std::filesystem::path& directory() const { return directory_; }
 
@@ -126,7 +128,6 @@ class Compiler {
   const std::filesystem::path& workspace() const { return workspace_; }
 
  private:
-  SandboxProfile profile(const CompileLimits& limits) const;
   FinishedProgram run(const std::filesystem::path& program, std::vector<std::string> arguments,
                       const CompileLimits& limits) const;
 

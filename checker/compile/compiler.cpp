@@ -31,7 +31,8 @@ std::vector<std::string> Compiler::arguments(const std::vector<std::string>& mor
   return arguments;
 }
 
-SandboxProfile Compiler::profile(const CompileLimits& limits) const {
+FinishedProgram Compiler::run(const fs::path& program, std::vector<std::string> arguments,
+                              const CompileLimits& limits) const {
   std::vector<std::string> inputs = {toolchain_.prelude.parent_path().string(), toolchain_.directory.string(),
                                      toolchain_.sources.string()};
   for (const fs::path& directory : toolchain_.include_directories) inputs.push_back(directory.string());
@@ -39,18 +40,13 @@ SandboxProfile Compiler::profile(const CompileLimits& limits) const {
   profile.processor_seconds = static_cast<unsigned>(std::ceil(limits.time.count()));
   profile.memory_bytes = limits.memory_bytes;
   profile.file_bytes = limits.file_bytes;
-  return profile;
-}
-
-FinishedProgram Compiler::run(const fs::path& program, std::vector<std::string> arguments,
-                              const CompileLimits& limits) const {
   Launch launch;
   launch.program = program;
   launch.arguments = std::move(arguments);
   launch.environment = {"PATH=" + environment("PATH", "/usr/local/bin:/usr/bin:/bin"), "LC_ALL=C.UTF-8",
                         "TMPDIR=" + workspace_.string()};
   launch.directory = workspace_;
-  confine(launch, profile(limits));
+  confine(launch, profile);
   try {
     FinishedProgram finished = run_program(launch, limits.time, limits.output_bytes);
     finished.output = printable(finished.output);

@@ -1,4 +1,4 @@
-#include "checker/compile/mistakes.hpp"
+#include "checker/compile/diagnostics.hpp"
 
 namespace workbook {
 

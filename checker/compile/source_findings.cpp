@@ -1,11 +1,8 @@
-#include "checker/compile/source_findings.hpp"
-
-#include "checker/compile/mistakes.hpp"
+#include "checker/compile/compile.hpp"
 
 #include <algorithm>
 #include <exception>
 #include <iterator>
-#include <utility>
 
 namespace workbook {
 namespace {

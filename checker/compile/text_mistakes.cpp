@@ -1,4 +1,4 @@
-#include "checker/compile/mistakes.hpp"
+#include "checker/compile/diagnostics.hpp"
 
 #include "checker/base/text.hpp"
 
@@ -46,9 +46,7 @@ bool is_one_of(std::span<const Token> tokens, std::size_t i, std::string_view te
 }
 
 bool has_one_of(std::span<const Token> tokens, std::string_view texts) {
-  for (std::size_t i = 0; i < tokens.size(); ++i)
-    if (is_one_of(tokens, i, texts)) return true;
-  return false;
+  return std::ranges::any_of(tokens, [&](const Token& token) { return is_one_of({&token, 1}, 0, texts); });
 }
 
 /// A mistake that a statement gives away. The caret stands at what $1 stands for.

@@ -1,7 +1,6 @@
 #include "checker/compile/toolchain.hpp"
 
 #include "checker/base/child_process.hpp"
-#include "checker/base/files.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -14,8 +13,8 @@ namespace workbook {
 namespace fs = std::filesystem;
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Toolchain, compiler, flags, prelude, include_directories, directory, support,
-                                   link_flags, nm, diagnostic, addr2line, main_header, main_function, main_include,
-                                   setup, build, target, sources)
+                                   link_flags, nm, diagnostic, main_header, main_function, main_include, setup, build,
+                                   target, sources)
 
 namespace {
 

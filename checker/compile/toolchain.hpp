@@ -25,7 +25,6 @@ struct Toolchain {
   std::vector<std::string> link_flags;
   std::filesystem::path nm;
   std::filesystem::path diagnostic;    ///< the toolchain file for the diagnostic run; empty: there is none
-  std::filesystem::path addr2line;     ///< finds the line of an address; empty: there is none
   std::filesystem::path main_header;   ///< declares main_function, which a worker's main calls with the exercise
   std::string main_function;           ///< in namespace workbook
   std::filesystem::path main_include;  ///< where main_header includes from

@@ -10,7 +10,6 @@
 #include <cstdlib>
 #include <set>
 #include <sstream>
-#include <utility>
 
 namespace workbook {
 namespace {

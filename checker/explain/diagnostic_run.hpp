@@ -4,8 +4,6 @@
 #pragma once
 
 #include "checker/compile/toolchain.hpp"
-#include "checker/data/observation.hpp"
-#include "checker/data/reference_results.hpp"
 #include "checker/judging/judge.hpp"
 #include "checker/source/submission.hpp"
 

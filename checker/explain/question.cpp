@@ -21,11 +21,6 @@ bool look_different(const ExerciseReference& exercise, std::size_t case_index, c
   return difference > 0.01 * size && !is_same_answer(exercise, case_index, one, other);
 }
 
-bool is_usable(const Value& given, const Value& expected) {
-  return given.rows == expected.rows && given.cols == expected.cols &&
-         std::ranges::all_of(given.numbers, [](double number) { return std::isfinite(number); });
-}
-
 /// Misconceptions, three if there are so many, the first of which gives another value at the case than the others and
 /// than a right function. @param all_fail  the others must not be right there
 std::vector<std::size_t> told_apart(const ExerciseReference& exercise, std::size_t case_index, std::size_t begin,
@@ -37,7 +32,7 @@ std::vector<std::size_t> told_apart(const ExerciseReference& exercise, std::size
     const std::size_t number = (begin + k) % all.size();
     if (case_index >= all[number].outputs.size()) continue;
     const Value& given = all[number].outputs[case_index];
-    if (!is_usable(given, expected)) continue;
+    if (!given.has_shape_of(expected) || !given.is_finite()) continue;
     if ((all_fail || chosen.empty()) && !look_different(exercise, case_index, given, expected)) continue;
     const bool is_new =
         std::ranges::none_of(chosen, [&](std::size_t other) { return all[other].message == all[number].message; });

@@ -4,16 +4,10 @@
 #include "checker/compile/compile.hpp"
 #include "checker/judging/comparison.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstdlib>
-#include <functional>
 #include <iterator>
 #include <numeric>
-#include <set>
-#include <stdexcept>
-#include <utility>
 
 namespace workbook {
 

@@ -2,18 +2,11 @@
 /// A wrong value explained by trying: with which small change would the file be right at every case?
 #pragma once
 
-#include "checker/compile/toolchain.hpp"
 #include "checker/explain/diagnostic_run.hpp"
 #include "checker/explain/variants.hpp"
 #include "checker/sandbox/worker_process.hpp"
 
-#include <chrono>
-#include <cstddef>
-#include <filesystem>
-#include <memory>
-#include <optional>
 #include <set>
-#include <vector>
 
 namespace workbook {
 

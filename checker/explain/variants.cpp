@@ -6,8 +6,6 @@
 #include <cctype>
 #include <charconv>
 #include <initializer_list>
-#include <map>
-#include <string_view>
 
 namespace workbook {
 
@@ -133,7 +131,7 @@ class Slips {
     return index < source_.tokens().size() ? source_.tokens()[index].text : std::string_view();
   }
   std::string_view here() const { return token(at_); }
-  std::string_view before() const { return at_ == 0 ? std::string_view() : token(at_ - 1); }
+  std::string_view before() const { return token(at_ - 1); }
   std::string_view after() const { return token(at_ + 1); }
 
   /// Only what stands between the first { of a function and the end is changed, not its head.
@@ -264,7 +262,7 @@ class Slips {
   void functions() {
     static const std::map<std::string_view, std::vector<const char*>> others = {
         {"sin", {"cos", "tan"}},    {"cos", {"sin"}},          {"tan", {"sin", "std::atan"}},
-        {"asin", {"acos", "atan"}}, {"acos", {"asin"}},        {"sqrt", {"", "std::abs"}},
+        {"asin", {"acos", "atan"}}, {"acos", {"asin"}},        {"sqrt", {"std::abs"}},
         {"cosh", {"sinh"}},         {"sinh", {"cosh"}},        {"min", {"max"}},
         {"max", {"min"}},           {"norm", {"squaredNorm"}}, {"squaredNorm", {"norm"}},
         {"row", {"col"}},           {"col", {"row"}},          {"x", {"y", "z"}},
@@ -273,9 +271,7 @@ class Slips {
     const auto found = others.find(here());
     const bool is_coordinate = is_one_of(here(), {"x", "y", "z"});
     if (found != others.end() && is_called && (!is_coordinate || before() == "."))
-      for (const char* other : found->second) {
-        if (*other != '\0') add("function", "another function", other);
-      }
+      for (const char* other : found->second) add("function", "another function", other);
     if ((here() == "abs" || here() == "fabs") && is_called) drop("the absolute value left out");
     if (here() == "sqrt" && is_called) drop("the root left out");
     if (here() == "static") add("static", "without static", " ");
@@ -384,12 +380,7 @@ std::vector<Edit> wider_type(const SourceText& source, const Finding& finding) {
 /// `1 / 2` as `1.0 / 2`, `0,5` as `0.5`, `int` and `float` as `double`, `auto x = a;` as a value.
 std::vector<Edit> fix_of(const SourceText& source, const Finding& finding) {
   if (finding.name == "integer_division") {
-    const std::vector<Token>& tokens = source.tokens();
-    for (std::size_t i = 1; i < tokens.size(); ++i) {
-      const Place place = source.place_of(tokens[i].offset);
-      if (tokens[i].text != "/" || place.line != finding.line || place.column < finding.column) continue;
-      return {{tokens[i].offset, 1, "* 1.0 /"}};
-    }
+    if (const Token* sign = token_at(source, finding, "/")) return {{sign->offset, 1, "* 1.0 /"}};
   }
   if (finding.name == "comma_in_number") {
     if (const Token* comma = token_at(source, finding, ",")) return {{comma->offset, 1, "."}};

@@ -2,14 +2,10 @@
 /// A student's file with one token changed: which small slip would make it right?
 #pragma once
 
-#include "checker/data/observation.hpp"
 #include "checker/data/reference_results.hpp"
 #include "checker/source/source_text.hpp"
 
-#include <cstddef>
-#include <string>
 #include <string_view>
-#include <vector>
 
 namespace workbook {
 

@@ -1,7 +1,6 @@
 #include "checker/pipeline/check_exercise.hpp"
 
 #include "checker/compile/compile.hpp"
-#include "checker/compile/source_findings.hpp"
 #include "checker/explain/diagnostic_run.hpp"
 #include "checker/explain/repair.hpp"
 #include "checker/sandbox/worker_process.hpp"

@@ -117,7 +117,9 @@ TEST_CASE("the cache drops what was not used for longest") {
   const BuildCache cache(directory / "cache", 2);
   const auto keep = [&](const std::string& name) {
     const Workspace workspace(cache.directory());
-    cache.keep({write(workspace.directory() / "worker", "program " + name), "warnings of " + name}, "key " + name);
+    cache.keep({.executable = write(workspace.directory() / "worker", "program " + name),
+                .compiler_output = "warnings of " + name},
+               "key " + name);
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   };
   keep("a");
@@ -140,7 +142,7 @@ TEST_CASE("what a killed checker left in the cache is cleared away after an hour
   write(young / "unit.cpp", "");
   fs::last_write_time(old, fs::file_time_type::clock::now() - std::chrono::hours(2));
   const Workspace workspace(cache.directory());
-  cache.keep({write(workspace.directory() / "worker", "program"), ""}, "key");
+  cache.keep({.executable = write(workspace.directory() / "worker", "program")}, "key");
   CHECK_FALSE(fs::exists(old));
   CHECK(fs::exists(young));
 }

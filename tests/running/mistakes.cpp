@@ -1,6 +1,5 @@
 // The mistakes in students' files, by name and place; the sentences are in golden/compile_findings.txt.
-#include "checker/compile/mistakes.hpp"
-#include "checker/compile/source_findings.hpp"
+#include "checker/compile/compile.hpp"
 #include "tests/running/student.hpp"
 #include "tests/support/golden.hpp"
 

@@ -1,7 +1,7 @@
 // A wrong value explained by trying: one token changed, or a finding about the code fixed.
 #include "tests/running/student.hpp"
 
-#include "checker/compile/source_findings.hpp"
+#include "checker/compile/compile.hpp"
 #include "checker/explain/repair.hpp"
 #include "checker/explain/variants.hpp"
 #include "checker/judging/judge.hpp"
