@@ -1,13 +1,11 @@
 #include "checker/base/child_process.hpp"
 
-#include "checker/base/files.hpp"
 #include "checker/base/text.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>

@@ -10,12 +10,9 @@
 
 #include <chrono>
 #include <cstddef>
-#include <filesystem>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 namespace workbook {
@@ -43,14 +40,12 @@ inline double seconds(const rusage& usage) {
   return 1e-6 * (microseconds(usage.ru_utime) + microseconds(usage.ru_stime));
 }
 
-/// The program could not be started.
 struct LaunchError : std::runtime_error {
   /// @param step  that failed: "enter its directory". @param system_error  an errno
   LaunchError(const std::string& step, int system_error);
   using std::runtime_error::runtime_error;
 };
 
-/// What to start.
 struct Launch {
   std::string program;                   ///< path; nothing is searched, no shell is involved
   std::vector<std::string> arguments;    ///< without the program's own name
@@ -69,7 +64,6 @@ struct Launch {
   std::vector<std::string> namespaces;
 };
 
-/// How a process ended.
 struct ProcessEnd {
   int exit_status = 0;
   int signal = 0;  ///< 0 if the process ended by itself

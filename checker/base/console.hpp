@@ -11,7 +11,6 @@ enum class Style { plain, strong, quiet, good, bad, warning };
 /// Renders text for one terminal. Colour never carries meaning alone: every coloured word also says what it means.
 class Console {
  public:
-  /// Text of the given width.
   explicit Console(std::size_t width = 80, bool color = false, bool plain = false)
       : width_(width), color_(color && !plain), plain_(plain) {}
 

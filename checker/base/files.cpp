@@ -2,8 +2,6 @@
 
 #include "checker/base/text.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
