@@ -1,6 +1,5 @@
 #include "checker/report/reports.hpp"
 
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>

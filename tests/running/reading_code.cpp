@@ -1,7 +1,6 @@
 // Reading source texts and compilers' messages, without any compiler.
 #include "checker/base/text.hpp"
 #include "checker/compile/diagnostics.hpp"
-#include "checker/compile/diagnostics.hpp"
 #include "checker/source/source_text.hpp"
 
 #include <doctest/doctest.h>

@@ -217,8 +217,7 @@ class SelfCheck {
     for (const Match& quote : search_all(notes, quotes)) {
       if (!quote[1].empty()) require_marks(course_.lectures() / quote[1], quote[2]);
       for (const char* part : {"", " in brief"})
-        if (!quote[3].empty())
-          require_marks(course_.lectures() / quote[3] / "worked_examples.cpp", quote[4] + part);
+        if (!quote[3].empty()) require_marks(course_.lectures() / quote[3] / "worked_examples.cpp", quote[4] + part);
     }
   }
 
