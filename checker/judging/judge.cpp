@@ -45,12 +45,30 @@ std::string at(const Case& one) { return fmt::format("at the case “{}”", one
 /// exception like any other.
 Verdict verdict_of(Ending ending) {
   using enum Verdict;
-  // In the order of Ending.
-  constexpr std::array verdicts = {
-      protocol_violation, uncaught_exception, uncaught_exception, wrong_shape,  crashed,
-      stopped_early,      time_limit,         memory_limit,       output_limit, forbidden_operation,
-      protocol_violation, time_limit};
-  return verdicts.at(static_cast<std::size_t>(ending));
+  switch (ending) {
+    case Ending::not_started:
+    case Ending::exception:
+      return uncaught_exception;
+    case Ending::wrong_shape:
+      return wrong_shape;
+    case Ending::crashed:
+      return crashed;
+    case Ending::stopped_early:
+      return stopped_early;
+    case Ending::not_run:
+    case Ending::time_limit:
+      return time_limit;
+    case Ending::memory_limit:
+      return memory_limit;
+    case Ending::output_limit:
+      return output_limit;
+    case Ending::forbidden_operation:
+      return forbidden_operation;
+    case Ending::returned:
+    case Ending::protocol_violation:
+      break;
+  }
+  return protocol_violation;
 }
 
 /// The shape in the words of the kind.
