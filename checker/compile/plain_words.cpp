@@ -51,7 +51,7 @@ std::string matrix(const std::string& scalar, int rows, int columns) {
 }
 
 /// A template whose arguments have been shortened.
-std::string shortened(const std::string& name, const std::string& list) {
+std::string plain_template(const std::string& name, const std::string& list) {
   std::vector<std::string> arguments;
   boost::split(arguments, boost::replace_all_copy(list, ", ", ","), [](char letter) { return letter == ','; });
   arguments.resize(std::max<std::size_t>(arguments.size(), 3));
@@ -85,7 +85,7 @@ std::string in_plain_words(std::string_view text) {
   while (const Match found = search(plain, innermost)) {
     // A member of a template, A<…>::B, has not the shape of A.
     const std::string type =
-        found[3].empty() ? shortened(found[1], found[2]) : found[1] + open_mark + "…" + close_mark + "::";
+        found[3].empty() ? plain_template(found[1], found[2]) : found[1] + open_mark + "…" + close_mark + "::";
     plain.replace(found.offsets[0], found[0].size(), type);
   }
   plain = replaced(plain, R"('[^']*' \{aka '([^']*)'\}|'[^'{]* \{aka ([^'}]*)\}')", "'$1$2'");
