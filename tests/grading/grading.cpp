@@ -388,7 +388,7 @@ TEST_CASE("one group of results is judged again, and given reference results tak
   REQUIRE_MESSAGE(given.status == 0, given.said());
   CHECK(results_in(few.root() / "given") == results_in(few.root() / "seed"));
   CHECK(few.grade("given", "--reference drawn.json --seed 7").status == 2);
-  CHECK(few.grade("given", "--reference drawn.json " + few.reference().string()).status == 2);
+  CHECK(few.grade("given", fmt::format("--reference drawn.json '{}'", few.reference().string())).status == 2);
   write(drawn, "damaged");
   CHECK(few.grade("given", "--reference drawn.json").status == 3);
 }
