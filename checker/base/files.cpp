@@ -68,7 +68,9 @@ bool is_newer(const fs::path& file_or_folder, const fs::path& than) {
   std::error_code problem, ignored;
   const auto time = fs::last_write_time(than, problem);
   const auto is_later = [&](const fs::path& file) { return fs::last_write_time(file, ignored) > time; };
-  if (problem || is_later(file_or_folder)) return true;
+  if (problem) return true;
+  if (!fs::is_directory(file_or_folder, ignored)) return is_later(file_or_folder);
+  // Its own time is that of any file that came and went, an editor's for example.
   const fs::recursive_directory_iterator files(file_or_folder, ignored);
   return std::any_of(begin(files), end(files), is_later);
 }

@@ -155,6 +155,21 @@ TEST_CASE("A name that is taken is counted on, and shown from the current folder
   CHECK(shown_path(fs::current_path() / "a" / "b\x1b.cpp") == "a/b?.cpp");
 }
 
+TEST_CASE("A folder is newer by what is in it, not by its own time, which any file that came and went has set") {
+  const fs::path folder = scratch() / "sources", source = folder / "below" / "source.cpp", made = scratch() / "made";
+  write(source, "old");
+  write(made, "of it");
+  const auto now = fs::last_write_time(made);
+  for (const fs::path& old : {source, folder / "below"}) fs::last_write_time(old, now - 60s);
+  fs::last_write_time(folder, now + 60s);
+  CHECK_FALSE(is_newer(folder, made));
+  CHECK_FALSE(is_newer(source, made));
+  fs::last_write_time(source, now + 60s);
+  CHECK(is_newer(folder, made));
+  CHECK(is_newer(source, made));
+  CHECK(is_newer(source, scratch() / "missing"));
+}
+
 TEST_CASE("A job hands back its bytes, however many, and changes nothing here") {
   use_default_signals();
   int calls = 0;
