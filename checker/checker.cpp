@@ -33,6 +33,5 @@ int new_lecture(const Course& course, const Options& options) { return run_on_de
 int report(const Course& course, const Options& options) { return run_on_demand(course, options); }
 int self_check(const Course& course, const Options& options) { return run_on_demand(course, options); }
 int try_out(const Course& course, const Options& options) { return run_on_demand(course, options); }
-int update(const Course& course, const Options& options) { return run_on_demand(course, options); }
 
 }  // namespace workbook

@@ -2,6 +2,7 @@
 /// What the program can be asked to do. Every command returns the exit status.
 #pragma once
 
+#include "checker/course/release.hpp"
 #include "checker/report/reports.hpp"
 
 namespace workbook {
@@ -76,6 +77,9 @@ std::vector<CheckTask> tasks_of(const Course& course, const Options& options);
 
 /// The case of that number, counted from 1, or name. @throws UsageError
 std::size_t find_case(const ExerciseReference& exercise, const std::string& asked);
+
+/// What an update leaves to the reader to look at.
+void print_update(const Release& now, const Release& before, const UpdateResult& result);
 
 /// @throws std::runtime_error where no picture can be made
 void require_pictures(const fs::path& directory);

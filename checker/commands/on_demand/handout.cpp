@@ -1,7 +1,6 @@
 #include "checker/commands/commands.hpp"
 #include "checker/course/assignment.hpp"
 #include "checker/course/locked_text.hpp"
-#include "checker/course/release.hpp"
 
 #include <algorithm>
 #include <array>
@@ -89,20 +88,6 @@ void make_copy(const Course& course, const fs::path& copy, const std::vector<Lec
   lock_derivations(course, copy);
 }
 
-/// What an update leaves to the reader to look at.
-void print_update(const Release& now, const Release& before, const UpdateResult& result) {
-  fmt::print("Release {}, before {}: {} written.\n", now.number, before.number, plural(result.written, "file"));
-  for (const ReleaseChange& change : now.changes) {
-    if (change.release <= before.number) continue;
-    fmt::print("  {} ({})  {}\n", change.release, printable(change.date), printable(change.message));
-    for (const std::string& file : change.files) fmt::print("    {}\n", printable(file));
-  }
-  for (const std::string& file : result.kept) fmt::print("Your version is kept as {}.\n", printable(file));
-  for (const std::string& file : result.own)
-    fmt::print("{} has changed, but yours is begun and stays; `{}` writes the new one.\n", printable(file),
-               command("reset " + fs::path(file).stem().string()));
-}
-
 /// The folder of an earlier release if it is to be updated, or one that is to be filled. @throws UsageError
 fs::path target_of(const Options& options) {
   const fs::path directory = fs::absolute(*options.out).lexically_normal();
@@ -164,15 +149,6 @@ int handout(const Course& course, const Options& options) {
       "it into an archive or a repository of its own.\n",
       options.out->string(), plural(course.cards().size(), "lecture"), plural(course.exercises().size(), "exercise"),
       seed);
-  return all_passed;
-}
-
-int update(const Course& course, const Options& options) {
-  const Release before = read_release(course.root()), now = read_release(*options.out);
-  if (now.number < before.number)
-    throw UsageError(
-        fmt::format("{} is release {}; yours is {} already.", shown_path(*options.out), now.number, before.number));
-  print_update(now, before, update_copy(*options.out, now, course.root(), before));
   return all_passed;
 }
 
