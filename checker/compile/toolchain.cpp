@@ -18,7 +18,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Toolchain, compiler, flags, prelude, include_
 
 namespace {
 
-constexpr int current_format = 1;
+constexpr int toolchain_format = 1;
 
 /// Written under another name first: another checker may be making the same.
 void make_worker_object(const Toolchain& toolchain, const std::string& exercise) {
@@ -48,7 +48,7 @@ Toolchain read_toolchain(const fs::path& file) {
   if (!text) throw refuse("cannot be read");
   try {
     const auto document = nlohmann::json::parse(*text);
-    if (document.at("format") != current_format) throw refuse("has another format than this checker");
+    if (document.at("format") != toolchain_format) throw refuse("has another format than this checker");
     return document.get<Toolchain>();
   } catch (const nlohmann::json::exception& error) {
     throw refuse(fmt::format("is damaged ({})", error.what()));

@@ -17,7 +17,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Review, day, verdict)
 
 namespace {
 
-constexpr int current_format = 1;
+constexpr int progress_format = 1;
 
 }  // namespace
 
@@ -26,7 +26,7 @@ void Progress::read() {
   if (!fs::exists(file_, problem)) return;
   try {
     const json document = json::parse(read_file(file_).value_or(""));
-    if (document.at("format").get<int>() != current_format) throw std::runtime_error("format");
+    if (document.at("format").get<int>() != progress_format) throw std::runtime_error("format");
     std::map<std::string, Practice> known;
     for (const auto& [exercise, entry] : document.at("exercises").get_ref<const json::object_t&>()) {
       Practice& one = known[exercise];
@@ -74,7 +74,7 @@ void Progress::change(const Change& something) {
     if (!one.reviews.empty()) exercises[exercise]["reviews"] = one.reviews;
     if (one.answered_right) exercises[exercise]["answered_right"] = *one.answered_right;
   }
-  const json document = {{"format", current_format}, {"exercises", exercises}};
+  const json document = {{"format", progress_format}, {"exercises", exercises}};
   if (!write_file(file_, document.dump(2) + "\n").empty())
     warning_ = fmt::format(
         "Your progress could not be saved in {}; make that folder writable. The verdict above is valid all the same.",

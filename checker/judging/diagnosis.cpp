@@ -21,13 +21,13 @@ NLOHMANN_JSON_SERIALIZE_ENUM(DiagnosisKind, {{DiagnosisKind::misconception, "mis
 
 std::string to_string(DiagnosisKind kind) { return nlohmann::json(kind).get<std::string>(); }
 
-void to_json(nlohmann::json& json, const Diagnosis& diagnosis) {
-  json = {
+void to_json(nlohmann::json& document, const Diagnosis& diagnosis) {
+  document = {
       {"kind", diagnosis.kind}, {"name", diagnosis.name}, {"message", diagnosis.message}, {"notes", diagnosis.notes}};
 }
 
-void from_json(const nlohmann::json& json, Diagnosis& diagnosis) {
-  diagnosis = {json.at("kind"), json.at("name"), json.at("message"), json.at("notes")};
+void from_json(const nlohmann::json& document, Diagnosis& diagnosis) {
+  diagnosis = {document.at("kind"), document.at("name"), document.at("message"), document.at("notes")};
 }
 
 bool Diagnosis::is_symptom() const {

@@ -238,10 +238,10 @@ std::string to_string(Verdict verdict) {
   return std::ranges::find(verdict_names, verdict, &std::pair<Verdict, const char*>::first)->second;
 }
 
-void to_json(nlohmann::json& json, const Verdict& verdict) { json = to_string(verdict); }
+void to_json(nlohmann::json& document, const Verdict& verdict) { document = to_string(verdict); }
 
-void from_json(const nlohmann::json& json, Verdict& verdict) {
-  const auto found = std::ranges::find_if(verdict_names, [&](const auto& entry) { return json == entry.second; });
+void from_json(const nlohmann::json& document, Verdict& verdict) {
+  const auto found = std::ranges::find_if(verdict_names, [&](const auto& entry) { return document == entry.second; });
   verdict = found == std::end(verdict_names) ? Verdict::checker_error : found->first;
 }
 

@@ -16,9 +16,9 @@ constexpr std::chrono::milliseconds patience{200};
 constexpr char interrupt_key = '\003';
 
 /// One pixel, only tried; then the device attributes, which every terminal answers: so we need not wait for a "no".
-constexpr std::string_view question = "\033_Gi=31,s=1,v=1,a=q,t=d,f=24;AAAA\033\\\033[c";
+constexpr std::string_view graphics_query = "\033_Gi=31,s=1,v=1,a=q,t=d,f=24;AAAA\033\\\033[c";
 
-constexpr double shape = 1.25;               // width over height of the drawn pictures
+constexpr double aspect_ratio = 1.25;        // width over height of the drawn pictures
 constexpr std::size_t widest_picture = 100;  // in columns; larger ones show no more
 constexpr std::size_t rows_for_text = 4;     // the paths and the next prompt stay in sight
 
@@ -59,7 +59,8 @@ std::string question_and_answer() {
   std::string reply;
   const UnbufferedInput input;
   if (!input.changed || has_input(Clock::now())) return reply;
-  if (write(STDOUT_FILENO, question.data(), question.size()) != static_cast<ssize_t>(question.size())) return reply;
+  if (write(STDOUT_FILENO, graphics_query.data(), graphics_query.size()) != static_cast<ssize_t>(graphics_query.size()))
+    return reply;
   const Clock::time_point deadline = Clock::now() + patience;
   while (device_attributes(reply).empty() && reply.find(interrupt_key) == std::string::npos) {
     if (!has_input(deadline)) break;
@@ -89,7 +90,7 @@ Space space_on(const Console& console) {
       space.cell_height = size.ws_ypixel / size.ws_row;
     }
   }
-  const auto highest = shape * static_cast<double>(space.rows * space.cell_height);
+  const auto highest = aspect_ratio * static_cast<double>(space.rows * space.cell_height);
   space.columns = std::min(
       {static_cast<std::size_t>(highest / static_cast<double>(space.cell_width)), console.width(), widest_picture});
   return space;
@@ -103,7 +104,7 @@ std::string sixel_picture(const Overlay& overlay, const fs::path& directory, con
       overlay,
       fmt::format("sixelgd noenhanced truecolor size {},{:.0f} font 'Helvetica,{:.0f}' linewidth {:.1f} background rgb "
                   "'white'",
-                  width, static_cast<double>(width) / shape, 11 * scale, scale),
+                  width, static_cast<double>(width) / aspect_ratio, 11 * scale, scale),
       directory);
 }
 
