@@ -342,9 +342,8 @@ class CommandLine {
         debug);
     add("predict", students,
         "Say what a function will return before you write it\n\nWithout predictions it shows cases to choose from. "
-        "Each "
-        "prediction is judged, and the wrong functions that would agree with all of them are told: examples are good "
-        "that can tell these from the right one.",
+        "Each prediction is judged, and the wrong functions that would agree with all of them are told: examples are "
+        "good that can tell these from the right one.",
         {"predict euler_equations", "predict euler_equations '1=0 0 0' '4=0.1 -0.2 0'"}, {"EXERCISE", "PREDICTION"},
         predict);
     add("question", students,
@@ -381,14 +380,10 @@ class CommandLine {
         {"FOLDER", "--update", "--message", "--seed", "--assignment"}, handout);
     add("grade", instructors,
         "Grade a class\n\nSUBMISSIONS holds a folder or a zip file per student, or files called ID_EXERCISE.cpp, as "
-        "Moodle "
-        "and Canvas export them. Only files with the names of exercises are read. FOLDER gets class.html, class.json, "
-        "tables "
-        "for spreadsheets, Moodle and Canvas, and for every student a page, JSON, and results for other autograders. "
-        "What is judged is kept "
-        "there: a run that was stopped goes on, and of a class that was graded before only what is new is judged; "
-        "whose "
-        "mark has changed, and why, is printed.",
+        "Moodle and Canvas export them. Only files with the names of exercises are read. FOLDER gets class.html, "
+        "class.json, tables for spreadsheets, Moodle and Canvas, and for every student a page, JSON, and results for "
+        "other autograders. What is judged is kept there: a run that was stopped goes on, and of a class that was "
+        "graded before only what is new is judged; whose mark has changed, and why, is printed.",
         {"grade submissions --out grades",
          "grade week3.zip --out week3 --roster class.csv --assignment week3.json --seed 2027",
          "grade submissions --out part1 --shard 1/2", "grade submissions --out grades --merge part1 part2"},

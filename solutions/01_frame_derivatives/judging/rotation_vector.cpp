@@ -47,35 +47,25 @@ void judge_rotation_vector(Lecture& lecture) {
   auto& e = lecture.exercise(&rotation_vector, {{"E", rotation}}, {"v", rad});
   e.compare(rotation_by_vector);
   add_turns(e);
-  e.wrong(
-      "This is the axis times the sine of the angle; the angle itself is "
-      "asked for.",
-      "no_theta_over_sin", [](auto& E) { return axial_part(E); });
+  e.wrong("This is the axis times the sine of the angle; the angle itself is asked for.", "no_theta_over_sin",
+          [](auto& E) { return axial_part(E); });
   e.wrong("The angle comes from its sine alone, which is the same for θ and π − θ.", "asin", [](auto& E) {
     const Vector3d v = axial_part(E);
     return asin(min(v.norm(), 1.0)) * v.stableNormalized();
   });
-  e.wrong_output(
-      "Your rotation takes the body's axes to the inertial ones; "
-      "asked for is the way there.",
-      "transposed", negated);
+  e.wrong_output("Your rotation takes the body's axes to the inertial ones; asked for is the way there.", "transposed",
+                 negated);
   e.wrong_output("This is the unit vector along the axis; its length should be the angle.", "axis_only",
                  [](auto& v) { return v.stableNormalized(); });
-  e.wrong(
-      "The axis comes from E − Eᵀ, which vanishes at half a turn; (E + "
-      "Eᵀ)/2 still has it.",
-      "zero_at_half_turn", [](auto& E) {
-        const Vector3d v = axial_part(E);
-        return atan2(v.norm(), (E.trace() - 1) / 2) * v.stableNormalized();
-      });
-  e.wrong_output(
-      "Small angles have lost their digits: the cosine of 10⁻⁸ is "
-      "1; the sine still has the angle.",
-      "acos_digits", [](auto& v, auto& E) { v = acos(cosine_of(E)) * v.stableNormalized(); });
-  e.wrong_output(
-      "This is half of the vector: the angle of a quaternion is "
-      "half the angle of the rotation.",
-      "half_angle", times(0.5));
+  e.wrong("The axis comes from E − Eᵀ, which vanishes at half a turn; (E + Eᵀ)/2 still has it.", "zero_at_half_turn",
+          [](auto& E) {
+            const Vector3d v = axial_part(E);
+            return atan2(v.norm(), (E.trace() - 1) / 2) * v.stableNormalized();
+          });
+  e.wrong_output("Small angles have lost their digits: the cosine of 10⁻⁸ is 1; the sine still has the angle.",
+                 "acos_digits", [](auto& v, auto& E) { v = acos(cosine_of(E)) * v.stableNormalized(); });
+  e.wrong_output("This is half of the vector: the angle of a quaternion is half the angle of the rotation.",
+                 "half_angle", times(0.5));
   e.wrong_output("E − Eᵀ holds 2 sin θ times the unit axis: it is still to be divided by the sine.",
                  "not_divided_by_sine", [](auto& v) -> Vector3d { return sin(v.norm()) * v; });
   e.wrong_output("The angle is in degrees.", "degrees", times(1 / degree));

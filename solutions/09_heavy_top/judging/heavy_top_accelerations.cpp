@@ -45,8 +45,7 @@ void mistakes_of_heavy_top_accelerations(Exercise& e) {
         return under_torque(I, mgl * sin(q[1]) * Vector3d(cos(q[2]), sin(q[2]), 0), q, v);
       });
   e.wrong(
-      "The torque of the weight acts about axis 2 of the body here; its axis is the line of nodes, "
-      "(sin ψ, cos ψ, 0).",
+      "The torque of the weight acts about axis 2 of the body here; its axis is the line of nodes, (sin ψ, cos ψ, 0).",
       "about_axis_2",
       [](auto& I, auto mgl, auto& q, auto& v) { return under_torque(I, mgl * sin(q[1]) * y_axis, q, v); });
   e.wrong("The weight turns φ here; its torque is about the line of nodes, and its work is done on θ.",

@@ -98,8 +98,7 @@ void judge_precession_per_nutation(Lecture& lecture) {
   mistakes_of_precession_per_nutation(e);
   const char* const weak =
       "Only a weight that is very weak beside the motion moves the axis so little, and there the closed formula for "
-      "the "
-      "roots of a cubic, a right way to them, has too few digits left.";
+      "the roots of a cubic, a right way to them, has too few digits left.";
   for (const char* bug : {"0.001", "1e-06", "1e-09"})
     e.survivor("results below " + std::string(bug) + " replaced by zero", weak);
   e.angles_read_as_degrees();
