@@ -85,7 +85,10 @@ TEST_CASE("a fresh clone checks, grows by a lecture, and is built where it lies"
   fs::remove_all(scratch);
   const fs::path first = clone("first clone");
 
-  // The first check makes what it needs, and no more.
+  // The first check makes what it needs in one build, and no more.
+  const Outcome checked = run(first, "./checker/run check spring_energy --file solutions/01_springs/spring_energy.cpp");
+  CHECK_MESSAGE(checked.status == 0, checked.err);
+  CHECK_MESSAGE(checked.err.find("Building in") == checked.err.rfind("Building in"), checked.err);
   CHECK(verdict(first, "spring_energy") == "not_started");
   CHECK(!fs::exists(first / "build/workbook/printed"));
   CHECK(!fs::exists(first / "build/workbook/checker/toolchain/diagnostic/prelude.hpp.gch"));
