@@ -1,5 +1,6 @@
 #include "checker/course/locked_text.hpp"
 
+#include "checker/base/text.hpp"
 #include "checker/judging/comparison.hpp"
 
 #include <sodium.h>

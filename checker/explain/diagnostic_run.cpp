@@ -287,30 +287,29 @@ std::vector<DiagnosticEvent> read_report(const std::string& text, const std::str
   bool has_calls = true, in_calls = false;  // the last event, the last line
   for (const std::string& whole : lines_of(text)) {
     const std::string line = cut(whole, longest);
-    Match found;
     const auto begin = [&](const std::string& event) {
       events.push_back({event, {}});
       has_calls = false;
     };
     const bool was_in_calls = std::exchange(in_calls, false);
-    if (!events.empty() && (found = search(line, call))) {
+    if (const Match called = events.empty() ? Match() : search(line, call)) {
       // A report may go on with other chains: who freed the memory, who asked for it.
-      const bool is_students = found[2].ends_with(student_file);
-      if (!has_calls) events.back().in_c_library = !is_students && found[4].empty();
-      if ((!has_calls || was_in_calls) && is_students) events.back().lines.push_back(std::atoi(found[1].c_str()));
+      const bool is_students = called[2].ends_with(student_file);
+      if (!has_calls) events.back().in_c_library = !is_students && called[4].empty();
+      if ((!has_calls || was_in_calls) && is_students) events.back().lines.push_back(std::atoi(called[1].c_str()));
       in_calls = !has_calls || was_in_calls;
       has_calls = true;
     } else if (line.starts_with("event ")) {
       // What has no calls yet announced what now throws or aborts: an assertion, memory, a forbidden call.
       if (line != "event thrown" || has_calls) begin(line.substr(6));
-    } else if ((found = search(line, assertion))) {
-      begin("assertion|" + found[1]);
-    } else if ((found = search(line, memory))) {
-      if (found[1] != "ABRT" || has_calls) begin(found[1] + "|" + found[2]);
-    } else if ((found = search(line, behavior))) {
-      begin("|" + found[1]);
-    } else if (!events.empty() && events.back().text.starts_with('|') && (found = search(line, summary))) {
-      events.back().text.insert(0, found[1]);
+    } else if (const Match failed = search(line, assertion)) {
+      begin("assertion|" + failed[1]);
+    } else if (const Match touched = search(line, memory)) {
+      if (touched[1] != "ABRT" || has_calls) begin(touched[1] + "|" + touched[2]);
+    } else if (const Match undefined = search(line, behavior)) {
+      begin("|" + undefined[1]);
+    } else if (!events.empty() && events.back().text.starts_with('|')) {
+      if (const Match named = search(line, summary)) events.back().text.insert(0, named[1]);
     }
   }
   return events;
