@@ -135,7 +135,8 @@ TEST_CASE("a fresh clone checks, grows by a lecture, and is built where it lies"
 TEST_CASE("a folder that cannot be written is named in one sentence") {
   const fs::path folder = clone("read only");
   write(folder / "build", "a file where the folder should be\n");
-  const Outcome outcome = run(folder, "./checker/run list");
+  const Outcome outcome = run(folder, "./checker/run check spring_energy");
   CHECK(outcome.status == 3);
   CHECK_MESSAGE(has(outcome.err, "cannot be written"), outcome.err);
+  CHECK_MESSAGE(outcome.err.find("cannot be written") == outcome.err.rfind("cannot be written"), outcome.err);
 }
