@@ -30,6 +30,10 @@ std::string verdict(const fs::path& folder, const std::string& exercise) {
   return document.at("results").at(0).at("verdict");
 }
 
+bool is_said_once(const std::string& text, const std::string& words) {
+  return has(text, words) && text.find(words) == text.rfind(words);
+}
+
 /// All that is not the course, and the small course.
 fs::path clone(const std::string& name) {
   fs::path folder = scratch / name;
@@ -88,10 +92,18 @@ TEST_CASE("a fresh clone checks, grows by a lecture, and is built where it lies"
   // The first check makes what it needs in one build, and no more.
   const Outcome checked = run(first, "./checker/run check spring_energy --file solutions/01_springs/spring_energy.cpp");
   CHECK_MESSAGE(checked.status == 0, checked.err);
-  CHECK_MESSAGE(checked.err.find("Building in") == checked.err.rfind("Building in"), checked.err);
+  CHECK_MESSAGE(is_said_once(checked.err, "Building in"), checked.err);
   CHECK(verdict(first, "spring_energy") == "not_started");
   CHECK(!fs::exists(first / "build/workbook/printed"));
   CHECK(!fs::exists(first / "build/workbook/checker/toolchain/diagnostic/prelude.hpp.gch"));
+
+  // Where there is no checker yet and the judging does not build, the checker does, and says whose fault it is.
+  const fs::path judging = first / "solutions/01_springs/judging/spring_energy.cpp";
+  const std::string text = read(judging);
+  fs::remove(first / "build/workbook/checker/checker");
+  write(judging, text + "int broken(\n");
+  CHECK(verdict(first, "spring_energy --file solutions/01_springs/spring_energy.cpp") == "checker_error");
+  write(judging, text);
 
   // A lecture and an exercise from their skeletons build at once.
   const Outcome lecture = run(first, "./checker/run new lecture 02_pendulums");
@@ -137,6 +149,5 @@ TEST_CASE("a folder that cannot be written is named in one sentence") {
   write(folder / "build", "a file where the folder should be\n");
   const Outcome outcome = run(folder, "./checker/run check spring_energy");
   CHECK(outcome.status == 3);
-  CHECK_MESSAGE(has(outcome.err, "cannot be written"), outcome.err);
-  CHECK_MESSAGE(outcome.err.find("cannot be written") == outcome.err.rfind("cannot be written"), outcome.err);
+  CHECK_MESSAGE(is_said_once(outcome.err, "cannot be written"), outcome.err);
 }
