@@ -264,6 +264,8 @@ class CommandLine {
     option("--allow-reduced", "", options_.allow_reduced, "be content with the sandbox that `doctor` calls reduced");
     option("--seeds", "NUMBER", options_.seeds, "how many seeds to try, from 1 on");
     option("--mutants", "", options_.mutants, "try small bugs in the solutions instead: do the cases find all?");
+    option("--prove", "", options_.prove, "try typical bugs anew at all cases and compare with the record");
+    option("--record", "", options_.record, "try them and write the record, judging/adequacy.json");
     declared_["--picture"] = [this](CLI::App& command) {
       static const std::map<std::string, PictureKind> kinds = {{"auto", PictureKind::automatic},
                                                                {"kitty", PictureKind::kitty},
@@ -395,8 +397,8 @@ class CommandLine {
     add("self-check", authors,
         "Check the workbook itself\n\nTries every stub, solution, right route, wrong answer, hint and pointer of the "
         "course, and names the file and the fix for everything that is wrong.",
-        {"self-check --seeds 20", "self-check 03", "self-check --mutants 03"}, {"NAME", "--seeds", "--mutants"},
-        self_check)
+        {"self-check --seeds 20", "self-check 03", "self-check --mutants 03", "self-check --record slow_precession"},
+        {"NAME", "--seeds", "--mutants", "--prove", "--record"}, self_check)
         .get_option("--seeds")
         ->check(CLI::Range(1, 1000));
   }

@@ -41,6 +41,8 @@ struct Options {
   std::vector<fs::path> merged;                  ///< folders of such parts, to be joined
   bool allow_reduced = false;                    ///< grade strangers' files in the reduced sandbox
   int seeds = 3;                                 ///< how many seeds the workbook itself is checked with, from 1 on
+  bool prove = false;                            ///< compare the record of typical bugs with a new proof
+  bool record = false;                           ///< write that record
   bool mutants = false;                          ///< check it by small bugs in the solutions instead
   std::string new_name, new_lecture, signature;  ///< what a new lecture or exercise is to be
   fs::path program;                              ///< the file of the running program

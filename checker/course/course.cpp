@@ -182,9 +182,8 @@ void Course::make_reference(const std::string& lecture) const {
     throw ReferenceError(fmt::format("The reference results of {} could not be made; {}", lecture, trouble));
 }
 
-/// @param cases  "all" or "random"
-void Course::run_reference_program(const std::string& lecture, std::uint64_t seed, const fs::path& file,
-                                   const char* cases) const {
+void Course::run_reference_program(const std::string& lecture, const fs::path& file,
+                                   const std::vector<std::string>& options) const {
   const fs::path program = reference_program(lecture);
   if (!fs::exists(program))
     throw ReferenceError(fmt::format(
@@ -192,22 +191,31 @@ void Course::run_reference_program(const std::string& lecture, std::uint64_t see
         "does not have.",
         seed_));
   fs::create_directories(file.parent_path());
-  const FinishedProgram made =
-      run_with_path(program.string(),
-                    {"--lecture", lecture, "--seed", std::to_string(seed), "--out", file.string(), "--cases", cases},
-                    std::chrono::seconds(120));
+  std::vector<std::string> arguments = {"--lecture", lecture, "--out", file.string()};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  // Far above what any takes on a slow and busy machine: it ends only what hangs.
+  constexpr std::chrono::minutes limit(30);
+  const FinishedProgram made = run_with_path(program.string(), arguments, limit);
   if (!made.succeeded())
-    throw ReferenceError(fmt::format("{}: making reference results for seed {} failed: {}", program.string(), seed,
-                                     made.out_of_time ? "it took more than 120 s" : made.output));
+    throw ReferenceError(
+        fmt::format("{} {} failed: {}", program.string(), fmt::join(arguments, " "),
+                    made.out_of_time ? fmt::format("it took more than {} minutes", limit.count()) : made.output));
 }
 
 LectureReference Course::random_cases(const std::string& lecture, std::uint64_t seed) const {
   make_reference(lecture);
   const fs::path file = scratch_ / "reference" / fmt::format("{}-random-{}.json", lecture, ::getpid());
-  run_reference_program(lecture, seed, file, "random");
+  run_reference_program(lecture, file, {"--seed", std::to_string(seed), "--cases", "random"});
   LectureReference results = read_reference_results(file);
   fs::remove(file);
   return results;
+}
+
+fs::path Course::prove_adequacy(const Exercise& exercise, int seeds, const fs::path& record) const {
+  const fs::path file = scratch_ / "reference" / (exercise.name() + "-adequacy.json");
+  run_reference_program(exercise.lecture(), file,
+                        {"--prove", exercise.name(), "--seeds", std::to_string(seeds), "--adequacy", record.string()});
+  return file;
 }
 
 LectureReference Course::reference(const std::string& lecture, std::uint64_t seed, const std::string& only) const {
@@ -216,7 +224,9 @@ LectureReference Course::reference(const std::string& lecture, std::uint64_t see
   fs::path file = given != given_.end() ? given->second : reference_file(lecture);
   if (given == given_.end() && seed != seed_) {
     file = scratch_ / "reference" / fmt::format("{}-seed-{}.json", lecture, seed);
-    if (is_newer(reference_program(lecture), file)) run_reference_program(lecture, seed, file, "all");
+    if (is_newer(reference_program(lecture), file) || is_newer(adequacy_file(lecture), file))
+      run_reference_program(lecture, file,
+                            {"--seed", std::to_string(seed), "--adequacy", adequacy_file(lecture).string()});
   }
   LectureReference results = read_reference_results(file, only);
   for (const CardExercise& exercise : find_lecture(lecture).exercises)

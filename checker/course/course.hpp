@@ -83,6 +83,10 @@ class Course {
   fs::path hints_file(const Exercise& exercise) const { return part(exercise, "lectures", "hints", ".md"); }
   // Students do not get these:
   fs::path solution_file(const Exercise& exercise) const { return part(exercise, "solutions", "", ".cpp"); }
+  /// What the cases of a lecture find of typical bugs, as an author has recorded it.
+  fs::path adequacy_file(const std::string& lecture) const {
+    return root_ / "solutions" / lecture / "judging/adequacy.json";
+  }
   fs::path judging_file(const Exercise& exercise) const { return part(exercise, "solutions", "judging", ".cpp"); }
   fs::path derivation_file(const Exercise& exercise) const { return part(exercise, "solutions", "derivations", ".md"); }
   /// But solution and derivation in one, which a right function opens.
@@ -124,6 +128,14 @@ class Course {
   /// @throws ReferenceError if they are not there, cannot be made or cannot be read, or lack an exercise of the card.
   LectureReference reference(const std::string& lecture, std::uint64_t seed, const std::string& only = "") const;
 
+  /// Builds the reference results of this lecture, and the program that makes them, if anything is newer. @throws
+  /// ReferenceError
+  void make_reference(const std::string& lecture) const;
+
+  /// Tries typical bugs at all cases of the exercise and at the points of a record, if one is named; that takes up to
+  /// minutes. Returns the file of the new record; make_reference() comes before. @throws ReferenceError
+  fs::path prove_adequacy(const Exercise& exercise, int seeds, const fs::path& record) const;
+
   /// Results at the random cases alone, which take a moment. @throws ReferenceError
   LectureReference random_cases(const std::string& lecture, std::uint64_t seed) const;
 
@@ -136,9 +148,8 @@ class Course {
     return root_ / of / exercise.lecture() / folder / (exercise.name() + ending);
   }
   fs::path reference_program(const std::string& lecture) const { return reference_ / ("reference_" + lecture); }
-  void make_reference(const std::string& lecture) const;
-  void run_reference_program(const std::string& lecture, std::uint64_t seed, const fs::path& file,
-                             const char* cases) const;
+  void run_reference_program(const std::string& lecture, const fs::path& file,
+                             const std::vector<std::string>& options) const;
 
   fs::path root_;
   fs::path reference_;

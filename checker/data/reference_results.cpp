@@ -48,10 +48,10 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Property, kind, message, notes, argument, wei
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Route, name, outputs)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PlotComponent, name, row, col)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Sweep, title, x_label, y_label, x, inputs, expected, components, y_unit)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Adequacy, made, killed, equal, survivors, reasons)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Adequacy, made, killed, equal, survivors, neighbours, fingerprint)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ExerciseReference, name, signature, arguments, result_kind, result_name,
                                    result_units, comparison, tolerance_reason, cases, misconceptions, input_transforms,
-                                   terms, properties, routes, sweep, adequacy)
+                                   terms, properties, routes, sweep, adequacy, has_current_adequacy, survivor_reasons)
 
 namespace {
 
@@ -194,10 +194,10 @@ LectureReference parsed(const std::string& content, const std::string& only) {
 
 std::string to_string(PropertyKind kind) { return json(kind).get<std::string>(); }
 
-std::string Adequacy::reason(const std::string& survivor) const {
-  const auto found =
-      std::ranges::find_if(reasons, [&](const auto& each) { return survivor.find(each.first) != std::string::npos; });
-  return found == reasons.end() ? "" : found->second;
+std::string ExerciseReference::survivor_reason(const std::string& bug) const {
+  const auto found = std::ranges::find_if(survivor_reasons,
+                                          [&](const auto& each) { return bug.find(each.first) != std::string::npos; });
+  return found == survivor_reasons.end() ? "" : found->second;
 }
 
 std::size_t ExerciseReference::described_cases() const {
@@ -256,6 +256,20 @@ void write_reference_results(const LectureReference& results, const std::filesys
   const std::string content = fmt::format("{}\n{}\n{}", header.dump(), about.dump(), lines);
   if (const std::string reason = write_file(file, content); !reason.empty())
     throw ReferenceError(fmt::format("The reference results {} cannot be written: {}.", shown_path(file), reason));
+}
+
+std::map<std::string, Adequacy> read_adequacy(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) return {};
+  try {
+    return json::parse(read_file(file).value()).get<std::map<std::string, Adequacy>>();
+  } catch (const std::exception& problem) {
+    throw ReferenceError(fmt::format("{} cannot be read: {}.", shown_path(file), without_full_stop(problem.what())));
+  }
+}
+
+void write_adequacy(const std::map<std::string, Adequacy>& record, const std::filesystem::path& file) {
+  if (const std::string reason = write_file(file, json(record).dump(1) + "\n"); !reason.empty())
+    throw ReferenceError(fmt::format("{} cannot be written: {}.", shown_path(file), reason));
 }
 
 }  // namespace workbook

@@ -137,16 +137,17 @@ struct Sweep {
   bool operator==(const Sweep&) const = default;
 };
 
-/// Typical bugs, made in the reference solution of an exercise: a threshold, a missing sign, float for double.
+/// What a proof found with typical bugs made in the reference solution of an exercise: a threshold, a missing sign,
+/// float for double. It takes minutes, so its result is recorded beside the judging (judging/adequacy.json) and used
+/// from there.
 struct Adequacy {
   std::size_t made = 0;
-  std::size_t killed = 0;                      ///< fail at some case
-  std::size_t equal = 0;                       ///< agree with the reference all over the domain
-  std::vector<std::string> survivors;          ///< differ somewhere in the domain where no case can be made of it
-  std::map<std::string, std::string> reasons;  ///< why no case can show survivors whose names contain this
+  std::size_t killed = 0;               ///< fail at some case
+  std::size_t equal = 0;                ///< agree with the reference all over the domain
+  std::vector<std::string> survivors;   ///< differ somewhere in the domain where no case can be made of it
+  std::vector<std::string> neighbours;  ///< the points of the dense sample that must be cases, by name
+  std::string fingerprint;              ///< of all this and of what was judged when it was recorded
 
-  /// Empty where there is none.
-  std::string reason(const std::string& survivor) const;
   bool operator==(const Adequacy&) const = default;
 };
 
@@ -167,14 +168,18 @@ struct ExerciseReference {
   std::vector<Route> routes;
   Sweep sweep;
   Adequacy adequacy;
+  bool has_current_adequacy = true;  ///< false where the record was made for other cases, or there is none
+  std::map<std::string, std::string> survivor_reasons;  ///< why no case can show bugs whose names contain this
 
+  /// Why no case can show this bug; empty where its author gave no reason.
+  std::string survivor_reason(const std::string& bug) const;
   /// How many cases come before the generated ones.
   std::size_t described_cases() const;
   bool operator==(const ExerciseReference&) const = default;
 };
 
 struct LectureReference {
-  static constexpr int format = 4;  ///< of the file
+  static constexpr int format = 5;  ///< of the file
   std::uint64_t seed = 1;
   std::string lecture;
   std::vector<ExerciseReference> exercises;
@@ -200,5 +205,11 @@ std::uint64_t seed_of_reference_results(const std::filesystem::path& file);
 
 /// @throws ReferenceError if the results are inconsistent or the file cannot be written.
 void write_reference_results(const LectureReference& results, const std::filesystem::path& file);
+
+/// The record of a lecture by the names of its exercises; empty where there is no such file.
+/// @throws ReferenceError if the file cannot be read or has another format
+std::map<std::string, Adequacy> read_adequacy(const std::filesystem::path& file);
+/// @throws ReferenceError naming the file if it cannot be written
+void write_adequacy(const std::map<std::string, Adequacy>& record, const std::filesystem::path& file);
 
 }  // namespace workbook

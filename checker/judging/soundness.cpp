@@ -138,14 +138,19 @@ Sentences unsound_parts(const ExerciseReference& exercise) {
   check_misconceptions(described, found);
   check_terms(described, found);
   check_routes(described, found);
-  std::ranges::move(unshown_bugs(exercise.adequacy), std::back_inserter(found));
+  std::ranges::move(unshown_bugs(exercise, exercise.adequacy.survivors), std::back_inserter(found));
+  if (!exercise.has_current_adequacy)
+    found.push_back(
+        fmt::format("What its cases find of typical bugs is not on record, or was recorded for other cases: "
+                    "`{}` tries it and records it.",
+                    command("self-check --record " + exercise.name)));
   return found;
 }
 
-Sentences unshown_bugs(const Adequacy& adequacy) {
+Sentences unshown_bugs(const ExerciseReference& exercise, const Sentences& survivors) {
   Sentences found;
-  for (const std::string& bug : adequacy.survivors) {
-    if (adequacy.reason(bug).empty())
+  for (const std::string& bug : survivors) {
+    if (exercise.survivor_reason(bug).empty())
       found.push_back(fmt::format("No case shows the bug “{}”: add one, or say with survivor(...) why none can.", bug));
   }
   return found;

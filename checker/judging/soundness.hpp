@@ -10,7 +10,7 @@ namespace workbook {
 /// not add up to the expected result, routes that do not pass, too few cases. Empty for a sound exercise.
 std::vector<std::string> unsound_parts(const ExerciseReference& exercise);
 
-/// Bugs that no case shows and for which there is no reason: a sentence each.
-std::vector<std::string> unshown_bugs(const Adequacy& adequacy);
+/// A sentence for each of these bugs, which no case shows, where the exercise gives no reason for it.
+std::vector<std::string> unshown_bugs(const ExerciseReference& exercise, const std::vector<std::string>& survivors);
 
 }  // namespace workbook

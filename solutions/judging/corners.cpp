@@ -1,5 +1,6 @@
 #include "solutions/judging/corners.hpp"
 
+#include "checker/base/text.hpp"
 #include "checker/judging/comparison.hpp"
 #include "checker/judging/diagnosis.hpp"
 #include "solutions/judging/mechanics.hpp"
@@ -307,6 +308,13 @@ std::vector<std::size_t> bases_of(const ExerciseReference& exercise) {
     if (exercise.cases[i].group == Group::random) bases.push_back(i);
   }
   return bases;
+}
+
+std::vector<Case> dense_sample(const Subject& subject) {
+  std::vector<Case> sample;
+  for (const std::size_t base : bases_of(subject.described))
+    std::ranges::move(Neighbours(subject.described, base).dense(), std::back_inserter(sample));
+  return sample;
 }
 
 /// What a function gives, or nothing where it throws or its result is not finite.
@@ -653,7 +661,7 @@ std::vector<BugTemplate> bug_templates(const Subject& subject) {
   return templates;
 }
 
-void prove_adequacy(const Subject& subject, std::vector<Case>& cases, Adequacy& adequacy) {
+Adequacy prove_adequacy(const Subject& subject, std::vector<Case> cases) {
   struct Point {
     Case candidate;
     std::optional<Value> right;
@@ -661,14 +669,13 @@ void prove_adequacy(const Subject& subject, std::vector<Case>& cases, Adequacy& 
     std::optional<Case> one = {};
   };
   std::vector<Point> sample;
-  for (const std::size_t base : bases_of(subject.described)) {
-    for (Case& candidate : Neighbours(subject.described, base).dense()) {
-      if (!subject.legal(candidate.inputs)) continue;
-      const std::optional<Value> right = attempt(subject.right, candidate.inputs);
-      if (right) sample.push_back({std::move(candidate), right});
-    }
+  for (Case& candidate : dense_sample(subject)) {
+    if (!subject.legal(candidate.inputs)) continue;
+    const std::optional<Value> right = attempt(subject.right, candidate.inputs);
+    if (right) sample.push_back({std::move(candidate), right});
   }
 
+  Adequacy adequacy;
   for (const BugTemplate& bug : bug_templates(subject)) {
     ++adequacy.made;
     const auto fails_at = [&](const Case& one) { return !passes_at(subject, one, attempt(bug.buggy, one.inputs)); };
@@ -689,6 +696,7 @@ void prove_adequacy(const Subject& subject, std::vector<Case>& cases, Adequacy& 
     };
     if (const auto point = std::ranges::find_if(sample, shows_at); point != sample.end()) {
       cases.push_back(*point->one);
+      adequacy.neighbours.push_back(point->candidate.name);
       ++adequacy.killed;
     } else if (differs) {
       adequacy.survivors.push_back(bug.name);
@@ -696,6 +704,37 @@ void prove_adequacy(const Subject& subject, std::vector<Case>& cases, Adequacy& 
       ++adequacy.equal;
     }
   }
+  return adequacy;
+}
+
+std::vector<Case> neighbour_cases(const Subject& subject, const std::vector<std::string>& names) {
+  std::vector<Case> cases;
+  const std::vector<Case> sample = names.empty() ? std::vector<Case>() : dense_sample(subject);
+  for (const std::string& name : names) {
+    const auto candidate = std::ranges::find(sample, name, &Case::name);
+    if (candidate == sample.end()) continue;
+    if (std::optional<Case> one = case_at(subject, *candidate)) cases.push_back(std::move(*one));
+  }
+  return cases;
+}
+
+std::string fingerprint_of(const Subject& subject, const Adequacy& record) {
+  const ExerciseReference& exercise = subject.described;
+  std::string text = fmt::format("{} {} {} {}\n{}\n{}\n", exercise.signature, record.made, record.killed, record.equal,
+                                 fmt::join(record.survivors, "\n"), fmt::join(record.neighbours, "\n"));
+  for (const BugTemplate& bug : bug_templates(subject)) text += bug.name + "\n";
+  // Rounding differs between machines: results are counted in units in which no exact result lies half-way.
+  constexpr double units_per_scale = 9973.1;
+  for (const Case& one : exercise.cases) {
+    text += fmt::format("{} {:.6g}", one.name, one.tolerance);
+    for (const Value& input : one.inputs) text += fmt::format(" {:.6g}", fmt::join(input.numbers, " "));
+    for (std::size_t i = 0; i < one.expected.numbers.size(); ++i) {
+      const double scale = one.scale[one.scale.size() == 1 ? 0 : i];
+      text += fmt::format(" {}", std::llround(one.expected.numbers[i] / scale * units_per_scale));
+    }
+    text += "\n";
+  }
+  return fingerprint(text);
 }
 
 }  // namespace workbook::judging

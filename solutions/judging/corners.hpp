@@ -41,8 +41,15 @@ struct BugTemplate {
 };
 std::vector<BugTemplate> bug_templates(const Subject& subject);
 
-/// Tries every bug template at all cases. A bug that passes them is looked for in a dense sample of the domain; where
-/// it shows, that point becomes a case.
-void prove_adequacy(const Subject& subject, std::vector<Case>& cases, Adequacy& adequacy);
+/// Tries every bug template at all cases, those described and these. A bug that passes them is looked for in a dense
+/// sample of the domain; the name of the first point at which it shows is among the neighbours of the result.
+Adequacy prove_adequacy(const Subject& subject, std::vector<Case> cases);
+
+/// The points of the dense sample with these names, where cases can be made of them.
+std::vector<Case> neighbour_cases(const Subject& subject, const std::vector<std::string>& names);
+
+/// Of a record and of what it depends on: cases, their results to four digits, tolerances, names of the bugs. The same
+/// on every machine.
+std::string fingerprint_of(const Subject& subject, const Adequacy& record);
 
 }  // namespace workbook::judging

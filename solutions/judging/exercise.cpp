@@ -57,6 +57,8 @@ std::uint64_t batch_seed(std::uint64_t seed, const std::string& exercise, const 
   return hash;
 }
 
+constexpr std::uint64_t first_seed = 1;
+
 double largest(const Value& value) { return as_matrix(value).lpNorm<Eigen::Infinity>(); }
 
 /// Finite, and neither products nor quotients of such numbers overflow or underflow.
@@ -85,6 +87,19 @@ void AnyExercise::set_signature(const std::vector<Named>& arguments, const std::
   result_.result_name = result.name;
   result_.result_units = {result.sort.unit};
   result_.signature = signature_of(result_);
+}
+
+AnyExercise::Function AnyExercise::remembering(Function function) {
+  const auto known = std::make_shared<std::map<std::string, Value>>();
+  return [function = std::move(function), known](const Values& inputs) {
+    std::string key;  // the bytes, for a NaN is equal to nothing
+    for (const Value& input : inputs) {
+      key.append(reinterpret_cast<const char*>(&input.cols), sizeof input.cols);
+      key.append(reinterpret_cast<const char*>(input.numbers.data()), input.numbers.size() * sizeof(double));
+    }
+    if (const auto found = known->find(key); found != known->end()) return found->second;
+    return known->emplace(std::move(key), function(inputs)).first->second;
+  };
 }
 
 void AnyExercise::tolerance(double relative, const std::string& reason) {
@@ -230,18 +245,26 @@ ExerciseReference AnyExercise::random_cases(std::uint64_t seed) const {
   return out;
 }
 
-ExerciseReference AnyExercise::evaluate(std::uint64_t seed) const {
+ExerciseReference AnyExercise::described(std::uint64_t seed) const {
   ExerciseReference out = result_;
-  const Subject subject = subject_of(out);
-  for (Case& one : ladder(subject)) {
+  for (Case& one : ladder(subject_of(out))) {
     one.group = Group::special;
     add_case(one, out);
   }
   for (const Batch& batch : batches_) add_cases(batch, seed, out);
-  std::vector<Case> corners = corner_cases(subject);
-  prove_adequacy(subject, corners, out.adequacy);
+  return out;
+}
+
+ExerciseReference AnyExercise::evaluate(std::uint64_t seed, const Adequacy& recorded) const {
+  ExerciseReference out = described(seed);
+  const Subject subject = subject_of(out);
+  std::vector<Case> generated = corner_cases(subject);
+  std::ranges::move(neighbour_cases(subject, recorded.neighbours), std::back_inserter(generated));
+  out.adequacy = recorded;
+  // Cases of other seeds differ from those on record.
+  out.has_current_adequacy = seed != first_seed || recorded.fingerprint == fingerprint_of(subject, recorded);
   out.input_transforms = input_transforms(subject);
-  std::ranges::move(corners, std::back_inserter(out.cases));
+  std::ranges::move(generated, std::back_inserter(out.cases));
   for (std::size_t k = 0; k < weights_.size(); ++k) {
     if (!weights_[k]) continue;
     for (const Case& one : out.cases) out.properties[k].weights.push_back(weights_[k](one.inputs));
@@ -250,11 +273,45 @@ ExerciseReference AnyExercise::evaluate(std::uint64_t seed) const {
   return out;
 }
 
-LectureReference Lecture::evaluate(std::string name, std::uint64_t seed, bool at_random_cases_alone) const {
+Adequacy AnyExercise::prove(std::uint64_t seeds, Adequacy record) const {
+  for (std::uint64_t seed = first_seed; seed < first_seed + seeds; ++seed) {
+    const ExerciseReference exercise = described(seed);
+    const Subject subject = subject_of(exercise);
+    std::vector<Case> cases = corner_cases(subject);
+    std::ranges::move(neighbour_cases(subject, record.neighbours), std::back_inserter(cases));
+    Adequacy found = prove_adequacy(subject, std::move(cases));
+    std::ranges::move(found.neighbours, std::back_inserter(record.neighbours));
+    if (seed != first_seed) continue;
+    found.neighbours = std::move(record.neighbours);
+    record = std::move(found);
+  }
+  const ExerciseReference exercise = described(first_seed);
+  record.fingerprint = fingerprint_of(subject_of(exercise), record);
+  return record;
+}
+
+LectureReference Lecture::evaluate(std::string name, std::uint64_t seed,
+                                   const std::map<std::string, Adequacy>& recorded) const {
   LectureReference result{seed, std::move(name), {}};
-  for (const auto& each : exercises_)
-    result.exercises.push_back(at_random_cases_alone ? each->random_cases(seed) : each->evaluate(seed));
+  for (const auto& each : exercises_) {
+    const auto record = recorded.find(each->name());
+    result.exercises.push_back(each->evaluate(seed, record == recorded.end() ? Adequacy() : record->second));
+  }
   return result;
+}
+
+LectureReference Lecture::random_cases(std::string name, std::uint64_t seed) const {
+  LectureReference result{seed, std::move(name), {}};
+  for (const auto& each : exercises_) result.exercises.push_back(each->random_cases(seed));
+  return result;
+}
+
+Adequacy Lecture::prove(const std::string& exercise, std::uint64_t seeds,
+                        const std::map<std::string, Adequacy>& recorded) const {
+  const auto named = std::ranges::find(exercises_, exercise, [](const auto& each) { return each->name(); });
+  if (named == exercises_.end()) throw std::logic_error("there is no exercise " + exercise);
+  const auto record = recorded.find(exercise);
+  return (*named)->prove(seeds, record == recorded.end() ? Adequacy() : record->second);
 }
 
 }  // namespace workbook::judging

@@ -7,6 +7,7 @@
 #include "solutions/judging/mechanics.hpp"
 #include "solutions/judging/random.hpp"
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <tuple>
@@ -109,7 +110,7 @@ class AnyExercise {
   void tolerance(double relative, const std::string& reason);
 
   /// A bug that no case can show, by the name that self-check gives it, and why that is right.
-  void survivor(const std::string& bug, const std::string& reason) { result_.adequacy.reasons[bug] = reason; }
+  void survivor(const std::string& bug, const std::string& reason) { result_.survivor_reasons[bug] = reason; }
 
   /// Another tolerance for the last case declared, and why.
   void tolerance_of_last_case(double relative, const std::string& reason = "");
@@ -128,12 +129,17 @@ class AnyExercise {
   /// The result is symmetric and has no negative eigenvalue.
   void is_inertia_tensor(const char* symmetry_notes = "", const char* energy_notes = "");
 
-  /// Runs the reference solution and all wrong answers at all cases, the described and the generated ones.
+  /// Runs the reference solution and all wrong answers at all cases: the described ones, the generated ones, and those
+  /// that this record of typical bugs asks for.
   /// @throws std::logic_error naming exercise and case if an input is not legal, or an expected number is not finite or
   /// has no natural scale.
-  ExerciseReference evaluate(std::uint64_t seed) const;
+  ExerciseReference evaluate(std::uint64_t seed, const Adequacy& recorded) const;
   /// The same at the random cases alone, which takes a moment.
   ExerciseReference random_cases(std::uint64_t seed) const;
+  /// Which typical bugs the cases find, and which points must join those of this record so that they are found under
+  /// each of these seeds. Takes up to minutes.
+  Adequacy prove(std::uint64_t seeds, Adequacy record) const;
+  const std::string& name() const { return result_.name; }
 
  protected:
   using Function = OnValues<Value>;
@@ -146,6 +152,9 @@ class AnyExercise {
   void add_route(std::string name, Function other);
   void set_sweep(const SweepLabels& labels, const std::vector<Drawn>& components, SweepRange range,
                  std::function<Values(double)> inputs_at);
+  /// The same function, which evaluates each input once: some integrate for a long time, and a proof asks again and
+  /// again.
+  static Function remembering(Function function);
   bool is_angle(std::size_t argument) const { return result_.arguments[argument].unit == units::radian; }
 
   Function reference_;
@@ -160,6 +169,7 @@ class AnyExercise {
     std::function<Values(Random&)> draw;
   };
 
+  ExerciseReference described(std::uint64_t seed) const;
   Case case_at(Case judged) const;
   bool is_legal(const Values& inputs) const;
   void add_case(const Case& one, ExerciseReference& out) const;
@@ -195,7 +205,7 @@ class Exercise : public AnyExercise {
   /// Takes the expected results from another function than the solution.
   void judge_by(Solution reference) {
     right_ = std::move(reference);
-    reference_ = on_values<Value>(right_);
+    reference_ = remembering(on_values<Value>(right_));
   }
 
   /// Which inputs are legal, where the sorts of the single parameters do not say it. Anyway each number is
@@ -387,7 +397,12 @@ class Lecture {
     return handle;
   }
 
-  LectureReference evaluate(std::string name, std::uint64_t seed, bool at_random_cases_alone) const;
+  LectureReference evaluate(std::string name, std::uint64_t seed,
+                            const std::map<std::string, Adequacy>& recorded) const;
+  LectureReference random_cases(std::string name, std::uint64_t seed) const;
+  /// @throws std::logic_error if there is no such exercise
+  Adequacy prove(const std::string& exercise, std::uint64_t seeds,
+                 const std::map<std::string, Adequacy>& recorded) const;
 
  private:
   std::string name_;

@@ -28,16 +28,16 @@ Outcome handout(const fs::path& folder) {
   return run(fmt::format("'{}' handout '{}'", WORKBOOK_TEST_CHECKER, folder.string()));
 }
 
-/// One copy for all tests, drawn with a seed of its own: making it takes a while.
+/// One copy for all tests, drawn with a seed of its own: making it takes a while, so where it fails it is made once
+/// too.
 const fs::path& copy() {
-  static const fs::path folder = [] {
+  static const fs::path folder = scratch / "copy";
+  static const Outcome made = [] {
     fs::remove_all(scratch);
     fs::create_directories(scratch);
-    const Outcome made =
-        run(fmt::format("'{}' handout --seed 7 '{}'", WORKBOOK_TEST_CHECKER, (scratch / "copy").string()));
-    REQUIRE_MESSAGE(made.status == 0, made.said());
-    return scratch / "copy";
+    return run(fmt::format("'{}' handout --seed 7 '{}'", WORKBOOK_TEST_CHECKER, folder.string()));
   }();
+  REQUIRE_MESSAGE(made.status == 0, made.said());
   return folder;
 }
 

@@ -115,6 +115,27 @@ TEST_CASE("a stray file is a remark and stops nothing") {
   CHECK(course.run("check --json").json().at("results").size() == 2);
 }
 
+TEST_CASE("self-check names a record of typical bugs that does not fit the cases, and writes a new one when asked") {
+  const CourseCopy course;
+  const fs::path record = course.root() / "solutions/01_springs/judging/adequacy.json";
+  const std::string before = read(record);
+  CHECK(course.run("self-check --prove").status == 0);
+
+  write(record, "{}\n");
+  const Outcome differs = course.run("self-check --prove spring_energy");
+  CHECK(differs.status == 1);
+  CHECK_MESSAGE(has(differs.out, "solutions/01_springs/judging/spring_energy.cpp: "), differs.out);
+  CHECK(has(differs.out, "self-check --record"));
+  CHECK(read(record) == "{}\n");
+
+  CHECK(course.run("self-check --record").status == 0);
+  CHECK(read(record) == before);
+  write(record, "{\n");
+  CHECK_MESSAGE(has(course.run("self-check --prove").said(), "adequacy.json"), "a damaged record is named");
+  fs::remove_all(course.root() / "solutions");
+  CHECK(course.run("self-check --record").status == 2);
+}
+
 TEST_CASE("self-check names the mutants that no case finds, unless there is a reason") {
   const CourseCopy course;
   const Outcome all_found = course.run("self-check --mutants");

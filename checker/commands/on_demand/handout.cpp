@@ -54,6 +54,7 @@ void copy_made(const Course& course, const fs::path& copy, std::vector<LectureRe
     for (ExerciseReference& exercise : reference.exercises) {
       for (std::size_t k = 0; k < exercise.routes.size(); ++k) exercise.routes[k].name = fmt::format("route {}", k + 1);
       exercise.adequacy = {};
+      exercise.survivor_reasons = {};
     }
     const fs::path data = copy / "lectures" / reference.lecture / "handed_out";
     place_file(course.build().directory / "printed" / (reference.lecture + ".txt"), data / "printed.txt");

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -18,11 +20,11 @@ constexpr std::size_t hints_wanted = 3;
 std::string text_of(const fs::path& file) { return read_file(file).value_or(""); }
 
 /// One line, and one for each bug that no case shows.
-std::string adequacy_text(const Exercise& exercise, const Adequacy& adequacy) {
+std::string adequacy_text(const Exercise& exercise, const ExerciseReference& judged, const Adequacy& adequacy) {
   std::string text = fmt::format("{:.2} {:<30} {:>3} of {:>3} bugs found, {} equal in the domain\n", exercise.lecture(),
                                  exercise.name(), adequacy.killed, adequacy.made, adequacy.equal);
   for (const std::string& bug : adequacy.survivors)
-    text += fmt::format("   not found: {}. {}\n", bug, adequacy.reason(bug));
+    text += fmt::format("   not found: {}. {}\n", bug, judged.survivor_reason(bug));
   return text;
 }
 
@@ -138,7 +140,7 @@ class SelfCheck {
   void check_strays(const Card& card) {
     const fs::path folder = course_.lectures() / card.lecture;
     const fs::path solutions = course_.root() / "solutions" / card.lecture;
-    std::set<fs::path> known = {solutions / "shared.hpp"};
+    std::set<fs::path> known = {solutions / "shared.hpp", course_.adequacy_file(card.lecture)};
     for (const CardExercise& entry : card.exercises) {
       const Exercise exercise{&card, &entry};
       known.insert({course_.student_file(exercise), course_.hints_file(exercise), course_.solution_file(exercise),
@@ -165,7 +167,7 @@ class SelfCheck {
       if (is_first) {
         routes_ += judged.routes.size();
         misconceptions_ += judged.misconceptions.size();
-        adequacy_ += adequacy_text(exercise, judged.adequacy);
+        adequacy_ += adequacy_text(exercise, judged, judged.adequacy);
         check_texts(exercise, judged);
         if (!question_on(judged))
           fault(course_.judging_file(exercise),
@@ -308,59 +310,131 @@ nlohmann::json try_mutants(const Course& course, const Toolchain& toolchain, con
   return {{"made", made}, {"survivors", survivors}};
 }
 
-/// Do the cases of these exercises find every small bug in their solutions?
-int self_check_mutants(const Course& course, const std::vector<std::string>& names) {
-  if (!course.has_solutions())
-    throw UsageError("Mutants are made of solutions, and this copy of the workbook has none.");
-  const std::vector<Exercise> exercises = course.choose(names);
-  CheckContext context(course);
-  for (const Exercise& exercise : exercises) context.reference(check_task(course, exercise));
+/// Works on the exercises in processes of their own, several at once: `work` gives a JSON document, which `use` takes.
+/// What goes wrong is a fault of that exercise.
+/// @param limit for one exercise
+void for_each_exercise(const std::vector<Exercise>& exercises, std::chrono::minutes limit,
+                       const std::function<nlohmann::json(const Exercise&)>& work,
+                       const std::function<void(std::size_t, const nlohmann::json&)>& use,
+                       std::vector<std::string>& faults) {
   const auto begin = [&](std::size_t k) {
-    const ExerciseReference& reference = context.reference(check_task(course, exercises[k]));
-    const auto try_all = [&] {
+    const auto guarded = [&work, &exercise = exercises[k]] {
       try {
-        return try_mutants(course, context.toolchain(), exercises[k], reference).dump();
+        return work(exercise).dump();
       } catch (const std::exception& problem) {
         return nlohmann::json{{"problem", problem.what()}}.dump();
       }
     };
-    return std::make_unique<ForkedJob>(try_all, std::chrono::minutes(20));
+    return std::make_unique<ForkedJob>(guarded, limit);
   };
   ProgressBar progress_bar;
-  std::vector<std::string> tried(exercises.size()), faults(exercises.size());
-  std::size_t made = 0, killed = 0, done = 0;
+  std::size_t done = 0;
   run_jobs(exercises.size(), begin, [&](std::size_t k, ForkedJob& job) {
-    const Exercise& exercise = exercises[k];
-    progress_bar.show(++done, exercises.size(), exercise.name());
+    progress_bar.show(++done, exercises.size(), exercises[k].name());
     std::string trouble = job.finish();
     const auto found = nlohmann::json::parse(job.output(), nullptr, false);
     if (trouble.empty()) trouble = found.value("problem", "");
-    if (!trouble.empty()) {
-      faults[k] = fmt::format("{}: its mutants could not be tried: {}.\n",
-                              course.in_course(course.solution_file(exercise)), without_full_stop(trouble));
-      return;
-    }
-    Adequacy adequacy = context.reference(check_task(course, exercise)).adequacy;
-    adequacy.made = found.at("made");
-    adequacy.survivors = found.at("survivors").get<std::vector<std::string>>();
-    adequacy.killed = adequacy.made - adequacy.survivors.size();
-    adequacy.equal = 0;
-    made += adequacy.made;
-    killed += adequacy.killed;
-    tried[k] = adequacy_text(exercise, adequacy);
-    for (const std::string& sentence : unshown_bugs(adequacy))
-      faults[k] += fmt::format("{}: {}\n", course.in_course(course.judging_file(exercise)), sentence);
+    if (trouble.empty())
+      use(k, found);
+    else
+      faults[k] = without_full_stop(trouble);
   });
   progress_bar.clear();
+}
+
+/// Do the cases of these exercises find every small bug in their solutions?
+int self_check_mutants(const Course& course, const std::vector<Exercise>& exercises) {
+  CheckContext context(course);
+  for (const Exercise& exercise : exercises) context.reference(check_task(course, exercise));
+  std::size_t made = 0, killed = 0;
+  std::vector<std::string> tried(exercises.size()), trouble(exercises.size()), faults(exercises.size());
+  const auto reference = [&](const Exercise& exercise) -> const ExerciseReference& {
+    return context.reference(check_task(course, exercise));
+  };
+  for_each_exercise(
+      exercises, std::chrono::minutes(20),
+      [&](const Exercise& exercise) { return try_mutants(course, context.toolchain(), exercise, reference(exercise)); },
+      [&](std::size_t k, const nlohmann::json& found) {
+        const Exercise& exercise = exercises[k];
+        Adequacy adequacy;
+        adequacy.made = found.at("made");
+        adequacy.survivors = found.at("survivors").get<std::vector<std::string>>();
+        adequacy.killed = adequacy.made - adequacy.survivors.size();
+        made += adequacy.made;
+        killed += adequacy.killed;
+        tried[k] = adequacy_text(exercise, reference(exercise), adequacy);
+        for (const std::string& sentence : unshown_bugs(reference(exercise), adequacy.survivors))
+          faults[k] += fmt::format("{}: {}\n", course.in_course(course.judging_file(exercise)), sentence);
+      },
+      trouble);
+  for (std::size_t k = 0; k < exercises.size(); ++k)
+    if (!trouble[k].empty())
+      faults[k] = fmt::format("{}: its mutants could not be tried: {}.\n",
+                              course.in_course(course.solution_file(exercises[k])), trouble[k]);
   fmt::print("{}{}In all: {} of {} bugs found.\n", fmt::join(tried, ""), fmt::join(faults, ""), killed, made);
   const bool has_fault = !std::ranges::all_of(faults, &std::string::empty);
+  return has_fault ? something_failed : all_passed;
+}
+
+/// Tries the typical bugs anew. Either writes the record; or compares: it must name enough points, and no bug may
+/// survive that it does not name. (Which points are found first, and which bugs differ by rounding only, depends on the
+/// machine.)
+int self_check_record(const Course& course, const std::vector<Exercise>& exercises, bool writes) {
+  constexpr int seeds = 3;
+  std::vector<std::string> faults(exercises.size()), trouble(exercises.size());
+  std::map<std::string, std::map<std::string, Adequacy>> records;  // by lecture
+  for (const Exercise& exercise : exercises)
+    records.try_emplace(exercise.lecture(), read_adequacy(course.adequacy_file(exercise.lecture())));
+  CheckContext context(course);
+  for (const auto& [lecture, record] : records) course.make_reference(lecture);
+  for_each_exercise(
+      exercises, std::chrono::minutes(30),
+      [&](const Exercise& exercise) -> nlohmann::json {
+        const fs::path start = writes ? fs::path() : course.adequacy_file(exercise.lecture());
+        return {{"file", course.prove_adequacy(exercise, seeds, start).string()}};
+      },
+      [&](std::size_t k, const nlohmann::json& found) {
+        const Exercise& exercise = exercises[k];
+        const fs::path file = found.at("file").get<std::string>();
+        const Adequacy proven = read_adequacy(file).at(exercise.name());
+        fs::remove(file);
+        Adequacy& recorded = records.at(exercise.lecture())[exercise.name()];
+        const auto missing = proven.neighbours.size() - recorded.neighbours.size();
+        if (!writes && (missing > 0 || proven.made != recorded.made))
+          faults[k] = fmt::format("{} must join its cases, and {} of {} bugs are on record", plural(missing, "point"),
+                                  recorded.made, proven.made);
+        else if (!writes)
+          for (const std::string& bug : unshown_bugs(context.reference(check_task(course, exercise)), proven.survivors))
+            if (std::ranges::find(recorded.survivors, bug) == recorded.survivors.end()) faults[k] += bug;
+        if (writes) recorded = proven;
+      },
+      trouble);
+  bool has_fault = false;
+  for (std::size_t k = 0; k < exercises.size(); ++k) {
+    if (!trouble[k].empty()) faults[k] = fmt::format("typical bugs could not be tried: {}", trouble[k]);
+    if (faults[k].empty()) continue;
+    has_fault = true;
+    fmt::print("{}: {}.\n", course.in_course(course.judging_file(exercises[k])), without_full_stop(faults[k]));
+  }
+  if (writes)
+    for (const auto& [lecture, record] : records) write_adequacy(record, course.adequacy_file(lecture));
+  if (writes || !has_fault)
+    fmt::print("{}: {}.\n", writes ? "Recorded" : "As recorded", plural(exercises.size(), "exercise"));
+  else
+    fmt::print("`{}` writes the record anew.\n", command("self-check --record"));
   return has_fault ? something_failed : all_passed;
 }
 
 }  // namespace
 
 int self_check(const Course& course, const Options& options) {
-  if (options.mutants) return self_check_mutants(course, options.names);
+  if (options.mutants || options.prove || options.record) {
+    if (!course.has_solutions())
+      throw UsageError("Bugs are made in solutions, and this copy of the workbook has none.");
+    const std::vector<Exercise> exercises = course.choose(options.names);
+    return options.mutants ? self_check_mutants(course, exercises)
+                           : self_check_record(course, exercises, options.record);
+  }
   std::vector<std::uint64_t> seeds(static_cast<std::size_t>(options.seeds));
   std::iota(seeds.begin(), seeds.end(), std::uint64_t{1});
   if (!course.has_solutions()) seeds = {course.seed()};
