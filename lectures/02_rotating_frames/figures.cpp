@@ -251,26 +251,25 @@ void draw_over_latitude(const std::filesystem::path& directory) {
     southward.emplace_back(k, 1e-3 * drift_to_the_right(latitude, pi, 120e3, 176));
   }
   draw_figure(directory, "over_latitude", {580, 640}, [&](gnuplotio::Gnuplot& gnuplot) {
+    send_block(gnuplot, "$fall", fall);
+    send_block(gnuplot, "$pendulum", pendulum);
+    send_block(gnuplot, "$northward", northward);
+    send_block(gnuplot, "$southward", southward);
     gnuplot << "set multiplot layout 3,1 margins 0.12,0.97,0.12,0.95 spacing 0.085\n"
                "unset key; set xrange [-90:90]; set xtics 30 format ''; set border 3; set tics nomirror\n"
             << "set xzeroaxis lw 1 lc rgb '" << colors::grey << "'\n"
             << "set title 'A stone from 110 m lands to the east (mm)' offset 0,-0.7\n"
                "set yrange [0:30]; set ytics 10\n"
-            << "plot '-' w l lw 3.5 lc rgb '" << colors::blue << "'\n";
-    gnuplot.send1d(fall);
-    gnuplot << "set title 'Foucault’s pendulum rotates clockwise (degrees per hour)' offset 0,-0.7\n"
+            << "plot $fall w l lw 3.5 lc rgb '" << colors::blue << "'\n"
+            << "set title 'Foucault’s pendulum rotates clockwise (degrees per hour)' offset 0,-0.7\n"
                "set yrange [-18:18]; set ytics 15\n"
-            << "plot '-' w l lw 3.5 lc rgb '" << colors::green << "'\n";
-    gnuplot.send1d(pendulum);
-    gnuplot << "set title 'A shell, 120 km in 176 s, drifts to its right (km)' offset 0,-0.7\n"
+            << "plot $pendulum w l lw 3.5 lc rgb '" << colors::green << "'\n"
+            << "set title 'A shell, 120 km in 176 s, drifts to its right (km)' offset 0,-0.7\n"
                "set yrange [-2.2:2.2]; set ytics 1; set xtics 30 format '%g°'; set xlabel 'latitude, north positive'\n"
             << "set label 'fired south' at -8,1.1 right tc rgb '" << colors::vermilion << "'\n"
             << "set label 'fired north' at 10,-1.1 left tc rgb '" << colors::purple << "'\n"
-            << "plot '-' w l lw 3.5 lc rgb '" << colors::purple << "', '-' w l lw 3.5 lc rgb '" << colors::vermilion
-            << "'\n";
-    gnuplot.send1d(northward);
-    gnuplot.send1d(southward);
-    gnuplot << "unset multiplot\n";
+            << "plot $northward w l lw 3.5 lc rgb '" << colors::purple << "', $southward w l lw 3.5 lc rgb '"
+            << colors::vermilion << "'\nunset multiplot\n";
   });
 }
 

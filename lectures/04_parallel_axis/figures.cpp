@@ -89,11 +89,11 @@ void draw_pendulum(const std::filesystem::path& directory) {
     label(gnuplot, "d_0", d0 + 0.02, 1.45, colors::grey);
     PlaneCurve curve;
     for (int k = 12; k <= 200; ++k) curve.emplace_back(k / 400.0, period(k / 400.0));
-    gnuplot << fmt::format("plot '-' w l lw 3 lc rgb '{}', '-' w p pt 7 ps 1.2 lc rgb '{}'\n", colors::blue,
-                           colors::vermilion);
-    gnuplot.send1d(curve);
-    gnuplot.send1d(PlaneCurve{{d0 * d0 / 0.5, period(0.5)}, {0.5, period(0.5)}});
-    gnuplot << "unset multiplot\n";
+    send_block(gnuplot, "$periods", curve);
+    send_block(gnuplot, "$same", PlaneCurve{{d0 * d0 / 0.5, period(0.5)}, {0.5, period(0.5)}});
+    gnuplot << fmt::format("plot $periods w l lw 3 lc rgb '{}', $same w p pt 7 ps 1.2 lc rgb '{}'\n", colors::blue,
+                           colors::vermilion)
+            << "unset multiplot\n";
   });
 }
 

@@ -164,39 +164,34 @@ void draw_integrators(const std::filesystem::path& directory) {
     for (std::size_t i = 0; i < 3; ++i) {
       gnuplot << fmt::format("set label 'ω_{}' at {},{} center front tc rgb '{}'\n", i + 1, places[i].first,
                              places[i].second, axis_colors[i]);
-      plot += fmt::format("'-' with lines lw 2.5 lc rgb '{0}', '-' with points pt 7 ps 0.35 lc rgb '{0}'{1}",
-                          axis_colors[i], i < 2 ? ", " : "\n");
-    }
-    gnuplot << plot;
-    for (int i = 0; i < 3; ++i) {
       PlaneCurve line, dots;
       for (std::size_t k = 0; k < exact.size(); ++k)
-        line.emplace_back(duration * static_cast<double>(k) / 300, exact[k].omega[i]);
+        line.emplace_back(duration * static_cast<double>(k) / 300, exact[k].omega[static_cast<Eigen::Index>(i)]);
       for (std::size_t k = 0; k < rules[0].omega.size(); k += 6)
-        dots.emplace_back(static_cast<double>(k) * h, rules[0].omega[k][i]);
-      gnuplot.send1d(line);
-      gnuplot.send1d(dots);
+        dots.emplace_back(static_cast<double>(k) * h, rules[0].omega[k][static_cast<Eigen::Index>(i)]);
+      send_block(gnuplot, fmt::format("$line{}", i), line);
+      send_block(gnuplot, fmt::format("$dots{}", i), dots);
+      plot += fmt::format("$line{0} with lines lw 2.5 lc rgb '{1}', $dots{0} with points pt 7 ps 0.35 lc rgb '{1}'{2}",
+                          i, axis_colors[i], i < 2 ? ", " : "\n");
     }
-    gnuplot << "unset label; set title 'energy that the computation gained or lost'\n"
+    gnuplot << plot
+            << "unset label; set title 'energy that the computation gained or lost'\n"
                "set ylabel '|ΔT| / T'; set logscale y; set format y '10^{%T}'; set yrange [1e-12:1e2]; set ytics "
                "1e-12,1e4\n";
     plot = "plot ";
     for (std::size_t r = 0; r < rules.size(); ++r) {
       gnuplot << fmt::format("set label '{}' at 58.5,{} right front tc rgb '{}'\n", rules[r].name, rules[r].label_at,
                              rules[r].color);
-      plot += fmt::format("'-' with lines lw 2.5 dt {} lc rgb '{}'{}", rules[r].dash, rules[r].color,
-                          r + 1 < rules.size() ? ", " : "\n");
-    }
-    gnuplot << plot;
-    for (const Rule& rule : rules) {
       PlaneCurve curve;
-      for (std::size_t k = 4; k < rule.omega.size(); k += 4) {
-        const double drift = rotation_invariants(tumbling_body, rule.omega[k])[0] / T0 - 1;
+      for (std::size_t k = 4; k < rules[r].omega.size(); k += 4) {
+        const double drift = rotation_invariants(tumbling_body, rules[r].omega[k])[0] / T0 - 1;
         curve.emplace_back(static_cast<double>(k) * h, std::max(std::abs(drift), 1e-13));
       }
-      gnuplot.send1d(curve);
+      send_block(gnuplot, fmt::format("$drift{}", r), curve);
+      plot += fmt::format("$drift{} with lines lw 2.5 dt {} lc rgb '{}'{}", r, rules[r].dash, rules[r].color,
+                          r + 1 < rules.size() ? ", " : "\n");
     }
-    gnuplot << "unset multiplot\n";
+    gnuplot << plot << "unset multiplot\n";
   });
 }
 

@@ -538,6 +538,8 @@ void animate_racket(const std::filesystem::path& directory) {
     sketch.arrow(origin, 0.8 * now.A.col(1), colors::green);
     sketch.text(0.95 * now.A.col(1), "{/:Bold e}_2", colors::green);
     sketch.arrow(Vector3d(-0.5, 0, -0.95), Vector3d(0.7, 0, -0.95), colors::blue, "{/:Bold L}");
+    send_block(gnuplot, "$rate", curve);
+    send_block(gnuplot, "$now", Plot{{flight.period * frame / frames, now.omega[1]}});
     gnuplot << "set multiplot\nset origin 0,0.35; set size 1,0.65\n";
     sketch.send(gnuplot, {480, 286}, 1.7);
     gnuplot << "unset arrow; unset label\nset origin 0,0; set size 1,0.35\n"
@@ -546,11 +548,9 @@ void animate_racket(const std::filesystem::path& directory) {
                            colors::grey)
             << "set xlabel 'time (s)'; set ylabel 'ω_2 (rad/s)'\n"
             << fmt::format("set xrange [0:{:.3f}]; set yrange [-12.5:12.5]\n", flight.period)
-            << fmt::format("plot '-' with lines lw 2 lc rgb '{0}', '-' with points pt 7 ps 1.0 lc rgb '{0}'\n",
-                           colors::green);
-    gnuplot.send1d(curve);
-    gnuplot.send1d(Plot{{flight.period * frame / frames, now.omega[1]}});
-    gnuplot << "unset multiplot\n";
+            << fmt::format("plot $rate with lines lw 2 lc rgb '{0}', $now with points pt 7 ps 1.0 lc rgb '{0}'\n",
+                           colors::green)
+            << "unset multiplot\n";
   });
 }
 

@@ -34,6 +34,14 @@ struct FigureSize {
   int height = 400;
 };
 
+/// Sends points as a block of data, "$fall", which can then be plotted by this name: inside `set multiplot` gnuplot 6
+/// reads no data from '-'.
+template <class Points>
+void send_block(gnuplotio::Gnuplot& gnuplot, const std::string& name, const Points& points) {
+  gnuplot << name << " << e\n";  // the line that send1d ends with
+  gnuplot.send1d(points);
+}
+
 /// One figure of a lecture by its name, and how to draw it into a folder.
 struct Figure {
   std::string name;

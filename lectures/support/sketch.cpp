@@ -128,10 +128,13 @@ void Sketch::send(gnuplotio::Gnuplot& gnuplot, double x_min, double x_max, doubl
                            arrow.from.first, arrow.from.second, arrow.to.first, arrow.to.second,
                            0.026 * (x_max - x_min), arrow.style);
   }
-  gnuplot << "plot NaN notitle";
-  for (const auto& [style, curve] : curves_) gnuplot << ", '-' " << style;
-  gnuplot << "\n";
-  for (const auto& [style, curve] : curves_) gnuplot.send1d(curve);
+  std::string plot = "plot NaN notitle";
+  for (std::size_t k = 0; k < curves_.size(); ++k) {
+    const std::string name = fmt::format("$sketch{}", k);
+    send_block(gnuplot, name, curves_[k].second);
+    plot += fmt::format(", {} {}", name, curves_[k].first);
+  }
+  gnuplot << plot << "\n";
 }
 
 std::vector<Vector3d> arc(const Vector3d& center, double radius, const Vector3d& first, const Vector3d& second,
