@@ -29,7 +29,7 @@ constexpr std::array contract_types = {
     ContractType{"Matrix3Xd", "random.points(3)", "Matrix3Xd::Zero(3, 1)"},
     ContractType{"std::vector<Matrix3d>", "std::vector{random.rotation(), random.rotation()}", "{}"}};
 
-const ContractType& contract_type(const std::string& name) {
+ContractType contract_type(const std::string& name) {
   const auto found = std::ranges::find(contract_types, name, &ContractType::name);
   if (found != contract_types.end()) return *found;
   std::string known;
@@ -58,7 +58,7 @@ Signature parsed_signature(const std::string& text, const std::string& function)
   for (std::string parameter; std::getline(parameters, parameter, ',');) {
     const Match part = search(parameter, R"(^\s*(?:const\s+)?([\w:<>]+)\s*&?\s+(\w+)\s*$)");
     if (!part) throw UsageError(fmt::format("'{}' is no parameter with a type and a name.", parameter));
-    const ContractType& type = contract_type(part[1]);
+    const ContractType type = contract_type(part[1]);
     const std::string name = part[2];
     const bool by_value = type.name == std::string("double") || type.name == std::string("int");
     const std::string passed = by_value ? type.name : fmt::format("const {}&", type.name);
@@ -70,7 +70,7 @@ Signature parsed_signature(const std::string& text, const std::string& function)
     signature.drawn += comma + std::string(type.drawn);
   }
   if (list.empty()) throw UsageError("An exercise needs at least one parameter.");
-  const ContractType& result = contract_type(found[1]);
+  const ContractType result = contract_type(found[1]);
   signature.placeholder = result.placeholder;
   signature.text = fmt::format("{} {}({})", result.name, function, list);
   signature.unnamed = fmt::format("{} {}({})", result.name, function, signature.unnamed);
