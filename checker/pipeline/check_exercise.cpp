@@ -34,7 +34,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Repeat, case_index, reply)
 // What reports show of an observation; the rest has done its work by then.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Observation, refusal_details, replies, repeats, compile_seconds, run_seconds)
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CheckResult, source, observation, judgement, explanation, executable)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CheckResult, source, observation, judgement, explanation, executable, weak_sandbox)
 
 namespace {
 
@@ -206,6 +206,8 @@ Judged judge_file(CheckContext& context, const CheckTask& task) {
   checked.reference = &context.reference(task);
   judged.submission = read_with_library(context.course(), task);
   checked.source = judged.submission.text;
+  if (const SandboxStrength& sandbox = sandbox_in_use(); sandbox.tier() < SandboxTier::minimal)
+    checked.weak_sandbox = fmt::format("Sandbox: {}.", sandbox.sentence());
   judged.compilation = compile(judged.compile_task(), context.toolchain(), context.course().compiled());
   if (judged.compilation.executable) {
     checked.executable = *judged.compilation.executable;
@@ -345,7 +347,9 @@ std::string written_result(const CheckResult& checked) {
 CheckResult read_result(std::string_view bytes) { return json::from_cbor(bytes).get<CheckResult>(); }
 
 CheckContext::CheckContext(const Course& course)
-    : course_(course), toolchain_(read_toolchain(course.toolchain_file())) {}
+    : course_(course), toolchain_(read_toolchain(course.toolchain_file())) {
+  sandbox_in_use();  // tried once for all jobs
+}
 
 const ExerciseReference& CheckContext::reference(const CheckTask& task) {
   const auto lecture = std::pair(task.exercise.lecture(), task.seed);

@@ -41,6 +41,7 @@ struct CheckResult {
   Explanation explanation;
   fs::path executable;  ///< for the plot; empty if the file did not compile
   const ExerciseReference* reference = nullptr;
+  std::string weak_sandbox;  ///< what held the function back no further than that; empty: it could reach nothing
   std::optional<double> share;  ///< of the points that it earns, where that is not all or nothing
 
   const std::string& name() const { return task.exercise.name(); }

@@ -58,6 +58,7 @@ ordered_json result_of(const CheckResult& checked) {
   for (std::size_t index = 0; index < checked.observation.replies.size(); ++index)
     if (const std::string& text = checked.observation.replies[index].printed; !text.empty())
       result["printed"].push_back({{"case", index + 1}, {"text", text}});
+  if (!checked.weak_sandbox.empty()) result["sandbox"] = checked.weak_sandbox;
   if (!judgement.waiting_for.empty()) result["waiting_for"] = judgement.waiting_for;
   if (!checked.observation.refusal_details.empty()) result["details"] = checked.observation.refusal_details;
   result["seconds"] = {{"compile", checked.observation.compile_seconds}, {"run", checked.observation.run_seconds}};

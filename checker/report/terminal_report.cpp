@@ -57,6 +57,7 @@ class Report {
           fmt::format(" ({} of {} right)", judgement.cases_passed(), plural(judgement.cases_total, "case")),
           Style::quiet);
     text_ += "\n";
+    if (!checked_.weak_sandbox.empty()) text_ += console_.wrapped(checked_.weak_sandbox, report_indent) + "\n";
   }
 
   void explain() {

@@ -48,6 +48,10 @@ SandboxStrength what_the_kernel_offers();
 /// what the kernel offers: a single check is a student's own code, and starts quicker without namespaces.
 void use_sandbox(const SandboxStrength& strength);
 
+/// The first call tries what the kernel offers, unless a sandbox was chosen: make it before starting processes that use
+/// it.
+const SandboxStrength& sandbox_in_use();
+
 /// Are there both a filter of system calls and rules for files?
 bool can_confine_files();
 

@@ -2,9 +2,11 @@
 
 #include "checker/base/text.hpp"
 #include "checker/grading/grading.hpp"
+#include "checker/sandbox/control_group.hpp"
 
 #include <doctest/doctest.h>
 
+#include <sched.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -22,15 +24,41 @@ namespace {
 constexpr int skipped = 77;  // as ctest knows it
 constexpr const char* wanted_tier = "WORKBOOK_TEST_SANDBOX";
 
+/// What this machine lacks for a tier, found out without the checker's own attempts; "": nothing.
+std::string lacking_for(const std::string& wanted, uid_t user) {
+  const SandboxStrength kernel = what_the_kernel_offers();
+  if (!kernel.filters_system_calls) return "the kernel does not filter system calls";
+  if (wanted == "reduced" && kernel.landlock == 0) return "the kernel has no Landlock";
+  if (!wanted.starts_with("full")) return "";
+  if (program_on_path("bwrap").empty()) return "bubblewrap is not installed";
+  if (!in_another_process([] {
+        return (::geteuid() != 0 || ::setresuid(65534, 65534, 65534) == 0) &&
+               ::unshare(CLONE_NEWUSER | CLONE_NEWNS | CLONE_NEWPID | CLONE_NEWNET) == 0;
+      }))
+    return "users may not make namespaces";
+  try {
+    if (wanted != "full") control_groups_for(user);
+  } catch (const LaunchError& problem) {
+    return problem.what();
+  }
+  return "";
+}
+
 /// The strongest tier of this machine, or the one that WORKBOOK_TEST_SANDBOX names.
 const SandboxTier tier = [] {
-  SandboxStrength strength = probe_sandbox(grading_user(scratch()));
+  const uid_t user = grading_user(scratch());
+  SandboxStrength strength = probe_sandbox(user);
   const std::string wanted = environment(wanted_tier, to_string(strength.tier()).c_str());
   if (wanted == "full") strength.control_groups.clear();
   if (!wanted.starts_with("full")) strength.namespaces.clear();
   if (wanted == "minimal") strength.landlock = 0;
-  if (to_string(strength.tier()) != wanted) {
-    fmt::print("Skipped: there is no tier {} here. {}.\n", wanted, strength.sentence());
+  if (strength.tier() == SandboxTier::none || to_string(strength.tier()) != wanted) {
+    const std::string lacking = lacking_for(wanted, user);
+    if (lacking.empty()) {
+      fmt::print("This machine has all that the tier {} needs, but the sandbox is {}.\n", wanted, strength.sentence());
+      std::exit(1);
+    }
+    fmt::print("Skipped: there is no tier {} here, because {}.\n", wanted, lacking);
     std::exit(skipped);
   }
   const bool changes_user = strength.tier() >= SandboxTier::full && ::geteuid() == 0;

@@ -82,6 +82,7 @@ json entry_of(const ReportedExercise& exercise, const ReportedCourse& course) {
       {"cases",
        judgement.cases_total == 0 ? "" : fmt::format("{} of {}", judgement.cases_passed(), judgement.cases_total)},
       {"message", passed ? "" : judgement.message},
+      {"sandbox", checked.weak_sandbox},
       {"next", passed ? "" : checked.next_step()},
       {"findings", json::array()},
       {"diagnoses", json::array()},
