@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <set>
 
 namespace workbook {
 namespace fs = std::filesystem;
@@ -79,6 +80,19 @@ std::string denied_file(const std::string& output) {
   }
   return "";
 }
+
+/// A line of nm.
+struct Symbol {
+  char kind;
+  std::string name;   ///< as the linker has it
+  std::string shown;  ///< as C++ has it: "rigid::twice(double)"
+
+  bool is_used() const { return kind == 'U'; }
+  bool is_defined() const { return std::string_view("Uwv").find(kind) == std::string_view::npos; }
+  bool is_the_only_one() const { return std::string_view("TDBR").find(kind) != std::string_view::npos; }
+  /// "rigid::twice"; "" for what a file does not name in this way
+  std::string base_name() const { return search(shown, "^([\\w:~]+)(?:\\(.*)?$")[1]; }
+};
 
 /// From the source to an executable; throws a Compilation that says why there is none.
 class CompilationInProgress {
@@ -173,32 +187,41 @@ class CompilationInProgress {
 
   bool is_static() const { return std::ranges::count(toolchain_.link_flags, "-static") > 0; }
 
-  /// As GNU linkers and LLVM's tell it.
+  /// As the symbols tell: every linker words it in its own way, and only which name it misses is taken from there.
   [[noreturn]] void refuse_unlinked(const std::string& output) const {
-    for (const std::string& line : lines_of(output)) {
-      const std::string text = line.substr(0, 1000);
-      const Match twice = search(text, "(?:multiple definition of|duplicate symbol:) [`']?([\\w:~]+)");
-      if (twice[1] == "main")
-        refuse_symbol(Refusal::compile_error, "defines_main", "main", output,
-                      "Your file defines main(); leave it out, the checker calls your function itself.");
-      if (!linked_.empty() && twice)
-        refuse_symbol(Refusal::compile_error, "defined_twice", twice[1], output,
-                      fmt::format("Two of your files, which are linked here, define `{}` ({}); put helpers into "
-                                  "`namespace {{ }}`, and what both need into one of them.",
-                                  twice[1], fmt::join(linked_, ", ")));
-      const Match undefined = search(text, "undefined (?:reference to|symbol:) [`']?([\\w:~]+)(\\([^']*)?");
-      if (!undefined) continue;
-      if (text.find(toolchain_.worker_object(task_.exercise).string()) != std::string::npos)
+    std::vector<std::string> objects = {"unit.o"};
+    for (const std::string& own : linked_) objects.push_back(own + ".o");
+    std::set<std::string> defined;
+    std::vector<Symbol> used;
+    for (const std::string& object : objects)
+      for (const Symbol& symbol : symbols(object)) {
+        if (symbol.name == "main" && symbol.is_defined())
+          refuse_symbol(Refusal::compile_error, "defines_main", "main", output,
+                        "Your file defines main(); leave it out, the checker calls your function itself.");
+        if (symbol.is_used()) used.push_back(symbol);
+        if (symbol.is_defined() && !defined.insert(symbol.name).second && symbol.is_the_only_one())
+          refuse_symbol(Refusal::compile_error, "defined_twice", symbol.base_name(), output,
+                        fmt::format("Two of your files, which are linked here, define `{}` ({}); put helpers into "
+                                    "`namespace {{ }}`, and what both need into one of them.",
+                                    symbol.base_name(), fmt::join(linked_, ", ")));
+      }
+    const auto is_missing = [&](const Symbol& symbol) { return symbol.is_used() && !defined.contains(symbol.name); };
+    for (const Symbol& symbol : symbols(toolchain_.worker_object(task_.exercise).string()))
+      if (is_missing(symbol) && symbol.shown.starts_with("rigid::"))
         refuse_symbol(
-            Refusal::missing_function, "missing_function", undefined[1], output,
+            Refusal::missing_function, "missing_function", symbol.base_name(), output,
             fmt::format("Your file does not define `{}`: it defines {}. Keep namespace, name and parameters of "
                         "the contract, without inline, static or template.",
-                        in_plain_words(undefined[1] + undefined[2]), defined_functions()));
-      refuse_symbol(Refusal::compile_error, "undefined_function", undefined[1], output,
+                        in_plain_words(symbol.shown), defined_functions()));
+    std::erase_if(used, [&](const Symbol& symbol) {
+      return !is_missing(symbol) || symbol.base_name().empty() || output.find(symbol.shown) == std::string::npos;
+    });
+    const auto place_in_output = [&](const Symbol& symbol) { return output.find(symbol.shown); };
+    if (const auto first = std::ranges::min_element(used, {}, place_in_output); first != used.end())
+      refuse_symbol(Refusal::compile_error, "undefined_function", first->base_name(), output,
                     fmt::format("Your file uses `{}`, which it does not define, nor does an earlier exercise of yours; "
                                 "write what you need into this file.",
-                                undefined[1]));
-    }
+                                first->base_name()));
     refuse("Your file compiles, but cannot be linked into a program; see what the linker says.", output);
   }
 
@@ -216,14 +239,26 @@ class CompilationInProgress {
   /// Those that others could call.
   std::string defined_functions() const {
     std::string functions;
-    // A name of 900 bytes can stand for a signature of any size: nm has the limits of the compiler.
-    for (const std::string& line : lines_of(compiler_.run_nm({"-p", "-C", "--defined-only", "unit.o"}).output)) {
-      const std::size_t at = line.find(" T ");  // "0000000000000040 T rigid::twice(double)"
-      const bool is_plain = at != std::string::npos && line.size() < 1000 && line.ends_with(')');
-      if (is_plain && functions.size() < 100)
-        functions += (functions.empty() ? "`" : ", `") + in_plain_words(line.substr(at + 3)) + "`";
-    }
+    for (const Symbol& symbol : symbols("unit.o"))
+      if (symbol.kind == 'T' && symbol.shown.ends_with(')') && functions.size() < 100)
+        functions += (functions.empty() ? "`" : ", `") + in_plain_words(symbol.shown) + "`";
     return functions.empty() ? "no function that others can call" : functions;
+  }
+
+  /// Of an object, what others can see.
+  std::vector<Symbol> symbols(const std::string& object) const {
+    const std::vector<std::string> names = lines_of(compiler_.run_nm({"-p", "-g", object}).output);
+    // A name of 900 bytes can stand for a signature of any size: nm has the limits of the compiler.
+    std::vector<std::string> shown = lines_of(compiler_.run_nm({"-p", "-g", "-C", object}).output);
+    if (shown.size() != names.size()) shown = names;
+    std::vector<Symbol> symbols;
+    for (std::size_t k = 0; k < names.size(); ++k) {  // "0000000000000040 T rigid::twice(double)"
+      constexpr const char* line = "^[0-9a-f]* +([A-Za-z]) (.+)$";
+      if (names[k].size() > 1000 || shown[k].size() > 1000) continue;
+      const Match name = search(names[k], line), as_shown = search(shown[k], line);
+      if (name && as_shown) symbols.push_back({name[1][0], name[2], as_shown[2]});
+    }
+    return symbols;
   }
 
   void refuse_if_limit_reached(const FinishedProgram& program) const {
