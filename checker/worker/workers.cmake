@@ -22,6 +22,8 @@ function(workbook_add_toolchain target)
   # the same result every time; indices of std::vector are checked. No code is generated at the link: the compiler that
   # would do it takes its options from the student's object file.
   workbook_worker_link_flags(link_flags)
+  # Columns in bytes; headers by the paths by which they are found.
+  set(messages -fdiagnostics-column-unit=byte -fmax-errors=20 -fno-canonical-system-headers)
   workbook_worker_sanitizers(sanitizers)
   set(diagnostic "")
   if(sanitizers)
@@ -29,7 +31,7 @@ function(workbook_add_toolchain target)
   endif()
   workbook_add_one_toolchain(${target}
     DIRECTORY ${arg_DIRECTORY} INCLUDE ${arg_INCLUDE} CONTRACTS ${arg_CONTRACTS}
-    FLAGS -std=c++20 -O1 -ftrivial-auto-var-init=pattern -D_GLIBCXX_ASSERTIONS
+    FLAGS -std=c++20 ${messages} -O1 -ftrivial-auto-var-init=pattern -D_GLIBCXX_ASSERTIONS
     LINK_FLAGS -static -s -fno-lto ${link_flags}
     PRELUDE "#include \"${sources}/prelude.hpp\"\n"
     PARTS ${sources}/serve.cpp ${sources}/crash_handler.cpp ${sources}/streams.cpp
@@ -44,7 +46,7 @@ function(workbook_add_toolchain target)
   endif()
   workbook_add_one_toolchain(${target}_diagnostic
     DIRECTORY ${arg_DIRECTORY}/diagnostic INCLUDE ${arg_INCLUDE} CONTRACTS ${arg_CONTRACTS}
-    FLAGS -std=c++20 -O0 -g1 -fno-omit-frame-pointer -fno-stack-protector -D_GLIBCXX_ASSERTIONS ${sanitizers}
+    FLAGS -std=c++20 ${messages} -O0 -g1 -fno-omit-frame-pointer -fno-stack-protector -D_GLIBCXX_ASSERTIONS ${sanitizers}
     LINK_FLAGS -fno-lto ${link_flags} ${sanitizers}
     PRELUDE "#define WORKBOOK_DIAGNOSE\n#include \"${sources}/prelude.hpp\"\n"
     PARTS ${sources}/serve.cpp ${sources}/diagnostics.cpp ${sources}/streams.cpp
