@@ -40,7 +40,9 @@ struct UpdateResult {
 };
 
 /// Brings a copy from the release that it has been to the one in another folder. Exercises that were worked on, and
-/// files that were never handed out, are not touched. If it is stopped, the next call goes on. @throws UsageError
+/// files that were never handed out, are not touched. Nothing is written where a file of the release is missing or not
+/// what its fingerprint says, or where a symbolic link would be followed. If it is stopped, the next call goes on.
+/// @throws UsageError saying what was done
 UpdateResult update_copy(const fs::path& from, const Release& now, const fs::path& copy, const Release& before);
 
 }  // namespace workbook

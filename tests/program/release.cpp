@@ -4,6 +4,7 @@
 #include "tests/program/program.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <map>
 
@@ -83,6 +84,110 @@ TEST_CASE("an update that was stopped goes on, and takes what it has written for
   CHECK(result.written == 3);
 }
 
+TEST_CASE("a release that is not whole changes nothing") {
+  const std::vector<std::pair<const char*, void (*)(const fs::path&)>> damages = {
+      {"another text", [](const fs::path& file) { write(file, "somebody else's"); }},
+      {"no file", [](const fs::path& file) { fs::remove(file); }},
+      {"a link",
+       [](const fs::path& file) {
+         fs::rename(file, file.string() + ".away");
+         fs::create_symlink(file.string() + ".away", file);
+       }},
+      {"a linked folder", [](const fs::path& file) {
+         fs::rename(file.parent_path(), file.parent_path().string() + ".away");
+         fs::create_directory_symlink(file.parent_path().string() + ".away", file.parent_path());
+       }}};
+  for (const auto& [about, damage] : damages) {
+    CAPTURE(about);
+    const fs::path copy = made("copy", first), next = made("next", second, copy);
+    damage(next / "lectures/01/notes.md");
+    try {
+      updated(next, copy);
+      FAIL_CHECK("not refused");
+    } catch (const UsageError& problem) {
+      CHECK_MESSAGE(has(problem.what(), "lectures/01"), problem.what());
+    }
+    for (const auto& [file, text] : first) CHECK_MESSAGE(read(copy / file) == text, file);
+    CHECK(read_release(copy).number == 1);
+    CHECK(!fs::exists(copy / "lectures/01/new.md"));
+  }
+}
+
+TEST_CASE("nothing is written through a link of the copy") {
+  for (const char* linked : {"lectures/01", "lectures/01/notes.md", ".workbook"}) {
+    CAPTURE(linked);
+    const fs::path copy = made("copy", first), next = made("next", second, copy),
+                   outside = copy.parent_path() / "outside";
+    write(copy / "lectures/01/notes.md", "my remarks");
+    fs::remove_all(outside);
+    if (fs::exists(copy / linked))
+      fs::rename(copy / linked, outside);
+    else
+      fs::create_directories(outside);
+    fs::create_symlink(outside, copy / linked);
+    CHECK_THROWS_AS(updated(next, copy), UsageError);
+    CHECK(read_release(copy).number == 1);
+    CHECK(read(copy / "lectures/01/notes.md") == "my remarks");
+    CHECK(!fs::exists(outside / "new.md"));
+    CHECK(!fs::exists(outside / "kept"));
+  }
+}
+
+TEST_CASE("an update that cannot go on says what it has done, and goes on later") {
+  const fs::path copy = made("copy", first), next = made("next", second, copy);
+  fs::create_directories(copy / "lectures/01/notes.md.unfinished/in the way");
+  try {
+    updated(next, copy);
+    FAIL_CHECK("not refused");
+  } catch (const UsageError& problem) {
+    CHECK_MESSAGE(has(problem.what(), "notes.md cannot be written"), problem.what());
+    CHECK_MESSAGE(has(problem.what(), "3 of 4 files"), problem.what());
+  }
+  CHECK(read(copy / "lectures/01/new.md") == "two");
+  CHECK(read(copy / "lectures/01/notes.md") == "one");
+  CHECK(read_release(copy).number == 1);
+  fs::remove_all(copy / "lectures/01/notes.md.unfinished");
+  CHECK(updated(next, copy).written == 1);
+  CHECK(read(copy / "lectures/01/notes.md") == "two");
+}
+
+TEST_CASE("programs of a release can be run in the copy") {
+  const fs::path copy = made("copy", {{"checker/run", "one"}}), next = made("next", {{"checker/run", "two"}}, copy);
+  fs::permissions(next / "checker/run", fs::perms::owner_all);
+  CHECK(updated(next, copy).written == 1);
+  CHECK(fs::status(copy / "checker/run").permissions() == fs::perms::owner_all);
+}
+
+TEST_CASE("the next release of a copy keeps its assignment, and what is locked as long as the solution is the same") {
+  const CourseCopy course;
+  write(course.root() / "build/printed/01_springs.txt", "E = 9 J\n");
+  write(course.root() / "week.json", R"({"title": "Week 1", "exercises": ["01"]})");
+  const fs::path copy = course.root() / "copy", locked = copy / "lectures/01_springs/handed_out";
+  const auto handout = [&](const std::string& options) { return course.run("handout copy " + options); };
+  const Outcome made = handout("--assignment week.json");
+  REQUIRE_MESSAGE(made.status == 0, made.said());
+  const std::string energy = read(locked / "spring_energy.locked"), force = read(locked / "spring_force.locked");
+  CHECK(!has(energy, "squaredNorm"));
+
+  replace_in(course.root() / "lectures/01_springs/hints/spring_force.md", "---", "More of it.\n\n---");
+  const Outcome next = handout("--update --message 'A hint'");
+  REQUIRE_MESSAGE(next.status == 0, next.said());
+  CHECK_MESSAGE(has(next.out, "1 file written"), next.out);
+  CHECK(read(copy / "lectures/assignment.json") == read(course.root() / "week.json"));
+  CHECK(read(locked / "spring_energy.locked") == energy);
+  replace_in(course.root() / "solutions/01_springs/derivations/spring_force.md", "\n", "\nMore of it.\n");
+  REQUIRE(handout("--update").status == 0);
+  CHECK(read(locked / "spring_energy.locked") == energy);
+  CHECK(read(locked / "spring_force.locked") != force);
+
+  // It stops half-way, which is not to have handed out nothing.
+  write(course.root() / "lectures/01_springs/hints/spring_energy.md", "One.\n\n---\n\nTwo.\n\n---\n\nThree.\n");
+  fs::create_directories(copy / "lectures/01_springs/hints/spring_energy.md.unfinished/in the way");
+  const Outcome stopped = handout("--update");
+  CHECK(stopped.status == 3);
+  CHECK_MESSAGE((has(stopped.err, "0 of 1 file") && !has(stopped.err, "nothing was handed out")), stopped.said());
+}
+
 TEST_CASE("the change log names what is new since a release") {
   const fs::path copy = made("copy", first), next = made("next", second, copy);
   const Release release = read_release(next);
@@ -96,8 +201,12 @@ TEST_CASE("the change log names what is new since a release") {
 
 TEST_CASE("what is no release, is damaged, or leads outside is refused before anything is written") {
   const fs::path copy = made("copy", first), next = made("next", second, copy);
-  for (const char* damage : {"", "{", R"({"number": 2, "seed": 1, "changes": [], "files": {"../outside": "x"}})",
-                             R"({"number": 2, "seed": 1, "changes": [], "files": {"/etc/passwd": "x"}})"}) {
+  std::vector<std::string> damages = {"", "{"};
+  for (const char* file : {"../outside", "/etc/passwd", "a/../../b", "lectures/", ".git", "lectures/.git",
+                           ".git/hooks/post-checkout", ".workbook/progress.json", "lectures/.hidden/notes.md"})
+    damages.push_back(fmt::format(R"({{"number": 2, "seed": 1, "changes": [], "files": {{"{}": "x"}}}})", file));
+  for (const std::string& damage : damages) {
+    CAPTURE(damage);
     write(next / ".release.json", damage);
     CHECK_THROWS_AS(updated(next, copy), UsageError);
   }

@@ -2,13 +2,19 @@
 #include "checker/course/assignment.hpp"
 #include "checker/course/locked_text.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <array>
 #include <random>
 
 namespace workbook {
 
+using nlohmann::json;
+
 namespace {
+
+constexpr const char* assignment_name = "lectures/assignment.json";
 
 /// What students get, relative to the top level. What is not named here stays at home: the solutions first of all.
 constexpr std::array handed_out = {".clang-format",  ".clangd",
@@ -47,6 +53,15 @@ void write_stubs(const Course& course, const fs::path& copy) {
                    stub_text(exercise, declared_signature(course, exercise)));
 }
 
+/// Of a locked text and of the results that a right function returns.
+std::string fingerprint_of(const std::string& text, const ExerciseReference& judged) {
+  std::string bytes = text;
+  for (const Case& one : judged.cases)
+    bytes.append(reinterpret_cast<const char*>(one.expected.numbers.data()),
+                 one.expected.numbers.size() * sizeof(double));
+  return fingerprint(bytes);
+}
+
 /// What the reference implementation made: the results to judge by, the numbers and figures of the notes.
 void copy_made(const Course& course, const fs::path& copy, std::vector<LectureReference> references) {
   for (LectureReference& reference : references) {
@@ -66,27 +81,42 @@ void copy_made(const Course& course, const fs::path& copy, std::vector<LectureRe
     place_file(script, copy / "lectures/live/handed_out/rigid.js");
 }
 
-/// Solution and another route, or the derivation, for those whose function is right.
-void lock_derivations(const Course& course, const fs::path& copy) {
+/// Solution and another route, or the derivation, for those whose function is right. Where neither these nor the
+/// results have changed since an earlier copy, its files stay: another key would be a change for nothing.
+void lock_derivations(const Course& course, const fs::path& copy, const std::vector<LectureReference>& references,
+                      const std::optional<fs::path>& earlier) {
   const std::uint64_t seed = std::random_device()();
   LectureReference secret;
   for (const Exercise& exercise : course.exercises()) {
     const auto derivation = read_file(course.derivation_file(exercise));
     const auto code = read_file(course.solution_file(exercise));
     if (!derivation || !code) continue;
+    const fs::path file = course.in_course(course.locked_file(exercise));
+    const std::string text = *code + "\n" + *derivation;
+    const auto lecture = std::ranges::find(references, exercise.lecture(), &LectureReference::lecture);
+    const std::string made_from = fingerprint_of(text, lecture->exercise(exercise.name()));
+    const std::string before = earlier ? read_file(*earlier / file).value_or("") : "";
+    if (const json known = json::parse(before, nullptr, false);
+        known.is_object() && known.value("made_from", "") == made_from) {
+      write_or_throw(copy / file, before);
+      continue;
+    }
     if (secret.lecture != exercise.lecture()) secret = course.random_cases(exercise.lecture(), seed);
-    write_or_throw(copy / course.in_course(course.locked_file(exercise)),
-                   locked_text(secret.exercise(exercise.name()), *code + "\n" + *derivation));
+    json locked = json::parse(locked_text(secret.exercise(exercise.name()), text));
+    locked["made_from"] = made_from;
+    write_or_throw(copy / file, locked.dump() + "\n");
   }
 }
 
-void make_copy(const Course& course, const fs::path& copy, const std::vector<LectureReference>& references) {
+/// @param earlier  the copy that it is to take the place of
+void make_copy(const Course& course, const fs::path& copy, const std::vector<LectureReference>& references,
+               const std::optional<fs::path>& earlier) {
   for (const char* part : handed_out) {
     if (fs::exists(course.root() / part)) copy_part(course.root() / part, copy / part);
   }
   write_stubs(course, copy);
   copy_made(course, copy, references);
-  lock_derivations(course, copy);
+  lock_derivations(course, copy, references, earlier);
 }
 
 /// The folder of an earlier release if it is to be updated, or one that is to be filled. @throws UsageError
@@ -127,24 +157,35 @@ int handout(const Course& course, const Options& options) {
   for (const Card& card : course.cards()) references.push_back(course.reference(card.lecture, seed));
   // Under another name first, so that there is a whole copy or none.
   const fs::path unfinished = fmt::format("{}.unfinished-{}", whole.string(), getpid());
+  Release release;
+  const auto stop_with = [&](const std::exception& reason, const std::string& what_now) {
+    std::error_code ignored;
+    fs::remove_all(unfinished, ignored);
+    throw std::runtime_error(fmt::format("{} could not be written ({}); {}", options.out->string(),
+                                         without_full_stop(reason.what()), what_now));
+  };
   try {
-    make_copy(course, unfinished, references);
-    if (options.assignment) place_file(*options.assignment, unfinished / "lectures/assignment.json");
-    const Release release = write_release(unfinished, seed, current_day(), options.message, before);
-    if (before) {
-      print_update(release, *before, update_copy(unfinished, release, whole, *before));
-      fs::remove_all(unfinished);
-    } else {
+    make_copy(course, unfinished, references, before ? std::optional(whole) : std::nullopt);
+    // An update keeps the assignment as well.
+    const bool keeps = before && before->files.contains(assignment_name) && fs::exists(whole / assignment_name);
+    if (options.assignment)
+      place_file(*options.assignment, unfinished / assignment_name);
+    else if (keeps)
+      place_file(whole / assignment_name, unfinished / assignment_name);
+    release = write_release(unfinished, seed, current_day(), options.message, before);
+    if (!before) {
       if (fs::exists(whole)) fs::remove(whole);
       fs::rename(unfinished, whole);
     }
   } catch (const std::exception& reason) {
-    std::error_code ignored;
-    fs::remove_all(unfinished, ignored);
-    throw std::runtime_error(
-        fmt::format("{} could not be written ({}); nothing was handed out. Name a folder in a place that is writable.",
-                    options.out->string(), without_full_stop(reason.what())));
+    stop_with(reason, "nothing was handed out. Name a folder in a place that is writable.");
   }
+  if (before) try {
+      print_update(release, *before, update_copy(unfinished, release, whole, *before));
+      fs::remove_all(unfinished);
+    } catch (const std::exception& reason) {
+      stop_with(reason, "do not hand it out before the same command has succeeded.");
+    }
   fmt::print(
       "{} holds {} with {}, their cases drawn with seed {}, and no solutions. Students type ./checker/run in it; put "
       "it into an archive or a repository of its own.\n",
