@@ -120,6 +120,18 @@ void check_routes(const ExerciseReference& exercise, Sentences& found) {
   }
 }
 
+/// Then the solution is what is wrong, and all else that is found is a consequence.
+bool do_routes_agree_on_another(const ExerciseReference& exercise) {
+  const std::vector<Route>& routes = exercise.routes;
+  const auto passes_judge = [&](const Route& route) { return judge_values(exercise, route.outputs).passed(); };
+  if (routes.size() < 2 || std::ranges::any_of(routes, passes_judge)) return false;
+  return std::ranges::all_of(routes, [&](const Route& route) {
+    for (std::size_t i = 0; i < exercise.cases.size(); ++i)
+      if (!is_same_answer(exercise, i, route.outputs.at(i), routes.front().outputs.at(i))) return false;
+    return true;
+  });
+}
+
 /// Generated cases carry no outputs of wrong answers, terms and routes.
 ExerciseReference without_generated_cases(ExerciseReference exercise) {
   const std::size_t described = exercise.described_cases();
@@ -132,6 +144,9 @@ ExerciseReference without_generated_cases(ExerciseReference exercise) {
 
 Sentences unsound_parts(const ExerciseReference& exercise) {
   const ExerciseReference described = without_generated_cases(exercise);
+  if (do_routes_agree_on_another(described))
+    return {fmt::format("All {} routes agree with each other, and not with the solution: correct that first.",
+                        described.routes.size())};
   Sentences found;
   check_parts(described, found);
   check_expected(exercise, found);

@@ -111,6 +111,11 @@ const std::vector<Mistake> mistakes = {
     {"a term that is seen at rest only", [](Exercise& e) { add_term(e, "c", 5, at_rest_only); }, 2},
     {"dependent terms", [](Exercise& e) { add_term(e, "m (u + v)", 0, momentum_with(1, 1)); }},
     {"a route that is wrong", [](Exercise& e) { e.routes[1].outputs[2].numbers[0] += 1; }},
+    {"a solution that is wrong",
+     [](Exercise& e) {
+       for (auto& one : e.cases)
+         for (double& number : one.expected.numbers) number = -number;
+     }},
     {"a property that right results lack", [](Exercise& e) { add_property(e, PropertyKind::ascending, "It ascends."); },
      7},
     {"expected values that do not pass", [](Exercise& e) { e = eigenvectors(diagonal(1, 2, 3), diagonal(1, 1, -1)); },

@@ -161,3 +161,14 @@ TEST_CASE("self-check says why mutants cannot be tried") {
   fs::remove_all(course.root() / "solutions");
   CHECK(course.run("self-check --mutants").status == 2);
 }
+
+TEST_CASE("a new exercise has its heading before what ends the lecture") {
+  const CourseCopy course;
+  const std::string before = read(course.notes());
+  write(course.notes(), before + "\n## Questions {#springs_questions}\n\n\\slides\n\\endslides\n");
+  const Outcome made = course.run("new exercise spring_power --lecture 01 --signature 'double spring_power(double k)'");
+  REQUIRE_MESSAGE(made.status == 0, made.said());
+  CHECK(read(course.notes()) == before +
+                                    "\n### Spring power {#springs_spring_power}\n\nTODO\n\n## Questions "
+                                    "{#springs_questions}\n\n\\slides\n\\endslides\n");
+}

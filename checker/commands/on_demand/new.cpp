@@ -166,7 +166,11 @@ int new_exercise(const Course& course, const Options& options) {
                                        "/// @return TODO: meaning, frame, unit\n{};\n\n",
                                        signature.described, signature.text));
   const fs::path notes_file = course.notes_file(card);
-  const std::string notes = read_file(notes_file).value_or("");
+  std::string notes = read_file(notes_file).value_or("");
+  // What ends a lecture stays there: its questions, and the list of slides behind them.
+  const std::size_t questions = notes.find("\n## Questions {#");
+  notes.insert(questions == std::string::npos ? notes.size() : questions,
+               fmt::format("\n### {} {{#{}}}\n\nTODO\n", as_title(name), entry.notes));
   write(course.student_file(exercise), stub_text(exercise, signature.text));
   write(
       course.hints_file(exercise),
@@ -193,7 +197,7 @@ void judge_{1}(workbook::judging::Lecture& lecture) {{
   write(course.derivation_file(exercise),
         fmt::format("# {}\n\nTODO: another route, and why it is equal.\n", as_title(name)));
   write(contract_file, contract, false);
-  write(notes_file, fmt::format("{}\n### {} {{#{}}}\n\nTODO\n", notes, as_title(name), entry.notes), false);
+  write(notes_file, notes, false);
   write(card_file, new_card, false);
   fmt::print("Replace what is marked TODO; `{}` says what is missing.\n", command("self-check " + name));
   return all_passed;
