@@ -1,10 +1,13 @@
 #include "checker/course/assignment.hpp"
 
+#include <boost/algorithm/string/predicate.hpp>
+#include <boost/algorithm/string/trim.hpp>
 #include <nlohmann/json.hpp>
 
 #include <time.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -12,7 +15,7 @@ namespace workbook {
 
 using nlohmann::json;
 
-Table read_csv(std::string_view text) {
+Table read_csv(std::string_view text, char separator) {
   Table table;
   std::string field;
   std::vector<std::string> row;
@@ -34,25 +37,50 @@ Table read_csv(std::string_view text) {
         is_quoted = false;
     } else if (letter == '"') {
       is_quoted = true;
-    } else if (letter == ',') {
+    } else if (letter == separator) {
       row.push_back(std::exchange(field, {}));
     } else if (letter == '\n') {
       end_row();
+    } else if (letter == '\r' && (at + 1 == text.size() || text[at + 1] != '\n')) {
+      throw GradingError(
+          fmt::format("row {} ends with a carriage return alone; save it with other line ends", table.size() + 1));
     } else if (letter != '\r') {
       field += letter;
     }
   }
+  if (is_quoted) throw GradingError(fmt::format("row {} has a quotation mark that is not closed", table.size() + 1));
   end_row();
   return table;
 }
+
+namespace {
+
+/// A text that no spreadsheet takes for a formula, whether its cells end at commas or at semicolons: an apostrophe in
+/// front of what could begin one, at the beginning of the cell or of what another reader takes for the next.
+std::string without_formulas(const std::string& cell) {
+  std::string safe;
+  bool is_beginning = true;
+  for (std::size_t at = 0; at < cell.size(); ++at) {
+    const auto stands_here = [&](std::string_view sign) { return cell.compare(at, sign.size(), sign) == 0; };
+    // The wide forms are U+FF1D, U+FF0B, U+FF0D and U+FF20.
+    constexpr std::array<std::string_view, 9> signs = {"=",      "+",      "-",      "@",     "\t",
+                                                       "\uff1d", "\uff0b", "\uff0d", "\uff20"};
+    if (is_beginning && std::ranges::any_of(signs, stands_here)) safe += '\'';
+    const bool is_separator = std::string_view(",;\t\n").find(cell[at]) != std::string_view::npos;
+    is_beginning = is_separator || (is_beginning && (cell[at] == ' ' || cell[at] == '"'));
+    safe += cell[at];
+  }
+  return safe;
+}
+
+}  // namespace
 
 std::string write_csv(const Table& table) {
   std::string text;
   for (const auto& row : table) {
     for (std::size_t i = 0; i < row.size(); ++i) {
-      std::string field = printable(row[i]);
-      if (field.find_first_of("=+-@\t\r") == 0) field.insert(0, "'");
-      if (field.find_first_of("\",\r\n") != std::string::npos) {
+      std::string field = without_formulas(printable(row[i]));
+      if (field.find_first_of("\",;\n") != std::string::npos) {
         for (std::size_t at = 0; (at = field.find('"', at)) != std::string::npos; at += 2) field.insert(at, "\"");
         field = fmt::format("\"{}\"", field);
       }
@@ -67,7 +95,11 @@ std::optional<std::int64_t> read_time(const std::string& text) {
   std::tm time{};
   const char* const end = ::strptime(text.c_str(), "%Y-%m-%dT%H:%M:%SZ", &time);
   if (end == nullptr || *end != '\0') return std::nullopt;
-  return ::timegm(&time);
+  const std::tm read = time;
+  const std::int64_t seconds = ::timegm(&time);  // makes 3 March of 31 February
+  return time.tm_mon == read.tm_mon && time.tm_mday == read.tm_mday && time.tm_sec == read.tm_sec
+             ? std::optional(seconds)
+             : std::nullopt;
 }
 
 namespace {
@@ -124,8 +156,7 @@ Assignment::Assignment(const Course& course, const std::optional<fs::path>& file
       if (document.contains("late")) {
         const json& late = document.at("late");
         require_known(late, "'late'", {"per_day", "days"});
-        late_per_day_ = number_between(late, "per_day", 0, 1);
-        latest_day_ = static_cast<int>(number_between(late, "days", 0, 10000));
+        late_ = {number_between(late, "per_day", 0, 1), static_cast<int>(number_between(late, "days", 0, 10000))};
       }
       if (document.contains("hint_cost")) hint_cost_ = number_between(document, "hint_cost", 0, 1);
       is_partial_ = document.value("partial", false);
@@ -149,8 +180,8 @@ int Assignment::days_late(const std::optional<std::int64_t>& submitted) const {
 }
 
 double Assignment::late_factor(int days) const {
-  if (days <= 0) return 1.0;
-  return days > latest_day_ ? 0.0 : std::max(0.0, 1.0 - late_per_day_ * days);
+  if (days <= 0 || !late_) return 1.0;
+  return days > late_->latest_day ? 0.0 : std::max(0.0, 1.0 - late_->per_day * days);
 }
 
 double Assignment::share(const Judgement& judgement, std::size_t hints) const {
@@ -174,25 +205,43 @@ std::vector<std::string> Assignment::rules(bool hints_are_known) const {
 }
 
 std::vector<RosterEntry> read_roster(const fs::path& file) {
-  const Table table = read_csv(text_of(file));
-  const auto column = [&](const char* name) -> std::size_t {
-    if (table.empty()) return 0;
-    return static_cast<std::size_t>(std::ranges::find(table.front(), name) - table.front().begin());
+  const auto refuse = [&](const std::string& reason) {
+    throw GradingError(fmt::format("{}: {}.", shown_path(file), reason));
+  };
+  const std::string text = text_of(file);
+  Table table;
+  try {
+    const std::string_view head = std::string_view(text).substr(0, text.find('\n'));
+    const bool has_semicolons = head.find(',') == std::string::npos && head.find(';') != std::string::npos;
+    table = read_csv(text, has_semicolons ? ';' : ',');
+  } catch (const GradingError& problem) {
+    refuse(problem.what());
+  }
+  if (table.empty()) refuse("it is empty; the first line should name the columns, one of them id");
+  for (auto& row : table)
+    for (std::string& field : row) boost::trim(field);
+  const auto column = [&](const char* name) {
+    const auto is_called = [&](const std::string& field) { return boost::iequals(field, name); };
+    return static_cast<std::size_t>(std::ranges::find_if(table.front(), is_called) - table.front().begin());
   };
   const std::size_t id = column("id"), name = column("name"), submitted = column("submitted");
-  if (table.empty() || id == table.front().size())
-    throw GradingError(fmt::format("{}: the first line should name the columns, one of them id.", shown_path(file)));
+  if (id == table.front().size())
+    refuse(fmt::format("the first line should name the columns, one of them id; it names '{}'",
+                       shortened(printable(fmt::format("{}", fmt::join(table.front(), "', '"))), 200)));
+  if (table.size() == 1) refuse("it has columns and no row; a line for each student should follow");
   std::vector<RosterEntry> entries;
   std::set<std::string> ids;
   for (std::size_t row = 1; row < table.size(); ++row) {
     const auto field = [&](std::size_t at) { return at < table[row].size() ? table[row][at] : std::string(); };
-    const auto refuse = [&](const std::string& reason) {
-      throw GradingError(fmt::format("{}: row {}: {}.", shown_path(file), row + 1, reason));
-    };
+    const auto refuse_row = [&](const std::string& reason) { refuse(fmt::format("row {}: {}", row + 1, reason)); };
     RosterEntry entry{field(id), field(name), read_time(field(submitted))};
-    if (entry.id.empty()) refuse("the id is missing");
-    if (!ids.insert(entry.id).second) refuse(fmt::format("the id {} is there twice", printable(entry.id)));
-    if (!entry.submitted && !field(submitted).empty()) refuse("'submitted' should be a time like 2027-03-01T23:59:00Z");
+    if (table[row].size() > table.front().size())
+      refuse_row(fmt::format("it has {}, and the first line only {}; put quotation marks around a cell with commas",
+                             plural(table[row].size(), "cell"), table.front().size()));
+    if (entry.id.empty()) refuse_row("the id is missing");
+    if (!ids.insert(entry.id).second) refuse_row(fmt::format("the id {} is there twice", printable(entry.id)));
+    if (!entry.submitted && !field(submitted).empty())
+      refuse_row("'submitted' should be a time like 2027-03-01T23:59:00Z");
     entries.push_back(std::move(entry));
   }
   return entries;

@@ -17,12 +17,14 @@ struct GradingError : std::runtime_error {
 using Table = std::vector<std::vector<std::string>>;
 
 /// Rows of an RFC 4180 text: fields in quotation marks may hold commas, line ends and doubled quotation marks.
-Table read_csv(std::string_view text);
+/// @throws GradingError naming the row, where a quotation mark is not closed or a line ends as none should
+Table read_csv(std::string_view text, char separator = ',');
 
-/// The same, written. A cell that a spreadsheet would take for a formula gets an apostrophe in front.
+/// The same, written. What a spreadsheet would take for a formula gets an apostrophe in front.
 std::string write_csv(const Table& table);
 
-/// Seconds since 1970 of "2027-03-01T23:59:00Z". Nothing else is read, so that no time zone is guessed.
+/// Seconds since 1970 of "2027-03-01T23:59:00Z". Nothing else is read, so that no time zone is guessed, and no day that
+/// its month does not have.
 std::optional<std::int64_t> read_time(const std::string& text);
 
 /// What is graded, and what it is worth.
@@ -40,7 +42,7 @@ class Assignment {
   const std::string& due_text() const { return due_text_; }
   /// Days begun after the due date; 0 where there is none, or no time is known.
   int days_late(const std::optional<std::int64_t>& submitted) const;
-  /// What is left of the points after so many days.
+  /// What is left of the points after so many days: all, where the file does not say what lateness costs.
   double late_factor(int days) const;
 
   /// What an exercise earns of its points. @param hints  that have been shown
@@ -55,8 +57,11 @@ class Assignment {
   std::vector<Exercise> exercises_;
   std::string due_text_;
   std::optional<std::int64_t> due_;
-  double late_per_day_ = 0.0;
-  int latest_day_ = 0;
+  struct Late {
+    double per_day = 0.0;
+    int latest_day = 0;
+  };
+  std::optional<Late> late_;
   double hint_cost_ = 0.0;
   bool is_partial_ = false;
 };
