@@ -261,6 +261,8 @@ class CommandLine {
     option("--only", "VERDICT", options_.only, "judge once more what had this verdict, wrong_value for example");
     option("--shard", "K/N", options_.shard, "only judge the K-th of N parts of the class; --merge joins them");
     option("--merge", "FOLDER", options_.merged, "take over what was judged in these folders, of parts for example");
+    option("--copy", "FOLDER", options_.copy, "the copy that students have, if it was drawn with a seed of its own");
+    option("--with-missing", "", options_.with_missing, "rows of all students in the tables, whatever was not read");
     option("--allow-reduced", "", options_.allow_reduced, "be content with the sandbox that `doctor` calls reduced");
     option("--seeds", "NUMBER", options_.seeds, "how many seeds to try, from 1 on");
     option("--mutants", "", options_.mutants, "try small bugs in the solutions instead: do the cases find all?");
@@ -385,12 +387,13 @@ class CommandLine {
         "Moodle and Canvas export them. Only files with the names of exercises are read. FOLDER gets class.html, "
         "class.json, tables for spreadsheets, Moodle and Canvas, and for every student a page, JSON, and results for "
         "other autograders. What is judged is kept there: a run that was stopped goes on, and of a class that was "
-        "graded before only what is new is judged; whose mark has changed, and why, is printed.",
-        {"grade submissions --out grades",
-         "grade week3.zip --out week3 --roster class.csv --assignment week3.json --seed 2027",
-         "grade submissions --out part1 --shard 1/2", "grade submissions --out grades --merge part1 part2"},
-        {"SUBMISSIONS", "--out class", "--roster", "--assignment", "--seed", "--reference", "--only", "--shard",
-         "--merge", "--allow-reduced"},
+        "graded before only what is new is judged; whose mark has changed, and why, is printed. The first run draws "
+        "cases that nobody knows, unless --seed says which; FOLDER keeps them for the next.",
+        {"grade submissions --out grades", "grade week3.zip --out week3 --roster class.csv --assignment week3.json",
+         "grade submissions --out part1 --shard 1/2 --seed 740296",
+         "grade submissions --out grades --merge part1 part2"},
+        {"SUBMISSIONS", "--out class", "--roster", "--assignment", "--seed", "--copy", "--reference", "--only",
+         "--with-missing", "--shard", "--merge", "--allow-reduced"},
         grade)
         .get_option("--reference")
         ->excludes("--seed");

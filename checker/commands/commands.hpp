@@ -39,6 +39,8 @@ struct Options {
   std::string only;                              ///< judge what has this verdict once more
   std::string shard;                             ///< "2/8": judge only this part of the class
   std::vector<fs::path> merged;                  ///< folders of such parts, to be joined
+  std::optional<fs::path> copy;                  ///< that students have
+  bool with_missing = false;                     ///< tables have rows also of students of whom something was not read
   bool allow_reduced = false;                    ///< grade strangers' files in the reduced sandbox
   int seeds = 3;                                 ///< how many seeds the workbook itself is checked with, from 1 on
   bool prove = false;                            ///< compare the record of typical bugs with a new proof

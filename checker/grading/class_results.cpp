@@ -15,6 +15,7 @@ using nlohmann::ordered_json;
 namespace {
 
 constexpr std::size_t most_of_a_rare_output = 3;
+constexpr std::size_t most_with_one_reason = 5;
 
 bool is_unexplained(const CheckResult& checked) {
   return checked.judgement.verdict == Verdict::wrong_value && checked.explanation.findings.empty() &&
@@ -34,10 +35,17 @@ double rounded(double points) { return std::round(points * 10000) / 10000; }
 }  // namespace
 
 ClassResults::ClassResults(const Assignment& assignment, std::uint64_t seed, const std::string& sandbox,
-                           const std::vector<std::string>& problems)
-    : assignment_(assignment),
-      head_{
-          {"format", 1}, {"title", assignment.title()}, {"seed", seed}, {"sandbox", sandbox}, {"problems", problems}} {}
+                           const Intake& intake, bool with_missing)
+    : assignment_(assignment), with_missing_(with_missing) {
+  std::vector<std::string> problems = intake.problems, missing;
+  for (const Student& student : intake.students) {
+    for (const std::string& sentence : student.unread) problems.push_back(student.id + ": " + sentence);
+    if (!student.dispute.empty()) problems.push_back(fmt::format("{} is not judged: {}", student.id, student.dispute));
+    if (student.is_missing()) missing.push_back(student.id);
+  }
+  head_ = {{"format", 1},        {"title", assignment.title()}, {"seed", seed},
+           {"sandbox", sandbox}, {"problems", problems},        {"missing", missing}};
+}
 
 ordered_json ClassResults::add(const Student& student, const std::vector<CheckResult>& results,
                                const std::vector<std::string>& made_from) {
@@ -45,6 +53,7 @@ ordered_json ClassResults::add(const Student& student, const std::vector<CheckRe
   const double factor = assignment_.late_factor(days_late);
   double points = 0, possible = 0;
   ordered_json document = ordered_json::parse(json_report(results, head_.at("seed")));
+  document.erase("seed");
   ordered_json marks = ordered_json::array();
   for (std::size_t i = 0; i < results.size(); ++i) {
     const CheckResult& checked = results[i];
@@ -57,13 +66,15 @@ ordered_json ClassResults::add(const Student& student, const std::vector<CheckRe
                      {"message", printable(checked.judgement.message)},
                      {"made_from", made_from[i]}});
     if (!checked.is_judged()) {
-      not_judged_.push_back(
-          fmt::format("{}: {}: {}", student.id, checked.name(), printable(checked.judgement.message)));
+      if (student.dispute.empty())
+        not_judged_.push_back(
+            fmt::format("{}: {}: {}", student.id, checked.name(), printable(checked.judgement.message)));
       continue;
     }
     possible += checked.points();
     points += checked.score();
     for (const Diagnosis& diagnosis : checked.explanation.diagnoses) {
+      if (diagnosis.kind == DiagnosisKind::learnt) learnt_[checked.name()].push_back(student.id);
       if (diagnosis.kind != DiagnosisKind::misconception) continue;
       ordered_json& known = misconceptions_[{checked.name(), diagnosis.name}];
       if (known.is_null())
@@ -81,9 +92,11 @@ ordered_json ClassResults::add(const Student& student, const std::vector<CheckRe
   ordered_json entry = {{"id", student.id},      {"name", student.name},  {"slug", student.slug},
                         {"score", score},        {"possible", possible},  {"days_late", days_late},
                         {"late_factor", factor}, {"notes", student.notes}};
-  ++distribution_.at(possible > 0 ? static_cast<std::size_t>(std::min(9.0, 10 * score / possible)) : 0);
+  if (possible > 0) ++distribution_.at(static_cast<std::size_t>(std::min(9.0, 10 * score / possible)));
   document["student"] = entry;
   document["sandbox"] = head_["sandbox"];
+  const bool is_complete = !student.is_missing() && student.unread.empty() && student.dispute.empty();
+  entry["in_tables"] = is_complete || with_missing_;
   entry["results"] = marks;
   students_.push_back(std::move(entry));
   return document;
@@ -131,6 +144,9 @@ ordered_json ClassResults::document() {
   std::ranges::stable_sort(outputs, std::greater<>(), students);
   for (ordered_json& each : outputs) each["is_rare"] = students(each) <= most_of_a_rare_output;
   document["identical_wrong_outputs"] = outputs;
+  document["learnt_by_heart"] = ordered_json::array();
+  for (const auto& [exercise, ids] : learnt_)
+    document["learnt_by_heart"].push_back({{"exercise", exercise}, {"students", ids}});
   document["not_judged"] = not_judged_;
   document["students"] = std::move(students_);
   return document;
@@ -141,6 +157,9 @@ std::vector<std::string> changed_marks(const ordered_json& before, const ordered
   std::map<std::string, const ordered_json*> known;
   const auto name_of_mark = [](const ordered_json& mark) { return mark.at("exercise").get<std::string>(); };
   const auto number = [](const ordered_json& student, const char* key) { return student.at(key).get<double>(); };
+  const auto is_unjudged = [](const ordered_json& mark) { return mark.at("verdict") == "checker_error"; };
+  const bool is_other_seed = before.at("seed") != now.at("seed");
+  std::map<std::string, std::vector<std::string>> by_reason;  // what many have in common is said once
   for (const ordered_json& student : before.at("students")) known[student.at("id")] = &student;
   for (const ordered_json& student : now.at("students")) {
     const std::string id = student.at("id");
@@ -158,10 +177,14 @@ std::vector<std::string> changed_marks(const ordered_json& before, const ordered
       if (same == old.at("results").end()) {
         reasons.push_back(exercise + " is new in the assignment");
       } else if (same->at("verdict") != mark.at("verdict")) {
-        const bool is_other_file = same->at("made_from") != mark.at("made_from");
-        reasons.push_back(fmt::format("{} was {} and is {}, {}", exercise, in_words(same->at("verdict")),
-                                      in_words(mark.at("verdict")),
-                                      is_other_file ? "with another file" : "with other cases or another checker"));
+        const auto words = [&](const ordered_json& of) {
+          return is_unjudged(of) ? "not judged" : in_words(of.at("verdict"));
+        };
+        const char* const why = is_unjudged(*same) || is_unjudged(mark)         ? ""
+                                : same->at("made_from") != mark.at("made_from") ? ", with another file"
+                                : is_other_seed                                 ? ", with other cases"
+                                                                                : ", by another checker";
+        reasons.push_back(fmt::format("{} was {} and is {}{}", exercise, words(*same), words(mark), why));
       } else if (same->at("points") != mark.at("points")) {
         reasons.push_back(exercise + " has other points");
       } else if (same->at("score") != mark.at("score")) {
@@ -169,9 +192,15 @@ std::vector<std::string> changed_marks(const ordered_json& before, const ordered
       }
     }
     if (reasons.empty()) reasons.emplace_back("other exercises in the assignment");
-    lines.push_back(fmt::format("{}: {:g} of {:g} points, before {:g} of {:g}: {}.", id, number(student, "score"),
-                                number(student, "possible"), number(old, "score"), number(old, "possible"),
-                                fmt::join(reasons, "; ")));
+    by_reason[fmt::format("{}", fmt::join(reasons, "; "))].push_back(
+        fmt::format("{}: {:g} of {:g} points, before {:g} of {:g}", id, number(student, "score"),
+                    number(student, "possible"), number(old, "score"), number(old, "possible")));
+  }
+  for (const auto& [reason, marks] : by_reason) {
+    if (marks.size() > most_with_one_reason)
+      lines.push_back(fmt::format("{}: {}. The first: {}.", plural(marks.size(), "student"), reason, marks.front()));
+    else
+      for (const std::string& mark : marks) lines.push_back(fmt::format("{}: {}.", mark, reason));
   }
   for (const auto& [id, unused] : known) lines.push_back(fmt::format("{}: no longer in the class.", id));
   return lines;

@@ -30,6 +30,7 @@ std::string grades_csv(const ordered_json& document) {
   Table table = {{"id", "name", "score", "possible", "days_late"}};
   for (const ordered_json& exercise : document.at("exercises")) table[0].push_back(exercise.at("exercise"));
   for (const ordered_json& student : document.at("students")) {
+    if (!student.at("in_tables")) continue;
     table.push_back({student.at("id"), student.at("name"), number(student.at("score")), number(student.at("possible")),
                      number(student.at("days_late"))});
     for (const ordered_json& mark : student.at("results")) table.back().push_back(number(mark.at("score")));
@@ -75,7 +76,7 @@ Table gradebook(const ordered_json& document, const std::vector<std::string>& he
   table[0].push_back(title.empty() ? "Rigid Body Workbook" : title);
   for (const ordered_json& student : document.at("students")) {
     const auto is_judged = [](const ordered_json& mark) { return mark.at("score").is_number(); };
-    if (!std::ranges::all_of(student.at("results"), is_judged)) continue;
+    if (!student.at("in_tables") || !std::ranges::all_of(student.at("results"), is_judged)) continue;
     table.push_back(row(student.at("id"), student.at("name")));
     table.back().push_back(number(student.at("score")));
   }
@@ -208,8 +209,16 @@ std::map<std::string, std::string> student_exports(const ordered_json& student) 
 std::string class_page(const ordered_json& document, const std::string& date) {
   ordered_json page = {{"date", date}, {"count", plural(document.at("students").size(), "student")}};
   for (const char* key :
-       {"title", "seed", "sandbox", "problems", "not_judged", "exercises", "misconceptions", "identical_wrong_outputs"})
+       {"title", "sandbox", "problems", "not_judged", "exercises", "misconceptions", "identical_wrong_outputs"})
     page[key] = document.at(key);
+  page["seed"] = document.at("seed").dump();
+  page["missing"] =
+      shortened(fmt::format("{}", fmt::join(document.at("missing").get<std::vector<std::string>>(), ", ")), 2000);
+  page["any_unread"] = !document.at("problems").empty() || !document.at("missing").empty();
+  for (const ordered_json& each : document.at("learnt_by_heart"))
+    page["learnt"].push_back(
+        {{"exercise", each.at("exercise")},
+         {"students", fmt::format("{}", fmt::join(each.at("students").get<std::vector<std::string>>(), ", "))}});
   for (ordered_json& each : page["exercises"]) {
     ordered_json& fraction = each["difficulty"];
     fraction = fraction.is_null() ? "–" : fmt::format("{:.0f} %", 100 * fraction.get<double>());
@@ -248,7 +257,7 @@ std::string class_page(const ordered_json& document, const std::string& date) {
     each["case"] = failure.at("case");
     for (const char* key : {"expected", "actual"}) each[key] = shortened(failure.at(key).dump(), 200);
   }
-  for (const char* list : {"problems", "not_judged", "misconceptions", "identical_wrong_outputs"})
+  for (const char* list : {"learnt", "not_judged", "misconceptions", "identical_wrong_outputs"})
     page[std::string("any_") + list] = !page[list].empty();
   return rendered_page(class_page_template, page, {{"style", page_style()}, {"rows", rows}});
 }

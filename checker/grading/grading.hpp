@@ -16,11 +16,14 @@ namespace workbook {
 // --- what a class has handed in: whatever lies there, only files with the names of exercises are read, each for one
 // student, and copied to fixed names
 
-/// What was found for one exercise.
+/// What was found for one exercise. Of files in several of these places those in the last one count.
 struct HandedIn {
-  bool is_in_place = false;  ///< it lies where the workbook has it: other files of that name don't count
+  enum Place { under_another_name, anywhere, in_place };  ///< in place: where the workbook has it
+
+  Place place = anywhere;
   std::string where;         ///< in the submissions, as it may be shown
-  std::string refusal;       ///< one sentence; "": it was copied
+  std::string refusal = {};  ///< one sentence; "": it was copied
+  std::string entry = {};    ///< the top-level entry that it lies in
 };
 
 struct Student {
@@ -32,11 +35,18 @@ struct Student {
   /// By exercise, as the progress file says that was handed in; nothing: there is none that can be read.
   std::optional<std::map<std::string, std::size_t>> hints;
   std::vector<std::string> notes;  ///< what else is to be said of the submission
+  std::vector<std::string> unread;  ///< those of the notes that name what was not read, so that points may be missing
+  std::string entry;                ///< whose it is, as the name of the top-level entry says
+  /// Another such entry names this student as well: one sentence; "": none. Then nothing is judged, for either may be
+  /// somebody else's.
+  std::string dispute;
+
+  bool is_missing() const { return files.empty() && dispute.empty(); }
 };
 
 struct Intake {
   std::vector<Student> students;
-  std::vector<std::string> problems;  ///< what belongs to no student
+  std::vector<std::string> problems;  ///< what belongs to no student, and was not read
 };
 
 /// Which students are taken in: those of one of several equal parts of the class, which any machine tells by their ids.
@@ -50,7 +60,8 @@ struct Shard {
 Shard read_shard(const std::string& text);
 
 /// Takes in a folder per student, files called ID_EXERCISE.cpp, and zip files of both.
-/// @param copies  DIR/SLUG/EXERCISE.cpp is written there. @throws GradingError, std::runtime_error
+/// @param copies  DIR/SLUG/EXERCISE.cpp is written there, but nothing if the submissions cannot be read
+/// @throws GradingError, std::runtime_error
 Intake take_in(const fs::path& submissions, const Course& course, const std::vector<RosterEntry>& roster,
                const fs::path& copies, const Shard& shard = {});
 
@@ -58,12 +69,14 @@ Intake take_in(const fs::path& submissions, const Course& course, const std::vec
 struct Zipped {
   std::string path;
   std::string text;
-  std::string refusal;  ///< one sentence; "": here is its text
+  std::string refusal;     ///< one sentence; "": here is its text
+  bool is_unread = false;  ///< the refusal speaks of more than a source file: a zip file in this one, or a student
 };
 
 /// Reads, in a process of its own and in a sandbox, the files with these names; what is zipped once more as well.
+/// @param is_class  the first part of a path is a student, and what is too much of one student costs no other
 /// @throws RejectedFile
-std::vector<Zipped> read_zip(const fs::path& file, const std::vector<std::string>& names);
+std::vector<Zipped> read_zip(const fs::path& file, const std::vector<std::string>& names, bool is_class);
 
 // --- what has been judged, in a file that only grows: a program that is killed loses nothing but what it was doing
 
@@ -83,6 +96,11 @@ class Journal {
   /// Safe from the end of this program at once, and from that of the machine a second later or after sync(): waiting
   /// for the disk after each result would keep processors idle. @throws std::runtime_error
   void append(const std::string& key, const std::string& content, const CheckResult& checked);
+
+  /// That of the cases of the last run; nothing if it is not known.
+  std::optional<std::uint64_t> seed() const;
+  /// @throws std::runtime_error
+  void remember_seed(std::uint64_t seed);
 
   /// Copies the results that this journal lacks. @throws std::runtime_error
   void merge(const Journal& other);
@@ -117,11 +135,12 @@ class Journal {
 /// Collects the results of one student after the other, and keeps of each only what the class is told.
 class ClassResults {
  public:
-  ClassResults(const Assignment& assignment, std::uint64_t seed, const std::string& sandbox,
-               const std::vector<std::string>& problems);
+  /// @param with_missing  tables have rows also of students of whom nothing was found, or not all was read
+  ClassResults(const Assignment& assignment, std::uint64_t seed, const std::string& sandbox, const Intake& intake,
+               bool with_missing);
 
   /// @param results  in the order of the assignment's exercises. @param made_from  fingerprints of what was judged
-  /// @return the document about this student
+  /// @return the document about this student, who is not told the seed: other runs may take it again
   nlohmann::ordered_json add(const Student& student, const std::vector<CheckResult>& results,
                              const std::vector<std::string>& made_from);
 
@@ -132,11 +151,13 @@ class ClassResults {
   nlohmann::ordered_json exercise_entry(std::size_t number) const;
 
   const Assignment& assignment_;
+  const bool with_missing_;
   nlohmann::ordered_json head_;
   nlohmann::ordered_json students_ = nlohmann::ordered_json::array();
   std::map<std::pair<std::string, std::string>, nlohmann::ordered_json> misconceptions_;  ///< by exercise and name
   /// Students who gave the same wrong values for the same unknown reason: by exercise and fingerprint of these.
   std::map<std::pair<std::string, std::string>, nlohmann::ordered_json> outputs_;
+  std::map<std::string, std::vector<std::string>> learnt_;  ///< students by exercise
   std::vector<std::string> not_judged_;
   std::array<int, 10> distribution_{};
 };

@@ -16,7 +16,7 @@ constexpr std::size_t most_notes = 20;
 constexpr std::size_t most_entries = 20'000;  // looked at in one student's folder
 constexpr int deepest = 16;
 const fs::path progress_file = ".workbook/progress.json";
-constexpr std::size_t in_another_shard = SIZE_MAX;
+constexpr std::size_t nobody = SIZE_MAX;  // who is graded here, but perhaps in another shard
 
 /// "Spring Energy-2 (1)" → "spring_energy": what somebody meant who did not keep to a name.
 std::string plain_name(std::string stem) {
@@ -62,7 +62,7 @@ class Collector {
     for (const Exercise& exercise : exercises_) names_.push_back(exercise.name() + ".cpp");
     for (const RosterEntry& entry : roster) {
       if (!shard.has(entry.id)) {
-        students_.emplace(entry.id, in_another_shard);
+        students_.emplace(entry.id, nobody);
         continue;
       }
       Student& student = add_student(entry.id);
@@ -73,8 +73,16 @@ class Collector {
 
   Intake intake;
 
+  /// A class in a zip file. @throws GradingError
+  std::vector<Zipped> zipped_class(const fs::path& submissions) const {
+    try {
+      return read_zip(submissions, endings(), true);
+    } catch (const RejectedFile& reason) {
+      throw GradingError(fmt::format("{} Nothing was graded.", reason.what()));
+    }
+  }
+
   void take_top_level(const fs::path& submissions) {
-    if (type_of(submissions) == fs::file_type::regular) return take_zip(submissions, "");
     std::error_code unreadable;
     for (const fs::path& entry : sorted_entries(submissions, unreadable)) {
       const fs::file_type type = type_of(entry);
@@ -91,7 +99,33 @@ class Collector {
     }
   }
 
+  void take_zipped(const std::vector<Zipped>& files, const std::string& prefix) {
+    for (const Zipped& each : files) {
+      const std::string path = prefix + each.path;
+      if (each.is_unread)
+        unread(path, fmt::format("'{}' was not read: it {}.", shortened(printable(path), 200), each.refusal));
+      else
+        take(path, read_of_zipped(each));
+    }
+  }
+
+  /// The one folder of a class in which all lie looks like that of one student who has handed in everything twice.
+  void doubt_single_student() {
+    if (has_roster_ || intake.students.size() != 1 || !has_second_) return;
+    Student& only = intake.students.front();
+    unread(only,
+           fmt::format("'{}' holds several files for one exercise; if it is no student but a class, unpack it and "
+                       "name it as SUBMISSIONS.",
+                       only.id));
+  }
+
  private:
+  std::vector<std::string> endings() const {
+    std::vector<std::string> endings = names_;
+    endings.insert(endings.end(), {".cpp", progress_file.filename().string()});
+    return endings;
+  }
+
   Student& add_student(const std::string& raw) {
     // Names of files that differ in case only are one file on some systems.
     std::string slug;
@@ -108,7 +142,10 @@ class Collector {
     std::ranges::replace_if(
         id, [](char letter) { return letter == '\n' || letter == '\t'; }, '?');
     students_.emplace(raw, intake.students.size());
-    intake.students.push_back({shortened(id, 200), "", unique, {}, {}, {}, {}});
+    Student student;
+    student.id = shortened(id, 200);
+    student.slug = unique;
+    intake.students.push_back(std::move(student));
     return intake.students.back();
   }
 
@@ -121,38 +158,102 @@ class Collector {
     if (student.notes.size() < most_notes) student.notes.push_back(sentence);
   }
 
-  /// Names of Moodle and Canvas hold the id between others, separated by "_": the roster tells which it is.
-  Student* student_of(const std::string& raw) {
-    const auto at = [&](std::size_t number) { return number == in_another_shard ? nullptr : &intake.students[number]; };
-    if (const auto known = students_.find(raw); known != students_.end()) return at(known->second);
-    if (!has_roster_) return shard_.has(raw) ? &add_student(raw) : nullptr;
+  static void unread(Student& student, const std::string& sentence) {
+    note(student, sentence);
+    if (student.unread.size() < most_notes) student.unread.push_back(sentence);
+  }
+
+  /// Of more than a source file, by its path.
+  void unread(const std::string& path, const std::string& sentence) {
+    const std::string first = path.substr(0, path.find('/'));
+    Student* const student =
+        student_of(first == path && path.ends_with(".zip") ? fs::path(first).stem().string() : first);
+    if (student) unread(*student, sentence);
+  }
+
+  static bool is_number(const std::string& field) {
+    return !field.empty() && field.find_first_not_of("0123456789") == std::string::npos;
+  }
+
+  /// Names of Moodle and Canvas hold the id between others, separated by "_", before what the student has named: up to
+  /// the first number, or else at the beginning.
+  static std::vector<std::string> leading_fields(const std::string& name) {
+    std::vector<std::string> fields;
+    boost::split(fields, name, [](char letter) { return letter == '_'; });
+    if (const auto number = std::ranges::find_if(fields, is_number); number != fields.end())
+      fields.erase(number + 1, fields.end());
+    return fields;
+  }
+
+  /// The students of the roster whose ids stand among the fields; an id may itself hold "_".
+  std::set<std::size_t> named_by(const std::vector<std::string>& fields) const {
     std::set<std::size_t> meant;
-    std::vector<std::string> pieces;
-    boost::split(pieces, raw, [](char letter) { return letter == '_'; });
-    for (const std::string& piece : pieces)
-      if (const auto known = students_.find(piece); known != students_.end()) meant.insert(known->second);
-    if (meant.size() == 1) return at(*meant.begin());
-    problem(fmt::format("'{}' was not read: {} of the roster.", shortened(printable(raw), 100),
-                        meant.empty() ? "it names no id" : "it names several ids"));
-    return nullptr;
+    const std::size_t ends = is_number(fields.back()) ? fields.size() : 1;
+    for (std::size_t begin = 0, next = 1; begin < ends; begin = next, ++next) {
+      auto longest = students_.end();
+      std::string id;
+      for (std::size_t last = begin; last < fields.size(); ++last) {
+        id += (last == begin ? "" : "_") + fields[last];
+        if (const auto known = students_.find(id); known != students_.end()) longest = known, next = last + 1;
+      }
+      if (longest != students_.end()) meant.insert(longest->second);
+    }
+    return meant;
+  }
+
+  /// Whom a top-level entry of that name belongs to; null: nobody who is graded here.
+  Student* student_of(const std::string& name) {
+    auto known = owners_.find(name);
+    if (known == owners_.end()) known = owners_.emplace(name, owner_of(name)).first;
+    return known->second == nobody ? nullptr : &intake.students[known->second];
+  }
+
+  std::size_t owner_of(const std::string& name) {
+    if (!has_roster_) {
+      if (!shard_.has(name)) return nobody;
+      add_student(name);
+    }
+    std::vector<std::string> fields = leading_fields(name);
+    const auto known = students_.find(name);
+    const std::set<std::size_t> meant =
+        known != students_.end() ? std::set<std::size_t>{known->second} : named_by(fields);
+    if (meant.size() != 1) {
+      problem(fmt::format("'{}' was not read: {} of the roster.", shortened(printable(name), 100),
+                          meant.empty() ? "it names no id" : "it names several ids"));
+      return nobody;
+    }
+    if (*meant.begin() == nobody) return nobody;
+    Student& student = intake.students[*meant.begin()];
+    std::erase(fields, "LATE");  // which Canvas puts there
+    const std::string entry = fmt::format("{}", fmt::join(fields, "_"));
+    if (student.entry.empty()) student.entry = entry;
+    if (student.entry != entry) dispute(student, student.entry, entry);
+    return *meant.begin();
+  }
+
+  static void dispute(Student& student, const std::string& one, const std::string& other) {
+    if (student.dispute.empty())
+      student.dispute = fmt::format("'{}' and '{}' both name this student; leave only what is theirs.",
+                                    shortened(printable(one), 100), shortened(printable(other), 100));
   }
 
   void take_folder(const fs::path& folder, const std::string& relative, Student& student, int depth) {
     std::error_code unreadable;
     const std::vector<fs::path> entries = sorted_entries(folder, unreadable);
     if (unreadable)
-      note(student, fmt::format("The folder '{}' cannot be read ({}).", shortened(printable(relative), 200),
-                                unreadable.message()));
+      unread(student, fmt::format("The folder '{}' cannot be read ({}).", shortened(printable(relative), 200),
+                                  unreadable.message()));
     if (const fs::path own = folder / progress_file.parent_path(); type_of(own) == fs::file_type::directory)
       if (const fs::path file = folder / progress_file; type_of(file) != fs::file_type::not_found)
         take(relative + "/" + progress_file.string(), read_of(file));
     for (const fs::path& entry : entries) {
-      if (++looked_at_ > most_entries) return note(student, "The folder holds too many files; the rest was not read.");
+      if (++looked_at_ > most_entries)
+        return unread(student, "The folder holds too many files; the rest was not read.");
       const std::string name = entry.filename().string(), below = fmt::format("{}/{}", relative, name);
       const bool is_folder = type_of(entry) == fs::file_type::directory;
       if (is_folder && std::ranges::count(names_, name) == 0) {
         if (depth == deepest)
-          note(student, "Folders in folders in folders: the deepest were not read.");
+          unread(student, "Folders in folders in folders: the deepest were not read.");
         else
           take_folder(entry, below, student, depth + 1);
       } else if (entry.extension() == ".zip") {
@@ -166,16 +267,9 @@ class Collector {
 
   void take_zip(const fs::path& file, const std::string& prefix) {
     try {
-      std::vector<std::string> endings = names_;
-      endings.insert(endings.end(), {".cpp", progress_file.filename().string()});
-      for (const Zipped& each : read_zip(file, endings)) take(prefix + each.path, read_of_zipped(each));
+      take_zipped(read_zip(file, endings(), false), prefix);
     } catch (const RejectedFile& reason) {
-      const std::size_t slash = prefix.find('/');
-      Student* const student = slash == std::string::npos ? nullptr : student_of(prefix.substr(0, slash));
-      if (student)
-        note(*student, reason.what());
-      else
-        problem(reason.what());
+      unread(prefix, reason.what());
     }
   }
 
@@ -203,11 +297,13 @@ class Collector {
     if (student == nullptr) return;
     if (exercise != exercises_.end() && parts.back() == stem + ".cpp") {
       const std::string place = fmt::format("/lectures/{}/exercises/{}.cpp", exercise->lecture(), stem);
-      hand_in(*student, stem, {relative.ends_with(place), relative, ""}, read);
+      hand_in(*student, stem, {relative.ends_with(place) ? HandedIn::in_place : HandedIn::anywhere, relative}, read);
     } else if (const std::string meant = plain_name(fs::path(stem).stem().string());
                std::ranges::find(exercises_, meant, &Exercise::name) != exercises_.end() &&
                parts.back().find(".cpp") != std::string::npos) {
-      note(*student, fmt::format("'{}' was not read: the file should be called {}.cpp.", shown, meant));
+      hand_in(*student, meant, {HandedIn::under_another_name, relative}, [&](const std::string&) -> std::string {
+        throw RejectedFile(fmt::format("'{}' was not read: the file should be called {}.cpp.", shown, meant));
+      });
     }
   }
 
@@ -241,23 +337,26 @@ class Collector {
       return problem(fmt::format("'{}' was not read: it should be a student's folder, a zip file or ID_EXERCISE.cpp.",
                                  shortened(printable(name), 100)));
     if (Student* student = student_of(stem.substr(0, stem.size() - meant->name().size() - 1)))
-      hand_in(*student, meant->name(), {false, name, ""}, read);
+      hand_in(*student, meant->name(), {HandedIn::anywhere, name}, read);
   }
 
   void hand_in(Student& student, const std::string& exercise, HandedIn found, const Read& read) {
     const fs::path copy = copies_ / student.slug / (exercise + ".cpp");
+    found.entry = found.where.substr(0, found.where.find('/'));
     found.where = shortened(printable(found.where), 200);
     const auto known = student.files.find(exercise);
     const bool is_second = known != student.files.end();
-    if (is_second && known->second.is_in_place && !found.is_in_place) return;
+    if (is_second && known->second.place > found.place) return;
     std::string text;
     try {
       text = read(found.where);
     } catch (const RejectedFile& reason) {
       found.refusal = reason.what();
     }
-    if (is_second && known->second.is_in_place == found.is_in_place) {
+    if (is_second && known->second.place == found.place) {
       if (known->second.refusal.empty() && found.refusal.empty() && read_file(copy) == text) return;
+      if (known->second.entry != found.entry) dispute(student, known->second.entry, found.entry);
+      has_second_ = has_second_ || found.place != HandedIn::under_another_name;
       found.refusal =
           fmt::format("{}.cpp is there twice: '{}' and '{}'; hand in one.", exercise, known->second.where, found.where);
     }
@@ -281,14 +380,21 @@ class Collector {
   const Shard shard_;
   const bool has_roster_;
   std::vector<std::string> names_;
-  std::map<std::string, std::size_t> students_;
+  std::map<std::string, std::size_t> students_;  ///< by id
+  std::map<std::string, std::size_t> owners_;    ///< by names of top-level entries that were met
   std::set<std::string> slugs_;
   std::size_t looked_at_ = 0;
+  bool has_second_ = false;  ///< somebody has handed in different files for one exercise
 };
 
 }  // namespace
 
-bool Shard::has(const std::string& id) const { return std::stoull(fingerprint(id), nullptr, 16) % count == number - 1; }
+bool Shard::has(const std::string& id) const {
+  // The low bits of the fingerprint tell parities of the letters only: the digits of ids are often so chosen.
+  std::uint64_t hash = std::stoull(fingerprint(id), nullptr, 16);
+  hash = (hash ^ (hash >> 33)) * 0xff51afd7ed558ccdULL;
+  return (hash >> 32) % count == number - 1;
+}
 
 Shard read_shard(const std::string& text) {
   Shard shard;
@@ -306,9 +412,17 @@ Intake take_in(const fs::path& submissions, const Course& course, const std::vec
   const fs::file_type type = fs::status(submissions, problem).type();
   if (type != fs::file_type::directory && !(type == fs::file_type::regular && submissions.extension() == ".zip"))
     throw GradingError(fmt::format("{} is neither a folder nor a zip file.", shown_path(submissions)));
-  fs::remove_all(copies, problem);
   Collector collector(course, roster, copies, shard);
-  collector.take_top_level(submissions);
+  std::vector<Zipped> zipped;
+  if (type == fs::file_type::regular) zipped = collector.zipped_class(submissions);
+  if (type == fs::file_type::directory) fs::directory_iterator(submissions, problem);
+  if (problem) throw GradingError(fmt::format("{} cannot be read ({}).", shown_path(submissions), problem.message()));
+  fs::remove_all(copies, problem);
+  if (type == fs::file_type::regular)
+    collector.take_zipped(zipped, "");
+  else
+    collector.take_top_level(submissions);
+  collector.doubt_single_student();
   fs::remove(copies / ".unpacked", problem);
   return std::move(collector.intake);
 }

@@ -2,6 +2,7 @@
 #include "checker/grading/grading.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <cstring>
@@ -13,12 +14,18 @@ using nlohmann::ordered_json;
 
 // {"sum":"0123456789abcdef","entry":{"key":"0123456789abcdef", …}}, and the end of the line.
 constexpr std::string_view before_sum = R"({"sum":")", before_entry = R"(","entry":)", before_key = R"({"key":")";
+constexpr const char* seed_key = "seed_of_the_case";  // as long as a hash, and none
 constexpr std::size_t hash_size = 16, entry_at = before_sum.size() + hash_size + before_entry.size();
 
 std::string_view entry_of(std::string_view line) {
   if (line.size() < entry_at + before_key.size() + hash_size + 2 || !line.starts_with(before_sum)) return {};
   const std::string_view entry = line.substr(entry_at, line.size() - entry_at - 1);
   return fingerprint(entry) == line.substr(before_sum.size(), hash_size) ? entry : std::string_view{};
+}
+
+std::string line_of(const ordered_json& entry) {
+  const std::string text = entry.dump();
+  return fmt::format("{}{}{}{}}}", before_sum, fingerprint(text), before_entry, text);
 }
 
 [[noreturn]] void fail(const fs::path& file, const char* what) {
@@ -31,6 +38,8 @@ Journal::Journal(fs::path file, Access access) : file_(std::move(file)) {
   const int flags = access == Access::write ? O_RDWR | O_CREAT | O_APPEND : O_RDONLY;
   descriptor_ = Descriptor(::open(file_.c_str(), flags | O_CLOEXEC | O_NOFOLLOW, 0600));
   if (!descriptor_) fail(file_, "opened");
+  // It holds what students have handed in.
+  if (access == Access::write && ::fchmod(descriptor_.number(), 0600) != 0) fail(file_, "kept from other users");
   // Of the kind that jobs which outlive a killed checker for a moment do not inherit.
   struct flock lock {};
   lock.l_type = access == Access::write ? F_WRLCK : F_RDLCK;
@@ -84,9 +93,20 @@ void Journal::append(const std::string& key, const std::string& content, const C
                               {"verdict", to_string(checked.judgement.verdict)},
                               {"content", base64(content)},
                               {"result", base64(written_result(checked))}};
-  const std::string text = entry.dump();
-  write(key, fmt::format("{}{}{}{}}}", before_sum, fingerprint(text), before_entry, text));
+  write(key, line_of(entry));
   if (Clock::now() - synced_ > std::chrono::seconds(1)) sync();
+}
+
+std::optional<std::uint64_t> Journal::seed() const {
+  const auto place = places_.find(seed_key);
+  if (place == places_.end()) return std::nullopt;
+  return nlohmann::json::parse(entry_of(line_at(place->second))).at("seed").get<std::uint64_t>();
+}
+
+void Journal::remember_seed(std::uint64_t seed) {
+  if (this->seed() == seed) return;
+  write(seed_key, line_of({{"key", seed_key}, {"seed", seed}}));
+  sync();
 }
 
 void Journal::merge(const Journal& other) {

@@ -5,7 +5,8 @@
 # system that all nodes share:
 #   parts=$(sbatch --parsable --array=1-100 --cpus-per-task=16 checker/grading/slurm.sh SUBMISSIONS FOLDER OPTIONS)
 #   sbatch --dependency=afterany:$parts --cpus-per-task=16 checker/grading/slurm.sh SUBMISSIONS FOLDER OPTIONS
-# The OPTIONS of `grade` must be the same in both. What parts have left undone, the second job does.
+# The OPTIONS of `grade` must be the same in both, with a --seed that students do not know. What parts have left undone,
+# the second job does.
 set -eu
 submissions=$1 folder=$2 part=${SLURM_ARRAY_TASK_ID:-}
 shift 2

@@ -10,91 +10,154 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <set>
 
 namespace workbook {
 namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t most_zipped = 200'000;
-constexpr std::size_t most_bytes = std::size_t{32} << 20;      // of all files that are taken
 constexpr std::size_t largest_archive = std::size_t{1} << 30;  // as it is stored
 constexpr std::size_t largest_inner = std::size_t{32} << 20;
-constexpr std::chrono::seconds longest{60};
+constexpr std::chrono::seconds longest{600};
 #ifdef __SANITIZE_ADDRESS__
 constexpr std::size_t most_memory = 0;  // its runtime reserves terabytes of addresses
 #else
-constexpr std::size_t most_memory = std::size_t{512} << 20;
+constexpr std::size_t most_memory = std::size_t{1} << 30;
 #endif
+
+/// What was read, of one student or of all. Bytes that are unpacked stand for time, and are the same on any machine.
+struct Amount {
+  std::size_t entries = 0, kept = 0, unpacked = 0;
+
+  /// "" or what is too much.
+  std::string excess_over(const Amount& most) const {
+    if (entries > most.entries) return "holds too many files";
+    if (kept > most.kept) return fmt::format("holds more than {} MiB of source files", most.kept >> 20);
+    if (unpacked > most.unpacked) return "takes too long to unpack";
+    return "";
+  }
+};
+constexpr Amount most_of_all = {2'000'000, std::size_t{128} << 20, std::size_t{16} << 30};
+constexpr Amount most_of_a_student = {200'000, std::size_t{32} << 20, std::size_t{256} << 20};
+
+/// Of a student, whose other files are not read either.
+struct TooMuch : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+/// Of all: it is no std::runtime_error, so that no zip file in this one is skipped for it.
+struct TooMuchInAll : std::length_error {
+  using std::length_error::length_error;
+};
 
 class Reader {
  public:
-  explicit Reader(const std::vector<std::string>& names) : names_(names) {}
+  Reader(const std::vector<std::string>& names, bool is_class) : names_(names), is_class_(is_class) {}
 
   json found = json::array();
 
-  void read(archive* opened, const std::string& prefix, bool is_inner) {
+  void read(archive* opened, const std::string& prefix, int depth) {
     archive_entry* entry = nullptr;
     for (int status = 0; (status = archive_read_next_header(opened, &entry)) != ARCHIVE_EOF;) {
       if (status < ARCHIVE_WARN) throw std::runtime_error("is damaged or no zip file");
-      if (++entries_ > most_zipped) throw std::runtime_error("holds too many files");
       const char* const stored = archive_entry_pathname(entry);
-      if (stored == nullptr) continue;
-      const std::string path = prefix + stored;
-      const std::string name = path.substr(path.rfind('/') + 1);
-      const bool is_archive = name.ends_with(".zip") && !is_inner;
-      if (!is_archive && std::ranges::none_of(names_, [&](const auto& known) { return name.ends_with(known); }))
-        continue;
-      const bool is_file = archive_entry_filetype(entry) == AE_IFREG && archive_entry_hardlink(entry) == nullptr;
-      std::string text;
-      const std::string refusal = !is_file ? "is not an ordinary file; put the file itself there"
-                                           : bytes_of(opened, is_archive ? largest_inner : largest_source, text);
-      if (is_archive && refusal.empty()) {
-        read_inner(text, path.substr(0, path.size() - 4) + "/");
-      } else {
-        add(path, refusal.empty() ? text : "", refusal);
+      const std::string path = prefix + (stored == nullptr ? "" : stored);
+      const std::string student = is_class_ ? student_of(path) : "";
+      if (too_much_.contains(student)) continue;
+      try {
+        count(student, {.entries = 1});
+        if (stored != nullptr) read_entry(opened, entry, path, student, depth);
+      } catch (const TooMuch& problem) {
+        if (depth > 0 || !is_class_) throw;
+        too_much_.insert(student);
+        add_unread(student, problem.what());
       }
     }
   }
 
  private:
-  void add(const std::string& path, const std::string& text, const std::string& refusal) {
-    bytes_ += text.size() + path.size();
-    if (bytes_ > most_bytes) throw std::runtime_error("holds more than 32 MiB of source files; unpack it yourself");
-    found.push_back({json::binary({path.begin(), path.end()}), json::binary({text.begin(), text.end()}), refusal});
+  static std::string student_of(const std::string& path) {
+    const std::size_t slash = path.find('/');
+    const bool is_archive = slash == std::string::npos && path.ends_with(".zip");
+    return path.substr(0, is_archive ? path.size() - 4 : slash);
   }
 
-  void read_inner(const std::string& bytes, const std::string& prefix) {
+  void read_entry(archive* opened, archive_entry* entry, const std::string& path, const std::string& student,
+                  int depth) {
+    const std::string name = path.substr(path.rfind('/') + 1);
+    const bool is_archive = name.ends_with(".zip");
+    if (name.starts_with('.') || path.find("__MACOSX/") != std::string::npos) return;
+    if (!is_archive && std::ranges::none_of(names_, [&](const auto& known) { return name.ends_with(known); })) return;
+    if (is_archive && depth > 0) return add_unread(path, "is a zip file in a zip file in a zip file");
+    const bool is_file = archive_entry_filetype(entry) == AE_IFREG && archive_entry_hardlink(entry) == nullptr;
+    std::string text;
+    const std::string refusal = !is_file ? "is not an ordinary file; put the file itself there"
+                                         : bytes_of(opened, is_archive ? largest_inner : largest_source, text);
+    count(student, {.unpacked = text.size()});
+    if (is_archive && refusal.empty()) return read_inner(text, path, student);
+    if (is_archive) return add_unread(path, refusal);
+    count(student, {.kept = text.size() + path.size()});
+    add(path, refusal.empty() ? text : "", refusal, false);
+  }
+
+  void add(const std::string& path, const std::string& text, const std::string& refusal, bool is_unread) {
+    found.push_back(
+        {json::binary({path.begin(), path.end()}), json::binary({text.begin(), text.end()}), refusal, is_unread});
+  }
+  void add_unread(const std::string& path, const std::string& refusal) { add(path, "", refusal, true); }
+
+  /// All of it or nothing; but the time that it took is gone.
+  void read_inner(const std::string& bytes, const std::string& path, const std::string& student) {
     const std::unique_ptr<archive, decltype(&archive_read_free)> inner(archive_read_new(), archive_read_free);
     archive_read_support_format_zip(inner.get());
+    const std::size_t before = found.size();
+    const Amount all = all_, of_student = students_[student];
     try {
       if (archive_read_open_memory(inner.get(), bytes.data(), bytes.size()) != ARCHIVE_OK)
         throw std::runtime_error("is damaged or no zip file");
-      read(inner.get(), prefix, true);
+      read(inner.get(), path.substr(0, path.size() - 4) + "/", 1);
     } catch (const std::runtime_error& problem) {
-      add(prefix.substr(0, prefix.size() - 1) + ".zip", "", problem.what());
+      found.erase(found.begin() + static_cast<std::ptrdiff_t>(before), found.end());
+      all_ = {all.entries, all.kept, all_.unpacked};
+      students_[student] = {of_student.entries, of_student.kept, students_[student].unpacked};
+      add_unread(path, problem.what());
     }
+  }
+
+  void count(const std::string& student, const Amount& more) {
+    for (Amount* amount : {&students_[student], &all_}) {
+      amount->entries += more.entries;
+      amount->kept += more.kept;
+      amount->unpacked += more.unpacked;
+    }
+    if (const std::string excess = students_[student].excess_over(most_of_a_student); !excess.empty())
+      throw TooMuch(excess);
+    if (const std::string excess = all_.excess_over(most_of_all); !excess.empty())
+      throw TooMuchInAll(excess + "; unpack it yourself");
   }
 
   static std::string bytes_of(archive* opened, std::size_t limit, std::string& bytes) {
-    bytes.resize(limit + 1);
-    std::size_t size = 0;
-    for (la_ssize_t got = 1; got != 0 && size < bytes.size(); size += static_cast<std::size_t>(got)) {
-      got = archive_read_data(opened, bytes.data() + size, bytes.size() - size);
+    std::array<char, 1 << 16> block{};
+    while (bytes.size() <= limit) {
+      const la_ssize_t got = archive_read_data(opened, block.data(), block.size());
       if (got < 0) return "cannot be unpacked: it is damaged or encrypted";
+      if (got == 0) return "";
+      bytes.append(block.data(), static_cast<std::size_t>(got));
     }
-    bytes.resize(size);
-    return size > limit ? fmt::format("is larger than {} MiB; hand in the source file only", limit >> 20) : "";
+    return fmt::format("is larger than {} MiB; hand in the source file only", limit >> 20);
   }
 
   const std::vector<std::string>& names_;
-  std::size_t entries_ = 0, bytes_ = 0;
+  const bool is_class_;
+  Amount all_;
+  std::map<std::string, Amount> students_;
+  std::set<std::string> too_much_;
 };
 
-std::string unpacked(int file, const std::vector<std::string>& names) {
+std::string unpacked(int file, const std::vector<std::string>& names, bool is_class) {
   json answer = {{"problem", ""}};
   const std::unique_ptr<archive, decltype(&archive_read_free)> opened(archive_read_new(), archive_read_free);
-  Reader reader(names);
+  Reader reader(names, is_class);
   try {
     ::setlocale(LC_CTYPE, "C.UTF-8");
     const Sandbox sandbox({.calls = SandboxProfile::Calls::build,
@@ -105,7 +168,7 @@ std::string unpacked(int file, const std::vector<std::string>& names) {
     archive_read_support_format_zip(opened.get());
     if (archive_read_open_fd(opened.get(), file, 65536) != ARCHIVE_OK)
       throw std::runtime_error("is damaged or no zip file");
-    reader.read(opened.get(), "", false);
+    reader.read(opened.get(), "", 0);
   } catch (const std::exception& problem) {
     answer["problem"] = problem.what();
     reader.found.clear();
@@ -117,7 +180,7 @@ std::string unpacked(int file, const std::vector<std::string>& names) {
 
 }  // namespace
 
-std::vector<Zipped> read_zip(const fs::path& file, const std::vector<std::string>& names) {
+std::vector<Zipped> read_zip(const fs::path& file, const std::vector<std::string>& names, bool is_class) {
   const auto reject = [&](const std::string& reason) {
     throw RejectedFile(fmt::format("{} {}.", printable(file.filename().string()), reason));
   };
@@ -126,7 +189,7 @@ std::vector<Zipped> read_zip(const fs::path& file, const std::vector<std::string
   if (!opened || ::fstat(opened.number(), &status) != 0) reject("cannot be opened, or is a symbolic link");
   if (!S_ISREG(status.st_mode)) reject("is not an ordinary file");
   if (static_cast<std::size_t>(status.st_size) > largest_archive) reject("is larger than 1 GiB");
-  ForkedJob job([&] { return unpacked(opened.number(), names); }, longest);
+  ForkedJob job([&] { return unpacked(opened.number(), names, is_class); }, longest);
   std::vector<Zipped> files;
   try {
     if (const std::string trouble = job.finish(); !trouble.empty())
@@ -136,7 +199,8 @@ std::vector<Zipped> read_zip(const fs::path& file, const std::vector<std::string
     const auto text = [](const json& bytes) {
       return std::string(bytes.get_binary().begin(), bytes.get_binary().end());
     };
-    for (const json& each : answer.at("found")) files.push_back({text(each.at(0)), text(each.at(1)), each.at(2)});
+    for (const json& each : answer.at("found"))
+      files.push_back({text(each.at(0)), text(each.at(1)), each.at(2), each.at(3)});
   } catch (const std::exception& problem) {
     reject(printable(problem.what()));
   }

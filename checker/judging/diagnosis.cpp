@@ -16,6 +16,7 @@ NLOHMANN_JSON_SERIALIZE_ENUM(DiagnosisKind, {{DiagnosisKind::misconception, "mis
                                              {DiagnosisKind::independence, "independence"},
                                              {DiagnosisKind::entry, "entry"},
                                              {DiagnosisKind::place, "place"},
+                                             {DiagnosisKind::learnt, "learnt"},
                                              {DiagnosisKind::property, "property"},
                                              {DiagnosisKind::dimension, "dimension"}})
 

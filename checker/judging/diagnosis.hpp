@@ -17,6 +17,7 @@ enum class DiagnosisKind {
   independence,     ///< an input that never changes the result
   entry,            ///< entries that hold something else
   place,            ///< which components are wrong, and where
+  learnt,           ///< the results of known cases, and no function
   property,
   dimension
 };

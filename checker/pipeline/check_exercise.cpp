@@ -120,6 +120,25 @@ struct Judged {
   CompileTask compile_task() const { return {submission, checked.reference->name, checked.reference->signature}; }
 };
 
+/// Right at all the cases that students have, and wrong at most others: its results were looked up. A function that
+/// fails at few of the others has a mistake that the known cases do not show.
+bool is_learnt(Judged& judged, CheckContext& context) {
+  const CheckResult& checked = judged.checked;
+  const ExerciseReference& drawn = *checked.reference;
+  if (!checked.task.known_seed || checked.judgement.verdict == Verdict::time_limit) return false;
+  CheckTask task = checked.task;
+  task.seed = *task.known_seed;
+  const ExerciseReference& known = context.reference(task);
+  const Answers answers = answers_of(drawn, checked.observation.replies);
+  std::ptrdiff_t others = 0, wrong = 0;
+  for (std::size_t i = 0; i < drawn.cases.size(); ++i) {
+    if (std::ranges::count(known.cases, drawn.cases[i].inputs, &Case::inputs) > 0) continue;
+    ++others;
+    wrong += answers[i] && passes(drawn, i, *answers[i]) ? 0 : 1;
+  }
+  return 2 * wrong > others && judge(known, judged.runner->observe(known.cases, plan_repeats(known))).passed();
+}
+
 /// Where the values tell symptoms only.
 void explain_deeper(Judged& judged, const DiagnosticTask& task, bool has_mistake_in_code, const Answers& answers,
                     const CheckContext& context) {
@@ -148,7 +167,7 @@ void explain_deeper(Judged& judged, const DiagnosticTask& task, bool has_mistake
   }
 }
 
-void explain(Judged& judged, const CheckContext& context) {
+void explain(Judged& judged, CheckContext& context) {
   const CheckResult& checked = judged.checked;
   const ExerciseReference& reference = *checked.reference;
   const Verdict verdict = checked.judgement.verdict;
@@ -157,6 +176,13 @@ void explain(Judged& judged, const CheckContext& context) {
   if (!judged.runner || verdict == Verdict::passed || verdict == Verdict::not_started ||
       verdict == Verdict::checker_error)
     return;
+  if (is_learnt(judged, context)) {
+    explanation.diagnoses = {{DiagnosisKind::learnt, "learnt",
+                              "Your function is right at the cases whose results are in your copy of the workbook, and "
+                              "wrong at most others: compute the result from the arguments.",
+                              checked.task.exercise.entry->notes}};
+    return;
+  }
   const fs::path cache = context.course().compiled();
   std::vector<Finding> in_code = source_findings(judged.compile_task(), judged.compilation, context.toolchain(), cache);
   const DiagnosticTask task{judged.submission, reference, checked.observation, checked.judgement};

@@ -27,6 +27,8 @@ struct CheckTask {
   std::uint64_t seed = 1;
   bool is_elsewhere = false;   ///< the file is not the exercise's own
   bool is_other_seed = false;  ///< the cases are not those that count
+  /// Of cases whose results students have: who fails is looked at for having learnt these.
+  std::optional<std::uint64_t> known_seed = {};
 
   /// Verdicts on a file elsewhere, or with another seed, are no progress.
   bool counts_as_progress() const { return !is_elsewhere && !is_other_seed; }

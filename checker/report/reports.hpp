@@ -72,11 +72,12 @@ struct ReportedExercise {
 struct ReportedCourse {
   std::string student;  ///< may be empty
   std::string date;     ///< as it is to be read
-  std::uint64_t seed = 1;
+  std::optional<std::uint64_t> seed = {};       ///< of the cases; nothing: not to be told
   std::vector<ReportedExercise> exercises;      ///< in course order
   std::map<std::string, std::string> headings;  ///< of the notes, by anchor
   std::string picture_trouble;                  ///< why there are no plots; empty: there is no trouble
   std::vector<std::string> notes = {};          ///< what else is to be said of the whole
+  std::optional<double> counted = {};           ///< points, where fewer count than were earned
 };
 
 /// A page as HTML that needs nothing beside it, to hand in or for an instructor to read, made from report_page.html.

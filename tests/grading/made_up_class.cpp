@@ -5,9 +5,10 @@
 #include <fmt/format.h>
 
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstring>
+#include <cstdio>
 #include <stdexcept>
 
 namespace workbook::testing {
@@ -29,7 +30,7 @@ std::string force_text(const std::string& body) {
          body + "\n}\n}\n";
 }
 
-void write_zip(const fs::path& file, const std::vector<std::pair<std::string, const char*>>& texts) {
+void write_zip(const fs::path& file, const std::vector<std::pair<std::string, std::optional<std::string>>>& texts) {
   fs::create_directories(file.parent_path());
   archive* const zip = archive_write_new();
   archive_write_set_format_zip(zip);
@@ -40,14 +41,24 @@ void write_zip(const fs::path& file, const std::vector<std::pair<std::string, co
     archive_entry_set_filetype(entry, text ? AE_IFREG : AE_IFLNK);
     archive_entry_set_perm(entry, 0644);
     if (text)
-      archive_entry_set_size(entry, static_cast<la_int64_t>(std::strlen(text)));
+      archive_entry_set_size(entry, static_cast<la_int64_t>(text->size()));
     else
       archive_entry_set_symlink(entry, "/etc/passwd");
     if (archive_write_header(zip, entry) != ARCHIVE_OK) throw std::runtime_error(archive_error_string(zip));
-    if (text) archive_write_data(zip, text, std::strlen(text));
+    if (text) archive_write_data(zip, text->data(), text->size());
     archive_entry_free(entry);
   }
   archive_write_free(zip);
+}
+
+bool is_open_to_all() {
+  if (geteuid() != 0) return true;
+  const pid_t process = fork();
+  if (process == 0) _exit(setuid(64000) == 0 && access(WORKBOOK_TEST_CHECKER, X_OK) == 0 ? 0 : 1);
+  int status = 1;
+  waitpid(process, &status, 0);
+  if (status != 0) std::puts("Left out: as root, grading needs a workbook that everybody can read.");
+  return status == 0;
 }
 
 void MadeUpClass::energy(const std::string& student, const std::string& body) const {
@@ -108,7 +119,7 @@ void MadeUpClass::hand_in_hostile_files() const {
   const std::string right = energy_text(right_energy), wrong = energy_text("return 0;");
   write_zip(submissions() / "slip.zip", {{"../ada/spring_energy.cpp", wrong.c_str()},
                                          {"/tmp/spring_energy.cpp", wrong.c_str()},
-                                         {"x/spring_force.cpp", nullptr}});
+                                         {"x/spring_force.cpp", std::nullopt}});
   write(submissions() / "torn.zip", "PK\3\4 and then nothing of use");
   energy("=HYPERLINK(\"http:evil\",\"click\")", "for (volatile int i = 0;;) i = i + 1;");
   energy("<img src=x onerror=alert(1)>\n\033[31m", "throw std::runtime_error(\"<script>alert(1)</script>\");");
@@ -118,7 +129,10 @@ void MadeUpClass::hand_in_hostile_files() const {
 }
 
 Outcome MadeUpClass::grade(const std::string& out, const std::string& options) const {
-  return run(fmt::format("grade submissions --out {} --allow-reduced {}", out, options));
+  const bool has_cases =
+      options.find("--seed") != std::string::npos || options.find("--reference") != std::string::npos;
+  return run(
+      fmt::format("grade submissions --out {} --allow-reduced {} {}", out, has_cases ? "" : "--seed 1", options));
 }
 
 nlohmann::json MadeUpClass::student(const std::string& id) const {

@@ -5,6 +5,7 @@
 #include "tests/program/program.hpp"
 
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace workbook::testing {
@@ -23,7 +24,7 @@ class MadeUpClass : public CourseCopy {
   /// Submissions that are no files, or not what they seem.
   void hand_in_hostile_files() const;
 
-  /// `checker grade submissions --out OUT`, with more options.
+  /// `checker grade submissions --out OUT --seed 1`, with more options; with the cases of single checks.
   Outcome grade(const std::string& out = "out", const std::string& options = "") const;
 
   /// The results of a student in out.
@@ -37,8 +38,12 @@ extern const char *const right_energy, *const right_force, *const force_by_energ
 std::string energy_text(const std::string& body);
 std::string force_text(const std::string& body);
 
-/// Writes a zip file; a text that is a null pointer makes a symbolic link to /etc/passwd.
-void write_zip(const std::filesystem::path& file, const std::vector<std::pair<std::string, const char*>>& texts);
+/// Writes a zip file; where there is no text it is a symbolic link to /etc/passwd.
+void write_zip(const std::filesystem::path& file,
+               const std::vector<std::pair<std::string, std::optional<std::string>>>& texts);
+
+/// Root becomes another user to grade, who must reach this build.
+bool is_open_to_all();
 
 /// All files of the results but the journal, with their content.
 std::map<std::string, std::string> results_in(const std::filesystem::path& out);

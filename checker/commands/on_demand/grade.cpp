@@ -6,7 +6,10 @@
 
 #include <boost/algorithm/string/replace.hpp>
 
+#include <sys/stat.h>
+
 #include <algorithm>
+#include <random>
 #include <set>
 
 namespace workbook {
@@ -49,6 +52,9 @@ void prepare_folder(const fs::path& out, const fs::path& submissions) {
   const std::string trouble = fs::exists(out / journal_name) ? "" : write_file(out / journal_name, "");
   if (!trouble.empty()) throw GradingError(fmt::format("{} cannot be written ({}).", shown_path(out), trouble));
   fs::create_directories(out / "work", problem);
+  fs::permissions(out, fs::perms::owner_all, problem);  // that of an earlier run as well
+  if (problem)
+    throw GradingError(fmt::format("{} cannot be kept from other users ({}).", shown_path(out), problem.message()));
 }
 
 /// The journals of other runs, for as long as nobody writes into them.
@@ -87,10 +93,13 @@ struct Content {
 
 class Grader {
  public:
-  Grader(const Course& course, const Assignment& assignment, std::uint64_t seed, fs::path out, Journal& journal)
+  /// @param known_seed  that of the cases whose results students have, if it is another one
+  Grader(const Course& course, const Assignment& assignment, std::uint64_t seed,
+         std::optional<std::uint64_t> known_seed, fs::path out, Journal& journal)
       : context_(course),
         assignment_(assignment),
         seed_(seed),
+        known_seed_(known_seed),
         out_(std::move(out)),
         journal_(journal),
         all_(course.exercises()) {}
@@ -102,13 +111,16 @@ class Grader {
       toolchains.push_back(read_toolchain(toolchains.front().diagnostic));
     const auto last = std::ranges::find(all_, assignment_.exercises().back().name(), &Exercise::name);
     const std::vector<Exercise> needed(all_.begin(), last + 1);  // it may call all those before it
+    fmt::print("Cases are drawn, and what is missing is built: the first time this takes minutes.\n");
+    std::fflush(stdout);
     ProgressBar bar;
     for (std::size_t i = 0; i < needed.size(); ++i) {
       bar.show(i, needed.size(), "prepared");
       for (const Toolchain& toolchain : toolchains)
         if (i == 0 || ::geteuid() == 0) require_complete(toolchain, needed[i].name());
-      if (i == 0 || needed[i].card != needed[i - 1].card)
-        context_.course().reference(needed[i].lecture(), seed_, needed[i].name());
+      if (i > 0 && needed[i].card == needed[i - 1].card) continue;
+      for (const std::uint64_t seed : {seed_, known_seed_.value_or(seed_)})
+        context_.course().reference(needed[i].lecture(), seed, needed[i].name());
     }
     tools_ = tools_fingerprint(context_.course(), context_.toolchain()) + to_string(tier);
   }
@@ -119,7 +131,7 @@ class Grader {
     }
     for (const Student& student : intake.students)
       for (const Exercise& exercise : assignment_.exercises()) {
-        if (is_refused(student, exercise)) continue;
+        if (!student.dispute.empty() || is_refused(student, exercise)) continue;
         const std::string key = content_of(student, exercise).key;
         if (!journal_.has(key) && keys_.insert(key).second) waiting_.push_back({&student, exercise});
       }
@@ -150,13 +162,12 @@ class Grader {
   }
 
   /// Files for every student, then those for the class; class.json comes last: it is what the next run compares with.
-  ordered_json write_results(const Intake& intake, const std::string& sandbox) {
+  ordered_json write_results(const Intake& intake, const std::string& sandbox, bool with_missing) {
     ReportedCourse page;
     page.date = current_day();
-    page.seed = seed_;
     for (const Card& card : context_.course().cards())
       page.headings.merge(read_headings(context_.course().notes_file(card)));
-    ClassResults results(assignment_, seed_, sandbox, intake.problems);
+    ClassResults results(assignment_, seed_, sandbox, intake, with_missing);
     std::error_code ignored;
     for (const char* folder : {"students", "gradescope", "autolab", "github_classroom", "classroom50"})
       fs::remove_all(out_ / folder, ignored);
@@ -174,11 +185,13 @@ class Grader {
       page.student = student.name.empty() ? student.id : student.name;
       page.notes = student.notes;
       page.notes.insert(page.notes.begin(), "Sandbox: " + sandbox + ".");
-      if (const int days = document.at("student").at("days_late"); days > 0)
-        page.notes.push_back(fmt::format("Handed in {} late: of the points {:g} % count, which is {:g}.",
+      page.counted.reset();
+      if (const int days = document.at("student").at("days_late"); days > 0) {
+        page.counted = document.at("student").at("score");
+        page.notes.push_back(fmt::format("Handed in {} late: {:g} % of the points count.",
                                          plural(static_cast<std::size_t>(days), "day"),
-                                         100 * document.at("student").at("late_factor").get<double>(),
-                                         document.at("student").at("score").get<double>()));
+                                         100 * document.at("student").at("late_factor").get<double>()));
+      }
       page.exercises.clear();
       for (CheckResult& each : checked) page.exercises.push_back({std::move(each), {}, {}});
       write_or_fail(file.string() + ".html", report_page(page));
@@ -193,6 +206,7 @@ class Grader {
   /// @param made_from  gets the fingerprint of what the result was made from
   CheckResult result(const Student& student, const Exercise& exercise, std::string& made_from) {
     const CheckTask task{exercise, copy(student, exercise), seed_, true, false};
+    if (!student.dispute.empty()) return failed_check(task, student.dispute);
     const ExerciseReference& reference = context_.reference(task);
     if (is_refused(student, exercise)) {
       const std::string& sentence = student.files.at(exercise.name()).refusal;
@@ -247,7 +261,7 @@ class Grader {
       content.bytes.append(name).append(1, '\0').append(file).append(1, '\0');
       judged_by += reference_fingerprint(name);
     }
-    content.key = fingerprint(fmt::format("{} {} {}", judged_by, seed_, content.bytes));
+    content.key = fingerprint(fmt::format("{} {} {} {}", judged_by, seed_, known_seed_.value_or(seed_), content.bytes));
     return content;
   }
 
@@ -268,7 +282,7 @@ class Grader {
     for (const auto& [name, text] : content.files) write_or_fail(folder(number) / (name + ".cpp"), text);
     fs::current_path(folder(number));  // messages name files as seen from there
     auto job = std::make_unique<CheckJob>(
-        context_, CheckTask{exercise, folder(number) / (exercise.name() + ".cpp"), seed_, true, false});
+        context_, CheckTask{exercise, folder(number) / (exercise.name() + ".cpp"), seed_, true, false, known_seed_});
     leave_folder();
     return job;
   }
@@ -303,6 +317,7 @@ class Grader {
   CheckContext context_;
   const Assignment& assignment_;
   const std::uint64_t seed_;
+  const std::optional<std::uint64_t> known_seed_;
   const fs::path out_;
   Journal& journal_;
   const fs::path origin_ = fs::current_path();
@@ -322,17 +337,58 @@ std::string known_verdict(const std::string& name) {
   return known;
 }
 
-/// The seed of the cases, which is that of the reference results where such are given.
-std::uint64_t seed_of(Course& course, const Options& options) {
+/// Makes the course take these reference results, if any are given. Returns their seed.
+std::optional<std::uint64_t> use_references(Course& course, const std::vector<fs::path>& files) {
   std::optional<std::uint64_t> seed;
-  for (const fs::path& file : options.references) {
+  for (const fs::path& file : files) {
     const std::uint64_t given = course.use_reference(file);
     if (seed.value_or(given) != given)
       throw GradingError(fmt::format("{} was made with seed {}, another one with {}; give such of one seed.",
                                      shown_path(file), given, *seed));
     seed = given;
   }
-  return seed.value_or(options.seed);
+  return seed;
+}
+
+/// That of the runs before, here or in the folders that are joined; else one that nobody knows.
+std::uint64_t own_seed(const Course& course, const Options& options, const Journal& journal,
+                       const std::vector<Journal>& merged) {
+  std::set<std::uint64_t> known;
+  for (const Journal& each : merged)
+    if (const auto seed = each.seed()) known.insert(*seed);
+  if (const auto seed = journal.seed()) known.insert(*seed);
+  if (known.size() > 1)
+    throw GradingError(
+        fmt::format("What is to be joined was judged with the seeds {}; say with --seed which one counts.",
+                    fmt::join(known, ", ")));
+  if (!known.empty()) return *known.begin();
+  if (!options.shard.empty())
+    throw GradingError(
+        "All parts of a class need the same cases: give each of them the same --seed, any number that "
+        "students do not know.");
+  try {  // the journal may be damaged
+    if (const auto before = read_file(*options.out / "class.json")) return ordered_json::parse(*before).at("seed");
+  } catch (const nlohmann::json::exception&) {
+  }
+  if (!course.has_solutions()) return course.seed();
+  std::random_device random;
+  return (std::uint64_t{random()} << 20) ^ random();
+}
+
+/// Says how many have handed in, and what was not read. Returns whether that is all.
+bool print_intake(const Intake& intake, const ordered_json& document, const Options& options) {
+  const std::vector<std::string> problems = document.at("problems"), missing = document.at("missing");
+  fmt::print("{} of {}{} handed in", intake.students.size() - missing.size(), plural(intake.students.size(), "student"),
+             options.roster ? " of the roster" : "");
+  if (!problems.empty()) fmt::print("; {} not read or not judged", problems.size());
+  const bool is_all = problems.empty() && missing.empty() && !intake.students.empty();
+  fmt::print("{}\n", is_all || options.with_missing
+                         ? "."
+                         : ". The tables have no rows of whom this concerns; --with-missing adds them.");
+  for (const std::string& sentence : problems) fmt::print("  {}\n", sentence);
+  if (!missing.empty())
+    fmt::print("  Nothing was found of {}.\n", shortened(fmt::format("{}", fmt::join(missing, ", ")), 1000));
+  return is_all;
 }
 
 void print_changes(const fs::path& class_file, const ordered_json& document) {
@@ -358,44 +414,70 @@ int grade(const Course& given, const Options& options) {
     if (!fs::exists(submissions)) throw GradingError(fmt::format("There is no {}.", shown_path(submissions)));
     Course course = given;
     course.use_scratch(out / "work");
-    const std::uint64_t seed = seed_of(course, options);
+    const std::optional<std::uint64_t> of_references = use_references(course, options.references);
+    const std::uint64_t handed_out = options.copy ? read_release(*options.copy).seed : course.seed();
     const Assignment assignment(course, options.assignment);
     const std::vector<RosterEntry> roster = options.roster ? read_roster(*options.roster) : std::vector<RosterEntry>{};
     const std::string forgotten = options.only.empty() ? "" : known_verdict(options.only);
     const Shard shard = options.shard.empty() ? Shard{} : read_shard(options.shard);
+    const mode_t usual = ::umask(0077);  // results are nobody else's
+    const bool is_new = !fs::exists(out / journal_name);
     prepare_folder(out, submissions);
     Journal journal(out / journal_name);
     if (!forgotten.empty()) journal.forget(forgotten);
-    for (const Journal& each : journals_in(options.merged, out)) journal.merge(each);
+    const std::vector<Journal> merged = journals_in(options.merged, out);
+    const std::uint64_t seed = of_references           ? *of_references
+                               : options.is_seed_given ? options.seed
+                                                       : own_seed(course, options, journal, merged);
+    if (!of_references) journal.remember_seed(seed);
+    for (const Journal& each : merged) journal.merge(each);
     if (journal.damaged() > 0) fmt::print("{} of the journal are damaged.\n", plural(journal.damaged(), "line"));
-    Grader grader(course, assignment, seed, out, journal);
+    const bool is_known = seed == handed_out;
+    if (is_known)
+      fmt::print("Students may have the results of these cases (seed {}), so answers learnt by heart pass.\n", seed);
+    Grader grader(course, assignment, seed,
+                  is_known || of_references || !course.has_solutions() ? std::nullopt : std::optional(handed_out), out,
+                  journal);
+    ::umask(usual);  // the build is everybody's
     grader.build_all(sandbox.tier());
+    ::umask(0077);
     std::vector<fs::path> needed = options.references;
     needed.insert(needed.end(), {submissions, course.lectures(), course.toolchain_file()});
     give_up_root(out, needed);
     use_sandbox(sandbox);
-    const Intake intake = take_in(submissions, course, roster, out / "submissions", shard);
+    std::error_code ignored;
+    const Intake intake = [&] {
+      try {
+        return take_in(submissions, course, roster, out / "submissions", shard);
+      } catch (const GradingError&) {
+        if (is_new) fs::remove_all(out, ignored);
+        throw;
+      }
+    }();
     grader.begin(intake);
     fmt::print("{}, {}: {} to judge.\n", plural(intake.students.size(), "student"),
                plural(assignment.exercises().size(), "exercise"), plural(grader.left_to_judge(), "different file"));
     std::fflush(stdout);
     grader.judge_all();
-    std::error_code ignored;
     if (!options.shard.empty()) {
       for (const char* folder : {"work", "submissions"}) fs::remove_all(out / folder, ignored);
       fmt::print("Part {} is judged; `{}` joins the parts.\n", options.shard,
                  command("grade SUBMISSIONS --out FOLDER --merge " + shell_quoted(options.out->string())));
       return grader.failed() == 0 ? all_passed : checker_failed;
     }
-    const ordered_json document = grader.write_results(intake, sandbox.sentence());
+    const ordered_json document = grader.write_results(intake, sandbox.sentence(), options.with_missing);
     print_changes(out / "class.json", document);
     write_or_fail(out / "class.json", indented(document));
     fs::remove_all(out / "work", ignored);
-    for (const std::string& sentence : intake.problems) fmt::print("{}\n", sentence);
+    const bool is_all = print_intake(intake, document, options);
+    for (const ordered_json& each : document.at("learnt_by_heart"))
+      fmt::print("Learnt by heart: {}: {}.\n", each.at("exercise").get<std::string>(),
+                 listed(each.at("students").get<std::vector<std::string>>()));
     for (const std::string sentence : document.at("not_judged")) fmt::print("Not judged: {}\n", sentence);
     fmt::print("The page of the class is {}; grades.csv and a page for every student are beside it.\n",
                shown_path(out / "class.html"));
-    return document.at("not_judged").empty() ? all_passed : checker_failed;
+    if (!document.at("not_judged").empty()) return checker_failed;
+    return is_all ? all_passed : something_failed;
   } catch (const GradingError& problem) {
     throw UsageError(problem.what());
   }

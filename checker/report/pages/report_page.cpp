@@ -166,11 +166,13 @@ std::string report_page(const ReportedCourse& course) {
     lecture["exercises"].push_back(entry_of(exercise, course));
     lecture["any_started"] = lecture["any_started"] || exercise.checked.is_started();
   }
+  Score counted = score;
+  if (course.counted) counted.points = *course.counted;
   const auto is_left = [](const CheckResult& checked) { return !checked.judgement.passed(); };
   const json page = {{"student", course.student},
                      {"date", course.date},
-                     {"seed", std::to_string(course.seed)},
-                     {"score", score.text()},
+                     {"seed", course.seed ? std::to_string(*course.seed) : ""},
+                     {"score", counted.text()},
                      {"summary", summary_line(results)},
                      {"picture_trouble", course.picture_trouble},
                      {"notes", course.notes},

@@ -1,0 +1,226 @@
+// Who has handed in what: nobody's file counts for another one, and nobody gets a zero in silence.
+#include "tests/grading/made_up_class.hpp"
+
+#include "checker/grading/grading.hpp"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <sys/stat.h>
+
+#include <numeric>
+
+using namespace workbook::testing;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string right = energy_text(right_energy), wrong = energy_text("return 0;");
+
+/// A class that is taken in, and not judged.
+class Taken {
+ public:
+  explicit Taken(const MadeUpClass& of, const std::string& submissions = "submissions",
+                 const std::vector<std::string>& roster = {})
+      : copies_(of.root() / "copies") {
+    std::vector<workbook::RosterEntry> entries;
+    for (const std::string& id : roster) entries.push_back({id, "", {}});
+    const workbook::Course course(of.root() / "course.json");
+    intake = workbook::take_in(of.root() / submissions, course, entries, copies_);
+  }
+
+  workbook::Intake intake;
+
+  const workbook::Student& student(const std::string& id) const {
+    for (const workbook::Student& each : intake.students)
+      if (each.id == id) return each;
+    throw std::runtime_error("no student " + id);
+  }
+
+  /// The text that is judged as spring_energy; "": none was taken.
+  std::string energy(const std::string& id) const {
+    const auto& files = student(id).files;
+    const auto file = files.find("spring_energy");
+    if (file == files.end() || !file->second.refusal.empty()) return "";
+    return read(copies_ / student(id).slug / "spring_energy.cpp");
+  }
+
+ private:
+  fs::path copies_;
+};
+
+/// A zip file, as bytes.
+std::string zipped(const MadeUpClass& of,
+                   const std::vector<std::pair<std::string, std::optional<std::string>>>& texts) {
+  write_zip(of.root() / "made.zip", texts);
+  return read(of.root() / "made.zip");
+}
+
+/// Forty source files, of 1 MiB each.
+std::vector<std::pair<std::string, std::optional<std::string>>> too_much(const std::string& folder) {
+  std::vector<std::pair<std::string, std::optional<std::string>>> files;
+  for (int k = 0; k < 40; ++k)
+    files.emplace_back(fmt::format("{}{}/x.cpp", folder, k), std::string((std::size_t{1} << 20) - 100, ' '));
+  return files;
+}
+
+}  // namespace
+
+TEST_SUITE_BEGIN("intake" * doctest::skip(!is_open_to_all()));
+
+TEST_CASE("what is too much of one student in the zip file of a class costs nobody else a file") {
+  const MadeUpClass all;
+  auto files = too_much("cleo/");
+  const std::string too_large = zipped(all, too_much(""));
+  files.insert(files.begin(), {{"ada/spring_energy.cpp", right},
+                               {"ben/work.zip", too_large},
+                               {"ben/spring_energy.cpp", right},
+                               {"ben/more.zip", zipped(all, {{"deep.zip", zipped(all, {{"x.cpp", right}})}})},
+                               {"__MACOSX/ada/._work.zip", "no zip file"}});
+  files.insert(files.end(), {{"dora.zip", zipped(all, {{"spring_energy.cpp", right}})},
+                             {"emil/work.zip", "torn"},
+                             {"fritz/spring_energy.cpp", right}});
+  write_zip(all.root() / "class.zip", files);
+  const Taken taken(all, "class.zip");
+  CHECK(taken.intake.students.size() == 6);
+  CHECK(taken.intake.problems.empty());
+  for (const char* id : {"ada", "ben", "dora", "fritz"}) CHECK_MESSAGE(taken.energy(id) == right, id);
+  for (const char* id : {"ada", "dora", "fritz"}) CHECK_MESSAGE(taken.student(id).unread.empty(), id);
+  REQUIRE(taken.student("ben").unread.size() == 2);
+  CHECK(has(taken.student("ben").unread[0], "ben/work.zip"));
+  CHECK(has(taken.student("ben").unread[1], "ben/more/deep.zip"));
+  CHECK(taken.student("cleo").unread.size() == 1);
+  CHECK(has(taken.student("emil").unread.at(0), "emil/work.zip"));
+  CHECK(taken.student("emil").is_missing());
+}
+
+TEST_CASE("time is shared out as well: what a student's zip files take to unpack counts, whether it is kept or not") {
+  const MadeUpClass all;
+  std::vector<std::pair<std::string, std::optional<std::string>>> files;
+  const std::string bomb((std::size_t{1} << 20) + 100, ' ');
+  for (int k = 0; k < 300; ++k) files.emplace_back(fmt::format("ada/{}/x.cpp", k), bomb);
+  files.emplace_back("ada/spring_energy.cpp", right);
+  files.emplace_back("ben/spring_energy.cpp", right);
+  write_zip(all.root() / "class.zip", files);
+  const Taken taken(all, "class.zip");
+  CHECK(taken.student("ada").unread.size() == 1);
+  CHECK(taken.energy("ben") == right);
+}
+
+TEST_CASE("submissions that cannot be read as a whole are wrong usage, and nothing is written") {
+  const MadeUpClass few;
+  few.energy("ada", "throw NotStarted{};");
+  REQUIRE(few.grade("graded").status == 0);
+  write(few.root() / "class.zip", "PK\3\4 and then nothing of use");
+  const auto graded = [&](const char* out) {
+    return few.run(fmt::format("grade class.zip --out {} --allow-reduced --seed 1", out));
+  };
+  const Outcome refused = graded("out");
+  CHECK(refused.status == 2);
+  CHECK(has(refused.err, "class.zip"));
+  CHECK((!fs::exists(few.root() / "out") || fs::is_empty(few.root() / "out")));
+  const auto before = results_in(few.root() / "graded");
+  CHECK(graded("graded").status == 2);
+  auto after = results_in(few.root() / "graded");
+  std::erase_if(after, [](const auto& each) { return each.first.starts_with("work/"); });
+  CHECK(after == before);
+}
+
+TEST_CASE("an id counts where a platform puts it, and not in what students name") {
+  const MadeUpClass all;
+  const std::vector<std::pair<std::string, std::string>> whose = {
+      {"Ada Byron_101_assignsubmission_file_/spring_energy.cpp", "101"},
+      {"byronben_102_99_spring_energy-1.cpp", "102"},
+      {"planckmax_LATE_34_778_spring_energy.cpp", "34"},
+      {"s_7/spring_energy.cpp", "s_7"},
+      {"Ann B_ann_b_77_assignsubmission_file_/spring_energy.cpp", "ann_b"},
+      {"ann_work/spring_energy.cpp", "ann"},
+      {"anna_12345_67890_bob_spring_energy.cpp", ""},
+      {"x_bob_spring_energy.cpp", ""},
+      {"cleo_dora_5_6_spring_energy.cpp", ""}};
+  for (const auto& [path, id] : whose) write(all.submissions() / path, right + "// " + path + "\n");
+  write(all.submissions() / "bob/spring_energy.cpp", wrong);
+  const Taken taken(all, "submissions", {"101", "102", "34", "s_7", "ann", "ann_b", "bob", "cleo", "dora"});
+  for (const auto& [path, id] : whose) {
+    CAPTURE(path);
+    if (!id.empty()) CHECK(taken.energy(id) == right + "// " + path + "\n");
+  }
+  CHECK(taken.energy("bob") == wrong);
+  CHECK(taken.intake.problems.size() == 3);
+  CHECK(taken.student("cleo").is_missing());
+}
+
+TEST_CASE("who is named by two entries is not judged, and it is no zero") {
+  const MadeUpClass all;
+  for (const char* path : {"ada/spring_energy.cpp", "bob/spring_energy.cpp", "cleo_1_2_spring_energy.cpp"})
+    write(all.submissions() / path, energy_text("throw NotStarted{};"));
+  write(all.submissions() / "bob_123_456_spring_force.cpp", force_text(right_force));  // another entry
+  write(all.submissions() / "cleo_1_3_spring_energy.cpp", wrong);                      // the same file of two
+  write(all.root() / "roster.csv", "id\nada\nbob\ncleo\ndora\n");
+  write(all.submissions() / "dora.zip", "torn");
+  const Outcome graded = all.grade("out", "--roster roster.csv");
+  REQUIRE_MESSAGE(graded.status == 1, graded.said());
+  CHECK(has(graded.out, "3 of 4 students of the roster handed in; 3 not read or not judged"));
+  const auto document = nlohmann::json::parse(read(all.root() / "out/class.json"));
+  CHECK(document.at("missing") == nlohmann::json{"dora"});
+  CHECK(document.at("not_judged").empty());  // the checker has no error
+  for (const char* id : {"bob", "cleo"}) {
+    CHECK(all.student(id).at("results").at(0).at("verdict") == "checker_error");
+    CHECK(all.student(id).at("results").at(0).at("score").is_null());
+  }
+  const std::vector<int> bars = document.at("distribution");
+  CHECK(std::accumulate(bars.begin(), bars.end(), 0) == 2);  // of those who were judged
+  for (const char* table : {"grades.csv", "moodle.csv", "canvas.csv"}) {
+    const std::string text = read(all.root() / "out" / table);
+    CHECK(has(text, "ada"));
+    for (const char* id : {"bob", "cleo", "dora"}) CHECK_MESSAGE(!has(text, id), table);
+  }
+  const std::string page = read(all.root() / "out/class.html");
+  CHECK(page.find("dora.zip") < page.find("<h2>Students</h2>"));
+  CHECK(page.find("Nothing was found of: dora") < page.find("<h2>Students</h2>"));
+
+  CHECK(all.grade("out", "--roster roster.csv --with-missing").status == 1);
+  CHECK(has(read(all.root() / "out/grades.csv"), "dora"));
+}
+
+TEST_CASE("a class in one folder of a zip file is not taken for a student without a word") {
+  const MadeUpClass all;
+  write_zip(all.root() / "class.zip",
+            {{"export/s_1/spring_energy.cpp", right}, {"export/s_2/spring_energy.cpp", wrong}});
+  const Taken taken(all, "class.zip");
+  REQUIRE(taken.intake.students.size() == 1);
+  CHECK(has(taken.student("export").unread.at(0), "SUBMISSIONS"));
+  const Taken listed(all, "class.zip", {"s_1", "s_2"});
+  CHECK(listed.intake.problems.size() == 1);
+  CHECK(listed.student("s_1").is_missing());
+}
+
+TEST_CASE("parts of a class are of a size, whatever ids have in common") {
+  for (const std::uint64_t count : {2, 3, 8}) {
+    std::vector<int> sizes(count);
+    for (int k = 0; k < 800; ++k) {
+      const std::string id = fmt::format("{:04}{:04}", k, k);  // each digit twice: the letters' parities are even
+      for (std::uint64_t part = 1; part <= count; ++part)
+        sizes[part - 1] += workbook::Shard{part, count}.has(id) ? 1 : 0;
+    }
+    CHECK(std::accumulate(sizes.begin(), sizes.end(), 0) == 800);
+    for (const int size : sizes) CHECK(size > 800 / static_cast<int>(count) / 2);
+  }
+}
+
+TEST_CASE("results are nobody else's, whatever the umask") {
+  const MadeUpClass few;
+  few.energy("ada", "throw NotStarted{};");
+  fs::create_directories(few.root() / "out");  // is open to all
+  REQUIRE(few.run("grade submissions --out out --allow-reduced --seed 1", "umask 000;").status == 0);
+  for (const auto& entry : fs::recursive_directory_iterator(few.root() / "out")) {
+    struct stat status {};
+    REQUIRE(::stat(entry.path().c_str(), &status) == 0);
+    CHECK_MESSAGE((status.st_mode & 0777) == (entry.is_directory() ? 0700 : 0600), entry.path().string());
+  }
+  CHECK(fs::status(few.root() / "out").permissions() == fs::perms::owner_all);
+  CHECK(fs::exists(few.root() / "out/submissions/ada/spring_energy.cpp"));
+}
+
+TEST_SUITE_END();
