@@ -3,6 +3,7 @@
 #include "checker/base/text.hpp"
 
 #include <fcntl.h>
+#include <grp.h>
 #include <poll.h>
 #include <signal.h>
 #include <sys/prctl.h>
@@ -416,6 +417,13 @@ void ForkedJob::end() {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   process_ = -1;
+}
+
+bool become_user(uid_t user) noexcept {
+  int end_with_parent = 0;
+  return ::prctl(PR_GET_PDEATHSIG, &end_with_parent) == 0 && ::setgroups(0, nullptr) == 0 &&
+         ::setresgid(user, user, user) == 0 && ::setresuid(user, user, user) == 0 &&
+         ::prctl(PR_SET_PDEATHSIG, end_with_parent) == 0;
 }
 
 std::size_t usable_processors() {

@@ -180,6 +180,10 @@ class ForkedJob {
   bool closed_ = false;
 };
 
+/// Gives root up for good, for a user without rights. The life of a job stays tied to its parent, which Linux forgets
+/// with the user. Returns false with the reason in errno.
+bool become_user(uid_t user) noexcept;
+
 /// How many processors this process may use: all, or those that a batch system gave it.
 std::size_t usable_processors();
 

@@ -71,8 +71,11 @@ bool is_newer(const fs::path& file_or_folder, const fs::path& than) {
   if (problem) return true;
   if (!fs::is_directory(file_or_folder, ignored)) return is_later(file_or_folder);
   // Its own time is that of any file that came and went, an editor's for example.
-  const fs::recursive_directory_iterator files(file_or_folder, ignored);
-  return std::any_of(begin(files), end(files), is_later);
+  constexpr auto options = fs::directory_options::skip_permission_denied;
+  for (fs::recursive_directory_iterator next(file_or_folder, options, problem), end; !problem && next != end;
+       next.increment(problem))  // which a folder that vanishes meanwhile ends
+    if (is_later(next->path())) return true;
+  return false;
 }
 
 std::string shown_path(const fs::path& file) {

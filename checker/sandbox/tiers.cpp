@@ -7,8 +7,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <grp.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
@@ -129,9 +127,7 @@ void try_namespaces_as_nobody(SandboxStrength& strength) {
   ForkedJob job(
       [&] {
         constexpr uid_t nobody = 65534;
-        if (::setgroups(0, nullptr) != 0 || ::setresgid(nobody, nobody, nobody) != 0 ||
-            ::setresuid(nobody, nobody, nobody) != 0)
-          throw LaunchError("give up root", errno);
+        if (!become_user(nobody)) throw LaunchError("give up root", errno);
         try_namespaces(strength);
         return nlohmann::json(strength).dump();
       },

@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include <signal.h>
+#include <sys/prctl.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -168,6 +169,37 @@ TEST_CASE("A folder is newer by what is in it, not by its own time, which any fi
   CHECK(is_newer(folder, made));
   CHECK(is_newer(source, made));
   CHECK(is_newer(source, scratch() / "missing"));
+}
+
+TEST_CASE("A folder below that may not be read, or is gone, is no newer one") {
+  const fs::path folder = fs::temp_directory_path() / ("workbook-sources-" + std::to_string(::getpid()));
+  write(folder / "locked" / "source.cpp", "");
+  const fs::path made = write(folder / "made", "of it");
+  fs::permissions(folder / "locked", fs::perms::none);
+  ForkedJob job(
+      [&]() -> std::string {
+        if (::geteuid() == 0) become_user(65534);
+        return is_newer(folder, made) ? "newer" : "not newer";
+      },
+      60s);
+  CHECK(job.finish().empty());
+  CHECK(job.output() == "not newer");
+  CHECK_FALSE(is_newer(folder / "gone", made));
+  fs::permissions(folder / "locked", fs::perms::owner_all);
+  fs::remove_all(folder);
+}
+
+TEST_CASE("A job that gives up root still ends with its parent" * doctest::skip(::geteuid() != 0)) {
+  ForkedJob job(
+      [] {
+        int signal = 0;
+        const bool is_another = become_user(65534);
+        ::prctl(PR_GET_PDEATHSIG, &signal);
+        return is_another && ::getuid() == 65534 && signal == SIGTERM ? "tied" : "free";
+      },
+      60s);
+  CHECK(job.finish().empty());
+  CHECK(job.output() == "tied");
 }
 
 TEST_CASE("A job hands back its bytes, however many, and changes nothing here") {
