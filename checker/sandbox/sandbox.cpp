@@ -3,7 +3,6 @@
 #include "checker/base/child_process.hpp"
 
 #include <fcntl.h>
-#include <linux/audit.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
 #include <sys/personality.h>
@@ -16,146 +15,10 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 
 namespace workbook {
 namespace {
-
-// --- the filter of system calls
-
-#if defined(__x86_64__)
-constexpr std::uint32_t architecture = AUDIT_ARCH_X86_64;
-#elif defined(__aarch64__)
-constexpr std::uint32_t architecture = AUDIT_ARCH_AARCH64;
-#else
-constexpr std::uint32_t architecture = 0;  // no filter there
-#endif
-
-#if !defined(__x86_64__)  // what newer architectures do without
-#define SYS_arch_prctl -1
-#define SYS_time -1
-#define SYS_readlink -1
-#define SYS_open -1
-#define SYS_access -1
-#define SYS_dup2 -1
-#endif
-
-/// What becomes of a system call whose argument is as it should be; all arguments that matter here have 32 bits.
-struct Rule {
-  int call;
-  std::uint32_t argument;
-  std::uint32_t mask;
-  std::uint32_t value;
-  std::uint32_t action = SECCOMP_RET_ALLOW;
-};
-
-constexpr std::uint32_t refuse(int error) { return SECCOMP_RET_ERRNO | static_cast<std::uint32_t>(error); }
-
-/// Stands for the number of the new process. No process has it: Linux numbers end at 2²².
-constexpr std::uint32_t own_process = 0x5e1f5e1f;
-constexpr std::uint32_t all_bits = 0xffffffff;
-constexpr std::uint32_t writing = O_ACCMODE | O_CREAT | O_TRUNC;
-
-/// What a static program does that computes, prints, sleeps and looks at the clock.
-constexpr int computing[] = {
-    // memory
-    SYS_brk, SYS_mmap, SYS_munmap, SYS_mremap, SYS_mprotect,
-    // the descriptors that it was given
-    SYS_read, SYS_write, SYS_readv, SYS_writev, SYS_lseek, SYS_fstat, SYS_close,
-    // start, end, and its own signals
-    SYS_arch_prctl, SYS_set_tid_address, SYS_set_robust_list, SYS_rseq, SYS_futex, SYS_getrandom, SYS_exit,
-    SYS_exit_group, SYS_rt_sigaction, SYS_rt_sigprocmask, SYS_rt_sigreturn, SYS_sigaltstack, SYS_restart_syscall,
-    // clocks
-    SYS_clock_gettime, SYS_clock_getres, SYS_gettimeofday, SYS_time, SYS_times, SYS_nanosleep, SYS_clock_nanosleep,
-    // harmless questions
-    SYS_getpid, SYS_getppid, SYS_gettid, SYS_getuid, SYS_geteuid, SYS_getgid, SYS_getegid, SYS_uname, SYS_sysinfo,
-    SYS_getrusage, SYS_getrlimit, SYS_getcpu, SYS_sched_yield, SYS_sched_getaffinity};
-
-constexpr Rule computing_rules[] = {
-    {SYS_madvise, 2, ~31U, 0},  // no advice that damages pages
-    {SYS_fcntl, 1, all_bits, F_GETFL},
-    {SYS_execveat, 0, all_bits, program_descriptor},  // the start; the descriptor is closed by it
-    {SYS_prlimit64, 2, all_bits, 0},                  // reading limits, not setting them
-    {SYS_kill, 0, all_bits, own_process},             // abort() and raise()
-    {SYS_tgkill, 0, all_bits, own_process},
-    {SYS_ioctl, 0, 0, 0, refuse(ENOTTY)},     // "is this a terminal?"
-    {SYS_readlink, 0, 0, 0, refuse(ENOENT)},  // "what is my own path?"
-    {SYS_readlinkat, 0, 0, 0, refuse(ENOENT)},
-    // fstat of newer C libraries; its path may name a file yet
-    {SYS_newfstatat, 3, AT_EMPTY_PATH, AT_EMPTY_PATH, refuse(EACCES)}};
-
-/// What a program does besides that is linked dynamically, and a sanitizer's runtime.
-constexpr int reading[] = {SYS_pread64, SYS_dup2, SYS_dup3, SYS_setitimer};
-
-constexpr Rule reading_rules[] = {{SYS_open, 1, writing, 0},
-                                  {SYS_openat, 2, writing, 0},
-                                  {SYS_newfstatat, 3, AT_EMPTY_PATH, AT_EMPTY_PATH},
-                                  {SYS_newfstatat, 0, 0, 0, refuse(EACCES)},
-                                  {SYS_access, 0, 0, 0, refuse(EACCES)},
-                                  {SYS_faccessat, 0, 0, 0, refuse(EACCES)},
-                                  {SYS_fcntl, 1, all_bits, F_SETFD},
-                                  {SYS_prctl, 0, 0, 0, refuse(EPERM)}};
-
-/// What no compiler, assembler or linker needs.
-constexpr int hostile[] = {
-    // connections
-    SYS_socket, SYS_socketpair, SYS_io_uring_setup,
-    // other processes and their keys
-    SYS_ptrace, SYS_process_vm_readv, SYS_process_vm_writev, SYS_keyctl, SYS_add_key, SYS_request_key,
-    // the kernel, and other views of the files
-    SYS_bpf, SYS_perf_event_open, SYS_userfaultfd, SYS_mount, SYS_unshare, SYS_setns, SYS_chroot};
-
-/// A program of the kernel's packet filter, of fixed size: between fork and exec nothing may be allocated.
-class Filter {
- public:
-  Filter() {
-    add(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, arch));
-    add(BPF_JMP | BPF_JEQ | BPF_K, architecture, 1, 0);
-    add(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS);
-    load_call();
-#if defined(__x86_64__)
-    constexpr std::uint32_t x32_calls = 0x40000000;  // the same calls by other numbers
-    add(BPF_JMP | BPF_JGE | BPF_K, x32_calls, 0, 1);
-    add(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS);
-#endif
-  }
-
-  template <std::size_t count>
-  void add_calls(const int (&calls)[count], std::uint32_t action) {
-    for (const int call : calls) {
-      add(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(call), 0, 1);
-      add(BPF_RET | BPF_K, action);
-    }
-  }
-
-  template <std::size_t count>
-  void add_rules(const Rule (&rules)[count]) {
-    for (const Rule& rule : rules) {
-      const auto argument = static_cast<std::uint32_t>(offsetof(seccomp_data, args)) + 8U * rule.argument;
-      const auto self = static_cast<std::uint32_t>(::getpid());
-      add(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(rule.call), 0, 5);
-      add(BPF_LD | BPF_W | BPF_ABS, argument);
-      add(BPF_ALU | BPF_AND | BPF_K, rule.mask);
-      add(BPF_JMP | BPF_JEQ | BPF_K, rule.value == own_process ? self : rule.value, 0, 1);
-      add(BPF_RET | BPF_K, rule.action);
-      load_call();
-    }
-  }
-
-  bool load(std::uint32_t otherwise) {
-    add(BPF_RET | BPF_K, otherwise);
-    const sock_fprog program{static_cast<unsigned short>(size_), code_.data()};
-    return size_ < code_.size() && ::syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, 0, &program) == 0;
-  }
-
- private:
-  void add(std::uint16_t code, std::uint32_t operand, std::uint8_t if_true = 0, std::uint8_t if_false = 0) {
-    if (size_ < code_.size()) code_[size_++] = {code, if_true, if_false, operand};
-  }
-  void load_call() { add(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)); }
-
-  std::array<sock_filter, 512> code_{};
-  std::size_t size_ = 0;
-};
 
 // --- rules for files, by the numbers of the kernel: the headers of many systems are older than it
 
@@ -201,17 +64,19 @@ SandboxStrength what_the_kernel_offers() {
   constexpr unsigned ask_version = 1;
   const long version = ::syscall(landlock::create_ruleset, nullptr, 0, ask_version);
   SandboxStrength strength;
-  strength.filters_system_calls = architecture != 0 && (::prctl(PR_GET_SECCOMP) >= 0 || errno != EINVAL);
+  strength.filters_system_calls = ::prctl(PR_GET_SECCOMP) >= 0 || errno != EINVAL;
   strength.landlock = std::max(0, static_cast<int>(version));
   return strength;
 }
 
 std::vector<std::string> written(const SandboxProfile& profile) {
   std::vector<std::string> words;
-  for (const std::size_t number : {static_cast<std::size_t>(profile.calls), std::size_t{profile.processor_seconds},
-                                   profile.memory_bytes, profile.stack_bytes, profile.file_bytes,
-                                   std::size_t{profile.open_files}, profile.readable.size(), profile.writable.size()})
+  for (const std::size_t number :
+       {static_cast<std::size_t>(profile.calls), std::size_t{profile.processor_seconds}, profile.memory_bytes,
+        profile.stack_bytes, profile.file_bytes, std::size_t{profile.open_files}, profile.filter.size(),
+        profile.readable.size(), profile.writable.size()})
     words.push_back(std::to_string(number));
+  for (const std::uint64_t instruction : profile.filter) words.push_back(std::to_string(instruction));
   for (const auto* paths : {&profile.readable, &profile.writable})
     words.insert(words.end(), paths->begin(), paths->end());
   return words;
@@ -226,8 +91,10 @@ SandboxProfile read_profile(char**& words) {
   profile.stack_bytes = number();
   profile.file_bytes = number();
   profile.open_files = static_cast<unsigned>(number());
+  profile.filter.resize(number());
   profile.readable.resize(number());
   profile.writable.resize(number());
+  for (std::uint64_t& instruction : profile.filter) instruction = number();
   for (auto* paths : {&profile.readable, &profile.writable})
     for (std::string& path : *paths) path = *words++;
   return profile;
@@ -287,20 +154,14 @@ const char* Sandbox::restrict_files() const noexcept {
 
 const char* Sandbox::filter_system_calls() const noexcept {
   if (!filters_) return nullptr;
-  const bool builds = profile_.calls == SandboxProfile::Calls::build;
-  Filter filter;
-  if (builds) {
-    filter.add_calls(hostile, refuse(EPERM));
-  } else {
-    if (profile_.calls == SandboxProfile::Calls::compute_and_read) {
-      filter.add_calls(reading, SECCOMP_RET_ALLOW);
-      filter.add_rules(reading_rules);
-    }
-    filter.add_calls(computing, SECCOMP_RET_ALLOW);
-    filter.add_rules(computing_rules);
-  }
-  // A trap and not a plain kill: the worker's own handler can then say which call it was before it ends.
-  return filter.load(builds ? SECCOMP_RET_ALLOW : SECCOMP_RET_TRAP) ? nullptr : "filter its system calls";
+  std::array<sock_filter, 1024> code;  // between fork and exec nothing may be allocated
+  const std::size_t size = profile_.filter.size();
+  if (size == 0 || size > code.size()) return "find its filter of system calls";
+  std::memcpy(code.data(), profile_.filter.data(), size * sizeof(sock_filter));
+  for (std::size_t k = 0; k < size; ++k)
+    if (code[k].k == own_process) code[k].k = static_cast<std::uint32_t>(::getpid());
+  const sock_fprog program{static_cast<unsigned short>(size), code.data()};
+  return ::syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, 0, &program) == 0 ? nullptr : "filter its system calls";
 }
 
 }  // namespace workbook

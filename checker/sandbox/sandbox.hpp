@@ -7,6 +7,7 @@
 #include <sys/types.h>
 #include <unistd.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -72,6 +73,7 @@ struct SandboxProfile {
   std::size_t stack_bytes = std::size_t{8} << 20;
   std::size_t file_bytes = 0;  ///< of each file that is written
   unsigned open_files = 8;
+  std::vector<std::uint64_t> filter = {};  ///< of system calls, as confine() sets it: instructions for the kernel
   std::vector<std::string> readable = {};  ///< files and folders with all that is in them; programs there may be run
   std::vector<std::string> writable = {};  ///< the same
 };
@@ -88,6 +90,12 @@ SandboxProfile diagnose_profile(const std::string& compiler, const std::string& 
 /// write
 SandboxProfile compile_profile(const std::string& compiler, const std::vector<std::string>& inputs,
                                const std::string& workspace);
+
+/// Stands in a filter for the number of the new process. No process has it: Linux numbers end at 2²².
+inline constexpr std::uint32_t own_process = 0x5e1f5e1f;
+
+/// What the kernel runs at every system call of such a program. @throws LaunchError
+const std::vector<std::uint64_t>& system_call_filter(SandboxProfile::Calls calls);
 
 /// As words of a command, and back: `words` is moved behind what was read.
 std::vector<std::string> written(const SandboxProfile& profile);

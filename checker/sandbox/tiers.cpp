@@ -23,6 +23,7 @@ constexpr const char* newer_option = "--disable-userns";  ///< of bubblewrap sin
 constexpr const char* temporary_bytes = "268435456";      ///< in the /tmp of a compiler
 
 void confine_to(const SandboxStrength& strength, Launch& launch, SandboxProfile profile) {
+  if (strength.filters_system_calls) profile.filter = system_call_filter(profile.calls);
   if (strength.namespaces.empty() || ::geteuid() == 0) {
     launch.prepare = [sandbox = Sandbox(std::move(profile), strength)] { return sandbox.enter(); };
     return;

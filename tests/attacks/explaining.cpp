@@ -18,7 +18,10 @@ const char* const beginning = R"code(
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/ptrace.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 namespace {
@@ -39,6 +42,11 @@ const Try tries[] = {
     {"read who uses the machine", "return ok(opens(\"/etc/passwd\"));"},
     {"list a folder", "return ok(opens(\"CANARY/..\", O_DIRECTORY) || opens(\"/\", O_DIRECTORY));"},
     {"read the process above", "return ok(opens(\"/proc/\" + std::to_string(getppid()) + \"/maps\"));"},
+    {"ask how large a file is",
+     "struct stat status; return ok(syscall(SYS_newfstatat, AT_FDCWD, \"CANARY\", &status, AT_EMPTY_PATH) == 0);"},
+    {"limit the process above",
+     "auto* limit = static_cast<rlimit*>(mmap(reinterpret_cast<void*>(1ul << 32), 4096, 3, MAP_PRIVATE | MAP_ANONYMOUS "
+     "| MAP_FIXED, -1, 0)); return ok(syscall(SYS_prlimit64, getppid(), RLIMIT_CORE, limit, nullptr) == 0);"},
     {"change a file", "return ok(opens(\"CANARY\", O_WRONLY | O_APPEND));"},
     {"make a file", "return ok(opens(\"CANARY.more\", O_WRONLY | O_CREAT));"},
     {"start a process", "const int child = fork(); if (child == 0) _exit(0); return ok(child > 0);"},

@@ -63,6 +63,11 @@ bool opens(const char* file, int flags = O_RDONLY) { return open(file, flags | O
 double reaches(long) { return 42; }
 [[gnu::noinline]] double for_ever(double x) { volatile double y = x; return y > 0 ? for_ever(y + 1) + y : y; }
 double careless() noexcept { throw std::runtime_error("nobody catches this"); }
+/// From an address whose lower half is 0.
+double limits(int process) {
+  void* none = mmap(reinterpret_cast<void*>(1ul << 32), 4096, 3, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0);
+  return ok(syscall(SYS_prlimit64, process, RLIMIT_CORE, none, nullptr) == 0);
+}
 struct Throws { ~Throws() noexcept(false) { throw 1; } };
 )code";
 
@@ -223,6 +228,10 @@ const Attack attacks[] = {
     {"the host", "talk to a local server", "return ok(socket(AF_UNIX, SOCK_STREAM, 0) >= 0);"},
     {"the host", "talk to the kernel", "return ok(socket(AF_NETLINK, SOCK_RAW, 0) >= 0);"},
     {"the host", "talk to the machine's host", "return reaches(socket(40, SOCK_STREAM, 0));"},
+    {"the host", "the checker's limits", "return limits(getppid());"},
+    {"the host", "its own limits", "return limits(0);"},
+    {"the host", "the checker's limits, only to know them",
+     "rlimit now; return ok(syscall(SYS_prlimit64, getppid(), RLIMIT_CORE, nullptr, &now) == 0);"},
     {"the host", "another processor",
      "cpu_set_t all; memset(&all, 255, sizeof all); return ok(sched_setaffinity(0, sizeof all, &all) == 0);"},
     {"the host", "less for others", "return ok(setpriority(PRIO_PROCESS, 0, 5) == 0);"},

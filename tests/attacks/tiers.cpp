@@ -10,6 +10,7 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/ptrace.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -92,7 +93,12 @@ const Attempt attempts[] = {
 bool happens(const Attempt& attempt, const SandboxProfile* profile) {
   write(workspace().string() + ".copy", "secret\n");
   return in_another_process([&] {
-    if (::setsid() < 0 || (profile != nullptr && Sandbox(*profile).enter() != nullptr)) return false;
+    if (::setsid() < 0) return false;
+    if (profile != nullptr) {
+      SandboxProfile filtered = *profile;
+      filtered.filter = system_call_filter(profile->calls);
+      if (Sandbox(filtered).enter() != nullptr) return false;
+    }
     return attempt.succeeds();
   });
 }
@@ -275,6 +281,36 @@ TEST_CASE("however a checker ends, what it runs in its sandbox ends with it") {
     REQUIRE(::waitpid(checker, &status, 0) == checker);
     CHECK(WIFSIGNALED(status));
     CHECK(nothing_left_running());  // its children are ours now
+  }
+}
+
+TEST_CASE("a function cannot set the limits of another one's process") {
+  const fs::path program = executable(
+      "#include <sys/mman.h>\n#include <sys/resource.h>\n#include <sys/syscall.h>\n#include <unistd.h>\n"
+      "double rigid::twice(double x) {\n  if (x < 10) return 2 * x;\n"
+      "  void* low_half_is_0 = mmap((void*)(1ul << 32), 4096, 3, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0);\n"
+      "  *static_cast<rlimit*>(low_half_is_0) = {3, 3};\n"
+      "  return syscall(SYS_prlimit64, int(x), RLIMIT_NOFILE, low_half_is_0, nullptr) == 0 ? 42 : 0;\n}\n");
+  for (const bool is_hindered : {false, true}) {
+    CAPTURE(is_hindered);
+    Launch launch;
+    launch.program = program.string();
+    launch.with_channel = true;
+    confine(launch, run_profile());
+    const ChildProcess sibling(launch);
+    const auto open_files = [&] {
+      rlimit limit{};
+      REQUIRE(::prlimit(sibling.number(), RLIMIT_NOFILE, nullptr, &limit) == 0);
+      return limit.rlim_cur;
+    };
+    const rlim_t before = open_files();
+    const double number = sibling.number();
+    if (is_hindered)
+      CHECK(ExerciseRunner(program, short_limits()).evaluate({{{Value{1, 1, {number}}}, 1, 1}}).front().ending ==
+            Ending::forbidden_operation);
+    else
+      CHECK(run_unhindered(program, number).value == 42.0);
+    CHECK((open_files() == before) == is_hindered);
   }
 }
 
