@@ -60,6 +60,7 @@ class NewProcess {
   const char* directory;  ///< or nullptr
   pid_t checker;
   int input, output, channel, report;
+  int program;  ///< or -1
 
   [[noreturn]] void become_program() noexcept {
     for (int signal = 1; signal < NSIG; ++signal) ::signal(signal, SIG_DFL);
@@ -67,7 +68,6 @@ class NewProcess {
     const char* failed = place_descriptors();
     if (!failed) failed = tie_to_checker();
     if (!failed && directory && ::chdir(directory) != 0) failed = "enter its directory";
-    if (!failed && launch.with_channel && !open_program()) failed = "start the program";
     if (!failed && launch.prepare) failed = launch.prepare();
     if (!failed) {
       if (launch.with_channel && launch.namespaces.empty())
@@ -85,15 +85,18 @@ class NewProcess {
  private:
   const char* place_descriptors() noexcept {
     // First all out of the way of the places that they shall take.
-    for (int* descriptor : {&input, &output, &channel, &report}) {
+    const bool has_program = program >= 0;
+    for (int* descriptor : {&input, &output, &channel, &report, &program}) {
+      if (*descriptor < 0) continue;
       *descriptor = ::fcntl(*descriptor, F_DUPFD_CLOEXEC, first_free_descriptor);
       if (*descriptor < 0) return "move its descriptors";
     }
     if (::dup2(input, STDIN_FILENO) < 0 || ::dup2(output, STDOUT_FILENO) < 0 || ::dup2(output, STDERR_FILENO) < 0 ||
-        ::dup2(channel, channel_descriptor) < 0 || ::dup3(report, report_descriptor, closed_by_exec()) < 0)
+        ::dup2(channel, channel_descriptor) < 0 || ::dup3(report, report_descriptor, closed_by_exec()) < 0 ||
+        (has_program && ::dup3(program, program_descriptor, closed_by_exec()) < 0))
       return "place its descriptors";
     report = report_descriptor;
-    ::closefrom(program_descriptor);
+    ::closefrom(has_program ? first_free_descriptor : program_descriptor);
     return nullptr;
   }
 
@@ -113,12 +116,6 @@ class NewProcess {
 
   /// By the program itself: what makes namespaces for it hands these descriptors on.
   int closed_by_exec() const noexcept { return launch.namespaces.empty() ? O_CLOEXEC : 0; }
-
-  bool open_program() const noexcept {
-    const int program = ::open(launch.program.c_str(), O_PATH | closed_by_exec());
-    return program == program_descriptor ||
-           (program >= 0 && ::dup3(program, program_descriptor, closed_by_exec()) == program_descriptor);
-  }
 };
 
 constexpr rlim_t most_memory = rlim_t{4} << 30;  // a check needs some 100 MB; a scanner that runs wild stops here
@@ -177,6 +174,9 @@ ChildProcess::ChildProcess(const Launch& launch) : in_namespaces_(!launch.namesp
   const Ends input;  // closed at once: there is nothing to read
   Ends output, report(true);
   Ends channel(launch.with_channel);
+  const bool is_open = launch.opened && *launch.opened;
+  const std::shared_ptr<const Descriptor> program = is_open ? launch.opened : Program(launch.program).opened;
+  if (launch.with_channel && !*program) throw LaunchError("start the program", errno);
   std::vector<std::string> command = launch.namespaces;
   command.push_back(launch.program);
   command.insert(command.end(), launch.arguments.begin(), launch.arguments.end());
@@ -195,7 +195,8 @@ ChildProcess::ChildProcess(const Launch& launch) : in_namespaces_(!launch.namesp
                    input.first.number(),
                    output.second.number(),
                    channel.first.number(),
-                   report.second.number()};
+                   report.second.number(),
+                   launch.with_channel ? program->number() : -1};
   process_ = program_ = ::fork();
   if (process_ < 0) throw LaunchError("start a process", errno);
   if (process_ == 0) child.become_program();

@@ -54,6 +54,7 @@ struct Launch {
   /// A socket pair to talk over. The program is then started by its descriptor and not by its path, so that a filter of
   /// system calls can let through exactly this one start.
   bool with_channel = false;
+  std::shared_ptr<const Descriptor> opened;  ///< with a channel: the program, where it is open already
   /// Runs in the new process just before the program, and may only make system calls: between fork and exec nothing
   /// else is safe. Returns nullptr, or the step that failed (a literal), with the reason in errno.
   std::function<const char*()> prepare;

@@ -2,6 +2,8 @@
 
 #include "checker/base/text.hpp"
 
+#include <fcntl.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -83,6 +85,9 @@ std::string shown_path(const fs::path& file) {
   const fs::path nearer = fs::proximate(file, problem);
   return printable((problem ? file : nearer).string());
 }
+
+Program::Program(fs::path path)
+    : file(std::move(path)), opened(std::make_shared<Descriptor>(::open(file.c_str(), O_PATH | O_CLOEXEC))) {}
 
 std::string program_on_path(const std::string& name) {
   std::istringstream folders(environment("PATH"));

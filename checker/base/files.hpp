@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -60,6 +61,16 @@ class Descriptor {
 
  private:
   int number_ = -1;
+};
+
+/// A program that stays open: it can be started when its file is gone.
+struct Program {
+  std::filesystem::path file;
+  std::shared_ptr<const Descriptor> opened;  ///< where it could be opened
+
+  Program(std::filesystem::path path);  // NOLINT(google-explicit-constructor): its path stands for it
+  Program(std::filesystem::path path, std::shared_ptr<const Descriptor> descriptor)
+      : file(std::move(path)), opened(std::move(descriptor)) {}
 };
 
 }  // namespace workbook

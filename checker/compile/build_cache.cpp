@@ -39,9 +39,10 @@ BuildCache::BuildCache(fs::path directory, std::size_t most_entries)
 
 std::optional<Compilation> BuildCache::find(const std::string& key) const {
   const fs::path entry = directory_ / fingerprint(key);
+  const Program program(entry / executable_name);  // before it is looked at: it may be dropped meanwhile
   const std::optional<std::string> seal = read_file(entry / seal_name);
   const std::optional<std::string> executable = read_file(entry / executable_name);
-  if (!seal || !executable) return std::nullopt;
+  if (!seal || !executable || !*program.opened) return std::nullopt;
   const std::string expected = sealed(key, *executable);
   if (!seal->starts_with(expected)) return std::nullopt;
   std::error_code ignored;
@@ -49,7 +50,8 @@ std::optional<Compilation> BuildCache::find(const std::string& key) const {
   // One line with the functions that were linked, then the compiler's output.
   const std::size_t end_of_line = std::min(seal->find('\n', expected.size()), seal->size());
   std::istringstream names(seal->substr(expected.size(), end_of_line - expected.size()));
-  return Compilation{.executable = entry / executable_name,
+  return Compilation{.executable = program.file,
+                     .opened = program.opened,
                      .compiler_output = seal->substr(std::min(end_of_line + 1, seal->size())),
                      .linked = {std::istream_iterator<std::string>(names), {}}};
 }
@@ -58,6 +60,7 @@ Compilation BuildCache::keep(Compilation built, const std::string& key) const {
   const fs::path executable = *built.executable;
   const std::optional<std::string> bytes = read_file(executable);
   if (!bytes) cannot_write(executable, "the executable is gone");
+  built.opened = Program(executable).opened;
   const fs::path prepared = executable.parent_path() / "entry";
   const std::string problem =
       write_file(prepared / seal_name,

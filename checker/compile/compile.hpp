@@ -26,7 +26,8 @@ struct CompileTask {
 };
 
 struct Compilation {
-  std::optional<std::filesystem::path> executable = {};
+  std::optional<std::filesystem::path> executable = {};  ///< in the cache, which may drop it
+  std::shared_ptr<const Descriptor> opened = {};         ///< which it may not
   bool from_cache = false;
   double seconds = 0.0;
   std::string compiler_output = {};      ///< the warnings, for source_findings()
@@ -37,6 +38,9 @@ struct Compilation {
   std::string message = {};            ///< one sentence
   std::string details = {};            ///< the errors as the compiler printed them
   std::vector<Finding> findings = {};  ///< the first error, with its line
+
+  /// @pre there is an executable
+  Program program() const { return {*executable, opened}; }
 };
 
 /// Compiles the file alone and links it with the worker of its exercise, and with the functions of its library that it

@@ -30,7 +30,7 @@ Clock::time_point after(std::chrono::duration<double> time) {
 }
 
 /// All variants that compile, in one executable; those that do not are erased.
-std::filesystem::path compile_variants(const DiagnosticTask& task, std::vector<Variant>& variants,
+Program compile_variants(const DiagnosticTask& task, std::vector<Variant>& variants,
                                        const Toolchain& toolchain, const std::filesystem::path& cache,
                                        const TrialLimits& trial) {
   const Clock::time_point deadline = after(trial.compiling);
@@ -43,7 +43,7 @@ std::filesystem::path compile_variants(const DiagnosticTask& task, std::vector<V
     const Compilation compilation =
         compile({.submission = all, .exercise = task.reference.name, .signature = task.reference.signature}, toolchain,
                 cache, limits);
-    if (compilation.executable) return *compilation.executable;
+    if (compilation.executable) return compilation.program();
     const std::set<int> objected = uncompilable(unit, compilation.details);
     if (objected.empty()) break;
     std::vector<Variant> rest;

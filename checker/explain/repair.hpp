@@ -48,7 +48,7 @@ class VariantRunner {
   Reply call(std::size_t variant, std::size_t case_index);
 
   const DiagnosticTask& task_;
-  const std::filesystem::path program_;
+  const Program program_;
   const TrialLimits limits_;
   std::vector<std::size_t> order_;
   const Clock::time_point deadline_;

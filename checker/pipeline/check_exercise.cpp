@@ -237,7 +237,7 @@ Judged judge_file(CheckContext& context, const CheckTask& task) {
   judged.compilation = compile(judged.compile_task(), context.toolchain(), context.course().compiled());
   if (judged.compilation.executable) {
     checked.executable = *judged.compilation.executable;
-    judged.runner.emplace(checked.executable);
+    judged.runner.emplace(judged.compilation.program());
     checked.observation = judged.runner->observe(checked.reference->cases, plan_repeats(*checked.reference));
     checked.observation.compile_seconds = judged.compilation.seconds;
   } else {

@@ -58,9 +58,10 @@ protocol::ReplyHeader header_in(const std::vector<char>& bytes) {
   return header;
 }
 
-Launch launch(const std::filesystem::path& program, const SandboxProfile& profile) {
+Launch launch(const Program& program, const SandboxProfile& profile) {
   Launch launch;
-  launch.program = program.string();
+  launch.program = program.file.string();
+  launch.opened = program.opened;
   launch.with_channel = true;
   confine(launch, profile);
   return launch;
@@ -73,7 +74,7 @@ SandboxProfile within(SandboxProfile profile, const Budget& budget) {
 
 }  // namespace
 
-Worker::Worker(const std::filesystem::path& program, SandboxProfile profile, Budget& budget)
+Worker::Worker(const Program& program, SandboxProfile profile, Budget& budget)
     : budget_(budget), profile_(within(std::move(profile), budget)), process_(launch(program, profile_)) {}
 
 Reply Worker::call(const PlannedCall& call, std::int32_t mode) {
@@ -280,7 +281,7 @@ namespace {
 /// A sequence of calls in as few processes as possible: one, and a new one after each that failed.
 class Session {
  public:
-  Session(const std::filesystem::path& executable, const RunLimits& limits)
+  Session(const Program& executable, const RunLimits& limits)
       : executable_(executable),
         profile_(limits.sandbox),
         budget_{Clock::now() + std::chrono::duration_cast<Clock::duration>(limits.time), limits.processor_time.count(),
@@ -316,7 +317,7 @@ class Session {
     if (reply.ending == Ending::time_limit || reply.ending == Ending::output_limit) used_up_ = true;
   }
 
-  const std::filesystem::path& executable_;
+  const Program& executable_;
   const SandboxProfile& profile_;
   Budget budget_;
   std::optional<Worker> worker_;

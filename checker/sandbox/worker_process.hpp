@@ -29,7 +29,7 @@ struct PlannedCall {
 class Worker {
  public:
   /// @throws LaunchError
-  Worker(const std::filesystem::path& program, SandboxProfile profile, Budget& budget);
+  Worker(const Program& program, SandboxProfile profile, Budget& budget);
   ~Worker() { end_process(); }
 
   /// Calls the student's function once and waits for what becomes of it. @param mode  bits of protocol::Mode
@@ -80,7 +80,7 @@ struct RunLimits {
 class ExerciseRunner {
  public:
   /// @param executable  what compile() made
-  explicit ExerciseRunner(std::filesystem::path executable, RunLimits limits = {})
+  explicit ExerciseRunner(Program executable, RunLimits limits = {})
       : executable_(std::move(executable)), limits_(std::move(limits)) {}
 
   /// One reply per case; then the cases with the given indices once more, in a fresh process.
@@ -91,7 +91,7 @@ class ExerciseRunner {
   std::vector<Reply> evaluate(const std::vector<PlannedCall>& calls);
 
  private:
-  std::filesystem::path executable_;
+  Program executable_;
   RunLimits limits_;
 };
 

@@ -18,7 +18,7 @@ std::size_t entries(const fs::path& directory) {
   return static_cast<std::size_t>(std::distance(fs::directory_iterator(directory), fs::directory_iterator()));
 }
 
-bool answers(const fs::path& executable) {
+bool answers(const Program& executable) {
   const Observation observation = ExerciseRunner(executable, short_limits()).observe({twice_case(21)}, {});
   return observation.replies.at(0).value == Value{1, 1, {42.0}};
 }
@@ -132,6 +132,16 @@ TEST_CASE("the cache drops what was not used for longest") {
   REQUIRE(cache.find("key c").has_value());
   CHECK(cache.find("key c")->compiler_output == "warnings of c");
   CHECK(entries(cache.directory()) == 2);
+}
+
+TEST_CASE("an executable that is used runs on where the cache has dropped it") {
+  const Course course{fresh_directory("in_use")};
+  const Compilation made = course.check(), found = course.check();
+  REQUIRE((made.executable && found.from_cache));
+  fs::remove_all(course.cache);
+  CHECK(answers(made.program()));
+  CHECK(answers(found.program()));
+  CHECK_FALSE(fs::exists(*made.executable));
 }
 
 TEST_CASE("what a killed checker left in the cache is cleared away after an hour") {
