@@ -97,8 +97,13 @@ struct Symbol {
 /// From the source to an executable; throws a Compilation that says why there is none.
 class CompilationInProgress {
  public:
-  CompilationInProgress(const CompileTask& task, const Toolchain& toolchain, const Compiler& compiler)
-      : task_(task), toolchain_(toolchain), compiler_(compiler), source_(task.submission.text) {}
+  CompilationInProgress(const CompileTask& task, const Toolchain& toolchain, const CompileLimits& limits,
+                        const fs::path& workspace)
+      : task_(task),
+        toolchain_(toolchain),
+        limits_(limits),
+        compiler_(toolchain, limits, workspace),
+        source_(task.submission.text) {}
 
   Compilation run() {
     const std::string warnings = compile_file(task_.submission, "unit");
@@ -146,16 +151,30 @@ class CompilationInProgress {
 
   [[noreturn]] void refuse_uncompiled(const FinishedProgram& compiled, const Submission& file,
                                       const std::string& unit) const {
-    refuse_if_limit_reached(compiled);
-    if (unit != "unit") refuse(fmt::format("Your file calls {}, and {} does not compile.", unit, file.shown_name));
-    if (const std::string denied = denied_file(compiled.output); !denied.empty()) refuse_foreign_file(denied);
     const CompilerOutput said = compiler_.read(compiled.output, file.shown_name);
     std::optional<Finding> error = first_error(said.diagnostics, source_, task_.signature);
-    if (!said.foreign_file.empty() && (!error || error->line == 0)) refuse_foreign_file(said.foreign_file);
-    if (!error || error->line == 0)
-      refuse("Your file does not compile.", said.shown, error ? std::vector{*error} : std::vector<Finding>());
-    refuse(fmt::format("Your file does not compile: the first error is in line {}.", error->line), said.shown,
-           {*error});
+    const bool has_place = error && error->line > 0;
+    refuse_if_limit_reached(compiled, has_place);
+    if (unit != "unit") refuse(fmt::format("Your file calls {}, and {} does not compile.", unit, file.shown_name));
+    if (const std::string denied = denied_file(compiled.output); !denied.empty()) refuse_foreign_file(denied);
+    if (has_place)
+      refuse(fmt::format("Your file does not compile: the first error is in line {}.", error->line), said.shown,
+             {*error});
+    if (!said.foreign_file.empty()) refuse_foreign_file(said.foreign_file);
+    refuse_if_tools_fail();
+    refuse("Your file does not compile.", said.shown, error ? std::vector{*error} : std::vector<Finding>());
+  }
+
+  /// Where nothing is said of the student's file: an empty one tells whether compiler, assembler and linker work.
+  void refuse_if_tools_fail() const {
+    const Compiler compiler(toolchain_, limits_, compiler_.workspace());  // with time of its own
+    compiler.write("int main() {}\n", {}, "empty.cpp");
+    std::vector<std::string> arguments = compiler.arguments({"empty.cpp", "-o", "empty", "-x", "none"});
+    arguments.insert(arguments.end(), toolchain_.link_flags.begin(), toolchain_.link_flags.end());
+    const FinishedProgram tried = compiler.run(arguments);
+    if (!tried.succeeded())
+      refuse("The compiler makes no program of an empty file either, so this is not your mistake: install it again.",
+             tried.output, {}, Refusal::checker_error);
   }
 
   [[noreturn]] void refuse(const std::string& message, const std::string& details = "",
@@ -222,6 +241,7 @@ class CompilationInProgress {
                     fmt::format("Your file uses `{}`, which it does not define, nor does an earlier exercise of yours; "
                                 "write what you need into this file.",
                                 first->base_name()));
+    refuse_if_tools_fail();
     refuse("Your file compiles, but cannot be linked into a program; see what the linker says.", output);
   }
 
@@ -261,19 +281,25 @@ class CompilationInProgress {
     return symbols;
   }
 
-  void refuse_if_limit_reached(const FinishedProgram& program) const {
+  /// @param has_reason  an error in the file: what looks like a limit in the messages is the file's own text
+  void refuse_if_limit_reached(const FinishedProgram& program, bool has_reason = false) const {
     const auto says = [&](std::initializer_list<const char*> phrases) {
       return std::ranges::any_of(phrases,
                                  [&](const char* one) { return program.output.find(one) != std::string::npos; });
     };
     // Tried, not read from the compiler's messages: those a student can write.
-    std::ofstream probe(compiler_.workspace() / "probe", std::ios::binary);
-    if (!(probe << std::string(std::size_t{4} << 20, ' ')).flush())
-      refuse("There is no room to compile your file (is the disk full?); this is not your mistake.", program.output, {},
-             Refusal::checker_error);
+    const std::string problem = write_file(compiler_.workspace() / "probe", std::string(std::size_t{4} << 20, ' '));
+    if (!problem.empty())
+      refuse(fmt::format("Nothing more can be written into {} ({}); this is not your mistake.",
+                         compiler_.workspace().string(), problem),
+             program.output, {}, Refusal::checker_error);
     if (program.out_of_time)
-      refuse("Your file takes too long to compile; look for a template or an #include that never ends.",
+      refuse(linked_.empty() ? "Your file takes too long to compile; look for a template or an #include that never ends."
+                             : fmt::format("Your file and your own functions that it calls ({}) take too long to "
+                                           "compile; look for a template or an #include that never ends.",
+                                           fmt::join(linked_, ", ")),
              program.output);
+    if (has_reason) return;
     if (says({"out of memory", "memory exhausted", "Killed signal terminated program", "Cannot allocate memory"}))
       refuse("Compiling your file takes too much memory; look for a template or an #include that never ends.",
              program.output);
@@ -283,7 +309,8 @@ class CompilationInProgress {
 
   const CompileTask& task_;
   const Toolchain& toolchain_;
-  const Compiler& compiler_;
+  const CompileLimits& limits_;
+  const Compiler compiler_;
   const SourceText source_;
   std::vector<std::string> linked_;
   bool uses_streams_ = false;
@@ -304,8 +331,7 @@ Compilation compile(const CompileTask& task, const Toolchain& toolchain, const f
       result.from_cache = true;
     } else {
       const Workspace workspace(cache.directory());
-      const Compiler compiler(toolchain, limits, workspace.directory());
-      result = cache.keep(CompilationInProgress(task, toolchain, compiler).run(), key);
+      result = cache.keep(CompilationInProgress(task, toolchain, limits, workspace.directory()).run(), key);
     }
   } catch (const Compilation& refused) {
     result = refused;

@@ -12,7 +12,7 @@ namespace workbook {
 
 /// What the compiler may use for one file.
 struct CompileLimits {
-  std::chrono::duration<double> time{60.0};
+  std::chrono::duration<double> time{60.0};  ///< for all that it runs, own functions and the linker included
   std::size_t memory_bytes = std::size_t{2} << 30;
   std::size_t output_bytes = std::size_t{256} << 10;
   std::size_t file_bytes = std::size_t{64} << 20;  ///< of each file that it writes
@@ -100,11 +100,15 @@ class Workspace {
   std::filesystem::path directory_;
 };
 
-/// Compilations in one directory, where the file is called unit.cpp, whatever its name is.
+/// Compilations in one directory, where the file is called unit.cpp, whatever its name is. All together end at the
+/// limit of time.
 class Compiler {
  public:
   Compiler(const Toolchain& toolchain, const CompileLimits& limits, std::filesystem::path workspace)
-      : toolchain_(toolchain), limits_(limits), workspace_(std::move(workspace)) {}
+      : toolchain_(toolchain),
+        limits_(limits),
+        workspace_(std::move(workspace)),
+        deadline_(Clock::now() + std::chrono::duration_cast<Clock::duration>(limits.time)) {}
 
   /// Writes unit.cpp, or a file of another name; `before` stands before its first line and is not counted.
   /// @throws std::runtime_error if it cannot be written
@@ -138,6 +142,7 @@ class Compiler {
   const Toolchain& toolchain_;
   const CompileLimits& limits_;
   const std::filesystem::path workspace_;
+  const Clock::time_point deadline_;
 };
 
 }  // namespace workbook

@@ -7,20 +7,19 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 
 namespace workbook {
 namespace fs = std::filesystem;
 
 void Compiler::write(std::string_view source, const std::string& before, const std::string& name) const {
   const fs::path file = workspace_ / name;
-  std::ofstream stream(file, std::ios::binary);
-  // Not without need: behind a #line GCC does not look at the indentation.
-  if (!before.empty()) stream << before << "#line 1 \"" << name << "\"\n";
   if (!before.empty() && source.starts_with(byte_order_mark)) source.remove_prefix(byte_order_mark.size());
-  if (!(stream << source).flush())
+  // Not without need: behind a #line GCC does not look at the indentation.
+  const std::string problem = write_file(
+      file, before.empty() ? std::string(source) : fmt::format("{}#line 1 \"{}\"\n{}", before, name, source));
+  if (!problem.empty())
     throw std::runtime_error(
-        fmt::format("The checker cannot write {} (is the disk full?); this is not your mistake.", file.string()));
+        fmt::format("The checker cannot write {} ({}); this is not your mistake.", file.string(), problem));
 }
 
 std::vector<std::string> Compiler::arguments(const std::vector<std::string>& more) const {
@@ -36,8 +35,10 @@ FinishedProgram Compiler::run(const fs::path& program, std::vector<std::string> 
   std::vector<std::string> inputs = {toolchain_.prelude.parent_path().string(), toolchain_.directory.string(),
                                      toolchain_.sources.string()};
   for (const fs::path& directory : toolchain_.include_directories) inputs.push_back(directory.string());
+  const auto time = std::min<std::chrono::duration<double>>(limits.time, deadline_ - Clock::now());
+  if (time.count() <= 0.0) return {.end = {}, .output = "", .out_of_time = true};
   SandboxProfile profile = compile_profile(toolchain_.compiler.string(), inputs, workspace_.string());
-  profile.processor_seconds = static_cast<unsigned>(std::ceil(limits.time.count()));
+  profile.processor_seconds = static_cast<unsigned>(std::ceil(time.count()));
   profile.memory_bytes = limits.memory_bytes;
   profile.file_bytes = limits.file_bytes;
   Launch launch;
@@ -48,7 +49,7 @@ FinishedProgram Compiler::run(const fs::path& program, std::vector<std::string> 
   launch.directory = workspace_;
   confine(launch, profile);
   try {
-    FinishedProgram finished = run_program(launch, limits.time, limits.output_bytes);
+    FinishedProgram finished = run_program(launch, time, limits.output_bytes);
     finished.output = printable(finished.output);
     for (const char* quote : {"‘", "’"}) boost::replace_all(finished.output, quote, "'");
     return finished;

@@ -31,6 +31,14 @@ Compilation refused_text(const std::string& text, Refusal refusal = Refusal::com
   return compilation;
 }
 
+/// The compiler behind a few lines of shell, in a folder where the sandbox lets it start.
+fs::path stand_in_compiler(const fs::path& directory, const std::string& beginning) {
+  const fs::path script = write(directory / "bin" / "compiler", "#!/usr/bin/sh\n" + beginning + "\nexec " +
+                                                                    toolchain().compiler.string() + " \"$@\"\n");
+  fs::permissions(script, fs::perms::owner_all | fs::perms::group_all | fs::perms::others_all);
+  return script;
+}
+
 bool says(const Compilation& compilation, const std::string& word) {
   return compilation.message.find(word) != std::string::npos;
 }
@@ -136,8 +144,27 @@ TEST_CASE("a program that would fill the disk is stopped") {
   CHECK(says(refused_text(std::string(right) + "asm(\".data; .fill 3000000000, 1, 7\");\n"), "too large"));
 }
 
+TEST_CASE("a file and the own functions that it calls are compiled within one limit of time") {
+  const fs::path directory = fresh_directory("slowly");
+  Toolchain slow = toolchain();
+  slow.compiler = stand_in_compiler(directory, "sleep 0.5");
+  Submission calls = submit("double rigid::twice(double x) { return signed_by(1, x) * scaled(Matrix3d::Zero(), x)(0); }\n", "twice");
+  calls.library = {submit("double rigid::signed_by(int n, double x) { return n * x + counted(n)(0); }\n", "signed_by"),
+                   submit("Matrix3d rigid::scaled(const Matrix3d& A, double x) { return A * x; }\n", "scaled"),
+                   submit("VectorXd rigid::counted(int n) { return VectorXd::Zero(n); }\n", "counted")};
+  CompileLimits limits;
+  limits.time = std::chrono::seconds(2);  // five times half a second is more
+  const Compilation compilation =
+      compile({calls, "twice", signature("twice")}, slow, directory / "cache", limits);
+  CHECK_FALSE(compilation.executable.has_value());
+  CHECK(compilation.refusal == Refusal::compile_error);
+  CHECK(says(compilation, "too long to compile"));
+}
+
 TEST_CASE("a full disk is not believed because the compiler's messages speak of it") {
   refused_text("#error No space left on device\n");
+  CHECK(says(refused_text("#error out of memory\n"), "line 1"));
+  CHECK(says(refused_text("#error File too large\n"), "line 1"));
 }
 
 TEST_CASE("the compiler's messages are cut where they become a flood") {
@@ -230,6 +257,25 @@ TEST_CASE("a toolchain that cannot be used is a checker error, never the student
   broken.prelude = "/nowhere/prelude.hpp";
   trouble(broken, "/nowhere/prelude.hpp");
   trouble(toolchain(), "thrice", "thrice");
+}
+
+TEST_CASE("a tool of the compiler that is missing is no mistake in the file, but one that a file makes fail is") {
+  CHECK(in_another_process([] {
+    ::setenv("PATH", "/nowhere", 1);  // where the compiler looks for its assembler
+    return compile_text(std::string(right) + "// without tools\n").refusal == Refusal::checker_error;
+  }));
+  const fs::path directory = fresh_directory("failing-tools");
+  const fs::path file = write(directory / "twice.cpp", right);
+  Toolchain tools = toolchain();
+  const auto refusal_with = [&](const char* beginning) {
+    tools.compiler = stand_in_compiler(directory, beginning);
+    return compile_file(file, {}, tools, directory / "cache").refusal;
+  };
+  CHECK(refusal_with("case \"$*\" in *empty.cpp*) ;; *) echo internal compiler error; exit 1;; esac") ==
+        Refusal::compile_error);
+  CHECK(refusal_with("echo internal compiler error; exit 1") == Refusal::checker_error);
+  const char* no_linker = "case \"$*\" in *' -c '*) ;; *) echo 'collect2: fatal error: cannot find ld'; exit 1;; esac";
+  CHECK(refusal_with(no_linker) == Refusal::checker_error);
 }
 
 TEST_CASE("where the checker may not write, it says so") {
