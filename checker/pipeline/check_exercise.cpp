@@ -251,19 +251,20 @@ Judged judge_file(CheckContext& context, const CheckTask& task) {
 /// for it.
 void wait_for_own_functions(CheckContext& context, const CheckTask& task, const std::vector<std::string>& linked,
                             Judgement& judgement) {
-  std::vector<std::string> reasons, commands;
+  std::vector<std::string> waited_for, reasons, commands;
   for (const std::string& name : linked) {
     const Exercise exercise = context.course().find_exercise(name);
     const CheckTask own = check_task(context.course(), exercise, task.seed, own_file(context.course(), task, exercise));
     const Judgement of_own = judge_file(context, own).checked.judgement;
-    if (of_own.passed()) continue;
-    judgement.waiting_for.push_back(name);
+    if (of_own.passed() || of_own.verdict == Verdict::checker_error) continue;  // our own failure says nothing of it
+    waited_for.push_back(name);
     reasons.push_back(fmt::format("{} ({})", name, in_words(to_string(of_own.verdict))));
     const std::string file = own.is_elsewhere ? " --file " + shell_quoted(own.file.string()) : "";
     commands.push_back(fmt::format("`{}`", command(fmt::format("check {}{}", name, file))));
   }
   if (reasons.empty()) return;
   judgement.verdict = Verdict::waiting;
+  judgement.waiting_for = waited_for;
   judgement.message = fmt::format("Your function calls your own {}; once {}, it can be judged.",
                                   fmt::join(reasons, " and "), reasons.size() == 1 ? "that passes" : "those pass");
   judgement.next_step = fmt::format("First {}.", fmt::join(commands, ", "));
@@ -342,27 +343,29 @@ CheckResult rejected_check(const CheckTask& task, const ExerciseReference& refer
 
 CheckResult check_exercise(CheckContext& context, const CheckTask& task,
                            const std::function<void(const CheckResult&)>& on_verdict) {
+  Judged judged;
   try {
     const ExerciseReference& reference = context.reference(task);
     if (!task.is_elsewhere && !fs::exists(task.file)) return missing_file(task, reference);
-    Judged judged = judge_file(context, task);
-    CheckResult& checked = judged.checked;
-    if (!checked.judgement.passed() && !judged.compilation.linked.empty()) {
-      wait_for_own_functions(context, task, judged.compilation.linked, checked.judgement);
-      if (checked.judgement.verdict == Verdict::waiting) {
-        checked.observation.replies.clear();  // values that say nothing of this file
-        checked.executable.clear();
-        return checked;
-      }
-    }
-    if (on_verdict && judged.runner && !checked.judgement.passed()) on_verdict(checked);
-    explain(judged, context);
-    return checked;
+    judged = judge_file(context, task);
   } catch (const RejectedFile& reason) {
     return rejected_check(task, context.reference(task), reason.what());
   } catch (const std::exception& problem) {
     return failed_check(task, problem.what());
   }
+  CheckResult& checked = judged.checked;
+  try {
+    if (on_verdict && judged.runner && !checked.judgement.passed()) on_verdict(checked);
+    if (!checked.judgement.passed()) wait_for_own_functions(context, task, judged.compilation.linked, checked.judgement);
+    if (checked.judgement.verdict == Verdict::waiting) {
+      checked.observation.replies.clear();  // values that say nothing of this file
+      checked.executable.clear();
+    } else {
+      explain(judged, context);
+    }
+  } catch (const std::exception&) {  // a reason less; what was judged stands
+  }
+  return checked;
 }
 
 std::string written_result(const CheckResult& checked) {

@@ -1,11 +1,16 @@
 // Every kind of answer gets its verdict, its reason with the place, and no point that it does not deserve.
+#include "checker/pipeline/check_exercise.hpp"
 #include "tests/program/program.hpp"
+#include "tests/support/system_calls.hpp"
 
 #include <doctest/doctest.h>
 
 #include <fmt/format.h>
 
 #include <sys/stat.h>
+#include <sys/wait.h>
+
+#include <cerrno>
 
 #include <filesystem>
 #include <vector>
@@ -85,6 +90,31 @@ TEST_CASE("every answer gets its verdict, its reason and its points") {
     sentences += fmt::format("  next: {}\n\n", result.at("next").get<std::string>());
   }
   check_golden("verdicts", sentences);
+}
+
+TEST_CASE("a machine that starts no more programs after the verdict changes no verdict") {
+  const CourseCopy course;
+  course.solve("spring_energy");
+  course.answer_energy("return k * x.squaredNorm();");
+  write(course.exercise("spring_force"),
+        "#include <rigid/springs.hpp>\nnamespace rigid {\nVector3d spring_force(double k, const Vector3d& x) {\n"
+        "  return spring_energy(k, x) * x;\n}\n}\n");
+  for (const char* exercise : {"spring_energy", "spring_force"}) {
+    CAPTURE(exercise);
+    const pid_t process = ::fork();
+    if (process == 0) {
+      const workbook::Course read(course.root() / "course.json");
+      workbook::CheckContext context(read);
+      const auto checked =
+          workbook::check_exercise(context, workbook::check_task(read, read.find_exercise(exercise)),
+                                   [](const auto&) { refuse_system_call(SYS_clone, EAGAIN); });
+      ::_exit(static_cast<int>(checked.judgement.verdict));
+    }
+    int status = 0;
+    REQUIRE(::waitpid(process, &status, 0) == process);
+    REQUIRE(WIFEXITED(status));
+    CHECK(WEXITSTATUS(status) == static_cast<int>(workbook::Verdict::wrong_value));
+  }
 }
 
 TEST_CASE("the first failing case comes with its numbers, and a diagnosis with the paragraph to read") {
