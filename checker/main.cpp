@@ -263,6 +263,8 @@ class CommandLine {
     option("--merge", "FOLDER", options_.merged, "take over what was judged in these folders, of parts for example");
     option("--copy", "FOLDER", options_.copy, "the copy that students have, if it was drawn with a seed of its own");
     option("--with-missing", "", options_.with_missing, "rows of all students in the tables, whatever was not read");
+    option("--explain-minutes", "NUMBER", options_.explain_minutes,
+           "of each student's submission, for the reasons of failures");
     option("--allow-reduced", "", options_.allow_reduced, "be content with the sandbox that `doctor` calls reduced");
     option("--seeds", "NUMBER", options_.seeds, "how many seeds to try, from 1 on");
     option("--mutants", "", options_.mutants, "try small bugs in the solutions instead: do the cases find all?");
@@ -393,7 +395,7 @@ class CommandLine {
          "grade submissions --out part1 --shard 1/2 --seed 740296",
          "grade submissions --out grades --merge part1 part2"},
         {"SUBMISSIONS", "--out class", "--roster", "--assignment", "--seed", "--copy", "--reference", "--only",
-         "--with-missing", "--shard", "--merge", "--allow-reduced"},
+         "--with-missing", "--shard", "--merge", "--explain-minutes", "--allow-reduced"},
         grade)
         .get_option("--reference")
         ->excludes("--seed");

@@ -41,6 +41,7 @@ struct Options {
   std::vector<fs::path> merged;                  ///< folders of such parts, to be joined
   std::optional<fs::path> copy;                  ///< that students have
   bool with_missing = false;                     ///< tables have rows also of students of whom something was not read
+  double explain_minutes = 10.0;                 ///< for the reasons of all failures of one student
   bool allow_reduced = false;                    ///< grade strangers' files in the reduced sandbox
   int seeds = 3;                                 ///< how many seeds the workbook itself is checked with, from 1 on
   bool prove = false;                            ///< compare the record of typical bugs with a new proof

@@ -183,6 +183,11 @@ void explain(Judged& judged, CheckContext& context) {
                               checked.task.exercise.entry->notes}};
     return;
   }
+  if (!checked.task.is_explained) {
+    judged.checked.judgement.next_step =
+        "Check the file yourself: the reasons of other failures in this submission took all the time for them.";
+    return;
+  }
   const fs::path cache = context.course().compiled();
   std::vector<Finding> in_code = source_findings(judged.compile_task(), judged.compilation, context.toolchain(), cache);
   const DiagnosticTask task{judged.submission, reference, checked.observation, checked.judgement};
@@ -404,7 +409,13 @@ CheckJob::CheckJob(CheckContext& context, CheckTask task) : task_(std::move(task
       [this, &context](const ForkedJob::Send& send) {
         return message_of(check_exercise(context, task_, [&](const CheckResult& judged) { send(message_of(judged)); }));
       },
-      longest_check);
+      longest_check());
+}
+
+bool CheckJob::collect() {
+  const bool is_over = job_->collect();
+  if (!judged_ && !job_->output().empty()) judged_ = Clock::now();
+  return is_over;
 }
 
 std::optional<CheckResult> CheckJob::last_message() const {

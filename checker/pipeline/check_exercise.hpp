@@ -29,6 +29,7 @@ struct CheckTask {
   bool is_other_seed = false;  ///< the cases are not those that count
   /// Of cases whose results students have: who fails is looked at for having learnt these.
   std::optional<std::uint64_t> known_seed = {};
+  bool is_explained = true;    ///< a failure gets its reasons
 
   /// Verdicts on a file elsewhere, or with another seed, are no progress.
   bool counts_as_progress() const { return !is_elsewhere && !is_other_seed; }
@@ -121,8 +122,10 @@ class CheckJob {
   /// Becomes readable when there is something to collect.
   int descriptor() const { return job_->descriptor(); }
   /// Takes what has come so far. True once the job is over, or its time: then result() does not wait.
-  bool collect() { return job_->collect(); }
+  bool collect();
   Clock::time_point begun() const { return job_->begun(); }
+  /// Time since the verdict, as far as it has been collected.
+  Clock::duration explaining() const { return judged_ ? Clock::now() - *judged_ : Clock::duration(0); }
 
   /// The last whole message that has been collected: the verdict alone, until the result is there, for its explanation
   /// may take a second longer.
@@ -135,6 +138,7 @@ class CheckJob {
   const CheckTask task_;
   const ExerciseReference* reference_ = nullptr;  ///< read before the job begins, for others need it too
   std::optional<ForkedJob> job_;
+  std::optional<Clock::time_point> judged_;
 };
 
 /// Checks all tasks, as many at a time as there are processors, and hands over each result in the order of the tasks.

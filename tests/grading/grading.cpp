@@ -180,6 +180,23 @@ TEST_CASE("a class gets the grades of the single checks, and hostile submissions
   CHECK(!has(again.out, "ada:"));
 }
 
+TEST_CASE("where a student's time for reasons is used up, verdicts are as ever") {
+  if (!is_open_to_all()) return;
+  const MadeUpClass of;
+  hand_in_few_files(of);
+  const auto results = [&](const std::string& options) {
+    fs::remove_all(of.root() / "out");
+    CHECK(of.grade("out", options).status == 0);
+    return of.student("ben").at("results");
+  };
+  const auto with = results(""), without = results("--explain-minutes 0");
+  for (std::size_t k = 0; k < with.size(); ++k)
+    for (const char* key : {"verdict", "score", "cases", "message"}) CHECK(with[k].at(key) == without[k].at(key));
+  CHECK(!with[0].at("diagnosis").empty());
+  CHECK(without[0].at("diagnosis").empty());
+  CHECK(has(without[0].at("next"), "took all the time"));
+}
+
 TEST_CASE("a run that is killed at any of fifty instants goes on where it was") {
   const MadeUpClass few;
   hand_in_few_files(few);

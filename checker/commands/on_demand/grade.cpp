@@ -94,12 +94,14 @@ struct Content {
 class Grader {
  public:
   /// @param known_seed  that of the cases whose results students have, if it is another one
+  /// @param explain_minutes  for the reasons of all failures of one student, so that nobody can keep the others waiting
   Grader(const Course& course, const Assignment& assignment, std::uint64_t seed,
-         std::optional<std::uint64_t> known_seed, fs::path out, Journal& journal)
+         std::optional<std::uint64_t> known_seed, double explain_minutes, fs::path out, Journal& journal)
       : context_(course),
         assignment_(assignment),
         seed_(seed),
         known_seed_(known_seed),
+        explain_minutes_(explain_minutes),
         out_(std::move(out)),
         journal_(journal),
         all_(course.exercises()) {}
@@ -146,11 +148,14 @@ class Grader {
     const Clock::time_point begun = Clock::now();
     std::size_t done = 0;
     bar.show(done, waiting_.size(), "");
+    std::map<const Student*, Clock::duration> explaining;
     const auto begin = [&](std::size_t k) {
       const auto& [student, exercise] = waiting_[k];
-      return begin_job(contents[k] = content_of(*student, exercise), exercise, k);
+      return begin_job(contents[k] = content_of(*student, exercise), exercise, k,
+                       explaining[student] < explain_minutes_);
     };
     run_jobs(waiting_.size(), begin, [&](std::size_t k, CheckJob& job) {
+      explaining[waiting_[k].first] += job.explaining();
       keep(contents.at(k), finish_job(job, k));
       contents.erase(k);
       ++done;
@@ -278,11 +283,13 @@ class Grader {
   }
 
   /// In a folder that says nothing of whose files these are, for others may have handed in the same.
-  std::unique_ptr<CheckJob> begin_job(const Content& content, const Exercise& exercise, std::size_t number) {
+  std::unique_ptr<CheckJob> begin_job(const Content& content, const Exercise& exercise, std::size_t number,
+                                      bool is_explained = true) {
     for (const auto& [name, text] : content.files) write_or_fail(folder(number) / (name + ".cpp"), text);
     fs::current_path(folder(number));  // messages name files as seen from there
     auto job = std::make_unique<CheckJob>(
-        context_, CheckTask{exercise, folder(number) / (exercise.name() + ".cpp"), seed_, true, false, known_seed_});
+        context_, CheckTask{exercise, folder(number) / (exercise.name() + ".cpp"), seed_, true, false, known_seed_,
+                            is_explained});
     leave_folder();
     return job;
   }
@@ -318,6 +325,7 @@ class Grader {
   const Assignment& assignment_;
   const std::uint64_t seed_;
   const std::optional<std::uint64_t> known_seed_;
+  const std::chrono::duration<double, std::ratio<60>> explain_minutes_;
   const fs::path out_;
   Journal& journal_;
   const fs::path origin_ = fs::current_path();
@@ -436,8 +444,8 @@ int grade(const Course& given, const Options& options) {
     if (is_known)
       fmt::print("Students may have the results of these cases (seed {}), so answers learnt by heart pass.\n", seed);
     Grader grader(course, assignment, seed,
-                  is_known || of_references || !course.has_solutions() ? std::nullopt : std::optional(handed_out), out,
-                  journal);
+                  is_known || of_references || !course.has_solutions() ? std::nullopt : std::optional(handed_out),
+                  options.explain_minutes, out, journal);
     ::umask(usual);  // the build is everybody's
     grader.build_all(sandbox.tier());
     ::umask(0077);
