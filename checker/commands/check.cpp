@@ -77,6 +77,13 @@ void warn(const Progress& progress) {
   if (!progress.warning().empty()) fmt::print(stderr, "{}\n", progress.warning());
 }
 
+std::string remember(Progress& progress, const CheckResult& checked) {
+  const Verdict verdict = checked.judgement.verdict;
+  const std::string values = verdict == Verdict::wrong_value ? checked.fingerprint_of_values() : "";
+  if (!progress.remember(checked.name(), to_string(verdict), checked.source, values)) return "";
+  return fmt::format("Your change has changed no value. `{}` shows the next hint.", command("hint " + checked.name()));
+}
+
 std::vector<CheckTask> tasks_of(const Course& course, const Options& options) {
   const std::vector<Exercise> exercises = course.choose(options.names);
   if ((options.file || options.case_name) && exercises.size() != 1)
@@ -142,20 +149,14 @@ int check(const Course& course, const Options& options) {
   show_progress();
   check_all(context, tasks, [&](CheckResult checked) {
     ++done;
-    bool is_repeated = false;
-    if (checked.task.counts_as_progress() && checked.is_judged())
-      is_repeated =
-          progress.remember(checked.name(), to_string(checked.judgement.verdict), checked.source,
-                            checked.judgement.verdict == Verdict::wrong_value ? checked.fingerprint_of_values() : "");
+    const bool counts = checked.task.counts_as_progress() && checked.is_judged();
+    const std::string remark = counts ? remember(progress, checked) : "";
     progress_bar.clear();
     if (options.started && !checked.is_started()) return;
     if (!options.json) {
       const Exercise& exercise = checked.task.exercise;
       fmt::print("{}", terminal_report(checked, course, console, detail));
-      if (is_repeated)
-        fmt::print("{}\n", console.wrapped(fmt::format("Your change has changed no value. `{}` shows the next hint.",
-                                                       command("hint " + checked.name())),
-                                           2));
+      if (!remark.empty()) fmt::print("{}\n", console.wrapped(remark, 2));
       if (tasks.size() == 1 && !checked.is_started())
         fmt::print("{}\n  {}\n", console.wrapped(exercise.entry->task, 2),
                    notes_place(course, exercise, exercise.entry->notes));

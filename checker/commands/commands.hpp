@@ -77,6 +77,9 @@ int stop(fmt::format_string<Parts...> text, Parts&&... parts) {
 /// Where the progress could not be read or saved, says so on standard error.
 void warn(const Progress& progress);
 
+/// Keeps a verdict. Returns what is to be said of it, or "".
+std::string remember(Progress& progress, const CheckResult& checked);
+
 /// What the command line asks to check. @throws UsageError
 std::vector<CheckTask> tasks_of(const Course& course, const Options& options);
 

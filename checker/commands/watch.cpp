@@ -91,7 +91,7 @@ class Watch {
     if (sources[1].revents != 0) handle_keys();
     if (sources[2].revents != 0) over_ = true;
     if (over_) return;
-    if (check_ && sources[4].revents != 0) collect_check();
+    if (check_) collect_check();  // which may also be over because its time is
     if (plot_ && plot_->collect()) finish_plot();
   }
 
@@ -191,12 +191,13 @@ class Watch {
     CheckResult checked = check_->result();
     check_.reset();
     if (checked.is_judged()) {
-      // Written meanwhile: that verdict is on a version that is gone.
-      if (read_file(checked.task.file, largest_source).value_or("") != checked.source)
+      // Written meanwhile: that verdict is on a version that is gone. Of a rejected file there is no text.
+      if (checked.judgement.verdict != Verdict::rejected_file &&
+          read_file(checked.task.file, largest_source).value_or("") != checked.source)
         return waiting_.push_front(checked_);
       passed_[checked_.index] = checked.judgement.passed();
       Progress progress(course_.progress_file());
-      progress.remember(checked.name(), to_string(checked.judgement.verdict), checked.source);
+      notice(console_.wrapped(remember(progress, checked)));
       notice(console_.wrapped(progress.warning()));
     }
     const bool passed = checked.judgement.passed();

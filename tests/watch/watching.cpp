@@ -376,6 +376,37 @@ TEST_CASE("a check that dies is no verdict, and the watch survives it") {
   CHECK(watch.judges(energy, "wrong_value"));
 }
 
+TEST_CASE("a check that hangs ends at its limit") {
+  TerminalOptions options;
+  options.environment = {"WORKBOOK_CHECK_SECONDS=3"};
+  IdleWatch watch(options);
+  watch.answer_energy(endless);
+  CHECK_MESSAGE(shows_seconds(watch), watch.screen());
+  watch.send_to_jobs(SIGSTOP);
+  CHECK_MESSAGE(watch.shows({"! spring_energy", "too long"}), watch.screen());
+}
+
+TEST_CASE("a file that is rejected is checked once, and the next save as ever") {
+  IdleWatch watch;
+  const fs::path file = watch.exercise(energy);
+  write(file, std::string("\xff\xfe/\0/\0", 6));
+  CHECK_MESSAGE(watch.shows({"is not a text file", "Waiting"}), watch.screen());
+  fs::remove(file);
+  fs::create_symlink(watch.solution(energy), file);
+  CHECK_MESSAGE(watch.shows({"is a symbolic link", "Waiting"}), watch.screen());
+  fs::remove(file);
+  watch.answer_energy(wrong);
+  CHECK(watch.judges(energy, "wrong_value"));
+}
+
+TEST_CASE("a change that changes no value is told here too") {
+  IdleWatch watch;
+  watch.answer_energy(wrong);
+  CHECK(watch.judges(energy, "wrong_value"));
+  watch.answer_energy("return x.squaredNorm() * k;");
+  CHECK_MESSAGE(watch.shows({"has changed no value"}), watch.screen());
+}
+
 TEST_CASE("an error of the checker is no verdict, and the watch survives it") {
   IdleWatch watch;
   const std::string sound = read(watch.reference());
