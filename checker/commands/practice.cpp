@@ -104,7 +104,7 @@ Due most_due(const std::vector<Exercise>& exercises, const Progress& progress, c
 int check_review(const Course& course, const Exercise& exercise, const fs::path& file, Progress& progress) {
   const Console console = Console::of_standard_output();
   CheckContext context(course);
-  const std::size_t number = progress.of(exercise.name()).reviews.size() + 1;
+  const std::size_t number = std::max<std::size_t>(progress.of(exercise.name()).reviews.size(), 1);
   const std::uint64_t seed = course.seed() + (course.has_solutions() ? number : 0);
   const CheckResult checked = check_exercise(context, check_task(course, exercise, seed, file));
   fmt::print("{}", terminal_report(checked, course, console, {}));
@@ -113,7 +113,7 @@ int check_review(const Course& course, const Exercise& exercise, const fs::path&
     fmt::print("  {}\n", shown_path(file));
     return something_failed;
   }
-  progress.remember_review(exercise.name(), {current_day(), to_string(checked.judgement.verdict)});
+  progress.remember_review(exercise.name(), to_string(checked.judgement.verdict));
   if (!checked.judgement.passed()) return stop("\nGo on in {}, then `{}`.", shown_path(file), command("review"));
   const Practice practice = progress.of(exercise.name());
   fmt::print("\nFirst passed on {}. Reviews so far:\n", practice.passed_on);
@@ -234,6 +234,7 @@ int review(const Course& course, const Options& /*options*/) {
   const Exercise& exercise = *due.exercise;
   const std::string stub = stub_text(exercise, declared_signature(course, exercise));
   write_or_throw(file_of(exercise), stub);
+  progress.begin_review(exercise.name());
   const Console console = Console::of_standard_output();
   fmt::print("{}\n{}\n", console.styled(exercise.name(), Style::strong), console.wrapped(exercise.entry->task, 2));
   say("\nYou wrote it on {}. Write it again without looking, in {}, then `{}`.", progress.of(exercise.name()).passed_on,

@@ -191,10 +191,10 @@ bool is_begun(const fs::path& file);
 /// Today's date, "2026-11-22"; WORKBOOK_TODAY sets another one.
 std::string current_day();
 
-/// The first verdict on an exercise that was written once more.
+/// An exercise that was written once more.
 struct Review {
-  std::string day;
-  std::string verdict;
+  std::string day;      ///< of the last verdict
+  std::string verdict;  ///< the first one; "" as long as there is none
 };
 
 /// What is known of an exercise.
@@ -236,8 +236,9 @@ class Progress {
   void remember_hints(const std::string& exercise, std::size_t count);
   /// Only the first answer counts.
   void remember_answer(const std::string& exercise, bool is_right);
-  /// Only the first verdict of a review counts: one on the same day is none.
-  void remember_review(const std::string& exercise, const Review& review);
+  void begin_review(const std::string& exercise);
+  /// Of the review that was begun last only the first verdict counts.
+  void remember_review(const std::string& exercise, const std::string& verdict);
 
   /// One sentence, or "" if all is well.
   const std::string& warning() const { return warning_; }

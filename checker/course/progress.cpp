@@ -95,10 +95,19 @@ bool Progress::remember(const std::string& exercise, const std::string& verdict,
   return is_repeated;
 }
 
-void Progress::remember_review(const std::string& exercise, const Review& review) {
+void Progress::begin_review(const std::string& exercise) {
   change([&] {
     std::vector<Review>& reviews = known_[exercise].reviews;
-    if (reviews.empty() || reviews.back().day != review.day) reviews.push_back(review);
+    if (reviews.empty() || !reviews.back().verdict.empty()) reviews.push_back({current_day(), ""});
+  });
+}
+
+void Progress::remember_review(const std::string& exercise, const std::string& verdict) {
+  change([&] {
+    std::vector<Review>& reviews = known_[exercise].reviews;
+    if (reviews.empty()) reviews.emplace_back();
+    reviews.back().day = current_day();
+    if (reviews.back().verdict.empty()) reviews.back().verdict = verdict;
   });
 }
 
