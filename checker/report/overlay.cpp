@@ -161,18 +161,16 @@ std::string drawn(const std::string& script, const std::string& terminal, const 
     throw std::runtime_error(fmt::format("Pictures cannot be written into {} ({}).", shown_path(directory), problem));
   Launch launch;
   launch.program = gnuplot;
-  launch.arguments = {script_file.string()};
-  for (char** variable = environ; *variable != nullptr; ++variable) launch.environment.emplace_back(*variable);
+  launch.arguments = {"--default-settings", script_file.string()};
+  launch.environment = {"PATH=" + environment("PATH"), "HOME=" + environment("HOME"), "LC_ALL=C.UTF-8"};
   // After an error gnuplot leaves half a picture; only its exit status tells.
-  const bool succeeded = run_program(launch, std::chrono::minutes(1), std::size_t{1} << 20).succeeded();
-  std::string picture = succeeded ? read_file(picture_file).value_or("") : "";
+  const FinishedProgram ran = run_program(launch, std::chrono::minutes(1), std::size_t{1} << 20);
+  std::string picture = ran.succeeded() ? read_file(picture_file).value_or("") : "";
   std::error_code ignored;
   fs::remove(script_file, ignored);
   fs::remove(picture_file, ignored);
   if (picture.empty())
-    throw std::runtime_error(
-        "gnuplot could not draw the plot; perhaps the values are too large for a picture, or the disk is "
-        "full.");
+    throw std::runtime_error("gnuplot could not draw the plot; perhaps the values are too large for a picture.");
   return picture;
 }
 

@@ -138,6 +138,16 @@ TEST_CASE("plots are written as SVG and PNG, with the misconception by name") {
     CHECK(has(course.run(command).out, "spring_energy.svg"));
 }
 
+TEST_CASE("gnuplot's settings of the user change no plot") {
+  const CourseCopy course;
+  course.solve("spring_energy");
+  write(course.root() / ".gnuplot", "set terminal dumb\nset format x 'mine'\n");
+  const std::string home = "HOME='" + course.root().string() + "'";
+  CHECK(course.run("plot spring_energy --out plain").status == 0);
+  CHECK(course.run("plot spring_energy --out own", home + " GNUTERM=dumb").status == 0);
+  CHECK(read(course.root() / "own/spring_energy.svg") == read(course.root() / "plain/spring_energy.svg"));
+}
+
 TEST_CASE("a curve breaks where there is no value") {
   const CourseCopy course;
   course.answer_energy("if (x[0] > 0.7 && x[0] < 1.3) throw 1; return 0.5 * k * x.squaredNorm();");
