@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 #include <initializer_list>
 
 namespace workbook {
@@ -246,9 +247,8 @@ class Slips {
     const bool is_whole = here().find_first_of(".e") == std::string_view::npos;
     for (const double factor : {2.0, 0.5, 4.0, 0.25, 3.0, 1.0 / 3, 1.5, -1.0}) {
       const double changed = value * factor;
-      if (is_whole && changed != static_cast<long>(changed)) continue;
-      add("number", "another number",
-          is_whole ? fmt::format("{}", static_cast<long>(changed)) : fmt::format("{}", changed));
+      if (is_whole && changed != std::trunc(changed)) continue;
+      add("number", "another number", is_whole ? fmt::format("{:.0f}", changed) : fmt::format("{}", changed));
     }
   }
 

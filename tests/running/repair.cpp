@@ -198,4 +198,10 @@ TEST_CASE("of the variants that are bugs, statements, comparisons and calls are 
   CHECK(!changed.contains(text));
 }
 
+TEST_CASE("a whole number that no type holds becomes no other one by accident") {
+  const std::string text = Judged::text_of("return n * x * 99999999999999999999;");
+  for (const Variant& variant : one_token_variants(SourceText(text), n_times_x()))
+    CHECK_MESSAGE(!has(edited(text, variant.edits), "9223372036854775808"), edited(text, variant.edits));
+}
+
 }  // namespace workbook::testing
