@@ -496,6 +496,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   occupy_standard_descriptors();
   std::signal(SIGPIPE, SIG_IGN);  // a worker that dies, or a reader like `head` that leaves, is no reason to die
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is one that cannot be written, which is told
   const int status = run(argc, argv);
   if (std::fflush(stdout) == 0 || errno == EPIPE) return status;
   fmt::print(stderr, "The output could not be written ({}).\n", std::generic_category().message(errno));

@@ -33,6 +33,8 @@ class Assignment {
   /// All exercises of the course with the points of their cards, nothing due; or what the file says.
   /// @throws GradingError
   Assignment(const Course& course, const std::optional<fs::path>& file);
+  Assignment(const Assignment&) = delete;  // exercises() points into it
+  Assignment& operator=(const Assignment&) = delete;
 
   const std::string& title() const { return title_; }
   /// In the order of the course, with the points of the assignment.
