@@ -84,29 +84,43 @@ install_packages() {  # $1: the table of packages; $2: the stamp that remembers 
   { mkdir -p "${stamp%/*}" && : >"$stamp"; } 2>/dev/null || true  # build says what is wrong with the folder
 }
 
-build() (  # $1: the folder, build/PRESET; then targets. Says nothing when there is nothing to do.
-  folder=$1 log=$1/build.log
-  shift
-  if ! mkdir -p "$folder" 2>/dev/null || ! { : >>"$log"; } 2>/dev/null; then
+build() {  # $1: the folder, build/PRESET; then targets. Says nothing when there is nothing to do.
+  local folder=$1 status
+  if ! mkdir -p "$folder" 2>/dev/null || ! : 2>/dev/null >>"$folder/build.log"; then
     say "$PWD cannot be written: copy the folder to a place of your own and start there."
     return 3
   fi
   trap 'say "Stopped. The next start goes on from here."; exit 130' INT
-  exec 9>"$folder/.lock"
-  if command -v flock >/dev/null && ! flock --nonblock 9; then
-    say "Waiting for another build in $folder ..."
-    flock 9
-  fi
-  # A folder that was copied or moved still names the old one here; everything in it was built for that.
+  build_alone "$@" 9>>"$folder/.lock"
+  status=$?
+  trap - INT
+  return $status
+}
+
+# As build. Nobody else builds in the folder while this process, or one that reads what ninja says, has descriptor 9.
+build_alone() {
+  local folder=$1 log=$1/build.log begun title announced= tied= plan
+  shift
+  title=$(title_of "$@")
+  # However this process ends, ninja is told, and ends what it has started.
+  ! command -v setpriv >/dev/null || tied='setpriv --pdeathsig TERM'
+  ! command -v flock >/dev/null || flock --nonblock 9 || wait_for_other_build
+  printf -v begun '%(%s)T'
+  printf '%s\n' "$begun" "$title" >"$folder/.now"
+  # All that CMake writes names the folder where it lies.
   if [ ! -e "$folder/build.ninja" ] || ! grep -qsxF "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "$folder/CMakeCache.txt"; then
+    [ ! -e "$folder/build.ninja" ] || say "This folder was copied or moved: what was built in its old place is built again for this one."
+    announce
     rm -f "$folder/build.ninja"
-    if ! cmake --preset "${folder##*/}" --fresh >"$log" 2>&1; then
+    if ! $tied cmake --preset "${folder##*/}" --fresh >"$log" 2>&1 9>&-; then
       grep -A 20 'CMake Error' "$log" >&2 || tail -n 5 "$log" >&2
       say "Configuring failed (the whole output: $log)."
       return 3
     fi
   fi
-  NINJA_STATUS='[%f/%t %e] ' ninja -C "$folder" "$@" 2>&1 | tee "$log" | show_progress "$folder"
+  # By its full path ninja does not find its own file among its targets; else it would stop where that may be out of date.
+  plan=$(NINJA_STATUS='[%f/%t] ' ninja -C "$folder" -f "$PWD/$folder/build.ninja" -n "$@" 2>/dev/null 9>&-)
+  NINJA_STATUS='[%f/%t %e] ' $tied ninja -C "$folder" "$@" 2>&1 9>&- | tee "$log" | show_progress "$plan" "$folder/.now"
   if [ "${PIPESTATUS[0]}" -eq 0 ]; then
     # What was written before the clock was set back is newer than all that is made of it: it would be built for ever.
     if grep -q '^\[[1-9]' "$log" && touch "$folder/.now"; then
@@ -118,27 +132,134 @@ build() (  # $1: the folder, build/PRESET; then targets. Says nothing when there
   grep -v '^\[[0-9]*/' "$log" | head -n 40 >&2
   say "The build failed (the whole output: $log)."
   return 3
-)
+}
 
-show_progress() {  # $1: the folder. One line that is written over and over; where no terminal is, one every ten seconds.
-  local terminal= line text begun= shown=0 finished total elapsed left step='^\[([0-9]+)/([0-9]+) ([0-9]+)'
-  if [ -t 2 ] || [ "${WORKBOOK_PROGRESS:-}" = terminal ]; then terminal=yes; fi
+title_of() {  # what the targets are to somebody who waits for them
+  local target lecture name text=
+  for target; do
+    lecture=
+    [[ ! $target =~ _([0-9][0-9])_ ]] || lecture="lecture ${BASH_REMATCH[1]}"
+    case $target in
+      checker) name='the checker' ;;
+      all_commands) name='the commands that are typed less often' ;;
+      *_diagnostic) name='what finds the line of a mistake' ;;
+      reference_results_*) name="the reference results of $lecture" ;;
+      worked_examples_*) name="the worked examples of $lecture" ;;
+      draw_* | figures_*) name="the figures of $lecture" ;;
+      notes) name='the notes' ;;
+      live_of_the_student) name='the live figures' ;;
+      handed_out) name='what students get' ;;
+      workbook_tests) name='the tests' ;;
+      *) continue ;;
+    esac
+    text+="${text:+ and }$name"
+  done
+  printf '%s' "${text:-the workbook}"
+}
+
+has_terminal() { [ "${WORKBOOK_PROGRESS:-}" = terminal ] || [[ -t 2 && -z "${WORKBOOK_PLAIN:-}" ]]; }
+
+show_line() {  # $1: a line that is written over and over; where no terminal is, one every ten seconds
+  if has_terminal; then
+    printf '\r\033[K%s' "$1" >&2
+  elif [ $((SECONDS - shown_at)) -ge 10 ]; then
+    say "$1"
+    shown_at=$SECONDS
+  fi
+}
+
+clear_line() { ! has_terminal || printf '\r\033[K' >&2; }  # of ours, or of the checker
+
+announce() {
+  [ -z "$announced" ] || return 0
+  announced=yes
+  clear_line
+  say "Building $title, once ..."
+}
+
+wait_for_other_build() {
+  local begun title text told= shown_at=$SECONDS
+  until flock --timeout 1 9; do
+    { read -r begun; read -r title; read -r text; } 2>/dev/null <"$folder/.now"
+    [ -n "$title" ] || continue
+    if [ "$told" != "$title" ]; then
+      clear_line
+      say "Waiting for another build: $title ..."
+      told=$title
+    fi
+    show_line "  for $(($(printf '%(%s)T') - begun)) s${text:+; $text}"
+  done
+  clear_line
+}
+
+# Seconds of a processor that a step takes, by what ninja says of it: the first line that fits. Only the ratios matter.
+costs_of_steps='
+*/unity_judging*                             34
+*/unity_source_compile*                      33
+*/unity_commands_on_demand*                  20
+*/unity_grading*                             22
+*/reference_*/Unity/*                        17
+*/workbook_judging.dir/*                     14
+*/solutions_*/Unity/*                         5
+*.gch                                        15
+*worked_examples_objects_@(02|08|09|10)_*    22
+*worked_examples_objects_*                   10
+*figures_objects_@(06|10)_*                  20
+*figures_objects_*                            6
+*lectures/*/support/motion*                  15
+*exercises_of_the_student*                    2
+*Building?CXX?object*                         7
+WebAssembly*                                 10
+Precompiling*                                 7
+Compiling*                                    2
+Reference*10_*                                4
+Figures?of?@(02|06|09|10)_*                   7
+Figures*                                      2
+Notes                                        20
+*                                             1
+'
+
+# A line of progress from what ninja says. What is left is told from a twentieth of the work on: by the time that the
+# finished steps took. Those that run are taken to be the next of the plan, one for each processor.
+show_progress() {  # $1: what ninja plans; $2: the file in which others see how far it is
+  local line text name pattern cost now spent running i processors left shown_at=$SECONDS work=0 total=0
+  local step='^\[([0-9]+)/([0-9]+)( [0-9]+)?[.0-9]*\] (.*)' unfinished=() started=()
+  local -A place_of=()
+  processors=$(nproc)
+  while IFS= read -r line; do
+    [[ $line =~ $step ]] || continue
+    name=${BASH_REMATCH[4]}
+    while read -r pattern cost; do
+      [[ -z $pattern || $name != $pattern ]] || break
+    done <<<"$costs_of_steps"
+    [ ${#unfinished[@]} -ge "$processors" ] || started+=(0)
+    place_of[$name]=${#unfinished[@]}
+    unfinished+=("$cost")
+    total=$((total + cost))
+  done <<<"$1"
+  [ "$total" -le 3 ] || announce
   while IFS= read -r line; do
     [[ $line =~ $step && $line != *"Re-checking globbed"* && $line != *"Re-running CMake"* ]] || continue
-    finished=${BASH_REMATCH[1]} total=${BASH_REMATCH[2]} elapsed=${BASH_REMATCH[3]}
-    [ -n "$begun" ] || say "Building in $1 ..."
-    begun=yes
-    left=$((finished == 0 ? 0 : elapsed * (total - finished) / finished))
-    text="  $finished of $total steps"
-    [ "$left" -eq 0 ] || [ "$finished" -lt 3 ] || text+=", about $left s left"
-    if [ "$terminal" ]; then
-      printf '\r%-40s' "$text" >&2
-    elif [ $((elapsed - shown)) -ge 10 ]; then
-      say "$text"
-      shown=$elapsed
+    text="  ${BASH_REMATCH[1]} of ${BASH_REMATCH[2]} steps" now=$((BASH_REMATCH[3])) name=${BASH_REMATCH[4]}
+    if i=${place_of[$name]:-} && [ -n "$i" ]; then
+      work=$((work + unfinished[i]))
+      unset "unfinished[i]"
     fi
+    running=0 spent=$((processors * now))  # seconds of processors on the finished steps
+    for i in "${!unfinished[@]}"; do
+      [ $((running += 1)) -le "$processors" ] || break
+      spent=$((spent - (now - ${started[i]:=$now})))
+    done
+    if [ $((work * 20)) -ge "$total" ] && [ "$work" -lt "$total" ] && [ "$spent" -gt 0 ]; then
+      left=$((((total - work) * spent / work - (processors * now - spent)) / processors))
+      text+=", about $((left > 0 ? left : 1)) s left"
+    fi
+    printf '%s\n' "$begun" "$title" "$text" >"$2"
+    [ -n "$announced" ] || [ "$now" -ge 1 ] || continue
+    announce
+    show_line "$text"
   done
-  if [ -n "$begun" ] && [ "$terminal" ]; then printf '\r%-40s\r' '' >&2; fi
+  [ -z "$announced" ] || clear_line
 }
 
 if [ "${BASH_SOURCE[0]}" = "$0" ]; then build "$@"; fi

@@ -1,5 +1,6 @@
 #include "checker/base/child_process.hpp"
 
+#include "checker/base/console.hpp"
 #include "checker/base/text.hpp"
 
 #include <fcntl.h>
@@ -105,7 +106,7 @@ class NewProcess {
   const char* tie_to_checker() const noexcept {
     if (::setsid() < 0) return "open its own session";
     if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) return "tie its life to the checker";
-    if (!launch.with_channel) {
+    if (!launch.with_channel && !launch.ends_others) {
       ::fcntl(channel_descriptor, F_SETOWN, -::getpid());
       ::fcntl(channel_descriptor, F_SETSIG, SIGKILL);
       ::fcntl(channel_descriptor, F_SETFL, O_ASYNC);
@@ -170,7 +171,8 @@ int milliseconds_until(Clock::time_point deadline) {
   return static_cast<int>(std::clamp<long>(left, 0, 3'600'000));
 }
 
-ChildProcess::ChildProcess(const Launch& launch) : in_namespaces_(!launch.namespaces.empty()), held_(launch.held) {
+ChildProcess::ChildProcess(const Launch& launch)
+    : in_namespaces_(!launch.namespaces.empty()), ends_others_(launch.ends_others), held_(launch.held) {
   const Ends input;  // closed at once: there is nothing to read
   Ends output, report(true);
   Ends channel(launch.with_channel);
@@ -281,7 +283,7 @@ ProcessEnd ChildProcess::kill() {
 
 ProcessEnd ChildProcess::reap() {
   // While the leader is not waited for, its number cannot name another group.
-  ::kill(-process_, SIGKILL);
+  if (!ends_others_) ::kill(-process_, SIGKILL);
   int status = SIGKILL;
   rusage usage{};
   pid_t waited = 0;
@@ -339,9 +341,10 @@ FinishedProgram make(const Build& build, const std::vector<std::string>& targets
   std::vector<std::string> arguments = {"bash", build.setup.string(), "build/" + build.directory.filename().string()};
   arguments.insert(arguments.end(), targets.begin(), targets.end());
   Launch launch = launch_of(program, arguments);
+  launch.ends_others = true;  // a compiler whose ninja is killed goes on
   // The script writes into a pipe; what went wrong is for the caller to say.
-  launch.environment.emplace_back(::isatty(STDERR_FILENO) != 0 ? "WORKBOOK_PROGRESS=terminal"
-                                                               : "WORKBOOK_PROGRESS=lines");
+  const bool is_written_over = ::isatty(STDERR_FILENO) != 0 && !Console::of_standard_error().plain();
+  launch.environment.emplace_back(is_written_over ? "WORKBOOK_PROGRESS=terminal" : "WORKBOOK_PROGRESS=lines");
   FinishedProgram finished = run_program(launch, longest_build, most_output, [](std::string_view piece) {
     fmt::print(stderr, "{}", piece);
     std::fflush(stderr);

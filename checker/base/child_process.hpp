@@ -51,6 +51,7 @@ struct Launch {
   std::vector<std::string> arguments;    ///< without the program's own name
   std::vector<std::string> environment;  ///< "NAME=value"; nothing is inherited
   std::filesystem::path directory;       ///< where it starts; empty: where the checker stands
+  bool ends_others = false;              ///< it ends what it has started, and is left the time to do so
   /// A socket pair to talk over. The program is then started by its descriptor and not by its path, so that a filter of
   /// system calls can let through exactly this one start.
   bool with_channel = false;
@@ -108,6 +109,7 @@ class ChildProcess {
   Descriptor lifeline_;
   Descriptor reports_;
   std::optional<ProcessEnd> end_;
+  bool ends_others_;
   std::shared_ptr<const void> held_;
 };
 

@@ -4,6 +4,7 @@
 #include "checker/base/child_process.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <poll.h>
 #include <signal.h>
@@ -131,6 +132,19 @@ TEST_CASE("however a checker ends, its programs and all their children end with 
     CHECK(WTERMSIG(status) == signal);
     CHECK(nothing_left_running());  // its children are ours now
   }
+}
+
+TEST_CASE("what ends others itself, as ninja does, is left to do so") {
+  const std::filesystem::path ended = fresh_directory("ended") / "ended";
+  const std::string others = fmt::format(
+      "setpriv --pdeathsig TERM sh -c 'trap \"echo >{}; exit\" TERM; echo; while :; do sleep 0.1; done'; true",
+      ended.string());
+  Launch launch = shell(others);
+  launch.ends_others = true;
+  const FinishedProgram finished = run_program(launch, std::chrono::seconds(3600), 0);  // until it says something
+  CHECK(finished.end.signal == SIGKILL);
+  CHECK(nothing_left_running());
+  CHECK(std::filesystem::exists(ended));
 }
 
 TEST_CASE("processor time is counted") {
