@@ -216,11 +216,32 @@ class CommandLine {
     options_.is_seed_given = seed_.has_value();
     for (std::string& name : options_.names) name = known_name(course, name);
     if (!options_.name.empty()) options_.name = known_name(course, options_.name);
+    for (const CLI::App* typed : app_.get_subcommands()) require_usable(course, *typed);
     return job_(course, options_);
   }
 
  private:
   using Job = std::function<int(const Course&, const Options&)>;
+
+  /// What a command could not use is refused before anything is built for it. @throws UsageError
+  void require_usable(const Course& course, const CLI::App& command) {
+    const auto require_file = [](const fs::path& file, const char* what) {
+      std::error_code ignored;
+      if (fs::exists(file, ignored) && !fs::is_directory(file, ignored)) return;
+      throw UsageError(fmt::format("{} is no file: {} is meant.", printable(file.string()), what));
+    };
+    for (const CLI::Option* option : command.get_options()) {
+      const std::string name = option->get_name();
+      if (option->count() == 0) continue;
+      if (name == "NAME") course.choose(options_.names.empty() ? std::vector{options_.name} : options_.names);
+      if (name == "EXERCISE") course.find_exercise(options_.name);
+      if (name == "LECTURE") options_.name = course.find(options_.name).front().lecture();
+      if (name == "FILE") require_file(*options_.file, "a program in C++ with main()");
+      if (name == "--roster") require_file(*options_.roster, "a table in CSV");
+      if (name == "--assignment") require_file(*options_.assignment, "what is graded, in JSON,");
+      if (name == "--html") require_page(options_.html);
+    }
+  }
 
   /// Every option and argument once; a command names those that it takes. Words behind the first one tell apart
   /// options of one name.
@@ -453,6 +474,11 @@ class CommandLine {
       } else {
         CLI::Option* added = command.add_option(name, target, help)->type_name(type)->required(required);
         if constexpr (std::is_arithmetic_v<T>) added->capture_default_str();
+        // CLI11 takes -1 for the largest number.
+        if constexpr (std::is_same_v<T, std::optional<std::uint64_t>>)
+          added->check([](const std::string& typed) {
+            return typed.starts_with('-') ? fmt::format("{} is below 0", printable(typed)) : "";
+          });
       }
     };
   }

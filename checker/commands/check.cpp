@@ -116,6 +116,16 @@ void require_pictures(const fs::path& directory) {
                                          shown_path(directory), trouble));
 }
 
+void require_page(const fs::path& file) {
+  std::error_code ignored;
+  std::string trouble = folder_trouble(fs::absolute(file).parent_path());
+  if (trouble.empty() && fs::exists(file, ignored) && !fs::is_regular_file(file, ignored))
+    trouble = "not an ordinary file";
+  if (!trouble.empty())
+    throw UsageError(fmt::format("The page cannot be written to {} ({}); give --html another file.",
+                                 printable(file.string()), trouble));
+}
+
 std::size_t copy_figures(const Course& course, const std::string& lecture, const fs::path& to) {
   const fs::path from = course.build().directory / "figures" / lecture;
   std::size_t count = 0;

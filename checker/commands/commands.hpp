@@ -92,6 +92,9 @@ void print_update(const Release& now, const Release& before, const UpdateResult&
 /// @throws std::runtime_error where no picture can be made
 void require_pictures(const fs::path& directory);
 
+/// @throws UsageError where no page can be written
+void require_page(const fs::path& file);
+
 /// Copies the pictures of a lecture into a folder; returns how many figures they show. @throws fs::filesystem_error
 std::size_t copy_figures(const Course& course, const std::string& lecture, const fs::path& to);
 

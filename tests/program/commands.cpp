@@ -189,6 +189,23 @@ TEST_CASE("colour comes on request, NO_COLOR wins, and the plain mode has words 
   CHECK(has(course.run("list", "CLICOLOR_FORCE=1").out, "\033["));
 }
 
+TEST_CASE("what cannot be used is refused by the first program, before the one with all commands is made") {
+  const CourseCopy course;
+  fs::create_directories(course.root() / "alone");
+  fs::copy_file(WORKBOOK_TEST_CHECKER, course.root() / "alone/checker");
+  const auto status = [&](const std::string& arguments) {
+    return run_command(
+               fmt::format("cd '{}' && alone/checker --course course.json {}", course.root().string(), arguments),
+               course.root())
+        .status;
+  };
+  for (const char* refused : {"debug spring_enrgy", "report --html lectures", "report --html page.html sprigs",
+                              "try nowhere.cpp", "try lectures", "examples 99", "figures 99", "live 99",
+                              "self-check 99", "grade lectures --out g --roster no.csv"})
+    CHECK_MESSAGE(status(refused) == 2, refused);
+  CHECK(status("examples 01") == 3);  // there is no such program here
+}
+
 TEST_CASE("doctor names what is missing") {
   const CourseCopy course;
   const Outcome outcome = course.run("doctor", without_programs);

@@ -27,7 +27,7 @@ TEST_CASE("an experiment that does not compile, or is not there, is told with it
   const Outcome odd = course.run("try odd.cpp");
   CHECK(odd.status == 1);
   CHECK_MESSAGE(has(odd.err, "odd.cpp:2:10: error"), odd.err);
-  CHECK(course.run("try nowhere.cpp").status == 3);
+  CHECK(course.run("try nowhere.cpp").status == 2);
 }
 
 TEST_CASE("the first experiment is written once, and not over one that is there") {

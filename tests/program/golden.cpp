@@ -86,6 +86,11 @@ TEST_CASE("wrong usage and names that mean nothing") {
                                               "report --html page.html --file draft.cpp",
                                               "hint spring_enrgy",
                                               "reset spring_enrgy",
+                                              "debug spring_enrgy",
+                                              "try nowhere.cpp",
+                                              "try lectures",
+                                              "check --seed -1",
+                                              "grade lectures --out grades --roster nowhere.csv",
                                               "examples sprigs",
                                               "figures sprigs"}));
 }
