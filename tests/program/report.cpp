@@ -35,6 +35,21 @@ TEST_CASE("report takes names, a seed and a file as check does, and makes the pa
   CHECK_FALSE(has(page, "spring_force"));
 }
 
+TEST_CASE("where nothing of a lecture is begun, its reference results are not made for the page") {
+  const CourseCopy course;
+  for (const char* exercise : {"spring_energy", "spring_force"})
+    REQUIRE(course.run(std::string("reset ") + exercise).status == 0);
+  fs::remove(course.reference());
+  course.stand_in("setup.sh", "exit 1");
+  CHECK(course.run("report --html page.html").status == 0);
+  const std::string page = read(course.root() / "page.html");
+  CHECK(has(page, "spring_force"));
+  CHECK_FALSE(has(page, "could not be judged"));
+  course.answer_energy("return k;");
+  CHECK(course.run("report --html page.html").status == 0);
+  CHECK(has(read(course.root() / "page.html"), "could not be judged"));
+}
+
 TEST_CASE("a student's file that is missing, or is no text, leaves a page all the same") {
   const CourseCopy course;
   fs::remove(course.exercise("spring_energy"));

@@ -1,12 +1,25 @@
 #include "checker/commands/commands.hpp"
 
+#include <algorithm>
+#include <iterator>
+#include <set>
+
 namespace workbook {
 
 namespace {
 
-[[noreturn]] void refuse_page(const fs::path& file, const std::string& reason) {
-  throw std::runtime_error(fmt::format("The page cannot be written to {} ({}); give --html another file.",
-                                       printable(file.string()), reason));
+/// An exercise of a lecture in which nothing is written yet: no reference results are made to say so.
+CheckResult untouched(const CheckTask& task) {
+  CheckResult checked;
+  checked.task = task;
+  checked.judgement.verdict = Verdict::not_started;
+  return checked;
+}
+
+bool is_untouched(const Course& course, const CheckTask& task) {
+  if (task.is_elsewhere) return false;
+  return !fs::exists(task.file) ||
+         read_file(task.file) == stub_text(task.exercise, declared_signature(course, task.exercise));
 }
 
 /// The plot, where the function gave a value. A plot that fails leaves the page without it.
@@ -30,11 +43,12 @@ void add_picture(const Course& course, ReportedExercise& reported) {
 
 int report(const Course& course, const Options& options) {
   const std::vector<CheckTask> tasks = tasks_of(course, options);
-  std::error_code ignored;
-  const std::string trouble = folder_trouble(fs::absolute(options.html).parent_path());
-  if (!trouble.empty()) refuse_page(options.html, trouble);
-  if (fs::exists(options.html, ignored) && !fs::is_regular_file(options.html, ignored))
-    refuse_page(options.html, "not an ordinary file");
+  std::set<std::string> begun;
+  for (const CheckTask& task : tasks)
+    if (!is_untouched(course, task)) begun.insert(task.exercise.lecture());
+  std::vector<CheckTask> to_check;
+  std::ranges::copy_if(tasks, std::back_inserter(to_check),
+                       [&](const CheckTask& task) { return begun.contains(task.exercise.lecture()); });
 
   ReportedCourse reported;
   reported.student = options.student;
@@ -46,8 +60,13 @@ int report(const Course& course, const Options& options) {
 
   CheckContext context(course);
   const Progress progress(course.progress_file());
+  const auto add_untouched_before = [&](const std::string& name) {
+    for (std::size_t k = reported.exercises.size(); k < tasks.size() && tasks[k].exercise.name() != name; ++k)
+      reported.exercises.push_back({untouched(tasks[k]), {}, {}, {}});
+  };
   ProgressBar progress_bar;
-  check_all(context, tasks, [&](CheckResult checked) {
+  check_all(context, to_check, [&](CheckResult checked) {
+    add_untouched_before(checked.name());
     progress_bar.show(reported.exercises.size(), tasks.size(), checked.name());
     const auto answered = progress.of(checked.name()).answered_right;
     ReportedExercise exercise{std::move(checked), {}, {}, answered};
@@ -55,9 +74,11 @@ int report(const Course& course, const Options& options) {
     reported.exercises.push_back(std::move(exercise));
   });
   progress_bar.clear();
+  add_untouched_before("");
 
   if (const std::string reason = write_file(options.html, report_page(reported)); !reason.empty())
-    refuse_page(options.html, reason);
+    throw std::runtime_error(
+        fmt::format("The page cannot be written to {} ({}).", printable(options.html.string()), reason));
   fmt::print("The page is in {}.\n", printable(options.html.string()));
   return all_passed;
 }
