@@ -14,16 +14,49 @@ namespace {
 
 namespace tree = boost::property_tree;
 
-/// Builds a lecture's program on the student's functions and returns its path. Where files of the student do not
-/// compile, names them and returns "". @throws std::runtime_error if it cannot be built for another reason
-std::string student_program(const Course& course, const std::string& target, const std::string& what) {
-  const FinishedProgram built = make(course.build(), {target});
-  if (built.succeeded()) return (course.build().directory / "lectures" / target).string();
+/// What the student's functions are called by.
+struct Caller {
+  std::string target;              ///< the program
+  fs::path source;                 ///< its text names the functions
+  std::vector<std::string> parts;  ///< targets that it is linked from, besides the student's objects
+  std::string what;                ///< in words
+};
+
+/// The student's objects that the caller needs, as the build names them. @throws RejectedFile
+std::vector<std::string> objects_for(const Course& course, const Caller& caller) {
+  const fs::path& build = course.build().directory;
+  std::set<fs::path> needed;
+  const auto file_of = [&](const Exercise& exercise) { return course.student_file(exercise); };
+  for (const Submission& file : own_functions(read_file(caller.source).value_or(""), course.exercises(), file_of))
+    needed.insert(file.path.filename());
+  std::vector<std::string> objects;
+  for (const fs::path object : lines_of(read_file(build / "student/objects").value_or("")))
+    if (needed.contains(object.stem())) objects.push_back(object.lexically_relative(build).string());
+  return objects;
+}
+
+/// Builds a program on the student's functions and returns its path. Where files of the student cannot be used, names
+/// them and returns "". @throws std::runtime_error if it cannot be built for another reason
+std::string student_program(const Course& course, const Caller& caller) {
+  std::vector<std::string> objects;
+  try {
+    objects = objects_for(course, caller);
+  } catch (const RejectedFile& reason) {
+    say("{}", reason.what());
+    return "";
+  }
+  write_or_throw(course.build().directory / "student" / (caller.target + ".objects"),
+                 fmt::format("{}\n", fmt::join(objects, "\n")));
+  objects.insert(objects.begin(), caller.parts.begin(), caller.parts.end());
+  FinishedProgram built = make(course.build(), objects);
+  if (built.succeeded()) built = make(course.build(), {caller.target});
+  if (built.succeeded()) return (course.build().directory / "lectures" / caller.target).string();
   std::set<std::string> exercises;
   for (const Match& error : search_all(built.output, R"(lectures/\w+/exercises/(\w+)\.cpp:\d+:\d+: error)"))
     exercises.insert(error[1]);
-  if (exercises.empty()) throw std::runtime_error(fmt::format("{}\nThe {} could not be built.", built.output, what));
-  fmt::print("The {} need files of yours that do not compile:\n", what);
+  if (exercises.empty())
+    throw std::runtime_error(fmt::format("{}\nThe {} could not be built.", built.output, caller.what));
+  fmt::print("The {} need files of yours that do not compile:\n", caller.what);
   for (const std::string& exercise : exercises) fmt::print("  {}\n", command("check " + exercise));
   return "";
 }
@@ -137,10 +170,13 @@ Outcome draw_figure(const std::string& program, const fs::path& directory, const
 }  // namespace
 
 int examples(const Course& course, const Options& options) {
-  const std::string lecture = course.find(options.name).front().lecture();
+  const std::string lecture = options.name;
   const Console console = Console::of_standard_output();
-  const std::string program =
-      student_program(course, "worked_examples_of_the_student_" + lecture, "worked examples of " + lecture);
+  const std::string program = student_program(
+      course, {"worked_examples_of_the_student_" + lecture,
+               course.lectures() / lecture / "worked_examples.cpp",
+               {"worked_examples_objects_" + lecture, "workbook_printed", "workbook_doctest_main", "not_started"},
+               "worked examples of " + lecture});
   if (program.empty()) return something_failed;
   const FinishedProgram finished = run_with_path(program, {"--reporters=xml"}, std::chrono::minutes(2));
   std::vector<Example> all;
@@ -165,10 +201,13 @@ int examples(const Course& course, const Options& options) {
 }
 
 int figures(const Course& course, const Options& options) {
-  const std::string lecture = course.find(options.name).front().lecture();
+  const std::string lecture = options.name;
   const fs::path directory = options.out.value_or(course.scratch() / "figures_of_the_student" / lecture);
   require_pictures(directory);
-  const std::string program = student_program(course, "draw_of_the_student_" + lecture, "figures of " + lecture);
+  const std::string program = student_program(course, {"draw_of_the_student_" + lecture,
+                                                       course.lectures() / lecture / "figures.cpp",
+                                                       {"figures_objects_" + lecture, "workbook_figure"},
+                                                       "figures of " + lecture});
   if (program.empty()) return something_failed;
 
   const FinishedProgram listed = run_with_path(program, {"--list"}, std::chrono::seconds(10));
@@ -193,7 +232,7 @@ int figures(const Course& course, const Options& options) {
 }
 
 int live(const Course& course, const Options& options) {
-  const std::string lecture = course.find_lecture(options.name).lecture;
+  const std::string lecture = options.name;
   // What the figures call, as lectures/live/live.js has it.
   const std::string script = read_file(course.lectures() / lecture / "live.js").value_or("");
   std::set<std::string> called;
