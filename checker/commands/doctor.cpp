@@ -69,7 +69,7 @@ int doctor(const Course& course, const Options& options) {
   const auto notes = course.cards().empty() ? std::nullopt : course.notes_page(course.cards().front().lecture);
   report(notes.has_value(), "notes",
          notes ? notes->parent_path().string()
-               : "not built as pages; read lectures/*/notes.md, or type: cmake --build --preset notes");
+               : "not built as pages; read lectures/*/notes.md, or type: cmake --workflow --preset notes");
 
   report(true, "terminal", fmt::format("{} columns, {}", console.width(), console.color() ? "colour" : "no colour"));
   document["can_check"] = can_check;
