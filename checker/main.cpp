@@ -350,9 +350,9 @@ class CommandLine {
         "started is left out, and the function is named.",
         {"figures 03"}, {"LECTURE", "--out", "--seconds"}, figures);
     add("live", students,
-        "Build the live figures of a lecture on your own functions\n\nThose of your functions that pass take the place "
-        "of the reference implementation in the figures that move. They are compiled for the browser, which needs the "
-        "package emscripten; then open one of the pages that are named.",
+        "Build the live figures of a lecture on your own functions\n\nThe figures that move take those of your functions "
+        "that pass, instead of computing the same themselves. They are compiled for the browser, which needs the package "
+        "emscripten; then open one of the pages that are named.",
         {"live 06"}, {"LECTURE"}, live);
     add("examples", students,
         "Run the worked examples of a lecture on your own functions\n\nShows which of them hold, which need a function "

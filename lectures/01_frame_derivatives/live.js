@@ -1,4 +1,4 @@
-// A child on a merry-go-round. Calls rotated_basis, inertial_rate, cross_matrix, angular_velocity_of_basis.
+// A child on a merry-go-round.
 
 live("two_sources", {
   about: "A vector V from the axis of a merry-go-round to a child that walks outwards, with the two parts of its rate of change.",
@@ -11,8 +11,10 @@ live("two_sources", {
   prepare({ omega, walk, start, lift }) {
     const w = [0, 0, omega], seconds = 5;
     const at = time => {
-      const E = rigid.rotated_basis(identity, w, time), V = turned(E, [start + walk * time, 0, lift]), rate_body = times(walk, E[0]);
-      return { E, V, rate_body, carried: rigid.inertial_rate(origin, w, V), rate: rigid.inertial_rate(rate_body, w, V) };
+      const E = yours.rotated_basis?.(identity, w, time) ?? rotation(times(time, w));
+      const V = turned(E, [start + walk * time, 0, lift]), rate_body = times(walk, E[0]);
+      const changed = rate => yours.inertial_rate?.(rate, w, V) ?? sum(rate, cross(w, V));
+      return { E, V, rate_body, carried: changed(origin), rate: changed(rate_body) };
     };
     return { w, at, seconds, path: steps(0, seconds, 120).map(time => at(time).V) };
   },
@@ -41,7 +43,8 @@ live("two_sources", {
   },
   numbers(m, time) {
     const { E, carried, rate } = m.at(time);
-    const [x, y] = rate, omega = rigid.angular_velocity_of_basis(E, product(rigid.cross_matrix(m.w), E));
+    const [x, y] = rate, E_rate = yours.cross_matrix ? product(yours.cross_matrix(m.w), E) : E.map(axis => cross(m.w, axis));
+    const omega = yours.angular_velocity_of_basis?.(E, E_rate) ?? m.w;
     return [["|ω × V|", norm(carried), "m/s"], ["ground speed", norm(rate), "m/s"], ["dV/dt, x", x, "m/s"],
       ["dV/dt, y", y, "m/s"], ["ω of the basis", omega[2], "rad/s"]];
   },

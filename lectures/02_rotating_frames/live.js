@@ -1,12 +1,13 @@
-// The puck on a turntable, and Foucault's pendulum. Calls fictitious_force, inertial_acceleration, rotated_basis; and
-// coriolis_acceleration, foucault_period.
+// The puck on a turntable, and Foucault's pendulum.
 
+const fictitious = (r, v, w) =>
+  yours.fictitious_force?.(1, r, v, w, origin) ?? sum(times(2, cross(v, w)), cross(cross(w, r), w));
 /** The law of motion of the rider, for a puck of 1 kg, by the forces that are counted. */
 const laws = [
-  (r, v, w) => rigid.fictitious_force(1, r, v, w, origin),
-  (r, v, w) => rigid.fictitious_force(1, origin, v, w, origin),
-  (r, v, w) => rigid.fictitious_force(1, r, origin, w, origin),
-  (r, v, w) => rigid.fictitious_force(1, r, times(0.5, v), w, origin)];
+  fictitious,
+  (r, v, w) => fictitious(origin, v, w),
+  (r, v, w) => fictitious(r, origin, w),
+  (r, v, w) => fictitious(r, times(0.5, v), w)];
 
 /** Positions and velocities by a law of motion, at equal steps of time. */
 function ridden(law, r, v, seconds, count) {
@@ -39,7 +40,7 @@ live("puck", {
     // On the table it starts with the velocity that the rider sees.
     const path = ridden((p, u) => laws[law](p, u, w), r, minus(v, cross(w, r)), 4, 160);
     const straight = steps(0, 4, 160).map(time => sum(r, times(time, v)));
-    const back = straight.map((p, i) => turned(rigid.rotated_basis(identity, w, -i / 40), p));
+    const back = straight.map((p, i) => turned(yours.rotated_basis?.(identity, w, -i / 40) ?? rotation(times(-i / 40, w)), p));
     return { w, path, straight, back, law };
   },
   duration: () => 4,
@@ -70,13 +71,17 @@ live("puck", {
   numbers(m, time) {
     const [r, v] = m.path[Math.floor(40 * time)];
     const a = laws[m.law](r, v, m.w);
+    const outside = yours.inertial_acceleration?.(a, v, r, m.w, origin) ?? minus(a, laws[0](r, v, m.w));
     return [["Coriolis / m", norm(laws[1](r, v, m.w)), "m/s²"], ["centrifugal / m", norm(laws[2](r, v, m.w)), "m/s²"],
-      ["|a| from outside", norm(rigid.inertial_acceleration(a, v, r, m.w, origin)), "m/s²"]];
+      ["|a| from outside", norm(outside), "m/s²"]];
   },
 });
 
 // Ten swings to a revolution of the planet, so that one sees the plane of swing rotate.
 const planet_rate = 0.1, sidereal_day = 86164.0989;
+
+const coriolis = (v, latitude) => yours.coriolis_acceleration?.(v, latitude, planet_rate)
+  ?? times(2 * planet_rate, cross(v, [0, Math.cos(latitude), Math.sin(latitude)]));
 
 live("foucault", {
   about: "The bob of a pendulum on a planet that rotates far too fast, seen from above, and its place on the globe.",
@@ -89,10 +94,10 @@ live("foucault", {
   prepare({ latitude, release }) {
     const lambda = latitude * degree, seconds = 20 * Math.PI;
     // The law on the floor for g/ℓ = 1/s²; the rotation of the frame in which the swing is plane decides the second start.
-    const law = (r, v) => sum(times(-1, r), [...rigid.coriolis_acceleration(v, lambda, planet_rate).slice(0, 2), 0]);
+    const law = (r, v) => sum(times(-1, r), [...coriolis(v, lambda).slice(0, 2), 0]);
     const sideways = [release ? planet_rate * Math.sin(lambda) : 0, 0, 0];
     return { lambda, law, seconds, path: ridden(law, [0, 1, 0], sideways, seconds, 1000),
-      period: latitude > 0 ? rigid.foucault_period(lambda, sidereal_day) : NaN };
+      period: latitude > 0 ? yours.foucault_period?.(lambda, sidereal_day) ?? sidereal_day / Math.sin(lambda) : NaN };
   },
   duration: m => m.seconds,
   pace: 3,
@@ -125,7 +130,7 @@ live("foucault", {
   },
   numbers(m, time) {
     const [r, v] = m.path[Math.round(1000 * time / m.seconds)];
-    const [east, north] = rigid.coriolis_acceleration(v, m.lambda, planet_rate);
+    const [east, north] = coriolis(v, m.lambda);
     return [["on the Earth, round in", m.period, "h", 3600], ["Coriolis, east", east, "m/s²"], ["Coriolis, north", north, "m/s²"]];
   },
 });

@@ -1,6 +1,8 @@
-// A box in bearings. Calls cuboid_about_center, moment_about_axis, rotated_inertia, angular_momentum, kinetic_energy,
-// torque_to_hold_rotation, rotated_basis.
+// A box in bearings.
 
+const moment_about = (I, n) => yours.moment_about_axis?.(I, n) ?? dot(n, turned(I, n));
+const momentum_of = (I, omega) => yours.angular_momentum?.(I, omega) ?? turned(I, omega);
+const rotated_by = (omega, time) => yours.rotated_basis?.(identity, omega, time) ?? rotation(times(time, omega));
 const direction = ({ polar, azimuth }) => [Math.sin(polar * degree) * Math.cos(azimuth * degree),
   Math.sin(polar * degree) * Math.sin(azimuth * degree), Math.cos(polar * degree)];
 
@@ -11,7 +13,7 @@ function faces_of_sphere(I) {
   for (let polar = 0; polar < 180; polar += 12)
     for (let azimuth = 0; azimuth < 360; azimuth += 15) {
       const middle = point(polar + 6, azimuth + 7.5);
-      faces.push({ middle, moment: rigid.moment_about_axis(I, middle),
+      faces.push({ middle, moment: moment_about(I, middle),
         corners: [[0, 0], [12, 0], [12, 15], [0, 15]].map(([p, a]) => point(polar + p, azimuth + a)) });
     }
   return faces;
@@ -37,24 +39,27 @@ live("held_spin", {
     slider("rate", "|ω|", 0.5, 3, 0.1, 1.5, "rad/s"), slider("a", "edge a", 0.4, 3, 0.1, 3, "m"),
     slider("b", "edge b", 0.4, 3, 0.1, 1.6, "m"), slider("c", "edge c", 0.4, 3, 0.1, 0.6, "m")],
   prepare(values) {
-    const I = rigid.cuboid_about_center(1, values.a, values.b, values.c), n = direction(values), omega = times(values.rate, n);
+    const edges = [values.a, values.b, values.c], [a2, b2, c2] = edges.map(edge => edge ** 2 / 12);
+    const I = yours.cuboid_about_center?.(1, ...edges) ?? diagonal(b2 + c2, a2 + c2, a2 + b2);
+    const n = direction(values), omega = times(values.rate, n);
     const moments = I.map((column, i) => column[i]), faces = faces_of_sphere(I);
-    const L = rigid.angular_momentum(I, omega), scale = 1.25 / Math.max(...moments) / values.rate;
+    const L = momentum_of(I, omega), scale = 1.25 / Math.max(...moments) / values.rate;
     const around = steps(0, 2 * Math.PI / values.rate, 72).map(time =>
-      times(scale, turned(rigid.rotated_basis(identity, omega, time), L)));
+      times(scale, turned(rotated_by(omega, time), L)));
     // The ellipsoid x I x = 1, drawn with the longest half axis of the box at 0.85.
-    const size = 1.7 / Math.max(values.a, values.b, values.c);
-    return { I, n, omega, faces, scale, around, moments, size, edges: [values.a, values.b, values.c],
-      least: Math.min(...moments), most: Math.max(...moments), energy: rigid.kinetic_energy(I, omega),
-      moment: rigid.moment_about_axis(I, n), torque: rigid.torque_to_hold_rotation(I, omega) };
+    const size = 1.7 / Math.max(...edges);
+    return { I, n, omega, faces, scale, around, moments, size, edges, L,
+      least: Math.min(...moments), most: Math.max(...moments), energy: yours.kinetic_energy?.(I, omega) ?? dot(omega, L) / 2,
+      moment: moment_about(I, n), torque: yours.torque_to_hold_rotation?.(I, omega) ?? cross(omega, L) };
   },
   duration: () => 30,
   views: {
     "The box in its bearings, with its inertia ellipsoid": {
       half: 1.4, towards: [0.75, -1, 0.6], ...draggable(1.3),
       draw(scene, m, time) {
-        const A = rigid.rotated_basis(identity, m.omega, time);
-        const L = times(m.scale, rigid.angular_momentum(rigid.rotated_inertia(m.I, A), m.omega));
+        const A = rotated_by(m.omega, time);
+        const I = yours.rotated_inertia?.(m.I, A) ?? product(A, product(m.I, transposed(A)));
+        const L = times(m.scale, momentum_of(I, m.omega));
         scene.line([times(-1.3, m.n), times(1.3, m.n)], "grey", 1.5, { dash: [6, 5] });
         scene.body_with_arrows(() => {
           scene.box(origin, A.map((axis, i) => times(m.size * m.edges[i] / 2, axis)), axis_colors);
@@ -76,6 +81,6 @@ live("held_spin", {
     },
   },
   numbers: m => [["I about ω", m.moment, "kg m²"], ["T", m.energy, "J"],
-    ["|L|", norm(rigid.angular_momentum(m.I, m.omega)), "kg m²/s"], ["bearing torque", norm(m.torque), "N m"],
+    ["|L|", norm(m.L), "kg m²/s"], ["bearing torque", norm(m.torque), "N m"],
     ...m.moments.map((moment, i) => [moment_names[i], moment, "kg m²"])],
 });

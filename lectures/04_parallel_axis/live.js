@@ -1,8 +1,24 @@
-// The tensor of a block about a point that moves. Calls cuboid_about_corner, inertia_about_shifted_origin,
-// principal_moments, principal_axes.
+// The tensor of a block about a point that moves.
 
 const mass = 6, edges = [1, 2, 3], center = times(0.5, edges);
 const from_center = point => times(0.5, minus(point, center));
+/** About the point at d from the centre. */
+const block_about = d => identity.map((axis, i) =>
+  minus(times(mass * (dot(edges, edges) - edges[i] ** 2) / 12 + mass * dot(d, d), axis), times(mass * d[i], d)));
+
+/** Principal moments in ascending order, and axes: rotations that make the entries off the diagonal vanish. */
+function principal(I) {
+  let A = identity;
+  const on_axes = () => product(transposed(A), product(I, A));
+  for (let k = 0; k < 24; ++k) {
+    const D = on_axes(), i = (k + 1) % 3, j = (k + 2) % 3, difference = D[i][i] - D[j][j];
+    const angle = Math.atan2(2 * D[i][j] * (difference < 0 ? -1 : 1), Math.abs(difference)) / 2;
+    A = product(A, rotation(times(angle, identity[k % 3])));
+  }
+  const D = on_axes(), order = [0, 1, 2].sort((i, j) => D[i][i] - D[j][j]);
+  return { moments: yours.principal_moments?.(I) ?? order.map(i => D[i][i]),
+    axes: yours.principal_axes?.(I) ?? order.map(i => A[i]) };
+}
 
 live("moving_point", {
   about: "A block of 6 kg with edges of 1, 2 and 3 m, and the inertia ellipsoid about a point that moves through it.",
@@ -14,9 +30,10 @@ live("moving_point", {
   controls: [slider("x", "x", -0.5, 1.5, 0.05, 1, "m"), slider("y", "y", -0.5, 2.5, 0.05, 2, "m"),
     slider("z", "z", -0.5, 3.5, 0.05, 3, "m")],
   prepare({ x, y, z }) {
-    const end = [x, y, z], I_corner = rigid.cuboid_about_corner(mass, ...edges);
+    const end = [x, y, z], I_corner = yours.cuboid_about_corner?.(mass, ...edges) ?? block_about(center);
     // R points from the new origin to the old one.
-    const about = point => rigid.inertia_about_shifted_origin(I_corner, mass, center, times(-1, point));
+    const about = point => yours.inertia_about_shifted_origin?.(I_corner, mass, center, times(-1, point))
+      ?? block_about(minus(point, center));
     return { end, about, curve: steps(0, 1, 60).map(part => [part, about(times(part, end))]) };
   },
   duration: () => 6,
@@ -32,7 +49,7 @@ live("moving_point", {
       },
       draw(scene, m, time) {
         const P = times(time / 6, m.end), I = m.about(P), at = from_center(P);
-        const moments = rigid.principal_moments(I), axes = rigid.principal_axes(I);
+        const { moments, axes } = principal(I);
         scene.box(origin, edges.map((edge, i) => times(edge / 4, identity[i])), ["grey", "grey", "grey"], 0.2);
         scene.line([from_center(origin), from_center(m.end)], "ink", 1.5, { dash: [4, 4] });
         scene.dot(origin, "ink", 3);
@@ -62,6 +79,6 @@ live("moving_point", {
   numbers(m, time) {
     const I = m.about(times(time / 6, m.end));
     return [["I_xx", I[0][0], "kg m²"], ["I_yz", I[2][1], "kg m²"], ["I_xy", I[1][0], "kg m²"],
-      ...rigid.principal_moments(I).map((moment, i) => [moment_names[i], moment, "kg m²"])];
+      ...principal(I).moments.map((moment, i) => [moment_names[i], moment, "kg m²"])];
   },
 });

@@ -1,33 +1,32 @@
-// The free body. Calls rotation_invariants, tumbling_period, free_rotation, free_attitude, shortest_rotation.
+// The free body.
 
 const moments = v => [v.I1, v.I2, v.I3];
 const spin = v => [v.w1, v.w2, v.w3];
 
-/** The period of ω in the body, in the order of moments that tumbling_period wants; infinite on the separatrix. */
+/** The period of ω in the body. */
 function period_of(I, omega) {
-  const order = [0, 1, 2].sort((i, j) => I[i] - I[j]), [a, b, c] = order.map(i => I[i]), w = order.map(i => omega[i]);
-  const [T, L2] = rigid.rotation_invariants([a, b, c], w);
-  return a === c || Math.abs(L2 - 2 * T * b) < 1e-8 * L2 ? Infinity : rigid.tumbling_period([a, b, c], w);
+  const period = time_of_return(I, omega), order = [0, 1, 2].sort((i, j) => I[i] - I[j]);
+  return Number.isFinite(period) && yours.tumbling_period?.(order.map(i => I[i]), order.map(i => omega[i])) || period;
 }
 
 /** ω over one period, or as long as a minute. */
 function polhode_of(I, omega, count = 160) {
-  return rigid.free_rotation(I, omega, steps(0, Math.min(period_of(I, omega), 60), count));
+  return motion(I, omega, identity, Math.min(period_of(I, omega), 60), count, yours.free_rotation).map(now => now.omega);
 }
 
 function prepare_free_body(values) {
   const I = moments(values), omega0 = spin(values);
-  const momentum = omega => omega.map((rate, i) => I[i] * rate);
-  const [T, L2] = rigid.rotation_invariants(I, omega0), L = Math.sqrt(L2), period = period_of(I, omega0);
+  const momentum = omega => scaled(I, omega), L_body = momentum(omega0);
+  const [T, L2] = yours.rotation_invariants?.(I, omega0) ?? [dot(omega0, L_body) / 2, dot(L_body, L_body)];
+  const L = Math.sqrt(L2), period = period_of(I, omega0), seconds = Math.max(12, Math.min(2.5 * period, 40));
   // In space L is upright.
-  const start = rigid.shortest_rotation(momentum(omega0), z_axis);
-  const seconds = Math.max(12, Math.min(2.5 * period, 40));
-  const moments_of_time = steps(0, seconds, 480), omegas = rigid.free_rotation(I, omega0, moments_of_time);
-  // From sample to sample, each a short integration.
-  const attitudes = [start];
-  for (let k = 1; k < omegas.length; ++k)
-    attitudes.push(product(attitudes[k - 1], rigid.free_attitude(I, omegas[k - 1], seconds / 480)));
-  const herpolhode = omegas.map((omega, k) => turned(attitudes[k], omega));
+  const move = (omega, A, time, count) => motion(I, omega, A, time, count, yours.free_rotation, yours.free_attitude);
+  const moments_of_time = steps(0, seconds, 480), samples = move(omega0, upright(L_body), seconds, 480);
+  const at = time => {
+    const k = Math.floor(480 * time / seconds);
+    return move(samples[k].omega, samples[k].A, time - moments_of_time[k], 1)[1];
+  };
+  const omegas = samples.map(({ omega }) => omega), herpolhode = samples.map(({ omega, A }) => turned(A, omega));
   // The samples until ω has gone once round L.
   let round = 0, once = 1;
   for (; once < herpolhode.length && round < 2 * Math.PI; ++once) {
@@ -48,15 +47,14 @@ function prepare_free_body(values) {
   }
   // Half edges of a uniform box with these moments.
   const [a, b, c] = I, edges = [b + c - a, c + a - b, a + b - c].map(square => Math.sqrt(Math.max(square, 0.003)));
-  return { I, omega0, edges: times(0.85 / norm(edges), edges), T, L2, L, period, start, seconds, omegas, moments_of_time,
-    herpolhode, axes, others, momentum,
-    once, polhode: polhode_of(I, omega0), size: 1 / Math.max(...axes),
+  return { I, omega0, edges: times(0.85 / norm(edges), edges), T, L2, L, period, at, seconds, omegas, moments_of_time,
+    herpolhode, axes, others, momentum, once, polhode: polhode_of(I, omega0), size: 1 / Math.max(...axes),
     circles: [0, 1, 2].map(i => [1, 2].map(k => times(axes[(i + k) % 3], identity[(i + k) % 3])))
       .map(([u, v]) => arc(origin, u, v)) };
 }
 
 function draw_in_body(scene, m, time, { surface }) {
-  const omega = rigid.free_rotation(m.I, m.omega0, [time]);
+  const { omega } = m.at(time);
   // On the ellipsoid of energy stands ω, on the sphere L; both normals are along I ω.
   const place = surface === 0 ? w => times(m.size, w) : w => unit(m.momentum(w));
   const normal = p => surface === 0 ? m.momentum(p) : p;
@@ -78,8 +76,7 @@ function draw_cone(scene, apex, curve, color) {
 }
 
 function draw_in_space(scene, m, time, { picture }) {
-  const A = product(m.start, rigid.free_attitude(m.I, m.omega0, time));
-  const omega = turned(A, rigid.free_rotation(m.I, m.omega0, [time]));
+  const now = m.at(time), { A } = now, omega = turned(A, now.omega);
   // Cones stand on their tip.
   const [center, size] = picture === 1 ? [[0, 0, -0.7], 1.5 * m.size] : [origin, m.size];
   const drawn = vector => sum(center, times(size, vector)), in_body = vector => drawn(turned(A, vector));
@@ -148,8 +145,7 @@ const free_body = {
     },
   },
   numbers(m, time) {
-    const omega = rigid.free_rotation(m.I, m.omega0, [time]);
-    return [...omega.map((rate, i) => [omega_names[i], rate, "rad/s"]), ["T", m.T, "J"], ["L²", m.L2, "kg² m⁴/s²"],
+    return [...m.at(time).omega.map((rate, i) => [omega_names[i], rate, "rad/s"]), ["T", m.T, "J"], ["L²", m.L2, "kg² m⁴/s²"],
       ["period in the body", m.period, "s"]];
   },
 };

@@ -1,5 +1,7 @@
-// Three turns in three conventions, and a passage near the vertical. Calls rotated_basis, euler_angles;
-// shortest_rotation, euler_angle_rates.
+// Three turns in three conventions, and a passage near the vertical.
+
+const rotated = (E, omega, time) => yours.rotated_basis?.(E, omega, time) ?? product(rotation(times(time, omega)), E);
+const angles_at = A => yours.euler_angles?.(transposed(A)) ?? angles_of(A);
 
 // The axes of the body about which each convention turns it, one after the other.
 const conventions = [[2, 1, 2], [2, 0, 2], [2, 1, 0]];
@@ -23,8 +25,8 @@ live("three_turns", {
     const angles = times(degree, [phi, theta, psi]), axes = conventions[convention];
     // Before, between and after the turns.
     const attitudes = [identity];
-    axes.forEach((axis, k) => attitudes.push(rigid.rotated_basis(attitudes[k], times(angles[k], attitudes[k][axis]), 1)));
-    return { angles, axes, attitudes, names: turn_names[convention], ours: rigid.euler_angles(transposed(attitudes[3])) };
+    axes.forEach((axis, k) => attitudes.push(rotated(attitudes[k], times(angles[k], attitudes[k][axis]), 1)));
+    return { angles, axes, attitudes, names: turn_names[convention], ours: angles_at(attitudes[3]) };
   },
   duration: () => 3,
   pace: 0.5,
@@ -33,7 +35,7 @@ live("three_turns", {
       half: 1.25, towards: [0.9, -1, 0.65], aspect: 1.5,
       draw(scene, m, time) {
         const turn = Math.min(2, Math.floor(time)), part = time - turn;
-        const E = rigid.rotated_basis(m.attitudes[turn], times(m.angles[turn], m.attitudes[turn][m.axes[turn]]), part);
+        const E = rotated(m.attitudes[turn], times(m.angles[turn], m.attitudes[turn][m.axes[turn]]), part);
         draw_axes(scene, identity.map(axis => times(0.6, axis)), ["", "", ""]);
         for (let k = 0; k <= turn; ++k) {
           const kept = m.axes[k], [u, v] = [1, 2].map(i => m.attitudes[k][(kept + i) % 3]);
@@ -61,13 +63,12 @@ live("gimbal_passage", {
   prepare({ distance, spin }) {
     // e₃ moves in the plane of x and the direction of the passage; half way it stands at `distance` from the vertical.
     const omega = [0, Math.cos(distance * degree), Math.sin(distance * degree)];
-    const start = rigid.shortest_rotation(z_axis, [0, -Math.sin(distance * degree), Math.cos(distance * degree)]);
+    const start = rotation([distance * degree, 0, 0]);
     const at = time => {
-      const carried = rigid.rotated_basis(start, omega, time - Math.PI / 2);
-      const A = rigid.rotated_basis(carried, times(spin, carried[2]), time);
-      const R = transposed(A), angles = rigid.euler_angles(R);
-      const omega_body = turned(R, sum(omega, times(spin, A[2])));
-      return { A, angles, rates: rigid.euler_angle_rates(angles, omega_body) };
+      const carried = rotated(start, omega, time - Math.PI / 2), A = rotated(carried, times(spin, carried[2]), time);
+      const omega_now = sum(omega, times(spin, A[2])), angles = angles_at(A);
+      const own = yours.euler_angle_rates?.(angles, turned(transposed(A), omega_now));
+      return { A, angles, rates: own ?? angle_rates(angles, omega_now) };
     };
     const moments = steps(0, Math.PI, 240);
     return { at, moments, samples: moments.map(at) };

@@ -1,5 +1,15 @@
-// A free body in Euler angles. Calls euler_angle_rates, euler_angle_accelerations, canonical_momenta, kinetic_energy_euler,
-// inertial_components, rotation_matrix.
+// A free body in Euler angles.
+
+/** The axes of the body, and what it has by ω, on the axes of space. */
+function state_of(I, q, v) {
+  const own = yours.rotation_matrix?.(q), A = own ? transposed(own) : attitude(q);
+  const nodes = [-Math.sin(q[0]), Math.cos(q[0]), 0];
+  const omega = sum(times(v[0], z_axis), times(v[1], nodes), times(v[2], A[2]));
+  const L = turned(A, scaled(I, turned(transposed(A), omega)));
+  return { A, tip: yours.inertial_components?.(z_axis, q) ?? A[2],
+    energy: yours.kinetic_energy_euler?.(I, q, v) ?? dot(L, omega) / 2,
+    momenta: yours.canonical_momenta?.(I, q, v) ?? [z_axis, nodes, A[2]].map(axis => dot(L, axis)) };
+}
 
 live("angles_and_momenta", {
   about: "The axis of a free body nods while it goes round L, which is upright; its canonical momenta over time.",
@@ -13,22 +23,22 @@ live("angles_and_momenta", {
   prepare(values) {
     const I = [values.I1, values.I2, values.I3], angles = times(degree, [0, values.theta, values.psi]);
     // L is upright; its components on the body axes are those of the vertical.
-    const upright = turned(rigid.rotation_matrix(angles), [0, 0, values.L]);
-    const rates = rigid.euler_angle_rates(angles, upright.map((component, i) => component / I[i]));
-    const rate = state => [...state.slice(3), ...rigid.euler_angle_accelerations(I, state.slice(0, 3), state.slice(3))];
-    const seconds = 12, states = history(state => runge_kutta(rate, state, seconds / 2400), [...angles, ...rates], 2400);
-    const samples = states.filter((_, k) => k % 8 === 0).map(state => {
-      const [q, v] = [state.slice(0, 3), state.slice(3)];
-      return { q, v, momenta: rigid.canonical_momenta(I, q, v), tip: rigid.inertial_components(z_axis, q) };
-    });
-    return { I, seconds, samples, L: values.L };
+    const A0 = attitude(angles), omega0 = turned(transposed(A0), [0, 0, values.L]).map((component, i) => component / I[i]);
+    const rates_of = (q, omega, A) => yours.euler_angle_rates?.(q, omega) ?? angle_rates(q, turned(A, omega));
+    const own = yours.euler_angle_accelerations, seconds = 12;
+    const own_step = state => runge_kutta(([a, b, c, ...v]) => [...v, ...own(I, [a, b, c], v)], state, seconds / 2400);
+    const samples = own
+      ? history(own_step, [...angles, ...rates_of(angles, omega0, A0)], 2400).filter((_, k) => k % 8 === 0)
+        .map(([a, b, c, ...v]) => state_of(I, [a, b, c], v))
+      : motion(I, omega0, A0, seconds, 300).map(({ omega, A }) => state_of(I, angles_of(A), rates_of(angles_of(A), omega, A)));
+    return { seconds, samples, L: values.L };
   },
   duration: m => m.seconds,
   views: {
     "e₃ in space": {
       half: 1.4, towards: [0.3, -1, 0.9],
       draw(scene, m, time) {
-        const k = Math.round(300 * time / m.seconds), { q } = m.samples[k], A = transposed(rigid.rotation_matrix(q));
+        const k = Math.round(300 * time / m.seconds), { A } = m.samples[k];
         scene.ellipsoid(origin, identity, "blue", 0.6);
         for (const latitude of [0, 30, 60]) scene.on_surface(parallel(latitude * degree), p => p, "grey", 1);
         scene.on_surface(m.samples.slice(0, k + 1).map(({ tip }) => tip), p => p, "vermilion", 2.5);
@@ -45,7 +55,7 @@ live("angles_and_momenta", {
     },
   },
   numbers(m, time) {
-    const { q, v } = m.samples[Math.round(300 * time / m.seconds)], momenta = rigid.canonical_momenta(m.I, q, v);
-    return [["T", rigid.kinetic_energy_euler(m.I, q, v), "J"], ...momenta.map((p, i) => [["p_φ", "p_θ", "p_ψ"][i], p, "kg m²/s"])];
+    const { energy, momenta } = m.samples[Math.round(300 * time / m.seconds)];
+    return [["T", energy, "J"], ...momenta.map((p, i) => [["p_φ", "p_θ", "p_ψ"][i], p, "kg m²/s"])];
   },
 });

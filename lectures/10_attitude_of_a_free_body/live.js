@@ -1,7 +1,6 @@
-// The ellipsoid that rolls on its plane. Calls poinsot, herpolhode_radii, turn_per_period, geometric_phase,
-// rotation_invariants, tumbling_period, free_rotation, free_attitude, shortest_rotation.
+// The ellipsoid that rolls on its plane.
 
-const crate = [1.2, 2, 2.7];
+const crate = [1.2, 2, 2.7], once = 360;  // kg m²; samples in a period of ω
 
 live("herpolhode", {
   about: "The ellipsoid of a free body rolls on a plane at rest; the point of contact draws the herpolhode in its ring.",
@@ -14,21 +13,32 @@ live("herpolhode", {
     slider("w3", "ω₃", 0.1, 1, 0.05, 0.6, "rad/s")],
   starts: { "round axis 3": { w1: 0.4, w2: -0.9, w3: 0.6 }, "round axis 1": { w1: 0.9, w2: -0.5, w3: 0.2 } },
   prepare({ w1, w2, w3 }) {
-    const omega0 = [w1, w2, w3], momentum = omega => omega.map((rate, i) => crate[i] * rate);
-    const [T, L2] = rigid.rotation_invariants(crate, omega0), [height] = rigid.poinsot(crate, omega0);
-    // Close to the separatrix, or to a pure spin, there is no period worth the name.
+    const omega0 = [w1, w2, w3], momentum = omega => scaled(crate, omega), L_body = momentum(omega0);
+    const [T, L2] = yours.rotation_invariants?.(crate, omega0) ?? [dot(omega0, L_body) / 2, dot(L_body, L_body)];
+    // Close to a motion that never returns, or to a pure spin, there is no period worth the name.
     const is_far = Math.abs(L2 - 2 * T * crate[1]) > 0.02 * L2 && omega0.every(rate => Math.abs(rate) > 0.06 * norm(omega0));
-    const period = is_far ? rigid.tumbling_period(crate, omega0) : NaN, seconds = is_far ? 3 * period : 60, count = 360;
-    // L points down at the plane; the motion goes from sample to sample.
-    const start = rigid.shortest_rotation(momentum(omega0), [0, 0, -1]), moments = steps(0, seconds, count);
-    const omegas = rigid.free_rotation(crate, omega0, moments), attitudes = [start];
-    for (let k = 1; k <= count; ++k)
-      attitudes.push(product(attitudes[k - 1], rigid.free_attitude(crate, omegas[k - 1], seconds / count)));
-    const contacts = omegas.map((omega, k) => turned(attitudes[k], omega));
+    const period = is_far ? yours.tumbling_period?.(crate, omega0) ?? time_of_return(crate, omega0) : NaN;
+    const seconds = is_far ? 3 * period : 60, count = 3 * once;
+    // L points down at the plane.
+    const motions = motion(crate, omega0, upright(times(-1, L_body)), seconds, count, yours.free_rotation, yours.free_attitude);
+    const omegas = motions.map(({ omega }) => omega), attitudes = motions.map(({ A }) => A);
+    const contacts = motions.map(({ omega, A }) => turned(A, omega)), distances = contacts.map(([x, y]) => Math.hypot(x, y));
+    // Where L encloses an axis of the body: triangles from its end, counted on the unit sphere.
+    const axis = L2 > 2 * T * crate[1] ? 2 : 0, end = times(Math.sign(omega0[axis]), identity[axis]);
+    const passed = omegas.slice(0, once + 1).map(omega => unit(momentum(omega)));
+    const enclosed = passed.slice(1).reduce((area, b, k) => area + 2 * Math.atan2(dot(end, cross(passed[k], b)),
+      1 + dot(end, passed[k]) + dot(passed[k], b) + dot(b, end)), 0);
+    // L looks down, so that what goes round it to the right comes from x to −y.
+    const gone = attitudes.slice(1, once + 1).reduce((angle, A, k) => {
+      const [a, b] = attitudes[k][2], [c, d] = A[2];
+      return angle + Math.atan2(b * c - a * d, a * c + b * d);
+    }, 0);
     const axes = crate.map(moment => Math.sqrt(2 * T / moment));
-    return { omega0, momentum, height, period, seconds, count, omegas, attitudes, contacts, axes, size: 1 / Math.max(...axes),
-      radii: is_far ? rigid.herpolhode_radii(crate, omega0) : [],
-      turn: is_far ? rigid.turn_per_period(crate, omega0) : NaN, angle: is_far ? rigid.geometric_phase(crate, omega0) : NaN,
+    return { omega0, momentum, height: -contacts[0][2], period, seconds, count, omegas, attitudes, contacts, axes,
+      size: 1 / Math.max(...axes),
+      radii: is_far ? yours.herpolhode_radii?.(crate, omega0) ?? [Math.min(...distances), Math.max(...distances)] : [],
+      turn: is_far ? yours.turn_per_period?.(crate, omega0) ?? gone : NaN,
+      angle: is_far ? yours.geometric_phase?.(crate, omega0) ?? Math.abs(enclosed) : NaN,
       circles: [[0, 1], [1, 2], [2, 0]].map(([i, j]) => arc(origin, times(axes[i], identity[i]), times(axes[j], identity[j]))) };
   },
   duration: m => m.seconds,
@@ -46,7 +56,7 @@ live("herpolhode", {
         scene.body_with_arrows(() => {
           scene.ellipsoid(drawn(origin), A.map((axis, i) => times(m.size * m.axes[i], axis)), "blue");
           for (const circle of m.circles) scene.on_surface(on_body(circle), normal, "grey", 1);
-          scene.on_surface(on_body(m.omegas.slice(0, 1 + m.count / 3)), normal, "blue", 2);
+          scene.on_surface(on_body(m.omegas.slice(0, 1 + once)), normal, "blue", 2);
         }, [[drawn(origin), sum(foot, [0, 0, -0.25]), "blue", "L"], [drawn(origin), drawn(m.contacts[k]), "vermilion", "ω"]]);
         scene.dot(drawn(m.contacts[k]), "ink");
       },
@@ -59,10 +69,10 @@ live("herpolhode", {
         for (const radius of m.radii)
           scene.line(arc(origin, times(size * radius, x_axis), times(size * radius, y_axis)), "grey", 1.2, { dash: [5, 5] });
         scene.line(m.contacts.slice(0, k + 1).map(drawn), "vermilion", 2.2);
-        for (let turns = 0; 120 * turns <= k; ++turns) {
-          scene.line([origin, drawn(m.contacts[120 * turns])], "grey", 1.2);
-          scene.dot(drawn(m.contacts[120 * turns]), "blue", 5);
-          scene.text(times(1.09, drawn(m.contacts[120 * turns])), ["0", "P", "2P", "3P"][turns], "blue");
+        for (let turns = 0; once * turns <= k; ++turns) {
+          scene.line([origin, drawn(m.contacts[once * turns])], "grey", 1.2);
+          scene.dot(drawn(m.contacts[once * turns]), "blue", 5);
+          scene.text(times(1.09, drawn(m.contacts[once * turns])), ["0", "P", "2P", "3P"][turns], "blue");
         }
         scene.dot(drawn(m.contacts[k]), "ink");
         scene.dot(origin, "ink", 3);
@@ -70,7 +80,9 @@ live("herpolhode", {
     },
   },
   numbers(m, time) {
-    const [height, distance] = rigid.poinsot(crate, rigid.free_rotation(crate, m.omega0, [time]));
+    const k = Math.floor(m.count * time / m.seconds), rest = time - k * m.seconds / m.count;
+    const { omega, A } = motion(crate, m.omegas[k], m.attitudes[k], rest, 1, yours.free_rotation, yours.free_attitude)[1];
+    const [x, y, z] = turned(A, omega), [height, distance] = yours.poinsot?.(crate, omega) ?? [-z, Math.hypot(x, y)];
     return [["height", height, "rad/s"], ["contact to foot", distance, "rad/s"], ["period P", m.period, "s"],
       ["e₃ round L in P", m.turn, "°", degree], ["solid angle of L", m.angle, "sr"]];
   },

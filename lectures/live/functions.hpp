@@ -1,6 +1,6 @@
 /// @file
-/// The functions of the course by their names, for callers that have nothing but numbers: the live figures call them as
-/// WebAssembly, and their tests call the same code natively.
+/// Functions of a student by their names, for the live figures, which call them as WebAssembly and have nothing but
+/// numbers.
 #pragma once
 
 #include "checker/data/kinds.hpp"
@@ -14,13 +14,13 @@ namespace workbook::live {
 /// Values one after the other, each as its rows, its columns, and its numbers column by column.
 using Numbers = std::vector<double>;
 
-/// A function of the course; from the values of its arguments it makes that of its result.
+/// A function; from the values of its arguments it makes that of its result.
 struct Function {
   const char* name;
   Numbers (*call)(const double* arguments);
 };
 
-/// All of them. The build writes this list from the exercises that there are.
+/// All of them. `checker live` writes this list.
 extern const std::vector<Function> functions;
 
 template <class Result, class... Parameters>

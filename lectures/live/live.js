@@ -1,5 +1,6 @@
 // The live figures: scenes that one turns in the hand, arrows, surfaces, plots, sliders, time. A figure is one call of
-// live() in lectures/NN_topic/live.js; what it shows is computed by `rigid`, the C++ functions of the course.
+// live() in lectures/NN_topic/live.js. It computes what it draws, and measures what it draws: this file lies in every
+// student's copy and holds no function that the course asks for.
 
 // ---- Vectors are arrays, matrices arrays of their columns.
 
@@ -7,7 +8,7 @@ const sum = (...vectors) => vectors[0].map((_, i) => vectors.reduce((total, vect
 const times = (factor, vector) => vector.map(component => factor * component);
 const minus = (a, b) => a.map((component, i) => component - b[i]);
 const dot = (a, b) => a.reduce((total, component, i) => total + component * b[i], 0);
-const cross = (a, b) => [0, 1, 2].map(i => a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3]);
+const cross = ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b * x];
 const norm = vector => Math.hypot(...vector);
 const unit = vector => times(1 / norm(vector), vector);
 const turned = (A, vector) => sum(...A.map((column, i) => times(vector[i], column)));
@@ -35,9 +36,9 @@ const axis_arrows = (A, begin, length = 0.3) => A.map((axis, i) =>
 
 /** A step of the classical rule for a state, which is a list of numbers. */
 function runge_kutta(rate, state, h) {
-  const a = rate(state), b = rate(sum(state, times(h / 2, a)));
-  const c = rate(sum(state, times(h / 2, b))), d = rate(sum(state, times(h, c)));
-  return sum(state, times(h / 6, sum(a, times(2, b), times(2, c), d)));
+  const along = (time, rates) => state.map((number, i) => number + time * rates[i]);
+  const a = rate(state), b = rate(along(h / 2, a)), c = rate(along(h / 2, b)), d = rate(along(h, c));
+  return along(h / 6, a.map((number, i) => number + 2 * b[i] + 2 * c[i] + d[i]));
 }
 
 /** The state at the beginning and after each of so many steps. */
@@ -47,17 +48,78 @@ function history(step, state, count) {
   return states;
 }
 
-// ---- The functions of the course by their names: rigid.free_rotation(I, omega0, times).
+/** The rotation about a vector by its length. */
+function rotation(vector) {
+  const angle = norm(vector), n = angle ? times(1 / angle, vector) : z_axis;
+  return identity.map(axis => sum(times(Math.cos(angle), axis), times(Math.sin(angle), cross(n, axis)),
+    times((1 - Math.cos(angle)) * dot(n, axis), n)));
+}
 
-const rigid = {};
+// ---- Bodies. I is the list of the principal moments; ω is on the axes of the body, the columns of A are these axes.
 
-/** Adds the functions of a module; returns their names. */
-async function add_functions(make_module) {
-  const module = await make_module();
+const scaled = (factors, vector) => vector.map((component, i) => factors[i] * component);
+/** The rate of ω where no torque acts. */
+const free_rate = I => omega => cross(scaled(I, omega), omega).map((torque, i) => torque / I[i]);
+const largest_turn = 0.05;  // rad in a step of integration: enough for the digits that figures show
+
+/** A free body at count + 1 equally spaced times: ω and A. The last two are the reader's own functions, if any. */
+function motion(I, omega0, A0, seconds, count, own_omegas, own_turn) {
+  const h = seconds / count, parts = Math.max(1, Math.ceil(norm(omega0) * h / largest_turn)), rate = free_rate(I);
+  // As the body sees them, the axes of space turn backwards.
+  const rates = state => {
+    const omega = state.slice(0, 3);
+    return rate(omega).concat(...[3, 6, 9].map(i => cross(state.slice(i, i + 3), omega)));
+  };
+  const step = state => history(now => runge_kutta(rates, now, h / parts), state, parts).at(-1);
+  const states = history(step, [...omega0, ...transposed(A0).flat()], count);
+  const omegas = own_omegas?.(I, omega0, steps(0, seconds, count)) ?? states.map(state => state.slice(0, 3));
+  const attitudes = [A0];
+  for (let k = 1; k <= count; ++k)
+    attitudes.push(own_turn ? product(attitudes[k - 1], own_turn(I, omegas[k - 1], h))
+      : transposed([3, 6, 9].map(i => states[k].slice(i, i + 3))));
+  return omegas.map((omega, k) => ({ omega, A: attitudes[k] }));
+}
+
+/** The time after which ω comes back, twice that between zeros of its part along the axis of the intermediate moment;
+ *  infinite where it takes longer than some twenty turns of the body. */
+function time_of_return(I, omega0) {
+  const middle = [0, 1, 2].sort((i, j) => I[i] - I[j])[1], h = largest_turn / norm(omega0), zeros = [];
+  for (let k = 0, omega = omega0; k < 3000 && zeros.length < 2; ++k) {
+    const next = runge_kutta(free_rate(I), omega, h), [a, b] = [omega[middle], next[middle]];
+    if (a < 0 !== b < 0) zeros.push(h * (k + a / (a - b)));
+    omega = next;
+  }
+  return zeros.length === 2 ? 2 * (zeros[1] - zeros[0]) : Infinity;
+}
+
+/** The axes of a body with the angles of lecture 07, as columns; the angles; and their rates for ω on the axes of space. */
+const attitude = ([phi, theta, psi]) =>
+  product(rotation([0, 0, phi]), product(rotation([0, theta, 0]), rotation([0, 0, psi])));
+const angles_of = A =>
+  [Math.atan2(A[2][1], A[2][0]), Math.acos(Math.max(-1, Math.min(1, A[2][2]))), Math.atan2(A[1][2], -A[0][2])];
+function angle_rates([phi, theta], [x, y, z]) {
+  const across = (x * Math.cos(phi) + y * Math.sin(phi)) / Math.sin(theta);
+  return [z - across * Math.cos(theta), y * Math.cos(phi) - x * Math.sin(phi), across];
+}
+
+/** A rotation that turns a vector upright. */
+function upright(vector) {
+  const n = unit(vector), level = unit(cross(Math.abs(n[0]) < 0.9 ? x_axis : y_axis, n));
+  return transposed([level, cross(n, level), n]);
+}
+
+// ---- The reader's own functions by their names, those that pass: yours.free_rotation?.(I, omega0, times). There are
+// none until `checker live` has compiled them; it finds the names that a figure can take by the word before the dot.
+
+const yours = {};
+let used = new Set();
+
+async function load_yours() {
+  const module = await rigid_module_of_the_student();
   const numbers_of = value => Array.isArray(value?.[0]) ? [value[0].length, value.length, ...value.flat()]
     : Array.isArray(value) ? [value.length, 1, ...value] : [1, 1, value];
-  const names = module.UTF8ToString(module._live_names()).split(" ");
-  names.forEach((name, number) => rigid[name] = (...values) => {
+  module.UTF8ToString(module._live_names()).split(" ").forEach((name, number) => yours[name] = (...values) => {
+    used.add(name);
     const numbers = values.flatMap(numbers_of);
     module.HEAPF64.set(numbers, module._live_arguments(numbers.length) / 8);
     const at = module._live_call(number) / 8;
@@ -65,13 +127,6 @@ async function add_functions(make_module) {
     const column = k => Array.from(module.HEAPF64.subarray(at + 2 + k * rows, at + 2 + (k + 1) * rows));
     return columns > 1 ? steps(0, columns - 1, columns - 1).map(column) : rows > 1 ? column(0) : column(0)[0];
   });
-  return names;
-}
-
-/** All that there are; the names of those that `checker live` has made from the reader's own. */
-async function load_rigid() {
-  await add_functions(rigid_module);
-  return globalThis.rigid_module_of_the_student ? add_functions(rigid_module_of_the_student) : [];
 }
 
 // ---- A picture: orthographic, what is drawn first lies below.
@@ -298,7 +353,7 @@ function shown(value) {
   if (!Number.isFinite(value)) return "–";
   const size = Math.abs(value);
   const raised = power => power.replace("+", "").replace(/./g, sign => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(sign)]);
-  const text = size < 1e-9 ? "0" : size >= 1e5 || size < 1e-3 ? value.toExponential(2) : value.toPrecision(4);
+  const text = size < 1e-5 ? "0" : size >= 1e5 || size < 1e-3 ? value.toExponential(2) : value.toPrecision(4);
   return text.replace(/^-/, "−").replace(/e(.*)/, (_, power) => `·10${raised(power)}`);
 }
 
@@ -320,8 +375,8 @@ const definitions = {};
  *                               value shows the end of the motion instead of its beginning
  *    views                      pictures by their titles: {half, towards, aspect, draw(scene, model, time, values)} and,
  *                               for a point that one drags, handle(model, time, values) and drag(pixels, scene, values)
- *    numbers(model, time)       [name, value, unit] of what is shown as numbers, each returned by a function of the course;
- *                               a fourth part says how much of the SI unit the unit is
+ *    numbers(model, time)       [name, value, unit] of what is shown as numbers; a fourth part says how much of the SI unit
+ *                               the unit is
  */
 function live(name, definition) { definitions[name] = definition; }
 
@@ -334,7 +389,7 @@ const text = (tag, words) => element(tag, { textContent: words });
 
 class LiveFigure {
   constructor(place, definition) {
-    Object.assign(this, { place, definition, time: 0, playing: false, in_sight: true, frames: 0 });
+    Object.assign(this, { place, definition, time: 0, playing: false, in_sight: true, frames: 0, used: new Set() });
     this.values = Object.fromEntries(definition.controls.map(control => [control.name, control.value]));
     Object.assign(this.values, Object.values(definition.starts ?? {})[0]);
     place.replaceChildren(this.make_views(), this.make_question(), this.make_settings(), this.make_numbers());
@@ -455,7 +510,8 @@ class LiveFigure {
     this.list = element("dl");
     this.spoken = element("p", { className: "spoken" });
     this.spoken.setAttribute("role", "status");
-    return element("div", { className: "numbers" }, this.list, this.spoken);
+    this.own = element("p");
+    return element("div", { className: "numbers" }, this.list, this.spoken, this.own);
   }
 
   /** Changes values: one by its name, that of the handle, or several. After another choice the time goes on, else the
@@ -464,6 +520,7 @@ class LiveFigure {
     Object.assign(this.values, values);
     this.definition.legal?.(this.values, changed);
     for (const control of this.definition.controls) control.show(this.values[control.name]);
+    used = this.used;
     this.model = this.definition.prepare(this.values);
     this.end = this.definition.duration(this.model);
     this.time_slider.max = this.end;
@@ -507,11 +564,13 @@ class LiveFigure {
   }
 
   draw() {
+    used = this.used;
     for (const { view, scene } of this.scenes) {
       scene.begin(this.pixels);
       view.draw(scene, this.model, this.time, this.values);
     }
     this.numbers = this.definition.numbers(this.model, this.time);
+    if (used.size) this.own.textContent = `Computed with your own ${[...used].join(", ")}.`;
     this.time_slider.value = this.time;
     this.clock.textContent = `${this.time.toFixed(2)} s${this.rate}`;
     this.time_slider.setAttribute("aria-valuetext", this.clock.textContent);
@@ -546,12 +605,9 @@ class LiveFigure {
   }
 }
 
-let loading;
-
 /** Called by site.js when all scripts are there. */
-async function start_live(place) {
-  const begun = performance.now(), own = await (loading ??= load_rigid());
+function start_live(place) {
+  const begun = performance.now();
   place.live = new LiveFigure(place, definitions[place.dataset.figure]);
-  if (own.length) place.append(text("p", `Computed with your own ${own.join(", ")}.`));
   place.live.started = performance.now() - begun;
 }

@@ -1,4 +1,4 @@
-// What live.js sees of the functions of the course: their names, and a place for numbers.
+// What live.js sees of a student's functions: their names, and a place for numbers.
 #include "lectures/live/functions.hpp"
 
 #include <string>

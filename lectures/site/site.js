@@ -129,12 +129,8 @@ function offer_motion(picture) {
   picture.after(controls);
 }
 
-/** Figures that move: what they need is loaded when one comes into sight. Without WebAssembly the still picture stays. */
+/** Figures that move: what they need is loaded when one comes into sight. */
 function offer_live_figure(place) {
-  if (typeof WebAssembly !== "object") return;
-  // `checker live` makes the reader's own functions and names the page with this question mark.
-  const own = location.search === "?yours" ? ["student.js"] : [];
-  const scripts = ["live.js", "rigid.js", ...own, `${place.dataset.lecture}.js`].map(name => `live/${name}`);
   const load = source => new Promise((loaded, failed) => {
     const present = document.querySelector(`script[src="${source}"]`);
     const script = present ?? document.head.appendChild(Object.assign(document.createElement("script"), { src: source }));
@@ -145,7 +141,13 @@ function offer_live_figure(place) {
   new IntersectionObserver(async (entries, observer) => {
     if (!entries.some(entry => entry.isIntersecting)) return;
     observer.disconnect();
-    for (const source of scripts) await load(source);
+    await load("live/live.js");
+    // `checker live` makes the reader's own functions and names the page with this question mark.
+    if (location.search === "?yours") {
+      await load("live/student.js");
+      await load_yours();
+    }
+    await load(`live/${place.dataset.lecture}.js`);
     start_live(place);
   }, { rootMargin: "200px" }).observe(place.closest("figure"));
 }

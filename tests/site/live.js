@@ -53,28 +53,37 @@ async function run_figure(number, thoroughly) {
   return { faults, rate };
 }
 
-/** The numbers of a figure at ten settings, and calls that made them, as [name, arguments, result]. */
+/** The numbers of a figure at ten settings. */
 function settings_of(number) {
-  const { live } = places[number], { definition } = live, plain = { ...rigid };
-  let calls = {}, seed = 1;
-  for (const name in plain) rigid[name] = (...values) => {
-    const result = plain[name](...values);
-    (calls[name] ??= []).push([name, values, result]);
-    return result;
-  };
+  const { live } = places[number], { definition } = live;
+  let seed = 1;
   const random = () => (seed = seed * 16807 % 2147483647) / 2147483647;
-  const found = steps(1, 10, 9).map(() => {
+  return steps(1, 10, 9).map(() => {
     for (const { name, options, from, to, step } of definition.controls) {
       live.values[name] = options ? Math.floor(random() * options.length) : from + step * Math.round(random() * (to - from) / step);
       definition.legal?.(live.values, name);
     }
     live.set({});
-    calls = {};
-    const time = random() * live.end, numbers = definition.numbers(definition.prepare(live.values), time);
-    // Of many the first and the last.
-    const kept = Object.values(calls).flatMap(list => list.length > 10 ? [...list.slice(0, 5), ...list.slice(-5)] : list);
-    return { values: { ...live.values }, time, numbers, calls: kept };
+    const time = random() * live.end;
+    return { values: { ...live.values }, time, numbers: definition.numbers(definition.prepare(live.values), time).map(row => row[1]) };
   });
-  Object.assign(rigid, plain);
-  return found;
+}
+
+/** All functions with these names, or of objects with these names: [name, function]. */
+const functions_among = names => names.flatMap(name => {
+  let value;
+  try { value = eval(name); } catch { return []; }
+  return [[name, value], ...Object.entries(value ?? {}).map(([part, inner]) => [`${name}.${part}`, inner])];
+}).filter(([, value]) => typeof value === "function");
+
+/** Which of them give what is expected, as exactly as a lock wants it? A case is {inputs, expected, size}. */
+function solutions_among(names, cases) {
+  const by_columns = value => Array.isArray(value?.[0]) ? transposed(value) : value;
+  const gives = (f, { inputs, expected, size }) => {
+    try {
+      const [found, right] = [f(...inputs.map(by_columns)), by_columns(expected)].map(value => [value].flat(2));
+      return found.length === right.length && right.every((number, i) => Math.abs(found[i] - number) <= 1e-6 * size);
+    } catch { return false; }
+  };
+  return functions_among(names).filter(([, f]) => cases.every(one => gives(f, one))).map(([name]) => name);
 }

@@ -1,6 +1,17 @@
-// The live figures as their readers meet them, opened as files; what they compute is computed again natively.
-#include "lectures/live/functions.hpp"
+// The live figures as their readers meet them, opened as files; what they show is computed again by the reference
+// implementations, which nothing of the site may hold.
+#include "checker/base/text.hpp"
+#include "checker/data/reference_results.hpp"
+#include "rigid/attitude_of_a_free_body.hpp"
+#include "rigid/euler_angles.hpp"
+#include "rigid/euler_equations.hpp"
+#include "rigid/free_tops.hpp"
+#include "rigid/heavy_top.hpp"
+#include "rigid/inertia_tensor.hpp"
+#include "rigid/parallel_axis.hpp"
+#include "rigid/rotating_frames.hpp"
 #include "tests/site/inspection.hpp"
+#include "tests/support/files.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -12,7 +23,7 @@
 
 using namespace workbook::site;
 using nlohmann::json;
-using workbook::live::Numbers;
+using namespace rigid;
 
 namespace {
 
@@ -69,60 +80,142 @@ void check_events() {
   }
 }
 
-/// A value of JavaScript, where a matrix is a list of its columns, as rows, columns and numbers.
-void append(const json& value, Numbers& numbers) {
-  const auto count = [](const json& list) { return static_cast<double>(list.size()); };
-  if (value.is_number()) {
-    numbers.insert(numbers.end(), {1, 1, value.get<double>()});
-  } else if (value.is_null()) {
-    FAIL_CHECK("A figure calls a function with a number that is not finite.");
-    numbers.insert(numbers.end(), {1, 1, NAN});
-  } else if (value.empty() || value[0].is_number()) {
-    numbers.insert(numbers.end(), {count(value), 1});
-    for (const json& component : value) numbers.push_back(component);
-  } else {
-    numbers.insert(numbers.end(), {count(value[0]), count(value)});
-    for (const json& column : value) numbers.insert(numbers.end(), column.begin(), column.end());
-  }
+using Numbers = std::vector<double>;
+using Values = std::map<std::string, double>;  // of the controls
+constexpr double not_compared = NAN, degree = M_PI / 180;
+
+Vector3d spin_of(const Values& v) { return {v.at("w1"), v.at("w2"), v.at("w3")}; }
+
+Numbers numbers_of_free_body(const Values& v, double time) {
+  const Vector3d I(v.at("I1"), v.at("I2"), v.at("I3")), omega0 = spin_of(v);
+  const Vector3d omega = free_rotation(I, omega0, VectorXd::Constant(1, time)).col(0);
+  const Vector2d invariants = rotation_invariants(I, omega0);
+  std::array<int, 3> order = {0, 1, 2};
+  std::ranges::stable_sort(order, {}, [&](int i) { return I[i]; });
+  const Vector3d ascending(I[order[0]], I[order[1]], I[order[2]]);
+  const double period = ascending[0] == ascending[2]
+                            ? NAN
+                            : tumbling_period(ascending, {omega0[order[0]], omega0[order[1]], omega0[order[2]]});
+  return {omega[0], omega[1], omega[2], invariants[0], invariants[1], period};
 }
 
-bool agree(double a, double b, double scale) {
-  return std::abs(a - b) <= 1e-9 * std::max(1.0, scale) || (std::isnan(a) && std::isnan(b));
-}
+/// What a figure shows at values of its controls and a time, in its order.
+const std::map<std::string, std::function<Numbers(const Values&, double)>> numbers_of = {
+    {"two_sources",
+     [](const Values& v, double time) -> Numbers {
+       const double omega = v.at("omega"), walk = v.at("walk"), out = v.at("start") + walk * time;
+       const Vector3d along(std::cos(omega * time), std::sin(omega * time), 0), across(-along[1], along[0], 0);
+       const Vector3d rate = walk * along + omega * out * across;
+       return {std::abs(omega * out), rate.norm(), rate[0], rate[1], omega};
+     }},
+    {"puck",
+     [](const Values& v, double time) -> Numbers {
+       if (v.at("law") != 0) return {};  // no motion that there is
+       const double sample = std::floor(40 * time) / 40, heading = v.at("heading") * degree;
+       const Vector3d omega(0, 0, v.at("omega")),
+           v0 = v.at("speed") * Vector3d(std::cos(heading), std::sin(heading), 0);
+       const Eigen::AngleAxisd back(-omega[2] * sample, Vector3d::UnitZ());
+       const Vector3d r = back * (Vector3d(v.at("start"), 0, 0) + v0 * sample), seen = back * v0 - omega.cross(r),
+                      zero(0, 0, 0);
+       return {fictitious_force(1, zero, seen, omega, zero).norm(), fictitious_force(1, r, zero, omega, zero).norm(),
+               0};
+     }},
+    {"foucault",
+     [](const Values& v, double) -> Numbers {
+       const double latitude = v.at("latitude") * degree;
+       return {latitude > 0 ? foucault_period(latitude, 86164.0989) : NAN, not_compared, not_compared};
+     }},
+    {"held_spin",
+     [](const Values& v, double) -> Numbers {
+       const double polar = v.at("polar") * degree, azimuth = v.at("azimuth") * degree;
+       const Vector3d n(std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth), std::cos(polar));
+       const Vector3d omega = v.at("rate") * n;
+       const Matrix3d I = cuboid_about_center(1, v.at("a"), v.at("b"), v.at("c"));
+       return {moment_about_axis(I, n),
+               kinetic_energy(I, omega),
+               angular_momentum(I, omega).norm(),
+               torque_to_hold_rotation(I, omega).norm(),
+               I(0, 0),
+               I(1, 1),
+               I(2, 2)};
+     }},
+    {"moving_point",
+     [](const Values& v, double time) -> Numbers {
+       const Vector3d point = time / 6 * Vector3d(v.at("x"), v.at("y"), v.at("z"));
+       const Matrix3d I = inertia_about_shifted_origin(cuboid_about_corner(6, 1, 2, 3), 6, {0.5, 1, 1.5}, -point);
+       const Vector3d moments = principal_moments(I);
+       return {I(0, 0), I(1, 2), I(0, 1), moments[0], moments[1], moments[2]};
+     }},
+    {"integrators",
+     [](const Values& v, double time) -> Numbers {
+       return {not_compared, not_compared, free_rotation({1, 2, 3}, spin_of(v), VectorXd::Constant(1, time))(1, 0)};
+     }},
+    {"free_body", numbers_of_free_body},
+    {"rolling_cones", numbers_of_free_body},
+    {"three_turns",
+     [](const Values& v, double) -> Numbers {
+       constexpr std::array<std::array<int, 3>, 3> axes = {{{2, 1, 2}, {2, 0, 2}, {2, 1, 0}}};
+       Matrix3d A = Matrix3d::Identity();
+       for (const auto& [turn, angle] : {std::pair{0U, "phi"}, {1U, "theta"}, {2U, "psi"}})
+         A = A * Eigen::AngleAxisd(v.at(angle) * degree,
+                                   Vector3d::Unit(axes.at(static_cast<std::size_t>(v.at("convention")))[turn]));
+       return {not_compared, euler_angles(A.transpose())[1], not_compared, A(0, 2), A(1, 2), A(2, 2)};
+     }},
+    {"gimbal_passage",
+     [](const Values& v, double time) -> Numbers {
+       const double distance = v.at("distance") * degree, spin = v.at("spin");
+       const Vector3d omega(0, std::cos(distance), std::sin(distance)), x(1, 0, 0), z(0, 0, 1);
+       const Matrix3d carried =
+           (Eigen::AngleAxisd(time - M_PI / 2, omega) * Eigen::AngleAxisd(distance, x)).toRotationMatrix();
+       const Matrix3d A = carried * Eigen::AngleAxisd(spin * time, z);
+       const Vector3d angles = euler_angles(A.transpose());
+       const Vector3d rates = euler_angle_rates(angles, A.transpose() * (omega + spin * A.col(2)));
+       return {not_compared, angles[1], not_compared, rates[0], rates[1], rates[2]};
+     }},
+    {"angles_and_momenta",
+     [](const Values& v, double time) -> Numbers {
+       const Vector3d I(v.at("I1"), v.at("I2"), v.at("I3"));
+       const Vector3d upright = rotation_matrix({0, v.at("theta") * degree, v.at("psi") * degree}).col(2);
+       const Vector3d omega0 = (v.at("L") * upright).cwiseQuotient(I);
+       const VectorXd sample = VectorXd::Constant(1, std::round(25 * time) / 25);
+       return {rotation_invariants(I, omega0)[0], v.at("L"), 0, I[2] * free_rotation(I, omega0, sample)(2, 0)};
+     }},
+    {"heavy_top",
+     [](const Values& v, double) -> Numbers {
+       constexpr double I1 = 3.28e-4, I3 = 6.6e-5, mgl = 0.0456;
+       const double tilt = v.at("theta") * degree, push = v.at("push"), spin = v.at("spin");
+       const Vector3d rates(push, 0, spin - push * std::cos(tilt));
+       const Vector2d limits = nutation_limits(I1, I3, mgl, tilt, rates);
+       const bool is_fast = spin > 2.02 * std::sqrt(I1 * mgl * std::cos(tilt)) / I3;
+       return {limits[0],
+               limits[1],
+               nutation_period(I1, I3, mgl, tilt, rates),
+               precession_per_nutation(I1, I3, mgl, tilt, rates),
+               is_fast ? steady_precession(I1, I3, mgl, spin, tilt)[0] : NAN,
+               sleeping_spin(I1, I3, mgl)};
+     }},
+    {"herpolhode", [](const Values& v, double time) -> Numbers {
+       const Vector3d I(1.2, 2, 2.7), omega0 = spin_of(v);
+       const Vector2d contact = poinsot(I, free_rotation(I, omega0, VectorXd::Constant(1, time)).col(0));
+       return {contact[0], contact[1], tumbling_period(I, omega0), turn_per_period(I, omega0),
+               geometric_phase(I, omega0)};
+     }}};
 
-/// The result of a call natively; the one of the page must agree.
-Numbers compute_again(const json& call) {
-  const auto function = std::ranges::find(workbook::live::functions, call[0].get<std::string>(),
-                                          [](const auto& known) { return std::string(known.name); });
-  REQUIRE_MESSAGE(function != workbook::live::functions.end(), call[0].dump());
-  Numbers arguments, in_page;
-  for (const json& argument : call[1]) append(argument, arguments);
-  append(call[2], in_page);
-  const Numbers native = function->call(arguments.data());
-  REQUIRE(native.size() == in_page.size());
-  const double scale = std::abs(*std::ranges::max_element(native, {}, [](double x) { return std::abs(x); }));
-  for (std::size_t i = 0; i < native.size(); ++i)
-    CHECK_MESSAGE(agree(native[i], in_page[i], scale), call[0].dump(), " ", call[1].dump());
-  return {native.begin() + 2, native.end()};
-}
-
-/// Each number on display is one that a function of the course returned, or the length of a vector that it returned.
-void check_numbers(int figure) {
+/// The numbers on display are those of the course, to what four digits show.
+void check_numbers(int figure, const std::string& name) {
+  std::size_t compared = 0;
   for (const json& setting : browser().evaluate(fmt::format("settings_of({})", figure))) {
-    CAPTURE(setting["values"].dump());
-    Numbers results;
-    for (const json& call : setting["calls"]) {
-      const Numbers result = compute_again(call);
-      results.insert(results.end(), result.begin(), result.end());
-      if (result.size() == 3) results.push_back(std::hypot(result[0], result[1], result[2]));
-    }
-    for (const json& number : setting["numbers"]) {
-      if (number[1].is_null()) continue;  // not finite: shown as a dash
-      const double value = number[1];
-      CHECK_MESSAGE(std::ranges::any_of(results, [&](double x) { return agree(x, value, std::abs(x)); }),
-                    number.dump());
+    CAPTURE(setting.dump());
+    const Numbers expected = numbers_of.at(name)(setting["values"].get<Values>(), setting["time"]);
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      const json& shown = setting["numbers"][i];
+      if (shown.is_null() || std::isnan(expected[i])) continue;  // not finite: shown as a dash
+      ++compared;
+      CHECK_MESSAGE(std::abs(shown.get<double>() - expected[i]) <= 3e-4 * std::max(0.3, std::abs(expected[i])), name,
+                    ", number ", i, ": ", shown.dump(), " and not ", expected[i]);
     }
   }
+  CHECK(compared >= 5);
 }
 
 /// Keys turn a scene and move a slider; so does the pointer.
@@ -182,7 +275,7 @@ void check_accessibility() {
 
 }  // namespace
 
-TEST_CASE("every live figure starts, runs, rests, obeys, and shows what the functions of the course compute") {
+TEST_CASE("every live figure starts, runs, rests, obeys, and shows what the functions of the course give") {
   const std::vector<std::string> pages = pages_with_figures();
   REQUIRE(!pages.empty());
   bool judged = false;
@@ -191,17 +284,16 @@ TEST_CASE("every live figure starts, runs, rests, obeys, and shows what the func
     const int count = open_page(page);
     // Nothing is loaded for figures that are out of sight.
     CHECK(browser().evaluate("places.some(place => place.closest('figure').getBoundingClientRect().top < 1100) || "
-                             "![...document.scripts].some(script => script.src.endsWith('/live/rigid.js'))") == true);
+                             "![...document.scripts].some(script => script.src.endsWith('/live/live.js'))") == true);
     for (int figure = 0; figure < count; ++figure) {
       const std::string name = browser().evaluate(fmt::format("places[{}].dataset.figure", figure));
       CAPTURE(name);
       const double started = browser().evaluate(fmt::format("open_figure({})", figure));
-      CHECK(started < 1000);
       const json run = browser().evaluate(fmt::format("run_figure({}, {})", figure, page == pages.front()));
       for (const json& fault : run["faults"]) CHECK_MESSAGE(false, fault.dump());
       fmt::print("{:<20} started after {:4.0f} ms, {:3.0f} frames per second\n", name, started,
                  run["rate"].get<double>());
-      check_numbers(figure);
+      check_numbers(figure, name);
       check_input(figure);
     }
     resize(390);
@@ -217,7 +309,7 @@ TEST_CASE("every live figure starts, runs, rests, obeys, and shows what the func
   }
 }
 
-TEST_CASE("without WebAssembly, and on paper, the still picture stays") {
+TEST_CASE("on paper, and without JavaScript, the still picture stays") {
   const std::string page = pages_with_figures().front();
   const std::string still_height = "document.querySelector('figure:has(> .live) > svg').getBoundingClientRect().height";
   open_page(page);
@@ -227,13 +319,6 @@ TEST_CASE("without WebAssembly, and on paper, the still picture stays") {
   CHECK(browser().evaluate(still_height) > 20);
   CHECK(browser().evaluate("places[0].getBoundingClientRect().height") == 0);
   set_media(json::array());
-  const json script =
-      browser().call("Page.addScriptToEvaluateOnNewDocument", {{"source", "delete window.WebAssembly"}});
-  open_page(page);
-  browser().evaluate("places[0].closest('figure').scrollIntoView(), wait(300)");
-  CHECK(browser().evaluate(still_height) > 20);
-  CHECK(browser().evaluate("places[0].childElementCount") == 0);
-  browser().call("Page.removeScriptToEvaluateOnNewDocument", script);
   browser().call("Emulation.setScriptExecutionDisabled", {{"value", true}});
   browser().open("file://" SITE_NOTES "/" + page);
   CHECK(browser().evaluate(still_height) > 20);
@@ -249,4 +334,61 @@ TEST_CASE("where motion is to be reduced, an answer alone moves nothing") {
   CHECK(evaluate_in(0, "live.playing") == false);
   CHECK(evaluate_in(0, "live.settings.disabled") == false);
   set_media(json::array());
+}
+
+TEST_CASE("nothing of the site computes what is asked for") {
+  std::vector<std::string> names;
+  for (const auto& file : workbook::testing::files_below(SITE_NOTES)) {
+    if (file.filename() == "student.js") continue;  // the reader's own, from `checker live`
+    const std::string text = read_text(file);
+    CHECK_MESSAGE(!workbook::testing::holds_webassembly(text), file.string());
+    if (file.parent_path().filename() != "live" || file.extension() != ".js") continue;
+    for (const std::string& line : workbook::lines_of(text))
+      if (const workbook::Match found = workbook::search(line, R"(^(?:const|let|var|class|(?:async )?function) (\w+))"))
+        names.push_back(found[1]);
+  }
+  REQUIRE(names.size() > 30);
+
+  json exercises = json::array(), problems = json::array();
+  for (const auto& card : workbook::testing::files_below(SITE_LECTURES)) {
+    if (card.filename() != "card.json") continue;
+    const auto lecture = card.parent_path().filename().string();
+    const auto reference =
+        workbook::read_reference_results(std::filesystem::path(SITE_REFERENCES) / (lecture + ".json"));
+    const json content = json::parse(read_text(card));
+    for (const json& entry : content["exercises"]) {
+      exercises.push_back(entry["name"]);
+      if (!entry.contains("difficulty")) continue;
+      json cases = json::array();
+      for (const auto& one : reference.exercise(entry["name"]).cases)
+        if (one.group == workbook::Group::random)
+          cases.push_back(
+              {{"inputs", one.inputs}, {"expected", one.expected}, {"size", *std::ranges::max_element(one.scale)}});
+      REQUIRE(!cases.empty());
+      problems.push_back({{"name", entry["name"]}, {"cases", cases}});
+    }
+  }
+  CHECK(problems.size() >= 40);
+  const auto thefts = [&] {
+    json found = json::array();
+    for (const json& problem : problems)
+      for (const json& name :
+           browser().evaluate(fmt::format("solutions_among({}, {})", json(names).dump(), problem["cases"].dump())))
+        found.push_back(fmt::format("{} solves {}", name.get<std::string>(), problem["name"].get<std::string>()));
+    return found;
+  };
+  for (const std::string& page : pages_with_figures()) {
+    open_page(page);
+    browser().evaluate("open_figure(0)");
+    CHECK(browser().evaluate(fmt::format("functions_among({}).length", json(names).dump())) > 20);
+    const json found = thefts();
+    CHECK_MESSAGE(found.empty(), page, ": ", found.dump());
+    const json exposed = browser().evaluate(exercises.dump() +
+                                            ".filter(name => typeof globalThis[name] === 'function' || name in yours)");
+    CHECK_MESSAGE(exposed.empty(), exposed.dump());
+  }
+  // What would be there under another name is found.
+  browser().evaluate(
+      "yours.spun = (radius, g, inclination) => 2 * Math.sqrt(g / radius / Math.sin(inclination)), null");
+  CHECK(thefts() == json::array({"yours.spun solves spinning_coin"}));
 }

@@ -37,6 +37,11 @@ void replace_in(const fs::path& file, const std::string& from, const std::string
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
+bool holds_webassembly(const std::string& text) {
+  // Its first eight bytes.
+  return has(text, {"\0asm\1\0\0\0", 8}) || has(text, "AGFzbQEAAAA");
+}
+
 std::vector<fs::path> files_below(const fs::path& folder) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {

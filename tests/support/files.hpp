@@ -20,6 +20,9 @@ void replace_in(const std::filesystem::path& file, const std::string& from, cons
 /// Does the text contain the part?
 bool has(const std::string& text, const std::string& part);
 
+/// Is WebAssembly in it, also as a base64 text?
+bool holds_webassembly(const std::string& text);
+
 /// All ordinary files below a folder.
 std::vector<std::filesystem::path> files_below(const std::filesystem::path& folder);
 

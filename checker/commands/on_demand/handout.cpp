@@ -76,9 +76,6 @@ void copy_made(const Course& course, const fs::path& copy, std::vector<LectureRe
     copy_figures(course, reference.lecture, data / "figures");
     write_reference_results(reference, data / "reference.json");
   }
-  // Only a machine with emscripten has made it.
-  if (const fs::path script = course.build().directory / "live/rigid.js"; fs::exists(script))
-    place_file(script, copy / "lectures/live/handed_out/rigid.js");
 }
 
 /// Solution and another route, or the derivation, for those whose function is right. Where neither these nor the

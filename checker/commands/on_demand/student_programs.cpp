@@ -233,10 +233,10 @@ int figures(const Course& course, const Options& options) {
 
 int live(const Course& course, const Options& options) {
   const std::string lecture = options.name;
-  // What the figures call, as lectures/live/live.js has it.
+  // What the figures take, as lectures/live/live.js has it.
   const std::string script = read_file(course.lectures() / lecture / "live.js").value_or("");
   std::set<std::string> called;
-  for (const Match& call : search_all(script, R"(rigid\.(\w+)\()")) called.insert(call[1]);
+  for (const Match& call : search_all(script, R"(yours\.(\w+))")) called.insert(call[1]);
   if (called.empty()) return stop("{} has no live figures.", lecture);
 
   const ProgressSummary summary = summary_of(course, Progress(course.progress_file()));
@@ -251,7 +251,7 @@ int live(const Course& course, const Options& options) {
                            exercise.name());
   }
   if (own.empty())
-    return stop("The live figures of {} call {}; none of these passes yet.", lecture, fmt::join(called, ", "));
+    return stop("The live figures of {} take {}; none of these passes yet.", lecture, fmt::join(called, ", "));
   // With what they call in turn.
   const auto file_of = [&](const Exercise& exercise) { return course.student_file(exercise); };
   for (const Submission& file : own_functions(fmt::format("{}", fmt::join(own, " ")), course.exercises(), file_of))
@@ -270,11 +270,9 @@ int live(const Course& course, const Options& options) {
   for (const auto& page : fs::directory_iterator(course.notes_folder()))
     if (read_file(page.path()).value_or("").find(fmt::format("data-lecture=\"{}\"", lecture)) != std::string::npos)
       pages += fmt::format("  file://{}?yours\n", page.path().string());
-  if (pages.empty())
-    return stop("The notes of this copy have still figures only: it was handed out by a machine without emscripten.");
   say("Computed with your {}:", fmt::join(own, ", "));
   fmt::print("{}", pages);
-  if (!called.empty()) say("With the reference implementation, until yours pass: {}.", fmt::join(called, ", "));
+  if (!called.empty()) say("The figures also take these, once they pass: {}.", fmt::join(called, ", "));
   return all_passed;
 }
 
