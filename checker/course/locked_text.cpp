@@ -8,6 +8,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
+#include <random>
+#include <ranges>
 
 namespace workbook {
 
@@ -62,6 +66,41 @@ std::string whole_numbers(const Value& value, Comparison comparison, const std::
   return text;
 }
 
+struct ResultsForKey {
+  std::vector<LockedCall> calls;
+  std::string secret;
+  double bits = 0;  ///< to be guessed by somebody who knows which results are frequent
+};
+
+/// In random order: that of the cases tells whole numbers.
+ResultsForKey results_for_key(const ExerciseReference& reference) {
+  std::vector<Case> cases;
+  std::ranges::copy_if(reference.cases, std::back_inserter(cases),
+                       [](auto& one) { return one.group == Group::random; });
+  std::ranges::shuffle(cases, std::random_device());
+  const bool is_whole = reference.result_kind == Kind::integer;
+  std::map<double, double> shares;
+  for (const Case& one : cases)
+    if (is_whole) shares[one.expected.numbers.at(0)] += 1.0 / static_cast<double>(cases.size());
+  ResultsForKey made;
+  for (const Case& one : cases) {
+    if (made.bits >= 2 * enough_bits) break;
+    std::vector<double> quanta;
+    for (std::size_t i = 0; i < one.expected.numbers.size(); ++i) {
+      const double quantum = is_whole ? 1.0 : std::max(100 * one.tolerance, 1e-6) * scale_at(one, i);
+      const double quotient = canonical(one.expected.numbers[i], reference.comparison) / quantum;
+      const bool is_clear = std::abs(quotient - std::round(quotient)) < 0.4;
+      quanta.push_back(is_clear ? quantum : 0.0);
+      if (is_clear)
+        made.bits +=
+            is_whole ? -std::log2(std::ranges::max(shares | std::views::values)) : std::log2(1 + std::abs(quotient));
+    }
+    made.calls.push_back({one.inputs, one.expected.rows, one.expected.cols, quanta});
+    made.secret += whole_numbers(one.expected, reference.comparison, quanta);
+  }
+  return made;
+}
+
 std::string random_bytes(std::size_t count) {
   std::string bytes(count, '\0');
   randombytes_buf(bytes.data(), bytes.size());
@@ -74,27 +113,12 @@ void start_sodium() {
 
 }  // namespace
 
+bool makes_key(const ExerciseReference& reference) { return results_for_key(reference).bits >= enough_bits; }
+
 std::string locked_text(const ExerciseReference& reference, const std::string& text) {
   start_sodium();
-  std::vector<LockedCall> calls;
-  std::string secret;
-  double bits = 0;
-  for (const Case& one : reference.cases) {
-    if (one.group != Group::random || bits >= 2 * enough_bits) continue;
-    std::vector<double> quanta;
-    for (std::size_t i = 0; i < one.expected.numbers.size(); ++i) {
-      const bool is_whole = reference.result_kind == Kind::integer;
-      const double quantum = is_whole ? 1.0 : std::max(100 * one.tolerance, 1e-6) * scale_at(one, i);
-      const double quotient = canonical(one.expected.numbers[i], reference.comparison) / quantum;
-      const bool is_clear = std::abs(quotient - std::round(quotient)) < 0.4;
-      quanta.push_back(is_clear ? quantum : 0.0);
-      if (is_clear) bits += is_whole ? 1 : std::log2(1 + std::abs(quotient));
-    }
-    calls.push_back({one.inputs, one.expected.rows, one.expected.cols, quanta});
-    secret += whole_numbers(one.expected, reference.comparison, quanta);
-  }
-  if (bits < enough_bits && reference.result_kind != Kind::integer)
-    throw std::runtime_error(fmt::format("{} has too few cases for a key", reference.name));
+  const auto [calls, secret, bits] = results_for_key(reference);
+  if (bits < enough_bits) throw std::runtime_error(fmt::format("{} has too few cases for a key", reference.name));
   const std::string salt = random_bytes(crypto_pwhash_SALTBYTES), nonce = random_bytes(crypto_secretbox_NONCEBYTES);
   std::string box(text.size() + crypto_secretbox_MACBYTES, '\0');
   crypto_secretbox_easy(raw(box), raw(text), text.size(), raw(nonce), raw(key_of(secret, salt)));

@@ -3,6 +3,7 @@
 #include "tests/judging/made_up.hpp"
 
 #include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 
@@ -55,6 +56,26 @@ TEST_CASE("the freedom of a comparison is no hindrance") {
   const double turn = 2 * std::acos(-1.0);
   CHECK(opened(locked_text(sine(Comparison::attitude_by_angles), "text"), [=](double x) { return right(x) + turn; }) ==
         "text");
+}
+
+TEST_CASE("whole numbers make a key only by many calls, counted by the most frequent one, and their order is no help") {
+  const auto signs = [](int count) {
+    std::vector<Value> expected;
+    for (int i = 0; i < count; ++i) expected.push_back(number(i % 3 == 0 ? -1 : 1));
+    ExerciseReference exercise = given_results(Kind::integer, expected);
+    exercise.arguments = {{"i", Kind::integer, units::none}};
+    for (int i = 0; i < count; ++i) exercise.cases[static_cast<std::size_t>(i)].inputs = {number(i)};
+    return exercise;
+  };
+  const auto sign = [](double i) { return std::fmod(i, 3) == 0 ? -1.0 : 1.0; };
+  CHECK(!makes_key(signs(81)));  // log2(3/2) = 0.585 bits a call
+  CHECK_THROWS_AS(locked_text(signs(81), "text"), std::runtime_error);
+  CHECK(makes_key(signs(84)));
+  CHECK(!makes_key(given_results(Kind::integer, std::vector<Value>(1000, number(1)))));
+  const std::string locked = locked_text(signs(84), "text");
+  CHECK(opened(locked, sign) == "text");
+  CHECK(!opened(locked, [&](double i) { return i == 42 ? -sign(i) : sign(i); }));
+  CHECK(nlohmann::json::parse(locked)["calls"] != nlohmann::json::parse(locked_text(signs(84), "text"))["calls"]);
 }
 
 TEST_CASE("a damaged text is named, and too few cases make no key") {
