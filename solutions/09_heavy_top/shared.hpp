@@ -10,7 +10,7 @@ inline constexpr double top_I1 = 4e-4, top_I3 = 9e-5, top_mgl = 0.06;
 inline constexpr const char* weight_sign =
     "The weight has the wrong sign in your result: there it drives the axis upwards.";
 inline constexpr const char* spin_as_psi_rate =
-    "ψ̇ and the component of ω along the axis are confused: this component is φ̇ cos θ + ψ̇.";
+    "ψ̇ and the component of ω along the axis are confused: the precession has a part of this component.";
 inline constexpr auto spin_confused = [](auto, auto, auto, auto theta, Vector3d& rates) {
   rates[2] -= rates[0] * cos(theta);
 };

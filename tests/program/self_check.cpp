@@ -105,6 +105,12 @@ TEST_CASE("self-check finds a card that points nowhere") {
   require_fault(course, "lectures/01_springs/notes.md", "{#springs_force}");
 }
 
+TEST_CASE("self-check finds a formula among the words about a problem") {
+  const CourseCopy course;
+  replace_in(course.card(), "\"points\": 2", "\"points\": 2, \"difficulty\": 1, \"minutes\": 20");
+  require_fault(course, "solutions/01_springs/judging/spring_energy.cpp", "'The factor ½ is missing.' holds a formula");
+}
+
 TEST_CASE("a stray file is a remark and stops nothing") {
   const CourseCopy course;
   write(course.root() / "lectures/01_springs/exercises/spring_enrgy.cpp", "int main() { return 0; }\n");

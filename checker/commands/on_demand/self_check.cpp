@@ -17,6 +17,10 @@ namespace {
 
 constexpr std::size_t hints_wanted = 3;
 
+/// What stands in a formula and not in a sentence: operators, powers, fractions, functions of symbols.
+constexpr const char* in_formulas =
+    R"([=/^|]|(×|·|√|∫|Σ|∂|½|⅓|⅔|¼|²|³|⁻|ᵀ)| (\+|-|−) |\b(sin|cos|tan|cot|ln|exp|sinh|cosh|tanh|sech|sqrt)\b)";
+
 std::string text_of(const fs::path& file) { return read_file(file).value_or(""); }
 
 /// One line, and one for each bug that no case shows.
@@ -169,6 +173,7 @@ class SelfCheck {
         misconceptions_ += judged.misconceptions.size();
         adequacy_ += adequacy_text(exercise, judged, judged.adequacy);
         check_texts(exercise, judged);
+        if (exercise.entry->is_problem()) check_words(exercise, judged);
         if (!question_on(judged))
           fault(course_.judging_file(exercise),
                 "no case tells three of its wrong answers apart, as the question after a pass needs; add one.");
@@ -247,6 +252,19 @@ class SelfCheck {
     if (course_.has_solutions() && text_of(stub) != stub_text(exercise, declared))
       fault(stub, "not the stub that the card makes (is it solved?); `{}` puts it back.",
             command("reset " + exercise.name()));
+  }
+
+  /// What a copy tells of a problem before it is solved is said in words: its formula is what is asked for.
+  void check_words(const Exercise& exercise, const ExerciseReference& reference) {
+    const auto require_words = [&](const auto& all, auto text) {
+      for (const auto& each : all)
+        if (const std::string& words = each.*text; search(words, in_formulas))
+          fault(course_.judging_file(exercise),
+                "'{}' holds a formula, and a problem leaves that to the student; say it in words.", words);
+    };
+    require_words(reference.terms, &Term::name);
+    require_words(reference.misconceptions, &Misconception::message);
+    require_words(reference.properties, &Property::message);
   }
 
   /// Runs a stub or a solution; its verdict is the one that it should have, without an explanation.

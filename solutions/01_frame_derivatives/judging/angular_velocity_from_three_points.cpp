@@ -71,10 +71,11 @@ void judge_angular_velocity_from_three_points(Lecture& lecture) {
           "mean_of_edges", [](auto& r, auto& v) {
             return (across_side(r, v, 0, 1) + across_side(r, v, 1, 2) + across_side(r, v, 2, 0)) / 3;
           });
-  e.wrong("This is r × v/r² of the first point, as if the body rotated about the origin.", "translation_kept",
-          [](auto& r, auto& v) { return cross(r.col(0), v.col(0)) / r.col(0).squaredNorm(); });
-  e.wrong_output("Your ω has the wrong sign: ω × d is the rate of d, and ω follows from d × ḋ.", "sign", negated);
-  e.wrong("This is a quotient that becomes 0/0 when ω lies in the plane of the triangle.", "quotient",
+  e.wrong("This is the rate at which the first point goes round the origin, as if the body rotated about the origin.",
+          "translation_kept", [](auto& r, auto& v) { return cross(r.col(0), v.col(0)) / r.col(0).squaredNorm(); });
+  e.wrong_output("Your ω has the wrong sign: a line from one point of the body to another turns in the sense of ω.",
+                 "sign", negated);
+  e.wrong("This is a quotient whose two parts vanish when ω lies in the plane of the triangle.", "quotient",
           [](auto& r, auto& v) {
             const Vector3d rate = v.col(1) - v.col(0), other_rate = v.col(2) - v.col(0);
             return cross(rate, other_rate) / rate.dot(r.col(2) - r.col(0));

@@ -27,13 +27,15 @@ void judge_composed_angular_acceleration(Lecture& lecture) {
         return tuple(turn(z_axis, pi / 6), 2 * z_axis, zero, spin, zero);
       });
 
-  e.term("α", 1, [](auto&, auto&, auto& alpha, auto&, auto&) { return alpha; });
+  e.term("the angular acceleration of the platform", 1, [](auto&, auto&, auto& alpha, auto&, auto&) { return alpha; });
   e.term("spin_rate on inertial axes", 1, [](auto& E, auto&, auto&, auto&, auto& rate) { return E * rate; });
-  e.term("ω × spin", 1, [](auto& E, auto& w, auto&, auto& spin, auto&) { return cross(w, E * spin); });
+  e.term("the spin, carried round by the platform", 1,
+         [](auto& E, auto& w, auto&, auto& spin, auto&) { return cross(w, E * spin); });
   e.wrong_terms("The rate of the spin is that seen on the platform; the platform also carries the spin round.",
                 "no_transport", {1, 1, 0});
-  e.wrong_terms("The spin is carried round the wrong way: a vector fixed on the platform changes by ω × it.",
-                "cross_reversed", {1, 1, -1});
+  e.wrong_terms(
+      "The spin is carried round the wrong way: a vector fixed on the platform turns with it, in the sense of ω.",
+      "cross_reversed", {1, 1, -1});
   e.wrong_terms(
       "The carrying round of the spin enters twice; the 2 of the Coriolis term belongs to a second derivative.",
       "coriolis_two", {1, 1, 2});
@@ -42,8 +44,9 @@ void judge_composed_angular_acceleration(Lecture& lecture) {
   e.wrong_terms("alpha does not enter; the platform's own angular velocity changes too.", "platform_steady", {0, 1, 1});
   e.wrong_input<0>("spin and spin_rate enter as if their components were inertial; they are on the platform's axes.",
                    "platform_components", fixed<Matrix3d>(Matrix3d::Identity()));
-  e.wrong_input<0>("Eᵀ turns inertial components into those on the platform; here the way back is needed.",
-                   "transposed", transposed);
+  e.wrong_input<0>(
+      "The transposed matrix turns inertial components into those on the platform; here the way back is needed.",
+      "transposed", transposed);
   e.wrong("omega has inertial components, and is crossed with those of spin on the platform: first E spin.",
           "omega_on_platform", [](auto& E, auto& w, auto& alpha, auto& spin, auto& rate) -> Vector3d {
             return alpha + E * (rate + cross(w, spin));

@@ -21,9 +21,11 @@ void judge_point_on_screw_axis(Lecture& lecture) {
   e.wrong("This is a point of the line, but not the one nearest to the origin.", "not_nearest",
           [](auto& r, auto& v, auto& w) { return r + cross(w, v) / w.squaredNorm(); });
   e.wrong_input<1>("The line is on the other side of the given point: v enters with the wrong sign.", "sign", negated);
-  e.wrong_input<0>("This is measured from the given point; the origin is where r = 0.", "r_forgotten", fixed(zero));
-  e.wrong_inputs("The distance of the line from the given point is multiplied by |ω|; a speed over |ω| is a length.",
-                 "not_squared", [](auto&, auto& v, auto& w) { v *= w.norm(); });
+  e.wrong_input<0>("This is measured from the given point; it is asked for from the origin.", "r_forgotten",
+                   fixed(zero));
+  e.wrong_inputs(
+      "The distance of the line from the given point has the wrong unit: the size of ω enters with the wrong power.",
+      "not_squared", [](auto&, auto& v, auto& w) { v *= w.norm(); });
   e.wrong_input<0>("r enters with the wrong sign.", "r_negated", negated);
   e.wrong_input<1>("This is the line through the given point; its points move along ω only if v does.",
                    "through_the_point", fixed(zero));

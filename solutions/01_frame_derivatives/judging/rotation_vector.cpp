@@ -49,7 +49,7 @@ void judge_rotation_vector(Lecture& lecture) {
   add_turns(e);
   e.wrong("This is the axis times the sine of the angle; the angle itself is asked for.", "no_theta_over_sin",
           [](auto& E) { return axial_part(E); });
-  e.wrong("The angle comes from its sine alone, which is the same for θ and π − θ.", "asin", [](auto& E) {
+  e.wrong("The angle comes from its sine alone, which an angle shares with its supplement.", "asin", [](auto& E) {
     const Vector3d v = axial_part(E);
     return asin(min(v.norm(), 1.0)) * v.stableNormalized();
   });
@@ -57,17 +57,21 @@ void judge_rotation_vector(Lecture& lecture) {
                  negated);
   e.wrong_output("This is the unit vector along the axis; its length should be the angle.", "axis_only",
                  [](auto& v) { return v.stableNormalized(); });
-  e.wrong("The axis comes from E − Eᵀ, which vanishes at half a turn; (E + Eᵀ)/2 still has it.", "zero_at_half_turn",
-          [](auto& E) {
-            const Vector3d v = axial_part(E);
-            return atan2(v.norm(), (E.trace() - 1) / 2) * v.stableNormalized();
-          });
-  e.wrong_output("Small angles have lost their digits: the cosine of 10⁻⁸ is 1; the sine still has the angle.",
+  e.wrong(
+      "The axis comes from the antisymmetric part of E, which vanishes at half a turn; the symmetric part still has "
+      "it.",
+      "zero_at_half_turn", [](auto& E) {
+        const Vector3d v = axial_part(E);
+        return atan2(v.norm(), (E.trace() - 1) / 2) * v.stableNormalized();
+      });
+  e.wrong_output("Small angles have lost their digits: their cosine is rounded to 1; the sine still has the angle.",
                  "acos_digits", [](auto& v, auto& E) { v = acos(cosine_of(E)) * v.stableNormalized(); });
   e.wrong_output("This is half of the vector: the angle of a quaternion is half the angle of the rotation.",
                  "half_angle", times(0.5));
-  e.wrong_output("E − Eᵀ holds 2 sin θ times the unit axis: it is still to be divided by the sine.",
-                 "not_divided_by_sine", [](auto& v) -> Vector3d { return sin(v.norm()) * v; });
+  e.wrong_output(
+      "The antisymmetric part of E holds the axis with the sine of the angle as a factor; the sine is still in your "
+      "axis.",
+      "not_divided_by_sine", [](auto& v) -> Vector3d { return sin(v.norm()) * v; });
   e.wrong_output("The angle is in degrees.", "degrees", times(1 / degree));
   e.route("by Eigen", [](auto& E) {
     const Eigen::AngleAxisd turned(E);

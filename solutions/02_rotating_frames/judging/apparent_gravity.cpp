@@ -60,7 +60,7 @@ void judge_apparent_gravity(Lecture& lecture) {
   e.term("the centrifugal term", 1, [](auto lat, auto R, auto, auto rate, auto&) {
     return rate * rate * R * cos(lat) * Vector3d(0, -sin(lat), cos(lat));
   });
-  e.term("Ω × v", -2, [](auto lat, auto, auto, auto rate, auto& v) {
+  e.term("the Coriolis term", -2, [](auto lat, auto, auto, auto rate, auto& v) {
     return rate * cross({0, cos(lat), sin(lat)}, {v.x(), v.y(), 0});
   });
   e.term("the curvature of the track", 1,

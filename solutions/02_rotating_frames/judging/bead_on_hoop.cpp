@@ -79,7 +79,8 @@ void judge_bead_on_hoop(Lecture& lecture) {
                    result[1] = abs(rate) * sqrt(1 - 1 / ratio);
                  }));
   e.wrong_output(
-      "The angle is that of a bead at the distance of the radius from the axis; on the hoop that is R sin θ.",
+      "The angle is that of a bead at the distance of the radius from the axis; on the hoop the distance depends on "
+      "the angle.",
       "tangent", tilted([](Vector2d& result, double ratio, double) { result[0] = atan(ratio); }));
   e.wrong_output("The frequency has the curvature of gravity alone; the centrifugal force changes along the hoop too.",
                  "cosine_frequency",

@@ -167,11 +167,11 @@ void judge_inertia_of_mesh(Lecture& lecture) {
                    const Vector3d center = first_moment / or_one(volume);
                    r.colwise() -= center;
                  });
-  e.wrong_output({"Your products of inertia have the wrong sign: I_xy = −∫ xy dm.", "inertia_tensor_products"},
-                 "products_plus", products_flipped);
-  e.wrong_output(
-      {"This is ∫ r r dm, the second moments; the tensor is their trace times 1 minus them.", "inertia_tensor_dyad"},
-      "second_moment", [](auto& I) -> Matrix3d { return I.trace() / 2 * Matrix3d::Identity() - I; });
+  e.wrong_output({"Your products of inertia have the wrong sign.", "inertia_tensor_products"}, "products_plus",
+                 products_flipped);
+  e.wrong_output({"These are the second moments of the mass; the tensor follows from them and their trace.",
+                  "inertia_tensor_dyad"},
+                 "second_moment", [](auto& I) -> Matrix3d { return I.trace() / 2 * Matrix3d::Identity() - I; });
   e.is_inertia_tensor("", "inertia_tensor_energy");
   e.route("divergence theorem", by_divergence_theorem);
   e.route("four points in each tetrahedron", by_points_in_tetrahedra);

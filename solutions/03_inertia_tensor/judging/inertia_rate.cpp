@@ -38,16 +38,16 @@ void judge_inertia_rate(Lecture& lecture) {
       {"The four masses; ω of 2 rad/s turns from x to y", "angle of ω from x (rad)", "rate of an entry (kg m²/s)"},
       {{"I_xx", 0, 0}, {"I_xy", 0, 1}, {"I_zz", 2, 2}}, {0, pi}, [](auto angle) { return 2 * in_xy_plane(angle); });
 
-  e.term("[ω]× I", 1, [](auto& I, auto& omega) { return skew(omega) * I; });
-  e.term("I [ω]×", -1, [](auto& I, auto& omega) { return I * skew(omega); });
+  e.term("the rate of the first axis of the tensor", 1, [](auto& I, auto& omega) { return skew(omega) * I; });
+  e.term("the rate of the second axis of the tensor", -1, [](auto& I, auto& omega) { return I * skew(omega); });
   e.wrong_terms("One index rotates in your result and the other does not, so it is not symmetric.", "one_index",
                 {1, 0});
   e.wrong_terms("The sign is reversed: these are the rates for −ω.", "sign", {-1, 1});
-  e.wrong_terms("[ω]× I and I [ω]× are added here; the result is antisymmetric, and I stays symmetric.",
+  e.wrong_terms("The sign between the two terms is wrong: the result is antisymmetric, and I stays symmetric.",
                 "anticommutator", {1, 1});
   e.wrong("You return zero: the tensor is constant on axes fixed in the body, and these axes are at rest.", "constant",
           [](auto&, auto&) -> Matrix3d { return Matrix3d::Zero(); });
-  e.wrong("This is [ω]× I [ω]×ᵀ, which is quadratic in ω; a rate is linear in it.", "both_sides",
+  e.wrong("This is quadratic in ω; a rate is linear in it.", "both_sides",
           [](auto& I, auto& omega) { return skew(omega) * I * skew(omega).transpose(); });
   e.property(Is::symmetric, "The tensor stays symmetric, so its rate is symmetric.");
   e.route("four attitudes of one rotation", from_four_attitudes);

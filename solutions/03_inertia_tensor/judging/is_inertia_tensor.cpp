@@ -89,7 +89,7 @@ void judge_is_inertia_tensor(Lecture& lecture) {
           [](auto& I) { return smallest_spread(I) >= -1e-9 * largest_entry(I) ? 1 : 0; });
   e.wrong("You refuse flat bodies: equality is allowed, and rounding may violate it by a little.", "flat_refused",
           [](auto& I) { return is_symmetric_and(I, smallest_spread(I) > 1e-9 * largest_entry(I)); });
-  e.wrong("You compare I_xx + I_yy with I_zz only.", "one_inequality",
+  e.wrong("You ask for one of the inequalities only.", "one_inequality",
           [](auto& I) { return is_symmetric_and(I, I(0, 0) + I(1, 1) - I(2, 2) >= -1e-9 * largest_entry(I)); });
   e.wrong_output("Yes and no are exchanged: 1 is asked for where a body has this tensor.", "exchanged",
                  [](auto& answer) { return 1 - answer; });

@@ -53,8 +53,8 @@ void judge_largest_angle_between_L_and_omega(Lecture& lecture) {
                    [](auto& I) { I[1] = (I[0] + I[2]) / 2; });
   e.wrong("This is the angle whose cosine is the smallest moment over the largest one; the angle asked for is smaller.",
           "cosine", [](auto& I) { return acos(I.minCoeff() / I.maxCoeff()); });
-  e.wrong("For a given body the angle stays below π/2 by a finite amount; you return π/2.", "right_angle",
-          [](auto&) { return pi / 2; });
+  e.wrong("For a given body the angle stays below a right angle by a finite amount; you return a right angle.",
+          "right_angle", [](auto&) { return pi / 2; });
   e.property(Is::nonnegative, "The angle between two vectors is never negative.");
   e.route("search over all directions", by_search_over_directions);
   e.route("the axis at which the angle is stationary",

@@ -95,7 +95,7 @@ void judge_block_with_hole(Lecture& lecture) {
           "no_shift_of_hole", [](auto density, auto& box, auto& place, auto radius) {
             return about_the_middle(density, box, zero, radius) - last_step(density, box, place, radius);
           });
-  e.wrong("⅔ m r² is the moment of a spherical shell; a ball is cut out here.", "shell",
+  e.wrong("The moment is that of a spherical shell; a ball is cut out here.", "shell",
           [](auto density, auto& box, auto& place, auto radius) {
             return about_the_middle(density, box, place, radius, 2. / 3) - last_step(density, box, place, radius);
           });

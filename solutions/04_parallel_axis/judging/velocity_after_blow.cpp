@@ -42,18 +42,18 @@ void judge_velocity_after_blow(Lecture& lecture) {
           {{"v_y", 1, 0}}, {-0.2, 0.4},
           [=](auto x) { return tuple(0.9, bat, Vector3d(x, 0, 0), Vector3d(0, 3, 0), grip); });
 
-  e.term("impulse / M", 1, [](auto M, auto&, auto&, auto& J, auto&) -> Vector3d { return J / M; });
-  e.term("ω × p", 1,
+  e.term("the velocity of the centre of mass", 1,
+         [](auto M, auto&, auto&, auto& J, auto&) -> Vector3d { return J / M; });
+  e.term("the velocity by the rotation", 1,
          [](auto, auto& tensor, auto& r, auto& J, auto& p) { return cross(tensor.inverse() * cross(r, J), p); });
   e.wrong_terms("This is the velocity of the centre of mass; the blow also makes the body rotate.", "no_rotation",
                 {1, 0});
   e.wrong_terms("Only the rotation enters; the centre of mass moves too.", "rotation_only", {0, 1});
-  e.wrong_terms(
-      "The rotation enters with the wrong sign: r × impulse makes ω, and a point at p then has the velocity ω × p.",
-      "p_cross_omega", {1, -1});
+  e.wrong_terms("The rotation enters with the wrong sign, either where the blow starts it or where it moves the point.",
+                "p_cross_omega", {1, -1});
   e.wrong_input<1>("The products of inertia do not enter; ω follows from the whole tensor.", "diagonal", diagonal_part);
-  e.wrong("The rotation is taken about the struck point, as if that point moved with impulse / M.", "relative_to_blow",
-          [](auto M, auto& tensor, auto& r, auto& J, auto& p) -> Vector3d {
+  e.wrong("The rotation is taken about the struck point, as if that point moved like the centre of mass.",
+          "relative_to_blow", [](auto M, auto& tensor, auto& r, auto& J, auto& p) -> Vector3d {
             return J / M + cross(tensor.inverse() * cross(r, J), p - r);
           });
   e.route("stationary energy of six masses", by_stationary_energy);

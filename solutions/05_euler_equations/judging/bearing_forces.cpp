@@ -59,8 +59,8 @@ void judge_bearing_forces(Lecture& lecture) {
       "to a principal axis.",
       "static_only", diagonal_part);
   e.wrong_input<2>(
-      "This is as if the centre of mass lay at z = 0: I_cm serves about a point of the shaft without a "
-      "change of origin.",
+      "This is as if the centre of mass lay in the plane of the origin: its tensor serves about a point of the shaft "
+      "without a change of origin.",
       "no_parallel_axes", zeroed(2));
   e.wrong_input<0>(products_sign, "products_sign", products_flipped);
   e.wrong_input<2>(

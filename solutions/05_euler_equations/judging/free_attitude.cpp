@@ -60,13 +60,13 @@ void judge_free_attitude(Lecture& lecture) {
   const char* const invariants = "euler_equations_invariants";
   e.wrong_output("This is the transposed matrix: the principal axes are its rows; they should be its columns.",
                  "transposed", transposed);
-  e.wrong({"This comes out with dA/dt = [ω]A, as if ω came in inertial components; its components are the body's.",
+  e.wrong({"This comes out as if ω came in inertial components; its components are those on the axes of the body.",
            "euler_equations_tilde"},
           "left_product", [](auto& I, auto& w, auto t) {
             return integrated(w, t, euler(I), [](auto& A, auto& now) { return skew(now) * A; });
           });
   e.wrong(
-      "This is a single rotation by the vector ∫ω dt; the axis moves, and rotations about different axes do not add.",
+      "This is a single rotation by the integral of ω; the axis moves, and rotations about different axes do not add.",
       "exponential_of_integral", [](auto& I, auto& w, auto t) {
         Vector3d sum = zero;
         at_gauss_points(I, w, t,
@@ -75,7 +75,8 @@ void judge_free_attitude(Lecture& lecture) {
       });
   e.wrong({"Your ω keeps its value of t = 0; without a torque L is constant in space, but ω is not.", invariants},
           "constant_omega", [](auto&, auto& w, auto t) { return turn(w, w.norm() * t); });
-  e.wrong({"The sign of ω × (Iω) is wrong in your ω: with this attitude L does not stand still in space.", invariants},
+  e.wrong({"The sign of the gyroscopic term is wrong in your ω: with this attitude L does not stand still in space.",
+           invariants},
           "sign_of_euler", [](auto& I, auto& w, auto t) { return integrated(w, t, euler(I, -1), body_rate); });
   e.property(Is::rotation_matrix, "The principal axes stay at right angles and of length 1, and right-handed.");
   e.route("the matrix by Runge-Kutta", [](auto& I, auto& w, auto t) { return integrated(w, t, euler(I), body_rate); });

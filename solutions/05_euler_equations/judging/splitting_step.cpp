@@ -46,13 +46,13 @@ void judge_splitting_step(Lecture& lecture) {
       {"omega_1", "omega_2", "omega_3"}, {-6, 6});
 
   e.wrong_input<2>(
-      "This is the step with −h: L turns the wrong way. The body turns about ω, and sees L turn against it.", "sense",
+      "This is the step backwards: L turns the wrong way. The body turns about ω, and sees L turn against it.", "sense",
       negated);
   e.wrong("The order of the axes is 3, 2, 1, 2, 3 here; the first term comes first and last.", "other_order",
           [](auto& I, auto& w, auto h) {
             return after(I, w, {{2, h / 2}, {1, h / 2}, {0, h}, {1, h / 2}, {2, h / 2}});
           });
-  e.wrong("These are three stages of full length, 1, 2, 3; the first two terms come twice, for h/2 each.",
+  e.wrong("These are three stages of full length, 1, 2, 3; the first two terms come twice, for half the step each.",
           "first_order", [](auto& I, auto& w, auto h) {
             return after(I, w, {{0, h}, {1, h}, {2, h}});
           });
@@ -69,7 +69,7 @@ void judge_splitting_step(Lecture& lecture) {
   e.wrong({"This is the free rotation itself after the time h; the five stages only come near it.",
            "euler_equations_exact"},
           "exact_motion", [](auto& I, auto& w, auto h) { return ExactTop(I, w).omega(h); });
-  e.conserves({"Every stage turns L and leaves its length: Σ Iᵢ²ωᵢ² stays the same.", "euler_equations_invariants"},
+  e.conserves({"Every stage turns L and leaves its length.", "euler_equations_invariants"},
               [](auto& I, auto&...) { return Vector3d(I.cwiseAbs2()); });
   e.route("complex numbers", [](auto& I, auto& w, auto h) -> Vector3d {
     Vector3d L = L_of(I, w);

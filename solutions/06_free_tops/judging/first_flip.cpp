@@ -94,9 +94,7 @@ void judge_first_flip(Lecture& lecture) {
       "first?",
       "last_zero", [](auto& I, auto& w) { return ExactTop(I, w).period() / 2 - first_flip(I, w); });
   e.wrong(
-      "This is the law ln(16/(1 − m))/σ for the interval between flips close to the separatrix; where in it the start "
-      "lies counts too.",
-      "log_law",
+      "This is the interval between flips close to the separatrix; where in it the start lies counts too.", "log_law",
       [](auto& I, auto& w) { return std::log(16 / ExactTop(I, w).complementary_parameter()) / growth_rate(I, w[1]); });
   e.wrong({"This is how long the disturbance takes to grow as large as ω₂ at the rate σ; that law holds only while it "
            "is small.",

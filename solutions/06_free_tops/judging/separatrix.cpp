@@ -42,21 +42,20 @@ void judge_separatrix(Lecture& lecture) {
   e.sweep<2>({"The turning over: I = (1.2, 1.7, 2.6) kg m², spin 1.5 rad/s", "time (s)", "body component of ω (rad/s)"},
              {"omega_1", "omega_2", "omega_3"}, {-8, 8});
 
-  e.wrong_output(
-      "Your ω₂ goes from +spin to −spin; Euler's second equation makes it grow where ω₁ and ω₃ are positive.",
-      "time_reversed", negate(1));
+  e.wrong_output("Your ω₂ falls; Euler's second equation makes it grow where ω₁ and ω₃ are positive.", "time_reversed",
+                 negate(1));
   e.wrong_output("The amplitudes of ω₁ and ω₃ are exchanged.", "amplitudes_exchanged", exchange(0, 2));
   e.wrong({"Your rate of turning over does not contain the spin; twice as fast, the body turns over in half the time.",
            "free_tops_growth"},
           "rate_without_spin", [](auto& I, auto spin, auto t) { return spin * separatrix(I, 1, t); });
-  e.wrong("Your ω₁ and ω₃ have the square of sech; with it T and L² are not constant.", "sech_squared",
+  e.wrong("Your ω₁ and ω₃ fade twice as fast as they should; with that T and the length of L are not constant.",
+          "sech_squared",
           with_functions([](double x) { return pow(std::cosh(x), -2); }, [](double x) { return std::tanh(x); }));
   e.wrong("These are sine and cosine, and the body would turn over again and again; on the separatrix it does so once.",
           "circle", with_functions([](double x) { return cos(x); }, [](double x) { return sin(x); }));
   const char* const energy = "free_tops_energy";
-  e.conserves({"T keeps its value from the infinite past: Σ Iᵢωᵢ² stays the same.", energy},
-              [](auto& I, auto...) { return I; });
-  e.conserves({"L keeps its length from the infinite past: Σ Iᵢ²ωᵢ² stays the same.", energy},
+  e.conserves({"T keeps its value from the infinite past.", energy}, [](auto& I, auto...) { return I; });
+  e.conserves({"L keeps its length from the infinite past.", energy},
               [](auto& I, auto...) { return Vector3d(I.cwiseAbs2()); });
   e.route("decaying exponentials", with_functions([](double x) { return 2 / (std::exp(-x) + std::exp(x)); },
                                                   [](double x) {

@@ -25,9 +25,10 @@ void judge_angle_between_attitudes(Lecture& lecture) {
             const Vector3d one = turned_triad(a).col(2), other = turned_triad(b).col(2);
             return atan2(cross(one, other).norm(), one.dot(other));
           });
-  e.wrong("This is the angle of R₂ R₁, one turn after the other; between them lies R₂ R₁ᵀ.", "not_transposed",
+  e.wrong("This is the angle of one turn after the other; asked for is that between the two.", "not_transposed",
           [=](auto& a, auto& b) { return of_trace((rotation_matrix(b) * rotation_matrix(a)).trace()); });
-  e.wrong_output("This is half of the angle: a quaternion holds cosine and sine of α/2.", "half_angle", times(0.5));
+  e.wrong_output("This is half of the angle: a quaternion holds cosine and sine of the half.", "half_angle",
+                 times(0.5));
   e.wrong("Where your angle is larger than π, the rotation the other way round is shorter: q and −q are one attitude.",
           "long_way", [](auto& a, auto& b) {
             const Quaterniond q = body_to_inertial(b) * body_to_inertial(a).conjugate();

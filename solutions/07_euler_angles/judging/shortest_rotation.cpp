@@ -36,7 +36,7 @@ void judge_shortest_rotation(Lecture& lecture) {
           });
 
   e.wrong_output("This is the inverse: it carries b into a.", "transposed", transposed);
-  e.wrong("This goes by azimuth and inclination: a comes to b, but by a longer way than about a × b.",
+  e.wrong("This goes by azimuth and inclination: a comes to b, but by a longer way than about the normal of both.",
           "azimuth_and_inclination", [](auto& a, auto& b) {
             const auto aimed = [](auto& v) {
               return turn(z_axis, atan2(v.y(), v.x())) * turn(y_axis, atan2(hypot(v.x(), v.y()), v.z()));
@@ -50,7 +50,7 @@ void judge_shortest_rotation(Lecture& lecture) {
   e.wrong("The lengths of a and b enter; only the directions count.", "not_normalised",
           [](auto& a, auto& b) { return turned_from_products(cross(a, b), a.dot(b)); });
   e.wrong(
-      "This is 1 + [a × b] with unit vectors, the first order in the angle.", "first_order",
+      "This is the first order in the angle, and the angle is finite.", "first_order",
       [](auto& a, auto& b) -> Matrix3d { return Matrix3d::Identity() + skew(cross(a.normalized(), b.normalized())); });
   e.wrong_output("Your rotation goes twice as far as b.", "double_angle", [](auto& D) { D *= Matrix3d(D); });
   e.property(Is::rotation_matrix, "A rotation matrix has orthonormal columns and determinant +1.");

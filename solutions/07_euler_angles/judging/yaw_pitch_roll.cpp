@@ -40,7 +40,7 @@ void judge_yaw_pitch_roll(Lecture& lecture) {
 
   e.wrong("These are the z–y–z angles themselves; yaw, pitch and roll are three other turns to the same attitude.",
           "unchanged", [](auto& q) { return q; });
-  e.wrong("These are yaw, pitch and roll of the inverse rotation, Rᵀ in place of R.", "transposed",
+  e.wrong("These are yaw, pitch and roll of the inverse rotation.", "transposed",
           [](auto& q) { return yaw_pitch_roll_of(turned_triad(q)); });
   e.wrong("These are roll first, then pitch, then yaw: turns about axes 1, 2 and 3; the yaw comes first.", "roll_first",
           [](auto& q) { return -yaw_pitch_roll_of(turned_triad(q)); });

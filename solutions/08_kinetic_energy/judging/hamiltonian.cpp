@@ -33,30 +33,31 @@ void judge_hamiltonian(Lecture& lecture) {
   const auto part = [](int i) {
     return [i](auto& I, auto& q, auto& p) { return pow(L_of_momenta<double>(q, p)[i], 2) / I[i]; };
   };
-  e.term("L̃₁²/I₁", 0.5, part(0));
-  e.term("L̃₂²/I₂", 0.5, part(1));
-  e.term("L̃₃²/I₃", 0.5, part(2));
+  e.term("the energy of the rotation about axis 1", 0.5, part(0));
+  e.term("the energy of the rotation about axis 2", 0.5, part(1));
+  e.term("the energy of the rotation about axis 3", 0.5, part(2));
   const char* const notes = "kinetic_energy_momenta";
   e.wrong("The momenta stand for components of L on the body's axes; they are its projections on ê3⁰, ê2' and ê3.",
           "momenta_as_body", with_L([](auto&, auto& p) { return p; }));
-  e.wrong({"L̃ = B⁻¹ p stands here; momenta are p = Bᵀ L̃, so it is Bᵀ that must be inverted.", notes}, "B_inverse",
-          with_L([](auto& q, auto& p) { return rate_axes(q).inverse() * p; }));
-  e.wrong({"L̃ = B p stands here; p = Bᵀ L̃ must be solved for L̃.", notes}, "B_itself",
-          with_L([](auto& q, auto& p) { return rate_axes(q) * p; }));
-  e.wrong({"L̃ = Bᵀ p stands here; p = Bᵀ L̃ must be solved for L̃.", notes}, "B_transposed",
-          with_L([](auto& q, auto& p) { return rate_axes(q).transpose() * p; }));
+  e.wrong({"L̃ comes from the momenta as ω̃ would come from angles; how momenta follow from L̃ is another matrix.", notes},
+          "B_inverse", with_L([](auto& q, auto& p) { return rate_axes(q).inverse() * p; }));
+  e.wrong({"L̃ comes from the momenta as ω̃ comes from the rates; momenta belong to L̃ by another relation, to be solved "
+           "for it.",
+           notes},
+          "B_itself", with_L([](auto& q, auto& p) { return rate_axes(q) * p; }));
+  e.wrong({"The relation that gives the momenta from L̃ is applied to the momenta; it must be solved for L̃.", notes},
+          "B_transposed", with_L([](auto& q, auto& p) { return rate_axes(q).transpose() * p; }));
   e.wrong_input<0>(exchanged_moments, "zxz", exchange(0, 1));
-  e.wrong("p_φ stands alone over sin θ; its part p_ψ cos θ belongs to L̃₃.", "no_coupling",
+  e.wrong("The whole of p_φ counts as momentum across the axis; a part of it belongs to L̃₃.", "no_coupling",
           with_L([](auto& q, auto& p) { return L_of_momenta<double>(q, p + p[2] * cos(q[1]) * x_axis); }));
-  e.wrong("The part p_ψ cos θ of p_φ is added; it must be subtracted.", "coupling_sign",
+  e.wrong("The part of p_φ that L̃₃ makes is added; it must be taken away.", "coupling_sign",
           with_L([](auto& q, auto& p) { return L_of_momenta<double>(q, p + 2 * p[2] * cos(q[1]) * x_axis); }));
-  e.wrong("sin θ divides twice here; the part of L along ê₁′ is (p_ψ cos θ − p_φ)/sin θ.", "sine_twice",
-          with_L([](auto& q, auto& p) {
+  e.wrong("The sine of θ divides the part of L along ê₁′ once too often.", "sine_twice", with_L([](auto& q, auto& p) {
             const double across = (p[2] * cos(q[1]) - p[0]) / pow(sin(q[1]), 2);
             return Vector3d(across * cos(q[2]) + p[1] * sin(q[2]), -across * sin(q[2]) + p[1] * cos(q[2]), p[2]);
           }));
-  e.wrong_terms("The factor ½ is missing.", "no_half", {1, 1, 1});
-  e.wrong("The moments multiply L̃ᵢ² here; L̃ᵢ = Iᵢ ω̃ᵢ, so they divide.", "moments_multiply",
+  e.wrong_terms("The factor one half is missing.", "no_half", {1, 1, 1});
+  e.wrong("The moments multiply here, as they do with ω̃; these are squares of momenta.", "moments_multiply",
           [](auto& I, auto& q, auto& p) { return energy(I, L_of_momenta<double>(q, p)); });
   e.wrong({"Your energy is that of the rates (p_φ, p_θ, p_ψ); p are momenta.", notes}, "momenta_as_rates",
           [](auto& I, auto& q, auto& p) { return kinetic_energy_euler(I, q, p); });

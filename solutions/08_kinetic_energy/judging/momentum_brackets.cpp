@@ -48,19 +48,22 @@ void judge_momentum_brackets(Lecture& lecture) {
         const Vector3d L = L_of_momenta<double>(q, p);
         return skew({L[1], -L[0], L[2]});
       });
-  e.wrong("Only the first half of the bracket is there, Σ ∂f/∂q ∂g/∂p; the other is subtracted from it.", "first_half",
+  e.wrong("Only the first half of the bracket is there; the other is subtracted from it.", "first_half",
           [](auto& q, auto& p) { return gradient_of_L(q, p) * unit_rotations<double>(q); });
-  e.wrong("The two halves of the bracket are added; ∂f/∂p ∂g/∂q is subtracted.", "halves_added", [](auto& q, auto& p) {
+  e.wrong("The two halves of the bracket are added; the second is subtracted.", "halves_added", [](auto& q, auto& p) {
     const Matrix3d half = gradient_of_L(q, p) * unit_rotations<double>(q);
     return half + half.transpose();
   });
-  e.wrong("L̃ = B p stands here; p = Bᵀ L̃ must be solved for L̃.", "B_itself",
-          [](auto& q, auto& p) { return skew(rate_axes(q) * p); });
+  e.wrong(
+      "L̃ comes from the momenta as ω̃ comes from the rates; momenta belong to L̃ by another relation, to be solved for "
+      "it.",
+      "B_itself", [](auto& q, auto& p) { return skew(rate_axes(q) * p); });
   e.wrong_input<0>(phi_for_psi, "phi_for_psi", exchange(0, 2));
   e.angles_read_as_degrees("kinetic_energy_angles");
   const char* const far = "At thousands of radians a derivative by differences has too few digits left.";
   for (const char* bug : {"angles_2 limited to 1000", "angles_3 limited to 1000"}) e.survivor(bug, far);
-  e.property(Is::antisymmetric, "{f, g} = −{g, f}: the matrix of brackets is antisymmetric.");
+  e.property(Is::antisymmetric,
+             "A bracket changes its sign when its functions are exchanged: the matrix of brackets is antisymmetric.");
   e.route("derivatives by a complex step", [](auto& q, auto& p) {
     const Matrix3d half = gradient_of_L(q, p) * unit_rotations<double>(q);
     return half - half.transpose();

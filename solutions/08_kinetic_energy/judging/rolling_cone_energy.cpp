@@ -86,18 +86,20 @@ void judge_rolling_cone_energy(Lecture& lecture) {
           });
   e.wrong("This is the energy of the centre of mass alone; the cone also rotates about it.", "translation_only",
           of_cone([](auto& c) { return c.of_center(); }));
-  e.wrong("Your ω is rate/sin α, as large as the spin about the axis; with the rate it sums to rate·cot α.",
-          "omega_by_sine",
-          of_cone([](auto& c) { return c.about_contact(c.across_in_apex()) / pow(cos(c.half_angle), 2); }));
-  e.wrong("Your ω is rate·tan α; the steeper the cone, the slower it turns about the line of contact: rate·cot α.",
-          "omega_by_tangent",
-          of_cone([](auto& c) { return c.about_contact(c.across_in_apex()) * pow(tan(c.half_angle), 4); }));
-  e.wrong("½ M R² is the moment of a cylinder about its axis; a cone has its mass nearer to it, 3/10 M R².", "cylinder",
+  e.wrong(
+      "Your ω is as large as the spin about the axis; the rate round the vertical is still to be added, as a vector.",
+      "omega_by_sine",
+      of_cone([](auto& c) { return c.about_contact(c.across_in_apex()) / pow(cos(c.half_angle), 2); }));
+  e.wrong(
+      "Your ω grows with the angle of the cone; the steeper the cone, the slower it turns about the line of contact.",
+      "omega_by_tangent",
+      of_cone([](auto& c) { return c.about_contact(c.across_in_apex()) * pow(tan(c.half_angle), 4); }));
+  e.wrong("The moment about the axis is that of a cylinder; a cone has its mass nearer to its axis.", "cylinder",
           of_cone([](auto& c) {
             const double too_much = (0.5 - 0.3) * c.M * pow(c.radius() * cos(c.half_angle), 2);
             return c.about_contact(c.across_in_apex()) + 0.5 * too_much * pow(c.rate / tan(c.half_angle), 2);
           }));
-  e.wrong_output("The factor ½ is missing.", "no_half", times(2));
+  e.wrong_output("The factor one half is missing.", "no_half", times(2));
   e.wrong_input<2>("half_angle is halved once more; it lies between the axis and the side already.", "opening_angle",
                    times(0.5));
   e.wrong(

@@ -35,10 +35,10 @@ void judge_spinning_coin(Lecture& lecture) {
           [](auto inclination) { return tuple(0.0375, 9.81, inclination); });
 
   e.wrong_output(
-      "Your rate fits a moment ½ M a², a disc's about its own axis, or a radius twice as large; the coin turns about a "
+      "Your rate fits the moment of a disc about its own axis, or a radius twice as large; the coin turns about a "
       "diameter.",
       "polar_moment", times(sqrt(0.5)));
-  e.wrong_output("Your rate fits a moment about the edge, 5/4 M a²; the centre is at rest, and L is that about it.",
+  e.wrong_output("Your rate fits a moment about the edge; the centre is at rest, and L is that about it.",
                  "about_the_edge", times(sqrt(0.2)));
   e.wrong_input<2>("Sine and cosine are exchanged, or the inclination is counted from the vertical.", "cosine",
                    complement);
@@ -49,10 +49,10 @@ void judge_spinning_coin(Lecture& lecture) {
   e.wrong_output("This is the rate at which the picture on the coin turns; the point of contact runs around faster.",
                  "picture", [](auto& rate, auto, auto, auto inclination) { rate *= 1 - cos(inclination); });
   e.wrong_output("This is in turns per second; radians per second are asked for.", "turns", times(0.5 / pi));
-  e.wrong_output("The inclination does not enter your rate; ω is Ω sin α, not Ω.", "omega_as_rate",
+  e.wrong_output("The inclination does not enter your rate; ω is not as large as Ω.", "omega_as_rate",
                  [](auto& rate, auto, auto, auto inclination) { rate *= sqrt(sin(inclination)); });
   e.wrong_output("This is the square of the rate.", "squared", [](auto& rate) { rate *= rate; });
-  e.wrong_output("The whole of L turns in your answer; only its level part L cos α changes its direction.", "all_of_L",
+  e.wrong_output("The whole of L turns in your answer; only its level part changes its direction.", "all_of_L",
                  [](auto& rate, auto, auto, auto inclination) { rate *= sqrt(cos(inclination)); });
   e.angles_read_as_degrees("kinetic_energy_free_top");
   e.property(Is::nonnegative, "The rate is asked for with the positive sign.");

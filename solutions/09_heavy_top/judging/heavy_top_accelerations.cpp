@@ -25,29 +25,28 @@ void mistakes_of_heavy_top_accelerations(Exercise& e) {
   e.wrong_terms("The torque of the weight is missing.", "weightless", {0, 1, -1});
   e.wrong_terms("The torque of the weight has the wrong sign: it drives the axis away from the upward vertical.",
                 "weight_sign", {-1, 1, -1});
-  e.wrong_terms("This solves ω̇ = B q̈; B depends on the angles: ω̇ = B q̈ + Ḃ q̇.", "no_E_rate", {1, 1, 0});
-  e.wrong_terms("The gyroscopic term ω × L is missing.", "no_gyroscopic_term", {1, 0, -1});
-  e.wrong("mgl sin θ/I₁ is added to θ̈ alone, as for a symmetric top; M⁻¹ gives the weight a part in all three.",
+  e.wrong_terms("This leaves out that the matrix between the rates of the angles and ω changes with the angles.",
+                "no_E_rate", {1, 1, 0});
+  e.wrong_terms("The gyroscopic term is missing.", "no_gyroscopic_term", {1, 0, -1});
+  e.wrong("The weight acts on θ̈ alone, as for a symmetric top; where the moments differ it has a part in all three.",
           "theta_only",
           [](auto& I, auto mgl, auto& q, auto& v) { return weightless(I, q, v) + mgl * sin(q[1]) / I[0] * y_axis; });
   e.wrong("The torque of the weight is not divided by a moment of inertia.", "torque_as_acceleration",
           [](auto& I, auto mgl, auto& q, auto& v) { return weightless(I, q, v) + mgl * sin(q[1]) * y_axis; });
   e.template wrong_input<0>("I₁ and I₂ are replaced by their mean, as if the top were symmetric.", "mean_moment",
                             [](Vector3d& I) { I[0] = I[1] = (I[0] + I[1]) / 2; });
-  e.wrong("The torque of the weight contains cos θ here; its lever is the level distance of the centre of mass.",
-          "cosine", [](auto& I, auto mgl, auto& q, auto& v) {
-            return weightless(I, q, v) + by_torque(I, q, mgl * cos(q[1]) * y_axis);
-          });
   e.wrong(
-      "Sine and cosine of ψ are exchanged in the torque; on the axes of the body the line of nodes is "
-      "(sin ψ, cos ψ, 0).",
-      "nodes_exchanged", [](auto& I, auto mgl, auto& q, auto& v) {
-        return under_torque(I, mgl * sin(q[1]) * Vector3d(cos(q[2]), sin(q[2]), 0), q, v);
+      "The torque of the weight contains a cosine where the sine belongs: its lever is the level distance of the "
+      "centre of mass.",
+      "cosine", [](auto& I, auto mgl, auto& q, auto& v) {
+        return weightless(I, q, v) + by_torque(I, q, mgl * cos(q[1]) * y_axis);
       });
-  e.wrong(
-      "The torque of the weight acts about axis 2 of the body here; its axis is the line of nodes, (sin ψ, cos ψ, 0).",
-      "about_axis_2",
-      [](auto& I, auto mgl, auto& q, auto& v) { return under_torque(I, mgl * sin(q[1]) * y_axis, q, v); });
+  e.wrong("Sine and cosine of ψ are exchanged in the torque; look up the line of nodes on the axes of the body.",
+          "nodes_exchanged", [](auto& I, auto mgl, auto& q, auto& v) {
+            return under_torque(I, mgl * sin(q[1]) * Vector3d(cos(q[2]), sin(q[2]), 0), q, v);
+          });
+  e.wrong("The torque of the weight acts about axis 2 of the body here; its axis is the line of nodes.", "about_axis_2",
+          [](auto& I, auto mgl, auto& q, auto& v) { return under_torque(I, mgl * sin(q[1]) * y_axis, q, v); });
   e.wrong("The weight turns φ here; its torque is about the line of nodes, and its work is done on θ.",
           "about_vertical", [](auto& I, auto mgl, auto& q, auto& v) {
             return weightless(I, q, v) + by_torque(I, q, mgl * sin(q[1]) * x_axis);
@@ -87,13 +86,13 @@ void judge_heavy_top_accelerations(Lecture& lecture) {
           {"φ̈", "θ̈", "ψ̈"}, {0.3, pi - 0.3},
           [](auto theta) { return tuple(Vector3d(3.8e-4, 4.4e-4, 9e-5), top_mgl, Vector3d(0.3, theta, 1.1), zero); });
 
-  e.term("B⁻¹ I⁻¹ τ", 1, [](auto& I, auto mgl, auto& q, auto&) -> Vector3d {
+  e.term("the torque of the weight", 1, [](auto& I, auto mgl, auto& q, auto&) -> Vector3d {
     return rate_axes(q).inverse() * torque_on_body(mgl, q).cwiseQuotient(I);
   });
-  e.term("B⁻¹ I⁻¹ (L × ω)", 1, [](auto& I, auto, auto& q, auto& v) -> Vector3d {
+  e.term("the gyroscopic term", 1, [](auto& I, auto, auto& q, auto& v) -> Vector3d {
     return rate_axes(q).inverse() * cross(L_body(I, q, v), omega_body(q, v)).cwiseQuotient(I);
   });
-  e.term("B⁻¹ Ḃ q̇", -1,
+  e.term("the turning of the axes of the angles", -1,
          [](auto&, auto, auto& q, auto& v) -> Vector3d { return rate_axes(q).inverse() * turning_axes(q, v); });
   mistakes_of_heavy_top_accelerations(e);
   e.survivor("angles_3 taken modulo π",

@@ -47,7 +47,7 @@ void judge_nutation_limits(Lecture& lecture) {
   e.wrong_input<4>("θ̇ does not enter your limits; it is part of the energy.", "theta_rate_lost", zeroed(1));
   e.wrong_input<2>("The weight does not enter your limits: these are those of the free precession about L.",
                    "weightless", times(1e-9));
-  e.wrong_inputs({"The energy ½I₃ω₃² of the spin is counted as if the nutation could use it; it is constant.",
+  e.wrong_inputs({"The energy of the spin is counted as if the nutation could use it; it is constant.",
                   "heavy_top_effective_potential"},
                  "spin_energy", [](auto I1, auto I3, auto, auto theta, Vector3d& rates) {
                    rates[1] = hypot(rates[1], sqrt(I3 / I1) * (rates[0] * cos(theta) + rates[2]));

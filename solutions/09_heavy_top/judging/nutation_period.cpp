@@ -34,22 +34,22 @@ void judge_nutation_period(Lecture& lecture) {
              [](auto spin) { return spin * z_axis; });
 
   e.wrong_output("This is the time from one limit to the other; back again it takes as long.", "half", times(0.5));
-  e.wrong("This is the period 2πI₁/(I₃ω₃) of a fast top.", "fast_top",
+  e.wrong("This is the period of a fast top, which yours is not.", "fast_top",
           [](auto I1, auto I3, auto, auto theta, auto& rates) { return 2 * pi * I1 / (I3 * spin_of(theta, rates)); });
-  e.wrong("The parameter m stands where the modulus √m belongs; check with a small m, where K = π/2 (1 + m/4).",
+  e.wrong("The parameter stands where the modulus of the elliptic integral belongs; the library says which it takes.",
           "modulus", with_modulus([](double m) { return m; }));
-  e.wrong("This holds where K = π/2, for a small nutation; yours is not small.", "small_nutation",
+  e.wrong("This holds for a small nutation; yours is not small.", "small_nutation",
           with_modulus([](double) { return 0; }));
   e.wrong({"This is the period of a small nutation at the bottom of the effective potential; that of this top is not "
            "small.",
            "heavy_top_effective_potential"},
           "bottom_of_the_well", small_nutation);
-  e.wrong("u₃ − u₂ stands under the root where u₃ − u₁ belongs.", "upper_limit", [](auto... inputs) {
+  e.wrong("Two of the three zeros are exchanged in the difference under the root.", "upper_limit", [](auto... inputs) {
     const Cubic cubic{Start(inputs...)};
     return 4 * std::comp_ellint_1(sqrt(cubic.m())) / sqrt(cubic.beta * (cubic.third - cubic.high));
   });
   e.wrong_inputs(spin_as_psi_rate, "psi_rate_as_omega3", spin_confused);
-  e.wrong("This is the time of one turn of a fast top round the vertical, 2πI₃ω₃/(mgl).", "precession_time",
+  e.wrong("This is the time of one turn of a fast top round the vertical.", "precession_time",
           [](auto, auto I3, auto mgl, auto theta, auto& rates) { return 2 * pi * I3 * spin_of(theta, rates) / mgl; });
   e.wrong_input<2>(weight_sign, "hanging", negated);
   e.wrong_inputs("This is the period of an axis let go from rest; it starts with rates of its own.", "from_rest",

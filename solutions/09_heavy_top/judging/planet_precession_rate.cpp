@@ -66,19 +66,21 @@ void judge_planet_precession_rate(Lecture& lecture) {
   e.wrong_output("This is twice the rate: the largest torque of the year stands for its mean.", "not_averaged",
                  times(2));
   e.wrong_output("The sense is reversed: the torque draws the equator towards the orbit.", "sign", negated);
-  e.wrong_output("cos of the obliquity is missing.", "no_cosine",
+  e.wrong_output("The cosine of the obliquity is missing.", "no_cosine",
                  [](auto& rate, auto, auto, auto, auto, auto obliquity) { rate /= cos(obliquity); });
-  e.wrong_output("(I₃ − I₁)/I₁ stands here; L is I₃ times the spin.", "over_I1",
-                 [](auto& rate, auto I1, auto I3, auto, auto, auto) { rate *= I3 / I1; });
-  e.wrong_output("This is torque over L; only the part L sin ε of L goes round the normal.", "torque_as_rate",
+  e.wrong_output(
+      "The difference of the moments is divided by the wrong moment; the spin is about the axis of symmetry.",
+      "over_I1", [](auto& rate, auto I1, auto I3, auto, auto, auto) { rate *= I3 / I1; });
+  e.wrong_output("This is torque over L; only a part of L goes round the normal.", "torque_as_rate",
                  [](auto& rate, auto, auto, auto, auto, auto obliquity) { rate *= sin(obliquity); });
-  e.wrong_output("sin of the obliquity stands where cos belongs.", "sine",
+  e.wrong_output("The sine of the obliquity stands where the cosine belongs.", "sine",
                  [](auto& rate, auto, auto, auto, auto, auto obliquity) { rate *= tan(obliquity); });
-  e.wrong_output("This is a third of the rate; the force that the sun leaves over contains 3 s (s·r).", "no_three",
-                 times(1.0 / 3));
+  e.wrong_output(
+      "This is a third of the rate; the force of the sun changes across the planet in its direction as well.",
+      "no_three", times(1.0 / 3));
   e.wrong_output("This is in degrees per second; radians per second are asked for.", "in_degrees", times(1 / degree));
-  e.wrong_input<3>("The orbital rate enters once; the torque contains GM/r³, which is its square.", "orbital_rate_once",
-                   [](double& rate) { rate = sqrt(rate); });
+  e.wrong_input<3>("The orbital rate enters once; the torque goes with its square, as Kepler's third law says.",
+                   "orbital_rate_once", [](double& rate) { rate = sqrt(rate); });
   e.angles_read_as_degrees();
   e.route("tidal forces on six masses, over twelve months", [](auto I1, auto I3, auto spin, auto orbital_rate,
                                                                auto obliquity) {

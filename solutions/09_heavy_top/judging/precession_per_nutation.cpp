@@ -32,7 +32,7 @@ auto integral_of(const Function& f) {
 /// The wrong answers that are known.
 template <class Exercise>
 void mistakes_of_precession_per_nutation(Exercise& e) {
-  e.wrong("This is the mean rate mgl/(I₃ω₃) of a fast top times the period.", "slow_precession",
+  e.wrong("This is the mean rate of a fast top times the period.", "slow_precession",
           [](auto I1, auto I3, auto mgl, auto theta, auto& rates) {
             return mgl / (I3 * (rates[0] * cos(theta) + rates[2])) * nutation_period(I1, I3, mgl, theta, rates);
           });
@@ -53,11 +53,12 @@ void mistakes_of_precession_per_nutation(Exercise& e) {
   e.wrong_inputs(spin_as_psi_rate, "psi_rate_as_omega3", spin_confused);
   e.template wrong_input<2>(weight_sign, "hanging", negated);
   e.wrong_output("This is the number of turns; the angle is asked for.", "turns", times(0.5 / pi));
-  e.wrong("Only p_φ/(I₁ sin²θ) is integrated; the spin takes its part p_ψ cos θ of p_φ.", "no_coupling",
-          integral_of([](auto& cubic, double u) { return cubic.a / (1 - u * u); }));
-  e.wrong("φ̇ is divided by sin θ once; it is (p_φ − p_ψ cos θ)/(I₁ sin²θ).", "sine_not_squared",
+  e.wrong("You integrate as if the whole of p_φ turned the axis round the vertical; the spin takes its part of it.",
+          "no_coupling", integral_of([](auto& cubic, double u) { return cubic.a / (1 - u * u); }));
+  e.wrong("The sine of θ enters your φ̇ with the wrong power.", "sine_not_squared",
           integral_of([](auto& cubic, double u) { return cubic.phi_rate(u) * sqrt(1 - u * u); }));
-  e.wrong({"p_ψ − p_φ cos θ stands where p_φ − p_ψ cos θ belongs.", "heavy_top_conserved"}, "momenta_exchanged",
+  e.wrong({"The two momenta are exchanged: this integrates the rate of another angle.", "heavy_top_conserved"},
+          "momenta_exchanged",
           integral_of([](auto& cubic, double u) { return (cubic.b - cubic.a * u) / (1 - u * u); }));
   e.wrong({"This is the change of ψ, the turn of the body about its own axis; asked for is φ.", "heavy_top_conserved"},
           "psi_advance", [](auto I1, auto I3, auto mgl, auto theta, auto& rates) {

@@ -98,20 +98,20 @@ void mistakes_of_exact_attitude(Exercise& e) {
               return Matrix3d(turn(w, std::fmod(time.whole * turn_per_period(I, w), 2 * pi)) *
                               exact_attitude(I, w, time.rest));
             });
-    e.wrong({"In each period this turns the body about L by 2TP/L; the solid angle is missing.", "attitude_phase"},
+    e.wrong({"In each period this turns the body about L by the dynamical part alone; the solid angle is missing.",
+             "attitude_phase"},
             "dynamical_phase_only" + counting, with_turn(dynamical_phase, whole_of));
-    e.wrong(
-        {"In each period this turns the body about L by 2TP/L + S round axis 3, and 2TP/L − S round axis 1; the solid "
-         "angle has the other sign.",
-         "attitude_phase"},
-        "phase_reversed" + counting,
-        with_turn(
-            [](auto& I, auto& w) {
-              const double S = geometric_phase(I, w);
-              return dynamical_phase(I, w) + (is_round_3(I, w) ? S : -S);
-            },
-            whole_of));
-    e.wrong({"In each period this turns the body about L by 2TP/L − S always; round axis 1 it is 2TP/L + S.",
+    e.wrong({"In each period this turns the body about L with the solid angle counted in the wrong sense.",
+             "attitude_phase"},
+            "phase_reversed" + counting,
+            with_turn(
+                [](auto& I, auto& w) {
+                  const double S = geometric_phase(I, w);
+                  return dynamical_phase(I, w) + (is_round_3(I, w) ? S : -S);
+                },
+                whole_of));
+    e.wrong({"In each period this counts the solid angle in the same sense round both axes; round axis 1 it is the "
+             "other sense.",
              "attitude_phase"},
             "round_axis_3_always" + counting,
             with_turn([](auto& I, auto& w) { return dynamical_phase(I, w) - geometric_phase(I, w); }, whole_of));

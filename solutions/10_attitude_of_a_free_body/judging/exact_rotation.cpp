@@ -36,18 +36,17 @@ struct Elliptic {
 /// The wrong answers that are known.
 template <class Exercise>
 void mistakes_of_exact_rotation(Exercise& e) {
-  e.wrong("This starts at t = 0 with ω₂ = 0, as if the phase u₀ were zero.", "phase_lost",
-          [](auto& I, auto& w, auto t) {
-            const Elliptic top(I, w);
-            return top.jacobi(top.k, top.rate * t);
-          });
+  e.wrong("This starts with a vanishing ω₂, as if the phase were zero.", "phase_lost", [](auto& I, auto& w, auto t) {
+    const Elliptic top(I, w);
+    return top.jacobi(top.k, top.rate * t);
+  });
   e.wrong({"The phase of the start has lost its quadrant: an arcsine of ω₂ alone does not tell the sign of the cosine.",
            "attitude_exact_rotation"},
           "quadrant_lost", [](auto& I, auto& w, auto t) {
             const Elliptic top(I, w);
             return top.jacobi(top.k, top.rate * t + ellint_1(top.k, asin(sin(top.phase))));
           });
-  e.wrong("The component along the axis that ω circles has the sign + always; it keeps the sign of the start.",
+  e.wrong("The component along the axis that ω circles is always positive; it keeps the sign of the start.",
           "sign_of_axis", [](auto& I, auto& w, auto t) {
             Elliptic top(I, w);
             top.parts = top.parts.cwiseAbs();
@@ -59,7 +58,7 @@ void mistakes_of_exact_rotation(Exercise& e) {
                  "not_exchanged_back", [](auto& omega, auto& I, auto& w, auto) {
                    if (!is_round_3(I, w)) omega = Vector3d(omega.reverse());
                  });
-  e.wrong("This comes out with the parameter m = k² where the library expects the modulus k.", "modulus",
+  e.wrong("This comes out with the parameter where the library expects the modulus.", "modulus",
           [](auto& I, auto& w, auto t) {
             const Elliptic top(I, w);
             const double m = top.k * top.k;
@@ -106,8 +105,8 @@ void judge_exact_rotation(Lecture& lecture) {
              {"omega_1", "omega_2", "omega_3"}, {0, 40, 121}, [](auto t) { return 604800 + t; });
 
   mistakes_of_exact_rotation(e);
-  e.conserves("T is constant: Σ Iᵢωᵢ² stays the same.", [](auto& I, auto...) { return I; });
-  e.conserves("L keeps its length: Σ Iᵢ²ωᵢ² stays the same.", [](auto& I, auto...) { return Vector3d(I.cwiseAbs2()); });
+  e.conserves("T is constant.", [](auto& I, auto...) { return I; });
+  e.conserves("L keeps its length.", [](auto& I, auto...) { return Vector3d(I.cwiseAbs2()); });
   e.route("whole periods left out, the rest integrated", [](auto& I, auto& w, auto t) {
     const Elliptic top(I, w);
     return integrated(I, w, std::fmod(t, 4 * std::comp_ellint_1(top.k) / top.rate)).omega;

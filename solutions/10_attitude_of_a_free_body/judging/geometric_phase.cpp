@@ -44,20 +44,19 @@ void judge_geometric_phase(Lecture& lecture) {
               "ω₃ (rad/s)", "solid angle"},
              {"S"}, {0, 1.5, 76}, [](auto w3) { return Vector3d(0.5, 0.6, w3); });
 
-  e.wrong("This is the turn about L itself, modulo 2π; the angle 2TP/L is still in it.", "turn_itself",
+  e.wrong("This is the turn about L itself without whole turns; its dynamical part is still in it.", "turn_itself",
           [](auto& I, auto& w) { return modulo(turn_per_period(I, w), 2 * pi); });
-  e.wrong_output("This is 2π − S: the sense in which the curve runs is reversed.", "wrong_sense",
-                 [](auto& S) { S = 2 * pi - S; });
+  e.wrong_output("This is what is missing from half of the sphere: the sense in which the curve runs is reversed.",
+                 "wrong_sense", [](auto& S) { S = 2 * pi - S; });
   e.wrong("Your sign is that of motion round axis 3 always; round axis 1 the curve runs in the other sense.",
           "round_axis_3_always",
           [](auto& I, auto& w) { return modulo(dynamical_phase(I, w) - turn_per_period(I, w), 2 * pi); });
-  e.wrong("This is 2TP/L modulo 2π, the dynamical part of the turn; asked for is the other part.", "dynamical_phase",
+  e.wrong("This is the dynamical part of the turn without whole turns; asked for is the other part.", "dynamical_phase",
           [](auto& I, auto& w) { return modulo(dynamical_phase(I, w), 2 * pi); });
-  e.wrong_output("This is the solid angle on the other side of the curve, 4π − S.", "other_side",
+  e.wrong_output("This is the solid angle on the other side of the curve.", "other_side",
                  [](auto& S) { S = 4 * pi - S; });
-  e.wrong(
-      "This is the area of the curve's projection on the plane across the axis, with ½ sin²ϑ in place of 1 − cos ϑ.",
-      "projected", [](auto& I, auto& w) { return around_the_axis(I, w, [](double sin2) { return sin2 / 2; }); });
+  e.wrong("This is the area of the curve's projection on the plane across the axis, not that on the sphere.",
+          "projected", [](auto& I, auto& w) { return around_the_axis(I, w, [](double sin2) { return sin2 / 2; }); });
   e.wrong("This is the solid angle of a circle through the start; the angle from the axis changes along the curve.",
           "circle",
           [](auto& I, auto& w) { return 2 * pi * (1 - abs(L_of(I, w).normalized()[is_round_3(I, w) ? 2 : 0])); });

@@ -48,7 +48,7 @@ void mistakes_of_herpolhode_radii(Exercise& e) {
   e.wrong("Both radii are the one at the start; the point of contact comes closer to the foot, and goes further away.",
           "start_twice", [](auto& I, auto& w) { return Vector2d(Vector2d::Constant(poinsot(I, w)[1])); });
   e.wrong_output("The larger radius comes first here; the smaller one is asked for first.", "largest_first", reversed);
-  e.wrong({"One of your radii belongs to ω₁ = 0, also for motion round axis 1, where ω₁ never vanishes.",
+  e.wrong({"One of your radii belongs to a vanishing ω₁, also for motion round axis 1, where ω₁ never vanishes.",
            "attitude_herpolhode"},
           "round_axis_3_always", [](auto& I, auto& w) {
             const double L2 = L_of(I, w).squaredNorm(), gap = I[2] > I[1] ? I[2] - I[1] : 1;
@@ -67,19 +67,19 @@ void mistakes_of_herpolhode_radii(Exercise& e) {
   e.wrong(not_reached, "round_axis_3_absolute", [](auto& I, auto& w) {
     return sorted(sqrt(abs(square_without(1, I, w))), sqrt(abs(square_without(0, I, w))));
   });
+  e.wrong({"Your radii belong to a vanishing ω₁ and a vanishing ω₃; ω₂ vanishes in every motion, and one of the two "
+           "others never does.",
+           "attitude_herpolhode"},
+          "never_axis_2", [](auto& I, auto& w) { return sorted(radius_without(0, I, w), radius_without(2, I, w)); });
+  e.wrong({"This holds if ω reaches the ends of the half-axes of the ellipsoid; the polhode does not go there.",
+           "attitude_herpolhode"},
+          "half_axes", [](auto& I, auto& w) {
+            const double height = twice_T(I, w) / L_of(I, w).norm();
+            return sorted(root(twice_T(I, w) / I[2] - height * height), root(twice_T(I, w) / I[0] - height * height));
+          });
   e.wrong(
-      {"Your radii belong to ω₁ = 0 and to ω₃ = 0; ω₂ vanishes in every motion, and one of the two others never does.",
-       "attitude_herpolhode"},
-      "never_axis_2", [](auto& I, auto& w) { return sorted(radius_without(0, I, w), radius_without(2, I, w)); });
-  e.wrong(
-      {"This holds if ω reaches the ends of the half-axes √(2T/Iᵢ) of the ellipsoid; the polhode does not go there.",
-       "attitude_herpolhode"},
-      "half_axes", [](auto& I, auto& w) {
-        const double height = twice_T(I, w) / L_of(I, w).norm();
-        return sorted(root(twice_T(I, w) / I[2] - height * height), root(twice_T(I, w) / I[0] - height * height));
-      });
-  e.wrong(
-      "These are the smallest and the largest |ω|, distances from the centre of the ellipsoid; asked for are those "
+      "These are the smallest and the largest length of ω, distances from the centre of the ellipsoid; asked for are "
+      "those "
       "from the foot of the perpendicular.",
       "length_of_omega", [](auto& I, auto& w) {
         const Vector2d radii = herpolhode_radii(I, w);

@@ -25,20 +25,22 @@ void judge_poinsot(Lecture& lecture) {
              [](auto angle) { return Vector3d(cos(angle), 0, sin(angle)); });
 
   const char* const where = "attitude_height";
-  e.wrong({"Your first distance is L/2T, the reciprocal of the right one: ω·L/L = 2T/L.", where}, "inverse",
+  e.wrong({"Your first distance is the reciprocal of the right one; look at its unit.", where}, "inverse",
           [](auto& I, auto& w) {
             const Vector3d L = L_of(I, w);
             return Vector2d(L.norm(), cross(w, L).norm()) / twice_T(I, w);
           });
-  e.wrong_output("Both are divided by √(2T): this is the ellipsoid ρ·I·ρ = 1; asked for is the one on which ω lies.",
-                 "textbook_ellipsoid", [](auto& distances, auto& I, auto& w) { distances /= sqrt(twice_T(I, w)); });
-  e.wrong({"Your plane is at T/L, half of the distance: ω·L is twice the energy.", where}, "energy_once",
-          [](auto& I, auto& w) {
-            const double distance = twice_T(I, w) / 2 / L_of(I, w).norm();
-            return Vector2d(distance, sqrt(w.squaredNorm() - distance * distance));
-          });
-  e.wrong_output("The second is |ω|, the distance of the contact from the centre; asked for is that from the foot.",
-                 "distance_of_contact", [](auto& distances, auto&, auto& w) { distances[1] = w.norm(); });
+  e.wrong_output(
+      "Both are divided by the same number: your ellipsoid does not depend on the energy; asked for is the one on "
+      "which ω lies.",
+      "textbook_ellipsoid", [](auto& distances, auto& I, auto& w) { distances /= sqrt(twice_T(I, w)); });
+  e.wrong({"Your plane is at half of the distance.", where}, "energy_once", [](auto& I, auto& w) {
+    const double distance = twice_T(I, w) / 2 / L_of(I, w).norm();
+    return Vector2d(distance, sqrt(w.squaredNorm() - distance * distance));
+  });
+  e.wrong_output(
+      "The second is the length of ω, the distance of the contact from the centre; asked for is that from the foot.",
+      "distance_of_contact", [](auto& distances, auto&, auto& w) { distances[1] = w.norm(); });
   e.wrong_output(
       "The second comes from a difference of two nearly equal squares, and digits are lost; a cross product has them.",
       "difference_of_squares", [](auto& distances, auto&, auto& w) {

@@ -16,14 +16,15 @@ double same_n(const Vector3d& I, const Vector3d& w) {
 /// The wrong answers that are known.
 template <class Exercise>
 void mistakes_of_turn_per_period(Exercise& e) {
-  e.wrong({"This is 2TP/L, the mean rate of rotation about L times the period; axis 3 goes round at another rate, "
-           "because the body also rotates about it.",
+  e.wrong({"This is the mean rate of rotation about L times the period; axis 3 goes round at another rate, because the "
+           "body also rotates about it.",
            "attitude_phase"},
           "mean_rate", dynamical_phase);
-  e.wrong("This is L/I₃ times the period, the rate of a rotation about axis 3 alone.", "L_over_I3",
+  e.wrong("This is the rate of a rotation about axis 3 alone, times the period.", "L_over_I3",
           [](auto& I, auto& w) { return L_of(I, w).norm() / I[2] * ExactTop(I, w).period(); });
-  e.wrong("This is L/I₁ times the period; only the axis of a symmetric top goes round L at this rate.", "L_over_I1",
-          [](auto& I, auto& w) { return L_of(I, w).norm() / I[0] * ExactTop(I, w).period(); });
+  e.wrong(
+      "This is the rate at which the axis of a symmetric top goes round L, times the period; yours has three moments.",
+      "L_over_I1", [](auto& I, auto& w) { return L_of(I, w).norm() / I[0] * ExactTop(I, w).period(); });
   e.wrong("The velocity of the tip of axis 3 is not divided by the squared distance of the tip from the line of L.",
           "no_distance", [](auto& I, auto& w) {
             return over_a_period(I, w, [&](const Vector3d& now) {
@@ -31,11 +32,13 @@ void mistakes_of_turn_per_period(Exercise& e) {
               return (L[0] * now[0] + L[1] * now[1]) / L.norm();
             });
           });
-  e.wrong({"n is −k² cot²θ₀ for motion round axis 1 too; there it is −cot²θ₀.", "attitude_third"}, "same_n", same_n);
+  e.wrong({"The characteristic of the elliptic integral is that of motion round axis 3, for motion round axis 1 too.",
+           "attitude_third"},
+          "same_n", same_n);
   e.wrong_output("Whole turns are missing: this is the angle modulo 2π.", "modulo",
                  [](auto& angle) { angle = modulo(angle, 2 * pi); });
-  e.wrong_output("This is half of the angle: 2K/ν is half a period, after which two components of ω are reversed.",
-                 "half_period", times(0.5));
+  e.wrong_output("This is half of the angle: after half a period two components of ω are reversed.", "half_period",
+                 times(0.5));
   e.wrong("This is the rate of the start times the period; the rate changes along the motion.", "start_rate",
           [](auto& I, auto& w) { return rate_about_L(I, w) * ExactTop(I, w).period(); });
   e.wrong("This is how far axis 1 goes round L; asked for is axis 3, that of the largest moment.", "axis_1",
