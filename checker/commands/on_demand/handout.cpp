@@ -107,8 +107,7 @@ void lock_derivations(const Course& course, const fs::path& copy, const std::vec
                         std::back_inserter(reference.cases));
     json locked = json::parse(locked_text(reference, text));
     locked["made_from"] = made_from;
-    write_or_throw(copy / file, locked.dump() + "
-");
+    write_or_throw(copy / file, locked.dump() + "\n");
   }
 }
 
