@@ -249,7 +249,7 @@ TEST_CASE("Damaged replies: a value is what the worker sent in answer to this qu
   limits.time = std::chrono::minutes(5);  // starting a process takes long beside the sanitizers
   limits.processor_time = std::chrono::minutes(2);
   limits.output_bytes = std::size_t{1} << 20;
-  const Observation seen = ExerciseRunner(WORKBOOK_TEST_FUZZ_WORKER, limits).observe(exercise.cases, {});
+  const Observation seen = ExerciseRunner(std::filesystem::path(WORKBOOK_TEST_FUZZ_WORKER), limits).observe(exercise.cases, {});
   REQUIRE(!seen.refusal);
   REQUIRE(seen.replies.size() == exercise.cases.size());
   unsigned returned = 0, passed = 0;
