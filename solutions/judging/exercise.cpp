@@ -128,7 +128,7 @@ void AnyExercise::property(PropertyKind kind, Sentence says, int argument) {
 }
 
 void AnyExercise::is_inertia_tensor(const char* symmetry_notes, const char* energy_notes) {
-  property(Is::symmetric, {"An inertia tensor is symmetric: I_xy = I_yx.", symmetry_notes});
+  property(Is::symmetric, {"An inertia tensor is symmetric.", symmetry_notes});
   property(Is::positive_semidefinite,
            {"An inertia tensor has no negative eigenvalue: no rotation has negative energy.", energy_notes});
 }

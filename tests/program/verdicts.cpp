@@ -184,7 +184,7 @@ TEST_CASE("a copy without solutions is judged with the seed of its reference res
   course.solve("spring_energy");
   const fs::path program = course.root() / "reference/reference_01_springs";
   const Outcome drawn = run_command(
-      fmt::format("'{}' --lecture 01_springs --seed 5 --out '{}'", program.string(), course.reference().string()),
+      fmt::format("'{}' --lecture 01_springs --seed 5 --adequacy '' --out '{}'", program.string(), course.reference().string()),
       course.root());
   REQUIRE_MESSAGE(drawn.status == 0, drawn.said());
   fs::remove(program);

@@ -73,7 +73,7 @@ void judge_free_attitude(Lecture& lecture) {
                         [&](const Vector3d& one, const Vector3d& other, double h) { sum += h / 2 * (one + other); });
         return turn(sum, sum.norm());
       });
-  e.wrong({"Your ω keeps its value of t = 0; without a torque L is constant in space, but ω is not.", invariants},
+  e.wrong({"Your ω keeps its first value; without a torque L is constant in space, but ω is not.", invariants},
           "constant_omega", [](auto&, auto& w, auto t) { return turn(w, w.norm() * t); });
   e.wrong({"The sign of the gyroscopic term is wrong in your ω: with this attitude L does not stand still in space.",
            invariants},
