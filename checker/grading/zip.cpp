@@ -163,7 +163,8 @@ std::string unpacked(int file, const std::vector<std::string>& names, bool is_cl
     const Sandbox sandbox({.calls = SandboxProfile::Calls::build,
                            .processor_seconds = static_cast<unsigned>(longest.count()),
                            .memory_bytes = most_memory,
-                           .open_files = 256});  // this program may have inherited some
+                           .open_files = 256,  // this program may have inherited some
+                           .filter = system_call_filter(SandboxProfile::Calls::build)});
     if (const char* failed = sandbox.enter()) throw std::runtime_error(std::string("cannot be read safely: ") + failed);
     archive_read_support_format_zip(opened.get());
     if (archive_read_open_fd(opened.get(), file, 65536) != ARCHIVE_OK)
