@@ -20,7 +20,7 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::chrono::seconds patience{30};
+constexpr std::chrono::seconds patience{300};  // on a busy machine too: only what hangs is ended
 
 /// The two descriptors at which Chromium expects its commands and writes its answers.
 constexpr int commands = 3;

@@ -112,10 +112,10 @@ void Inspection::open(const std::string& page) {
   // Formulas are drawn after loading.
   const bool drawn = browser_.evaluate(R"(new Promise(done => {
     if (!window.MathJax) return done(true);
-    setTimeout(() => done(false), 10000);
+    setTimeout(() => done(false), 120000);
     MathJax.Hub.Register.StartupHook("End", () => { MathJax.Hub.Queue(() => done(true)); });
   }))");
-  if (!drawn) fault(page, "the formulas are still not drawn after 10 seconds.");
+  if (!drawn) fault(page, "the formulas are still not drawn after two minutes.");
 }
 
 void Inspection::look_at(const std::string& page, const std::string& axe, Widths widths) {
@@ -255,7 +255,7 @@ void Inspection::search(const std::string& page, const std::string& words) {
   browser_.call("Input.insertText", {{"text", words}});
   json link;
   // The words of the site are loaded at the first letter.
-  for (int tries = 0; tries < 30 && link.is_null(); ++tries) {
+  for (int tries = 0; tries < 300 && link.is_null(); ++tries) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     link = browser_.evaluate("document.querySelector('#places a')?.href ?? null");
   }
@@ -306,7 +306,7 @@ void Inspection::walk_with_keyboard(const std::string& page) {
     open(page);
     press(browser_, key, code);
     bool moved = false;
-    for (int tries = 0; tries < 20 && !moved; ++tries) {
+    for (int tries = 0; tries < 300 && !moved; ++tries) {
       std::this_thread::sleep_for(std::chrono::milliseconds(50));
       moved = browser_.evaluate("scrollY > 0");
     }
