@@ -119,6 +119,9 @@ TEST_CASE("a fresh clone checks, grows by a lecture, and is built where it lies"
 
   // An author writes it, and a student solves it.
   solve_as_author(first);
+  const Outcome unrecorded = run(first, "./checker/run self-check --seeds 1 02");
+  CHECK_MESSAGE(has(unrecorded.out, "self-check --record pendulum_period"), (unrecorded.out + unrecorded.err));
+  CHECK(run(first, "./checker/run self-check --record 02").status == 0);
   const Outcome green = run(first, "./checker/run self-check --seeds 2 02");
   CHECK_MESSAGE(green.status == 0, (green.out + green.err));
   const fs::path answer = "lectures/02_pendulums/exercises/pendulum_period.cpp";

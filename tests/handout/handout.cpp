@@ -273,6 +273,7 @@ TEST_CASE("solution and derivation of a problem lie locked, and a right function
   const Outcome after = checker("solution inertia_rate");
   CHECK_MESSAGE(after.status == 0, after.said());
   CHECK(has(after.out, read(project / "solutions/03_inertia_tensor/derivations/inertia_rate.md")));
+  CHECK(checker("reset inertia_rate").status == 0);
 }
 
 TEST_CASE("a copy becomes the next release, and a student's copy follows") {

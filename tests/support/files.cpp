@@ -38,8 +38,8 @@ void replace_in(const fs::path& file, const std::string& from, const std::string
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 bool holds_webassembly(const std::string& text) {
-  // Its first eight bytes.
-  return has(text, {"\0asm\1\0\0\0", 8}) || has(text, "AGFzbQEAAAA");
+  // Its first eight bytes, or these in base64; in two parts, for this file is a part of what is searched.
+  return has(text, {"\0asm\1\0\0\0", 8}) || has(text, std::string("AGFzbQ") + "EAAAA");
 }
 
 std::vector<fs::path> files_below(const fs::path& folder) {
