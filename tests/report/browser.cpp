@@ -104,7 +104,8 @@ TEST_CASE("a class with hostile names and values has a page of text") {
     return ordered_json{{"exercise", exercise}, {"verdict", verdict}, {"score", score}, {"message", hostile}};
   };
   ordered_json document = {
-      {"title", hostile}, {"seed", 1}, {"sandbox", hostile}, {"problems", {hostile}}, {"not_judged", {hostile}}};
+      {"title", hostile},      {"seed", 1},            {"sandbox", hostile},
+      {"problems", {hostile}}, {"missing", {hostile}}, {"not_judged", {hostile}}};
   for (const char* exercise : {"spring_energy", "spring_force"})
     document["exercises"].push_back({{"exercise", exercise},
                                      {"lecture", "01_springs"},
@@ -114,6 +115,7 @@ TEST_CASE("a class with hostile names and values has a page of text") {
                                      {"difficulty", 0.5},
                                      {"discrimination", nullptr}});
   document["distribution"] = {0, 0, 1, 0, 0, 0, 0, 0, 0, 30};
+  document["learnt_by_heart"] = ordered_json::array({{{"exercise", "spring_force"}, {"students", {hostile}}}});
   document["misconceptions"] = ordered_json::array(
       {{{"exercise", "spring_energy"}, {"name", "no_half"}, {"message", hostile}, {"students", 2}}});
   document["identical_wrong_outputs"] =
