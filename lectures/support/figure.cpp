@@ -64,7 +64,8 @@ void run_gnuplot(const fs::path& file, const std::string& terminal,
   // so the shell writes this file where all went well.
   const fs::path complete = file.string() + ".complete";
   {
-    gnuplotio::Gnuplot gnuplot(fmt::format("if gnuplot --default-settings; then : >{}; fi", shell_quoted(complete.string())));
+    gnuplotio::Gnuplot gnuplot(fmt::format("if LC_ALL=C.UTF-8 gnuplot --default-settings; then : >{}; fi",
+                                           shell_quoted(complete.string())));
     gnuplot << "set terminal " << terminal << "\nset output '" << file.string() << "'\n" << common_style;
     draw(gnuplot);
     gnuplot << "\nset output\n";
