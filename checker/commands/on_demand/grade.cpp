@@ -121,7 +121,7 @@ class Grader {
       for (const Toolchain& toolchain : toolchains)
         if (i == 0 || ::geteuid() == 0) require_complete(toolchain, needed[i].name());
       if (i > 0 && needed[i].card == needed[i - 1].card) continue;
-      for (const std::uint64_t seed : {seed_, known_seed_.value_or(seed_)})
+      for (const std::uint64_t seed : std::set{seed_, known_seed_.value_or(seed_)})
         context_.course().reference(needed[i].lecture(), seed, needed[i].name());
     }
     tools_ = tools_fingerprint(context_.course(), context_.toolchain()) + to_string(tier);
@@ -287,9 +287,8 @@ class Grader {
                                       bool is_explained = true) {
     for (const auto& [name, text] : content.files) write_or_fail(folder(number) / (name + ".cpp"), text);
     fs::current_path(folder(number));  // messages name files as seen from there
-    auto job = std::make_unique<CheckJob>(
-        context_, CheckTask{exercise, folder(number) / (exercise.name() + ".cpp"), seed_, true, false, known_seed_,
-                            is_explained});
+    auto job = std::make_unique<CheckJob>(context_, CheckTask{exercise, folder(number) / (exercise.name() + ".cpp"),
+                                                              seed_, true, false, known_seed_, is_explained});
     leave_folder();
     return job;
   }
