@@ -120,7 +120,8 @@ build_alone() {
   fi
   # By its full path ninja does not find its own file among its targets; else it would stop where that may be out of date.
   plan=$(NINJA_STATUS='[%f/%t] ' ninja -C "$folder" -f "$PWD/$folder/build.ninja" -n "$@" 2>/dev/null 9>&-)
-  NINJA_STATUS='[%f/%t %e] ' $tied ninja -C "$folder" "$@" 2>&1 9>&- | tee "$log" | show_progress "$plan" "$folder/.now"
+  # One step for each processor: the time that is left is told from that.
+  NINJA_STATUS='[%f/%t %e] ' $tied ninja -j "$(nproc)" -C "$folder" "$@" 2>&1 9>&- | tee "$log" | show_progress "$plan" "$folder/.now"
   if [ "${PIPESTATUS[0]}" -eq 0 ]; then
     # What was written before the clock was set back is newer than all that is made of it: it would be built for ever.
     if grep -q '^\[[1-9]' "$log" && touch "$folder/.now"; then
@@ -200,6 +201,7 @@ costs_of_steps='
 */unity_grading*                             22
 */reference_*/Unity/*                        17
 */workbook_judging.dir/*                     14
+*/workbook_command_line.dir/*                11
 */solutions_*/Unity/*                         5
 *.gch                                        15
 *worked_examples_objects_@(02|08|09|10)_*    22
@@ -222,7 +224,7 @@ Notes                                        20
 # A line of progress from what ninja says. What is left is told from a twentieth of the work on: by the time that the
 # finished steps took. Those that run are taken to be the next of the plan, one for each processor.
 show_progress() {  # $1: what ninja plans; $2: the file in which others see how far it is
-  local line text name pattern cost now spent running i processors left shown_at=$SECONDS work=0 total=0
+  local line text name pattern cost now spent running i processors left age expected credit shown_at=$SECONDS work=0 total=0
   local step='^\[([0-9]+)/([0-9]+)( [0-9]+)?[.0-9]*\] (.*)' unfinished=() started=()
   local -A place_of=()
   processors=$(nproc)
@@ -251,7 +253,14 @@ show_progress() {  # $1: what ninja plans; $2: the file in which others see how 
       spent=$((spent - (now - ${started[i]:=$now})))
     done
     if [ $((work * 20)) -ge "$total" ] && [ "$work" -lt "$total" ] && [ "$spent" -gt 0 ]; then
-      left=$((((total - work) * spent / work - (processors * now - spent)) / processors))
+      # A step that takes longer than expected is taken to end now; it does not shorten what comes after it.
+      running=0 credit=0
+      for i in "${!unfinished[@]}"; do
+        [ $((running += 1)) -le "$processors" ] || break
+        age=$((now - started[i])) expected=$((unfinished[i] * spent / work))
+        credit=$((credit + (age < expected ? age : expected)))
+      done
+      left=$((((total - work) * spent / work - credit) / processors))
       text+=", about $((left > 0 ? left : 1)) s left"
     fi
     printf '%s\n' "$begun" "$title" "$text" >"$2"
