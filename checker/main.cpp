@@ -287,7 +287,7 @@ class CommandLine {
     option("--explain-minutes", "NUMBER", options_.explain_minutes,
            "of each student's submission, for the reasons of failures");
     option("--allow-reduced", "", options_.allow_reduced, "be content with the sandbox that `doctor` calls reduced");
-    option("--seeds", "NUMBER", options_.seeds, "how many seeds to try, from 1 on");
+    option("--seeds", "NUMBER", options_.seeds, "how many seeds to try, from 1 on, at most 1000");
     option("--mutants", "", options_.mutants, "try small bugs in the solutions instead: do the cases find all?");
     option("--prove", "", options_.prove, "try typical bugs anew at all cases and compare with the record");
     option("--record", "", options_.record, "try them and write the record, judging/adequacy.json");
@@ -297,10 +297,9 @@ class CommandLine {
                                                                {"sixel", PictureKind::sixel},
                                                                {"text", PictureKind::text},
                                                                {"none", PictureKind::none}};
-      command.add_option("--picture", options_.picture, "the plot on the terminal: auto, kitty, sixel, text or none")
+      command.add_option("--picture", options_.picture, "the plot on the terminal: auto (if not given), kitty, sixel, text or none")
           ->transform(CLI::Transformer(kinds).description(""))
           ->transform(CLI::IsMember(kinds).description(""))
-          ->default_str("auto")
           ->type_name("KIND");
     };
   }
@@ -426,7 +425,7 @@ class CommandLine {
         {"self-check --seeds 20", "self-check 03", "self-check --mutants 03", "self-check --record slow_precession"},
         {"NAME", "--seeds", "--mutants", "--prove", "--record"}, self_check)
         .get_option("--seeds")
-        ->check(CLI::Range(1, 1000));
+        ->check(CLI::Range(1, 1000).description(""));
   }
 
   void add_new() {
@@ -472,8 +471,10 @@ class CommandLine {
       if constexpr (std::is_same_v<T, bool>) {
         command.add_flag(name, target, help);
       } else {
-        CLI::Option* added = command.add_option(name, target, help)->type_name(type)->required(required);
-        if constexpr (std::is_arithmetic_v<T>) added->capture_default_str();
+        // The versions of CLI11 write defaults in different ways.
+        std::string text = help;
+        if constexpr (std::is_arithmetic_v<T>) text += fmt::format(" ({} if not given)", target);
+        CLI::Option* added = command.add_option(name, target, text)->type_name(type)->required(required);
         // CLI11 takes -1 for the largest number.
         if constexpr (std::is_same_v<T, std::optional<std::uint64_t>>)
           added->check([](const std::string& typed) {

@@ -5,6 +5,7 @@
 
 #include <fcntl.h>
 #include <grp.h>
+#include <linux/capability.h>
 #include <poll.h>
 #include <signal.h>
 #include <sys/prctl.h>
@@ -148,6 +149,14 @@ void write_all(int descriptor, std::string_view bytes) {
     ::_exit(2);
   }
   ::_exit(0);
+}
+
+constexpr std::uint32_t change_users = (1U << CAP_SETUID) | (1U << CAP_SETGID), end_processes = 1U << CAP_KILL;
+
+bool set_capabilities(std::uint32_t permitted, std::uint32_t effective) noexcept {
+  __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
+  const __user_cap_data_struct data[2] = {{effective, permitted, 0}, {}};
+  return ::syscall(SYS_capset, &header, data) == 0;
 }
 
 constexpr std::chrono::minutes longest_build{30};
@@ -423,11 +432,21 @@ void ForkedJob::end() {
   process_ = -1;
 }
 
-bool become_user(uid_t user) noexcept {
+bool become_user(uid_t user, bool starts_other_users) noexcept {
   int end_with_parent = 0;
-  return ::prctl(PR_GET_PDEATHSIG, &end_with_parent) == 0 && ::setgroups(0, nullptr) == 0 &&
+  return ::prctl(PR_SET_KEEPCAPS, starts_other_users ? 1 : 0) == 0 &&
+         ::prctl(PR_GET_PDEATHSIG, &end_with_parent) == 0 && ::setgroups(0, nullptr) == 0 &&
          ::setresgid(user, user, user) == 0 && ::setresuid(user, user, user) == 0 &&
-         ::prctl(PR_SET_PDEATHSIG, end_with_parent) == 0;
+         ::prctl(PR_SET_PDEATHSIG, end_with_parent) == 0 &&
+         (!starts_other_users || set_capabilities(change_users | end_processes, end_processes));
+}
+
+const char* become_unique_user() noexcept {
+  // Above all users that systems give out by themselves, and the number of a process stays below 2²².
+  constexpr uid_t first = 2'000'000'000;
+  if (::geteuid() == 0 || !set_capabilities(change_users, change_users)) return nullptr;
+  const bool done = become_user(first + static_cast<uid_t>(::getpid())) && set_capabilities(0, 0);
+  return done ? nullptr : "become a user of its own";
 }
 
 std::size_t usable_processors() {

@@ -185,7 +185,12 @@ class ForkedJob {
 
 /// Gives root up for good, for a user without rights. The life of a job stays tied to its parent, which Linux forgets
 /// with the user. Returns false with the reason in errno.
-bool become_user(uid_t user) noexcept;
+/// @param starts_other_users  keeps the right to start processes as other users, and to end them
+bool become_user(uid_t user, bool starts_other_users = false) noexcept;
+
+/// In a new process, where the checker has kept that right: goes on without it, as a user that no other process has.
+/// Returns nullptr, or the step that failed.
+const char* become_unique_user() noexcept;
 
 /// How many processors this process may use: all, or those that a batch system gave it.
 std::size_t usable_processors();

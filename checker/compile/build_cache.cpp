@@ -67,7 +67,9 @@ Compilation BuildCache::keep(Compilation built, const std::string& key) const {
                  fmt::format("{}{}\n{}", sealed(key, *bytes), fmt::join(built.linked, " "), built.compiler_output));
   if (!problem.empty()) cannot_write(prepared, problem);
   std::error_code error;
-  fs::rename(executable, prepared / executable_name, error);
+  // Other users may run it, whatever the umask: see become_unique_user().
+  fs::permissions(executable, fs::perms::group_exec | fs::perms::others_exec, fs::perm_options::add, error);
+  if (!error) fs::rename(executable, prepared / executable_name, error);
   if (error) cannot_write(prepared, error.message());
 
   const fs::path place = directory_ / fingerprint(key);

@@ -2,6 +2,8 @@
 
 #include "checker/base/text.hpp"
 
+#include <boost/algorithm/string/replace.hpp>
+
 #include <signal.h>
 
 #include <algorithm>
@@ -24,6 +26,8 @@ std::vector<std::string> arguments_for(const Submission& submission, const std::
           // Both lists of dependencies: of the preprocessor, and of the assembler, which can include files too.
           "-MD", "-MF", unit + ".includes", "-Wa,--MD," + unit + ".assembled", "-c", source, "-o", unit + ".o"};
 }
+
+constexpr const char* own_prefix = "own_";
 
 /// All that an executable depends on.
 std::string cache_key(const CompileTask& task, const Toolchain& toolchain) {
@@ -106,16 +110,35 @@ class CompilationInProgress {
         source_(task.submission.text) {}
 
   Compilation run() {
+    const auto has_own_names = [](const Submission& file) { return !file.own_names.empty(); };
+    try {
+      return attempt();
+    } catch (const Compilation& refused) {
+      const bool is_hopeful =
+          has_own_names(task_.submission) || std::ranges::any_of(task_.submission.library, has_own_names);
+      if (!is_hopeful || refused.refusal == Refusal::checker_error) throw;
+    }
+    // A helper that is called like a function of the course may be what is in the way.
+    renames_ = true;
+    uses_streams_ = false;
+    linked_.clear();
+    return attempt();
+  }
+
+  double processor_seconds() const { return compiler_.processor_seconds(); }
+
+ private:
+  Compilation attempt() {
     const std::string warnings = compile_file(task_.submission, "unit");
     if (!task_.submission.library.empty()) compile_library();
     return {.executable = link(), .compiler_output = warnings, .linked = linked_};
   }
 
- private:
   /// UNIT.o of a file; returns the warnings.
   std::string compile_file(const Submission& file, const std::string& unit) {
-    compiler_.write(file.text, {}, unit + ".cpp");
-    const FinishedProgram compiled = compiler_.run(compiler_.arguments(arguments_for(file, unit)));
+    compiler_.write(file.text, renames_ ? renaming(file) : "", unit + ".cpp");
+    FinishedProgram compiled = compiler_.run(compiler_.arguments(arguments_for(file, unit)));
+    for (const std::string& name : file.own_names) boost::replace_all(compiled.output, own_prefix + name, name);
     if (!compiled.succeeded()) refuse_uncompiled(compiled, file, unit);
     const std::optional<std::string> object = read_file(compiler_.workspace() / (unit + ".o"));
     if (!object) refuse("Your file compiles, but into nothing that can be read.");
@@ -225,6 +248,8 @@ class CompilationInProgress {
                                     symbol.base_name(), fmt::join(linked_, ", ")));
       }
     const auto is_missing = [&](const Symbol& symbol) { return symbol.is_used() && !defined.contains(symbol.name); };
+    if (source_.tokens().empty())
+      refuse("Your file is empty, or holds nothing but comments.", output, {}, Refusal::missing_function);
     for (const Symbol& symbol : symbols(toolchain_.worker_object(task_.exercise).string()))
       if (is_missing(symbol) && symbol.shown.starts_with("rigid::"))
         refuse_symbol(
@@ -252,8 +277,11 @@ class CompilationInProgress {
     std::vector<Finding> findings;
     for (const Token& token : source_.tokens())
       if (token.text == function) findings = {source_.finding(source_.place_of(token.offset), name, message)};
-    const bool is_said = !findings.empty() && refusal == Refusal::missing_function;
-    refuse(is_said ? "Your file does not define the function of this exercise." : message, output, findings, refusal);
+    refuse(findings.empty() ? message
+           : refusal == Refusal::missing_function
+               ? "Your file does not define the function of this exercise."
+               : fmt::format("Your file cannot be linked into a program; see line {}.", findings.front().line),
+           output, findings, refusal);
   }
 
   /// Those that others could call.
@@ -294,10 +322,11 @@ class CompilationInProgress {
                          compiler_.workspace().string(), problem),
              program.output, {}, Refusal::checker_error);
     if (program.out_of_time)
-      refuse(linked_.empty() ? "Your file takes too long to compile; look for a template or an #include that never ends."
-                             : fmt::format("Your file and your own functions that it calls ({}) take too long to "
-                                           "compile; look for a template or an #include that never ends.",
-                                           fmt::join(linked_, ", ")),
+      refuse(linked_.empty()
+                 ? "Your file takes too long to compile; look for a template or an #include that never ends."
+                 : fmt::format("Your file and your own functions that it calls ({}) take too long to "
+                               "compile; look for a template or an #include that never ends.",
+                               fmt::join(linked_, ", ")),
              program.output);
     if (has_reason) return;
     if (says({"out of memory", "memory exhausted", "Killed signal terminated program", "Cannot allocate memory"}))
@@ -314,6 +343,7 @@ class CompilationInProgress {
   const SourceText source_;
   std::vector<std::string> linked_;
   bool uses_streams_ = false;
+  bool renames_ = false;
 };
 
 }  // namespace
@@ -322,6 +352,7 @@ Compilation compile(const CompileTask& task, const Toolchain& toolchain, const f
                     const CompileLimits& limits) {
   const Clock::time_point start = Clock::now();
   Compilation result;
+  double processor_seconds = 0.0;
   try {
     require_complete(toolchain, task.exercise);
     const std::string key = cache_key(task, toolchain);
@@ -331,7 +362,15 @@ Compilation compile(const CompileTask& task, const Toolchain& toolchain, const f
       result.from_cache = true;
     } else {
       const Workspace workspace(cache.directory());
-      result = cache.keep(CompilationInProgress(task, toolchain, limits, workspace.directory()).run(), key);
+      CompilationInProgress compilation(task, toolchain, limits, workspace.directory());
+      const auto take_time = [&] { processor_seconds = compilation.processor_seconds(); };
+      try {
+        result = cache.keep(compilation.run(), key);
+      } catch (...) {
+        take_time();
+        throw;
+      }
+      take_time();
     }
   } catch (const Compilation& refused) {
     result = refused;
@@ -339,7 +378,14 @@ Compilation compile(const CompileTask& task, const Toolchain& toolchain, const f
     result.message = error.what();
   }
   result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  result.processor_seconds = processor_seconds;
   return result;
+}
+
+std::string renaming(const Submission& file) {
+  std::string lines;
+  for (const std::string& name : file.own_names) lines += fmt::format("#define {0} {1}{0}\n", name, own_prefix);
+  return lines;
 }
 
 Observation refused(const Compilation& compilation) {

@@ -35,10 +35,11 @@ FinishedProgram Compiler::run(const fs::path& program, std::vector<std::string> 
   std::vector<std::string> inputs = {toolchain_.prelude.parent_path().string(), toolchain_.directory.string(),
                                      toolchain_.sources.string()};
   for (const fs::path& directory : toolchain_.include_directories) inputs.push_back(directory.string());
-  const auto time = std::min<std::chrono::duration<double>>(limits.time, deadline_ - Clock::now());
-  if (time.count() <= 0.0) return {.end = {}, .output = "", .out_of_time = true};
+  const double left = std::min(limits.time.count(), limits_.time.count() - used_);
+  const std::chrono::duration<double> until_deadline = deadline_ - Clock::now();
+  if (left <= 0.0 || until_deadline.count() <= 0.0) return {.end = {}, .output = "", .out_of_time = true};
   SandboxProfile profile = compile_profile(toolchain_.compiler.string(), inputs, workspace_.string());
-  profile.processor_seconds = static_cast<unsigned>(std::ceil(time.count()));
+  profile.processor_seconds = static_cast<unsigned>(std::ceil(left));
   profile.memory_bytes = limits.memory_bytes;
   profile.file_bytes = limits.file_bytes;
   Launch launch;
@@ -49,7 +50,10 @@ FinishedProgram Compiler::run(const fs::path& program, std::vector<std::string> 
   launch.directory = workspace_;
   confine(launch, profile);
   try {
-    FinishedProgram finished = run_program(launch, time, limits.output_bytes);
+    FinishedProgram finished = run_program(launch, until_deadline, limits.output_bytes);
+    used_ += finished.end.processor_seconds;
+    // The limit ends the compiler proper, and the program above it only says that something ended.
+    finished.out_of_time = finished.out_of_time || (!finished.succeeded() && finished.end.processor_seconds >= left);
     finished.output = printable(finished.output);
     for (const char* quote : {"‘", "’"}) boost::replace_all(finished.output, quote, "'");
     return finished;

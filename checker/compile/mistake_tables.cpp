@@ -52,6 +52,9 @@ const std::vector<MessageMistake> error_table = {
      "Eigen reports $1: the sizes or kinds of these operands do not fit together."},
 
     // Characters, comments, includes.
+    {"cross_by_letter", "extended character ×|stray '×'|expected (',' or )?';' before '(x|×)'",
+     "There is no operator x: the cross product is a.cross(b), the product of numbers a * b.",
+     R"(\w\)?\s*@?(×|\sx\s+\w))"},
     {"invalid_character", "extended character|stray '|'(·|×|−|–|—|“|”|‘|’)[^' ]*' was not declared|before '(·|×|−|–|—)",
      "Invalid character, perhaps copied from a document: type operators and quotation marks on the keyboard."},
     {"unterminated_comment", "^unterminated comment", "The comment that begins here has no end: */ is missing."},
@@ -77,11 +80,12 @@ const std::vector<MessageMistake> error_table = {
     {"call_of_value", "cannot be used as a function",
      "What stands before ( is no function: write * for a product, A(i, j) for an entry of a matrix."},
     {"missing_multiplication", R"(unable to find numeric literal operator 'operator""[A-Za-z_])",
-     "A * is missing behind a number: a product is written 2 * x, not 2x."},
+     "A * is missing after a number: a product is written 2 * x, not 2x."},
     {"modulo_of_double", "'.*double.*' to binary 'operator%'",
      "% is the remainder of whole numbers only; for doubles write std::fmod(a, b)."},
     {"missing_call",
-     "<unresolved overloaded function type>|did you forget the '\\(\\)'|cannot resolve overloaded function|from type "
+     "<unresolved overloaded function type>|did you forget the '\\(\\)'|^wrong type argument to unary minus|cannot "
+     "resolve overloaded function|from type "
      "'.*\\(.*::\\)\\(\\)|cannot convert '\\w+ \\(\\*\\)\\(.*\\).*' to",
      "A function is named here, but not called: its parentheses are missing, as in A.transpose() or cos(x)."},
     {"types_in_call", "expected primary-expression before '(double|int|const|float|auto)'",
@@ -89,10 +93,10 @@ const std::vector<MessageMistake> error_table = {
     {"column_by_colon", "expected primary-expression before ':' token",
      "A column of a matrix is A.col(j), a row is A.row(i); a : does not belong here.", R"([(,]\s*@?:)"},
     {"list_in_brackets", R"(expected identifier before numeric constant|expected '\]' before ',' token)",
-     "A list of numbers stands in braces or behind <<, not in [ ]: write Vector3d v(1, 2, 3);",
+     "A list of numbers stands in braces or after <<, not in [ ]: write Vector3d v(1, 2, 3);",
      R"(([=(,]|return)\s*\[)"},
     {"dot_for_colons", R"(expected (primary-expression|unqualified-id) before '\.' token)",
-     "Behind a type or namespace stands ::, not a dot, as in Matrix3d::Identity() or std::sqrt(x).",
+     "After a type or namespace stands ::, not a dot, as in Matrix3d::Identity() or std::sqrt(x).",
      R"(\b(std|Eigen|rigid|\w*Matrix\w*|\w*Vector\w*)\s*@?\.)"},
     {"arrow_for_comparison", "expected primary-expression before '>' token",
      "=> does not exist in C++; greater or equal is >=.", "=@?>"},
@@ -113,6 +117,9 @@ const std::vector<MessageMistake> error_table = {
      "('operator='.*types are <matrix> and|conversion from|cannot convert|could not convert .* from) <number>",
      "A list of numbers is put into a vector or matrix with <<, not with =, as in v << 1, 2, 3;",
      R"((?:^|;)\s*(?!return\b)[^;=]*=@?[^;=]*,)"},
+    {"normalize_in_place", "discards qualifiers|^invalid use of 'void'|from 'void'",
+     "`normalize()` changes the vector itself and returns nothing; `normalized()` returns the unit vector.",
+     R"(\.normalize\s*@?\()"},
     {"changed_constant",
      "of read-only|as 'this' argument discards|raw: [^]*'operator(=|[-+*/]=|<<)'.*types are (?:'[^']*' \\{aka )?'const "
      R"((Eigen::|rigid::)?(Matrix|Block|VectorBlock|Transpose|Diagonal|Vector)[\w<])",
@@ -153,7 +160,7 @@ const std::vector<MessageMistake> error_table = {
 
     // Names and types.
     {"const_behind_parameters", "non-member function '.*' cannot have cv-qualifier",
-     "The const behind the parentheses is for methods of a class only; leave it out."},
+     "The const after the parentheses is for methods of a class only; leave it out."},
     {"result_type", R"(ambiguating new declaration of '[^']*\brigid::(\w+)\()",
      "The result type differs from the contract: it says `$contract`."},
     {"parameter_types", "'([^']*)' should have been declared inside 'rigid'",
@@ -162,7 +169,7 @@ const std::vector<MessageMistake> error_table = {
      "The function of an exercise must not be $1$2: leave out this word."},
     {"missing_result_type", "forbids declaration of '.*' with no type",
      "The result type is missing before the name of the function, as the double in double f(double x)."},
-    {"return_without_value", "return-statement with no value", "A value is missing behind return."},
+    {"return_without_value", "return-statement with no value", "A value is missing after return."},
     {"redeclaration", R"(^redeclaration of '[^']*?(\w+)')",
      "`$1` is declared for the second time; to give it a new value, leave out the type."},
     {"shadowed_parameter", R"(declaration of '[^']*?(\w+)' shadows a parameter)",
@@ -184,6 +191,8 @@ const std::vector<MessageMistake> error_table = {
      "`$1` is a method: it follows a vector or matrix and a dot, as in A.$1(...)."},
     {"undeclared_name", "^'([^' ]+)' (was not|has not|is not a member of 'std')",
      "There is no `$1` in C++; write `$right`."},
+    {"incomplete_type_name", "^'(Matrix|Vector|RowVector|Matrix[23]|Vector[23])' (was|has) not",
+     "There is no type `$1`: write Vector3d, VectorXd or Matrix3d."},
     {"missing_prefix", R"(^'(\w+)' (?:was|has) not (?:been )?declared[^]*'((?:std|Eigen)::\1)')",
      "The namespace is missing: write `$2` for `$1`."},
     {"missing_prefix",
@@ -193,7 +202,7 @@ const std::vector<MessageMistake> error_table = {
      "There is no `$1`; did you mean `$2`?"},
     {"undeclared_name", "^'([^' ]+)' (was|has) not (been )?declared",
      "`$1` is not known here: is it spelt as where it was declared, and was that before this line?"},
-    {"missing_header", R"(^'(\w+)' is not a member of '(std|Eigen)'[^]*forget to '#include (<[\w./]+>)')",
+    {"missing_header", R"(^'(\w+)' is not a member of '(std|Eigen)'[^]*(?:forget to|by adding) '#include (<[\w./]+>)')",
      "`$2::$1` needs a header: write #include $3 at the top of your file."},
     {"undeclared_name", R"(^'(\w+)' is not a member of '(std|Eigen)'; did you mean '([^']+)')",
      "There is no `$2::$1`; did you mean `$3`?"},
@@ -209,7 +218,7 @@ const std::vector<MessageMistake> error_table = {
 
     // Punctuation.
     {"condition_parentheses", R"(expected '\(' before|expected (',' or )?';' before)",
-     "Behind if, for and while stand parentheses, as in if (x > 0).", R"(\b(if|for|while)\s+[^(\s@])"},
+     "if, for and while need parentheses, as in if (x > 0).", R"(\b(if|for|while)\s+[^(\s@])"},
     {"surplus_parenthesis",
      R"(expected (',' or )?';' before '\)'|expected (primary-expression|declaration) before '\)')",
      "There is a ) too many, or its ( is missing."},
@@ -226,7 +235,7 @@ const std::vector<MessageMistake> error_table = {
      R"(a function-definition is not allowed here before '\{'|qualified-id in declaration before '\()",
      "A function begins inside another one: is a closing brace } missing above this line?"},
     {"else_without_if", "'else' without a previous 'if'",
-     "This else belongs to no if: look for a ; directly behind if (...), or use braces."},
+     "This else belongs to no if: look for a ; directly after if (...), or use braces."},
     {"std_vector_parentheses", R"(no match for call to '\(std::vector)", "An element of a std::vector is v[i]."},
 };
 
@@ -254,12 +263,12 @@ const std::vector<MessageMistake> warning_table = {
      "An unsigned number is never below 0, so this comparison always gives the same; count with int."},
     {"", "^-Wmisleading-indentation", "", R"([;}]\s*$)"},  // on one line nothing is indented
     {"misleading_indentation", R"(^-Wmisleading-indentation: this '(\w+)' clause does not guard)",
-     "Only the first statement behind this $1 belongs to it, although more are indented; use braces."},
+     "Only the first statement after this $1 belongs to it, although more are indented; use braces."},
     {"reference_to_local", R"(^-Wreturn-local-addr: reference to local variable '(\w+)' returned)",
      "This returns a reference to `$1`, which is gone when the function ends; return the value itself."},
     {"integer_division_by_zero", "^-Wdiv-by-zero: ", "Here a whole number is divided by zero."},
     {"fall_through", "^-Wimplicit-fallthrough=?: ",
-     "Behind this statement the switch runs on into the next case; write break; if it should not."},
+     "After this statement the switch runs on into the next case; write break; if it should not."},
     {"", "^-Wshadow", "", R"(\]\()"},  // a lambda's own
     {"shadowed_variable", R"(^-Wshadow\S*: declaration of '[^']*?(\w+)' shadows a (?:previous local|parameter))",
      "This is a second, new `$1`; to change the one outside of these braces, leave out the type."},

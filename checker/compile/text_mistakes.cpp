@@ -89,7 +89,7 @@ const std::vector<TextMistake>& table() {
        "noalias() writes into `$1` while `$1` is still read on the right: leave it out, or use another variable.",
        nullptr, own_types},
       {"empty_body", R"(^(?:else )?(for|if) \( )" + inside + R"(\) ;$)",
-       "The ; directly behind $1 (...) is all that it does: what follows does not belong to it. Leave out this ;"},
+       "The ; directly after $1 (...) is all that it does: what follows does not belong to it. Leave out this ;"},
       {"rounded_pi", R"((?:^| )(3\.14\d*)(?= |$))", "$1 is only near π; write std::numbers::pi.", is_rounded_pi},
       {"float_precision", "(?:^| )(float) ", "A float keeps only about 7 digits; use double."},
   };

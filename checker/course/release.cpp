@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <set>
 
 namespace workbook {
@@ -115,11 +117,17 @@ std::vector<Planned> planned_update(const fs::path& from, const Release& now, co
   return plan;
 }
 
-/// Under another name first, so that there is never half a file. @throws UsageError
+/// Under another name first, so that there is never half a file; always the same one, so that an update that was killed
+/// leaves nothing that the next one does not replace. @throws UsageError
 void write_with_mode(const fs::path& file, const Found& content) {
   const fs::path unfinished = file.string() + ".unfinished";
   std::error_code problem;
-  std::string trouble = write_file(unfinished, content.text);
+  fs::create_directories(file.parent_path(), problem);
+  errno = 0;
+  std::ofstream out(unfinished, std::ios::binary);
+  out << content.text;
+  out.close();
+  std::string trouble = out ? "" : std::generic_category().message(errno == 0 ? EIO : errno);
   if (trouble.empty()) {
     fs::permissions(unfinished, static_cast<fs::perms>(content.mode), problem);
     if (!problem) fs::rename(unfinished, file, problem);

@@ -39,8 +39,8 @@ static void from_json(const json& part, Kind& kind) { kind = kind_from_string(pa
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Unit, kilogram, metre, second, radian)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Argument, name, kind, unit)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Case, name, group, deciding, inputs, expected, scale, tolerance, base, argument,
-                                   entry)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Case, name, group, deciding, inputs, expected, scale, tolerance, condition, base,
+                                   argument, entry)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Misconception, name, message, notes, outputs, sweep_outputs)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(InputTransform, name, message, outputs)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Term, name, coefficient, outputs)

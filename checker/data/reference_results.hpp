@@ -42,6 +42,7 @@ struct Case {
   Value expected;
   std::vector<double> scale;  ///< natural size of the result: one number for all, or one per number of the result
   double tolerance = 1e-9;    ///< relative to the scale
+  double condition = 0;       ///< how far the result moves, in tolerances, when every input is rounded; 0: not asked
 
   // A generated case that differs from another one in one number or one argument only:
   int base = -1;      ///< the other case
@@ -179,7 +180,7 @@ struct ExerciseReference {
 };
 
 struct LectureReference {
-  static constexpr int format = 5;  ///< of the file
+  static constexpr int format = 6;  ///< of the file
   std::uint64_t seed = 1;
   std::string lecture;
   std::vector<ExerciseReference> exercises;

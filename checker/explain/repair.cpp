@@ -30,20 +30,17 @@ Clock::time_point after(std::chrono::duration<double> time) {
 }
 
 /// All variants that compile, in one executable; those that do not are erased.
-Program compile_variants(const DiagnosticTask& task, std::vector<Variant>& variants,
-                                       const Toolchain& toolchain, const std::filesystem::path& cache,
-                                       const TrialLimits& trial) {
-  const Clock::time_point deadline = after(trial.compiling);
-  CompileLimits limits;
-  for (int tries = 0; tries < trial.compilations && !variants.empty(); ++tries) {
-    limits.time = std::chrono::duration_cast<decltype(limits.time)>(deadline - Clock::now());
-    if (limits.time <= decltype(limits.time)::zero()) break;
+Program compile_variants(const DiagnosticTask& task, std::vector<Variant>& variants, const Toolchain& toolchain,
+                         const std::filesystem::path& cache, const TrialLimits& trial) {
+  CompileLimits limits{.time = trial.compiling};
+  for (int tries = 0; tries < trial.compilations && !variants.empty() && limits.time.count() > 0; ++tries) {
     const VariantUnit unit(task.submission.text, variants, task.reference);
-    const Submission all{variants_name, variants_name, unit.text(), task.submission.library};
+    const Submission all{variants_name, variants_name, unit.text(), task.submission.library, task.submission.own_names};
     const Compilation compilation =
         compile({.submission = all, .exercise = task.reference.name, .signature = task.reference.signature}, toolchain,
                 cache, limits);
     if (compilation.executable) return compilation.program();
+    limits.time -= std::chrono::duration<double>(compilation.processor_seconds);
     const std::set<int> objected = uncompilable(unit, compilation.details);
     if (objected.empty()) break;
     std::vector<Variant> rest;

@@ -183,7 +183,9 @@ std::string class_page(const nlohmann::ordered_json& document, const std::string
 uid_t grading_user(const fs::path& folder);
 
 /// Where this program runs as root: hands the folder over to the user who grades, and becomes that user for good.
-/// @param needed  must be readable to everybody. @throws GradingError if that cannot be
-void give_up_root(const fs::path& folder, const std::vector<fs::path>& needed);
+/// @param needed  must be readable to everybody
+/// @param starts_other_users  see become_user(); not needed where namespaces keep processes apart
+/// @throws GradingError if that cannot be
+void give_up_root(const fs::path& folder, const std::vector<fs::path>& needed, bool starts_other_users);
 
 }  // namespace workbook

@@ -16,6 +16,7 @@ NLOHMANN_JSON_SERIALIZE_ENUM(DiagnosisKind, {{DiagnosisKind::misconception, "mis
                                              {DiagnosisKind::independence, "independence"},
                                              {DiagnosisKind::entry, "entry"},
                                              {DiagnosisKind::place, "place"},
+                                             {DiagnosisKind::accuracy, "accuracy"},
                                              {DiagnosisKind::learnt, "learnt"},
                                              {DiagnosisKind::property, "property"},
                                              {DiagnosisKind::dimension, "dimension"}})
@@ -34,8 +35,8 @@ void from_json(const nlohmann::json& document, Diagnosis& diagnosis) {
 bool Diagnosis::is_symptom() const {
   // A wrong order or range is all that there is to say.
   if (kind == DiagnosisKind::property) return name != "range" && name != to_string(PropertyKind::ascending);
-  return kind == DiagnosisKind::place || kind == DiagnosisKind::dimension || kind == DiagnosisKind::independence ||
-         (kind == DiagnosisKind::split && name != "split");
+  return kind == DiagnosisKind::place || kind == DiagnosisKind::accuracy || kind == DiagnosisKind::dimension ||
+         kind == DiagnosisKind::independence || (kind == DiagnosisKind::split && name != "split");
 }
 
 std::vector<Diagnosis> diagnose(const ExerciseReference& exercise, const Answers& answers,
@@ -45,6 +46,11 @@ std::vector<Diagnosis> diagnose(const ExerciseReference& exercise, const Answers
     if (const auto diagnosis = mechanism(exercise, answers)) return {*diagnosis};
   }
   std::vector<Diagnosis> diagnoses;
+  // What is nearly right everywhere has no wrong dimension, sign or place.
+  if (const auto accuracy = diagnose_accuracy(exercise, answers)) {
+    if (const auto difference = diagnose_difference(exercise, answers)) return {*difference};
+    return {*accuracy};
+  }
   const auto place = diagnose_place(exercise, answers);
   for (const auto& mechanism : {diagnose_eigenvectors, diagnose_difference, diagnose_split, diagnose_conditional,
                                 diagnose_entries, diagnose_few, diagnose_one_side}) {

@@ -12,11 +12,12 @@ enum class DiagnosisKind {
   term,             ///< a wrong coefficient
   transform,        ///< the right result, changed as a whole
   input_transform,  ///< the right result for changed inputs
-  difference,       ///< what a component lacks or has too much
+  difference,       ///< by what a component differs
   split,            ///< what the failing cases have in common
   independence,     ///< an input that never changes the result
   entry,            ///< entries that hold something else
   place,            ///< which components are wrong, and where
+  accuracy,         ///< right to some digits only
   learnt,           ///< the results of known cases, and no function
   property,
   dimension
@@ -51,7 +52,7 @@ Mechanism diagnose_misconception;    ///< none if two with different messages fi
 Mechanism diagnose_transform;        ///< a common factor, a transposed matrix, or components in another order
 Mechanism diagnose_input_transform;  ///< the right result for changed inputs
 
-// --- what a wrong component lacks or has too much (regression.cpp)
+// --- by what a wrong component differs (regression.cpp)
 
 /// The error of every wrong component as exactly one or two products of the inputs with simple coefficients.
 Mechanism diagnose_difference;
@@ -61,6 +62,7 @@ Mechanism diagnose_difference;
 Mechanism diagnose_place;         ///< "Only component 3 is wrong": always true, and silent where all are
 Mechanism diagnose_entries;       ///< entries that hold what belongs in others, while the rest is right
 Mechanism diagnose_eigenvectors;  ///< principal axes in another order, of another length or handedness
+Mechanism diagnose_accuracy;      ///< "right to about 4 digits at every case", and with what the error grows
 Mechanism diagnose_range;         ///< Euler angles of the right attitudes, with θ beyond its range
 
 /// One number of an argument.
@@ -75,8 +77,8 @@ struct IndependentInput {
 /// change the right one at some: to be confirmed by further calls.
 std::vector<IndependentInput> independent_inputs(const ExerciseReference& exercise, const Answers& answers);
 
-/// @pre there are inputs
-Diagnosis independence(const ExerciseReference& exercise, const std::vector<IndependentInput>& inputs);
+/// Nothing where none of them has a name, as a column of a list.
+std::optional<Diagnosis> independence(const ExerciseReference& exercise, const std::vector<IndependentInput>& inputs);
 
 // --- what the failing cases have in common (splits.cpp)
 

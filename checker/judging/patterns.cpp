@@ -48,6 +48,47 @@ std::optional<Diagnosis> diagnose_place(const ExerciseReference& exercise, const
                                wrong.size() == 1 ? "is" : "are", where)};
 }
 
+std::optional<Diagnosis> diagnose_accuracy(const ExerciseReference& exercise, const Answers& answers) {
+  constexpr double largest = 1e-2, single_precision = 1e-6;
+  constexpr std::size_t fewest = 5;
+  std::vector<std::pair<std::size_t, double>> errors;  // of the wrong cases, in natural sizes
+  for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
+    if (!answers[i] || !answers[i]->is_finite()) return std::nullopt;
+    double error = 0;
+    for (const Deviation& each : deviations(exercise, i, *answers[i])) error = std::max(error, each.relative_size());
+    if (error > largest) return std::nullopt;
+    if (!passes(exercise, i, *answers[i])) errors.emplace_back(i, error);
+  }
+  if (errors.size() < fewest || 4 * errors.size() < exercise.cases.size()) return std::nullopt;
+  const double worst = std::ranges::max(errors, {}, &std::pair<std::size_t, double>::second).second;
+  std::string sentence =
+      fmt::format("Your result is right to about {} at every case, and more are asked for.",
+                  plural(static_cast<std::size_t>(std::max(1.0, std::floor(-std::log10(worst)))), "digit"));
+  // With which number of the inputs does the error grow, from the smaller to the larger half?
+  std::vector<std::string> grows_with;
+  for (const Quantity& quantity : quantities_of(exercise)) {
+    if (!(quantity.unit == units::second)) continue;
+    const auto size_at = [&](const auto& error) { return std::abs(quantity.values[error.first]); };
+    std::vector<std::pair<std::size_t, double>> ordered = errors;
+    std::ranges::stable_sort(ordered, {}, size_at);
+    const auto middle = ordered.begin() + static_cast<std::ptrdiff_t>(ordered.size() / 2);
+    const auto error_of = &std::pair<std::size_t, double>::second;
+    if (size_at(ordered.front()) < size_at(*middle) &&
+        std::ranges::max_element(ordered.begin(), middle, {}, error_of)->second * 3 <
+            std::ranges::max_element(middle, ordered.end(), {}, error_of)->second)
+      grows_with.push_back(quantity.name);
+  }
+  if (!grows_with.empty())
+    sentence += fmt::format(" The error grows with {}, as that of steps that are too large does.", listed(grows_with));
+  else if (worst < single_precision)
+    sentence += " A `float` has so many, and so has a constant or a step of about that accuracy.";
+  else
+    sentence +=
+        " Look for steps that are too large, a series that ends early, a difference quotient, a constant with "
+        "few digits, or a small term that is missing.";
+  return Diagnosis{DiagnosisKind::accuracy, "accuracy", sentence};
+}
+
 std::vector<IndependentInput> independent_inputs(const ExerciseReference& exercise, const Answers& answers) {
   struct Change {
     std::set<int> right_moves;  // the cases near which the right result depends on it
@@ -75,7 +116,7 @@ std::vector<IndependentInput> independent_inputs(const ExerciseReference& exerci
   return found;
 }
 
-Diagnosis independence(const ExerciseReference& exercise, const std::vector<IndependentInput>& inputs) {
+std::optional<Diagnosis> independence(const ExerciseReference& exercise, const std::vector<IndependentInput>& inputs) {
   std::vector<std::string> names;
   const std::vector<Quantity> quantities = quantities_of(exercise);
   for (const Quantity& each : quantities) {
@@ -86,8 +127,9 @@ Diagnosis independence(const ExerciseReference& exercise, const std::vector<Inde
     const std::string& name = is_whole ? exercise.arguments[each.argument].name : each.name;
     if (std::ranges::find(names, name) == names.end()) names.push_back(name);
   }
-  return {DiagnosisKind::independence, "independence",
-          fmt::format("Your result never changes with {}; the right one does.", listed(names))};
+  if (names.empty()) return std::nullopt;
+  return Diagnosis{DiagnosisKind::independence, "independence",
+                   fmt::format("Your result never changes with {}; the right one does.", listed(names))};
 }
 
 std::optional<Diagnosis> diagnose_entries(const ExerciseReference& exercise, const Answers& answers) {

@@ -1,4 +1,5 @@
-// What a wrong component lacks or has too much: its error as one or two products of the inputs.
+// By what a wrong component differs from the right one: its error as one or two products of the inputs. Whether a term
+// is missing or has another sign, the error does not tell.
 #include "checker/base/text.hpp"
 #include "checker/judging/diagnosis.hpp"
 
@@ -159,13 +160,13 @@ std::string with_coefficient(double size, const std::string& product) {
   return text == "1" ? (product.empty() ? "1" : product) : product.empty() ? text : text + "·" + product;
 }
 
-/// "lacks omega_1·omega_2", "has ½·m·v too much"
+/// "is too small by omega_1·omega_2"
 std::string difference(const std::vector<FittedProduct>& terms) {
   std::string text;
   for (const FittedProduct& term : terms) {
     const std::string size = with_coefficient(std::abs(term.coefficient), term.product->name);
-    text += text.empty() ? "" : " and ";
-    text += term.coefficient < 0 ? "lacks " + size : "has " + size + " too much";
+    text +=
+        fmt::format("{}too {} by {}", text.empty() ? "is " : " and ", term.coefficient < 0 ? "small" : "large", size);
   }
   return text;
 }
@@ -176,7 +177,7 @@ class Fitter {
   Fitter(const std::vector<Quantity>& quantities, const std::vector<std::size_t>& rows)
       : quantities_(quantities), rows_(rows), products_(quantities, rows) {}
 
-  /// "lacks omega_1·omega_2"; empty where nothing fits.
+  /// "is too small by omega_1·omega_2"; empty where nothing fits.
   std::string words(const VectorXd& error, const VectorXd& scale, Unit unit) {
     std::string plain = words_over(error, scale, unit, nullptr);
     if (!plain.empty()) return plain;

@@ -41,6 +41,16 @@ void check_parts(const ExerciseReference& exercise, Sentences& found) {
   require(exercise.sweep.x.size(), 2, "sweep point");
 }
 
+void check_conditions(const ExerciseReference& exercise, Sentences& found) {
+  constexpr double most = 0.25;
+  for (const Case& one : exercise.cases)
+    if (one.condition > most)
+      found.push_back(
+          fmt::format("Rounding of the inputs alone takes {:.2g} of the tolerance of the case “{}”: no answer "
+                      "in double precision is sure to pass.",
+                      one.condition, one.name));
+}
+
 void check_expected(const ExerciseReference& exercise, Sentences& found) {
   if (const Judgement judgement = judge_values(exercise, expected_values(exercise)); !judgement.passed()) {
     found.push_back("The expected values do not pass: " + judgement.message);
@@ -149,6 +159,7 @@ Sentences unsound_parts(const ExerciseReference& exercise) {
                         described.routes.size())};
   Sentences found;
   check_parts(described, found);
+  check_conditions(exercise, found);
   check_expected(exercise, found);
   check_misconceptions(described, found);
   check_terms(described, found);

@@ -208,7 +208,7 @@ class Features {
   bool has_no_list_ = true;  // so far
 };
 
-/// What the answer is at the wrong cases: " There yours is zero."
+/// What the answer is at the wrong cases: " At those cases your result is 0."
 std::string words_of_wrong(const ExerciseReference& exercise, const Answers& answers,
                            const std::vector<std::size_t>& wrong) {
   if (exercise.comparison != Comparison::plain) return "";
@@ -217,17 +217,18 @@ std::string words_of_wrong(const ExerciseReference& exercise, const Answers& ans
       return std::ranges::equal(answers[i]->numbers, exercise.cases[i].expected.numbers, test);
     });
   };
-  if (all([](double yours, double) { return !std::isfinite(yours); })) return " There yours is not finite.";
-  if (all([](double yours, double) { return yours == 0; })) return " There yours is 0.";
+  if (all([](double yours, double) { return !std::isfinite(yours); }))
+    return " At those cases your result is not finite.";
+  if (all([](double yours, double) { return yours == 0; })) return " At those cases your result is 0.";
   const auto is_times = [&](double factor) {
     return std::ranges::all_of(wrong, [&](std::size_t i) {
       const Matrix scaled = factor * as_matrix(exercise.cases[i].expected);
       return is_same_answer(exercise, i, *answers[i], to_value(scaled));
     });
   };
-  if (is_times(-1)) return " There yours is the negative of the right one.";
-  if (is_times(2)) return " There yours is twice the right one.";
-  if (is_times(0.5)) return " There yours is half of the right one.";
+  if (is_times(-1)) return " At those cases your result is the negative of the right one.";
+  if (is_times(2)) return " At those cases your result is twice the right one.";
+  if (is_times(0.5)) return " At those cases your result is half of the right one.";
   return "";
 }
 
@@ -267,13 +268,13 @@ std::optional<Diagnosis> diagnose_split(const ExerciseReference& exercise, const
   const std::string total = plural(outcome.right.size() + outcome.wrong.size(), "case");
   if (!exact.empty() && exact.size() <= most_features)
     return Diagnosis{DiagnosisKind::split, "split",
-                     fmt::format("Yours is wrong exactly where {}{} ({} of {}), and right elsewhere.{}", exact.front(),
-                                 exact.size() > 1 ? ", which here is also where " + exact.back() : "",
+                     fmt::format("Your result is wrong exactly where {}{} ({} of {}), and right elsewhere.{}",
+                                 exact.front(), exact.size() > 1 ? ", which here is also where " + exact.back() : "",
                                  outcome.wrong.size(), total, there)};
   if (!exact.empty() || nearly.size() != 1) return std::nullopt;  // of many that fit none is certain
   const auto& [words, right] = nearly.front();
   return Diagnosis{DiagnosisKind::split, "split",
-                   fmt::format("Yours is wrong only where {} (at {} of those {}), and right elsewhere.{}", words,
+                   fmt::format("Your result is wrong only where {} (at {} of those {}), and right elsewhere.{}", words,
                                outcome.wrong.size(), plural(outcome.wrong.size() + right, "case"), there)};
 }
 
@@ -294,7 +295,7 @@ std::optional<Diagnosis> diagnose_one_side(const ExerciseReference& exercise, co
   const auto& [words, right] = sides.front();
   const std::size_t elsewhere = outcome.right.size() + outcome.wrong.size() - right;
   return Diagnosis{DiagnosisKind::split, "one_side",
-                   fmt::format("Yours is right at all {} where {}, and wrong at {} of the {} others.",
+                   fmt::format("Your result is right at all {} where {}, and wrong at {} of the {} others.",
                                plural(right, "case"), words, outcome.wrong.size(), elsewhere)};
 }
 
@@ -321,16 +322,17 @@ std::optional<Diagnosis> diagnose_few(const ExerciseReference& exercise, const A
   if (described.empty()) {
     const auto [change, base] = changes.front();
     const std::size_t others = changes.size() - 1;
-    return Diagnosis{DiagnosisKind::split, "one_change",
-                     fmt::format("Yours is right at the case {}, and wrong once this alone is changed there: {}{}.{}",
-                                 in_quotes(base), change,
-                                 others == 0 ? "" : fmt::format(" (and {} like it)", plural(others, "change")), there)};
+    return Diagnosis{
+        DiagnosisKind::split, "one_change",
+        fmt::format("Your result is right at the case {}, and wrong once this alone is changed there: {}{}.{}",
+                    in_quotes(base), change,
+                    others == 0 ? "" : fmt::format(" (and {} like it)", plural(others, "change")), there)};
   }
   if (described.size() + changes.size() > most_named) return std::nullopt;
   std::vector<std::string> names;
   for (const std::size_t i : outcome.wrong) names.push_back(in_quotes(exercise.cases[i].name));
   return Diagnosis{DiagnosisKind::split, "few",
-                   fmt::format("Yours is right at {} of {}; only {} {} wrong.{}", outcome.right.size(),
+                   fmt::format("Your result is right at {} of {}; only {} {} wrong.{}", outcome.right.size(),
                                plural(total, "case"), listed(names), names.size() == 1 ? "is" : "are", there)};
 }
 
@@ -356,7 +358,7 @@ std::optional<Diagnosis> diagnose_conditional(const ExerciseReference& exercise,
     if (!fits) continue;
     if (named && named->message != each.message) return std::nullopt;
     named = Diagnosis{DiagnosisKind::misconception, each.name,
-                      fmt::format("At the cases where yours is wrong, and only there: {}", each.message), each.notes};
+                      fmt::format("At the cases where your result is wrong, and only there: {}", each.message), each.notes};
   }
   return named;
 }

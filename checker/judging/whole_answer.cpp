@@ -167,7 +167,7 @@ std::optional<Diagnosis> diagnose_input_transform(const ExerciseReference& exerc
   for (const InputTransform& transform : exercise.input_transforms) {
     if (!agree(exercise, answers, [&](std::size_t i) { return transform.outputs[i]; })) continue;
     return Diagnosis{DiagnosisKind::input_transform, transform.name,
-                     fmt::format("At every case yours is the right result for {}.", transform.message)};
+                     fmt::format("At every case your result is the right one for {}.", transform.message)};
   }
   return std::nullopt;
 }

@@ -38,9 +38,9 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CheckResult, source, observation, judgement, 
 
 namespace {
 
-/// More than the limits up to the verdict together: 60 s to compile, 10 s to run. Another one for the tests.
+/// More than the limits up to the verdict together: 300 s to compile, 10 s to run. Another one for the tests.
 std::chrono::seconds longest_check() {
-  return std::chrono::seconds(std::atoi(environment("WORKBOOK_CHECK_SECONDS", "180").c_str()));
+  return std::chrono::seconds(std::atoi(environment("WORKBOOK_CHECK_SECONDS", "600").c_str()));
 }
 
 /// A message: its length in eight bytes, and a result.
@@ -142,6 +142,32 @@ bool is_learnt(Judged& judged, CheckContext& context) {
   return 2 * wrong > others && judge(known, judged.runner->observe(known.cases, plan_repeats(known))).passed();
 }
 
+/// Why finite values are wrong, where others are not finite: one cause of the former is not silenced by the latter.
+/// Empty where values that are finite are right, or too few, or where nothing is certain.
+std::vector<Diagnosis> diagnose_finite(ExerciseReference exercise, Answers answers) {
+  std::size_t finite = 0, wrong = 0;
+  for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
+    if (answers[i] && answers[i]->is_finite()) {
+      ++finite;
+      wrong += passes(exercise, i, *answers[i]) ? 0 : 1;
+    } else {
+      exercise.cases[i].deciding = false;
+      answers[i].reset();
+    }
+  }
+  if (2 * finite < exercise.cases.size() || 4 * wrong < finite) return {};
+  std::vector<Diagnosis> found = diagnose(exercise, answers, {});
+  if (std::ranges::all_of(found, &Diagnosis::is_symptom)) found.clear();
+  return found;
+}
+
+/// Findings that explain a few cases only.
+std::vector<Finding> besides(std::vector<Finding> findings) {
+  for (Finding& finding : findings)
+    finding.sentence = "Besides, at the cases without a finite number: " + finding.sentence;
+  return findings;
+}
+
 /// Where the values tell symptoms only.
 void explain_deeper(Judged& judged, const DiagnosticTask& task, bool has_mistake_in_code, const Answers& answers,
                     const CheckContext& context) {
@@ -165,8 +191,8 @@ void explain_deeper(Judged& judged, const DiagnosticTask& task, bool has_mistake
     add(explanation.findings, {*slip});
   } else if (!has_mistake_in_code) {
     const auto inputs = confirmed(independent_inputs(task.reference, answers), *judged.runner, task.reference, answers);
-    if (!inputs.empty() && inputs.size() <= 6)
-      diagnoses.insert(diagnoses.begin(), independence(task.reference, inputs));
+    const auto found = inputs.size() <= 6 ? independence(task.reference, inputs) : std::nullopt;
+    if (found) diagnoses.insert(diagnoses.begin(), *found);
   }
 }
 
@@ -209,10 +235,13 @@ void explain(Judged& judged, CheckContext& context) {
   const bool has_mistake_in_code = !std::ranges::all_of(in_code, is_remark);
   const bool has_no_value = std::ranges::count(in_code, "uninitialized_variable", &Finding::name) > 0;
   const Answers answers = answers_of(reference, checked.observation.replies);
-  if (!has_no_value)
-    explanation.diagnoses =
-        diagnose(reference, answers,
-                 verdict == Verdict::wrong_value ? take_probes(*judged.runner, reference) : std::vector<UnitProbe>{});
+  if (verdict == Verdict::non_finite_value && !has_no_value) {
+    explanation.diagnoses = diagnose_finite(reference, answers);
+    if (!explanation.diagnoses.empty())
+      add(explanation.findings, besides(diagnostic_run(task, context.toolchain(), cache)));
+  } else if (!has_no_value) {
+    explanation.diagnoses = diagnose(reference, answers, take_probes(*judged.runner, reference));
+  }
   if (std::ranges::all_of(explanation.diagnoses, &Diagnosis::is_symptom))
     explain_deeper(judged, task, has_mistake_in_code, answers, context);
   for (Diagnosis& diagnosis : explanation.diagnoses)
@@ -298,6 +327,18 @@ std::string CheckResult::next_step() const {
   return is_explained ? "Fix what the reason names, and check again." : judgement.next_step;
 }
 
+std::vector<std::string> own_names(const std::string& text, const std::vector<Exercise>& exercises,
+                                   const std::string& exercise) {
+  std::vector<std::string> names;
+  std::optional<SourceText> source;
+  for (const Exercise& other : exercises) {
+    if (other.name() == exercise || text.find(other.name()) == std::string::npos) continue;
+    if (!source) source.emplace(text);
+    if (defines_function(*source, other.name())) names.push_back(other.name());
+  }
+  return names;
+}
+
 std::vector<Submission> own_functions(const std::string& text, const std::vector<Exercise>& exercises,
                                       const std::function<fs::path(const Exercise&)>& file_of) {
   std::set<std::string, std::less<>> words;
@@ -314,6 +355,7 @@ std::vector<Submission> own_functions(const std::string& text, const std::vector
     const fs::path file = file_of(*exercise);
     if (!words.contains(exercise->name()) || !fs::exists(file)) continue;
     files.push_back(read_submission(file));
+    files.back().own_names = own_names(files.back().text, exercises, exercise->name());
     add_words(files.back().text);
   }
   return files;
@@ -323,6 +365,7 @@ Submission read_with_library(const Course& course, const CheckTask& task) {
   Submission submission = read_submission(task.file);
   submission.library = own_functions(submission.text, course.exercises_before(task.exercise),
                                      [&](const Exercise& exercise) { return own_file(course, task, exercise); });
+  submission.own_names = own_names(submission.text, course.exercises(), task.exercise.name());
   return submission;
 }
 
@@ -364,7 +407,8 @@ CheckResult check_exercise(CheckContext& context, const CheckTask& task,
   CheckResult& checked = judged.checked;
   try {
     if (on_verdict && judged.runner && !checked.judgement.passed()) on_verdict(checked);
-    if (!checked.judgement.passed()) wait_for_own_functions(context, task, judged.compilation.linked, checked.judgement);
+    if (!checked.judgement.passed())
+      wait_for_own_functions(context, task, judged.compilation.linked, checked.judgement);
     if (checked.judgement.verdict == Verdict::waiting) {
       checked.observation.replies.clear();  // values that say nothing of this file
       checked.executable.clear();
@@ -385,7 +429,7 @@ CheckResult read_result(std::string_view bytes) { return json::from_cbor(bytes).
 
 CheckContext::CheckContext(const Course& course)
     : course_(course), toolchain_(read_toolchain(course.toolchain_file())) {
-  sandbox_in_use();  // tried once for all jobs
+  try_sandbox_once(course.scratch() / "sandbox");  // once for all jobs
 }
 
 const ExerciseReference& CheckContext::reference(const CheckTask& task) {

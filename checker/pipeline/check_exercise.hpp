@@ -60,6 +60,10 @@ struct CheckResult {
   std::string next_step() const;
 };
 
+/// Names of exercises other than this one whose functions a text defines itself.
+std::vector<std::string> own_names(const std::string& text, const std::vector<Exercise>& exercises,
+                                   const std::string& exercise);
+
 /// The files of the exercises that a text names, and of those that these name: what it may call is among them.
 /// @throws RejectedFile
 std::vector<Submission> own_functions(const std::string& text, const std::vector<Exercise>& exercises,

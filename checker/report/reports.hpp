@@ -19,16 +19,16 @@ struct Detail {
   bool by_keys = false;                   ///< in the watch, whose keys do what is to be typed elsewhere
 };
 
-/// One line for what passed or was not started, and everything that helps for the rest: why, what to do next, the
-/// numbers, which other cases fail.
+/// One line for what passed or was not started; for the rest why, or what to do next, and the first failing case in
+/// numbers.
 std::string terminal_report(const CheckResult& checked, const Course& course, const Console& console,
                             const Detail& detail = {});
 
 /// "6 of 8 passed, 1 failing, 1 not started."
 std::string summary_line(const std::vector<CheckResult>& results);
 
-/// The failing cases by number, the first with their names, as far as so many columns go.
-std::string failing_cases(const CheckResult& checked, std::size_t columns = std::string::npos);
+/// The failing cases by number, the first ones with their names.
+std::string failing_cases(const CheckResult& checked);
 
 /// Where a paragraph of the notes can be read: the built page if there is one, else its source and the heading.
 std::string notes_place(const Course& course, const Exercise& exercise, const std::string& anchor);

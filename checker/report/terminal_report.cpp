@@ -10,11 +10,11 @@ constexpr std::size_t report_indent = 2;
 constexpr std::size_t label_width = 6;
 constexpr std::size_t longest_printout = 6;  // lines of the student's own output that are shown unless all is asked for
 
-/// "kinetic_energy.cpp:8:3: …" as editors jump to it, or the sentence alone.
+/// "kinetic_energy.cpp:8:3: …", or the sentence alone.
 std::string finding_line(const CheckResult& checked, const Finding& finding) {
   if (finding.line <= 0) return finding.sentence;
-  return fmt::format("{}:{}:{}: {}", shown_path(checked.task.file), finding.line, std::max(finding.column, 1),
-                     finding.sentence);
+  return fmt::format("{}:{}:{}: {}", printable(checked.task.file.filename().string()), finding.line,
+                     std::max(finding.column, 1), finding.sentence);
 }
 
 /// The text of one report, line by line.
@@ -63,8 +63,10 @@ class Report {
   void explain() {
     const Judgement& judgement = checked_.judgement;
     const Explanation& explanation = checked_.explanation;
-    // Of wrong values headline and case say as much.
-    if (judgement.verdict != Verdict::wrong_value) text_ += console_.wrapped(judgement.message, report_indent) + "\n";
+    // Of wrong values headline and case say as much, and of a call that failed a reason with its line.
+    const bool is_said =
+        judgement.verdict == Verdict::wrong_value || (!explanation.is_empty() && !checked_.observation.replies.empty());
+    if (!is_said || detail_.full) text_ += console_.wrapped(judgement.message, report_indent) + "\n";
     for (const Finding& finding : explanation.findings) {
       labelled("Why", finding_line(checked_, finding));
       for (const std::string& line : lines_of(finding.excerpt)) text_ += "    " + fitted(line) + "\n";
@@ -77,7 +79,7 @@ class Report {
       if (!place.empty() && place != last_place) labelled("Read", place);
       last_place = place;
     }
-    labelled("Next", checked_.next_step());
+    if (explanation.is_empty() || detail_.full) labelled("Next", checked_.next_step());
   }
 
   /// The case to be shown in full, if any.
@@ -99,10 +101,7 @@ class Report {
       const std::string size = error_size(reference, checked_.judgement.failing, answers);
       if (!size.empty()) text_ += console_.wrapped(size, report_indent) + "\n";
     }
-    if (checked_.judgement.failing.size() < 2) return;
-    labelled("Failed",
-             failing_cases(checked_, detail_.full ? std::string::npos
-                                                  : 2 * (console_.width() - report_indent - label_width - 8)));
+    if (checked_.judgement.failing.size() > 1 && detail_.full) labelled("Failed", failing_cases(checked_));
   }
 
   /// What the student's code printed: at the shown case, or case by case where all is asked for or all is well.
@@ -126,22 +125,16 @@ class Report {
                            detail_.by_keys ? "c" : "--full");
   }
 
-  /// What to type: never broken, so that it can be copied.
+  /// What to type to see more: never broken, so that it can be copied.
   void commands() {
     const std::string& name = checked_.name();
     std::string again = "check " + name;
-    if (const auto shown = shown_case()) again += fmt::format(" --case {}", *shown + 1);
+    if (detail_.full && shown_case()) again += fmt::format(" --case {}", *shown_case() + 1);
+    if (!detail_.full) again += " --full";
     if (checked_.task.is_other_seed) again += fmt::format(" --seed {}", checked_.task.seed);
     if (checked_.task.is_elsewhere) again += " --file " + shell_quoted(printable(checked_.task.file.string()));
-    command_line("Again", shown_case() ? again : "");
-    command_line("More",
-                 !detail_.full && !checked_.observation.refusal_details.empty() ? "check " + name + " --full" : "");
-    command_line("Hint", "hint " + name);
-  }
-
-  void command_line(const std::string& label, const std::string& arguments) {
-    if (!arguments.empty())
-      text_ += "  " + console_.styled(padded(label, label_width), Style::strong) + " " + command(arguments) + "\n";
+    text_ += "  " + console_.styled(padded(detail_.full ? "Again" : "More", label_width), Style::strong) + " " +
+             command(again) + ", or hint " + name + "\n";
   }
 
   /// A heading and the text that belongs to it, side by side.
@@ -252,17 +245,14 @@ std::string terminal_report(const CheckResult& checked, const Course& course, co
   return Report(checked, course, console, detail).text();
 }
 
-std::string failing_cases(const CheckResult& checked, std::size_t columns) {
+std::string failing_cases(const CheckResult& checked) {
+  constexpr std::size_t most_named = 4;
   const std::vector<std::size_t>& failing = checked.judgement.failing;
   std::string list;
-  std::size_t shown = 0, width = 0;
-  for (; shown < failing.size(); ++shown) {
-    const std::size_t i = failing[shown];
-    const std::string next = fmt::format("{}{} “{}”", shown == 0 ? "" : ", ", i + 1, checked.reference->cases[i].name);
-    width += display_width(next);
-    if (shown > 0 && width > columns) break;
-    list += next;
-  }
+  std::size_t shown = 0;
+  for (; shown < std::min(failing.size(), most_named); ++shown)
+    list += fmt::format("{}{} “{}”", shown == 0 ? "" : ", ", failing[shown] + 1,
+                        checked.reference->cases[failing[shown]].name);
   while (shown < failing.size()) {  // runs of three and more as "5–70"
     std::size_t last = shown;
     while (last + 1 < failing.size() && failing[last + 1] == failing[last] + 1) ++last;

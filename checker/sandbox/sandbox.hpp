@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,10 @@ SandboxStrength what_the_kernel_offers();
 /// From now on all programs get as strong a sandbox as that, apart from root's, who gets no namespaces. Before, it is
 /// what the kernel offers: a single check is a student's own code, and starts quicker without namespaces.
 void use_sandbox(const SandboxStrength& strength);
+
+/// Unless a sandbox was chosen: tries what the kernel offers, or takes it from a file in which an earlier call wrote
+/// that everything is held back on this kernel. Trying starts a program for every wall, half the time of a check.
+void try_sandbox_once(const std::filesystem::path& known);
 
 /// The first call tries what the kernel offers, unless a sandbox was chosen: make it before starting processes that use
 /// it.

@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <sys/utsname.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
@@ -25,7 +27,12 @@ constexpr const char* temporary_bytes = "268435456";      ///< in the /tmp of a 
 void confine_to(const SandboxStrength& strength, Launch& launch, SandboxProfile profile) {
   if (strength.filters_system_calls) profile.filter = system_call_filter(profile.calls);
   if (strength.namespaces.empty() || ::geteuid() == 0) {
-    launch.prepare = [sandbox = Sandbox(std::move(profile), strength)] { return sandbox.enter(); };
+    // As a user of its own no function reaches another one's process, even if a rule had a hole.
+    const bool is_function = profile.calls == Calls::compute;
+    launch.prepare = [is_function, sandbox = Sandbox(std::move(profile), strength)] {
+      const char* const failed = is_function ? become_unique_user() : nullptr;
+      return failed ? failed : sandbox.enter();
+    };
     return;
   }
   const bool builds = profile.calls == Calls::build;
@@ -161,9 +168,26 @@ SandboxStrength without_namespaces() {
   return strength;
 }
 
-SandboxStrength& in_use() {
-  static SandboxStrength strength = without_namespaces();
+/// Nothing before it was tried or chosen.
+std::optional<SandboxStrength>& chosen() {
+  static std::optional<SandboxStrength> strength;
   return strength;
+}
+
+const SandboxStrength& in_use() {
+  if (!chosen()) chosen() = without_namespaces();
+  return *chosen();
+}
+
+/// What a result of trying depends on.
+std::string circumstances(const SandboxStrength& offered) {
+  utsname system{};
+  ::uname(&system);
+  std::error_code ignored;
+  return fmt::format("{} {} {} {} {} {} {}\n", system.release, system.version,
+                     read_file("/proc/sys/kernel/random/boot_id").value_or(""), ::geteuid(), offered.landlock,
+                     std::filesystem::file_size(WORKBOOK_LAST_STAGE, ignored),
+                     std::filesystem::last_write_time(WORKBOOK_LAST_STAGE, ignored).time_since_epoch().count());
 }
 
 }  // namespace
@@ -183,7 +207,18 @@ SandboxStrength probe_sandbox(uid_t user) {
   return strength;
 }
 
-void use_sandbox(const SandboxStrength& strength) { in_use() = strength; }
+void use_sandbox(const SandboxStrength& strength) { chosen() = strength; }
+
+void try_sandbox_once(const std::filesystem::path& known) {
+  if (chosen()) return;
+  const SandboxStrength offered = what_the_kernel_offers();
+  const std::string now = circumstances(offered);
+  if (offered.filters_system_calls && read_file(known) == now) {
+    chosen() = offered;
+  } else if (in_use().holes.empty() && in_use().filters_system_calls) {
+    write_file(known, now);  // else it is tried again
+  }
+}
 
 const SandboxStrength& sandbox_in_use() { return in_use(); }
 

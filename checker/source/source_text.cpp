@@ -131,6 +131,24 @@ Finding SourceText::finding(Place place, std::string name, const std::string& se
           .column = place.column};
 }
 
+bool defines_function(const SourceText& source, std::string_view name) {
+  const std::vector<Token>& tokens = source.tokens();
+  for (std::size_t k = 1; k + 1 < tokens.size(); ++k) {
+    // "Matrix3d NAME(…) {", and no call: nothing like a type or "rigid::" stands before that, or no { after it.
+    const char before = tokens[k - 1].text.back();
+    const bool has_type = std::isalnum(static_cast<unsigned char>(before)) != 0 ||
+                          std::string_view("_>&*:").find(before) != std::string_view::npos;
+    if (tokens[k].text != name || tokens[k + 1].text != "(" || !has_type || tokens[k].in_directive) continue;
+    std::size_t end = k + 1;
+    for (int depth = 0; end < tokens.size(); ++end) {
+      depth += tokens[end].text == "(" ? 1 : tokens[end].text == ")" ? -1 : 0;
+      if (depth == 0) break;
+    }
+    if (end + 1 < tokens.size() && (tokens[end + 1].text == "{" || tokens[end + 1].text == "noexcept")) return true;
+  }
+  return false;
+}
+
 std::string excerpt(std::string_view line, int column) {
   constexpr std::size_t widest = 72;  // fits a terminal of 80 columns with some margin
   constexpr std::size_t before_caret = 48;

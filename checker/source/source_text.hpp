@@ -48,6 +48,9 @@ class SourceText {
   std::vector<std::size_t> line_starts_{0};
 };
 
+/// Does the file define a function of that name, in whatever namespace?
+bool defines_function(const SourceText& source, std::string_view name);
+
 /// A line with a caret below that byte column (none if it is 0): tabs as spaces, safe to print, and only the part
 /// around the caret where the line is long.
 std::string excerpt(std::string_view line, int column);

@@ -24,6 +24,8 @@ struct Submission {
   /// Own functions of earlier exercises that the text names, each called as its file: those that it calls are linked to
   /// it.
   std::vector<Submission> library = {};
+  /// Names of other functions of the course that the text defines itself, for a helper: in this file its own one counts.
+  std::vector<std::string> own_names = {};
 };
 
 /// Reads a regular file of at most largest_source bytes. Never waits, whatever it is; follows no symbolic link, for a

@@ -28,10 +28,11 @@ std::size_t __sanitizer_get_current_allocated_bytes();
 void __sanitizer_malloc_hook(const volatile void* memory, std::size_t size);
 }
 
+// Newer compilers would keep variables on another stack, which nobody fills, to find uses after return.
 const char* __asan_default_options() {
   return FRAMES
       ":detect_leaks=0:disable_coredump=0:handle_abort=1:handle_sigfpe=1:max_allocation_size_mb=512:"
-      "malloc_context_size=0:quarantine_size_mb=16:print_legend=0";
+      "malloc_context_size=0:quarantine_size_mb=16:print_legend=0:detect_stack_use_after_return=0";
 }
 
 const char* __ubsan_default_options() { return FRAMES ":print_stacktrace=1:print_summary=1:report_error_type=1"; }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <set>
@@ -79,6 +80,12 @@ void scale(Value& value, double factor) {
 
 double norm(const Value& value) { return as_matrix(value).norm(); }
 
+/// None larger than the sum of the others.
+bool has_moments_of_body(const Value& value) {
+  const Vector3d moments = as_matrix(value);
+  return 2 * moments.maxCoeff() <= moments.sum() * (1 + 1e-9);
+}
+
 /// All candidates, cases without results so far, that are made from one described case.
 class Neighbours {
  public:
@@ -136,7 +143,29 @@ class Neighbours {
  private:
   const std::string& name_of(std::size_t argument) const { return exercise_.arguments[argument].name; }
 
+  /// No argument is out of all proportion to that of the described case, and moments that are a body's stay so.
+  bool is_real(const Values& inputs) const {
+    constexpr double most = 1e6;
+    for (std::size_t a = 0; a < inputs.size(); ++a) {
+      const Argument& argument = exercise_.arguments[a];
+      if (argument.kind == Kind::integer || argument.unit == units::radian) continue;
+      const double ratio = norm(inputs[a]) / norm(inputs_[a]);
+      if (ratio > most || (ratio > 0 && ratio < 1 / most)) return false;
+      if (argument.kind == Kind::vector3 && argument.unit == kg_m2 && has_moments_of_body(inputs_[a]) &&
+          !has_moments_of_body(inputs[a]))
+        return false;
+    }
+    return true;
+  }
+
   void add(const std::string& name, Values inputs, int argument = -1, int entry = -1) {
+    if (!is_real(inputs)) return;
+    add_in_any_unit(name, std::move(inputs), argument, entry);
+    // What has this case's size somewhere on a sound way is rounded like it, however small the result may be.
+    found_.back().scale = exercise_.cases[base_].scale;
+  }
+
+  void add_in_any_unit(const std::string& name, Values inputs, int argument = -1, int entry = -1) {
     Case& made = found_.emplace_back();
     made.name = fmt::format("{} ({})", name, exercise_.cases[base_].name);
     made.inputs = std::move(inputs);
@@ -210,7 +239,11 @@ class Neighbours {
         for (std::size_t a = 0; a < changed.size(); ++a)
           scale(changed[a], std::pow(factor, power(exercise_.arguments[a].unit, base)));
         if (changed != inputs_)
-          add(scaled(base == 'k' ? "all masses" : base == 'm' ? "all lengths" : "all times", factor), changed);
+          add_in_any_unit(scaled(base == 'k'   ? "all masses"
+                                 : base == 'm' ? "all lengths"
+                                               : "all times",
+                                 factor),
+                          changed);
       }
     }
   }
@@ -226,14 +259,19 @@ class Neighbours {
     }
   }
 
-  /// Vectors along one axis; those in a coordinate plane have one component zero.
+  /// Vectors along one axis; those in a coordinate plane have one component zero. In several lengths: whether a
+  /// difference that should be zero comes out negative is a matter of rounding.
   void single_axes() {
     for (std::size_t a = 0; a < inputs_.size(); ++a) {
       if (exercise_.arguments[a].kind != Kind::vector3) continue;
       for (std::size_t n = 0; n < 3; ++n) {
-        Values changed = inputs_;
-        for (std::size_t k = 0; k < 3; ++k) changed[a].numbers[k] *= k == n ? 1 : 0;
-        add(fmt::format("{}_{} alone, its other components 0", name_of(a), n + 1), changed);
+        for (const double length : {1.0, 1.1, 1.3, 0.7, 0.9}) {
+          Values changed = inputs_;
+          for (std::size_t k = 0; k < 3; ++k) changed[a].numbers[k] *= k == n ? length : 0;
+          add(fmt::format("{}_{} alone{}, its other components 0", name_of(a), n + 1,
+                          length == 1 ? "" : fmt::format(" × {}", length)),
+              changed);
+        }
       }
     }
   }
@@ -354,6 +392,17 @@ std::optional<Case> unchecked_case_at(const Subject& subject, const Case& candid
   }
 }
 
+/// Every number of these inputs moved by a few units in its last place, up or down.
+Values rounded_otherwise(Values inputs, unsigned pattern) {
+  constexpr double shift = 4 * std::numeric_limits<double>::epsilon();
+  for (Value& input : inputs)
+    for (double& number : input.numbers) {
+      pattern = pattern * 1664525 + 1013904223;
+      number *= 1 + (pattern >> 31 != 0 ? shift : -shift);
+    }
+  return inputs;
+}
+
 /// A case of this candidate, if it is legal and all routes agree there. They must agree better than an answer must, so
 /// that a right answer by yet another route passes.
 std::optional<Case> case_at(const Subject& subject, const Case& candidate) {
@@ -363,6 +412,7 @@ std::optional<Case> case_at(const Subject& subject, const Case& candidate) {
   strict.tolerance /= 5;
   const auto agrees = [&](const auto& route) { return passes_at(subject, strict, attempt(route, strict.inputs)); };
   if (!std::ranges::all_of(subject.routes, agrees)) return std::nullopt;
+  if (!make_answerable(*one, subject.described, subject.right)) return std::nullopt;
   return one;
 }
 
@@ -545,6 +595,31 @@ void add_threshold_templates(std::vector<BugTemplate>& templates, const Subject&
 }
 
 }  // namespace
+
+double condition_of(const Case& one, const ExerciseReference& exercise,
+                    const std::function<Value(const Values&)>& right) {
+  const bool has_integers =
+      std::ranges::any_of(exercise.arguments, [](const Argument& argument) { return argument.kind == Kind::integer; });
+  if (has_integers || exercise.result_kind == Kind::integer) return 0;
+  const ExerciseReference alone = without_outputs(exercise, one);
+  double worst = 0;
+  for (const unsigned pattern : {1U, 2U}) {
+    const std::optional<Value> moved = attempt(right, rounded_otherwise(one.inputs, pattern));
+    if (!moved || !moved->has_shape_of(one.expected)) continue;  // at the edge of the domain
+    for (const Deviation& deviation : deviations(alone, 0, *moved))
+      worst = std::max(worst, deviation.relative_size() / one.tolerance);
+  }
+  return std::stod(fmt::format("{:.1e}", worst));  // two digits are enough to keep
+}
+
+bool make_answerable(Case& one, const ExerciseReference& exercise, const std::function<Value(const Values&)>& right) {
+  constexpr double largest_part = 1. / 16, most = 256;
+  one.condition = condition_of(one, exercise, right);
+  if (one.condition > largest_part * most) return false;
+  // In powers of four, so that the same tolerance comes out on machines that round otherwise.
+  for (; one.condition > largest_part; one.condition /= 4) one.tolerance *= 4;
+  return true;
+}
 
 std::vector<Case> ladder(const Subject& subject) {
   std::vector<Case> found;

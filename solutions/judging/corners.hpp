@@ -23,6 +23,15 @@ struct Subject {
   std::function<Case(Case)> judged;
 };
 
+/// How far the result moves, in tolerances of the case, when every input is moved by four units in its last place. A
+/// sound way through may lose that much and more. 0 where inputs or result are whole numbers.
+double condition_of(const Case& one, const ExerciseReference& exercise,
+                    const std::function<Value(const Values&)>& right);
+
+/// Widens the tolerance where rounding of the inputs alone takes more than a sixteenth of it. False where so much would
+/// have to be given that the case says nothing.
+bool make_answerable(Case& one, const ExerciseReference& exercise, const std::function<Value(const Values&)>& right);
+
 /// A few inputs of small whole numbers, the simplest first, that are legal and where all routes agree: the first case
 /// that a student's answer fails can then be worked out by hand.
 std::vector<Case> ladder(const Subject& subject);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace workbook::judging {
@@ -180,12 +181,23 @@ Case AnyExercise::case_at(Case judged) const {
   const std::string place = result_.name + ", case '" + judged.name + "'";
   if (!is_legal(inputs)) throw std::logic_error(place + ": the input lies outside the domain of the contract");
   judged.expected = reference_(inputs);
+  const Doubles of_base = std::move(judged.scale);
   if (scale_) {
     judged.scale = scale_(inputs);
   } else {
     judged.scale = {largest(judged.expected)};
     for (std::size_t k = 0; k < terms_.size(); ++k)
       judged.scale[0] = std::max(judged.scale[0], std::abs(result_.terms[k].coefficient) * largest(terms_[k](inputs)));
+  }
+  if (!of_base.empty()) {
+    const double least = 64 * std::numeric_limits<double>::epsilon() / judged.tolerance;
+    bool says_something = false;
+    for (std::size_t n = 0; n < judged.scale.size(); ++n) {
+      const double rounding = least * of_base[std::min(n, of_base.size() - 1)];
+      says_something = says_something || judged.tolerance * rounding < 1e-3 * judged.scale[n];
+      judged.scale[n] = std::max(judged.scale[n], rounding);
+    }
+    if (!says_something) throw std::logic_error(place + ": the result is lost in the rounding of its parts");
   }
   if (!judged.expected.is_finite())
     throw std::logic_error(place + ": the reference solution gives a number that is not finite");
@@ -200,6 +212,7 @@ Case AnyExercise::case_at(Case judged) const {
 
 void AnyExercise::add_case(const Case& one, ExerciseReference& out) const {
   out.cases.push_back(case_at(one));
+  out.cases.back().condition = condition_of(out.cases.back(), out, reference_);
   add_outputs(out.terms, terms_, one.inputs, &Term::outputs);
   add_outputs(out.misconceptions, misconceptions_, one.inputs, &Misconception::outputs);
   add_outputs(out.routes, routes_, one.inputs, &Route::outputs);

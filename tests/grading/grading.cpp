@@ -1,19 +1,12 @@
 // A class graded by one command.
 #include "tests/grading/made_up_class.hpp"
-#include "tests/support/processes.hpp"
 
 #include "checker/grading/grading.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <random>
-#include <set>
-#include <sstream>
-#include <thread>
 
 using namespace workbook::testing;
 
@@ -23,26 +16,6 @@ namespace fs = std::filesystem;
 
 std::string verdict(const nlohmann::json& student, std::size_t exercise = 0) {
   return student.at("results").at(exercise).at("verdict");
-}
-
-void check_exports(const MadeUpClass& of, std::size_t students) {
-  // Nothing that comes from a student is markup, a formula, or a place in somebody else's folder.
-  for (const auto& each : results_in(of.root() / "out")) {
-    const std::string &name = each.first, &text = each.second;
-    if (name.starts_with("submissions/")) continue;
-    CAPTURE(name);
-    if (name.ends_with(".html") || name.ends_with(".xml"))
-      for (const char* markup : {"<img", "<script"}) CHECK(!has(text, markup));
-    CHECK(!has(text, "\033"));
-    CHECK(!has(text, "/judging/"));
-    CHECK(!has(text, "root:x:0"));
-  }
-  const workbook::Table grades = workbook::read_csv(read(of.root() / "out/grades.csv"));
-  CHECK(grades.size() == students + 1);
-  for (const auto& row : grades) {
-    CHECK(row.size() == 7);
-    for (const std::string& cell : row) CHECK(cell.find_first_of("=+-@") != 0);
-  }
 }
 
 /// What autograders of four systems would have said of a student who passes the first exercise only.
@@ -65,125 +38,14 @@ void check_results_for_autograders(const fs::path& out, const std::string& slug)
   CHECK(classroom50.at("tests").at(0).at("passed") == true);
 }
 
-/// Of a class that is judged in a few seconds.
-void hand_in_few_files(const MadeUpClass& few) {
-  few.energy("ada", right_energy);
-  few.force("ada", force_by_energy);
-  few.energy("ben", "return k * x.squaredNorm();");
-  few.force("ben", force_by_energy);
-  few.energy("cleo", "return 0.5 * k * x.norm()");
-}
-
-/// `checker grade submissions --out OUT` that is killed after a while.
-void grade_and_kill(const MadeUpClass& of, const char* out, std::chrono::nanoseconds after) {
-  const std::string course = (of.root() / "course.json").string();
-  std::fflush(stdout);  // or the copy would say it again
-  const pid_t process = fork();
-  if (process == 0) {
-    if (chdir(of.root().c_str()) != 0 || !std::freopen("/dev/null", "w", stdout)) _exit(1);
-    execl(WORKBOOK_TEST_CHECKER, "checker", "--course", course.c_str(), "grade", "submissions", "--out", out,
-          "--allow-reduced", "--seed", "1", nullptr);
-    _exit(127);
-  }
-  int status = 0;
-  for (const auto end = std::chrono::steady_clock::now() + after; std::chrono::steady_clock::now() < end;) {
-    if (waitpid(process, &status, WNOHANG) == process) return;  // it was quicker
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
-  kill(process, SIGKILL);
-  waitpid(process, &status, 0);
-}
-
-bool is_judged_once(const fs::path& journal) {
-  std::set<std::string> keys;
-  std::istringstream lines(read(journal));
-  for (std::string line; std::getline(lines, line);)
-    if (!keys.insert(nlohmann::json::parse(line).at("entry").at("key")).second) return false;
-  return !keys.empty();
-}
-
 }  // namespace
 
 TEST_SUITE_BEGIN("grading" * doctest::skip(!is_open_to_all()));
 
-TEST_CASE("a class gets the grades of the single checks, and hostile submissions cost nobody else anything") {
-  const MadeUpClass all;
-  all.hand_in_ordinary_files();
-  all.hand_in_hostile_files();
-  const std::string canary = read(all.solution("spring_energy"));
-  const Outcome graded = all.grade();
-  REQUIRE_MESSAGE(graded.status == 1, graded.said());  // not all could be read
-  CHECK(nothing_left_running());
-  CHECK(read(all.solution("spring_energy")) == canary);
-
-  const auto document = nlohmann::json::parse(read(all.root() / "out/class.json"));
-  std::map<std::string, double> scores;
-  std::map<std::string, int> compared;
-  for (const auto& entry : document.at("students")) {
-    const std::string id = entry.at("id"), slug = entry.at("slug");
-    scores[id] = entry.at("score");
-    CAPTURE(id);
-    const auto student = all.student(id);
-    for (const auto& result : student.at("results")) {
-      const std::string exercise = result.at("exercise");
-      CAPTURE(exercise);
-      const fs::path copy = all.root() / "out/submissions" / slug / (exercise + ".cpp");
-      if (!fs::exists(copy)) {
-        CHECK((result.at("verdict") == "not_started" || result.at("verdict") == "rejected_file"));
-        continue;
-      }
-      // Of each kind one is enough, and a time limit takes its time.
-      if (compared[exercise + result.at("verdict").get<std::string>()]++ > 0 || result.at("verdict") == "time_limit")
-        continue;
-      auto single = all.run(fmt::format("check {} --file '{}' --json", exercise, copy.string())).result();
-      for (const char* key :
-           {"verdict", "score", "points", "message", "diagnosis", "findings", "first_failure", "cases"})
-        CHECK_MESSAGE(single.at(key) == result.at(key), key);
-    }
-  }
-  const std::map<std::string, double> right = {{"ada", 3},  {"ben", 0},   {"cleo", 3},  {"dora", 0},
-                                               {"emil", 0}, {"fritz", 3}, {"gustl", 1}, {"hans", 2},
-                                               {"ida", 0},  {"jan", 0},   {"kim", 0},   {"lea", 0}};
-  for (const auto& each : right) CHECK_MESSAGE(scores.at(each.first) == each.second, each.first);
-  CHECK(scores.size() == right.size() + 15);
-
-  CHECK(verdict(all.student("ben"), 1) == "waiting");
-  CHECK(verdict(all.student("ida")) == "uncaught_exception");
-  CHECK(verdict(all.student("lea")) == "not_started");
-  CHECK(verdict(all.student("jan")) == "rejected_file");  // it has another name
-  CHECK(has(all.student("jan").at("results").at(0).at("message"), "spring_energy.cpp"));
-  for (const char* id : {"link", "fifo", "folder", "hard_link", "sparse", "binary", "twice", "bomb"})
-    CHECK_MESSAGE(verdict(all.student(id)) == "rejected_file", id);
-  CHECK(verdict(all.student("slip"), 1) == "rejected_file");
-  CHECK(verdict(all.student("ADA")) == "compile_error");
-  CHECK(verdict(all.student("killer")) == "forbidden_operation");
-  CHECK(!has(graded.said(), "\033"));
-  CHECK(document.at("not_judged").empty());
-  // The linked folder, a path that leads away, the stray file; of two students the only folder or zip file.
-  CHECK(document.at("problems").size() == 5);
-  CHECK(document.at("missing") == nlohmann::json{"kim", "locked", "torn"});
-
-  // dora and emil gave the same wrong values for no reason that the exercise knows.
-  CHECK(document.at("identical_wrong_outputs").at(0).at("students") == nlohmann::json{"dora", "emil"});
-  CHECK(document.at("misconceptions").at(0).at("name") == "no_half");
-  CHECK(document.at("exercises").at(0).at("judged") == scores.size());
-
-  check_exports(all, scores.size() - document.at("missing").size());
-
-  // Nothing is judged twice, and what has changed is told with its reason.
-  const auto before = results_in(all.root() / "out");
-  CHECK(has(all.grade().out, " 0 different files"));
-  CHECK(results_in(all.root() / "out") == before);
-  all.energy("ben", right_energy);
-  const Outcome again = all.grade();
-  CHECK(has(again.out, "ben: 3 of 3 points, before 0 of 3: spring_energy was wrong value and is passed"));
-  CHECK(!has(again.out, "ada:"));
-}
-
 TEST_CASE("where a student's time for reasons is used up, verdicts are as ever") {
   if (!is_open_to_all()) return;
   const MadeUpClass of;
-  hand_in_few_files(of);
+  of.hand_in_few_files();
   const auto results = [&](const std::string& options) {
     fs::remove_all(of.root() / "out");
     CHECK(of.grade("out", options).status == 0);
@@ -197,56 +59,9 @@ TEST_CASE("where a student's time for reasons is used up, verdicts are as ever")
   CHECK(has(without[0].at("next"), "took all the time"));
 }
 
-TEST_CASE("a run that is killed at any of fifty instants goes on where it was") {
-  const MadeUpClass few;
-  hand_in_few_files(few);
-  const auto seconds_of_a_run = [&] {
-    const auto begun = std::chrono::steady_clock::now();
-    REQUIRE(few.grade("undisturbed").status == 0);
-    return std::chrono::steady_clock::now() - begun;
-  };
-  const auto whole = seconds_of_a_run(), without_judging = seconds_of_a_run();  // as busy as this machine is
-  const auto right = results_in(few.root() / "undisturbed");
-  const fs::path journal = few.root() / "killed/journal.jsonl";
-  const auto lines = [&] {
-    const std::string text = fs::exists(journal) ? read(journal) : "";
-    return text.substr(0, text.rfind('\n') + 1);
-  };
-  std::mt19937 random(7);
-  grade_and_kill(few, "killed", whole / 2);
-  std::string known = lines();
-  int while_it_judged = 0;
-  auto latest = 2 * without_judging;
-#ifdef __SANITIZE_ADDRESS__
-  constexpr int all_kills = 10;  // each run takes several times as long
-#else
-  constexpr int all_kills = 50;
-#endif
-  for (int kills = 1; kills <= all_kills; ++kills) {
-    grade_and_kill(few, "killed", latest * (random() % 1000) / 1000);
-    CHECK(lines().starts_with(known));  // what is judged stays
-    const bool has_judged = lines().size() > known.size();
-    while_it_judged += has_judged ? 1 : 0;
-    latest = has_judged ? 2 * without_judging
-                        : std::min(2 * latest, 32 * without_judging);  // a machine may become busy meanwhile
-    known = lines();
-    if (kills % 10 == 0) {
-      fs::remove_all(few.root() / "finished");
-      fs::copy(few.root() / "killed", few.root() / "finished", fs::copy_options::recursive);
-      const Outcome finished = few.grade("finished");
-      REQUIRE_MESSAGE(finished.status == 0, finished.said());
-      CHECK(results_in(few.root() / "finished") == right);
-      CHECK(is_judged_once(few.root() / "finished/journal.jsonl"));
-    }
-    // What is compiled stays too, so that there is something to judge in a moment.
-    if (kills % 3 == 0) write(journal, known = known.substr(0, known.find('\n') + 1));
-  }
-  CHECK(while_it_judged > 0);
-}
-
 TEST_CASE("parts of a class, judged by themselves and joined, give the results of a single run") {
   const MadeUpClass few;
-  hand_in_few_files(few);
+  few.hand_in_few_files();
   few.energy("dora", right_energy);
   write(few.root() / "roster.csv", "id\nada\nben\ncleo\ndora\nemil\n");
   const std::string roster = "--seed 7 --roster roster.csv";
@@ -327,14 +142,6 @@ TEST_CASE("assignment and roster: points, lateness, ids of Moodle and Canvas") {
   CHECK(read(few.root() / "out/canvas.csv") ==
         "Student,ID,SIS User ID,SIS Login ID,Section,Week 1\r\n    Points Possible,,,,,10\r\n"
         "\"Byron, Ada\",101,,,,10\r\nBen,102,,,,5\r\n'=cmd(),103,,,,0\r\nCleo,104,,,,0\r\n");
-
-  // The assignment names no loss, so there is none.
-  write(few.root() / "assignment.json",
-        R"({"exercises": [{"name": "spring_energy", "points": 10}], "due": "2027-03-01T23:59:00Z"})");
-  CHECK(few.grade("out", "--roster roster.csv --assignment assignment.json").status == 1);
-  CHECK(few.student("104").at("student").at("score") == 10);
-  CHECK(few.student("104").at("student").at("days_late") == 31);
-  CHECK(!has(read(few.root() / "out/grades.csv"), "103"));  // of whom nothing was found
 
   const auto refuses = [&](const std::string& text, const std::string& place) {
     write(few.root() / "assignment.json", text);
@@ -424,7 +231,7 @@ TEST_CASE("hints cost points, and values that are right at some cases earn some,
 
 TEST_CASE("one group of results is judged again, and given reference results take the place of a seed") {
   const MadeUpClass few;
-  hand_in_few_files(few);
+  few.hand_in_few_files();
   REQUIRE(few.grade().status == 0);
   const auto results = results_in(few.root() / "out");
   CHECK(has(few.grade("out", "--only wrong_value").out, " 1 different file "));

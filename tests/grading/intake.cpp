@@ -6,8 +6,6 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
-#include <sys/stat.h>
-
 #include <numeric>
 
 using namespace workbook::testing;
@@ -151,39 +149,6 @@ TEST_CASE("an id counts where a platform puts it, and not in what students name"
   CHECK(taken.student("cleo").is_missing());
 }
 
-TEST_CASE("who is named by two entries is not judged, and it is no zero") {
-  const MadeUpClass all;
-  for (const char* path : {"ada/spring_energy.cpp", "bob/spring_energy.cpp", "cleo_1_2_spring_energy.cpp"})
-    write(all.submissions() / path, energy_text("throw NotStarted{};"));
-  write(all.submissions() / "bob_123_456_spring_force.cpp", force_text(right_force));  // another entry
-  write(all.submissions() / "cleo_1_3_spring_energy.cpp", wrong);                      // the same file of two
-  write(all.root() / "roster.csv", "id\nada\nbob\ncleo\ndora\n");
-  write(all.submissions() / "dora.zip", "torn");
-  const Outcome graded = all.grade("out", "--roster roster.csv");
-  REQUIRE_MESSAGE(graded.status == 1, graded.said());
-  CHECK(has(graded.out, "3 of 4 students of the roster handed in; 3 not read or not judged"));
-  const auto document = nlohmann::json::parse(read(all.root() / "out/class.json"));
-  CHECK(document.at("missing") == nlohmann::json{"dora"});
-  CHECK(document.at("not_judged").empty());  // the checker has no error
-  for (const char* id : {"bob", "cleo"}) {
-    CHECK(all.student(id).at("results").at(0).at("verdict") == "checker_error");
-    CHECK(all.student(id).at("results").at(0).at("score").is_null());
-  }
-  const std::vector<int> bars = document.at("distribution");
-  CHECK(std::accumulate(bars.begin(), bars.end(), 0) == 2);  // of those who were judged
-  for (const char* table : {"grades.csv", "moodle.csv", "canvas.csv"}) {
-    const std::string text = read(all.root() / "out" / table);
-    CHECK(has(text, "ada"));
-    for (const char* id : {"bob", "cleo", "dora"}) CHECK_MESSAGE(!has(text, id), table);
-  }
-  const std::string page = read(all.root() / "out/class.html");
-  CHECK(page.find("dora.zip") < page.find("<h2>Students</h2>"));
-  CHECK(page.find("Nothing was found of: dora") < page.find("<h2>Students</h2>"));
-
-  CHECK(all.grade("out", "--roster roster.csv --with-missing").status == 1);
-  CHECK(has(read(all.root() / "out/grades.csv"), "dora"));
-}
-
 TEST_CASE("a class in one folder of a zip file is not taken for a student without a word") {
   const MadeUpClass all;
   write_zip(all.root() / "class.zip",
@@ -207,20 +172,6 @@ TEST_CASE("parts of a class are of a size, whatever ids have in common") {
     CHECK(std::accumulate(sizes.begin(), sizes.end(), 0) == 800);
     for (const int size : sizes) CHECK(size > 800 / static_cast<int>(count) / 2);
   }
-}
-
-TEST_CASE("results are nobody else's, whatever the umask") {
-  const MadeUpClass few;
-  few.energy("ada", "throw NotStarted{};");
-  fs::create_directories(few.root() / "out");  // is open to all
-  REQUIRE(few.run("grade submissions --out out --allow-reduced --seed 1", "umask 000;").status == 0);
-  for (const auto& entry : fs::recursive_directory_iterator(few.root() / "out")) {
-    struct stat status {};
-    REQUIRE(::stat(entry.path().c_str(), &status) == 0);
-    CHECK_MESSAGE((status.st_mode & 0777) == (entry.is_directory() ? 0700 : 0600), entry.path().string());
-  }
-  CHECK(fs::status(few.root() / "out").permissions() == fs::perms::owner_all);
-  CHECK(fs::exists(few.root() / "out/submissions/ada/spring_energy.cpp"));
 }
 
 TEST_SUITE_END();

@@ -9,6 +9,8 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <set>
+#include <sstream>
 #include <stdexcept>
 
 namespace workbook::testing {
@@ -97,6 +99,14 @@ void MadeUpClass::hand_in_ordinary_files() const {
   energy("lea", "throw NotStarted{};");
 }
 
+void MadeUpClass::hand_in_few_files() const {
+  energy("ada", right_energy);
+  force("ada", force_by_energy);
+  energy("ben", "return k * x.squaredNorm();");
+  force("ben", force_by_energy);
+  energy("cleo", "return 0.5 * k * x.norm()");
+}
+
 void MadeUpClass::hand_in_hostile_files() const {
   const auto place = [&](const std::string& student) {
     fs::create_directories(submissions() / student);
@@ -128,11 +138,11 @@ void MadeUpClass::hand_in_hostile_files() const {
   write(submissions() / "stray.txt", "Nobody's.");
 }
 
-Outcome MadeUpClass::grade(const std::string& out, const std::string& options) const {
+Outcome MadeUpClass::grade(const std::string& out, const std::string& options, const std::string& environment) const {
   const bool has_cases =
       options.find("--seed") != std::string::npos || options.find("--reference") != std::string::npos;
-  return run(
-      fmt::format("grade submissions --out {} --allow-reduced {} {}", out, has_cases ? "" : "--seed 1", options));
+  return run(fmt::format("grade submissions --out {} --allow-reduced {} {}", out, has_cases ? "" : "--seed 1", options),
+             environment);
 }
 
 nlohmann::json MadeUpClass::student(const std::string& id) const {
@@ -141,6 +151,14 @@ nlohmann::json MadeUpClass::student(const std::string& id) const {
     if (student.at("id") == id)
       return nlohmann::json::parse(read(root() / "out/students" / (student.at("slug").get<std::string>() + ".json")));
   throw std::runtime_error("no student " + id);
+}
+
+bool is_judged_once(const fs::path& journal) {
+  std::set<std::string> keys;
+  std::istringstream lines(read(journal));
+  for (std::string line; std::getline(lines, line);)
+    if (!keys.insert(nlohmann::json::parse(line).at("entry").at("key")).second) return false;
+  return !keys.empty();
 }
 
 std::map<std::string, std::string> results_in(const fs::path& out) {

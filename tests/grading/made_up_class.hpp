@@ -21,11 +21,14 @@ class MadeUpClass : public CourseCopy {
 
   /// Twelve students with what students hand in, in every form.
   void hand_in_ordinary_files() const;
+  /// Of a class that is judged in a few seconds.
+  void hand_in_few_files() const;
   /// Submissions that are no files, or not what they seem.
   void hand_in_hostile_files() const;
 
   /// `checker grade submissions --out OUT --seed 1`, with more options; with the cases of single checks.
-  Outcome grade(const std::string& out = "out", const std::string& options = "") const;
+  Outcome grade(const std::string& out = "out", const std::string& options = "",
+                const std::string& environment = "") const;
 
   /// The results of a student in out.
   nlohmann::json student(const std::string& id) const;
@@ -44,6 +47,9 @@ void write_zip(const std::filesystem::path& file,
 
 /// Root becomes another user to grade, who must reach this build.
 bool is_open_to_all();
+
+/// Does the journal hold every result once?
+bool is_judged_once(const std::filesystem::path& journal);
 
 /// All files of the results but the journal, with their content.
 std::map<std::string, std::string> results_in(const std::filesystem::path& out);

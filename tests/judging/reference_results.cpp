@@ -100,6 +100,7 @@ const std::vector<Mistake> mistakes = {
      [](Exercise& e) { e.cases[0].deciding = e.cases[1].deciding = e.cases[2].deciding = false; }},
     {"no worked case", [](Exercise& e) { e.cases[0].group = Group::random; }},
     {"no sweep", [](Exercise& e) { e.sweep = {}; }},
+    {"a case that rounding decides", [](Exercise& e) { e.cases[2].condition = 3; }},
     {"a misconception that is right", [](Exercise& e) { add_misconception(e, "right", "And yet.", right_momentum); }},
     {"two that are one", [](Exercise& e) { add_misconception(e, "again", "You add them once.", momentum_with(1, 1)); }},
     {"other outputs where it does not decide",

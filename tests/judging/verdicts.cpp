@@ -193,7 +193,7 @@ TEST_CASE("Verdicts and diagnoses have the names that programs read") {
   for (int k = 0; k <= static_cast<int>(DiagnosisKind::dimension); ++k)
     kinds += to_string(static_cast<DiagnosisKind>(k)) + " ";
   CHECK(kinds ==
-        "misconception term transform input_transform difference split independence entry place learnt "
+        "misconception term transform input_transform difference split independence entry place accuracy learnt "
         "property dimension ");
   const nlohmann::json written = Diagnosis{DiagnosisKind::term, "m v", "The term m v is missing.", "momentum"};
   CHECK(nlohmann::json(written.get<Diagnosis>()) == written);

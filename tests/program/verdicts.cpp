@@ -1,16 +1,11 @@
 // Every kind of answer gets its verdict, its reason with the place, and no point that it does not deserve.
-#include "checker/pipeline/check_exercise.hpp"
 #include "tests/program/program.hpp"
-#include "tests/support/system_calls.hpp"
 
 #include <doctest/doctest.h>
 
 #include <fmt/format.h>
 
 #include <sys/stat.h>
-#include <sys/wait.h>
-
-#include <cerrno>
 
 #include <filesystem>
 #include <vector>
@@ -35,7 +30,7 @@ const std::vector<Answer> answers = {
     {"right with a line that does nothing", "double y = 2; return 0.5 * k * x.squaredNorm();", "passed"},
     {"a known mistake", "return k * x.squaredNorm();", "wrong_value", "no_half"},
     {"a mistake in some cases", "return k > 3 ? 0.0 : 0.5 * k * x.squaredNorm();", "wrong_value", "", 4},
-    {"a small mistake", "return 0.5000001 * k * x.squaredNorm();", "wrong_value"},
+    {"a small mistake", "return 0.5000001 * k * x.squaredNorm();", "wrong_value", "accuracy"},
     {"a slip of C++", "double factor = 1/2 + k;\nreturn factor * x.squaredNorm();", "wrong_value", "", 4},
     {"does not compile", "return 0.5 * k * x.squaredNorm()", "compile_error", "", 4},
     {"a power of another language", "return 0.5 * k * x^2;", "compile_error", "", 4},
@@ -90,31 +85,6 @@ TEST_CASE("every answer gets its verdict, its reason and its points") {
     sentences += fmt::format("  next: {}\n\n", result.at("next").get<std::string>());
   }
   check_golden("verdicts", sentences);
-}
-
-TEST_CASE("a machine that starts no more programs after the verdict changes no verdict") {
-  const CourseCopy course;
-  course.solve("spring_energy");
-  course.answer_energy("return k * x.squaredNorm();");
-  write(course.exercise("spring_force"),
-        "#include <rigid/springs.hpp>\nnamespace rigid {\nVector3d spring_force(double k, const Vector3d& x) {\n"
-        "  return spring_energy(k, x) * x;\n}\n}\n");
-  for (const char* exercise : {"spring_energy", "spring_force"}) {
-    CAPTURE(exercise);
-    const pid_t process = ::fork();
-    if (process == 0) {
-      const workbook::Course read(course.root() / "course.json");
-      workbook::CheckContext context(read);
-      const auto checked =
-          workbook::check_exercise(context, workbook::check_task(read, read.find_exercise(exercise)),
-                                   [](const auto&) { refuse_system_call(SYS_clone, EAGAIN); });
-      ::_exit(static_cast<int>(checked.judgement.verdict));
-    }
-    int status = 0;
-    REQUIRE(::waitpid(process, &status, 0) == process);
-    REQUIRE(WIFEXITED(status));
-    CHECK(WEXITSTATUS(status) == static_cast<int>(workbook::Verdict::wrong_value));
-  }
 }
 
 TEST_CASE("the first failing case comes with its numbers, and a diagnosis with the paragraph to read") {
@@ -210,20 +180,3 @@ TEST_CASE("what the function printed is shown, and harmless to the terminal") {
   CHECK(has(printed.at(0).at("text"), "to errors\n"));
 }
 
-TEST_CASE("an internal error is no zero") {
-  const CourseCopy course;
-  course.solve("spring_energy");
-  auto toolchain = nlohmann::json::parse(read(WORKBOOK_TEST_TOOLCHAIN));
-  toolchain["compiler"] = "/nowhere/g++";
-  write(course.root() / "toolchain.json", toolchain.dump());
-  auto description = nlohmann::json::parse(read(course.root() / "course.json"));
-  description["toolchain"] = (course.root() / "toolchain.json").string();
-  description["scratch"] = (course.root() / "scratch").string();
-  write(course.root() / "course.json", description.dump());
-
-  const Outcome outcome = course.run("check spring_energy --json");
-  CHECK(outcome.status == 3);
-  CHECK(outcome.result().at("verdict") == "checker_error");
-  CHECK(outcome.result().at("score").is_null());
-  CHECK(course.run("doctor").status == 3);
-}

@@ -65,7 +65,7 @@ TEST_CASE("what is missing when the program is linked has a name, and a place if
     const char* word;
   };
   const Unlinked files[] = {
-      {"", Refusal::missing_function, "", 0, 0, "`rigid::twice(double)`"},
+      {"", Refusal::missing_function, "", 0, 0, "empty"},
       {"double twice(double x) { return 2 * x; }", Refusal::missing_function, "missing_function", 1, 8,
        "`twice(double)`"},
       {"namespace rigid { double twice(const Vector3d& x) { return x[0]; } }", Refusal::missing_function,
@@ -147,15 +147,15 @@ TEST_CASE("a program that would fill the disk is stopped") {
 TEST_CASE("a file and the own functions that it calls are compiled within one limit of time") {
   const fs::path directory = fresh_directory("slowly");
   Toolchain slow = toolchain();
-  slow.compiler = stand_in_compiler(directory, "sleep 0.5");
-  Submission calls = submit("double rigid::twice(double x) { return signed_by(1, x) * scaled(Matrix3d::Zero(), x)(0); }\n", "twice");
+  slow.compiler = stand_in_compiler(directory, "sh -c 'ulimit -t 1; while :; do :; done'");
+  Submission calls =
+      submit("double rigid::twice(double x) { return signed_by(1, x) * scaled(Matrix3d::Zero(), x)(0); }\n", "twice");
   calls.library = {submit("double rigid::signed_by(int n, double x) { return n * x + counted(n)(0); }\n", "signed_by"),
                    submit("Matrix3d rigid::scaled(const Matrix3d& A, double x) { return A * x; }\n", "scaled"),
                    submit("VectorXd rigid::counted(int n) { return VectorXd::Zero(n); }\n", "counted")};
   CompileLimits limits;
-  limits.time = std::chrono::seconds(2);  // five times half a second is more
-  const Compilation compilation =
-      compile({calls, "twice", signature("twice")}, slow, directory / "cache", limits);
+  limits.time = std::chrono::seconds(3);  // five times one second is more
+  const Compilation compilation = compile({calls, "twice", signature("twice")}, slow, directory / "cache", limits);
   CHECK_FALSE(compilation.executable.has_value());
   CHECK(compilation.refusal == Refusal::compile_error);
   CHECK(says(compilation, "too long to compile"));

@@ -450,7 +450,7 @@ int grade(const Course& given, const Options& options) {
     ::umask(0077);
     std::vector<fs::path> needed = options.references;
     needed.insert(needed.end(), {submissions, course.lectures(), course.toolchain_file()});
-    give_up_root(out, needed);
+    give_up_root(out, needed, sandbox.tier() < SandboxTier::full);
     use_sandbox(sandbox);
     std::error_code ignored;
     const Intake intake = [&] {

@@ -394,6 +394,17 @@ int self_check_mutants(const Course& course, const std::vector<Exercise>& exerci
   return has_fault ? something_failed : all_passed;
 }
 
+void print_worst_conditions(CheckContext& context, const std::vector<Exercise>& exercises) {
+  std::vector<std::pair<double, std::string>> all;
+  for (const Exercise& exercise : exercises)
+    for (const Case& one : context.reference(check_task(context.course(), exercise)).cases)
+      all.emplace_back(one.condition, fmt::format("{}, {}", exercise.name(), one.name));
+  const auto end = all.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(10, all.size()));
+  std::ranges::partial_sort(all, end, std::ranges::greater());
+  fmt::print("Rounding of the inputs moves results by parts of their tolerances; the largest are:\n");
+  for (auto worst = all.begin(); worst != end; ++worst) fmt::print("  {:.2g}  {}\n", worst->first, worst->second);
+}
+
 /// Tries the typical bugs anew. Either writes the record; or compares: it must name enough points, and a bug that
 /// survives needs a reason. (Which points are found first, and which bugs differ by rounding only, depends on the
 /// machine.)
@@ -437,6 +448,7 @@ int self_check_record(const Course& course, const std::vector<Exercise>& exercis
     has_fault = true;
     fmt::print("{}: {}.\n", course.in_course(course.judging_file(exercises[k])), without_full_stop(faults[k]));
   }
+  print_worst_conditions(context, exercises);
   if (writes)
     for (const auto& [lecture, record] : records) write_adequacy(record, course.adequacy_file(lecture));
   if (writes || !has_fault)

@@ -1,5 +1,6 @@
 // The commands examples, figures and live: what a lecture shows, on the student's own functions.
 #include "checker/commands/commands.hpp"
+#include "checker/compile/compile.hpp"
 
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
@@ -254,9 +255,17 @@ int live(const Course& course, const Options& options) {
     return stop("The live figures of {} take {}; none of these passes yet.", lecture, fmt::join(called, ", "));
   // With what they call in turn.
   const auto file_of = [&](const Exercise& exercise) { return course.student_file(exercise); };
-  for (const Submission& file : own_functions(fmt::format("{}", fmt::join(own, " ")), course.exercises(), file_of))
-    files += fmt::format("\"{}\"\n", file.path.string());
   const fs::path folder = course.build().directory / "live/student";
+  for (const Submission& file : own_functions(fmt::format("{}", fmt::join(own, " ")), course.exercises(), file_of)) {
+    fs::path compiled = file.path;
+    if (!file.own_names.empty()) {
+      std::string before;
+      for (const Card& card : course.cards()) before += fmt::format("#include <rigid/{}.hpp>\n", card.contract);
+      compiled = folder / file.path.filename();
+      write_or_throw(compiled, before + renaming(file) + file.text);
+    }
+    files += fmt::format("\"{}\"\n", compiled.string());
+  }
   const std::string list = "#include \"lectures/live/functions.hpp\"\n" + includes +
                            "void workbook::throw_eigen_error(const char*) { __builtin_trap(); }\n"
                            "const std::vector<workbook::live::Function> workbook::live::functions{\n" +

@@ -65,6 +65,8 @@ static void add_cases(auto& e) {
     sort(moments);
     return moments;
   });
+  e.random("one long time", 2, &Random::principal_moments, any::vector(1),
+           [](Random& random) { return VectorXd{{random.uniform(20, 24)}}; });
   e.tolerance(1e-6,
               "The answer is integrated in steps: a method of fourth order with steps of some hundredths of a second "
               "stays within a millionth of the exact solution by elliptic functions.");

@@ -1,4 +1,4 @@
-// Cases that students know and cases that nobody knows: what was learnt by heart does not pass.
+// A thief in the class: cases that students know, and cases that nobody knows.
 #include "tests/grading/made_up_class.hpp"
 
 #include "checker/data/reference_results.hpp"
@@ -43,9 +43,9 @@ nlohmann::json class_of(const MadeUpClass& of, const char* out = "out") {
 
 }  // namespace
 
-TEST_SUITE_BEGIN("learnt" * doctest::skip(!is_open_to_all()));
+TEST_SUITE_BEGIN("thief" * doctest::skip(!is_open_to_all()));
 
-TEST_CASE("answers learnt from a copy pass at its cases alone, and are named at all others") {
+TEST_CASE("Results learnt by heart do not pass, and are named as such.") {
   const MadeUpClass few;
   few.energy("ada", table(energy_at(few.reference())));
   few.energy("ben", right_energy);

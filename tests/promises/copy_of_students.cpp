@@ -143,7 +143,7 @@ TEST_CASE("all that the notes show goes along") {
     CHECK(read(copy() / "lectures" / printed.stem() / "handed_out/printed.txt") == read(printed));
 }
 
-TEST_CASE("no file of the copy holds the body of a solution, or defines an exercise") {
+TEST_CASE("A copy holds nothing that computes a graded function: no source.") {
   const auto all = solutions();
   REQUIRE(all.size() == WORKBOOK_EXERCISES);
   // doctest's assertions are lambdas, and C++20 as clang knows it lets none of them use a structured binding.
@@ -162,7 +162,7 @@ TEST_CASE("no file of the copy holds the body of a solution, or defines an exerc
   }
 }
 
-TEST_CASE("no script of the copy is named like an exercise, and no file holds WebAssembly") {
+TEST_CASE("A copy holds nothing that computes a graded function: no script, no WebAssembly.") {
   std::string scripts;
   for (const auto& [file, text] : texts()) {
     CHECK_MESSAGE(!holds_webassembly(text), file.string());
@@ -184,7 +184,7 @@ TEST_CASE("every exercise of the copy is as at the beginning, also when it has b
   }
 }
 
-TEST_CASE("no program of the copy holds a reference implementation") {
+TEST_CASE("A copy holds nothing that computes a graded function: no program.") {
   // The copy's programs are built from the same files as these.
   std::size_t count = 1;
   std::string binaries = fmt::format("'{}'", WORKBOOK_TEST_CHECKER);
@@ -249,7 +249,7 @@ TEST_CASE("in the copy a lost exercise does not stop the set-up, and can be put 
   CHECK(has(read(file), "throw NotStarted{}"));
 }
 
-TEST_CASE("solution and derivation of a problem lie locked, and a right function opens them") {
+TEST_CASE("Solutions and derivations are locked in a copy, and a right function opens them.") {
   const CheckerInCopy checker;
   for (const fs::path& derivation : files_below(project / "solutions")) {
     if (derivation.extension() != ".md") continue;
@@ -276,7 +276,7 @@ TEST_CASE("solution and derivation of a problem lie locked, and a right function
   CHECK(checker("reset inertia_rate").status == 0);
 }
 
-TEST_CASE("a copy becomes the next release, and a student's copy follows") {
+TEST_CASE("A newer release leaves what a student has written.") {
   const fs::path student = scratch / "student", mine = "lectures/07_euler_angles/exercises/line_of_nodes.cpp";
   fs::remove_all(student);
   for (const fs::path& file : files_below(copy())) {
