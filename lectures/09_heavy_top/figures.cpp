@@ -213,7 +213,7 @@ void draw_nutation(const std::filesystem::path& directory) {
   });
 }
 
-/// The path of the axis of a heavy top, seen from above, for three ways of releasing it.
+/// The path of the axis of a heavy top, seen from above, for four ways of releasing it.
 void draw_paths(const std::filesystem::path& directory) {
   const double theta0 = 40 * degree, omega3 = 200;
   struct Release {
@@ -223,22 +223,22 @@ void draw_paths(const std::filesystem::path& directory) {
   Sketch sketch;
   int panel = 0;
   for (const Release& release :
-       {Release{0, "at rest"}, Release{2.6, "pushed forwards"}, Release{-5, "pushed backwards"}}) {
+       {Release{0, "at rest"}, Release{2.6, "+2.6 rad/s"}, Release{-5, "−5 rad/s"}, Release{10, "+10 rad/s"}}) {
     const Vector3d at = 2.0 * panel++ * x_axis;
     SpaceCurve path;
     double inner = 1, outer = 0;
     for (const AngleMotion& state : moved(theta0, release.precession, omega3, 2.5, 1201)) {
       if (state.angles[0] > 2 * pi) break;
-      const Vector3d n = axis_at(state.angles);
-      path.emplace_back(at + Vector3d(n.x(), n.y(), 0));
-      inner = std::min(inner, std::hypot(n.x(), n.y()));
-      outer = std::max(outer, std::hypot(n.x(), n.y()));
+      const Vector3d tip = axis_at(state.angles);
+      path.emplace_back(at + Vector3d(tip.x(), tip.y(), 0));
+      inner = std::min(inner, std::hypot(tip.x(), tip.y()));
+      outer = std::max(outer, std::hypot(tip.x(), tip.y()));
     }
     for (const double radius : {inner, outer})
       sketch.line(arc(at, radius, x_axis, y_axis), colors::grey, 1, "dt (4,4)");
     sketch.line(path, colors::blue, 2.2);
     sketch.dot(path.front(), colors::black, 0.8);
-    sketch.arrow(path[24], path[30], colors::blue, "", Side::right, 2.2);
+    sketch.arrow(path[60], path[78], colors::blue, "", Side::right, 2.2);
     sketch.dot(at, colors::grey, 0.6);
     sketch.text(at - 1.1 * y_axis, release.name);
   }
@@ -274,7 +274,7 @@ void draw_planet(const std::filesystem::path& directory) {
   }
   // The axis, the normal of the orbit, and the circle between them.
   const double length = 1.9, height = length * std::cos(tilt), radius = length * std::sin(tilt);
-  sketch.arrow(origin, 2.15 * z_axis, colors::black, "n", Side::left, 1.5);
+  sketch.arrow(origin, 2.15 * z_axis, colors::black, "{/:Bold N}", Side::left, 1.5);
   sketch.arrow(origin, length * axis, colors::purple, "{/:Bold L}", Side::right, 3);
   sketch.line(arc({0, 0, height}, radius, x_axis, y_axis), colors::grey, 1.2, "dt (5,4)");
   const SpaceCurve turn = arc({0, 0, height}, radius, x_axis, Vector3d(-y_axis), 0, 0.9);

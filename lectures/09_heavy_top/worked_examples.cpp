@@ -51,22 +51,22 @@ Motion as_motion(const AngleMotion& motion) {
   return {angular_velocity_body(motion.angles, motion.rates), rotation_matrix(motion.angles).transpose()};
 }
 
-/// A third route, for a symmetric top: the unit vector n along its axis and ℓ = L/I₁ in space obey ṅ = ℓ × n and
-/// ℓ̇ = (Mgl/I₁) ê3⁰ × n, whatever I₃ is. Bulirsch and Stoer's method follows them, which is not one of Runge and Kutta.
+/// A third route, for a symmetric top: ê3 and λ = L/I₁ in space obey dê3/dt = λ × ê3 and dλ/dt = (Mgl/I₁) ê3⁰ × ê3,
+/// whatever I₃ is. Bulirsch and Stoer's method follows them, which is not one of Runge and Kutta.
 class AxisInSpace {
  public:
   AxisInSpace(double I1, double I3, double Mgl, double theta, const Vector3d& rates) : pull_(Mgl / I1) {
-    const Vector3d n(std::sin(theta), 0, std::cos(theta)), spin = (rates[2] + rates[0] * n.z()) * n;
+    const Vector3d e3(std::sin(theta), 0, std::cos(theta)), spin = (rates[2] + rates[0] * e3.z()) * e3;
     // Across the axis L is I₁ times ω, along it I₃ times.
-    const Vector3d across = rates[0] * (vertical - n.z() * n) + rates[1] * Vector3d::UnitY();
-    Vector3d::Map(state_.data()) = n;
+    const Vector3d across = rates[0] * (vertical - e3.z() * e3) + rates[1] * Vector3d::UnitY();
+    Vector3d::Map(state_.data()) = e3;
     Vector3d::Map(state_.data() + 3) = across + I3 / I1 * spin;
   }
   void advance(double time) {
     const auto system = [&](const State& now, State& rate, double) {
-      const Vector3d n = Vector3d::Map(now.data()), l = Vector3d::Map(now.data() + 3);
-      Vector3d::Map(rate.data()) = l.cross(n);
-      Vector3d::Map(rate.data() + 3) = pull_ * vertical.cross(n);
+      const Vector3d e3 = Vector3d::Map(now.data()), lambda = Vector3d::Map(now.data() + 3);
+      Vector3d::Map(rate.data()) = lambda.cross(e3);
+      Vector3d::Map(rate.data() + 3) = pull_ * vertical.cross(e3);
     };
     boost::numeric::odeint::bulirsch_stoer<State> stepper(1e-14, 1e-14);
     const double before = azimuth();
@@ -276,7 +276,10 @@ TEST_CASE("sleeping: How fast a top must spin to stand upright") {
   //! [sleeping in brief]
   const double I1 = 3.28e-4, I3 = 6.6e-5, Mgl = 0.0456;  // kg m², kg m², J: the toy top
   const double awake = sleeping_spin(I1, I3, Mgl);
-  const double pencil = sleeping_spin(1.2e-4, 5e-8, 0.006);  // a pencil on its tip
+  // A pencil on its tip: 5 g, 17.5 cm long, 3.5 mm in radius.
+  const double m = 0.005, length = 0.175, radius = 0.0035;
+  const double across = m * (length * length / 3 + radius * radius / 4), along = m * radius * radius / 2;
+  const double pencil = sleeping_spin(across, along, m * 9.81 * length / 2);
   // The toy top 5 % below: how far from the vertical does it go?
   const double beta = std::pow(0.95 * I3 * awake, 2) / (4 * I1 * Mgl);
   const double farthest = std::acos(2 * beta - 1);
@@ -342,22 +345,22 @@ TEST_CASE("nutation: Released, the heavy top nods between two angles") {
 //! [nutation]
 
 //! [paths]
-TEST_CASE("paths: The rate of precession at both limits, for three releases") {
+TEST_CASE("paths: The rate of precession at both limits, for four releases") {
   //! [paths in brief]
   const double I1 = 3.28e-4, I3 = 6.6e-5, Mgl = 0.0456;  // kg m², kg m², J
   const double theta0 = 40 * degree, omega3 = 200;       // rad/s
-  Eigen::MatrixXd table(3, 4);
-  for (int row = 0; const double push : {0.0, 2.6, -5.0}) {
+  Eigen::MatrixXd table(4, 4);
+  for (int row = 0; const double push : {0.0, 2.6, -5.0, 10.0}) {
     const Vector3d rates(push, 0, omega3 - push * std::cos(theta0));
     const Vector3d p = canonical_momenta({I1, I1, I3}, {0, theta0, 0}, rates);
-    const double theta1 = nutation_limits(I1, I3, Mgl, theta0, rates)[1];
+    const double theta1 = nutation_limits(I1, I3, Mgl, theta0, rates).sum() - theta0;  // not the start
     const double rate = (p[0] - p[2] * std::cos(theta1)) / (I1 * std::pow(std::sin(theta1), 2));
     table.row(row++) << push, std::acos(p[0] / p[2]) / degree, theta1 / degree, rate;
   }
   //! [paths in brief]
 
   // A motion in space reaches these limits with these rates.
-  for (int row = 0; row < 3; ++row) {
+  for (int row = 0; row < 4; ++row) {
     const double push = table(row, 0);
     const Vector3d rates(push, 0, omega3 - push * std::cos(theta0));
     AxisInSpace top(I1, I3, Mgl, theta0, rates);
@@ -372,6 +375,8 @@ TEST_CASE("paths: The rate of precession at both limits, for three releases") {
   CHECK(table(1, 1) < theta0 / degree);
   CHECK(table(2, 1) > theta0 / degree);
   CHECK(table(2, 1) < table(2, 2));
+  CHECK(table(3, 1) > table(3, 2));
+  CHECK(table(3, 1) < theta0 / degree);
   // Released at rest, the axis precesses at its lowest twice as fast as the gyroscope formula says, exactly.
   CHECK(agrees(table(0, 3), 2 * Mgl / (I3 * omega3), 1e-12));
 
@@ -462,7 +467,7 @@ TEST_CASE("planets: Why the equinoxes move") {
   result(R"((\dot\phi_{\text{Sun}},\ \dot\phi_{\text{Moon}}))", Vector2d(by_sun, by_moon) * year / arcsecond,
          "″ per year", "for the Earth", 4);
   result(R"(\dot\phi_{\text{Earth}})", (by_sun + by_moon) * year / arcsecond, "″ per year",
-         "the two together; with the Moon's real orbit −50.41", 4);
+         "the two together; outside value −50.41", 4);
   result(R"(2\pi/|\dot\phi_{\text{Earth}}|)", 2 * pi / std::abs(by_sun + by_moon) / year, "years",
          "for one turn of the axis", 3);
 }

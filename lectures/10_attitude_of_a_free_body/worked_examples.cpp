@@ -31,7 +31,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double degree = pi / 180;
 
-/// An empty crate of 10 kg, 1.45 m × 1.07 m × 0.55 m: its moments, kg m², and two motions, round axis 3 and round axis
+/// An evenly filled crate of 10 kg, 1.45 m × 1.07 m × 0.55 m: its moments, kg m², and two motions, round axis 3 and round axis
 /// 1, rad/s.
 const Vector3d crate(1.2, 2, 2.7), about_3(0.4, -0.9, 0.6), about_1(0.9, -0.5, 0.2);
 

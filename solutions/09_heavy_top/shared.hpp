@@ -119,7 +119,7 @@ struct Followed {
   Vector3d theta_at = zero, time_at = zero, azimuth_at = zero;
 };
 
-/// u = cos θ moves by u̇² = β (u − low)(high − u)(third − u), here with the roots by the closed formula.
+/// u = cos θ moves by u̇² = w (u − low)(high − u)(third − u), here with the roots by the closed formula.
 struct Cubic {
   explicit Cubic(const Start& start) {
     const auto& [I1, I3, mgl, theta, rates] = start;

@@ -2,7 +2,7 @@
 
 namespace {
 
-/// 4K/√(β (third − low)) with a parameter of one's own, from that of the motion.
+/// 4K/√(w (third − low)) with a parameter of one's own, from that of the motion.
 template <class Parameter>
 auto with_modulus(const Parameter& modulus) {
   return [modulus](auto... inputs) {
