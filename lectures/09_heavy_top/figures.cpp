@@ -219,11 +219,12 @@ void draw_paths(const std::filesystem::path& directory) {
   struct Release {
     double precession;
     const char* name;
+    std::size_t arrow;  // where on the outer side of the track
   };
   Sketch sketch;
   int panel = 0;
-  for (const Release& release :
-       {Release{0, "at rest"}, Release{2.6, "+2.6 rad/s"}, Release{-5, "−5 rad/s"}, Release{10, "+10 rad/s"}}) {
+  for (const Release& release : {Release{0, "at rest", 36}, Release{2.6, "+2.6 rad/s", 36}, Release{-5, "−5 rad/s", 36},
+                                 Release{10, "+10 rad/s", 74}}) {
     const Vector3d at = 2.0 * panel++ * x_axis;
     SpaceCurve path;
     double inner = 1, outer = 0;
@@ -238,7 +239,7 @@ void draw_paths(const std::filesystem::path& directory) {
       sketch.line(arc(at, radius, x_axis, y_axis), colors::grey, 1, "dt (4,4)");
     sketch.line(path, colors::blue, 2.2);
     sketch.dot(path.front(), colors::black, 0.8);
-    sketch.arrow(path[60], path[78], colors::blue, "", Side::right, 2.2);
+    sketch.arrow(path[release.arrow], path[release.arrow + 12], colors::blue, "", Side::right, 2.2);
     sketch.dot(at, colors::grey, 0.6);
     sketch.text(at - 1.1 * y_axis, release.name);
   }

@@ -19,8 +19,9 @@ void judge_cross_matrix(Lecture& lecture) {
   e.wrong_output("All signs are reversed: your matrix computes V × ω instead of ω × V.", "transposed", transposed);
   e.wrong("Your matrix has no minus signs; each component of ω stands in it once with + and once with −.", "symmetric",
           [](auto& w) -> Matrix3d { return skew(w).cwiseProduct(skew(Vector3d::Ones())); });
-  e.wrong_output("The signs of your second row are reversed: the middle row of a determinant takes a minus.",
-                 "row_y_sign", [](auto& W) { W.row(1) *= -1; });
+  e.wrong_output(
+      "The signs of your second row are reversed: the y component of the expanded determinant takes a minus.",
+      "row_y_sign", [](auto& W) { W.row(1) *= -1; });
   e.wrong_input<0>("Both entries with ω_y have the wrong sign: row x, column z holds +ω_y.", "omega_y_sign", negate(1));
   e.wrong_input<0>("ω_x and ω_z have changed places: the entries in rows and columns x and y hold ω_z.",
                    "order_of_components", exchange(0, 2));

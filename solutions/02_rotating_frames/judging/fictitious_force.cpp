@@ -31,8 +31,9 @@ void judge_fictitious_force(Lecture& lecture) {
   e.wrong_terms("The Coriolis force has the wrong sign: it is −2 m ω × v, or 2 m v × ω.", "coriolis_sign", {2, -1, -1});
   e.wrong_terms("The Euler force has the wrong sign: it is −m α × r.", "euler_sign", {-2, 1, -1});
   e.wrong_terms("The Euler force −m α × r is missing; it is there when ω changes.", "no_euler_force", {-2, 0, -1});
-  e.wrong_terms("The Coriolis force −2 m ω × v is missing; it is there whenever the point moves in the rotating frame.",
-                "no_coriolis_force", {0, -1, -1});
+  e.wrong_terms(
+      "The Coriolis force −2 m ω × v is missing; it is there, in general, when the point moves in the rotating frame.",
+      "no_coriolis_force", {0, -1, -1});
   e.wrong_terms({"The centrifugal force is missing or zero, as without its brackets: (ω × ω) × r.", brackets},
                 "no_centrifugal_force", {-2, -1, 0});
   e.wrong_terms("The centrifugal force enters three times, twice with v_body + ω × r in the Coriolis force for v_body.",

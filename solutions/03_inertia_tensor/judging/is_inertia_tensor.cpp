@@ -78,18 +78,22 @@ void judge_is_inertia_tensor(Lecture& lecture) {
             return Matrix3d{{3, p, p}, {p, 3, p}, {p, p, 3}};
           });
 
-  e.wrong("You accept every symmetric matrix without negative eigenvalues; a body obeys a stronger condition.",
-          "positive_only", [](auto& I) { return is_symmetric_and(I, PrincipalFrame(I).moments[0] >= 0); });
-  e.wrong("You ask for triangle inequalities between the diagonal entries; on turned axes they are not enough.",
-          "diagonal_only", [](auto& I) {
-            const Vector3d entries = I.diagonal();
-            return is_symmetric_and(I, entries.sum() - 2 * entries.maxCoeff() >= -1e-9 * largest_entry(I));
-          });
-  e.wrong({"You accept matrices that are not symmetric.", "inertia_tensor_dyad"}, "symmetry_not_asked",
-          [](auto& I) { return smallest_spread(I) >= -1e-9 * largest_entry(I) ? 1 : 0; });
-  e.wrong("You refuse flat bodies: equality is allowed, and rounding may violate it by a little.", "flat_refused",
-          [](auto& I) { return is_symmetric_and(I, smallest_spread(I) > 1e-9 * largest_entry(I)); });
-  e.wrong("You ask for one of the inequalities only.", "one_inequality",
+  e.wrong(
+      "This comes out when every symmetric matrix without negative eigenvalues is accepted; a body obeys a stronger "
+      "condition.",
+      "positive_only", [](auto& I) { return is_symmetric_and(I, PrincipalFrame(I).moments[0] >= 0); });
+  e.wrong(
+      "This comes out when the triangle inequalities are asked of the diagonal entries; on rotated axes they are not "
+      "enough.",
+      "diagonal_only", [](auto& I) {
+        const Vector3d entries = I.diagonal();
+        return is_symmetric_and(I, entries.sum() - 2 * entries.maxCoeff() >= -1e-9 * largest_entry(I));
+      });
+  e.wrong({"This comes out when matrices that are not symmetric are accepted.", "inertia_tensor_dyad"},
+          "symmetry_not_asked", [](auto& I) { return smallest_spread(I) >= -1e-9 * largest_entry(I) ? 1 : 0; });
+  e.wrong("This comes out when flat bodies are refused: equality is allowed, and rounding may violate it by a little.",
+          "flat_refused", [](auto& I) { return is_symmetric_and(I, smallest_spread(I) > 1e-9 * largest_entry(I)); });
+  e.wrong("This comes out when one of the three inequalities is asked for only.", "one_inequality",
           [](auto& I) { return is_symmetric_and(I, I(0, 0) + I(1, 1) - I(2, 2) >= -1e-9 * largest_entry(I)); });
   e.wrong_output("Yes and no are exchanged: 1 is asked for where a body has this tensor.", "exchanged",
                  [](auto& answer) { return 1 - answer; });

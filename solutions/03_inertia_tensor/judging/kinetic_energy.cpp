@@ -18,7 +18,7 @@ void judge_kinetic_energy(Lecture& lecture) {
   e.wrong("This is half the product of the lengths of L and ω; the energy is their dot product, T = ½ L·ω.",
           "product_of_norms", [](auto& I, auto& w) { return 0.5 * (I * w).norm() * w.norm(); });
   e.wrong_terms(products_of_opposite_sign, "products_flipped", {0.5, -1});
-  e.wrong_output("Your energy is linear in ω; it must be quadratic.", "omega_not_squared",
+  e.wrong_output("Your energy grows in proportion to |ω|; it must be quadratic in ω.", "omega_not_squared",
                  [](auto& T, auto&, auto& w) { T /= or_one(w.norm()); });
   e.wrong_terms("Each product of inertia enters once; ω·I·ω has I_xy and I_yx.", "upper_triangle_once", {0.5, 0.5});
   e.property(Is::nonnegative, "A kinetic energy is never negative.");

@@ -122,8 +122,9 @@ void judge_free_rotation(Lecture& lecture) {
           [](auto& I, auto& start, auto& moments) -> Matrix3Xd {
             return start.replicate(1, moments.size()) + euler_equations(I, start, zero) * moments.transpose();
           });
-  e.wrong_input<2>({"The motion runs backwards: the sign of ω × (Iω) is wrong, I dω/dt = −ω × (Iω).", rate_notes},
-                   "sign_of_gyration", negated);
+  e.wrong_input<2>(
+      {"The motion runs backwards, as when ω × (Iω) has the wrong sign in I dω/dt = −ω × (Iω).", rate_notes},
+      "sign_of_gyration", negated);
   e.wrong_input<2>("Every column repeats omega0: without a torque L is constant, but ω is not.", "no_motion",
                    [](auto& moments) { moments.setZero(); });
   e.wrong_input<2>("The times count here as steps of 0.01 s; they are in seconds.", "times_count_steps", times(0.01));

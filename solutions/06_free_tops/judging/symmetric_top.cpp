@@ -81,8 +81,10 @@ void judge_symmetric_top(Lecture& lecture) {
                  first_two_exchanged);
   e.wrong({"Your ω turns with L/I₁, the rate in the inertial frame; seen from the body it turns with Ω.", space_notes},
           "space_rate", turning_at(space_precession_rate));
-  e.wrong({"Your ω turns with ω₃I₃/I₁, as in the inertial frame; in the body it turns more slowly by ω₃.", space_notes},
-          "space_rate_of_a_small_wobble", turning_at([](auto I1, auto I3, auto& w) { return w[2] * I3 / I1; }));
+  e.wrong(
+      {"Your ω turns with ω₃I₃/I₁, as in the inertial frame; in the body its rate is smaller by ω₃ (with its sign).",
+       space_notes},
+      "space_rate_of_a_small_wobble", turning_at([](auto I1, auto I3, auto& w) { return w[2] * I3 / I1; }));
   e.wrong("Your ω turns with ω₃ itself; the rate is Ω = ω₃ (I₃ − I₁)/I₁.", "spin_rate",
           turning_at([](auto, auto, auto& w) { return w[2]; }));
   e.wrong("Your ω always turns from axis 1 to axis 2; the sign of Ω decides the sense.", "magnitude_of_rate",

@@ -91,7 +91,7 @@ void judge_rolling_cone_energy(Lecture& lecture) {
       "omega_by_sine",
       of_cone([](auto& c) { return c.about_contact(c.across_in_apex()) / pow(cos(c.half_angle), 2); }));
   e.wrong(
-      "Your ω grows with the angle of the cone; the steeper the cone, the slower it turns about the line of contact.",
+      "Your ω grows with the angle of the cone; the blunter the cone, the slower it rotates about the line of contact.",
       "omega_by_tangent",
       of_cone([](auto& c) { return c.about_contact(c.across_in_apex()) * pow(tan(c.half_angle), 4); }));
   e.wrong("The moment about the axis is that of a cylinder; a cone has its mass nearer to its axis.", "cylinder",
