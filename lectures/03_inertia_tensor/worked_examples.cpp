@@ -90,8 +90,7 @@ TEST_CASE("momentum: L = Iω does not point along ω") {
   const double angle = angle_between(L, omega);
 
   const Vector3d moments = principal_moments(I);
-  const double I1 = moments[0], I3 = moments[2];
-  const double largest = std::asin((I3 - I1) / (I3 + I1));
+  const double largest = largest_angle_between_L_and_omega(moments);
   //! [momentum in brief]
 
   Vector3d by_points = Vector3d::Zero();
@@ -288,14 +287,17 @@ TEST_CASE("station: A space station of six modules, whose axes nobody would gues
 //! [validity]
 TEST_CASE("validity: Which symmetric matrices are inertia tensors") {
   //! [validity in brief]
-  const auto second_moments = [](const Matrix3d& I) -> Matrix3d {
-    return 0.5 * I.trace() * Matrix3d::Identity() - I;  // Σ m r r
-  };
   const Matrix3d I{{2, -0.8, 0}, {-0.8, 2, -0.8}, {0, -0.8, 2}};
-  const Vector3d c = principal_moments(second_moments(I));  // eigenvalues, ascending
+  const Vector3d moments = principal_moments(I);  // ascending
+  const int some_body_has_it = is_inertia_tensor(I);
   //! [validity in brief]
 
-  CHECK(c[0] < 0);  // no body
+  const auto second_moments = [](const Matrix3d& tensor) -> Matrix3d {
+    return 0.5 * tensor.trace() * Matrix3d::Identity() - tensor;  // Σ m r r
+  };
+  const Vector3d c = principal_moments(second_moments(I));
+  CHECK(c[0] < 0);
+  CHECK(some_body_has_it == 0);
   // Two more that look harmless; and one of a real body.
   CHECK(principal_moments(second_moments(Matrix3d{{4, 2.1, 0}, {2.1, 4, 0}, {0, 0, 4}}))[0] < 0);
   CHECK(principal_moments(second_moments(Vector3d(10, 10, 30).asDiagonal()))[0] < 0);
@@ -312,7 +314,7 @@ TEST_CASE("validity: Which symmetric matrices are inertia tensors") {
   six << axes * roots.asDiagonal(), -axes * roots.asDiagonal();
   CHECK(agrees(inertia_of_points(VectorXd::Constant(6, 0.5), six), real, 1e-13));
 
-  result("(I_1, I_2, I_3)", principal_moments(I), "kg m²", "all positive");
+  result("(I_1, I_2, I_3)", moments, "kg m²", "all positive");
   result("c_1", c[0], "kg m²", R"(negative, because \(I_3 > I_1 + I_2\): no body has this tensor)");
 }
 //! [validity]
