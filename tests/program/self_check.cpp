@@ -111,6 +111,34 @@ TEST_CASE("self-check finds a formula among the words about a problem") {
   require_fault(course, "solutions/01_springs/judging/spring_energy.cpp", "'The factor ½ is missing.' holds a formula");
 }
 
+TEST_CASE("self-check finds the formula of a problem in the notes and in quoted code, and not where it is folded") {
+  const CourseCopy course;
+  const std::string formula = "\\f[ E = \\frac{k}{2}\\left( x_1^2 + x_2^2 + x_3^2 \\right) . \\f]\n";
+  const std::string same = "\\f$ E = \\frac k2 (x_1^2 + x_2^2 + x_3^2) \\f$\n";
+  const fs::path derivation = course.root() / "solutions/01_springs/derivations/spring_energy.md";
+  const fs::path example = course.root() / "lectures/01_springs/worked_examples.cpp";
+  const std::string notes = read(course.notes()), code = read(example);
+  replace_in(course.card(), "\"points\": 2", "\"points\": 2, \"difficulty\": 1, \"minutes\": 20");
+  write(derivation, "# Energy\n\n" + formula + "\n*Wrong turns.* None.\n");
+  replace_in(course.solution("spring_energy"), "0.5 * k * x.squaredNorm()",
+             "0.5 * k * (std::pow(x[0], 2) + x.tail<2>().squaredNorm())");
+  const auto said = [&] { return course.run("self-check --seeds 1").out; };
+  CHECK_MESSAGE(!has(said(), "problem spring_energy"), said());
+
+  write(course.notes(), notes + "\n" + same);
+  require_fault(course, "lectures/01_springs/notes.md", "gives away the formula of the problem spring_energy");
+  for (const std::string fold : {"\\solved{spring_energy}", "\\folded{Later}"}) {
+    write(course.notes(), notes + "\n" + fold + "\n" + same + "\\endfolded\n");
+    CHECK_MESSAGE(!has(said(), "problem spring_energy"), said());
+  }
+
+  write(example,
+        "//! [energy]\nauto e = 0.5 * stiffness * (pow(r[0], 2) + r.tail<2>().squaredNorm());\n//! [energy]\n");
+  require_fault(course, "lectures/01_springs/worked_examples.cpp", "the solution of the problem spring_energy returns");
+  write(example, "//! [energy]\nauto e = 0.5 * r * (pow(r[0], 2) + r.tail<2>().squaredNorm());\n//! [energy]\n");
+  CHECK_MESSAGE(!has(said(), "problem spring_energy"), said());
+}
+
 TEST_CASE("a stray file is a remark and stops nothing") {
   const CourseCopy course;
   write(course.root() / "lectures/01_springs/exercises/spring_enrgy.cpp", "int main() { return 0; }\n");

@@ -1,4 +1,5 @@
 #include "checker/commands/commands.hpp"
+#include "checker/commands/on_demand/given_away.hpp"
 #include "checker/explain/question.hpp"
 #include "checker/explain/repair.hpp"
 #include "checker/judging/soundness.hpp"
@@ -174,6 +175,8 @@ class SelfCheck {
         adequacy_ += adequacy_text(exercise, judged, judged.adequacy);
         check_texts(exercise, judged);
         if (exercise.entry->is_problem()) check_words(exercise, judged);
+        if (exercise.entry->is_problem() && course_.has_solutions())
+          for (const GivenAway& each : answers_given_away(course_, exercise)) fault(each.file, "{}", each.sentence);
         if (!question_on(judged))
           fault(course_.judging_file(exercise),
                 "no case tells three of its wrong answers apart, as the question after a pass needs; add one.");
