@@ -108,7 +108,7 @@ void draw_poinsot(const std::filesystem::path& directory) {
   sketch.arrow(origin, 1.45 * foot, colors::blue, "{/:Bold L}", Side::right);
   sketch.arrow(origin, contact, colors::vermilion, "", Side::left);
   sketch.text(0.62 * contact - 0.1 * x_axis, "{/:Bold ω}", colors::vermilion, Side::left);
-  sketch.text(0.55 * foot + 0.04 * x_axis, "2T/L", colors::black, Side::right);
+  sketch.text(0.55 * foot + 0.04 * x_axis, "h", colors::black, Side::right);
   sketch.text(foot + Vector3d(1.1, 0.55, 0), "plane at rest", colors::black, Side::centre);
   sketch.dot(foot, colors::black, 0.6);
   sketch.dot(contact, colors::black, 0.8);
