@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <random>
 #include <set>
 #include <sstream>
@@ -22,11 +23,11 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr int kills = 5;  // each run takes several times as long
-#else
-constexpr int kills = 20;
-#endif
+/// Of each command.
+const int kills = [] {
+  const char* given = std::getenv("WORKBOOK_TEST_KILLS");
+  return given ? std::atoi(given) : 20;
+}();
 
 /// Starts a command of the checker in the course's folder and kills it at a random moment of the time that it takes
 /// undisturbed.
@@ -143,7 +144,7 @@ TEST_CASE("Whatever stops a command, the next run ends with the same results: ch
     CHECK(without_seconds(course.run("check spring_energy --json").json()) == right);
     CHECK(course.run("list").out == list);
   }
-  CHECK(killed > kills);
+  CHECK(killed > 0);
   CHECK(nothing_left_running());
 }
 
@@ -213,7 +214,7 @@ TEST_CASE("Whatever stops a command, the next run ends with the same results: gr
     const std::string known = lines();
     kill({"grade", "submissions", "--out", "out", "--allow-reduced", "--seed", "1"}, undisturbed / (k % 4 + 1));
     CHECK(lines().starts_with(known));  // what is judged stays
-    if (k % 4 != 3) continue;
+    if (k % 4 != 3 && k + 1 < kills) continue;
     REQUIRE(few.grade().status == 0);
     check_same(results_in(few.root() / "out"), right);
     CHECK(is_judged_once(journal));
