@@ -18,15 +18,25 @@ namespace {
 constexpr const char* assignment_name = "lectures/assignment.json";
 
 /// What students get, relative to the top level. What is not named here stays at home: the solutions first of all.
-constexpr std::array handed_out = {".clang-format",  ".clangd",
-                                   ".devcontainer",  ".github",
-                                   ".gitignore",     ".vscode",
-                                   "CMakeLists.txt", "CMakePresets.json",
-                                   "LICENSE",        "README.md",
-                                   "checker",        "include",
-                                   "lectures",       "tests/CMakeLists.txt",
-                                   "tests/run",      "tests/judging",
-                                   "tests/running",  "tests/setup",
+constexpr std::array handed_out = {".clang-format",
+                                   ".clangd",
+                                   ".devcontainer",
+                                   ".github/workflows/check.yml",
+                                   ".github/workflows/notes.yml",
+                                   ".gitignore",
+                                   ".vscode",
+                                   "CMakeLists.txt",
+                                   "CMakePresets.json",
+                                   "LICENSE",
+                                   "README.md",
+                                   "checker",
+                                   "include",
+                                   "lectures",
+                                   "tests/CMakeLists.txt",
+                                   "tests/run",
+                                   "tests/judging",
+                                   "tests/running",
+                                   "tests/setup",
                                    "tests/support"};
 
 bool is_left_behind(const fs::path& file) {
