@@ -51,7 +51,7 @@ class VariantRunner {
   const Program program_;
   const TrialLimits limits_;
   std::vector<std::size_t> order_;
-  const Clock::time_point deadline_;
+  Clock::time_point deadline_;
   std::optional<std::size_t> running_;
   Budget budget_;
   std::unique_ptr<Worker> worker_;

@@ -181,7 +181,7 @@ Ending Worker::exchange(std::size_t wanted) {
     // A worker that closed its standard output would wake us for ever.
     const int ready = ::poll(watched.data(), output_closed_ ? 1 : 2, milliseconds_until(wake));
     if (ready < 0 && errno == EINTR) continue;
-    if (Clock::now() >= budget_.deadline) return Ending::time_limit;
+    if (Clock::now() >= budget_.deadline && !extend_deadline()) return Ending::time_limit;
     if (watches_memory && uses_too_much_memory()) return Ending::memory_limit;
     if (ready <= 0) continue;
     if (!output_closed_ && watched[1].revents != 0)
@@ -223,6 +223,18 @@ Ending Worker::collect_prints() {
     if (got > static_cast<ssize_t>(kept)) return Ending::output_limit;
   }
   return Ending::returned;
+}
+
+bool Worker::extend_deadline() {
+  // Nanoseconds on a processor, and waiting for one.
+  std::ifstream statistics("/proc/" + std::to_string(process_.number()) + "/schedstat");
+  std::int64_t running = 0, waiting = 0;
+  statistics >> running >> waiting;
+  const Clock::duration more = std::chrono::nanoseconds(waiting) - extended_;
+  if (more < std::chrono::milliseconds(5)) return false;
+  budget_.deadline += more;
+  extended_ += more;
+  return true;
 }
 
 bool Worker::uses_too_much_memory() const {

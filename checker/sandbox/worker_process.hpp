@@ -13,7 +13,7 @@ namespace workbook {
 
 /// What all calls together may still use.
 struct Budget {
-  Clock::time_point deadline;
+  Clock::time_point deadline;  ///< moves on while others have the processors
   double processor_seconds = 0.0;
   std::size_t output_bytes = 0;
 };
@@ -52,6 +52,8 @@ class Worker {
   Ending receive_some(std::size_t wanted);
   Ending collect_prints();
   bool uses_too_much_memory() const;
+  /// The time for which the process was ready to run and others had the processors, where it was not added before.
+  bool extend_deadline();
 
   Reply stopped(Ending reason);
   Reply violated(ProtocolViolation violation);
@@ -62,6 +64,7 @@ class Worker {
   ChildProcess process_;
   bool running_ = true;
   bool output_closed_ = false;
+  Clock::duration extended_{0};
   std::string printed_;
   std::vector<char> unsent_;
   std::size_t sent_ = 0;

@@ -71,7 +71,7 @@ const SandboxTier tier = [] {
       for (const fs::path& file : {fs::path(WORKBOOK_TEST_TOOLCHAIN), toolchain().diagnostic})
         if (!file.empty()) require_complete(read_toolchain(file), exercise);
     fs::create_directories(scratch());
-    give_up_root(scratch(), {WORKBOOK_TEST_TOOLCHAIN}, true);
+    give_up_root(scratch(), {WORKBOOK_TEST_TOOLCHAIN}, false);
     ::prctl(PR_SET_DUMPABLE, 1);  // as processes of users are
   }
   use_sandbox(strength);
