@@ -22,7 +22,7 @@ Vector3d euler_equations(const Vector3d& I, const Vector3d& omega, const Vector3
 
 /// Euler's equations on any axes fixed in the body, principal or not.
 ///
-/// \f[ \mathsf I \cdot \dot\omega + \omega \times (\mathsf I \cdot \omega) = \tau \f]
+/// \f[ \Inertia \cdot \dot{\vec\omega} + \vec\omega \times (\Inertia \cdot \vec\omega) = \vec\tau \f]
 ///
 /// @param I       inertia tensor about the fixed point or the centre of mass, on body axes, kg m²
 /// @param omega   angular velocity on the same axes, rad/s
@@ -35,7 +35,7 @@ Vector3d euler_equations_general(const Matrix3d& I, const Vector3d& omega, const
 
 /// The torque that must act on a body for its angular velocity to stay as it is.
 ///
-/// \f[ \tau = \omega \times (\mathsf I \cdot \omega) \f]
+/// \f[ \vec\tau = \vec\omega \times (\Inertia \cdot \vec\omega) \f]
 ///
 /// It is at right angles to omega, so it does no work, and it rotates with the body.
 ///
@@ -44,12 +44,13 @@ Vector3d euler_equations_general(const Matrix3d& I, const Vector3d& omega, const
 /// @return       torque on the body, same axes, N m; zero when omega lies along a principal axis
 /// @pre I is an inertia tensor and positive definite: a body on one straight line is excluded
 /// @par Source
-/// S0 s19, S1 s7, S2 s17, S3 p~16, S4 p~18 with \f$\dot\omega = 0\f$
+/// S0 s19, S1 s7, S2 s17, S3 p~16, S4 p~18 with \f$\dot{\vec\omega} = 0\f$
 Vector3d torque_to_hold_rotation(const Matrix3d& I, const Vector3d& omega);
 
 /// The rate of change of the angular momentum in the inertial frame.
 ///
-/// \f[ \left(\frac{dL}{dt}\right)_{in} = \mathsf I \cdot \dot\omega + \omega \times (\mathsf I \cdot \omega) \f]
+/// \f[ \ratein{\vec L}{\inertialframe} = \Inertia \cdot \dot{\vec\omega}
+///     + \vec\omega \times (\Inertia \cdot \vec\omega) \f]
 ///
 /// @param I           inertia tensor on axes fixed in the body, kg m²
 /// @param omega       angular velocity on these axes, rad/s
@@ -74,7 +75,7 @@ Vector2d rotation_invariants(const Vector3d& I, const Vector3d& omega);
 
 /// The angular velocity of a body on which no torque acts, as time goes by.
 ///
-/// Integrates Euler's equations with \f$\tau = 0\f$ from omega0 at t = 0 to each of the given times. The times are
+/// Integrates Euler's equations with \f$\vec\tau = 0\f$ from omega0 at t = 0 to each of the given times. The times are
 /// moments, not steps: choose the steps of the integration by yourself.
 ///
 /// @param I       principal moments in any order, kg m²
@@ -139,7 +140,7 @@ Vector3d splitting_step(const Vector3d& I, const Vector3d& omega, double h);
 /// @pre I_cm is an inertia tensor, M > 0
 /// @pre the bearings are at different places; the centre of mass need not lie between them
 /// @par Source
-/// not on the slides; the torque is that of S0 s19, S1 s7 with \f$\dot\omega = 0\f$
+/// not on the slides; the torque is that of S0 s19, S1 s7 with \f$\dot{\vec\omega} = 0\f$
 Matrix3Xd bearing_forces(const Matrix3d& I_cm, double M, const Vector3d& r_cm, double rate, const Vector2d& bearings);
 
 /// The torque that a turning vehicle exerts on a rotor in it.

@@ -8,10 +8,10 @@ namespace rigid {
 
 /// The matrix that does what ω× does.
 ///
-/// \f[ [\omega]_\times = \begin{pmatrix}
+/// \f[ [\vec\omega]_\times = \begin{pmatrix}
 ///   0 & -\omega_z & \omega_y \\[2pt]
 ///   \omega_z & 0 & -\omega_x \\[2pt]
-///   -\omega_y & \omega_x & 0 \end{pmatrix}, \qquad [\omega]_\times V = \omega \times V \f]
+///   -\omega_y & \omega_x & 0 \end{pmatrix}, \qquad [\vec\omega]_\times \vec V = \vec\omega \times \vec V \f]
 ///
 /// @param omega  any vector, here an angular velocity, rad/s; may be zero
 /// @return       antisymmetric 3×3 matrix on the same axes and in the same unit as omega
@@ -21,11 +21,12 @@ Matrix3d cross_matrix(const Vector3d& omega);
 
 /// Rate of change of a vector in the inertial frame, from its rate in a rotating frame: the transport theorem.
 ///
-/// \f[ \left(\frac{dV}{dt}\right)_{inertial} = \left(\frac{dV}{dt}\right)_{body} + \omega \times V \f]
+/// \f[ \ratein{\vec V}{\inertialframe} = \ratein{\vec V}{\bodyframe} + \vec\omega \times \vec V \f]
 ///
 /// All three arguments are expressed on one and the same set of axes, and so is the result; any set will do.
 ///
-/// @param rate_body  rate that an observer in the rotating frame sees, \f$\sum_i \dot V_i\,\hat e_i\f$, unit of V per s
+/// @param rate_body  rate that an observer in the rotating frame sees, \f$\sum_i \dot V_i\,\unit e_i\f$, unit of V
+///                   per s
 /// @param omega      angular velocity of the rotating frame, rad/s
 /// @param V          the vector itself, in any unit
 /// @return           rate in the inertial frame, unit of V per s
@@ -35,10 +36,10 @@ Vector3d inertial_rate(const Vector3d& rate_body, const Vector3d& omega, const V
 
 /// The basis after it has rotated for a time dt with constant angular velocity.
 ///
-/// Every basis vector obeys \f$\dot{\hat e}_i = \omega \times \hat e_i\f$. With \f$\Theta = |\omega|\,dt\f$ and
-/// \f$\hat n = \omega/|\omega|\f$ the exact solution (Rodrigues) is
-/// \f[ \hat e_i(dt) = \hat e_i + \sin\Theta\;\hat n \times \hat e_i
-///                  + (1 - \cos\Theta)\;\hat n \times (\hat n \times \hat e_i) . \f]
+/// Every basis vector obeys \f$\dot{\unit e}_i = \vec\omega \times \unit e_i\f$. With
+/// \f$\Theta = |\vec\omega|\,\dd t\f$ and \f$\unit n = \vec\omega/|\vec\omega|\f$ the exact solution (Rodrigues) is
+/// \f[ \unit e_i(\dd t) = \unit e_i + \sin\Theta\;\unit n \times \unit e_i
+///                  + (1 - \cos\Theta)\;\unit n \times (\unit n \times \unit e_i) . \f]
 ///
 /// Exact for every angle, not only to first order in dt; with omega = 0 or dt = 0 the basis stays as it is.
 ///
@@ -53,15 +54,16 @@ Matrix3d rotated_basis(const Matrix3d& E, const Vector3d& omega, double dt);
 
 /// The angular velocity with which a basis rotates.
 ///
-/// \f[ [\omega]_\times = \dot E\, E^{T}, \qquad \omega = \tfrac12 \sum_i \hat e_i \times \dot{\hat e}_i \f]
+/// \f[ [\vec\omega]_\times = \dot{\mat A}\,\mat A\T, \qquad
+///     \vec\omega = \tfrac12 \sum_i \unit e_i \times \dot{\unit e}_i \f]
 ///
-/// @param E       3×3 rotation matrix: its columns are the basis vectors in inertial components
-/// @param E_rate  3×3, the rates \f$\dot{\hat e}_i\f$ as columns, 1/s; zero for a basis at rest
+/// @param E       3×3 rotation matrix \f$\mat A\f$: its columns are the basis vectors in inertial components
+/// @param E_rate  3×3, the rates \f$\dot{\unit e}_i\f$ as columns, 1/s; zero for a basis at rest
 /// @return        angular velocity in inertial components, rad/s
 /// @pre EᵀE = 1 and det E = +1
-/// @pre the rates belong to a rotation: \f$\dot E\,E^T\f$ is antisymmetric
+/// @pre the rates belong to a rotation: \f$\dot{\mat A}\,\mat A\T\f$ is antisymmetric
 /// @par Source
-/// the inverse of \f$\dot{\hat e} = \omega\times\hat e\f$: S0 s7, S2 s6, S3 p~5, S4 p~6
+/// the inverse of \f$\dot{\unit e} = \vec\omega\times\unit e\f$: S0 s7, S2 s6, S3 p~5, S4 p~6
 Vector3d angular_velocity_of_basis(const Matrix3d& E, const Matrix3d& E_rate);
 
 /// Angular acceleration of a rotor that is mounted on a rotating platform.
@@ -108,7 +110,7 @@ Vector3d rotation_vector(const Matrix3d& E);
 /// @pre v belongs to a rigid motion, up to rounding
 /// @pre the points form a triangle none of whose heights is smaller than a tenth of its longest side
 /// @par Source
-/// \f$\dot{\hat e} = \omega\times\hat e\f$ of S0 s7, S2 s6, S3 p~5, S4 p~6 for lines on the body that are not
+/// \f$\dot{\unit e} = \vec\omega\times\unit e\f$ of S0 s7, S2 s6, S3 p~5, S4 p~6 for lines on the body that are not
 /// orthonormal
 Vector3d angular_velocity_from_three_points(const Matrix3d& r, const Matrix3d& v);
 
@@ -124,7 +126,7 @@ Vector3d angular_velocity_from_three_points(const Matrix3d& r, const Matrix3d& v
 /// @return       point of the line with the smallest distance from the origin, m
 /// @pre omega ≠ 0 (a pure translation has no such line)
 /// @par Source
-/// \f$\dot{\hat e} = \omega\times\hat e\f$ of S0 s7, S2 s6, S3 p~5, S4 p~6; Chasles' theorem for velocities
+/// \f$\dot{\unit e} = \vec\omega\times\unit e\f$ of S0 s7, S2 s6, S3 p~5, S4 p~6; Chasles' theorem for velocities
 Vector3d point_on_screw_axis(const Vector3d& r, const Vector3d& v, const Vector3d& omega);
 
 }  // namespace rigid

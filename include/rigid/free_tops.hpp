@@ -42,8 +42,8 @@ Vector3d symmetric_top(double I1, double I3, const Vector3d& omega0, double t);
 /// The rate at which the symmetry axis of a free symmetric top runs round the angular momentum, seen from the inertial
 /// frame.
 ///
-/// \f[ \dot\phi = \frac{L}{I_1}, \qquad L = \left| I_1 \tilde\omega_1 \hat e_1 + I_1 \tilde\omega_2 \hat e_2
-///     + I_3 \tilde\omega_3 \hat e_3 \right| \f]
+/// \f[ \dot\phi = \frac{L}{I_1}, \qquad L = \left| I_1 \tilde\omega_1 \unit e_1 + I_1 \tilde\omega_2 \unit e_2
+///     + I_3 \tilde\omega_3 \unit e_3 \right| \f]
 ///
 /// The rotation is right-handed about L, so the rate is never negative.
 ///
@@ -122,7 +122,7 @@ int axis_stability(const Vector3d& I, int axis);
 
 /// The time after which the angular velocity of a free top repeats itself in the body: exact, for any amplitude.
 ///
-/// \f[ P = \frac{4 K(m)}{\nu}, \qquad K(m) = \int_0^{\pi/2} \frac{d\alpha}{\sqrt{1 - m \sin^2\alpha}} \f]
+/// \f[ P = \frac{4 K(m)}{\nu}, \qquad K(m) = \int_0^{\pi/2} \frac{\dd\alpha}{\sqrt{1 - m \sin^2\alpha}} \f]
 ///
 /// where, with the kinetic energy T and the angular momentum L, for \f$L^2 > 2TI_2\f$ (the angular velocity circles
 /// axis 3)

@@ -51,7 +51,7 @@ Vector3d angular_momentum(const Matrix3d& I, const Vector3d& omega);
 
 /// Moment of inertia about an axis through the origin.
 ///
-/// \f[ I_n = \hat{\vec n} \cdot \Inertia \cdot \hat{\vec n}, \qquad \hat{\vec n} = \vec n / |\vec n| \f]
+/// \f[ I_n = \unit n \cdot \Inertia \cdot \unit n, \qquad \unit n = \vec n / |\vec n| \f]
 ///
 /// @param I     inertia tensor, kg m²
 /// @param axis  direction of the axis, of any length but zero
@@ -59,7 +59,7 @@ Vector3d angular_momentum(const Matrix3d& I, const Vector3d& omega);
 /// @pre I is an inertia tensor
 /// @pre axis ≠ 0
 /// @par Source
-/// follows from the kinetic energy of S0 s10 with \f$\vec\omega = \omega\,\hat{\vec n}\f$
+/// follows from the kinetic energy of S0 s10 with \f$\vec\omega = \omega\,\unit n\f$
 double moment_about_axis(const Matrix3d& I, const Vector3d& axis);
 
 /// Inertia tensor of a uniform cuboid about its corner at the origin.

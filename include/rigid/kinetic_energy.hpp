@@ -61,7 +61,7 @@ Vector3d canonical_momenta(const Vector3d& I, const Vector3d& angles, const Vect
 ///
 /// They solve the Euler–Lagrange equations for \f$q = (\phi, \theta, \psi)\f$,
 ///
-/// \f[ \frac{d}{dt} \frac{\partial T}{\partial \dot q} = \frac{\partial T}{\partial q} , \f]
+/// \f[ \frac{\dd}{\dd t} \frac{\partial T}{\partial \dot q} = \frac{\partial T}{\partial q} , \f]
 ///
 /// or, which is the same, Euler's equations with \f$\tilde{\vec\omega} = \mat B(q)\,\dot q\f$:
 ///
