@@ -81,7 +81,7 @@ void draw_cube_axes(const std::filesystem::path& directory) {
 /// A flat box about its centre, turned so that no axis of it is a coordinate axis. 1 kg, edges in metres.
 struct Box {
   Vector3d edges{3.0, 1.6, 0.6};
-  Matrix3d axes = (Eigen::AngleAxisd(0.5, z_axis) * Eigen::AngleAxisd(-0.35, y_axis)).toRotationMatrix();
+  Matrix3d axes = (Eigen::AngleAxisd(-2.3, z_axis) * Eigen::AngleAxisd(-0.35, y_axis)).toRotationMatrix();
   Vector3d squares = edges.cwiseAbs2() / 12;
   Vector3d moments = Vector3d::Constant(squares.sum()) - squares;
 };
@@ -122,10 +122,9 @@ void draw_inertia_ellipsoid(const std::filesystem::path& directory) {
   for (Vector3d& n : outline) n = box.axes * n.cwiseProduct(half_axes);
   sketch.line(outline, colors::sky, 2);
   for (int i = 0; i < 3; ++i) {
-    const double sign = i == 1 ? -1 : 1;
-    sketch.arrow(origin, sign * box.axes.col(i) * (half_axes[i] + (i == 0 ? 0.5 : 0.9)),
+    sketch.arrow(origin, box.axes.col(i) * (half_axes[i] + (i == 0 ? 0.5 : 0.9)),
                  axis_colors[static_cast<std::size_t>(i)], fmt::format("I_{} = {:.2f} kg m²", i + 1, box.moments[i]),
-                 i == 0   ? Side::right
+                 i == 0   ? Side::left
                  : i == 1 ? Side::below
                           : Side::above);
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <regex>
+#include <stdexcept>
 
 namespace workbook {
 
@@ -54,7 +55,17 @@ void Sketch::face(const std::vector<Vector3d>& corners, const std::string& color
 void Sketch::arrow(const Vector3d& from, const Vector3d& to, const std::string& color, const std::string& label,
                    Side side, double width) {
   arrows_.push_back({project(from), project(to), fmt::format("front lw {} lc rgb '{}'", width, color)});
-  if (!label.empty()) text(to, label, color, side);
+  if (label.empty()) return;
+  text(to, label, color, side);
+  std::smatch parts;
+  if (!std::regex_search(label, parts, std::regex("^(.*)_([123])((?:′)?)"))) return;
+  auto& frame = frames_[parts[1].str() + parts[3].str()];
+  frame[std::stoi(parts[2])] = to - from;
+  if (frame.size() < 3) return;
+  // Axes that are drawn within a plane have no sense.
+  if (frame[1].normalized().dot(frame[2].normalized().cross(frame[3].normalized())) < -1e-9)
+    throw std::logic_error(fmt::format("the axes {}_1, 2, 3 are left-handed", parts[1].str()));
+  frame.clear();
 }
 
 void Sketch::box(const Vector3d& corner, const Eigen::Matrix3d& edges, bool shaded) {

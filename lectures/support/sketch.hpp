@@ -7,6 +7,7 @@
 #include <Eigen/Dense>
 
 #include <filesystem>
+#include <map>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -45,7 +46,8 @@ class Sketch {
             const std::string& style = "");
   /// A filled polygon; opacity from 0 to 1.
   void face(const std::vector<Eigen::Vector3d>& corners, const std::string& color, double opacity = 0.2);
-  /// With a text at its tip.
+  /// With a text at its tip. Arrows whose texts differ by the subscripts 1, 2 and 3 alone are the axes of a frame.
+  /// @throws std::logic_error when they are left-handed.
   void arrow(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const std::string& color,
              const std::string& text = "", Side side = Side::right, double width = 3);
   /// The edges of a box that starts at a corner, those that are hidden dashed; `edges` has the three edges as columns.
@@ -77,6 +79,7 @@ class Sketch {
     std::string style;
   };
   std::vector<Arrow> arrows_;
+  std::map<std::string, std::map<int, Eigen::Vector3d>> frames_;  ///< axes so far, by text and subscript
   struct Text {
     Point at;
     std::string text, color;

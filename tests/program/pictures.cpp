@@ -311,6 +311,8 @@ TEST_CASE("the program of the figures refuses a name that it does not know, and 
   CHECK(status("pictures sound") == 0);
   CHECK(status("pictures idle") == 3);
   CHECK(status("pictures refused") == 1);
+  CHECK(status("pictures left_handed") == 1);
+  CHECK(read(course.root() / "said").starts_with("drawn\nleft_handed: "));  // the right-handed axes, not the others
   CHECK(status("pictures no_such_figure") == 2);
   CHECK(status("") == 2);
 }

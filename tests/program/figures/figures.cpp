@@ -1,5 +1,5 @@
 // Figures that come out in every way in which figures can.
-#include "lectures/support/figure.hpp"
+#include "lectures/support/sketch.hpp"
 
 #include <rigid/vocabulary.hpp>
 
@@ -37,6 +37,16 @@ int main(int argc, char** argv) {
                                  {"not_finite",
                                   [](const Directory& directory) {
                                     draw_values(directory, "not_finite", std::numeric_limits<double>::quiet_NaN());
+                                  }},
+                                 {"left_handed",
+                                  [](const Directory&) {
+                                    workbook::Sketch sketch({1, -2, 1});
+                                    for (const double side : {1.0, -1.0}) {
+                                      sketch.arrow(workbook::origin, workbook::x_axis, "black", "e_1 = 1 m");
+                                      sketch.arrow(workbook::origin, side * workbook::y_axis, "black", "e_2 = 2 m");
+                                      sketch.arrow(workbook::origin, workbook::z_axis, "black", "e_3 = 3 m");
+                                      std::puts("drawn");
+                                    }
                                   }},
                                  {"half_drawn",
                                   [](const Directory& directory) {
