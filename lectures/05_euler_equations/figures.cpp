@@ -162,7 +162,7 @@ void draw_integrators(const std::filesystem::path& directory) {
     const std::array<std::pair<double, double>, 3> places{{{2.2, -0.75}, {14.6, -1.3}, {9.9, 0.62}}};
     std::string plot = "plot ";
     for (std::size_t i = 0; i < 3; ++i) {
-      gnuplot << fmt::format("set label 'ω_{}' at {},{} center front tc rgb '{}'\n", i + 1, places[i].first,
+      gnuplot << fmt::format("set label 'ω̃_{}' at {},{} center front tc rgb '{}'\n", i + 1, places[i].first,
                              places[i].second, axis_colors[i]);
       PlaneCurve line, dots;
       for (std::size_t k = 0; k < exact.size(); ++k)

@@ -146,7 +146,7 @@ void draw_cylinders(const std::filesystem::path& directory) {
                                     {"behaves like a sphere: h = √3 r", std::sqrt(3.0), 0.15, 0.1},
                                     {"tin of food", 2.97, 0.15, 0.09}}};
   draw_figure(directory, "cylinders", {560, 340}, [&](Gnuplot& gnuplot) {
-    gnuplot << "unset key; set xlabel 'height / radius of the cylinder'; set ylabel 'Ω / ω_3'\n"
+    gnuplot << "unset key; set xlabel 'height / radius of the cylinder'; set ylabel 'Ω / ω̃_3'\n"
                "set xrange [0:6.4]; set yrange [-1.1:1.15]; set ytics 0.5\n"
             << fmt::format("set label 'pencil →' at 6.2,-0.68 right front tc rgb '{}'\n", colors::black)
             << fmt::format("set xzeroaxis lt 1 lw 1 lc rgb '{}'\n", colors::grey);
@@ -205,7 +205,7 @@ void draw_slip(const std::filesystem::path& directory) {
     if (i % 6 == 3) corrected.emplace_back(t, 1e5 * linearized_top(I, omega3, amplitude, 0, t)[1]);
   }
   draw_figure(directory, "slip", {560, 360}, [&](Gnuplot& gnuplot) {
-    gnuplot << "unset key; set xlabel 'time (s)'; set ylabel 'ω_2 (10^{-5} rad/s)'\n"
+    gnuplot << "unset key; set xlabel 'time (s)'; set ylabel 'ω̃_2 (10^{-5} rad/s)'\n"
                "set xrange [0:3]; set yrange [-0.95:0.95]; set ytics 0.5\n"
             << fmt::format("set xzeroaxis lt 1 lw 1 lc rgb '{}'\n", colors::grey)
             << fmt::format("set label 'as printed on the slides' at 0.3,0.74 left front tc rgb '{}'\n",
@@ -272,8 +272,8 @@ void draw_portraits(const std::filesystem::path& directory) {
         for (const double end : {0.7, -0.7}) mark(end * reach, end * sign * slope * reach);
       }
     }
-    sketch.text(center + Vector3d(1.16, -0.24, 0), fmt::format("ω_{}", one + 1));
-    sketch.text(center + Vector3d(-0.24, 1.22, 0), fmt::format("ω_{}", two + 1));
+    sketch.text(center + Vector3d(1.16, -0.24, 0), fmt::format("ω̃_{}", one + 1));
+    sketch.text(center + Vector3d(-0.24, 1.22, 0), fmt::format("ω̃_{}", two + 1));
     sketch.text(center - 1.3 * y_axis, fmt::format("near axis {}", axis + 1), color);
     sketch.text(center - 1.58 * y_axis, names[static_cast<std::size_t>(axis)]);
   }
@@ -289,7 +289,7 @@ void draw_growth_rates(const std::filesystem::path& directory) {
   const std::array<const char*, 5> dashes{"solid", "(12,4)", "(6,4)", "(3,3)", "(12,4,3,4)"};
   const std::array<Point, 5> places{{{0.928, 0.62}, {0.83, 0.635}, {0.73, 0.49}, {0.745, 0.3}, {0.85, 0.13}}};
   draw_figure(directory, "growth_rates", {560, 400}, [&](Gnuplot& gnuplot) {
-    gnuplot << "unset key; set xlabel 'I_2 / I_3'; set ylabel 'growth rate σ / |ω_2|'\n"
+    gnuplot << "unset key; set xlabel 'I_2 / I_3'; set ylabel 'growth rate σ / |ω̃_2|'\n"
                "set xrange [0.5:1]; set yrange [0:1.05]\n"
             << fmt::format("set label \"no body here:\\nI_1 + I_2 < I_3\" at 0.53,0.88 left front tc rgb '{}'\n",
                            colors::grey)
@@ -447,7 +447,7 @@ void draw_flip(const std::filesystem::path& directory) {
     const std::array<Point, 3> places{{{first - 4, -0.72}, {5, 1.14}, {first + 4, 0.62}}};
     std::string plot = "plot ";
     for (std::size_t i = 0; i < 3; ++i) {
-      gnuplot << fmt::format("set label 'ω_{}' at {},{} center front tc rgb '{}'\n", i + 1, places[i].first,
+      gnuplot << fmt::format("set label 'ω̃_{}' at {},{} center front tc rgb '{}'\n", i + 1, places[i].first,
                              places[i].second, axis_colors[i]);
       plot += fmt::format("'-' with lines lw 3 lc rgb '{}'{}", axis_colors[i], i < 2 ? ", " : "\n");
     }
@@ -466,7 +466,7 @@ void draw_flip_law(const std::filesystem::path& directory) {
   }
   draw_figure(directory, "flip_law", {560, 360}, [&](Gnuplot& gnuplot) {
     gnuplot << "unset key; set logscale x; set format x '10^{%T}'; set mxtics 1\n"
-               "set xlabel 'ω_3 at the start (rad/s)'; set ylabel 'time between flips (s)'\n"
+               "set xlabel 'ω̃_3 at the start (rad/s)'; set ylabel 'time between flips (s)'\n"
                "set xrange [1e-6:1]; set yrange [0:60]\n"
             << fmt::format("set label 'exact, 2K(k)/ν' at 3e-5,46 left front tc rgb '{}'\n", colors::blue)
             << fmt::format("set label '(1/σ) ln(16/(1−k²))' at 1.4e-6,25 left front tc rgb '{}'\n", colors::vermilion)
@@ -546,7 +546,7 @@ void animate_racket(const std::filesystem::path& directory) {
                "set lmargin 8; set rmargin 2; set tmargin 0.5; set bmargin 3\n"
             << fmt::format("set border 3 lc rgb '{}'; set ytics nomirror -10,10,10; set xtics nomirror 0.5\n",
                            colors::grey)
-            << "set xlabel 'time (s)'; set ylabel 'ω_2 (rad/s)'\n"
+            << "set xlabel 'time (s)'; set ylabel 'ω̃_2 (rad/s)'\n"
             << fmt::format("set xrange [0:{:.3f}]; set yrange [-12.5:12.5]\n", flight.period)
             << fmt::format("plot $rate with lines lw 2 lc rgb '{0}', $now with points pt 7 ps 1.0 lc rgb '{0}'\n",
                            colors::green)
