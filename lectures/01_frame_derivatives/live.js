@@ -3,7 +3,12 @@
 live("two_sources", {
   about: "A vector V from the axis of a merry-go-round to a child that walks outwards, with the two parts of its rate of change.",
   question: "The child walks straight outwards on the merry-go-round. Which way does it move for somebody on the ground?",
-  choices: ["outwards, along V", "at right angles to V", "outwards and along with the rotation"],
+  choices: {
+    "outwards, along V": "No: this is what one sees on the merry-go-round, which carries the child sideways meanwhile.",
+    "at right angles to V": "No: this is how a child at rest on the merry-go-round would move; this one walks.",
+    "outwards and along with the rotation": "Yes: for the ground, the walk and the motion of the place where it " +
+      "walks add up.",
+  },
   answer: "Both at once: what the child walks, along V, and what the rotating basis adds, ω × V at right angles to it. The further " +
     "out, the more the second wins. Lift the child: ω × V does not change, for only the distance from the axis counts.",
   controls: [slider("omega", "ω", -2, 2, 0.1, 0.6, "rad/s"), slider("walk", "walking", -0.3, 0.3, 0.05, 0.15, "m/s"),
@@ -37,6 +42,8 @@ live("two_sources", {
         scene.arrow(V, tip(rate_body), "blue", "walk");
         scene.arrow(V, tip(carried), "orange", "ω × V");
         if (scene.released) scene.arrow(V, tip(rate), "vermilion", "sum");
+        const expected = [V, cross(m.w, V)][scene.expected];
+        if (expected && norm(expected)) scene.expect([V, tip(times(norm(rate), unit(expected)))]);
         scene.dot(V, "ink", 5);
       },
     },

@@ -27,9 +27,13 @@ function draw_table(scene, angle) {
 live("puck", {
   about: "A puck slides without friction over a turntable that rotates anticlockwise, seen from beside it and by a rider.",
   question: "Seen from outside the puck moves straight. The table rotates anticlockwise. How does a rider see it move?",
-  choices: ["straight", "bent to the left", "bent to the right"],
+  choices: {
+    "straight": "No: it is straight for somebody beside the table, and the rider turns meanwhile.",
+    "bent to the left": "No: the rider turns to the left, and what keeps its direction turns to the right for the rider.",
+    "bent to the right": "Yes: for the rider all directions at rest turn clockwise, that of the velocity too.",
+  },
   answer: "Bent to the right, all the way: the Coriolis force points to the right of the velocity that the rider sees. Let the " +
-    "rider forget a force, or the factor 2: the predicted path leaves the true one (dotted) at once.",
+    "rider forget a force, or the factor 2: the path that the rider predicts leaves the true one at once.",
   controls: [
     choice("law", "The rider counts", ["all fictitious forces", "the Coriolis force alone", "the centrifugal force alone",
       "all, without the factor 2"]),
@@ -41,7 +45,11 @@ live("puck", {
     const path = ridden((p, u) => laws[law](p, u, w), r, minus(v, cross(w, r)), 4, 160);
     const straight = steps(0, 4, 160).map(time => sum(r, times(time, v)));
     const back = straight.map((p, i) => turned(yours.rotated_basis?.(identity, w, -i / 40) ?? rotation(times(-i / 40, w)), p));
-    return { w, path, straight, back, law };
+    // Straight on, and the mirror image of what the rider sees, from the velocity that the rider sees at first.
+    const seen = minus(v, cross(w, r)), along = norm(seen) ? unit(seen) : x_axis;
+    const expected = [steps(0, 4, 160).map(time => sum(r, times(time, seen))),
+      back.map(p => sum(r, minus(times(2 * dot(minus(p, r), along), along), minus(p, r))))];
+    return { w, path, straight, back, law, expected };
   },
   duration: () => 4,
   views: {
@@ -60,6 +68,7 @@ live("puck", {
         const k = Math.floor(40 * time), [r, v] = m.path[k];
         draw_table(scene, 0);
         if (scene.released) scene.line(m.back, "ink", 1.5, { dash: [1, 6] });
+        scene.expect(m.expected[scene.expected]?.slice(0, k + 1));
         scene.line(m.path.slice(0, k + 1).map(([p]) => p), "blue", 3);
         const force = (law, factor, color, name) => scene.arrow(r, sum(r, times(factor, laws[law](r, v, m.w))), color, name);
         if (scene.released && m.law !== 1) force(2, 0.4, "orange", "centrifugal");
@@ -86,7 +95,14 @@ const coriolis = (v, latitude) => yours.coriolis_acceleration?.(v, latitude, pla
 live("foucault", {
   about: "The bob of a pendulum on a planet that rotates far too fast, seen from above, and its place on the globe.",
   question: "On the north pole the plane of swing comes round clockwise once a day. And at 49° north, in Paris?",
-  choices: ["clockwise, in less than a day", "clockwise, in a day", "clockwise, in more than a day", "anticlockwise"],
+  choices: {
+    "clockwise, in less than a day": "No: nowhere does the floor turn about its vertical faster than at the poles, " +
+      "once a day.",
+    "clockwise, in a day": "No: this needs the whole rotation of the Earth about the vertical, which only the poles " +
+      "have.",
+    "clockwise, in more than a day": "Yes: at 49° north the floor turns about its vertical at 0.75 of the Earth's rate.",
+    "anticlockwise": "No: seen from above, the floor turns anticlockwise in the north, and the plane clockwise on it.",
+  },
   answer: "In more than a day: of the rotation only the vertical part Ω sin λ turns the plane. It vanishes on the equator and " +
     "turns the plane anticlockwise in the south. Released at rest on the floor, the bob passes the centre at a distance.",
   controls: [slider("latitude", "latitude", -90, 90, 1, 49, "°"),
@@ -97,7 +113,9 @@ live("foucault", {
     const law = (r, v) => sum(times(-1, r), [...coriolis(v, lambda).slice(0, 2), 0]);
     const sideways = [release ? planet_rate * Math.sin(lambda) : 0, 0, 0];
     return { lambda, law, seconds, path: ridden(law, [0, 1, 0], sideways, seconds, 1000),
-      period: latitude > 0 ? yours.foucault_period?.(lambda, sidereal_day) ?? sidereal_day / Math.sin(lambda) : NaN };
+      // In the south in the same time, the other way round.
+      period: lambda ? yours.foucault_period?.(Math.abs(lambda), sidereal_day) ?? sidereal_day / Math.sin(Math.abs(lambda)) : NaN,
+      turning: lambda ? `${lambda > 0 ? "" : "anti"}clockwise in` : "no turn" };
   },
   duration: m => m.seconds,
   pace: 3,
@@ -111,10 +129,15 @@ live("foucault", {
           scene.text(times(1.16, [Math.sin(i * 90 * degree), Math.cos(i * 90 * degree), 0]), name));
         scene.line(m.path.slice(0, k + 1).map(([r]) => r), "blue", 2);
         scene.line([origin, bob], "grey", 1.5);
+        if (scene.released) {
+          const day = times(1.12, [Math.sin(planet_rate * time), Math.cos(planet_rate * time), 0]);
+          scene.line([times(-1, day), day], "grey", 1, { dash: [4, 5] });
+          scene.text(times(1.08, day), "once a day", "grey");
+        }
         scene.dot(bob, "ink", 6);
       },
     },
-    "The vertical part of the rotation": {
+    "Where it swings": {
       half: 1.7, towards: [0.25, -1, 0.35],
       draw(scene, { lambda }) {
         const up = [Math.cos(lambda), 0, Math.sin(lambda)], north = [-up[2], 0, up[0]];
@@ -124,13 +147,14 @@ live("foucault", {
         scene.line([times(-1.4, z_axis), times(1.4, z_axis)], "grey", 1.5, { dash: [6, 5] });
         scene.line([sum(up, times(-0.2, north)), sum(up, times(0.2, north))], "ink", 2);
         scene.arrow(up, sum(up, [0, 0, 0.6]), "purple", "Ω");
-        scene.arrow(up, sum(up, times(0.6 * up[2], up)), "vermilion", "Ω sin λ", { beside: true });
+        if (scene.released) scene.arrow(up, sum(up, times(0.6 * up[2], up)), "vermilion", "Ω sin λ", { beside: true });
       },
     },
   },
   numbers(m, time) {
     const [r, v] = m.path[Math.round(1000 * time / m.seconds)];
     const [east, north] = coriolis(v, m.lambda);
-    return [["on the Earth, round in", m.period, "h", 3600], ["Coriolis, east", east, "m/s²"], ["Coriolis, north", north, "m/s²"]];
+    return [[`Earth: ${m.turning}`, m.period, "h", 3600], ["Coriolis, east", east, "m/s²"],
+      ["Coriolis, north", north, "m/s²"]];
   },
 });

@@ -29,9 +29,13 @@ const draggable = radius => ({
 });
 
 live("held_spin", {
-  about: "A box rotates about an axis through its centre that bearings hold; its angular momentum L leans away from ω.",
+  about: "A box rotates about an axis through its centre that bearings hold; its angular momentum is L.",
   question: "Bearings hold the axis, and the box rotates about it steadily: ω is constant. What does L do?",
-  choices: ["it points along ω", "it leans away from ω and stays", "it goes round ω with the box"],
+  choices: {
+    "it points along ω": "No: L is along ω only if ω is along a principal axis; this ω is along none.",
+    "it leans away from ω and stays": "No: no torque would act then, but L is fixed in the box, and the box turns.",
+    "it goes round ω with the box": "Yes: I and ω are constant on the axes of the box, and so is L = I·ω.",
+  },
   answer: "L belongs to the box: it goes round with it, on a cone about ω. Its change is the torque ω × L of the bearings. " +
     "Drag ω along an edge of the box: there L points along ω and no torque is needed. The longer the ellipsoid in a " +
     "direction, the smaller the moment about it.",
@@ -66,10 +70,12 @@ live("held_spin", {
           scene.ellipsoid(origin, A.map((axis, i) => times(m.size / Math.sqrt(m.moments[i]), axis)), "blue");
         }, [[origin, times(1.3, m.n), "vermilion", "ω"], ...scene.released ? [[origin, L, "blue", "L"]] : []]);
         if (scene.released) scene.line(m.around, "blue", 1.5, { dash: [3, 4] });
+        const expected = [times(norm(m.around[0]), m.n), m.around[0]][scene.expected];
+        if (expected) scene.expect([origin, expected]);
         scene.dot(times(1.3, m.n), "vermilion", 6);
       },
     },
-    "Energy over directions of ω (full colour: large)": {
+    "Energy over directions of ω: strong where it is large": {
       half: 1.4, towards: [0.75, 1, 0.6], ...draggable(1),
       draw(scene, m) {
         for (const { corners, moment } of m.faces.filter(({ middle }) => dot(middle, scene.towards) > -0.05))

@@ -24,7 +24,12 @@ live("moving_point", {
   about: "A block of 6 kg with edges of 1, 2 and 3 m, and the inertia ellipsoid about a point that moves through it.",
   question: "The point moves from one corner of the block to the opposite one. How do the principal axes at the point lie?",
   shows_end: true,
-  choices: ["along the edges everywhere", "along the edges only at the centre", "along the edges only at the corners"],
+  choices: {
+    "along the edges everywhere": "No: about a corner the block has products of inertia on axes along its edges.",
+    "along the edges only at the centre": "Yes: on this path d, from the centre to the point, lies along no edge, " +
+      "and only at the centre it is zero.",
+    "along the edges only at the corners": "No: at the corners the products −M d d are largest.",
+  },
   answer: "Only at the centre. Elsewhere the term −M d d adds products, unless d lies along an edge: drag the point to the " +
     "middle of a face, and the axes lie along the edges again. Each moment is least where the path is closest to the centre.",
   controls: [slider("x", "x", -0.5, 1.5, 0.05, 1, "m"), slider("y", "y", -0.5, 2.5, 0.05, 2, "m"),

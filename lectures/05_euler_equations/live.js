@@ -11,13 +11,18 @@ const constants = (I, omega) => yours.rotation_invariants?.(I, omega)
 live("integrators", {
   about: "The angular velocity of a free body, exact and as a rule of integration computes it with a chosen step.",
   question: "The explicit Euler rule integrates the free body with steps of 0.1 s. What becomes of the energy?",
-  choices: ["it stays", "it falls", "it swings about its value", "it grows"],
+  choices: {
+    "it stays": "No: the motion keeps T, but a step along the tangent leaves the ellipsoid on which T is constant.",
+    "it falls": "No: the tangents of an ellipsoid lie outside it, where T is larger.",
+    "it swings about its value": "No: every step adds to T, and none takes from it.",
+    "it grows": "Yes: every step goes along a tangent of the ellipsoid of energy, which lies outside it.",
+  },
   answer: "It grows, in jumps, each time the body turns over: every step leaves along the tangent, outwards. Half the step halves " +
     "the drift; a rule of order p divides it by 2ᵖ. Splitting, a problem of this lecture, lets T swing a little and keeps " +
     "L² to rounding: solve it, and ./checker/run live 05 adds it to the rules.",
   controls: [choice("rule", "Rule", ["explicit Euler", "midpoint", "Runge–Kutta", ...yours.splitting_step ? ["your splitting"] : []]),
-    slider("h", "step", 0.02, 0.5, 0.02, 0.1, "s"), slider("w1", "ω₁", -1, 1, 0.05, 0.1, "rad/s"),
-    slider("w2", "ω₂", -1, 1, 0.05, 1, "rad/s"), slider("w3", "ω₃", 0.05, 1, 0.05, 0.1, "rad/s")],
+    slider("h", "step", 0.02, 0.5, 0.02, 0.1, "s"), slider("w1", "ω̃₁", -1, 1, 0.05, 0.1, "rad/s"),
+    slider("w2", "ω̃₂", -1, 1, 0.05, 1, "rad/s"), slider("w3", "ω̃₃", 0.05, 1, 0.05, 0.1, "rad/s")],
   prepare({ rule, h, w1, w2, w3 }) {
     const I = [1, 2, 3], start = [w1, w2, w3], seconds = 60, count = Math.floor(seconds / h);
     const rate = omega => yours.euler_equations?.(I, omega, origin) ?? free_rate(I)(omega);
@@ -34,7 +39,7 @@ live("integrators", {
   duration: m => m.seconds,
   pace: 4,
   views: {
-    "ω leaves the ellipsoid of energy": {
+    "ω and the ellipsoid of energy": {
       half: 1.4, towards: [0.95, 1.15, 0.62],
       draw(scene, m, time) {
         const k = Math.floor(time / m.h), normal = p => p.map((x, i) => m.I[i] * x);
@@ -52,7 +57,7 @@ live("integrators", {
             ({ name, color, points: m.drift.map(row => [row[0], row[i]]) })) });
       },
     },
-    "Components of ω: exact (thin) and by the rule": {
+    "Components of ω in the body: exact, and by the rule": {
       aspect: 3.6,
       draw(scene, m, time) {
         const exact = i => ({ color: "grey", points: m.exact.map((omega, k) => [m.moments[k], omega[i]]) });
@@ -66,6 +71,6 @@ live("integrators", {
     const omega = m.computed[Math.floor(time / m.h)], [T, L2] = constants(m.I, omega);
     const k = Math.floor(400 * time / m.seconds), rest = time - m.moments[k];
     const exact = motion(m.I, m.exact[k], identity, rest, 1, yours.free_rotation)[1];
-    return [["T", T, "J"], ["L²", L2, "kg² m⁴/s²"], ["ω₂ exact", exact.omega[1], "rad/s"]];
+    return [["T", T, "J"], ["L²", L2, "kg² m⁴/s²"], ["ω̃₂ exact", exact.omega[1], "rad/s"]];
   },
 });

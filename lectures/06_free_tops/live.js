@@ -100,12 +100,24 @@ function draw_in_space(scene, m, time, { picture }) {
   if (picture === 0) arrows.push(...axis_arrows(A, m.edges));
   if (picture === 1) arrows.push([center, sum(center, times(1.6, A[2])), "purple", "e₃"]);
   scene.body_with_arrows(bodies[picture], arrows);
+  // e₂ along L, which is upright; e₃ round L the other way, or at rest.
+  if (picture === 0 && scene.expected === 0) scene.expect([origin, z_axis], "e₂ expected");
+  const start = m.at(0).A[2], across = unit(cross(z_axis, start));
+  const expected = [minus(A[2], times(2 * dot(A[2], across), across)), start][scene.expected - 1];
+  if (picture === 1 && expected) scene.expect([center, sum(center, times(1.6, expected))], "e₃ expected");
 }
 
 const free_body = {
   about: "A body that rotates without torque: its angular velocity ω moves along a curve on the ellipsoid of energy.",
   question: "The body is thrown about its intermediate axis e₂, nearly exactly. What will e₂ do in space?",
-  choices: ["it stays near L", "it swings about L a little", "it turns over, again and again"],
+  choices: {
+    "it stays near L": "No: so do the axes of the largest and the smallest moment; near the intermediate one an " +
+      "error grows.",
+    "it swings about L a little": "No: near e₂ the equations have one solution that grows and one that decays, none " +
+      "that oscillates.",
+    "it turns over, again and again": "Yes: the small error grows, and the curve on which ω then moves leads on to " +
+      "−e₂ and back.",
+  },
   answer: "It rests near L for a while, then turns over within a few 1/σ, rests upside down, and turns back. L stays where " +
     "it is. Make the start more exact: the rests grow longer, but no care prevents the next flip.",
   controls: [
@@ -113,8 +125,8 @@ const free_body = {
     choice("picture", "In space", ["the body", "body cone and space cone", "Poinsot: ellipsoid on a plane"]),
     slider("I1", "I₁", 0.5, 4, 0.05, 1, "kg m²"), slider("I2", "I₂", 0.5, 4, 0.05, 2, "kg m²"),
     slider("I3", "I₃", 0.5, 4, 0.05, 3, "kg m²"),
-    slider("w1", "ω₁", 0, 4, 0.01, 0, "rad/s"), slider("w2", "ω₂", 0, 4, 0.01, 0, "rad/s"),
-    slider("w3", "ω₃", 0.01, 4, 0.01, 0, "rad/s")],
+    slider("w1", "ω̃₁", 0, 4, 0.01, 0, "rad/s"), slider("w2", "ω̃₂", 0, 4, 0.01, 0, "rad/s"),
+    slider("w3", "ω̃₃", 0.01, 4, 0.01, 0, "rad/s")],
   starts: {
     "about the intermediate axis": { I1: 1, I2: 2, I3: 3, w1: 0, w2: 3, w3: 0.02, picture: 0 },
     "near the axis of the largest moment": { I1: 1, I2: 2, I3: 3, w1: 0.6, w2: 0.6, w3: 2, picture: 2 },
@@ -153,8 +165,13 @@ live("free_body", free_body);
 
 live("rolling_cones", {
   ...free_body,
-  question: "A long top wobbles. Seen from above, L points at you: which way does e₃ go round L, compared with the spin ω₃?",
-  choices: ["in the same sense", "in the opposite sense", "it stays where it is"],
+  question: "A long top wobbles. Seen from above, L points at you: which way does e₃ go round L, compared with the spin ω̃₃?",
+  choices: {
+    "in the same sense": "Yes: it goes round L at the rate L/I₁, positive for every shape, and e₃ and L are less " +
+      "than 90° apart.",
+    "in the opposite sense": "No: this is what ω does in the body of a long top; in space e₃ goes round with the spin.",
+    "it stays where it is": "No: only L stays; ω has a part across e₃, and that moves e₃.",
+  },
   answer: "In the same sense, at L/I₁, for every top. Only seen from the body does ω go round the other way if the top is long. " +
     "Try the flattened top: there the wide body cone rolls around the narrow space cone inside it.",
   starts: Object.fromEntries(["a long top", "a flattened top"].map(title => [title, free_body.starts[title]])),

@@ -15,7 +15,11 @@ function draw_axes(scene, E, names = axis_names) {
 live("three_turns", {
   about: "A body is rotated three times, each time about one of its own axes; a disc marks the plane of each rotation.",
   question: "The body is rotated by φ about e₃, then by θ about its new e₂, then by ψ about its new e₃. Which of these moves e₃?",
-  choices: ["all three", "the first and the second", "only the second"],
+  choices: {
+    "all three": "No: a rotation about e₃ leaves e₃ where it is, and two of the three are about e₃.",
+    "the first and the second": "No: the first is about e₃ itself; it only chooses the direction of the tilt.",
+    "only the second": "Yes: it is about e₂; the two others are about e₃, which they do not move.",
+  },
   answer: "Only the second: the first and the third are about e₃ itself. Yet φ decides in which direction θ tilts it. In another " +
     "convention the same three numbers mean another attitude.",
   controls: [choice("convention", "Convention", ["z–y–z, ours", "z–x–z, Goldstein", "yaw, pitch, roll (z–y–x)"]),
@@ -31,7 +35,7 @@ live("three_turns", {
   duration: () => 3,
   pace: 0.5,
   views: {
-    "Each turn keeps one axis of the body": {
+    "One turn after the other": {
       half: 1.25, towards: [0.9, -1, 0.65], aspect: 1.5,
       draw(scene, m, time) {
         const turn = Math.min(2, Math.floor(time)), part = time - turn;
@@ -56,7 +60,12 @@ live("three_turns", {
 live("gimbal_passage", {
   about: "A rotor in its gimbals passes near the vertical while it rotates steadily; the rates of its Euler angles.",
   question: "The body rotates steadily at 1 rad/s, so that e₃ passes the vertical at 10°. How large does dφ/dt become?",
-  choices: ["it stays below 1 rad/s", "about 6 rad/s", "infinite"],
+  choices: {
+    "it stays below 1 rad/s": "No: the rates of φ and ψ nearly cancel each other, so each may be far larger than ω.",
+    "about 6 rad/s": "Yes: e₃ passes the vertical at 1 rad/s on a circle of radius sin 10°, which takes φ at 1/sin " +
+      "10° rad/s.",
+    "infinite": "No: only a passage through the vertical itself needs an infinite rate.",
+  },
   answer: "1/sin 10°, about 6 rad/s, and dψ/dt nearly as much in the other sense: the axes of φ and ψ have almost merged, and the " +
     "motion needs the direction across both rings. The body itself feels nothing. Let it pass nearer.",
   controls: [slider("distance", "distance", 1, 60, 1, 10, "°"), slider("spin", "spin about e₃", -1, 1, 0.1, 0, "rad/s")],
@@ -96,7 +105,8 @@ live("gimbal_passage", {
         const most = 1.1 * (scene.released ? largest : 2);
         scene.plot({ x: [0, Math.PI], y: [-most, most], x_name: "time (s)", y_name: "rad/s", now: time,
           curves: ["dφ/dt", "dθ/dt", "dψ/dt"].map((name, i) => ({ name, color: ["blue", "vermilion", "green"][i],
-            points: m.samples.map(({ rates }, k) => [m.moments[k], rates[i]]) })) });
+            points: m.samples.map(({ rates }, k) => [m.moments[k], rates[i]]) })),
+          expected: [[1, -1], [-6, 6]][scene.expected] });
       },
     },
   },

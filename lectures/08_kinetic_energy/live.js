@@ -12,9 +12,15 @@ function state_of(I, q, v) {
 }
 
 live("angles_and_momenta", {
-  about: "The axis of a free body nods while it goes round L, which is upright; its canonical momenta over time.",
+  about: "The axis e₃ of a free body and its angular momentum L, which is upright; its canonical momenta over time.",
   question: "No torque acts, and L is upright. The three moments differ. Which canonical momenta stay constant?",
-  choices: ["all three", "p_φ and p_ψ, not p_θ", "p_φ and p_θ, not p_ψ"],
+  choices: {
+    "all three": "No: p_ψ is L along e₃, and the angle between e₃ and L changes as long as I₁ and I₂ differ.",
+    "p_φ and p_ψ, not p_θ": "No: ψ is cyclic only if I₁ = I₂, and p_θ is zero because the line of nodes is at right " +
+      "angles to L.",
+    "p_φ and p_θ, not p_ψ": "Yes: the vertical and the line of nodes keep their angles with L, which is upright; e₃ " +
+      "does not.",
+  },
   answer: "p_φ is L along the vertical, p_θ is L along the line of nodes, which is level: zero. p_ψ is L along e₃, and e₃ nods as " +
     "long as I₁ and I₂ differ. Make them equal: ψ becomes cyclic, p_ψ constant, and e₃ goes round on a circle.",
   controls: [slider("I1", "I₁", 0.8, 2.4, 0.1, 1, "kg m²"), slider("I2", "I₂", 0.8, 2.4, 0.1, 1.8, "kg m²"),
@@ -50,7 +56,8 @@ live("angles_and_momenta", {
       draw(scene, m, time) {
         scene.plot({ x: [0, m.seconds], y: [-1.15 * m.L, 1.15 * m.L], x_name: "time (s)", y_name: "kg m²/s", now: time,
           curves: ["p_φ", "p_θ", "p_ψ"].map((name, i) => ({ name, color: ["blue", "vermilion", "green"][i],
-            points: m.samples.map(({ momenta }, k) => [m.seconds * k / 300, momenta[i]]) })) });
+            points: m.samples.map(({ momenta }, k) => [m.seconds * k / 300, momenta[i]]) })),
+          expected: [[0, 1, 2], [0, 2]][scene.expected]?.map(i => m.samples[0].momenta[i]) });
       },
     },
   },

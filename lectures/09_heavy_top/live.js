@@ -37,19 +37,25 @@ function measured_nutation(axes, h) {
 }
 
 live("heavy_top", {
-  about: "A top spins on its tip; the tip of its axis draws a path, and its inclination oscillates in a potential well.",
+  about: "A top spins on its tip; the other end of its axis draws a path. Beside it, its effective potential.",
   question: "The axis of the spinning top is held at 30° and then released. What does the axis do?",
-  choices: ["it sinks until the top lies", "it goes round, always at 30°", "it sinks a little, goes round, and comes up again"],
+  choices: {
+    "it sinks until the top lies": "No: so falls a top without spin; to keep p_φ this one must go round, and that " +
+      "takes the energy which sinking sets free.",
+    "it goes round, always at 30°": "No: to stay at 30° it must go round from the start, and this axis starts at rest.",
+    "it sinks a little, goes round, and comes up again": "Yes: to keep p_φ it goes round as it sinks, until that " +
+      "takes all the energy which sinking sets free.",
+  },
   answer: "It sinks and rises between two inclinations while it goes round, and at the top of each arc it is at rest: a cusp. A push " +
     "forwards makes waves, a push backwards loops. Upright the top sleeps, down to the spin at which its well becomes flat.",
   controls: [slider("theta", "θ", 4, 85, 1, 30, "°"), slider("push", "push dφ/dt", -8, 8, 0.2, 0, "rad/s"),
-    slider("spin", "spin ω₃", 40, 300, 5, 150, "rad/s")],
+    slider("spin", "spin ω̃₃", 40, 300, 5, 150, "rad/s")],
   starts: {
-    "released at rest: cusps": { theta: 30, push: 0, spin: 150 },
-    "pushed forwards: waves": { theta: 40, push: 2.6, spin: 200 },
-    "pushed backwards: loops": { theta: 40, push: -5, spin: 200 },
-    "nearly upright and fast: asleep": { theta: 4, push: 0, spin: 250 },
-    "nearly upright and slow: awake": { theta: 4, push: 0, spin: 90 },
+    "released at rest": { theta: 30, push: 0, spin: 150 },
+    "pushed forwards": { theta: 40, push: 2.6, spin: 200 },
+    "pushed backwards": { theta: 40, push: -5, spin: 200 },
+    "nearly upright and fast": { theta: 4, push: 0, spin: 250 },
+    "nearly upright and slow": { theta: 4, push: 0, spin: 90 },
   },
   prepare({ theta, push, spin }) {
     const tilt = theta * degree, rates = [push, 0, spin - push * Math.cos(tilt)], start = [0, tilt, 0];
@@ -85,6 +91,10 @@ live("heavy_top", {
         rim.slice(1).forEach((point, i) => scene.face([foot, rim[i], point], "blue", 0.1));
         scene.face(rim, "blue", 0.35, 1.5);
         scene.line([on_axis(0.75), sum(on_axis(0.75), times(0.42, x))], "ink", 2);
+        const [, , [c, s, up]] = m.samples[0], level = Math.hypot(c, s), end = angle =>
+          sum(foot, times(1.35, [c / level * Math.sin(angle), s / level * Math.sin(angle), Math.cos(angle)]));
+        scene.expect([steps(Math.acos(up), Math.PI / 2, 24).map(end),
+          arc(sum(foot, [0, 0, 1.35 * up]), times(1.35 * level, x_axis), times(1.35 * level, y_axis))][scene.expected]);
         scene.line(m.samples.slice(0, k + 1).map(sample => sum(foot, times(1.35, sample[2]))), "vermilion", 2.2);
         scene.arrow(on_axis(0.75), on_axis(1.35), "purple", "e₃");
       },

@@ -3,14 +3,19 @@
 const crate = [1.2, 2, 2.7], once = 360;  // kg m²; samples in a period of ω
 
 live("herpolhode", {
-  about: "The ellipsoid of a free body rolls on a plane at rest; the point of contact draws the herpolhode in its ring.",
+  about: "The ellipsoid of a free body rolls on a plane at rest; the point of contact draws the herpolhode.",
   question: "After one period of ω the ellipsoid touches the plane with the same point of its surface. Where on the plane?",
-  choices: ["at the same place", "at another place of the ring", "outside the ring"],
+  choices: {
+    "at the same place": "No: ω is back in the body, but the body has not made whole turns about L meanwhile.",
+    "at another place, as far from the foot": "Yes: ω is back in the body, so its length is; the body has turned " +
+      "about L by some angle.",
+    "at another distance from the foot": "No: the distance follows from ω in the body, and that is what it was.",
+  },
   answer: "At another place, at the same distance from the foot: the body has turned about L by an angle that is in general no " +
     "fraction of a full turn. The herpolhode repeats itself, rotated by this angle, and never closes. The angle differs from " +
     "2TP/L by the solid angle that L encloses in the body, up to full turns.",
-  controls: [slider("w1", "ω₁", 0.1, 1, 0.05, 0.4, "rad/s"), slider("w2", "ω₂", -1, -0.1, 0.05, -0.9, "rad/s"),
-    slider("w3", "ω₃", 0.1, 1, 0.05, 0.6, "rad/s")],
+  controls: [slider("w1", "ω̃₁", 0.1, 1, 0.05, 0.4, "rad/s"), slider("w2", "ω̃₂", -1, -0.1, 0.05, -0.9, "rad/s"),
+    slider("w3", "ω̃₃", 0.1, 1, 0.05, 0.6, "rad/s")],
   starts: { "round axis 3": { w1: 0.4, w2: -0.9, w3: 0.6 }, "round axis 1": { w1: 0.9, w2: -0.5, w3: 0.2 } },
   prepare({ w1, w2, w3 }) {
     const omega0 = [w1, w2, w3], momentum = omega => scaled(crate, omega), L_body = momentum(omega0);
@@ -66,7 +71,8 @@ live("herpolhode", {
       draw(scene, m, time) {
         const k = Math.floor(m.count * time / m.seconds), size = 1 / Math.max(...m.contacts.map(([x, y]) => Math.hypot(x, y)));
         const drawn = ([x, y]) => [size * x, size * y, 0];
-        for (const radius of m.radii)
+        if (scene.expected === 0) scene.expect([drawn(m.contacts[0])], "P expected");
+        for (const radius of scene.released ? m.radii : [])
           scene.line(arc(origin, times(size * radius, x_axis), times(size * radius, y_axis)), "grey", 1.2, { dash: [5, 5] });
         scene.line(m.contacts.slice(0, k + 1).map(drawn), "vermilion", 2.2);
         for (let turns = 0; once * turns <= k; ++turns) {

@@ -20,7 +20,7 @@ const [x_axis, y_axis, z_axis] = identity;
 const origin = [0, 0, 0];
 const degree = Math.PI / 180;
 const axis_names = ["e₁", "e₂", "e₃"], axis_colors = ["orange", "green", "purple"];
-const omega_names = ["ω₁", "ω₂", "ω₃"], moment_names = ["I₁", "I₂", "I₃"];
+const omega_names = ["ω̃₁", "ω̃₂", "ω̃₃"], moment_names = ["I₁", "I₂", "I₃"];
 /** count + 1 numbers, equally spaced. */
 const steps = (from, to, count) => Array.from({ length: count + 1 }, (_, i) => from + (to - from) * i / count);
 /** Points of an ellipse with two half axes, or of a part of it. */
@@ -142,6 +142,7 @@ class Scene {
     this.azimuth = this.flat ? -Math.PI / 2 : Math.atan2(y, x);
     this.height = this.flat ? Math.PI / 2 : Math.atan2(z, Math.hypot(x, y));
     this.released = false;  // what is to be predicted must not be seen before
+    this.expected = undefined;  // the number of the choice that the reader has made
   }
 
   /** Clears the picture; of the screen's pixels it may have a part. */
@@ -209,6 +210,18 @@ class Scene {
         start = i + 1;
       }
     }
+  }
+
+  /** What the reader expects, as far as it is in the picture; nothing if there are no points. */
+  expect(points = [], name = "expected") {
+    const outside = points.findIndex(point => Math.max(...[this.right, this.up].map(axis => Math.abs(dot(point, axis)))) > this.half);
+    const seen = outside < 0 ? points : points.slice(0, Math.max(outside, 1));
+    if (!seen.length) return;
+    this.line(seen, "grey", 2, { dash: [7, 6] });
+    this.dot(seen.at(-1), "grey", 3.5);
+    const [from, to] = seen.slice(-2).map(point => this.at(point)), [x, y] = to ? minus(to, from) : [1, 0];
+    if (Math.abs(y) > Math.abs(x)) this.words(name, sum(to, [-9, 0]), "grey", "right");
+    else this.words(name, sum(to ?? from, [0, to ? -13 : 14]), "grey");
   }
 
   face(corners, color, opacity = 0.2, edge = 0) {
@@ -303,8 +316,8 @@ class Scene {
   }
 
   /** Curves over x in a flat view: `x` and `y` are the ranges, a curve is {points, color, name, dash}; a line stands at
-   *  the time `now`, or a dot at `mark`. */
-  plot({ x, y, x_name, y_name, curves, now, mark }) {
+   *  the time `now`, or a dot at `mark`; `expected` are values that the reader expects. */
+  plot({ x, y, x_name, y_name, curves, now, mark, expected = [] }) {
     const [left, right, top, bottom] = [46, this.width - 16, 22, this.high - 38];
     const place = ([u, v]) => [left + (right - left) * (u - x[0]) / (x[1] - x[0]),
       bottom - (bottom - top) * (v - y[0]) / (y[1] - y[0])];
@@ -328,6 +341,8 @@ class Scene {
     c.beginPath();
     c.rect(left, top - 2, right - left, bottom - top + 4);
     c.clip();
+    for (const value of expected) this.line([[x[0], value], [x[1], value]], "grey", 2, { dash: [7, 6] });
+    if (expected.length) this.words("expected", sum(place([x[1], expected[0]]), [-4, 9]), "grey", "right");
     // Before the reader has predicted, only what has happened.
     for (const { points, color, dash } of curves)
       this.line(this.released || mark ? points : points.filter(([u]) => u <= now), color, 2.2, { dash });
@@ -365,7 +380,10 @@ const measured = ([, value, measure = "", size = 1]) => `${shown(value / size)} 
 const definitions = {};
 
 /** Adds a figure. A definition has
- *    question, choices, answer  what the reader predicts before it starts, and what happens
+ *    question, choices, answer  what the reader predicts before it starts: choices by their words, each with one sentence
+ *                               that begins with "Yes" or "No" and says why; and what happens. Until the reader has
+ *                               chosen, neither numbers nor the caption are shown, and what is drawn must not tell
+ *                               either; `scene.released` and `scene.expected` say whether and what
  *    about                      for those who do not see it
  *    controls                   sliders and choices; `values` holds what they are set to, by their names
  *    starts                     if need be: sets of values by their titles, the first at the beginning
@@ -449,18 +467,21 @@ class LiveFigure {
     };
   }
 
-  /** What will happen? Only an answer lets the motion begin. */
+  /** What will happen? Only an answer lets the motion begin, and shows numbers and caption. */
   make_question() {
     const { question, choices, answer } = this.definition;
     const box = element("div", { className: "question" }, text("p", question));
-    box.append(...choices.map(expected => element("button", {
+    box.append(...Object.entries(choices).map(([expected, why], number) => element("button", {
       textContent: expected,
       onclick: () => {
-        box.replaceChildren(text("p", `You expect: ${expected}.`),
-          element("details", {}, text("summary", "What happens"), text("p", answer)));
-        this.settings.disabled = false;
-        for (const { scene } of this.scenes) scene.released = true;
+        this.explanation = element("details", {}, text("summary", "What happens"), text("p", why), text("p", answer));
+        box.replaceChildren(text("p", `You expect: ${expected}.`), this.explanation);
+        this.settings.disabled = this.numbers_box.hidden = false;
+        this.place.closest("figure").classList.add("is-released");
+        for (const { scene } of this.scenes) Object.assign(scene, { released: true, expected: number });
         this.play_button.focus();
+        this.draw();
+        this.speak();
         if (!matchMedia("(prefers-reduced-motion: reduce)").matches) this.play(true);
       },
     })));
@@ -511,12 +532,14 @@ class LiveFigure {
     this.spoken = element("p", { className: "spoken" });
     this.spoken.setAttribute("role", "status");
     this.own = element("p");
-    return element("div", { className: "numbers" }, this.list, this.spoken, this.own);
+    return this.numbers_box = element("div", { className: "numbers", hidden: true }, this.list, this.spoken, this.own);
   }
 
   /** Changes values: one by its name, that of the handle, or several. After another choice the time goes on, else the
    *  motion begins anew. */
   set(values, changed) {
+    // The prediction was for other values.
+    if (Object.keys(values).length) for (const { scene } of this.scenes) scene.expected = undefined;
     Object.assign(this.values, values);
     this.definition.legal?.(this.values, changed);
     for (const control of this.definition.controls) control.show(this.values[control.name]);
@@ -550,7 +573,10 @@ class LiveFigure {
       this.last = now;
       this.adapt(passed);
       this.move_to(this.time + Math.min(passed, 100) / 1000 * (this.definition.pace ?? 1));
-      if (this.time >= this.end) this.play(false);
+      if (this.time >= this.end) {
+        this.play(false);
+        this.explanation.open = true;
+      }
       this.next_frame();
     });
   }
@@ -591,7 +617,7 @@ class LiveFigure {
     }, 300);
   }
 
-  /** Shows the figure in the still picture's place; it rests while it is out of sight. */
+  /** Shows the figure in the place of the still picture and its texts; it rests while it is out of sight. */
   turn_visible() {
     this.place.closest("figure").classList.add("is-live");
     new IntersectionObserver(entries => {

@@ -22,6 +22,46 @@ const pictures = live => live.scenes.reduce((total, { scene: { canvas, context }
   new Uint32Array(context.getImageData(0, 0, canvas.width, canvas.height).data.buffer)
     .reduce((mixed, pixel) => Math.imul(mixed, 31) + pixel | 0, total), 0);
 
+/** What is wrong with the words of a figure: it has a caption of its own, none of its texts names colours, sides or strokes,
+ *  which the still picture may have in another way, and of the choices one is right. */
+function faults_of_words(number) {
+  const figure = places[number].closest("figure"), { definition } = places[number].live;
+  const caption = figure.querySelector("figcaption > .live-caption")?.textContent.trim().replace(/\\\(.*?\\\)/gs, "formula") ?? "";
+  const { question, choices, answer, about, views } = definition, reasons = Object.values(choices);
+  const foreign = new RegExp("\\b(blue|vermilion|red|green|purple|violet|orange|brown|yellow|grey|black|white|" +
+    "dashe[ds]|dott?ed|dots?|thick|thin|heavy part|Left|Right|left-hand|right-hand|[Oo]n the (left|right))\\b");
+  const named = [caption, question, ...Object.keys(choices), ...reasons, answer, about, ...Object.keys(views)]
+    .map(text => text.match(foreign)).filter(Boolean);
+  const faults = named.map(([word]) => `says “${word}”`);
+  if (!caption) faults.push("has no caption of its own");
+  const right = reasons.filter(reason => reason.startsWith("Yes: ")).length;
+  if (right !== 1 || !reasons.every(reason => /^(Yes|No): [^.]+(\.\d[^.]*)*\.$/.test(reason)))
+    faults.push("does not say of each choice in one sentence whether it is right");
+  return faults;
+}
+
+/** The frames that a figure draws left-handed: arrows whose names end in ₁, ₂, ₃. `seen` says how a direction is counted. */
+function left_handed(number, seen = direction => direction) {
+  const { live } = places[number], found = [];
+  for (const { scene } of live.scenes) {
+    const frames = {};
+    scene.arrow = (from, to, color, name = "", ...rest) => {
+      const [, letter, index] = name.match(/^(.*)([₁₂₃])$/) ?? [];
+      const frame = frames[letter] ??= {};
+      if (index) frame[index] = seen(minus(to, from));
+      if (index && Object.keys(frame).length === 3) {
+        if (dot(frame["₁"], cross(frame["₂"], frame["₃"])) <= 0) found.push(letter);
+        delete frames[letter];
+      }
+      Scene.prototype.arrow.call(scene, from, to, color, name, ...rest);
+    };
+    if (dot(scene.right, cross(scene.up, scene.towards)) <= 0) found.push("of the picture");
+  }
+  live.draw();
+  for (const { scene } of live.scenes) delete scene.arrow;
+  return found;
+}
+
 /** What is wrong with the time of a figure: [sentence, …], and the frames per second. Thoroughly, also with what all
  *  figures do alike. */
 async function run_figure(number, thoroughly) {
@@ -34,7 +74,12 @@ async function run_figure(number, thoroughly) {
   };
   expect(await still(60), "moves before the reader has predicted");
   expect(live.settings.disabled, "can be set before the reader has predicted");
+  const secrets = [live.list, live.spoken, places[number].closest("figure").querySelector(".live-caption")];
+  const shown = () => secrets.map(secret => secret.getClientRects().length > 0).join();
+  expect(shown() === "false,false,false", "tells numbers or caption before the reader has predicted");
   places[number].querySelector(".question button").click();
+  expect(shown() === "true,true,true", "has no numbers or caption after the reader has predicted");
+  expect(live.scenes.every(({ scene }) => scene.expected === 0), "forgets what the reader has predicted");
   const [frames, begun] = [live.frames, performance.now()];
   expect(!await still(300), "stands still while it runs");
   const rate = 1000 * (live.frames - frames) / (performance.now() - begun);
@@ -65,7 +110,8 @@ function settings_of(number) {
     }
     live.set({});
     const time = random() * live.end;
-    return { values: { ...live.values }, time, numbers: definition.numbers(definition.prepare(live.values), time).map(row => row[1]) };
+    live.move_to(time);
+    return { left_handed: left_handed(number), values: { ...live.values }, time, numbers: definition.numbers(definition.prepare(live.values), time).map(row => row[1]) };
   });
 }
 
