@@ -88,6 +88,7 @@ file(READ ${site}/notation.html head)
 string(FIND "${head}" "</head>" end)
 string(SUBSTRING "${head}" 0 ${end} head)
 string(REGEX REPLACE "<script src=\"doxygen-awesome[^<]*</script>" "" head "${head}")
+string(REGEX REPLACE "<title>[^<]*" "<title>Rigid Body Workbook" head "${head}")
 file(READ ${CMAKE_CURRENT_LIST_DIR}/book.css style)
 set(html "${head}<style>${style}</style></head><body><div id=\"title\"><h1>Rigid Body Workbook</h1>
 <p>Rotating bodies, derived and computed</p></div>\n<h1 class=\"chapter\">Contents</h1><ol id=\"contents\">${contents}</ol>\n<div class=\"contents\">${chapters}</div></body></html>\n")

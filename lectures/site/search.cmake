@@ -54,7 +54,7 @@ foreach(page IN LISTS pages)
   endforeach()
   cut(text "\\(" "\\)")
   cut(text "\\[" "\\]")
-  string(REGEX MATCH "<title>([^<]*) – Rigid" title "${html}")
+  string(REGEX MATCH "<title>([^<]*)( – Rigid|</title>)" title "${html}")
   plain(page_title "${CMAKE_MATCH_1}")
   # The part before the first heading belongs to the page as a whole.
   set(anchor)
