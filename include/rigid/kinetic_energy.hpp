@@ -25,7 +25,7 @@ namespace rigid {
 /// S1 s18
 double kinetic_energy_euler(const Vector3d& I, const Vector3d& angles, const Vector3d& rates);
 
-/// Kinetic energy of a symmetric body, \f$I_1 = I_2\f$: the angles φ and ψ drop out.
+/// Kinetic energy of a symmetric body, I₁ = I₂: the angles φ and ψ drop out.
 ///
 /// \f[ T = \tfrac12 I_1 (\dot\phi^2 s_\theta^2 + \dot\theta^2) + \tfrac12 I_3 (\dot\phi\, c_\theta + \dot\psi)^2 \f]
 ///

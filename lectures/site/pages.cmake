@@ -50,6 +50,23 @@ foreach(page IN LISTS sequence)
     "<div class=\"neighbours\" role=\"navigation\" aria-label=\"Lectures\">${links_of_${page}}</div>\n")
 endforeach()
 
+# The exercises in the same order, with what follows and precedes each.
+set(before)
+foreach(lecture IN LISTS lectures)
+  file(READ ${source}/lectures/${lecture}/card.json card)
+  string(JSON count LENGTH "${card}" exercises)
+  math(EXPR last "${count} - 1")
+  foreach(index RANGE ${last})
+    read_card(name exercises ${index} name)
+    if(before)
+      string(APPEND links_of_exercise_${name} "\\ref exercise_${before} \"← ${before}\" ")
+      string(APPEND links_of_exercise_${before} "\\ref exercise_${name} \"${name} →\"")
+    endif()
+    set(before ${name})
+  endforeach()
+endforeach()
+
+set(edition)       # what the head of every page says of them
 set(course)        # the list of the first page
 set(all_exercises) # the page of all exercises
 set(navigation)
@@ -63,13 +80,12 @@ foreach(lecture IN LISTS lectures)
   math(EXPR last "${count} - 1")
 
   set(names)
-  set(table "| Exercise | Task | Points |\n|:---------|:-----|-------:|\n")
+  set(list)
   set(pages_of_exercises)
   foreach(index RANGE ${last})
     read_card(name exercises ${index} name)
     read_card(worth exercises ${index} points)
     read_card(anchor exercises ${index} notes)
-    read_card(task exercises ${index} task)
     list(APPEND names ${name})
     # A problem says how hard it is and how long it takes.
     string(JSON difficulty ERROR_VARIABLE is_exercise GET "${card}" exercises ${index} difficulty)
@@ -79,26 +95,38 @@ foreach(lecture IN LISTS lectures)
       string(JSON minutes GET "${card}" exercises ${index} minutes)
       string(REPEAT "★" ${difficulty} stars)
       set(effort "Problem, difficulty ${difficulty} of 3, about ${minutes} minutes: the formula is yours to find. ")
-      set(mark "*Problem ${stars}, ${minutes} min.* ")
+      set(mark "Problem ${stars}, ${minutes} min, ")
     endif()
-    string(APPEND table "| \\ref exercise_${name} \"${name}\" | ${mark}${task} | ${worth} |\n")
     string(APPEND pages_of_exercises "<li><a href=\"exercise_${name}.html\">${name}</a></li>")
     # From the start of a line that holds NAME( and is no comment, to the semicolon.
     if(NOT declarations MATCHES "\n([^/\n][^\n]*[ &]${name}\\([^;]*;)")
       message(FATAL_ERROR "include/rigid/${contract}.hpp does not declare ${name}, though the card of ${lecture} lists it.")
     endif()
     set(declaration "${CMAKE_MATCH_1}")
-    string(CONFIGURE [[# @name@ {#exercise_@name@}
+    # The first sentence of its contract, a paragraph of its own, is the title.
+    string(FIND "${declarations}" "${declaration}" end)
+    string(SUBSTRING "${declarations}" 0 ${end} contract_text)
+    string(FIND "${contract_text}" "\n\n" start REVERSE)
+    string(SUBSTRING "${contract_text}" ${start} -1 contract_text)
+    if(NOT contract_text MATCHES "^\n\n/// (([^\n]|\n/// )*[^\n])\n///\n")
+      message(FATAL_ERROR "include/rigid/${contract}.hpp: the contract of ${name} begins with no paragraph of its own.")
+    endif()
+    string(REPLACE "\n///" "" phrase "${CMAKE_MATCH_1}")
+    string(REGEX REPLACE "\\.$" "" phrase "${phrase}")
+    set(points "points")
+    if(worth EQUAL 1)
+      set(points "point")
+    endif()
+    string(APPEND list "- \\ref exercise_${name} \"${phrase}\"<br>`${name}` ${mark}${worth} ${points}\n")
+    string(CONFIGURE [[# @phrase@ {#exercise_@name@}
 
-@task@
-
-@effort@Lecture \ref lecture_@lecture@ "@title@", points: @worth@; to read first: \ref @anchor@.
+`@name@`. @effort@Lecture \ref lecture_@lecture@ "@title@", points: @worth@; to read first: \ref @anchor@.
 
 ```{.cpp}
 @declaration@
 ```
 
-\copydoc rigid::@name@
+\copydetails rigid::@name@
 
 ## Check yours {#exercise_@name@_check}
 
@@ -118,7 +146,9 @@ When you are stuck, `./checker/run hint @name@` gives a hint, and a further one 
         set(heading "Another route")
       endif()
       string(APPEND text "\n## ${heading} {#exercise_${name}_derivation}\n\n\\answer\n${derivation}\n\\endanswer\n")
+      set(edition "<span id=\"edition\">Instructor's edition</span>")
     endif()
+    string(APPEND text "\n<div class=\"neighbours\" role=\"navigation\" aria-label=\"Exercises\">${links_of_exercise_${name}}</div>\n")
     file(WRITE ${output}/exercises/${name}.md "${text}")
   endforeach()
 
@@ -144,11 +174,11 @@ When you are stuck, `./checker/run hint @name@` gives a hint, and a further one 
 
   file(WRITE ${output}/parts/${lecture}.card.md
     "<div class=\"lecture-card\">${foundations}Its functions: `rigid/${contract}.hpp`.</div>\n")
-  file(WRITE ${output}/parts/${lecture}.exercises.md "<div class=\"exercise-table\">\n\n${table}\n</div>\n")
+  file(WRITE ${output}/parts/${lecture}.exercises.md "<div class=\"exercise-table\">\n\n${list}\n</div>\n")
   list(LENGTH names count)
   string(APPEND course "- \\ref lecture_${lecture} \"${title}\": ${summary} *Exercises: ${count}.*\n")
   # Not a heading of Markdown, whose anchor would need a name.
-  string(APPEND all_exercises "\n<h2>${title}</h2>\n\n${table}")
+  string(APPEND all_exercises "\n<h2>${title}</h2>\n\n${list}")
   string(APPEND navigation "<li><a href=\"lecture_${lecture}.html\">${title}</a>${parts}"
     "<details><summary aria-label=\"${count} exercises of ${title}\">${count} exercises</summary><ul>${pages_of_exercises}</ul></details></li>\n")
 endforeach()
@@ -156,8 +186,13 @@ endforeach()
 file(WRITE ${output}/parts/course.md "${course}")
 file(WRITE ${output}/exercises.md "# Exercises {#exercises}
 
+<div class=\"exercise-table\">
+
 One function each, in the order of the course. A page shows what the function means, its units and its errors, and where the
 notes explain it.
-${all_exercises}")
+${all_exercises}
+</div>
+")
 string(REPLACE "@navigation@" "${navigation}" header "${header}")
+string(REPLACE "@edition@" "${edition}" header "${header}")
 file(WRITE ${output}/header.html "${header}")

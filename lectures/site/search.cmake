@@ -56,6 +56,11 @@ foreach(page IN LISTS pages)
   cut(text "\\[" "\\]")
   string(REGEX MATCH "<title>([^<]*)( – Rigid|</title>)" title "${html}")
   plain(page_title "${CMAKE_MATCH_1}")
+  # How to check an exercise is the same for all, and its derivation is the answer.
+  string(FIND "${text}" "<a class=\"anchor\" id=\"exercise_" end)
+  if(NOT end EQUAL -1)
+    string(SUBSTRING "${text}" 0 ${end} text)
+  endif()
   # The part before the first heading belongs to the page as a whole.
   set(anchor)
   set(title "${page_title}")

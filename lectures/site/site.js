@@ -51,7 +51,7 @@ function search(question) {
     const at = Math.max(body.search(starts[0]), 0);
     found.push({ score, address, page, title, excerpt: (at > 40 ? "… " : "") + text.slice(Math.max(at - 40, 0), at + 80) + " …" });
   }
-  return found.sort((a, b) => b.score - a.score).slice(0, 12);
+  return found.sort((a, b) => b.score - a.score);
 }
 
 /** Loads the words of the site, once; a script, because a file may not fetch a file. */
@@ -76,8 +76,9 @@ function offer_search() {
   const show = () => {
     const question = query.value.trim();
     const found = question.length > 1 ? search(question) : [];
-    status.textContent = question.length < 2 ? "" : found.length ? `${found.length} places` : "No place has these words.";
-    places.replaceChildren(...found.map(place => {
+    status.textContent = question.length < 2 ? "" : !found.length ? "No place has these words."
+      : found.length > 12 ? `The best 12 of ${found.length} places` : `${found.length} places`;
+    places.replaceChildren(...found.slice(0, 12).map(place => {
       const link = Object.assign(document.createElement("a"), { href: place.address });
       const [title, excerpt] = [document.createElement("strong"), document.createElement("span")];
       title.textContent = place.title === place.page ? place.page : `${place.page}: ${place.title}`;
@@ -162,12 +163,40 @@ function shift_to_the_left(fragment) {
   }
 }
 
+/** A call of a function of the course leads to the page of its exercise. */
+function link_calls(exercises) {
+  const pages = new Map(exercises.map(link => [link.textContent, link.getAttribute("href")]));
+  for (const link of document.querySelectorAll(".fragment a")) link.href = pages.get(link.textContent) ?? link.href;
+  const call = new RegExp(`\\b(${[...pages.keys()].join("|")})(?=\\()`);
+  for (const line of document.querySelectorAll(".fragment .line")) {
+    for (let node = line.firstChild; node; node = node.nextSibling) {
+      const found = node.nodeType === Node.TEXT_NODE && node.data.match(call);
+      if (!found || location.pathname.endsWith("/" + pages.get(found[1]))) continue;
+      const name = node.splitText(found.index);
+      name.splitText(found[1].length);
+      name.replaceWith(node = Object.assign(document.createElement("a"), { className: "code", href: pages.get(found[1]), textContent: found[1] }));
+    }
+  }
+}
+
+/** Beside each heading, a link that names the place. */
+function offer_permalinks() {
+  for (const anchor of document.querySelectorAll(".contents :is(h1, h2, h3, h4) > a.anchor[id]:not([id^=autotoc])")) {
+    const link = Object.assign(document.createElement("a"), { className: "permalink", href: "#" + anchor.id, textContent: "#" });
+    link.setAttribute("aria-label", "Link to this paragraph");
+    link.tabIndex = -1;
+    anchor.parentElement.append(link);
+  }
+}
+
 document.querySelectorAll(".fragment").forEach(shift_to_the_left);
 // The book has neither navigation nor anything to press.
 if (document.querySelector("#course")) {
   DoxygenAwesomeFragmentCopyButton.init();
   offer_dark_mode();
   mark_place();
+  link_calls([...document.querySelectorAll("#course a[href^=exercise_]")]);
+  offer_permalinks();
   offer_search();
   find_paragraph();
   document.querySelectorAll("figure > svg:has(.frame)").forEach(offer_motion);

@@ -198,6 +198,8 @@ void Inspection::judge_look(const std::string& page, const json& look) {
   }
   for (const std::string text : look["raw_texts"]) fault(page, fmt::format("“{}” is not meant for readers.", text));
   for (const std::string picture : look["stuck"]) fault(page, fmt::format("{} does not move.", picture));
+  for (const std::string call : look["unlinked"])
+    fault(page, fmt::format("a call of {} does not lead to the page of its exercise.", call));
   for (const std::string landmark : look["landmarks"]) fault(page, fmt::format("the page has no <{}>.", landmark));
   for (const json& picture : look["pictures"]) {
     const std::string name = picture["name"];

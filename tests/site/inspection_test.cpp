@@ -61,6 +61,8 @@ TEST_CASE("each kind of fault on a page is found and named") {
   check_page("undescribed_picture.html", {"square.svg"});
   check_page("undescribed_figure.html", {"A caption alone."});
   check_page("stuck_picture.html", {"figure"});
+  check_page("unlinked_call.html", {"call of cross_matrix", "call of inertial_rate", "exercise_cross_matrix.html",
+                                    "exercise_inertial_rate.html", "exercise_angle.html"});
   check_page("embedded_document.html", {"object#square"});
   check_page("foreign_request.html", {"http://example.org/counter.js"});
   check_page("missing_script.html", {"nowhere.js"});

@@ -300,8 +300,12 @@ TEST_CASE("every live figure starts, runs, rests, obeys, and shows what the func
       check_input(figure);
     }
     resize(390);
-    for (int figure = 0; figure < count; ++figure)
+    for (int figure = 0; figure < count; ++figure) {
       CHECK(evaluate_in(figure, "place.scrollWidth <= place.clientWidth") == true);
+      // Who sets the figure sees its first picture.
+      evaluate_in(figure, "place.querySelector('.settings').scrollIntoView({ block: 'end', behavior: 'instant' })");
+      CHECK(evaluate_in(figure, "place.querySelector('canvas').getBoundingClientRect().top > 0") == true);
+    }
     // Figures are made alike: only the first with every kind of control is judged whole.
     if (!judged && !std::string_view(SITE_AXE).empty() &&
         browser().evaluate("!!document.querySelector('.live select')")) {

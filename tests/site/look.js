@@ -61,6 +61,20 @@
     }).map(named);
   }
 
+  /** Calls of functions of the course that do not lead to the pages of their exercises. */
+  function unlinked_calls() {
+    const names = [...document.querySelectorAll("nav a[href^=exercise_]")].map(link => link.textContent);
+    const wrong = [...document.querySelectorAll(".fragment a")]
+      .filter(link => names.includes(link.textContent) && link.getAttribute("href") !== `exercise_${link.textContent}.html`)
+      .map(link => link.textContent);
+    for (const line of document.querySelectorAll(".fragment .line"))
+      for (const node of line.childNodes)
+        if (node.nodeType === Node.TEXT_NODE)
+          wrong.push(...names.filter(name => !location.pathname.endsWith(`/exercise_${name}.html`) &&
+            new RegExp(`\\b${name}\\(`).test(node.data)));
+    return [...new Set(wrong)];
+  }
+
   const absolute = element => new URL(element.href.baseVal ?? element.href, document.baseURI).href;
 
   return {
@@ -83,6 +97,7 @@
           (figure.querySelector("figcaption")?.textContent || "").trim() !== "",
       }))],
     stuck: stuck_pictures(),
+    unlinked: unlinked_calls(),
     objects: [...document.querySelectorAll("object, embed, iframe")].map(named),
     landmarks: ["main", "nav", "header"].filter(name => !document.querySelector(name)),
     links: [...document.querySelectorAll("a[href], area[href], svg a")].filter(a => a.href)
