@@ -58,7 +58,7 @@ live("moving_point", {
         scene.box(origin, edges.map((edge, i) => times(edge / 4, identity[i])), ["grey", "grey", "grey"], 0.2);
         scene.line([from_center(origin), from_center(m.end)], "ink", 1.5, { dash: [4, 4] });
         scene.dot(origin, "ink", 3);
-        if (scene.released || time === 0) {
+        if (scene.released) {
           scene.ellipsoid(at, axes.map((axis, i) => times(1 / Math.sqrt(moments[i]), axis)), "blue");
           axes.forEach((axis, i) => {
             const half = times(1.25 / Math.sqrt(moments[i]), axis);

@@ -280,8 +280,15 @@ class Scene {
     // Nothing is cut off at a side.
     const width = c.measureText(words).width + 4, before = { left: 0, center: width / 2, right: width }[align];
     const from = Math.max(before, Math.min(this.width - width + before, x));
-    c.strokeText(words, from, y);
-    c.fillText(words, from, y);
+    // A part after _ is a subscript.
+    let at = from - (align === "left" ? 0 : align === "center" ? (width - 4) / 2 : width - 4);
+    c.textAlign = "left";
+    words.split("_").forEach((part, i) => {
+      if (i) c.font = c.font.replace("15px", "11px");
+      c.strokeText(part, at, y + 4 * i);
+      c.fillText(part, at, y + 4 * i);
+      at += c.measureText(part).width;
+    });
   }
 
   /** The ellipsoid with three half axes: its outline and a shade. */
@@ -403,7 +410,9 @@ const element = (tag, properties = {}, ...children) => {
   made.append(...children);
   return made;
 };
-const text = (tag, words) => element(tag, { textContent: words });
+/** I_xx with a subscript. */
+const with_subscripts = words => words.split(/_([a-zφθψ]+)/).map((part, i) => i % 2 ? element("sub", { textContent: part }) : part);
+const text = (tag, words) => element(tag, {}, ...with_subscripts(words));
 
 class LiveFigure {
   constructor(place, definition) {
@@ -427,7 +436,8 @@ class LiveFigure {
       return { title, view, scene };
     });
     return element("div", { className: "views" }, ...this.scenes.map(({ title, view, scene }) =>
-      element("div", { className: view.aspect > 1.5 ? "wide" : "" }, scene.canvas, text("span", title))));
+      element("div", { className: view.aspect > 1.5 ? "wide" : "" }, scene.canvas,
+        text("span", scene.flat ? title : `${title} (drag to turn)`))));
   }
 
   /** With the pointer, and with the arrow keys. A finger that moves up or down scrolls the page. */
@@ -472,7 +482,6 @@ class LiveFigure {
     const { question, choices, answer } = this.definition;
     const box = element("div", { className: "question" }, text("p", question));
     box.append(...Object.entries(choices).map(([expected, why], number) => element("button", {
-      textContent: expected,
       onclick: () => {
         this.explanation = element("details", {}, text("summary", "What happens"), text("p", why), text("p", answer));
         box.replaceChildren(text("p", `You expect: ${expected}.`), this.explanation);
@@ -484,7 +493,7 @@ class LiveFigure {
         this.speak();
         if (!matchMedia("(prefers-reduced-motion: reduce)").matches) this.play(true);
       },
-    })));
+    }, ...with_subscripts(expected))));
     return box;
   }
 
@@ -561,7 +570,7 @@ class LiveFigure {
     if (playing && this.time >= this.end) this.time = 0;
     this.playing = playing;
     this.play_button.textContent = playing ? "Pause" : "Play";
-    Object.assign(this, { last: undefined, interval: 16, pixels: 1, rate: "" });
+    Object.assign(this, { last: undefined, interval: 16, pixels: 1 });
     if (playing) this.next_frame();
     else if (this.model) this.move_to(this.time), this.speak();
   }
@@ -586,7 +595,6 @@ class LiveFigure {
     this.interval += 0.05 * (Math.min(passed, 200) - this.interval);
     if (++this.frames % 60 || this.interval < 20) return;
     this.pixels = Math.max(0.7 * this.pixels, 0.5 / devicePixelRatio);
-    this.rate = ` (${(1000 / this.interval).toFixed(0)} frames/s)`;
   }
 
   draw() {
@@ -598,13 +606,14 @@ class LiveFigure {
     this.numbers = this.definition.numbers(this.model, this.time);
     if (used.size) this.own.textContent = `Computed with your own ${[...used].join(", ")}.`;
     this.time_slider.value = this.time;
-    this.clock.textContent = `${this.time.toFixed(2)} s${this.rate}`;
+    this.clock.textContent = `${this.time.toFixed(2)} s`;
     this.time_slider.setAttribute("aria-valuetext", this.clock.textContent);
     if (this.list.childElementCount !== this.numbers.length)
       this.list.replaceChildren(...this.numbers.map(() => element("div", {}, element("dt"), element("dd"))));
     this.numbers.forEach((number, i) => {
       const [term, text] = this.list.children[i].children;
-      [term.textContent, text.textContent] = [number[0], measured(number)];
+      if (term.textContent !== number[0].replace("_", "")) term.replaceChildren(...with_subscripts(number[0]));
+      text.textContent = measured(number);
     });
   }
 
@@ -612,7 +621,7 @@ class LiveFigure {
   speak() {
     clearTimeout(this.pending);
     this.pending = setTimeout(() => {
-      const numbers = this.numbers.map(number => `${number[0]} ${measured(number)}`).join(", ");
+      const numbers = this.numbers.map(number => `${number[0].replace("_", " ")} ${measured(number)}`).join(", ");
       this.spoken.textContent = `At ${this.time.toFixed(2)} seconds: ${numbers}.`;
     }, 300);
   }

@@ -179,6 +179,15 @@ function link_calls(exercises) {
   }
 }
 
+/** Where there is no room beside the text, its contents are one click away. */
+function offer_contents() {
+  const contents = document.querySelector(".contents > .toc");
+  if (!contents) return;
+  const folded = Object.assign(document.createElement("details"), { className: "contents-of-page" });
+  folded.append(Object.assign(document.createElement("summary"), { textContent: "On this page" }), contents.cloneNode(true));
+  contents.after(folded);
+}
+
 /** Beside each heading, a link that names the place. */
 function offer_permalinks() {
   for (const anchor of document.querySelectorAll(".contents :is(h1, h2, h3, h4) > a.anchor[id]:not([id^=autotoc])")) {
@@ -195,6 +204,7 @@ if (document.querySelector("#course")) {
   DoxygenAwesomeFragmentCopyButton.init();
   offer_dark_mode();
   mark_place();
+  offer_contents();
   link_calls([...document.querySelectorAll("#course a[href^=exercise_]")]);
   offer_permalinks();
   offer_search();
