@@ -10,8 +10,8 @@
 ///
 /// SI units and radians everywhere. A vector named `I` holds principal moments; an `omega` beside it then has its
 /// components on the principal axes. A name says its frame: `_body` components turn with the body, `_inertial` do not.
-/// `A_inertial_from_body` makes inertial components of body components, \f$V_{inertial} = A\,V_{body}\f$, and its
-/// transpose `R_body_from_inertial` goes back.
+/// `A_inertial_from_body` makes inertial components of body components,
+/// \f$\vec V_\inertialframe = \mat A\,\vec V_\bodyframe\f$, and its transpose `R_body_from_inertial` goes back.
 ///
 /// An inertia tensor is symmetric, and none of its principal moments is larger than the sum of the two others. Zero (a
 /// point mass) and the tensor of a body on one straight line are legal where they are not excluded.

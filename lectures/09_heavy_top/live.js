@@ -46,8 +46,8 @@ live("heavy_top", {
     "it sinks a little, goes round, and comes up again": "Yes: to keep p_φ it goes round as it sinks, until that " +
       "takes all the energy which sinking sets free.",
   },
-  answer: "It sinks and rises between two inclinations while it goes round, and at the top of each arc it is at rest: a cusp. A push " +
-    "forwards makes waves, a push backwards loops. Upright the top sleeps, down to the spin at which its well becomes flat.",
+  answer: "It sinks and rises between two inclinations while it goes round, and at the top of each arc it is at rest: a cusp. A small " +
+    "push forwards makes waves, a push backwards loops. Upright the top sleeps, down to the spin at which its well becomes flat.",
   controls: [slider("theta", "θ", 4, 85, 1, 30, "°"), slider("push", "push dφ/dt", -8, 8, 0.2, 0, "rad/s"),
     slider("spin", "spin ω̃₃", 40, 300, 5, 150, "rad/s")],
   starts: {
