@@ -176,6 +176,11 @@ Table patterns() {
   add(table, "no m v", momentum(), outputs(momentum(), momentum_with(1, 1)), "difference difference");
   add(table, "too much m u", momentum(), outputs(momentum(), momentum_with(1.5, 1)), "difference difference");
 
+  Values coarse = outputs(momentum(), right_momentum);
+  for (std::size_t i = 0; i < coarse.size(); ++i)
+    for (double& number : coarse[i].numbers) number *= 1 + 1e-5 * static_cast<double>(i % 3 + 1);
+  add(table, "four digits", momentum(), coarse, "accuracy accuracy");
+
   Values split = outputs(momentum(), right_momentum);
   for (std::size_t i = 0; i < 9; ++i)
     if (momentum().cases[i].inputs[1].numbers[0] < 0) split[i] = vector({static_cast<double>(i), 7, 0});

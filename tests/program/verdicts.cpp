@@ -29,6 +29,8 @@ const std::vector<Answer> answers = {
     {"right by another route", "double e = 0; for (double c : x) e += k * c * c; return e / 2;", "passed"},
     {"right with a line that does nothing", "double y = 2; return 0.5 * k * x.squaredNorm();", "passed"},
     {"a known mistake", "return k * x.squaredNorm();", "wrong_value", "no_half"},
+    {"a known mistake, and no finite number at rest", "const double r = x.norm(); return k * r * r * (r / r);",
+     "non_finite_value", "no_half", 4},
     {"a mistake in some cases", "return k > 3 ? 0.0 : 0.5 * k * x.squaredNorm();", "wrong_value", "", 4},
     {"a small mistake", "return 0.5000001 * k * x.squaredNorm();", "wrong_value", "accuracy"},
     {"a slip of C++", "double factor = 1/2 + k;\nreturn factor * x.squaredNorm();", "wrong_value", "", 4},
@@ -153,9 +155,9 @@ TEST_CASE("a copy without solutions is judged with the seed of its reference res
   const CourseCopy course;
   course.solve("spring_energy");
   const fs::path program = course.root() / "reference/reference_01_springs";
-  const Outcome drawn = run_command(
-      fmt::format("'{}' --lecture 01_springs --seed 5 --adequacy '' --out '{}'", program.string(), course.reference().string()),
-      course.root());
+  const Outcome drawn = run_command(fmt::format("'{}' --lecture 01_springs --seed 5 --adequacy '' --out '{}'",
+                                                program.string(), course.reference().string()),
+                                    course.root());
   REQUIRE_MESSAGE(drawn.status == 0, drawn.said());
   fs::remove(program);
   fs::remove_all(course.root() / "solutions");
@@ -179,4 +181,3 @@ TEST_CASE("what the function printed is shown, and harmless to the terminal") {
   CHECK(printed.at(0).at("case") == 1);
   CHECK(has(printed.at(0).at("text"), "to errors\n"));
 }
-
