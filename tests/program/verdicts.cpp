@@ -29,7 +29,7 @@ const std::vector<Answer> answers = {
     {"right by another route", "double e = 0; for (double c : x) e += k * c * c; return e / 2;", "passed"},
     {"right with a line that does nothing", "double y = 2; return 0.5 * k * x.squaredNorm();", "passed"},
     {"a known mistake", "return k * x.squaredNorm();", "wrong_value", "no_half"},
-    {"a known mistake, and no finite number at rest", "const double r = x.norm(); return k * r * r * (r / r);",
+    {"a known mistake, and no finite number where x_1 = 0", "return k * x.squaredNorm() * (x(0) / x(0));",
      "non_finite_value", "no_half", 4},
     {"a mistake in some cases", "return k > 3 ? 0.0 : 0.5 * k * x.squaredNorm();", "wrong_value", "", 4},
     {"a small mistake", "return 0.5000001 * k * x.squaredNorm();", "wrong_value", "accuracy"},

@@ -255,7 +255,10 @@ TEST_CASE("Solutions and derivations are locked in a copy, and a right function 
     if (derivation.extension() != ".md") continue;
     const std::string lecture = derivation.parent_path().parent_path().filename(), name = derivation.stem();
     CHECK_MESSAGE(fs::exists(copy() / "lectures" / lecture / "handed_out" / (name + ".locked")), name);
-    const std::string text = read(derivation);
+    // Displayed formulas may stand folded in the notes.
+    std::string text = read(derivation);
+    for (std::size_t begin = 0; (begin = text.find("\\f[")) != std::string::npos;)
+      text.erase(begin, text.find("\\f]", begin) + 3 - begin);
     const std::string sentence = squeezed(text.substr(text.size() / 2, 60));
     for (const auto& copied : texts()) CHECK_MESSAGE(!has(copied.second, sentence), copied.first.string());
   }
