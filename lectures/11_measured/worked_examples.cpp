@@ -1,0 +1,384 @@
+// Worked examples of lecture 11. Each case computes the numbers of one paragraph of the notes, which quotes its lines
+// between the marks [NAME in brief], what it prints, and the whole of it.
+#include "lectures/11_measured/throws.hpp"
+#include "lectures/support/agrees.hpp"
+#include "lectures/support/result.hpp"
+
+#include <rigid/free_tops.hpp>
+#include <rigid/measured.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+using namespace rigid;
+using namespace measured;
+using workbook::agrees;
+using workbook::result;
+using workbook::result_table;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double degree = pi / 180;
+
+/// The coefficients of all throws, a column each.
+Matrix3Xd coefficients_of(const std::vector<Flight>& flights) {
+  Matrix3Xd all(3, flights.size());
+  for (std::size_t k = 0; k < flights.size(); ++k)
+    all.col(static_cast<Eigen::Index>(k)) = euler_coefficients(flights[k].t, flights[k].omega);
+  return all;
+}
+
+/// Mean and standard error of each row, a column each.
+Eigen::MatrixXd means_of_rows(const Eigen::MatrixXd& rows) {
+  Eigen::MatrixXd both(rows.rows(), 2);
+  for (Eigen::Index i = 0; i < rows.rows(); ++i)
+    both.row(i) = mean_and_error(VectorXd(rows.row(i).transpose())).transpose();
+  return both;
+}
+
+/// The rate at which |L| falls in a flight, 1/s.
+double decay_of_L(const Flight& flight) { return -log_slope(flight.t, sizes_of_L(flight, racket)); }
+
+/// The samples that a flight would have given without air, in which |L| falls at a steady rate.
+Flight without_air(Flight flight) {
+  const double gamma = decay_of_L(flight);
+  const VectorXd t = flight.t;
+  for (Eigen::Index k = 0; k < t.size(); ++k) {
+    const double before = k > 0 ? t[k - 1] : t[0], middle = (before + t[k]) / 2 - t[0];
+    flight.omega.col(k) *= std::exp(gamma * (t[k] - t[0]));
+    flight.t[k] = k > 0 ? flight.t[k - 1] + (t[k] - before) * std::exp(-gamma * middle) : 0.0;
+  }
+  return flight;
+}
+
+/// The same where |L| falls as it was measured, ripples included.
+Flight without_measured_losses(Flight flight) {
+  const VectorXd share = sizes_of_L(flight, racket) / sizes_of_L(flight, racket)[0], t = flight.t;
+  for (Eigen::Index k = 0; k < t.size(); ++k) {
+    flight.omega.col(k) /= share[k];
+    flight.t[k] = k > 0 ? flight.t[k - 1] + (t[k] - t[k - 1]) * (share[k - 1] + share[k]) / 2 : 0.0;
+  }
+  return flight;
+}
+
+/// The defects of the throws one by one: a, b and c of the same throw are not independent.
+Vector2d mean_defect(const std::vector<Flight>& flights) {
+  const Matrix3Xd abc = coefficients_of(flights);
+  VectorXd defects(abc.cols());
+  for (Eigen::Index k = 0; k < abc.cols(); ++k) defects[k] = rigidity_defect(abc.col(k), Vector3d::Zero())[0];
+  return mean_and_error(defects);
+}
+
+/// The attitude up to each sample.
+std::vector<Matrix3d> attitudes_of(const Flight& flight) {
+  std::vector<Matrix3d> all = {Matrix3d::Identity()};
+  for (Eigen::Index k = 1; k < flight.t.size(); ++k)
+    all.emplace_back(all.back() * attitude_from_rates(flight.t.segment(k - 1, 2), flight.omega.middleCols(k - 1, 2)));
+  return all;
+}
+
+/// The direction of L in space at a sample, for an attitude that is the unit matrix at the first one.
+Vector3d direction_of_L(const Flight& flight, const Matrix3d& A, Eigen::Index k) {
+  return (A * racket.cwiseProduct(Vector3d(flight.omega.col(k)))).normalized();
+}
+
+/// Where the normal of the strings points after the handle has gone once round L: its component along where it was.
+double face_after_a_round(const Flight& flight) {
+  const std::vector<Matrix3d> A = attitudes_of(flight);
+  const Vector3d L = direction_of_L(flight, A[0], 0);
+  double angle = 0;
+  for (std::size_t k = 1; k < A.size(); ++k) {
+    const Vector3d before = L.cross(A[k - 1].col(1)), now = L.cross(A[k].col(1));
+    angle += std::atan2(L.dot(before.cross(now)), before.dot(now));
+    if (angle >= 2 * pi) return A[k](2, 2);
+  }
+  throw std::domain_error("the handle has not gone round");
+}
+
+/// When ω_x goes through zero, s after the beginning, and the number of the sample before.
+std::vector<std::pair<double, Eigen::Index>> zeros_of_x(const Flight& flight) {
+  std::vector<std::pair<double, Eigen::Index>> zeros;
+  for (Eigen::Index k = 1; k < flight.t.size(); ++k) {
+    const double before = flight.omega(0, k - 1), now = flight.omega(0, k);
+    if (before * now < 0)
+      zeros.emplace_back(flight.t[k - 1] + (flight.t[k] - flight.t[k - 1]) * before / (before - now), k);
+  }
+  return zeros;
+}
+
+/// Half of the period of ω, s: the intermediate axis is x, the others are y and z.
+double half_period(const Vector3d& omega) {
+  return tumbling_period({racket[1], racket[0], racket[2]}, {omega[1], omega[0], omega[2]}) / 2;
+}
+
+}  // namespace
+
+// ---- Lines
+
+//! [lines]
+TEST_CASE("lines: Three slopes of one throw") {
+  //! [lines in brief]
+  const Flight flight = throws()[5];
+  const Vector3d abc = euler_coefficients(flight.t, flight.omega);
+  //! [lines in brief]
+
+  // The same lines by orthogonal matrices, and how far the samples lie from them.
+  const Matrix3Xd sums = product_integrals(flight);
+  Vector3d scatter, errors;
+  for (int axis = 0; axis < 3; ++axis) {
+    Eigen::MatrixXd system(flight.t.size(), 2);
+    system << VectorXd::Ones(flight.t.size()), sums.row(axis).transpose();
+    const VectorXd samples = flight.omega.row(axis).transpose();
+    const Vector2d line = system.colPivHouseholderQr().solve(samples);
+    CHECK(agrees(line[1], abc[axis], 1e-11));
+    const VectorXd left = samples - system * line;
+    scatter[axis] = std::sqrt(left.squaredNorm() / static_cast<double>(left.size() - 2));
+    const VectorXd from_mean = sums.row(axis).transpose().array() - sums.row(axis).mean();
+    errors[axis] = scatter[axis] / from_mean.norm();
+  }
+  CHECK(agrees(abc, Vector3d(-0.9910, 0.9668, 0.8577), 1e-4));
+
+  result("(a, b, c)", abc.transpose(), "", "throw 6", 3);
+  result("s", scatter.transpose(), "rad/s", "the deviations of the three components from their lines", 2);
+  result(R"(\Delta)", errors.transpose(), "",
+         "the errors of the slopes that would follow from these, if they were independent", 2);
+}
+//! [lines]
+
+//! [scatter]
+TEST_CASE("scatter: Twelve throws of the same racket") {
+  //! [scatter in brief]
+  const Matrix3Xd abc = coefficients_of(throws());  // a column per throw
+  const Vector2d a = mean_and_error(VectorXd(abc.row(0).transpose()));
+  const Vector2d b = mean_and_error(VectorXd(abc.row(1).transpose()));
+  const Vector2d c = mean_and_error(VectorXd(abc.row(2).transpose()));
+  //! [scatter in brief]
+
+  CHECK(agrees(Vector3d(a[0], b[0], c[0]), Vector3d(-0.99192, 0.97120, 0.85226), 1e-5));
+  CHECK(agrees(Vector3d(a[1], b[1], c[1]), Vector3d(0.00274, 0.00895, 0.00429), 1e-3));
+
+  result("(a, b, c)", Eigen::RowVector3d(a[0], b[0], c[0]), "", "the means", 3);
+  result(R"((\Delta a, \Delta b, \Delta c))", Eigen::RowVector3d(a[1], b[1], c[1]), "", "their standard errors", 2);
+  result(R"(\sqrt{12}\,(\Delta a, \Delta b, \Delta c))", std::sqrt(12.0) * Eigen::RowVector3d(a[1], b[1], c[1]), "",
+         "the scatter from throw to throw", 2);
+}
+//! [scatter]
+
+// ---- The identity
+
+//! [identity]
+TEST_CASE("identity: Is the racket rigid and free?") {
+  //! [identity in brief]
+  const Eigen::MatrixXd abc = means_of_rows(coefficients_of(throws()));  // means, errors
+  const Vector2d D = rigidity_defect(abc.col(0), abc.col(1));
+  //! [identity in brief]
+
+  const Vector2d by_throw = mean_defect(throws());
+  CHECK(agrees(by_throw, Vector2d(0.0100, 0.0042), 2e-2));
+
+  result("D", D[0], "", "of the means", 2);
+  result(R"(\Delta D)", D[1], "", "from the errors of the three means", 2);
+  result(R"(\bar D)", by_throw[0], "", "the mean of the twelve throws", 2);
+  result(R"(\Delta\bar D)", by_throw[1], "", "from their scatter", 2);
+}
+//! [identity]
+
+// ---- Moments
+
+//! [ratios]
+TEST_CASE("ratios: The moments beside that about x") {
+  //! [ratios in brief]
+  const Matrix3Xd abc = coefficients_of(throws());
+  Eigen::MatrixXd ratios(2, 12);
+  for (int k = 0; k < 12; ++k) ratios.col(k) = moment_ratios(abc(0, k), abc(2, k));
+  const Eigen::MatrixXd without_12 = means_of_rows(ratios.leftCols(11));
+  //! [ratios in brief]
+
+  const Eigen::MatrixXd all = means_of_rows(ratios);
+  CHECK(agrees(without_12, Eigen::MatrixXd{{0.08016, 0.00132}, {1.07469, 0.00162}}, 2e-5));
+  CHECK(agrees(racket.tail<2>(), without_12.col(0), 1e-3));
+  // What the ratios say of b, which they were not made from.
+  const double b = (without_12(1, 0) - 1) / without_12(0, 0);
+  CHECK(std::abs(b - mean_and_error(VectorXd(abc.row(1).transpose()))[0]) < 0.06);
+
+  result("I_y/I_x", without_12(0, 0), "", "without throw 12", 3);
+  result(R"(\Delta)", without_12(0, 1), "", "its standard error", 2);
+  result("I_z/I_x", without_12(1, 0), "", "", 4);
+  result(R"(\Delta)", without_12(1, 1), "", "its standard error", 2);
+  result("I_y/I_x", all(0, 0), "", "with throw 12, which begins in the hand", 3);
+  result(R"(\Delta)", all(0, 1), "", "its standard error", 2);
+}
+//! [ratios]
+
+//! [pendulum]
+TEST_CASE("pendulum: The racket hung up by the end of its handle") {
+  //! [pendulum in brief]
+  const double M = 0.285 + 0.17228;  // kg, racket and phone
+  const double g = 9.809;            // m/s²
+  const Vector2d I_x = moment_from_pendulum(M, g, 0.413, 1.436, {0.005, 0.039});
+  const Vector2d I_z = moment_from_pendulum(M, g, 0.413, 1.450, {0.005, 0.023});
+  //! [pendulum in brief]
+
+  const double about_end = M * g * 0.413 * 1.436 * 1.436 / (4 * pi * pi), parallel = M * 0.413 * 0.413;
+  CHECK(agrees(I_x[0], about_end - parallel, 1e-12));
+  CHECK(agrees(I_x, Vector2d(0.01877, 0.00531), 1e-3));
+
+  result("I_O", 1e3 * about_end, "g m²", "about the end, swinging about x", 3);
+  result("M d^2", 1e3 * parallel, "g m²", "", 3);
+  result("I_x", 1e3 * I_x[0], "g m²", "", 3);
+  result(R"(\Delta I_x)", 1e3 * I_x[1], "g m²", "", 2);
+  result("I_z", 1e3 * I_z[0], "g m²", "", 3);
+  result(R"(\Delta I_z)", 1e3 * I_z[1], "g m²", "", 2);
+}
+//! [pendulum]
+
+//! [torsion]
+TEST_CASE("torsion: The racket on a fishing line, and I_x from the throws") {
+  //! [torsion in brief]
+  const VectorXd half{{53.81, 54.70, 52.26, 53.04, 53.49, 52.68, 51.07, 53.04, 52.32}};  // s, the phone alone
+  const Vector2d T_phone = 2 * mean_and_error(half);
+  const double I_phone = 0.17228 * (0.0715 * 0.0715 + 0.1467 * 0.1467) / 12;  // kg m², a plate
+  const double T = 201.9, error_of_T = 4.1;                                   // s, racket and phone about the handle
+  const double I_y = I_phone * std::pow(T / T_phone[0], 2);
+  const double error_of_I_y = 2 * I_y * std::hypot(error_of_T / T, T_phone[1] / T_phone[0]);
+  const double I_x = I_y / 0.0802;  // the ratio of the throws, to 0.0013
+  const double error_of_I_x = I_x * std::hypot(error_of_I_y / I_y, 0.0013 / 0.0802);
+  //! [torsion in brief]
+
+  CHECK(agrees(4 * pi * pi * I_phone / (T_phone[0] * T_phone[0]), 1.347e-6, 1e-3));  // the stiffness of the line, N m
+  CHECK(agrees(I_y, 1.391e-3, 1e-3));
+
+  result(R"(T_\mathrm{phone})", T_phone[0], "s", "", 4);
+  result(R"(\Delta T_\mathrm{phone})", T_phone[1], "s", "", 2);
+  result("I_y", 1e3 * I_y, "g m²", "about the handle", 3);
+  result(R"(\Delta I_y)", 1e3 * error_of_I_y, "g m²", "", 2);
+  result("I_x", 1e3 * I_x, "g m²", "with the ratio from the throws", 3);
+  result(R"(\Delta I_x)", 1e3 * error_of_I_x, "g m²", "", 2);
+}
+//! [torsion]
+
+// ---- What the air does
+
+//! [losses]
+TEST_CASE("losses: L and T fall, and 2T/L² does not") {
+  //! [losses in brief]
+  const std::vector<Flight> flights = throws();
+  VectorXd of_L(12), of_T(12), of_curve(12);
+  for (std::size_t k = 0; k < 12; ++k) {
+    const Flight& flight = flights[k];
+    const VectorXd L = sizes_of_L(flight, racket);
+    const VectorXd twice_T = (racket.asDiagonal() * flight.omega.cwiseAbs2()).colwise().sum();
+    of_L[k] = log_slope(flight.t, L);
+    of_T[k] = log_slope(flight.t, twice_T);
+    of_curve[k] = log_slope(flight.t, twice_T.cwiseQuotient(L.cwiseAbs2()));
+  }
+  //! [losses in brief]
+
+  const Vector2d L = mean_and_error(of_L), T = mean_and_error(of_T), curve = mean_and_error(of_curve);
+  CHECK(agrees(L[0], -0.216, 5e-3));
+  CHECK(agrees(T[0], -0.435, 5e-3));
+  CHECK(std::abs(curve[0]) < 0.01 * std::abs(T[0]));
+
+  result(R"(\dd\ln L/\dd t)", L[0], "1/s", "", 3);
+  result(R"(\Delta)", L[1], "1/s", "its standard error", 1);
+  result(R"(\dd\ln T/\dd t)", T[0], "1/s", "", 3);
+  result(R"(\Delta)", T[1], "1/s", "its standard error", 1);
+  result(R"(\dd\ln(2T/L^2)/\dd t)", curve[0], "1/s", "", 2);
+  result(R"(\Delta)", curve[1], "1/s", "its standard error", 1);
+}
+//! [losses]
+
+//! [clock]
+TEST_CASE("clock: The coefficients without the air") {
+  //! [clock in brief]
+  std::vector<Flight> flights = throws();
+  for (Flight& flight : flights) flight = without_air(flight);
+  const Eigen::MatrixXd abc = means_of_rows(coefficients_of(flights));
+  //! [clock in brief]
+
+  const Vector2d D = mean_defect(flights);
+  std::vector<Flight> rippled = throws();
+  for (Flight& flight : rippled) flight = without_measured_losses(flight);
+  const Vector2d otherwise = mean_defect(rippled);
+  CHECK(agrees(otherwise, Vector2d(-0.00757, 0.00100), 1e-3));
+  CHECK(std::abs(D[0]) < D[1]);
+
+  result("(a, b, c)", abc.col(0).transpose(), "", "the means", 4);
+  result(R"((\Delta a, \Delta b, \Delta c))", abc.col(1).transpose(), "", "their standard errors", 1);
+  result(R"(\bar D)", D[0], "", "the mean of twelve throws", 1);
+  result(R"(\Delta\bar D)", D[1], "", "from their scatter", 2);
+  result(R"(\bar D)", otherwise[0], "", "if the clock follows the measured \\(L\\)", 1);
+  result(R"(\Delta\bar D)", otherwise[1], "", "from their scatter", 1);
+}
+//! [clock]
+
+//! [air]
+TEST_CASE("air: The exact motion beside the samples") {
+  //! [air in brief]
+  const std::vector<Flight> flights = throws();
+  Eigen::MatrixXd table(12, 3);  // throw, misfit without and with air
+  for (int k = 0; k < 12; ++k) {
+    const Flight& flight = flights[static_cast<std::size_t>(k)];
+    table.row(k) << k + 1, misfit(flight, 0), misfit(flight, decay_of_L(flight));
+  }
+  //! [air in brief]
+
+  int better = 0;
+  for (int k = 0; k < 12; ++k) better += table(k, 2) < 0.5 * table(k, 1) ? 1 : 0;
+  CHECK(better >= 9);
+  result_table({"throw", "without air / (rad/s)", "with air / (rad/s)"}, table, 2);
+}
+//! [air]
+
+//! [period]
+TEST_CASE("period: From one zero of omega_x to the next") {
+  //! [period in brief]
+  std::vector<double> of_middle, of_start;
+  for (const Flight& flight : throws()) {
+    const auto zeros = zeros_of_x(flight);
+    for (std::size_t k = 1; k < zeros.size(); ++k) {
+      const auto [begin, first] = zeros[k - 1];
+      const auto [end, last] = zeros[k];
+      of_middle.push_back((end - begin) / half_period(flight.omega.col((first + last) / 2)));
+      of_start.push_back((end - begin) / half_period(flight.omega.col(first)));
+    }
+  }
+  //! [period in brief]
+
+  const Vector2d middle = mean_and_error(VectorXd::Map(of_middle.data(), static_cast<Eigen::Index>(of_middle.size())));
+  const Vector2d start = mean_and_error(VectorXd::Map(of_start.data(), static_cast<Eigen::Index>(of_start.size())));
+  CHECK(agrees(middle[0], 0.992, 3e-3));
+
+  result("n", static_cast<double>(of_middle.size()), "", "intervals");
+  result(R"(\Delta t\big/\tfrac P2)", middle[0], "", "with the period that belongs to the sample half-way", 3);
+  result(R"(\Delta)", middle[1], "", "its standard error", 1);
+  result(R"(\Delta t\big/\tfrac P2)", start[0], "", "with the period that belongs to the sample at the first zero", 3);
+  result(R"(\Delta)", start[1], "", "its standard error", 1);
+}
+//! [period]
+
+// ---- Attitude
+
+//! [direction]
+TEST_CASE("direction: L in space, and the face of the racket") {
+  //! [direction in brief]
+  const std::vector<Flight> flights = throws();
+  Eigen::MatrixXd table(12, 4);
+  for (int k = 0; k < 12; ++k) {
+    const Flight& flight = flights[static_cast<std::size_t>(k)];
+    const Eigen::Index last = flight.t.size() - 1;
+    const Matrix3d A = attitude_from_rates(flight.t, flight.omega);
+    const Vector3d begin = direction_of_L(flight, Matrix3d::Identity(), 0), end = direction_of_L(flight, A, last);
+    const double turned = flight.omega.colwise().norm().mean() * (flight.t[last] - flight.t[0]);
+    table.row(k) << k + 1, turned / degree, std::acos(begin.dot(end)) / degree, face_after_a_round(flight);
+  }
+  //! [direction in brief]
+
+  CHECK(table.col(2).maxCoeff() < 3);
+  CHECK((table.col(3).array() < -0.4).count() == 9);
+  result_table({"throw", "turned by / °", R"(\(\vec L\) off by / °)", R"(\(\unit e_z\) after a round)"}, table, 3);
+}
+//! [direction]
