@@ -2,7 +2,7 @@
 /// The measured throws of lecture 11, for its worked examples and figures.
 #pragma once
 
-#include <rigid/measured.hpp>
+#include <rigid/vocabulary.hpp>
 
 #include <cmath>
 #include <filesystem>
@@ -78,30 +78,31 @@ inline VectorXd sizes_of_L(const Flight& flight, const Vector3d& I) {
 /// The moment about each axis beside that about x, from all throws but the last.
 inline const Vector3d racket(1, 0.0802, 1.0747);
 
-/// What is left of every fourth sample when a motion with this start and this torque of the air is subtracted.
-inline VectorXd deviations(const Flight& flight, const Vector3d& start, double gamma) {
+/// What is left of every fourth sample when a motion is subtracted that gives ω for a start and a time since then.
+template <class Motion>
+VectorXd deviations(const Flight& flight, const Motion& motion, const Vector3d& start) {
   constexpr Eigen::Index every = 4;
   const Eigen::Index count = (flight.t.size() + every - 1) / every;
   VectorXd all(3 * count);
   for (Eigen::Index k = 0; k < count; ++k)
-    all.segment<3>(3 * k) =
-        damped_rotation(racket, start, gamma, flight.t[every * k] - flight.t[0]) - flight.omega.col(every * k);
+    all.segment<3>(3 * k) = motion(start, flight.t[every * k] - flight.t[0]) - flight.omega.col(every * k);
   return all;
 }
 
-/// The start with which the motion fits the samples of a flight best: Gauss and Newton, with Marquardt's damping.
-inline Vector3d fitted_start(const Flight& flight, double gamma) {
+/// The start with which a motion fits the samples of a flight best: Gauss and Newton, with Marquardt's damping.
+template <class Motion>
+Vector3d fitted_start(const Flight& flight, const Motion& motion) {
   Vector3d start = flight.omega.col(0);
-  VectorXd left = deviations(flight, start, gamma);
+  VectorXd left = deviations(flight, motion, start);
   double damping = 1e-3;
   for (int step = 0; step < 25 && damping < 1e6; ++step) {
     constexpr double h = 1e-5;
     Eigen::MatrixXd slopes(left.size(), 3);
-    for (int i = 0; i < 3; ++i) slopes.col(i) = (deviations(flight, start + h * Vector3d::Unit(i), gamma) - left) / h;
+    for (int i = 0; i < 3; ++i) slopes.col(i) = (deviations(flight, motion, start + h * Vector3d::Unit(i)) - left) / h;
     const Matrix3d normal = slopes.transpose() * slopes;
     const Matrix3d damped = normal + damping * Matrix3d(normal.diagonal().asDiagonal());
     const Vector3d change = -damped.ldlt().solve(slopes.transpose() * left);
-    const VectorXd then = deviations(flight, start + change, gamma);
+    const VectorXd then = deviations(flight, motion, start + change);
     if (then.norm() < left.norm()) {
       start += change;
       left = then;
@@ -112,12 +113,6 @@ inline Vector3d fitted_start(const Flight& flight, double gamma) {
     }
   }
   return start;
-}
-
-/// The root mean square of these deviations, per component.
-inline double misfit(const Flight& flight, double gamma) {
-  const VectorXd left = deviations(flight, fitted_start(flight, gamma), gamma);
-  return left.norm() / std::sqrt(static_cast<double>(left.size()));
 }
 
 }  // namespace measured

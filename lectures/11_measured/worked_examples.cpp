@@ -98,6 +98,14 @@ double face_after_a_round(const Flight& flight) {
   throw std::domain_error("the handle has not gone round");
 }
 
+/// The root mean square of what is left of the samples, per component, when the motion in air that fits them best is
+/// subtracted.
+double misfit(const Flight& flight, double gamma) {
+  const auto motion = [gamma](const Vector3d& start, double t) { return damped_rotation(racket, start, gamma, t); };
+  const VectorXd left = deviations(flight, motion, fitted_start(flight, motion));
+  return left.norm() / std::sqrt(static_cast<double>(left.size()));
+}
+
 /// When ω_x goes through zero, s after the beginning, and the number of the sample before.
 std::vector<std::pair<double, Eigen::Index>> zeros_of_x(const Flight& flight) {
   std::vector<std::pair<double, Eigen::Index>> zeros;
