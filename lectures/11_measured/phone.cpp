@@ -329,7 +329,8 @@ void report(const Recording& all) {
     const Recording& flight = flights[k];
     const Vector3d abc = euler_coefficients(flight.t, flight.omega);
     const auto column = static_cast<Index>(k);
-    results.col(column) << abc, moment_ratios(abc[0], abc[2]);
+    const Vector2d ratios = moment_ratios(abc[0], abc[2]);
+    results.col(column) << abc, ratios;
     const double from = flight.t[0], to = flight.t[flight.t.size() - 1];
     std::cout << shown("%7.2f %7.2f s", from, to);
     for (Index i = 0; i < 5; ++i) std::cout << shown("%9.4f", results(i, column));

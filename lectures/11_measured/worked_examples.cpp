@@ -330,7 +330,8 @@ TEST_CASE("air: The exact motion beside the samples") {
   Eigen::MatrixXd table(12, 3);  // throw, misfit without and with air
   for (int k = 0; k < 12; ++k) {
     const Flight& flight = flights[static_cast<std::size_t>(k)];
-    table.row(k) << k + 1, misfit(flight, 0), misfit(flight, decay_of_L(flight));
+    const double without_air = misfit(flight, 0), in_air = misfit(flight, decay_of_L(flight));
+    table.row(k) << k + 1, without_air, in_air;
   }
   //! [air in brief]
 
@@ -381,7 +382,8 @@ TEST_CASE("direction: L in space, and the face of the racket") {
     const Matrix3d A = attitude_from_rates(flight.t, flight.omega);
     const Vector3d begin = direction_of_L(flight, Matrix3d::Identity(), 0), end = direction_of_L(flight, A, last);
     const double turned = flight.omega.colwise().norm().mean() * (flight.t[last] - flight.t[0]);
-    table.row(k) << k + 1, turned / degree, std::acos(begin.dot(end)) / degree, face_after_a_round(flight);
+    const double off = std::acos(begin.dot(end)), face = face_after_a_round(flight);
+    table.row(k) << k + 1, turned / degree, off / degree, face;
   }
   //! [direction in brief]
 
