@@ -28,7 +28,7 @@ PlaneCurve points_of(const VectorXd& x, const VectorXd& y) {
 
 /// One throw: the samples, and the motion in air that fits them.
 void draw_flight(const std::filesystem::path& directory) {
-  const Flight flight = throws()[5];
+  const Flight flight = racket_throws()[5];
   const double gamma = -log_slope(flight.t, sizes_of_L(flight, racket));
   const auto motion = [gamma](const Vector3d& start, double t) { return damped_rotation(racket, start, gamma, t); };
   const Vector3d start = fitted_start(flight, motion);
@@ -59,7 +59,7 @@ void draw_flight(const std::filesystem::path& directory) {
 
 /// The same samples over the running integrals: three lines.
 void draw_lines(const std::filesystem::path& directory) {
-  const Flight flight = throws()[5];
+  const Flight flight = racket_throws()[5];
   const Matrix3Xd sums = product_integrals(flight);
   const Vector3d slopes = euler_coefficients(flight.t, flight.omega);
   constexpr std::array<const char*, 3> below{"∫ω_yω_z dt (rad^2/s)", "∫ω_zω_x dt (rad^2/s)", "∫ω_xω_y dt (rad^2/s)"};
@@ -78,11 +78,11 @@ void draw_lines(const std::filesystem::path& directory) {
     for (int i = 0; i < 3; ++i) {
       const auto at = static_cast<std::size_t>(i);
       gnuplot << fmt::format(
-          "set key {}\nset xlabel '{}'\nset ylabel 'ω_{} (rad/s)'\n"
+          "set key {}\nset ytics {}\nset xlabel '{}'\nset ylabel 'ω_{} (rad/s)'\n"
           "plot $samples{} with points pt 7 ps 0.4 lc rgb '{}' notitle, "
           "$line{} with lines lw 1.5 lc rgb '{}' title 'slope {:.3f}'\n",
-          i == 0 ? "top right" : "top left", below.at(at), axis_names.at(at), i, axis_colors.at(at), i, colors::black,
-          slopes[i]);
+          i == 0 ? "top right" : "top left", i == 1 ? 4 : 10, below.at(at), axis_names.at(at), i, axis_colors.at(at), i,
+          colors::black, slopes[i]);
     }
     gnuplot << "unset multiplot\n";
   });
@@ -90,7 +90,7 @@ void draw_lines(const std::filesystem::path& directory) {
 
 /// The coefficients of twelve throws, and their means with error bars.
 void draw_coefficients(const std::filesystem::path& directory) {
-  const std::vector<Flight> flights = throws();
+  const std::vector<Flight> flights = racket_throws();
   Matrix3Xd all(3, flights.size());
   for (std::size_t k = 0; k < flights.size(); ++k)
     all.col(static_cast<Eigen::Index>(k)) = euler_coefficients(flights[k].t, flights[k].omega);
@@ -129,7 +129,7 @@ void draw_polhodes(const std::filesystem::path& directory) {
     std::string plot = "plot ";
     std::vector<PlaneCurve> all;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-      const Flight flight = throws()[numbers.at(i) - 1];
+      const Flight flight = racket_throws()[numbers.at(i) - 1];
       const VectorXd L = sizes_of_L(flight, racket);
       const VectorXd twice_T = (racket.asDiagonal() * flight.omega.cwiseAbs2()).colwise().sum().transpose();
       const double e = twice_T.cwiseQuotient(L.cwiseAbs2()).mean();

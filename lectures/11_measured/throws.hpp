@@ -23,7 +23,7 @@ struct Flight {
 };
 
 /// The throws of racket_throws.csv, which lies beside this file, in order.
-inline std::vector<Flight> throws() {
+inline std::vector<Flight> racket_throws() {
   const std::filesystem::path file = std::filesystem::path(__FILE__).parent_path() / "racket_throws.csv";
   std::ifstream lines(file);
   std::vector<std::vector<std::vector<double>>> samples;

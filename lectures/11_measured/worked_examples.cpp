@@ -129,7 +129,7 @@ double half_period(const Vector3d& omega) {
 //! [lines]
 TEST_CASE("lines: Three slopes of one throw") {
   //! [lines in brief]
-  const Flight flight = throws()[5];
+  const Flight flight = racket_throws()[5];
   const Vector3d abc = euler_coefficients(flight.t, flight.omega);
   //! [lines in brief]
 
@@ -159,7 +159,7 @@ TEST_CASE("lines: Three slopes of one throw") {
 //! [scatter]
 TEST_CASE("scatter: Twelve throws of the same racket") {
   //! [scatter in brief]
-  const Matrix3Xd abc = coefficients_of(throws());  // a column per throw
+  const Matrix3Xd abc = coefficients_of(racket_throws());  // a column per throw
   const Vector2d a = mean_and_error(VectorXd(abc.row(0).transpose()));
   const Vector2d b = mean_and_error(VectorXd(abc.row(1).transpose()));
   const Vector2d c = mean_and_error(VectorXd(abc.row(2).transpose()));
@@ -180,11 +180,11 @@ TEST_CASE("scatter: Twelve throws of the same racket") {
 //! [identity]
 TEST_CASE("identity: Is the racket rigid and free?") {
   //! [identity in brief]
-  const Eigen::MatrixXd abc = means_of_rows(coefficients_of(throws()));  // means, errors
+  const Eigen::MatrixXd abc = means_of_rows(coefficients_of(racket_throws()));  // means, errors
   const Vector2d D = rigidity_defect(abc.col(0), abc.col(1));
   //! [identity in brief]
 
-  const Vector2d by_throw = mean_defect(throws());
+  const Vector2d by_throw = mean_defect(racket_throws());
   CHECK(agrees(by_throw, Vector2d(0.0100, 0.0042), 2e-2));
 
   result("D", D[0], "", "of the means", 2);
@@ -199,7 +199,7 @@ TEST_CASE("identity: Is the racket rigid and free?") {
 //! [ratios]
 TEST_CASE("ratios: The moments beside that about x") {
   //! [ratios in brief]
-  const Matrix3Xd abc = coefficients_of(throws());
+  const Matrix3Xd abc = coefficients_of(racket_throws());
   Eigen::MatrixXd ratios(2, 12);
   for (int k = 0; k < 12; ++k) ratios.col(k) = moment_ratios(abc(0, k), abc(2, k));
   const Eigen::MatrixXd without_12 = means_of_rows(ratios.leftCols(11));
@@ -247,20 +247,20 @@ TEST_CASE("pendulum: The racket hung up by the end of its handle") {
 TEST_CASE("torsion: The racket on a fishing line, and I_x from the throws") {
   //! [torsion in brief]
   const VectorXd half{{53.81, 54.70, 52.26, 53.04, 53.49, 52.68, 51.07, 53.04, 52.32}};  // s, the phone alone
-  const Vector2d T_phone = 2 * mean_and_error(half);
+  const Vector2d P_phone = 2 * mean_and_error(half);
   const double I_phone = 0.17228 * (0.0715 * 0.0715 + 0.1467 * 0.1467) / 12;  // kg m², a plate
-  const double T = 201.9, error_of_T = 4.1;                                   // s, racket and phone about the handle
-  const double I_y = I_phone * std::pow(T / T_phone[0], 2);
-  const double error_of_I_y = 2 * I_y * std::hypot(error_of_T / T, T_phone[1] / T_phone[0]);
+  const double P = 201.9, error_of_P = 4.1;                                   // s, racket and phone about the handle
+  const double I_y = I_phone * std::pow(P / P_phone[0], 2);
+  const double error_of_I_y = 2 * I_y * std::hypot(error_of_P / P, P_phone[1] / P_phone[0]);
   const double I_x = I_y / 0.0802;  // the ratio of the throws, to 0.0013
   const double error_of_I_x = I_x * std::hypot(error_of_I_y / I_y, 0.0013 / 0.0802);
   //! [torsion in brief]
 
-  CHECK(agrees(4 * pi * pi * I_phone / (T_phone[0] * T_phone[0]), 1.347e-6, 1e-3));  // the stiffness of the line, N m
+  CHECK(agrees(4 * pi * pi * I_phone / (P_phone[0] * P_phone[0]), 1.347e-6, 1e-3));  // the stiffness of the line, N m
   CHECK(agrees(I_y, 1.391e-3, 1e-3));
 
-  result(R"(T_\mathrm{phone})", T_phone[0], "s", "", 4);
-  result(R"(\Delta T_\mathrm{phone})", T_phone[1], "s", "", 2);
+  result(R"(P_\mathrm{phone})", P_phone[0], "s", "", 4);
+  result(R"(\Delta P_\mathrm{phone})", P_phone[1], "s", "", 2);
   result("I_y", 1e3 * I_y, "g m²", "about the handle", 3);
   result(R"(\Delta I_y)", 1e3 * error_of_I_y, "g m²", "", 2);
   result("I_x", 1e3 * I_x, "g m²", "with the ratio from the throws", 3);
@@ -273,7 +273,7 @@ TEST_CASE("torsion: The racket on a fishing line, and I_x from the throws") {
 //! [losses]
 TEST_CASE("losses: L and T fall, and 2T/L² does not") {
   //! [losses in brief]
-  const std::vector<Flight> flights = throws();
+  const std::vector<Flight> flights = racket_throws();
   VectorXd of_L(12), of_T(12), of_curve(12);
   for (std::size_t k = 0; k < 12; ++k) {
     const Flight& flight = flights[k];
@@ -284,6 +284,19 @@ TEST_CASE("losses: L and T fall, and 2T/L² does not") {
     of_curve[k] = log_slope(flight.t, twice_T.cwiseQuotient(L.cwiseAbs2()));
   }
   //! [losses in brief]
+
+  // A torque −β ω with the same decay of L, from the angle between ω and L at all samples.
+  VectorXd against_omega(12);
+  for (std::size_t k = 0; k < 12; ++k) {
+    const Flight& flight = flights[k];
+    double sum = 0;
+    for (Eigen::Index i = 0; i < flight.t.size(); ++i) {
+      const Vector3d omega = flight.omega.col(i), L = racket.cwiseProduct(omega);
+      sum += omega.cross(L).squaredNorm() / std::pow(omega.dot(L), 2);
+    }
+    against_omega[static_cast<Eigen::Index>(k)] =
+        2 * sum / static_cast<double>(flight.t.size()) * of_L[static_cast<Eigen::Index>(k)];
+  }
 
   const Vector2d L = mean_and_error(of_L), T = mean_and_error(of_T), curve = mean_and_error(of_curve);
   CHECK(agrees(L[0], -0.216, 5e-3));
@@ -296,19 +309,21 @@ TEST_CASE("losses: L and T fall, and 2T/L² does not") {
   result(R"(\Delta)", T[1], "1/s", "its standard error", 1);
   result(R"(\dd\ln(2T/L^2)/\dd t)", curve[0], "1/s", "", 2);
   result(R"(\Delta)", curve[1], "1/s", "its standard error", 1);
+  result(R"(\dd\ln(2T/L^2)/\dd t)", against_omega.mean(), "1/s", "if the torque were opposite to \\(\\vec\\omega\\)",
+         2);
 }
 //! [losses]
 
 //! [clock]
 TEST_CASE("clock: The coefficients without the air") {
   //! [clock in brief]
-  std::vector<Flight> flights = throws();
+  std::vector<Flight> flights = racket_throws();
   for (Flight& flight : flights) flight = without_air(flight);
   const Eigen::MatrixXd abc = means_of_rows(coefficients_of(flights));
   //! [clock in brief]
 
   const Vector2d D = mean_defect(flights);
-  std::vector<Flight> rippled = throws();
+  std::vector<Flight> rippled = racket_throws();
   for (Flight& flight : rippled) flight = without_measured_losses(flight);
   const Vector2d otherwise = mean_defect(rippled);
   CHECK(agrees(otherwise, Vector2d(-0.00757, 0.00100), 1e-3));
@@ -326,7 +341,7 @@ TEST_CASE("clock: The coefficients without the air") {
 //! [air]
 TEST_CASE("air: The exact motion beside the samples") {
   //! [air in brief]
-  const std::vector<Flight> flights = throws();
+  const std::vector<Flight> flights = racket_throws();
   Eigen::MatrixXd table(12, 3);  // throw, misfit without and with air
   for (int k = 0; k < 12; ++k) {
     const Flight& flight = flights[static_cast<std::size_t>(k)];
@@ -346,7 +361,7 @@ TEST_CASE("air: The exact motion beside the samples") {
 TEST_CASE("period: From one zero of omega_x to the next") {
   //! [period in brief]
   std::vector<double> of_middle, of_start;
-  for (const Flight& flight : throws()) {
+  for (const Flight& flight : racket_throws()) {
     const auto zeros = zeros_of_x(flight);
     for (std::size_t k = 1; k < zeros.size(); ++k) {
       const auto [begin, first] = zeros[k - 1];
@@ -374,7 +389,7 @@ TEST_CASE("period: From one zero of omega_x to the next") {
 //! [direction]
 TEST_CASE("direction: L in space, and the face of the racket") {
   //! [direction in brief]
-  const std::vector<Flight> flights = throws();
+  const std::vector<Flight> flights = racket_throws();
   Eigen::MatrixXd table(12, 4);
   for (int k = 0; k < 12; ++k) {
     const Flight& flight = flights[static_cast<std::size_t>(k)];
