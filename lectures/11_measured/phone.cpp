@@ -257,7 +257,7 @@ std::string with_error(const VectorXd& values) {
 
 /// The samples of one axis over the integral of the product of the two others, with the line of your slope.
 std::string picture(const Recording& flight, int axis, double slope) {
-  constexpr double width = 300, height = 200, margin = 30;
+  constexpr double width = 340, height = 200, margin = 25;
   const Matrix3Xd steps = steps_of_products(flight.t, flight.omega);
   VectorXd sum = VectorXd::Zero(flight.t.size());
   for (Index k = 1; k < sum.size(); ++k) sum[k] = sum[k - 1] + steps(axis, k - 1);
@@ -272,7 +272,7 @@ std::string picture(const Recording& flight, int axis, double slope) {
   svg << "</g><line stroke='#B84300' x1='" << x(left) << "' x2='" << x(right) << "' y1='"
       << y(omega.mean() + slope * (left - sum.mean())) << "' y2='" << y(omega.mean() + slope * (right - sum.mean()))
       << "'/><text x='" << margin << "' y='18'>ω_"
-      << "xyz"[axis] << " from " << shown("%.1f to %.1f", low, high) << " rad/s, slope " << shown("%.4f", slope)
+      << "xyz"[axis] << ": " << shown("%.1f to %.1f", low, high) << " rad/s, slope " << shown("%.4f", slope)
       << "</text></svg>\n";
   return svg.str();
 }

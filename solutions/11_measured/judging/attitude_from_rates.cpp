@@ -103,4 +103,5 @@ void judge_attitude_from_rates(Lecture& lecture) {
     }
     return A;
   });
+  e.survivor("0.5 * 1", "The index is cut to the same whole number.");
 }

@@ -84,4 +84,9 @@ void judge_damped_rotation(Lecture& lecture) {
                  [&](const Vector3d& M) -> Vector3d { return cross(M, M.cwiseQuotient(I)) - gamma * M; });
     return L.cwiseQuotient(I);
   });
+  e.survivor("double size = ", "ω and time are scaled by it in opposite ways.");
+  e.survivor("-size == 0", "Zero has no sign.");
+  e.survivor("gamma == 0 ?", "Zero has no sign, and no multiple.");
+  e.survivor("make_controlled(", "Tolerances nearby reach the accuracy that is asked for.");
+  e.survivor("integrate_adaptive(", "The stepper corrects its first step.");
 }

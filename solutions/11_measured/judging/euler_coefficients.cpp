@@ -136,4 +136,9 @@ void judge_euler_coefficients(Lecture& lecture) {
       "No gyroscope gives such small numbers, and a fit by orthogonal matrices takes their sums for zero.";
   e.survivor("below 1e-09 taken for zero", tiny);
   e.survivor("below 1e-06 taken for zero", tiny);
+  e.survivor("(axis + 4)", "The remainder is the same.");
+  e.survivor("(axis + 8)", "The remainder is the same.");
+  e.survivor("% -3", "The remainder is the same.");
+  e.survivor("without the transpose", "Eigen makes a column of a row here.");
+  e.survivor("0.5 * 1", "The index is cut to the same whole number.");
 }

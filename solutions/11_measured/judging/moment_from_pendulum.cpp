@@ -114,4 +114,9 @@ void judge_moment_from_pendulum(Lecture& lecture) {
     const double by_T = (moment(M, g, d, 1.5 * P) - moment(M, g, d, 0.5 * P)) / P;
     return Vector2d(moment(M, g, d, P), Vector2d(by_d * errors[0], by_T * errors[1]).norm());
   });
+  e.survivor("pi = -", "It enters squared.");
+  e.survivor("from_distance = -", "It enters squared.");
+  e.survivor("from_period = -", "It enters squared.");
+  e.survivor("-from_distance", "It enters squared.");
+  e.survivor("- from_period", "It enters squared.");
 }

@@ -65,4 +65,5 @@ void judge_rigidity_defect(Lecture& lecture) {
     const Matrix3d covariance = errors.cwiseAbs2().asDiagonal();
     return Vector2d(k[0] + (k[1] + (k[2] + k[0] * k[1] * k[2])), sqrt(slopes.dot(Vector3d(covariance * slopes))));
   });
+  e.survivor("-errors", "Only the length of the product enters.");
 }
