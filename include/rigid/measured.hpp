@@ -90,19 +90,20 @@ Vector2d moment_ratios(double a, double c);
 
 /// The moment of inertia about the centre of mass from the swing of a body hung up by one end, with its error.
 ///
-/// The body swings with a small amplitude about a fixed horizontal axis, without friction. Its mass and g are known well;
-/// the distance and the period have independent standard errors, which are small.
+/// The body swings with a small amplitude about a fixed horizontal axis, without friction. Its mass and g are known
+/// well; the distance and the period have independent standard errors, which are small.
 ///
-/// @param M       mass, kg
-/// @param g       gravity, m/s²
-/// @param d       distance of the centre of mass from the axis, m
-/// @param P       period of a full swing to and fro, s
-/// @param errors  standard errors of d, in m, and of P, in s
-/// @return        {moment about the parallel axis through the centre of mass, its standard error}, kg m²
+/// @param M        mass, kg
+/// @param g        gravity, m/s²
+/// @param d        distance of the centre of mass from the axis, m
+/// @param P        period of a full swing to and fro, s
+/// @param d_error  standard error of d, m
+/// @param P_error  standard error of P, s
+/// @return         {moment about the parallel axis through the centre of mass, its standard error}, kg m²
 /// @pre M, g, d, P > 0; no error is negative; the moment is not negative
 /// @par Source
 /// not on the slides; parallel axes: S0 s13
-Vector2d moment_from_pendulum(double M, double g, double d, double P, const Vector2d& errors);
+Vector2d moment_from_pendulum(double M, double g, double d, double P, double d_error, double P_error);
 
 /// A body that rotates in air.
 ///

@@ -226,8 +226,8 @@ TEST_CASE("pendulum: The racket hung up by the end of its handle") {
   //! [pendulum in brief]
   const double M = 0.285 + 0.17228;  // kg, racket and phone
   const double g = 9.809;            // m/s²
-  const Vector2d I_x = moment_from_pendulum(M, g, 0.413, 1.436, {0.005, 0.039});
-  const Vector2d I_z = moment_from_pendulum(M, g, 0.413, 1.450, {0.005, 0.023});
+  const Vector2d I_x = moment_from_pendulum(M, g, 0.413, 1.436, 0.005, 0.039);
+  const Vector2d I_z = moment_from_pendulum(M, g, 0.413, 1.450, 0.005, 0.023);
   //! [pendulum in brief]
 
   const double about_end = M * g * 0.413 * 1.436 * 1.436 / (4 * pi * pi), parallel = M * 0.413 * 0.413;

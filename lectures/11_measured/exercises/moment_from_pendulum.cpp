@@ -3,7 +3,7 @@
 
 namespace rigid {
 
-Vector2d moment_from_pendulum(double M, double g, double d, double P, const Vector2d& errors) {
+Vector2d moment_from_pendulum(double M, double g, double d, double P, double d_error, double P_error) {
   // TODO: write this function; the next line says that you have not started yet.
   throw NotStarted{};
 }
