@@ -61,7 +61,10 @@ std::vector<std::string> cells_of(const std::string& line, char separator) {
       cells.back() += c;
     }
   }
-  for (std::string& cell : cells) cell = std::regex_replace(cell, std::regex(R"(^\s+|\s+$)"), "");
+  for (std::string& cell : cells) {
+    cell.erase(0, std::min(cell.find_first_not_of(" \t"), cell.size()));
+    cell.erase(cell.find_last_not_of(" \t") + 1);
+  }
   return cells;
 }
 
@@ -192,41 +195,41 @@ std::vector<Stretch> usable_parts(const Recording& all, std::vector<Stretch>& le
   return parts;
 }
 
-/// The flights in a part: seeds that Euler's equations explain step by step, and as far as they do so on both sides.
+/// The flights in a part: seeds that Euler's equations explain step by step, the best first, and as far as they do so
+/// on both sides.
 std::vector<Stretch> flights_in(const Recording& part) {
+  constexpr Index seen = 300;  // samples on each side, at once
   const Index count = part.t.size();
   std::vector<bool> taken(static_cast<std::size_t>(count));
-  std::vector<Stretch> flights;
-  while (true) {
-    Stretch best{0, 0, ""};
-    double least = 1;
-    for (Index begin = 0, end = 0; begin < count; ++begin) {
-      while (end < count && (end <= begin + 2 || part.t[end - 1] - part.t[begin] < least_time)) ++end;
-      if (end - begin < 8 || part.t[end - 1] - part.t[begin] < least_time) continue;
-      bool free = true;
-      for (Index k = begin; k < end; ++k)
-        free = free && !taken[static_cast<std::size_t>(k)] && part.omega.col(k).norm() > least_rate;
-      if (!free) continue;
-      const double largest = pushes(part_of(part, begin, end), 0, end - begin).maxCoeff();
-      if (largest < least) {
-        least = largest;
-        best = {begin, end, ""};
-      }
+  const auto open = [&](Index k) {
+    return !taken[static_cast<std::size_t>(k)] && part.omega.col(k).norm() > least_rate;
+  };
+  std::vector<std::pair<double, Stretch>> seeds;
+  for (Index begin = 0, end = 0, slow = -1; begin < count; ++begin) {  // `slow` is the last sample below the least rate
+    while (end < count && (end <= begin + 2 || part.t[end - 1] - part.t[begin] < least_time)) {
+      if (!open(end)) slow = end;
+      ++end;
     }
-    if (best.end == 0) return flights;
+    if (slow >= begin || end - begin < 8 || part.t[end - 1] - part.t[begin] < least_time) continue;
+    const double largest = pushes(part_of(part, begin, end), 0, end - begin).maxCoeff();
+    if (largest < 1) seeds.push_back({largest, {begin, end, ""}});
+  }
+  std::stable_sort(seeds.begin(), seeds.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Stretch> flights;
+  for (auto& [push, best] : seeds) {
+    if (std::find(taken.begin() + best.begin, taken.begin() + best.end, true) != taken.begin() + best.end) continue;
     for (int round = 0; round < 8; ++round) {  // more samples, better coefficients
-      const VectorXd left = pushes(part, best.begin, best.end);
+      const Index first = std::max<Index>(0, best.begin - seen), last = std::min(count, best.end + seen);
+      const VectorXd left = pushes(part_of(part, first, last), best.begin - first, best.end - first);
       const Stretch before = best;
-      const auto open = [&](Index k) {
-        return !taken[static_cast<std::size_t>(k)] && part.omega.col(k).norm() > least_rate;
-      };
-      while (best.begin > 0 && left[best.begin - 1] < 1 && open(best.begin - 1)) --best.begin;
-      while (best.end < count && left[best.end - 1] < 1 && open(best.end)) ++best.end;
+      while (best.begin > first && left[best.begin - 1 - first] < 1 && open(best.begin - 1)) --best.begin;
+      while (best.end < last && left[best.end - 1 - first] < 1 && open(best.end)) ++best.end;
       if (best.begin == before.begin && best.end == before.end) break;
     }
     for (Index k = best.begin; k < best.end; ++k) taken[static_cast<std::size_t>(k)] = true;
     flights.push_back(best);
   }
+  return flights;
 }
 
 /// Why a stretch is no throw of a body, or "".
