@@ -40,7 +40,7 @@ void draw_flight(const std::filesystem::path& directory) {
     const Vector3d omega = motion(start, t - begin);
     for (std::size_t i = 0; i < 3; ++i) fitted.at(i).emplace_back(t, omega[static_cast<Eigen::Index>(i)]);
   }
-  draw_figure(directory, "flight", {590, 420}, [&](gnuplotio::Gnuplot& gnuplot) {
+  draw_figure(directory, "flight", {590, 500}, [&](gnuplotio::Gnuplot& gnuplot) {
     gnuplot << "set xlabel 'time (s)'\nset ylabel 'component of ω (rad/s)'\nset xrange [0:0.9]\nset yrange [-20:24]\n"
             << "set key top right horizontal Left reverse samplen 1 width 1\n";
     std::string plot = "plot ";
@@ -63,7 +63,7 @@ void draw_lines(const std::filesystem::path& directory) {
   const Matrix3Xd sums = product_integrals(flight);
   const Vector3d slopes = euler_coefficients(flight.t, flight.omega);
   constexpr std::array<const char*, 3> below{"∫ω_yω_z dt (rad^2/s)", "∫ω_zω_x dt (rad^2/s)", "∫ω_xω_y dt (rad^2/s)"};
-  draw_figure(directory, "lines", {590, 660}, [&](gnuplotio::Gnuplot& gnuplot) {
+  draw_figure(directory, "lines", {590, 720}, [&](gnuplotio::Gnuplot& gnuplot) {
     std::array<PlaneCurve, 3> samples, lines;
     for (int i = 0; i < 3; ++i) {
       const auto at = static_cast<std::size_t>(i);
@@ -95,7 +95,7 @@ void draw_coefficients(const std::filesystem::path& directory) {
   for (std::size_t k = 0; k < flights.size(); ++k)
     all.col(static_cast<Eigen::Index>(k)) = euler_coefficients(flights[k].t, flights[k].omega);
   const VectorXd numbers = VectorXd::LinSpaced(all.cols(), 1, static_cast<double>(all.cols()));
-  draw_figure(directory, "coefficients", {590, 380}, [&](gnuplotio::Gnuplot& gnuplot) {
+  draw_figure(directory, "coefficients", {590, 440}, [&](gnuplotio::Gnuplot& gnuplot) {
     gnuplot
         << "set xlabel 'throw'\nset ylabel 'coefficient'\nset xrange [0:15]\nset yrange [0.78:1.05]\n"
         << "set xtics ('1' 1, '2' 2, '3' 3, '4' 4, '5' 5, '6' 6, '7' 7, '8' 8, '9' 9, '10' 10, '11' 11, '12' 12, "
@@ -123,7 +123,7 @@ void draw_polhodes(const std::filesystem::path& directory) {
   constexpr std::array<std::size_t, 3> numbers{5, 6, 12};
   constexpr std::array<const char*, 3> curve_colors{colors::blue, colors::vermilion, colors::purple};
   const double Iy = racket[1], Iz = racket[2];  // beside I_x
-  draw_figure(directory, "polhodes", {590, 420}, [&](gnuplotio::Gnuplot& gnuplot) {
+  draw_figure(directory, "polhodes", {590, 480}, [&](gnuplotio::Gnuplot& gnuplot) {
     gnuplot << "set xlabel 'I_xω_x / L'\nset ylabel 'I_x|ω_y| / L'\nset xrange [-1.1:1.1]\nset yrange [0:1.2]\n"
             << "set key center center Left reverse samplen 1 width 1\n";
     std::string plot = "plot ";
