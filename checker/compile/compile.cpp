@@ -125,13 +125,14 @@ class CompilationInProgress {
     return attempt();
   }
 
-  double processor_seconds() const { return compiler_.processor_seconds(); }
-
  private:
   Compilation attempt() {
     const std::string warnings = compile_file(task_.submission, "unit");
     if (!task_.submission.library.empty()) compile_library();
-    return {.executable = link(), .compiler_output = warnings, .linked = linked_};
+    return {.executable = link(),
+            .processor_seconds = compiler_.processor_seconds(),
+            .compiler_output = warnings,
+            .linked = linked_};
   }
 
   /// UNIT.o of a file; returns the warnings.
@@ -202,8 +203,12 @@ class CompilationInProgress {
 
   [[noreturn]] void refuse(const std::string& message, const std::string& details = "",
                            const std::vector<Finding>& findings = {}, Refusal refusal = Refusal::compile_error) const {
-    throw Compilation{
-        .linked = linked_, .refusal = refusal, .message = message, .details = details, .findings = findings};
+    throw Compilation{.processor_seconds = compiler_.processor_seconds(),
+                      .linked = linked_,
+                      .refusal = refusal,
+                      .message = message,
+                      .details = details,
+                      .findings = findings};
   }
 
   [[noreturn]] void refuse_foreign_file(const std::string& name) const {
@@ -352,7 +357,6 @@ Compilation compile(const CompileTask& task, const Toolchain& toolchain, const f
                     const CompileLimits& limits) {
   const Clock::time_point start = Clock::now();
   Compilation result;
-  double processor_seconds = 0.0;
   try {
     require_complete(toolchain, task.exercise);
     const std::string key = cache_key(task, toolchain);
@@ -362,15 +366,7 @@ Compilation compile(const CompileTask& task, const Toolchain& toolchain, const f
       result.from_cache = true;
     } else {
       const Workspace workspace(cache.directory());
-      CompilationInProgress compilation(task, toolchain, limits, workspace.directory());
-      const auto take_time = [&] { processor_seconds = compilation.processor_seconds(); };
-      try {
-        result = cache.keep(compilation.run(), key);
-      } catch (...) {
-        take_time();
-        throw;
-      }
-      take_time();
+      result = cache.keep(CompilationInProgress(task, toolchain, limits, workspace.directory()).run(), key);
     }
   } catch (const Compilation& refused) {
     result = refused;
@@ -378,7 +374,6 @@ Compilation compile(const CompileTask& task, const Toolchain& toolchain, const f
     result.message = error.what();
   }
   result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  result.processor_seconds = processor_seconds;
   return result;
 }
 
