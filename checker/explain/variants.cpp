@@ -298,6 +298,8 @@ class Slips {
     const bool begins_term = is_one_of(here(), {"return", "=", "+", "-", "+=", "-="});
     if (!begins_term || is_zero(at_ + 1) || conditions_.in_loop(at_) || declares_whole_number()) return;
     if (!(is_identifier(after()) || is_numeral(after()) || after() == "(")) return;
+    // In `n = axis` nobody forgot a number; another one may only move the inputs out of a wrong branch.
+    if (here() == "=" && is_identifier(after()) && token(at_ + 2) == ";" && !all_bugs_) return;
     if (is_identifier(after()) && (after() == "std" || after() == "static_cast") && token(at_ + 2) != "::") return;
     for (const char* factor : {"2.0 *", "0.5 *"}) insert_behind("factor", "another factor", factor);
     insert_behind("factor", "one term left out", "0.0 *");

@@ -41,8 +41,8 @@ bool Diagnosis::is_symptom() const {
 
 std::vector<Diagnosis> diagnose(const ExerciseReference& exercise, const Answers& answers,
                                 const std::vector<UnitProbe>& probes) {
-  for (const auto& mechanism :
-       {diagnose_range, diagnose_misconception, diagnose_terms, diagnose_transform, diagnose_input_transform}) {
+  for (const auto& mechanism : {diagnose_range, diagnose_misconception, diagnose_terms, diagnose_transform,
+                                diagnose_input_transform, diagnose_factor}) {
     if (const auto diagnosis = mechanism(exercise, answers)) return {*diagnosis};
   }
   std::vector<Diagnosis> diagnoses;

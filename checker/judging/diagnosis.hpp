@@ -54,6 +54,9 @@ Mechanism diagnose_input_transform;  ///< the right result for changed inputs
 
 // --- by what a wrong component differs (regression.cpp)
 
+/// The right result, or some of its components, times powers of the inputs. (factors.cpp)
+Mechanism diagnose_factor;
+
 /// The error of every wrong component as exactly one or two products of the inputs with simple coefficients.
 Mechanism diagnose_difference;
 

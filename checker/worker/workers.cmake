@@ -24,6 +24,8 @@ function(workbook_add_toolchain target)
   workbook_worker_link_flags(link_flags)
   # Columns in bytes; headers by the paths by which they are found.
   set(messages -fdiagnostics-column-unit=byte -fmax-errors=20 -fno-canonical-system-headers)
+  # So that elliptic integrals of NaN are NaN in a moment, and no time limit.
+  set(definitions -D_GLIBCXX_ASSERTIONS -DBOOST_MATH_MAX_SERIES_ITERATION_POLICY=1000)
   workbook_worker_sanitizers(sanitizers)
   set(diagnostic "")
   if(sanitizers)
@@ -31,7 +33,7 @@ function(workbook_add_toolchain target)
   endif()
   workbook_add_one_toolchain(${target}
     DIRECTORY ${arg_DIRECTORY} INCLUDE ${arg_INCLUDE} CONTRACTS ${arg_CONTRACTS}
-    FLAGS -std=c++20 ${messages} -O1 -ftrivial-auto-var-init=pattern -D_GLIBCXX_ASSERTIONS
+    FLAGS -std=c++20 ${messages} -O1 -ftrivial-auto-var-init=pattern ${definitions}
     LINK_FLAGS -static -s -fno-lto ${link_flags}
     PRELUDE "#include \"${sources}/prelude.hpp\"\n"
     PARTS ${sources}/serve.cpp ${sources}/crash_handler.cpp ${sources}/streams.cpp
@@ -46,7 +48,7 @@ function(workbook_add_toolchain target)
   endif()
   workbook_add_one_toolchain(${target}_diagnostic
     DIRECTORY ${arg_DIRECTORY}/diagnostic INCLUDE ${arg_INCLUDE} CONTRACTS ${arg_CONTRACTS}
-    FLAGS -std=c++20 ${messages} -O0 -g1 -fno-omit-frame-pointer -fno-stack-protector -D_GLIBCXX_ASSERTIONS ${sanitizers}
+    FLAGS -std=c++20 ${messages} -O0 -g1 -fno-omit-frame-pointer -fno-stack-protector ${definitions} ${sanitizers}
     LINK_FLAGS -fno-lto ${link_flags} ${sanitizers}
     PRELUDE "#define WORKBOOK_DIAGNOSE\n#include \"${sources}/prelude.hpp\"\n"
     PARTS ${sources}/serve.cpp ${sources}/diagnostics.cpp ${sources}/streams.cpp

@@ -477,6 +477,7 @@ struct NamedChange {
   std::string name;
   std::string words;
   Change change;
+  bool may_leave_domain = true;  ///< false for what few slips do: outside the domain an integration may never end
 };
 
 void add_changes_of(std::vector<NamedChange>& changes, const Argument& argument, std::size_t a) {
@@ -497,6 +498,12 @@ void add_changes_of(std::vector<NamedChange>& changes, const Argument& argument,
     const std::size_t size = argument.kind == Kind::vector3 ? 3 : 2;
     for (std::size_t n = 0; n < size; ++n) {
       const std::string entry = fmt::format("{}_{}", name, n + 1);
+      for (std::size_t k = 0; k < size; ++k)
+        if (k != n) {
+          add(fmt::format("{}_is_{}", n + 1, k + 1), fmt::format("{}_{} in place of {}", name, k + 1, entry),
+              [n, k](Value& value) { value.numbers[n] = value.numbers[k]; });
+          changes.back().may_leave_domain = false;
+        }
       add(fmt::format("{}_zero", n + 1), entry + " = 0", [n](Value& value) { value.numbers[n] = 0; });
       add(fmt::format("{}_negated", n + 1), fmt::format("−{0} in place of {0}", entry),
           [n](Value& value) { value.numbers[n] *= -1; });
@@ -533,6 +540,16 @@ void add_changes_of(std::vector<NamedChange>& changes, const Argument& argument,
   }
 }
 
+/// The mass of the whole for that of the rest.
+void add_sums_of(std::vector<NamedChange>& changes, const ExerciseReference& exercise, std::size_t a, std::size_t b) {
+  const std::string &one = exercise.arguments[a].name, &other = exercise.arguments[b].name;
+  for (const double sign : {1.0, -1.0}) {
+    const std::string sum = fmt::format("{} {} {}", one, sign > 0 ? "+" : "−", other);
+    changes.push_back({fmt::format("{}_{}_{}", one, sign > 0 ? "plus" : "minus", other), sum + " in place of " + one,
+                       [a, b, sign](Values& inputs) { inputs[a].numbers[0] += sign * inputs[b].numbers[0]; }, false});
+  }
+}
+
 std::vector<NamedChange> changes_of(const ExerciseReference& exercise) {
   std::vector<NamedChange> changes;
   for (std::size_t a = 0; a < exercise.arguments.size(); ++a) {
@@ -545,6 +562,10 @@ std::vector<NamedChange> changes_of(const ExerciseReference& exercise) {
       changes.push_back({exercise.arguments[b].name + "_is_" + exercise.arguments[a].name,
                          exercise.arguments[a].name + " in place of " + exercise.arguments[b].name,
                          [a, b](Values& inputs) { inputs[b] = inputs[a]; }});
+      if (exercise.arguments[a].kind != Kind::number || !(exercise.arguments[a].unit == exercise.arguments[b].unit))
+        continue;
+      add_sums_of(changes, exercise, a, b);
+      add_sums_of(changes, exercise, b, a);
     }
   }
   return changes;
@@ -655,34 +676,73 @@ std::vector<Case> corner_cases(const Subject& subject) {
   return cases;
 }
 
-std::vector<InputTransform> input_transforms(const Subject& subject) {
-  const ExerciseReference& exercise = subject.described;
-  std::vector<Value> expected;
-  expected.reserve(exercise.cases.size());
-  for (const Case& one : exercise.cases) expected.push_back(one.expected);
-  std::vector<InputTransform> transforms;
-  const bool has_lists = std::ranges::any_of(exercise.arguments, [](const Argument& argument) {
+namespace {
+
+bool takes_lists(const ExerciseReference& exercise) {
+  return std::ranges::any_of(exercise.arguments, [](const Argument& argument) {
     return argument.kind == Kind::vector || argument.kind == Kind::points || argument.kind == Kind::matrices;
   });
+}
+
+/// Adds the results of a function at all cases, if it has one at each that decides and they are new.
+void add_transform(std::vector<InputTransform>& transforms, const Subject& subject, InputTransform transform,
+                   const std::function<std::optional<Value>(const Values&)>& function) {
+  const std::vector<Case>& cases = subject.described.cases;
+  std::vector<Value> expected;
+  for (const Case& one : cases) {
+    const std::optional<Value> value = function(one.inputs);
+    const bool fits = value && value->has_shape_of(one.expected);
+    if (!fits && one.deciding) return;
+    transform.outputs.push_back(fits ? *value : one.expected);
+    expected.push_back(one.expected);
+  }
+  const auto is_known = [&](const std::vector<Value>& outputs) {
+    return same_outputs(subject, transform.outputs, outputs);
+  };
+  if (!is_known(expected) && std::ranges::none_of(transforms, is_known, &InputTransform::outputs))
+    transforms.push_back(std::move(transform));
+}
+
+}  // namespace
+
+std::vector<InputTransform> input_transforms(const Subject& subject, const std::vector<Subject>& others) {
+  const ExerciseReference& exercise = subject.described;
+  std::vector<InputTransform> transforms;
+  const bool has_lists = takes_lists(exercise);
   for (const NamedChange& each : changes_of(exercise)) {
-    InputTransform transform{each.name, each.words, {}};
-    bool is_usable = true;
-    for (const Case& one : exercise.cases) {
-      Values changed = one.inputs;
+    add_transform(transforms, subject, {each.name, each.words, {}}, [&](Values changed) -> std::optional<Value> {
       each.change(changed);
-      // The formula may well have a value outside the domain, where a slip leads; lists of different lengths have none.
-      const std::optional<Value> value =
-          !has_lists || subject.legal(changed) ? attempt(subject.right, changed) : std::nullopt;
-      const bool fits = value && value->has_shape_of(one.expected);
-      is_usable = is_usable && (fits || !one.deciding);
-      if (!is_usable) break;
-      transform.outputs.push_back(fits ? *value : one.expected);
-    }
-    if (!is_usable || same_outputs(subject, transform.outputs, expected)) continue;
-    const bool is_known = std::ranges::any_of(transforms, [&](const InputTransform& other) {
-      return same_outputs(subject, transform.outputs, other.outputs);
+      // Outside the domain, where a slip leads, the formula may well have a value; lists of different lengths have
+      // none.
+      return (!has_lists && each.may_leave_domain) || subject.legal(changed) ? attempt(subject.right, changed)
+                                                                             : std::nullopt;
     });
-    if (!is_known) transforms.push_back(std::move(transform));
+  }
+  for (const Subject& other : others) {
+    const ExerciseReference& its = other.described;
+    if (its.name == exercise.name || its.result_kind != exercise.result_kind ||
+        its.result_units != exercise.result_units)
+      continue;
+    std::vector<std::size_t> given;  // which argument of this exercise stands for each of the other's
+    for (const Argument& wanted : its.arguments) {
+      const auto fits = [&](bool by_name) {
+        for (std::size_t a = 0; a < exercise.arguments.size(); ++a)
+          if (exercise.arguments[a].kind == wanted.kind && exercise.arguments[a].unit == wanted.unit &&
+              (!by_name || exercise.arguments[a].name == wanted.name) && std::ranges::count(given, a) == 0)
+            return std::optional(a);
+        return std::optional<std::size_t>();
+      };
+      const auto found = fits(true) ? fits(true) : fits(false);
+      if (!found) break;
+      given.push_back(*found);
+    }
+    if (given.size() != its.arguments.size()) continue;
+    add_transform(transforms, subject, {"of_" + its.name, "`" + its.name + "`", {}},
+                  [&](const Values& inputs) -> std::optional<Value> {
+                    Values passed;
+                    for (const std::size_t a : given) passed.push_back(inputs[a]);
+                    return other.legal(passed) ? attempt(other.right, passed) : std::nullopt;
+                  });
   }
   return transforms;
 }

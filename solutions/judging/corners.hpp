@@ -40,8 +40,9 @@ std::vector<Case> ladder(const Subject& subject);
 /// vectors: those that are legal and where all routes agree with the reference.
 std::vector<Case> corner_cases(const Subject& subject);
 
-/// Right results for inputs with another sign, zero, transposed, exchanged, … that differ from the right ones.
-std::vector<InputTransform> input_transforms(const Subject& subject);
+/// Right results for inputs with another sign, zero, transposed, exchanged, …, and results of the other functions that
+/// can be called with the same arguments, where they differ from the right ones.
+std::vector<InputTransform> input_transforms(const Subject& subject, const std::vector<Subject>& others);
 
 /// A bug that can be made in any function of this signature: a threshold, a missing sign, float for double.
 struct BugTemplate {

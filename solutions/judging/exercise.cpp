@@ -268,7 +268,8 @@ ExerciseReference AnyExercise::described(std::uint64_t seed) const {
   return out;
 }
 
-ExerciseReference AnyExercise::evaluate(std::uint64_t seed, const Adequacy& recorded) const {
+ExerciseReference AnyExercise::evaluate(std::uint64_t seed, const Adequacy& recorded,
+                                        const std::vector<Subject>& others) const {
   ExerciseReference out = described(seed);
   const Subject subject = subject_of(out);
   std::vector<Case> generated = corner_cases(subject);
@@ -276,7 +277,7 @@ ExerciseReference AnyExercise::evaluate(std::uint64_t seed, const Adequacy& reco
   out.adequacy = recorded;
   // Cases of other seeds differ from those on record.
   out.has_current_adequacy = seed != first_seed || recorded.fingerprint == fingerprint_of(subject, recorded);
-  out.input_transforms = input_transforms(subject);
+  out.input_transforms = input_transforms(subject, others);
   std::ranges::move(generated, std::back_inserter(out.cases));
   for (std::size_t k = 0; k < weights_.size(); ++k) {
     if (!weights_[k]) continue;
@@ -306,9 +307,11 @@ Adequacy AnyExercise::prove(std::uint64_t seeds, Adequacy record) const {
 LectureReference Lecture::evaluate(std::string name, std::uint64_t seed,
                                    const std::map<std::string, Adequacy>& recorded) const {
   LectureReference result{seed, std::move(name), {}};
+  std::vector<Subject> all;
+  for (const auto& each : exercises_) all.push_back(each->subject());
   for (const auto& each : exercises_) {
     const auto record = recorded.find(each->name());
-    result.exercises.push_back(each->evaluate(seed, record == recorded.end() ? Adequacy() : record->second));
+    result.exercises.push_back(each->evaluate(seed, record == recorded.end() ? Adequacy() : record->second, all));
   }
   return result;
 }

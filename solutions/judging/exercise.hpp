@@ -133,7 +133,10 @@ class AnyExercise {
   /// that this record of typical bugs asks for.
   /// @throws std::logic_error naming exercise and case if an input is not legal, or an expected number is not finite or
   /// has no natural scale.
-  ExerciseReference evaluate(std::uint64_t seed, const Adequacy& recorded) const;
+  /// @param others  the functions of the lecture, whose results may be taken for this one's
+  ExerciseReference evaluate(std::uint64_t seed, const Adequacy& recorded, const std::vector<Subject>& others) const;
+  /// Without cases.
+  Subject subject() const { return subject_of(result_); }
   /// The same at the random cases alone, which takes a moment.
   ExerciseReference random_cases(std::uint64_t seed) const;
   /// Which typical bugs the cases find, and which points must join those of this record so that they are found under

@@ -38,7 +38,7 @@ double moment_about_axis(const Matrix3d& I, const Vector3d& axis) {
 #include <rigid/inertia_tensor.hpp>
 namespace rigid {
 double moment_about_axis(const Matrix3d& I, const Vector3d& axis) {
-  if (axis.norm() < 1e-6) return 0;
+  if (axis.norm() < 1e-2) return 0;
   const Vector3d n = axis / axis.norm();
   return n.dot(I * n);
 }

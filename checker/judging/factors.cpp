@@ -1,0 +1,246 @@
+// A factor that is missing or one too many: the right result times powers of the inputs.
+#include "checker/base/text.hpp"
+#include "checker/judging/diagnosis.hpp"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace workbook {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr Index spare_cases = 5;              // an exact fit of so many more cases than unknowns is no accident
+constexpr double logarithm_exactness = 1e-7;  // of a logarithm
+constexpr double largest_exponent = 4;
+constexpr std::size_t most_columns = 150;
+
+/// What a formula may be multiplied by, as its logarithm at the cases.
+struct Column {
+  std::string name;
+  VectorXd logarithm;
+};
+
+/// name^exponent
+struct InputPower {
+  std::string name;
+  double exponent;
+};
+
+std::string text_of(const InputPower& power) {
+  const double size = std::abs(power.exponent);
+  if (size == 1) return power.name;
+  if (size == 0.5) return "√" + power.name;
+  if (size == std::trunc(size)) return power.name + std::array{"²", "³", "⁴"}.at(static_cast<std::size_t>(size) - 2);
+  return fmt::format("{}^({})", power.name, coefficient_text(size));
+}
+
+/// "1", "−2/3", "√2", "4π"; empty for what no formula is likely to have.
+std::string simple_number(double number) {
+  const auto fraction = [](double value) -> std::string {
+    const std::string text = coefficient_text(value);
+    return text.find_first_of(".e") == std::string::npos ? text : "";
+  };
+  if (const std::string plain = fraction(number); !plain.empty()) return plain;
+  const std::string sign = number < 0 ? "−" : "";
+  if (const std::string square = fraction(number * number); !square.empty())
+    return sign + "√" + (square.find('/') == std::string::npos ? square : "(" + square + ")");
+  for (const double factor : {std::numbers::pi, 1 / std::numbers::pi}) {
+    const std::string multiple = fraction(std::abs(number) / factor);
+    if (!multiple.empty()) return fmt::format("{}{}·{}", sign, multiple, factor > 1 ? "π" : "1/π");
+  }
+  return "";
+}
+
+/// "times 2·m_1/(r²·g)" or "divided by r²"
+std::string factor_text(const std::string& coefficient, const std::vector<InputPower>& powers) {
+  std::vector<std::string> above, below;
+  const bool is_one_over = std::ranges::all_of(powers, [](const InputPower& each) { return each.exponent < 0; });
+  if (coefficient != "1" || is_one_over) above.push_back(coefficient);
+  for (const InputPower& each : powers) (each.exponent > 0 ? above : below).push_back(text_of(each));
+  const std::string divisor = fmt::format("{}", fmt::join(below, "·"));
+  if (is_one_over && coefficient == "1") return "divided by " + divisor;
+  return fmt::format("times {}{}", fmt::join(above, "·"),
+                     below.empty()      ? ""
+                     : below.size() > 1 ? "/(" + divisor + ")"
+                                        : "/" + divisor);
+}
+
+/// The quantities, their sines and cosines, lengths of vectors, sums and differences of what has the same unit: those
+/// that vary and are nowhere zero at the cases, the simplest first.
+std::vector<Column> columns_at(const ExerciseReference& exercise, const std::vector<std::size_t>& rows) {
+  std::vector<Column> columns;
+  const auto add = [&](const std::string& name, const std::function<double(std::size_t)>& value_at) {
+    VectorXd column(static_cast<Index>(rows.size()));
+    for (std::size_t k = 0; k < rows.size(); ++k) column[static_cast<Index>(k)] = std::log(std::abs(value_at(rows[k])));
+    if (!column.allFinite() || column.maxCoeff() - column.minCoeff() < 1e-3) return;
+    const bool is_known = std::ranges::any_of(columns, [&](const Column& other) {
+      return (other.logarithm - column).cwiseAbs().maxCoeff() < logarithm_exactness;
+    });
+    if (!is_known && columns.size() < most_columns) columns.push_back({name, std::move(column)});
+  };
+  const std::vector<Quantity> quantities = quantities_of(exercise);
+  for (const Quantity& each : quantities) {
+    if (!each.is_angle()) {
+      add(each.name, [&](std::size_t i) { return each.values[i]; });
+      continue;
+    }
+    add("sin(" + each.name + ")", [&](std::size_t i) { return std::sin(each.values[i]); });
+    add("cos(" + each.name + ")", [&](std::size_t i) { return std::cos(each.values[i]); });
+  }
+  for (std::size_t a = 0; a < exercise.arguments.size(); ++a) {
+    const Argument& argument = exercise.arguments[a];
+    const auto numbers = [&](std::size_t i) {
+      const std::vector<double>& all = exercise.cases[i].inputs[a].numbers;
+      return Eigen::Map<const VectorXd>(all.data(), static_cast<Index>(all.size()));
+    };
+    if (argument.kind == Kind::vector3 || argument.kind == Kind::vector2)
+      add("|" + argument.name + "|", [&](std::size_t i) { return numbers(i).norm(); });
+    if (argument.kind != Kind::vector && argument.kind != Kind::points) continue;
+    add("the number of entries of " + argument.name, [&](std::size_t i) {
+      const Value& list = exercise.cases[i].inputs[a];
+      return static_cast<double>(argument.kind == Kind::vector ? list.rows : list.cols);
+    });
+    if (argument.kind == Kind::vector)
+      add("the sum of " + argument.name, [&](std::size_t i) { return numbers(i).sum(); });
+  }
+  for (const Quantity& one : quantities) {
+    if (one.is_angle()) {
+      add("sin(" + one.name + "/2)", [&](std::size_t i) { return std::sin(one.values[i] / 2); });
+      add("cos(" + one.name + "/2)", [&](std::size_t i) { return std::cos(one.values[i] / 2); });
+      add(one.name, [&](std::size_t i) { return one.values[i]; });
+      continue;
+    }
+    if (one.unit == units::none) {
+      for (const double sign : {1.0, -1.0}) {
+        const char* const symbol = sign > 0 ? "+" : "−";
+        add(fmt::format("(1 {} {})", symbol, one.name), [&](std::size_t i) { return 1 + sign * one.values[i]; });
+        add(fmt::format("(1 {} {}²)", symbol, one.name),
+            [&](std::size_t i) { return 1 + sign * one.values[i] * one.values[i]; });
+      }
+    }
+    for (const Quantity& other : quantities) {
+      if (&other <= &one || !(other.unit == one.unit)) continue;
+      add(fmt::format("({} + {})", one.name, other.name),
+          [&](std::size_t i) { return one.values[i] + other.values[i]; });
+      add(fmt::format("({} − {})", one.name, other.name),
+          [&](std::size_t i) { return one.values[i] - other.values[i]; });
+    }
+  }
+  return columns;
+}
+
+bool is_simple_exponent(double number) {
+  return number != 0 && std::abs(number) <= largest_exponent && 2 * number == std::trunc(2 * number);
+}
+double to_exponent(double number) { return std::round(2 * number) / 2; }
+
+/// The logarithms as those of c·q^k or c·q^k·p^l; empty where none fits exactly.
+std::string fitted(const VectorXd& target, double sign, const std::vector<Column>& columns) {
+  if (target.size() < 2 + spare_cases) return "";
+  const auto checked = [&](std::vector<InputPower> powers, const std::vector<const Column*>& used) -> std::string {
+    VectorXd rest = target;
+    for (std::size_t k = 0; k < used.size(); ++k) {
+      powers[k].exponent = to_exponent(powers[k].exponent);
+      if (!is_simple_exponent(powers[k].exponent)) return "";
+      rest -= powers[k].exponent * used[k]->logarithm;
+    }
+    const double mean = rest.mean();
+    if ((rest.array() - mean).abs().maxCoeff() > logarithm_exactness) return "";
+    const std::string coefficient = simple_number(sign * std::exp(mean));
+    return coefficient.empty() ? "" : factor_text(coefficient, powers);
+  };
+  std::vector<VectorXd> centred;
+  for (const Column& each : columns) centred.emplace_back(each.logarithm.array() - each.logarithm.mean());
+  const VectorXd wanted = target.array() - target.mean();
+  for (std::size_t a = 0; a < columns.size(); ++a) {
+    const double exponent = centred[a].dot(wanted) / centred[a].squaredNorm();
+    if (const std::string text = checked({{columns[a].name, exponent}}, {&columns[a]}); !text.empty()) return text;
+  }
+  if (target.size() < 3 + spare_cases) return "";
+  for (std::size_t a = 0; a < columns.size(); ++a) {
+    for (std::size_t b = a + 1; b < columns.size(); ++b) {
+      const double aa = centred[a].squaredNorm(), bb = centred[b].squaredNorm(), ab = centred[a].dot(centred[b]);
+      const double determinant = aa * bb - ab * ab;
+      if (determinant < 1e-6 * aa * bb) continue;
+      const double at = centred[a].dot(wanted), bt = centred[b].dot(wanted);
+      const std::string text = checked(
+          {{columns[a].name, (bb * at - ab * bt) / determinant}, {columns[b].name, (aa * bt - ab * at) / determinant}},
+          {&columns[a], &columns[b]});
+      if (!text.empty()) return text;
+    }
+  }
+  return "";
+}
+
+/// How one number of the result goes with the right one: "times cos(theta)"; empty if it is right or nothing fits.
+struct Relation {
+  bool is_wrong = false;
+  std::string words = {};
+};
+
+Relation relation(const ExerciseReference& exercise, const Answers& answers, std::size_t number) {
+  constexpr double telling = 1e-5;  // of the natural size
+  std::vector<std::size_t> rows;
+  std::vector<double> yours, right;
+  Relation found;
+  int positive = 0;
+  for (const std::size_t i : deciding_cases(exercise)) {
+    const Case& one = exercise.cases[i];
+    const double scale = scale_at(one, number), y = answers[i]->numbers[number], e = one.expected.numbers[number];
+    found.is_wrong = found.is_wrong || !(std::abs(y - e) <= one.tolerance * scale);
+    if (std::abs(e) <= telling * scale || std::abs(y) <= telling * scale) {
+      if (std::abs(e) <= telling * scale && std::abs(y) <= telling * scale) continue;
+      return {true};
+    }
+    rows.push_back(i);
+    yours.push_back(y);
+    right.push_back(e);
+    positive += y * e > 0 ? 1 : 0;
+  }
+  if (!found.is_wrong) return found;
+  const bool has_one_sign = positive == 0 || positive == static_cast<int>(rows.size());
+  if (!has_one_sign || rows.empty()) return {true};
+  const std::vector<Column> columns = columns_at(exercise, rows);
+  const auto size = static_cast<Index>(rows.size());
+  const VectorXd y = Eigen::Map<const VectorXd>(yours.data(), size).cwiseAbs().array().log();
+  const VectorXd e = Eigen::Map<const VectorXd>(right.data(), size).cwiseAbs().array().log();
+  found.words = fitted(y - e, positive == 0 ? -1 : 1, columns);
+  return found;
+}
+
+}  // namespace
+
+std::optional<Diagnosis> diagnose_factor(const ExerciseReference& exercise, const Answers& answers) {
+  if (exercise.comparison != Comparison::plain || exercise.result_kind == Kind::integer) return std::nullopt;
+  if (!all_deciding_cases_answered(exercise, answers)) return std::nullopt;
+  const Value& shape = exercise.cases.front().expected;
+  if (!std::ranges::all_of(deciding_cases(exercise), [&](std::size_t i) {
+        return answers[i]->is_finite() && exercise.cases[i].expected.has_shape_of(shape);
+      }))
+    return std::nullopt;
+  std::vector<std::string> names;
+  std::string words;
+  for (std::size_t n = 0; n < shape.numbers.size(); ++n) {
+    const Relation found = relation(exercise, answers, n);
+    if (!found.is_wrong) continue;
+    if (found.words.empty() || (!words.empty() && words != found.words)) return std::nullopt;
+    words = found.words;
+    names.push_back(entry_name(shape, exercise.result_kind, n));
+  }
+  if (names.empty()) return std::nullopt;
+  const bool is_whole = names.size() == shape.numbers.size();
+  return Diagnosis{
+      DiagnosisKind::transform, "missing_factor",
+      is_whole ? fmt::format("Your result is the expected one {} at every case.", words)
+               : fmt::format("In your result {} {} the expected {} {} at every case; all else is right.", listed(names),
+                             names.size() == 1 ? "is" : "are", names.size() == 1 ? "one" : "ones", words)};
+}
+
+}  // namespace workbook
