@@ -51,7 +51,8 @@ std::vector<Diagnosis> diagnose(const ExerciseReference& exercise, const Answers
     if (const auto difference = diagnose_difference(exercise, answers)) return {*difference};
     return {*accuracy};
   }
-  const auto place = diagnose_place(exercise, answers);
+  const auto invariant = diagnose_invariant(exercise, answers);
+  const auto place = invariant ? invariant : diagnose_place(exercise, answers);
   for (const auto& mechanism : {diagnose_eigenvectors, diagnose_difference, diagnose_split, diagnose_conditional,
                                 diagnose_entries, diagnose_few, diagnose_one_side}) {
     if (const auto diagnosis = mechanism(exercise, answers)) {

@@ -60,13 +60,16 @@ Mechanism diagnose_factor;
 /// The error of every wrong component as exactly one or two products of the inputs with simple coefficients.
 Mechanism diagnose_difference;
 
+/// A direction, length, axis, angle or principal values that are right at every case. (invariants.cpp)
+Mechanism diagnose_invariant;
+
 // --- where it is wrong, and on what it depends (patterns.cpp)
 
 Mechanism diagnose_place;         ///< "Only component 3 is wrong": always true, and silent where all are
 Mechanism diagnose_entries;       ///< entries that hold what belongs in others, while the rest is right
 Mechanism diagnose_eigenvectors;  ///< principal axes in another order, of another length or handedness
 Mechanism diagnose_accuracy;      ///< "right to about 4 digits at every case", and with what the error grows
-Mechanism diagnose_range;         ///< Euler angles of the right attitudes, with θ beyond its range
+Mechanism diagnose_range;         ///< the right attitudes by numbers beyond their range: θ, the pitch, more than half a turn
 
 /// One number of an argument.
 struct IndependentInput {

@@ -173,21 +173,38 @@ std::optional<Diagnosis> diagnose_entries(const ExerciseReference& exercise, con
 }
 
 std::optional<Diagnosis> diagnose_range(const ExerciseReference& exercise, const Answers& answers) {
-  if (exercise.comparison != Comparison::attitude_by_angles) return std::nullopt;
+  struct Range {
+    const char* what;
+    const char* beyond;
+    const char* advice;
+    std::function<double(const Value&)> of;
+  };
+  std::optional<Range> range;
+  if (exercise.comparison == Comparison::attitude_by_angles)
+    range = {"angles give the right attitude", "θ is not in [0, π]", "(φ + π, −θ, ψ + π) is the same attitude.",
+             [](const Value& value) { return value.numbers[1]; }};
+  if (exercise.comparison == Comparison::attitude_by_yaw_pitch_roll)
+    range = {"angles give the right attitude", "the pitch is not in [−π/2, π/2]",
+             "(yaw + π, π − pitch, roll + π) is the same attitude.",
+             [](const Value& value) { return value.numbers[1]; }};
+  if (exercise.comparison == Comparison::rotation_by_vector)
+    range = {"vector gives the right rotation", "its angle is more than half a turn",
+             "The same rotation goes the other way round by 2π less.",
+             [](const Value& value) { return as_matrix(value).norm(); }};
+  if (!range) return std::nullopt;
   std::optional<std::size_t> first;
   std::size_t beyond = 0;
   for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
-    if (!answers[i] || !is_same_answer(exercise, i, *answers[i], exercise.cases[i].expected)) return std::nullopt;
+    if (!answers[i] || !deviations(exercise, i, *answers[i]).front().is_within()) return std::nullopt;
     if (passes(exercise, i, *answers[i])) continue;
     if (!first) first = i;
     ++beyond;
   }
   if (!first) return std::nullopt;
-  return Diagnosis{
-      DiagnosisKind::property, "range",
-      fmt::format("Your angles give the right attitude at every case, but at {} θ is not in [0, π]: it is "
-                  "{} at the case “{}”. (φ + π, −θ, ψ + π) is the same attitude.",
-                  plural(beyond, "case"), number_text(answers[*first]->numbers[1], 4), exercise.cases[*first].name)};
+  return Diagnosis{DiagnosisKind::property, "range",
+                   fmt::format("Your {} at every case, but at {} {}: it is {} at the case “{}”. {}", range->what,
+                               plural(beyond, "case"), range->beyond, number_text(range->of(*answers[*first]), 4),
+                               exercise.cases[*first].name, range->advice)};
 }
 
 std::optional<Diagnosis> diagnose_eigenvectors(const ExerciseReference& exercise, const Answers& answers) {

@@ -109,6 +109,12 @@ Table misconceptions() {
   add(table, "no axes", two, {in_order, diagonal(1, 1, 1)});
   Exercise angles = given_results(Kind::vector3, {vector({1, 0.5, 2})}, Comparison::attitude_by_angles);
   add(table, "θ negative", angles, {vector({1 + std::numbers::pi, -0.5, 2 + std::numbers::pi})}, "property range");
+  Exercise pitched = given_results(Kind::vector3, {vector({1, 0.5, 2})}, Comparison::attitude_by_yaw_pitch_roll);
+  add(table, "pitch beyond a right angle", pitched,
+      {vector({1 + std::numbers::pi, std::numbers::pi - 0.5, 2 + std::numbers::pi})}, "property range");
+  Exercise turned = given_results(Kind::vector3, {vector({0, 0, 2})}, Comparison::rotation_by_vector);
+  add(table, "the long way round", turned, {vector({0, 0, 2 - 2 * std::numbers::pi})}, "property range");
+  add(table, "phi from another axis", angles, {vector({2.5, 0.5, 2})}, "place angles");
   return table;
 }
 
@@ -204,6 +210,57 @@ Table patterns() {
   Values once = outputs(momentum(), right_momentum);
   once[4].numbers[2] += 1;
   add(table, "one component at one case", momentum(), once, "split few");
+  // What is right of it.
+  const auto changed_by = [](const Exercise& exercise, const std::function<Eigen::MatrixXd(std::size_t)>& value_at) {
+    Values values;
+    for (std::size_t i = 0; i < exercise.cases.size(); ++i) values.push_back(to_value(value_at(i)));
+    return values;
+  };
+  Values arrows, turns, tensors;
+  for (int k = 1; k <= 8; ++k) {
+    const Eigen::Vector3d v(std::sin(k), std::cos(2 * k), std::sin(5 * k));
+    const Eigen::Matrix3d R = Eigen::AngleAxisd(0.3 * k, v.normalized()).toRotationMatrix();
+    arrows.push_back(to_value(v));
+    turns.push_back(to_value(R));
+    tensors.push_back(to_value(R * Eigen::Vector3d(1, 2, 2.5 + 0.1 * k).asDiagonal() * R.transpose()));
+  }
+  const Exercise arrow = given_results(Kind::vector3, arrows), turn = given_results(Kind::matrix3, turns),
+                 tensor = given_results(Kind::matrix3, tensors);
+  const auto given = [](const Values& values, std::size_t i) { return Eigen::MatrixXd(as_matrix(values[i])); };
+  const auto number_of = [](std::size_t i) { return 1.3 + std::sin(static_cast<double>(3 * i)); };
+  add(table, "the right direction", arrow,
+      changed_by(arrow, [&](std::size_t i) { return Eigen::MatrixXd((1 + number_of(i)) * given(arrows, i)); }),
+      "place direction");
+  add(table, "the right line", arrow,
+      changed_by(arrow,
+                 [&](std::size_t i) { return Eigen::MatrixXd((i % 2 ? -1 : 1) * number_of(i) * given(arrows, i)); }),
+      "place line");
+  add(table, "the right length", arrow,
+      changed_by(arrow,
+                 [&](std::size_t i) { return Eigen::MatrixXd(given(turns, i) * given(turns, 2) * given(arrows, i)); }),
+      "place length");
+  add(table, "the right axis", turn,
+      changed_by(turn,
+                 [&](std::size_t i) {
+                   const Eigen::AngleAxisd one(Eigen::Matrix3d(given(turns, i)));
+                   return Eigen::MatrixXd(Eigen::AngleAxisd(std::sin(one.angle()), one.axis()).toRotationMatrix());
+                 }),
+      "place axis");
+  add(table, "the right angle", turn,
+      changed_by(turn,
+                 [&](std::size_t i) {
+                   return Eigen::MatrixXd(given(turns, 2) * given(turns, i) * given(turns, 2).transpose());
+                 }),
+      "place angle");
+  add(table, "the right principal moments", tensor,
+      changed_by(tensor,
+                 [&](std::size_t i) {
+                   return Eigen::MatrixXd(given(turns, 2) * given(tensors, i) * given(turns, 2).transpose());
+                 }),
+      "place principal_values");
+  add(table, "the right principal axes", tensor,
+      changed_by(tensor, [&](std::size_t i) { return Eigen::MatrixXd(given(tensors, i) * given(tensors, i)); }),
+      "place principal_axes");
   // Zeros are not said to belong elsewhere.
   const Exercise zero = given_results(Kind::vector3, Values(4, vector({1, 0, 2})));
   add(table, "zero, as another component", zero, Values(4, vector({0, 0, 2})), "place place");
