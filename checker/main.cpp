@@ -275,8 +275,9 @@ class CommandLine {
     option("--html", "FILE", options_.html, "the page to write; an older one is replaced", true);
     option("--name", "TEXT", options_.student, "whose page it is");
     option("SUBMISSIONS", "", options_.submissions, "what was handed in: a folder or a zip file", true);
-    option("--out class", "FOLDER", options_.out, "the folder for all results; the next run goes on in it", true);
-    option("--roster", "FILE", options_.roster, "CSV with the column id, and name and submitted if there are");
+    option("--out class", "FOLDER", options_.out, "the folder for all results; the next run goes on in it");
+    option("--who", "", options_.who, "only say who has handed in what: nothing is judged or written");
+    option("--roster", "FILE", options_.roster, "CSV with the column id, or the table of a learning system");
     option("--assignment", "FILE", options_.assignment, "JSON: what is graded and what it is worth");
     option("--reference", "FILE", options_.references, "judge by these reference results, made before, of one seed");
     option("--only", "VERDICT", options_.only, "judge once more what had this verdict, wrong_value for example");
@@ -405,16 +406,17 @@ class CommandLine {
          "handout ../phy711-2027 --update --message 'Hints of lecture 03 corrected'"},
         {"FOLDER", "--update", "--message", "--seed", "--assignment"}, handout);
     add("grade", instructors,
-        "Grade a class\n\nSUBMISSIONS holds a folder or a zip file per student, or files called ID_EXERCISE.cpp, as "
-        "Moodle and Canvas export them. Only files with the names of exercises are read. FOLDER gets class.html, "
-        "class.json, tables for spreadsheets, Moodle and Canvas, and for every student a page, JSON, and results for "
-        "other autograders. What is judged is kept there: a run that was stopped goes on, and of a class that was "
+        "Grade a class\n\nSUBMISSIONS is what Gradescope, Moodle, Canvas or GitHub Classroom export, or holds a folder or "
+        "a zip file per student, or files called ID_EXERCISE.cpp. Only files with the names of exercises are read. The "
+        "roster may be a table of your own, Moodle's grading worksheet, which is written back with marks and comments, "
+        "or the gradebook of Canvas. FOLDER gets class.html, class.json, tables for spreadsheets, Moodle and Canvas, and "
+        "for every student a page, JSON, and results for other autograders. What is judged is kept there: a run that was stopped goes on, and of a class that was "
         "graded before only what is new is judged; whose mark has changed, and why, is printed. The first run draws "
         "cases that nobody knows, unless --seed says which; FOLDER keeps them for the next.",
-        {"grade submissions --out grades", "grade week3.zip --out week3 --roster class.csv --assignment week3.json",
+        {"grade submissions --out grades", "grade submissions --who --roster class.csv", "grade week3.zip --out week3 --roster class.csv --assignment week3.json",
          "grade submissions --out part1 --shard 1/2 --seed 740296",
          "grade submissions --out grades --merge part1 part2"},
-        {"SUBMISSIONS", "--out class", "--roster", "--assignment", "--seed", "--copy", "--reference", "--only",
+        {"SUBMISSIONS", "--out class", "--who", "--roster", "--assignment", "--seed", "--copy", "--reference", "--only",
          "--with-missing", "--shard", "--merge", "--explain-minutes", "--allow-reduced"},
         grade)
         .get_option("--reference")

@@ -40,6 +40,7 @@ struct Options {
   std::string shard;                             ///< "2/8": judge only this part of the class
   std::vector<fs::path> merged;                  ///< folders of such parts, to be joined
   std::optional<fs::path> copy;                  ///< that students have
+  bool who = false;                              ///< only say who has handed in what
   bool with_missing = false;                     ///< tables have rows also of students of whom something was not read
   double explain_minutes = 10.0;                 ///< for the reasons of all failures of one student
   bool allow_reduced = false;                    ///< grade strangers' files in the reduced sandbox

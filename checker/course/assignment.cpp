@@ -92,14 +92,19 @@ std::string write_csv(const Table& table) {
 }
 
 std::optional<std::int64_t> read_time(const std::string& text) {
-  std::tm time{};
-  const char* const end = ::strptime(text.c_str(), "%Y-%m-%dT%H:%M:%SZ", &time);
-  if (end == nullptr || *end != '\0') return std::nullopt;
-  const std::tm read = time;
-  const std::int64_t seconds = ::timegm(&time);  // makes 3 March of 31 February
-  return time.tm_mon == read.tm_mon && time.tm_mday == read.tm_mday && time.tm_sec == read.tm_sec
-             ? std::optional(seconds)
-             : std::nullopt;
+  std::string plain = text;  // without parts of a second
+  if (const std::size_t point = plain.find('.'); point != std::string::npos)
+    plain.erase(point, plain.find_first_not_of("0123456789", point + 1) - point);
+  for (const char* format :
+       {"%Y-%m-%dT%H:%M:%S%z", "%Y-%m-%d %H:%M:%S %z", "%Y-%m-%d %H:%M:%S%z", "%Y-%m-%d %H:%M:%S UTC"}) {
+    std::tm time{};
+    const char* const end = ::strptime(plain.c_str(), format, &time);
+    if (end == nullptr || *end != '\0') continue;
+    const std::tm read = time;
+    const std::int64_t seconds = ::timegm(&time) - read.tm_gmtoff;  // makes 3 March of 31 February
+    if (time.tm_mon == read.tm_mon && time.tm_mday == read.tm_mday && time.tm_sec == read.tm_sec) return seconds;
+  }
+  return std::nullopt;
 }
 
 namespace {
@@ -202,49 +207,6 @@ std::vector<std::string> Assignment::rules(bool hints_are_known) const {
                                     100 * hint_cost_,
                                     hints_are_known ? "." : "; no progress file was handed in, so none is counted."));
   return sentences;
-}
-
-std::vector<RosterEntry> read_roster(const fs::path& file) {
-  const auto refuse = [&](const std::string& reason) {
-    throw GradingError(fmt::format("{}: {}.", shown_path(file), reason));
-  };
-  const std::string text = text_of(file);
-  Table table;
-  try {
-    const std::string_view head = std::string_view(text).substr(0, text.find('\n'));
-    const bool has_semicolons = head.find(',') == std::string::npos && head.find(';') != std::string::npos;
-    table = read_csv(text, has_semicolons ? ';' : ',');
-  } catch (const GradingError& problem) {
-    refuse(problem.what());
-  }
-  if (table.empty()) refuse("it is empty; the first line should name the columns, one of them id");
-  for (auto& row : table)
-    for (std::string& field : row) boost::trim(field);
-  const auto column = [&](const char* name) {
-    const auto is_called = [&](const std::string& field) { return boost::iequals(field, name); };
-    return static_cast<std::size_t>(std::ranges::find_if(table.front(), is_called) - table.front().begin());
-  };
-  const std::size_t id = column("id"), name = column("name"), submitted = column("submitted");
-  if (id == table.front().size())
-    refuse(fmt::format("the first line should name the columns, one of them id; it names '{}'",
-                       shortened(printable(fmt::format("{}", fmt::join(table.front(), "', '"))), 200)));
-  if (table.size() == 1) refuse("it has columns and no row; a line for each student should follow");
-  std::vector<RosterEntry> entries;
-  std::set<std::string> ids;
-  for (std::size_t row = 1; row < table.size(); ++row) {
-    const auto field = [&](std::size_t at) { return at < table[row].size() ? table[row][at] : std::string(); };
-    const auto refuse_row = [&](const std::string& reason) { refuse(fmt::format("row {}: {}", row + 1, reason)); };
-    RosterEntry entry{field(id), field(name), read_time(field(submitted))};
-    if (table[row].size() > table.front().size())
-      refuse_row(fmt::format("it has {}, and the first line only {}; put quotation marks around a cell with commas",
-                             plural(table[row].size(), "cell"), table.front().size()));
-    if (entry.id.empty()) refuse_row("the id is missing");
-    if (!ids.insert(entry.id).second) refuse_row(fmt::format("the id {} is there twice", printable(entry.id)));
-    if (!entry.submitted && !field(submitted).empty())
-      refuse_row("'submitted' should be a time like 2027-03-01T23:59:00Z");
-    entries.push_back(std::move(entry));
-  }
-  return entries;
 }
 
 }  // namespace workbook

@@ -23,8 +23,8 @@ Table read_csv(std::string_view text, char separator = ',');
 /// The same, written. What a spreadsheet would take for a formula gets an apostrophe in front.
 std::string write_csv(const Table& table);
 
-/// Seconds since 1970 of "2027-03-01T23:59:00Z". Nothing else is read, so that no time zone is guessed, and no day that
-/// its month does not have.
+/// Seconds since 1970 of "2027-03-01T23:59:00Z" or "2027-03-01 23:59:00.12 +0100". Without a zone nothing is read, so that
+/// none is guessed, and no day that its month does not have.
 std::optional<std::int64_t> read_time(const std::string& text);
 
 /// What is graded, and what it is worth.
@@ -67,15 +67,5 @@ class Assignment {
   double hint_cost_ = 0.0;
   bool is_partial_ = false;
 };
-
-/// One row of the roster.
-struct RosterEntry {
-  std::string id;
-  std::string name;
-  std::optional<std::int64_t> submitted;
-};
-
-/// A table with a heading; the column id is needed, name and submitted are read. @throws GradingError
-std::vector<RosterEntry> read_roster(const fs::path& file);
 
 }  // namespace workbook

@@ -37,7 +37,7 @@ NLOHMANN_JSON_SERIALIZE_ENUM(PropertyKind, {{PropertyKind::symmetric, "symmetric
 static void to_json(json& part, Kind kind) { part = to_string(kind); }
 static void from_json(const json& part, Kind& kind) { kind = kind_from_string(part.get<std::string>()); }
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Unit, kilogram, metre, second, radian)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Unit, kilogram, metre, second, radian, is_torque)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Argument, name, kind, unit)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Case, name, group, deciding, inputs, expected, scale, tolerance, condition, base,
                                    argument, entry)

@@ -180,7 +180,7 @@ struct ExerciseReference {
 };
 
 struct LectureReference {
-  static constexpr int format = 6;  ///< of the file
+  static constexpr int format = 7;  ///< of the file
   std::uint64_t seed = 1;
   std::string lecture;
   std::vector<ExerciseReference> exercises;

@@ -9,6 +9,8 @@
 namespace workbook {
 
 std::string to_string(Unit unit) {
+  if (unit == units::newton) return "N";
+  if (unit == units::joule) return unit.is_torque ? "N m" : "J";
   const std::array<std::pair<const char*, int>, 4> powers = {
       {{"kg", unit.kilogram}, {"m", unit.metre}, {"rad", unit.radian}, {"s", unit.second}}};
 

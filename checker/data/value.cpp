@@ -177,8 +177,8 @@ std::string format_value(const Value& value, Kind kind, int digits) {
 
 std::string entry_name(const Value& value, Kind kind, std::size_t number) {
   const auto rows = static_cast<std::size_t>(std::max(value.rows, 1));
-  const std::size_t row = number % rows + 1;
-  const std::size_t col = number / rows + 1;
+  const std::size_t row = number % rows;
+  const std::size_t col = number / rows;
   switch (kind) {
     case Kind::number:
     case Kind::integer:
@@ -186,12 +186,12 @@ std::string entry_name(const Value& value, Kind kind, std::size_t number) {
     case Kind::vector2:
     case Kind::vector3:
     case Kind::vector:
-      return fmt::format("component {}", row);
+      return fmt::format("component [{}]", row);
     case Kind::matrix3:
     case Kind::points:
       return fmt::format("entry ({},{})", row, col);
     case Kind::matrices:
-      return fmt::format("entry ({},{}) of matrix {}", row, (col - 1) % 3 + 1, (col - 1) / 3 + 1);
+      return fmt::format("entry ({},{}) of matrix [{}]", row, col % 3, col / 3);
   }
   return "";
 }

@@ -75,7 +75,8 @@ std::string coefficient_text(double coefficient);
 /// The value on one line: "4.82", "(0.3, -0.2, 0.5)", "[26 -3 -4.5; -3 20 -9; -4.5 -9 10]".
 std::string format_value(const Value& value, Kind kind, int digits = all_digits);
 
-/// What one of the value's numbers is called: "the result", "component 2", "entry (1,3)", "entry (1,3) of matrix 2".
+/// What one of the value's numbers is called: "the result", "component [1]", "entry (0,2)", "entry (0,2) of matrix [1]", counted as
+/// in code.
 std::string entry_name(const Value& value, Kind kind, std::size_t number);
 
 /// Texts of one width, with their decimal points below each other.

@@ -235,12 +235,13 @@ std::string class_page(const ordered_json& document, const std::string& date) {
     }
     const std::string id = student.at("id"), name = student.at("name");
     const std::size_t days = student.at("days_late");
-    rows += rendered_page(class_page_row_template, {{"id", name.empty() ? id : fmt::format("{} ({})", name, id)},
-                                                    {"page", student.at("slug")},
-                                                    {"score", std::round(100 * student.at("score").get<double>()) / 100},
-                                                    {"possible", student.at("possible")},
-                                                    {"late", days > 0 ? plural(days, "day") : ""},
-                                                    {"cells", cells}});
+    rows +=
+        rendered_page(class_page_row_template, {{"id", name.empty() ? id : fmt::format("{} ({})", name, id)},
+                                                {"page", student.at("slug")},
+                                                {"score", std::round(100 * student.at("score").get<double>()) / 100},
+                                                {"possible", student.at("possible")},
+                                                {"late", days > 0 ? plural(days, "day") : ""},
+                                                {"cells", cells}});
   }
   const std::vector<int> counts = document.at("distribution");
   const int most = std::max(1, *std::ranges::max_element(counts));

@@ -10,11 +10,34 @@
 #include <sys/types.h>
 
 #include <array>
+#include <map>
 
 namespace workbook {
 
 // --- what a class has handed in: whatever lies there, only files with the names of exercises are read, each for one
 // student, and copied to fixed names
+
+/// One student, as a roster or a learning system names them.
+struct RosterEntry {
+  std::string id;
+  std::string name;
+  std::optional<std::int64_t> submitted;
+  std::vector<std::string> aliases = {};  ///< other names that learning systems use: e-mail, login, number
+};
+
+/// A table with a heading: a column with an id is needed; name, submitted, aliases and what else names a student are
+/// read. The gradebook of Canvas, the grading worksheet of Moodle and the roster of GitHub Classroom are such tables.
+/// @throws GradingError
+std::vector<RosterEntry> read_roster(const fs::path& file);
+
+/// The file in an export of Gradescope that says whose each folder is; a folder may be that of several students.
+inline constexpr const char* gradescope_metadata = "submission_metadata.yml";
+/// By folder. @throws GradingError
+std::map<std::string, std::vector<RosterEntry>> read_gradescope(const std::string& text);
+
+/// The roster with marks and comments, if it is a grading worksheet of Moodle: it takes them back. Marks are scaled to
+/// its maximum grade.
+std::optional<std::string> filled_worksheet(const fs::path& roster, const nlohmann::ordered_json& document);
 
 /// What was found for one exercise. Of files in several of these places those in the last one count.
 struct HandedIn {
@@ -34,7 +57,7 @@ struct Student {
   std::map<std::string, HandedIn> files;  ///< by exercise
   /// By exercise, as the progress file says that was handed in; nothing: there is none that can be read.
   std::optional<std::map<std::string, std::size_t>> hints;
-  std::vector<std::string> notes;  ///< what else is to be said of the submission
+  std::vector<std::string> notes;   ///< what else is to be said of the submission
   std::vector<std::string> unread;  ///< those of the notes that name what was not read, so that points may be missing
   std::string entry;                ///< whose it is, as the name of the top-level entry says
   /// Another such entry names this student as well: one sentence; "": none. Then nothing is judged, for either may be

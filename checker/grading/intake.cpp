@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <cstring>
 #include <set>
 #include <sstream>
 
@@ -61,13 +62,10 @@ class Collector {
       : copies_(std::move(copies)), exercises_(course.exercises()), shard_(shard), has_roster_(!roster.empty()) {
     for (const Exercise& exercise : exercises_) names_.push_back(exercise.name() + ".cpp");
     for (const RosterEntry& entry : roster) {
-      if (!shard.has(entry.id)) {
-        students_.emplace(entry.id, nobody);
-        continue;
-      }
-      Student& student = add_student(entry.id);
-      student.name = printable(entry.name);
-      student.submitted = entry.submitted;
+      add(entry);
+      for (const std::string& alias : entry.aliases) add_name(aliases_, alias, entry.id);
+      add_name(aliases_, entry.id, entry.id);
+      add_name(full_names_, entry.name, entry.id);
     }
   }
 
@@ -82,21 +80,69 @@ class Collector {
     }
   }
 
+  /// An export of Gradescope: whose its folders are.
+  void take_metadata(const std::string& text) {
+    for (const auto& [folder, people] : read_gradescope(text)) {
+      std::vector<std::size_t>& owners = groups_[folder];
+      for (const RosterEntry& person : people) {
+        std::optional<std::size_t> meant = has_roster_ ? known(person.id) : std::optional<std::size_t>();
+        if (has_roster_) {
+          for (const std::string& alias : person.aliases)
+            if (!meant) meant = known(alias);
+          if (!meant) meant = found_in(full_names_, person.name);
+          if (!meant)
+            problem(fmt::format("'{}' was not read for {}: the roster has neither '{}' nor that name.",
+                                shortened(printable(folder), 100), shortened(printable(person.name), 100),
+                                shortened(printable(person.id), 100)));
+        } else {
+          if (!students_.contains(person.id)) add(person);
+          meant = students_.at(person.id);
+        }
+        if (!meant || *meant == nobody) continue;
+        owners.push_back(*meant);
+        Student& student = intake.students[*meant];
+        if (!student.submitted) student.submitted = person.submitted;
+        if (!student.entry.empty() && student.entry != folder) dispute(student, student.entry, folder);
+        student.entry = folder;
+      }
+    }
+  }
+
   void take_top_level(const fs::path& submissions) {
     std::error_code unreadable;
     for (const fs::path& entry : sorted_entries(submissions, unreadable)) {
       const fs::file_type type = type_of(entry);
       const std::string name = entry.filename().string();
-      if (name == "__MACOSX") continue;
+      if (name == "__MACOSX" || name == gradescope_metadata) continue;
       if (type == fs::file_type::directory) {
-        looked_at_ = 0;
-        if (Student* student = student_of(name)) take_folder(entry, name, *student, 1);
+        for (Student* student : students_of(name)) {
+          looked_at_ = 0;
+          take_folder(entry, name, *student, 1);
+        }
       } else if (entry.extension() == ".zip") {
         take_zip(entry, entry.stem().string() + "/");
       } else {
         take(name, read_of(entry));
       }
     }
+  }
+
+  /// A whole class.
+  void take_zipped_class(const std::vector<Zipped>& files) {
+    const auto metadata = std::ranges::find_if(
+        files, [](const Zipped& each) { return fs::path(each.path).filename() == gradescope_metadata; });
+    if (metadata == files.end()) return take_zipped(files, "");
+    if (!metadata->refusal.empty())
+      throw GradingError(fmt::format("{} {}. Nothing was graded.", gradescope_metadata, metadata->refusal));
+    take_metadata(metadata->text);
+    const std::string above = metadata->path.substr(0, metadata->path.size() - std::strlen(gradescope_metadata));
+    std::vector<Zipped> inside;
+    for (const Zipped& each : files) {
+      if (&each == &*metadata || !each.path.starts_with(above)) continue;
+      inside.push_back(each);
+      inside.back().path.erase(0, above.size());
+    }
+    take_zipped(inside, "");
   }
 
   void take_zipped(const std::vector<Zipped>& files, const std::string& prefix) {
@@ -122,8 +168,37 @@ class Collector {
  private:
   std::vector<std::string> endings() const {
     std::vector<std::string> endings = names_;
-    endings.insert(endings.end(), {".cpp", progress_file.filename().string()});
+    endings.insert(endings.end(), {".cpp", progress_file.filename().string(), gradescope_metadata});
     return endings;
+  }
+
+  void add(const RosterEntry& entry) {
+    if (!shard_.has(entry.id)) {
+      students_.emplace(entry.id, nobody);
+      return;
+    }
+    Student& student = add_student(entry.id);
+    student.name = printable(entry.name);
+    student.submitted = entry.submitted;
+  }
+
+  /// Names of several students name nobody.
+  void add_name(std::map<std::string, std::string>& names, const std::string& name, const std::string& id) {
+    if (name.empty()) return;
+    const auto [known, is_new] = names.emplace(boost::to_lower_copy(name), id);
+    if (!is_new && known->second != id) known->second.clear();
+  }
+
+  std::optional<std::size_t> found_in(const std::map<std::string, std::string>& names, const std::string& name) const {
+    const auto found = names.find(boost::to_lower_copy(name));
+    if (found == names.end() || found->second.empty()) return std::nullopt;
+    return students_.at(found->second);
+  }
+
+  /// By id or alias.
+  std::optional<std::size_t> known(const std::string& name) const {
+    if (const auto student = students_.find(name); student != students_.end()) return student->second;
+    return found_in(aliases_, name);
   }
 
   Student& add_student(const std::string& raw) {
@@ -166,9 +241,9 @@ class Collector {
   /// Of more than a source file, by its path.
   void unread(const std::string& path, const std::string& sentence) {
     const std::string first = path.substr(0, path.find('/'));
-    Student* const student =
-        student_of(first == path && path.ends_with(".zip") ? fs::path(first).stem().string() : first);
-    if (student) unread(*student, sentence);
+    for (Student* student :
+         students_of(first == path && path.ends_with(".zip") ? fs::path(first).stem().string() : first))
+      unread(*student, sentence);
   }
 
   static bool is_number(const std::string& field) {
@@ -190,22 +265,40 @@ class Collector {
     std::set<std::size_t> meant;
     const std::size_t ends = is_number(fields.back()) ? fields.size() : 1;
     for (std::size_t begin = 0, next = 1; begin < ends; begin = next, ++next) {
-      auto longest = students_.end();
+      std::optional<std::size_t> longest;
       std::string id;
       for (std::size_t last = begin; last < fields.size(); ++last) {
         id += (last == begin ? "" : "_") + fields[last];
-        if (const auto known = students_.find(id); known != students_.end()) longest = known, next = last + 1;
+        if (const auto student = known(id)) longest = student, next = last + 1;
       }
-      if (longest != students_.end()) meant.insert(longest->second);
+      if (longest) meant.insert(*longest);
     }
     return meant;
   }
 
-  /// Whom a top-level entry of that name belongs to; null: nobody who is graded here.
-  Student* student_of(const std::string& name) {
-    auto known = owners_.find(name);
-    if (known == owners_.end()) known = owners_.emplace(name, owner_of(name)).first;
-    return known->second == nobody ? nullptr : &intake.students[known->second];
+  /// GitHub Classroom: "ASSIGNMENT-LOGIN", and both may hold "-".
+  std::optional<std::size_t> by_login(const std::string& name) const {
+    for (std::size_t dash = name.find('-'); dash != std::string::npos; dash = name.find('-', dash + 1))
+      if (const auto student = known(name.substr(dash + 1))) return student;
+    return std::nullopt;
+  }
+
+  /// Whom a top-level entry of that name belongs to and who is graded here.
+  std::vector<Student*> students_of(const std::string& name) {
+    std::vector<Student*> students;
+    if (!groups_.empty()) {
+      const auto group = groups_.find(name);
+      if (group == groups_.end())
+        problem(fmt::format("'{}' was not read: {} does not name it.", shortened(printable(name), 100),
+                            gradescope_metadata));
+      else
+        for (const std::size_t owner : group->second) students.push_back(&intake.students[owner]);
+      return students;
+    }
+    auto owner = owners_.find(name);
+    if (owner == owners_.end()) owner = owners_.emplace(name, owner_of(name)).first;
+    if (owner->second != nobody) students.push_back(&intake.students[owner->second]);
+    return students;
   }
 
   std::size_t owner_of(const std::string& name) {
@@ -214,9 +307,13 @@ class Collector {
       add_student(name);
     }
     std::vector<std::string> fields = leading_fields(name);
-    const auto known = students_.find(name);
-    const std::set<std::size_t> meant =
-        known != students_.end() ? std::set<std::size_t>{known->second} : named_by(fields);
+    const auto whole = known(name);
+    std::set<std::size_t> meant = whole ? std::set<std::size_t>{*whole} : named_by(fields);
+    if (meant.empty() && fields.size() == 1)
+      if (const auto student = by_login(name)) meant.insert(*student);
+    // "Ada Byron_900001_assignsubmission_file_" of Moodle, whose number is of this assignment only.
+    if (meant.empty() && fields.size() == 2 && is_number(fields.back()))
+      if (const auto student = found_in(full_names_, fields.front())) meant.insert(*student);
     if (meant.size() != 1) {
       problem(fmt::format("'{}' was not read: {} of the roster.", shortened(printable(name), 100),
                           meant.empty() ? "it names no id" : "it names several ids"));
@@ -286,22 +383,25 @@ class Collector {
       return;
     }
     if (is_progress) {
-      if (Student* const student = student_of(parts.front())) take_progress(*student, read, shown);
+      for (Student* student : students_of(parts.front())) take_progress(*student, read, shown);
       return;
     }
     if (parts.size() == 1) return take_flat(parts.front(), read);
     if (parts.front() == "__MACOSX") return;
-    const std::string stem = fs::path(parts.back()).stem().string();
+    for (Student* student : students_of(parts.front())) take_file(*student, parts.back(), relative, shown, read);
+  }
+
+  void take_file(Student& student, const std::string& name, const std::string& relative, const std::string& shown,
+                 const Read& read) {
+    const std::string stem = fs::path(name).stem().string();
     const auto exercise = std::ranges::find(exercises_, stem, &Exercise::name);
-    Student* const student = student_of(parts.front());
-    if (student == nullptr) return;
-    if (exercise != exercises_.end() && parts.back() == stem + ".cpp") {
+    if (exercise != exercises_.end() && name == stem + ".cpp") {
       const std::string place = fmt::format("/lectures/{}/exercises/{}.cpp", exercise->lecture(), stem);
-      hand_in(*student, stem, {relative.ends_with(place) ? HandedIn::in_place : HandedIn::anywhere, relative}, read);
+      hand_in(student, stem, {relative.ends_with(place) ? HandedIn::in_place : HandedIn::anywhere, relative}, read);
     } else if (const std::string meant = plain_name(fs::path(stem).stem().string());
                std::ranges::find(exercises_, meant, &Exercise::name) != exercises_.end() &&
-               parts.back().find(".cpp") != std::string::npos) {
-      hand_in(*student, meant, {HandedIn::under_another_name, relative}, [&](const std::string&) -> std::string {
+               name.find(".cpp") != std::string::npos) {
+      hand_in(student, meant, {HandedIn::under_another_name, relative}, [&](const std::string&) -> std::string {
         throw RejectedFile(fmt::format("'{}' was not read: the file should be called {}.cpp.", shown, meant));
       });
     }
@@ -336,7 +436,7 @@ class Collector {
     if (meant == nullptr)
       return problem(fmt::format("'{}' was not read: it should be a student's folder, a zip file or ID_EXERCISE.cpp.",
                                  shortened(printable(name), 100)));
-    if (Student* student = student_of(stem.substr(0, stem.size() - meant->name().size() - 1)))
+    for (Student* student : students_of(stem.substr(0, stem.size() - meant->name().size() - 1)))
       hand_in(*student, meant->name(), {HandedIn::anywhere, name}, read);
   }
 
@@ -380,14 +480,25 @@ class Collector {
   const Shard shard_;
   const bool has_roster_;
   std::vector<std::string> names_;
-  std::map<std::string, std::size_t> students_;  ///< by id
-  std::map<std::string, std::size_t> owners_;    ///< by names of top-level entries that were met
+  std::map<std::string, std::size_t> students_;              ///< by id
+  std::map<std::string, std::string> aliases_, full_names_;  ///< ids by names in lower case; "": of several students
+  std::map<std::string, std::vector<std::size_t>> groups_;   ///< by folder, where the export says whose each is
+  std::map<std::string, std::size_t> owners_;                ///< by names of top-level entries that were met
   std::set<std::string> slugs_;
   std::size_t looked_at_ = 0;
   bool has_second_ = false;  ///< somebody has handed in different files for one exercise
 };
 
 }  // namespace
+
+/// The folder itself, or the one folder in it that Gradescope's export puts everything into.
+static fs::path with_metadata(const fs::path& folder) {
+  std::error_code ignored;
+  std::vector<fs::path> found;
+  for (const fs::path& entry : sorted_entries(folder, ignored))
+    if (fs::is_regular_file(entry / gradescope_metadata, ignored)) found.push_back(entry);
+  return found.size() == 1 && !fs::exists(folder / gradescope_metadata, ignored) ? found.front() : folder;
+}
 
 bool Shard::has(const std::string& id) const {
   // The low bits of the fingerprint tell parities of the letters only: the digits of ids are often so chosen.
@@ -418,10 +529,13 @@ Intake take_in(const fs::path& submissions, const Course& course, const std::vec
   if (type == fs::file_type::directory) fs::directory_iterator(submissions, problem);
   if (problem) throw GradingError(fmt::format("{} cannot be read ({}).", shown_path(submissions), problem.message()));
   fs::remove_all(copies, problem);
-  if (type == fs::file_type::regular)
-    collector.take_zipped(zipped, "");
-  else
-    collector.take_top_level(submissions);
+  if (type == fs::file_type::regular) {
+    collector.take_zipped_class(zipped);
+  } else {
+    const fs::path top = with_metadata(submissions);
+    if (const auto text = read_file(top / gradescope_metadata, std::size_t{64} << 20)) collector.take_metadata(*text);
+    collector.take_top_level(top);
+  }
   collector.doubt_single_student();
   fs::remove(copies / ".unpacked", problem);
   return std::move(collector.intake);

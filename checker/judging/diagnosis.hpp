@@ -142,7 +142,7 @@ std::vector<Diagnosis> diagnose_properties(const ExerciseReference& exercise, co
 
 /// One number of the inputs, at every case.
 struct Quantity {
-  std::string name;  ///< "omega_2", "I_13", "theta"
+  std::string name;  ///< "omega[1]", "I(0,2)", "theta": as one types it
   Unit unit;
   std::size_t argument = 0;
   std::size_t entry = 0;
@@ -155,7 +155,7 @@ struct Quantity {
 /// both.
 std::vector<Quantity> quantities_of(const ExerciseReference& exercise);
 
-/// How the entry of a value of that kind is called behind its name: "_2", "_13", "".
+/// How the entry of a value of that kind is typed behind its name: "[1]", "(0,2)", "".
 std::string entry_suffix(Kind kind, std::size_t entry);
 
 // --- dimensions by a change of units: a quantity in kg m² grows 10⁴ times when lengths are given in centimetres

@@ -106,6 +106,16 @@ std::string wrong_power(const Base& base, double expected_decades, double actual
                      growth(actual_decades, "grows", "shrinks", "does not change"));
 }
 
+/// "Your result has the unit kg² m⁴, and kg m² is asked for."
+Diagnosis wrong_unit(Unit actual, const ExerciseReference& exercise) {
+  const auto words = [](Unit unit) { return unit == units::none ? "no unit" : "the unit " + to_string(unit); };
+  Unit expected = exercise.result_units.front();
+  expected.radian = 0;
+  return {DiagnosisKind::dimension, "unit",
+          fmt::format("Your result has {}, and {} is asked for.", words(actual),
+                      expected == units::none ? "a pure number" : to_string(exercise.result_units.front()))};
+}
+
 std::string no_single_power(const Base& base, const std::string& component) {
   return fmt::format(
       "{} {} grows by no single power of ten: quantities of different dimension are being added, or a "
@@ -138,18 +148,27 @@ std::vector<Diagnosis> diagnose_dimensions(const ExerciseReference& exercise, co
                                            const std::vector<UnitProbe>& probes) {
   std::vector<Diagnosis> wrong_powers;
   std::vector<Diagnosis> no_powers;
+  Unit actual = exercise.result_units.front();  // where every base unit has one whole power
+  actual.radian = 0;
+  bool has_unit = exercise.result_units.size() == 1;
   for (const UnitProbe& probe : probes) {
     for (std::size_t u = 0; u < exercise.result_units.size(); ++u) {
       const Base& base = base_of(probe);
       const bool has_many_units = exercise.result_units.size() > 1;
       const auto powers = observed_powers(exercise, answers, probe, has_many_units ? std::optional(u) : std::nullopt);
-      if (!powers) break;
+      if (!powers) {
+        has_unit = false;
+        break;
+      }
       const double expected = exercise.result_units[u].*base.exponent;
       Power observed = single_power(*powers);
       const int decades = static_cast<int>(std::lround(std::log10(probe.factor)));
       auto number = has_many_units ? std::optional(u) : std::nullopt;
       if (!has_many_units && observed.finding == UnitFinding::no_single_power)
         if (const auto odd = odd_number(exercise, answers, probe, expected)) std::tie(number, observed) = *odd;
+      has_unit = has_unit && !number && observed.finding == UnitFinding::single_power &&
+                 observed.value == std::trunc(observed.value);
+      actual.*base.exponent = static_cast<int>(observed.value);
       const Value& result = exercise.cases[probe.case_indices.front()].expected;
       const std::string component = number ? entry_name(result, exercise.result_kind, *number) : "";
       if (observed.finding == UnitFinding::single_power && observed.value != expected) {
@@ -163,6 +182,7 @@ std::vector<Diagnosis> diagnose_dimensions(const ExerciseReference& exercise, co
       }
     }
   }
+  if (!wrong_powers.empty() && has_unit) return {wrong_unit(actual, exercise)};
   if (!wrong_powers.empty()) return wrong_powers;
   if (no_powers.size() > 1) no_powers.resize(1);
   return no_powers;

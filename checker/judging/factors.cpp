@@ -58,7 +58,7 @@ std::string simple_number(double number) {
   return "";
 }
 
-/// "times 2·m_1/(r²·g)" or "divided by r²"
+/// "times 2·m/(r²·g)" or "divided by r²"
 std::string factor_text(const std::string& coefficient, const std::vector<InputPower>& powers) {
   std::vector<std::string> above, below;
   const bool is_one_over = std::ranges::all_of(powers, [](const InputPower& each) { return each.exponent < 0; });

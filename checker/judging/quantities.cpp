@@ -18,8 +18,8 @@ bool is_symmetric_everywhere(const ExerciseReference& exercise, std::size_t argu
 }  // namespace
 
 std::string entry_suffix(Kind kind, std::size_t entry) {
-  if (is_vector(kind)) return fmt::format("_{}", entry + 1);
-  if (kind == Kind::matrix3) return fmt::format("_{}{}", entry % 3 + 1, entry / 3 + 1);
+  if (is_vector(kind)) return fmt::format("[{}]", entry);
+  if (kind == Kind::matrix3) return fmt::format("({},{})", entry % 3, entry / 3);
   return "";
 }
 

@@ -160,7 +160,7 @@ std::string with_coefficient(double size, const std::string& product) {
   return text == "1" ? (product.empty() ? "1" : product) : product.empty() ? text : text + "·" + product;
 }
 
-/// "is too small by omega_1·omega_2"
+/// "is too small by omega[0]·omega[1]"
 std::string difference(const std::vector<FittedProduct>& terms) {
   std::string text;
   for (const FittedProduct& term : terms) {
@@ -177,7 +177,7 @@ class Fitter {
   Fitter(const std::vector<Quantity>& quantities, const std::vector<std::size_t>& rows)
       : quantities_(quantities), rows_(rows), products_(quantities, rows) {}
 
-  /// "is too small by omega_1·omega_2"; empty where nothing fits.
+  /// "is too small by omega[0]·omega[1]"; empty where nothing fits.
   std::string words(const VectorXd& error, const VectorXd& scale, Unit unit) {
     std::string plain = words_over(error, scale, unit, nullptr);
     if (!plain.empty()) return plain;

@@ -86,7 +86,7 @@ class Features {
     }
   }
 
-  /// "one of a, b, c is 0", "two of I_1, I_2, I_3 are equal".
+  /// "one of a, b, c is 0", "two of I[0], I[1], I[2] are equal".
   void of_group(const std::vector<const Quantity*>& group) {
     if (group.size() < 2 || group.size() > 4) return;
     std::vector<std::string> names;
@@ -173,7 +173,7 @@ class Features {
     if (!(exercise_.arguments[a].unit == units::none)) return;
     constexpr double nearly = 1e-12;  // a rotation matrix is known to rounding only
     for (Eigen::Index k = 0; k < 3; ++k) {
-      const std::string entry = fmt::format("{}_{}{}", name, k + 1, k + 1);
+      const std::string entry = fmt::format("{}({},{})", name, k, k);
       const auto is_axis = [&, k](std::size_t i, double sign) {
         return (Eigen::Vector3d(input(i, a).col(k)) - sign * Eigen::Vector3d::Unit(k)).norm() < nearly;
       };
@@ -263,7 +263,7 @@ std::optional<Diagnosis> diagnose_split(const ExerciseReference& exercise, const
   // What is so of the whole is so of its components.
   for (const Argument& argument : exercise.arguments)
     if (!exact.empty() && exact.front() == argument.name + " = 0")
-      std::erase_if(exact, [&](const std::string& words) { return words.find(argument.name + "_") != words.npos; });
+      std::erase_if(exact, [&](const std::string& words) { return words.find(argument.name + "[") != words.npos; });
   const std::string there = words_of_wrong(exercise, answers, outcome.wrong);
   const std::string total = plural(outcome.right.size() + outcome.wrong.size(), "case");
   if (!exact.empty() && exact.size() <= most_features)

@@ -87,11 +87,9 @@ std::vector<Transform> permutations(int rows) {
   std::vector<int> order(static_cast<std::size_t>(rows));
   std::iota(order.begin(), order.end(), 0);
   while (std::ranges::next_permutation(order).found) {
-    std::vector<int> numbered = order;
-    for (int& component : numbered) ++component;
     found.push_back(
         {"permuted",
-         fmt::format("Your components are the expected ones in another order: {}.", fmt::join(numbered, ", ")),
+         fmt::format("Your components are the expected ones in another order: [{}].", fmt::join(order, "], [")),
          [order](const MatrixXd& right) { return MatrixXd(right(order, Eigen::all)); }});
   }
   return found;

@@ -44,8 +44,8 @@ struct Handle {
 };
 
 std::string entry_name(const Argument& argument, std::size_t entry) {
-  if (argument.kind == Kind::vector) return fmt::format("{}_{}", argument.name, entry + 1);
-  if (argument.kind == Kind::points) return fmt::format("{}_{}{}", argument.name, "xyz"[entry % 3], entry / 3 + 1);
+  if (argument.kind == Kind::vector) return fmt::format("{}[{}]", argument.name, entry);
+  if (argument.kind == Kind::points) return fmt::format("{}({},{})", argument.name, entry % 3, entry / 3);
   return argument.name + entry_suffix(argument.kind, entry);
 }
 
@@ -268,7 +268,7 @@ class Neighbours {
         for (const double length : {1.0, 1.1, 1.3, 0.7, 0.9}) {
           Values changed = inputs_;
           for (std::size_t k = 0; k < 3; ++k) changed[a].numbers[k] *= k == n ? length : 0;
-          add(fmt::format("{}_{} alone{}, its other components 0", name_of(a), n + 1,
+          add(fmt::format("{}[{}] alone{}, its other components 0", name_of(a), n,
                           length == 1 ? "" : fmt::format(" × {}", length)),
               changed);
         }
@@ -497,10 +497,10 @@ void add_changes_of(std::vector<NamedChange>& changes, const Argument& argument,
   if (argument.kind == Kind::vector3 || argument.kind == Kind::vector2) {
     const std::size_t size = argument.kind == Kind::vector3 ? 3 : 2;
     for (std::size_t n = 0; n < size; ++n) {
-      const std::string entry = fmt::format("{}_{}", name, n + 1);
+      const std::string entry = fmt::format("{}[{}]", name, n);
       for (std::size_t k = 0; k < size; ++k)
         if (k != n) {
-          add(fmt::format("{}_is_{}", n + 1, k + 1), fmt::format("{}_{} in place of {}", name, k + 1, entry),
+          add(fmt::format("{}_is_{}", n + 1, k + 1), fmt::format("{}[{}] in place of {}", name, k, entry),
               [n, k](Value& value) { value.numbers[n] = value.numbers[k]; });
           changes.back().may_leave_domain = false;
         }
@@ -509,7 +509,7 @@ void add_changes_of(std::vector<NamedChange>& changes, const Argument& argument,
           [n](Value& value) { value.numbers[n] *= -1; });
       for (std::size_t k = n + 1; k < size; ++k)
         add(fmt::format("{}_{}_exchanged", n + 1, k + 1),
-            fmt::format("{} with components {} and {} exchanged", name, n + 1, k + 1),
+            fmt::format("{0}[{1}] and {0}[{2}] exchanged", name, n, k),
             [n, k](Value& value) { std::swap(value.numbers[n], value.numbers[k]); });
     }
     if (size == 3)

@@ -147,7 +147,7 @@ struct Sort {
 inline constexpr Unit none{}, kg = units::kilogram, metre = units::metre, second = units::second, rad = units::radian;
 inline constexpr Unit per_s = none / second, rad_per_s = rad / second, rad_per_s2 = rad_per_s / second;
 inline constexpr Unit m_per_s = metre / second, m_per_s2 = m_per_s / second, newton = kg * m_per_s2;
-inline constexpr Unit joule = newton * metre, newton_metre = joule, kg_m2 = kg * metre * metre;
+inline constexpr Unit joule = newton * metre, newton_metre = workbook::units::newton_metre, kg_m2 = kg * metre * metre;
 inline constexpr Unit kg_m2_per_s = kg_m2 / second;
 
 /// Every number of it is > 0, or ≥ 0; a vector of any length but 0.

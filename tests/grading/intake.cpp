@@ -21,9 +21,15 @@ class Taken {
  public:
   explicit Taken(const MadeUpClass& of, const std::string& submissions = "submissions",
                  const std::vector<std::string>& roster = {})
+      : Taken(of, submissions, entries_of(roster)) {}
+
+  /// @param roster  as a table
+  static Taken with_table(const MadeUpClass& of, const std::string& submissions, const std::string& roster) {
+    return Taken(of, submissions, workbook::read_roster(write(of.root() / "roster.csv", roster)));
+  }
+
+  Taken(const MadeUpClass& of, const std::string& submissions, const std::vector<workbook::RosterEntry>& entries)
       : copies_(of.root() / "copies") {
-    std::vector<workbook::RosterEntry> entries;
-    for (const std::string& id : roster) entries.push_back({id, "", {}});
     const workbook::Course course(of.root() / "course.json");
     intake = workbook::take_in(of.root() / submissions, course, entries, copies_);
   }
@@ -45,6 +51,12 @@ class Taken {
   }
 
  private:
+  static std::vector<workbook::RosterEntry> entries_of(const std::vector<std::string>& ids) {
+    std::vector<workbook::RosterEntry> entries;
+    for (const std::string& id : ids) entries.push_back({id, "", {}, {}});
+    return entries;
+  }
+
   fs::path copies_;
 };
 
@@ -139,7 +151,7 @@ TEST_CASE("an id counts where a platform puts it, and not in what students name"
       {"cleo_dora_5_6_spring_energy.cpp", ""}};
   for (const auto& [path, id] : whose) write(all.submissions() / path, right + "// " + path + "\n");
   write(all.submissions() / "bob/spring_energy.cpp", wrong);
-  const Taken taken(all, "submissions", {"101", "102", "34", "s_7", "ann", "ann_b", "bob", "cleo", "dora"});
+  const Taken taken(all, "submissions", std::vector<std::string>{"101", "102", "34", "s_7", "ann", "ann_b", "bob", "cleo", "dora"});
   for (const auto& [path, id] : whose) {
     CAPTURE(path);
     if (!id.empty()) CHECK(taken.energy(id) == right + "// " + path + "\n");
@@ -149,6 +161,133 @@ TEST_CASE("an id counts where a platform puts it, and not in what students name"
   CHECK(taken.student("cleo").is_missing());
 }
 
+// The layouts of learning systems, written by hand from their documents and importers.
+
+/// As Gradescope's "Export submissions" writes it: symbols of Ruby as keys.
+const std::string metadata = R"(---
+submission_111:
+  :submitters:
+  - :name: Ada Lovelace
+    :sid: '3034'
+    :email: ada@example.org
+  - :name: Ben Franklin
+    :sid: '3035'
+    :email: ben@example.org
+  :created_at: 2027-03-01 18:46:33.342312000 Z
+  :score: 0.0
+  :results:
+    tests:
+    - output: "a: b\n- c"
+submission_222:
+  :submitters:
+  - :name: Cleo
+    :sid:
+    :email: cleo@example.org
+  :created_at: 2027-03-02 10:00:00.000000000 +01:00
+)";
+
+TEST_CASE("Gradescope's export says whose a folder is: one, several, by number, e-mail or name") {
+  const MadeUpClass all;
+  const std::vector<std::pair<std::string, std::string>> files = {{"submission_metadata.yml", metadata},
+                                                                  {"submission_111/spring_energy.cpp", right},
+                                                                  {"submission_222/work/spring_energy.cpp", wrong}};
+  std::vector<std::pair<std::string, std::optional<std::string>>> zipped;
+  for (const auto& [path, text] : files) {
+    write(all.root() / "unpacked/assignment_5_export" / path, text);
+    zipped.emplace_back("assignment_5_export/" + path, text);
+  }
+  write_zip(all.root() / "export.zip", zipped);
+  for (const char* submissions : {"unpacked", "unpacked/assignment_5_export", "export.zip"}) {
+    CAPTURE(submissions);
+    const Taken alone(all, submissions);
+    CHECK(alone.intake.students.size() == 3);
+    CHECK(alone.energy("3034") == right);
+    CHECK(alone.energy("3035") == right);
+    CHECK(alone.energy("cleo@example.org") == wrong);
+    CHECK(alone.student("3034").name == "Ada Lovelace");
+    CHECK(alone.student("3034").submitted == workbook::read_time("2027-03-01T18:46:33Z"));
+    CHECK(alone.student("cleo@example.org").submitted == workbook::read_time("2027-03-02T09:00:00Z"));
+    const Taken listed = Taken::with_table(
+        all, submissions, "Student ID;Name;E-mail;Aliases\n1;Ada L;;ada@EXAMPLE.org x\n2;Somebody;;\n3;CLEO;;\n");
+    CHECK(listed.energy("1") == right);
+    CHECK(listed.energy("3") == wrong);
+    CHECK(listed.student("2").is_missing());
+    REQUIRE(listed.intake.problems.size() == 1);
+    CHECK(has(listed.intake.problems[0], "Ben Franklin"));
+  }
+  write(all.root() / "unpacked/assignment_5_export/submission_333/spring_energy.cpp", right);
+  CHECK(has(Taken(all, "unpacked").intake.problems.at(0), "submission_333"));
+  write(all.root() / "unpacked/assignment_5_export/submission_metadata.yml", "a: [b");
+  CHECK_THROWS_AS(Taken(all, "unpacked"), workbook::GradingError);
+}
+
+TEST_CASE("Moodle's grading worksheet is a roster by the number of the participant") {
+  const MadeUpClass all;
+  write(all.submissions() / "Ada Byron_900001_assignsubmission_file_/spring_energy.cpp", right);
+  write(all.submissions() / "Ben Ohm_900002_assignsubmission_file_/spring_energy.cpp", wrong);
+  const std::string heading =
+      "Identifier,Full name,ID number,Email address,Status,Grade,Maximum grade,Feedback comments\n";
+  const Taken taken = Taken::with_table(all, "submissions",
+                                        heading +
+                                            "Participant 900001,Ada Byron,A-1,a@x.org,Submitted,,100,\n"
+                                            "Participant 900002,Ben Ohm,,b@x.org,Submitted,,100,\n"
+                                            "Participant 900003,Cleo,,c@x.org,No submission,,100,\n");
+  CHECK(taken.energy("A-1") == right);
+  CHECK(taken.energy("900002") == wrong);
+  CHECK(taken.student("900003").is_missing());
+  CHECK(taken.intake.problems.empty());
+  // The number alone is of one assignment; a full name that is there once will do.
+  const Taken named = Taken::with_table(all, "submissions", "id,name\n17,ada byron\n18,Ben Ohm\n19,Ben Ohm\n");
+  CHECK(named.energy("17") == right);
+  CHECK(named.intake.problems.size() == 1);
+}
+
+TEST_CASE("Canvas' gradebook and the roster of GitHub Classroom are rosters") {
+  const MadeUpClass all;
+  write(all.submissions() / "planckmax_LATE_34_778_spring_energy-2.cpp", right);
+  const Taken canvas = Taken::with_table(all, "submissions",
+                                         "Student,ID,SIS User ID,SIS Login ID,Section,Week 3 (12)\n"
+                                         "    Points Possible,,,,,10\n\"Planck, Max\",34,s34,planck,A,\n");
+  CHECK(canvas.intake.students.size() == 1);
+  CHECK(canvas.energy("34") == right);
+  const MadeUpClass cloned;
+  write(cloned.submissions() / "week-3-octo-cat/lectures/01/exercises/spring_energy.cpp", right);
+  const Taken classroom = Taken::with_table(
+      cloned, "submissions",
+      "\"identifier\",\"github_username\",\"github_id\",\"name\"\n\"ada@x.org\",\"Octo-Cat\",\"7\",\"\"\n");
+  CHECK(classroom.energy("ada@x.org") == right);
+}
+
+TEST_CASE("times have a zone") {
+  const auto noon = workbook::read_time("2027-03-01T12:00:00Z");
+  REQUIRE(noon);
+  for (const char* text : {"2027-03-01 13:00:00 +0100", "2027-03-01T13:00:00+01:00", "2027-03-01 12:00:00 UTC",
+                           "2027-03-01 07:00:00.123 -0500"})
+    CHECK_MESSAGE(workbook::read_time(text) == noon, text);
+  for (const char* text :
+       {"2027-03-01 12:00:00", "2027-02-30T12:00:00Z", "1 March 2027", "2027-03-01T12:00:00Zulu", ""})
+    CHECK_MESSAGE(!workbook::read_time(text), text);
+}
+
+TEST_CASE("--who says who has handed in what, and judges nothing; the worksheet comes back with marks") {
+  const MadeUpClass all;
+  write(all.submissions() / "Ada Byron_900001_assignsubmission_file_/spring_energy.cpp", right);
+  write(all.root() / "sheet.csv",
+        "Identifier,Full name,Status,Grade,Maximum grade,Feedback comments\n"
+        "Participant 900001,Ada Byron,Submitted,,50,\n"
+        "Participant 900002,Ben Ohm,No submission,,50,\n");
+  const Outcome who = all.run("grade submissions --who --roster sheet.csv");
+  CHECK(who.status == 1);
+  CHECK(has(who.out, "900001, Ada Byron (Ada Byron_900001): spring_energy\n1 of 2 students of the roster handed in."));
+  CHECK(has(who.out, "Nothing was found of 900002."));
+  CHECK(all.run("grade submissions").status == 2);
+  all.run("grade submissions --out graded --roster sheet.csv --allow-reduced --seed 1");
+  const std::string sheet = read(all.root() / "graded/moodle_worksheet.csv");
+  CHECK(has(sheet, "Participant 900001,Ada Byron,Submitted,"));
+  CHECK(has(sheet, "Participant 900002,Ben Ohm,No submission,,50,"));
+  CHECK(!has(sheet, "900001,Ada Byron,Submitted,,"));
+}
+
 TEST_CASE("a class in one folder of a zip file is not taken for a student without a word") {
   const MadeUpClass all;
   write_zip(all.root() / "class.zip",
@@ -156,7 +295,7 @@ TEST_CASE("a class in one folder of a zip file is not taken for a student withou
   const Taken taken(all, "class.zip");
   REQUIRE(taken.intake.students.size() == 1);
   CHECK(has(taken.student("export").unread.at(0), "SUBMISSIONS"));
-  const Taken listed(all, "class.zip", {"s_1", "s_2"});
+  const Taken listed(all, "class.zip", std::vector<std::string>{"s_1", "s_2"});
   CHECK(listed.intake.problems.size() == 1);
   CHECK(listed.student("s_1").is_missing());
 }

@@ -378,7 +378,7 @@ TEST_CASE("An input is independent where at two cases at least it moves the righ
   const auto found = independent_inputs(exercise, answers);
   REQUIRE(found.size() == 1);
   CHECK(found[0] == IndependentInput{2, 0});
-  CHECK(independence(exercise, found).value().message.find("v_1") != std::string::npos);
+  CHECK(independence(exercise, found).value().message.find("v[0]") != std::string::npos);
   CHECK(independence(exercise, {{2, 0}, {2, 1}, {2, 2}}).value().message.find("with v;") != std::string::npos);
   Answers without_number = answers;
   without_number[1]->numbers[0] = not_a_number;

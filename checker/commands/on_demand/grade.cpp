@@ -1,5 +1,6 @@
 // A class graded: take in → judge what was not judged yet → write results. Whatever happens, what is judged is kept.
 #include "checker/commands/commands.hpp"
+#include "checker/compile/compile.hpp"
 #include "checker/explain/diagnostic_run.hpp"
 #include "checker/grading/grading.hpp"
 #include "checker/sandbox/sandbox.hpp"
@@ -410,10 +411,42 @@ void print_changes(const fs::path& class_file, const ordered_json& document) {
   }
 }
 
+int print_who(const Course& course, const Options& options) {
+  const fs::path submissions = fs::absolute(options.submissions);
+  if (!fs::exists(submissions)) throw GradingError(fmt::format("There is no {}.", shown_path(submissions)));
+  const std::vector<RosterEntry> roster = options.roster ? read_roster(*options.roster) : std::vector<RosterEntry>{};
+  const Workspace copies(fs::temp_directory_path());
+  const Intake intake = take_in(submissions, course, roster, copies.directory());
+  std::vector<std::string> missing;
+  for (const Student& student : intake.students) {
+    if (student.is_missing() && student.unread.empty()) {
+      missing.push_back(student.id);
+      continue;
+    }
+    std::vector<std::string> files;
+    for (const auto& [exercise, file] : student.files)
+      files.push_back(file.refusal.empty() ? exercise : exercise + " (not read)");
+    fmt::print("{}{}{}: {}\n", student.id, student.name.empty() ? "" : ", " + student.name,
+               student.entry.empty() || student.entry == student.id ? "" : " (" + student.entry + ")",
+               !student.dispute.empty() ? student.dispute
+               : files.empty()          ? "nothing that is graded"
+                                        : listed(files));
+    for (const std::string& sentence : student.unread) fmt::print("  {}\n", sentence);
+  }
+  fmt::print("{} of {}{} handed in.\n", intake.students.size() - missing.size(),
+             plural(intake.students.size(), "student"), options.roster ? " of the roster" : "");
+  for (const std::string& sentence : intake.problems) fmt::print("  {}\n", sentence);
+  if (!missing.empty())
+    fmt::print("  Nothing was found of {}.\n", shortened(fmt::format("{}", fmt::join(missing, ", ")), 1000));
+  return intake.problems.empty() && missing.empty() ? all_passed : something_failed;
+}
+
 }  // namespace
 
 int grade(const Course& given, const Options& options) {
   try {
+    if (options.who) return print_who(given, options);
+    if (!options.out) throw GradingError("Say with --out FOLDER where the results go, or only --who handed in what.");
     const fs::path out = fs::absolute(*options.out).lexically_normal();
     const SandboxStrength sandbox = strong_sandbox(options.allow_reduced, out);
     fmt::print("Sandbox: {}.\n", sandbox.sentence());
@@ -475,6 +508,9 @@ int grade(const Course& given, const Options& options) {
     const ordered_json document = grader.write_results(intake, sandbox.sentence(), options.with_missing);
     print_changes(out / "class.json", document);
     write_or_fail(out / "class.json", indented(document));
+    if (options.roster)
+      if (const auto worksheet = filled_worksheet(*options.roster, document))
+        write_or_fail(out / "moodle_worksheet.csv", *worksheet);
     fs::remove_all(out / "work", ignored);
     const bool is_all = print_intake(intake, document, options);
     for (const ordered_json& each : document.at("learnt_by_heart"))

@@ -71,7 +71,7 @@ void judge_euler_angle_accelerations(Lecture& lecture) {
           [](auto& I, auto& q, auto& v) { return solve(q, omega_rate(I, q, v), v[2] * z_axis, v); });
   e.wrong("In Ḃ only θ changes; its entries depend on ψ too.", "spin_of_axes_lost",
           [](auto& I, auto& q, auto& v) { return solve(q, omega_rate(I, q, v), v[1] * y_axis, v); });
-  e.survivor("angles_3 taken modulo π",
+  e.survivor("angles[2] taken modulo π",
              "Half a turn about axis 3 changes no moment: at thousands of turns, digits alone.");
   e.angles_read_as_degrees("kinetic_energy_angles");
   e.route("Lagrange's equations", lagrange(1, 1));

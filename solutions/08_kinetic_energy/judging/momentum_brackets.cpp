@@ -61,7 +61,7 @@ void judge_momentum_brackets(Lecture& lecture) {
   e.wrong_input<0>(phi_for_psi, "phi_for_psi", exchange(0, 2));
   e.angles_read_as_degrees("kinetic_energy_angles");
   const char* const far = "At thousands of radians a derivative by differences has too few digits left.";
-  for (const char* bug : {"angles_2 limited to 1000", "angles_3 limited to 1000"}) e.survivor(bug, far);
+  for (const char* bug : {"angles[1] limited to 1000", "angles[2] limited to 1000"}) e.survivor(bug, far);
   e.property(Is::antisymmetric,
              "A bracket changes its sign when its functions are exchanged: the matrix of brackets is antisymmetric.");
   e.route("derivatives by a complex step", [](auto& q, auto& p) {

@@ -95,7 +95,7 @@ void judge_heavy_top_accelerations(Lecture& lecture) {
   e.term("the turning of the axes of the angles", -1,
          [](auto&, auto, auto& q, auto& v) -> Vector3d { return rate_axes(q).inverse() * turning_axes(q, v); });
   mistakes_of_heavy_top_accelerations(e);
-  e.survivor("angles_3 taken modulo π",
+  e.survivor("angles[2] taken modulo π",
              "Half a turn about axis 3 changes no moment: at thousands of turns, digits alone.");
   e.angles_read_as_degrees();
   e.route("Lagrange's equations by a complex step", [](auto& I, auto mgl, auto& q, auto& v) {

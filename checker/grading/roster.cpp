@@ -1,0 +1,191 @@
+// Who is who: a roster, or what a learning system exports of its own.
+#include "checker/grading/grading.hpp"
+
+#include <yaml-cpp/yaml.h>
+#include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/predicate.hpp>
+#include <boost/algorithm/string/split.hpp>
+#include <boost/algorithm/string/trim.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <set>
+
+namespace workbook {
+namespace {
+
+constexpr std::size_t largest_table = std::size_t{16} << 20;
+
+// The headings of a roster of one's own, of Gradescope and GitHub Classroom (identifier), of the gradebook of Canvas
+// (Student, ID, SIS User ID, SIS Login ID) and of the grading worksheet of Moodle (Identifier, Full name).
+const std::vector<std::string> id_headings = {"id",          "sid",        "student id", "id number",    "username",
+                                              "sis user id", "identifier", "email",      "email address"};
+const std::vector<std::string> name_headings = {"name", "full name", "student", "student name"};
+const std::vector<std::string> time_headings = {"submitted", "submission time"};
+const std::vector<std::string> alias_headings = {
+    "aliases", "email", "email address", "username",        "login",        "sis login id", "sis user id",
+    "sid",     "id",    "id number",     "github_username", "github login", "github",       "identifier"};
+
+/// A table whose first row names the columns.
+class NamedTable {
+ public:
+  explicit NamedTable(const fs::path& file) : file_(file) {
+    const std::optional<std::string> text = read_file(file, largest_table);
+    if (!text) throw GradingError(fmt::format("{} cannot be read; check its name.", shown_path(file)));
+    try {
+      const std::string_view head = std::string_view(*text).substr(0, text->find('\n'));
+      separator_ = head.find(',') == std::string::npos && head.find(';') != std::string::npos ? ';' : ',';
+      rows = read_csv(*text, separator_);
+    } catch (const GradingError& problem) {
+      refuse(problem.what());
+    }
+    if (rows.empty()) refuse("it is empty; the first line should name the columns, one of them id");
+    for (auto& row : rows)
+      for (std::string& field : row) boost::trim(field);
+  }
+
+  [[noreturn]] void refuse(const std::string& reason) const {
+    throw GradingError(fmt::format("{}: {}.", shown_path(file_), reason));
+  }
+
+  /// The first of the headings that is there.
+  std::optional<std::size_t> column(const std::vector<std::string>& headings) const {
+    for (const std::string& heading : headings)
+      for (std::size_t at = 0; at < rows.front().size(); ++at)
+        if (boost::iequals(rows.front()[at], heading)) return at;
+    return std::nullopt;
+  }
+
+  std::string field(std::size_t row, std::optional<std::size_t> at) const {
+    return at && *at < rows[row].size() ? rows[row][*at] : "";
+  }
+
+  Table rows;
+
+ private:
+  const fs::path file_;
+  char separator_ = ',';
+};
+
+/// "Participant 900001", as Moodle's worksheet has it, in any language.
+std::string participant_number(const std::string& identifier) {
+  const std::size_t space = identifier.rfind(' ');
+  const std::string number = space == std::string::npos ? "" : identifier.substr(space + 1);
+  return number.find_first_not_of("0123456789") == std::string::npos ? number : "";
+}
+
+bool is_worksheet(const NamedTable& table) {
+  return table.column({"identifier"}) && table.column({"full name"}) && table.column({"grade"});
+}
+
+/// The id under which a row of the worksheet is graded.
+std::string worksheet_id(const NamedTable& table, std::size_t row) {
+  const std::string own = table.field(row, table.column({"id number"}));
+  return own.empty() ? participant_number(table.field(row, table.column({"identifier"}))) : own;
+}
+
+std::string text_at(const YAML::Node& node, const char* key) {
+  for (const std::string& name : {std::string(":") + key, std::string(key)})
+    if (node.IsMap() && node[name] && node[name].IsScalar()) return node[name].Scalar();
+  return "";
+}
+
+}  // namespace
+
+std::vector<RosterEntry> read_roster(const fs::path& file) {
+  const NamedTable table(file);
+  const bool worksheet = is_worksheet(table);
+  const auto id = table.column(id_headings), name = table.column(name_headings),
+             submitted = table.column(time_headings);
+  const auto first_name = table.column({"first name"}), last_name = table.column({"last name", "surname"});
+  if (!id && !worksheet)
+    table.refuse(fmt::format("the first line should name the columns, one of them id; it names '{}'",
+                             shortened(printable(fmt::format("{}", fmt::join(table.rows.front(), "', '"))), 200)));
+  if (table.rows.size() == 1) table.refuse("it has columns and no row; a line for each student should follow");
+  std::vector<RosterEntry> entries;
+  std::set<std::string> ids;
+  for (std::size_t row = 1; row < table.rows.size(); ++row) {
+    const auto refuse_row = [&](const std::string& reason) {
+      table.refuse(fmt::format("row {}: {}", row + 1, reason));
+    };
+    RosterEntry entry{worksheet ? worksheet_id(table, row) : table.field(row, id),
+                      table.field(row, name),
+                      read_time(table.field(row, submitted)),
+                      {}};
+    if (entry.name.empty() && first_name && last_name)
+      entry.name = table.field(row, first_name) + " " + table.field(row, last_name);
+    if (entry.id.empty() && boost::iequals(entry.name, "points possible")) continue;  // the second row of Canvas
+    if (table.rows[row].size() > table.rows.front().size())
+      refuse_row(fmt::format("it has {}, and the first line only {}; put quotation marks around a cell with commas",
+                             plural(table.rows[row].size(), "cell"), table.rows.front().size()));
+    if (entry.id.empty()) refuse_row("the id is missing");
+    if (!ids.insert(entry.id).second) refuse_row(fmt::format("the id {} is there twice", printable(entry.id)));
+    if (!entry.submitted && !table.field(row, submitted).empty())
+      refuse_row("'submitted' should be a time like 2027-03-01T23:59:00Z");
+    for (const std::string& heading : alias_headings) {
+      std::vector<std::string> names;
+      const std::string cell = table.field(row, table.column({heading}));
+      boost::split(names, cell, [&](char letter) { return heading == "aliases" && (letter == ' ' || letter == ';'); });
+      if (worksheet && heading == "identifier") names = {participant_number(cell)};
+      for (const std::string& each : names)
+        if (!each.empty() && each != entry.id) entry.aliases.push_back(each);
+    }
+    entries.push_back(std::move(entry));
+  }
+  return entries;
+}
+
+std::map<std::string, std::vector<RosterEntry>> read_gradescope(const std::string& text) {
+  std::map<std::string, std::vector<RosterEntry>> submitters;
+  try {
+    for (const auto& submission : YAML::Load(text)) {
+      const std::string folder = submission.first.Scalar();
+      const YAML::Node& about = submission.second;
+      const YAML::Node people = about[":submitters"] ? about[":submitters"] : about["submitters"];
+      for (const YAML::Node& person : people) {
+        RosterEntry entry{text_at(person, "sid"),
+                          text_at(person, "name"),
+                          read_time(text_at(about, "created_at")),
+                          {text_at(person, "email")}};
+        for (const std::string& other : {entry.aliases.front(), entry.name})
+          if (entry.id.empty()) entry.id = other;
+        if (!entry.id.empty()) submitters[folder.substr(folder.find_first_not_of(':'))].push_back(std::move(entry));
+      }
+    }
+  } catch (const std::exception& problem) {
+    throw GradingError(
+        fmt::format("{} cannot be read ({}). Nothing was graded.", gradescope_metadata, printable(problem.what())));
+  }
+  if (submitters.empty())
+    throw GradingError(fmt::format("{} names no student. Nothing was graded.", gradescope_metadata));
+  return submitters;
+}
+
+std::optional<std::string> filled_worksheet(const fs::path& roster, const nlohmann::ordered_json& document) {
+  NamedTable table(roster);
+  if (!is_worksheet(table)) return std::nullopt;
+  const std::size_t grade = *table.column({"grade"});
+  const auto feedback = table.column({"feedback comments"}), maximum = table.column({"maximum grade"});
+  for (std::size_t row = 1; row < table.rows.size(); ++row) {
+    const auto& students = document.at("students");
+    const auto found =
+        std::ranges::find_if(students, [&](const auto& each) { return each.at("id") == worksheet_id(table, row); });
+    if (found == students.end() || !found->at("in_tables")) continue;
+    const auto is_judged = [](const auto& mark) { return mark.at("score").is_number(); };
+    if (!std::ranges::all_of(found->at("results"), is_judged)) continue;
+    const double possible = found->at("possible"), most = std::atof(table.field(row, maximum).c_str());
+    const double scale = most > 0 && possible > 0 ? most / possible : 1;
+    table.rows[row].resize(table.rows.front().size());
+    table.rows[row][grade] = fmt::format("{:.2f}", scale * found->at("score").template get<double>());
+    std::vector<std::string> failed;
+    for (const auto& mark : found->at("results"))
+      if (mark.at("verdict") != "passed")
+        failed.push_back(fmt::format("{}: {}", mark.at("exercise").template get<std::string>(),
+                                     mark.at("message").template get<std::string>()));
+    if (feedback)
+      table.rows[row][*feedback] = failed.empty() ? "All passed." : fmt::format("{}", fmt::join(failed, " "));
+  }
+  return write_csv(table.rows);
+}
+
+}  // namespace workbook
