@@ -159,4 +159,24 @@ Matrix3Xd bearing_forces(const Matrix3d& I_cm, double M, const Vector3d& r_cm, d
 /// not on the slides; D. Kleppner and R. Kolenkow, An Introduction to Mechanics, chapter 7
 Vector3d gyroscopic_torque(double I1, double I3, double spin, const Vector3d& turn);
 
+/// Period of a gyrocompass about the direction in which it settles.
+///
+/// The axle of a symmetric rotor is kept level, and may turn freely about the vertical; no torque acts along the axle.
+/// The ground rotates: the Earth, or a turntable for a demonstration. In some directions the axle can rest relative to
+/// the ground; about the one that is stable it swings. Asked for is the period of small swings, without friction.
+/// Towards a pole of the Earth it grows beyond all bounds.
+///
+/// @param I1           moment of the rotor about each axis through its centre of mass across its axle, kg m²
+/// @param I3           moment of the rotor about its axle, kg m²
+/// @param spin         rate of the rotor about its axle relative to its housing, rad/s, of either sign
+/// @param latitude     angle of the axis of the ground's rotation with the level plane, rad
+/// @param ground_rate  angular velocity of the ground, rad/s: 7.292115e-5 on the Earth, some rad/s on a turntable
+/// @return             period of small swings, s; the moment of the housing is left out
+/// @pre 0 < I3 ≤ 2 I1 as for every rotor, ground_rate > 0
+/// @pre |latitude| ≤ 1.5 (at a pole every direction is alike)
+/// @pre I3 |spin| > I1 ground_rate: only one direction is stable
+/// @par Source
+/// not on the slides; H. Goldstein, Classical Mechanics, chapter 5; L. Foucault 1852
+double gyrocompass_period(double I1, double I3, double spin, double latitude, double ground_rate);
+
 }  // namespace rigid

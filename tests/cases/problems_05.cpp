@@ -60,3 +60,10 @@ TEST_CASE("gyroscopic_torque: the transport theorem, and the tensor of the rotor
   CHECK(agrees(gyroscopic_torque(0.35, 0.6, 0, {0.3, -0.5, 2}), Vector3d(-0.25, -0.15, 0), 1e-13));
   CHECK(gyroscopic_torque(0.35, 0.6, 40, {0, 0, 3}).norm() == 0);
 }
+
+TEST_CASE("gyrocompass_period: the axle integrated in space, its amplitude brought to zero") {
+  CHECK(agrees(gyrocompass_period(0.07, 0.13, 25, 0.7, 2), 0.735256675693, 1e-11));
+  CHECK(agrees(gyrocompass_period(0.07, 0.13, -25, 0.7, 2), 0.735256675693, 1e-11));
+  CHECK(agrees(gyrocompass_period(0.07, 0.02, -10, -0.4, 2), 3.7288185300, 1e-11));
+  CHECK(agrees(gyrocompass_period(0.012, 0.02, 2000, 0.3 * std::acos(-1), 7.292115e-5), 16.6228083079, 1e-11));
+}
