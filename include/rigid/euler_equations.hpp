@@ -73,6 +73,25 @@ Vector3d angular_momentum_rate(const Matrix3d& I, const Vector3d& omega, const V
 /// S0 s17, S1 s4 and s6, S2 s16, S3 p~14, S4 p~16
 Vector2d rotation_invariants(const Vector3d& I, const Vector3d& omega);
 
+/// The angular velocity of a symmetric satellite while a thruster acts about its axis.
+///
+/// \f[ \tilde\omega_3 = \tilde\omega_3(0) + \frac{\tau t}{I_3}, \qquad
+///     \alpha = \frac{I_3 - I_1}{I_1} \int_0^t \tilde\omega_3\,\dd t' , \f]
+///
+/// and \f$(\tilde\omega_1, \tilde\omega_2)\f$ has turned through the angle α since t = 0, positive from axis 1 towards
+/// axis 2. Axis 3 is that of the satellite. The torque is constant on the axes of the body.
+///
+/// @param I1      moment about axes 1 and 2, kg m²
+/// @param I3      moment about axis 3, kg m²
+/// @param omega0  angular velocity at t = 0, body components, rad/s
+/// @param torque  component of the torque about axis 3, N m; the others are zero. Negative: it brakes
+/// @param t       time, s; negative times lie before t = 0, the thruster acting
+/// @return        angular velocity at time t, body components, rad/s
+/// @pre I1 > 0 and I3 > 0
+/// @par Source
+/// S0 s20, S1 s8, S2 s18, S3 p~17, S4 p~19 with this torque
+Vector3d spin_up(double I1, double I3, const Vector3d& omega0, double torque, double t);
+
 /// The angular velocity of a body on which no torque acts, as time goes by.
 ///
 /// Integrates Euler's equations with \f$\vec\tau = 0\f$ from omega0 at t = 0 to each of the given times. The times are

@@ -1,4 +1,4 @@
-// Values of the problems of lecture 05, from computations in 34 digits by two ways that share no formula.
+// Values of the problems of lecture 05 and of `spin_up`, from computations in 34 digits by two ways that share no formula.
 #include "lectures/support/agrees.hpp"
 
 #include <rigid/euler_equations.hpp>
@@ -66,4 +66,9 @@ TEST_CASE("gyrocompass_period: the axle integrated in space, its amplitude broug
   CHECK(agrees(gyrocompass_period(0.07, 0.13, -25, 0.7, 2), 0.735256675693, 1e-11));
   CHECK(agrees(gyrocompass_period(0.07, 0.02, -10, -0.4, 2), 3.7288185300, 1e-11));
   CHECK(agrees(gyrocompass_period(0.012, 0.02, 2000, 0.3 * std::acos(-1), 7.292115e-5), 16.6228083079, 1e-11));
+}
+
+TEST_CASE("spin_up: the closed form, and Euler's equations by Taylor series") {
+  CHECK(agrees(spin_up(1, 1.8, {0.4, 0, 2}, 0.9, 8), Vector3d(0.35712256070516, 0.18017623771016, 6), 1e-12));
+  CHECK(agrees(spin_up(2, 0.5, {-0.7, 0.4, 1.5}, -0.1, 4), Vector3d(0.62813756127891, -0.50541389386382, 0.7), 1e-12));
 }
