@@ -145,6 +145,25 @@ Matrix3d free_attitude(const Vector3d& I, const Vector3d& omega0, double t);
 /// Numerical Integration, section VII.5
 Vector3d splitting_step(const Vector3d& I, const Vector3d& omega, double h);
 
+/// Where a ball is that rolls on a turntable.
+///
+/// A ball rolls without slipping on a level turntable that rotates at a constant rate about its middle, the origin. Its
+/// mass is distributed alike in all directions. Position and velocity are those for somebody who stands beside the
+/// table, on fixed axes; the table rotates anticlockwise if its rate is positive. On a table at rest the ball goes on
+/// straight ahead.
+///
+/// @param k           I/(M a²): moment of the ball about its centre by its mass and the square of its radius
+/// @param table_rate  angular velocity of the table, rad/s, of either sign or zero
+/// @param start       where the ball is at t = 0, m
+/// @param velocity    of its centre at t = 0, m/s; its spin is then such that it rolls
+/// @param t           time, s; negative times lie before t = 0
+/// @return            position at time t, m
+/// @pre 0 < k ≤ 2/3 as for every ball: 2/5 for a solid one, 2/3 for a thin shell
+/// @pre |table_rate t| ≤ 60 rad; the table is large enough
+/// @par Source
+/// not on the slides; E. J. Routh, Advanced Rigid Dynamics; D. Morin, Introduction to Classical Mechanics, chapter 9
+Vector2d ball_on_turntable(double k, double table_rate, const Vector2d& start, const Vector2d& velocity, double t);
+
 /// The forces with which two bearings hold an unbalanced rotor.
 ///
 /// The rotor turns about the z axis of its body axes at a constant rate; the origin lies on the shaft. The two bearings

@@ -1,4 +1,5 @@
-// Values of the problems of lecture 05 and of `spin_up`, from computations in 34 digits by two ways that share no formula.
+// Values of the problems of lecture 05 and of `spin_up`, from computations in 34 digits by two ways that share no
+// formula.
 #include "lectures/support/agrees.hpp"
 
 #include <rigid/euler_equations.hpp>
@@ -71,4 +72,12 @@ TEST_CASE("gyrocompass_period: the axle integrated in space, its amplitude broug
 TEST_CASE("spin_up: the closed form, and Euler's equations by Taylor series") {
   CHECK(agrees(spin_up(1, 1.8, {0.4, 0, 2}, 0.9, 8), Vector3d(0.35712256070516, 0.18017623771016, 6), 1e-12));
   CHECK(agrees(spin_up(2, 0.5, {-0.7, 0.4, 1.5}, -0.1, 4), Vector3d(0.62813756127891, -0.50541389386382, 0.7), 1e-12));
+}
+
+TEST_CASE("ball_on_turntable: the closed form, and Newton's and Euler's laws by Taylor series") {
+  CHECK(agrees(ball_on_turntable(0.4, 3, {0.4, -0.1}, {0.3, 0.5}, 4), Vector2d(-0.84187988128057, 0.42057028452975),
+               1e-12));
+  CHECK(agrees(ball_on_turntable(2. / 3, -2, {-0.2, 0.3}, {0.1, -0.6}, 7.5),
+               Vector2d(-0.26479922228709, 0.50458290948049), 1e-12));
+  CHECK(agrees(ball_on_turntable(0.4, 0, {0.4, -0.1}, {0.3, 0.5}, 4), Vector2d(1.6, 1.9), 1e-14));
 }
