@@ -122,6 +122,22 @@ Vector3d angular_velocity_inertial(const Vector3d& angles, const Vector3d& rates
 /// the inverse of S1 s16; not on the slides
 Vector3d euler_angle_rates(const Vector3d& angles, const Vector3d& omega_body);
 
+/// The angles of the other convention, z–x–z, for an attitude whose z–y–z angles are known.
+///
+/// \f[ \phi_{zxz} = \phi + \tfrac\pi2, \qquad \theta_{zxz} = \theta, \qquad \psi_{zxz} = \psi - \tfrac\pi2 \f]
+///
+/// brought into their ranges: θ in [0, π], the two others in (−π, π]. The attitude stays the same: the angles
+/// (φ + π, −θ, ψ + π) and full turns more do that. Where sin θ = 0 only one combination of φ and ψ is determined; there
+/// ψ_zxz = 0.
+///
+/// @param angles  (φ, θ, ψ), z–y–z, any real numbers, rad; θ below 0 and beyond π too
+/// @return        (φ_zxz, θ_zxz, ψ_zxz), rad
+/// @pre |sin θ| is above 10⁻⁶ or, where θ is a multiple of π up to rounding, below 10⁻¹²
+/// @pre neither φ_zxz nor ψ_zxz is within 10⁻⁶ of ±π, where rounding chooses the end of the range
+/// @par Source
+/// not on the slides; H. Goldstein, Classical Mechanics, appendix A
+Vector3d to_zxz(const Vector3d& angles);
+
 /// Yaw, pitch and roll of a body whose z–y–z angles are known.
 ///
 /// A pilot brings the inertial axes onto the same body axes by three other turns: yaw about axis 3, then pitch about

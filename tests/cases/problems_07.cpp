@@ -73,3 +73,19 @@ TEST_CASE("the shortest rotation from one direction to another") {
   CHECK(agrees(shortest_rotation({0, 0, 2}, {0, 0, 5}), Matrix3d(Matrix3d::Identity()), 1e-15));
   CHECK(agrees(shortest_rotation({1, 0, 0}, {0, 3, 0}), Matrix3d{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}, 1e-15));
 }
+
+TEST_CASE("to_zxz: three turns about z, x and z reach the attitude of three about z, y and z") {
+  const auto turned = [](const Vector3d& q, const Vector3d& middle) -> Matrix3d {
+    return (Eigen::AngleAxisd(q[0], Vector3d::UnitZ()) * Eigen::AngleAxisd(q[1], middle) *
+            Eigen::AngleAxisd(q[2], Vector3d::UnitZ()))
+        .toRotationMatrix();
+  };
+  for (const Vector3d& q : {lecture, other_quadrants, Vector3d(7.5, 4, -8.2), Vector3d(0.4, 0, 0.9),
+                            Vector3d(0.4, pi, 1.9), Vector3d(0.4, 1e-5, 0.9)}) {
+    CAPTURE(q.transpose());
+    const Vector3d found = to_zxz(q);
+    CHECK(agrees(turned(found, Vector3d::UnitX()), turned(q, Vector3d::UnitY()), 1e-14, 1));
+    CHECK((found[1] >= 0 && found[1] <= pi && std::abs(found[0]) <= pi && std::abs(found[2]) <= pi));
+  }
+  CHECK(to_zxz({0.4, pi, 1.9})[2] == 0);
+}

@@ -1,0 +1,112 @@
+//! right: from the matrix
+#include "rigid/euler_angles.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace rigid {
+
+Vector3d to_zxz(const Vector3d& angles) {
+  const double pi = std::numbers::pi;
+  const double cp = std::cos(angles[0]), sp = std::sin(angles[0]), ct = std::cos(angles[1]), st = std::sin(angles[1]);
+  const double cs = std::cos(angles[2]), ss = std::sin(angles[2]);
+  const double theta = std::atan2(std::abs(st), ct);
+  if (std::abs(st) < 1e-9) return {std::atan2(sp * cs * ct + cp * ss, cp * cs * ct - sp * ss), theta, 0};
+  return {std::atan2(st * cp, -st * sp), theta, std::atan2(-st * cs, st * ss)};
+}
+
+}  // namespace rigid
+//! right: loops until in range
+#include "rigid/euler_angles.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace rigid {
+
+Vector3d to_zxz(const Vector3d& angles) {
+  const double pi = std::numbers::pi;
+  double phi = angles[0] + pi / 2, theta = angles[1], psi = angles[2] - pi / 2;
+  while (theta > pi + 1e-9) theta -= 2 * pi;
+  while (theta < -pi - 1e-9) theta += 2 * pi;
+  if (theta < 0) {
+    theta = -theta;
+    phi += pi;
+    psi -= pi;
+  }
+  if (std::abs(std::sin(theta)) < 1e-8) {
+    phi = std::cos(theta) > 0 ? phi + psi : phi - psi;
+    psi = 0;
+  }
+  while (phi > pi) phi -= 2 * pi;
+  while (phi <= -pi) phi += 2 * pi;
+  while (psi > pi) psi -= 2 * pi;
+  while (psi <= -pi) psi += 2 * pi;
+  return {phi, theta, psi};
+}
+
+}  // namespace rigid
+//! wrong: no ranges
+#include "rigid/euler_angles.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace rigid {
+
+Vector3d to_zxz(const Vector3d& angles) {
+  const double pi = std::numbers::pi;
+  return {angles[0] + pi / 2, angles[1], angles[2] - pi / 2};
+}
+
+}  // namespace rigid
+//! wrong: signs of the quarter turns
+#include "rigid/euler_angles.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace rigid {
+
+Vector3d to_zxz(const Vector3d& angles) {
+  const double pi = std::numbers::pi;
+  Vector3d q(angles[0] - pi / 2, std::remainder(angles[1], 2 * pi), angles[2] + pi / 2);
+  if (q[1] < 0) q = Vector3d(q[0] + pi, -q[1], q[2] + pi);
+  if (std::sin(q[1]) < 1e-9) q = Vector3d(q[1] < 1 ? q[0] + q[2] : q[0] - q[2], q[1], 0);
+  return {std::remainder(q[0], 2 * pi), q[1], std::remainder(q[2], 2 * pi)};
+}
+
+}  // namespace rigid
+//! wrong: nothing special at the vertical
+#include "rigid/euler_angles.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace rigid {
+
+Vector3d to_zxz(const Vector3d& angles) {
+  const double pi = std::numbers::pi;
+  Vector3d q(angles[0] + pi / 2, std::remainder(angles[1], 2 * pi), angles[2] - pi / 2);
+  if (q[1] < 0) q = Vector3d(q[0] + pi, -q[1], q[2] + pi);
+  return {std::remainder(q[0], 2 * pi), q[1], std::remainder(q[2], 2 * pi)};
+}
+
+}  // namespace rigid
+//! wrong: upside down like upright
+#include "rigid/euler_angles.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace rigid {
+
+Vector3d to_zxz(const Vector3d& angles) {
+  const double pi = std::numbers::pi;
+  Vector3d q(angles[0] + pi / 2, std::remainder(angles[1], 2 * pi), angles[2] - pi / 2);
+  if (q[1] < 0) q = Vector3d(q[0] + pi, -q[1], q[2] + pi);
+  if (std::sin(q[1]) < 1e-9) q = Vector3d(q[0] + q[2], q[1], 0);
+  return {std::remainder(q[0], 2 * pi), q[1], std::remainder(q[2], 2 * pi)};
+}
+
+}  // namespace rigid
