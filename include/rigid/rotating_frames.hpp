@@ -151,6 +151,25 @@ double shell_drift(double latitude, double azimuth, double range, double time, d
 /// the Coriolis term of S0 s8, S2 s7, S3 p~6, S4 p~7 applied to a pendulum; Fetter & Walecka, chapter 2
 Vector2d foucault_path(const Vector2d& start, double length, double g, double latitude, double earth_rate, double t);
 
+/// How high the tide of a moon stands on a planet that is covered with water.
+///
+/// The planet attracts like a point at its centre, and falls freely in the attraction of the moon, which is a point too.
+/// Its water is at rest on it, and its own attraction is left out; what the rotation of the planet does is contained in
+/// gravity and is left out as well. Heights are counted from the places that have the moon on the horizon: there the
+/// water stands at the distance radius from the centre. A distant moon makes two equal high waters, on the side of the
+/// moon and on the opposite one; a nearer moon makes that on its own side higher.
+///
+/// @param mass_ratio  mass of the moon by that of the planet
+/// @param radius      distance of the water from the centre where the moon is on the horizon, m
+/// @param distance    from the centre of the planet to the moon, m
+/// @param angle       at the centre, between the direction of the place and that of the moon, rad: 0 below the moon
+/// @return            height of the water at this place, m; below the horizon's it is negative
+/// @pre mass_ratio > 0 and 0 ≤ angle ≤ π
+/// @pre 2·10⁻⁵ ≤ radius/distance ≤ 0.3; mass_ratio times its cube is from 10⁻⁹ to 0.005
+/// @par Source
+/// a moving origin in S0 s8, S2 s7, S3 p~6, S4 p~7; Isaac Newton 1687
+double tide(double mass_ratio, double radius, double distance, double angle);
+
 /// Stable equilibrium of a bead on a rotating hoop, and its small oscillations.
 ///
 /// A circular hoop stands upright and rotates at a constant rate about its vertical diameter. A bead slides on it

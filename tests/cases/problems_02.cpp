@@ -50,3 +50,11 @@ TEST_CASE("bead_on_hoop") {
   CHECK(agrees(bead_on_hoop(0.5, 9.81, 0), Vector2d(0, 4.42944691807), digits));
   CHECK(agrees(bead_on_hoop(0.5, 9.81, -60), Vector2d(1.56534629981, 59.9991089184), digits));
 }
+
+TEST_CASE("tide: the root of the exact potential, and of its series in 34 digits") {
+  CHECK(agrees(tide(0.0123, 6.371e6, 3.844e8, 0), 0.541127428086987, 1e-11));
+  CHECK(agrees(tide(0.0123, 6.371e6, 3.844e8, std::acos(-1)), 0.529298124928917, 1e-11));
+  CHECK(agrees(tide(0.0123, 6.371e6, 3.844e8, std::acos(0.5)), 0.13113598295651, 1e-11));
+  CHECK(agrees(tide(332946, 6.371e6, 1.496e11, 0.5), 0.189270388813548, 1e-10));
+  CHECK(agrees(tide(0.12, 1.2e6, 6e6, 2.2), 651.228904366942, 1e-12));
+}
