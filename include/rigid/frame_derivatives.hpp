@@ -66,6 +66,22 @@ Matrix3d rotated_basis(const Matrix3d& E, const Vector3d& omega, double dt);
 /// the inverse of \f$\dot{\unit e} = \vec\omega\times\unit e\f$: S0 s7, S2 s6, S3 p~5, S4 p~6
 Vector3d angular_velocity_of_basis(const Matrix3d& E, const Matrix3d& E_rate);
 
+/// The screw that takes a body from one place to another: Chasles' theorem.
+///
+/// \f[ \vec c = \tfrac12\left(\vec d_\perp + \cot\tfrac\Theta2\;\hat{\vec n}\times\vec d\right) , \qquad
+///     \vec d_\parallel = \hat{\vec n}\,(\hat{\vec n}\cdot\vec d) , \qquad \vec d_\perp = \vec d - \vec d_\parallel \f]
+///
+/// Every point of the body goes from r to A r + d, where A rotates about n̂ through the angle Θ. The same displacement
+/// is a rotation through Θ about a line along n̂ and a shift along this line.
+///
+/// @param rotation  Θ n̂, rad: along the axis by the right-hand rule, its length is the angle
+/// @param d         where the body's point at the origin goes, m; may be zero
+/// @return          3×2, m: first the point c of the line that is nearest to the origin, then the shift along the line
+/// @pre 0.001 ≤ Θ ≤ 2π − 0.001 (without a rotation there is no line)
+/// @par Source
+/// the finite rotation to S0 s7, S2 s6, S3 p~5, S4 p~6; M. Chasles 1830
+Matrix3Xd screw_of_displacement(const Vector3d& rotation, const Vector3d& d);
+
 /// Angular acceleration of a rotor that is mounted on a rotating platform.
 ///
 /// The platform rotates with omega, and omega changes. The rotor rotates relative to the platform; an observer on the

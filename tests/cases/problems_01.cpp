@@ -62,3 +62,16 @@ TEST_CASE("point_on_screw_axis") {
                digits));
   CHECK(agrees(point_on_screw_axis({7, 0.5, 0}, {2, 0, 0}, {0, 0, -4}), Vector3d(7, 0, 0), digits));
 }
+
+TEST_CASE("screw_of_displacement: points of the line go along it") {
+  for (const double angle : {0.01, 1.1, std::numbers::pi, 4.0, 6.2}) {
+    CAPTURE(angle);
+    const Vector3d n = Vector3d(2, -1, 2) / 3, d(0.3, -0.7, 0.2);
+    const Matrix3Xd screw = screw_of_displacement(angle * n, d);
+    const Vector3d c = screw.col(0), on_the_line = c + 5 * n;
+    CHECK(agrees(Vector3d(Eigen::AngleAxisd(angle, n) * on_the_line + d), Vector3d(on_the_line + screw.col(1)), 1e-13,
+                 c.norm()));
+    CHECK(agrees(c.dot(n), 0.0, 1e-14, c.norm()));
+    CHECK(screw.col(1).cross(n).norm() < 1e-15);
+  }
+}

@@ -26,8 +26,11 @@ void judge_larmor_velocity(Lecture& lecture) {
     return tuple(q, place, velocity, random.sign() * random.uniform(0.5, 1.2) * 2 / q.norm());
   });
   e.scale([](auto& field, auto& r, auto& v, auto) { return or_one(v.norm() + field.norm() * r.norm()); });
-  e.sweep<3>({"An electron at rest on the rotating axes but for a level velocity", "time (s)", "velocity (m/s)"},
-             {"x", "y", "z"}, {0, 40});
+  e.sweep({"An electron on an ellipse that a field upwards rotates", "time (s)", "velocity (m/s)"}, {"x", "y"},
+          {0, 40, 161}, [](auto t) {
+            return tuple(Vector3d(0, 0, -0.1), Vector3d(cos(t), 0.2 * sin(t), 0), Vector3d(-sin(t), 0.2 * cos(t), 0),
+                         t);
+          });
 
   e.wrong("The orbit rotates with qB/m, the rate of a free charge; the Coriolis term has a 2, so half of it will do.",
           "cyclotron", carried(2, 2));
