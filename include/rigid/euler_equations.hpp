@@ -121,6 +121,24 @@ Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorX
 /// not on the slides; L. D. Landau and E. M. Lifshitz, Mechanics, §37
 Matrix3d free_attitude(const Vector3d& I, const Vector3d& omega0, double t);
 
+/// How a satellite has turned when its two wheels have gone through a path.
+///
+/// The satellite is free and at rest, its body axes are the inertial ones, and its wheels stand still: no angular
+/// momentum at all. Then motors turn the wheels against the body, one about body axis 1 and the other about body axis
+/// 2. From each corner of the path to the next both run at once, so that their angles keep a fixed proportion. How fast
+/// they run makes no difference. A cat that is dropped upside down does the same with the two halves of its body.
+///
+/// @param I       inertia tensor of the whole satellite about its centre of mass, its wheels included, body axes, kg m²
+/// @param J       moments of the two wheels about their axes, kg m²
+/// @param wheel1  angle of the first wheel against the body at each corner of the path, rad, positive about axis 1
+/// @param wheel2  likewise of the second wheel, about axis 2; as many
+/// @return        the matrix whose columns are the body axes at the last corner, in inertial components
+/// @pre I is an inertia tensor; without J it is still positive definite; J > 0
+/// @pre at least one corner; none of the wheels alone would turn the body by more than 8 rad on the whole path
+/// @par Source
+/// not on the slides; R. Montgomery, Gauge theory of the falling cat, 1993
+Matrix3d reorientation(const Matrix3d& I, const Vector2d& J, const VectorXd& wheel1, const VectorXd& wheel2);
+
 /// One step of an integrator of free rotation that is put together from exact motions.
 ///
 /// The kinetic energy of a free body, as a function of the body components of L, is a sum of three terms, each with one

@@ -81,3 +81,12 @@ TEST_CASE("ball_on_turntable: the closed form, and Newton's and Euler's laws by 
                Vector2d(-0.26479922228709, 0.50458290948049), 1e-12));
   CHECK(agrees(ball_on_turntable(0.4, 0, {0.4, -0.1}, {0.3, 0.5}, 4), Vector2d(1.6, 1.9), 1e-14));
 }
+
+TEST_CASE("reorientation: a product of exponentials, and the torques of motors that start and stop, by Taylor series") {
+  const Matrix3d I{{4.3, -0.4, -0.4}, {-0.4, 3.6, -0.4}, {-0.4, -0.4, 1.7}};
+  CHECK(agrees(reorientation(I, {0.02, 0.03}, VectorXd{{0, 150, 150, 0, 0}}, VectorXd{{0, 0, 100, 100, 0}}),
+               Matrix3d{{0.88991710430591, -0.45462610951684, 0.036914062487988},
+                        {0.40372322023017, 0.8227619590131, 0.40008789065393},
+                        {-0.21226188756054, -0.34114199293917, 0.91573305703285}},
+               1e-12));
+}
