@@ -11,7 +11,7 @@ auto swinging(const Momentum& momentum) {
   };
 }
 
-/// The axle and its velocity in space, on the axes east, north, up of the time 0; a row of time 0.
+/// The axle and its velocity in space, on the axes east, north, up of the time 0.
 using Axle = Eigen::Matrix<double, 3, 2>;
 
 /// Four times the time from a small angle to the meridian. The float adds the acceleration that keeps the axle level.
@@ -25,7 +25,7 @@ double period_in_space(double I1, double I3, double spin, double latitude, doubl
   double t = 0, before = angle;
   for (; east_of_meridian(t) > 0; t += step) {
     before = east_of_meridian(t);
-    // One step of Runge-Kutta on axes that do not turn; the vertical is that of the middle of each stage.
+    // One step of Runge-Kutta on axes that do not turn; each stage has the vertical of its moment.
     const auto rates_at = [&](const Axle& axle, double time) {
       const Vector3d up = turn(ground, rate * time) * z_axis, e = axle.col(0), v = axle.col(1);
       const Vector3d free = ratio * cross(e, v) - v.squaredNorm() * e;
@@ -107,15 +107,16 @@ void judge_gyrocompass_period(Lecture& lecture) {
   e.wrong_output("This is the time of half a swing, from one side to the other.", "half_swing", times(0.5));
   e.wrong_output("This is the reciprocal of the angular frequency; a period is 2π times as long.", "radians",
                  times(0.5 / pi));
-  e.route("the torque that gyroscopic_torque leaves out", [](auto I1, auto I3, auto spin, auto latitude, auto rate) {
-    // On axes across the axle, up and along it: what the housing would have to exert about the vertical.
-    const auto held_by = [&](double phi) {
-      const double level = rate * cos(latitude);
-      return gyroscopic_torque(I1, I3, abs(spin) + level * (1 - cos(phi)),
-                               {-level * sin(phi), rate * sin(latitude), level * cos(phi)})[1];
-    };
-    return 2 * pi * sqrt(I1 / abs(derivative_at_0(held_by, 0.02)));
-  });
+  e.route("the torque about the vertical that would hold the axle",
+          [](auto I1, auto I3, auto spin, auto latitude, auto rate) {
+            // The axes of the vehicle lie across the axle, up and along it.
+            const auto held_by = [&](double phi) {
+              const double level = rate * cos(latitude);
+              return gyroscopic_torque(I1, I3, abs(spin) + level * (1 - cos(phi)),
+                                       {-level * sin(phi), rate * sin(latitude), level * cos(phi)})[1];
+            };
+            return 2 * pi * sqrt(I1 / abs(derivative_at_0(held_by, 0.02)));
+          });
   e.route("the axle integrated in space", period_in_space);
   e.route("the energy of a swing", period_by_energy);
 }
