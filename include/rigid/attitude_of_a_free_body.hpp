@@ -68,6 +68,26 @@ Vector3d exact_rotation(const Vector3d& I, const Vector3d& omega0, double t);
 /// not on the slides; L. D. Landau and E. M. Lifshitz, Mechanics, §37
 double turn_per_period(const Vector3d& I, const Vector3d& omega0);
 
+/// How far a thrown racket twists about its handle while the handle goes once round.
+///
+/// Throw a tennis racket end over end and catch it when the handle has gone round once: the other face is up, although
+/// nobody twisted it. The handle of a free body is its axis 1. It goes round L, which stands still in space; meanwhile
+/// the body also rotates about the handle. The twist is the angle through which it has turned about the handle, as seen
+/// from the plane of L and the handle, when this plane has gone round L once.
+///
+/// A racket whose other two moments are equal twists steadily, and one that rotates exactly about axis 2 or axis 3 does
+/// not twist at all.
+///
+/// @param I       principal moments in ascending order, kg m²
+/// @param omega0  angular velocity at the throw, body components, rad/s
+/// @return        the twist in one round of the handle, whole turns counted, rad, to 10⁻⁶; right-handed about axis 1
+/// @pre a real body, 0 < I₁ ≤ I₂ ≤ I₃ ≤ I₁ + I₂, and I₁ ≥ I₃/20; equal moments are legal
+/// @pre omega0 ≠ 0, and L has a component across axis 1 of at least L/2; the separatrix and a pure spin about axis 2 or
+///      axis 3 are legal
+/// @par Source
+/// not on the slides; M. S. Ashbaugh, C. C. Chicone and R. H. Cushman, J. Dyn. Differ. Equ. 3 (1991) 67
+double racket_twist(const Vector3d& I, const Vector3d& omega0);
+
 /// The solid angle that the direction of L encloses on the axes of the body.
 ///
 /// On these axes the direction of L moves along a closed curve on the unit sphere, once in the period of

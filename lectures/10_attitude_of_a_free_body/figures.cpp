@@ -209,33 +209,10 @@ void draw_solid_angle(const std::filesystem::path& directory) {
   sketch.draw(directory, "solid_angle", 480);
 }
 
-/// How far the handle of a racket is twisted when it has gone once round L.
-double twist_in_a_turn(const Vector3d& I, const Vector3d& omega0) {
-  constexpr int steps = 400;
-  constexpr double h = 2 * pi / steps;
-  struct State {
-    Vector3d l;
-    double twist;
-    State operator+(const State& other) const { return {l + other.l, twist + other.twist}; }
-    State operator*(double factor) const { return {l * factor, twist * factor}; }
-  };
-  const auto rate = [&](const State& now) -> State {
-    const Vector3d& l = now.l;
-    const double b = (l[1] * l[1] / I[1] + l[2] * l[2] / I[2]) / (l[1] * l[1] + l[2] * l[2]);
-    return {l.cross(l.cwiseQuotient(I)) / b, l[0] * (1 / I[0] - b) / b};
-  };
-  State now{I.cwiseProduct(omega0).normalized(), 0};
-  for (int i = 0; i < steps; ++i) {
-    const State k1 = rate(now), k2 = rate(now + k1 * (h / 2)), k3 = rate(now + k2 * (h / 2)), k4 = rate(now + k3 * h);
-    now = now + (k1 + k2 * 2 + k3 * 2 + k4) * (h / 6);
-  }
-  return now.twist;
-}
-
 /// What becomes of a throw: the same face, the other one, or nearly half a turn.
 std::size_t outcome(double x, double y) {
   const Vector3d racket(1.21e-3, 16.38e-3, 17.48e-3);  // kg m²
-  const double twist = std::abs(twist_in_a_turn(racket, {std::tan(x * degree), 1, std::tan(y * degree)}));
+  const double twist = std::abs(racket_twist(racket, {std::tan(x * degree), 1, std::tan(y * degree)}));
   return std::cos(twist) > 0 ? 0 : std::abs(twist - pi) > pi / 6 ? 1 : 2;
 }
 

@@ -46,6 +46,13 @@ TEST_CASE("turn_per_period: the integral of the third kind, and the rate integra
   CHECK(agrees(turn_per_period(body, {0.3, 0.02, -1}), 16.0869197147, 5e-12));
 }
 
+TEST_CASE("racket_twist: the attitude in space by Taylor series, and the azimuths of handle and L in it") {
+  CHECK(agrees(racket_twist(body, round_3), 1.7873214284292, 1e-11));
+  CHECK(agrees(racket_twist(body, round_1), 4.0798376937122, 1e-11));
+  CHECK(agrees(racket_twist({1.21e-3, 16.38e-3, 17.48e-3}, {0.3, 10, 0.4}), -1.2997284859137, 1e-10));
+  CHECK(agrees(racket_twist({1, 2, 2}, {0.4, -0.9, 0.6}), 1.1423973285781, 1e-11));
+}
+
 TEST_CASE("geometric_phase: from the turn about L, and the area along the path") {
   CHECK(agrees(geometric_phase(body, round_3), 1.27299602291, 1e-11));
   CHECK(agrees(geometric_phase(body, round_1), 1.78110845585, 1e-11));
