@@ -72,6 +72,44 @@ Vector2d steady_precession(double I1, double I3, double mgl, double omega3, doub
 /// not on the slides; Landau and Lifshitz, §35, problem 2; Goldstein, §5.7
 double sleeping_spin(double I1, double I3, double mgl);
 
+/// The shape of the path on which the axis of a heavy symmetric top moves.
+///
+/// The axis of a spinning top is held at the inclination theta and released with a push: it goes round the vertical at
+/// phi_rate, and \f$\dot\theta = 0\f$. Its path is a *wave*, if the axis goes round in one sense always (a circle counts
+/// as a wave), it has *loops*, if the sense changes in every nutation, and *cusps*, if the axis stops in every nutation.
+///
+/// @param I1        moment about the tip, across the axis, kg m²
+/// @param I3        moment along the axis, kg m²
+/// @param mgl       weight times the distance of the centre of mass from the tip, J
+/// @param theta     inclination at the release, rad
+/// @param phi_rate  \f$\dot\phi\f$ at the release, rad/s; zero is legal: released at rest
+/// @param omega3    component of the angular velocity along the axis, rad/s; either sign
+/// @return          1 for a wave, −1 for loops, 0 for cusps
+/// @pre I1 > 0, I3 > 0, I3 ≤ 2 I1, mgl > 0, 0 < theta < π and omega3 ≠ 0
+/// @pre phi_rate is zero, or at least a thousandth away from each rate at which the shape changes; so the axis does not
+///      pass through the vertical
+/// @par Source
+/// not on the slides; Goldstein, §5.7
+int path_type(double I1, double I3, double mgl, double theta, double phi_rate, double omega3);
+
+/// How often a top that precesses steadily nods when it is touched.
+///
+/// A toy gyroscope precesses on its support, and you have timed it. Tap it: the axis nods up and down, with small
+/// amplitude, while it goes on round. Neither its spin nor its moment along the axis need be known.
+///
+/// A top that precesses very slowly nods very fast. One that precesses very fast hardly notices its weight: it nods once
+/// in a round.
+///
+/// @param I1     moment about the tip, across the axis, kg m²
+/// @param mgl    weight times the distance of the centre of mass from the tip, J
+/// @param theta  inclination of the axis to the upward vertical, rad
+/// @param rate   \f$\dot\phi\f$ of the steady precession, rad/s; either sign, slow or fast
+/// @return       angular frequency of small nutations about the steady precession, rad/s, positive
+/// @pre I1 > 0, mgl > 0, 0 < theta < π, sin θ ≥ 0.01 and rate ≠ 0
+/// @par Source
+/// not on the slides; Goldstein, §5.7
+double nutation_frequency(double I1, double mgl, double theta, double rate);
+
 /// The inclinations between which the axis of a heavy symmetric top nutates.
 ///
 /// @param I1     moment about the tip, across the axis, kg m²
@@ -139,5 +177,45 @@ double precession_per_nutation(double I1, double I3, double mgl, double theta, c
 /// @par Source
 /// not on the slides; Goldstein, §5.8
 double planet_precession_rate(double I1, double I3, double spin, double orbital_rate, double obliquity);
+
+/// The least speed at which a wheel rolls upright by itself.
+///
+/// Send a hoop, a coin or a wheel rolling along level ground and let it go. Fast enough, it leans a little, steers into
+/// the lean and goes on; below some speed every lean grows, and it topples. It rolls on its sharp edge without
+/// slipping. How heavy it is does not count.
+///
+/// A flat wheel with all of its mass at the rim may go slower than one with its mass near the hub, but not by much; a
+/// wheel with a long heavy axle steers badly and must go very fast.
+///
+/// @param radius      of the edge, m
+/// @param g           gravity, m/s²
+/// @param axial       moment about the axle through the centre of mass over mass times radius squared
+/// @param transverse  the same for a diameter
+/// @return            speed of the centre above which a small lean does not grow, m/s
+/// @pre all > 0 and axial ≤ 2 transverse, as for every body
+/// @par Source
+/// not on the slides; J. I. Neimark and N. A. Fufaev, Dynamics of Nonholonomic Systems
+double least_rolling_speed(double radius, double g, double axial, double transverse);
+
+/// How a satellite swings about its attitude in orbit, held by nothing but gravity.
+///
+/// A rigid satellite moves on a circle round the Earth at orbital_rate and always shows it the same side: axis 1 points
+/// away from the Earth, axis 2 forwards, axis 3 along the normal of the orbit, in the sense of the orbital motion. Its
+/// near end is pulled more than its far end. Disturbed a little it swings: in the plane of the orbit, and across it in
+/// two ways.
+///
+/// For a long thin rod that stands upright the ratios to the orbital rate are those of small integers and their roots,
+/// whatever its mass and length. A ball does not swing at all.
+///
+/// @param I             principal moments about the centre of mass: radial, forward, normal, kg m²
+/// @param orbital_rate  angular velocity of the orbital motion, rad/s
+/// @return              angular frequencies {in the plane of the orbit, the slower one across it, the faster one},
+///                      rad/s
+/// @pre a real body; orbital_rate > 0
+/// @pre the attitude is stable: no small disturbance grows; the squares of all three frequencies are at least 10⁻⁷ of
+///      the square of orbital_rate, and those of the last two as far apart
+/// @par Source
+/// not on the slides; J. L. Lagrange 1780; D. B. DeBra and R. H. Delp, J. Astronaut. Sci. 8 (1961) 14
+Vector3d attitude_frequencies(const Vector3d& I, double orbital_rate);
 
 }  // namespace rigid

@@ -386,6 +386,30 @@ TEST_CASE("paths: The rate of precession at both limits, for four releases") {
 }
 //! [paths]
 
+//! [tapped]
+TEST_CASE("tapped: A top in steady precession is tapped, and nods") {
+  Eigen::MatrixXd table(3, 3);
+  //! [tapped in brief]
+  const double I1 = 3.28e-4, mgl = 0.0456;  // kg m², J: the toy top
+  const double theta = 60 * degree;
+  int row = 0;
+  for (const double rate : {2.0, 10.0, 50.0}) {  // rad/s, of the steady precession
+    const double nods = nutation_frequency(I1, mgl, theta, rate);
+    table.row(row++) << rate, nods, nods / rate;
+  }
+  //! [tapped in brief]
+
+  // The axis followed in angles: tapped so little that the period is that of a small nutation.
+  const double I3 = 6.6e-5;
+  for (int i = 0; i < row; ++i) {
+    const double rate = table(i, 0), spin = (I1 * std::cos(theta) * rate + mgl / rate) / I3;
+    const Vector3d rates(rate, 2e-3 * table(i, 1), spin - rate * std::cos(theta));
+    CHECK(agrees(2 * pi / nutation_period(I1, I3, mgl, theta, rates), table(i, 1), 1e-4));
+  }
+  result_table({R"(\(\dot\phi\) / (rad/s))", R"(\(\nu\) / (rad/s))", "nods in a round"}, table, 4);
+}
+//! [tapped]
+
 //! [period]
 TEST_CASE("period: The faster the spin, the smaller and quicker the nutation, and the slower the precession") {
   //! [period in brief]

@@ -77,3 +77,39 @@ TEST_CASE("the precession of Mars") {
                last_digit));
   CHECK(planet_precession_rate(1, 1, spin, orbital_rate, 0.4) == 0);
 }
+
+TEST_CASE("the path of a top, from φ̇ at the limits of the nutation") {
+  const double small_I1 = 3.28e-4, small_I3 = 6.6e-5, small_mgl = 0.0456, at = 40 * degree;
+  const auto type = [&](double push, double spin) {
+    return path_type(small_I1, small_I3, small_mgl, at, push, spin);
+  };
+  CHECK(type(0, 200) == 0);
+  CHECK(type(6.5, 200) == 1);
+  CHECK(type(7.5, 200) == -1);
+  CHECK(type(22.7, 200) == -1);
+  CHECK(type(22.9, 200) == 1);
+  CHECK(type(-4, 200) == -1);
+  CHECK(type(4, -200) == -1);
+}
+
+TEST_CASE("nutation about steady precessions: periods by elliptic integrals, extrapolated to no amplitude") {
+  const auto frequency = [](double theta, double rate) { return nutation_frequency(3.28e-4, 0.0456, theta, rate); };
+  CHECK(agrees(frequency(30 * degree, 3.7585425938), 33.786220998282, last_digit));
+  CHECK(agrees(frequency(30 * degree, 20), 14.405628945416, last_digit));
+  CHECK(agrees(frequency(30 * degree, -5), 23.607497451315, last_digit));
+  CHECK(agrees(frequency(150 * degree, -30), 34.092119613011, last_digit));
+}
+
+TEST_CASE("least rolling speeds: where the equations of a rolling wheel, differentiated in 30 digits, stop growing") {
+  CHECK(agrees(least_rolling_speed(1, 1, 0.5, 0.25), 0.5773502691896, last_digit));
+  CHECK(agrees(least_rolling_speed(1, 1, 0.6, 2), 1.443375672974, last_digit));
+}
+
+TEST_CASE("attitudes held by gravity: eigenvalues of the equations of motion, differentiated in 30 digits") {
+  CHECK(agrees(attitude_frequencies({2, 3, 4}, 1), Vector3d(0.8660254037844, 0.6817743332746, 1.69366971155),
+               last_digit));
+  CHECK(agrees(attitude_frequencies({2, 20, 21}, 1), Vector3d(1.603567451475, 0.7044464794919, 1.956720510837),
+               last_digit));
+  CHECK(agrees(attitude_frequencies({0.75, 1, 0.7}, 1), Vector3d(1.035098339014, 0.3232768822647, 0.8749240294981),
+               last_digit));
+}
