@@ -3,12 +3,14 @@
 #include "checker/base/console.hpp"
 #include "checker/base/text.hpp"
 #include "checker/commands/commands.hpp"
+#include "checker/course/exam.hpp"
 
 #include <CLI/CLI.hpp>
 
 #include <fcntl.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
 
@@ -215,13 +217,28 @@ class CommandLine {
     options_.seed = seed_.value_or(course.seed());
     options_.is_seed_given = seed_.has_value();
     for (std::string& name : options_.names) name = known_name(course, name);
-    if (!options_.name.empty()) options_.name = known_name(course, options_.name);
-    for (const CLI::App* typed : app_.get_subcommands()) require_usable(course, *typed);
+    for (const CLI::App* typed : app_.get_subcommands())
+      if (!options_.name.empty() && typed->get_name() != "exam") options_.name = known_name(course, options_.name);
+    for (const CLI::App* typed : app_.get_subcommands()) {
+      require_usable(course, *typed);
+      require_no_exam(course, typed->get_name());
+    }
     return job_(course, options_);
   }
 
  private:
   using Job = std::function<int(const Course&, const Options&)>;
+
+  /// What would help with a problem of an exam is refused while it runs. @throws UsageError
+  void require_no_exam(const Course& course, const std::string& command) {
+    constexpr std::array helping = {"check",  "watch",   "hint",     "solution", "plot",
+                                    "report", "predict", "question", "debug"};
+    if (std::ranges::count(helping, command) == 0) return;
+    // watch checks whatever is saved, and a hint without a name is that of the next exercise.
+    const bool is_any = command == "watch" || (options_.name.empty() && command != "hint");
+    if (is_any) refuse_in_exam(course, course.choose(command == "watch" ? std::vector<std::string>() : options_.names));
+    if (!options_.name.empty()) refuse_in_exam(course, course.find(options_.name));
+  }
 
   /// What a command could not use is refused before anything is built for it. @throws UsageError
   void require_usable(const Course& course, const CLI::App& command) {
@@ -250,6 +267,10 @@ class CommandLine {
     option("NAME of one", "", options_.name, "an exercise or a lecture");
     option("EXERCISE", "", options_.name, "its name", true);
     option("EXERCISE or next", "", options_.name, "its name; none: the next one that does not pass");
+    option("LECTURES", "", options_.name, "a lecture or a range of them, 01-03; none: the exam that is running");
+    option("--minutes", "NUMBER", options_.minutes, "the time; 0: what the problems take together");
+    option("--seed of problems", "NUMBER", seed_, "draw the problems by this number, to get the same ones again");
+    option("--finish", "", options_.finish, "grade the exam and end it");
     option("LECTURE", "", options_.name, "its name, number or topic", true);
     option("FOLDER", "", options_.out, "a new folder for the copy, or an earlier copy to --update", true);
     option("--update", "", options_.update, "bring FOLDER, an earlier copy, to a new release");
@@ -381,6 +402,14 @@ class CommandLine {
         "Write an exercise of an earlier lecture once more\n\nOne that is due: after 1, 3, 7, 21 and 60 days. It comes "
         "with an empty file and other cases; `review` again checks it. The first verdict is kept beside the others.",
         {"review"}, {}, review);
+    add("exam", students,
+        "Draw an exam of six problems that you have not seen, and grade it\n\nThe problems come from the lectures that "
+        "you name. Until they are graded there are no hints, checks, plots or solutions of them. Without an argument it "
+        "shows the problems and the time that is left; --finish grades what is written by then.",
+        {"exam 01-03", "exam 09 --minutes 90", "exam", "exam --finish"},
+        {"LECTURES", "--minutes", "--finish", "--seed of problems"}, exam)
+        .get_option("--minutes")
+        ->check(CLI::Range(0, 1440).description(""));
     add("update", students,
         "Bring your copy of the workbook to a new release\n\nKIT is the newer copy, unpacked somewhere else. Exercises "
         "that you have begun and files of your own stay as they are; another file that you have changed is kept under "

@@ -26,6 +26,8 @@ struct Options {
   bool all = false;                      ///< all hints, or all plots and figures
   std::vector<std::string> predictions;  ///< "4=0 0 1.5": a case and the numbers of the result
   std::string answer;                    ///< to the question on an exercise: "a", "b" or "c"; "": show the question
+  int minutes = 0;                       ///< that an exam may take; 0: what its problems take together
+  bool finish = false;                   ///< grade the exam that is running
   bool build_only = false;               ///< the program for a debugger, without the debugger
   bool now = false;                      ///< the solution of an exercise that does not pass yet
   PictureKind picture = PictureKind::automatic;
@@ -57,7 +59,7 @@ struct Options {
 using Command = int(const Course& course, const Options& options);
 Command status, list, check, hint, solution, plot, report, reset;                    // exercises
 Command figures, live, examples, try_out, debug, predict, question, review, update;  // the course
-Command watch, doctor, handout, grade, self_check, new_lecture, new_exercise;
+Command exam, watch, doctor, handout, grade, self_check, new_lecture, new_exercise;
 
 // --- what several of them do
 
@@ -86,6 +88,9 @@ std::vector<CheckTask> tasks_of(const Course& course, const Options& options);
 
 /// The case of that number, counted from 1, or name. @throws UsageError
 std::size_t find_case(const ExerciseReference& exercise, const std::string& asked);
+
+/// The exercise that `review` would ask for today; "" if none is due.
+std::string due_for_review(const Course& course, const Progress& progress);
 
 /// What an update leaves to the reader to look at.
 void print_update(const Release& now, const Release& before, const UpdateResult& result);

@@ -126,6 +126,12 @@ int check_review(const Course& course, const Exercise& exercise, const fs::path&
 
 }  // namespace
 
+std::string due_for_review(const Course& course, const Progress& progress) {
+  const std::vector<Exercise> exercises = course.exercises();
+  const Due due = most_due(exercises, progress, current_day());
+  return due.exercise != nullptr && due.days_over >= 0 ? due.exercise->name() : "";
+}
+
 int predict(const Course& course, const Options& options) {
   const Console console = Console::of_standard_output();
   const Exercise exercise = course.find_exercise(options.name);

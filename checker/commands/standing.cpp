@@ -1,10 +1,12 @@
 // Where the student stands, exercise by exercise: the commands status (the one without a name), list, hint and reset.
 #include "checker/commands/commands.hpp"
 #include "checker/course/assignment.hpp"
+#include "checker/course/exam.hpp"
 #include "checker/course/locked_text.hpp"
 #include "checker/sandbox/worker_process.hpp"
 
 #include <algorithm>
+#include <sstream>
 
 namespace workbook {
 
@@ -28,6 +30,12 @@ void print_remarks(const Course& course, const Progress& progress) {
   }
 }
 
+/// How much time an exam leaves, while one runs.
+void print_exam(const Course& course) {
+  if (const std::optional<Exam> exam = running_exam(course))
+    say("\nAn exam is running, {}: `{}`", time_text(*exam), command("exam"));
+}
+
 /// "Week 3, due 2027-03-01T23:59:00Z: 2 of 5 exercises pass."
 std::string assignment_state(const Course& course, const ProgressSummary& summary) {
   const Assignment assignment(course, course.lectures() / "assignment.json");
@@ -38,6 +46,55 @@ std::string assignment_state(const Course& course, const ProgressSummary& summar
   return fmt::format("{}{}: {} of {} exercises pass.", assignment.title().empty() ? "Assignment" : assignment.title(),
                      assignment.due_text().empty() ? "" : ", due " + assignment.due_text(), passed,
                      assignment.exercises().size());
+}
+
+/// How to go through a lecture: what is left of it, in the order in which it is best done, and how long it takes.
+std::string plan(const Course& course, const ProgressSummary& summary, const Card& card,
+                 const std::vector<Exercise>& asked) {
+  constexpr std::size_t words_in_a_minute = 100, minutes_for_a_figure = 5;
+  const Console console = Console::of_standard_output();
+  std::istringstream notes(read_file(course.notes_file(card)).value_or(""));
+  std::size_t words = 0, figures = 0;
+  for (std::string word; notes >> word; ++words) figures += word.starts_with("\\live{") ? 1 : 0;
+  std::vector<std::string> exercises, problems;
+  std::size_t minutes[2] = {};
+  for (const Exercise& exercise : asked) {
+    const auto same = std::ranges::find(summary.exercises, exercise.name(), &Exercise::name);
+    if (exercise.lecture() != card.lecture ||
+        summary.passed[static_cast<std::size_t>(same - summary.exercises.begin())])
+      continue;
+    const bool is_problem = same->entry->is_problem();
+    (is_problem ? problems : exercises).push_back(exercise.name());
+    minutes[is_problem ? 1 : 0] += static_cast<std::size_t>(same->entry->minutes);
+  }
+  if (exercises.empty() && problems.empty()) return "";
+  std::string text = "\n" + console.styled("Plan for " + card.lecture, Style::strong) + "\n";
+  const auto row = [&](const char* what, std::size_t time, const std::string& words_of_it) {
+    if (time == 0) return;
+    const std::string body = console.wrapped(words_of_it, 24);
+    text += fmt::format("  {:<10}{:>10}  {}\n", what, hours_and_minutes(std::chrono::minutes(time)),
+                        body.substr(std::min<std::size_t>(body.size(), 24)));
+  };
+  row("read", (words + words_in_a_minute - 1) / words_in_a_minute, course.in_course(course.notes_file(card)));
+  row("predict", figures * minutes_for_a_figure, plural(figures, "live figure") + ": say what will happen, then start");
+  row("exercises", minutes[0], listed(exercises));
+  row("problems", minutes[1], listed(problems));
+  return text;
+}
+
+/// What is planned: the lectures of the assignment, or else that of the next exercise; and a review that is due.
+std::string plans(const Course& course, const Progress& progress, const ProgressSummary& summary) {
+  const fs::path file = course.lectures() / "assignment.json";
+  const bool has_assignment = fs::exists(file);
+  const Assignment assignment(course, has_assignment ? std::optional(file) : std::nullopt);
+  std::string text;
+  for (const Card& card : course.cards())
+    if (has_assignment || (summary.next() != nullptr && summary.next()->card == &card))
+      text += plan(course, summary, card, assignment.exercises());
+  if (const std::string due = due_for_review(course, progress); !due.empty())
+    text += fmt::format("{}  {:<10}{:>10}  {}, by `{}`\n", text.empty() ? "\n" : "", "review", "10 min", due,
+                        command("review"));
+  return text;
 }
 
 /// What the copy for students keeps locked, opened by the student's own function.
@@ -63,7 +120,9 @@ int list(const Course& course, const Options& /*options*/) {
   const Progress progress(course.progress_file());
   const ProgressSummary summary = summary_of(course, progress);
   fmt::print("{}", exercise_list(course, progress, summary, Console::of_standard_output()));
+  fmt::print("{}", plans(course, progress, summary));
   if (const Exercise* next = summary.next()) fmt::print("\nNext: {}\n", next->name());
+  print_exam(course);
   print_remarks(course, progress);
   return all_passed;
 }
@@ -86,6 +145,7 @@ int status(const Course& course, const Options& /*options*/) {
         "worked examples of a lecture on it, `{}` draws its figures.",
         summary.exercises.size(), command("examples 03"), command("figures 03"));
   }
+  print_exam(course);
   print_remarks(course, progress);
   return all_passed;
 }
@@ -99,6 +159,7 @@ int hint(const Course& course, const Options& options) {
     return all_passed;
   }
   const Exercise exercise = options.name.empty() ? *summary.next() : course.find_exercise(options.name);
+  refuse_in_exam(course, {exercise});
   const std::vector<std::string> hints = read_hints(course.hints_file(exercise));
   const std::size_t shown_before = progress.of(exercise.name()).hints_shown;
   const std::size_t first = options.all ? 0 : std::min(shown_before, hints.size() - 1);

@@ -9,9 +9,9 @@ namespace workbook {
 
 static void from_json(const nlohmann::json& part, CardExercise& exercise) {
   exercise = {part.at("name"), part.at("points"), part.at("notes"), part.at("task")};
-  if (!part.contains("difficulty") && !part.contains("minutes")) return;
-  part.at("difficulty").get_to(exercise.difficulty);
-  part.at("minutes").get_to(exercise.minutes);
+  exercise.difficulty = part.value("difficulty", 0);
+  const bool is_known = part.contains("minutes") || exercise.is_problem();
+  exercise.minutes = is_known ? part.at("minutes").get<int>() : std::max(1, static_cast<int>(10 * exercise.points));
 }
 // The macro defines to_json as well, which nobody calls.
 static void to_json(nlohmann::json& part, const CardExercise& exercise) { part = exercise.name; }
@@ -38,8 +38,9 @@ Card read_card(const fs::path& lecture) {
   for (const CardExercise& exercise : card.exercises) {
     if (!names.insert(exercise.name).second) refuse(fmt::format("the exercise '{}' is on it twice", exercise.name));
     if (!(exercise.points > 0)) refuse(fmt::format("the points of '{}' should be a positive number", exercise.name));
-    if (exercise.difficulty < 0 || exercise.difficulty > 3 || (exercise.minutes > 0) != exercise.is_problem())
-      refuse(fmt::format("the problem '{}' needs a difficulty from 1 to 3 and its minutes", exercise.name));
+    if (exercise.difficulty < 0 || exercise.difficulty > 3)
+      refuse(fmt::format("the difficulty of '{}' should be from 1 to 3, or left out", exercise.name));
+    if (exercise.minutes <= 0) refuse(fmt::format("the minutes of '{}' should be a positive number", exercise.name));
   }
   return card;
 }

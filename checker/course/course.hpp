@@ -19,7 +19,7 @@ struct CardExercise {
   std::string notes;   ///< anchor of its paragraph
   std::string task;    ///< what to write, in a line or two
   int difficulty = 0;  ///< of a problem, 1 to 3: its statement gives the physics, the formula is to be found; else 0
-  int minutes = 0;     ///< that a problem takes about; else 0
+  int minutes = 0;     ///< that it takes about; of an exercise ten for each point, where the card does not say
 
   bool is_problem() const { return difficulty > 0; }
 };

@@ -1,3 +1,4 @@
+#include "checker/course/exam.hpp"
 #include "checker/report/reports.hpp"
 
 #include <algorithm>
@@ -211,6 +212,16 @@ std::string exercise_list(const Course& course, const Progress& progress, const 
     text += (text.empty() ? "" : "\n") + console.styled(card.lecture, Style::strong) + "\n";
     std::string place =
         fmt::format("{}: {} of {} are yours", card.title, summary.count_passed(card.lecture), card.exercises.size());
+    double points = 0;
+    int minutes = 0;
+    for (std::size_t i = 0; i < summary.exercises.size(); ++i) {
+      if (summary.passed[i] || summary.exercises[i].card != &card) continue;
+      points += summary.exercises[i].entry->points;
+      minutes += summary.exercises[i].entry->minutes;
+    }
+    if (minutes > 0)
+      place += fmt::format(", {} and about {} to go", points == 1 ? "1 point" : fmt::format("{} points", points),
+                           hours_and_minutes(std::chrono::minutes(minutes)));
     if (!card.builds_on.empty()) place += fmt::format("; builds on {}", fmt::join(card.builds_on, ", "));
     text += console.wrapped(place, 2) + "\n";
     for (const CardExercise& entry : card.exercises) {

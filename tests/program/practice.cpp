@@ -54,6 +54,8 @@ TEST_CASE("an exercise of an earlier lecture comes back when it is due, and its 
         R"({"title": "Pendulums", "summary": "", "slides": [], "builds_on": [], "contract": "springs", "facts": [1],
             "exercises": [{"name": "pendulum_period", "points": 1, "notes": "n", "task": "The period."}]})");
   CHECK(has(on("2026-03-01", "review").out, "Nothing is due today"));
+  CHECK(has(on("2026-03-02", "list").out, "review        10 min  spring_energy"));
+  CHECK_FALSE(has(on("2026-03-01", "list").out, "review  "));
   const Outcome due = on("2026-03-02", "review");
   CHECK_MESSAGE(has(due.out, ".workbook/review/spring_energy.cpp"), due.said());
   const auto file = course.root() / ".workbook/review/spring_energy.cpp";
