@@ -7,6 +7,23 @@
 
 namespace rigid {
 
+/// How fast an axis of a free body goes round L at this moment.
+///
+/// Whoever watches a thrown stick sees its axis go round a direction that stands still, that of L. The rate is that of
+/// the azimuth of axis 3 about L:
+///
+/// \f[ \dot\phi = \frac{\vec\omega\cdot\vec L/L - \tilde\omega_3\cos\theta}{\sin^2\theta} , \qquad
+///     \cos\theta = \frac{I_3\tilde\omega_3}{L} \f]
+///
+/// @param I      principal moments in any order, kg m²
+/// @param omega  angular velocity at this moment, body components, rad/s
+/// @return       rate, rad/s, right-handed about L, to nine digits
+/// @pre each moment > 0; equal ones are legal
+/// @pre axis 3 does not point along L: across axis 3, L has a component of at least 10⁻⁵ L
+/// @par Source
+/// not on the slides; L. D. Landau and E. M. Lifshitz, Mechanics, §37
+double azimuth_rate(const Vector3d& I, const Vector3d& omega);
+
 /// Where the ellipsoid of a free body touches the plane on which it rolls.
 ///
 /// Fix in the body the ellipsoid of all angular velocities that have the energy of the present motion, drawn about the

@@ -17,6 +17,7 @@ double geometric_phase(const Vector3d& I, const Vector3d& omega0) {
   const double round_3 = above_first * (I[2] - I[1]), round_1 = below_third * (I[1] - I[0]);
   const double rate = std::sqrt(std::max(round_3, round_1) / I.prod());
   const double k = std::sqrt(std::min(round_3, round_1) / std::max(round_3, round_1));
+  if (std::isnan(k)) return k;  // no such body; the series of the integral would not converge
   const double minus_cot2 = -I[2] * above_first / (I[0] * below_third);
   const double n = round_3 > round_1 ? k * k * minus_cot2 : minus_cot2;
 

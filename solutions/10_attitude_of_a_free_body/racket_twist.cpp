@@ -8,8 +8,8 @@
 namespace rigid {
 
 double racket_twist(const Vector3d& I, const Vector3d& omega0) {
-  // The direction of L on the axes of the body, and the twist. The clock is the angle of the handle about L, so that the
-  // end need not be searched for; how fast the racket is thrown does not count.
+  // The direction of L on the axes of the body, and the twist. The clock is the angle of the handle about L, so that
+  // the end need not be searched for; how fast the racket is thrown does not count.
   using State = std::vector<double>;
   const auto rates = [&I](const State& now, State& rate, double) {
     const Vector3d l(now[0], now[1], now[2]);

@@ -17,6 +17,7 @@ double turn_per_period(const Vector3d& I, const Vector3d& omega0) {
   const double round_3 = above_first * (I[2] - I[1]), round_1 = below_third * (I[1] - I[0]);
   const double rate = std::sqrt(std::max(round_3, round_1) / I.prod());
   const double k = std::sqrt(std::min(round_3, round_1) / std::max(round_3, round_1));
+  if (std::isnan(k)) return k;  // no such body; the series of the integral would not converge
 
   // dφ/dt = L/I₃ + (L/I₃)(2T I₃ − L²)/(I₁²ω₁² + I₂²ω₂²), and the denominator is I₁²a₁² (1 − n sn²).
   const double minus_cot2 = -I[2] * above_first / (I[0] * below_third);  // of the angle of axis 3 with L at ω₂ = 0

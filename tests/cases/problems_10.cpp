@@ -3,6 +3,8 @@
 
 #include <rigid/attitude_of_a_free_body.hpp>
 
+#include <cmath>
+
 using namespace rigid;
 using workbook::agrees;
 
@@ -18,6 +20,12 @@ TEST_CASE("poinsot: the gradient of the energy, and the tangent plane by differe
   CHECK(agrees(nearly_along[0], 1.00000000021, 1e-11));
   CHECK(agrees(nearly_along[1], 9.42809041517e-6, 1e-11));
   CHECK(agrees(poinsot({1, 2, 3}, {0, -2, 0}), Vector2d(2, 0), 1e-14));
+}
+
+TEST_CASE("azimuth_rate: a symmetric top, and ω along an axis across") {
+  CHECK(agrees(azimuth_rate({1, 1, 1.8}, {0.4, 0.3, 2}), std::sqrt(0.25 + 12.96), 1e-14));
+  CHECK(agrees(azimuth_rate({1.2, 2, 2.7}, {0, -0.7, 0}), 0.7, 1e-14));
+  CHECK(agrees(azimuth_rate(body, round_3), 1.2890162374803, 1e-12));
 }
 
 TEST_CASE("herpolhode_radii: two invariants, and the extremes of the integrated motion") {

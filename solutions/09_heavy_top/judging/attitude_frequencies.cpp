@@ -33,7 +33,8 @@ Eigen::Matrix<double, 6, 1> rates(const Vector3d& I, const Eigen::Matrix<double,
   const Vector3d relative = omega - normal;
   const Vector3d first = cross(turned, relative);
   Eigen::Matrix<double, 6, 1> rate;
-  rate << relative + first / 2 + cross(turned, first) / 12, (torque - cross(omega, I.cwiseProduct(omega))).cwiseQuotient(I);
+  rate << relative + first / 2 + cross(turned, first) / 12,
+      (torque - cross(omega, I.cwiseProduct(omega))).cwiseQuotient(I);
   return rate;
 }
 
@@ -57,9 +58,7 @@ Vector3d by_eigenvalues(const Vector3d& I) {
 /// From the Lagrangian of small angles: the determinant of K − σ² M + iσ G, searched for its zeros.
 Vector3d by_determinant(const Vector3d& I) {
   const double g = I[0] + I[1] - I[2], k1 = I[2] - I[1], k2 = 4 * (I[2] - I[0]);
-  const auto determinant = [&](double square) {
-    return (k1 - I[0] * square) * (k2 - I[1] * square) - g * g * square;
-  };
+  const auto determinant = [&](double square) { return (k1 - I[0] * square) * (k2 - I[1] * square) - g * g * square; };
   const double least = (k1 * I[1] + k2 * I[0] + g * g) / (2 * I[0] * I[1]);  // where the parabola is lowest
   const auto zero_between = [&](double below, double above) {
     const bool sign = determinant(below) > 0;
@@ -87,8 +86,7 @@ Vector3d by_sum_and_product(const Vector3d& I) {
 }  // namespace
 
 void judge_attitude_frequencies(Lecture& lecture) {
-  auto& e = lecture.exercise(&attitude_frequencies,
-                             {{"I", positive(kg_m2)}, {"orbital_rate", positive(rad_per_s)}},
+  auto& e = lecture.exercise(&attitude_frequencies, {{"I", positive(kg_m2)}, {"orbital_rate", positive(rad_per_s)}},
                              {"frequencies", rad_per_s});
   e.domain([](auto& I, auto) { return is_held(I, 1e-7); });
   e.generated([](auto& I, auto) { return is_held(I, 0.02); });
@@ -98,7 +96,9 @@ void judge_attitude_frequencies(Lecture& lecture) {
   e.worked("the Moon", {0.99937, 0.9996, 1}, 2 * pi / (27.32 * 86400));
   e.special("a plate edge on to the orbit", {1, 2, 3}, low_orbit);
   e.special("the smallest moment along the normal", {0.75, 1, 0.7}, low_orbit);
-  e.random("a satellite", 8, [](Random& random) { return tuple{random.ascending_moments(), random.uniform(5e-4, 2e-3)}; });
+  e.random("a satellite", 8, [](Random& random) {
+    return tuple{random.ascending_moments(), random.uniform(5e-4, 2e-3)};
+  });
   e.random("the smallest moment along the normal", 3, [](Random& random) {
     while (true) {
       const double rate = random.uniform(5e-4, 2e-3);
@@ -123,9 +123,10 @@ void judge_attitude_frequencies(Lecture& lecture) {
             const Ratios k(I);
             return n * Vector3d(sqrt(3 * k.pitch), 0, sqrt(3 * abs(k.roll)));
           });
-  e.wrong_output("In the plane a factor is missing: the torque of gravity has a three, that of the pull and of its "
-                 "direction.",
-                 "no_three", [](auto& sigma) { sigma[0] /= sqrt(3); });
+  e.wrong_output(
+      "In the plane a factor is missing: the torque of gravity has a three, that of the pull and of its "
+      "direction.",
+      "no_three", [](auto& sigma) { sigma[0] /= sqrt(3); });
   e.wrong("Across the plane the torque has its three, but the turning frame adds nothing to it.", "three_for_four",
           [](auto& I, auto n) {
             const Ratios k(I);

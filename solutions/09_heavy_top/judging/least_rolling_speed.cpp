@@ -14,8 +14,7 @@ Six rates(double axial, double transverse, const Six& now) {
   const Vector3d d = e.dot(up) * e - up, d_rate = e_rate.dot(up) * e + e.dot(up) * e_rate;
   const Vector3d r_rate = (d_rate - r * r.dot(d_rate)) / d.norm();
   // v = r × ω and F = dv/dt + up; A dω/dt + (C − A)((dω/dt·e) e + (ω·e) de/dt) = r × F
-  const Matrix3d inertia =
-      transverse * Matrix3d::Identity() + (axial - transverse) * dyad(e) + of_unit_mass(r);
+  const Matrix3d inertia = transverse * Matrix3d::Identity() + (axial - transverse) * dyad(e) + of_unit_mass(r);
   const Vector3d torque = cross(r, cross(r_rate, omega) + up) - (axial - transverse) * omega.dot(e) * e_rate;
   Six rate;
   rate << e_rate, inertia.inverse() * torque;
@@ -28,8 +27,8 @@ double growth(double axial, double transverse, double spin) {
   Six upright;
   upright << y_axis, spin * y_axis;
   for (int i = 0; i < 6; ++i)
-    J.col(i) = derivative_at_0([&](double h) -> Six { return rates(axial, transverse, upright + h * Six::Unit(i)); },
-                               5e-3);
+    J.col(i) =
+        derivative_at_0([&](double h) -> Six { return rates(axial, transverse, upright + h * Six::Unit(i)); }, 5e-3);
   return (J * J).trace() / 2;
 }
 
@@ -55,14 +54,14 @@ double vanishes_at(const Function& f, double guess) {
 }  // namespace
 
 void judge_least_rolling_speed(Lecture& lecture) {
-  auto& e = lecture.exercise(
-      &least_rolling_speed,
-      {{"radius", positive(metre)}, {"g", positive(m_per_s2)}, {"axial", positive(none)}, {"transverse", positive(none)}},
-      {"speed", m_per_s});
+  auto& e = lecture.exercise(&least_rolling_speed,
+                             {{"radius", positive(metre)},
+                              {"g", positive(m_per_s2)},
+                              {"axial", positive(none)},
+                              {"transverse", positive(none)}},
+                             {"speed", m_per_s});
   e.domain([](auto, auto, auto axial, auto transverse) { return is_top(transverse, axial); });
-  e.generated([](auto, auto, auto axial, auto transverse) {
-    return axial > 1e-2 && axial < 10 && transverse < 10;
-  });
+  e.generated([](auto, auto, auto axial, auto transverse) { return axial > 1e-2 && axial < 10 && transverse < 10; });
   e.worked("a coin", 0.01, 9.81, 0.5, 0.25);
   e.worked("a hula hoop", 0.45, 9.81, 1, 0.5);
   e.special("a coin on the Moon", 0.01, 1.62, 0.5, 0.25);
@@ -76,22 +75,21 @@ void judge_least_rolling_speed(Lecture& lecture) {
            "least speed (m/s)"},
           {"v"}, {0.05, 1, 96}, [](auto axial) { return tuple(0.3, 9.81, axial, axial / 2); });
 
-  e.wrong("This holds for a wheel on ice; a centre that rolls goes round a curve when the heading turns, and the ground "
-          "turns its momentum too.",
-          "on_ice", [](auto radius, auto g, auto axial, auto transverse) {
-            return sqrt(g * radius * transverse) / axial;
-          });
+  e.wrong(
+      "This holds for a wheel on ice; a centre that rolls goes round a curve when the heading turns, and the ground "
+      "turns its momentum too.",
+      "on_ice", [](auto radius, auto g, auto axial, auto transverse) { return sqrt(g * radius * transverse) / axial; });
   e.wrong("The heading turns with the moment about the edge here; it turns about the vertical through the centre.",
           "about_the_edge", [](auto radius, auto g, auto axial, auto transverse) {
             return sqrt(g * radius * (transverse + 1) / (axial * (axial + 1)));
           });
-  e.wrong({"This is the top that sleeps on its tip; a wheel does not stand on a point of its axle.",
-           "heavy_top_sleeping"},
-          "sleeping_top", [](auto radius, auto g, auto axial, auto transverse) {
-            return 2 * sqrt(g * radius * transverse) / axial;
-          });
-  e.wrong("This compares energies, that of the motion and that of the height; nothing of the shape of the wheel enters.",
-          "energies", [](auto radius, auto g, auto, auto) { return sqrt(2 * g * radius); });
+  e.wrong(
+      {"This is the top that sleeps on its tip; a wheel does not stand on a point of its axle.", "heavy_top_sleeping"},
+      "sleeping_top",
+      [](auto radius, auto g, auto axial, auto transverse) { return 2 * sqrt(g * radius * transverse) / axial; });
+  e.wrong(
+      "This compares energies, that of the motion and that of the height; nothing of the shape of the wheel enters.",
+      "energies", [](auto radius, auto g, auto, auto) { return sqrt(2 * g * radius); });
   e.wrong_inputs("The moments about the axle and about a diameter are exchanged.", "exchanged",
                  [](auto, auto, auto& axial, auto& transverse) { swap(axial, transverse); });
   e.wrong_output("This is the angular velocity; asked for is the speed of the centre.", "angular_velocity",

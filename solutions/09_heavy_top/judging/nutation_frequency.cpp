@@ -48,8 +48,7 @@ void judge_nutation_frequency(Lecture& lecture) {
           "rate_kept", [](auto, auto, auto theta, auto rate) { return abs(rate) * sin(theta); });
   e.wrong({"This is the frequency of a fast top, the momentum along the axis over the moment across it, at any rate.",
            "heavy_top_advance"},
-          "fast_top",
-          [](auto I1, auto mgl, auto theta, auto rate) { return abs(p_psi_of(I1, mgl, theta, rate)); });
+          "fast_top", [](auto I1, auto mgl, auto theta, auto rate) { return abs(p_psi_of(I1, mgl, theta, rate)); });
   e.wrong("This is right for a very slow precession only: the weight alone, over the rate.", "slow_only",
           [](auto I1, auto mgl, auto, auto rate) { return mgl / (I1 * abs(rate)); });
   e.wrong("This is the rate of the precession: a free top nods once in a round, one with weight does not.", "free",
@@ -57,9 +56,8 @@ void judge_nutation_frequency(Lecture& lecture) {
   e.wrong_input<1>(weight_sign, "hanging", negated);
   e.wrong_output("This is the square of the frequency.", "squared", [](auto& frequency) { frequency *= frequency; });
   e.wrong_output("This is in nods per second; radians per second are asked for.", "per_second", times(0.5 / pi));
-  e.wrong("The inclination does not enter your frequency.", "no_cosine", [](auto I1, auto mgl, auto, auto rate) {
-    return hypot(rate, mgl / (I1 * rate));
-  });
+  e.wrong("The inclination does not enter your frequency.", "no_cosine",
+          [](auto I1, auto mgl, auto, auto rate) { return hypot(rate, mgl / (I1 * rate)); });
   e.property(Is::nonnegative, "The frequency is asked for with the positive sign.");
   e.route("curvature of the effective potential", [](auto I1, auto mgl, auto theta, auto rate) {
     const double p_psi = I1 * p_psi_of(I1, mgl, theta, rate), p_phi = I1 * p_phi_of(I1, mgl, theta, rate);

@@ -113,9 +113,9 @@ void judge_path_type(Lecture& lecture) {
   e.random("pushed forwards past the vertical", 3, push_of(22, 30));
   e.random("pushed backwards past the lower vertical", 2, push_of(-60, -50));
   e.scale(1);
-  e.sweep<4>({"The toy top released at 40° with 200 rad/s", "push: the first φ̇ (rad/s)",
-              "wave (+1), cusps (0) or loops (−1)"},
-             {"type"}, {-10, 30, 161});
+  e.sweep<4>(
+      {"The toy top released at 40° with 200 rad/s", "push: the first φ̇ (rad/s)", "wave (+1), cusps (0) or loops (−1)"},
+      {"type"}, {-10, 30, 161});
 
   e.wrong({"A push forwards always makes a wave here; one beyond twice the rate of the gyroscope formula makes loops, "
            "at the end of a rise.",
@@ -135,16 +135,15 @@ void judge_path_type(Lecture& lecture) {
   e.wrong("Loops begin here at the rate of the gyroscope formula; at twice that rate is where cusps come again.",
           "once_the_rate", [](auto I1, auto I3, auto mgl, auto theta, auto phi_rate, auto omega3) {
             const Push push(I1, I3, mgl, theta, phi_rate, omega3);
-            return phi_rate == 0                                                                    ? 0
-                   : abs(push.turning) < 1 && (push.size < 0 || push.size > push.cusp / 2) ? -1
-                                                                                                    : 1;
+            return phi_rate == 0 ? 0 : abs(push.turning) < 1 && (push.size < 0 || push.size > push.cusp / 2) ? -1 : 1;
           });
-  e.wrong("The axis reaches here every inclination at which φ̇ vanishes; it has the energy for it after a push "
-          "backwards or a strong one forwards only.",
-          "no_energy", [](auto I1, auto I3, auto mgl, auto theta, auto phi_rate, auto omega3) {
-            const Push push(I1, I3, mgl, theta, phi_rate, omega3);
-            return phi_rate == 0 ? 0 : abs(push.turning) < 1 ? -1 : 1;
-          });
+  e.wrong(
+      "The axis reaches here every inclination at which φ̇ vanishes; it has the energy for it after a push "
+      "backwards or a strong one forwards only.",
+      "no_energy", [](auto I1, auto I3, auto mgl, auto theta, auto phi_rate, auto omega3) {
+        const Push push(I1, I3, mgl, theta, phi_rate, omega3);
+        return phi_rate == 0 ? 0 : abs(push.turning) < 1 ? -1 : 1;
+      });
   e.wrong_output("Waves and loops are exchanged: 1 means a wave.", "opposite", [](int& type) { type = -type; });
   e.wrong("A release at rest is no special case here; the axis stops again at the upper end of every arc.", "no_cusps",
           [](auto I1, auto I3, auto mgl, auto theta, auto phi_rate, auto omega3) {

@@ -96,4 +96,5 @@ void judge_geometric_phase(Lecture& lecture) {
   e.survivor("const double k = -", "The modulus enters squared.");
   e.survivor("round_3 >= round_1", "Zero is the separatrix, which is no legal input.");
   e.survivor("( -k", "The modulus enters squared.");
+  e.survivor("isnan(k)", "Every legal motion has a modulus.");
 }

@@ -118,28 +118,30 @@ void judge_racket_twist(Lecture& lecture) {
                 I, w, [](const Vector3d& now) { return now[0]; },
                 [&](const Vector3d& now) { return rate_about_L(I, now, 0); });
           });
-  e.wrong("The motion stops here when the time of a turn at the first angular velocity is over; the handle goes round "
-          "at another rate.",
-          "time_for_angle", [](auto& I, auto& w) {
-            return in_a_round(
-                I, w, [&](const Vector3d& now) { return rate_about_axis(I, now, 0); },
-                [&](const Vector3d&) { return w.norm(); });
-          });
+  e.wrong(
+      "The motion stops here when the time of a turn at the first angular velocity is over; the handle goes round "
+      "at another rate.",
+      "time_for_angle", [](auto& I, auto& w) {
+        return in_a_round(
+            I, w, [&](const Vector3d& now) { return rate_about_axis(I, now, 0); },
+            [&](const Vector3d&) { return w.norm(); });
+      });
   e.wrong({"The twist grows here as fast as at the throw; but the disturbance grows in between.", "attitude_half_turn"},
           "first_rate", [](auto& I, auto& w) { return 2 * pi * rate_about_axis(I, w, 0) / rate_about_L(I, w, 0); });
   e.wrong_output("Seen from the body L goes round the handle, in the opposite sense to the twist: this is its angle.",
                  "of_L", negated);
-  e.wrong("This is the angle by which the direction of ω has gone round the handle; the plane to compare with is that "
-          "of L.",
-          "of_omega", [](auto& I, auto& w) {
-            return in_a_round(
-                I, w,
-                [&](const Vector3d& now) {
-                  const Vector3d rate = free_rate(I, now);
-                  return (now[2] * rate[1] - now[1] * rate[2]) / (now[1] * now[1] + now[2] * now[2]);
-                },
-                [&](const Vector3d& now) { return rate_about_L(I, now, 0); });
-          });
+  e.wrong(
+      "This is the angle by which the direction of ω has gone round the handle; the plane to compare with is that "
+      "of L.",
+      "of_omega", [](auto& I, auto& w) {
+        return in_a_round(
+            I, w,
+            [&](const Vector3d& now) {
+              const Vector3d rate = free_rate(I, now);
+              return (now[2] * rate[1] - now[1] * rate[2]) / (now[1] * now[1] + now[2] * now[2]);
+            },
+            [&](const Vector3d& now) { return rate_about_L(I, now, 0); });
+      });
   e.wrong("This is the twist about axis 3 while axis 3 goes round; the handle is the axis of the smallest moment.",
           "axis_3", [](auto& I, auto& w) { return twist_about(I, w, 2); });
   e.wrong_output("The sense is lost: this is the size of the twist.", "size", [](auto& twist) { twist = abs(twist); });
