@@ -218,4 +218,29 @@ double least_rolling_speed(double radius, double g, double axial, double transve
 /// not on the slides; J. L. Lagrange 1780; D. B. DeBra and R. H. Delp, J. Astronaut. Sci. 8 (1961) 14
 Vector3d attitude_frequencies(const Vector3d& I, double orbital_rate);
 
+/// Where a moon faces that its planet holds by the tide.
+///
+/// The Moon shows us the same side, and yet it swings to and fro: its orbit is an ellipse, and the Earth pulls at its long
+/// axis. Mercury does not face the Sun at all; it turns three times in two orbits, held by the same torque. A moon moves
+/// round its planet on an ellipse and rotates about the axis of its largest moment, which is the normal of the orbit.
+/// At time 0 it is at its least distance. Theta is the angle of its long axis, that of its smallest moment, from the
+/// direction in which it stood from its planet at time 0, in the sense of the orbital motion.
+///
+/// A moon whose equator is round rotates steadily. On a circle a small swing about the direction of the planet is that of
+/// a pendulum.
+///
+/// @param asymmetry     difference of the two moments in the plane of the orbit over the moment about its normal
+/// @param eccentricity  of the orbit
+/// @param orbital_rate  2π over the time of an orbit, rad/s
+/// @param theta0        at time 0, rad
+/// @param rate0         its rate at time 0, rad/s; for the face that stays near the planet about orbital_rate
+/// @param t             time, s
+/// @return              {theta, its rate} at time t, whole turns counted, rad and rad/s, to 10⁻⁶
+/// @pre 0 ≤ asymmetry ≤ 1, 0 ≤ eccentricity ≤ 0.6, orbital_rate > 0, |rate0| ≤ 5 orbital_rate and
+///      0 ≤ t ≤ 40/orbital_rate
+/// @par Source
+/// not on the slides; G. J. Sussman and J. Wisdom, Structure and Interpretation of Classical Mechanics, chapter 2
+Vector2d moon_libration(double asymmetry, double eccentricity, double orbital_rate, double theta0, double rate0,
+                        double t);
+
 }  // namespace rigid

@@ -80,9 +80,7 @@ TEST_CASE("the precession of Mars") {
 
 TEST_CASE("the path of a top, from φ̇ at the limits of the nutation") {
   const double small_I1 = 3.28e-4, small_I3 = 6.6e-5, small_mgl = 0.0456, at = 40 * degree;
-  const auto type = [&](double push, double spin) {
-    return path_type(small_I1, small_I3, small_mgl, at, push, spin);
-  };
+  const auto type = [&](double push, double spin) { return path_type(small_I1, small_I3, small_mgl, at, push, spin); };
   CHECK(type(0, 200) == 0);
   CHECK(type(6.5, 200) == 1);
   CHECK(type(7.5, 200) == -1);
@@ -112,4 +110,10 @@ TEST_CASE("attitudes held by gravity: eigenvalues of the equations of motion, di
                last_digit));
   CHECK(agrees(attitude_frequencies({0.75, 1, 0.7}, 1), Vector3d(1.035098339014, 0.3232768822647, 0.8749240294981),
                last_digit));
+}
+
+TEST_CASE("moon_libration: orbit and rotation together, by Taylor series") {
+  CHECK(each_agrees(moon_libration(0.25, 0.1, 1, 0.3, 1, 12), 12.046121045592, 0.36504194541562));
+  CHECK(each_agrees(moon_libration(0.3, 0.3, 1, 0.5, 1.5, 7), 6.2079969838558, 1.4711697068644));
+  CHECK(each_agrees(moon_libration(0.1, 0, 1, 0.2, 1, 5), 4.8181293566679, 0.95498113081172));
 }
