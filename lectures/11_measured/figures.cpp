@@ -30,14 +30,14 @@ PlaneCurve points_of(const VectorXd& x, const VectorXd& y) {
 void draw_flight(const std::filesystem::path& directory) {
   const Flight flight = racket_throws()[5];
   const double gamma = -log_slope(flight.t, sizes_of_L(flight, racket));
-  const auto motion = [gamma](const Vector3d& start, double t) { return damped_rotation(racket, start, gamma, t); };
-  const Vector3d start = fitted_start(flight, motion);
+  const Vector3d start =
+      fitted_start(flight, [&](const Vector3d& from) { return motion_in_air(racket, flight.t, from, gamma); });
   constexpr int count = 161;
   const double begin = flight.t[0], end = flight.t[flight.t.size() - 1];
   std::array<PlaneCurve, 3> fitted;
   for (int k = 0; k < count; ++k) {
     const double t = begin + (end - begin) * k / (count - 1);
-    const Vector3d omega = motion(start, t - begin);
+    const Vector3d omega = damped_rotation(racket, start, gamma, t - begin);
     for (std::size_t i = 0; i < 3; ++i) fitted.at(i).emplace_back(t, omega[static_cast<Eigen::Index>(i)]);
   }
   draw_figure(directory, "flight", {590, 500}, [&](gnuplotio::Gnuplot& gnuplot) {

@@ -2,7 +2,7 @@
 /// The measured throws of lecture 11, for its worked examples and figures.
 #pragma once
 
-#include <rigid/vocabulary.hpp>
+#include <rigid/measured.hpp>
 
 #include <cmath>
 #include <filesystem>
@@ -75,34 +75,79 @@ inline VectorXd sizes_of_L(const Flight& flight, const Vector3d& I) {
   return (I.asDiagonal() * flight.omega).colwise().norm().transpose();
 }
 
+/// euler_coefficients without the error of the trapezoids, which is four times as large with every second sample.
+inline Vector3d coefficients_without_steps(const Flight& flight) {
+  const auto every_second = Eigen::seqN(0, (flight.t.size() + 1) / 2, 2);
+  const Vector3d all = euler_coefficients(flight.t, flight.omega);
+  const Vector3d half = euler_coefficients(flight.t(every_second), flight.omega(Eigen::all, every_second));
+  return all + (all - half) / 3;
+}
+
+/// Standard deviation of the noise of a sample, from the differences of neighbouring deviations from the three lines:
+/// what is slow, such as the noise that the integrals have added up, hardly differs between neighbours.
+inline Vector3d noise_of_samples(const Flight& flight) {
+  const Eigen::Index steps = flight.t.size() - 1;
+  const Vector3d slopes = coefficients_without_steps(flight);
+  const Matrix3Xd left = flight.omega - slopes.asDiagonal() * product_integrals(flight);
+  const Matrix3Xd differences = left.rightCols(steps) - left.leftCols(steps);
+  return (differences.rowwise().squaredNorm() / (2.0 * static_cast<double>(steps))).cwiseSqrt();
+}
+
+/// What the noise of the samples alone makes of the coefficients: each sample moves them, in ω and in the integrals, and
+/// all that they are moved adds up as squares. A column per moved number: how far its standard deviation moves them.
+inline Matrix3Xd changes_by_noise(const Flight& flight) {
+  const Vector3d noise = noise_of_samples(flight), here = coefficients_without_steps(flight);
+  Matrix3Xd changes(3, 3 * flight.t.size());
+  Flight moved = flight;
+  for (Eigen::Index k = 0; k < flight.t.size(); ++k) {
+    for (int axis = 0; axis < 3; ++axis) {
+      moved.omega(axis, k) += noise[axis];
+      changes.col(3 * k + axis) = coefficients_without_steps(moved) - here;
+      moved.omega(axis, k) = flight.omega(axis, k);
+    }
+  }
+  return changes;
+}
+
 /// The moment about each axis beside that about x, from all throws but the last.
 inline const Vector3d racket(1, 0.0802, 1.0747);
 
-/// What is left of every fourth sample when a motion is subtracted that gives ω for a start and a time since then.
-template <class Motion>
-VectorXd deviations(const Flight& flight, const Motion& motion, const Vector3d& start) {
-  constexpr Eigen::Index every = 4;
-  const Eigen::Index count = (flight.t.size() + every - 1) / every;
-  VectorXd all(3 * count);
-  for (Eigen::Index k = 0; k < count; ++k)
-    all.segment<3>(3 * k) = motion(start, flight.t[every * k] - flight.t[0]) - flight.omega.col(every * k);
+/// The motion of a body at times in ascending order, in air whose torque is −γ|ω|ⁿL, by the classical rule of Runge and
+/// Kutta: fast enough for fits, and another way than damped_rotation.
+inline Matrix3Xd motion_in_air(const Vector3d& I, const VectorXd& t, const Vector3d& start, double gamma, int n = 0) {
+  const auto rate = [&](const Vector3d& omega) -> Vector3d {
+    const Vector3d L = I.cwiseProduct(omega);
+    return L.cross(omega).cwiseQuotient(I) - gamma * std::pow(omega.norm(), n) * omega;
+  };
+  Matrix3Xd all(3, t.size());
+  Vector3d omega = start;
+  for (Eigen::Index k = 0; k < t.size(); ++k) {
+    const double step = k > 0 ? t[k] - t[k - 1] : 0.0, parts = std::ceil(omega.norm() * step / 0.1), h = step / parts;
+    for (int part = 0; part < parts; ++part) {
+      const Vector3d a = rate(omega), b = rate(omega + h / 2 * a), c = rate(omega + h / 2 * b), d = rate(omega + h * c);
+      omega += h / 6 * (a + 2 * b + 2 * c + d);
+    }
+    all.col(k) = omega;
+  }
   return all;
 }
 
-/// The start with which a motion fits the samples of a flight best: Gauss and Newton, with Marquardt's damping.
+/// The start with which a motion fits the samples of a flight best, where motion(start) is ω at all of its times: Gauss
+/// and Newton, with Marquardt's damping.
 template <class Motion>
 Vector3d fitted_start(const Flight& flight, const Motion& motion) {
+  const auto deviations = [&](const Vector3d& start) -> VectorXd { return (motion(start) - flight.omega).reshaped(); };
   Vector3d start = flight.omega.col(0);
-  VectorXd left = deviations(flight, motion, start);
+  VectorXd left = deviations(start);
   double damping = 1e-3;
   for (int step = 0; step < 25 && damping < 1e6; ++step) {
     constexpr double h = 1e-5;
     Eigen::MatrixXd slopes(left.size(), 3);
-    for (int i = 0; i < 3; ++i) slopes.col(i) = (deviations(flight, motion, start + h * Vector3d::Unit(i)) - left) / h;
+    for (int i = 0; i < 3; ++i) slopes.col(i) = (deviations(start + h * Vector3d::Unit(i)) - left) / h;
     const Matrix3d normal = slopes.transpose() * slopes;
     const Matrix3d damped = normal + damping * Matrix3d(normal.diagonal().asDiagonal());
     const Vector3d change = -damped.ldlt().solve(slopes.transpose() * left);
-    const VectorXd then = deviations(flight, motion, start + change);
+    const VectorXd then = deviations(start + change);
     if (then.norm() < left.norm()) {
       start += change;
       left = then;
@@ -113,6 +158,11 @@ Vector3d fitted_start(const Flight& flight, const Motion& motion) {
     }
   }
   return start;
+}
+
+/// Root mean square of what a motion leaves of the samples, per component.
+inline double root_mean_square(const Matrix3Xd& left) {
+  return left.norm() / std::sqrt(static_cast<double>(left.size()));
 }
 
 }  // namespace measured
