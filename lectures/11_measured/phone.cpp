@@ -4,16 +4,24 @@
 //   RECORDING=my_throws.csv ./checker/run try lectures/11_measured/phone.cpp
 //
 // Without RECORDING it reads the one beside this file. It needs euler_coefficients, mean_and_error, rigidity_defect and
-// moment_ratios.
-#include <rigid/measured.hpp>
+// moment_ratios; with tumbling_period and damped_rotation it compares periods and draws ω.
+#include "throws.hpp"
+
+#include <rigid/free_tops.hpp>
+
+#include <archive.h>
+#include <archive_entry.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <memory>
+#include <numeric>
 #include <optional>
 #include <regex>
 #include <sstream>
@@ -22,6 +30,7 @@
 #include <vector>
 
 using namespace rigid;
+using namespace measured;
 namespace fs = std::filesystem;
 using Eigen::Index;
 
@@ -35,11 +44,10 @@ constexpr double noise = 0.05;               // rad/s of a sample
 constexpr double least_way = 1;              // rad/s that each component must vary by
 constexpr double largest_coefficient = 1.1;  // of a body it is 1
 constexpr double largest_defect = 0.2;       // of a body it is 0
+constexpr double largest_drag = 1;           // 1/s; of a racket a quarter
+constexpr double largest_change = 0.15;      // of a coefficient by the air
 
-struct Recording {
-  VectorXd t;
-  Matrix3Xd omega;
-};
+using Recording = Flight;  // all of it, or a part
 
 /// A stretch of samples, from `begin` to `end` without it; why it is no flight, or "".
 struct Stretch {
@@ -91,11 +99,12 @@ double number_in(std::string cell, char separator, std::size_t line) {
   return number;
 }
 
-/// Columns are found by their names, in any order and any language that keeps the units: "… (s)", "… x (rad/s)".
-Recording read(const fs::path& file) {
-  std::ifstream in(file);
+/// A table of text. Columns are found by their names, in any order and any language that keeps the units: "… (s)",
+/// "… x (rad/s)".
+Recording read_table(const std::string& table) {
+  std::istringstream in(table);
   std::string line;
-  if (!in || !std::getline(in, line)) throw std::runtime_error("cannot be read, or is empty");
+  if (!std::getline(in, line)) throw std::runtime_error("cannot be read, or is empty");
   const auto without_return = [](std::string& text) {
     while (!text.empty() && (text.back() == '\r' || text.back() == '\n')) text.pop_back();
   };
@@ -126,23 +135,67 @@ Recording read(const fs::path& file) {
   return {rows.row(0).transpose(), rows.bottomRows(3)};
 }
 
-// ---- Finding the flights
-
-/// The change of ω in each step that the products make, without the coefficients.
-Matrix3Xd steps_of_products(const VectorXd& t, const Matrix3Xd& omega) {
-  Matrix3Xd steps(3, t.size() - 1);
-  const auto products = [&](Index k) {
-    const Vector3d w = omega.col(k);
-    return Vector3d(w[1] * w[2], w[2] * w[0], w[0] * w[1]);
-  };
-  for (Index k = 0; k + 1 < t.size(); ++k) steps.col(k) = (t[k + 1] - t[k]) / 2 * (products(k) + products(k + 1));
-  return steps;
+/// The tables of a zip file by their names, without those on the phone itself.
+std::vector<std::pair<std::string, std::string>> tables_in(const std::string& bytes) {
+  constexpr std::size_t largest = std::size_t{1} << 28;
+  const std::unique_ptr<archive, decltype(&archive_read_free)> opened(archive_read_new(), archive_read_free);
+  archive_read_support_format_zip(opened.get());
+  if (archive_read_open_memory(opened.get(), bytes.data(), bytes.size()) != ARCHIVE_OK)
+    throw std::runtime_error("is a damaged zip file");
+  std::vector<std::pair<std::string, std::string>> tables;
+  archive_entry* entry = nullptr;
+  for (int status = 0; (status = archive_read_next_header(opened.get(), &entry)) != ARCHIVE_EOF;) {
+    if (status < ARCHIVE_WARN) throw std::runtime_error("is a damaged zip file");
+    const char* const path = archive_entry_pathname(entry);
+    const std::string name = path == nullptr ? "" : path;
+    if (!std::regex_search(name, std::regex(R"(\.csv$)", std::regex::icase)) ||
+        std::regex_search(name, std::regex("(^|/)(meta|__MACOSX)/")))
+      continue;
+    std::string text;
+    std::array<char, 1 << 16> block{};
+    la_ssize_t got = 0;
+    while ((got = archive_read_data(opened.get(), block.data(), block.size())) > 0 && text.size() <= largest)
+      text.append(block.data(), static_cast<std::size_t>(got));
+    if (got < 0) throw std::runtime_error("is a damaged or encrypted zip file");
+    if (text.size() > largest) throw std::runtime_error("holds a file of more than 256 MiB");
+    tables.emplace_back(name, text);
+  }
+  return tables;
 }
+
+/// A table, or the one table of a gyroscope in a zip file.
+Recording read(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  const std::string bytes((std::istreambuf_iterator<char>(in)), {});
+  if (!in || bytes.empty()) throw std::runtime_error("cannot be read, or is empty");
+  if (bytes.rfind("PK", 0) != 0) {
+    if (bytes.find('\0') != std::string::npos)
+      throw std::runtime_error("is no text; export the experiment \"Gyroscope\" of phyphox as CSV");
+    return read_table(bytes);
+  }
+  std::optional<Recording> found;
+  std::string reasons, name_of_found;
+  for (const auto& [name, text] : tables_in(bytes)) {
+    try {
+      const Recording recording = read_table(text);
+      if (found) throw std::logic_error("holds two recordings, " + name_of_found + " and " + name);
+      found = recording;
+      name_of_found = name;
+    } catch (const std::runtime_error& reason) {
+      reasons += "; " + name + ": " + reason.what();
+    }
+  }
+  if (!found) throw std::runtime_error("holds no table of a gyroscope" + reasons);
+  return *found;
+}
+
+// ---- Finding the flights
 
 /// How much of the change of ω in each step coefficients leave, beside what a free flight may leave; from the samples
 /// of a part. Not your function: the search must not depend on it.
 VectorXd pushes(const Recording& all, Index begin, Index end) {
-  const Matrix3Xd products = steps_of_products(all.t, all.omega);
+  const Matrix3Xd sums = product_integrals(all),
+                  products = sums.rightCols(sums.cols() - 1) - sums.leftCols(sums.cols() - 1);
   Vector3d coefficients;
   for (int axis = 0; axis < 3; ++axis) {
     VectorXd sum = VectorXd::Zero(end - begin);
@@ -232,60 +285,44 @@ std::vector<Stretch> flights_in(const Recording& part) {
   return flights;
 }
 
+/// Coefficients, and the γ of a torque −γ L: without the air, slow flights would seem to be those of no body.
+Eigen::Vector4d coefficients_in_air(const Recording& flight) {
+  const Index count = flight.t.size();
+  const Matrix3Xd products = product_integrals(flight);
+  Matrix3Xd losses = Matrix3Xd::Zero(3, count);
+  for (Index k = 1; k < count; ++k)
+    losses.col(k) =
+        losses.col(k - 1) - (flight.t[k] - flight.t[k - 1]) / 2 * (flight.omega.col(k - 1) + flight.omega.col(k));
+  Eigen::MatrixXd system = Eigen::MatrixXd::Zero(3 * count, 4);
+  VectorXd samples(3 * count);
+  const auto centred = [](const auto& row) -> VectorXd { return (row.array() - row.mean()).matrix().transpose(); };
+  for (int axis = 0; axis < 3; ++axis) {
+    system.col(axis).segment(axis * count, count) = centred(products.row(axis));
+    system.col(3).segment(axis * count, count) = centred(losses.row(axis));
+    samples.segment(axis * count, count) = centred(flight.omega.row(axis));
+  }
+  return system.colPivHouseholderQr().solve(samples);
+}
+
 /// Why a stretch is no throw of a body, or "".
 std::string reason_against(const Recording& flight) {
   for (int axis = 0; axis < 3; ++axis)
     if (flight.omega.row(axis).maxCoeff() - flight.omega.row(axis).minCoeff() < least_way)
       return std::string("ω_") + "xyz"[axis] + " hardly changes: turn it so that it tumbles";
-  const Vector3d abc = euler_coefficients(flight.t, flight.omega);
-  if (abc.cwiseAbs().maxCoeff() > largest_coefficient ||
-      std::abs(rigidity_defect(abc, Vector3d::Zero())[0]) > largest_defect)
+  const Eigen::Vector4d found = coefficients_in_air(flight);
+  const double a = found[0], b = found[1], c = found[2];
+  if (found.head<3>().cwiseAbs().maxCoeff() > largest_coefficient || std::abs(a + b + c + a * b * c) > largest_defect ||
+      std::abs(found[3]) > largest_drag)
     return "no rigid body has the coefficients of this motion";
+  if ((euler_coefficients(flight.t, flight.omega) - found.head<3>()).cwiseAbs().maxCoeff() > largest_change)
+    return "the air changes it more than its tumbling does: turn it so that it tumbles";
   return "";
 }
 
-// ---- Showing
-
-std::string shown(const char* format, double number, double other = 0) {
-  char text[120];
-  std::snprintf(text, sizeof text, format, number, other);
-  return text;
-}
-
-std::string with_error(const VectorXd& values) {
-  if (values.size() < 2) return shown("%8.4f", values[0]);
-  const Vector2d both = mean_and_error(values);
-  return shown("%8.4f ± %.4f", both[0], both[1]);
-}
-
-/// The samples of one axis over the integral of the product of the two others, with the line of your slope.
-std::string picture(const Recording& flight, int axis, double slope) {
-  constexpr double width = 340, height = 200, margin = 25;
-  const Matrix3Xd steps = steps_of_products(flight.t, flight.omega);
-  VectorXd sum = VectorXd::Zero(flight.t.size());
-  for (Index k = 1; k < sum.size(); ++k) sum[k] = sum[k - 1] + steps(axis, k - 1);
-  const VectorXd omega = flight.omega.row(axis).transpose();
-  const double left = sum.minCoeff(), right = sum.maxCoeff(), low = omega.minCoeff(), high = omega.maxCoeff();
-  const auto x = [&](double at) { return margin + (width - 2 * margin) * (at - left) / (right - left); };
-  const auto y = [&](double at) { return height - margin - (height - 2 * margin) * (at - low) / (high - low); };
-  std::ostringstream svg;
-  svg << "<svg width='" << width << "' height='" << height << "' role='img' aria-label='omega "
-      << "xyz"[axis] << " over the integral of the product of the two others'><g fill='#0068A8'>";
-  for (Index k = 0; k < sum.size(); ++k) svg << "<circle cx='" << x(sum[k]) << "' cy='" << y(omega[k]) << "' r='2'/>";
-  svg << "</g><line stroke='#B84300' x1='" << x(left) << "' x2='" << x(right) << "' y1='"
-      << y(omega.mean() + slope * (left - sum.mean())) << "' y2='" << y(omega.mean() + slope * (right - sum.mean()))
-      << "'/><text x='" << margin << "' y='18'>ω_"
-      << "xyz"[axis] << ": " << shown("%.1f to %.1f", low, high) << " rad/s, slope " << shown("%.4f", slope)
-      << "</text></svg>\n";
-  return svg.str();
-}
-
-void report(const Recording& all) {
+/// The flights of a recording, and what is left out, with reasons.
+std::pair<std::vector<Recording>, std::vector<Stretch>> search(const Recording& all) {
   std::vector<Stretch> left_out;
   std::vector<Recording> flights;
-  std::ostringstream page;
-  page << "<!doctype html><meta charset='utf-8'><title>Throws</title><style>body{font:16px sans-serif}"
-          "text{font:14px sans-serif}</style><h1>Throws</h1>\n";
   for (const Stretch& part : usable_parts(all, left_out)) {
     const Recording samples = part_of(all, part.begin, part.end);
     std::vector<Stretch> found = flights_in(samples);
@@ -325,55 +362,304 @@ void report(const Recording& all) {
       ++k;
     }
   }
+  return {flights, left_out};
+}
 
-  if (!flights.empty()) std::cout << "   from      to        a        b        c   I_y/I_x  I_z/I_x\n";
-  Eigen::MatrixXd results(5, flights.size());
+// ---- What the functions say
+
+/// Intervals between zeros of the component about the intermediate axis, beside half of the exact period, s.
+std::vector<Vector2d> half_periods(const Recording& flight, const Vector3d& I) {
+  std::array<int, 3> order{0, 1, 2};
+  std::sort(order.begin(), order.end(), [&](int i, int j) { return I[i] < I[j]; });
+  std::vector<std::pair<double, Index>> zeros;
+  for (Index k = 1; k < flight.t.size(); ++k) {
+    const double before = flight.omega(order[1], k - 1), now = flight.omega(order[1], k);
+    if (before * now < 0)
+      zeros.emplace_back(flight.t[k - 1] + (flight.t[k] - flight.t[k - 1]) * before / (before - now), k);
+  }
+  std::vector<Vector2d> all;
+  for (std::size_t k = 1; k < zeros.size(); ++k) {
+    const Vector3d half_way = flight.omega.col((zeros[k - 1].second + zeros[k].second) / 2);
+    all.emplace_back(zeros[k].first - zeros[k - 1].first, tumbling_period(I(order), half_way(order)) / 2);
+  }
+  return all;
+}
+
+/// The motion in air that fits a flight, and how far the samples lie from it.
+struct InAir {
+  double gamma;
+  Matrix3Xd curve;
+  double deviation;
+};
+
+InAir motion_of(const Recording& flight, const Vector3d& I) {
+  const double gamma = std::max(0.0, -log_slope(flight.t, sizes_of_L(flight, I)));
+  const Vector3d start =
+      fitted_start(flight, [&](const Vector3d& from) { return motion_in_air(I, flight.t, from, gamma); });
+  Matrix3Xd curve(3, flight.t.size());
+  for (Index k = 0; k < curve.cols(); ++k) curve.col(k) = damped_rotation(I, start, gamma, flight.t[k] - flight.t[0]);
+  return {gamma, curve, root_mean_square(curve - flight.omega)};
+}
+
+// ---- Showing
+
+std::string shown(const char* format, double number, double other = 0) {
+  char text[120];
+  std::snprintf(text, sizeof text, format, number, other);
+  return text;
+}
+
+/// Points and lines of one colour, in a frame with numbers at its sides.
+struct Series {
+  VectorXd x, y;
+  const char* color;
+  bool is_line;
+};
+
+std::string picture(const std::vector<Series>& all, const std::string& title, const std::string& x_name,
+                    const std::string& about) {
+  constexpr double width = 460, height = 280, left = 44, right = 8, top = 28, bottom = 42;
+  double x0 = 1e300, x1 = -1e300, y0 = 1e300, y1 = -1e300;
+  for (const Series& each : all) {
+    x0 = std::min(x0, each.x.minCoeff());
+    x1 = std::max(x1, each.x.maxCoeff());
+    y0 = std::min(y0, each.y.minCoeff());
+    y1 = std::max(y1, each.y.maxCoeff());
+  }
+  const auto x = [&](double at) { return left + (width - left - right) * (at - x0) / (x1 - x0); };
+  const auto y = [&](double at) { return height - bottom - (height - top - bottom) * (at - y0) / (y1 - y0); };
+  std::ostringstream svg;
+  svg << "<figure><svg viewBox='0 0 " << width << " " << height << "' role='img' aria-label='" << about << "'>";
+  const auto numbers = [](double from, double to) {
+    double step = std::pow(10, std::floor(std::log10((to - from) / 3)));
+    for (const double larger : {2.0, 2.5})
+      if ((to - from) / step > 6) step *= larger;
+    std::vector<double> all_numbers;
+    for (double at = std::ceil(from / step) * step; at <= to; at += step)
+      all_numbers.push_back(std::abs(at) < step / 2 ? 0 : at);
+    return all_numbers;
+  };
+  for (const double at : numbers(x0, x1))
+    svg << "<path class='grid' d='M" << x(at) << " " << top << "V" << height - bottom
+        << "'/><text text-anchor='middle' x='" << x(at) << "' y='" << height - bottom + 18 << "'>" << shown("%g", at)
+        << "</text>";
+  for (const double at : numbers(y0, y1))
+    svg << "<path class='grid' d='M" << left << " " << y(at) << "H" << width - right << "'/><text text-anchor='end' x='"
+        << left - 6 << "' y='" << y(at) + 5 << "'>" << shown("%g", at) << "</text>";
+  for (const Series& each : all) {
+    if (each.is_line) svg << "<polyline class='" << each.color << "' points='";
+    for (Index k = 0; k < each.x.size(); ++k) {
+      if (each.is_line)
+        svg << x(each.x[k]) << "," << y(each.y[k]) << " ";
+      else
+        svg << "<circle class='" << each.color << "' cx='" << x(each.x[k]) << "' cy='" << y(each.y[k]) << "' r='2.4'/>";
+    }
+    if (each.is_line) svg << "'/>";
+  }
+  svg << "<text x='" << left << "' y='18'>" << title << "</text><text text-anchor='middle' x='"
+      << (left + width - right) / 2 << "' y='" << height - 6 << "'>" << x_name << "</text></svg></figure>\n";
+  return svg.str();
+}
+
+/// The samples of one axis over the integral of the product of the two others, with the line of your slope.
+std::string picture_of_line(const Recording& flight, int axis, double slope) {
+  const VectorXd sum = product_integrals(flight).row(axis).transpose(), omega = flight.omega.row(axis).transpose();
+  const Vector2d ends(sum.minCoeff(), sum.maxCoeff());
+  const std::string name = std::string("ω_") + "xyz"[axis];
+  return picture({{sum, omega, "samples", false},
+                  {ends, (omega.mean() + slope * (ends.array() - sum.mean())).matrix(), "line", true}},
+                 name + " (rad/s), slope " + shown("%.4f", slope),
+                 std::string("∫ ω_") + "xyz"[(axis + 1) % 3] + " ω_" + "xyz"[(axis + 2) % 3] + " dt (rad²/s)",
+                 name + " over the integral of the product of the two others, samples and line");
+}
+
+std::string picture_in_air(const Recording& flight, const InAir& motion) {
+  const VectorXd t = flight.t.array() - flight.t[0];
+  std::vector<Series> all;
+  for (int axis = 0; axis < 3; ++axis) {
+    const char* const color = std::array{"x", "y", "z"}.at(static_cast<std::size_t>(axis));
+    all.push_back({t, motion.curve.row(axis).transpose(), color, true});
+    all.push_back({t, flight.omega.row(axis).transpose(), color, false});
+  }
+  return picture(all,
+                 "ω (rad/s): <tspan class='x'>x</tspan> <tspan class='y'>y</tspan> <tspan class='z'>z</tspan>, γ = " +
+                     shown("%.2f 1/s, left over %.2f rad/s", motion.gamma, motion.deviation),
+                 "time (s)", "the components of omega over time, samples and the motion in air");
+}
+
+constexpr const char* head = R"(<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="light dark">
+<title>Throws</title>
+<style>
+:root { color-scheme: light dark; --ground: #ffffff; --line: #d5d9de; --text: #1c2126; --quiet: #56616b;
+  --x: #b84300; --y: #00734d; --z: #0068a8; }
+@media (prefers-color-scheme: dark) { :root { --ground: #17191c; --line: #3a4047; --text: #e4e7ea; --quiet: #a5afb8;
+  --x: #ff9a60; --y: #5fd0a0; --z: #7cbcf0; } }
+body { margin: 0 auto; max-width: 60rem; padding: 1.5rem 1.25rem 3rem; background: var(--ground); color: var(--text);
+  font: 1rem/1.55 system-ui, "Helvetica Neue", Arial, sans-serif; overflow-wrap: anywhere; }
+h1 { margin: 0.1rem 0 0.3rem; font-size: 1.9rem; }
+h2 { margin: 2.2rem 0 0.6rem; font-size: 1.35rem; }
+.quiet { color: var(--quiet); }
+.wide { overflow-x: auto; }
+table { border-collapse: collapse; overflow-wrap: normal; }
+th, td { padding: 0.2rem 0.8rem 0.2rem 0; border-bottom: 1px solid var(--line); text-align: left; white-space: nowrap; }
+td:last-child { white-space: normal; }
+.pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 26rem), 1fr)); gap: 0.6rem 1.2rem; }
+figure { margin: 0; }
+svg { display: block; width: 100%; height: auto; font: 14px "Helvetica Neue", Arial, sans-serif; fill: var(--text); }
+.grid { stroke: var(--line); }
+polyline { fill: none; stroke-width: 1.8; }
+.samples { fill: var(--z); } .line { stroke: var(--x); }
+circle.x, tspan.x { fill: var(--x); } circle.y, tspan.y { fill: var(--y); } circle.z, tspan.z { fill: var(--z); }
+polyline.x { stroke: var(--x); } polyline.y { stroke: var(--y); } polyline.z { stroke: var(--z); }
+</style>
+</head>
+<body>
+<h1>Throws</h1>
+)";
+
+/// What is printed, and the page.
+class Report {
+ public:
+  /// Begins a table; in a terminal its columns have this width.
+  void heading(const std::string& title, const std::vector<std::string>& names, std::size_t width) {
+    width_ = width;
+    std::cout << "\n" << title << "\n";
+    page << "<h2>" << title << "</h2>\n<div class='wide'><table>\n";
+    row(names, "th");
+  }
+  void row(const std::vector<std::string>& cells, const char* tag = "td") {
+    page << "<tr>";
+    for (const std::string& cell : cells) {
+      std::cout << cell << (&cell == &cells.back() ? "\n" : std::string(width_ - cell.size(), ' '));
+      page << "<" << tag << ">" << cell << "</" << tag << ">";
+    }
+    page << "</tr>\n";
+  }
+  void end() { page << "</table></div>\n"; }
+  void line(const std::string& text) {
+    std::cout << text << "\n";
+    page << "<p>" << text << "</p>\n";
+  }
+
+  std::ostringstream page;
+
+ private:
+  std::size_t width_ = 0;
+};
+
+/// a, b, c, the ratios of the moments, and D.
+VectorXd all_of(const Vector3d& abc) {
+  VectorXd all(6);
+  all << abc, moment_ratios(abc[0], abc[2]), rigidity_defect(abc, Vector3d::Zero())[0];
+  return all;
+}
+
+/// Each of these with its error: from the scatter of several flights, or from the noise of the only one.
+Eigen::MatrixXd with_errors(const std::vector<Recording>& flights, const Eigen::MatrixXd& results) {
+  Eigen::MatrixXd both(6, 2);
+  if (flights.size() > 1) {
+    for (Index i = 0; i < 6; ++i) both.row(i) = mean_and_error(results.row(i).transpose()).transpose();
+    return both;
+  }
+  const Vector3d abc = coefficients_without_steps(flights[0]);
+  const VectorXd here = all_of(abc);
+  const Matrix3Xd changes = changes_by_noise(flights[0]);
+  VectorXd squares = VectorXd::Zero(6);
+  for (Index k = 0; k < changes.cols(); ++k) squares += (all_of(abc + changes.col(k)) - here).cwiseAbs2();
+  both << here, squares.cwiseSqrt();
+  return both;
+}
+
+std::string with_error(double value, double error) { return shown("%.4f ± %.4f", value, error); }
+
+void report_periods(Report& report, const std::vector<Recording>& flights, const Vector3d& I) {
+  report.heading("Half of the period, measured and exact", {"from (s)", "measured (s)", "exact (s)", "ratio"}, 14);
+  std::vector<double> ratios;
+  for (const Recording& flight : flights) {
+    for (const Vector2d& each : half_periods(flight, I)) {
+      ratios.push_back(each[0] / each[1]);
+      report.row(
+          {shown("%.2f", flight.t[0]), shown("%.3f", each[0]), shown("%.3f", each[1]), shown("%.3f", ratios.back())});
+    }
+  }
+  report.end();
+  if (ratios.size() > 1) {
+    const Vector2d mean = mean_and_error(VectorXd::Map(ratios.data(), static_cast<Index>(ratios.size())));
+    report.line("ratio " + with_error(mean[0], mean[1]));
+  } else if (ratios.empty()) {
+    report.line("No flight lasts from one zero of the component about the intermediate axis to the next.");
+  }
+}
+
+void report(const Recording& all) {
+  const auto [flights, left_out] = search(all);
+  Report report;
+  Eigen::MatrixXd results(6, flights.size());
+  report.heading("Flights", {"from (s)", "to (s)", "a", "b", "c", "I_y/I_x", "I_z/I_x"}, 11);
   for (std::size_t k = 0; k < flights.size(); ++k) {
     const Recording& flight = flights[k];
-    const Vector3d abc = euler_coefficients(flight.t, flight.omega);
-    const auto column = static_cast<Index>(k);
-    const Vector2d ratios = moment_ratios(abc[0], abc[2]);
-    results.col(column) << abc, ratios;
-    const double from = flight.t[0], to = flight.t[flight.t.size() - 1];
-    std::cout << shown("%7.2f %7.2f s", from, to);
-    for (Index i = 0; i < 5; ++i) std::cout << shown("%9.4f", results(i, column));
-    std::cout << "\n";
-    page << "<h2>" << shown("%.2f s to %.2f s", from, to) << "</h2>\n";
-    for (int axis = 0; axis < 3; ++axis) page << picture(flight, axis, abc[axis]);
+    results.col(static_cast<Index>(k)) = all_of(euler_coefficients(flight.t, flight.omega));
+    std::vector<std::string> cells = {shown("%.2f", flight.t[0]), shown("%.2f", flight.t[flight.t.size() - 1])};
+    for (Index i = 0; i < 5; ++i) cells.push_back(shown("%.4f", results(i, static_cast<Index>(k))));
+    report.row(cells);
   }
-  for (const Stretch& each : left_out)
-    std::cout << shown("%7.2f %7.2f s", all.t[each.begin], all.t[each.end - 1]) << "  left out: " << each.reason
-              << "\n";
-  if (flights.empty()) {
-    std::cout << "No free flight was found.\n";
-    return;
+  report.end();
+  if (flights.empty()) report.line("No free flight was found.");
+  if (!left_out.empty()) {
+    report.heading("Left out", {"from (s)", "to (s)", "because"}, 11);
+    for (const Stretch& each : left_out)
+      report.row({shown("%.2f", all.t[each.begin]), shown("%.2f", all.t[each.end - 1]), each.reason});
+    report.end();
   }
-  const char* const names[] = {"a      ", "b      ", "c      ", "I_y/I_x", "I_z/I_x"};
-  std::cout << "\n";
-  for (Index i = 0; i < 5; ++i) std::cout << names[i] << "  " << with_error(results.row(i).transpose()) << "\n";
-  VectorXd defects(results.cols());
-  for (Index k = 0; k < results.cols(); ++k)
-    defects[k] = rigidity_defect(results.col(k).head<3>(), Vector3d::Zero())[0];
-  std::cout << "D        " << with_error(defects) << ", throw by throw\n";
-  if (flights.size() > 1) {
-    Vector3d means, errors;
-    for (int i = 0; i < 3; ++i) {
-      const Vector2d both = mean_and_error(results.row(i).transpose());
-      means[i] = both[0];
-      errors[i] = both[1];
+  if (!flights.empty()) {
+    const Eigen::MatrixXd both = with_errors(flights, results);
+    report.heading("Results", {"", "with standard error"}, 14);
+    const char* const names[] = {"a", "b", "c", "I_y/I_x", "I_z/I_x", "D"};
+    for (Index i = 0; i < 6; ++i) report.row({names[i], with_error(both(i, 0), both(i, 1))});
+    report.end();
+    if (flights.size() > 1) {
+      const Vector2d D = rigidity_defect(both.col(0).head<3>(), both.col(1).head<3>());
+      report.line("D from the means and their errors: " + with_error(D[0], D[1]));
+    } else {
+      report.line("One throw: these are the errors that the noise of its samples makes. Throw again for all others.");
     }
-    const Vector2d D = rigidity_defect(means, errors);
-    std::cout << "D        " << shown("%8.4f ± %.4f", D[0], D[1]) << ", from the means and their errors\n";
-  } else {
-    std::cout << "One throw has no error bar: throw again.\n";
+    const Vector3d I(1, both(3, 0), both(4, 0));
+    const bool is_body = (I.array() > 0).all() && I.allFinite();
+    if (!is_body) report.line("With these ratios of the moments there is no body to compute periods and motions of.");
+    std::vector<std::string> motions(flights.size());
+    const auto unless_not_started = [&](const auto& action) {
+      try {
+        if (is_body) action();
+      } catch (const NotStarted& missing) {
+        report.line(std::string(missing.function) + " is not started; what needs it is left out.");
+      }
+    };
+    unless_not_started([&] { report_periods(report, flights, I); });
+    unless_not_started([&] {
+      for (std::size_t k = 0; k < flights.size(); ++k)
+        motions[k] = picture_in_air(flights[k], motion_of(flights[k], I));
+    });
+    for (std::size_t k = 0; k < flights.size(); ++k) {
+      const Recording& flight = flights[k];
+      report.page << "<h2>" << shown("%.2f s to %.2f s", flight.t[0], flight.t[flight.t.size() - 1])
+                  << "</h2>\n<div class='pictures'>" << motions[k];
+      const Vector3d abc = results.col(static_cast<Index>(k)).head<3>();
+      for (int axis = 0; axis < 3; ++axis) report.page << picture_of_line(flight, axis, abc[axis]);
+      report.page << "</div>\n";
+    }
   }
   const fs::path folder = fs::path(__FILE__).parent_path() / "../../.workbook", html = folder / "phone.html";
   std::error_code ignored;
   fs::create_directories(folder, ignored);
-  if (std::ofstream(html) << page.str())
-    std::cout << "Pictures: " << fs::weakly_canonical(html, ignored).string() << "\n";
+  if (std::ofstream(html) << head << report.page.str() << "</body>\n</html>\n")
+    std::cout << "\nPictures: " << fs::weakly_canonical(html, ignored).string() << "\n";
   else
-    std::cout << "The page of pictures cannot be written.\n";
+    std::cout << "\nThe page of pictures cannot be written.\n";
 }
 
 }  // namespace

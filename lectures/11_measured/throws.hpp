@@ -93,8 +93,9 @@ inline Vector3d noise_of_samples(const Flight& flight) {
   return (differences.rowwise().squaredNorm() / (2.0 * static_cast<double>(steps))).cwiseSqrt();
 }
 
-/// What the noise of the samples alone makes of the coefficients: each sample moves them, in ω and in the integrals, and
-/// all that they are moved adds up as squares. A column per moved number: how far its standard deviation moves them.
+/// What the noise of the samples alone makes of the coefficients: each sample moves them, in ω and in the integrals,
+/// and all that they are moved adds up as squares. A column per moved number: how far its standard deviation moves
+/// them.
 inline Matrix3Xd changes_by_noise(const Flight& flight) {
   const Vector3d noise = noise_of_samples(flight), here = coefficients_without_steps(flight);
   Matrix3Xd changes(3, 3 * flight.t.size());

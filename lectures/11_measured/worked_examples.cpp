@@ -396,7 +396,7 @@ TEST_CASE("clock: The coefficients without the air") {
 TEST_CASE("air: The exact motion beside the samples") {
   //! [air in brief]
   const std::vector<Flight> flights = racket_throws();
-  const auto [gamma, in_air] = common_air(flights, 0, 0.5);         // torque −γ L, with one γ for all throws
+  const auto [gamma, in_air] = common_air(flights, 0, 0.5);          // torque −γ L, with one γ for all throws
   const auto [gamma_2, in_fast_air] = common_air(flights, 1, 0.05);  // torque −γ' |ω| L, with one γ' for all throws
   Eigen::MatrixXd table(12, 4);
   for (int k = 0; k < 12; ++k)
@@ -419,10 +419,12 @@ TEST_CASE("air: The exact motion beside the samples") {
 
   result(R"(\gamma)", gamma, "1/s", "common to all throws, torque \\(-\\gamma\\vec L\\)", 2);
   result(R"(\gamma')", gamma_2, "", "common to all throws, torque \\(-\\gamma'\\omega\\vec L\\)", 2);
-  result("n", static_cast<double>(halved(2)), "", "throws with less than half of the deviations, torque \\(-\\gamma\\vec L\\)");
+  result("n", static_cast<double>(halved(2)), "",
+         "throws with less than half of the deviations, torque \\(-\\gamma\\vec L\\)");
   result("n", static_cast<double>(halved(3)), "", "the same, torque \\(-\\gamma'\\omega\\vec L\\)");
-  result_table({"throw", "without air / (rad/s)", R"(\(-\gamma\vec L\) / (rad/s))", R"(\(-\gamma'\omega\vec L\) / (rad/s))"},
-               table, 2);
+  result_table(
+      {"throw", "without air / (rad/s)", R"(\(-\gamma\vec L\) / (rad/s))", R"(\(-\gamma'\omega\vec L\) / (rad/s))"},
+      table, 2);
 }
 //! [air]
 

@@ -1,7 +1,5 @@
 #include "tests/grading/made_up_class.hpp"
 
-#include <archive.h>
-#include <archive_entry.h>
 #include <fmt/format.h>
 
 #include <sys/stat.h>
@@ -30,27 +28,6 @@ std::string energy_text(const std::string& body) {
 std::string force_text(const std::string& body) {
   return "#include <rigid/springs.hpp>\nnamespace rigid {\nVector3d spring_force(double k, const Vector3d& x) {\n  " +
          body + "\n}\n}\n";
-}
-
-void write_zip(const fs::path& file, const std::vector<std::pair<std::string, std::optional<std::string>>>& texts) {
-  fs::create_directories(file.parent_path());
-  archive* const zip = archive_write_new();
-  archive_write_set_format_zip(zip);
-  archive_write_open_filename(zip, file.c_str());
-  for (const auto& [name, text] : texts) {
-    archive_entry* const entry = archive_entry_new();
-    archive_entry_set_pathname(entry, name.c_str());
-    archive_entry_set_filetype(entry, text ? AE_IFREG : AE_IFLNK);
-    archive_entry_set_perm(entry, 0644);
-    if (text)
-      archive_entry_set_size(entry, static_cast<la_int64_t>(text->size()));
-    else
-      archive_entry_set_symlink(entry, "/etc/passwd");
-    if (archive_write_header(zip, entry) != ARCHIVE_OK) throw std::runtime_error(archive_error_string(zip));
-    if (text) archive_write_data(zip, text->data(), text->size());
-    archive_entry_free(entry);
-  }
-  archive_write_free(zip);
 }
 
 bool is_open_to_all() {

@@ -41,10 +41,6 @@ extern const char *const right_energy, *const right_force, *const force_by_energ
 std::string energy_text(const std::string& body);
 std::string force_text(const std::string& body);
 
-/// Writes a zip file; where there is no text it is a symbolic link to /etc/passwd.
-void write_zip(const std::filesystem::path& file,
-               const std::vector<std::pair<std::string, std::optional<std::string>>>& texts);
-
 /// Root becomes another user to grade, who must reach this build.
 bool is_open_to_all();
 

@@ -3,10 +3,16 @@
 #include <doctest/doctest.h>
 #include "tests/support/files.hpp"
 
+#include <rigid/measured.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
+#include <random>
+#include <regex>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -14,6 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace workbook::testing;
+using ZipEntry = std::pair<std::string, std::optional<std::string>>;
 using Row = std::vector<std::string>;
 
 /// The recording of the lecture as cells.
@@ -38,12 +45,21 @@ std::string text_of(const std::vector<Row>& rows, const std::string& separator =
   return text;
 }
 
-Outcome run_on(const std::string& text) {
+Outcome run_on_file(const std::string& name) {
   const fs::path folder = WORKBOOK_TEST_SCRATCH;
-  fs::create_directories(folder);
-  write(folder / "recording.csv", text);
-  return run_command(fmt::format("RECORDING='{}' '{}'", (folder / "recording.csv").string(), WORKBOOK_TEST_PHONE),
-                     folder);
+  return run_command(fmt::format("RECORDING='{}' '{}'", (folder / name).string(), WORKBOOK_TEST_PHONE), folder);
+}
+
+Outcome run_on(const std::string& text) {
+  fs::create_directories(WORKBOOK_TEST_SCRATCH);
+  write(fs::path(WORKBOOK_TEST_SCRATCH) / "recording.csv", text);
+  return run_on_file("recording.csv");
+}
+
+Outcome run_on_zip(const std::vector<ZipEntry>& entries) {
+  fs::create_directories(WORKBOOK_TEST_SCRATCH);
+  write_zip(fs::path(WORKBOOK_TEST_SCRATCH) / "recording.zip", entries);
+  return run_on_file("recording.zip");
 }
 
 std::string with_decimal_comma(std::string text) {
@@ -51,15 +67,231 @@ std::string with_decimal_comma(std::string text) {
   return text;
 }
 
+/// What lies between two headings, or after the last.
+std::vector<Row> rows_of(const std::string& out, const std::string& heading) {
+  std::vector<Row> rows;
+  std::istringstream lines(out.substr(out.find("\n" + heading + "\n") + heading.size() + 2));
+  std::string line;
+  for (std::getline(lines, line); std::getline(lines, line) && !line.empty();) {
+    std::istringstream words(line);
+    rows.emplace_back();
+    for (std::string word; words >> word;) rows.back().push_back(word);
+  }
+  return rows;
+}
+
+/// A made-up recording of a body that is thrown, caught, laid on a table, dropped, and thrown again.
+struct MadeUp {
+  explicit MadeUp(unsigned seed) : generator(seed) {}
+
+  std::mt19937 generator;
+  std::vector<Row> rows{{"Time (s)", "Gyroscope x (rad/s)", "Gyroscope y (rad/s)", "Gyroscope z (rad/s)"}};
+  std::vector<rigid::Vector2d> flights;
+  rigid::Vector3d now = rigid::Vector3d::Zero();
+  double time = 0;
+  double range = 60;  // rad/s of the sensor
+
+  double uniform(double from, double to) { return std::uniform_real_distribution(from, to)(generator); }
+
+  void sample(const rigid::Vector3d& omega) {
+    std::normal_distribution<double> noise(0, 0.01);
+    rows.push_back({fmt::format("{}", time)});
+    for (const double component : omega)
+      rows.back().push_back(fmt::format("{}", std::clamp(component + noise(generator), -range, range)));
+    now = omega;
+    time += 0.01;
+  }
+  /// From what was last to another ω: the torques of a hand, which shakes.
+  void hand(const rigid::Vector3d& end, double seconds) {
+    const rigid::Vector3d begin = now, shake(uniform(2, 5), uniform(2, 5), uniform(2, 5));
+    const double rate = uniform(18, 30);
+    for (double t = 0; t < seconds; t += 0.01) {
+      const double part = t / seconds;
+      sample((1 - part) * begin + part * end + std::sin(rate * t) * shake);
+    }
+    now = end;
+  }
+  void table(double seconds) {
+    for (double t = 0; t < seconds; t += 0.01) sample(rigid::Vector3d::Zero());
+  }
+  void flight(const rigid::Vector3d& I, double seconds) {
+    const rigid::Vector3d start = now;
+    const double begin = time;
+    for (double t = 0; t < seconds; t += 0.01) sample(rigid::damped_rotation(I, start, 0.2, t));
+    if (seconds >= 0.5) flights.emplace_back(begin, time - 0.01);
+  }
+  /// Short flights between hits.
+  void bounces(const rigid::Vector3d& I) {
+    for (int k = 0; k < 4; ++k) {
+      now = rigid::Vector3d(uniform(-9, 9), uniform(-9, 9), uniform(-9, 9));
+      flight(I, uniform(0.05, 0.12));
+    }
+  }
+};
+
 }  // namespace
 
 TEST_CASE("two throws are found in the recording, and the hand is left out") {
   const Outcome whole = run_on(text_of(recorded()));
   CHECK(whole.status == 0);
-  CHECK(has(whole.out, "0.86    1.65 s  -0.9921   0.9534   0.8602"));
-  CHECK(has(whole.out, "6.71    7.55 s  -0.9924   0.9753   0.8591"));
-  CHECK(has(whole.out, "left out: no flight of a quarter of a second: a hand, a table, a bounce"));
-  CHECK(has(whole.out, "a         -0.9922 ± 0.0001"));
+  CHECK(rows_of(whole.out, "Flights") ==
+        std::vector<Row>{{"0.86", "1.65", "-0.9921", "0.9534", "0.8602", "0.0788", "1.0709"},
+                         {"6.71", "7.55", "-0.9924", "0.9753", "0.8591", "0.0793", "1.0717"}});
+  for (const Row& row : rows_of(whole.out, "Left out"))
+    CHECK(fmt::format("{}", fmt::join(row, " "))
+              .ends_with("no flight of a quarter of a second: a hand, a table, a bounce"));
+  CHECK(rows_of(whole.out, "Results")[0] == Row{"a", "-0.9922", "±", "0.0001"});
+  // Between the zeros of ω_x, which lie at 0.98, 1.30 and 1.64 s.
+  const std::vector<Row> periods = rows_of(whole.out, "Half of the period, measured and exact");
+  REQUIRE(periods.size() == 5);
+  CHECK(periods[0][1] == "0.320");
+  for (std::size_t k = 0; k < 4; ++k) CHECK(std::abs(std::stod(periods[k][3]) - 0.98) < 0.01);
+}
+
+TEST_CASE("the page shows every sample of every flight, on its curve and on its lines") {
+  const Outcome whole = run_on(text_of(recorded()));
+  const std::string marker = "Pictures: ",
+                    page = read(whole.out.substr(whole.out.find(marker) + marker.size(),
+                                                 whole.out.rfind('\n') - whole.out.find(marker) - marker.size()));
+  const auto count = [&](const std::string& what) {
+    const std::regex pattern(what);
+    return std::distance(std::sregex_iterator(page.begin(), page.end(), pattern), std::sregex_iterator());
+  };
+  CHECK(count("<svg") == 8);
+  CHECK(count("<circle class='[xyz]'") == 3 * (80 + 85));
+  CHECK(count("<circle class='samples'") == 3 * (80 + 85));
+  CHECK(count("<polyline class='[xyz]'") == 6);
+  CHECK(count("<polyline class='line'") == 6);
+  // The samples lie on the curve of damped_rotation: the points of one in a polyline, of the other in circles, in
+  // pixels.
+  const std::regex curve("<polyline class='x' points='([^']*)'"), sample("<circle class='x' cx='([^']*)' cy='([^']*)'");
+  std::smatch found;
+  REQUIRE(std::regex_search(page, found, curve));
+  std::string points = found[1];
+  std::replace(points.begin(), points.end(), ',', ' ');
+  std::istringstream numbers(points);
+  auto circle = std::sregex_iterator(page.begin(), page.end(), sample);
+  int seen = 0;
+  for (double x = 0, y = 0; numbers >> x >> y; ++circle, ++seen) {
+    CHECK(std::abs(std::stod((*circle)[1]) - x) < 0.01);
+    CHECK(std::abs(std::stod((*circle)[2]) - y) < 5);
+  }
+  CHECK(seen == 80);
+  CHECK(has(page, "left over 0.15 rad/s"));
+}
+
+TEST_CASE("one throw has error bars from its noise") {
+  std::vector<Row> rows = recorded();
+  rows.resize(300);
+  const std::string out = run_on(text_of(rows)).out;
+  CHECK(rows_of(out, "Flights").size() == 1);
+  CHECK(has(out, "One throw: these are the errors that the noise of its samples makes."));
+  const Row a = rows_of(out, "Results")[0];
+  CHECK(std::abs(std::stod(a[1]) + 0.992) < 0.003);
+  CHECK(std::stod(a[3]) > 0);
+}
+
+TEST_CASE("a zip file as phyphox shares it is read like its table") {
+  const std::string table = text_of(recorded()), plain = run_on(table).out;
+  const ZipEntry device{"meta/device.csv", "\"property\",\"value\"\nversion,1\n"};
+  CHECK(run_on_zip({{"Raw Data.csv", table}, device}).out == plain);
+  const auto refused = [](const std::vector<ZipEntry>& entries, const std::string& why) {
+    const Outcome outcome = run_on_zip(entries);
+    CHECK(outcome.status == 1);
+    CHECK(outcome.out.empty());
+    CHECK(has(outcome.err, why));
+  };
+  refused({device}, "holds no table of a gyroscope.");
+  refused({{"Accelerometer.csv", "\"Time (s)\",\"Acceleration x (m/s^2)\"\n0,1\n"}},
+          "Accelerometer.csv: has no column like \"Gyroscope x (rad/s)\"");
+  refused({{"one.csv", table}, {"two.csv", table}}, "holds two recordings, one.csv and two.csv");
+  const std::string file = read(fs::path(WORKBOOK_TEST_SCRATCH) / "recording.zip");
+  CHECK(has(run_on("PK\3\4" + file.substr(40, 200)).err, "is a damaged zip file"));
+  CHECK(has(run_on(file.substr(0, file.size() / 3)).err, "zip file"));
+  CHECK(has(run_on(std::string("\xD0\xCF\x11\xE0\0\0", 6)).err, "is no text; export"));
+}
+
+TEST_CASE("of made-up recordings every flight is found and none is invented") {
+  int wanted = 0, used = 0;
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    CAPTURE(seed);
+    MadeUp made(seed);
+    const double I_y = made.uniform(0.3, 0.7);
+    const rigid::Vector3d I(1, I_y, 1 + I_y * made.uniform(0.6, 1));  // a book, a board
+    made.table(0.5);
+    for (int number = 0; number < 4; ++number) {
+      made.hand({made.uniform(9, 14), made.uniform(2, 5), made.uniform(-5, -2)}, 0.3);
+      made.flight(I, made.uniform(0.5, 0.9));
+      made.bounces(I);
+      made.hand({0, 0, 0}, made.uniform(0.2, 0.5));
+      made.table(0.5);
+      if (number == 1) made.time += 0.4;  // samples are missing
+    }
+    const std::string out = run_on(text_of(made.rows)).out;
+    const std::vector<Row> found = rows_of(out, "Flights");
+    wanted += static_cast<int>(made.flights.size());
+    for (const Row& row : found) {  // each is one of those that were made
+      CHECK(std::ranges::any_of(made.flights, [&](const rigid::Vector2d& flight) {
+        return std::stod(row[0]) > flight[0] - 0.04 && std::stod(row[1]) < flight[1] + 0.04;
+      }));
+      CHECK(std::abs(std::stod(row[2]) - (I[1] - I[2])) < 0.15);
+    }
+    // Too steady ones are found too, and left out with this reason.
+    const std::vector<Row> left_out = rows_of(out, "Left out");
+    const auto holds = [](const std::vector<Row>& rows, const rigid::Vector2d& flight, const std::string& reason) {
+      return std::ranges::any_of(rows, [&](const Row& row) {
+        return std::stod(row[0]) < flight[0] + 0.1 && std::stod(row[1]) > flight[1] - 0.1 &&
+               has(fmt::format("{}", fmt::join(row, " ")), reason);
+      });
+    };
+    for (const rigid::Vector2d& flight : made.flights) {
+      used += holds(found, flight, "");
+      CHECK((holds(found, flight, "") || holds(left_out, flight, "the air changes it more than its tumbling does")));
+    }
+  }
+  CHECK(wanted == 48);
+  CHECK(used >= 43);
+}
+
+TEST_CASE("each of the twelve throws of the lecture is found, and as long as it is") {
+  std::istringstream lines(read(WORKBOOK_TEST_THROWS));
+  std::string line;
+  std::getline(lines, line);
+  std::vector<std::string> throws(12, "Time (s),Gyroscope x (rad/s),Gyroscope y (rad/s),Gyroscope z (rad/s)\n");
+  while (std::getline(lines, line)) {
+    const std::size_t comma = line.find(',');
+    throws.at(std::stoul(line) - 1) += line.substr(comma + 1) + "\n";
+  }
+  for (const std::string& each : throws) {
+    const std::vector<Row> found = rows_of(run_on(each).out, "Flights");
+    REQUIRE(found.size() == 1);
+    const std::string last = each.substr(each.rfind('\n', each.size() - 2) + 1);
+    CHECK(std::stod(found[0][1]) - std::stod(found[0][0]) > 0.95 * std::stod(last));
+  }
+}
+
+TEST_CASE("flights at the sensor's limit or with missing samples are never used whole") {
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    CAPTURE(seed);
+    for (const bool is_limited : {true, false}) {
+      MadeUp made(seed);
+      if (is_limited) made.range = 8;
+      made.table(0.5);
+      made.hand({made.uniform(12, 15), made.uniform(1, 4), made.uniform(-4, -1)}, 0.3);
+      made.flight({1, 0.4, 1.3}, 0.4);
+      if (!is_limited) made.time += 0.1;
+      made.flight({1, 0.4, 1.3}, 0.2);
+      made.hand({0, 0, 0}, 0.2);
+      made.table(0.5);
+      const std::string out = run_on(text_of(made.rows)).out;
+      CHECK(has(out, is_limited ? "the gyroscope is at its limit" : "samples are missing"));
+      if (has(out, "No free flight was found.")) continue;
+      for (const Row& row : rows_of(out, "Flights")) {
+        CHECK(std::stod(row[1]) - std::stod(row[0]) < 0.45);
+        CHECK(std::abs(std::stod(row[2]) + 0.9) < 0.15);
+      }
+    }
+  }
 }
 
 TEST_CASE("separators, decimal commas, other orders and languages of the columns change nothing") {
@@ -104,12 +336,12 @@ TEST_CASE("gaps, a sensor at its limit and steady rotations are left out with th
   const std::vector<Row> rows = recorded();
   std::vector<Row> gap = rows;
   gap.erase(gap.begin() + 120, gap.begin() + 130);
-  CHECK(has(run_on(text_of(gap)).out, "left out: samples are missing"));
+  CHECK(has(run_on(text_of(gap)).out, "samples are missing"));
   std::vector<Row> limited = rows, steady = {rows[0]};
   for (std::size_t k = 1; k < limited.size(); ++k)
     for (std::size_t i = 1; i < 4; ++i)
       limited[k][i] = fmt::format("{}", std::min(15.0, std::max(-15.0, std::stod(limited[k][i]))));
-  CHECK(has(run_on(text_of(limited)).out, "left out: the gyroscope is at its limit"));
+  CHECK(has(run_on(text_of(limited)).out, "the gyroscope is at its limit"));
   for (int k = 0; k < 200; ++k) steady.push_back({fmt::format("{}", 0.01 * k), "0.1", "0.05", "12", "12"});
   const std::string outcome = run_on(text_of(steady)).out;
   CHECK(has(outcome, "No free flight was found."));

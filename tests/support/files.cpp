@@ -1,5 +1,7 @@
 #include "tests/support/files.hpp"
 
+#include <archive.h>
+#include <archive_entry.h>
 #include <fmt/format.h>
 
 #include <sys/wait.h>
@@ -33,6 +35,27 @@ void replace_in(const fs::path& file, const std::string& from, const std::string
   const std::size_t at = text.find(from);
   if (at == std::string::npos) throw std::runtime_error(fmt::format("'{}' is not in {}", from, file.string()));
   write(file, text.replace(at, from.size(), to));
+}
+
+void write_zip(const fs::path& file, const std::vector<std::pair<std::string, std::optional<std::string>>>& texts) {
+  fs::create_directories(file.parent_path());
+  archive* const zip = archive_write_new();
+  archive_write_set_format_zip(zip);
+  archive_write_open_filename(zip, file.c_str());
+  for (const auto& [name, text] : texts) {
+    archive_entry* const entry = archive_entry_new();
+    archive_entry_set_pathname(entry, name.c_str());
+    archive_entry_set_filetype(entry, text ? AE_IFREG : AE_IFLNK);
+    archive_entry_set_perm(entry, 0644);
+    if (text)
+      archive_entry_set_size(entry, static_cast<la_int64_t>(text->size()));
+    else
+      archive_entry_set_symlink(entry, "/etc/passwd");
+    if (archive_write_header(zip, entry) != ARCHIVE_OK) throw std::runtime_error(archive_error_string(zip));
+    if (text) archive_write_data(zip, text->data(), text->size());
+    archive_entry_free(entry);
+  }
+  archive_write_free(zip);
 }
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }

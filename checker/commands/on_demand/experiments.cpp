@@ -63,7 +63,8 @@ bool build_program(const Course& course, const fs::path& source, const std::vect
   arguments.insert(arguments.end(), {"-Wall", "-fmax-errors=20", "-include", toolchain.prelude.string(),
                                      source.string(), around.string()});
   for (const Submission& file : files) arguments.push_back(file.path.string());
-  arguments.insert(arguments.end(), {"-o", program.string()});
+  // For programs that read zip files; the checker needs this library too.
+  arguments.insert(arguments.end(), {"-Wl,--as-needed", "-larchive", "-o", program.string()});
   const FinishedProgram compiled =
       run_with_path(toolchain.compiler.string(), arguments, std::chrono::duration<double>(120));
   fmt::print(stderr, "{}", printable(compiled.output));
