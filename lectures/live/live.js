@@ -322,7 +322,8 @@ class Scene {
     });
   }
 
-  /** Curves over x in a flat view: `x` and `y` are the ranges, a curve is {points, color, name, dash}; a line stands at
+  /** Curves over x in a flat view: `x` and `y` are the ranges, a curve is {points, color, name, dash},
+   *  or its points alone with `dots`; a line stands at
    *  the time `now`, or a dot at `mark`; `expected` are values that the reader expects. */
   plot({ x, y, x_name, y_name, curves, now, mark, expected = [] }) {
     const [left, right, top, bottom] = [46, this.width - 16, 22, this.high - 38];
@@ -351,8 +352,11 @@ class Scene {
     for (const value of expected) this.line([[x[0], value], [x[1], value]], "grey", 2, { dash: [7, 6] });
     if (expected.length) this.words("expected", sum(place([x[1], expected[0]]), [-4, 9]), "grey", "right");
     // Before the reader has predicted, only what has happened.
-    for (const { points, color, dash } of curves)
-      this.line(this.released || mark ? points : points.filter(([u]) => u <= now), color, 2.2, { dash });
+    for (const { points, color, dash, dots } of curves) {
+      const seen = this.released || mark ? points : points.filter(([u]) => u <= now);
+      if (dots) for (const point of seen) this.dot(point, color, 2.5);
+      else this.line(seen, color, 2.2, { dash });
+    }
     if (mark) this.dot(mark, "ink", 5); else this.line([[now, y[0]], [now, y[1]]], "ink", 1.4);
     c.restore();
     this.words(x_name, [(left + right) / 2, this.high - 9]);

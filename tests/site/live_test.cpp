@@ -2,6 +2,7 @@
 // implementations, which nothing of the site may hold.
 #include "checker/base/text.hpp"
 #include "checker/data/reference_results.hpp"
+#include "lectures/11_measured/throws.hpp"
 #include "rigid/attitude_of_a_free_body.hpp"
 #include "rigid/euler_angles.hpp"
 #include "rigid/euler_equations.hpp"
@@ -193,6 +194,24 @@ const std::map<std::string, std::function<Numbers(const Values&, double)>> numbe
                precession_per_nutation(I1, I3, mgl, tilt, rates),
                is_fast ? steady_precession(I1, I3, mgl, spin, tilt)[0] : NAN,
                sleeping_spin(I1, I3, mgl)};
+     }},
+    {"replayed_throw",
+     [](const Values& v, double time) -> Numbers {
+       const measured::Flight flight = measured::racket_throws()[v.at("which") == 0 ? 5 : 2];
+       const Vector3d I(1, v.at("Iy"), v.at("Iz"));
+       const Vector3d start = measured::fitted_start(flight, [&](const Vector3d& from) {
+         return measured::motion_in_air(I, flight.t, from, v.at("gamma"));
+       });
+       Matrix3Xd left = -flight.omega;
+       for (Eigen::Index k = 0; k < left.cols(); ++k)
+         left.col(k) += damped_rotation(I, start, v.at("gamma"), flight.t[k] - flight.t[0]);
+       const auto last = static_cast<double>(flight.t.size() - 1);
+       const auto k = static_cast<Eigen::Index>(time / (flight.t[flight.t.size() - 1] - flight.t[0]) * last + 1e-6);
+       const Vector3d omega = flight.omega.col(k), L = I.cwiseProduct(omega),
+                      L0 = I.cwiseProduct(Vector3d(flight.omega.col(0)));
+       const Matrix3d A = attitude_from_rates(flight.t.head(k + 1), flight.omega.leftCols(k + 1));
+       return {measured::root_mean_square(left), omega[0], omega[1], omega[2], L.norm() / L0.norm(),
+               std::acos(std::min(1.0, (A * L).normalized().dot(L0.normalized())))};
      }},
     {"herpolhode", [](const Values& v, double time) -> Numbers {
        const Vector3d I(1.2, 2, 2.7), omega0 = spin_of(v);
