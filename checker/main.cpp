@@ -385,7 +385,8 @@ class CommandLine {
         {"try", "try drafts/spin.cpp"}, {"FILE"}, try_out);
     add("debug", students,
         "Step through your function with gdb\n\nStops where your function begins, at the first case that fails, or at "
-        "the given one. Vectors and matrices are shown as numbers: `info args`, `next`, `print I * omega`.",
+        "the given one. Vectors and matrices are shown as numbers, and computed with as in C++: `info args`, `next`, `print 2*I*omega`, "
+        "`print I(0,1)`, `print omega.dot(L)`.",
         {"debug euler_equations", "debug euler_equations --case 4"}, {"EXERCISE", "--case debug", "--build-only"},
         debug);
     add("predict", students,

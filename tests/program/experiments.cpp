@@ -39,14 +39,17 @@ TEST_CASE("the first experiment is written once, and not over one that is there"
   CHECK(course.run("try").status == 4);
 }
 
-TEST_CASE("gdb stops in the function at the first failing case, and shows vectors as numbers") {
+TEST_CASE("gdb stops in the function at the first failing case, and shows and multiplies vectors as C++ does") {
   const CourseCopy course;
   course.answer_energy("const Vector3d twice = 2 * x;\nreturn k * twice.norm();");
-  write(course.root() / "typed", "info args\nnext\ninfo locals\nkill\nquit\n");
+  write(course.root() / "typed", "info args\nnext\ninfo locals\nprint 2*x - x\nprint x(1) + twice.norm()\nprint x*twice\nkill\nquit\n");
   const std::string typing = R"(sh -c 'cat typed | "$0" "$@"')";
   const Outcome stepped = course.run("debug spring_energy", typing);
   CHECK_MESSAGE(has(stepped.out, "x = (0, 1, 0)"), stepped.said());
   CHECK(has(stepped.out, "twice = (0, 2, 0)"));
+  CHECK(has(stepped.out, "2*x - x = (0, 1, 0)"));
+  CHECK(has(stepped.out, "x(1) + twice.norm() = 3"));
+  CHECK(has(stepped.err, "a.dot(b)"));
   const Outcome other = course.run("debug spring_energy --case 2", typing);
   CHECK(has(other.out, "Case 2 "));
   CHECK(course.run("debug spring_energy --case 99999").status == 2);
