@@ -46,8 +46,7 @@ void judge_screw_of_displacement(Lecture& lecture) {
     return tuple(Vector3d(angle * axis), d);
   });
   e.scale([](auto& rotation, auto& d) { return or_one(d.norm() * (1 + abs(1 / tan(rotation.norm() / 2)))); });
-  e.sweep({"A book goes 0.4 m to the right and 0.2 m back: about which line?", "angle (rad)",
-           "point of the line (m)"},
+  e.sweep({"A book goes 0.4 m to the right and 0.2 m back: about which line?", "angle (rad)", "point of the line (m)"},
           {{"x", 0, 0}, {"y", 1, 0}}, {0.4, 5.9},
           [=](auto angle) { return tuple(Vector3d(angle * z_axis), to_shelf); });
 
