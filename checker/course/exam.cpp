@@ -77,6 +77,7 @@ std::string time_text(const Exam& exam) {
 
 std::string hours_and_minutes(std::chrono::seconds time) {
   const long minutes = (std::abs(time.count()) + 30) / 60;
+  if (minutes >= 60 && minutes % 60 == 0) return fmt::format("{} h", minutes / 60);
   return minutes < 60 ? fmt::format("{} min", minutes) : fmt::format("{} h {} min", minutes / 60, minutes % 60);
 }
 

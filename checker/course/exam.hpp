@@ -36,7 +36,7 @@ void write_exam(const Course& course, const Exam& exam);
 /// @throws UsageError in one sentence where one of these is a problem of the running exam
 void refuse_in_exam(const Course& course, const std::vector<Exercise>& exercises);
 
-/// "2 h 5 min", rounded to minutes, without a sign.
+/// "2 h 5 min", "1 h" or "40 min": rounded to minutes, without a sign.
 std::string hours_and_minutes(std::chrono::seconds time);
 
 /// "12 min left"

@@ -44,6 +44,7 @@ TEST_CASE("an exam draws problems that were not seen, by its seed, and shows the
     CHECK_FALSE(has(second.out, "spring_energy"));
   }
   CHECK(has(CourseOfProblems().run("exam springs").out, "Exam of 35 min"));
+  CHECK(has(CourseOfProblems().run("exam 1 --minutes 60").out, "Exam of 1 h: 1 h left"));
 }
 
 TEST_CASE("while an exam runs nothing helps with its problems, and other exercises are as ever") {
