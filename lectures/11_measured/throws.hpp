@@ -12,6 +12,11 @@
 #include <string>
 #include <vector>
 
+/// The folder of this file, if the build does not name it.
+#ifndef WORKBOOK_MEASURED
+#define WORKBOOK_MEASURED __FILE__ "/.."
+#endif
+
 namespace measured {
 
 using namespace rigid;
@@ -24,7 +29,7 @@ struct Flight {
 
 /// The throws of racket_throws.csv, which lies beside this file, in order.
 inline std::vector<Flight> racket_throws() {
-  const std::filesystem::path file = std::filesystem::path(__FILE__).parent_path() / "racket_throws.csv";
+  const std::filesystem::path file = std::filesystem::path(WORKBOOK_MEASURED).lexically_normal() / "racket_throws.csv";
   std::ifstream lines(file);
   std::vector<std::vector<std::vector<double>>> samples;
   std::string line;
