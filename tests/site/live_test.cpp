@@ -199,9 +199,8 @@ const std::map<std::string, std::function<Numbers(const Values&, double)>> numbe
      [](const Values& v, double time) -> Numbers {
        const measured::Flight flight = measured::racket_throws()[v.at("which") == 0 ? 5 : 2];
        const Vector3d I(1, v.at("Iy"), v.at("Iz"));
-       const Vector3d start = measured::fitted_start(flight, [&](const Vector3d& from) {
-         return measured::motion_in_air(I, flight.t, from, v.at("gamma"));
-       });
+       const Vector3d start = measured::fitted_start(
+           flight, [&](const Vector3d& from) { return measured::motion_in_air(I, flight.t, from, v.at("gamma")); });
        Matrix3Xd left = -flight.omega;
        for (Eigen::Index k = 0; k < left.cols(); ++k)
          left.col(k) += damped_rotation(I, start, v.at("gamma"), flight.t[k] - flight.t[0]);
@@ -210,7 +209,11 @@ const std::map<std::string, std::function<Numbers(const Values&, double)>> numbe
        const Vector3d omega = flight.omega.col(k), L = I.cwiseProduct(omega),
                       L0 = I.cwiseProduct(Vector3d(flight.omega.col(0)));
        const Matrix3d A = attitude_from_rates(flight.t.head(k + 1), flight.omega.leftCols(k + 1));
-       return {measured::root_mean_square(left), omega[0], omega[1], omega[2], L.norm() / L0.norm(),
+       return {measured::root_mean_square(left),
+               omega[0],
+               omega[1],
+               omega[2],
+               L.norm() / L0.norm(),
                std::acos(std::min(1.0, (A * L).normalized().dot(L0.normalized())))};
      }},
     {"herpolhode", [](const Values& v, double time) -> Numbers {
