@@ -13,14 +13,14 @@ void judge_larmor_velocity(Lecture& lecture) {
                              {{"qB_over_m", rad_per_s}, {"r_free", metre}, {"v_free", m_per_s}, {"t", second}},
                              {"v", m_per_s});
   e.generated([](auto& field, auto&, auto&, auto t) { return field.norm() * abs(t) < 1e3; });
-  const Vector3d field(0, 0, -0.4), r(1, 2, -1), v(0.4, -0.3, 0.6);
-  e.worked("an electron, the field upwards", field, r, v, 5);
-  e.worked("a positive charge, an oblique field", {0.3, -0.2, 0.5}, r, v, -3);
-  e.special("at time 0", field, r, v, 0);
-  e.special("no field", zero, r, v, 5);
-  e.special("at rest on the rotating axes", field, r, zero, 5);
-  e.special("on the axis through the centre along the field", field, {0, 0, 2}, {0, 0, -0.7}, 5);
-  e.special("after a full rotation of the orbit", field, r, v, 10 * pi);
+  const Vector3d downwards(0, 0, -0.4), start(1, 2, -1), start_velocity(0.4, -0.3, 0.6);
+  e.worked("an electron, the field upwards", downwards, start, start_velocity, 5);
+  e.worked("a positive charge, an oblique field", {0.3, -0.2, 0.5}, start, start_velocity, -3);
+  e.special("at time 0", downwards, start, start_velocity, 0);
+  e.special("no field", zero, start, start_velocity, 5);
+  e.special("at rest on the rotating axes", downwards, start, zero, 5);
+  e.special("on the axis through the centre along the field", downwards, {0, 0, 2}, {0, 0, -0.7}, 5);
+  e.special("after a full rotation of the orbit", downwards, start, start_velocity, 10 * pi);
   e.random("a random orbit", 10, [](Random& random) {
     const Vector3d q = random.vector(0.8), place = random.vector(2), velocity = random.vector(1);
     return tuple(q, place, velocity, random.sign() * random.uniform(0.5, 1.2) * 2 / q.norm());

@@ -40,12 +40,12 @@ Eigen::Matrix<double, 6, 1> rates(const Vector3d& I, const Eigen::Matrix<double,
 
 /// The three frequencies of the linearised motion: those whose eigenvector turns about the normal come first.
 Vector3d by_eigenvalues(const Vector3d& I) {
-  using Six = Eigen::Matrix<double, 6, 1>;
+  using Motion = Eigen::Matrix<double, 6, 1>;
   Eigen::Matrix<double, 6, 6> J;
-  Six held = Six::Zero();
+  Motion held = Motion::Zero();
   held[5] = 1;
   for (int i = 0; i < 6; ++i)
-    J.col(i) = derivative_at_0([&](double h) -> Six { return rates(I, held + h * Six::Unit(i)); }, 5e-3);
+    J.col(i) = derivative_at_0([&](double h) -> Motion { return rates(I, held + h * Motion::Unit(i)); }, 5e-3);
   const double in_plane = sqrt(-J(2, 5) * J(5, 2));
   Eigen::Matrix4d across;
   constexpr int kept[] = {0, 1, 3, 4};

@@ -45,13 +45,13 @@ Vector2d over_true_anomaly(double asymmetry, double e, double n, double theta0, 
 
 /// The orbit is integrated as well, and the torque comes from the vector to the planet.
 Vector2d with_the_orbit(double asymmetry, double e, double n, double theta0, double rate0, double t) {
-  using Six = Eigen::Matrix<double, 6, 1>;  // place and velocity in the plane, θ and its rate
-  Six start;
+  using Orbit = Eigen::Matrix<double, 6, 1>;  // place and velocity in the plane, θ and its rate
+  Orbit start;
   start << 1 - e, 0, 0, sqrt((1 + e) / (1 - e)), theta0, rate0 / n;
-  const Six end = followed(start, n * t, 3000, [&](const Six& now) -> Six {
+  const Orbit end = followed(start, n * t, 3000, [&](const Orbit& now) -> Orbit {
     const Vector2d r = now.head<2>(), axis(cos(now[4]), sin(now[4])), other(-axis[1], axis[0]);
     const double cube = pow(r.norm(), 3), along = r.dot(axis) / r.norm(), across = r.dot(other) / r.norm();
-    Six rate;
+    Orbit rate;
     rate << now[2], now[3], -r / cube, now[5], 3 * asymmetry * along * across / cube;
     return rate;
   });

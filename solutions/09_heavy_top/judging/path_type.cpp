@@ -86,18 +86,18 @@ void judge_path_type(Lecture& lecture) {
                                             abs(push.size / push.cusp - 1) > 0.02 && abs(abs(push.turning) - 1) > 0.02);
     return is_clear && sin(theta) > 0.1 && push.cusp > 1e-3 && push.cusp < 1e3 && abs(push.size) < 50;
   });
-  constexpr double I1 = 3.28e-4, I3 = 6.6e-5, mgl = 0.0456, at = 40 * degree;
-  e.worked("released at rest", I1, I3, mgl, at, 0, 200);
-  e.worked("a gentle push forwards", I1, I3, mgl, at, 5, 200);
-  e.worked("a push backwards", I1, I3, mgl, at, -4, 200);
-  e.worked("a strong push forwards", I1, I3, mgl, at, 10, 200);
-  e.worked("a push past the vertical", I1, I3, mgl, at, 30, 200);
-  e.special("released at rest, below its support", I1, I3, mgl, 2.2, 0, -90);
-  e.special("so slow that no push forwards makes loops", I1, I3, mgl, at, 12, 80);
-  e.special("so slow, and pushed more", I1, I3, mgl, at, 30, 80);
-  e.special("backwards past the lower vertical", I1, I3, mgl, 2.2, -40, 200);
-  e.special("a little less than cusps", I1, I3, mgl, at, 6.9 * 0.99, 200);
-  e.special("a little more than cusps", I1, I3, mgl, at, 6.92 * 1.01, 200);
+  constexpr double toy_I1 = 3.28e-4, toy_I3 = 6.6e-5, toy_mgl = 0.0456, at = 40 * degree;
+  e.worked("released at rest", toy_I1, toy_I3, toy_mgl, at, 0, 200);
+  e.worked("a gentle push forwards", toy_I1, toy_I3, toy_mgl, at, 5, 200);
+  e.worked("a push backwards", toy_I1, toy_I3, toy_mgl, at, -4, 200);
+  e.worked("a strong push forwards", toy_I1, toy_I3, toy_mgl, at, 10, 200);
+  e.worked("a push past the vertical", toy_I1, toy_I3, toy_mgl, at, 30, 200);
+  e.special("released at rest, below its support", toy_I1, toy_I3, toy_mgl, 2.2, 0, -90);
+  e.special("so slow that no push forwards makes loops", toy_I1, toy_I3, toy_mgl, at, 12, 80);
+  e.special("so slow, and pushed more", toy_I1, toy_I3, toy_mgl, at, 30, 80);
+  e.special("backwards past the lower vertical", toy_I1, toy_I3, toy_mgl, 2.2, -40, 200);
+  e.special("a little less than cusps", toy_I1, toy_I3, toy_mgl, at, 6.9 * 0.99, 200);
+  e.special("a little more than cusps", toy_I1, toy_I3, toy_mgl, at, 6.92 * 1.01, 200);
   const auto push_of = [](double from, double to) {
     return [from, to](Random& random) {
       const double across = random.uniform(2e-4, 6e-4), ratio = random.uniform(0.15, 1.5);
