@@ -132,7 +132,8 @@ std::optional<Diagnosis> diagnose_invariant(const ExerciseReference& exercise, c
   for (const Invariant& each : invariants) {
     std::size_t common = 0, wrong = 0;
     const bool holds = std::ranges::all_of(deciding, [&](std::size_t i) {
-      const std::optional<bool> is_common = each.is_common(*answers[i], exercise.cases[i].expected);
+      // Half a turn has two rotation vectors.
+      const std::optional<bool> is_common = each.is_common(*answers[i], nearest_expected(exercise, i, *answers[i]));
       common += is_common && *is_common ? 1 : 0;
       wrong += is_common && *is_common && !passes(exercise, i, *answers[i]) ? 1 : 0;
       return is_common.value_or(true);

@@ -133,7 +133,7 @@ Lines input_lines(const Argument& argument, const Value& value, const Page& page
     const std::size_t shown = std::min(cols, page.most_rows);
     Table table;
     for (std::size_t col = 0; col < shown; ++col) {
-      table.labels.push_back(std::to_string(col + 1));
+      table.labels.push_back(std::to_string(col));
       Lines& row = table.rows.emplace_back();
       for (int k = 0; k < value.rows; ++k) row.push_back(number_text(value.at(k, static_cast<int>(col)), all_digits));
     }
@@ -142,7 +142,7 @@ Lines input_lines(const Argument& argument, const Value& value, const Page& page
   } else if (argument.kind == Kind::matrices) {
     std::vector<Lines> blocks;
     for (std::size_t m = 0; m < cols / 3; ++m) {
-      blocks.push_back({fmt::format("matrix {}", m + 1)});
+      blocks.push_back({fmt::format("matrix [{}]", m)});
       append(blocks.back(), matrix_lines(value, 3 * m, all_digits));
     }
     append(lines, side_by_side(blocks, block_indent, page));
@@ -177,12 +177,12 @@ struct Result {
   }
 };
 
-/// "2" for a component of a vector, "column 1   2" for one of a list of columns.
+/// As in code: "[1]" for a component of a vector, "column 0   1" for one of a list of columns.
 std::string component_label(Kind kind, std::size_t number) {
-  if (is_vector(kind)) return std::to_string(number + 1);
+  if (is_vector(kind)) return fmt::format("[{}]", number);
   if (kind != Kind::points) return "";
   const std::size_t row = number % 3;
-  return row == 0 ? fmt::format("column {}   1", number / 3 + 1) : std::to_string(row + 1);
+  return row == 0 ? fmt::format("column {}   0", number / 3) : std::to_string(row);
 }
 
 /// Expected, yours and difference of one number after the other, only those that differ, where columns do not fit.
@@ -242,7 +242,7 @@ Lines lines_beside_each_other(const Result& result, const Page& page) {
   if (kind != Kind::matrix3 && kind != Kind::matrices) return component_lines(result, page);
   Lines lines;
   for (std::size_t col = 0; col + 3 <= static_cast<std::size_t>(result.expected.cols); col += 3) {
-    if (kind == Kind::matrices) lines.push_back(fmt::format("  matrix {}", col / 3 + 1));
+    if (kind == Kind::matrices) lines.push_back(fmt::format("  matrix [{}]", col / 3));
     std::vector<Lines> blocks;
     for (const Result::Column& one : result.columns) {
       const bool is_expected = blocks.empty();
@@ -278,7 +278,7 @@ Lines whole_deviation_lines(const Deviation& deviation, const Page& page) {
   table.is_marked = [](std::size_t, std::size_t) { return true; };
   for (std::size_t n : beyond) {
     if (table.rows.size() == page.most_rows) break;
-    if (deviation.kind == Kind::vector) table.labels.push_back(fmt::format("column {} is off by", n + 1));
+    if (deviation.kind == Kind::vector) table.labels.push_back(fmt::format("column {} is off by", n));
     table.rows.push_back({number_text(deviation.difference.numbers[n], difference_digits)});
   }
   append(lines, table.lines());
