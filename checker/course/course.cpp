@@ -175,12 +175,28 @@ std::string Course::trouble_to_build(const std::string& target, const fs::path& 
   return fmt::format("{} says why.{}", shown_path(build_.directory / "build.log"), first_errors(made.output));
 }
 
-void Course::make_reference(const std::string& lecture) const {
+std::vector<fs::path> Course::sources_of_reference(const std::string& lecture) const {
   const fs::path solutions = root_ / "solutions";
-  const std::string trouble = trouble_to_build("reference_results_" + lecture, reference_ / (lecture + ".json"),
-                                               {solutions / lecture, solutions / "judging", root_ / "include"});
+  return {solutions / lecture, solutions / "judging", root_ / "include"};
+}
+
+void Course::make_reference(const std::string& lecture) const {
+  const std::string trouble =
+      trouble_to_build("reference_results_" + lecture, reference_ / (lecture + ".json"), sources_of_reference(lecture));
   if (!trouble.empty())
     throw ReferenceError(fmt::format("The reference results of {} could not be made; {}", lecture, trouble));
+}
+
+/// What a program made of solutions prints.
+static std::string output_of_author(const fs::path& program, const std::vector<std::string>& arguments) {
+  // Far above what any takes on a slow and busy machine: it ends only what hangs.
+  constexpr std::chrono::minutes limit(30);
+  const FinishedProgram made = run_with_path(program.string(), arguments, limit);
+  if (!made.succeeded())
+    throw ReferenceError(
+        fmt::format("{} {} failed: {}", program.string(), fmt::join(arguments, " "),
+                    made.out_of_time ? fmt::format("it took more than {} minutes", limit.count()) : made.output));
+  return made.output;
 }
 
 void Course::run_reference_program(const std::string& lecture, const fs::path& file,
@@ -194,13 +210,15 @@ void Course::run_reference_program(const std::string& lecture, const fs::path& f
   fs::create_directories(file.parent_path());
   std::vector<std::string> arguments = {"--lecture", lecture, "--out", file.string()};
   arguments.insert(arguments.end(), options.begin(), options.end());
-  // Far above what any takes on a slow and busy machine: it ends only what hangs.
-  constexpr std::chrono::minutes limit(30);
-  const FinishedProgram made = run_with_path(program.string(), arguments, limit);
-  if (!made.succeeded())
-    throw ReferenceError(
-        fmt::format("{} {} failed: {}", program.string(), fmt::join(arguments, " "),
-                    made.out_of_time ? fmt::format("it took more than {} minutes", limit.count()) : made.output));
+  output_of_author(program, arguments);
+}
+
+std::string Course::rounding(const std::string& lecture) const {
+  const std::string name = "rounding_" + lecture;
+  const std::string trouble = trouble_to_build(name, reference_ / name, sources_of_reference(lecture));
+  if (!trouble.empty())
+    throw ReferenceError(fmt::format("The solutions of {} in extended precision do not compile; {}", lecture, trouble));
+  return output_of_author(reference_ / name, {(reference_ / (lecture + ".json")).string()});
 }
 
 LectureReference Course::random_cases(const std::string& lecture, std::uint64_t seed) const {

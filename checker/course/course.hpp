@@ -136,6 +136,10 @@ class Course {
   /// minutes. Returns the file of the new record; make_reference() comes before. @throws ReferenceError
   fs::path prove_adequacy(const Exercise& exercise, int seeds, const fs::path& record) const;
 
+  /// What rounding does to these results and to other routes: a line each, part of the tolerance, exercise and case,
+  /// between tabs. Builds what it needs; make_reference() comes before. @throws ReferenceError
+  std::string rounding(const std::string& lecture) const;
+
   /// Results at the random cases alone, which take a moment. @throws ReferenceError
   LectureReference random_cases(const std::string& lecture, std::uint64_t seed) const;
 
@@ -148,6 +152,7 @@ class Course {
     return root_ / of / exercise.lecture() / folder / (exercise.name() + ending);
   }
   fs::path reference_program(const std::string& lecture) const { return reference_ / ("reference_" + lecture); }
+  std::vector<fs::path> sources_of_reference(const std::string& lecture) const;
   void run_reference_program(const std::string& lecture, const fs::path& file,
                              const std::vector<std::string>& options) const;
 

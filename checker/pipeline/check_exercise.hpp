@@ -6,7 +6,7 @@
 #include "checker/compile/toolchain.hpp"
 #include "checker/course/course.hpp"
 #include "checker/data/observation.hpp"
-#include "checker/judging/diagnosis.hpp"
+#include "checker/explain/values/diagnosis.hpp"
 #include "checker/judging/judge.hpp"
 #include "checker/source/submission.hpp"
 

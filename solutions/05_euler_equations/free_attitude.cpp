@@ -22,8 +22,8 @@ Matrix3d free_attitude(const Vector3d& I, const Vector3d& omega0, double t) {
     for (const double component : doubled.coeffs()) rates.push_back(component / 2);
   };
   if (t != 0) {
-    const auto stepper = make_controlled(1e-14, 1e-14, runge_kutta_fehlberg78<Numbers>());
-    integrate_adaptive(stepper, rate, state, 0.0, t, std::copysign(std::min(1e-2, std::abs(t)), t));
+    const auto stepper = make_controlled(1e-14, 1e-14, runge_kutta_fehlberg78<Numbers, double>());
+    integrate_adaptive(stepper, rate, state, double(0), t, std::copysign(std::min<double>(1e-2, std::abs(t)), t));
   }
   return Eigen::Quaterniond(state[6], state[3], state[4], state[5]).normalized().toRotationMatrix();
 }

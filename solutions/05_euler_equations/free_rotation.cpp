@@ -24,8 +24,8 @@ void advance(const Vector3d& I, State& state, double from, double to) {
                   omega[0] * omega[1] * (I[0] - I[1]) / I[2]};
   };
   // The tightest tolerance that double precision honours; ω has length 1 at the start.
-  const auto stepper = make_controlled(1e-14, 1e-14, runge_kutta_fehlberg78<State>());
-  const double first_step = std::copysign(std::min(1e-2, std::abs(to - from)), to - from);
+  const auto stepper = make_controlled(1e-14, 1e-14, runge_kutta_fehlberg78<State, double>());
+  const double first_step = std::copysign(std::min<double>(1e-2, std::abs(to - from)), to - from);
   integrate_adaptive(stepper, system, state, from, to, first_step);
 }
 

@@ -22,8 +22,8 @@ Vector2d moon_libration(double asymmetry, double eccentricity, double orbital_ra
   };
   State state = {theta0, rate0 / orbital_rate};
   constexpr int steps = 400;
-  boost::numeric::odeint::runge_kutta_fehlberg78<State> stepper;
-  boost::numeric::odeint::integrate_n_steps(stepper, rates, state, 0.0, end / steps, steps);
+  boost::numeric::odeint::runge_kutta_fehlberg78<State, double> stepper;
+  boost::numeric::odeint::integrate_n_steps(stepper, rates, state, double(0), end / steps, steps);
   return {state[0], orbital_rate * state[1]};
 }
 

@@ -18,7 +18,7 @@ Vector2d herpolhode_radii(const Vector3d& I, const Vector3d& omega0) {
     const Vector3d now = squares + along * share;
     double sum = 0;  // |ω × L|², of which only one component is left at an end
     for (int i = 0; i < 3; ++i) sum += std::pow(I[(i + 1) % 3] - I[i], 2) * now[i] * now[(i + 1) % 3];
-    return std::sqrt(std::max(sum, 0.0) / L2);
+    return std::sqrt(std::max<double>(sum, 0.0) / L2);
   };
   return {radius(-since_another_vanished), radius(until_second_vanishes)};
 }

@@ -20,8 +20,8 @@ double racket_twist(const Vector3d& I, const Vector3d& omega0) {
   const Vector3d start = I.cwiseProduct(omega0).normalized();
   State state = {start[0], start[1], start[2], 0};
   constexpr int steps = 1000;
-  boost::numeric::odeint::runge_kutta_fehlberg78<State> stepper;
-  boost::numeric::odeint::integrate_n_steps(stepper, rates, state, 0.0, 2 * std::numbers::pi / steps, steps);
+  boost::numeric::odeint::runge_kutta_fehlberg78<State, double> stepper;
+  boost::numeric::odeint::integrate_n_steps(stepper, rates, state, double(0), 2 * std::numbers::pi_v<double> / steps, steps);
   return state[3];
 }
 

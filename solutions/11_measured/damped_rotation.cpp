@@ -22,8 +22,8 @@ Vector3d damped_rotation(const Vector3d& I, const Vector3d& omega0, double gamma
              now[0] * now[1] * (I[0] - I[1]) / I[2]};
   };
   State state = {omega0[0] / size, omega0[1] / size, omega0[2] / size};
-  const auto stepper = odeint::make_controlled(1e-14, 1e-14, odeint::runge_kutta_fehlberg78<State>());
-  odeint::integrate_adaptive(stepper, rate, state, 0.0, size * free_time, std::min(1e-2, size * free_time));
+  const auto stepper = odeint::make_controlled(1e-14, 1e-14, odeint::runge_kutta_fehlberg78<State, double>());
+  odeint::integrate_adaptive(stepper, rate, state, double(0), size * free_time, std::min<double>(1e-2, size * free_time));
   return size * std::exp(-gamma * t) * Vector3d(state[0], state[1], state[2]);
 }
 

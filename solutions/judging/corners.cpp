@@ -1,8 +1,8 @@
 #include "solutions/judging/corners.hpp"
 
 #include "checker/base/text.hpp"
+#include "checker/explain/values/diagnosis.hpp"
 #include "checker/judging/comparison.hpp"
-#include "checker/judging/diagnosis.hpp"
 #include "solutions/judging/mechanics.hpp"
 
 #include <fmt/format.h>
@@ -508,8 +508,7 @@ void add_changes_of(std::vector<NamedChange>& changes, const Argument& argument,
       add(fmt::format("{}_negated", n + 1), fmt::format("−{0} in place of {0}", entry),
           [n](Value& value) { value.numbers[n] *= -1; });
       for (std::size_t k = n + 1; k < size; ++k)
-        add(fmt::format("{}_{}_exchanged", n + 1, k + 1),
-            fmt::format("{0}[{1}] and {0}[{2}] exchanged", name, n, k),
+        add(fmt::format("{}_{}_exchanged", n + 1, k + 1), fmt::format("{0}[{1}] and {0}[{2}] exchanged", name, n, k),
             [n, k](Value& value) { std::swap(value.numbers[n], value.numbers[k]); });
     }
     if (size == 3)

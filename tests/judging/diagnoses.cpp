@@ -1,6 +1,6 @@
 // Why an answer is wrong: every diagnosis where it is true, and none where it is not. The wording is in
 // golden/diagnoses.txt; dimensions are tested in dimensions.cpp.
-#include "checker/judging/diagnosis.hpp"
+#include "checker/explain/values/diagnosis.hpp"
 #include "tests/judging/made_up.hpp"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
 // Dimensions, tested by a change of units; the wording is in golden/dimensions.txt.
-#include "checker/judging/diagnosis.hpp"
+#include "checker/explain/values/diagnosis.hpp"
 #include "tests/judging/made_up.hpp"
 
 #include <doctest/doctest.h>

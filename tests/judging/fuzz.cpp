@@ -4,7 +4,7 @@
 #include "checker/course/assignment.hpp"
 #include "checker/course/course.hpp"
 #include "checker/grading/grading.hpp"
-#include "checker/judging/diagnosis.hpp"
+#include "checker/explain/values/diagnosis.hpp"
 #include "checker/judging/judge.hpp"
 #include "checker/sandbox/worker_process.hpp"
 #include "tests/judging/made_up.hpp"

@@ -2,7 +2,7 @@
 // is told what contradicts itself (golden/soundness.txt).
 #include "checker/data/reference_results.hpp"
 
-#include "checker/judging/soundness.hpp"
+#include "checker/explain/values/soundness.hpp"
 #include "tests/judging/made_up.hpp"
 #include "tests/support/files.hpp"
 

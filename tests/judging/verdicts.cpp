@@ -1,5 +1,5 @@
 // The verdict on everything that can be seen of a student's function; its wording is in golden/verdicts.txt.
-#include "checker/judging/diagnosis.hpp"
+#include "checker/explain/values/diagnosis.hpp"
 #include "checker/judging/judge.hpp"
 #include "tests/judging/made_up.hpp"
 

@@ -149,11 +149,20 @@ TEST_CASE("a stray file is a remark and stops nothing") {
   CHECK(course.run("check --json").json().at("results").size() == 2);
 }
 
-TEST_CASE("self-check names a record of typical bugs that does not fit the cases, and writes a new one when asked") {
+TEST_CASE("self-check names lost digits and a record of typical bugs that does not fit, and writes a new one when asked") {
   const CourseCopy course;
   const fs::path record = course.root() / "solutions/01_springs/judging/adequacy.json";
   const std::string before = read(record);
   CHECK(course.run("self-check --prove").status == 0);
+
+  {
+    const CourseCopy worse;
+    worse.stand_in("reference/rounding_01_springs", R"(printf '0.5\tspring_energy\ta case, the solution\n')");
+    const Outcome rounded = worse.run("self-check --prove spring_energy");
+    CHECK(rounded.status == 1);
+    CHECK_MESSAGE(has(rounded.out, "spring_energy.cpp: rounding takes 0.5 of the tolerance at a case, the solution.\n"),
+                  rounded.said());
+  }
 
   write(record, "{}\n");
   const Outcome differs = course.run("self-check --prove spring_energy");

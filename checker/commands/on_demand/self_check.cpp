@@ -2,7 +2,7 @@
 #include "checker/commands/on_demand/given_away.hpp"
 #include "checker/explain/question.hpp"
 #include "checker/explain/repair.hpp"
-#include "checker/judging/soundness.hpp"
+#include "checker/explain/values/soundness.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -11,6 +11,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <sstream>
 
 namespace workbook {
 
@@ -397,15 +398,43 @@ int self_check_mutants(const Course& course, const std::vector<Exercise>& exerci
   return has_fault ? something_failed : all_passed;
 }
 
+using PartOfTolerance = std::pair<double, std::string>;  ///< and where
+
+void print_worst(const char* title, std::vector<PartOfTolerance> all) {
+  const auto end = all.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(10, all.size()));
+  std::ranges::partial_sort(all, end, std::ranges::greater());
+  fmt::print("{} moves results by parts of their tolerances; the largest are:\n", title);
+  for (auto worst = all.begin(); worst != end; ++worst) fmt::print("  {:.2g}  {}\n", worst->first, worst->second);
+}
+
 void print_worst_conditions(CheckContext& context, const std::vector<Exercise>& exercises) {
-  std::vector<std::pair<double, std::string>> all;
+  std::vector<PartOfTolerance> all;
   for (const Exercise& exercise : exercises)
     for (const Case& one : context.reference(check_task(context.course(), exercise)).cases)
       all.emplace_back(one.condition, fmt::format("{}, {}", exercise.name(), one.name));
-  const auto end = all.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(10, all.size()));
-  std::ranges::partial_sort(all, end, std::ranges::greater());
-  fmt::print("Rounding of the inputs moves results by parts of their tolerances; the largest are:\n");
-  for (auto worst = all.begin(); worst != end; ++worst) fmt::print("  {:.2g}  {}\n", worst->first, worst->second);
+  print_worst("Rounding of the inputs", std::move(all));
+}
+
+/// Prints what rounding in every step does to the solutions and their other routes, beside the solutions in extended
+/// precision. A fault of an exercise is what takes more than a quarter of a tolerance.
+void check_rounding(const Course& course, const std::vector<Exercise>& exercises, const std::set<std::string>& lectures,
+                    std::vector<std::string>& faults) {
+  constexpr double most = 0.25;
+  std::vector<PartOfTolerance> all;
+  for (const std::string& lecture : lectures) {
+    std::istringstream lines(course.rounding(lecture));
+    for (std::string part, name, where;
+         std::getline(lines, part, '\t') && std::getline(lines, name, '\t') && std::getline(lines, where);) {
+      const auto exercise = std::ranges::find(exercises, name, &Exercise::name);
+      if (exercise == exercises.end()) continue;
+      all.emplace_back(std::stod(part), fmt::format("{}, {}", name, where));
+      const auto k = static_cast<std::size_t>(exercise - exercises.begin());
+      if (!(all.back().first <= most))
+        faults[k] +=
+            fmt::format("{}rounding takes {} of the tolerance at {}", faults[k].empty() ? "" : "; ", part, where);
+    }
+  }
+  print_worst("Rounding in every step (beside extended precision)", std::move(all));
 }
 
 /// Tries the typical bugs anew. Either writes the record; or compares: it must name enough points, and a bug that
@@ -444,6 +473,10 @@ int self_check_record(const Course& course, const std::vector<Exercise>& exercis
               "{}", fmt::join(unshown_bugs(context.reference(check_task(course, exercise)), proven.survivors), " "));
       },
       trouble);
+  print_worst_conditions(context, exercises);
+  std::set<std::string> lectures;
+  for (const auto& [lecture, record] : records) lectures.insert(lecture);
+  check_rounding(course, exercises, lectures, faults);
   bool has_fault = false;
   for (std::size_t k = 0; k < exercises.size(); ++k) {
     if (!trouble[k].empty()) faults[k] = fmt::format("typical bugs could not be tried: {}", trouble[k]);
@@ -451,7 +484,6 @@ int self_check_record(const Course& course, const std::vector<Exercise>& exercis
     has_fault = true;
     fmt::print("{}: {}.\n", course.in_course(course.judging_file(exercises[k])), without_full_stop(faults[k]));
   }
-  print_worst_conditions(context, exercises);
   if (writes)
     for (const auto& [lecture, record] : records) write_adequacy(record, course.adequacy_file(lecture));
   if (writes || !has_fault)

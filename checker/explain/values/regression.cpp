@@ -1,7 +1,7 @@
 // By what a wrong component differs from the right one: its error as one or two products of the inputs. Whether a term
 // is missing or has another sign, the error does not tell.
 #include "checker/base/text.hpp"
-#include "checker/judging/diagnosis.hpp"
+#include "checker/explain/values/diagnosis.hpp"
 
 #include <Eigen/Dense>
 

@@ -1,6 +1,6 @@
 // What is right of a wrong result: a direction, a length, an axis, an angle, principal values.
 #include "checker/base/text.hpp"
-#include "checker/judging/diagnosis.hpp"
+#include "checker/explain/values/diagnosis.hpp"
 
 #include <Eigen/Dense>
 

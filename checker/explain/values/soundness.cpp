@@ -1,7 +1,7 @@
-#include "checker/judging/soundness.hpp"
+#include "checker/explain/values/soundness.hpp"
 
 #include "checker/base/text.hpp"
-#include "checker/judging/diagnosis.hpp"
+#include "checker/explain/values/diagnosis.hpp"
 #include "checker/judging/judge.hpp"
 
 #include <algorithm>

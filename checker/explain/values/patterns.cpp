@@ -1,6 +1,6 @@
 // Where an answer is wrong, and what that has in common: cases, components, inputs.
 #include "checker/base/text.hpp"
-#include "checker/judging/diagnosis.hpp"
+#include "checker/explain/values/diagnosis.hpp"
 
 #include <Eigen/Dense>
 

@@ -1,6 +1,6 @@
 // A factor that is missing or one too many: the right result times powers of the inputs.
 #include "checker/base/text.hpp"
-#include "checker/judging/diagnosis.hpp"
+#include "checker/explain/values/diagnosis.hpp"
 
 #include <Eigen/Dense>
 

@@ -1,6 +1,6 @@
 // What the cases have in common at which an answer is wrong.
 #include "checker/base/text.hpp"
-#include "checker/judging/diagnosis.hpp"
+#include "checker/explain/values/diagnosis.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -357,8 +357,9 @@ std::optional<Diagnosis> diagnose_conditional(const ExerciseReference& exercise,
         });
     if (!fits) continue;
     if (named && named->message != each.message) return std::nullopt;
-    named = Diagnosis{DiagnosisKind::misconception, each.name,
-                      fmt::format("At the cases where your result is wrong, and only there: {}", each.message), each.notes};
+    named =
+        Diagnosis{DiagnosisKind::misconception, each.name,
+                  fmt::format("At the cases where your result is wrong, and only there: {}", each.message), each.notes};
   }
   return named;
 }

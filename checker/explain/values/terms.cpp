@@ -1,4 +1,4 @@
-#include "checker/judging/diagnosis.hpp"
+#include "checker/explain/values/diagnosis.hpp"
 
 #include <fmt/format.h>
 
