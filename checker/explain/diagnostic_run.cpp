@@ -345,7 +345,7 @@ std::vector<Finding> diagnostic_run(const DiagnosticTask& task, const Toolchain&
     const Workspace workspace(scratch);
     const Compilation compilation =
         compile({.submission = task.submission, .exercise = task.reference.name, .signature = task.reference.signature},
-                read_toolchain(toolchain.diagnostic), workspace.directory(), {.time = std::chrono::seconds(10)});
+                read_toolchain(toolchain.diagnostic), workspace.directory(), {.time = std::chrono::seconds(30)});
     return compilation.executable ? diagnostic_run_of(*compilation.executable, task, toolchain)
                                   : std::vector<Finding>();
   } catch (const std::exception&) {

@@ -517,6 +517,12 @@ void add_changes_of(std::vector<NamedChange>& changes, const Argument& argument,
             [shift](Value& value) { std::ranges::rotate(value.numbers, value.numbers.begin() + shift); });
     add("unit", name + " divided by its length", [](Value& value) { scale(value, 1 / norm(value)); });
   }
+  if (argument.kind == Kind::vector || argument.kind == Kind::vector3 || argument.kind == Kind::vector2) {
+    add("ascending", name + " with its entries in ascending order",
+        [](Value& value) { std::ranges::sort(value.numbers); });
+    add("descending", name + " with its entries in descending order",
+        [](Value& value) { std::ranges::sort(value.numbers, std::greater()); });
+  }
   if (argument.kind == Kind::matrix3) {
     add("transposed", "the transpose of " + name, [](Value& value) { value = to_value(as_matrix(value).transpose()); });
     add("diagonal", "the diagonal part of " + name,

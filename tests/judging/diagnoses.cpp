@@ -67,9 +67,19 @@ Table misconceptions() {
   Values mixed = outputs(sound, right_momentum);
   for (std::size_t i : {2, 4, 5}) mixed[i] = wrong[i];
   add(table, "not at all cases", sound, mixed, "misconception no_two");
+  mixed = wrong;
+  for (Value& value : mixed)
+    for (double& number : value.numbers) number *= 1 + 1e-6;  // as after an integration in large steps
+  add(table, "a term to six digits", sound, mixed, "term m v");
+  Exercise without_terms = sound;
+  without_terms.terms.clear();
+  add(table, "to six digits", without_terms, mixed, "misconception no_two");
   mixed = outputs(sound, right_momentum);
   for (std::size_t i = 0; i < mixed.size(); ++i) mixed[i].numbers[1] = wrong[i].numbers[1];
-  add(table, "in one component", sound, mixed, "difference difference");
+  add(table, "in one component", sound, mixed, "misconception no_two");
+  Exercise unnamed = sound;
+  unnamed.misconceptions.clear();
+  add(table, "in one component, without a name", unnamed, mixed, "difference difference");
 
   // Where it does not decide, a misconception explains nothing.
   Exercise right = momentum();
@@ -87,8 +97,17 @@ Table misconceptions() {
   Exercise triple = generic_vectors(Kind::vector3, 3);
   add_misconception(triple, "ones", "You give ones.", [](auto&) { return vector({1, 1, 1}); });
   mixed = times(triple, 1);
-  for (Value& value : mixed) value.numbers[1] = 1;
+  for (Value& value : mixed) value.numbers[1] = 7;
   add(table, "in one component, by no formula", triple, mixed, "place place");
+
+  Exercise turns = generic_vectors(Kind::vector2, 2, units::radian);
+  mixed = times(turns, 1);
+  for (std::size_t i = 0; i < mixed.size(); ++i) mixed[i].numbers[1] += 2 * std::numbers::pi * static_cast<double>(i);
+  add(table, "whole turns too many", turns, mixed, "transform whole_turns");
+  for (Value& value : mixed) value.numbers[0] -= std::numbers::pi;
+  add(table, "half a turn too few", turns, mixed, "transform whole_turns");
+  turns.result_units = {units::metre};
+  add(table, "no angle", turns, mixed);
 
   const Eigen::Matrix3d V = Eigen::AngleAxisd(0.4, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
   const Eigen::Matrix3d signs = Eigen::Vector3d(-1, 1, -1).asDiagonal();

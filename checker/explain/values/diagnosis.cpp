@@ -39,10 +39,30 @@ bool Diagnosis::is_symptom() const {
          kind == DiagnosisKind::independence || (kind == DiagnosisKind::split && name != "split");
 }
 
+namespace {
+
+/// What is wrong beside numbers that are right to four digits only, as those of an integration in large steps.
+std::optional<Diagnosis> diagnose_coarsely(ExerciseReference exercise, const Answers& answers) {
+  constexpr double coarse = 1e-4;
+  constexpr std::size_t fewest = 5;
+  for (Case& one : exercise.cases) one.tolerance = std::max(one.tolerance, coarse);
+  if (outcomes_of(exercise, answers).wrong.size() < fewest) return std::nullopt;
+  for (const auto& mechanism :
+       {diagnose_misconception, diagnose_transform, diagnose_input_transform, diagnose_whole_turns}) {
+    std::optional<Diagnosis> found = mechanism(exercise, answers);
+    if (!found) continue;
+    found->message += " (As far as your numbers show it, which is to about four digits; more are asked for.)";
+    return found;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::vector<Diagnosis> diagnose(const ExerciseReference& exercise, const Answers& answers,
                                 const std::vector<UnitProbe>& probes) {
   for (const auto& mechanism : {diagnose_range, diagnose_misconception, diagnose_terms, diagnose_transform,
-                                diagnose_input_transform, diagnose_factor}) {
+                                diagnose_input_transform, diagnose_factor, diagnose_whole_turns, diagnose_wrong_part}) {
     if (const auto diagnosis = mechanism(exercise, answers)) return {*diagnosis};
   }
   std::vector<Diagnosis> diagnoses;
@@ -51,6 +71,7 @@ std::vector<Diagnosis> diagnose(const ExerciseReference& exercise, const Answers
     if (const auto difference = diagnose_difference(exercise, answers)) return {*difference};
     return {*accuracy};
   }
+  if (const auto coarse = diagnose_coarsely(exercise, answers)) return {*coarse};
   const auto invariant = diagnose_invariant(exercise, answers);
   const auto place = invariant ? invariant : diagnose_place(exercise, answers);
   for (const auto& mechanism : {diagnose_eigenvectors, diagnose_difference, diagnose_split, diagnose_conditional,
@@ -67,8 +88,11 @@ std::vector<Diagnosis> diagnose(const ExerciseReference& exercise, const Answers
     if (std::ranges::none_of(diagnoses, is_order))
       std::ranges::move(diagnose_dimensions(exercise, answers, probes), std::back_inserter(diagnoses));
   }
-  const bool place_is_named = !diagnoses.empty() && (diagnoses.front().kind == DiagnosisKind::difference ||
-                                                     diagnoses.front().kind == DiagnosisKind::entry);
+  // Values in another order have no direction.
+  const bool is_unsorted = std::ranges::count(diagnoses, to_string(PropertyKind::ascending), &Diagnosis::name) > 0;
+  const bool place_is_named =
+      is_unsorted || (!diagnoses.empty() && (diagnoses.front().kind == DiagnosisKind::difference ||
+                                             diagnoses.front().kind == DiagnosisKind::entry));
   if (place && !place_is_named) diagnoses.push_back(*place);
   return diagnoses;
 }

@@ -5,6 +5,8 @@
 
 #include "checker/judging/comparison.hpp"
 
+#include <set>
+
 namespace workbook {
 
 enum class DiagnosisKind {
@@ -51,6 +53,8 @@ using Mechanism = std::optional<Diagnosis>(const ExerciseReference& exercise, co
 Mechanism diagnose_misconception;    ///< none if two with different messages fit
 Mechanism diagnose_transform;        ///< a common factor, a transposed matrix, or components in another order
 Mechanism diagnose_input_transform;  ///< the right result for changed inputs
+Mechanism diagnose_whole_turns;      ///< angles that differ by multiples of 2π or π
+Mechanism diagnose_wrong_part;       ///< a misconception, or changed inputs, in the wrong components alone
 
 // --- by what a wrong component differs (regression.cpp)
 
@@ -154,6 +158,10 @@ struct Quantity {
 /// All numbers of arguments of fixed size. Of matrices that are symmetric at every case the upper triangle stands for
 /// both.
 std::vector<Quantity> quantities_of(const ExerciseReference& exercise);
+
+/// The numbers of the result that are wrong at some case; empty where entries are not compared one by one or the shape
+/// differs from case to case. (patterns.cpp)
+std::set<std::size_t> wrong_entries(const ExerciseReference& exercise, const Answers& answers);
 
 /// How the entry of a value of that kind is typed behind its name: "[1]", "(0,2)", "".
 std::string entry_suffix(Kind kind, std::size_t entry);

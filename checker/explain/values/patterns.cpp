@@ -10,10 +10,6 @@
 
 namespace workbook {
 
-namespace {
-
-/// The numbers of the result that are wrong at some case; empty where entries are not compared one by one or the shape
-/// differs from case to case.
 std::set<std::size_t> wrong_entries(const ExerciseReference& exercise, const Answers& answers) {
   std::set<std::size_t> wrong;
   const Value& shape = exercise.cases.front().expected;
@@ -28,8 +24,6 @@ std::set<std::size_t> wrong_entries(const ExerciseReference& exercise, const Ans
   }
   return wrong;
 }
-
-}  // namespace
 
 std::optional<Diagnosis> diagnose_place(const ExerciseReference& exercise, const Answers& answers) {
   const std::set<std::size_t> wrong = wrong_entries(exercise, answers);

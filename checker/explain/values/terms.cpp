@@ -127,6 +127,10 @@ std::optional<Diagnosis> diagnose_terms(const ExerciseReference& exercise, const
     }
   }
   if (wrong.empty() || is_multiple_of_right_answer(coefficients, right)) return std::nullopt;
+  // Beside a coefficient that is wrong, one that is off in its last digits is no mistake of its own.
+  const auto error = [](const WrongCoefficient& each) { return std::abs(each.actual - each.expected); };
+  const double largest = error(*std::ranges::max_element(wrong, {}, error));
+  std::erase_if(wrong, [&](const WrongCoefficient& each) { return error(each) < 1e-4 * largest; });
   return Diagnosis{DiagnosisKind::term, wrong.front().term, sentence_of(wrong)};
 }
 

@@ -1,3 +1,4 @@
+#include "checker/base/text.hpp"
 #include "checker/explain/values/diagnosis.hpp"
 
 #include <fmt/format.h>
@@ -157,6 +158,64 @@ std::optional<Diagnosis> diagnose_transform(const ExerciseReference& exercise, c
     if (agree(exercise, answers, transformed))
       return Diagnosis{DiagnosisKind::transform, transform.name, transform.message};
   }
+  return std::nullopt;
+}
+
+std::optional<Diagnosis> diagnose_whole_turns(const ExerciseReference& exercise, const Answers& answers) {
+  const std::set<std::size_t> wrong = wrong_entries(exercise, answers);
+  const auto is_angle = [&](std::size_t n) {
+    const std::vector<Unit>& of = exercise.result_units;
+    return of[of.size() > 1 ? n : 0] == units::radian;
+  };
+  if (wrong.empty() || !std::ranges::all_of(wrong, is_angle) || !all_deciding_cases_answered(exercise, answers))
+    return std::nullopt;
+  for (const auto& [period, text] : {std::pair(2 * std::numbers::pi, "2π"), std::pair(std::numbers::pi, "π")}) {
+    std::size_t cases = 0;
+    const bool holds = std::ranges::all_of(deciding_cases(exercise), [&](std::size_t i) {
+      const Deviation deviation = deviations(exercise, i, *answers[i]).front();
+      cases += deviation.is_within() ? 0 : 1;
+      return std::ranges::all_of(wrong, [&](std::size_t n) {
+        const double rest = std::remainder(deviation.difference.numbers[n], period);
+        return std::abs(rest) <= std::max(deviation.allowed[n], deviation.tolerance * period);
+      });
+    });
+    if (!holds || cases < telling_numbers) continue;
+    return Diagnosis{DiagnosisKind::transform, "whole_turns",
+                     fmt::format("At every case your angle is right up to a multiple of {0}; at {1} that multiple is "
+                                 "not zero. Follow the angle, or bring it into the range that is asked for.",
+                                 text, plural(cases, "case"))};
+  }
+  return std::nullopt;
+}
+
+std::optional<Diagnosis> diagnose_wrong_part(const ExerciseReference& exercise, const Answers& answers) {
+  const std::set<std::size_t> wrong = wrong_entries(exercise, answers);
+  const Value& shape = exercise.cases.front().expected;
+  if (wrong.empty() || wrong.size() == shape.numbers.size() || !all_deciding_cases_answered(exercise, answers))
+    return std::nullopt;
+  std::vector<std::string> names;
+  for (const std::size_t n : wrong) names.push_back(entry_name(shape, exercise.result_kind, n));
+  // A candidate is compared where the answer is wrong; that the rest is right is known.
+  const auto agrees_there = [&](const std::vector<Value>& outputs) {
+    std::size_t telling = 0;
+    const bool agrees_everywhere = agree(exercise, answers, [&](std::size_t i) {
+      Value value = *answers[i];
+      if (outputs.at(i).has_shape_of(value))
+        for (const std::size_t n : wrong) value.numbers[n] = outputs[i].numbers[n];
+      telling += passes(exercise, i, value) ? 0 : 1;
+      return value;
+    });
+    return agrees_everywhere && telling >= telling_numbers;
+  };
+  for (const Misconception& each : exercise.misconceptions)
+    if (agrees_there(each.outputs))
+      return Diagnosis{DiagnosisKind::misconception, each.name,
+                       fmt::format("Of {} alone: {}", listed(names), each.message), each.notes};
+  for (const InputTransform& each : exercise.input_transforms)
+    if (agrees_there(each.outputs))
+      return Diagnosis{DiagnosisKind::input_transform, each.name,
+                       fmt::format("At every case {} {} the right one for {}; all other numbers are right.",
+                                   listed(names), names.size() == 1 ? "is" : "are", each.message)};
   return std::nullopt;
 }
 
