@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
+#include <set>
 
 namespace workbook {
 
@@ -138,16 +139,25 @@ int predict(const Course& course, const Options& options) {
   CheckContext context(course);
   const ExerciseReference& reference = context.reference(check_task(course, exercise));
   if (options.predictions.empty()) {
-    say("What will {} return here? Take two or three of these, a limit or a symmetry first, and work "
-        "them out before you write the function:\n\n",
-        exercise.name());
-    std::size_t shown = 0;
-    for (std::size_t i = 0; i < reference.described_cases() && shown < 8; ++i) {
-      const std::string inputs = inputs_text(reference, reference.cases[i]);
-      if (inputs.size() > 150) continue;
-      fmt::print("{}\n", console.wrapped(fmt::format("{:>4}  {}", i + 1, inputs), 6));
-      ++shown;
+    const auto show = [&](std::size_t i, const std::string& name) {
+      const std::string text = fmt::format("{:>4}  {}{}", i + 1, name, inputs_text(reference, reference.cases[i]));
+      fmt::print("{}\n", console.wrapped(text, 6));
+    };
+    std::set<std::size_t> shown;
+    if (!reference.limits.empty())
+      say("What will {} return in these limits? No formula is needed, only the reason:\n\n", exercise.name());
+    for (const Limit& limit : reference.limits) {
+      show(limit.case_index, reference.cases[limit.case_index].name + ": ");
+      shown.insert(limit.case_index);
     }
+    if (reference.limits.empty())
+      say("What will {} return here? Take two or three of these, a limit or a symmetry first, and work "
+          "them out before you write the function:\n\n",
+          exercise.name());
+    else
+      say("\nAnd here? Work one or two out before you write the function:\n\n");
+    for (std::size_t i = 0; i < reference.described_cases() && shown.size() < 8; ++i)
+      if (inputs_text(reference, reference.cases[i]).size() <= 150 && shown.insert(i).second) show(i, "");
     say("\nThen: `{}`, with the numbers of the result, row by row.",
         command(fmt::format("predict {} '1=…' '4=…'", exercise.name())));
     return all_passed;
@@ -158,6 +168,8 @@ int predict(const Course& course, const Options& options) {
     const bool holds = is_right(reference, prediction);
     fmt::print("{}case {}: {}\n", console.mark(holds ? "✓" : "✗", holds ? Style::good : Style::bad),
                prediction.case_index + 1, holds ? "right" : "not what comes out");
+    const auto limit = std::ranges::find(reference.limits, prediction.case_index, &Limit::case_index);
+    if (holds && limit != reference.limits.end()) fmt::print("{}\n", console.wrapped(limit->reason, 2));
     if (holds) right.push_back(prediction);
   }
   const auto is_blind_to = [&](const Misconception& wrong) {

@@ -97,6 +97,20 @@ std::string plans(const Course& course, const Progress& progress, const Progress
   return text;
 }
 
+/// What comes out in the limits of the exercise, and why.
+std::string limits_text(const Course& course, const Exercise& exercise) {
+  const ExerciseReference reference =
+      course.reference(exercise.lecture(), course.seed(), exercise.name()).exercises.front();
+  std::string text = reference.limits.empty() ? "" : "\nLimits:\n";
+  for (const Limit& limit : reference.limits) {
+    const Case& one = reference.cases[limit.case_index];
+    const std::string line = fmt::format("- {}: {} = {}. {}", one.name, reference.result_name,
+                                         format_value(one.expected, reference.result_kind, 4), limit.reason);
+    text += Console::of_standard_output().wrapped(line, 2) + "\n";
+  }
+  return text;
+}
+
 /// What the copy for students keeps locked, opened by the student's own function.
 int unlock(const Course& course, const Exercise& exercise, const std::string& locked) {
   CheckContext context(course);
@@ -108,7 +122,7 @@ int unlock(const Course& course, const Exercise& exercise, const std::string& lo
   };
   if (checked.judgement.passed())
     if (const std::optional<std::string> text = unlocked_text(locked, evaluate)) {
-      fmt::print("{}", *text);
+      fmt::print("{}{}", *text, limits_text(course, exercise));
       return all_passed;
     }
   return stop("Your {} does not pass yet; its solution and derivation open once it does.", exercise.name());
@@ -219,6 +233,7 @@ int solution(const Course& course, const Options& options) {
     fmt::print("{}: {}\n", exercise.entry->is_problem() ? "Derivation" : "Another route",
                shown_path(fs::exists(page) ? page : derivation));
   }
+  fmt::print("{}", limits_text(course, exercise));
   return all_passed;
 }
 

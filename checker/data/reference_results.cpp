@@ -48,10 +48,13 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Property, kind, message, notes, argument, wei
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Route, name, outputs)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PlotComponent, name, row, col)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Sweep, title, x_label, y_label, x, inputs, expected, components, y_unit)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Limit, case_index, reason)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Measured, name, inputs, errors)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Adequacy, made, killed, equal, survivors, neighbours, fingerprint)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ExerciseReference, name, signature, arguments, result_kind, result_name,
                                    result_units, comparison, tolerance_reason, cases, misconceptions, input_transforms,
-                                   terms, properties, routes, sweep, adequacy, has_current_adequacy, survivor_reasons)
+                                   terms, properties, routes, sweep, limits, measured, adequacy, has_current_adequacy,
+                                   survivor_reasons)
 
 namespace {
 
@@ -157,6 +160,12 @@ void require_sound(const ExerciseReference& exercise) {
                                      }),
               "the weights do not fit the rows");
   }
+  for (const Limit& each : exercise.limits)
+    require(each.case_index < expected.size() && !each.reason.empty(), "a limit has no case or no reason");
+  for (const Measured& each : exercise.measured)
+    require(each.inputs.size() == exercise.arguments.size() &&
+                (each.errors.empty() || each.errors.size() == expected.front().numbers.size()),
+            each.name + " has not one input per argument, or not one error per number");
   const Sweep& sweep = exercise.sweep;
   require(sweep.inputs.size() == sweep.x.size() && sweep.expected.size() == sweep.x.size(), "the sweep is incomplete");
   for (const PlotComponent& each : sweep.components)

@@ -138,6 +138,23 @@ struct Sweep {
   bool operator==(const Sweep&) const = default;
 };
 
+/// A case whose result is known before anything is computed: predict asks for it first.
+struct Limit {
+  std::size_t case_index = 0;
+  std::string reason;  ///< why the result is what it is, in one sentence
+
+  bool operator==(const Limit&) const = default;
+};
+
+/// Real data: what a function that passes makes of it is told beside its verdict. Its result is not judged.
+struct Measured {
+  std::string name;  ///< "throw 3 of the racket"
+  std::vector<Value> inputs;
+  std::vector<double> errors;  ///< standard errors of the numbers of the result; empty where none are known
+
+  bool operator==(const Measured&) const = default;
+};
+
 /// What a proof found with typical bugs made in the reference solution of an exercise: a threshold, a missing sign,
 /// float for double. It takes minutes, so its result is recorded beside the judging (judging/adequacy.json) and used
 /// from there.
@@ -168,6 +185,8 @@ struct ExerciseReference {
   std::vector<Property> properties;
   std::vector<Route> routes;
   Sweep sweep;
+  std::vector<Limit> limits;
+  std::vector<Measured> measured;
   Adequacy adequacy;
   bool has_current_adequacy = true;  ///< false where the record was made for other cases, or there is none
   std::map<std::string, std::string> survivor_reasons;  ///< why no case can show bugs whose names contain this
@@ -180,7 +199,7 @@ struct ExerciseReference {
 };
 
 struct LectureReference {
-  static constexpr int format = 7;  ///< of the file
+  static constexpr int format = 8;  ///< of the file
   std::uint64_t seed = 1;
   std::string lecture;
   std::vector<ExerciseReference> exercises;

@@ -34,7 +34,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Repeat, case_index, reply)
 // What reports show of an observation; the rest has done its work by then.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Observation, refusal_details, replies, repeats, compile_seconds, run_seconds)
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CheckResult, source, observation, judgement, explanation, executable, weak_sandbox)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CheckResult, source, observation, judgement, explanation, measured, executable,
+                                   weak_sandbox)
 
 namespace {
 
@@ -68,6 +69,14 @@ std::vector<UnitProbe> take_probes(ExerciseRunner& runner, const ExerciseReferen
     probe.replies = runner.evaluate(calls);
   }
   return probes;
+}
+
+/// What the function makes of real data.
+std::vector<Reply> on_measured(ExerciseRunner& runner, const ExerciseReference& reference) {
+  std::vector<PlannedCall> calls;
+  const Value& like = reference.cases.front().expected;
+  for (const Measured& real : reference.measured) calls.push_back({real.inputs, like.rows, like.cols});
+  return calls.empty() ? std::vector<Reply>() : runner.evaluate(calls);
 }
 
 /// Adds findings, but no second one about a line that has been spoken of.
@@ -407,6 +416,7 @@ CheckResult check_exercise(CheckContext& context, const CheckTask& task,
   CheckResult& checked = judged.checked;
   try {
     if (on_verdict && judged.runner && !checked.judgement.passed()) on_verdict(checked);
+    if (checked.judgement.passed()) checked.measured = on_measured(*judged.runner, *checked.reference);
     if (!checked.judgement.passed())
       wait_for_own_functions(context, task, judged.compilation.linked, checked.judgement);
     if (checked.judgement.verdict == Verdict::waiting) {

@@ -29,7 +29,7 @@ struct CheckTask {
   bool is_other_seed = false;  ///< the cases are not those that count
   /// Of cases whose results students have: who fails is looked at for having learnt these.
   std::optional<std::uint64_t> known_seed = {};
-  bool is_explained = true;    ///< a failure gets its reasons
+  bool is_explained = true;  ///< a failure gets its reasons
 
   /// Verdicts on a file elsewhere, or with another seed, are no progress.
   bool counts_as_progress() const { return !is_elsewhere && !is_other_seed; }
@@ -42,9 +42,10 @@ struct CheckResult {
   Observation observation;
   Judgement judgement;
   Explanation explanation;
-  fs::path executable;  ///< for the plot; empty if the file did not compile
+  std::vector<Reply> measured;  ///< of a function that passes: what it makes of each piece of real data
+  fs::path executable;          ///< for the plot; empty if the file did not compile
   const ExerciseReference* reference = nullptr;
-  std::string weak_sandbox;  ///< what held the function back no further than that; empty: it could reach nothing
+  std::string weak_sandbox;     ///< what held the function back no further than that; empty: it could reach nothing
   std::optional<double> share;  ///< of the points that it earns, where that is not all or nothing
 
   const std::string& name() const { return task.exercise.name(); }

@@ -354,6 +354,34 @@ std::vector<std::string> describe_case(const ExerciseReference& exercise, std::s
   return lines;
 }
 
+std::vector<std::string> on_real_data(const CheckResult& checked) {
+  std::vector<std::string> sentences;
+  for (std::size_t k = 0; k < checked.measured.size(); ++k) {
+    const ExerciseReference& exercise = *checked.reference;
+    const Measured& real = exercise.measured[k];
+    const Reply& reply = checked.measured[k];
+    const std::vector<PlotComponent>& components = exercise.sweep.components;
+    std::vector<std::string> parts;
+    for (const PlotComponent& each : components) {
+      const auto n = static_cast<std::size_t>(each.col * reply.value.rows + each.row);
+      if (reply.ending != Ending::returned || components.size() != reply.value.numbers.size()) break;
+      const double number = reply.value.numbers.at(n), error = real.errors.empty() ? 0 : real.errors.at(n);
+      const int decimals = error > 0 ? std::max(0, 1 - static_cast<int>(std::floor(std::log10(error)))) : 0;
+      const std::string unit = to_string(exercise.result_units[exercise.result_units.size() == 1 ? 0 : n]);
+      parts.push_back(fmt::format(
+          "{} = {}{}{}", each.name,
+          error > 0 ? fmt::format("{:.{}f} ± {:.{}f}", number, decimals, error, decimals) : number_text(number, 4),
+          unit.empty() ? "" : " ", unit));
+    }
+    if (parts.empty())
+      parts.push_back(reply.ending == Ending::returned ? fmt::format("{} = {}", exercise.result_name,
+                                                                     format_value(reply.value, exercise.result_kind, 4))
+                                                       : "no result");
+    sentences.push_back(fmt::format("on {}: {}.", real.name, fmt::join(parts, ", ")));
+  }
+  return sentences;
+}
+
 std::string error_size(const ExerciseReference& exercise, const std::vector<std::size_t>& failing,
                        const Answers& answers) {
   double largest = 0.0, largest_of_itself = 0.0;

@@ -58,6 +58,15 @@ ordered_json result_of(const CheckResult& checked) {
   for (std::size_t index = 0; index < checked.observation.replies.size(); ++index)
     if (const std::string& text = checked.observation.replies[index].printed; !text.empty())
       result["printed"].push_back({{"case", index + 1}, {"text", text}});
+  for (std::size_t k = 0; k < checked.measured.size(); ++k) {
+    const Reply& reply = checked.measured[k];
+    const bool has_result = reply.ending == Ending::returned;
+    const Measured& real = checked.reference->measured[k];
+    result["measured"].push_back(
+        {{"name", real.name},
+         {"result", has_result ? json_of(reply.value, checked.reference->result_kind) : nlohmann::json(nullptr)},
+         {"errors", real.errors}});
+  }
   if (!checked.weak_sandbox.empty()) result["sandbox"] = checked.weak_sandbox;
   if (!judgement.waiting_for.empty()) result["waiting_for"] = judgement.waiting_for;
   if (!checked.observation.refusal_details.empty()) result["details"] = checked.observation.refusal_details;

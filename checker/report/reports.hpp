@@ -56,6 +56,9 @@ std::size_t widest(const std::vector<std::string>& lines);
 std::string error_size(const ExerciseReference& exercise, const std::vector<std::size_t>& failing,
                        const Answers& answers);
 
+/// What a function that passes makes of real data: "on throw 3: a = -0.998 ± 0.004, …", one sentence for each piece.
+std::vector<std::string> on_real_data(const CheckResult& checked);
+
 // --- for programs, and on pages
 
 /// The document of `check --json`; its form is described in the README.
@@ -70,8 +73,8 @@ struct ReportedExercise {
 
 /// One student's results.
 struct ReportedCourse {
-  std::string student;  ///< may be empty
-  std::string date;     ///< as it is to be read
+  std::string student;                          ///< may be empty
+  std::string date;                             ///< as it is to be read
   std::optional<std::uint64_t> seed = {};       ///< of the cases; nothing: not to be told
   std::vector<ReportedExercise> exercises;      ///< in course order
   std::map<std::string, std::string> headings;  ///< of the notes, by anchor

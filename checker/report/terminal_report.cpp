@@ -32,6 +32,8 @@ class Report {
       return text_;
     }
     if (!judgement.passed()) explain();
+    for (const std::string& sentence : on_real_data(checked_))
+      text_ += console_.wrapped("Your function " + sentence, report_indent) + "\n";
     if (shown_case()) add_case(*shown_case());
     printed();
     if (judgement.passed()) return text_;

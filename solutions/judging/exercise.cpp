@@ -157,6 +157,8 @@ void AnyExercise::add_route(std::string name, Function other) {
   routes_.push_back(std::move(other));
 }
 
+void AnyExercise::add_measured(Measured real) { result_.measured.push_back(std::move(real)); }
+
 void AnyExercise::set_sweep(const SweepLabels& labels, const std::vector<Drawn>& components, SweepRange range,
                             std::function<Values(double)> inputs_at) {
   result_.sweep = {labels.title, labels.x, labels.y, {}, {}, {}, {}, labels.y_unit};
@@ -240,6 +242,22 @@ void AnyExercise::add_sweep(ExerciseReference& out) const {
   }
 }
 
+void AnyExercise::add_limit(const Foreseen& limit, ExerciseReference& out) const {
+  const std::string place = fmt::format("{}, limit '{}': ", out.name, limit.of_case);
+  const auto found = std::ranges::find(out.cases, limit.of_case, &Case::name);
+  if (found == out.cases.end()) throw std::logic_error(place + "there is no such case");
+  const std::vector<double>&right = found->expected.numbers, &foreseen = limit.expected.numbers;
+  constexpr double by_hand = 5e-3;  // what predict takes for right
+  bool agrees = found->expected.has_shape_of(limit.expected);
+  for (std::size_t n = 0; agrees && n < right.size(); ++n)
+    agrees = std::abs(right[n] - foreseen[n]) <= by_hand * found->scale[std::min(n, found->scale.size() - 1)];
+  if (!agrees)
+    throw std::logic_error(place + fmt::format("the solution gives {}, not {}",
+                                               format_value(found->expected, out.result_kind, 6),
+                                               format_value(limit.expected, out.result_kind, 6)));
+  out.limits.push_back({static_cast<std::size_t>(found - out.cases.begin()), limit.reason});
+}
+
 void AnyExercise::add_cases(const Batch& batch, std::uint64_t seed, ExerciseReference& out) const {
   Random random(batch_seed(seed, out.name, batch.prototype.name));
   for (int i = 1; i <= batch.count; ++i) {
@@ -284,6 +302,10 @@ ExerciseReference AnyExercise::evaluate(std::uint64_t seed, const Adequacy& reco
     for (const Case& one : out.cases) out.properties[k].weights.push_back(weights_[k](one.inputs));
   }
   add_sweep(out);
+  for (const Foreseen& limit : limits_) add_limit(limit, out);
+  for (const Measured& real : out.measured)
+    if (!is_legal(real.inputs) || !reference_(real.inputs).is_finite())
+      throw std::logic_error(out.name + ": " + real.name + " lies outside the domain of the contract");
   return out;
 }
 

@@ -153,6 +153,7 @@ class AnyExercise {
   void add_wrong(Sentence says, std::string name, Function wrong);
   void add_term(std::string name, double coefficient, Function summand);
   void add_route(std::string name, Function other);
+  void add_measured(Measured real);
   void set_sweep(const SweepLabels& labels, const std::vector<Drawn>& components, SweepRange range,
                  std::function<Values(double)> inputs_at);
   /// The same function, which evaluates each input once: some integrate for a long time, and a proof asks again and
@@ -160,6 +161,13 @@ class AnyExercise {
   static Function remembering(Function function);
   bool is_angle(std::size_t argument) const { return result_.arguments[argument].unit == units::radian; }
 
+  struct Foreseen {
+    std::string of_case;
+    Value expected;
+    std::string reason;
+  };
+
+  std::vector<Foreseen> limits_;
   Function reference_;
   OnValues<bool> domain_, moderate_;
   OnValues<Doubles> scale_;
@@ -179,6 +187,7 @@ class AnyExercise {
   void add_cases(const Batch& batch, std::uint64_t seed, ExerciseReference& out) const;
   Subject subject_of(const ExerciseReference& out) const;
   void add_sweep(ExerciseReference& out) const;
+  void add_limit(const Foreseen& limit, ExerciseReference& out) const;
 
   ExerciseReference result_;  // everything but what depends on the seed
   std::vector<Sort> sorts_;   // of the arguments
@@ -229,6 +238,18 @@ class Exercise : public AnyExercise {
 
   /// A hard or degenerate input: the right answer must be right here, wrong answers may be right too.
   void special(std::string name, const Inputs&... inputs) { fixed_case(std::move(name), Group::special, inputs...); }
+
+  /// What comes out at the special or worked case of this name, known without computing, and why: a sentence that
+  /// predict shows with a right prediction. It must not be taken from the solution, which it checks.
+  void limit(std::string of_case, const Result& expected, std::string reason) {
+    limits_.push_back({std::move(of_case), detail::to_value(expected), std::move(reason)});
+  }
+
+  /// Real data, at which a function that passes is shown: "your function on throw 3: …".
+  /// @param errors  of the numbers of the result; none where they are not known
+  void measured(std::string name, Doubles errors, const Inputs&... inputs) {
+    add_measured({std::move(name), values(Tuple(inputs...)), std::move(errors)});
+  }
 
   /// `count` generic inputs, away from those at which wrong answers are right. Each draw from Random makes a parameter
   /// (&Random::rotation, any::vector(2)), or a tuple of several; they are made in this order.

@@ -61,6 +61,8 @@ Exercise whole_momentum() {
   e.input_transforms = {{"swapped", "u and v exchanged", outputs(e, momentum_with(2, 1))}};
   add_generated(e, 3, 1, vector({7, 8, 9}), right_momentum);
   e.cases.back().entry = 2;
+  e.limits = {{1, "At rest there is none."}};
+  e.measured = {{"a cart", e.cases[0].inputs, {0.1, 0.2, 0.3}}};
   return e;
 }
 
@@ -222,6 +224,10 @@ TEST_CASE("What contradicts itself is not written") {
       {0, [](Exercise& e) { e.sweep.inputs.pop_back(); }},
       {0, [](Exercise& e) { e.sweep.components[0].row = 3; }},
       {0, [](Exercise& e) { e.sweep.components[0].col = -1; }},
+      {0, [](Exercise& e) { e.limits[0].case_index = 9; }},
+      {0, [](Exercise& e) { e.limits[0].reason.clear(); }},
+      {0, [](Exercise& e) { e.measured[0].inputs.pop_back(); }},
+      {0, [](Exercise& e) { e.measured[0].errors.pop_back(); }},
       {0, [](Exercise& e) { add_property(e, P::symmetric, "It is symmetric."); }},
       {1, [](Exercise& e) { e.properties[1].argument = 1; }},
       {1, [](Exercise& e) { e.properties[1].argument = -1; }},

@@ -82,6 +82,8 @@ TEST_CASE("the solution is shown after a pass, or when it is asked for all the s
   const Outcome shown = course.run("solution spring_energy");
   CHECK(shown.status == 0);
   CHECK(has(shown.out, "spring_energy.md"));
+  CHECK(has(course.run("solution spring_force --now").out,
+            "Limits:\n  - at rest: F = (0, 0, 0). Nothing is stretched.\n  - a very soft spring: F = (-1e-09,"));
   fs::remove_all(course.root() / "solutions");
   const Outcome handed_out = course.run("solution spring_energy --now");
   CHECK(handed_out.status == 1);

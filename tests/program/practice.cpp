@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 using namespace workbook::testing;
 
@@ -28,6 +29,40 @@ TEST_CASE("predictions are judged, and the wrong functions that would agree are 
   CHECK(wrong.status == 1);
   // With three digits, in any notation.
   CHECK(has(course.run("predict spring_force '1=(0; -1.001, 0)'").out, "case 1: right"));
+}
+
+TEST_CASE("limits are asked first, and a right prediction is told the reason") {
+  const CourseCopy course;
+  const std::string asked = offered(course, "spring_force");
+  CHECK(has(asked, "in these limits?"));
+  const auto place = [&](const char* part) { return asked.find(part); };
+  CHECK(place("at rest: k = 2, x = (0, 0, 0)") < place("a very soft spring: k = 1e-09"));
+  CHECK(place("a very soft spring: k = 1e-09") < place("And here?"));
+  const std::string number = std::to_string(std::stoi(asked.substr(asked.rfind('\n', place("at rest")))));
+  CHECK(has(course.run("predict spring_force '" + number + "=(0, 0, 0)'").out, "Nothing is stretched."));
+  CHECK_FALSE(has(course.run("predict spring_force '" + number + "=(0, 1, 0)'").out, "Nothing is stretched."));
+  CHECK_FALSE(has(offered(course, "spring_energy"), "limits"));
+}
+
+TEST_CASE("after a pass a function is shown on real data, with errors where they are known") {
+  const CourseCopy course;
+  const auto body = [&](const char* text) { course.answer_energy(text); };
+  body("return 0.5 * k * x.squaredNorm();");
+  CHECK(has(course.run("check spring_energy").out,
+            "Your function on a luggage scale, read to 0.02 J: E = 2.453 ± 0.020 J."));
+  const nlohmann::json result = nlohmann::json::parse(course.run("check spring_energy --json").out)["results"][0];
+  const nlohmann::json& real = result["measured"][0];
+  CHECK(real["name"] == "a luggage scale, read to 0.02 J");
+  CHECK(real["result"].get<double>() == doctest::Approx(2.4525));
+  CHECK(real["errors"] == std::vector<double>{0.02});
+  body("return k * x.squaredNorm();");
+  CHECK_FALSE(has(course.run("check spring_energy").out, "luggage scale"));
+  CHECK_FALSE(has(course.run("check spring_energy --json").out, "luggage scale"));
+  // What it does there decides nothing.
+  body("if (k == 1962) throw 3; return 0.5 * k * x.squaredNorm();");
+  const Outcome thrown = course.run("check spring_energy");
+  CHECK(thrown.status == 0);
+  CHECK(has(thrown.out, "Your function on a luggage scale, read to 0.02 J: no result."));
 }
 
 TEST_CASE("a prediction that cannot be read is refused with an example") {

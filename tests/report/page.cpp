@@ -31,7 +31,14 @@ std::string article(const std::string& page, const std::string& exercise) {
 TEST_CASE("a page with a bit of everything") {
   MadeUpCourse course;
   course.page.picture_trouble = "There are no plots, for a reason.";
-  course.add("01_springs", "energy", Verdict::passed, 2).picture = "<svg/>";
+  ExerciseReference reference;
+  reference.result_units = {units::joule};
+  reference.sweep.components = {{"E"}};
+  reference.measured = {{"a luggage scale", {}, {0.02}}};
+  ReportedExercise& passed = course.add("01_springs", "energy", Verdict::passed, 2);
+  passed.picture = "<svg/>";
+  passed.checked.reference = &reference;
+  passed.checked.measured = {{Ending::returned, {1, 1, {2.4525}}}};
   ReportedExercise& wrong = course.add("01_springs", "force", Verdict::wrong_value, 3);
   wrong.checked.explanation.diagnoses = {
       {DiagnosisKind::misconception, "away", "A spring pulls back.", "springs_energy"}};

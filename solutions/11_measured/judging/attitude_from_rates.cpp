@@ -40,6 +40,7 @@ void judge_attitude_from_rates(Lecture& lecture) {
   e.special("about one axis", VectorXd{{0, 1, 3}}, Matrix3Xd{{0, 0, 0}, {0, 0, 0}, {0.5, 1, -0.5}});
   e.special("to and fro", VectorXd{{0, 1, 2}}, Matrix3Xd{{1, -1, 1}, {2, -2, 2}, {3, -3, 3}});
   e.random("a flight with noise", 10, noisy_flight(4, 7));
+  e.measured("throw 3 of the racket, from its start to its end", {}, throw_3.t, throw_3.omega);
   e.scale(1);
   e.sweep({"A thrown racket, shown slower or faster", "time between two samples beside the measured one",
            "component on the inertial axes"},

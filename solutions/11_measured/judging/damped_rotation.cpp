@@ -1,5 +1,7 @@
 #include "solutions/11_measured/shared.hpp"
 
+#include <fmt/format.h>
+
 namespace {
 
 /// The time of a free motion that has come as far.
@@ -34,6 +36,14 @@ void judge_damped_rotation(Lecture& lecture) {
   e.special("a symmetric body", {1, 1, 1.8}, {0.4, 0, 2}, 0.1, 3);
   e.special("about one axis", {1, 2, 3}, {0, -1, 0}, 0.1, 5);
   e.special("at rest", {1, 2, 3}, zero, 0.1, 5);
+  constexpr double of_all = 0.25;  // of the notes, common to all throws
+  const Vector3d start = measured::fitted_start(
+      throw_3, [](const Vector3d& from) { return measured::motion_in_air(measured::racket, throw_3.t, from, of_all); });
+  const Eigen::Index half = throw_3.t.size() / 2;
+  const Vector3d there = throw_3.omega.col(half);
+  e.measured(fmt::format("half of throw 3, where the gyroscope says ({:.1f}, {:.1f}, {:.1f}) rad/s", there[0], there[1],
+                         there[2]),
+             {}, measured::racket, start, of_all, throw_3.t[half] - throw_3.t[0]);
   e.random("a body in air", 10, [](Random& random) {
     const Vector3d I = random.principal_moments(), omega0 = random.vector(2);
     const double t = random.uniform(2, 5);

@@ -55,6 +55,9 @@ void judge_euler_coefficients(Lecture& lecture) {
   e.special("three samples", VectorXd{{0, 0.1, 0.3}}, Matrix3Xd{{1, 2, 1}, {-1, 1, 2}, {3, 1, 2}});
   e.special("one component stays", VectorXd{{-1, 0, 1, 3}}, Matrix3Xd{{2, 2, 2, 2}, {1, 2, 3, 1}, {-1, 1, 1, 2}});
   e.random("a flight with noise", 10, noisy_flight(8, 12));
+  const Vector3d errors = errors_of_throw_3();
+  e.measured("throw 3 of the racket (errors: the noise of the gyroscope)", {errors.begin(), errors.end()}, throw_3.t,
+             throw_3.omega);
   e.scale([](auto& t, auto& omega) {
     return for_each_axis(t, omega, [](const VectorXd& sum, const VectorXd& rates) {
       return or_one(rates.norm()) / centred(sum).norm();

@@ -7,6 +7,12 @@ void judge_mean_and_error(Lecture& lecture) {
   e.domain([](auto& x) { return x.size() >= 2; });
   e.worked("a coefficient of twelve throws", VectorXd{{-0.9912, -0.9946, -0.9983, -1.0005, -0.9967, -0.9910, -0.9937,
                                                        -0.9938, -0.9938, -0.9921, -0.9942, -0.9631}});
+  VectorXd a(11);
+  for (int k = 0; k < 11; ++k) {
+    const measured::Flight& flight = throws.at(static_cast<std::size_t>(k));
+    a[k] = euler_coefficients(flight.t, flight.omega)[0];
+  }
+  e.measured("the coefficient a of throws 1 to 11", {}, a);
   e.worked("two values", VectorXd{{1, 3}});
   e.special("equal values", VectorXd{{2, 2, 2}});
   e.special("about zero", VectorXd{{-1, 1, -2, 2}});

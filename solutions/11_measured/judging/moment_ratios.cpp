@@ -19,6 +19,8 @@ void judge_moment_ratios(Lecture& lecture) {
       if (min(abs(a), abs(c)) > 0.1 && abs(a + c) > 0.05) return tuple(a, c);
     }
   });
+  const Vector3d coefficients = euler_coefficients(throw_3.t, throw_3.omega);
+  e.measured("the coefficients of throw 3", {}, coefficients[0], coefficients[2]);
   e.scale([](auto, auto c) { return Vector2d::Constant(2 / (1 + c)).eval(); });
   e.sweep<1>({"a = −2/3: the ratios of the moments", "c", "ratio of moments"}, {"I_y/I_x", "I_z/I_x"}, {-0.4, 1});
 

@@ -15,6 +15,7 @@ void judge_rigidity_defect(Lecture& lecture) {
   e.random("measured coefficients", 10, any::vector(0.9), [](Random& random) {
     return Vector3d(random.uniform(0.01, 0.05), random.uniform(0.01, 0.05), random.uniform(0.01, 0.05));
   });
+  e.measured("the coefficients of throw 3", {}, euler_coefficients(throw_3.t, throw_3.omega), errors_of_throw_3());
   e.scale([](auto& k, auto& errors) {
     const double size = 1 + k.cwiseAbs().sum() + abs(k.prod());  // the coefficients stand beside ones
     const double spread = errors.dot(Vector3d(1 + abs(k[1] * k[2]), 1 + abs(k[2] * k[0]), 1 + abs(k[0] * k[1])));

@@ -4,6 +4,7 @@
 void judge_spring_energy(Lecture& lecture) {
   auto& e = lecture.exercise(&spring_energy, {{"k", positive(newton / metre)}, {"x", metre}}, {"E", joule});
   e.worked("2 N/m stretched by 3 m", 2, {3, 0, 0});
+  e.measured("a luggage scale, read to 0.02 J", {0.02}, 1962, {0.05, 0, 0});
   e.random("a random spring", 6, any::uniform(1.5, 5), any::vector(2));
   e.sweep({"Energy", "x (m)", "E (J)"}, {"E"}, {0, 2, 11}, [](auto x) { return tuple(3, Vector3d(x, 0, 0)); });
 

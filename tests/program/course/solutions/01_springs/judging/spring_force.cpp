@@ -4,6 +4,12 @@
 void judge_spring_force(Lecture& lecture) {
   auto& e = lecture.exercise(&spring_force, {{"k", positive(newton / metre)}, {"x", metre}}, {"F", newton});
   e.worked("2 N/m stretched by (3, 1, 2) m", 2, {3, 1, 2});
+  e.special("at rest", 2, zero);
+  e.special("a very soft spring", 1e-9, {1, 0, 0});
+  e.scale([](auto k, auto& x) { return or_one(k * x.norm()); });
+  e.limit("at rest", zero, "Nothing is stretched.");
+  e.limit("a very soft spring", {-1e-9, 0, 0}, "It is proportional to k.");
+  e.measured("a luggage scale", {}, 1962, {0.05, 0, 0});
   e.random("a random spring", 6, any::uniform(1.5, 5), any::vector(2));
   e.sweep({"Force", "x (m)", "F (N)"}, {"F_x", "F_y"}, {0, 2, 11}, [](auto x) { return tuple(3, Vector3d(x, 1, 0)); });
 
