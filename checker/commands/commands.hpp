@@ -36,7 +36,7 @@ struct Options {
   fs::path html;
   std::string student;   ///< whose page it is; may be empty
   fs::path submissions;  ///< of a class: a folder or a zip file
-  std::optional<fs::path> roster, assignment;
+  std::optional<fs::path> roster, assignment, overrides;
   std::vector<fs::path> references;              ///< reference results to judge by
   std::string only;                              ///< judge what has this verdict once more
   std::string shard;                             ///< "2/8": judge only this part of the class

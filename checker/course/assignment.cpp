@@ -179,9 +179,11 @@ Assignment::Assignment(const Course& course, const std::optional<fs::path>& file
   }
 }
 
-int Assignment::days_late(const std::optional<std::int64_t>& submitted) const {
-  if (!due_ || !submitted || *submitted <= *due_) return 0;
-  return static_cast<int>(std::ceil(static_cast<double>(*submitted - *due_) / seconds_per_day));
+int Assignment::days_late(const std::optional<std::int64_t>& submitted,
+                          const std::optional<std::int64_t>& own_due) const {
+  const std::optional<std::int64_t> due = own_due ? own_due : due_;
+  if (!due || !submitted || *submitted <= *due) return 0;
+  return static_cast<int>(std::ceil(static_cast<double>(*submitted - *due) / seconds_per_day));
 }
 
 double Assignment::late_factor(int days) const {

@@ -43,7 +43,8 @@ class Assignment {
   /// As the file has it; "" if nothing is due.
   const std::string& due_text() const { return due_text_; }
   /// Days begun after the due date; 0 where there is none, or no time is known.
-  int days_late(const std::optional<std::int64_t>& submitted) const;
+  /// @param own_due  of this student
+  int days_late(const std::optional<std::int64_t>& submitted, const std::optional<std::int64_t>& own_due = {}) const;
   /// What is left of the points after so many days: all, where the file does not say what lateness costs.
   double late_factor(int days) const;
 

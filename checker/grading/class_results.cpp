@@ -39,6 +39,7 @@ ClassResults::ClassResults(const Assignment& assignment, std::uint64_t seed, con
     : assignment_(assignment), with_missing_(with_missing) {
   std::vector<std::string> problems = intake.problems, missing;
   for (const Student& student : intake.students) {
+    if (student.whole().decides()) continue;
     for (const std::string& sentence : student.unread) problems.push_back(student.id + ": " + sentence);
     if (!student.dispute.empty()) problems.push_back(fmt::format("{} is not judged: {}", student.id, student.dispute));
     if (student.is_missing()) missing.push_back(student.id);
@@ -49,7 +50,8 @@ ClassResults::ClassResults(const Assignment& assignment, std::uint64_t seed, con
 
 ordered_json ClassResults::add(const Student& student, const std::vector<CheckResult>& results,
                                const std::vector<std::string>& made_from) {
-  const int days_late = assignment_.days_late(student.submitted);
+  const Override whole = student.whole();
+  const int days_late = assignment_.days_late(student.submitted, whole.due);
   const double factor = assignment_.late_factor(days_late);
   double points = 0, possible = 0;
   ordered_json document = ordered_json::parse(json_report(results, head_.at("seed")));
@@ -65,6 +67,7 @@ ordered_json ClassResults::add(const Student& student, const std::vector<CheckRe
                      {"points", checked.points()},
                      {"message", printable(checked.judgement.message)},
                      {"made_from", made_from[i]}});
+    if (!checked.by_hand.empty()) marks.back()["by_hand"] = checked.by_hand;
     if (!checked.is_judged()) {
       if (student.dispute.empty())
         not_judged_.push_back(
@@ -88,15 +91,19 @@ ordered_json ClassResults::add(const Student& student, const std::vector<CheckRe
     same["first_failure"] = result["first_failure"];
     same["students"].push_back(student.id);
   }
-  const double score = rounded(points * factor);
+  const double score = rounded(whole.points.value_or(points * factor));
   ordered_json entry = {{"id", student.id},      {"name", student.name},  {"slug", student.slug},
                         {"score", score},        {"possible", possible},  {"days_late", days_late},
                         {"late_factor", factor}, {"notes", student.notes}};
   if (possible > 0) ++distribution_.at(static_cast<std::size_t>(std::min(9.0, 10 * score / possible)));
+  if (!whole.sentence.empty()) entry["by_hand"] = whole.sentence;
   document["student"] = entry;
   document["sandbox"] = head_["sandbox"];
   const bool is_complete = !student.is_missing() && student.unread.empty() && student.dispute.empty();
-  entry["in_tables"] = is_complete || with_missing_;
+  entry["in_tables"] = !whole.is_excused && (is_complete || with_missing_ || whole.points);
+  // A part of the marks would count as the whole.
+  const auto is_judged = [](const ordered_json& mark) { return mark.at("score").is_number(); };
+  entry["in_gradebooks"] = entry["in_tables"] && (whole.points || std::ranges::all_of(marks, is_judged));
   entry["results"] = marks;
   students_.push_back(std::move(entry));
   return document;
@@ -170,12 +177,21 @@ std::vector<std::string> changed_marks(const ordered_json& before, const ordered
     const ordered_json& old = *known.extract(id).mapped();
     if (old.at("score") == student.at("score") && old.at("possible") == student.at("possible")) continue;
     std::vector<std::string> reasons;
-    if (old.at("late_factor") != student.at("late_factor")) reasons.emplace_back("handed in at another time");
+    const auto by_hand = [](const ordered_json& of) { return of.value("by_hand", ""); };
+    const auto decided = [&](const std::string& what, const ordered_json& of) {
+      return what + (by_hand(of).empty() ? "no longer decided by hand" : "by hand: " + by_hand(of));
+    };
+    if (by_hand(old) != by_hand(student))
+      reasons.push_back(decided("", student));
+    else if (old.at("late_factor") != student.at("late_factor"))
+      reasons.emplace_back("handed in at another time");
     for (const ordered_json& mark : student.at("results")) {
       const std::string exercise = name_of_mark(mark);
       const auto same = std::ranges::find(old.at("results"), exercise, name_of_mark);
       if (same == old.at("results").end()) {
         reasons.push_back(exercise + " is new in the assignment");
+      } else if (by_hand(*same) != by_hand(mark)) {
+        reasons.push_back(decided(exercise + " ", mark));
       } else if (same->at("verdict") != mark.at("verdict")) {
         const auto words = [&](const ordered_json& of) {
           return is_unjudged(of) ? "not judged" : in_words(of.at("verdict"));

@@ -26,14 +26,36 @@ std::string number(const ordered_json& value) {
   return value.is_number() ? fmt::format("{:g}", value.get<double>()) : "";
 }
 
+std::string text(const ordered_json& of, const char* key) { return of.value(key, ""); }
+
+bool is_excused(const ordered_json& mark) { return mark.at("points") == 0; }
+
+/// As judged, or by hand.
+bool is_right(const ordered_json& mark) {
+  return mark.at("verdict") == "passed" || (mark.at("score").is_number() && mark.at("score") >= mark.at("points"));
+}
+
+/// All that was decided about a student; "": nothing.
+std::string by_hand(const ordered_json& student) {
+  std::vector<std::string> sentences;
+  if (student.contains("by_hand")) sentences.push_back(student.at("by_hand"));
+  for (const ordered_json& mark : student.at("results"))
+    if (mark.contains("by_hand"))
+      sentences.push_back(fmt::format("{}: {}", text(mark, "exercise"), text(mark, "by_hand")));
+  return fmt::format("{}", fmt::join(sentences, "; "));
+}
+
 std::string grades_csv(const ordered_json& document) {
   Table table = {{"id", "name", "score", "possible", "days_late"}};
   for (const ordered_json& exercise : document.at("exercises")) table[0].push_back(exercise.at("exercise"));
+  table[0].emplace_back("by_hand");
   for (const ordered_json& student : document.at("students")) {
     if (!student.at("in_tables")) continue;
     table.push_back({student.at("id"), student.at("name"), number(student.at("score")), number(student.at("possible")),
                      number(student.at("days_late"))});
-    for (const ordered_json& mark : student.at("results")) table.back().push_back(number(mark.at("score")));
+    for (const ordered_json& mark : student.at("results"))
+      table.back().push_back(is_excused(mark) ? "excused" : number(mark.at("score")));
+    table.back().push_back(by_hand(student));
   }
   return write_csv(table);
 }
@@ -46,15 +68,15 @@ std::string junit_xml(const ordered_json& document) {
     std::string cases;
     int failures = 0, errors = 0, skipped = 0;
     for (const ordered_json& mark : student.at("results")) {
-      const std::string verdict = mark.at("verdict"), message = xml(mark.at("message"));
+      const std::string verdict = mark.at("verdict"), message = xml(message_of(mark));
       std::string inside;
-      if (verdict == "not_started") {
+      if (is_excused(mark) || (verdict == "not_started" && !mark.contains("by_hand"))) {
         ++skipped;
         inside = "<skipped/>";
-      } else if (verdict == "checker_error") {
+      } else if (mark.at("score").is_null()) {
         ++errors;
         inside = fmt::format("<error type=\"{}\" message=\"{}\"/>", verdict, message);
-      } else if (verdict != "passed") {
+      } else if (!is_right(mark)) {
         ++failures;
         inside = fmt::format("<failure type=\"{}\" message=\"{}\"/>", verdict, message);
       }
@@ -68,15 +90,14 @@ std::string junit_xml(const ordered_json& document) {
   return text + "</testsuites>\n";
 }
 
-/// What gradebooks take: whose results are not all judged is left out, for a part would count as the whole.
+/// What gradebooks take.
 Table gradebook(const ordered_json& document, const std::vector<std::string>& heading,
                 const std::function<std::vector<std::string>(const std::string& id, const std::string& name)>& row) {
   const std::string title = document.at("title");
   Table table = {heading};
   table[0].push_back(title.empty() ? "Rigid Body Workbook" : title);
   for (const ordered_json& student : document.at("students")) {
-    const auto is_judged = [](const ordered_json& mark) { return mark.at("score").is_number(); };
-    if (!student.at("in_tables") || !std::ranges::all_of(student.at("results"), is_judged)) continue;
+    if (!student.at("in_gradebooks")) continue;
     table.push_back(row(student.at("id"), student.at("name")));
     table.back().push_back(number(student.at("score")));
   }
@@ -108,17 +129,17 @@ ordered_json gradescope_results(const ordered_json& student) {
   std::vector<std::string> notes = student.at("student").at("notes");
   notes.insert(notes.begin(), "Sandbox: " + student.at("sandbox").get<std::string>());
   const std::size_t days_late = student.at("student").at("days_late");
+  if (student.at("student").contains("by_hand")) notes.push_back("By hand: " + text(student.at("student"), "by_hand"));
   if (days_late > 0) notes.push_back(fmt::format("Handed in {} late.", plural(days_late, "day")));
   ordered_json tests = ordered_json::array();
   for (const ordered_json& result : student.at("results")) {
-    const std::string verdict = result.at("verdict");
     ordered_json test = {{"name", result.at("exercise")},
                          {"max_score", result.at("points")},
-                         {"output", printable(verdict == "passed" ? "" : result.at("message").get<std::string>())},
+                         {"output", message_of(result)},
                          {"output_format", "text"}};
     if (result.at("score").is_number()) {
       test["score"] = result.at("score");
-      test["status"] = verdict == "passed" ? "passed" : "failed";
+      test["status"] = is_right(result) ? "passed" : "failed";
     }
     tests.push_back(std::move(test));
   }
@@ -141,13 +162,13 @@ ordered_json github_classroom_result(const ordered_json& student) {
   ordered_json tests = ordered_json::array();
   std::string status = "pass";
   for (const ordered_json& result : student.at("results")) {
-    const bool is_judged = result.at("score").is_number(), has_passed = result.at("verdict") == "passed";
+    const bool is_judged = result.at("score").is_number(), has_passed = is_right(result);
     const std::string of_test = !is_judged ? "error" : has_passed ? "pass" : "fail";
     if (!has_passed && status != "error") status = of_test;
     tests.push_back({{"name", result.at("exercise")},
                      {"status", of_test},
                      {"score", is_judged ? result.at("score") : ordered_json(0)},
-                     {"message", printable(has_passed ? "" : result.at("message").get<std::string>())},
+                     {"message", message_of(result)},
                      {"line_no", 0}});
   }
   return {{"version", 1}, {"status", status}, {"max_score", student.at("student").at("possible")}, {"tests", tests}};
@@ -174,10 +195,10 @@ ordered_json classroom50_result(const ordered_json& student) {
     score += hundredths(result.at("score"));
     most += hundredths(result.at("points"));
     tests.push_back({{"test-name", result.at("exercise")},
-                     {"passed", result.at("verdict") == "passed"},
+                     {"passed", is_right(result)},
                      {"score", hundredths(result.at("score"))},
                      {"max-score", hundredths(result.at("points"))},
-                     {"message", printable(result.at("message").get<std::string>())}});
+                     {"message", message_of(result)}});
   }
   document["score"] = score;
   document["max-score"] = most;
@@ -186,6 +207,12 @@ ordered_json classroom50_result(const ordered_json& student) {
 }
 
 }  // namespace
+
+std::string message_of(const ordered_json& mark) {
+  const std::string message = mark.at("verdict") == "passed" ? "" : printable(text(mark, "message"));
+  if (!mark.contains("by_hand")) return message;
+  return fmt::format("{}{}By hand: {}", message, message.empty() ? "" : " ", text(mark, "by_hand"));
+}
 
 std::string indented(const ordered_json& document) {
   return document.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
@@ -215,6 +242,9 @@ std::string class_page(const ordered_json& document, const std::string& date) {
   page["missing"] =
       shortened(fmt::format("{}", fmt::join(document.at("missing").get<std::vector<std::string>>(), ", ")), 2000);
   page["any_unread"] = !document.at("problems").empty() || !document.at("missing").empty();
+  for (const ordered_json& student : document.at("students"))
+    if (const std::string said = by_hand(student); !said.empty())
+      page["by_hand"].push_back({{"who", student.at("id")}, {"what", said}});
   for (const ordered_json& each : document.at("learnt_by_heart"))
     page["learnt"].push_back(
         {{"exercise", each.at("exercise")},
@@ -258,7 +288,7 @@ std::string class_page(const ordered_json& document, const std::string& date) {
     each["case"] = failure.at("case");
     for (const char* key : {"expected", "actual"}) each[key] = shortened(failure.at(key).dump(), 200);
   }
-  for (const char* list : {"learnt", "not_judged", "misconceptions", "identical_wrong_outputs"})
+  for (const char* list : {"by_hand", "learnt", "not_judged", "misconceptions", "identical_wrong_outputs"})
     page[std::string("any_") + list] = !page[list].empty();
   return rendered_page(class_page_template, page, {{"style", page_style()}, {"rows", rows}});
 }

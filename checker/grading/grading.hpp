@@ -39,6 +39,20 @@ std::map<std::string, std::vector<RosterEntry>> read_gradescope(const std::strin
 /// its maximum grade.
 std::optional<std::string> filled_worksheet(const fs::path& roster, const nlohmann::ordered_json& document);
 
+/// What a person has decided about one exercise of a student, or about the whole. A row of overrides.csv.
+struct Override {
+  std::optional<double> points;    ///< in place of what was earned; those of the whole also of what lateness leaves
+  bool is_excused = false;         ///< it counts neither way
+  std::optional<std::int64_t> due = {};  ///< of the whole only
+  std::string sentence = {};       ///< all this and the comment, as it is shown
+
+  bool decides() const { return points || is_excused; }
+};
+
+/// By student and exercise; "": the whole. @throws GradingError
+using Overrides = std::map<std::string, std::map<std::string, Override>>;
+Overrides read_overrides(const fs::path& file, const Assignment& assignment);
+
 /// What was found for one exercise. Of files in several of these places those in the last one count.
 struct HandedIn {
   enum Place { under_another_name, anywhere, in_place };  ///< in place: where the workbook has it
@@ -64,6 +78,9 @@ struct Student {
   /// somebody else's.
   std::string dispute;
 
+  std::map<std::string, Override> by_hand = {};  ///< by exercise; "": the whole
+
+  Override whole() const { return by_hand.contains("") ? by_hand.at("") : Override{}; }
   bool is_missing() const { return files.empty() && dispute.empty(); }
 };
 
@@ -187,6 +204,9 @@ class ClassResults {
 
 /// Whose mark is another one than before, and why, a line each.
 std::vector<std::string> changed_marks(const nlohmann::ordered_json& before, const nlohmann::ordered_json& now);
+
+/// What a learning system tells the student of one result: nothing of one that passed, but what was decided by hand.
+std::string message_of(const nlohmann::ordered_json& mark);
 
 /// A document as it is written to a file.
 std::string indented(const nlohmann::ordered_json& document);

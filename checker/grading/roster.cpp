@@ -8,6 +8,7 @@
 #include <boost/algorithm/string/trim.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdlib>
 #include <set>
 
@@ -135,6 +136,58 @@ std::vector<RosterEntry> read_roster(const fs::path& file) {
   return entries;
 }
 
+Overrides read_overrides(const fs::path& file, const Assignment& assignment) {
+  const NamedTable table(file);
+  const auto student = table.column({"student", "id"}), exercise = table.column({"exercise"}),
+             points = table.column({"points"}), excuse = table.column({"excuse"}), due = table.column({"due"}),
+             comment = table.column({"comment"});
+  if (!student) table.refuse("the first line should name the columns, one of them student");
+  for (const std::string& heading : table.rows.front())
+    if (const auto at = table.column({heading}); at != student && at != exercise && at != points && at != excuse &&
+                                                 at != due && at != comment)
+      table.refuse(fmt::format("the column '{}' means nothing", shortened(printable(heading), 100)));
+  Overrides overrides;
+  for (std::size_t row = 1; row < table.rows.size(); ++row) {
+    const auto require = [&](bool is_so, const std::string& reason) {
+      if (!is_so) table.refuse(fmt::format("row {}: {}", row + 1, reason));
+    };
+    const std::string id = table.field(row, student), name = table.field(row, exercise);
+    require(!id.empty(), "the student is missing");
+    double most = 0;
+    for (const Exercise& each : assignment.exercises())
+      if (name.empty() || each.name() == name) most += each.entry->points;
+    require(most > 0, fmt::format("no exercise that is graded is called '{}'", shortened(printable(name), 100)));
+    Override by_hand;
+    std::vector<std::string> parts;
+    if (std::string text = table.field(row, points); !text.empty()) {
+      std::ranges::replace(text, ',', '.');
+      double number = -1;
+      const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
+      require(problem == std::errc() && end == text.data() + text.size() && number >= 0 && number <= most,
+              fmt::format("'points' should be a number from 0 to {:g}", most));
+      by_hand.points = number;
+      parts.push_back(fmt::format("{:g} {}", number, number == 1 ? "point" : "points"));
+    }
+    const std::string excused = boost::to_lower_copy(table.field(row, excuse)), time = table.field(row, due);
+    by_hand.is_excused = excused == "yes" || excused == "x" || excused == "true" || excused == "1";
+    require(by_hand.is_excused || excused.empty() || excused == "no" || excused == "false" || excused == "0",
+            "'excuse' should be yes or no");
+    require(!by_hand.is_excused || !by_hand.points, "who is excused gets no points");
+    if (by_hand.is_excused) parts.emplace_back("excused");
+    by_hand.due = read_time(time);
+    require(time.empty() || by_hand.due, "'due' should be a time like 2027-03-01T23:59:00Z");
+    require(time.empty() || name.empty(), "'due' is of the whole: leave the exercise empty");
+    if (by_hand.due) parts.push_back("due " + time);
+    by_hand.sentence = fmt::format("{}", fmt::join(parts, ", "));
+    if (const std::string said = table.field(row, comment); !said.empty())
+      by_hand.sentence += (parts.empty() ? "" : ": ") + shortened(printable(said), 1000);
+    require(!by_hand.sentence.empty(), "it says nothing");
+    require(overrides[id].emplace(name, by_hand).second,
+            fmt::format("{}{} is there twice", printable(id), name.empty() ? "" : ", " + name + ","));
+  }
+  return overrides;
+}
+
 std::map<std::string, std::vector<RosterEntry>> read_gradescope(const std::string& text) {
   std::map<std::string, std::vector<RosterEntry>> submitters;
   try {
@@ -170,20 +223,17 @@ std::optional<std::string> filled_worksheet(const fs::path& roster, const nlohma
     const auto& students = document.at("students");
     const auto found =
         std::ranges::find_if(students, [&](const auto& each) { return each.at("id") == worksheet_id(table, row); });
-    if (found == students.end() || !found->at("in_tables")) continue;
-    const auto is_judged = [](const auto& mark) { return mark.at("score").is_number(); };
-    if (!std::ranges::all_of(found->at("results"), is_judged)) continue;
+    if (found == students.end() || !found->at("in_gradebooks")) continue;
     const double possible = found->at("possible"), most = std::atof(table.field(row, maximum).c_str());
     const double scale = most > 0 && possible > 0 ? most / possible : 1;
     table.rows[row].resize(table.rows.front().size());
     table.rows[row][grade] = fmt::format("{:.2f}", scale * found->at("score").template get<double>());
-    std::vector<std::string> failed;
+    std::vector<std::string> said;
+    if (found->contains("by_hand")) said.push_back(found->at("by_hand"));
     for (const auto& mark : found->at("results"))
-      if (mark.at("verdict") != "passed")
-        failed.push_back(fmt::format("{}: {}", mark.at("exercise").template get<std::string>(),
-                                     mark.at("message").template get<std::string>()));
-    if (feedback)
-      table.rows[row][*feedback] = failed.empty() ? "All passed." : fmt::format("{}", fmt::join(failed, " "));
+      if (const std::string message = message_of(mark); !message.empty())
+        said.push_back(mark.at("exercise").template get<std::string>() + ": " + message);
+    if (feedback) table.rows[row][*feedback] = said.empty() ? "All passed." : fmt::format("{}", fmt::join(said, " "));
   }
   return write_csv(table.rows);
 }

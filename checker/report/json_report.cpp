@@ -67,6 +67,7 @@ ordered_json result_of(const CheckResult& checked) {
          {"result", has_result ? json_of(reply.value, checked.reference->result_kind) : nlohmann::json(nullptr)},
          {"errors", real.errors}});
   }
+  if (!checked.by_hand.empty()) result["by_hand"] = checked.by_hand;
   if (!checked.weak_sandbox.empty()) result["sandbox"] = checked.weak_sandbox;
   if (!judgement.waiting_for.empty()) result["waiting_for"] = judgement.waiting_for;
   if (!checked.observation.refusal_details.empty()) result["details"] = checked.observation.refusal_details;

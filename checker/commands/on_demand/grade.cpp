@@ -182,7 +182,7 @@ class Grader {
       std::vector<CheckResult> checked;
       std::vector<std::string> made_from(assignment_.exercises().size());
       for (std::size_t i = 0; i < made_from.size(); ++i)
-        checked.push_back(result(student, assignment_.exercises()[i], made_from[i]));
+        checked.push_back(decided(student, assignment_.exercises()[i], made_from[i]));
       const ordered_json document = results.add(student, checked, made_from);
       const fs::path file = out_ / "students" / student.slug;
       write_or_fail(file.string() + ".json", indented(document));
@@ -192,6 +192,10 @@ class Grader {
       page.notes = student.notes;
       page.notes.insert(page.notes.begin(), "Sandbox: " + sandbox + ".");
       page.counted.reset();
+      if (const Override whole = student.whole(); !whole.sentence.empty()) {
+        page.counted = document.at("student").at("score");
+        page.notes.push_back("By hand: " + whole.sentence);
+      }
       if (const int days = document.at("student").at("days_late"); days > 0) {
         page.counted = document.at("student").at("score");
         page.notes.push_back(fmt::format("Handed in {} late: {:g} % of the points count.",
@@ -232,6 +236,17 @@ class Grader {
     checked->reference = &reference;
     checked->share = assignment_.share(checked->judgement, hints_of(student, exercise));
     return *checked;
+  }
+
+  CheckResult decided(const Student& student, const Exercise& exercise, std::string& made_from) {
+    CheckResult checked = result(student, exercise, made_from);
+    checked.is_excused = student.whole().is_excused;
+    if (const auto by_hand = student.by_hand.find(exercise.name()); by_hand != student.by_hand.end()) {
+      checked.by_hand = by_hand->second.sentence;
+      checked.points_by_hand = by_hand->second.points;
+      checked.is_excused |= by_hand->second.is_excused;
+    }
+    return checked;
   }
 
   fs::path copy(const Student& student, const Exercise& exercise) const {
@@ -383,6 +398,14 @@ std::uint64_t own_seed(const Course& course, const Options& options, const Journ
   return (std::uint64_t{random()} << 20) ^ random();
 }
 
+/// @param students  all of the class. @throws GradingError if an override is of somebody else
+void require_known(const Overrides& overrides, const auto& students) {
+  for (const auto& [id, unused] : overrides)
+    if (std::ranges::none_of(students, [&](const auto& each) { return each.id == id; }))
+      throw GradingError(fmt::format("The overrides are of '{}', who is not in the class. Nothing was graded.",
+                                     shortened(printable(id), 100)));
+}
+
 /// Says how many have handed in, and what was not read. Returns whether that is all.
 bool print_intake(const Intake& intake, const ordered_json& document, const Options& options) {
   const std::vector<std::string> problems = document.at("problems"), missing = document.at("missing");
@@ -458,6 +481,13 @@ int grade(const Course& given, const Options& options) {
     const std::uint64_t handed_out = options.copy ? read_release(*options.copy).seed : course.seed();
     const Assignment assignment(course, options.assignment);
     const std::vector<RosterEntry> roster = options.roster ? read_roster(*options.roster) : std::vector<RosterEntry>{};
+    const fs::path kept_overrides = out / "overrides.csv";
+    const std::optional<fs::path> overrides_file = options.overrides          ? options.overrides
+                                                   : fs::exists(kept_overrides) ? std::optional(kept_overrides)
+                                                                                : std::nullopt;
+    const Overrides overrides = overrides_file ? read_overrides(*overrides_file, assignment) : Overrides{};
+    if (options.roster) require_known(overrides, roster);
+    const std::string overrides_text = overrides_file ? read_file(*overrides_file).value_or("") : "";
     const std::string forgotten = options.only.empty() ? "" : known_verdict(options.only);
     const Shard shard = options.shard.empty() ? Shard{} : read_shard(options.shard);
     const mode_t usual = ::umask(0077);  // results are nobody else's
@@ -488,9 +518,14 @@ int grade(const Course& given, const Options& options) {
     std::error_code ignored;
     const Intake intake = [&] {
       try {
-        return take_in(submissions, course, roster, out / "submissions", shard);
+        Intake taken = take_in(submissions, course, roster, out / "submissions", shard);
+        if (!options.shard.empty()) return taken;
+        require_known(overrides, taken.students);
+        for (Student& student : taken.students)
+          if (overrides.contains(student.id)) student.by_hand = overrides.at(student.id);
+        return taken;
       } catch (const GradingError&) {
-        if (is_new) fs::remove_all(out, ignored);
+        fs::remove_all(is_new ? out : out / "work", ignored);
         throw;
       }
     }();
@@ -508,6 +543,7 @@ int grade(const Course& given, const Options& options) {
     const ordered_json document = grader.write_results(intake, sandbox.sentence(), options.with_missing);
     print_changes(out / "class.json", document);
     write_or_fail(out / "class.json", indented(document));
+    if (overrides_file) write_or_fail(kept_overrides, overrides_text);
     if (options.roster)
       if (const auto worksheet = filled_worksheet(*options.roster, document))
         write_or_fail(out / "moodle_worksheet.csv", *worksheet);

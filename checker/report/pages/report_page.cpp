@@ -82,6 +82,7 @@ json entry_of(const ReportedExercise& exercise, const ReportedCourse& course) {
       {"cases",
        judgement.cases_total == 0 ? "" : fmt::format("{} of {}", judgement.cases_passed(), judgement.cases_total)},
       {"message", passed ? "" : judgement.message},
+      {"by_hand", checked.by_hand},
       {"sandbox", checked.weak_sandbox},
       {"next", passed ? "" : checked.next_step()},
       {"measured", json::array()},
