@@ -301,6 +301,7 @@ class CommandLine {
     option("--roster", "FILE", options_.roster, "CSV with the column id, or the table of a learning system");
     option("--assignment", "FILE", options_.assignment, "JSON: what is graded and what it is worth");
     option("--overrides", "FILE", options_.overrides, "CSV: points, excuses, due dates and comments by hand");
+    option("--attempts", "WHICH", options_.attempts, "last or best: each folder in a student's is an attempt");
     option("--reference", "FILE", options_.references, "judge by these reference results, made before, of one seed");
     option("--only", "VERDICT", options_.only, "judge once more what had this verdict, wrong_value for example");
     option("--shard", "K/N", options_.shard, "only judge the K-th of N parts of the class; --merge joins them");
@@ -447,7 +448,7 @@ class CommandLine {
         {"grade submissions --out grades", "grade submissions --who --roster class.csv", "grade week3.zip --out week3 --roster class.csv --assignment week3.json",
          "grade submissions --out part1 --shard 1/2 --seed 740296",
          "grade submissions --out grades --merge part1 part2"},
-        {"SUBMISSIONS", "--out class", "--who", "--roster", "--assignment", "--overrides", "--seed", "--copy", "--reference", "--only",
+        {"SUBMISSIONS", "--out class", "--who", "--roster", "--assignment", "--overrides", "--attempts", "--seed", "--copy", "--reference", "--only",
          "--with-missing", "--shard", "--merge", "--explain-minutes", "--allow-reduced"},
         grade)
         .get_option("--reference")

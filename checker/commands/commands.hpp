@@ -37,6 +37,7 @@ struct Options {
   std::string student;   ///< whose page it is; may be empty
   fs::path submissions;  ///< of a class: a folder or a zip file
   std::optional<fs::path> roster, assignment, overrides;
+  std::string attempts;                          ///< which one counts, "last" or "best"; "": they are not told apart
   std::vector<fs::path> references;              ///< reference results to judge by
   std::string only;                              ///< judge what has this verdict once more
   std::string shard;                             ///< "2/8": judge only this part of the class

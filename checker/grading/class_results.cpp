@@ -104,6 +104,7 @@ ordered_json ClassResults::add(const Student& student, const std::vector<CheckRe
   // A part of the marks would count as the whole.
   const auto is_judged = [](const ordered_json& mark) { return mark.at("score").is_number(); };
   entry["in_gradebooks"] = entry["in_tables"] && (whole.points || std::ranges::all_of(marks, is_judged));
+  if (!student.attempt.empty()) entry["attempt"] = student.attempt;
   entry["results"] = marks;
   students_.push_back(std::move(entry));
   return document;
@@ -181,9 +182,11 @@ std::vector<std::string> changed_marks(const ordered_json& before, const ordered
     const auto decided = [&](const std::string& what, const ordered_json& of) {
       return what + (by_hand(of).empty() ? "no longer decided by hand" : "by hand: " + by_hand(of));
     };
+    const bool is_other_attempt = old.value("attempt", "") != student.value("attempt", "");
+    if (is_other_attempt) reasons.emplace_back("another attempt");
     if (by_hand(old) != by_hand(student))
       reasons.push_back(decided("", student));
-    else if (old.at("late_factor") != student.at("late_factor"))
+    else if (!is_other_attempt && old.at("late_factor") != student.at("late_factor"))
       reasons.emplace_back("handed in at another time");
     for (const ordered_json& mark : student.at("results")) {
       const std::string exercise = name_of_mark(mark);

@@ -41,10 +41,10 @@ std::optional<std::string> filled_worksheet(const fs::path& roster, const nlohma
 
 /// What a person has decided about one exercise of a student, or about the whole. A row of overrides.csv.
 struct Override {
-  std::optional<double> points;    ///< in place of what was earned; those of the whole also of what lateness leaves
-  bool is_excused = false;         ///< it counts neither way
+  std::optional<double> points;  ///< in place of what was earned; those of the whole also of what lateness leaves
+  bool is_excused = false;       ///< it counts neither way
   std::optional<std::int64_t> due = {};  ///< of the whole only
-  std::string sentence = {};       ///< all this and the comment, as it is shown
+  std::string sentence = {};             ///< all this and the comment, as it is shown
 
   bool decides() const { return points || is_excused; }
 };
@@ -79,6 +79,8 @@ struct Student {
   std::string dispute;
 
   std::map<std::string, Override> by_hand = {};  ///< by exercise; "": the whole
+  std::string attempt = {};                      ///< which of several counts
+  std::vector<Student> attempts = {};  ///< in their order, where they are told apart; then there is no more yet
 
   Override whole() const { return by_hand.contains("") ? by_hand.at("") : Override{}; }
   bool is_missing() const { return files.empty() && dispute.empty(); }
@@ -101,9 +103,14 @@ Shard read_shard(const std::string& text);
 
 /// Takes in a folder per student, files called ID_EXERCISE.cpp, and zip files of both.
 /// @param copies  DIR/SLUG/EXERCISE.cpp is written there, but nothing if the submissions cannot be read
+/// @param by_attempts  in a student's folder, folders called as a time ("2027-03-01T12-00-00Z") or "attempt 2" hold an
+///                     attempt each; in an export of Gradescope, so does every submission
 /// @throws GradingError, std::runtime_error
 Intake take_in(const fs::path& submissions, const Course& course, const std::vector<RosterEntry>& roster,
-               const fs::path& copies, const Shard& shard = {});
+               const fs::path& copies, const Shard& shard = {}, bool by_attempts = false);
+
+/// Makes one attempt of a student the submission. @param why  "the last one"
+void take_attempt(Student& student, std::size_t number, const std::string& why, const fs::path& copies);
 
 /// One file of a zip file.
 struct Zipped {

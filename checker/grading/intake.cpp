@@ -58,8 +58,13 @@ Read read_of(const fs::path& file) {
 
 class Collector {
  public:
-  Collector(const Course& course, const std::vector<RosterEntry>& roster, fs::path copies, const Shard& shard)
-      : copies_(std::move(copies)), exercises_(course.exercises()), shard_(shard), has_roster_(!roster.empty()) {
+  Collector(const Course& course, const std::vector<RosterEntry>& roster, fs::path copies, const Shard& shard,
+            bool by_attempts)
+      : copies_(std::move(copies)),
+        exercises_(course.exercises()),
+        shard_(shard),
+        has_roster_(!roster.empty()),
+        by_attempts_(by_attempts) {
     for (const Exercise& exercise : exercises_) names_.push_back(exercise.name() + ".cpp");
     for (const RosterEntry& entry : roster) {
       add(entry);
@@ -101,6 +106,10 @@ class Collector {
         if (!meant || *meant == nobody) continue;
         owners.push_back(*meant);
         Student& student = intake.students[*meant];
+        if (by_attempts_) {
+          attempt(student, folder, person.submitted, person.submitted.value_or(0));
+          continue;
+        }
         if (!student.submitted) student.submitted = person.submitted;
         if (!student.entry.empty() && student.entry != folder) dispute(student, student.entry, folder);
         student.entry = folder;
@@ -328,6 +337,34 @@ class Collector {
     return *meant.begin();
   }
 
+  /// That of the name; a new one takes its place in their order.
+  Student& attempt(Student& student, const std::string& name, const std::optional<std::int64_t>& submitted,
+                   std::int64_t order) {
+    if (const auto known = std::ranges::find(student.attempts, name, &Student::entry); known != student.attempts.end())
+      return *known;
+    Student made;
+    made.id = student.id;
+    made.slug = fmt::format("{}/attempts/{}", student.slug, student.attempts.size() + 1);
+    made.submitted = submitted;
+    made.entry = name;
+    std::vector<std::int64_t>& orders = orders_[student.id];
+    const auto at = std::ranges::upper_bound(orders, order) - orders.begin();
+    orders.insert(orders.begin() + at, order);
+    return *student.attempts.insert(student.attempts.begin() + at, std::move(made));
+  }
+
+  Student& attempt_of(Student& student, const std::vector<std::string>& parts) {
+    if (!groups_.empty() && !student.attempts.empty()) return attempt(student, parts.front(), {}, 0);
+    if (!by_attempts_ || parts.size() < 2) return student;
+    std::string name = parts[1];
+    if (name.size() > 16 && name[13] == '-' && name[16] == '-') name[13] = name[16] = ':';  // which Windows has not
+    if (const auto time = read_time(name)) return attempt(student, parts[1], time, *time);
+    boost::to_lower(name);
+    const std::string number = name.starts_with("attempt") ? name.substr(name.find_first_not_of(" _-", 7)) : "";
+    return is_number(number) && number.size() < 10 ? attempt(student, parts[1], student.submitted, std::stoi(number))
+                                                   : student;
+  }
+
   static void dispute(Student& student, const std::string& one, const std::string& other) {
     if (student.dispute.empty())
       student.dispute = fmt::format("'{}' and '{}' both name this student; leave only what is theirs.",
@@ -383,12 +420,13 @@ class Collector {
       return;
     }
     if (is_progress) {
-      for (Student* student : students_of(parts.front())) take_progress(*student, read, shown);
+      for (Student* student : students_of(parts.front())) take_progress(attempt_of(*student, parts), read, shown);
       return;
     }
     if (parts.size() == 1) return take_flat(parts.front(), read);
     if (parts.front() == "__MACOSX") return;
-    for (Student* student : students_of(parts.front())) take_file(*student, parts.back(), relative, shown, read);
+    for (Student* student : students_of(parts.front()))
+      take_file(attempt_of(*student, parts), parts.back(), relative, shown, read);
   }
 
   void take_file(Student& student, const std::string& name, const std::string& relative, const std::string& shown,
@@ -478,7 +516,8 @@ class Collector {
   const fs::path copies_;
   const std::vector<Exercise> exercises_;
   const Shard shard_;
-  const bool has_roster_;
+  const bool has_roster_, by_attempts_;
+  std::map<std::string, std::vector<std::int64_t>> orders_;  ///< of the attempts, by student
   std::vector<std::string> names_;
   std::map<std::string, std::size_t> students_;              ///< by id
   std::map<std::string, std::string> aliases_, full_names_;  ///< ids by names in lower case; "": of several students
@@ -518,12 +557,12 @@ Shard read_shard(const std::string& text) {
 }
 
 Intake take_in(const fs::path& submissions, const Course& course, const std::vector<RosterEntry>& roster,
-               const fs::path& copies, const Shard& shard) {
+               const fs::path& copies, const Shard& shard, bool by_attempts) {
   std::error_code problem;
   const fs::file_type type = fs::status(submissions, problem).type();
   if (type != fs::file_type::directory && !(type == fs::file_type::regular && submissions.extension() == ".zip"))
     throw GradingError(fmt::format("{} is neither a folder nor a zip file.", shown_path(submissions)));
-  Collector collector(course, roster, copies, shard);
+  Collector collector(course, roster, copies, shard, by_attempts);
   std::vector<Zipped> zipped;
   if (type == fs::file_type::regular) zipped = collector.zipped_class(submissions);
   if (type == fs::file_type::directory) fs::directory_iterator(submissions, problem);
@@ -538,7 +577,29 @@ Intake take_in(const fs::path& submissions, const Course& course, const std::vec
   }
   collector.doubt_single_student();
   fs::remove(copies / ".unpacked", problem);
+  for (Student& student : collector.intake.students)
+    if (!student.attempts.empty() && !student.files.empty())
+      student.unread.push_back(student.notes.emplace_back("Files beside the folders of the attempts were not read."));
   return std::move(collector.intake);
+}
+
+void take_attempt(Student& student, std::size_t number, const std::string& why, const fs::path& copies) {
+  Student& taken = student.attempts[number];
+  std::error_code ignored;
+  for (const auto& file : fs::directory_iterator(copies / student.slug, ignored))
+    if (file.is_regular_file()) fs::remove(file, ignored);
+  for (const auto& file : fs::directory_iterator(copies / taken.slug, ignored))
+    fs::rename(file, copies / student.slug / file.path().filename());
+  fs::remove_all(copies / student.slug / "attempts", ignored);
+  student.files = std::move(taken.files);
+  student.hints = std::move(taken.hints);
+  student.submitted = taken.submitted;
+  student.attempt = taken.entry;
+  std::ranges::copy(taken.notes, std::back_inserter(student.notes));
+  std::ranges::copy(taken.unread, std::back_inserter(student.unread));
+  student.notes.push_back(fmt::format("Of {} '{}' counts, {}.", plural(student.attempts.size(), "attempt"),
+                                      shortened(printable(taken.entry), 100), why));
+  student.attempts.clear();
 }
 
 }  // namespace workbook

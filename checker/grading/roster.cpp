@@ -143,8 +143,8 @@ Overrides read_overrides(const fs::path& file, const Assignment& assignment) {
              comment = table.column({"comment"});
   if (!student) table.refuse("the first line should name the columns, one of them student");
   for (const std::string& heading : table.rows.front())
-    if (const auto at = table.column({heading}); at != student && at != exercise && at != points && at != excuse &&
-                                                 at != due && at != comment)
+    if (const auto at = table.column({heading});
+        at != student && at != exercise && at != points && at != excuse && at != due && at != comment)
       table.refuse(fmt::format("the column '{}' means nothing", shortened(printable(heading), 100)));
   Overrides overrides;
   for (std::size_t row = 1; row < table.rows.size(); ++row) {

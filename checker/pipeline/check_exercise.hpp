@@ -47,15 +47,13 @@ struct CheckResult {
   const ExerciseReference* reference = nullptr;
   std::string weak_sandbox;     ///< what held the function back no further than that; empty: it could reach nothing
   std::optional<double> share;  ///< of the points that it earns, where that is not all or nothing
-  std::string by_hand;          ///< what a person has decided about it, in one sentence; such points take the place of others
+  std::string by_hand;  ///< what a person has decided about it, in one sentence; such points take the place of others
   std::optional<double> points_by_hand;
   bool is_excused = false;  ///< by hand: it counts neither way
 
   const std::string& name() const { return task.exercise.name(); }
   double points() const { return is_excused ? 0.0 : task.exercise.entry->points; }
-  double score() const {
-    return points_by_hand.value_or(points() * share.value_or(judgement.passed() ? 1.0 : 0.0));
-  }
+  double score() const { return points_by_hand.value_or(points() * share.value_or(judgement.passed() ? 1.0 : 0.0)); }
   bool is_judged() const { return judgement.verdict != Verdict::checker_error || is_excused || points_by_hand; }
   bool is_started() const { return judgement.verdict != Verdict::not_started; }
   /// The case to be shown of a failure, where there are values.

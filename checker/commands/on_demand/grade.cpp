@@ -132,12 +132,10 @@ class Grader {
     for (const Exercise& exercise : all_) {
       write_or_fail(stub(exercise), stub_text(exercise, declared_signature(context_.course(), exercise)));
     }
-    for (const Student& student : intake.students)
-      for (const Exercise& exercise : assignment_.exercises()) {
-        if (!student.dispute.empty() || is_refused(student, exercise)) continue;
-        const std::string key = content_of(student, exercise).key;
-        if (!journal_.has(key) && keys_.insert(key).second) waiting_.push_back({&student, exercise});
-      }
+    for (const Student& student : intake.students) {
+      plan(student);
+      for (const Student& attempt : student.attempts) plan(attempt);
+    }
   }
 
   std::size_t left_to_judge() const { return waiting_.size(); }
@@ -165,6 +163,22 @@ class Grader {
                fmt::format("about {} s left", std::chrono::ceil<std::chrono::seconds>(left).count()));
     });
     journal_.sync();
+  }
+
+  /// Of each student's attempts the one with the most points counts, of equal ones the last.
+  void take_best_attempts(Intake& intake) {
+    for (Student& student : intake.students) {
+      std::pair<double, std::size_t> best;
+      for (std::size_t k = 0; k < student.attempts.size(); ++k) {
+        const Student& attempt = student.attempts[k];
+        double points = 0;
+        std::string unused;
+        for (const Exercise& exercise : assignment_.exercises()) points += result(attempt, exercise, unused).score();
+        points *= assignment_.late_factor(assignment_.days_late(attempt.submitted, student.whole().due));
+        best = std::max(best, {points, k});
+      }
+      if (!student.attempts.empty()) take_attempt(student, best.second, "the best one", out_ / "submissions");
+    }
   }
 
   /// Files for every student, then those for the class; class.json comes last: it is what the next run compares with.
@@ -213,6 +227,14 @@ class Grader {
   }
 
  private:
+  void plan(const Student& student) {
+    for (const Exercise& exercise : assignment_.exercises()) {
+      if (!student.dispute.empty() || is_refused(student, exercise)) continue;
+      const std::string key = content_of(student, exercise).key;
+      if (!journal_.has(key) && keys_.insert(key).second) waiting_.push_back({&student, exercise});
+    }
+  }
+
   /// @param made_from  gets the fingerprint of what the result was made from
   CheckResult result(const Student& student, const Exercise& exercise, std::string& made_from) {
     const CheckTask task{exercise, copy(student, exercise), seed_, true, false};
@@ -482,12 +504,14 @@ int grade(const Course& given, const Options& options) {
     const Assignment assignment(course, options.assignment);
     const std::vector<RosterEntry> roster = options.roster ? read_roster(*options.roster) : std::vector<RosterEntry>{};
     const fs::path kept_overrides = out / "overrides.csv";
-    const std::optional<fs::path> overrides_file = options.overrides          ? options.overrides
+    const std::optional<fs::path> overrides_file = options.overrides            ? options.overrides
                                                    : fs::exists(kept_overrides) ? std::optional(kept_overrides)
                                                                                 : std::nullopt;
     const Overrides overrides = overrides_file ? read_overrides(*overrides_file, assignment) : Overrides{};
     if (options.roster) require_known(overrides, roster);
     const std::string overrides_text = overrides_file ? read_file(*overrides_file).value_or("") : "";
+    if (!options.attempts.empty() && options.attempts != "last" && options.attempts != "best")
+      throw GradingError("--attempts should be last or best.");
     const std::string forgotten = options.only.empty() ? "" : known_verdict(options.only);
     const Shard shard = options.shard.empty() ? Shard{} : read_shard(options.shard);
     const mode_t usual = ::umask(0077);  // results are nobody else's
@@ -516,9 +540,13 @@ int grade(const Course& given, const Options& options) {
     give_up_root(out, needed, sandbox.tier() < SandboxTier::full);
     use_sandbox(sandbox);
     std::error_code ignored;
-    const Intake intake = [&] {
+    Intake intake = [&] {
       try {
-        Intake taken = take_in(submissions, course, roster, out / "submissions", shard);
+        Intake taken = take_in(submissions, course, roster, out / "submissions", shard, !options.attempts.empty());
+        if (options.attempts == "last")
+          for (Student& student : taken.students)
+            if (!student.attempts.empty())
+              take_attempt(student, student.attempts.size() - 1, "the last one", out / "submissions");
         if (!options.shard.empty()) return taken;
         require_known(overrides, taken.students);
         for (Student& student : taken.students)
@@ -540,6 +568,7 @@ int grade(const Course& given, const Options& options) {
                  command("grade SUBMISSIONS --out FOLDER --merge " + shell_quoted(options.out->string())));
       return grader.failed() == 0 ? all_passed : checker_failed;
     }
+    grader.take_best_attempts(intake);
     const ordered_json document = grader.write_results(intake, sandbox.sentence(), options.with_missing);
     print_changes(out / "class.json", document);
     write_or_fail(out / "class.json", indented(document));
