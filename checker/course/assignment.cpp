@@ -110,6 +110,7 @@ std::optional<std::int64_t> read_time(const std::string& text) {
 namespace {
 
 constexpr double seconds_per_day = 86400;
+constexpr double most_of_a_wrong_answer = 0.75;  // one case of hundreds may be all that shows that it is wrong
 
 std::string text_of(const fs::path& file) {
   const std::optional<std::string> text = read_file(file, std::size_t{16} << 20);
@@ -141,7 +142,8 @@ Assignment::Assignment(const Course& course, const std::optional<fs::path>& file
   const std::string text = file ? text_of(*file) : "";
   if (file) try {
       const json document = json::parse(text);
-      require_known(document, "the file", {"title", "exercises", "due", "late", "hint_cost", "partial"});
+      require_known(document, "the file",
+                    {"title", "exercises", "due", "late", "hint_cost", "partial", "misconceptions"});
       title_ = document.value("title", "");
       for (const json& each : document.value("exercises", json::array())) {
         const std::string name = each.is_object() ? each.at("name").get<std::string>() : each.get<std::string>();
@@ -164,7 +166,13 @@ Assignment::Assignment(const Course& course, const std::optional<fs::path>& file
         late_ = {number_between(late, "per_day", 0, 1), static_cast<int>(number_between(late, "days", 0, 10000))};
       }
       if (document.contains("hint_cost")) hint_cost_ = number_between(document, "hint_cost", 0, 1);
-      is_partial_ = document.value("partial", false);
+      const json partial = document.value("partial", json(false));
+      if (!partial.is_boolean() && partial != "groups")
+        throw std::runtime_error("'partial' should be true, false or \"groups\"");
+      partial_ = partial == "groups" ? Partial::groups : partial == true ? Partial::cases : Partial::none;
+      const json shares = document.value("misconceptions", json::object());
+      for (const auto& [name, unused] : shares.items())
+        misconceptions_[name] = number_between(shares, name.c_str(), 0, most_of_a_wrong_answer);
     } catch (const json::exception& problem) {
       const std::string reason = problem.what();  // "[json.exception.…] (/late/days) key …"
       throw GradingError(fmt::format("{}: {}.", shown_path(*file), printable(reason.substr(reason.find(']') + 2))));
@@ -191,19 +199,52 @@ double Assignment::late_factor(int days) const {
   return days > late_->latest_day ? 0.0 : std::max(0.0, 1.0 - late_->per_day * days);
 }
 
-double Assignment::share(const Judgement& judgement, std::size_t hints) const {
+double Assignment::earned(const Judgement& judgement, const ExerciseReference& reference,
+                          const std::vector<std::string>& misconceptions) const {
+  if (judgement.passed()) return 1.0;
   // A crash, a call that is forbidden or a value that changes is no part of an answer.
-  const bool has_values = judgement.verdict == Verdict::wrong_value || judgement.verdict == Verdict::non_finite_value;
-  const double earned = judgement.passed() ? 1.0
-                        : is_partial_ && has_values
-                            ? static_cast<double>(judgement.cases_passed()) / static_cast<double>(judgement.cases_total)
-                            : 0.0;
-  return earned * std::max(0.0, 1.0 - hint_cost_ * static_cast<double>(hints));
+  if (judgement.verdict != Verdict::wrong_value && judgement.verdict != Verdict::non_finite_value) return 0.0;
+  double most = 0.0;
+  for (const std::string& name : misconceptions)
+    for (const std::string& key : {name, reference.name + "/" + name})
+      if (misconceptions_.contains(key)) most = std::max(most, misconceptions_.at(key));
+  if (partial_ == Partial::cases)
+    most = std::max(most, std::min(most_of_a_wrong_answer, static_cast<double>(judgement.cases_passed()) /
+                                                               static_cast<double>(judgement.cases_total)));
+  if (partial_ == Partial::groups) {
+    std::array<int, 3> all{}, wrong{};  // ordinary, special and generated
+    const auto group = [&](std::size_t index) {
+      const Group of = reference.cases.at(index).group;
+      return of == Group::special ? 1 : of == Group::generated ? 2 : 0;
+    };
+    for (std::size_t i = 0; i < reference.cases.size(); ++i) ++all[group(i)];
+    for (const std::size_t i : judgement.failing) ++wrong[group(i)];
+    double groups = 0, right = 0;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      groups += all[k] > 0 ? 1 : 0;
+      right += all[k] > 0 && wrong[k] == 0 ? 1 : 0;
+    }
+    if (wrong[0] == 0) most = std::max(most, right / groups);
+  }
+  return most;
+}
+
+double Assignment::share(const Judgement& judgement, const ExerciseReference& reference,
+                         const std::vector<std::string>& misconceptions, std::size_t hints) const {
+  return earned(judgement, reference, misconceptions) * std::max(0.0, 1.0 - hint_cost_ * static_cast<double>(hints));
 }
 
 std::vector<std::string> Assignment::rules(bool hints_are_known) const {
   std::vector<std::string> sentences;
-  if (is_partial_) sentences.emplace_back("Values that are right at some of the cases earn that part of the points.");
+  if (partial_ == Partial::cases)
+    sentences.push_back(
+        fmt::format("Values that are right at some of the cases earn that part of the points, at most {:g} %.",
+                    100 * most_of_a_wrong_answer));
+  if (partial_ == Partial::groups)
+    sentences.emplace_back(
+        "Values that are right at all ordinary cases, but not at all special or all varied ones, earn a part of the "
+        "points for each of these groups that is right in full.");
+  if (!misconceptions_.empty()) sentences.emplace_back("Some mistakes that are recognised earn a part of the points.");
   if (has_hint_cost())
     sentences.push_back(fmt::format("Each hint that was shown costs {:g} % of what its exercise earns{}",
                                     100 * hint_cost_,

@@ -23,8 +23,8 @@ Table read_csv(std::string_view text, char separator = ',');
 /// The same, written. What a spreadsheet would take for a formula gets an apostrophe in front.
 std::string write_csv(const Table& table);
 
-/// Seconds since 1970 of "2027-03-01T23:59:00Z" or "2027-03-01 23:59:00.12 +0100". Without a zone nothing is read, so that
-/// none is guessed, and no day that its month does not have.
+/// Seconds since 1970 of "2027-03-01T23:59:00Z" or "2027-03-01 23:59:00.12 +0100". Without a zone nothing is read, so
+/// that none is guessed, and no day that its month does not have.
 std::optional<std::int64_t> read_time(const std::string& text);
 
 /// What is graded, and what it is worth.
@@ -48,8 +48,12 @@ class Assignment {
   /// What is left of the points after so many days: all, where the file does not say what lateness costs.
   double late_factor(int days) const;
 
-  /// What an exercise earns of its points. @param hints  that have been shown
-  double share(const Judgement& judgement, std::size_t hints) const;
+  /// What an exercise earns of its points. @param misconceptions  that were recognised. @param hints  that have been
+  /// shown
+  double share(const Judgement& judgement, const ExerciseReference& reference,
+               const std::vector<std::string>& misconceptions, std::size_t hints) const;
+  /// What wrong answers with these misconceptions earn, by "NAME" or "EXERCISE/NAME".
+  const std::map<std::string, double>& misconceptions() const { return misconceptions_; }
   bool has_hint_cost() const { return hint_cost_ > 0; }
   /// What a student is told about the points, apart from lateness.
   std::vector<std::string> rules(bool hints_are_known) const;
@@ -66,7 +70,14 @@ class Assignment {
   };
   std::optional<Late> late_;
   double hint_cost_ = 0.0;
-  bool is_partial_ = false;
+  /// What wrong values earn for the cases at which they are right: nothing, the share of the cases, or that of the
+  /// groups of cases that are right in full.
+  enum class Partial { none, cases, groups };
+  double earned(const Judgement& judgement, const ExerciseReference& reference,
+                const std::vector<std::string>& misconceptions) const;
+
+  Partial partial_ = Partial::none;
+  std::map<std::string, double> misconceptions_;
 };
 
 }  // namespace workbook

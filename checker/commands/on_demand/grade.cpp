@@ -128,6 +128,20 @@ class Grader {
     tools_ = tools_fingerprint(context_.course(), context_.toolchain()) + to_string(tier);
   }
 
+  /// @throws GradingError where the assignment names a misconception that no exercise has
+  void require_misconceptions() {
+    std::set<std::string> known;
+    for (const Exercise& exercise : assignment_.exercises())
+      for (const Misconception& each : context_.reference({exercise, {}, seed_}).misconceptions)
+        known.insert({each.name, exercise.name() + "/" + each.name});
+    for (const auto& [name, unused] : assignment_.misconceptions())
+      if (!known.contains(name))
+        throw GradingError(
+            fmt::format("'misconceptions' of the assignment names '{}', which no exercise that is graded "
+                        "has. Nothing was graded.",
+                        shortened(printable(name), 100)));
+  }
+
   void begin(const Intake& intake) {
     for (const Exercise& exercise : all_) {
       write_or_fail(stub(exercise), stub_text(exercise, declared_signature(context_.course(), exercise)));
@@ -151,7 +165,7 @@ class Grader {
     const auto begin = [&](std::size_t k) {
       const auto& [student, exercise] = waiting_[k];
       return begin_job(contents[k] = content_of(*student, exercise), exercise, k,
-                       explaining[student] < explain_minutes_);
+                       explaining[student] < explain_minutes_ || !assignment_.misconceptions().empty());
     };
     run_jobs(waiting_.size(), begin, [&](std::size_t k, CheckJob& job) {
       explaining[waiting_[k].first] += job.explaining();
@@ -256,7 +270,10 @@ class Grader {
     }
     checked->task = task;
     checked->reference = &reference;
-    checked->share = assignment_.share(checked->judgement, hints_of(student, exercise));
+    std::vector<std::string> misconceptions;
+    for (const Diagnosis& diagnosis : checked->explanation.diagnoses)
+      if (diagnosis.kind == DiagnosisKind::misconception) misconceptions.push_back(diagnosis.name);
+    checked->share = assignment_.share(checked->judgement, reference, misconceptions, hints_of(student, exercise));
     return *checked;
   }
 
@@ -299,7 +316,8 @@ class Grader {
     for (const Submission& own : own_functions(text, context_.course().exercises_before(exercise),
                                                [&](auto& each) { return file_of(student, each); }))
       content.files.emplace_back(own.path.stem().string(), own.text);
-    std::string judged_by = tools_;
+    // Where reasons earn points, a result whose reasons were left out will not do.
+    std::string judged_by = tools_ + (assignment_.misconceptions().empty() ? "" : "explained");
     for (const auto& [name, file] : content.files) {
       content.bytes.append(name).append(1, '\0').append(file).append(1, '\0');
       judged_by += reference_fingerprint(name);
@@ -542,6 +560,7 @@ int grade(const Course& given, const Options& options) {
     std::error_code ignored;
     Intake intake = [&] {
       try {
+        grader.require_misconceptions();
         Intake taken = take_in(submissions, course, roster, out / "submissions", shard, !options.attempts.empty());
         if (options.attempts == "last")
           for (Student& student : taken.students)
