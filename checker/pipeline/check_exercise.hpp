@@ -6,19 +6,11 @@
 #include "checker/compile/toolchain.hpp"
 #include "checker/course/course.hpp"
 #include "checker/data/observation.hpp"
-#include "checker/explain/values/diagnosis.hpp"
+#include "checker/explain/explain.hpp"
 #include "checker/judging/judge.hpp"
 #include "checker/source/submission.hpp"
 
 namespace workbook {
-
-/// Why a function failed: what is so in its code, and what its values tell. A help, never a grade.
-struct Explanation {
-  std::vector<Finding> findings;
-  std::vector<Diagnosis> diagnoses;
-
-  bool is_empty() const { return findings.empty() && diagnoses.empty(); }
-};
 
 /// What is to be checked.
 struct CheckTask {

@@ -83,7 +83,7 @@ Violation descent(const Value& value, double scale) {
     const double before = value.numbers[n - 1], here = value.numbers[n];
     consider(worst, (before - here) / scale, [&] {
       const auto [first, second] = distinct_texts(before, here, shown_digits);
-      return fmt::format("component {} is {}, component {} is {}", n, first, n + 1, second);
+      return fmt::format("component [{}] is {}, component [{}] is {}", n - 1, first, n, second);
     });
   }
   return worst;

@@ -214,7 +214,7 @@ std::optional<Diagnosis> diagnose_wrong_part(const ExerciseReference& exercise, 
   for (const InputTransform& each : exercise.input_transforms)
     if (agrees_there(each.outputs))
       return Diagnosis{DiagnosisKind::input_transform, each.name,
-                       fmt::format("At every case {} {} the right one for {}; all other numbers are right.",
+                       fmt::format("At every case {} {} right for {}; all other numbers are right.",
                                    listed(names), names.size() == 1 ? "is" : "are", each.message)};
   return std::nullopt;
 }

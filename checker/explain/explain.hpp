@@ -1,0 +1,39 @@
+/// @file
+/// Why a function failed: from the evidence to the reasons. What it says is a help and never a grade: no verdict
+/// depends on it, and one that throws costs a reason.
+#pragma once
+
+#include "checker/compile/compile.hpp"
+#include "checker/explain/diagnostic_run.hpp"
+#include "checker/explain/values/diagnosis.hpp"
+#include "checker/sandbox/worker_process.hpp"
+
+namespace workbook {
+
+/// What is so in the code of a function, and what its values tell.
+struct Explanation {
+  std::vector<Finding> findings;
+  std::vector<Diagnosis> diagnoses;
+
+  bool is_empty() const { return findings.empty() && diagnoses.empty(); }
+};
+
+/// A file that was compiled, run and judged, and what it can be asked with.
+struct Evidence {
+  DiagnosticTask task;
+  CompileTask compile_task;
+  const Compilation& compilation;
+  ExerciseRunner& runner;  ///< for further calls
+  const Toolchain& toolchain;
+  std::filesystem::path cache;
+};
+
+/// True where values came back of which some are wrong.
+bool has_values(Verdict verdict);
+
+/// From the most certain reason on: a slip of C++ that repairs the values, what the values tell as a whole, a run under
+/// sanitizers, one changed token, a branch, an input without effect.
+/// @throws std::exception where what it needs cannot be had
+Explanation explain(const Evidence& evidence);
+
+}  // namespace workbook
