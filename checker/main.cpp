@@ -242,6 +242,10 @@ class CommandLine {
 
   /// What a command could not use is refused before anything is built for it. @throws UsageError
   void require_usable(const Course& course, const CLI::App& command) {
+    if (command.get_name() == "try" && options_.case_name) {
+      if (!options_.file) throw UsageError(fmt::format("--case needs an exercise: `{}`.", workbook::command("try --case 3 EXERCISE")));
+      options_.name = course.find_exercise(known_name(course, *options_.file)).name();
+    }
     const auto require_file = [](const fs::path& file, const char* what) {
       std::error_code ignored;
       if (fs::exists(file, ignored) && !fs::is_directory(file, ignored)) return;
@@ -253,7 +257,7 @@ class CommandLine {
       if (name == "NAME") course.choose(options_.names.empty() ? std::vector{options_.name} : options_.names);
       if (name == "EXERCISE") course.find_exercise(options_.name);
       if (name == "LECTURE") options_.name = course.find(options_.name).front().lecture();
-      if (name == "FILE") require_file(*options_.file, "a program in C++ with main()");
+      if (name == "FILE" && !options_.case_name) require_file(*options_.file, "a program in C++ with main()");
       if (name == "--roster") require_file(*options_.roster, "a table in CSV");
       if (name == "--assignment") require_file(*options_.assignment, "what is graded, in JSON,");
       if (name == "--html") require_page(options_.html);
@@ -279,7 +283,8 @@ class CommandLine {
     option("--file", "FILE", options_.file, "check this file instead of the exercise's own");
     option("--seed", "NUMBER", seed_, "draw other random cases");
     option("--case", "CASE", options_.case_name, "show this case in full, by number or name, even if it passes");
-    option("FILE", "", options_.file, "a program with main(), in C++");
+    option("FILE or EXERCISE", "", options_.file, "a program with main(), in C++; with --case an exercise");
+    option("--case try", "CASE", options_.case_name, "every variable of your function at this case, by number or name");
     option("--case debug", "CASE", options_.case_name, "stop at this case, by number or name");
     option("--build-only", "", options_.build_only, "only build the program, for an editor's debugger");
     option("PREDICTION", "", options_.predictions, "a case and the numbers of its result: '4=0 0 1.5'");
@@ -383,12 +388,13 @@ class CommandLine {
         {"examples 03"}, {"LECTURE"}, examples);
     add("try", students,
         "Run a program of your own that calls your functions\n\nWithout a file it is lectures/try.cpp, which the first "
-        "time is written for you. Only the functions that it names are compiled with it.",
-        {"try", "try drafts/spin.cpp"}, {"FILE"}, try_out);
+        "time is written for you. Only the functions that it names are compiled with it. With --case it shows every "
+        "variable of your function at this case, line by line, and the result beside the expected one; that needs gdb.",
+        {"try", "try drafts/spin.cpp", "try --case 3 euler_equations"}, {"FILE or EXERCISE", "--case try"}, try_out);
     add("debug", students,
         "Step through your function with gdb\n\nStops where your function begins, at the first case that fails, or at "
         "the given one. Vectors and matrices are shown as numbers, and computed with as in C++: `info args`, `next`, `print 2*I*omega`, "
-        "`print I(0,1)`, `print omega.dot(L)`.",
+        "`print I(0,1)`, `print omega.dot(L)`. At the end of the case stand the expected result and yours.",
         {"debug euler_equations", "debug euler_equations --case 4"}, {"EXERCISE", "--case debug", "--build-only"},
         debug);
     add("predict", students,

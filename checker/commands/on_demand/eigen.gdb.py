@@ -3,6 +3,7 @@ import ast
 import gdb
 import gdb.printing
 import math
+import os
 
 
 class EigenMatrix:
@@ -155,6 +156,12 @@ def read(value):
     return None
 
 
+def shown(known):
+    if isinstance(known, list):
+        return ", ".join(map(str, known))
+    return str(known) if isinstance(known, Matrix) else "%.9g" % known
+
+
 class Print(gdb.Command):
     """Print an expression: with vectors and matrices as in C++, for example I*omega, I(0,1), L.norm(), 2*L - a.cross(b)."""
 
@@ -175,10 +182,105 @@ class Print(gdb.Command):
             result = eval(compile(tree, "print", "eval"), {"__builtins__": {}}, values | known)
         except (TypeError, AttributeError, IndexError, ValueError, ZeroDivisionError) as problem:
             raise gdb.GdbError("This cannot be computed here: %s." % problem)
-        gdb.write("%s = %s\n" % (argument.strip(), ", ".join(map(str, result)) if isinstance(result, list) else result if isinstance(result, Matrix) else "%.9g" % result))
+        gdb.write("%s = %s\n" % (argument.strip(), shown(result)))
+
+
+def text(value):
+    """As `print` shows it."""
+    known = read(value)
+    if known is not None:
+        return shown(known)
+    of = str(value.type.strip_typedefs().unqualified())
+    is_formula = of.startswith("Eigen::") and not of.startswith("Eigen::Quaternion")
+    return "a formula that is computed where it is used (auto)" if is_formula else str(value)
+
+
+class Compared(gdb.Breakpoint):
+    """Where the program of a case has its result."""
+    write = staticmethod(gdb.write)
+
+    def __init__(self):
+        super().__init__("compared", internal=True)
+
+    def stop(self):
+        main = gdb.newest_frame().older()
+        for name in ("expected", "yours"):
+            self.write("%s = %s\n" % (name, text(main.read_var(name))))
+        return False
+
+
+class Intermediate(gdb.Command):
+    """intermediate FUNCTION: runs to the end, and shows every variable of the function where it gets a value."""
+
+    most_steps, most_values = 3000, 4
+
+    def __init__(self):
+        super().__init__("intermediate", gdb.COMMAND_RUNNING)
+
+    def variables(self, frame):
+        """Those of the function that are in sight, by name; an inner one hides an outer one."""
+        found, block = {}, frame.block()
+        while block is not None:
+            for symbol in block:
+                if symbol.is_variable or symbol.is_argument:
+                    found.setdefault(symbol.name, symbol)
+            block = None if block.function else block.superblock
+        return found
+
+    def write(self, words):
+        os.write(1, words.encode())  # where gdb's own messages are silenced
+
+    def invoke(self, function, from_tty):
+        Compared.write = self.write
+        gdb.execute("tbreak " + function)
+        gdb.execute("run")
+        known, shown, signals, depth = {}, {}, [], self.depth()
+        gdb.events.stop.connect(lambda stop: signals.append(stop.stop_signal) if isinstance(stop, gdb.SignalEvent) else None)
+        for name, symbol in self.variables(gdb.newest_frame()).items():
+            known[name] = text(symbol.value(gdb.newest_frame()))
+            if symbol.is_argument:
+                self.write("%s = %s\n" % (name, known[name]))
+        for _ in range(self.most_steps):
+            line = gdb.newest_frame().find_sal().line
+            gdb.execute("next")
+            if signals:
+                return self.write("line %d: the program received %s\n" % (line, signals[0]))
+            if self.depth() != depth:
+                break
+            frame = gdb.newest_frame()
+            for name, symbol in self.variables(frame).items():
+                value = text(symbol.value(frame))
+                if line >= symbol.line and (known.get(name) != value or line == symbol.line):
+                    self.show(shown, line, name, value)
+                known[name] = value
+        for (line, name), values in shown.items():
+            if len(values) > self.most_values:
+                self.write("line %d, in the end: %s = %s\n" % (line, name, values[-1]))
+        if self.depth() == depth:
+            gdb.execute("finish")
+        if self.depth():
+            gdb.execute("continue")
+
+    def show(self, shown, line, name, value):
+        values = shown.setdefault((line, name), [])
+        values.append(value)
+        if len(values) <= self.most_values:
+            self.write("line %d: %s = %s\n" % (line, name, value))
+
+    def depth(self):
+        """How many functions are under way; 0 once the program is over."""
+        try:
+            frame, depth = gdb.newest_frame(), 0
+        except gdb.error:
+            return 0
+        while frame is not None:
+            frame, depth = frame.older(), depth + 1
+        return depth
 
 
 Print()
+Compared()
+Intermediate()
 printers = gdb.printing.RegexpCollectionPrettyPrinter("Eigen")
 printers.add_printer("Matrix", "^Eigen::Matrix<double,.*>$", EigenMatrix)
 gdb.printing.register_pretty_printer(None, printers, replace=True)

@@ -1,5 +1,6 @@
 // The commands try and debug: programs that call the student's own functions, started as the student would.
 #include "checker/commands/commands.hpp"
+#include "checker/course/exam.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -9,7 +10,7 @@ namespace workbook {
 namespace {
 
 constexpr const char* first_experiment =
-    R"(// An experiment of your own: any program that calls your functions. `checker try` builds and runs it.
+    R"(// An experiment of your own: any program that calls your functions. `./checker/run try` builds and runs it.
 #include <rigid/inertia_tensor.hpp>
 
 #include <iostream>
@@ -124,19 +125,75 @@ std::string program_of_case(const ExerciseReference& exercise, std::size_t index
   const Case& one = exercise.cases[index];
   std::string text = fmt::format("// Case {} of {}: {}\nusing namespace rigid;\n\nint main() {{\n", index + 1,
                                  exercise.name, one.name);
+  text.insert(text.find("int main"), "static void compared() {}  // here the debugger shows both\n\n");
   std::vector<std::string> names;
   for (std::size_t k = 0; k < exercise.arguments.size(); ++k) {
     const Argument& argument = exercise.arguments[k];
     text += "  " + declaration(argument.name, one.inputs[k], argument.kind) + "\n";
     names.push_back(argument.name);
   }
-  return text + fmt::format("  const auto result = rigid::{}({});\n  (void)result;\n}}\n", exercise.name,
-                            fmt::join(names, ", "));
+  return text + "  " + declaration("expected", one.expected, exercise.result_kind) +
+         fmt::format("\n  const auto yours = rigid::{}({});\n  compared();\n}}\n", exercise.name,
+                     fmt::join(names, ", "));
+}
+
+std::string path_of_gdb() {
+  const std::string gdb = program_on_path("gdb");
+  if (gdb.empty()) throw std::runtime_error("This needs gdb, which is missing here (on Debian: apt-get install gdb).");
+  return gdb;
+}
+
+/// Builds the program of one case of the student's file, without optimisation, and names the case. Returns its path;
+/// "" where it does not compile, which it says.
+fs::path case_program(const Course& course, CheckContext& context, const CheckTask& task, std::size_t index) {
+  const ExerciseReference& reference = context.reference(task);
+  const fs::path folder = folder_of(course, "debug");
+  const fs::path source = folder / "case.cpp";
+  write_or_throw(source, program_of_case(reference, index));
+  const Submission submission = read_with_library(course, task);
+  std::vector<Submission> files = submission.library;
+  files.push_back(submission);
+  fs::path program = folder / "program";
+  if (!build_program(course, source, files, {"-O0", "-g", "-w"}, program)) return "";
+  fmt::print("Case {} “{}” of {} is in {}.\n", index + 1, reference.cases[index].name, reference.name,
+             shown_path(source));
+  std::fflush(stdout);
+  return program;
+}
+
+std::vector<std::string> debugger(const CheckContext& context, const std::string& gdb) {
+  return {gdb, "-q", "-x", (context.toolchain().main_include / "checker/commands/on_demand/eigen.gdb.py").string()};
+}
+
+/// Every variable of the student's function at one case, as the debugger sees them.
+int try_case(const Course& course, const Options& options) {
+  constexpr std::chrono::seconds longest(60);
+  constexpr std::size_t most_output = 1 << 20;
+  const Exercise exercise = course.find_exercise(options.name);
+  refuse_in_exam(course, {exercise});
+  const std::string gdb = path_of_gdb();
+  CheckContext context(course);
+  const CheckTask task = check_task(course, exercise);
+  const std::size_t index = find_case(context.reference(task), *options.case_name);
+  const fs::path program = case_program(course, context, task, index);
+  if (program.empty()) return something_failed;
+  std::vector<std::string> words = debugger(context, gdb);
+  words.insert(words.end(), {"-batch-silent", "-ex", "intermediate rigid::" + exercise.name(), program.string()});
+  Launch launch;
+  launch.program = gdb;
+  launch.arguments = {words.begin() + 1, words.end()};
+  launch.environment = {"HOME=" + program.parent_path().string()};  // where gdb keeps its index of symbols
+  const FinishedProgram shown = run_program(launch, longest, most_output);
+  fmt::print("{}", printable(shown.output));
+  if (shown.out_of_time)
+    return stop("Your function had not ended after {} s: a loop never ends, perhaps.", longest.count());
+  return shown.succeeded() ? all_passed : something_failed;
 }
 
 }  // namespace
 
 int try_out(const Course& course, const Options& options) {
+  if (options.case_name) return try_case(course, options);
   const fs::path file = fs::absolute(options.file.value_or(course.lectures() / "try.cpp"));
   if (!options.file && !fs::exists(file)) {
     write_or_throw(file, first_experiment);
@@ -151,16 +208,13 @@ int try_out(const Course& course, const Options& options) {
 }
 
 int debug(const Course& course, const Options& options) {
-  const std::string gdb = program_on_path("gdb");
-  if (gdb.empty() && !options.build_only)
-    throw std::runtime_error("Debugging needs gdb, which is missing here (on Debian: apt-get install gdb).");
+  const std::string gdb = options.build_only ? "" : path_of_gdb();
   const Exercise exercise = course.find_exercise(options.name);
   CheckContext context(course);
   const CheckTask task = check_task(course, exercise, options.seed);
-  const ExerciseReference& reference = context.reference(task);
   std::size_t index = 0;
   if (options.case_name) {
-    index = find_case(reference, *options.case_name);
+    index = find_case(context.reference(task), *options.case_name);
   } else {
     const CheckResult checked = check_exercise(context, task);
     if (checked.executable.empty() || !checked.is_started()) {
@@ -169,20 +223,12 @@ int debug(const Course& course, const Options& options) {
     }
     if (!checked.judgement.failing.empty()) index = checked.judgement.failing.front();
   }
-
-  const fs::path folder = folder_of(course, "debug");
-  const fs::path source = folder / "case.cpp";
-  write_or_throw(source, program_of_case(reference, index));
-  const Submission submission = read_with_library(course, task);
-  std::vector<Submission> files = submission.library;
-  files.push_back(submission);
-  const fs::path program = folder / "program";
-  if (!build_program(course, source, files, {"-O0", "-g", "-w"}, program)) return something_failed;
-  fmt::print("Case {} “{}” of {} is in {}.\n", index + 1, reference.cases[index].name, exercise.name(),
-             shown_path(source));
+  const fs::path program = case_program(course, context, task, index);
+  if (program.empty()) return something_failed;
   if (options.build_only) return all_passed;
-  become({gdb, "-q", "-x", (context.toolchain().main_include / "checker/commands/on_demand/eigen.gdb.py").string(),
-          "-ex", "break rigid::" + exercise.name(), "-ex", "run", program.string()});
+  std::vector<std::string> words = debugger(context, gdb);
+  words.insert(words.end(), {"-ex", "break rigid::" + exercise.name(), "-ex", "run", program.string()});
+  become(words);
 }
 
 }  // namespace workbook
