@@ -26,6 +26,42 @@ function(cut variable first last)
   set(${variable} "${kept}${rest}" PARENT_SCOPE)
 endfunction()
 
+# Formulas between FIRST and LAST in the text in VARIABLE as one would type them: ω × L.
+set(signs
+  "[ \t\r\n]+= " "\\\\[,;:!>]=" "\\\\\\\\= " "\\\\(begin|end){[a-z*]*}=" "&amp.=" ".[0-9]+pt.="
+  "frac *{([^{}]*[-+][^{}]*)}{=frac{(\\1)}{"
+  "\\\\[td]?frac *{([^{}]*)}{([^{}]*)}=\\1/\\2" "\\\\[td]?frac *([0-9])([0-9])=\\1/\\2"
+  "\\\\(boldsymbol|vec|unit|mat|hat|tilde|bar|dot|ddot|mathrm|mathsf|text|operatorname|big|Big|bigg|left|right|quad|qquad|displaystyle)([^a-z])=\\2"
+  "\\\\times=×" "\\\\cdots?=·" "\\\\approx=≈" "\\\\leq?([^f])=≤\\1" "\\\\geq?([^a-z])=≥\\1" "\\\\infty=∞" "\\\\sqrt=√"
+  "\\\\(var)?theta=θ" "\\\\(var)?phi=φ" "\\\\psi=ψ" "\\\\omega=ω" "\\\\Omega=Ω" "\\\\alpha=α" "\\\\beta=β"
+  "\\\\gamma=γ" "\\\\Gamma=Γ" "\\\\delta=δ" "\\\\Delta=Δ" "\\\\(var)?epsilon=ε" "\\\\lambda=λ" "\\\\mu=μ" "\\\\nu=ν" "\\\\pi=π"
+  "\\\\rho=ρ" "\\\\sigma=σ" "\\\\tau=τ" "\\\\chi=χ" "\\\\Theta=Θ" "\\\\Phi=Φ" "\\\\pm=±" "\\\\to=→" "\\\\int=∫" "\\\\oint=∮" "\\\\ell=ℓ" "\\\\sum=∑"
+  "\\\\Inertia=I" "\\\\One=1" "\\\\dd=d" "\\\\degree=°" "_1=₁" "_2=₂" "_3=₃" "\\^2=²"
+  "\\\\[td]?frac=" "\\\\([a-z]+)=\\1" "[{}\\\\]=" "- =−" " +([.,_^])=\\1")
+function(write_formulas variable first last)
+  set(rest "${${variable}}")
+  set(kept "")
+  while(TRUE)
+    string(FIND "${rest}" "${first}" start)
+    if(start EQUAL -1)
+      break()
+    endif()
+    string(SUBSTRING "${rest}" 0 ${start} before)
+    math(EXPR start "${start} + 2")
+    string(SUBSTRING "${rest}" ${start} -1 rest)
+    string(FIND "${rest}" "${last}" end)
+    string(SUBSTRING "${rest}" 0 ${end} formula)
+    math(EXPR end "${end} + 2")
+    string(SUBSTRING "${rest}" ${end} -1 rest)
+    foreach(sign IN LISTS signs)
+      string(REGEX MATCH "^(.*)=([^=]*)$" sign "${sign}")
+      string(REGEX REPLACE "${CMAKE_MATCH_1}" "${CMAKE_MATCH_2}" formula "${formula}")
+    endforeach()
+    string(APPEND kept "${before}${formula}")
+  endwhile()
+  set(${variable} "${kept}${rest}" PARENT_SCOPE)
+endfunction()
+
 # What a reader sees of some HTML, in a JavaScript string.
 function(plain variable html)
   string(REGEX REPLACE "<[^>]*>" " " text "${html}")
@@ -48,14 +84,15 @@ foreach(page IN LISTS pages)
   string(FIND "${html}" "<div class=\"contents\">" start)
   string(SUBSTRING "${html}" ${start} -1 text)
   foreach(part "div class=\"fragment\"=/div><!-- fragment --" "div class=\"toc\"=/div" "svg =/svg" "script=/script"
-               "div class=\"neighbours\"=/div" "table class=\"markdownTable\"=/table")
+               "div class=\"neighbours\"=/div" "div class=\"exercise-table\"=/div" "table class=\"markdownTable\"=/table")
     string(REGEX MATCH "^(.*)=([^=]*)$" part "${part}")
     cut(text "<${CMAKE_MATCH_1}" "<${CMAKE_MATCH_2}>")
   endforeach()
-  cut(text "\\(" "\\)")
-  cut(text "\\[" "\\]")
-  string(REGEX MATCH "<title>([^<]*)( – Rigid|</title>)" title "${html}")
-  plain(page_title "${CMAKE_MATCH_1}")
+  write_formulas(text "\\(" "\\)")
+  write_formulas(text "\\[" "\\]")
+  string(REGEX MATCH "<title>([^<]*)" title "${html}")
+  string(REPLACE " – Rigid Body Workbook" "" title "${CMAKE_MATCH_1}")
+  plain(page_title "${title}")
   # How to check an exercise is the same for all, and its derivation is the answer.
   string(FIND "${text}" "<a class=\"anchor\" id=\"exercise_" end)
   if(NOT end EQUAL -1)

@@ -32,14 +32,23 @@ function mark_place() {
   if (sections.length) { addEventListener("scroll", mark, { passive: true }); mark(); }
 }
 
-/** The paragraphs that hold all words of a question, best first: in the title, as a phrase, often. */
-function search(question) {
-  const folded = text => text.toLowerCase().normalize("NFD").replace(/[\u0300-\u036f]/g, "");
-  const phrase = folded(question).trim();
-  const words = phrase.split(/[^\p{L}\p{N}_]+/u).filter(Boolean);
+const folded = text => text.toLowerCase().normalize("NFD").replace(/[\u0300-\u036f]/g, "");
+const words_of = question => folded(question).split(/[^\p{L}\p{N}_]+/u).filter(Boolean);
+const starting = word => new RegExp(`(?<![\\p{L}\\p{N}])(?:${word})`, "gu");
+
+/** A pattern for a word of more than four letters in which one is wrong, missing, too many, or exchanged with the next. */
+const nearly = word => word.length < 5 ? word : [...word].slice(1).flatMap((letter, i) => {
+  const [before, after] = [word.slice(0, i + 1), word.slice(i + 2)];
+  return [`${before}\\p{L}?${after}`, `${before}\\p{L}${letter}${after}`, `${before}${after[0] ?? ""}${letter}${after.slice(1)}`];
+}).join("|");
+
+/** The pages that have paragraphs with all words of a question, best first, each with its best paragraphs: first the exercise of
+ *  that name, then lectures; in the title, as a phrase, often. */
+function search(question, pattern = word => word) {
+  const words = words_of(question), phrase = words.join(" ");
   if (!words.length) return [];
-  const starts = words.map(word => new RegExp(`(?<![\\p{L}\\p{N}])${word}`, "gu"));
-  const found = [];
+  const starts = words.map(word => starting(pattern(word)));
+  const pages = new Map();
   for (const [address, page, title, text] of paragraphs) {
     const [head, body] = [folded(page + " " + title), folded(text)];
     const counts = starts.map(start => (body.match(start) || []).length + (head.match(start) || []).length);
@@ -47,11 +56,23 @@ function search(question) {
     let score = Math.min(...counts, 5);
     if (head.includes(phrase)) score += 20;
     if (words.length > 1 && body.includes(phrase)) score += 10;
-    if (address.startsWith("lecture_")) score += 5;
-    const at = Math.max(body.search(starts[0]), 0);
-    found.push({ score, address, page, title, excerpt: (at > 40 ? "… " : "") + text.slice(Math.max(at - 40, 0), at + 80) + " …" });
+    if (address.startsWith("lecture_")) score += 40;
+    if (question.includes("_") && address === `exercise_${question.trim()}.html`) score += 100;
+    const at = Math.max(body.search(starts[0]), 0), from = Math.max(at - 40, 0);
+    const place = { score, address, title, excerpt: (from ? "… " : "") + text.slice(from, at + 80) + " …" };
+    const file = address.split("#")[0];
+    if (!pages.has(file)) pages.set(file, { page, starts, places: [] });
+    pages.get(file).places.push(place);
   }
-  return found.sort((a, b) => b.score - a.score);
+  for (const { places } of pages.values()) places.sort((a, b) => b.score - a.score);
+  const found = [...pages.values()].sort((a, b) => b.places[0].score - a.places[0].score);
+  return found.length || pattern === nearly ? found : search(question, nearly);
+}
+
+/** The text with what a search has found in it marked. */
+function marked(text, starts) {
+  const all = new RegExp(`(${starts.map(start => start.source).join("|")})`, "giu");
+  return text.split(all).map((part, i) => i % 2 ? Object.assign(document.createElement("mark"), { textContent: part }) : part);
 }
 
 /** Loads the words of the site, once; a script, because a file may not fetch a file. */
@@ -76,16 +97,18 @@ function offer_search() {
   const show = () => {
     const question = query.value.trim();
     const found = question.length > 1 ? search(question) : [];
-    status.textContent = question.length < 2 ? "" : !found.length ? "No place has these words."
-      : found.length > 12 ? `The best 12 of ${found.length} places` : `${found.length} places`;
-    places.replaceChildren(...found.slice(0, 12).map(place => {
-      const link = Object.assign(document.createElement("a"), { href: place.address });
-      const [title, excerpt] = [document.createElement("strong"), document.createElement("span")];
-      title.textContent = place.title === place.page ? place.page : `${place.page}: ${place.title}`;
-      excerpt.textContent = place.excerpt;
-      link.append(title, excerpt);
+    status.textContent = question.length < 2 ? "" : !found.length ? "No page has these words."
+      : found.length > 12 ? `The best 12 of ${found.length} pages` : `${found.length} page${found.length > 1 ? "s" : ""}`;
+    places.replaceChildren(...found.slice(0, 12).map(({ page, starts, places }) => {
       const item = document.createElement("li");
-      item.append(link);
+      item.append(...places.slice(0, 3).map(({ address, title, excerpt }, i) => {
+        const link = Object.assign(document.createElement("a"), { href: address });
+        const [head, body] = [document.createElement("strong"), document.createElement("span")];
+        head.append(...marked(i ? title : title === page ? page : `${page}: ${title}`, starts));
+        body.append(...marked(excerpt, starts));
+        link.append(...i ? [head] : [head, body]);
+        return link;
+      }));
       return item;
     }));
   };

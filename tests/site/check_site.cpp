@@ -37,7 +37,8 @@ int main(int argc, char** argv) {
   app.add_option("SITE", root, "folder of the built site")->required();
   app.add_option("--chromium", chromium, "the browser")->capture_default_str();
   app.add_option("--references", references, "folder of reference results; the paragraphs they name must exist");
-  app.add_option("--search", words, "words that the search of the first page must find; may be repeated");
+  app.add_option("--search", words,
+                 "words that the search of the first page must find, or TYPED=WORDS; may be repeated");
   app.add_option("--axe", axe_file, "axe.min.js of axe-core, which judges accessibility");
   app.add_option("--pictures", pictures, "write pictures of the pages into this folder and judge nothing");
   app.add_option("--page", only, "only this page, such as index.html; may be repeated");

@@ -250,19 +250,24 @@ void Inspection::expect_anchors(const std::set<std::string>& names) {
   }
 }
 
-void Inspection::search(const std::string& page, const std::string& words) {
+void Inspection::search(const std::string& page, const std::string& question) {
+  const auto equals = question.find('=');
+  const std::string typed = question.substr(0, equals), words = question.substr(equals + 1);  // npos + 1 is 0
   resize(browser_, 1280);
   open(page);
   browser_.evaluate("document.querySelector('#query')?.focus()");
-  browser_.call("Input.insertText", {{"text", words}});
+  browser_.call("Input.insertText", {{"text", typed}});
   json link;
   // The words of the site are loaded at the first letter.
   for (int tries = 0; tries < 300 && link.is_null(); ++tries) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     link = browser_.evaluate("document.querySelector('#places a')?.href ?? null");
   }
-  if (link.is_null()) return fault(page, fmt::format("the search for “{}” finds nothing.", words));
-  follow({page, fmt::format("a result of the search for “{}”", words), link});
+  if (link.is_null()) return fault(page, fmt::format("the search for “{}” finds nothing.", typed));
+  follow({page, fmt::format("a result of the search for “{}”", typed), link});
+  if (browser_.evaluate(
+          "[...document.querySelectorAll('#places a')].findIndex(link => /lecture_/.test(link.href)) > 0"))
+    fault(page, fmt::format("the search for “{}” has a lecture, but not first.", typed));
   const std::string address = link;
   browser_.open("about:blank");  // or else only the place on the page would change
   browser_.open(address);
@@ -279,7 +284,7 @@ void Inspection::search(const std::string& page, const std::string& words) {
   for (std::string word; wanted >> word;) {
     std::ranges::transform(word, word.begin(), [](unsigned char letter) { return std::tolower(letter); });
     if (paragraph.find(word) == std::string::npos) {
-      fault(page, fmt::format("the search for “{}” leads to {}, which does not have “{}”.", words,
+      fault(page, fmt::format("the search for “{}” leads to {}, which does not have “{}”.", typed,
                               address.substr(address.rfind('/') + 1), word));
     }
   }

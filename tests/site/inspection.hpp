@@ -37,8 +37,9 @@ class Inspection {
   /// @param axe  the text of axe-core, which judges accessibility in light and dark; "" leaves that out
   void look_at(const std::string& page, const std::string& axe = "", Widths widths = Widths::all);
 
-  /// Expects the first result of a search to lead to a paragraph that holds the words.
-  void search(const std::string& page, const std::string& words);
+  /// Expects the first result of a search to lead to a paragraph that holds the words, in a lecture if any result does.
+  /// A question TYPED=WORDS has a mistake: other words are to be found than those that are typed.
+  void search(const std::string& page, const std::string& question);
 
   /// Presses Tab until the navigation and the search have had the focus, and the keys that turn pages.
   void walk_with_keyboard(const std::string& page);

@@ -122,7 +122,10 @@ TEST_CASE("a search must lead to the paragraph that has the words") {
   check_named(inspection, {});
   inspection.search("searchable.html", "polhode");
   inspection.search("searchable.html", "nothing");
-  check_named(inspection, {"searchable.html#field, which does not have “polhode”", "nothing"});
+  inspection.search("searchable.html", "late=search");
+  inspection.search("searchable.html", "separatris=polhode");
+  check_named(inspection, {"searchable.html#field, which does not have “polhode”", "“nothing” finds nothing",
+                           "“late” has a lecture, but not first", "“separatris” leads to searchable.html#field"});
 }
 
 TEST_CASE("a paragraph that a diagnosis names must stand on exactly one page") {
