@@ -81,9 +81,8 @@ ordered_json ClassResults::add(const Student& student, const std::vector<CheckRe
       if (diagnosis.kind != DiagnosisKind::misconception) continue;
       ordered_json& known = misconceptions_[{checked.name(), diagnosis.name}];
       if (known.is_null())
-        known = {
-            {"exercise", checked.name()}, {"name", diagnosis.name}, {"message", diagnosis.message}, {"students", 0}};
-      known["students"] = known["students"].get<int>() + 1;
+        known = {{"exercise", checked.name()}, {"name", diagnosis.name}, {"message", diagnosis.message}};
+      known["students"].push_back(student.id);
     }
     if (!is_unexplained(checked)) continue;
     ordered_json& same = outputs_[{checked.name(), checked.fingerprint_of_values()}];
@@ -144,9 +143,9 @@ ordered_json ClassResults::document() {
   document["distribution"] = distribution_;
   std::vector<ordered_json> misconceptions, outputs;
   for (const auto& [unused, each] : misconceptions_) misconceptions.push_back(each);
-  std::ranges::stable_sort(misconceptions, std::greater<>(), [](const ordered_json& each) { return each["students"]; });
-  document["misconceptions"] = misconceptions;
   const auto students = [](const ordered_json& each) { return each["students"].size(); };
+  std::ranges::stable_sort(misconceptions, std::greater<>(), students);
+  document["misconceptions"] = misconceptions;
   for (const auto& [unused, each] : outputs_)
     if (students(each) > 1) outputs.push_back(each);
   std::ranges::stable_sort(outputs, std::greater<>(), students);
@@ -156,8 +155,23 @@ ordered_json ClassResults::document() {
   for (const auto& [exercise, ids] : learnt_)
     document["learnt_by_heart"].push_back({{"exercise", exercise}, {"students", ids}});
   document["not_judged"] = not_judged_;
+  document["changes"] = ordered_json::array();
   document["students"] = std::move(students_);
   return document;
+}
+
+std::vector<std::string> compare_with(const ordered_json& before, ordered_json& now) {
+  const std::vector<std::string> changes = changed_marks(before, now);
+  now["changes"] = changes.empty() ? before.value("changes", ordered_json::array()) : ordered_json(changes);
+  std::map<std::string, const ordered_json*> known;
+  for (const ordered_json& student : before.at("students")) known[student.at("id")] = &student;
+  for (ordered_json& student : now.at("students")) {
+    const auto old = known.find(student.at("id"));
+    if (old == known.end()) continue;
+    if (changes.empty() ? old->second->contains("before") : old->second->at("score") != student.at("score"))
+      student["before"] = old->second->at(changes.empty() ? "before" : "score");
+  }
+  return changes;
 }
 
 std::vector<std::string> changed_marks(const ordered_json& before, const ordered_json& now) {

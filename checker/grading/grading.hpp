@@ -212,6 +212,9 @@ class ClassResults {
 /// Whose mark is another one than before, and why, a line each.
 std::vector<std::string> changed_marks(const nlohmann::ordered_json& before, const nlohmann::ordered_json& now);
 
+/// The same; and notes in the document the changes, or those of the last run that had any.
+std::vector<std::string> compare_with(const nlohmann::ordered_json& before, nlohmann::ordered_json& now);
+
 /// What a learning system tells the student of one result: nothing of one that passed, but what was decided by hand.
 std::string message_of(const nlohmann::ordered_json& mark);
 

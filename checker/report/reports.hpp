@@ -88,7 +88,8 @@ struct ReportedCourse {
 std::string report_page(const ReportedCourse& reported);
 
 /// They are part of the program, which then works wherever it is copied and never meets a template of another version.
-extern const char *const report_page_template, *const class_page_template, *const class_page_row_template;
+extern const char *const report_page_template, *const class_page_template, *const class_page_row_template,
+    *const class_page_script;
 
 /// A page made from a template of mustache. All text of the document is text on the page, without control characters.
 /// @param raw  what the template takes unescaped, by name. @throws std::logic_error if it is no template

@@ -68,7 +68,7 @@ TEST_CASE("Results learnt by heart do not pass, and are named as such.") {
   CHECK(ada.at("diagnosis").at(0).at("kind") == "learnt");
   CHECK(few.student("cleo").at("results").at(0).at("diagnosis").at(0).at("name") == "no_half");
   const std::string page = read(few.root() / "out/class.html"), own = read(few.root() / "out/students/ada.html");
-  CHECK(has(page, "spring_energy: ada"));
+  CHECK(has(page, "<li>spring_energy: <a class=\"who\" href=\"students/ada.html#exercise-spring_energy\">ada</a>"));
   CHECK(has(own, ada.at("diagnosis").at(0).at("message")));
 
   // The cases are the same in every run in this folder, whatever happens to the journal or the results; students are

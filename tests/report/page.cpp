@@ -47,7 +47,7 @@ TEST_CASE("a page with a bit of everything") {
   ReportedExercise& refused = course.add("01_springs", "work", Verdict::compile_error);
   refused.checked.explanation.findings = {{4, "return x^2;\n        ^", "^ is not a power.", "power", 9}};
   refused.checked.observation.refusal_details = "All that the compiler said.";
-  refused.checked.source = "double work() {}\n";
+  refused.checked.source = "#include <cmath>\n\ndouble work(double x) {\n  return x^2;\n}\n";
   course.add("01_springs", "mass", Verdict::checker_error, 4);
   course.add("02_more_springs", "period", Verdict::not_started, 1.5);
   course.add("02_more_springs", "length", Verdict::not_started);

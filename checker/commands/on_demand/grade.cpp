@@ -195,7 +195,7 @@ class Grader {
     }
   }
 
-  /// Files for every student, then those for the class; class.json comes last: it is what the next run compares with.
+  /// Files for every student; and what came of the class.
   ordered_json write_results(const Intake& intake, const std::string& sandbox, bool with_missing) {
     ReportedCourse page;
     page.date = current_day();
@@ -234,10 +234,7 @@ class Grader {
       for (CheckResult& each : checked) page.exercises.push_back({std::move(each), {}, {}});
       write_or_fail(file.string() + ".html", report_page(page));
     }
-    ordered_json document = results.document();
-    for (const auto& [name, text] : class_exports(document)) write_or_fail(out_ / name, text);
-    write_or_fail(out_ / "class.html", class_page(document, page.date));
-    return document;
+    return results.document();
   }
 
  private:
@@ -462,11 +459,11 @@ bool print_intake(const Intake& intake, const ordered_json& document, const Opti
   return is_all;
 }
 
-void print_changes(const fs::path& class_file, const ordered_json& document) {
+void compare_with_last_run(const fs::path& class_file, ordered_json& document) {
   const auto before = read_file(class_file);
   if (!before) return;
   try {
-    const std::vector<std::string> changes = changed_marks(ordered_json::parse(*before), document);
+    const std::vector<std::string> changes = compare_with(ordered_json::parse(*before), document);
     for (const std::string& line : changes) fmt::print("  {}\n", line);
     if (changes.empty()) fmt::print("No mark has changed.\n");
   } catch (const nlohmann::json::exception&) {
@@ -588,9 +585,11 @@ int grade(const Course& given, const Options& options) {
       return grader.failed() == 0 ? all_passed : checker_failed;
     }
     grader.take_best_attempts(intake);
-    const ordered_json document = grader.write_results(intake, sandbox.sentence(), options.with_missing);
-    print_changes(out / "class.json", document);
-    write_or_fail(out / "class.json", indented(document));
+    ordered_json document = grader.write_results(intake, sandbox.sentence(), options.with_missing);
+    compare_with_last_run(out / "class.json", document);
+    for (const auto& [name, text] : class_exports(document)) write_or_fail(out / name, text);
+    write_or_fail(out / "class.html", class_page(document, current_day()));
+    write_or_fail(out / "class.json", indented(document));  // the last: it is what the next run compares with
     if (overrides_file) write_or_fail(kept_overrides, overrides_text);
     if (options.roster)
       if (const auto worksheet = filled_worksheet(*options.roster, document))

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <set>
+#include <sstream>
 
 namespace workbook {
 
@@ -65,6 +67,22 @@ std::string place_of(const Finding& finding, const CheckResult& checked) {
   return fmt::format("{}:{}:{}", checked.task.file.filename().string(), finding.line, std::max(finding.column, 1));
 }
 
+/// The file in pieces, of which those are marked that are lines with a finding.
+json marked_source(const CheckResult& checked) {
+  std::set<int> at_fault;
+  for (const Finding& finding : checked.explanation.findings) at_fault.insert(finding.line);
+  json pieces = json::array();
+  std::istringstream lines(shortened_end(checked.source));
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    const bool is_marked = at_fault.contains(number);
+    if (pieces.empty() || is_marked || pieces.back().at("is_marked") != is_marked)
+      pieces.push_back({{"is_marked", is_marked}, {"text", ""}});
+    pieces.back()["text"] = pieces.back().at("text").get<std::string>() + line + "\n";
+  }
+  return pieces;
+}
+
 json entry_of(const ReportedExercise& exercise, const ReportedCourse& course) {
   const CheckResult& checked = exercise.checked;
   const Judgement& judgement = checked.judgement;
@@ -92,7 +110,8 @@ json entry_of(const ReportedExercise& exercise, const ReportedCourse& course) {
       {"failing", ""},
       {"printed", shortened_end(printed(checked.observation))},
       {"compiler", shortened_end(checked.observation.refusal_details)},
-      {"source", checked.is_started() ? shortened_end(checked.source) : ""},
+      {"has_source", checked.is_started() && !checked.source.empty()},
+      {"source", checked.is_started() ? marked_source(checked) : json()},
       {"answer",
        exercise.answered_right ? (*exercise.answered_right ? "answered right" : "answered wrong at first") : ""},
       {"picture", base64(exercise.picture)},
