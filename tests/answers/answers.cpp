@@ -1,6 +1,11 @@
 // Evidence that the checker can be trusted: answers as students write them, wrong ones and right ones, that were
 // written without a look at the judging. No wrong one may pass; every right one must pass without a word against it.
+//
+// A file holds the answers to one exercise. It begins with the #include lines of all of them; then each answer has a
+// line "//! right: TITLE" or "//! wrong: TITLE" and either its code, without `namespace rigid { }`, or its difference
+// from the last answer above that has its code: a unified diff without line numbers, whose hunks are separated by "@@".
 #include <doctest/doctest.h>
+#include "checker/base/text.hpp"
 #include "tests/support/files.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +17,6 @@
 #include <filesystem>
 #include <iterator>
 #include <map>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -22,6 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace workbook::testing;
+using workbook::lines_of;
 
 struct Answer {
   std::string exercise, title, code;
@@ -36,18 +41,43 @@ std::string environment(const char* name, const std::string& otherwise) {
   return value != nullptr ? value : otherwise;
 }
 
-/// The answers of one file, which begin with lines "//! wrong: TITLE" or "//! right: TITLE".
-std::vector<Answer> answers_in(const fs::path& file) {
-  std::vector<Answer> answers;
-  std::istringstream lines(read(file));
-  for (std::string line; std::getline(lines, line);) {
-    const bool is_right = line.starts_with("//! right: ");
-    if (is_right || line.starts_with("//! wrong: ")) {
-      answers.push_back({file.stem(), line.substr(std::size("//! right: ") - 1), "", is_right, "", "", {}});
-    } else {
-      if (answers.empty()) throw std::runtime_error(file.string() + " does not begin with //! wrong: or //! right:");
-      answers.back().code += line + "\n";
+/// The code with each hunk of a difference put in. @throws if what a hunk replaces does not stand in the code just once
+std::string patched(std::string code, const Answer& difference) {
+  std::string before = "\n", after = "\n";
+  code = "\n" + code;
+  for (const std::string& line : lines_of(difference.code + "@@")) {
+    if (line.empty()) continue;
+    if (line != "@@") {
+      if (line[0] != '+') before += line.substr(1) + "\n";
+      if (line[0] != '-') after += line.substr(1) + "\n";
+      continue;
     }
+    const std::size_t at = code.find(before);
+    if (at == std::string::npos || code.find(before, at + 1) != std::string::npos)
+      throw std::runtime_error(fmt::format("{}, {}: the answer above does not have this just once:{}",
+                                           difference.exercise, difference.title, before));
+    code.replace(at, before.size(), after);
+    before = after = "\n";
+  }
+  return code.substr(1);
+}
+
+/// The answers in the text of a file, as whole files that students hand in.
+std::vector<Answer> answers_in(const std::string& text, const std::string& exercise) {
+  std::vector<Answer> answers;
+  std::string includes, whole;
+  for (const std::string& line : lines_of(text)) {
+    const bool is_right = line.starts_with("//! right: ");
+    if (is_right || line.starts_with("//! wrong: "))
+      answers.push_back({exercise, line.substr(std::size("//! right: ") - 1), "", is_right, "", "", {}});
+    else
+      (answers.empty() ? includes : answers.back().code) += line + "\n";
+  }
+  for (Answer& answer : answers) {
+    const bool is_patch = std::string("-+ ").find(answer.code.front()) != std::string::npos;
+    if (!is_patch) whole = answer.code;
+    answer.code = fmt::format("{}namespace rigid {{\n{}}}  // namespace rigid\n", includes,
+                              is_patch ? patched(whole, answer) : answer.code);
   }
   return answers;
 }
@@ -61,8 +91,17 @@ std::vector<Answer> all_answers() {
   std::sort(files.begin(), files.end());
   std::vector<Answer> all;
   for (const fs::path& file : files)
-    for (Answer& answer : answers_in(file)) all.push_back(std::move(answer));
+    for (Answer& answer : answers_in(read(file), file.stem())) all.push_back(std::move(answer));
   return all;
+}
+
+/// Writes them as EXERCISE/right_1.cpp, EXERCISE/wrong_2.cpp, … numbered within their exercise.
+void write_all(const std::vector<Answer>& answers, const fs::path& folder) {
+  std::map<std::string, int> number;
+  for (const Answer& answer : answers)
+    write(folder / answer.exercise /
+              fmt::format("{}_{}.cpp", answer.is_right ? "right" : "wrong", ++number[answer.exercise]),
+          answer.code);
 }
 
 void check(Answer& answer, const fs::path& scratch) try {
@@ -129,6 +168,31 @@ void print_table(const std::vector<Answer>& answers) {
 }
 
 }  // namespace
+
+TEST_CASE("an answer is code or a difference from the code above it") {
+  const std::string right = "#include <cmath>\n//! right: a sum\ndouble f() {\n  return 1 + 1;\n}\n";
+  const std::string before = "#include <cmath>\nnamespace rigid {\n", after = "}  // namespace rigid\n";
+  const auto answers = answers_in(right +
+                                      "//! wrong: a difference\n-  return 1 + 1;\n+  const int one = 1;\n"
+                                      "+  return one - 1;\n@@\n+// the end\n }\n//! wrong: none\nint f();\n",
+                                  "f");
+  REQUIRE(answers.size() == 3);
+  CHECK(answers[0].is_right);
+  CHECK(answers[0].code == before + "double f() {\n  return 1 + 1;\n}\n" + after);
+  CHECK_FALSE(answers[1].is_right);
+  CHECK(answers[1].title == "a difference");
+  CHECK(answers[1].code ==
+        before + "double f() {\n  const int one = 1;\n  return one - 1;\n// the end\n}\n" + after);
+  CHECK(answers[2].code == before + "int f();\n" + after);
+  CHECK_THROWS_WITH(answers_in(right + "//! wrong: a typing mistake\n-  return 1;\n+  return 2;\n", "f"),
+                    "f, a typing mistake: the answer above does not have this just once:\n  return 1;\n");
+  CHECK_THROWS(answers_in("//! right: twice\nint a;\nint a;\n//! wrong: which?\n-int a;\n+int b;\n", "f"));
+
+  const std::vector<Answer> all = all_answers();
+  const std::string folder = environment("WORKBOOK_WRITE_ANSWERS", "");
+  CHECK_FALSE(all.empty());
+  if (!folder.empty()) write_all(all, folder);
+}
 
 TEST_CASE("no wrong answer passes, and every right answer passes without a word against it") {
   std::vector<Answer> answers = all_answers();

@@ -1,61 +1,8 @@
-//! wrong: sign of the axis by the transposed matrix
-#include "rigid/frame_derivatives.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-namespace rigid {
-
-Vector3d rotation_vector(const Matrix3d& E) {
-  const double angle = std::acos(std::clamp((E.trace() - 1) / 2, -1.0, 1.0));
-  if (angle < 1e-12) return Vector3d::Zero();
-  Vector3d n(E(1, 2) - E(2, 1), E(2, 0) - E(0, 2), E(0, 1) - E(1, 0));
-  return angle * n.normalized();
-}
-
-}  // namespace rigid
-//! wrong: not divided by the sine
-#include "rigid/frame_derivatives.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-namespace rigid {
-
-Vector3d rotation_vector(const Matrix3d& E) {
-  const double angle = std::acos(std::clamp((E.trace() - 1) / 2, -1.0, 1.0));
-  return angle * Vector3d(E(2, 1) - E(1, 2), E(0, 2) - E(2, 0), E(1, 0) - E(0, 1)) / 2;
-}
-
-}  // namespace rigid
-//! wrong: asin loses angles above a right angle
-#include "rigid/frame_derivatives.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-namespace rigid {
-
-Vector3d rotation_vector(const Matrix3d& E) {
-  Vector3d s = Vector3d(E(2, 1) - E(1, 2), E(0, 2) - E(2, 0), E(1, 0) - E(0, 1)) / 2;
-  double n = s.norm();
-  if (n == 0) return Vector3d::Zero();
-  return std::asin(std::min(n, 1.0)) / n * s;
-}
-
-}  // namespace rigid
+#include <rigid/frame_derivatives.hpp>
 //! right: by Eigen
-#include "rigid/frame_derivatives.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-namespace rigid {
-
 Vector3d rotation_vector(const Matrix3d& E) {
   Eigen::Quaterniond q(E);
   if (q.w() < 0) q.coeffs() *= -1;
@@ -63,5 +10,22 @@ Vector3d rotation_vector(const Matrix3d& E) {
   if (s == 0) return Vector3d::Zero();
   return 2 * std::atan2(s, q.w()) / s * q.vec();
 }
-
-}  // namespace rigid
+//! wrong: sign of the axis by the transposed matrix
+Vector3d rotation_vector(const Matrix3d& E) {
+  const double angle = std::acos(std::clamp((E.trace() - 1) / 2, -1.0, 1.0));
+  if (angle < 1e-12) return Vector3d::Zero();
+  Vector3d n(E(1, 2) - E(2, 1), E(2, 0) - E(0, 2), E(0, 1) - E(1, 0));
+  return angle * n.normalized();
+}
+//! wrong: not divided by the sine
+Vector3d rotation_vector(const Matrix3d& E) {
+  const double angle = std::acos(std::clamp((E.trace() - 1) / 2, -1.0, 1.0));
+  return angle * Vector3d(E(2, 1) - E(1, 2), E(0, 2) - E(2, 0), E(1, 0) - E(0, 1)) / 2;
+}
+//! wrong: asin loses angles above a right angle
+Vector3d rotation_vector(const Matrix3d& E) {
+  Vector3d s = Vector3d(E(2, 1) - E(1, 2), E(0, 2) - E(2, 0), E(1, 0) - E(0, 1)) / 2;
+  double n = s.norm();
+  if (n == 0) return Vector3d::Zero();
+  return std::asin(std::min(n, 1.0)) / n * s;
+}

@@ -1,10 +1,6 @@
-//! right: from sine and cosine
-#include "rigid/frame_derivatives.hpp"
-
 #include <cmath>
-
-namespace rigid {
-
+#include <rigid/frame_derivatives.hpp>
+//! right: from sine and cosine
 Matrix3Xd screw_of_displacement(const Vector3d& rotation, const Vector3d& d) {
   const double a = rotation.norm(), c = std::cos(a), s = std::sin(a);
   const Vector3d n = rotation.normalized(), along = d.dot(n) * n, u = d - along;
@@ -14,15 +10,7 @@ Matrix3Xd screw_of_displacement(const Vector3d& rotation, const Vector3d& d) {
   out.col(1) = along;
   return out;
 }
-
-}  // namespace rigid
 //! right: least squares
-#include "rigid/frame_derivatives.hpp"
-
-#include <cmath>
-
-namespace rigid {
-
 Matrix3Xd screw_of_displacement(const Vector3d& rotation, const Vector3d& d) {
   const Eigen::AngleAxisd turn(rotation.norm(), rotation.normalized());
   const Vector3d n = turn.axis(), along = d.dot(n) * n;
@@ -31,31 +19,7 @@ Matrix3Xd screw_of_displacement(const Vector3d& rotation, const Vector3d& d) {
   out << M.fullPivLu().solve(Vector3d(d - along)), along;
   return out;
 }
-
-}  // namespace rigid
-//! wrong: d with its part along the axis
-#include "rigid/frame_derivatives.hpp"
-
-#include <cmath>
-
-namespace rigid {
-
-Matrix3Xd screw_of_displacement(const Vector3d& rotation, const Vector3d& d) {
-  const double a = rotation.norm();
-  const Vector3d n = rotation / a;
-  Matrix3Xd out(3, 2);
-  out << 0.5 * (d + n.cross(d) / std::tan(a / 2)), n * n.dot(d);
-  return out;
-}
-
-}  // namespace rigid
 //! wrong: cotangent of the whole angle
-#include "rigid/frame_derivatives.hpp"
-
-#include <cmath>
-
-namespace rigid {
-
 Matrix3Xd screw_of_displacement(const Vector3d& rotation, const Vector3d& d) {
   const double a = rotation.norm();
   const Vector3d n = rotation / a, along = n * n.dot(d);
@@ -63,47 +27,21 @@ Matrix3Xd screw_of_displacement(const Vector3d& rotation, const Vector3d& d) {
   out << 0.5 * (d - along + n.cross(d) / std::tan(a)), along;
   return out;
 }
-
-}  // namespace rigid
 //! wrong: order of the cross product
-#include "rigid/frame_derivatives.hpp"
-
-#include <cmath>
-
-namespace rigid {
-
-Matrix3Xd screw_of_displacement(const Vector3d& rotation, const Vector3d& d) {
-  const double a = rotation.norm();
-  const Vector3d n = rotation / a, along = n * n.dot(d);
-  Matrix3Xd out(3, 2);
-  out << 0.5 * (d - along + d.cross(n) / std::tan(a / 2)), along;
-  return out;
-}
-
-}  // namespace rigid
+-  out << 0.5 * (d - along + n.cross(d) / std::tan(a)), along;
++  out << 0.5 * (d - along + d.cross(n) / std::tan(a / 2)), along;
 //! wrong: the whole shift
-#include "rigid/frame_derivatives.hpp"
-
-#include <cmath>
-
-namespace rigid {
-
+-  out << 0.5 * (d - along + n.cross(d) / std::tan(a)), along;
++  out << 0.5 * (d - along + n.cross(d) / std::tan(a / 2)), d;
+//! wrong: d with its part along the axis
 Matrix3Xd screw_of_displacement(const Vector3d& rotation, const Vector3d& d) {
   const double a = rotation.norm();
-  const Vector3d n = rotation / a, along = n * n.dot(d);
+  const Vector3d n = rotation / a;
   Matrix3Xd out(3, 2);
-  out << 0.5 * (d - along + n.cross(d) / std::tan(a / 2)), d;
+  out << 0.5 * (d + n.cross(d) / std::tan(a / 2)), n * n.dot(d);
   return out;
 }
-
-}  // namespace rigid
 //! wrong: rotation vector not normalised
-#include "rigid/frame_derivatives.hpp"
-
-#include <cmath>
-
-namespace rigid {
-
 Matrix3Xd screw_of_displacement(const Vector3d& rotation, const Vector3d& d) {
   const double a = rotation.norm();
   const Vector3d along = rotation * rotation.dot(d);
@@ -111,5 +49,3 @@ Matrix3Xd screw_of_displacement(const Vector3d& rotation, const Vector3d& d) {
   out << 0.5 * (d - along + rotation.cross(d) / std::tan(a / 2)), along;
   return out;
 }
-
-}  // namespace rigid

@@ -1,12 +1,24 @@
-//! wrong: centrifugal uses cos only once
-#include "rigid/rotating_frames.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-namespace rigid {
-
+#include <rigid/rotating_frames.hpp>
+//! right: written out
+Vector3d apparent_gravity(double latitude, double radius, double g0, double earth_rate, const Vector2d& v) {
+  const double s = std::sin(latitude), c = std::cos(latitude);
+  const double W = earth_rate;
+  return Vector3d(2 * W * s * v[1], -2 * W * s * v[0] - W * W * radius * s * c,
+                  -g0 + 2 * W * c * v[0] + W * W * radius * c * c + v.squaredNorm() / radius);
+}
+//! wrong: north and east exchanged in the Coriolis term
+-  return Vector3d(2 * W * s * v[1], -2 * W * s * v[0] - W * W * radius * s * c,
++  return Vector3d(2 * W * s * v[0], -2 * W * s * v[1] - W * W * radius * s * c,
+//! wrong: only the northward speed curves the track
+-                  -g0 + 2 * W * c * v[0] + W * W * radius * c * c + v.squaredNorm() / radius);
++                  -g0 + 2 * W * c * v[0] + W * W * radius * c * c + v[1] * v[1] / radius);
+//! wrong: gravity points up
+-                  -g0 + 2 * W * c * v[0] + W * W * radius * c * c + v.squaredNorm() / radius);
++                  g0 + 2 * W * c * v[0] + W * W * radius * c * c + v.squaredNorm() / radius);
+//! wrong: centrifugal uses cos only once
 Vector3d apparent_gravity(double latitude, double radius, double g0, double earth_rate, const Vector2d& v) {
   const double s = std::sin(latitude), c = std::cos(latitude);
   Vector3d a(0, 0, -g0);
@@ -16,73 +28,3 @@ Vector3d apparent_gravity(double latitude, double radius, double g0, double eart
   a[2] += v.squaredNorm() / radius;
   return a;
 }
-
-}  // namespace rigid
-//! wrong: north and east exchanged in the Coriolis term
-#include "rigid/rotating_frames.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-namespace rigid {
-
-Vector3d apparent_gravity(double latitude, double radius, double g0, double earth_rate, const Vector2d& v) {
-  const double s = std::sin(latitude), c = std::cos(latitude);
-  const double W = earth_rate;
-  return Vector3d(2 * W * s * v[0], -2 * W * s * v[1] - W * W * radius * s * c,
-                  -g0 + 2 * W * c * v[0] + W * W * radius * c * c + v.squaredNorm() / radius);
-}
-
-}  // namespace rigid
-//! wrong: only the northward speed curves the track
-#include "rigid/rotating_frames.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-namespace rigid {
-
-Vector3d apparent_gravity(double latitude, double radius, double g0, double earth_rate, const Vector2d& v) {
-  const double s = std::sin(latitude), c = std::cos(latitude);
-  const double W = earth_rate;
-  return Vector3d(2 * W * s * v[1], -2 * W * s * v[0] - W * W * radius * s * c,
-                  -g0 + 2 * W * c * v[0] + W * W * radius * c * c + v[1] * v[1] / radius);
-}
-
-}  // namespace rigid
-//! wrong: gravity points up
-#include "rigid/rotating_frames.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-namespace rigid {
-
-Vector3d apparent_gravity(double latitude, double radius, double g0, double earth_rate, const Vector2d& v) {
-  const double s = std::sin(latitude), c = std::cos(latitude);
-  const double W = earth_rate;
-  return Vector3d(2 * W * s * v[1], -2 * W * s * v[0] - W * W * radius * s * c,
-                  g0 + 2 * W * c * v[0] + W * W * radius * c * c + v.squaredNorm() / radius);
-}
-
-}  // namespace rigid
-//! right: written out
-#include "rigid/rotating_frames.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-namespace rigid {
-
-Vector3d apparent_gravity(double latitude, double radius, double g0, double earth_rate, const Vector2d& v) {
-  const double s = std::sin(latitude), c = std::cos(latitude);
-  const double W = earth_rate;
-  return Vector3d(2 * W * s * v[1], -2 * W * s * v[0] - W * W * radius * s * c,
-                  -g0 + 2 * W * c * v[0] + W * W * radius * c * c + v.squaredNorm() / radius);
-}
-
-}  // namespace rigid

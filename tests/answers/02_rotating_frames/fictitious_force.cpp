@@ -1,80 +1,5 @@
-//! wrong: without the minus sign
 #include <rigid/rotating_frames.hpp>
-namespace rigid {
-Vector3d fictitious_force(double m, const Vector3d& r, const Vector3d& v_body, const Vector3d& omega,
-                          const Vector3d& alpha) {
-  return m * (2 * omega.cross(v_body) + alpha.cross(r) + omega.cross(omega.cross(r)));
-}
-}  // namespace rigid
-
-//! wrong: the Coriolis force without its factor 2
-#include <rigid/rotating_frames.hpp>
-namespace rigid {
-Vector3d fictitious_force(double m, const Vector3d& r, const Vector3d& v_body, const Vector3d& omega,
-                          const Vector3d& alpha) {
-  return -m * (omega.cross(v_body) + alpha.cross(r) + omega.cross(omega.cross(r)));
-}
-}  // namespace rigid
-
-//! wrong: the mass is forgotten
-#include <rigid/rotating_frames.hpp>
-namespace rigid {
-Vector3d fictitious_force(double m, const Vector3d& r, const Vector3d& v_body, const Vector3d& omega,
-                          const Vector3d& alpha) {
-  return -2 * omega.cross(v_body) - alpha.cross(r) - omega.cross(omega.cross(r));
-}
-}  // namespace rigid
-
-//! wrong: the mass only multiplies the first force
-#include <rigid/rotating_frames.hpp>
-namespace rigid {
-Vector3d fictitious_force(double m, const Vector3d& r, const Vector3d& v_body, const Vector3d& omega,
-                          const Vector3d& alpha) {
-  return -m * 2 * omega.cross(v_body) - alpha.cross(r) - omega.cross(omega.cross(r));
-}
-}  // namespace rigid
-
-//! wrong: centrifugal force towards the axis
-#include <rigid/rotating_frames.hpp>
-namespace rigid {
-Vector3d fictitious_force(double m, const Vector3d& r, const Vector3d& v_body, const Vector3d& omega,
-                          const Vector3d& alpha) {
-  const Vector3d centrifugal = m * omega.cross(omega.cross(r));
-  return -2 * m * omega.cross(v_body) - m * alpha.cross(r) + centrifugal;
-}
-}  // namespace rigid
-
-//! wrong: Euler force with the factors exchanged
-#include <rigid/rotating_frames.hpp>
-namespace rigid {
-Vector3d fictitious_force(double m, const Vector3d& r, const Vector3d& v_body, const Vector3d& omega,
-                          const Vector3d& alpha) {
-  return -2 * m * omega.cross(v_body) - m * r.cross(alpha) - m * omega.cross(omega.cross(r));
-}
-}  // namespace rigid
-
-//! wrong: position and velocity exchanged in the list
-#include <rigid/rotating_frames.hpp>
-namespace rigid {
-Vector3d fictitious_force(double m, const Vector3d& v_body, const Vector3d& r, const Vector3d& omega,
-                          const Vector3d& alpha) {
-  return -m * (2 * omega.cross(v_body) + alpha.cross(r) + omega.cross(omega.cross(r)));
-}
-}  // namespace rigid
-
-//! wrong: nothing for a mass at rest in the frame
-#include <rigid/rotating_frames.hpp>
-namespace rigid {
-Vector3d fictitious_force(double m, const Vector3d& r, const Vector3d& v_body, const Vector3d& omega,
-                          const Vector3d& alpha) {
-  if (v_body.isZero()) return -m * omega.cross(omega.cross(r));
-  return -m * (2 * omega.cross(v_body) + alpha.cross(r) + omega.cross(omega.cross(r)));
-}
-}  // namespace rigid
-
 //! right: three forces
-#include <rigid/rotating_frames.hpp>
-namespace rigid {
 Vector3d fictitious_force(double m, const Vector3d& r, const Vector3d& v_body, const Vector3d& omega,
                           const Vector3d& alpha) {
   const Vector3d coriolis = 2 * m * v_body.cross(omega);
@@ -82,14 +7,46 @@ Vector3d fictitious_force(double m, const Vector3d& r, const Vector3d& v_body, c
   const Vector3d centrifugal = m * omega.cross(r.cross(omega));
   return coriolis + euler + centrifugal;
 }
-}  // namespace rigid
-
 //! right: centrifugal force from the distance to the axis
-#include <rigid/rotating_frames.hpp>
-namespace rigid {
 Vector3d fictitious_force(double m, const Vector3d& r, const Vector3d& v_body, const Vector3d& omega,
                           const Vector3d& alpha) {
   const Vector3d perpendicular = omega.squaredNorm() * r - omega.dot(r) * omega;
   return m * (perpendicular - 2 * omega.cross(v_body) - alpha.cross(r));
 }
-}  // namespace rigid
+//! wrong: without the minus sign
+-  const Vector3d perpendicular = omega.squaredNorm() * r - omega.dot(r) * omega;
+-  return m * (perpendicular - 2 * omega.cross(v_body) - alpha.cross(r));
++  return m * (2 * omega.cross(v_body) + alpha.cross(r) + omega.cross(omega.cross(r)));
+//! wrong: the Coriolis force without its factor 2
+-  const Vector3d perpendicular = omega.squaredNorm() * r - omega.dot(r) * omega;
+-  return m * (perpendicular - 2 * omega.cross(v_body) - alpha.cross(r));
++  return -m * (omega.cross(v_body) + alpha.cross(r) + omega.cross(omega.cross(r)));
+//! wrong: the mass is forgotten
+-  const Vector3d perpendicular = omega.squaredNorm() * r - omega.dot(r) * omega;
+-  return m * (perpendicular - 2 * omega.cross(v_body) - alpha.cross(r));
++  return -2 * omega.cross(v_body) - alpha.cross(r) - omega.cross(omega.cross(r));
+//! wrong: the mass only multiplies the first force
+-  const Vector3d perpendicular = omega.squaredNorm() * r - omega.dot(r) * omega;
+-  return m * (perpendicular - 2 * omega.cross(v_body) - alpha.cross(r));
++  return -m * 2 * omega.cross(v_body) - alpha.cross(r) - omega.cross(omega.cross(r));
+//! wrong: Euler force with the factors exchanged
+-  const Vector3d perpendicular = omega.squaredNorm() * r - omega.dot(r) * omega;
+-  return m * (perpendicular - 2 * omega.cross(v_body) - alpha.cross(r));
++  return -2 * m * omega.cross(v_body) - m * r.cross(alpha) - m * omega.cross(omega.cross(r));
+//! wrong: centrifugal force towards the axis
+Vector3d fictitious_force(double m, const Vector3d& r, const Vector3d& v_body, const Vector3d& omega,
+                          const Vector3d& alpha) {
+  const Vector3d centrifugal = m * omega.cross(omega.cross(r));
+  return -2 * m * omega.cross(v_body) - m * alpha.cross(r) + centrifugal;
+}
+//! wrong: position and velocity exchanged in the list
+Vector3d fictitious_force(double m, const Vector3d& v_body, const Vector3d& r, const Vector3d& omega,
+                          const Vector3d& alpha) {
+  return -m * (2 * omega.cross(v_body) + alpha.cross(r) + omega.cross(omega.cross(r)));
+}
+//! wrong: nothing for a mass at rest in the frame
+Vector3d fictitious_force(double m, const Vector3d& r, const Vector3d& v_body, const Vector3d& omega,
+                          const Vector3d& alpha) {
+  if (v_body.isZero()) return -m * omega.cross(omega.cross(r));
+  return -m * (2 * omega.cross(v_body) + alpha.cross(r) + omega.cross(omega.cross(r)));
+}

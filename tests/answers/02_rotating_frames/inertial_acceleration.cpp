@@ -1,91 +1,37 @@
-//! wrong: the Coriolis term without its factor 2
 #include <rigid/rotating_frames.hpp>
-namespace rigid {
-Vector3d inertial_acceleration(const Vector3d& a_body, const Vector3d& v_body, const Vector3d& r, const Vector3d& omega,
-                               const Vector3d& alpha) {
-  return a_body + omega.cross(v_body) + alpha.cross(r) + omega.cross(omega.cross(r));
-}
-}  // namespace rigid
-
-//! wrong: centrifugal sign
-#include <rigid/rotating_frames.hpp>
-namespace rigid {
-Vector3d inertial_acceleration(const Vector3d& a_body, const Vector3d& v_body, const Vector3d& r, const Vector3d& omega,
-                               const Vector3d& alpha) {
-  return a_body + 2 * omega.cross(v_body) + alpha.cross(r) - omega.cross(omega.cross(r));
-}
-}  // namespace rigid
-
-//! wrong: brackets of the last term as on the slides
-#include <rigid/rotating_frames.hpp>
-namespace rigid {
-Vector3d inertial_acceleration(const Vector3d& a_body, const Vector3d& v_body, const Vector3d& r, const Vector3d& omega,
-                               const Vector3d& alpha) {
-  return a_body + 2 * omega.cross(v_body) + alpha.cross(r) + omega.cross(omega).cross(r);
-}
-}  // namespace rigid
-
-//! wrong: the rotation is taken for uniform
-#include <rigid/rotating_frames.hpp>
-namespace rigid {
-Vector3d inertial_acceleration(const Vector3d& a_body, const Vector3d& v_body, const Vector3d& r, const Vector3d& omega,
-                               const Vector3d& alpha) {
-  return a_body + 2 * omega.cross(v_body) + omega.cross(omega.cross(r));
-}
-}  // namespace rigid
-
-//! wrong: the centripetal term of a point perpendicular to the axis
-#include <rigid/rotating_frames.hpp>
-namespace rigid {
-Vector3d inertial_acceleration(const Vector3d& a_body, const Vector3d& v_body, const Vector3d& r, const Vector3d& omega,
-                               const Vector3d& alpha) {
-  return a_body + 2 * omega.cross(v_body) + alpha.cross(r) - omega.squaredNorm() * r;
-}
-}  // namespace rigid
-
-//! wrong: position and velocity exchanged in the list
-#include <rigid/rotating_frames.hpp>
-namespace rigid {
-Vector3d inertial_acceleration(const Vector3d& a_body, const Vector3d& r, const Vector3d& v_body, const Vector3d& omega,
-                               const Vector3d& alpha) {
-  return a_body + 2 * omega.cross(v_body) + alpha.cross(r) + omega.cross(omega.cross(r));
-}
-}  // namespace rigid
-
-//! wrong: expressions kept that refer to vectors which are gone
-#include <rigid/rotating_frames.hpp>
-namespace rigid {
-Vector3d inertial_acceleration(const Vector3d& a_body, const Vector3d& v_body, const Vector3d& r, const Vector3d& omega,
-                               const Vector3d& alpha) {
-  const auto coriolis = 2 * omega.cross(v_body);
-  const auto rest = alpha.cross(r) + omega.cross(omega.cross(r));
-  return a_body + coriolis + rest;
-}
-}  // namespace rigid
-
 //! right: the square of omega written out
-#include <rigid/rotating_frames.hpp>
-namespace rigid {
 Vector3d inertial_acceleration(const Vector3d& a_body, const Vector3d& v_body, const Vector3d& r, const Vector3d& omega,
                                const Vector3d& alpha) {
   return a_body + 2 * omega.cross(v_body) + alpha.cross(r) + omega.dot(r) * omega - omega.squaredNorm() * r;
 }
-}  // namespace rigid
-
+//! wrong: the Coriolis term without its factor 2
+-  return a_body + 2 * omega.cross(v_body) + alpha.cross(r) + omega.dot(r) * omega - omega.squaredNorm() * r;
++  return a_body + omega.cross(v_body) + alpha.cross(r) + omega.cross(omega.cross(r));
+//! wrong: centrifugal sign
+-  return a_body + 2 * omega.cross(v_body) + alpha.cross(r) + omega.dot(r) * omega - omega.squaredNorm() * r;
++  return a_body + 2 * omega.cross(v_body) + alpha.cross(r) - omega.cross(omega.cross(r));
+//! wrong: brackets of the last term as on the slides
+-  return a_body + 2 * omega.cross(v_body) + alpha.cross(r) + omega.dot(r) * omega - omega.squaredNorm() * r;
++  return a_body + 2 * omega.cross(v_body) + alpha.cross(r) + omega.cross(omega).cross(r);
+//! wrong: the rotation is taken for uniform
+-  return a_body + 2 * omega.cross(v_body) + alpha.cross(r) + omega.dot(r) * omega - omega.squaredNorm() * r;
++  return a_body + 2 * omega.cross(v_body) + omega.cross(omega.cross(r));
+//! wrong: the centripetal term of a point perpendicular to the axis
+-  return a_body + 2 * omega.cross(v_body) + alpha.cross(r) + omega.dot(r) * omega - omega.squaredNorm() * r;
++  return a_body + 2 * omega.cross(v_body) + alpha.cross(r) - omega.squaredNorm() * r;
+//! wrong: expressions kept that refer to vectors which are gone
+-  return a_body + 2 * omega.cross(v_body) + alpha.cross(r) + omega.dot(r) * omega - omega.squaredNorm() * r;
++  const auto coriolis = 2 * omega.cross(v_body);
++  const auto rest = alpha.cross(r) + omega.cross(omega.cross(r));
++  return a_body + coriolis + rest;
 //! right: the transport theorem twice
-#include <rigid/rotating_frames.hpp>
-namespace rigid {
 Vector3d inertial_acceleration(const Vector3d& a_body, const Vector3d& v_body, const Vector3d& r, const Vector3d& omega,
                                const Vector3d& alpha) {
   const Vector3d v = v_body + omega.cross(r);
   const Vector3d v_rate_body = a_body + alpha.cross(r) + omega.cross(v_body);
   return v_rate_body + omega.cross(v);
 }
-}  // namespace rigid
-
 //! right: matrices
-#include <rigid/rotating_frames.hpp>
-namespace rigid {
 Vector3d inertial_acceleration(const Vector3d& a_body, const Vector3d& v_body, const Vector3d& r, const Vector3d& omega,
                                const Vector3d& alpha) {
   const auto matrix = [](const Vector3d& w) {
@@ -96,4 +42,8 @@ Vector3d inertial_acceleration(const Vector3d& a_body, const Vector3d& v_body, c
   const Matrix3d W = matrix(omega);
   return a_body + 2 * W * v_body + (matrix(alpha) + W * W) * r;
 }
-}  // namespace rigid
+//! wrong: position and velocity exchanged in the list
+Vector3d inertial_acceleration(const Vector3d& a_body, const Vector3d& r, const Vector3d& v_body, const Vector3d& omega,
+                               const Vector3d& alpha) {
+  return a_body + 2 * omega.cross(v_body) + alpha.cross(r) + omega.cross(omega.cross(r));
+}

@@ -1,25 +1,25 @@
-//! right: rotated first, then carried
-#include "rigid/rotating_frames.hpp"
-
 #include <cmath>
-
-namespace rigid {
-
+#include <rigid/rotating_frames.hpp>
+//! right: rotated first, then carried
 Vector3d larmor_velocity(const Vector3d& qB_over_m, const Vector3d& r_free, const Vector3d& v_free, double t) {
   const Vector3d w = -0.5 * qB_over_m;
   if (w.norm() == 0) return v_free;
   const Matrix3d A = Eigen::AngleAxisd(w.norm() * t, w / w.norm()).toRotationMatrix();
   return A * v_free + w.cross(A * r_free);
 }
-
-}  // namespace rigid
+//! wrong: velocity only rotated
+-  const Matrix3d A = Eigen::AngleAxisd(w.norm() * t, w / w.norm()).toRotationMatrix();
+-  return A * v_free + w.cross(A * r_free);
++  return Eigen::AngleAxisd(w.norm() * t, w.normalized()) * v_free;
+//! wrong: half in one place only
+-  const Matrix3d A = Eigen::AngleAxisd(w.norm() * t, w / w.norm()).toRotationMatrix();
+-  return A * v_free + w.cross(A * r_free);
++  return Eigen::AngleAxisd(w.norm() * t, w.normalized()) * Vector3d(v_free - qB_over_m.cross(r_free));
+//! wrong: rotated the other way
+-  const Matrix3d A = Eigen::AngleAxisd(w.norm() * t, w / w.norm()).toRotationMatrix();
+-  return A * v_free + w.cross(A * r_free);
++  return Eigen::AngleAxisd(w.norm() * t, w.normalized()).inverse() * Vector3d(v_free + w.cross(r_free));
 //! right: Rodrigues
-#include "rigid/rotating_frames.hpp"
-
-#include <cmath>
-
-namespace rigid {
-
 Vector3d larmor_velocity(const Vector3d& qB_over_m, const Vector3d& r_free, const Vector3d& v_free, double t) {
   const Vector3d w = -0.5 * qB_over_m;
   const double a = w.norm() * t;
@@ -28,75 +28,15 @@ Vector3d larmor_velocity(const Vector3d& qB_over_m, const Vector3d& r_free, cons
   const Vector3d n = w.normalized();
   return u * std::cos(a) + n.cross(u) * std::sin(a) + n * n.dot(u) * (1 - std::cos(a));
 }
-
-}  // namespace rigid
 //! wrong: cyclotron frequency
-#include "rigid/rotating_frames.hpp"
-
-#include <cmath>
-
-namespace rigid {
-
 Vector3d larmor_velocity(const Vector3d& qB_over_m, const Vector3d& r_free, const Vector3d& v_free, double t) {
   const Vector3d w = -qB_over_m;
   if (w.norm() == 0) return v_free;
   return Eigen::AngleAxisd(w.norm() * t, w.normalized()) * Vector3d(v_free + w.cross(r_free));
 }
-
-}  // namespace rigid
 //! wrong: sign of the charge
-#include "rigid/rotating_frames.hpp"
-
-#include <cmath>
-
-namespace rigid {
-
 Vector3d larmor_velocity(const Vector3d& qB_over_m, const Vector3d& r_free, const Vector3d& v_free, double t) {
   const Vector3d w = 0.5 * qB_over_m;
   if (w.norm() == 0) return v_free;
   return Eigen::AngleAxisd(w.norm() * t, w.normalized()) * Vector3d(v_free + w.cross(r_free));
 }
-
-}  // namespace rigid
-//! wrong: velocity only rotated
-#include "rigid/rotating_frames.hpp"
-
-#include <cmath>
-
-namespace rigid {
-
-Vector3d larmor_velocity(const Vector3d& qB_over_m, const Vector3d& r_free, const Vector3d& v_free, double t) {
-  const Vector3d w = -0.5 * qB_over_m;
-  if (w.norm() == 0) return v_free;
-  return Eigen::AngleAxisd(w.norm() * t, w.normalized()) * v_free;
-}
-
-}  // namespace rigid
-//! wrong: half in one place only
-#include "rigid/rotating_frames.hpp"
-
-#include <cmath>
-
-namespace rigid {
-
-Vector3d larmor_velocity(const Vector3d& qB_over_m, const Vector3d& r_free, const Vector3d& v_free, double t) {
-  const Vector3d w = -0.5 * qB_over_m;
-  if (w.norm() == 0) return v_free;
-  return Eigen::AngleAxisd(w.norm() * t, w.normalized()) * Vector3d(v_free - qB_over_m.cross(r_free));
-}
-
-}  // namespace rigid
-//! wrong: rotated the other way
-#include "rigid/rotating_frames.hpp"
-
-#include <cmath>
-
-namespace rigid {
-
-Vector3d larmor_velocity(const Vector3d& qB_over_m, const Vector3d& r_free, const Vector3d& v_free, double t) {
-  const Vector3d w = -0.5 * qB_over_m;
-  if (w.norm() == 0) return v_free;
-  return Eigen::AngleAxisd(w.norm() * t, w.normalized()).inverse() * Vector3d(v_free + w.cross(r_free));
-}
-
-}  // namespace rigid

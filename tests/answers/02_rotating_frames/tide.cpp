@@ -1,12 +1,8 @@
-//! right: Newton on the potential as it stands
-#include "rigid/rotating_frames.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-namespace rigid {
-
+#include <rigid/rotating_frames.hpp>
+//! right: Newton on the potential as it stands
 double tide(double mass_ratio, double radius, double distance, double angle) {
   // units: G M = 1
   auto potential = [&](double r, double gamma) {
@@ -22,17 +18,14 @@ double tide(double mass_ratio, double radius, double distance, double angle) {
   }
   return r - radius;
 }
-
-}  // namespace rigid
+//! wrong: moon and planet only
+-    return -1 / r - mass_ratio / std::sqrt(r * r + distance * distance - 2 * r * distance * c) +
+-           mass_ratio * r * c / (distance * distance);
++    return -1 / r - mass_ratio / std::sqrt(r * r + distance * distance - 2 * r * distance * c);
+//! wrong: uniform field with the opposite sign
+-    return -1 / r - mass_ratio / std::sqrt(r * r + distance * distance - 2 * r * distance * c) +
++    return -1 / r - mass_ratio / std::sqrt(r * r + distance * distance - 2 * r * distance * c) -
 //! right: bisection with the constant taken off
-#include "rigid/rotating_frames.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-namespace rigid {
-
 double tide(double mass_ratio, double radius, double distance, double angle) {
   const double x = radius / distance;
   auto f = [&](double h, double c) {
@@ -51,101 +44,18 @@ double tide(double mass_ratio, double radius, double distance, double angle) {
   }
   return low * radius;
 }
-
-}  // namespace rigid
-//! wrong: moon and planet only
-#include "rigid/rotating_frames.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-namespace rigid {
-
-double tide(double mass_ratio, double radius, double distance, double angle) {
-  // units: G M = 1
-  auto potential = [&](double r, double gamma) {
-    const double c = std::cos(gamma);
-    return -1 / r - mass_ratio / std::sqrt(r * r + distance * distance - 2 * r * distance * c);
-  };
-  const double level = potential(radius, std::numbers::pi / 2);
-  double r = radius;
-  for (int i = 0; i < 20; ++i) {
-    const double h = 1e-4 * radius, slope = (potential(r + h, angle) - potential(r - h, angle)) / (2 * h);
-    r -= (potential(r, angle) - level) / slope;
-  }
-  return r - radius;
-}
-
-}  // namespace rigid
 //! wrong: textbook formula
-#include "rigid/rotating_frames.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-namespace rigid {
-
 double tide(double mass_ratio, double radius, double distance, double angle) {
   const double c = std::cos(angle);
   return 1.5 * mass_ratio * std::pow(radius / distance, 3) * radius * c * c;
 }
-
-}  // namespace rigid
 //! wrong: height over the mean level
-#include "rigid/rotating_frames.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-namespace rigid {
-
 double tide(double mass_ratio, double radius, double distance, double angle) {
   const double c = std::cos(angle);
   return 0.5 * mass_ratio * std::pow(radius / distance, 3) * radius * (3 * c * c - 1);
 }
-
-}  // namespace rigid
 //! wrong: two terms of the series
-#include "rigid/rotating_frames.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-namespace rigid {
-
 double tide(double mass_ratio, double radius, double distance, double angle) {
   const double c = std::cos(angle), x = radius / distance;
   return mass_ratio * x * x * x * radius * (1.5 * c * c + x * (2.5 * c * c * c - 1.5 * c));
 }
-
-}  // namespace rigid
-//! wrong: uniform field with the opposite sign
-#include "rigid/rotating_frames.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-namespace rigid {
-
-double tide(double mass_ratio, double radius, double distance, double angle) {
-  // units: G M = 1
-  auto potential = [&](double r, double gamma) {
-    const double c = std::cos(gamma);
-    return -1 / r - mass_ratio / std::sqrt(r * r + distance * distance - 2 * r * distance * c) -
-           mass_ratio * r * c / (distance * distance);
-  };
-  const double level = potential(radius, std::numbers::pi / 2);
-  double r = radius;
-  for (int i = 0; i < 20; ++i) {
-    const double h = 1e-4 * radius, slope = (potential(r + h, angle) - potential(r - h, angle)) / (2 * h);
-    r -= (potential(r, angle) - level) / slope;
-  }
-  return r - radius;
-}
-
-}  // namespace rigid

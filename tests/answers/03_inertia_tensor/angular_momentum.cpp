@@ -1,28 +1,29 @@
-//! wrong: along omega, with the moment about that axis
 #include <rigid/inertia_tensor.hpp>
-namespace rigid {
+//! right: loops
+Vector3d angular_momentum(const Matrix3d& I, const Vector3d& omega) {
+  Vector3d L = Vector3d::Zero();
+  for (int i = 0; i < 3; i++)
+    for (int j = 0; j < 3; j++) L[i] += I(i, j) * omega[j];
+  return L;
+}
+//! wrong: the last column is left out of the sum
+-    for (int j = 0; j < 3; j++) L[i] += I(i, j) * omega[j];
++    for (int j = 0; j < 2; j++) L[i] += I(i, j) * omega[j];
+//! right: columns
+Vector3d angular_momentum(const Matrix3d& I, const Vector3d& omega) {
+  return omega.x() * I.col(0) + omega.y() * I.col(1) + omega.z() * I.col(2);
+}
+//! wrong: along omega, with the moment about that axis
 Vector3d angular_momentum(const Matrix3d& I, const Vector3d& omega) {
   if (omega.norm() == 0) return Vector3d::Zero();
   const Vector3d n = omega.normalized();
   return n.dot(I * n) * omega;
 }
-}  // namespace rigid
-
 //! wrong: only the diagonal
-#include <rigid/inertia_tensor.hpp>
-namespace rigid {
 Vector3d angular_momentum(const Matrix3d& I, const Vector3d& omega) { return I.diagonal().cwiseProduct(omega); }
-}  // namespace rigid
-
 //! wrong: one half as in the energy
-#include <rigid/inertia_tensor.hpp>
-namespace rigid {
 Vector3d angular_momentum(const Matrix3d& I, const Vector3d& omega) { return 0.5 * I * omega; }
-}  // namespace rigid
-
 //! wrong: products of inertia with the other sign
-#include <rigid/inertia_tensor.hpp>
-namespace rigid {
 Vector3d angular_momentum(const Matrix3d& I, const Vector3d& omega) {
   Vector3d L;
   L[0] = I(0, 0) * omega[0] - I(0, 1) * omega[1] - I(0, 2) * omega[2];
@@ -30,22 +31,7 @@ Vector3d angular_momentum(const Matrix3d& I, const Vector3d& omega) {
   L[2] = -I(2, 0) * omega[0] - I(2, 1) * omega[1] + I(2, 2) * omega[2];
   return L;
 }
-}  // namespace rigid
-
-//! wrong: the last column is left out of the sum
-#include <rigid/inertia_tensor.hpp>
-namespace rigid {
-Vector3d angular_momentum(const Matrix3d& I, const Vector3d& omega) {
-  Vector3d L = Vector3d::Zero();
-  for (int i = 0; i < 3; i++)
-    for (int j = 0; j < 2; j++) L[i] += I(i, j) * omega[j];
-  return L;
-}
-}  // namespace rigid
-
 //! wrong: the sum starts anywhere
-#include <rigid/inertia_tensor.hpp>
-namespace rigid {
 Vector3d angular_momentum(const Matrix3d& I, const Vector3d& omega) {
   Vector3d L;
   for (int i = 0; i < 3; i++) {
@@ -55,23 +41,3 @@ Vector3d angular_momentum(const Matrix3d& I, const Vector3d& omega) {
   }
   return L;
 }
-}  // namespace rigid
-
-//! right: loops
-#include <rigid/inertia_tensor.hpp>
-namespace rigid {
-Vector3d angular_momentum(const Matrix3d& I, const Vector3d& omega) {
-  Vector3d L = Vector3d::Zero();
-  for (int i = 0; i < 3; i++)
-    for (int j = 0; j < 3; j++) L[i] += I(i, j) * omega[j];
-  return L;
-}
-}  // namespace rigid
-
-//! right: columns
-#include <rigid/inertia_tensor.hpp>
-namespace rigid {
-Vector3d angular_momentum(const Matrix3d& I, const Vector3d& omega) {
-  return omega.x() * I.col(0) + omega.y() * I.col(1) + omega.z() * I.col(2);
-}
-}  // namespace rigid

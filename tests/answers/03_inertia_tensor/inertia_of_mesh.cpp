@@ -1,12 +1,8 @@
-//! wrong: point masses at the centroids of the tetrahedra
-#include "rigid/inertia_tensor.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-namespace rigid {
-
+#include <rigid/inertia_tensor.hpp>
+//! wrong: point masses at the centroids of the tetrahedra
 Matrix3d inertia_of_mesh(const Matrix3Xd& corners, double density) {
   Matrix3d I = Matrix3d::Zero();
   for (int k = 0; k < corners.cols(); k += 3) {
@@ -17,17 +13,7 @@ Matrix3d inertia_of_mesh(const Matrix3Xd& corners, double density) {
   }
   return I;
 }
-
-}  // namespace rigid
 //! wrong: absolute volumes
-#include "rigid/inertia_tensor.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-namespace rigid {
-
 Matrix3d inertia_of_mesh(const Matrix3Xd& corners, double density) {
   Matrix3d C = Matrix3d::Zero();
   for (int k = 0; k < corners.cols(); k += 3) {
@@ -37,17 +23,7 @@ Matrix3d inertia_of_mesh(const Matrix3Xd& corners, double density) {
   }
   return C.trace() * Matrix3d::Identity() - C;
 }
-
-}  // namespace rigid
 //! wrong: second moments instead of the tensor
-#include "rigid/inertia_tensor.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-namespace rigid {
-
 Matrix3d inertia_of_mesh(const Matrix3Xd& corners, double density) {
   Matrix3d C = Matrix3d::Zero();
   for (int k = 0; k < corners.cols(); k += 3) {
@@ -57,17 +33,7 @@ Matrix3d inertia_of_mesh(const Matrix3Xd& corners, double density) {
   }
   return C;
 }
-
-}  // namespace rigid
 //! wrong: whole-number division
-#include "rigid/inertia_tensor.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-namespace rigid {
-
 Matrix3d inertia_of_mesh(const Matrix3Xd& corners, double density) {
   Matrix3d C = Matrix3d::Zero();
   for (int k = 0; k < corners.cols(); k += 3) {
@@ -77,5 +43,3 @@ Matrix3d inertia_of_mesh(const Matrix3Xd& corners, double density) {
   }
   return C.trace() * Matrix3d::Identity() - C;
 }
-
-}  // namespace rigid

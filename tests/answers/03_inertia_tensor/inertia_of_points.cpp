@@ -1,117 +1,10 @@
-//! wrong: products of inertia without the minus sign
 #include <rigid/inertia_tensor.hpp>
-namespace rigid {
-Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
-  Matrix3d I = Matrix3d::Zero();
-  for (int p = 0; p < m.size(); ++p) {
-    const double x = r(0, p), y = r(1, p), z = r(2, p);
-    Matrix3d J;
-    J << y * y + z * z, x * y, x * z, x * y, x * x + z * z, y * z, x * z, y * z, x * x + y * y;
-    I += m[p] * J;
-  }
-  return I;
-}
-}  // namespace rigid
-
-//! wrong: the square of the coordinate itself on the diagonal
-#include <rigid/inertia_tensor.hpp>
-namespace rigid {
-Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
-  Matrix3d I = Matrix3d::Zero();
-  for (int p = 0; p < m.size(); ++p) I += m[p] * r.col(p) * r.col(p).transpose();
-  return I;
-}
-}  // namespace rigid
-
-//! wrong: the masses are forgotten
-#include <rigid/inertia_tensor.hpp>
-namespace rigid {
-Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
-  Matrix3d I = Matrix3d::Zero();
-  for (int p = 0; p < m.size(); ++p)
-    I += r.col(p).squaredNorm() * Matrix3d::Identity() - r.col(p) * r.col(p).transpose();
-  return I;
-}
-}  // namespace rigid
-
-//! wrong: about the centre of mass
-#include <rigid/inertia_tensor.hpp>
-namespace rigid {
-Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
-  Matrix3d I = Matrix3d::Zero();
-  if (m.size() == 0) return I;
-  const Vector3d center = r * m / m.sum();
-  for (int p = 0; p < m.size(); ++p) {
-    const Vector3d d = r.col(p) - center;
-    I += m[p] * (d.squaredNorm() * Matrix3d::Identity() - d * d.transpose());
-  }
-  return I;
-}
-}  // namespace rigid
-
-//! wrong: the sum is never set to zero
-#include <rigid/inertia_tensor.hpp>
-namespace rigid {
-Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
-  Matrix3d I;
-  for (int p = 0; p < m.size(); ++p) {
-    const Vector3d x = r.col(p);
-    I += m[p] * (x.squaredNorm() * Matrix3d::Identity() - x * x.transpose());
-  }
-  return I;
-}
-}  // namespace rigid
-
-//! wrong: begins with the first point, even if there is none
-#include <rigid/inertia_tensor.hpp>
-namespace rigid {
-Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
-  const auto one = [&](int p) -> Matrix3d {
-    return m[p] * (r.col(p).squaredNorm() * Matrix3d::Identity() - r.col(p) * r.col(p).transpose());
-  };
-  Matrix3d I = one(0);
-  for (int p = 1; p < m.size(); ++p) I += one(p);
-  return I;
-}
-}  // namespace rigid
-
-//! wrong: one point too many
-#include <rigid/inertia_tensor.hpp>
-namespace rigid {
-Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
-  Matrix3d I = Matrix3d::Zero();
-  for (int p = 0; p <= m.size(); ++p) {
-    const Vector3d x = r.col(p);
-    I += m[p] * (x.squaredNorm() * Matrix3d::Identity() - x * x.transpose());
-  }
-  return I;
-}
-}  // namespace rigid
-
-//! wrong: a single point is taken to have no inertia
-#include <rigid/inertia_tensor.hpp>
-namespace rigid {
-Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
-  Matrix3d I = Matrix3d::Zero();
-  if (m.size() < 2) return I;
-  for (int p = 0; p < m.size(); ++p)
-    I += m[p] * (r.col(p).squaredNorm() * Matrix3d::Identity() - r.col(p) * r.col(p).transpose());
-  return I;
-}
-}  // namespace rigid
-
 //! right: trace of the second moments
-#include <rigid/inertia_tensor.hpp>
-namespace rigid {
 Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
   const Matrix3d S = r * m.asDiagonal() * r.transpose();
   return S.trace() * Matrix3d::Identity() - S;
 }
-}  // namespace rigid
-
 //! right: componentwise
-#include <rigid/inertia_tensor.hpp>
-namespace rigid {
 Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
   Matrix3d I = Matrix3d::Zero();
   for (int p = 0; p < r.cols(); ++p) {
@@ -128,11 +21,7 @@ Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
   I(2, 1) = I(1, 2);
   return I;
 }
-}  // namespace rigid
-
 //! right: squares of the matrices of the cross product
-#include <rigid/inertia_tensor.hpp>
-namespace rigid {
 Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
   Matrix3d I = Matrix3d::Zero();
   for (int p = 0; p < r.cols(); ++p) {
@@ -142,4 +31,73 @@ Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
   }
   return I;
 }
-}  // namespace rigid
+//! wrong: products of inertia without the minus sign
+Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
+  Matrix3d I = Matrix3d::Zero();
+  for (int p = 0; p < m.size(); ++p) {
+    const double x = r(0, p), y = r(1, p), z = r(2, p);
+    Matrix3d J;
+    J << y * y + z * z, x * y, x * z, x * y, x * x + z * z, y * z, x * z, y * z, x * x + y * y;
+    I += m[p] * J;
+  }
+  return I;
+}
+//! wrong: the square of the coordinate itself on the diagonal
+Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
+  Matrix3d I = Matrix3d::Zero();
+  for (int p = 0; p < m.size(); ++p) I += m[p] * r.col(p) * r.col(p).transpose();
+  return I;
+}
+//! wrong: the masses are forgotten
+Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
+  Matrix3d I = Matrix3d::Zero();
+  for (int p = 0; p < m.size(); ++p)
+    I += r.col(p).squaredNorm() * Matrix3d::Identity() - r.col(p) * r.col(p).transpose();
+  return I;
+}
+//! wrong: about the centre of mass
+Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
+  Matrix3d I = Matrix3d::Zero();
+  if (m.size() == 0) return I;
+  const Vector3d center = r * m / m.sum();
+  for (int p = 0; p < m.size(); ++p) {
+    const Vector3d d = r.col(p) - center;
+    I += m[p] * (d.squaredNorm() * Matrix3d::Identity() - d * d.transpose());
+  }
+  return I;
+}
+//! wrong: the sum is never set to zero
+Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
+  Matrix3d I;
+  for (int p = 0; p < m.size(); ++p) {
+    const Vector3d x = r.col(p);
+    I += m[p] * (x.squaredNorm() * Matrix3d::Identity() - x * x.transpose());
+  }
+  return I;
+}
+//! wrong: begins with the first point, even if there is none
+Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
+  const auto one = [&](int p) -> Matrix3d {
+    return m[p] * (r.col(p).squaredNorm() * Matrix3d::Identity() - r.col(p) * r.col(p).transpose());
+  };
+  Matrix3d I = one(0);
+  for (int p = 1; p < m.size(); ++p) I += one(p);
+  return I;
+}
+//! wrong: one point too many
+Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
+  Matrix3d I = Matrix3d::Zero();
+  for (int p = 0; p <= m.size(); ++p) {
+    const Vector3d x = r.col(p);
+    I += m[p] * (x.squaredNorm() * Matrix3d::Identity() - x * x.transpose());
+  }
+  return I;
+}
+//! wrong: a single point is taken to have no inertia
+Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
+  Matrix3d I = Matrix3d::Zero();
+  if (m.size() < 2) return I;
+  for (int p = 0; p < m.size(); ++p)
+    I += m[p] * (r.col(p).squaredNorm() * Matrix3d::Identity() - r.col(p) * r.col(p).transpose());
+  return I;
+}

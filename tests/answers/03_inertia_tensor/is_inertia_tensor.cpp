@@ -1,59 +1,25 @@
-//! wrong: triangle inequality on the diagonal
-#include "rigid/inertia_tensor.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-namespace rigid {
-
+#include <rigid/inertia_tensor.hpp>
+//! wrong: triangle inequality on the diagonal
 int is_inertia_tensor(const Matrix3d& I) {
   if (!I.isApprox(I.transpose(), 1e-9)) return 0;
   return I(0, 0) + I(1, 1) >= I(2, 2) && I(1, 1) + I(2, 2) >= I(0, 0) && I(0, 0) + I(2, 2) >= I(1, 1);
 }
-
-}  // namespace rigid
 //! wrong: only positive definite
-#include "rigid/inertia_tensor.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-namespace rigid {
-
 int is_inertia_tensor(const Matrix3d& I) {
   if (!I.isApprox(I.transpose(), 1e-9)) return 0;
   Eigen::SelfAdjointEigenSolver<Matrix3d> s(I);
   return s.eigenvalues()[0] >= -1e-9 * I.cwiseAbs().maxCoeff();
 }
-
-}  // namespace rigid
 //! wrong: symmetry not asked
-#include "rigid/inertia_tensor.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-namespace rigid {
-
 int is_inertia_tensor(const Matrix3d& I) {
   Eigen::SelfAdjointEigenSolver<Matrix3d> s(I);
   const Vector3d m = s.eigenvalues();
   return m[0] + m[1] - m[2] >= -1e-9 * I.cwiseAbs().maxCoeff();
 }
-
-}  // namespace rigid
 //! wrong: strict inequality
-#include "rigid/inertia_tensor.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-namespace rigid {
-
 int is_inertia_tensor(const Matrix3d& I) {
   const double big = I.cwiseAbs().maxCoeff();
   if ((I - I.transpose()).cwiseAbs().maxCoeff() > 1e-9 * big) return 0;
@@ -61,17 +27,7 @@ int is_inertia_tensor(const Matrix3d& I) {
   const Vector3d m = s.eigenvalues();
   return m[0] + m[1] > m[2] * (1 + 1e-9);
 }
-
-}  // namespace rigid
 //! wrong: answer inverted
-#include "rigid/inertia_tensor.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-namespace rigid {
-
 int is_inertia_tensor(const Matrix3d& I) {
   const double big = I.cwiseAbs().maxCoeff();
   if ((I - I.transpose()).cwiseAbs().maxCoeff() > 1e-9 * big) return 1;
@@ -79,5 +35,3 @@ int is_inertia_tensor(const Matrix3d& I) {
   const Vector3d m = s.eigenvalues();
   return m[0] + m[1] - m[2] >= -1e-9 * big ? 0 : 1;
 }
-
-}  // namespace rigid

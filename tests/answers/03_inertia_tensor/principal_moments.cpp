@@ -1,87 +1,26 @@
-//! wrong: descending
-#include <rigid/inertia_tensor.hpp>
-namespace rigid {
-Vector3d principal_moments(const Matrix3d& I) {
-  const Vector3d moments = Eigen::SelfAdjointEigenSolver<Matrix3d>(I).eigenvalues();
-  return moments.reverse();
-}
-}  // namespace rigid
-
-//! wrong: the diagonal
-#include <algorithm>
-#include <rigid/inertia_tensor.hpp>
-namespace rigid {
-Vector3d principal_moments(const Matrix3d& I) {
-  Vector3d moments = I.diagonal();
-  std::sort(moments.data(), moments.data() + 3);
-  return moments;
-}
-}  // namespace rigid
-
-//! wrong: in the order of the general solver
-#include <rigid/inertia_tensor.hpp>
-namespace rigid {
-Vector3d principal_moments(const Matrix3d& I) { return Eigen::EigenSolver<Matrix3d>(I).eigenvalues().real(); }
-}  // namespace rigid
-
-//! wrong: squares, from the singular values of the square
-#include <rigid/inertia_tensor.hpp>
-namespace rigid {
-Vector3d principal_moments(const Matrix3d& I) {
-  const Matrix3d square = I * I;
-  Vector3d moments = Eigen::SelfAdjointEigenSolver<Matrix3d>(square).eigenvalues();
-  return moments;
-}
-}  // namespace rigid
-
-//! wrong: single precision
-#include <rigid/inertia_tensor.hpp>
-namespace rigid {
-Vector3d principal_moments(const Matrix3d& I) {
-  const Eigen::Matrix3f single = I.cast<float>();
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f>(single).eigenvalues().cast<double>();
-}
-}  // namespace rigid
-
-//! wrong: only the product of inertia of x and y is seen
 #include <algorithm>
 #include <cmath>
 #include <rigid/inertia_tensor.hpp>
-namespace rigid {
-Vector3d principal_moments(const Matrix3d& I) {
-  const double mean = (I(0, 0) + I(1, 1)) / 2, half = (I(0, 0) - I(1, 1)) / 2;
-  const double root = std::sqrt(half * half + I(0, 1) * I(0, 1));
-  Vector3d moments(mean - root, mean + root, I(2, 2));
-  std::sort(moments.data(), moments.data() + 3);
-  return moments;
-}
-}  // namespace rigid
-
 //! right: singular values, which are the moments because none is negative
-#include <rigid/inertia_tensor.hpp>
-namespace rigid {
 Vector3d principal_moments(const Matrix3d& I) {
   const Eigen::JacobiSVD<Matrix3d> svd(I);
   return svd.singularValues().reverse();
 }
-}  // namespace rigid
-
 //! right: general solver, then sorted
-#include <algorithm>
-#include <rigid/inertia_tensor.hpp>
-namespace rigid {
 Vector3d principal_moments(const Matrix3d& I) {
   Vector3d moments = Eigen::EigenSolver<Matrix3d>(I).eigenvalues().real();
   std::sort(moments.data(), moments.data() + 3);
   return moments;
 }
-}  // namespace rigid
-
+//! wrong: the diagonal
+-  Vector3d moments = Eigen::EigenSolver<Matrix3d>(I).eigenvalues().real();
++  Vector3d moments = I.diagonal();
+//! wrong: only the product of inertia of x and y is seen
+-  Vector3d moments = Eigen::EigenSolver<Matrix3d>(I).eigenvalues().real();
++  const double mean = (I(0, 0) + I(1, 1)) / 2, half = (I(0, 0) - I(1, 1)) / 2;
++  const double root = std::sqrt(half * half + I(0, 1) * I(0, 1));
++  Vector3d moments(mean - root, mean + root, I(2, 2));
 //! right: Jacobi rotations
-#include <algorithm>
-#include <cmath>
-#include <rigid/inertia_tensor.hpp>
-namespace rigid {
 Vector3d principal_moments(const Matrix3d& I) {
   Matrix3d D = I;
   for (int sweep = 0; sweep < 30; ++sweep) {
@@ -101,4 +40,21 @@ Vector3d principal_moments(const Matrix3d& I) {
   std::sort(moments.data(), moments.data() + 3);
   return moments;
 }
-}  // namespace rigid
+//! wrong: descending
+Vector3d principal_moments(const Matrix3d& I) {
+  const Vector3d moments = Eigen::SelfAdjointEigenSolver<Matrix3d>(I).eigenvalues();
+  return moments.reverse();
+}
+//! wrong: in the order of the general solver
+Vector3d principal_moments(const Matrix3d& I) { return Eigen::EigenSolver<Matrix3d>(I).eigenvalues().real(); }
+//! wrong: squares, from the singular values of the square
+Vector3d principal_moments(const Matrix3d& I) {
+  const Matrix3d square = I * I;
+  Vector3d moments = Eigen::SelfAdjointEigenSolver<Matrix3d>(square).eigenvalues();
+  return moments;
+}
+//! wrong: single precision
+Vector3d principal_moments(const Matrix3d& I) {
+  const Eigen::Matrix3f single = I.cast<float>();
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f>(single).eigenvalues().cast<double>();
+}

@@ -1,19 +1,41 @@
-//! wrong: about the origin
 #include <rigid/parallel_axis.hpp>
-namespace rigid {
+//! right: reduced masses of all pairs
 Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, const std::vector<Matrix3d>& tensors) {
   Matrix3d I = Matrix3d::Zero();
   for (int k = 0; k < masses.size(); ++k) {
-    const Vector3d d = centers.col(k);
-    I += tensors[k] + masses[k] * (d.squaredNorm() * Matrix3d::Identity() - d * d.transpose());
+    I += tensors[k];
+    for (int l = k + 1; l < masses.size(); ++l) {
+      const Vector3d d = centers.col(k) - centers.col(l);
+      const double reduced = masses[k] * masses[l] / masses.sum();
+      I += reduced * (d.squaredNorm() * Matrix3d::Identity() - d * d.transpose());
+    }
   }
   return I;
 }
-}  // namespace rigid
-
+//! right: one body after another joins
+Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, const std::vector<Matrix3d>& tensors) {
+  Matrix3d I = tensors.at(0);
+  double M = masses[0];
+  Vector3d center = centers.col(0);
+  for (Eigen::Index k = 1; k < masses.size(); ++k) {
+    const Vector3d d = centers.col(k) - center;
+    const double total = M + masses[k];
+    I += tensors[k] + M * masses[k] / total * (d.squaredNorm() * Matrix3d::Identity() - d * d.transpose());
+    center += masses[k] / total * d;
+    M = total;
+  }
+  return I;
+}
+//! right: second moments about the centre
+Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, const std::vector<Matrix3d>& tensors) {
+  const Vector3d center = centers * masses / masses.sum();
+  const Matrix3Xd d = centers.colwise() - center;
+  const Matrix3d S = d * masses.asDiagonal() * d.transpose();
+  Matrix3d I = S.trace() * Matrix3d::Identity() - S;
+  for (const Matrix3d& tensor : tensors) I += tensor;
+  return I;
+}
 //! wrong: mean of the centres without weights
-#include <rigid/parallel_axis.hpp>
-namespace rigid {
 Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, const std::vector<Matrix3d>& tensors) {
   const Vector3d center = centers.rowwise().mean();
   Matrix3d I = Matrix3d::Zero();
@@ -23,11 +45,18 @@ Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, cons
   }
   return I;
 }
-}  // namespace rigid
-
+//! wrong: about the origin
+-  const Vector3d center = centers.rowwise().mean();
+@@
+-    const Vector3d d = centers.col(k) - center;
++    const Vector3d d = centers.col(k);
+//! wrong: the sum is not divided by the mass
+-  const Vector3d center = centers.rowwise().mean();
++  const Vector3d center = centers * masses;
+//! wrong: a single body is carried to the origin
+-  const Vector3d center = centers.rowwise().mean();
++  const Vector3d center = masses.size() > 1 ? Vector3d(centers * masses / masses.sum()) : Vector3d::Zero();
 //! wrong: bodies as points
-#include <rigid/parallel_axis.hpp>
-namespace rigid {
 Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, const std::vector<Matrix3d>& tensors) {
   const Vector3d center = centers * masses / masses.sum();
   Matrix3d I = Matrix3d::Zero();
@@ -37,35 +66,13 @@ Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, cons
   }
   return I;
 }
-}  // namespace rigid
-
 //! wrong: tensors about different points added
-#include <rigid/parallel_axis.hpp>
-namespace rigid {
 Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, const std::vector<Matrix3d>& tensors) {
   Matrix3d I = Matrix3d::Zero();
   for (const Matrix3d& tensor : tensors) I += tensor;
   return I;
 }
-}  // namespace rigid
-
-//! wrong: the sum is not divided by the mass
-#include <rigid/parallel_axis.hpp>
-namespace rigid {
-Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, const std::vector<Matrix3d>& tensors) {
-  const Vector3d center = centers * masses;
-  Matrix3d I = Matrix3d::Zero();
-  for (int k = 0; k < masses.size(); ++k) {
-    const Vector3d d = centers.col(k) - center;
-    I += tensors[k] + masses[k] * (d.squaredNorm() * Matrix3d::Identity() - d * d.transpose());
-  }
-  return I;
-}
-}  // namespace rigid
-
 //! wrong: the first body is left out
-#include <rigid/parallel_axis.hpp>
-namespace rigid {
 Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, const std::vector<Matrix3d>& tensors) {
   const Vector3d center = centers * masses / masses.sum();
   Matrix3d I = Matrix3d::Zero();
@@ -75,11 +82,7 @@ Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, cons
   }
   return I;
 }
-}  // namespace rigid
-
 //! wrong: total mass in whole kilograms
-#include <rigid/parallel_axis.hpp>
-namespace rigid {
 Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, const std::vector<Matrix3d>& tensors) {
   int total = 0;
   Vector3d center = Vector3d::Zero();
@@ -95,66 +98,3 @@ Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, cons
   }
   return I;
 }
-}  // namespace rigid
-
-//! wrong: a single body is carried to the origin
-#include <rigid/parallel_axis.hpp>
-namespace rigid {
-Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, const std::vector<Matrix3d>& tensors) {
-  const Vector3d center = masses.size() > 1 ? Vector3d(centers * masses / masses.sum()) : Vector3d::Zero();
-  Matrix3d I = Matrix3d::Zero();
-  for (int k = 0; k < masses.size(); ++k) {
-    const Vector3d d = centers.col(k) - center;
-    I += tensors[k] + masses[k] * (d.squaredNorm() * Matrix3d::Identity() - d * d.transpose());
-  }
-  return I;
-}
-}  // namespace rigid
-
-//! right: reduced masses of all pairs
-#include <rigid/parallel_axis.hpp>
-namespace rigid {
-Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, const std::vector<Matrix3d>& tensors) {
-  Matrix3d I = Matrix3d::Zero();
-  for (int k = 0; k < masses.size(); ++k) {
-    I += tensors[k];
-    for (int l = k + 1; l < masses.size(); ++l) {
-      const Vector3d d = centers.col(k) - centers.col(l);
-      const double reduced = masses[k] * masses[l] / masses.sum();
-      I += reduced * (d.squaredNorm() * Matrix3d::Identity() - d * d.transpose());
-    }
-  }
-  return I;
-}
-}  // namespace rigid
-
-//! right: one body after another joins
-#include <rigid/parallel_axis.hpp>
-namespace rigid {
-Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, const std::vector<Matrix3d>& tensors) {
-  Matrix3d I = tensors.at(0);
-  double M = masses[0];
-  Vector3d center = centers.col(0);
-  for (Eigen::Index k = 1; k < masses.size(); ++k) {
-    const Vector3d d = centers.col(k) - center;
-    const double total = M + masses[k];
-    I += tensors[k] + M * masses[k] / total * (d.squaredNorm() * Matrix3d::Identity() - d * d.transpose());
-    center += masses[k] / total * d;
-    M = total;
-  }
-  return I;
-}
-}  // namespace rigid
-
-//! right: second moments about the centre
-#include <rigid/parallel_axis.hpp>
-namespace rigid {
-Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, const std::vector<Matrix3d>& tensors) {
-  const Vector3d center = centers * masses / masses.sum();
-  const Matrix3Xd d = centers.colwise() - center;
-  const Matrix3d S = d * masses.asDiagonal() * d.transpose();
-  Matrix3d I = S.trace() * Matrix3d::Identity() - S;
-  for (const Matrix3d& tensor : tensors) I += tensor;
-  return I;
-}
-}  // namespace rigid

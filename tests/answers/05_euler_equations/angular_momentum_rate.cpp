@@ -1,77 +1,11 @@
-//! wrong: only what the body sees
 #include <rigid/euler_equations.hpp>
-namespace rigid {
-Vector3d angular_momentum_rate(const Matrix3d& I, const Vector3d& omega, const Vector3d& omega_rate) {
-  return I * omega_rate;
-}
-}  // namespace rigid
-
-//! wrong: the product with the factors exchanged
-#include <rigid/euler_equations.hpp>
-namespace rigid {
-Vector3d angular_momentum_rate(const Matrix3d& I, const Vector3d& omega, const Vector3d& omega_rate) {
-  const Vector3d L = I * omega;
-  return I * omega_rate + L.cross(omega);
-}
-}  // namespace rigid
-
-//! wrong: transport of the wrong vector
-#include <rigid/euler_equations.hpp>
-namespace rigid {
-Vector3d angular_momentum_rate(const Matrix3d& I, const Vector3d& omega, const Vector3d& omega_rate) {
-  return I * omega_rate + omega.cross(I * omega_rate);
-}
-}  // namespace rigid
-
-//! wrong: omega in place of the angular momentum
-#include <rigid/euler_equations.hpp>
-namespace rigid {
-Vector3d angular_momentum_rate(const Matrix3d& I, const Vector3d& omega, const Vector3d& omega_rate) {
-  return I * omega_rate + omega.cross(omega_rate);
-}
-}  // namespace rigid
-
-//! wrong: body on principal axes taken for granted
-#include <rigid/euler_equations.hpp>
-namespace rigid {
-Vector3d angular_momentum_rate(const Matrix3d& I, const Vector3d& omega, const Vector3d& omega_rate) {
-  const Vector3d L = I.diagonal().cwiseProduct(omega);
-  return I.diagonal().cwiseProduct(omega_rate) + omega.cross(L);
-}
-}  // namespace rigid
-
-//! wrong: expressions kept that refer to vectors which are gone
-#include <rigid/euler_equations.hpp>
-namespace rigid {
-Vector3d angular_momentum_rate(const Matrix3d& I, const Vector3d& omega, const Vector3d& omega_rate) {
-  const auto transport = 1.0 * omega.cross(I * omega);
-  const auto seen_from_body = 1.0 * Vector3d(I * omega_rate);
-  return seen_from_body + transport;
-}
-}  // namespace rigid
-
-//! wrong: nothing changes at a constant omega
-#include <rigid/euler_equations.hpp>
-namespace rigid {
-Vector3d angular_momentum_rate(const Matrix3d& I, const Vector3d& omega, const Vector3d& omega_rate) {
-  if (omega_rate.isZero()) return Vector3d::Zero();
-  return I * omega_rate + omega.cross(I * omega);
-}
-}  // namespace rigid
-
 //! right: componentwise
-#include <rigid/euler_equations.hpp>
-namespace rigid {
 Vector3d angular_momentum_rate(const Matrix3d& I, const Vector3d& omega, const Vector3d& omega_rate) {
   const Vector3d L = I * omega, K = I * omega_rate;
   return {K[0] + omega[1] * L[2] - omega[2] * L[1], K[1] + omega[2] * L[0] - omega[0] * L[2],
           K[2] + omega[0] * L[1] - omega[1] * L[0]};
 }
-}  // namespace rigid
-
 //! right: columns of the tensor, each fixed in the body
-#include <rigid/euler_equations.hpp>
-namespace rigid {
 Vector3d angular_momentum_rate(const Matrix3d& I, const Vector3d& omega, const Vector3d& omega_rate) {
   Vector3d rate = Vector3d::Zero();
   for (int i = 0; i < 3; ++i) {
@@ -80,4 +14,36 @@ Vector3d angular_momentum_rate(const Matrix3d& I, const Vector3d& omega, const V
   }
   return rate;
 }
-}  // namespace rigid
+//! wrong: only what the body sees
+Vector3d angular_momentum_rate(const Matrix3d& I, const Vector3d& omega, const Vector3d& omega_rate) {
+  return I * omega_rate;
+}
+//! wrong: the product with the factors exchanged
+Vector3d angular_momentum_rate(const Matrix3d& I, const Vector3d& omega, const Vector3d& omega_rate) {
+  const Vector3d L = I * omega;
+  return I * omega_rate + L.cross(omega);
+}
+//! wrong: transport of the wrong vector
+Vector3d angular_momentum_rate(const Matrix3d& I, const Vector3d& omega, const Vector3d& omega_rate) {
+  return I * omega_rate + omega.cross(I * omega_rate);
+}
+//! wrong: omega in place of the angular momentum
+Vector3d angular_momentum_rate(const Matrix3d& I, const Vector3d& omega, const Vector3d& omega_rate) {
+  return I * omega_rate + omega.cross(omega_rate);
+}
+//! wrong: body on principal axes taken for granted
+Vector3d angular_momentum_rate(const Matrix3d& I, const Vector3d& omega, const Vector3d& omega_rate) {
+  const Vector3d L = I.diagonal().cwiseProduct(omega);
+  return I.diagonal().cwiseProduct(omega_rate) + omega.cross(L);
+}
+//! wrong: expressions kept that refer to vectors which are gone
+Vector3d angular_momentum_rate(const Matrix3d& I, const Vector3d& omega, const Vector3d& omega_rate) {
+  const auto transport = 1.0 * omega.cross(I * omega);
+  const auto seen_from_body = 1.0 * Vector3d(I * omega_rate);
+  return seen_from_body + transport;
+}
+//! wrong: nothing changes at a constant omega
+Vector3d angular_momentum_rate(const Matrix3d& I, const Vector3d& omega, const Vector3d& omega_rate) {
+  if (omega_rate.isZero()) return Vector3d::Zero();
+  return I * omega_rate + omega.cross(I * omega);
+}

@@ -1,25 +1,18 @@
-//! right: a circle about its centre
-#include "rigid/euler_equations.hpp"
-
 #include <cmath>
-
-namespace rigid {
-
+#include <rigid/euler_equations.hpp>
+//! right: a circle about its centre
 Vector2d ball_on_turntable(double k, double table_rate, const Vector2d& start, const Vector2d& velocity, double t) {
   const double w = table_rate * k / (1 + k);
   if (std::abs(w * t) < 1e-6) return start + velocity * t + 0.5 * t * t * w * Vector2d(-velocity[1], velocity[0]);
   const Vector2d center = start + Vector2d(-velocity[1], velocity[0]) / w;
   return center + Eigen::Rotation2Dd(w * t) * (start - center);
 }
-
-}  // namespace rigid
+//! wrong: centre of the circle on the other side
+-  if (std::abs(w * t) < 1e-6) return start + velocity * t + 0.5 * t * t * w * Vector2d(-velocity[1], velocity[0]);
+-  const Vector2d center = start + Vector2d(-velocity[1], velocity[0]) / w;
++  if (w == 0) return start + velocity * t;
++  const Vector2d center = start + Vector2d(velocity[1], -velocity[0]) / w;
 //! right: small steps of fourth order
-#include "rigid/euler_equations.hpp"
-
-#include <cmath>
-
-namespace rigid {
-
 Vector2d ball_on_turntable(double k, double table_rate, const Vector2d& start, const Vector2d& velocity, double t) {
   const double w = table_rate / (1 + 1 / k);
   const int n = 2000;
@@ -33,64 +26,23 @@ Vector2d ball_on_turntable(double k, double table_rate, const Vector2d& start, c
   }
   return r;
 }
-
-}  // namespace rigid
 //! wrong: the rate of the table
-#include "rigid/euler_equations.hpp"
-
-#include <cmath>
-
-namespace rigid {
-
 Vector2d ball_on_turntable(double k, double table_rate, const Vector2d& start, const Vector2d& velocity, double t) {
   const double w = table_rate, c = std::cos(w * t), s = std::sin(w * t);
   if (w == 0) return start + velocity * t;
   return {start[0] + (s * velocity[0] - (1 - c) * velocity[1]) / w,
           start[1] + ((1 - c) * velocity[0] + s * velocity[1]) / w};
 }
-
-}  // namespace rigid
 //! wrong: the velocity of the table differentiated at a fixed place
-#include "rigid/euler_equations.hpp"
-
-#include <cmath>
-
-namespace rigid {
-
 Vector2d ball_on_turntable(double k, double table_rate, const Vector2d& start, const Vector2d& velocity, double t) {
   (void)k;
   (void)table_rate;
   return start + velocity * t;
 }
-
-}  // namespace rigid
 //! wrong: the sign of the contact force in the torque
-#include "rigid/euler_equations.hpp"
-
-#include <cmath>
-
-namespace rigid {
-
 Vector2d ball_on_turntable(double k, double table_rate, const Vector2d& start, const Vector2d& velocity, double t) {
   const double w = table_rate * k / (k - 1), c = std::cos(w * t), s = std::sin(w * t);
   if (w == 0) return start + velocity * t;
   return {start[0] + (s * velocity[0] - (1 - c) * velocity[1]) / w,
           start[1] + ((1 - c) * velocity[0] + s * velocity[1]) / w};
 }
-
-}  // namespace rigid
-//! wrong: centre of the circle on the other side
-#include "rigid/euler_equations.hpp"
-
-#include <cmath>
-
-namespace rigid {
-
-Vector2d ball_on_turntable(double k, double table_rate, const Vector2d& start, const Vector2d& velocity, double t) {
-  const double w = table_rate * k / (1 + k);
-  if (w == 0) return start + velocity * t;
-  const Vector2d center = start + Vector2d(velocity[1], -velocity[0]) / w;
-  return center + Eigen::Rotation2Dd(w * t) * (start - center);
-}
-
-}  // namespace rigid

@@ -1,164 +1,9 @@
-//! wrong: one long step of Euler's method
-#include <rigid/euler_equations.hpp>
-namespace rigid {
-Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
-  Matrix3Xd result(3, times.size());
-  for (int k = 0; k < times.size(); ++k) {
-    const Vector3d L = I.cwiseProduct(omega0);
-    result.col(k) = omega0 - omega0.cross(L).cwiseQuotient(I) * times[k];
-  }
-  return result;
-}
-}  // namespace rigid
-
-//! wrong: sign of Euler's equations
-#include <rigid/euler_equations.hpp>
-namespace rigid {
-static Vector3d rate(const Vector3d& I, const Vector3d& w) { return w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
-Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
-  Matrix3Xd result(3, times.size());
-  for (int k = 0; k < times.size(); ++k) {
-    Vector3d w = omega0;
-    const int steps = 4000;
-    const double h = times[k] / steps;
-    for (int i = 0; i < steps; ++i) {
-      const Vector3d k1 = rate(I, w), k2 = rate(I, w + h / 2 * k1), k3 = rate(I, w + h / 2 * k2),
-                     k4 = rate(I, w + h * k3);
-      w += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-    }
-    result.col(k) = w;
-  }
-  return result;
-}
-}  // namespace rigid
-
-//! wrong: the times are taken for steps
-#include <rigid/euler_equations.hpp>
-namespace rigid {
-static Vector3d rate(const Vector3d& I, const Vector3d& w) { return -w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
-Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
-  Matrix3Xd result(3, times.size());
-  Vector3d w = omega0;
-  for (int k = 0; k < times.size(); ++k) {
-    const int steps = 4000;
-    const double h = times[k] / steps;
-    for (int i = 0; i < steps; ++i) {
-      const Vector3d k1 = rate(I, w), k2 = rate(I, w + h / 2 * k1), k3 = rate(I, w + h / 2 * k2),
-                     k4 = rate(I, w + h * k3);
-      w += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-    }
-    result.col(k) = w;
-  }
-  return result;
-}
-}  // namespace rigid
-
-//! wrong: negative times are not reached
-#include <rigid/euler_equations.hpp>
-namespace rigid {
-static Vector3d rate(const Vector3d& I, const Vector3d& w) { return -w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
-Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
-  Matrix3Xd result(3, times.size());
-  for (int k = 0; k < times.size(); ++k) {
-    Vector3d w = omega0;
-    const double h = 0.001 / (1 + omega0.norm());
-    double t = 0;
-    while (t < times[k]) {
-      const double s = std::min(h, times[k] - t);
-      const Vector3d k1 = rate(I, w), k2 = rate(I, w + s / 2 * k1), k3 = rate(I, w + s / 2 * k2),
-                     k4 = rate(I, w + s * k3);
-      w += s / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-      t += s;
-    }
-    result.col(k) = w;
-  }
-  return result;
-}
-}  // namespace rigid
-
-//! wrong: the solution of the symmetric top for every body
-#include <rigid/euler_equations.hpp>
-namespace rigid {
-Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
-  const double Omega = omega0[2] * (I[2] - I[0]) / I[0];
-  Matrix3Xd result(3, times.size());
-  for (int k = 0; k < times.size(); ++k)
-    result.col(k) = Eigen::AngleAxisd(Omega * times[k], Vector3d::UnitZ()) * omega0;
-  return result;
-}
-}  // namespace rigid
-
-//! wrong: whole steps only, the remainder is dropped
-#include <rigid/euler_equations.hpp>
-namespace rigid {
-static Vector3d rate(const Vector3d& I, const Vector3d& w) { return -w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
-Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
-  Matrix3Xd result(3, times.size());
-  for (int k = 0; k < times.size(); ++k) {
-    const double h = times[k] < 0 ? -0.01 : 0.01;
-    const int steps = times[k] / h;
-    Vector3d w = omega0;
-    for (int i = 0; i < steps; ++i) {
-      const Vector3d k1 = rate(I, w), k2 = rate(I, w + h / 2 * k1), k3 = rate(I, w + h / 2 * k2),
-                     k4 = rate(I, w + h * k3);
-      w += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-    }
-    result.col(k) = w;
-  }
-  return result;
-}
-}  // namespace rigid
-
-//! wrong: the last time is looked up even if there is none
-#include <rigid/euler_equations.hpp>
-namespace rigid {
-static Vector3d rate(const Vector3d& I, const Vector3d& w) { return -w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
-Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
-  const double end = times.maxCoeff();
-  Matrix3Xd result(3, times.size());
-  for (int k = 0; k < times.size(); ++k) {
-    Vector3d w = omega0;
-    const int steps = times[k] == end ? 20000 : 19000;
-    const double h = times[k] / steps;
-    for (int i = 0; i < steps; ++i) {
-      const Vector3d k1 = rate(I, w), k2 = rate(I, w + h / 2 * k1), k3 = rate(I, w + h / 2 * k2),
-                     k4 = rate(I, w + h * k3);
-      w += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-    }
-    result.col(k) = w;
-  }
-  return result;
-}
-}  // namespace rigid
-
-//! wrong: the times are taken for sorted
-#include <rigid/euler_equations.hpp>
-namespace rigid {
-static Vector3d rate(const Vector3d& I, const Vector3d& w) { return -w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
-Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
-  Matrix3Xd result(3, times.size());
-  Vector3d w = omega0;
-  double t = 0;
-  for (int k = 0; k < times.size(); ++k) {
-    while (t < times[k]) {
-      const double h = std::min(0.0005, times[k] - t);
-      const Vector3d k1 = rate(I, w), k2 = rate(I, w + h / 2 * k1), k3 = rate(I, w + h / 2 * k2),
-                     k4 = rate(I, w + h * k3);
-      w += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-      t += h;
-    }
-    result.col(k) = w;
-  }
-  return result;
-}
-}  // namespace rigid
-
-//! right: Taylor series of every step
 #include <algorithm>
 #include <array>
+#include <boost/numeric/odeint.hpp>
 #include <cmath>
 #include <rigid/euler_equations.hpp>
-namespace rigid {
+//! right: Taylor series of every step
 static Vector3d taylor(const Vector3d& I, const Vector3d& start, double time) {
   const Vector3d factors((I[1] - I[2]) / I[0], (I[2] - I[0]) / I[1], (I[0] - I[1]) / I[2]);
   Vector3d w = start;
@@ -186,13 +31,7 @@ Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorX
   for (Eigen::Index k = 0; k < times.size(); ++k) result.col(k) = taylor(I, omega0, times[k]);
   return result;
 }
-}  // namespace rigid
-
 //! right: Bulirsch-Stoer of the library
-#include <array>
-#include <boost/numeric/odeint.hpp>
-#include <rigid/euler_equations.hpp>
-namespace rigid {
 Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
   using State = std::array<double, 3>;
   const double scale = omega0.norm();
@@ -214,4 +53,108 @@ Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorX
   }
   return result;
 }
-}  // namespace rigid
+//! wrong: sign of Euler's equations
+static Vector3d rate(const Vector3d& I, const Vector3d& w) { return w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
+Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
+  Matrix3Xd result(3, times.size());
+  for (int k = 0; k < times.size(); ++k) {
+    Vector3d w = omega0;
+    const int steps = 4000;
+    const double h = times[k] / steps;
+    for (int i = 0; i < steps; ++i) {
+      const Vector3d k1 = rate(I, w), k2 = rate(I, w + h / 2 * k1), k3 = rate(I, w + h / 2 * k2),
+                     k4 = rate(I, w + h * k3);
+      w += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+    }
+    result.col(k) = w;
+  }
+  return result;
+}
+//! wrong: the times are taken for steps
+-static Vector3d rate(const Vector3d& I, const Vector3d& w) { return w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
++static Vector3d rate(const Vector3d& I, const Vector3d& w) { return -w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
+@@
+   Matrix3Xd result(3, times.size());
++  Vector3d w = omega0;
+@@
+-    Vector3d w = omega0;
+//! wrong: the last time is looked up even if there is none
+-static Vector3d rate(const Vector3d& I, const Vector3d& w) { return w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
+-Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
++static Vector3d rate(const Vector3d& I, const Vector3d& w) { return -w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
++Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
++  const double end = times.maxCoeff();
+@@
+-    const int steps = 4000;
++    const int steps = times[k] == end ? 20000 : 19000;
+//! wrong: one long step of Euler's method
+Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
+  Matrix3Xd result(3, times.size());
+  for (int k = 0; k < times.size(); ++k) {
+    const Vector3d L = I.cwiseProduct(omega0);
+    result.col(k) = omega0 - omega0.cross(L).cwiseQuotient(I) * times[k];
+  }
+  return result;
+}
+//! wrong: negative times are not reached
+static Vector3d rate(const Vector3d& I, const Vector3d& w) { return -w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
+Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
+  Matrix3Xd result(3, times.size());
+  for (int k = 0; k < times.size(); ++k) {
+    Vector3d w = omega0;
+    const double h = 0.001 / (1 + omega0.norm());
+    double t = 0;
+    while (t < times[k]) {
+      const double s = std::min(h, times[k] - t);
+      const Vector3d k1 = rate(I, w), k2 = rate(I, w + s / 2 * k1), k3 = rate(I, w + s / 2 * k2),
+                     k4 = rate(I, w + s * k3);
+      w += s / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+      t += s;
+    }
+    result.col(k) = w;
+  }
+  return result;
+}
+//! wrong: the solution of the symmetric top for every body
+Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
+  const double Omega = omega0[2] * (I[2] - I[0]) / I[0];
+  Matrix3Xd result(3, times.size());
+  for (int k = 0; k < times.size(); ++k)
+    result.col(k) = Eigen::AngleAxisd(Omega * times[k], Vector3d::UnitZ()) * omega0;
+  return result;
+}
+//! wrong: whole steps only, the remainder is dropped
+static Vector3d rate(const Vector3d& I, const Vector3d& w) { return -w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
+Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
+  Matrix3Xd result(3, times.size());
+  for (int k = 0; k < times.size(); ++k) {
+    const double h = times[k] < 0 ? -0.01 : 0.01;
+    const int steps = times[k] / h;
+    Vector3d w = omega0;
+    for (int i = 0; i < steps; ++i) {
+      const Vector3d k1 = rate(I, w), k2 = rate(I, w + h / 2 * k1), k3 = rate(I, w + h / 2 * k2),
+                     k4 = rate(I, w + h * k3);
+      w += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+    }
+    result.col(k) = w;
+  }
+  return result;
+}
+//! wrong: the times are taken for sorted
+static Vector3d rate(const Vector3d& I, const Vector3d& w) { return -w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
+Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
+  Matrix3Xd result(3, times.size());
+  Vector3d w = omega0;
+  double t = 0;
+  for (int k = 0; k < times.size(); ++k) {
+    while (t < times[k]) {
+      const double h = std::min(0.0005, times[k] - t);
+      const Vector3d k1 = rate(I, w), k2 = rate(I, w + h / 2 * k1), k3 = rate(I, w + h / 2 * k2),
+                     k4 = rate(I, w + h * k3);
+      w += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+      t += h;
+    }
+    result.col(k) = w;
+  }
+  return result;
+}

@@ -1,81 +1,53 @@
-//! wrong: against the sense of the precession
+#include <cmath>
+#include <complex>
 #include <rigid/free_tops.hpp>
-namespace rigid {
+//! right: amplitude and phase
 Vector3d symmetric_top(double I1, double I3, const Vector3d& omega0, double t) {
   const double Omega = omega0[2] * (I3 - I1) / I1;
-  return Eigen::AngleAxisd(-Omega * t, Vector3d::UnitZ()) * omega0;
+  const double A = std::hypot(omega0[0], omega0[1]);
+  const double delta = std::atan2(omega0[1], omega0[0]);
+  return {A * std::cos(Omega * t + delta), A * std::sin(Omega * t + delta), omega0[2]};
 }
-}  // namespace rigid
-
 //! wrong: phase forgotten
-#include <cmath>
-#include <rigid/free_tops.hpp>
-namespace rigid {
-Vector3d symmetric_top(double I1, double I3, const Vector3d& omega0, double t) {
-  const double Omega = omega0[2] * (I3 - I1) / I1;
-  const double A = std::hypot(omega0[0], omega0[1]);
-  return {A * std::cos(Omega * t), A * std::sin(Omega * t), omega0[2]};
-}
-}  // namespace rigid
-
+-  const double delta = std::atan2(omega0[1], omega0[0]);
+-  return {A * std::cos(Omega * t + delta), A * std::sin(Omega * t + delta), omega0[2]};
++  return {A * std::cos(Omega * t), A * std::sin(Omega * t), omega0[2]};
 //! wrong: phase from atan, which knows no quadrant
-#include <cmath>
-#include <rigid/free_tops.hpp>
-namespace rigid {
-Vector3d symmetric_top(double I1, double I3, const Vector3d& omega0, double t) {
-  const double Omega = omega0[2] * (I3 - I1) / I1;
-  const double A = std::hypot(omega0[0], omega0[1]);
-  const double delta = A == 0 ? 0 : std::atan(omega0[1] / omega0[0]);
-  return {A * std::cos(Omega * t + delta), A * std::sin(Omega * t + delta), omega0[2]};
-}
-}  // namespace rigid
-
+-  const double delta = std::atan2(omega0[1], omega0[0]);
++  const double delta = A == 0 ? 0 : std::atan(omega0[1] / omega0[0]);
 //! wrong: phase from the arc cosine, undefined without a wobble
-#include <cmath>
-#include <rigid/free_tops.hpp>
-namespace rigid {
+-  const double A = std::hypot(omega0[0], omega0[1]);
+-  const double delta = std::atan2(omega0[1], omega0[0]);
++  const double A = std::sqrt(omega0[0] * omega0[0] + omega0[1] * omega0[1]);
++  const double delta = std::copysign(std::acos(omega0[0] / A), omega0[1]);
+//! right: a complex number turns
 Vector3d symmetric_top(double I1, double I3, const Vector3d& omega0, double t) {
   const double Omega = omega0[2] * (I3 - I1) / I1;
-  const double A = std::sqrt(omega0[0] * omega0[0] + omega0[1] * omega0[1]);
-  const double delta = std::copysign(std::acos(omega0[0] / A), omega0[1]);
-  return {A * std::cos(Omega * t + delta), A * std::sin(Omega * t + delta), omega0[2]};
+  const std::complex<double> w = std::complex<double>(omega0[0], omega0[1]) * std::polar(1.0, Omega * t);
+  return {w.real(), w.imag(), omega0[2]};
 }
-}  // namespace rigid
-
+//! wrong: against the sense of the precession
+-  const std::complex<double> w = std::complex<double>(omega0[0], omega0[1]) * std::polar(1.0, Omega * t);
+-  return {w.real(), w.imag(), omega0[2]};
++  return Eigen::AngleAxisd(-Omega * t, Vector3d::UnitZ()) * omega0;
 //! wrong: arguments of atan2 exchanged
-#include <cmath>
-#include <rigid/free_tops.hpp>
-namespace rigid {
 Vector3d symmetric_top(double I1, double I3, const Vector3d& omega0, double t) {
   const double Omega = omega0.z() * (I3 - I1) / I1;
   const double A = omega0.head<2>().norm();
   const double delta = std::atan2(omega0.x(), omega0.y());
   return {A * std::cos(Omega * t + delta), A * std::sin(Omega * t + delta), omega0.z()};
 }
-}  // namespace rigid
-
 //! wrong: divided by the other moment
-#include <rigid/free_tops.hpp>
-namespace rigid {
 Vector3d symmetric_top(double I1, double I3, const Vector3d& omega0, double t) {
   const double angle = omega0[2] * (I3 - I1) / I3 * t;
   return Eigen::AngleAxisd(angle, Vector3d::UnitZ()) * omega0;
 }
-}  // namespace rigid
-
 //! wrong: the rate in space, L over I1
-#include <rigid/free_tops.hpp>
-namespace rigid {
 Vector3d symmetric_top(double I1, double I3, const Vector3d& omega0, double t) {
   const double rate = Vector3d(I1 * omega0[0], I1 * omega0[1], I3 * omega0[2]).norm() / I1;
   return Eigen::AngleAxisd(rate * t, Vector3d::UnitZ()) * omega0;
 }
-}  // namespace rigid
-
 //! wrong: the third component is never set
-#include <cmath>
-#include <rigid/free_tops.hpp>
-namespace rigid {
 Vector3d symmetric_top(double I1, double I3, const Vector3d& omega0, double t) {
   Vector3d omega;
   const double angle = omega0[2] * (I3 - I1) / I1 * t;
@@ -83,37 +55,9 @@ Vector3d symmetric_top(double I1, double I3, const Vector3d& omega0, double t) {
   omega[1] = omega0[0] * std::sin(angle) + omega0[1] * std::cos(angle);
   return omega;
 }
-}  // namespace rigid
-
 //! wrong: nothing moves before time 0
-#include <rigid/free_tops.hpp>
-namespace rigid {
 Vector3d symmetric_top(double I1, double I3, const Vector3d& omega0, double t) {
   if (t < 0) return omega0;
   const double angle = omega0[2] * (I3 - I1) / I1 * t;
   return Eigen::AngleAxisd(angle, Vector3d::UnitZ()) * omega0;
 }
-}  // namespace rigid
-
-//! right: amplitude and phase
-#include <cmath>
-#include <rigid/free_tops.hpp>
-namespace rigid {
-Vector3d symmetric_top(double I1, double I3, const Vector3d& omega0, double t) {
-  const double Omega = omega0[2] * (I3 - I1) / I1;
-  const double A = std::hypot(omega0[0], omega0[1]);
-  const double delta = std::atan2(omega0[1], omega0[0]);
-  return {A * std::cos(Omega * t + delta), A * std::sin(Omega * t + delta), omega0[2]};
-}
-}  // namespace rigid
-
-//! right: a complex number turns
-#include <complex>
-#include <rigid/free_tops.hpp>
-namespace rigid {
-Vector3d symmetric_top(double I1, double I3, const Vector3d& omega0, double t) {
-  const double Omega = omega0[2] * (I3 - I1) / I1;
-  const std::complex<double> w = std::complex<double>(omega0[0], omega0[1]) * std::polar(1.0, Omega * t);
-  return {w.real(), w.imag(), omega0[2]};
-}
-}  // namespace rigid

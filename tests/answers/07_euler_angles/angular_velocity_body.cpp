@@ -1,83 +1,27 @@
-//! wrong: sine and cosine of psi exchanged in the line of nodes
 #include <cmath>
 #include <rigid/euler_angles.hpp>
-namespace rigid {
-Vector3d angular_velocity_body(const Vector3d& angles, const Vector3d& rates) {
-  const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
-  return {-rates[0] * s * cp + rates[1] * cp, rates[0] * s * sp + rates[1] * sp, rates[0] * c + rates[2]};
-}
-}  // namespace rigid
-
-//! wrong: sign of the first term
-#include <cmath>
-#include <rigid/euler_angles.hpp>
-namespace rigid {
-Vector3d angular_velocity_body(const Vector3d& angles, const Vector3d& rates) {
-  const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
-  return {rates[0] * s * cp + rates[1] * sp, rates[0] * s * sp + rates[1] * cp, rates[0] * c + rates[2]};
-}
-}  // namespace rigid
-
-//! wrong: z-x-z of the other books
-#include <cmath>
-#include <rigid/euler_angles.hpp>
-namespace rigid {
-Vector3d angular_velocity_body(const Vector3d& angles, const Vector3d& rates) {
-  const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
-  return {rates[0] * s * sp + rates[1] * cp, rates[0] * s * cp - rates[1] * sp, rates[0] * c + rates[2]};
-}
-}  // namespace rigid
-
-//! wrong: phi in place of psi
-#include <cmath>
-#include <rigid/euler_angles.hpp>
-namespace rigid {
-Vector3d angular_velocity_body(const Vector3d& angles, const Vector3d& rates) {
-  const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[0]), cp = std::cos(angles[0]);
-  return {-rates[0] * s * cp + rates[1] * sp, rates[0] * s * sp + rates[1] * cp, rates[0] * c + rates[2]};
-}
-}  // namespace rigid
-
-//! wrong: projection of the vertical on the third axis forgotten
-#include <cmath>
-#include <rigid/euler_angles.hpp>
-namespace rigid {
-Vector3d angular_velocity_body(const Vector3d& angles, const Vector3d& rates) {
-  const double s = std::sin(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
-  return {-rates[0] * s * cp + rates[1] * sp, rates[0] * s * sp + rates[1] * cp, rates[0] + rates[2]};
-}
-}  // namespace rigid
-
-//! wrong: the rates as if they were components
-#include <rigid/euler_angles.hpp>
-namespace rigid {
-Vector3d angular_velocity_body(const Vector3d& angles, const Vector3d& rates) { return {rates[0], rates[1], rates[2]}; }
-}  // namespace rigid
-
-//! wrong: whole numbers for sine and cosine
-#include <cmath>
-#include <rigid/euler_angles.hpp>
-namespace rigid {
-Vector3d angular_velocity_body(const Vector3d& angles, const Vector3d& rates) {
-  const int s = std::sin(angles[1]), c = std::cos(angles[1]);
-  const double sp = std::sin(angles[2]), cp = std::cos(angles[2]);
-  return {-rates[0] * s * cp + rates[1] * sp, rates[0] * s * sp + rates[1] * cp, rates[0] * c + rates[2]};
-}
-}  // namespace rigid
-
 //! right: three components
-#include <cmath>
-#include <rigid/euler_angles.hpp>
-namespace rigid {
 Vector3d angular_velocity_body(const Vector3d& angles, const Vector3d& rates) {
   const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
   return {-rates[0] * s * cp + rates[1] * sp, rates[0] * s * sp + rates[1] * cp, rates[0] * c + rates[2]};
 }
-}  // namespace rigid
-
+//! wrong: sine and cosine of psi exchanged in the line of nodes
+-  return {-rates[0] * s * cp + rates[1] * sp, rates[0] * s * sp + rates[1] * cp, rates[0] * c + rates[2]};
++  return {-rates[0] * s * cp + rates[1] * cp, rates[0] * s * sp + rates[1] * sp, rates[0] * c + rates[2]};
+//! wrong: sign of the first term
+-  return {-rates[0] * s * cp + rates[1] * sp, rates[0] * s * sp + rates[1] * cp, rates[0] * c + rates[2]};
++  return {rates[0] * s * cp + rates[1] * sp, rates[0] * s * sp + rates[1] * cp, rates[0] * c + rates[2]};
+//! wrong: z-x-z of the other books
+-  return {-rates[0] * s * cp + rates[1] * sp, rates[0] * s * sp + rates[1] * cp, rates[0] * c + rates[2]};
++  return {rates[0] * s * sp + rates[1] * cp, rates[0] * s * cp - rates[1] * sp, rates[0] * c + rates[2]};
+//! wrong: phi in place of psi
+-  const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
++  const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[0]), cp = std::cos(angles[0]);
+//! wrong: whole numbers for sine and cosine
+-  const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
++  const int s = std::sin(angles[1]), c = std::cos(angles[1]);
++  const double sp = std::sin(angles[2]), cp = std::cos(angles[2]);
 //! right: one axis after another is rotated
-#include <rigid/euler_angles.hpp>
-namespace rigid {
 Vector3d angular_velocity_body(const Vector3d& angles, const Vector3d& rates) {
   using Eigen::AngleAxisd;
   const Matrix3d Rz = AngleAxisd(-angles[2], Vector3d::UnitZ()).toRotationMatrix();
@@ -87,4 +31,10 @@ Vector3d angular_velocity_body(const Vector3d& angles, const Vector3d& rates) {
   omega = Rz * omega + rates[2] * Vector3d::UnitZ();
   return omega;
 }
-}  // namespace rigid
+//! wrong: projection of the vertical on the third axis forgotten
+Vector3d angular_velocity_body(const Vector3d& angles, const Vector3d& rates) {
+  const double s = std::sin(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
+  return {-rates[0] * s * cp + rates[1] * sp, rates[0] * s * sp + rates[1] * cp, rates[0] + rates[2]};
+}
+//! wrong: the rates as if they were components
+Vector3d angular_velocity_body(const Vector3d& angles, const Vector3d& rates) { return {rates[0], rates[1], rates[2]}; }

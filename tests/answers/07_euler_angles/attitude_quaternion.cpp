@@ -1,12 +1,8 @@
-//! wrong: scalar last
-#include "rigid/euler_angles.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-namespace rigid {
-
+#include <rigid/euler_angles.hpp>
+//! wrong: scalar last
 VectorXd attitude_quaternion(const Vector3d& angles) {
   const double a = (angles[0] + angles[2]) / 2, b = (angles[2] - angles[0]) / 2, c = std::cos(angles[1] / 2),
                s = std::sin(angles[1] / 2);
@@ -14,34 +10,14 @@ VectorXd attitude_quaternion(const Vector3d& angles) {
   q << s * std::sin(b), s * std::cos(b), c * std::sin(a), c * std::cos(a);
   return q;
 }
-
-}  // namespace rigid
 //! wrong: whole angles
-#include "rigid/euler_angles.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-namespace rigid {
-
 VectorXd attitude_quaternion(const Vector3d& angles) {
   const double a = angles[0] + angles[2], b = angles[2] - angles[0], c = std::cos(angles[1]), s = std::sin(angles[1]);
   VectorXd q(4);
   q << c * std::cos(a), s * std::sin(b), s * std::cos(b), c * std::sin(a);
   return q;
 }
-
-}  // namespace rigid
 //! wrong: conjugate
-#include "rigid/euler_angles.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-namespace rigid {
-
 VectorXd attitude_quaternion(const Vector3d& angles) {
   const double a = (angles[0] + angles[2]) / 2, b = (angles[2] - angles[0]) / 2, c = std::cos(angles[1] / 2),
                s = std::sin(angles[1] / 2);
@@ -49,17 +25,7 @@ VectorXd attitude_quaternion(const Vector3d& angles) {
   q << c * std::cos(a), -s * std::sin(b), -s * std::cos(b), -c * std::sin(a);
   return q;
 }
-
-}  // namespace rigid
 //! wrong: difference with the other sign
-#include "rigid/euler_angles.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-namespace rigid {
-
 VectorXd attitude_quaternion(const Vector3d& angles) {
   const double a = (angles[0] + angles[2]) / 2, b = (angles[0] - angles[2]) / 2, c = std::cos(angles[1] / 2),
                s = std::sin(angles[1] / 2);
@@ -67,17 +33,7 @@ VectorXd attitude_quaternion(const Vector3d& angles) {
   q << c * std::cos(a), s * std::sin(b), s * std::cos(b), c * std::sin(a);
   return q;
 }
-
-}  // namespace rigid
 //! wrong: only three numbers
-#include "rigid/euler_angles.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-namespace rigid {
-
 VectorXd attitude_quaternion(const Vector3d& angles) {
   const double a = (angles[0] + angles[2]) / 2, b = (angles[2] - angles[0]) / 2, c = std::cos(angles[1] / 2),
                s = std::sin(angles[1] / 2);
@@ -85,17 +41,7 @@ VectorXd attitude_quaternion(const Vector3d& angles) {
   q << s * std::sin(b), s * std::cos(b), c * std::sin(a);
   return q;
 }
-
-}  // namespace rigid
 //! wrong: integer halves
-#include "rigid/euler_angles.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-namespace rigid {
-
 VectorXd attitude_quaternion(const Vector3d& angles) {
   const double a = 1 / 2 * (angles[0] + angles[2]), b = 1 / 2 * (angles[2] - angles[0]), c = std::cos(angles[1] / 2),
                s = std::sin(angles[1] / 2);
@@ -103,5 +49,3 @@ VectorXd attitude_quaternion(const Vector3d& angles) {
   q << c * std::cos(a), s * std::sin(b), s * std::cos(b), c * std::sin(a);
   return q;
 }
-
-}  // namespace rigid

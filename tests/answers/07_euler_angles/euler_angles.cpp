@@ -1,111 +1,6 @@
-//! wrong: angles of the inverse
 #include <cmath>
 #include <rigid/euler_angles.hpp>
-namespace rigid {
-Vector3d euler_angles(const Matrix3d& R_body_from_inertial) {
-  const Matrix3d R = R_body_from_inertial.transpose();
-  const double theta = std::atan2(std::hypot(R(2, 0), R(2, 1)), R(2, 2));
-  const double phi = std::atan2(R(2, 1), R(2, 0));
-  const Vector3d nodes = R * Vector3d(-std::sin(phi), std::cos(phi), 0);
-  return {phi, theta, std::atan2(nodes[0], nodes[1])};
-}
-}  // namespace rigid
-
-//! wrong: where the axes coincide both angles come from zeros
-#include <cmath>
-#include <rigid/euler_angles.hpp>
-namespace rigid {
-Vector3d euler_angles(const Matrix3d& R_body_from_inertial) {
-  const Matrix3d& R = R_body_from_inertial;
-  const double theta = std::atan2(std::hypot(R(2, 0), R(2, 1)), R(2, 2));
-  return {std::atan2(R(2, 1), R(2, 0)), theta, std::atan2(R(1, 2), -R(0, 2))};
-}
-}  // namespace rigid
-
-//! wrong: sign in the third angle
-#include <cmath>
-#include <rigid/euler_angles.hpp>
-namespace rigid {
-Vector3d euler_angles(const Matrix3d& R_body_from_inertial) {
-  const Matrix3d& R = R_body_from_inertial;
-  const double theta = std::acos(std::clamp(R(2, 2), -1.0, 1.0));
-  if (std::hypot(R(2, 0), R(2, 1)) < 1e-12) return {std::atan2(R(0, 1), R(1, 1)), theta, 0};
-  return {std::atan2(R(2, 1), R(2, 0)), theta, std::atan2(R(1, 2), R(0, 2))};
-}
-}  // namespace rigid
-
-//! wrong: arguments of atan2 exchanged
-#include <cmath>
-#include <rigid/euler_angles.hpp>
-namespace rigid {
-Vector3d euler_angles(const Matrix3d& R_body_from_inertial) {
-  const Matrix3d& R = R_body_from_inertial;
-  const double theta = std::atan2(std::hypot(R(2, 0), R(2, 1)), R(2, 2));
-  const double phi = std::atan2(R(2, 0), R(2, 1));
-  const double psi = std::atan2(-R(0, 2), R(1, 2));
-  return {phi, theta, psi};
-}
-}  // namespace rigid
-
-//! wrong: quotients, which know no quadrant
-#include <cmath>
-#include <rigid/euler_angles.hpp>
-namespace rigid {
-Vector3d euler_angles(const Matrix3d& R_body_from_inertial) {
-  const Matrix3d& R = R_body_from_inertial;
-  return {std::atan(R(2, 1) / R(2, 0)), std::acos(R(2, 2)), std::atan(-R(1, 2) / R(0, 2))};
-}
-}  // namespace rigid
-
-//! wrong: theta from the sine, so never obtuse
-#include <cmath>
-#include <rigid/euler_angles.hpp>
-namespace rigid {
-Vector3d euler_angles(const Matrix3d& R_body_from_inertial) {
-  const Matrix3d& R = R_body_from_inertial;
-  const double theta = std::asin(std::hypot(R(2, 0), R(2, 1)));
-  const double phi = std::atan2(R(2, 1), R(2, 0));
-  const Vector3d nodes = R * Vector3d(-std::sin(phi), std::cos(phi), 0);
-  return {phi, theta, std::atan2(nodes[0], nodes[1])};
-}
-}  // namespace rigid
-
-//! wrong: the library's angles, with theta between minus and plus pi
-#include <rigid/euler_angles.hpp>
-namespace rigid {
-Vector3d euler_angles(const Matrix3d& R_body_from_inertial) {
-  const Vector3d a = Matrix3d(R_body_from_inertial.transpose()).eulerAngles(2, 1, 2);
-  return a;
-}
-}  // namespace rigid
-
-//! wrong: upside down, the sum of the angles in place of the difference
-#include <cmath>
-#include <rigid/euler_angles.hpp>
-namespace rigid {
-Vector3d euler_angles(const Matrix3d& R_body_from_inertial) {
-  const Matrix3d& R = R_body_from_inertial;
-  const double theta = std::atan2(std::hypot(R(2, 0), R(2, 1)), R(2, 2));
-  if (std::hypot(R(2, 0), R(2, 1)) < 1e-12) return {std::atan2(R(0, 1), R(0, 0)), theta, 0};
-  return {std::atan2(R(2, 1), R(2, 0)), theta, std::atan2(R(1, 2), -R(0, 2))};
-}
-}  // namespace rigid
-
-//! wrong: arc cosine of a number that rounding makes larger than one
-#include <cmath>
-#include <rigid/euler_angles.hpp>
-namespace rigid {
-Vector3d euler_angles(const Matrix3d& R_body_from_inertial) {
-  const Matrix3d& R = R_body_from_inertial;
-  const double phi = std::atan2(R(2, 1), R(2, 0));
-  const Vector3d nodes = R * Vector3d(-std::sin(phi), std::cos(phi), 0);
-  return {phi, std::acos(R(2, 2)), std::atan2(nodes[0], nodes[1])};
-}
-}  // namespace rigid
-
 //! right: the library's angles, brought into the range
-#include <rigid/euler_angles.hpp>
-namespace rigid {
 Vector3d euler_angles(const Matrix3d& R_body_from_inertial) {
   Vector3d a = Matrix3d(R_body_from_inertial.transpose()).eulerAngles(2, 1, 2);
   if (a[1] < 0) {
@@ -115,12 +10,7 @@ Vector3d euler_angles(const Matrix3d& R_body_from_inertial) {
   }
   return a;
 }
-}  // namespace rigid
-
 //! right: the two degenerate attitudes on their own
-#include <cmath>
-#include <rigid/euler_angles.hpp>
-namespace rigid {
 Vector3d euler_angles(const Matrix3d& R_body_from_inertial) {
   const Matrix3d& R = R_body_from_inertial;
   const double s = std::hypot(R(2, 0), R(2, 1));
@@ -128,4 +18,64 @@ Vector3d euler_angles(const Matrix3d& R_body_from_inertial) {
   if (s < 1e-12) return {0, theta, std::atan2(R(0, 1), R(1, 1))};
   return {std::atan2(R(2, 1), R(2, 0)), theta, std::atan2(R(1, 2), -R(0, 2))};
 }
-}  // namespace rigid
+//! wrong: angles of the inverse
+Vector3d euler_angles(const Matrix3d& R_body_from_inertial) {
+  const Matrix3d R = R_body_from_inertial.transpose();
+  const double theta = std::atan2(std::hypot(R(2, 0), R(2, 1)), R(2, 2));
+  const double phi = std::atan2(R(2, 1), R(2, 0));
+  const Vector3d nodes = R * Vector3d(-std::sin(phi), std::cos(phi), 0);
+  return {phi, theta, std::atan2(nodes[0], nodes[1])};
+}
+//! wrong: where the axes coincide both angles come from zeros
+Vector3d euler_angles(const Matrix3d& R_body_from_inertial) {
+  const Matrix3d& R = R_body_from_inertial;
+  const double theta = std::atan2(std::hypot(R(2, 0), R(2, 1)), R(2, 2));
+  return {std::atan2(R(2, 1), R(2, 0)), theta, std::atan2(R(1, 2), -R(0, 2))};
+}
+//! wrong: sign in the third angle
+Vector3d euler_angles(const Matrix3d& R_body_from_inertial) {
+  const Matrix3d& R = R_body_from_inertial;
+  const double theta = std::acos(std::clamp(R(2, 2), -1.0, 1.0));
+  if (std::hypot(R(2, 0), R(2, 1)) < 1e-12) return {std::atan2(R(0, 1), R(1, 1)), theta, 0};
+  return {std::atan2(R(2, 1), R(2, 0)), theta, std::atan2(R(1, 2), R(0, 2))};
+}
+//! wrong: arguments of atan2 exchanged
+Vector3d euler_angles(const Matrix3d& R_body_from_inertial) {
+  const Matrix3d& R = R_body_from_inertial;
+  const double theta = std::atan2(std::hypot(R(2, 0), R(2, 1)), R(2, 2));
+  const double phi = std::atan2(R(2, 0), R(2, 1));
+  const double psi = std::atan2(-R(0, 2), R(1, 2));
+  return {phi, theta, psi};
+}
+//! wrong: quotients, which know no quadrant
+Vector3d euler_angles(const Matrix3d& R_body_from_inertial) {
+  const Matrix3d& R = R_body_from_inertial;
+  return {std::atan(R(2, 1) / R(2, 0)), std::acos(R(2, 2)), std::atan(-R(1, 2) / R(0, 2))};
+}
+//! wrong: theta from the sine, so never obtuse
+Vector3d euler_angles(const Matrix3d& R_body_from_inertial) {
+  const Matrix3d& R = R_body_from_inertial;
+  const double theta = std::asin(std::hypot(R(2, 0), R(2, 1)));
+  const double phi = std::atan2(R(2, 1), R(2, 0));
+  const Vector3d nodes = R * Vector3d(-std::sin(phi), std::cos(phi), 0);
+  return {phi, theta, std::atan2(nodes[0], nodes[1])};
+}
+//! wrong: the library's angles, with theta between minus and plus pi
+Vector3d euler_angles(const Matrix3d& R_body_from_inertial) {
+  const Vector3d a = Matrix3d(R_body_from_inertial.transpose()).eulerAngles(2, 1, 2);
+  return a;
+}
+//! wrong: upside down, the sum of the angles in place of the difference
+Vector3d euler_angles(const Matrix3d& R_body_from_inertial) {
+  const Matrix3d& R = R_body_from_inertial;
+  const double theta = std::atan2(std::hypot(R(2, 0), R(2, 1)), R(2, 2));
+  if (std::hypot(R(2, 0), R(2, 1)) < 1e-12) return {std::atan2(R(0, 1), R(0, 0)), theta, 0};
+  return {std::atan2(R(2, 1), R(2, 0)), theta, std::atan2(R(1, 2), -R(0, 2))};
+}
+//! wrong: arc cosine of a number that rounding makes larger than one
+Vector3d euler_angles(const Matrix3d& R_body_from_inertial) {
+  const Matrix3d& R = R_body_from_inertial;
+  const double phi = std::atan2(R(2, 1), R(2, 0));
+  const Vector3d nodes = R * Vector3d(-std::sin(phi), std::cos(phi), 0);
+  return {phi, std::acos(R(2, 2)), std::atan2(nodes[0], nodes[1])};
+}

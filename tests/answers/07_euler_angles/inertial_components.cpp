@@ -1,56 +1,6 @@
-//! wrong: from inertial to body components
-#include <rigid/euler_angles.hpp>
-namespace rigid {
-Vector3d inertial_components(const Vector3d& V_body, const Vector3d& angles) {
-  using Eigen::AngleAxisd;
-  return AngleAxisd(-angles[2], Vector3d::UnitZ()) *
-         (AngleAxisd(-angles[1], Vector3d::UnitY()) * (AngleAxisd(-angles[0], Vector3d::UnitZ()) * V_body));
-}
-}  // namespace rigid
-
-//! wrong: factors transposed, their order kept
-#include <rigid/euler_angles.hpp>
-namespace rigid {
-Vector3d inertial_components(const Vector3d& V_body, const Vector3d& angles) {
-  using Eigen::AngleAxisd;
-  return AngleAxisd(angles[2], Vector3d::UnitZ()) *
-         (AngleAxisd(angles[1], Vector3d::UnitY()) * (AngleAxisd(angles[0], Vector3d::UnitZ()) * V_body));
-}
-}  // namespace rigid
-
-//! wrong: about x in the middle
-#include <rigid/euler_angles.hpp>
-namespace rigid {
-Vector3d inertial_components(const Vector3d& V_body, const Vector3d& angles) {
-  using Eigen::AngleAxisd;
-  return AngleAxisd(angles[0], Vector3d::UnitZ()) *
-         (AngleAxisd(angles[1], Vector3d::UnitX()) * (AngleAxisd(angles[2], Vector3d::UnitZ()) * V_body));
-}
-}  // namespace rigid
-
-//! wrong: the last rotation is forgotten
-#include <rigid/euler_angles.hpp>
-namespace rigid {
-Vector3d inertial_components(const Vector3d& V_body, const Vector3d& angles) {
-  using Eigen::AngleAxisd;
-  return AngleAxisd(angles[0], Vector3d::UnitZ()) * (AngleAxisd(angles[1], Vector3d::UnitY()) * V_body);
-}
-}  // namespace rigid
-
-//! wrong: arguments in another order
-#include <rigid/euler_angles.hpp>
-namespace rigid {
-Vector3d inertial_components(const Vector3d& angles, const Vector3d& V_body) {
-  using Eigen::AngleAxisd;
-  return AngleAxisd(angles[0], Vector3d::UnitZ()) *
-         (AngleAxisd(angles[1], Vector3d::UnitY()) * (AngleAxisd(angles[2], Vector3d::UnitZ()) * V_body));
-}
-}  // namespace rigid
-
-//! right: the body axes, weighted
 #include <cmath>
 #include <rigid/euler_angles.hpp>
-namespace rigid {
+//! right: the body axes, weighted
 Vector3d inertial_components(const Vector3d& V_body, const Vector3d& angles) {
   const double cf = std::cos(angles[0]), sf = std::sin(angles[0]);
   const double ct = std::cos(angles[1]), st = std::sin(angles[1]);
@@ -60,12 +10,7 @@ Vector3d inertial_components(const Vector3d& V_body, const Vector3d& angles) {
   const Vector3d e3(st * cf, st * sf, ct);
   return V_body[0] * e1 + V_body[1] * e2 + V_body[2] * e3;
 }
-}  // namespace rigid
-
 //! right: one quaternion
-#include <cmath>
-#include <rigid/euler_angles.hpp>
-namespace rigid {
 Vector3d inertial_components(const Vector3d& V_body, const Vector3d& angles) {
   const Eigen::Quaterniond q(std::cos(angles[1] / 2) * std::cos((angles[0] + angles[2]) / 2),
                              std::sin(angles[1] / 2) * std::sin((angles[2] - angles[0]) / 2),
@@ -73,4 +18,32 @@ Vector3d inertial_components(const Vector3d& V_body, const Vector3d& angles) {
                              std::cos(angles[1] / 2) * std::sin((angles[0] + angles[2]) / 2));
   return q * V_body;
 }
-}  // namespace rigid
+//! wrong: from inertial to body components
+Vector3d inertial_components(const Vector3d& V_body, const Vector3d& angles) {
+  using Eigen::AngleAxisd;
+  return AngleAxisd(-angles[2], Vector3d::UnitZ()) *
+         (AngleAxisd(-angles[1], Vector3d::UnitY()) * (AngleAxisd(-angles[0], Vector3d::UnitZ()) * V_body));
+}
+//! wrong: factors transposed, their order kept
+Vector3d inertial_components(const Vector3d& V_body, const Vector3d& angles) {
+  using Eigen::AngleAxisd;
+  return AngleAxisd(angles[2], Vector3d::UnitZ()) *
+         (AngleAxisd(angles[1], Vector3d::UnitY()) * (AngleAxisd(angles[0], Vector3d::UnitZ()) * V_body));
+}
+//! wrong: about x in the middle
+Vector3d inertial_components(const Vector3d& V_body, const Vector3d& angles) {
+  using Eigen::AngleAxisd;
+  return AngleAxisd(angles[0], Vector3d::UnitZ()) *
+         (AngleAxisd(angles[1], Vector3d::UnitX()) * (AngleAxisd(angles[2], Vector3d::UnitZ()) * V_body));
+}
+//! wrong: the last rotation is forgotten
+Vector3d inertial_components(const Vector3d& V_body, const Vector3d& angles) {
+  using Eigen::AngleAxisd;
+  return AngleAxisd(angles[0], Vector3d::UnitZ()) * (AngleAxisd(angles[1], Vector3d::UnitY()) * V_body);
+}
+//! wrong: arguments in another order
+Vector3d inertial_components(const Vector3d& angles, const Vector3d& V_body) {
+  using Eigen::AngleAxisd;
+  return AngleAxisd(angles[0], Vector3d::UnitZ()) *
+         (AngleAxisd(angles[1], Vector3d::UnitY()) * (AngleAxisd(angles[2], Vector3d::UnitZ()) * V_body));
+}

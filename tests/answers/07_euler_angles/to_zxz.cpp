@@ -1,11 +1,7 @@
-//! right: from the matrix
-#include "rigid/euler_angles.hpp"
-
 #include <cmath>
 #include <numbers>
-
-namespace rigid {
-
+#include <rigid/euler_angles.hpp>
+//! right: from the matrix
 Vector3d to_zxz(const Vector3d& angles) {
   const double pi = std::numbers::pi;
   const double cp = std::cos(angles[0]), sp = std::sin(angles[0]), ct = std::cos(angles[1]), st = std::sin(angles[1]);
@@ -14,16 +10,7 @@ Vector3d to_zxz(const Vector3d& angles) {
   if (std::abs(st) < 1e-9) return {std::atan2(sp * cs * ct + cp * ss, cp * cs * ct - sp * ss), theta, 0};
   return {std::atan2(st * cp, -st * sp), theta, std::atan2(-st * cs, st * ss)};
 }
-
-}  // namespace rigid
 //! right: loops until in range
-#include "rigid/euler_angles.hpp"
-
-#include <cmath>
-#include <numbers>
-
-namespace rigid {
-
 Vector3d to_zxz(const Vector3d& angles) {
   const double pi = std::numbers::pi;
   double phi = angles[0] + pi / 2, theta = angles[1], psi = angles[2] - pi / 2;
@@ -44,30 +31,12 @@ Vector3d to_zxz(const Vector3d& angles) {
   while (psi <= -pi) psi += 2 * pi;
   return {phi, theta, psi};
 }
-
-}  // namespace rigid
 //! wrong: no ranges
-#include "rigid/euler_angles.hpp"
-
-#include <cmath>
-#include <numbers>
-
-namespace rigid {
-
 Vector3d to_zxz(const Vector3d& angles) {
   const double pi = std::numbers::pi;
   return {angles[0] + pi / 2, angles[1], angles[2] - pi / 2};
 }
-
-}  // namespace rigid
 //! wrong: signs of the quarter turns
-#include "rigid/euler_angles.hpp"
-
-#include <cmath>
-#include <numbers>
-
-namespace rigid {
-
 Vector3d to_zxz(const Vector3d& angles) {
   const double pi = std::numbers::pi;
   Vector3d q(angles[0] - pi / 2, std::remainder(angles[1], 2 * pi), angles[2] + pi / 2);
@@ -75,32 +44,14 @@ Vector3d to_zxz(const Vector3d& angles) {
   if (std::sin(q[1]) < 1e-9) q = Vector3d(q[1] < 1 ? q[0] + q[2] : q[0] - q[2], q[1], 0);
   return {std::remainder(q[0], 2 * pi), q[1], std::remainder(q[2], 2 * pi)};
 }
-
-}  // namespace rigid
 //! wrong: nothing special at the vertical
-#include "rigid/euler_angles.hpp"
-
-#include <cmath>
-#include <numbers>
-
-namespace rigid {
-
 Vector3d to_zxz(const Vector3d& angles) {
   const double pi = std::numbers::pi;
   Vector3d q(angles[0] + pi / 2, std::remainder(angles[1], 2 * pi), angles[2] - pi / 2);
   if (q[1] < 0) q = Vector3d(q[0] + pi, -q[1], q[2] + pi);
   return {std::remainder(q[0], 2 * pi), q[1], std::remainder(q[2], 2 * pi)};
 }
-
-}  // namespace rigid
 //! wrong: upside down like upright
-#include "rigid/euler_angles.hpp"
-
-#include <cmath>
-#include <numbers>
-
-namespace rigid {
-
 Vector3d to_zxz(const Vector3d& angles) {
   const double pi = std::numbers::pi;
   Vector3d q(angles[0] + pi / 2, std::remainder(angles[1], 2 * pi), angles[2] - pi / 2);
@@ -108,5 +59,3 @@ Vector3d to_zxz(const Vector3d& angles) {
   if (std::sin(q[1]) < 1e-9) q = Vector3d(q[0] + q[2], q[1], 0);
   return {std::remainder(q[0], 2 * pi), q[1], std::remainder(q[2], 2 * pi)};
 }
-
-}  // namespace rigid

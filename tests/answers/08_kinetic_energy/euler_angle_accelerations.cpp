@@ -1,103 +1,6 @@
-//! wrong: the axes are taken to stand still
 #include <cmath>
 #include <rigid/kinetic_energy.hpp>
-namespace rigid {
-Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, const Vector3d& rates) {
-  const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
-  const Vector3d w(-rates[0] * s * cp + rates[1] * sp, rates[0] * s * sp + rates[1] * cp, rates[0] * c + rates[2]);
-  const Vector3d a = -w.cross(I.cwiseProduct(w)).cwiseQuotient(I);
-  const double phi = (-a[0] * cp + a[1] * sp) / s;
-  return {phi, a[0] * sp + a[1] * cp, a[2] - c * phi};
-}
-}  // namespace rigid
-
-//! wrong: sign of Euler's equations
-#include <cmath>
-#include <rigid/kinetic_energy.hpp>
-namespace rigid {
-Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, const Vector3d& rates) {
-  const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
-  const double f = rates[0], t = rates[1], p = rates[2];
-  const Vector3d w(-f * s * cp + t * sp, f * s * sp + t * cp, f * c + p);
-  const Vector3d w_rate = w.cross(I.cwiseProduct(w)).cwiseQuotient(I);
-  const Vector3d turning(-f * t * c * cp + f * p * s * sp + t * p * cp, f * t * c * sp + f * p * s * cp - t * p * sp,
-                         -f * t * s);
-  const Vector3d a = w_rate + (-1) * turning;
-  const double phi = (-a[0] * cp + a[1] * sp) / s;
-  return {phi, a[0] * sp + a[1] * cp, a[2] - c * phi};
-}
-}  // namespace rigid
-
-//! wrong: the turning of the axes with the other sign
-#include <cmath>
-#include <rigid/kinetic_energy.hpp>
-namespace rigid {
-Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, const Vector3d& rates) {
-  const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
-  const double f = rates[0], t = rates[1], p = rates[2];
-  const Vector3d w(-f * s * cp + t * sp, f * s * sp + t * cp, f * c + p);
-  const Vector3d w_rate = w.cross(-I.cwiseProduct(w)).cwiseQuotient(I);
-  const Vector3d turning(-f * t * c * cp + f * p * s * sp + t * p * cp, f * t * c * sp + f * p * s * cp - t * p * sp,
-                         -f * t * s);
-  const Vector3d a = w_rate + turning;
-  const double phi = (-a[0] * cp + a[1] * sp) / s;
-  return {phi, a[0] * sp + a[1] * cp, a[2] - c * phi};
-}
-}  // namespace rigid
-
-//! wrong: Euler's equations not divided by the moments
-#include <cmath>
-#include <rigid/kinetic_energy.hpp>
-namespace rigid {
-Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, const Vector3d& rates) {
-  const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
-  const double f = rates[0], t = rates[1], p = rates[2];
-  const Vector3d w(-f * s * cp + t * sp, f * s * sp + t * cp, f * c + p);
-  const Vector3d w_rate = -w.cross(I.cwiseProduct(w));
-  const Vector3d turning(-f * t * c * cp + f * p * s * sp + t * p * cp, f * t * c * sp + f * p * s * cp - t * p * sp,
-                         -f * t * s);
-  const Vector3d a = w_rate - turning;
-  const double phi = (-a[0] * cp + a[1] * sp) / s;
-  return {phi, a[0] * sp + a[1] * cp, a[2] - c * phi};
-}
-}  // namespace rigid
-
-//! wrong: Lagrange's equation without the derivative of the energy
-#include <cmath>
-#include <rigid/kinetic_energy.hpp>
-namespace rigid {
-Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, const Vector3d& rates) {
-  const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
-  Matrix3d B, dB;
-  B << -s * cp, sp, 0, s * sp, cp, 0, c, 0, 1;
-  dB << -c * cp * rates[1] + s * sp * rates[2], cp * rates[2], 0, c * sp * rates[1] + s * cp * rates[2], -sp * rates[2],
-      0, -s * rates[1], 0, 0;
-  const Matrix3d M = B.transpose() * I.asDiagonal() * B;
-  const Matrix3d dM = dB.transpose() * I.asDiagonal() * B + B.transpose() * I.asDiagonal() * dB;
-  return -M.inverse() * dM * rates;
-}
-}  // namespace rigid
-
-//! wrong: only one of the terms of the turning line of nodes
-#include <cmath>
-#include <rigid/kinetic_energy.hpp>
-namespace rigid {
-Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, const Vector3d& rates) {
-  const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
-  const double f = rates[0], t = rates[1], p = rates[2];
-  const Vector3d w(-f * s * cp + t * sp, f * s * sp + t * cp, f * c + p);
-  const Vector3d w_rate = -w.cross(I.cwiseProduct(w)).cwiseQuotient(I);
-  const Vector3d turning(-f * t * c * cp + f * p * s * sp, f * t * c * sp + f * p * s * cp, -f * t * s);
-  const Vector3d a = w_rate - turning;
-  const double phi = (-a[0] * cp + a[1] * sp) / s;
-  return {phi, a[0] * sp + a[1] * cp, a[2] - c * phi};
-}
-}  // namespace rigid
-
 //! right: on axes that follow the line of nodes
-#include <cmath>
-#include <rigid/kinetic_energy.hpp>
-namespace rigid {
 Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, const Vector3d& rates) {
   const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
   const double f = rates[0], t = rates[1], p = rates[2];
@@ -109,12 +12,7 @@ Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, co
   const double ff = -(relative[0] + f * t * c) / s;
   return {ff, relative[1], relative[2] - ff * c + f * s * t};
 }
-}  // namespace rigid
-
 //! right: the matrix of the axes and its rate
-#include <cmath>
-#include <rigid/kinetic_energy.hpp>
-namespace rigid {
 Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, const Vector3d& rates) {
   const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
   const double t = rates[1], p = rates[2];
@@ -125,4 +23,57 @@ Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, co
   const Vector3d w_rate = -w.cross(I.cwiseProduct(w)).cwiseQuotient(I);
   return B.fullPivLu().solve(w_rate - B_rate * rates);
 }
-}  // namespace rigid
+//! wrong: sign of Euler's equations
+Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, const Vector3d& rates) {
+  const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
+  const double f = rates[0], t = rates[1], p = rates[2];
+  const Vector3d w(-f * s * cp + t * sp, f * s * sp + t * cp, f * c + p);
+  const Vector3d w_rate = w.cross(I.cwiseProduct(w)).cwiseQuotient(I);
+  const Vector3d turning(-f * t * c * cp + f * p * s * sp + t * p * cp, f * t * c * sp + f * p * s * cp - t * p * sp,
+                         -f * t * s);
+  const Vector3d a = w_rate + (-1) * turning;
+  const double phi = (-a[0] * cp + a[1] * sp) / s;
+  return {phi, a[0] * sp + a[1] * cp, a[2] - c * phi};
+}
+//! wrong: the turning of the axes with the other sign
+-  const Vector3d w_rate = w.cross(I.cwiseProduct(w)).cwiseQuotient(I);
++  const Vector3d w_rate = w.cross(-I.cwiseProduct(w)).cwiseQuotient(I);
+@@
+-  const Vector3d a = w_rate + (-1) * turning;
++  const Vector3d a = w_rate + turning;
+//! wrong: Euler's equations not divided by the moments
+-  const Vector3d w_rate = w.cross(I.cwiseProduct(w)).cwiseQuotient(I);
++  const Vector3d w_rate = -w.cross(I.cwiseProduct(w));
+@@
+-  const Vector3d a = w_rate + (-1) * turning;
++  const Vector3d a = w_rate - turning;
+//! wrong: the axes are taken to stand still
+Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, const Vector3d& rates) {
+  const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
+  const Vector3d w(-rates[0] * s * cp + rates[1] * sp, rates[0] * s * sp + rates[1] * cp, rates[0] * c + rates[2]);
+  const Vector3d a = -w.cross(I.cwiseProduct(w)).cwiseQuotient(I);
+  const double phi = (-a[0] * cp + a[1] * sp) / s;
+  return {phi, a[0] * sp + a[1] * cp, a[2] - c * phi};
+}
+//! wrong: Lagrange's equation without the derivative of the energy
+Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, const Vector3d& rates) {
+  const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
+  Matrix3d B, dB;
+  B << -s * cp, sp, 0, s * sp, cp, 0, c, 0, 1;
+  dB << -c * cp * rates[1] + s * sp * rates[2], cp * rates[2], 0, c * sp * rates[1] + s * cp * rates[2], -sp * rates[2],
+      0, -s * rates[1], 0, 0;
+  const Matrix3d M = B.transpose() * I.asDiagonal() * B;
+  const Matrix3d dM = dB.transpose() * I.asDiagonal() * B + B.transpose() * I.asDiagonal() * dB;
+  return -M.inverse() * dM * rates;
+}
+//! wrong: only one of the terms of the turning line of nodes
+Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, const Vector3d& rates) {
+  const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
+  const double f = rates[0], t = rates[1], p = rates[2];
+  const Vector3d w(-f * s * cp + t * sp, f * s * sp + t * cp, f * c + p);
+  const Vector3d w_rate = -w.cross(I.cwiseProduct(w)).cwiseQuotient(I);
+  const Vector3d turning(-f * t * c * cp + f * p * s * sp, f * t * c * sp + f * p * s * cp, -f * t * s);
+  const Vector3d a = w_rate - turning;
+  const double phi = (-a[0] * cp + a[1] * sp) / s;
+  return {phi, a[0] * sp + a[1] * cp, a[2] - c * phi};
+}

@@ -1,80 +1,36 @@
-//! wrong: inertia of a cylinder along
-#include "rigid/kinetic_energy.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-namespace rigid {
-
+#include <rigid/kinetic_energy.hpp>
+//! wrong: inertia of a cylinder along
 double rolling_cone_energy(double M, double height, double half_angle, double rate) {
   const double R = height * std::tan(half_angle);
   const double A = 0.5 * M * R * R, B = 0.6 * M * (height * height + R * R / 4);
   const double w = rate / std::tan(half_angle);
   return 0.5 * (A * std::pow(w * std::cos(half_angle), 2) + B * std::pow(w * std::sin(half_angle), 2));
 }
-
-}  // namespace rigid
 //! wrong: rate times tangent
-#include "rigid/kinetic_energy.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-namespace rigid {
-
 double rolling_cone_energy(double M, double height, double half_angle, double rate) {
   const double R = height * std::tan(half_angle);
   const double A = 0.3 * M * R * R, B = 0.6 * M * (height * height + R * R / 4);
   const double w = rate * std::tan(half_angle);
   return 0.5 * (A * std::pow(w * std::cos(half_angle), 2) + B * std::pow(w * std::sin(half_angle), 2));
 }
-
-}  // namespace rigid
 //! wrong: about the centre of mass
-#include "rigid/kinetic_energy.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-namespace rigid {
-
 double rolling_cone_energy(double M, double height, double half_angle, double rate) {
   const double R = height * std::tan(half_angle);
   const double A = 0.3 * M * R * R, B = 3.0 / 80 * M * (height * height + 4 * R * R);
   const double w = rate / std::tan(half_angle);
   return 0.5 * (A * std::pow(w * std::cos(half_angle), 2) + B * std::pow(w * std::sin(half_angle), 2));
 }
-
-}  // namespace rigid
 //! wrong: integer fraction
-#include "rigid/kinetic_energy.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-namespace rigid {
-
 double rolling_cone_energy(double M, double height, double half_angle, double rate) {
   const double R = height * std::tan(half_angle);
   const double A = 3 / 10 * M * R * R, B = 0.6 * M * (height * height + R * R / 4);
   const double w = rate / std::tan(half_angle);
   return 0.5 * (A * std::pow(w * std::cos(half_angle), 2) + B * std::pow(w * std::sin(half_angle), 2));
 }
-
-}  // namespace rigid
 //! wrong: half angle forgotten as full
-#include "rigid/kinetic_energy.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-namespace rigid {
-
 double rolling_cone_energy(double M, double height, double half_angle, double rate) {
   const double a = half_angle / 2;
   const double R = height * std::tan(a);
@@ -82,5 +38,3 @@ double rolling_cone_energy(double M, double height, double half_angle, double ra
   const double w = rate / std::tan(a);
   return 0.5 * (A * std::pow(w * std::cos(a), 2) + B * std::pow(w * std::sin(a), 2));
 }
-
-}  // namespace rigid

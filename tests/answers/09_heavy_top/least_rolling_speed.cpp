@@ -1,17 +1,11 @@
-//! right: the spin first
 #include <cmath>
 #include <rigid/heavy_top.hpp>
-namespace rigid {
+//! right: the spin first
 double least_rolling_speed(double radius, double g, double axial, double transverse) {
   const double spin2 = g / radius * transverse / (axial * axial + axial);
   return radius * std::sqrt(spin2);
 }
-}  // namespace rigid
-
 //! right: the lean searched for by bisection
-#include <cmath>
-#include <rigid/heavy_top.hpp>
-namespace rigid {
 double least_rolling_speed(double radius, double g, double axial, double transverse) {
   double low = 0, high = 1;
   const auto grows = [&](double v) {
@@ -22,51 +16,25 @@ double least_rolling_speed(double radius, double g, double axial, double transve
   for (int i = 0; i < 100; ++i) (grows((low + high) / 2) ? low : high) = (low + high) / 2;
   return low;
 }
-}  // namespace rigid
-
 //! wrong: the disc of the book
-#include <cmath>
-#include <rigid/heavy_top.hpp>
-namespace rigid {
 double least_rolling_speed(double radius, double g, double axial, double transverse) {
   (void)axial, (void)transverse;
   return std::sqrt(g * radius / 3);
 }
-}  // namespace rigid
-
 //! wrong: the ground does not turn the momentum
-#include <cmath>
-#include <rigid/heavy_top.hpp>
-namespace rigid {
 double least_rolling_speed(double radius, double g, double axial, double transverse) {
   return std::sqrt(g * radius * transverse) / axial;
 }
-}  // namespace rigid
-
 //! wrong: moment about the edge for the axle in both places
-#include <cmath>
-#include <rigid/heavy_top.hpp>
-namespace rigid {
 double least_rolling_speed(double radius, double g, double axial, double transverse) {
   return std::sqrt(g * radius * transverse) / (axial + 1);
 }
-}  // namespace rigid
-
 //! wrong: the angular velocity
-#include <cmath>
-#include <rigid/heavy_top.hpp>
-namespace rigid {
 double least_rolling_speed(double radius, double g, double axial, double transverse) {
   return std::sqrt(g / radius * transverse / (axial * (axial + 1)));
 }
-}  // namespace rigid
-
 //! wrong: height of the centre turned into motion
-#include <cmath>
-#include <rigid/heavy_top.hpp>
-namespace rigid {
 double least_rolling_speed(double radius, double g, double axial, double transverse) {
   (void)transverse;
   return std::sqrt(2 * g * radius / (1 + axial));
 }
-}  // namespace rigid

@@ -1,7 +1,6 @@
-//! right: Kepler at every step
 #include <cmath>
 #include <rigid/heavy_top.hpp>
-namespace rigid {
+//! right: Kepler at every step
 static double pull(double asymmetry, double eccentricity, double M, double theta) {
   double E = M;
   for (int k = 0; k < 30; ++k) E = E - (E - eccentricity * std::sin(E) - M) / (1 - eccentricity * std::cos(E));
@@ -25,12 +24,22 @@ Vector2d moon_libration(double asymmetry, double eccentricity, double orbital_ra
   }
   return {theta, rate * orbital_rate};
 }
-}  // namespace rigid
-
+//! wrong: the eccentric anomaly for the direction
+-  return -1.5 * asymmetry * std::sin(2 * (theta - f)) / (r * r * r);
++  return -1.5 * asymmetry * std::sin(2 * (theta - E)) / (r * r * r);
+//! wrong: Kepler solved with the other sign
+-  for (int k = 0; k < 30; ++k) E = E - (E - eccentricity * std::sin(E) - M) / (1 - eccentricity * std::cos(E));
++  for (int k = 0; k < 60; ++k) E = M - eccentricity * std::sin(E);
+//! wrong: a compass needle
+-  return -1.5 * asymmetry * std::sin(2 * (theta - f)) / (r * r * r);
++  return -3 * asymmetry * std::sin(theta - f) / (r * r * r);
+//! wrong: rate in units of the orbit
+-  return {theta, rate * orbital_rate};
++  return {theta, rate};
+//! wrong: torque with three and not three halves
+-  return -1.5 * asymmetry * std::sin(2 * (theta - f)) / (r * r * r);
++  return -3 * asymmetry * std::sin(2 * (theta - f)) / (r * r * r);
 //! right: leapfrog in small steps
-#include <cmath>
-#include <rigid/heavy_top.hpp>
-namespace rigid {
 Vector2d moon_libration(double asymmetry, double eccentricity, double orbital_rate, double theta0, double rate0,
                         double t) {
   const int n = 100000;
@@ -47,149 +56,3 @@ Vector2d moon_libration(double asymmetry, double eccentricity, double orbital_ra
   }
   return {theta, rate * orbital_rate};
 }
-}  // namespace rigid
-
-//! wrong: the eccentric anomaly for the direction
-#include <cmath>
-#include <rigid/heavy_top.hpp>
-namespace rigid {
-static double pull(double asymmetry, double eccentricity, double M, double theta) {
-  double E = M;
-  for (int k = 0; k < 30; ++k) E = E - (E - eccentricity * std::sin(E) - M) / (1 - eccentricity * std::cos(E));
-  const double r = 1 - eccentricity * std::cos(E);
-  const double f = std::atan2(std::sqrt(1 - eccentricity * eccentricity) * std::sin(E), std::cos(E) - eccentricity);
-  (void)r, (void)f;
-  return -1.5 * asymmetry * std::sin(2 * (theta - E)) / (r * r * r);
-}
-Vector2d moon_libration(double asymmetry, double eccentricity, double orbital_rate, double theta0, double rate0,
-                        double t) {
-  double theta = theta0, rate = rate0 / orbital_rate;
-  const int n = 6000;
-  const double h = orbital_rate * t / n;
-  for (int i = 0; i < n; ++i) {
-    const auto a = [&](double M, double x) { return pull(asymmetry, eccentricity, M, x); };
-    const double M = i * h, v1 = rate, a1 = a(M, theta), v2 = v1 + h / 2 * a1, a2 = a(M + h / 2, theta + h / 2 * v1);
-    const double v3 = v1 + h / 2 * a2, a3 = a(M + h / 2, theta + h / 2 * v2), v4 = v1 + h * a3;
-    const double a4 = a(M + h, theta + h * v3);
-    theta += h / 6 * (v1 + 2 * v2 + 2 * v3 + v4);
-    rate += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
-  }
-  return {theta, rate * orbital_rate};
-}
-}  // namespace rigid
-
-//! wrong: Kepler solved with the other sign
-#include <cmath>
-#include <rigid/heavy_top.hpp>
-namespace rigid {
-static double pull(double asymmetry, double eccentricity, double M, double theta) {
-  double E = M;
-  for (int k = 0; k < 60; ++k) E = M - eccentricity * std::sin(E);
-  const double r = 1 - eccentricity * std::cos(E);
-  const double f = std::atan2(std::sqrt(1 - eccentricity * eccentricity) * std::sin(E), std::cos(E) - eccentricity);
-  (void)r, (void)f;
-  return -1.5 * asymmetry * std::sin(2 * (theta - f)) / (r * r * r);
-}
-Vector2d moon_libration(double asymmetry, double eccentricity, double orbital_rate, double theta0, double rate0,
-                        double t) {
-  double theta = theta0, rate = rate0 / orbital_rate;
-  const int n = 6000;
-  const double h = orbital_rate * t / n;
-  for (int i = 0; i < n; ++i) {
-    const auto a = [&](double M, double x) { return pull(asymmetry, eccentricity, M, x); };
-    const double M = i * h, v1 = rate, a1 = a(M, theta), v2 = v1 + h / 2 * a1, a2 = a(M + h / 2, theta + h / 2 * v1);
-    const double v3 = v1 + h / 2 * a2, a3 = a(M + h / 2, theta + h / 2 * v2), v4 = v1 + h * a3;
-    const double a4 = a(M + h, theta + h * v3);
-    theta += h / 6 * (v1 + 2 * v2 + 2 * v3 + v4);
-    rate += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
-  }
-  return {theta, rate * orbital_rate};
-}
-}  // namespace rigid
-
-//! wrong: a compass needle
-#include <cmath>
-#include <rigid/heavy_top.hpp>
-namespace rigid {
-static double pull(double asymmetry, double eccentricity, double M, double theta) {
-  double E = M;
-  for (int k = 0; k < 30; ++k) E = E - (E - eccentricity * std::sin(E) - M) / (1 - eccentricity * std::cos(E));
-  const double r = 1 - eccentricity * std::cos(E);
-  const double f = std::atan2(std::sqrt(1 - eccentricity * eccentricity) * std::sin(E), std::cos(E) - eccentricity);
-  (void)r, (void)f;
-  return -3 * asymmetry * std::sin(theta - f) / (r * r * r);
-}
-Vector2d moon_libration(double asymmetry, double eccentricity, double orbital_rate, double theta0, double rate0,
-                        double t) {
-  double theta = theta0, rate = rate0 / orbital_rate;
-  const int n = 6000;
-  const double h = orbital_rate * t / n;
-  for (int i = 0; i < n; ++i) {
-    const auto a = [&](double M, double x) { return pull(asymmetry, eccentricity, M, x); };
-    const double M = i * h, v1 = rate, a1 = a(M, theta), v2 = v1 + h / 2 * a1, a2 = a(M + h / 2, theta + h / 2 * v1);
-    const double v3 = v1 + h / 2 * a2, a3 = a(M + h / 2, theta + h / 2 * v2), v4 = v1 + h * a3;
-    const double a4 = a(M + h, theta + h * v3);
-    theta += h / 6 * (v1 + 2 * v2 + 2 * v3 + v4);
-    rate += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
-  }
-  return {theta, rate * orbital_rate};
-}
-}  // namespace rigid
-
-//! wrong: rate in units of the orbit
-#include <cmath>
-#include <rigid/heavy_top.hpp>
-namespace rigid {
-static double pull(double asymmetry, double eccentricity, double M, double theta) {
-  double E = M;
-  for (int k = 0; k < 30; ++k) E = E - (E - eccentricity * std::sin(E) - M) / (1 - eccentricity * std::cos(E));
-  const double r = 1 - eccentricity * std::cos(E);
-  const double f = std::atan2(std::sqrt(1 - eccentricity * eccentricity) * std::sin(E), std::cos(E) - eccentricity);
-  (void)r, (void)f;
-  return -1.5 * asymmetry * std::sin(2 * (theta - f)) / (r * r * r);
-}
-Vector2d moon_libration(double asymmetry, double eccentricity, double orbital_rate, double theta0, double rate0,
-                        double t) {
-  double theta = theta0, rate = rate0 / orbital_rate;
-  const int n = 6000;
-  const double h = orbital_rate * t / n;
-  for (int i = 0; i < n; ++i) {
-    const auto a = [&](double M, double x) { return pull(asymmetry, eccentricity, M, x); };
-    const double M = i * h, v1 = rate, a1 = a(M, theta), v2 = v1 + h / 2 * a1, a2 = a(M + h / 2, theta + h / 2 * v1);
-    const double v3 = v1 + h / 2 * a2, a3 = a(M + h / 2, theta + h / 2 * v2), v4 = v1 + h * a3;
-    const double a4 = a(M + h, theta + h * v3);
-    theta += h / 6 * (v1 + 2 * v2 + 2 * v3 + v4);
-    rate += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
-  }
-  return {theta, rate};
-}
-}  // namespace rigid
-
-//! wrong: torque with three and not three halves
-#include <cmath>
-#include <rigid/heavy_top.hpp>
-namespace rigid {
-static double pull(double asymmetry, double eccentricity, double M, double theta) {
-  double E = M;
-  for (int k = 0; k < 30; ++k) E = E - (E - eccentricity * std::sin(E) - M) / (1 - eccentricity * std::cos(E));
-  const double r = 1 - eccentricity * std::cos(E);
-  const double f = std::atan2(std::sqrt(1 - eccentricity * eccentricity) * std::sin(E), std::cos(E) - eccentricity);
-  (void)r, (void)f;
-  return -3 * asymmetry * std::sin(2 * (theta - f)) / (r * r * r);
-}
-Vector2d moon_libration(double asymmetry, double eccentricity, double orbital_rate, double theta0, double rate0,
-                        double t) {
-  double theta = theta0, rate = rate0 / orbital_rate;
-  const int n = 6000;
-  const double h = orbital_rate * t / n;
-  for (int i = 0; i < n; ++i) {
-    const auto a = [&](double M, double x) { return pull(asymmetry, eccentricity, M, x); };
-    const double M = i * h, v1 = rate, a1 = a(M, theta), v2 = v1 + h / 2 * a1, a2 = a(M + h / 2, theta + h / 2 * v1);
-    const double v3 = v1 + h / 2 * a2, a3 = a(M + h / 2, theta + h / 2 * v2), v4 = v1 + h * a3;
-    const double a4 = a(M + h, theta + h * v3);
-    theta += h / 6 * (v1 + 2 * v2 + 2 * v3 + v4);
-    rate += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
-  }
-  return {theta, rate * orbital_rate};
-}
-}  // namespace rigid

@@ -1,17 +1,11 @@
-//! right: two squares
 #include <cmath>
 #include <rigid/heavy_top.hpp>
-namespace rigid {
+//! right: two squares
 double nutation_frequency(double I1, double mgl, double theta, double rate) {
   const double c = std::cos(theta), s = std::sin(theta), b = c * rate + mgl / (I1 * rate);
   return std::hypot(rate * s, b - 2 * rate * c);
 }
-}  // namespace rigid
-
 //! right: the slope by a difference in long double
-#include <cmath>
-#include <rigid/heavy_top.hpp>
-namespace rigid {
 static long double pull(long double I1, long double mgl, long double t, long double a, long double b) {
   const long double rate = (a - b * std::cos(t)) / (std::sin(t) * std::sin(t));
   return std::sin(t) * (std::cos(t) * rate * rate - b * rate + mgl / I1);
@@ -24,43 +18,22 @@ double nutation_frequency(double I1, double mgl, double theta, double rate) {
   };
   return static_cast<double>(std::sqrt(-(4 * slope(h / 2) - slope(h)) / 3));
 }
-}  // namespace rigid
-
 //! wrong: a bead on a hoop that a motor turns
-#include <cmath>
-#include <rigid/heavy_top.hpp>
-namespace rigid {
 double nutation_frequency(double I1, double mgl, double theta, double rate) {
   (void)I1, (void)mgl;
   return std::abs(rate * std::sin(theta));
 }
-}  // namespace rigid
-
 //! wrong: the momentum over the moment
-#include <cmath>
-#include <rigid/heavy_top.hpp>
-namespace rigid {
 double nutation_frequency(double I1, double mgl, double theta, double rate) {
   return std::abs(rate * std::cos(theta) + mgl / (I1 * rate));
 }
-}  // namespace rigid
-
 //! wrong: the mixed term without its two
-#include <cmath>
-#include <rigid/heavy_top.hpp>
-namespace rigid {
 double nutation_frequency(double I1, double mgl, double theta, double rate) {
   const double w = mgl / I1;
   return std::sqrt(rate * rate - w * std::cos(theta) + w * w / (rate * rate));
 }
-}  // namespace rigid
-
 //! wrong: sine for cosine
-#include <cmath>
-#include <rigid/heavy_top.hpp>
-namespace rigid {
 double nutation_frequency(double I1, double mgl, double theta, double rate) {
   const double w = mgl / I1;
   return std::sqrt(std::abs(rate * rate - 2 * w * std::sin(theta) + w * w / (rate * rate)));
 }
-}  // namespace rigid

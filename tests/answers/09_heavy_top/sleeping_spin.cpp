@@ -1,51 +1,6 @@
-//! wrong: angular momentum returned
 #include <cmath>
 #include <rigid/heavy_top.hpp>
-namespace rigid {
-double sleeping_spin(double I1, double, double mgl) { return 2 * std::sqrt(I1 * mgl); }
-}  // namespace rigid
-
-//! wrong: the expansion of the cosine without its half
-#include <cmath>
-#include <rigid/heavy_top.hpp>
-namespace rigid {
-double sleeping_spin(double I1, double I3, double mgl) {
-  // p² θ²/(8 I1) against mgl θ²
-  return std::sqrt(8 * I1 * mgl) / I3;
-}
-}  // namespace rigid
-
-//! wrong: root never taken
-#include <rigid/heavy_top.hpp>
-namespace rigid {
-double sleeping_spin(double I1, double I3, double mgl) { return 4 * I1 * mgl / (I3 * I3); }
-}  // namespace rigid
-
-//! wrong: exponent one half in whole numbers
-#include <cmath>
-#include <rigid/heavy_top.hpp>
-namespace rigid {
-double sleeping_spin(double I1, double I3, double mgl) { return 2 * std::pow(I1 * mgl, 1 / 2) / I3; }
-}  // namespace rigid
-
-//! wrong: precession as fast as the spin
-#include <cmath>
-#include <rigid/heavy_top.hpp>
-namespace rigid {
-double sleeping_spin(double, double I3, double mgl) { return std::sqrt(mgl / I3); }
-}  // namespace rigid
-
-//! wrong: 4 left outside of the root
-#include <cmath>
-#include <rigid/heavy_top.hpp>
-namespace rigid {
-double sleeping_spin(double I1, double I3, double mgl) { return 4 * std::sqrt(I1 * mgl) / I3; }
-}  // namespace rigid
-
 //! right: bisection for the spin at which the upright axis turns unstable
-#include <cmath>
-#include <rigid/heavy_top.hpp>
-namespace rigid {
 double sleeping_spin(double I1, double I3, double mgl) {
   // small tilt x + iy: I1 z'' - i I3 w z' - mgl z = 0; real frequencies while (I3 w)² > 4 I1 mgl
   const auto oscillates = [&](double w) { return (w * I3 / I1) * (w * I3 / mgl) >= 4; };
@@ -57,11 +12,20 @@ double sleeping_spin(double I1, double I3, double mgl) {
   }
   return high;
 }
-}  // namespace rigid
-
 //! right: three roots
-#include <cmath>
-#include <rigid/heavy_top.hpp>
-namespace rigid {
 double sleeping_spin(double I1, double I3, double mgl) { return 2 * std::sqrt(I1 / I3) * std::sqrt(mgl / I3); }
-}  // namespace rigid
+//! wrong: angular momentum returned
+double sleeping_spin(double I1, double, double mgl) { return 2 * std::sqrt(I1 * mgl); }
+//! wrong: the expansion of the cosine without its half
+double sleeping_spin(double I1, double I3, double mgl) {
+  // p² θ²/(8 I1) against mgl θ²
+  return std::sqrt(8 * I1 * mgl) / I3;
+}
+//! wrong: root never taken
+double sleeping_spin(double I1, double I3, double mgl) { return 4 * I1 * mgl / (I3 * I3); }
+//! wrong: exponent one half in whole numbers
+double sleeping_spin(double I1, double I3, double mgl) { return 2 * std::pow(I1 * mgl, 1 / 2) / I3; }
+//! wrong: precession as fast as the spin
+double sleeping_spin(double, double I3, double mgl) { return std::sqrt(mgl / I3); }
+//! wrong: 4 left outside of the root
+double sleeping_spin(double I1, double I3, double mgl) { return 4 * std::sqrt(I1 * mgl) / I3; }

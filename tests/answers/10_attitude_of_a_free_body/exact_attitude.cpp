@@ -1,500 +1,92 @@
-//! wrong: turns about omega0
-#include <cmath>
-#include <rigid/attitude_of_a_free_body.hpp>
-#include <utility>
-namespace rigid {
-static double period(const Vector3d& I, const Vector3d& w) {
-  double a = I[0], b = I[1], c = I[2], x = w[0], y = w[1], z = w[2];
-  if (a * (b - a) * x * x > c * (c - b) * z * z) {
-    std::swap(a, c);
-    std::swap(x, z);
-  }
-  const double below = a * (c - a) * x * x + b * (c - b) * y * y;
-  const double above = b * (b - a) * y * y + c * (c - a) * z * z;
-  return 4 * std::comp_ellint_1(std::sqrt(below * (b - a) / (above * (c - b)))) /
-         std::sqrt(above * (c - b) / (a * b * c));
-}
-static void follow(const Vector3d& I, Vector3d& w, Eigen::Quaterniond& q, double time) {
-  const auto rate = [&](const Vector3d& v) {
-    return Vector3d(Vector3d((I[1] - I[2]) * v[1] * v[2], (I[2] - I[0]) * v[2] * v[0], (I[0] - I[1]) * v[0] * v[1])
-                        .cwiseQuotient(I));
-  };
-  const auto turn = [](const Eigen::Quaterniond& r, const Vector3d& v) {
-    return Eigen::Vector4d((r * Eigen::Quaterniond(0, v[0], v[1], v[2])).coeffs() / 2);
-  };
-  const int n = 4000;
-  const double h = time / n;
-  for (int i = 0; i < n; ++i) {
-    const Vector3d a = rate(w), b = rate(w + h / 2 * a), c = rate(w + h / 2 * b), d = rate(w + h * c);
-    const Eigen::Vector4d A = turn(q, w),
-                          B = turn(Eigen::Quaterniond(Eigen::Vector4d(q.coeffs() + h / 2 * A)), w + h / 2 * a),
-                          C = turn(Eigen::Quaterniond(Eigen::Vector4d(q.coeffs() + h / 2 * B)), w + h / 2 * b),
-                          D = turn(Eigen::Quaterniond(Eigen::Vector4d(q.coeffs() + h * C)), w + h * c);
-    w += h / 6 * (a + 2 * b + 2 * c + d);
-    q.coeffs() += h / 6 * (A + 2 * B + 2 * C + D);
-    q.normalize();
-  }
-}
-static double turn_about_L(const Vector3d& I, const Vector3d& omega0) {
-  const double L2 = I.cwiseProduct(omega0).squaredNorm(), x = I.dot(omega0.cwiseAbs2()), L = std::sqrt(L2);
-  int a = 0, c = 2;
-  const double E = x / L2;
-  if (E * I[1] > 1) std::swap(a, c);
-  const int n = 4000;
-  double area = 0;
-  for (int i = 0; i < n; ++i) {
-    const double p = std::cos(2 * M_PI * i / n), q = std::sin(2 * M_PI * i / n);
-    area += (1 - std::sqrt(1 - (E - 1 / I[c]) / (p * p / I[a] + q * q / I[1] - 1 / I[c]))) * 2 * M_PI / n;
-  }
-  return x / L * period(I, omega0) + (c == 0 ? area : -area);
-}
-Matrix3d exact_attitude(const Vector3d& I, const Vector3d& omega0, double t) {
-  const double P = period(I, omega0), n = std::round(t / P);
-  Vector3d w = omega0;
-  Eigen::Quaterniond q(1, 0, 0, 0);
-  follow(I, w, q, t - n * P);
-  const Eigen::AngleAxisd turns(n * turn_about_L(I, omega0), omega0.normalized());
-  return (turns * q).toRotationMatrix();
-}
-}  // namespace rigid
-
-//! wrong: periods truncated, remainder from the floor
-#include <cmath>
-#include <rigid/attitude_of_a_free_body.hpp>
-#include <utility>
-namespace rigid {
-static double period(const Vector3d& I, const Vector3d& w) {
-  double a = I[0], b = I[1], c = I[2], x = w[0], y = w[1], z = w[2];
-  if (a * (b - a) * x * x > c * (c - b) * z * z) {
-    std::swap(a, c);
-    std::swap(x, z);
-  }
-  const double below = a * (c - a) * x * x + b * (c - b) * y * y;
-  const double above = b * (b - a) * y * y + c * (c - a) * z * z;
-  return 4 * std::comp_ellint_1(std::sqrt(below * (b - a) / (above * (c - b)))) /
-         std::sqrt(above * (c - b) / (a * b * c));
-}
-static void follow(const Vector3d& I, Vector3d& w, Eigen::Quaterniond& q, double time) {
-  const auto rate = [&](const Vector3d& v) {
-    return Vector3d(Vector3d((I[1] - I[2]) * v[1] * v[2], (I[2] - I[0]) * v[2] * v[0], (I[0] - I[1]) * v[0] * v[1])
-                        .cwiseQuotient(I));
-  };
-  const auto turn = [](const Eigen::Quaterniond& r, const Vector3d& v) {
-    return Eigen::Vector4d((r * Eigen::Quaterniond(0, v[0], v[1], v[2])).coeffs() / 2);
-  };
-  const int n = 4000;
-  const double h = time / n;
-  for (int i = 0; i < n; ++i) {
-    const Vector3d a = rate(w), b = rate(w + h / 2 * a), c = rate(w + h / 2 * b), d = rate(w + h * c);
-    const Eigen::Vector4d A = turn(q, w),
-                          B = turn(Eigen::Quaterniond(Eigen::Vector4d(q.coeffs() + h / 2 * A)), w + h / 2 * a),
-                          C = turn(Eigen::Quaterniond(Eigen::Vector4d(q.coeffs() + h / 2 * B)), w + h / 2 * b),
-                          D = turn(Eigen::Quaterniond(Eigen::Vector4d(q.coeffs() + h * C)), w + h * c);
-    w += h / 6 * (a + 2 * b + 2 * c + d);
-    q.coeffs() += h / 6 * (A + 2 * B + 2 * C + D);
-    q.normalize();
-  }
-}
-static double turn_about_L(const Vector3d& I, const Vector3d& omega0) {
-  const double L2 = I.cwiseProduct(omega0).squaredNorm(), x = I.dot(omega0.cwiseAbs2()), L = std::sqrt(L2);
-  int a = 0, c = 2;
-  const double E = x / L2;
-  if (E * I[1] > 1) std::swap(a, c);
-  const int n = 4000;
-  double area = 0;
-  for (int i = 0; i < n; ++i) {
-    const double p = std::cos(2 * M_PI * i / n), q = std::sin(2 * M_PI * i / n);
-    area += (1 - std::sqrt(1 - (E - 1 / I[c]) / (p * p / I[a] + q * q / I[1] - 1 / I[c]))) * 2 * M_PI / n;
-  }
-  return x / L * period(I, omega0) + (c == 0 ? area : -area);
-}
-Matrix3d exact_attitude(const Vector3d& I, const Vector3d& omega0, double t) {
-  const double P = period(I, omega0), n = std::trunc(t / P);
-  Vector3d w = omega0;
-  Eigen::Quaterniond q(1, 0, 0, 0);
-  follow(I, w, q, t - std::floor(t / P) * P);
-  const Eigen::AngleAxisd turns(n * turn_about_L(I, omega0), I.cwiseProduct(omega0).normalized());
-  return (turns * q).toRotationMatrix();
-}
-}  // namespace rigid
-
-//! wrong: turns on the right-hand side
-#include <cmath>
-#include <rigid/attitude_of_a_free_body.hpp>
-#include <utility>
-namespace rigid {
-static double period(const Vector3d& I, const Vector3d& w) {
-  double a = I[0], b = I[1], c = I[2], x = w[0], y = w[1], z = w[2];
-  if (a * (b - a) * x * x > c * (c - b) * z * z) {
-    std::swap(a, c);
-    std::swap(x, z);
-  }
-  const double below = a * (c - a) * x * x + b * (c - b) * y * y;
-  const double above = b * (b - a) * y * y + c * (c - a) * z * z;
-  return 4 * std::comp_ellint_1(std::sqrt(below * (b - a) / (above * (c - b)))) /
-         std::sqrt(above * (c - b) / (a * b * c));
-}
-static void follow(const Vector3d& I, Vector3d& w, Eigen::Quaterniond& q, double time) {
-  const auto rate = [&](const Vector3d& v) {
-    return Vector3d(Vector3d((I[1] - I[2]) * v[1] * v[2], (I[2] - I[0]) * v[2] * v[0], (I[0] - I[1]) * v[0] * v[1])
-                        .cwiseQuotient(I));
-  };
-  const auto turn = [](const Eigen::Quaterniond& r, const Vector3d& v) {
-    return Eigen::Vector4d((r * Eigen::Quaterniond(0, v[0], v[1], v[2])).coeffs() / 2);
-  };
-  const int n = 4000;
-  const double h = time / n;
-  for (int i = 0; i < n; ++i) {
-    const Vector3d a = rate(w), b = rate(w + h / 2 * a), c = rate(w + h / 2 * b), d = rate(w + h * c);
-    const Eigen::Vector4d A = turn(q, w),
-                          B = turn(Eigen::Quaterniond(Eigen::Vector4d(q.coeffs() + h / 2 * A)), w + h / 2 * a),
-                          C = turn(Eigen::Quaterniond(Eigen::Vector4d(q.coeffs() + h / 2 * B)), w + h / 2 * b),
-                          D = turn(Eigen::Quaterniond(Eigen::Vector4d(q.coeffs() + h * C)), w + h * c);
-    w += h / 6 * (a + 2 * b + 2 * c + d);
-    q.coeffs() += h / 6 * (A + 2 * B + 2 * C + D);
-    q.normalize();
-  }
-}
-static double turn_about_L(const Vector3d& I, const Vector3d& omega0) {
-  const double L2 = I.cwiseProduct(omega0).squaredNorm(), x = I.dot(omega0.cwiseAbs2()), L = std::sqrt(L2);
-  int a = 0, c = 2;
-  const double E = x / L2;
-  if (E * I[1] > 1) std::swap(a, c);
-  const int n = 4000;
-  double area = 0;
-  for (int i = 0; i < n; ++i) {
-    const double p = std::cos(2 * M_PI * i / n), q = std::sin(2 * M_PI * i / n);
-    area += (1 - std::sqrt(1 - (E - 1 / I[c]) / (p * p / I[a] + q * q / I[1] - 1 / I[c]))) * 2 * M_PI / n;
-  }
-  return x / L * period(I, omega0) + (c == 0 ? area : -area);
-}
-Matrix3d exact_attitude(const Vector3d& I, const Vector3d& omega0, double t) {
-  const double P = period(I, omega0), n = std::round(t / P);
-  Vector3d w = omega0;
-  Eigen::Quaterniond q(1, 0, 0, 0);
-  follow(I, w, q, t - n * P);
-  const Eigen::AngleAxisd turns(n * turn_about_L(I, omega0), I.cwiseProduct(omega0).normalized());
-  return (q * turns).toRotationMatrix();
-}
-}  // namespace rigid
-
-//! wrong: rows in place of columns
-#include <cmath>
-#include <rigid/attitude_of_a_free_body.hpp>
-#include <utility>
-namespace rigid {
-static double period(const Vector3d& I, const Vector3d& w) {
-  double a = I[0], b = I[1], c = I[2], x = w[0], y = w[1], z = w[2];
-  if (a * (b - a) * x * x > c * (c - b) * z * z) {
-    std::swap(a, c);
-    std::swap(x, z);
-  }
-  const double below = a * (c - a) * x * x + b * (c - b) * y * y;
-  const double above = b * (b - a) * y * y + c * (c - a) * z * z;
-  return 4 * std::comp_ellint_1(std::sqrt(below * (b - a) / (above * (c - b)))) /
-         std::sqrt(above * (c - b) / (a * b * c));
-}
-static void follow(const Vector3d& I, Vector3d& w, Eigen::Quaterniond& q, double time) {
-  const auto rate = [&](const Vector3d& v) {
-    return Vector3d(Vector3d((I[1] - I[2]) * v[1] * v[2], (I[2] - I[0]) * v[2] * v[0], (I[0] - I[1]) * v[0] * v[1])
-                        .cwiseQuotient(I));
-  };
-  const auto turn = [](const Eigen::Quaterniond& r, const Vector3d& v) {
-    return Eigen::Vector4d((r * Eigen::Quaterniond(0, v[0], v[1], v[2])).coeffs() / 2);
-  };
-  const int n = 4000;
-  const double h = time / n;
-  for (int i = 0; i < n; ++i) {
-    const Vector3d a = rate(w), b = rate(w + h / 2 * a), c = rate(w + h / 2 * b), d = rate(w + h * c);
-    const Eigen::Vector4d A = turn(q, w),
-                          B = turn(Eigen::Quaterniond(Eigen::Vector4d(q.coeffs() + h / 2 * A)), w + h / 2 * a),
-                          C = turn(Eigen::Quaterniond(Eigen::Vector4d(q.coeffs() + h / 2 * B)), w + h / 2 * b),
-                          D = turn(Eigen::Quaterniond(Eigen::Vector4d(q.coeffs() + h * C)), w + h * c);
-    w += h / 6 * (a + 2 * b + 2 * c + d);
-    q.coeffs() += h / 6 * (A + 2 * B + 2 * C + D);
-    q.normalize();
-  }
-}
-static double turn_about_L(const Vector3d& I, const Vector3d& omega0) {
-  const double L2 = I.cwiseProduct(omega0).squaredNorm(), x = I.dot(omega0.cwiseAbs2()), L = std::sqrt(L2);
-  int a = 0, c = 2;
-  const double E = x / L2;
-  if (E * I[1] > 1) std::swap(a, c);
-  const int n = 4000;
-  double area = 0;
-  for (int i = 0; i < n; ++i) {
-    const double p = std::cos(2 * M_PI * i / n), q = std::sin(2 * M_PI * i / n);
-    area += (1 - std::sqrt(1 - (E - 1 / I[c]) / (p * p / I[a] + q * q / I[1] - 1 / I[c]))) * 2 * M_PI / n;
-  }
-  return x / L * period(I, omega0) + (c == 0 ? area : -area);
-}
-Matrix3d exact_attitude(const Vector3d& I, const Vector3d& omega0, double t) {
-  const double P = period(I, omega0), n = std::round(t / P);
-  Vector3d w = omega0;
-  Eigen::Quaterniond q(1, 0, 0, 0);
-  follow(I, w, q, t - n * P);
-  const Eigen::AngleAxisd turns(n * turn_about_L(I, omega0), I.cwiseProduct(omega0).normalized());
-  return (turns * q).inverse().toRotationMatrix();
-}
-}  // namespace rigid
-
-//! wrong: sense of the turn
-#include <cmath>
-#include <rigid/attitude_of_a_free_body.hpp>
-#include <utility>
-namespace rigid {
-static double period(const Vector3d& I, const Vector3d& w) {
-  double a = I[0], b = I[1], c = I[2], x = w[0], y = w[1], z = w[2];
-  if (a * (b - a) * x * x > c * (c - b) * z * z) {
-    std::swap(a, c);
-    std::swap(x, z);
-  }
-  const double below = a * (c - a) * x * x + b * (c - b) * y * y;
-  const double above = b * (b - a) * y * y + c * (c - a) * z * z;
-  return 4 * std::comp_ellint_1(std::sqrt(below * (b - a) / (above * (c - b)))) /
-         std::sqrt(above * (c - b) / (a * b * c));
-}
-static void follow(const Vector3d& I, Vector3d& w, Eigen::Quaterniond& q, double time) {
-  const auto rate = [&](const Vector3d& v) {
-    return Vector3d(Vector3d((I[1] - I[2]) * v[1] * v[2], (I[2] - I[0]) * v[2] * v[0], (I[0] - I[1]) * v[0] * v[1])
-                        .cwiseQuotient(I));
-  };
-  const auto turn = [](const Eigen::Quaterniond& r, const Vector3d& v) {
-    return Eigen::Vector4d((r * Eigen::Quaterniond(0, v[0], v[1], v[2])).coeffs() / 2);
-  };
-  const int n = 4000;
-  const double h = time / n;
-  for (int i = 0; i < n; ++i) {
-    const Vector3d a = rate(w), b = rate(w + h / 2 * a), c = rate(w + h / 2 * b), d = rate(w + h * c);
-    const Eigen::Vector4d A = turn(q, w),
-                          B = turn(Eigen::Quaterniond(Eigen::Vector4d(q.coeffs() + h / 2 * A)), w + h / 2 * a),
-                          C = turn(Eigen::Quaterniond(Eigen::Vector4d(q.coeffs() + h / 2 * B)), w + h / 2 * b),
-                          D = turn(Eigen::Quaterniond(Eigen::Vector4d(q.coeffs() + h * C)), w + h * c);
-    w += h / 6 * (a + 2 * b + 2 * c + d);
-    q.coeffs() += h / 6 * (A + 2 * B + 2 * C + D);
-    q.normalize();
-  }
-}
-static double turn_about_L(const Vector3d& I, const Vector3d& omega0) {
-  const double L2 = I.cwiseProduct(omega0).squaredNorm(), x = I.dot(omega0.cwiseAbs2()), L = std::sqrt(L2);
-  int a = 0, c = 2;
-  const double E = x / L2;
-  if (E * I[1] > 1) std::swap(a, c);
-  const int n = 4000;
-  double area = 0;
-  for (int i = 0; i < n; ++i) {
-    const double p = std::cos(2 * M_PI * i / n), q = std::sin(2 * M_PI * i / n);
-    area += (1 - std::sqrt(1 - (E - 1 / I[c]) / (p * p / I[a] + q * q / I[1] - 1 / I[c]))) * 2 * M_PI / n;
-  }
-  return x / L * period(I, omega0) + (c == 0 ? area : -area);
-}
-Matrix3d exact_attitude(const Vector3d& I, const Vector3d& omega0, double t) {
-  const double P = period(I, omega0), n = std::round(t / P);
-  Vector3d w = omega0;
-  Eigen::Quaterniond q(1, 0, 0, 0);
-  follow(I, w, q, t - n * P);
-  const Eigen::AngleAxisd turns(-n * turn_about_L(I, omega0), I.cwiseProduct(omega0).normalized());
-  return (turns * q).toRotationMatrix();
-}
-}  // namespace rigid
-
-//! wrong: omega0 kept constant on the axes of the body
-#include <rigid/attitude_of_a_free_body.hpp>
-namespace rigid {
-Matrix3d exact_attitude(const Vector3d&, const Vector3d& omega0, double t) {
-  return Eigen::AngleAxisd(omega0.norm() * t, omega0.normalized()).toRotationMatrix();
-}
-}  // namespace rigid
-
-//! wrong: solid angle with the sign of motion round axis 3
-#include <cmath>
-#include <rigid/attitude_of_a_free_body.hpp>
-#include <utility>
-namespace rigid {
-static double period(const Vector3d& I, const Vector3d& w) {
-  double a = I[0], b = I[1], c = I[2], x = w[0], y = w[1], z = w[2];
-  if (a * (b - a) * x * x > c * (c - b) * z * z) {
-    std::swap(a, c);
-    std::swap(x, z);
-  }
-  const double below = a * (c - a) * x * x + b * (c - b) * y * y;
-  const double above = b * (b - a) * y * y + c * (c - a) * z * z;
-  return 4 * std::comp_ellint_1(std::sqrt(below * (b - a) / (above * (c - b)))) /
-         std::sqrt(above * (c - b) / (a * b * c));
-}
-static void follow(const Vector3d& I, Vector3d& w, Eigen::Quaterniond& q, double time) {
-  const auto rate = [&](const Vector3d& v) {
-    return Vector3d(Vector3d((I[1] - I[2]) * v[1] * v[2], (I[2] - I[0]) * v[2] * v[0], (I[0] - I[1]) * v[0] * v[1])
-                        .cwiseQuotient(I));
-  };
-  const auto turn = [](const Eigen::Quaterniond& r, const Vector3d& v) {
-    return Eigen::Vector4d((r * Eigen::Quaterniond(0, v[0], v[1], v[2])).coeffs() / 2);
-  };
-  const int n = 4000;
-  const double h = time / n;
-  for (int i = 0; i < n; ++i) {
-    const Vector3d a = rate(w), b = rate(w + h / 2 * a), c = rate(w + h / 2 * b), d = rate(w + h * c);
-    const Eigen::Vector4d A = turn(q, w),
-                          B = turn(Eigen::Quaterniond(Eigen::Vector4d(q.coeffs() + h / 2 * A)), w + h / 2 * a),
-                          C = turn(Eigen::Quaterniond(Eigen::Vector4d(q.coeffs() + h / 2 * B)), w + h / 2 * b),
-                          D = turn(Eigen::Quaterniond(Eigen::Vector4d(q.coeffs() + h * C)), w + h * c);
-    w += h / 6 * (a + 2 * b + 2 * c + d);
-    q.coeffs() += h / 6 * (A + 2 * B + 2 * C + D);
-    q.normalize();
-  }
-}
-static double turn_about_L(const Vector3d& I, const Vector3d& omega0) {
-  const double L2 = I.cwiseProduct(omega0).squaredNorm(), x = I.dot(omega0.cwiseAbs2()), L = std::sqrt(L2);
-  int a = 0, c = 2;
-  const double E = x / L2;
-  if (E * I[1] > 1) std::swap(a, c);
-  const int n = 4000;
-  double area = 0;
-  for (int i = 0; i < n; ++i) {
-    const double p = std::cos(2 * M_PI * i / n), q = std::sin(2 * M_PI * i / n);
-    area += (1 - std::sqrt(1 - (E - 1 / I[c]) / (p * p / I[a] + q * q / I[1] - 1 / I[c]))) * 2 * M_PI / n;
-  }
-  return x / L * period(I, omega0) + -area;
-}
-Matrix3d exact_attitude(const Vector3d& I, const Vector3d& omega0, double t) {
-  const double P = period(I, omega0), n = std::round(t / P);
-  Vector3d w = omega0;
-  Eigen::Quaterniond q(1, 0, 0, 0);
-  follow(I, w, q, t - n * P);
-  const Eigen::AngleAxisd turns(n * turn_about_L(I, omega0), I.cwiseProduct(omega0).normalized());
-  return (turns * q).toRotationMatrix();
-}
-}  // namespace rigid
-
-//! wrong: number of periods in a whole number of 16 bits
-#include <cmath>
-#include <rigid/attitude_of_a_free_body.hpp>
-#include <utility>
-namespace rigid {
-static double period(const Vector3d& I, const Vector3d& w) {
-  double a = I[0], b = I[1], c = I[2], x = w[0], y = w[1], z = w[2];
-  if (a * (b - a) * x * x > c * (c - b) * z * z) {
-    std::swap(a, c);
-    std::swap(x, z);
-  }
-  const double below = a * (c - a) * x * x + b * (c - b) * y * y;
-  const double above = b * (b - a) * y * y + c * (c - a) * z * z;
-  return 4 * std::comp_ellint_1(std::sqrt(below * (b - a) / (above * (c - b)))) /
-         std::sqrt(above * (c - b) / (a * b * c));
-}
-static void follow(const Vector3d& I, Vector3d& w, Eigen::Quaterniond& q, double time) {
-  const auto rate = [&](const Vector3d& v) {
-    return Vector3d(Vector3d((I[1] - I[2]) * v[1] * v[2], (I[2] - I[0]) * v[2] * v[0], (I[0] - I[1]) * v[0] * v[1])
-                        .cwiseQuotient(I));
-  };
-  const auto turn = [](const Eigen::Quaterniond& r, const Vector3d& v) {
-    return Eigen::Vector4d((r * Eigen::Quaterniond(0, v[0], v[1], v[2])).coeffs() / 2);
-  };
-  const int n = 4000;
-  const double h = time / n;
-  for (int i = 0; i < n; ++i) {
-    const Vector3d a = rate(w), b = rate(w + h / 2 * a), c = rate(w + h / 2 * b), d = rate(w + h * c);
-    const Eigen::Vector4d A = turn(q, w),
-                          B = turn(Eigen::Quaterniond(Eigen::Vector4d(q.coeffs() + h / 2 * A)), w + h / 2 * a),
-                          C = turn(Eigen::Quaterniond(Eigen::Vector4d(q.coeffs() + h / 2 * B)), w + h / 2 * b),
-                          D = turn(Eigen::Quaterniond(Eigen::Vector4d(q.coeffs() + h * C)), w + h * c);
-    w += h / 6 * (a + 2 * b + 2 * c + d);
-    q.coeffs() += h / 6 * (A + 2 * B + 2 * C + D);
-    q.normalize();
-  }
-}
-static double turn_about_L(const Vector3d& I, const Vector3d& omega0) {
-  const double L2 = I.cwiseProduct(omega0).squaredNorm(), x = I.dot(omega0.cwiseAbs2()), L = std::sqrt(L2);
-  int a = 0, c = 2;
-  const double E = x / L2;
-  if (E * I[1] > 1) std::swap(a, c);
-  const int n = 4000;
-  double area = 0;
-  for (int i = 0; i < n; ++i) {
-    const double p = std::cos(2 * M_PI * i / n), q = std::sin(2 * M_PI * i / n);
-    area += (1 - std::sqrt(1 - (E - 1 / I[c]) / (p * p / I[a] + q * q / I[1] - 1 / I[c]))) * 2 * M_PI / n;
-  }
-  return x / L * period(I, omega0) + (c == 0 ? area : -area);
-}
-Matrix3d exact_attitude(const Vector3d& I, const Vector3d& omega0, double t) {
-  const double P = period(I, omega0), whole = std::round(t / P);
-  const short n = static_cast<short>(whole);
-  Vector3d w = omega0;
-  Eigen::Quaterniond q(1, 0, 0, 0);
-  follow(I, w, q, t - whole * P);
-  const Eigen::AngleAxisd turns(n * turn_about_L(I, omega0), I.cwiseProduct(omega0).normalized());
-  return (turns * q).toRotationMatrix();
-}
-}  // namespace rigid
-
-//! right: turn about L for the whole periods, the remainder integrated
-#include <cmath>
-#include <rigid/attitude_of_a_free_body.hpp>
-#include <utility>
-namespace rigid {
-static double period(const Vector3d& I, const Vector3d& w) {
-  double a = I[0], b = I[1], c = I[2], x = w[0], y = w[1], z = w[2];
-  if (a * (b - a) * x * x > c * (c - b) * z * z) {
-    std::swap(a, c);
-    std::swap(x, z);
-  }
-  const double below = a * (c - a) * x * x + b * (c - b) * y * y;
-  const double above = b * (b - a) * y * y + c * (c - a) * z * z;
-  return 4 * std::comp_ellint_1(std::sqrt(below * (b - a) / (above * (c - b)))) /
-         std::sqrt(above * (c - b) / (a * b * c));
-}
-static void follow(const Vector3d& I, Vector3d& w, Eigen::Quaterniond& q, double time) {
-  const auto rate = [&](const Vector3d& v) {
-    return Vector3d(Vector3d((I[1] - I[2]) * v[1] * v[2], (I[2] - I[0]) * v[2] * v[0], (I[0] - I[1]) * v[0] * v[1])
-                        .cwiseQuotient(I));
-  };
-  const auto turn = [](const Eigen::Quaterniond& r, const Vector3d& v) {
-    return Eigen::Vector4d((r * Eigen::Quaterniond(0, v[0], v[1], v[2])).coeffs() / 2);
-  };
-  const int n = 4000;
-  const double h = time / n;
-  for (int i = 0; i < n; ++i) {
-    const Vector3d a = rate(w), b = rate(w + h / 2 * a), c = rate(w + h / 2 * b), d = rate(w + h * c);
-    const Eigen::Vector4d A = turn(q, w),
-                          B = turn(Eigen::Quaterniond(Eigen::Vector4d(q.coeffs() + h / 2 * A)), w + h / 2 * a),
-                          C = turn(Eigen::Quaterniond(Eigen::Vector4d(q.coeffs() + h / 2 * B)), w + h / 2 * b),
-                          D = turn(Eigen::Quaterniond(Eigen::Vector4d(q.coeffs() + h * C)), w + h * c);
-    w += h / 6 * (a + 2 * b + 2 * c + d);
-    q.coeffs() += h / 6 * (A + 2 * B + 2 * C + D);
-    q.normalize();
-  }
-}
-static double turn_about_L(const Vector3d& I, const Vector3d& omega0) {
-  const double L2 = I.cwiseProduct(omega0).squaredNorm(), x = I.dot(omega0.cwiseAbs2()), L = std::sqrt(L2);
-  int a = 0, c = 2;
-  const double E = x / L2;
-  if (E * I[1] > 1) std::swap(a, c);
-  const int n = 4000;
-  double area = 0;
-  for (int i = 0; i < n; ++i) {
-    const double p = std::cos(2 * M_PI * i / n), q = std::sin(2 * M_PI * i / n);
-    area += (1 - std::sqrt(1 - (E - 1 / I[c]) / (p * p / I[a] + q * q / I[1] - 1 / I[c]))) * 2 * M_PI / n;
-  }
-  return x / L * period(I, omega0) + (c == 0 ? area : -area);
-}
-Matrix3d exact_attitude(const Vector3d& I, const Vector3d& omega0, double t) {
-  const double P = period(I, omega0), n = std::round(t / P);
-  Vector3d w = omega0;
-  Eigen::Quaterniond q(1, 0, 0, 0);
-  follow(I, w, q, t - n * P);
-  const Eigen::AngleAxisd turns(n * turn_about_L(I, omega0), I.cwiseProduct(omega0).normalized());
-  return (turns * q).toRotationMatrix();
-}
-}  // namespace rigid
-
-//! right: closed form with L upright
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_3.hpp>
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <cmath>
-#include <rigid/attitude_of_a_free_body.hpp>
 #include <utility>
-namespace rigid {
+#include <rigid/attitude_of_a_free_body.hpp>
+//! right: turn about L for the whole periods, the remainder integrated
+static double period(const Vector3d& I, const Vector3d& w) {
+  double a = I[0], b = I[1], c = I[2], x = w[0], y = w[1], z = w[2];
+  if (a * (b - a) * x * x > c * (c - b) * z * z) {
+    std::swap(a, c);
+    std::swap(x, z);
+  }
+  const double below = a * (c - a) * x * x + b * (c - b) * y * y;
+  const double above = b * (b - a) * y * y + c * (c - a) * z * z;
+  return 4 * std::comp_ellint_1(std::sqrt(below * (b - a) / (above * (c - b)))) /
+         std::sqrt(above * (c - b) / (a * b * c));
+}
+static void follow(const Vector3d& I, Vector3d& w, Eigen::Quaterniond& q, double time) {
+  const auto rate = [&](const Vector3d& v) {
+    return Vector3d(Vector3d((I[1] - I[2]) * v[1] * v[2], (I[2] - I[0]) * v[2] * v[0], (I[0] - I[1]) * v[0] * v[1])
+                        .cwiseQuotient(I));
+  };
+  const auto turn = [](const Eigen::Quaterniond& r, const Vector3d& v) {
+    return Eigen::Vector4d((r * Eigen::Quaterniond(0, v[0], v[1], v[2])).coeffs() / 2);
+  };
+  const int n = 4000;
+  const double h = time / n;
+  for (int i = 0; i < n; ++i) {
+    const Vector3d a = rate(w), b = rate(w + h / 2 * a), c = rate(w + h / 2 * b), d = rate(w + h * c);
+    const Eigen::Vector4d A = turn(q, w),
+                          B = turn(Eigen::Quaterniond(Eigen::Vector4d(q.coeffs() + h / 2 * A)), w + h / 2 * a),
+                          C = turn(Eigen::Quaterniond(Eigen::Vector4d(q.coeffs() + h / 2 * B)), w + h / 2 * b),
+                          D = turn(Eigen::Quaterniond(Eigen::Vector4d(q.coeffs() + h * C)), w + h * c);
+    w += h / 6 * (a + 2 * b + 2 * c + d);
+    q.coeffs() += h / 6 * (A + 2 * B + 2 * C + D);
+    q.normalize();
+  }
+}
+static double turn_about_L(const Vector3d& I, const Vector3d& omega0) {
+  const double L2 = I.cwiseProduct(omega0).squaredNorm(), x = I.dot(omega0.cwiseAbs2()), L = std::sqrt(L2);
+  int a = 0, c = 2;
+  const double E = x / L2;
+  if (E * I[1] > 1) std::swap(a, c);
+  const int n = 4000;
+  double area = 0;
+  for (int i = 0; i < n; ++i) {
+    const double p = std::cos(2 * M_PI * i / n), q = std::sin(2 * M_PI * i / n);
+    area += (1 - std::sqrt(1 - (E - 1 / I[c]) / (p * p / I[a] + q * q / I[1] - 1 / I[c]))) * 2 * M_PI / n;
+  }
+  return x / L * period(I, omega0) + (c == 0 ? area : -area);
+}
+Matrix3d exact_attitude(const Vector3d& I, const Vector3d& omega0, double t) {
+  const double P = period(I, omega0), n = std::round(t / P);
+  Vector3d w = omega0;
+  Eigen::Quaterniond q(1, 0, 0, 0);
+  follow(I, w, q, t - n * P);
+  const Eigen::AngleAxisd turns(n * turn_about_L(I, omega0), I.cwiseProduct(omega0).normalized());
+  return (turns * q).toRotationMatrix();
+}
+//! wrong: turns about omega0
+-  const Eigen::AngleAxisd turns(n * turn_about_L(I, omega0), I.cwiseProduct(omega0).normalized());
++  const Eigen::AngleAxisd turns(n * turn_about_L(I, omega0), omega0.normalized());
+//! wrong: periods truncated, remainder from the floor
+-  const double P = period(I, omega0), n = std::round(t / P);
++  const double P = period(I, omega0), n = std::trunc(t / P);
+@@
+-  follow(I, w, q, t - n * P);
++  follow(I, w, q, t - std::floor(t / P) * P);
+//! wrong: turns on the right-hand side
+-  return (turns * q).toRotationMatrix();
++  return (q * turns).toRotationMatrix();
+//! wrong: rows in place of columns
+-  return (turns * q).toRotationMatrix();
++  return (turns * q).inverse().toRotationMatrix();
+//! wrong: sense of the turn
+-  const Eigen::AngleAxisd turns(n * turn_about_L(I, omega0), I.cwiseProduct(omega0).normalized());
++  const Eigen::AngleAxisd turns(-n * turn_about_L(I, omega0), I.cwiseProduct(omega0).normalized());
+//! wrong: solid angle with the sign of motion round axis 3
+-  return x / L * period(I, omega0) + (c == 0 ? area : -area);
++  return x / L * period(I, omega0) + -area;
+//! wrong: number of periods in a whole number of 16 bits
+-  const double P = period(I, omega0), n = std::round(t / P);
++  const double P = period(I, omega0), whole = std::round(t / P);
++  const short n = static_cast<short>(whole);
+@@
+-  follow(I, w, q, t - n * P);
++  follow(I, w, q, t - whole * P);
+//! right: closed form with L upright
 Matrix3d exact_attitude(const Vector3d& I, const Vector3d& omega0, double t) {
   const double I1 = I[0], I2 = I[1], I3 = I[2];
   Vector3d J = I, w = omega0;
@@ -528,4 +120,7 @@ Matrix3d exact_attitude(const Vector3d& I, const Vector3d& omega0, double t) {
   };
   return upright(L0, 0).transpose() * upright(L1, phi);
 }
-}  // namespace rigid
+//! wrong: omega0 kept constant on the axes of the body
+Matrix3d exact_attitude(const Vector3d&, const Vector3d& omega0, double t) {
+  return Eigen::AngleAxisd(omega0.norm() * t, omega0.normalized()).toRotationMatrix();
+}

@@ -1,179 +1,11 @@
-//! wrong: quadrant of the phase lost
 #include <algorithm>
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
-#include <cmath>
-#include <rigid/attitude_of_a_free_body.hpp>
-#include <utility>
-namespace rigid {
-Vector3d exact_rotation(const Vector3d& I, const Vector3d& omega0, double t) {
-  double I1 = I[0], I2 = I[1], I3 = I[2];
-  Vector3d w = omega0;
-  const bool other = I1 * (I2 - I1) * w[0] * w[0] > I3 * (I3 - I2) * w[2] * w[2];
-  if (other) std::swap(I1, I3), std::swap(w[0], w[2]);
-  const double below = I1 * (I3 - I1) * w[0] * w[0] + I2 * (I3 - I2) * w[1] * w[1];
-  const double above = I2 * (I2 - I1) * w[1] * w[1] + I3 * (I3 - I1) * w[2] * w[2];
-  const double a1 = std::sqrt(below / (I1 * (I3 - I1))), a2 = std::sqrt(below / (I2 * (I3 - I2)));
-  const double a3 = std::sqrt(above / (I3 * (I3 - I1))), s = std::copysign(1.0, w[2]);
-  const double nu = std::sqrt(above * (I3 - I2) / (I1 * I2 * I3));
-  const double k = std::sqrt(below * (I2 - I1) / (above * (I3 - I2)));
-  const double u0 = boost::math::ellint_1(k, std::asin(std::clamp(s * w[1] / a2, -1.0, 1.0)));
-  double cn, dn;
-  const double sn = boost::math::jacobi_elliptic(k, nu * t + u0, &cn, &dn);
-  Vector3d result(a1 * cn, s * a2 * sn, s * a3 * dn);
-  if (other) std::swap(result[0], result[2]);
-  return result;
-}
-}  // namespace rigid
-
-//! wrong: labels exchanged and never exchanged back
-#include <algorithm>
-#include <boost/math/special_functions/ellint_1.hpp>
-#include <boost/math/special_functions/jacobi_elliptic.hpp>
-#include <cmath>
-#include <rigid/attitude_of_a_free_body.hpp>
-#include <utility>
-namespace rigid {
-Vector3d exact_rotation(const Vector3d& I, const Vector3d& omega0, double t) {
-  double I1 = I[0], I2 = I[1], I3 = I[2];
-  Vector3d w = omega0;
-  if (I1 * (I2 - I1) * w[0] * w[0] > I3 * (I3 - I2) * w[2] * w[2]) std::swap(I1, I3), std::swap(w[0], w[2]);
-  const double below = I1 * (I3 - I1) * w[0] * w[0] + I2 * (I3 - I2) * w[1] * w[1];
-  const double above = I2 * (I2 - I1) * w[1] * w[1] + I3 * (I3 - I1) * w[2] * w[2];
-  const double a1 = std::sqrt(below / (I1 * (I3 - I1))), a2 = std::sqrt(below / (I2 * (I3 - I2)));
-  const double a3 = std::sqrt(above / (I3 * (I3 - I1))), s = std::copysign(1.0, w[2]);
-  const double nu = std::sqrt(above * (I3 - I2) / (I1 * I2 * I3));
-  const double k = std::sqrt(below * (I2 - I1) / (above * (I3 - I2)));
-  const double u0 = boost::math::ellint_1(k, std::atan2(s * w[1] / a2, w[0] / a1));
-  double cn, dn;
-  const double sn = boost::math::jacobi_elliptic(k, nu * t + u0, &cn, &dn);
-  return {a1 * cn, s * a2 * sn, s * a3 * dn};
-}
-}  // namespace rigid
-
-//! wrong: third component always positive
-#include <algorithm>
-#include <boost/math/special_functions/ellint_1.hpp>
-#include <boost/math/special_functions/jacobi_elliptic.hpp>
-#include <cmath>
-#include <rigid/attitude_of_a_free_body.hpp>
-#include <utility>
-namespace rigid {
-Vector3d exact_rotation(const Vector3d& I, const Vector3d& omega0, double t) {
-  double I1 = I[0], I2 = I[1], I3 = I[2];
-  Vector3d w = omega0;
-  const bool other = I1 * (I2 - I1) * w[0] * w[0] > I3 * (I3 - I2) * w[2] * w[2];
-  if (other) std::swap(I1, I3), std::swap(w[0], w[2]);
-  const double below = I1 * (I3 - I1) * w[0] * w[0] + I2 * (I3 - I2) * w[1] * w[1];
-  const double above = I2 * (I2 - I1) * w[1] * w[1] + I3 * (I3 - I1) * w[2] * w[2];
-  const double a1 = std::sqrt(below / (I1 * (I3 - I1))), a2 = std::sqrt(below / (I2 * (I3 - I2)));
-  const double a3 = std::sqrt(above / (I3 * (I3 - I1)));
-  const double nu = std::sqrt(above * (I3 - I2) / (I1 * I2 * I3));
-  const double k = std::sqrt(below * (I2 - I1) / (above * (I3 - I2)));
-  const double u0 = boost::math::ellint_1(k, std::atan2(w[1] / a2, w[0] / a1));
-  double cn, dn;
-  const double sn = boost::math::jacobi_elliptic(k, nu * t + u0, &cn, &dn);
-  Vector3d result(a1 * cn, a2 * sn, a3 * dn);
-  if (other) std::swap(result[0], result[2]);
-  return result;
-}
-}  // namespace rigid
-
-//! wrong: remainder after periods of a small wobble
 #include <cmath>
 #include <numbers>
-#include <rigid/attitude_of_a_free_body.hpp>
-namespace rigid {
-Vector3d exact_rotation(const Vector3d& I, const Vector3d& omega0, double t) {
-  const auto rate = [&](const Vector3d& w) {
-    return Vector3d((I[1] - I[2]) * w[1] * w[2] / I[0], (I[2] - I[0]) * w[2] * w[0] / I[1],
-                    (I[0] - I[1]) * w[0] * w[1] / I[2]);
-  };
-  const double P = 2 * std::numbers::pi / (omega0.norm() * std::sqrt((I[2] - I[0]) * (I[2] - I[1]) / (I[0] * I[1])));
-  const int n = 10000;
-  const double h = std::remainder(t, P) / n;
-  Vector3d w = omega0;
-  for (int i = 0; i < n; ++i) {
-    const Vector3d a = rate(w), b = rate(w + h / 2 * a), c = rate(w + h / 2 * b), d = rate(w + h * c);
-    w += h / 6 * (a + 2 * b + 2 * c + d);
-  }
-  return w;
-}
-}  // namespace rigid
-
-//! wrong: fifty thousand steps, however long the time
-#include <cmath>
-#include <rigid/attitude_of_a_free_body.hpp>
-namespace rigid {
-Vector3d exact_rotation(const Vector3d& I, const Vector3d& omega0, double t) {
-  const auto rate = [&](const Vector3d& w) {
-    return Vector3d((I[1] - I[2]) * w[1] * w[2] / I[0], (I[2] - I[0]) * w[2] * w[0] / I[1],
-                    (I[0] - I[1]) * w[0] * w[1] / I[2]);
-  };
-  const int n = 50000;
-  const double h = t / n;
-  Vector3d w = omega0;
-  for (int i = 0; i < n; ++i) {
-    const Vector3d a = rate(w), b = rate(w + h / 2 * a), c = rate(w + h / 2 * b), d = rate(w + h * c);
-    w += h / 6 * (a + 2 * b + 2 * c + d);
-  }
-  return w;
-}
-}  // namespace rigid
-
-//! wrong: steps of a hundredth of a second up to the end
-#include <cmath>
-#include <rigid/attitude_of_a_free_body.hpp>
-namespace rigid {
-Vector3d exact_rotation(const Vector3d& I, const Vector3d& omega0, double t) {
-  const auto rate = [&](const Vector3d& w) {
-    return Vector3d((I[1] - I[2]) * w[1] * w[2] / I[0], (I[2] - I[0]) * w[2] * w[0] / I[1],
-                    (I[0] - I[1]) * w[0] * w[1] / I[2]);
-  };
-  Vector3d w = omega0;
-  const double h = std::copysign(0.01, t);
-  for (double time = 0; std::abs(time) < std::abs(t); time += h) {
-    const Vector3d a = rate(w), b = rate(w + h / 2 * a), c = rate(w + h / 2 * b), d = rate(w + h * c);
-    w += h / 6 * (a + 2 * b + 2 * c + d);
-  }
-  return w;
-}
-}  // namespace rigid
-
-//! wrong: parameter given where the modulus is asked for
-#include <boost/math/special_functions/ellint_1.hpp>
-#include <boost/math/special_functions/jacobi_elliptic.hpp>
-#include <cmath>
-#include <rigid/attitude_of_a_free_body.hpp>
 #include <utility>
-namespace rigid {
-Vector3d exact_rotation(const Vector3d& I, const Vector3d& omega0, double t) {
-  double I1 = I[0], I2 = I[1], I3 = I[2];
-  Vector3d w = omega0;
-  const bool other = I1 * (I2 - I1) * w[0] * w[0] > I3 * (I3 - I2) * w[2] * w[2];
-  if (other) std::swap(I1, I3), std::swap(w[0], w[2]);
-  const double below = I1 * (I3 - I1) * w[0] * w[0] + I2 * (I3 - I2) * w[1] * w[1];
-  const double above = I2 * (I2 - I1) * w[1] * w[1] + I3 * (I3 - I1) * w[2] * w[2];
-  const double a1 = std::sqrt(below / (I1 * (I3 - I1))), a2 = std::sqrt(below / (I2 * (I3 - I2)));
-  const double a3 = std::sqrt(above / (I3 * (I3 - I1))), s = std::copysign(1.0, w[2]);
-  const double nu = std::sqrt(above * (I3 - I2) / (I1 * I2 * I3));
-  const double m = below * (I2 - I1) / (above * (I3 - I2));
-  const double u0 = boost::math::ellint_1(m, std::atan2(s * w[1] / a2, w[0] / a1));
-  double cn, dn;
-  const double sn = boost::math::jacobi_elliptic(m, nu * t + u0, &cn, &dn);
-  Vector3d result(a1 * cn, s * a2 * sn, s * a3 * dn);
-  if (other) std::swap(result[0], result[2]);
-  return result;
-}
-}  // namespace rigid
-
+#include <rigid/attitude_of_a_free_body.hpp>
 //! right: Jacobi's functions of the library
-#include <boost/math/special_functions/ellint_1.hpp>
-#include <boost/math/special_functions/jacobi_elliptic.hpp>
-#include <cmath>
-#include <rigid/attitude_of_a_free_body.hpp>
-#include <utility>
-namespace rigid {
 Vector3d exact_rotation(const Vector3d& I, const Vector3d& omega0, double t) {
   double I1 = I[0], I2 = I[1], I3 = I[2];
   Vector3d w = omega0;
@@ -193,14 +25,43 @@ Vector3d exact_rotation(const Vector3d& I, const Vector3d& omega0, double t) {
   if (other) std::swap(result[0], result[2]);
   return result;
 }
-}  // namespace rigid
-
+//! wrong: quadrant of the phase lost
+-  // with the labels exchanged both factors of each product change their sign
+@@
+-  const double u0 = boost::math::ellint_1(k, std::atan2(s * w[1] / a2, w[0] / a1));
++  const double u0 = boost::math::ellint_1(k, std::asin(std::clamp(s * w[1] / a2, -1.0, 1.0)));
+//! wrong: labels exchanged and never exchanged back
+-  const bool other = I1 * (I2 - I1) * w[0] * w[0] > I3 * (I3 - I2) * w[2] * w[2];
+-  if (other) std::swap(I1, I3), std::swap(w[0], w[2]);
+-  // with the labels exchanged both factors of each product change their sign
++  if (I1 * (I2 - I1) * w[0] * w[0] > I3 * (I3 - I2) * w[2] * w[2]) std::swap(I1, I3), std::swap(w[0], w[2]);
+@@
+-  Vector3d result(a1 * cn, s * a2 * sn, s * a3 * dn);
+-  if (other) std::swap(result[0], result[2]);
+-  return result;
++  return {a1 * cn, s * a2 * sn, s * a3 * dn};
+//! wrong: third component always positive
+-  // with the labels exchanged both factors of each product change their sign
+@@
+-  const double a3 = std::sqrt(above / (I3 * (I3 - I1))), s = std::copysign(1.0, w[2]);
++  const double a3 = std::sqrt(above / (I3 * (I3 - I1)));
+@@
+-  const double u0 = boost::math::ellint_1(k, std::atan2(s * w[1] / a2, w[0] / a1));
++  const double u0 = boost::math::ellint_1(k, std::atan2(w[1] / a2, w[0] / a1));
+@@
+-  Vector3d result(a1 * cn, s * a2 * sn, s * a3 * dn);
++  Vector3d result(a1 * cn, a2 * sn, a3 * dn);
+//! wrong: parameter given where the modulus is asked for
+-  // with the labels exchanged both factors of each product change their sign
+@@
+-  const double k = std::sqrt(below * (I2 - I1) / (above * (I3 - I2)));
+-  const double u0 = boost::math::ellint_1(k, std::atan2(s * w[1] / a2, w[0] / a1));
++  const double m = below * (I2 - I1) / (above * (I3 - I2));
++  const double u0 = boost::math::ellint_1(m, std::atan2(s * w[1] / a2, w[0] / a1));
+@@
+-  const double sn = boost::math::jacobi_elliptic(k, nu * t + u0, &cn, &dn);
++  const double sn = boost::math::jacobi_elliptic(m, nu * t + u0, &cn, &dn);
 //! right: whole periods left out, the remainder integrated
-#include <boost/math/special_functions/ellint_1.hpp>
-#include <cmath>
-#include <rigid/attitude_of_a_free_body.hpp>
-#include <utility>
-namespace rigid {
 Vector3d exact_rotation(const Vector3d& I, const Vector3d& omega0, double t) {
   double a = I[0], b = I[1], c = I[2], x = omega0[0], y = omega0[1], z = omega0[2];
   if (a * (b - a) * x * x > c * (c - b) * z * z) {
@@ -224,4 +85,39 @@ Vector3d exact_rotation(const Vector3d& I, const Vector3d& omega0, double t) {
   }
   return w;
 }
-}  // namespace rigid
+//! wrong: remainder after periods of a small wobble
+Vector3d exact_rotation(const Vector3d& I, const Vector3d& omega0, double t) {
+  const auto rate = [&](const Vector3d& w) {
+    return Vector3d((I[1] - I[2]) * w[1] * w[2] / I[0], (I[2] - I[0]) * w[2] * w[0] / I[1],
+                    (I[0] - I[1]) * w[0] * w[1] / I[2]);
+  };
+  const double P = 2 * std::numbers::pi / (omega0.norm() * std::sqrt((I[2] - I[0]) * (I[2] - I[1]) / (I[0] * I[1])));
+  const int n = 10000;
+  const double h = std::remainder(t, P) / n;
+  Vector3d w = omega0;
+  for (int i = 0; i < n; ++i) {
+    const Vector3d a = rate(w), b = rate(w + h / 2 * a), c = rate(w + h / 2 * b), d = rate(w + h * c);
+    w += h / 6 * (a + 2 * b + 2 * c + d);
+  }
+  return w;
+}
+//! wrong: fifty thousand steps, however long the time
+-  const double P = 2 * std::numbers::pi / (omega0.norm() * std::sqrt((I[2] - I[0]) * (I[2] - I[1]) / (I[0] * I[1])));
+-  const int n = 10000;
+-  const double h = std::remainder(t, P) / n;
++  const int n = 50000;
++  const double h = t / n;
+//! wrong: steps of a hundredth of a second up to the end
+Vector3d exact_rotation(const Vector3d& I, const Vector3d& omega0, double t) {
+  const auto rate = [&](const Vector3d& w) {
+    return Vector3d((I[1] - I[2]) * w[1] * w[2] / I[0], (I[2] - I[0]) * w[2] * w[0] / I[1],
+                    (I[0] - I[1]) * w[0] * w[1] / I[2]);
+  };
+  Vector3d w = omega0;
+  const double h = std::copysign(0.01, t);
+  for (double time = 0; std::abs(time) < std::abs(t); time += h) {
+    const Vector3d a = rate(w), b = rate(w + h / 2 * a), c = rate(w + h / 2 * b), d = rate(w + h * c);
+    w += h / 6 * (a + 2 * b + 2 * c + d);
+  }
+  return w;
+}

@@ -1,7 +1,6 @@
-//! right: small steps in time, the last one cut
 #include <cmath>
 #include <rigid/attitude_of_a_free_body.hpp>
-namespace rigid {
+//! right: small steps in time, the last one cut
 struct Throw {
   Vector3d w;
   double round, twist;
@@ -25,12 +24,7 @@ double racket_twist(const Vector3d& I, const Vector3d& omega0) {
   for (int i = 0; i < 8; ++i) now = step(I, now, (2 * M_PI - now.round) / rates(I, now).round);
   return now.twist;
 }
-}  // namespace rigid
-
 //! right: two angles, the one over the other
-#include <cmath>
-#include <rigid/attitude_of_a_free_body.hpp>
-namespace rigid {
 // y = (eta, chi, twist) over the angle of the handle
 static Vector3d slope(const Vector3d& I, const Vector3d& y) {
   const double b = std::pow(std::cos(y[1]), 2) / I[1] + std::pow(std::sin(y[1]), 2) / I[2];
@@ -49,19 +43,9 @@ double racket_twist(const Vector3d& I, const Vector3d& omega0) {
   }
   return y[2];
 }
-}  // namespace rigid
-
 //! wrong: half a turn, always
-#include <cmath>
-#include <rigid/attitude_of_a_free_body.hpp>
-namespace rigid {
 double racket_twist(const Vector3d&, const Vector3d& omega0) { return omega0[0] < 0 ? -M_PI : M_PI; }
-}  // namespace rigid
-
 //! wrong: all of omega_1 taken for the twist
-#include <cmath>
-#include <rigid/attitude_of_a_free_body.hpp>
-namespace rigid {
 static Vector3d free(const Vector3d& I, const Vector3d& w) { return I.cwiseProduct(w).cross(w).cwiseQuotient(I); }
 double racket_twist(const Vector3d& I, const Vector3d& omega0) {
   Vector3d w = omega0;
@@ -75,12 +59,7 @@ double racket_twist(const Vector3d& I, const Vector3d& omega0) {
   }
   return twist;
 }
-}  // namespace rigid
-
 //! wrong: the time of a turn from the energy
-#include <cmath>
-#include <rigid/attitude_of_a_free_body.hpp>
-namespace rigid {
 static Vector3d free(const Vector3d& I, const Vector3d& w) { return I.cwiseProduct(w).cross(w).cwiseQuotient(I); }
 double racket_twist(const Vector3d& I, const Vector3d& omega0) {
   Vector3d w = omega0;
@@ -95,12 +74,7 @@ double racket_twist(const Vector3d& I, const Vector3d& omega0) {
   }
   return twist;
 }
-}  // namespace rigid
-
 //! wrong: azimuth of L at the end, without whole turns
-#include <cmath>
-#include <rigid/attitude_of_a_free_body.hpp>
-namespace rigid {
 static Vector3d free(const Vector3d& I, const Vector3d& w) { return I.cwiseProduct(w).cross(w).cwiseQuotient(I); }
 double racket_twist(const Vector3d& I, const Vector3d& omega0) {
   Vector3d w = omega0;
@@ -113,4 +87,3 @@ double racket_twist(const Vector3d& I, const Vector3d& omega0) {
   }
   return std::atan2(I[2] * w[2], I[1] * w[1]) - std::atan2(I[2] * omega0[2], I[1] * omega0[1]);
 }
-}  // namespace rigid

@@ -1,8 +1,88 @@
-//! wrong: the rate of a symmetric top
 #include <cmath>
-#include <rigid/attitude_of_a_free_body.hpp>
 #include <utility>
-namespace rigid {
+#include <rigid/attitude_of_a_free_body.hpp>
+//! right: sum over equal steps of a period
+static double period(const Vector3d& I, const Vector3d& w) {
+  double a = I[0], b = I[1], c = I[2], x = w[0], y = w[1], z = w[2];
+  if (a * (b - a) * x * x > c * (c - b) * z * z) {
+    std::swap(a, c);
+    std::swap(x, z);
+  }
+  const double below = a * (c - a) * x * x + b * (c - b) * y * y;
+  const double above = b * (b - a) * y * y + c * (c - a) * z * z;
+  return 4 * std::comp_ellint_1(std::sqrt(below * (b - a) / (above * (c - b)))) /
+         std::sqrt(above * (c - b) / (a * b * c));
+}
+static Vector3d rate(const Vector3d& I, const Vector3d& w) {
+  return Vector3d((I[1] - I[2]) * w[1] * w[2], (I[2] - I[0]) * w[2] * w[0], (I[0] - I[1]) * w[0] * w[1])
+      .cwiseQuotient(I);
+}
+static Vector3d step(const Vector3d& I, const Vector3d& w, double h) {
+  const Vector3d a = rate(I, w), b = rate(I, w + h / 2 * a), c = rate(I, w + h / 2 * b), d = rate(I, w + h * c);
+  return w + h / 6 * (a + 2 * b + 2 * c + d);
+}
+double turn_per_period(const Vector3d& I, const Vector3d& omega0) {
+  const double P = period(I, omega0), L = I.cwiseProduct(omega0).norm();
+  const int n = 8000;
+  Vector3d w = omega0;
+  double angle = 0;
+  for (int i = 0; i < n; ++i) {
+    const double x = I[0] * w[0] * w[0] + I[1] * w[1] * w[1];
+    const double y = I[0] * I[0] * w[0] * w[0] + I[1] * I[1] * w[1] * w[1];
+    angle += L * x / y * P / n;
+    w = step(I, w, P / n);
+  }
+  return angle;
+}
+//! wrong: angle about axis 3 itself
+-  const double P = period(I, omega0), L = I.cwiseProduct(omega0).norm();
++  const double P = period(I, omega0);
+@@
+-    const double x = I[0] * w[0] * w[0] + I[1] * w[1] * w[1];
+-    const double y = I[0] * I[0] * w[0] * w[0] + I[1] * I[1] * w[1] * w[1];
+-    angle += L * x / y * P / n;
++    angle += w[2] * P / n;
+//! wrong: velocity of the tip without its distance from the line of L
+-    const double y = I[0] * I[0] * w[0] * w[0] + I[1] * I[1] * w[1] * w[1];
+-    angle += L * x / y * P / n;
++    angle += x / L * P / n;
+//! wrong: followed for a quarter and doubled
+-    angle += L * x / y * P / n;
+-    w = step(I, w, P / n);
++    angle += L * x / y * P / 4 / n;
++    w = step(I, w, P / 4 / n);
+@@
+-  return angle;
++  return 2 * angle;
+//! wrong: turn of the attitude, without the whole turns
+-  return angle;
++  return std::fmod(angle, 2 * M_PI);
+//! wrong: axis 1 followed
+-    const double x = I[0] * w[0] * w[0] + I[1] * w[1] * w[1];
+-    const double y = I[0] * I[0] * w[0] * w[0] + I[1] * I[1] * w[1] * w[1];
++    const double x = I[2] * w[2] * w[2] + I[1] * w[1] * w[1];
++    const double y = I[2] * I[2] * w[2] * w[2] + I[1] * I[1] * w[1] * w[1];
+//! right: closed form with the integral of the third kind
+double turn_per_period(const Vector3d& I, const Vector3d& omega0) {
+  double I1 = I[0], I3 = I[2], T2 = I.dot(omega0.cwiseAbs2()), L2 = I.cwiseProduct(omega0).squaredNorm();
+  const bool other = L2 < T2 * I[1];
+  const double cot2 = I3 * (L2 - T2 * I1) / (I1 * (T2 * I3 - L2));
+  const double below = other ? T2 * I1 - L2 : T2 * I3 - L2, above = other ? L2 - T2 * I3 : L2 - T2 * I1;
+  const double p = other ? I3 : I1, q = other ? I1 : I3;
+  const double nu = std::sqrt(above * (q - I[1]) / (I[0] * I[1] * I[2]));
+  const double k2 = below * (I[1] - p) / (above * (q - I[1])), k = std::sqrt(k2);
+  const double L = std::sqrt(L2), P = 4 * std::comp_ellint_1(k) / nu;
+  const double n = other ? -cot2 : -k2 * cot2;
+  return L * P / I3 + 4 * L * (I3 - I1) / (I1 * I3 * nu) * std::comp_ellint_3(k, n);
+}
+//! wrong: sign of n
+-  const double n = other ? -cot2 : -k2 * cot2;
++  const double n = other ? cot2 : k2 * cot2;
+//! wrong: the same n for both kinds of motion
+-  const double n = other ? -cot2 : -k2 * cot2;
+-  return L * P / I3 + 4 * L * (I3 - I1) / (I1 * I3 * nu) * std::comp_ellint_3(k, n);
++  return L * P / I3 + 4 * L * (I3 - I1) / (I1 * I3 * nu) * std::comp_ellint_3(k, -k2 * cot2);
+//! wrong: the rate of a symmetric top
 static double period(const Vector3d& I, const Vector3d& w) {
   double a = I[0], b = I[1], c = I[2], x = w[0], y = w[1], z = w[2];
   if (a * (b - a) * x * x > c * (c - b) * z * z) {
@@ -17,310 +97,7 @@ static double period(const Vector3d& I, const Vector3d& w) {
 double turn_per_period(const Vector3d& I, const Vector3d& omega0) {
   return I.cwiseProduct(omega0).norm() / I[0] * period(I, omega0);
 }
-}  // namespace rigid
-
 //! wrong: component of omega along L
-#include <cmath>
-#include <rigid/attitude_of_a_free_body.hpp>
-#include <utility>
-namespace rigid {
-static double period(const Vector3d& I, const Vector3d& w) {
-  double a = I[0], b = I[1], c = I[2], x = w[0], y = w[1], z = w[2];
-  if (a * (b - a) * x * x > c * (c - b) * z * z) {
-    std::swap(a, c);
-    std::swap(x, z);
-  }
-  const double below = a * (c - a) * x * x + b * (c - b) * y * y;
-  const double above = b * (b - a) * y * y + c * (c - a) * z * z;
-  return 4 * std::comp_ellint_1(std::sqrt(below * (b - a) / (above * (c - b)))) /
-         std::sqrt(above * (c - b) / (a * b * c));
-}
-double turn_per_period(const Vector3d& I, const Vector3d& omega0) {
-  const Vector3d L = I.cwiseProduct(omega0);
-  return omega0.dot(L) / L.norm() * period(I, omega0);
-}
-}  // namespace rigid
-
-//! wrong: angle about axis 3 itself
-#include <cmath>
-#include <rigid/attitude_of_a_free_body.hpp>
-#include <utility>
-namespace rigid {
-static double period(const Vector3d& I, const Vector3d& w) {
-  double a = I[0], b = I[1], c = I[2], x = w[0], y = w[1], z = w[2];
-  if (a * (b - a) * x * x > c * (c - b) * z * z) {
-    std::swap(a, c);
-    std::swap(x, z);
-  }
-  const double below = a * (c - a) * x * x + b * (c - b) * y * y;
-  const double above = b * (b - a) * y * y + c * (c - a) * z * z;
-  return 4 * std::comp_ellint_1(std::sqrt(below * (b - a) / (above * (c - b)))) /
-         std::sqrt(above * (c - b) / (a * b * c));
-}
-static Vector3d rate(const Vector3d& I, const Vector3d& w) {
-  return Vector3d((I[1] - I[2]) * w[1] * w[2], (I[2] - I[0]) * w[2] * w[0], (I[0] - I[1]) * w[0] * w[1])
-      .cwiseQuotient(I);
-}
-static Vector3d step(const Vector3d& I, const Vector3d& w, double h) {
-  const Vector3d a = rate(I, w), b = rate(I, w + h / 2 * a), c = rate(I, w + h / 2 * b), d = rate(I, w + h * c);
-  return w + h / 6 * (a + 2 * b + 2 * c + d);
-}
-double turn_per_period(const Vector3d& I, const Vector3d& omega0) {
-  const double P = period(I, omega0);
-  const int n = 8000;
-  Vector3d w = omega0;
-  double angle = 0;
-  for (int i = 0; i < n; ++i) {
-    angle += w[2] * P / n;
-    w = step(I, w, P / n);
-  }
-  return angle;
-}
-}  // namespace rigid
-
-//! wrong: velocity of the tip without its distance from the line of L
-#include <cmath>
-#include <rigid/attitude_of_a_free_body.hpp>
-#include <utility>
-namespace rigid {
-static double period(const Vector3d& I, const Vector3d& w) {
-  double a = I[0], b = I[1], c = I[2], x = w[0], y = w[1], z = w[2];
-  if (a * (b - a) * x * x > c * (c - b) * z * z) {
-    std::swap(a, c);
-    std::swap(x, z);
-  }
-  const double below = a * (c - a) * x * x + b * (c - b) * y * y;
-  const double above = b * (b - a) * y * y + c * (c - a) * z * z;
-  return 4 * std::comp_ellint_1(std::sqrt(below * (b - a) / (above * (c - b)))) /
-         std::sqrt(above * (c - b) / (a * b * c));
-}
-static Vector3d rate(const Vector3d& I, const Vector3d& w) {
-  return Vector3d((I[1] - I[2]) * w[1] * w[2], (I[2] - I[0]) * w[2] * w[0], (I[0] - I[1]) * w[0] * w[1])
-      .cwiseQuotient(I);
-}
-static Vector3d step(const Vector3d& I, const Vector3d& w, double h) {
-  const Vector3d a = rate(I, w), b = rate(I, w + h / 2 * a), c = rate(I, w + h / 2 * b), d = rate(I, w + h * c);
-  return w + h / 6 * (a + 2 * b + 2 * c + d);
-}
-double turn_per_period(const Vector3d& I, const Vector3d& omega0) {
-  const double P = period(I, omega0), L = I.cwiseProduct(omega0).norm();
-  const int n = 8000;
-  Vector3d w = omega0;
-  double angle = 0;
-  for (int i = 0; i < n; ++i) {
-    const double x = I[0] * w[0] * w[0] + I[1] * w[1] * w[1];
-    angle += x / L * P / n;
-    w = step(I, w, P / n);
-  }
-  return angle;
-}
-}  // namespace rigid
-
-//! wrong: followed for a quarter and doubled
-#include <cmath>
-#include <rigid/attitude_of_a_free_body.hpp>
-#include <utility>
-namespace rigid {
-static double period(const Vector3d& I, const Vector3d& w) {
-  double a = I[0], b = I[1], c = I[2], x = w[0], y = w[1], z = w[2];
-  if (a * (b - a) * x * x > c * (c - b) * z * z) {
-    std::swap(a, c);
-    std::swap(x, z);
-  }
-  const double below = a * (c - a) * x * x + b * (c - b) * y * y;
-  const double above = b * (b - a) * y * y + c * (c - a) * z * z;
-  return 4 * std::comp_ellint_1(std::sqrt(below * (b - a) / (above * (c - b)))) /
-         std::sqrt(above * (c - b) / (a * b * c));
-}
-static Vector3d rate(const Vector3d& I, const Vector3d& w) {
-  return Vector3d((I[1] - I[2]) * w[1] * w[2], (I[2] - I[0]) * w[2] * w[0], (I[0] - I[1]) * w[0] * w[1])
-      .cwiseQuotient(I);
-}
-static Vector3d step(const Vector3d& I, const Vector3d& w, double h) {
-  const Vector3d a = rate(I, w), b = rate(I, w + h / 2 * a), c = rate(I, w + h / 2 * b), d = rate(I, w + h * c);
-  return w + h / 6 * (a + 2 * b + 2 * c + d);
-}
-double turn_per_period(const Vector3d& I, const Vector3d& omega0) {
-  const double P = period(I, omega0), L = I.cwiseProduct(omega0).norm();
-  const int n = 8000;
-  Vector3d w = omega0;
-  double angle = 0;
-  for (int i = 0; i < n; ++i) {
-    const double x = I[0] * w[0] * w[0] + I[1] * w[1] * w[1];
-    const double y = I[0] * I[0] * w[0] * w[0] + I[1] * I[1] * w[1] * w[1];
-    angle += L * x / y * P / 4 / n;
-    w = step(I, w, P / 4 / n);
-  }
-  return 2 * angle;
-}
-}  // namespace rigid
-
-//! wrong: turn of the attitude, without the whole turns
-#include <cmath>
-#include <rigid/attitude_of_a_free_body.hpp>
-#include <utility>
-namespace rigid {
-static double period(const Vector3d& I, const Vector3d& w) {
-  double a = I[0], b = I[1], c = I[2], x = w[0], y = w[1], z = w[2];
-  if (a * (b - a) * x * x > c * (c - b) * z * z) {
-    std::swap(a, c);
-    std::swap(x, z);
-  }
-  const double below = a * (c - a) * x * x + b * (c - b) * y * y;
-  const double above = b * (b - a) * y * y + c * (c - a) * z * z;
-  return 4 * std::comp_ellint_1(std::sqrt(below * (b - a) / (above * (c - b)))) /
-         std::sqrt(above * (c - b) / (a * b * c));
-}
-static Vector3d rate(const Vector3d& I, const Vector3d& w) {
-  return Vector3d((I[1] - I[2]) * w[1] * w[2], (I[2] - I[0]) * w[2] * w[0], (I[0] - I[1]) * w[0] * w[1])
-      .cwiseQuotient(I);
-}
-static Vector3d step(const Vector3d& I, const Vector3d& w, double h) {
-  const Vector3d a = rate(I, w), b = rate(I, w + h / 2 * a), c = rate(I, w + h / 2 * b), d = rate(I, w + h * c);
-  return w + h / 6 * (a + 2 * b + 2 * c + d);
-}
-double turn_per_period(const Vector3d& I, const Vector3d& omega0) {
-  const double P = period(I, omega0), L = I.cwiseProduct(omega0).norm();
-  const int n = 8000;
-  Vector3d w = omega0;
-  double angle = 0;
-  for (int i = 0; i < n; ++i) {
-    const double x = I[0] * w[0] * w[0] + I[1] * w[1] * w[1];
-    const double y = I[0] * I[0] * w[0] * w[0] + I[1] * I[1] * w[1] * w[1];
-    angle += L * x / y * P / n;
-    w = step(I, w, P / n);
-  }
-  return std::fmod(angle, 2 * M_PI);
-}
-}  // namespace rigid
-
-//! wrong: sign of n
-#include <cmath>
-#include <rigid/attitude_of_a_free_body.hpp>
-namespace rigid {
-double turn_per_period(const Vector3d& I, const Vector3d& omega0) {
-  double I1 = I[0], I3 = I[2], T2 = I.dot(omega0.cwiseAbs2()), L2 = I.cwiseProduct(omega0).squaredNorm();
-  const bool other = L2 < T2 * I[1];
-  const double cot2 = I3 * (L2 - T2 * I1) / (I1 * (T2 * I3 - L2));
-  const double below = other ? T2 * I1 - L2 : T2 * I3 - L2, above = other ? L2 - T2 * I3 : L2 - T2 * I1;
-  const double p = other ? I3 : I1, q = other ? I1 : I3;
-  const double nu = std::sqrt(above * (q - I[1]) / (I[0] * I[1] * I[2]));
-  const double k2 = below * (I[1] - p) / (above * (q - I[1])), k = std::sqrt(k2);
-  const double L = std::sqrt(L2), P = 4 * std::comp_ellint_1(k) / nu;
-  const double n = other ? cot2 : k2 * cot2;
-  return L * P / I3 + 4 * L * (I3 - I1) / (I1 * I3 * nu) * std::comp_ellint_3(k, n);
-}
-}  // namespace rigid
-
-//! wrong: the same n for both kinds of motion
-#include <cmath>
-#include <rigid/attitude_of_a_free_body.hpp>
-namespace rigid {
-double turn_per_period(const Vector3d& I, const Vector3d& omega0) {
-  double I1 = I[0], I3 = I[2], T2 = I.dot(omega0.cwiseAbs2()), L2 = I.cwiseProduct(omega0).squaredNorm();
-  const bool other = L2 < T2 * I[1];
-  const double cot2 = I3 * (L2 - T2 * I1) / (I1 * (T2 * I3 - L2));
-  const double below = other ? T2 * I1 - L2 : T2 * I3 - L2, above = other ? L2 - T2 * I3 : L2 - T2 * I1;
-  const double p = other ? I3 : I1, q = other ? I1 : I3;
-  const double nu = std::sqrt(above * (q - I[1]) / (I[0] * I[1] * I[2]));
-  const double k2 = below * (I[1] - p) / (above * (q - I[1])), k = std::sqrt(k2);
-  const double L = std::sqrt(L2), P = 4 * std::comp_ellint_1(k) / nu;
-  return L * P / I3 + 4 * L * (I3 - I1) / (I1 * I3 * nu) * std::comp_ellint_3(k, -k2 * cot2);
-}
-}  // namespace rigid
-
-//! wrong: axis 1 followed
-#include <cmath>
-#include <rigid/attitude_of_a_free_body.hpp>
-#include <utility>
-namespace rigid {
-static double period(const Vector3d& I, const Vector3d& w) {
-  double a = I[0], b = I[1], c = I[2], x = w[0], y = w[1], z = w[2];
-  if (a * (b - a) * x * x > c * (c - b) * z * z) {
-    std::swap(a, c);
-    std::swap(x, z);
-  }
-  const double below = a * (c - a) * x * x + b * (c - b) * y * y;
-  const double above = b * (b - a) * y * y + c * (c - a) * z * z;
-  return 4 * std::comp_ellint_1(std::sqrt(below * (b - a) / (above * (c - b)))) /
-         std::sqrt(above * (c - b) / (a * b * c));
-}
-static Vector3d rate(const Vector3d& I, const Vector3d& w) {
-  return Vector3d((I[1] - I[2]) * w[1] * w[2], (I[2] - I[0]) * w[2] * w[0], (I[0] - I[1]) * w[0] * w[1])
-      .cwiseQuotient(I);
-}
-static Vector3d step(const Vector3d& I, const Vector3d& w, double h) {
-  const Vector3d a = rate(I, w), b = rate(I, w + h / 2 * a), c = rate(I, w + h / 2 * b), d = rate(I, w + h * c);
-  return w + h / 6 * (a + 2 * b + 2 * c + d);
-}
-double turn_per_period(const Vector3d& I, const Vector3d& omega0) {
-  const double P = period(I, omega0), L = I.cwiseProduct(omega0).norm();
-  const int n = 8000;
-  Vector3d w = omega0;
-  double angle = 0;
-  for (int i = 0; i < n; ++i) {
-    const double x = I[2] * w[2] * w[2] + I[1] * w[1] * w[1];
-    const double y = I[2] * I[2] * w[2] * w[2] + I[1] * I[1] * w[1] * w[1];
-    angle += L * x / y * P / n;
-    w = step(I, w, P / n);
-  }
-  return angle;
-}
-}  // namespace rigid
-
-//! right: sum over equal steps of a period
-#include <cmath>
-#include <rigid/attitude_of_a_free_body.hpp>
-#include <utility>
-namespace rigid {
-static double period(const Vector3d& I, const Vector3d& w) {
-  double a = I[0], b = I[1], c = I[2], x = w[0], y = w[1], z = w[2];
-  if (a * (b - a) * x * x > c * (c - b) * z * z) {
-    std::swap(a, c);
-    std::swap(x, z);
-  }
-  const double below = a * (c - a) * x * x + b * (c - b) * y * y;
-  const double above = b * (b - a) * y * y + c * (c - a) * z * z;
-  return 4 * std::comp_ellint_1(std::sqrt(below * (b - a) / (above * (c - b)))) /
-         std::sqrt(above * (c - b) / (a * b * c));
-}
-static Vector3d rate(const Vector3d& I, const Vector3d& w) {
-  return Vector3d((I[1] - I[2]) * w[1] * w[2], (I[2] - I[0]) * w[2] * w[0], (I[0] - I[1]) * w[0] * w[1])
-      .cwiseQuotient(I);
-}
-static Vector3d step(const Vector3d& I, const Vector3d& w, double h) {
-  const Vector3d a = rate(I, w), b = rate(I, w + h / 2 * a), c = rate(I, w + h / 2 * b), d = rate(I, w + h * c);
-  return w + h / 6 * (a + 2 * b + 2 * c + d);
-}
-double turn_per_period(const Vector3d& I, const Vector3d& omega0) {
-  const double P = period(I, omega0), L = I.cwiseProduct(omega0).norm();
-  const int n = 8000;
-  Vector3d w = omega0;
-  double angle = 0;
-  for (int i = 0; i < n; ++i) {
-    const double x = I[0] * w[0] * w[0] + I[1] * w[1] * w[1];
-    const double y = I[0] * I[0] * w[0] * w[0] + I[1] * I[1] * w[1] * w[1];
-    angle += L * x / y * P / n;
-    w = step(I, w, P / n);
-  }
-  return angle;
-}
-}  // namespace rigid
-
-//! right: closed form with the integral of the third kind
-#include <cmath>
-#include <rigid/attitude_of_a_free_body.hpp>
-namespace rigid {
-double turn_per_period(const Vector3d& I, const Vector3d& omega0) {
-  double I1 = I[0], I3 = I[2], T2 = I.dot(omega0.cwiseAbs2()), L2 = I.cwiseProduct(omega0).squaredNorm();
-  const bool other = L2 < T2 * I[1];
-  const double cot2 = I3 * (L2 - T2 * I1) / (I1 * (T2 * I3 - L2));
-  const double below = other ? T2 * I1 - L2 : T2 * I3 - L2, above = other ? L2 - T2 * I3 : L2 - T2 * I1;
-  const double p = other ? I3 : I1, q = other ? I1 : I3;
-  const double nu = std::sqrt(above * (q - I[1]) / (I[0] * I[1] * I[2]));
-  const double k2 = below * (I[1] - p) / (above * (q - I[1])), k = std::sqrt(k2);
-  const double L = std::sqrt(L2), P = 4 * std::comp_ellint_1(k) / nu;
-  const double n = other ? -cot2 : -k2 * cot2;
-  return L * P / I3 + 4 * L * (I3 - I1) / (I1 * I3 * nu) * std::comp_ellint_3(k, n);
-}
-}  // namespace rigid
+-  return I.cwiseProduct(omega0).norm() / I[0] * period(I, omega0);
++  const Vector3d L = I.cwiseProduct(omega0);
++  return omega0.dot(L) / L.norm() * period(I, omega0);

@@ -1,7 +1,6 @@
-//! right: Rodrigues by hand
 #include <cmath>
 #include <rigid/measured.hpp>
-namespace rigid {
+//! right: Rodrigues by hand
 Matrix3d attitude_from_rates(const VectorXd& t, const Matrix3Xd& omega) {
   Matrix3d A = Matrix3d::Identity();
   for (int k = 1; k < t.size(); ++k) {
@@ -14,40 +13,21 @@ Matrix3d attitude_from_rates(const VectorXd& t, const Matrix3Xd& omega) {
   }
   return A;
 }
-}  // namespace rigid
-
 //! wrong: no rotation divided by zero
-#include <cmath>
-#include <rigid/measured.hpp>
-namespace rigid {
-Matrix3d attitude_from_rates(const VectorXd& t, const Matrix3Xd& omega) {
-  Matrix3d A = Matrix3d::Identity();
-  for (int k = 1; k < t.size(); ++k) {
-    const Vector3d v = (t[k] - t[k - 1]) * (omega.col(k) + omega.col(k - 1)) / 2;
-    A = A * Eigen::AngleAxisd(v.norm(), v / v.norm()).toRotationMatrix();
-  }
-  return A;
-}
-}  // namespace rigid
-
+-    const double angle = v.norm();
+-    if (angle == 0) continue;
+-    const Vector3d n = v / angle;
+-    const Matrix3d N{{0, -n[2], n[1]}, {n[2], 0, -n[0]}, {-n[1], n[0], 0}};
+-    A = A * (Matrix3d::Identity() + std::sin(angle) * N + (1 - std::cos(angle)) * N * N);
++    A = A * Eigen::AngleAxisd(v.norm(), v / v.norm()).toRotationMatrix();
 //! wrong: rotations at rest
-#include <cmath>
-#include <rigid/measured.hpp>
-namespace rigid {
-Matrix3d attitude_from_rates(const VectorXd& t, const Matrix3Xd& omega) {
-  Matrix3d A = Matrix3d::Identity();
-  for (int k = 1; k < t.size(); ++k) {
-    const Vector3d v = (t[k] - t[k - 1]) * (omega.col(k) + omega.col(k - 1)) / 2;
-    A = Eigen::AngleAxisd(v.norm(), v.normalized()).toRotationMatrix() * A;
-  }
-  return A;
-}
-}  // namespace rigid
-
+-    const double angle = v.norm();
+-    if (angle == 0) continue;
+-    const Vector3d n = v / angle;
+-    const Matrix3d N{{0, -n[2], n[1]}, {n[2], 0, -n[0]}, {-n[1], n[0], 0}};
+-    A = A * (Matrix3d::Identity() + std::sin(angle) * N + (1 - std::cos(angle)) * N * N);
++    A = Eigen::AngleAxisd(v.norm(), v.normalized()).toRotationMatrix() * A;
 //! wrong: Euler angles of the steps
-#include <cmath>
-#include <rigid/measured.hpp>
-namespace rigid {
 Matrix3d attitude_from_rates(const VectorXd& t, const Matrix3Xd& omega) {
   Matrix3d A = Matrix3d::Identity();
   for (int k = 1; k < t.size(); ++k) {
@@ -57,12 +37,7 @@ Matrix3d attitude_from_rates(const VectorXd& t, const Matrix3Xd& omega) {
   }
   return A;
 }
-}  // namespace rigid
-
 //! wrong: half angles forgotten in the quaternion
-#include <cmath>
-#include <rigid/measured.hpp>
-namespace rigid {
 Matrix3d attitude_from_rates(const VectorXd& t, const Matrix3Xd& omega) {
   Eigen::Quaterniond q = Eigen::Quaterniond::Identity();
   for (int k = 1; k < t.size(); ++k) {
@@ -73,4 +48,3 @@ Matrix3d attitude_from_rates(const VectorXd& t, const Matrix3Xd& omega) {
   }
   return q.normalized().toRotationMatrix();
 }
-}  // namespace rigid

@@ -1,7 +1,6 @@
-//! right: Runge and Kutta in steps of five milliseconds
 #include <cmath>
 #include <rigid/measured.hpp>
-namespace rigid {
+//! right: Runge and Kutta in steps of five milliseconds
 Vector3d damped_rotation(const Vector3d& I, const Vector3d& omega0, double gamma, double t) {
   Vector3d w = omega0;
   const int steps = 1 + static_cast<int>(t / 0.005);
@@ -15,71 +14,24 @@ Vector3d damped_rotation(const Vector3d& I, const Vector3d& omega0, double gamma
   }
   return w;
 }
-}  // namespace rigid
-
+//! wrong: torque against omega
+-    return Vector3d(-u.cross(I.cwiseProduct(u)).cwiseQuotient(I)) - gamma * u;
++    return Vector3d((-u.cross(I.cwiseProduct(u)) - gamma * u).cwiseQuotient(I));
+//! wrong: torque divided by the moments twice
+-    return Vector3d(-u.cross(I.cwiseProduct(u)).cwiseQuotient(I)) - gamma * u;
++    return Vector3d(-u.cross(I.cwiseProduct(u)).cwiseQuotient(I)) - gamma * u.cwiseQuotient(I);
+//! wrong: decay afterwards
+-  const auto f = [&](const Vector3d& u) -> Vector3d {
+-    return Vector3d(-u.cross(I.cwiseProduct(u)).cwiseQuotient(I)) - gamma * u;
+-  };
++  const auto f = [&](const Vector3d& u) -> Vector3d { return Vector3d(-u.cross(I.cwiseProduct(u)).cwiseQuotient(I)); };
+@@
+-  return w;
++  return std::exp(-gamma * t) * w;
 //! wrong: explicit Euler
-#include <cmath>
-#include <rigid/measured.hpp>
-namespace rigid {
 Vector3d damped_rotation(const Vector3d& I, const Vector3d& omega0, double gamma, double t) {
   Vector3d w = omega0;
   const int steps = 1 + static_cast<int>(t / 0.001);
   for (int k = 0; k < steps; ++k) w += t / steps * (Vector3d(-w.cross(I.cwiseProduct(w)).cwiseQuotient(I)) - gamma * w);
   return w;
 }
-}  // namespace rigid
-
-//! wrong: torque against omega
-#include <cmath>
-#include <rigid/measured.hpp>
-namespace rigid {
-Vector3d damped_rotation(const Vector3d& I, const Vector3d& omega0, double gamma, double t) {
-  Vector3d w = omega0;
-  const int steps = 1 + static_cast<int>(t / 0.005);
-  const double h = t / steps;
-  const auto f = [&](const Vector3d& u) -> Vector3d {
-    return Vector3d((-u.cross(I.cwiseProduct(u)) - gamma * u).cwiseQuotient(I));
-  };
-  for (int k = 0; k < steps; ++k) {
-    const Vector3d k1 = f(w), k2 = f(w + h / 2 * k1), k3 = f(w + h / 2 * k2), k4 = f(w + h * k3);
-    w += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-  }
-  return w;
-}
-}  // namespace rigid
-
-//! wrong: torque divided by the moments twice
-#include <cmath>
-#include <rigid/measured.hpp>
-namespace rigid {
-Vector3d damped_rotation(const Vector3d& I, const Vector3d& omega0, double gamma, double t) {
-  Vector3d w = omega0;
-  const int steps = 1 + static_cast<int>(t / 0.005);
-  const double h = t / steps;
-  const auto f = [&](const Vector3d& u) -> Vector3d {
-    return Vector3d(-u.cross(I.cwiseProduct(u)).cwiseQuotient(I)) - gamma * u.cwiseQuotient(I);
-  };
-  for (int k = 0; k < steps; ++k) {
-    const Vector3d k1 = f(w), k2 = f(w + h / 2 * k1), k3 = f(w + h / 2 * k2), k4 = f(w + h * k3);
-    w += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-  }
-  return w;
-}
-}  // namespace rigid
-
-//! wrong: decay afterwards
-#include <cmath>
-#include <rigid/measured.hpp>
-namespace rigid {
-Vector3d damped_rotation(const Vector3d& I, const Vector3d& omega0, double gamma, double t) {
-  Vector3d w = omega0;
-  const int steps = 1 + static_cast<int>(t / 0.005);
-  const double h = t / steps;
-  const auto f = [&](const Vector3d& u) -> Vector3d { return Vector3d(-u.cross(I.cwiseProduct(u)).cwiseQuotient(I)); };
-  for (int k = 0; k < steps; ++k) {
-    const Vector3d k1 = f(w), k2 = f(w + h / 2 * k1), k3 = f(w + h / 2 * k2), k4 = f(w + h * k3);
-    w += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-  }
-  return std::exp(-gamma * t) * w;
-}
-}  // namespace rigid

@@ -1,7 +1,6 @@
-//! right: sums in one loop
 #include <cmath>
 #include <rigid/measured.hpp>
-namespace rigid {
+//! right: sums in one loop
 Vector3d euler_coefficients(const VectorXd& t, const Matrix3Xd& omega) {
   Vector3d result;
   for (int i = 0; i < 3; ++i) {
@@ -20,12 +19,16 @@ Vector3d euler_coefficients(const VectorXd& t, const Matrix3Xd& omega) {
   }
   return result;
 }
-}  // namespace rigid
-
+//! wrong: mean of the factors instead of the products
+-      if (m > 0) S += 0.5 * (t[m] - t[m - 1]) * (omega(j, m) * omega(k, m) + omega(j, m - 1) * omega(k, m - 1));
++      if (m > 0) S += (t[m] - t[m - 1]) * (omega(j, m) + omega(j, m - 1)) / 2 * (omega(k, m) + omega(k, m - 1)) / 2;
+//! wrong: rectangles
+-      if (m > 0) S += 0.5 * (t[m] - t[m - 1]) * (omega(j, m) * omega(k, m) + omega(j, m - 1) * omega(k, m - 1));
++      if (m > 0) S += (t[m] - t[m - 1]) * omega(j, m) * omega(k, m);
+//! wrong: steps of a hundredth of a second
+-      if (m > 0) S += 0.5 * (t[m] - t[m - 1]) * (omega(j, m) * omega(k, m) + omega(j, m - 1) * omega(k, m - 1));
++      if (m > 0) S += 0.005 * (omega(j, m) * omega(k, m) + omega(j, m - 1) * omega(k, m - 1));
 //! right: normal equations
-#include <cmath>
-#include <rigid/measured.hpp>
-namespace rigid {
 Vector3d euler_coefficients(const VectorXd& t, const Matrix3Xd& omega) {
   Vector3d result;
   for (int i = 0; i < 3; ++i) {
@@ -43,84 +46,7 @@ Vector3d euler_coefficients(const VectorXd& t, const Matrix3Xd& omega) {
   }
   return result;
 }
-}  // namespace rigid
-
-//! wrong: mean of the factors instead of the products
-#include <cmath>
-#include <rigid/measured.hpp>
-namespace rigid {
-Vector3d euler_coefficients(const VectorXd& t, const Matrix3Xd& omega) {
-  Vector3d result;
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    double S = 0, n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
-    for (int m = 0; m < t.size(); ++m) {
-      if (m > 0) S += (t[m] - t[m - 1]) * (omega(j, m) + omega(j, m - 1)) / 2 * (omega(k, m) + omega(k, m - 1)) / 2;
-      const double y = omega(i, m);
-      n += 1;
-      sx += S;
-      sy += y;
-      sxx += S * S;
-      sxy += S * y;
-    }
-    result[i] = (n * sxy - sx * sy) / (n * sxx - sx * sx);
-  }
-  return result;
-}
-}  // namespace rigid
-
-//! wrong: rectangles
-#include <cmath>
-#include <rigid/measured.hpp>
-namespace rigid {
-Vector3d euler_coefficients(const VectorXd& t, const Matrix3Xd& omega) {
-  Vector3d result;
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    double S = 0, n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
-    for (int m = 0; m < t.size(); ++m) {
-      if (m > 0) S += (t[m] - t[m - 1]) * omega(j, m) * omega(k, m);
-      const double y = omega(i, m);
-      n += 1;
-      sx += S;
-      sy += y;
-      sxx += S * S;
-      sxy += S * y;
-    }
-    result[i] = (n * sxy - sx * sy) / (n * sxx - sx * sx);
-  }
-  return result;
-}
-}  // namespace rigid
-
-//! wrong: steps of a hundredth of a second
-#include <cmath>
-#include <rigid/measured.hpp>
-namespace rigid {
-Vector3d euler_coefficients(const VectorXd& t, const Matrix3Xd& omega) {
-  Vector3d result;
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    double S = 0, n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
-    for (int m = 0; m < t.size(); ++m) {
-      if (m > 0) S += 0.005 * (omega(j, m) * omega(k, m) + omega(j, m - 1) * omega(k, m - 1));
-      const double y = omega(i, m);
-      n += 1;
-      sx += S;
-      sy += y;
-      sxx += S * S;
-      sxy += S * y;
-    }
-    result[i] = (n * sxy - sx * sy) / (n * sxx - sx * sx);
-  }
-  return result;
-}
-}  // namespace rigid
-
 //! wrong: derivative by differences
-#include <cmath>
-#include <rigid/measured.hpp>
-namespace rigid {
 Vector3d euler_coefficients(const VectorXd& t, const Matrix3Xd& omega) {
   Vector3d result;
   for (int i = 0; i < 3; ++i) {
@@ -134,4 +60,3 @@ Vector3d euler_coefficients(const VectorXd& t, const Matrix3Xd& omega) {
   }
   return result;
 }
-}  // namespace rigid

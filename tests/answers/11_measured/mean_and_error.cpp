@@ -1,7 +1,6 @@
-//! right: loops
 #include <cmath>
 #include <rigid/measured.hpp>
-namespace rigid {
+//! right: loops
 Vector2d mean_and_error(const VectorXd& values) {
   double mean = 0, sum = 0;
   for (double x : values) mean += x;
@@ -9,34 +8,18 @@ Vector2d mean_and_error(const VectorXd& values) {
   for (double x : values) sum += (x - mean) * (x - mean);
   return {mean, std::sqrt(sum / (values.size() - 1) / values.size())};
 }
-}  // namespace rigid
-
 //! wrong: scatter of one value
-#include <cmath>
-#include <rigid/measured.hpp>
-namespace rigid {
 Vector2d mean_and_error(const VectorXd& values) {
   const double mean = values.mean();
   return {mean, std::sqrt((values.array() - mean).square().sum() / (values.size() - 1))};
 }
-}  // namespace rigid
-
 //! wrong: population variance
-#include <cmath>
-#include <rigid/measured.hpp>
-namespace rigid {
 Vector2d mean_and_error(const VectorXd& values) {
   const double mean = values.mean();
   return {mean, std::sqrt((values.array() - mean).square().mean() / values.size())};
 }
-}  // namespace rigid
-
 //! wrong: mean absolute deviation
-#include <cmath>
-#include <rigid/measured.hpp>
-namespace rigid {
 Vector2d mean_and_error(const VectorXd& values) {
   const double mean = values.mean();
   return {mean, (values.array() - mean).abs().mean() / std::sqrt(values.size())};
 }
-}  // namespace rigid

@@ -1,39 +1,22 @@
-//! right: Cramer
 #include <cmath>
 #include <rigid/measured.hpp>
-namespace rigid {
+//! right: Cramer
 Vector2d moment_ratios(double a, double c) {
   const double determinant = c + 1;
   return {(a * c + 1) / determinant, (1 - a) / determinant};
 }
-}  // namespace rigid
-
 //! wrong: flat racket
-#include <cmath>
-#include <rigid/measured.hpp>
-namespace rigid {
 Vector2d moment_ratios(double a, double c) {
   const double r = (1 + a * c) / (1 + c);
   return {r, 1 + r};
 }
-}  // namespace rigid
-
 //! wrong: ratios to z
-#include <cmath>
-#include <rigid/measured.hpp>
-namespace rigid {
 Vector2d moment_ratios(double a, double c) {
   const double s = (1 - a) / (1 + c), r = s + a;
   return {r / s, 1 / s};
 }
-}  // namespace rigid
-
 //! wrong: third equation with I_y - I_x
-#include <cmath>
-#include <rigid/measured.hpp>
-namespace rigid {
 Vector2d moment_ratios(double a, double c) {
   const double s = (1 - a) / (1 - c);
   return {s + a, s};
 }
-}  // namespace rigid
