@@ -1,18 +1,6 @@
 // A child on a merry-go-round.
 
 live("two_sources", {
-  about: "A vector V from the axis of a merry-go-round to a child that walks outwards, with the two parts of its rate of change.",
-  question: "The child walks straight outwards on the merry-go-round. Which way does it move for somebody on the ground?",
-  choices: {
-    "outwards, along V": "No: this is what one sees on the merry-go-round, which carries the child sideways meanwhile.",
-    "at right angles to V": "No: this is how a child at rest on the merry-go-round would move; this one walks.",
-    "outwards and along with the rotation": "Yes: for the ground, the walk and the motion of the place where it " +
-      "walks add up.",
-  },
-  answer: "Both at once: what the child walks, along V, and what the rotating basis adds, ω × V at right angles to it. The further " +
-    "out, the more the second wins. Lift the child: ω × V does not change, for only the distance from the axis counts.",
-  controls: [slider("omega", "ω", -2, 2, 0.1, 0.6, "rad/s"), slider("walk", "walking", -0.3, 0.3, 0.05, 0.15, "m/s"),
-    slider("start", "start", 0, 1, 0.05, 0.3, "m"), slider("lift", "lift", 0, 1, 0.1, 0, "m")],
   prepare({ omega, walk, start, lift }) {
     const w = [0, 0, omega], seconds = 5;
     const at = time => {
@@ -29,22 +17,26 @@ live("two_sources", {
       half: 1.2, towards: [0.25, -1, 1.6], aspect: 1.5,
       draw(scene, m, time) {
         const { E, V, rate_body, carried, rate } = m.at(time);
-        scene.face(arc(origin, x_axis, y_axis), "shade", 1, 1);
-        for (const k of [0, 1]) scene.line([times(-1, E[k]), E[k]], "pale", 2);
-        scene.line(m.path.slice(0, Math.floor(120 * time / m.seconds) + 1), "ink", 1.5, { dash: [1, 5] });
-        for (const k of [0, 1]) scene.arrow(times(0.8, E[k]), times(1.12, E[k]), "grey", axis_names[k], { width: 2.2 });
-        scene.arrow(origin, times(0.5, unit([0, 0, m.w[2] || 1])), "purple", "ω", { width: 2.2 });
+        scene.floor(-0.2, 1.3);
+        scene.round("rod", [0, 0, -0.12], origin, 1, "sky", { whiteness: 0.7 });
+        scene.round("rod", [0, 0, -0.2], [0, 0, 0.25], 0.04, "grey");
+        for (const k of [0, 1]) scene.line([times(-1, E[k]), E[k]], "grey", 1.5);
+        scene.line(m.path.slice(0, Math.floor(120 * time / m.seconds) + 1), "ink", 2, { dash: [3, 4] });
+        scene.arrows(axis_arrows(E, [0.8, 0.8]).slice(0, 2));
+        scene.arrow(origin, times(0.6, unit([0, 0, m.w[2] || 1])), "omega", "ω");
         scene.arrow(origin, V, "ink", "", { width: 2 });
         scene.words("V", sum(scene.at(times(0.6, V)), [13, 4]));
         // The velocities, at a length that one can see.
         const tip = vector => sum(V, times(1.4, vector));
         scene.line([tip(rate_body), tip(rate), tip(carried)], "grey", 1, { dash: [4, 4] });
         scene.arrow(V, tip(rate_body), "blue", "walk");
-        scene.arrow(V, tip(carried), "orange", "ω × V");
-        if (scene.released) scene.arrow(V, tip(rate), "vermilion", "sum");
+        scene.arrow(V, tip(carried), "green", "ω × V");
+        if (scene.released) scene.arrow(V, tip(rate), "purple", "sum");
         const expected = [V, cross(m.w, V)][scene.expected];
         if (expected && norm(expected)) scene.expect([V, tip(times(norm(rate), unit(expected)))]);
-        scene.dot(V, "ink", 5);
+        // The child.
+        scene.round("rod", V, sum(V, [0, 0, 0.16]), 0.04, "ink");
+        scene.dot(sum(V, [0, 0, 0.2]), "ink", 0.055 * scene.scale);
       },
     },
   },

@@ -25,20 +25,6 @@ function draw_table(scene, angle) {
 }
 
 live("puck", {
-  about: "A puck slides without friction over a turntable that rotates anticlockwise, seen from beside it and by a rider.",
-  question: "Seen from outside the puck moves straight. The table rotates anticlockwise. How does a rider see it move?",
-  choices: {
-    "straight": "No: it is straight for somebody beside the table, and the rider turns meanwhile.",
-    "bent to the left": "No: the rider turns to the left, and what keeps its direction turns to the right for the rider.",
-    "bent to the right": "Yes: for the rider all directions at rest turn clockwise, that of the velocity too.",
-  },
-  answer: "Bent to the right, all the way: the Coriolis force points to the right of the velocity that the rider sees. Let the " +
-    "rider forget a force, or the factor 2: the path that the rider predicts leaves the true one at once.",
-  controls: [
-    choice("law", "The rider counts", ["all fictitious forces", "the Coriolis force alone", "the centrifugal force alone",
-      "all, without the factor 2"]),
-    slider("speed", "speed", 0, 1, 0.05, 0.5, "m/s"), slider("heading", "heading", -180, 180, 5, 10, "°"),
-    slider("start", "start at x", -1, 1, 0.05, -1, "m"), slider("omega", "ω", -2, 2, 0.1, 1, "rad/s")],
   prepare({ law, speed, heading, start, omega }) {
     const w = [0, 0, omega], r = [start, 0, 0], v = times(speed, [Math.cos(heading * degree), Math.sin(heading * degree), 0]);
     // On the table it starts with the velocity that the rider sees.
@@ -49,15 +35,22 @@ live("puck", {
     const seen = minus(v, cross(w, r)), along = norm(seen) ? unit(seen) : x_axis;
     const expected = [steps(0, 4, 160).map(time => sum(r, times(time, seen))),
       back.map(p => sum(r, minus(times(2 * dot(minus(p, r), along), along), minus(p, r))))];
-    return { w, path, straight, back, law, expected };
+    return { w, v, path, straight, back, law, expected };
   },
   duration: () => 4,
   views: {
     "Beside the turntable": {
       half: 1.3,
+      // The tip of the velocity at the start.
+      handle: m => sum(m.straight[0], m.v),
+      drag(pixels, scene, values, m) {
+        const [x, y] = minus(scene.point_at(pixels), m.straight[0]);
+        return { speed: Math.min(1, Math.round(20 * Math.hypot(x, y)) / 20), heading: 5 * Math.round(Math.atan2(y, x) / degree / 5) };
+      },
       draw(scene, m, time) {
         const k = Math.floor(40 * time);
         draw_table(scene, m.w[2] * time);
+        scene.arrow(m.straight[0], sum(m.straight[0], m.v), "green", "v", { width: 2.2, beside: true });
         scene.line(m.straight.slice(0, k + 1), "blue", 3);
         scene.dot(m.straight[k], "ink", 6);
       },
@@ -71,7 +64,7 @@ live("puck", {
         scene.expect(m.expected[scene.expected]?.slice(0, k + 1));
         scene.line(m.path.slice(0, k + 1).map(([p]) => p), "blue", 3);
         const force = (law, factor, color, name) => scene.arrow(r, sum(r, times(factor, laws[law](r, v, m.w))), color, name);
-        if (scene.released && m.law !== 1) force(2, 0.4, "orange", "centrifugal");
+        if (scene.released && m.law !== 1) force(2, 0.4, "green", "centrifugal");
         if (scene.released && m.law !== 2) force(1, m.law === 3 ? 0.2 : 0.4, "purple", "Coriolis");
         scene.dot(r, "ink", 6);
       },
@@ -93,20 +86,6 @@ const coriolis = (v, latitude) => yours.coriolis_acceleration?.(v, latitude, pla
   ?? times(2 * planet_rate, cross(v, [0, Math.cos(latitude), Math.sin(latitude)]));
 
 live("foucault", {
-  about: "The bob of a pendulum on a planet that rotates far too fast, seen from above, and its place on the globe.",
-  question: "On the north pole the plane of swing comes round clockwise once a day. And at 49° north, in Paris?",
-  choices: {
-    "clockwise, in less than a day": "No: nowhere does the floor turn about its vertical faster than at the poles, " +
-      "once a day.",
-    "clockwise, in a day": "No: this needs the whole rotation of the Earth about the vertical, which only the poles " +
-      "have.",
-    "clockwise, in more than a day": "Yes: at 49° north the floor turns about its vertical at 0.75 of the Earth's rate.",
-    "anticlockwise": "No: seen from above, the floor turns anticlockwise in the north, and the plane clockwise on it.",
-  },
-  answer: "In more than a day: of the rotation only the vertical part Ω sin λ turns the plane. It vanishes on the equator and " +
-    "turns the plane anticlockwise in the south. Released at rest on the floor, the bob passes the centre at a distance.",
-  controls: [slider("latitude", "latitude", -90, 90, 1, 49, "°"),
-    choice("release", "The bob is released", ["at rest on the floor", "so that it passes through the centre"])],
   prepare({ latitude, release }) {
     const lambda = latitude * degree, seconds = 20 * Math.PI;
     // The law on the floor for g/ℓ = 1/s²; the rotation of the frame in which the swing is plane decides the second start.
@@ -120,34 +99,40 @@ live("foucault", {
   duration: m => m.seconds,
   pace: 3,
   views: {
-    "From above, north at the top": {
-      half: 1.25,
+    "The bob over the floor, and how it has passed": {
+      half: 1.35, towards: [0.01, -0.5, 1],
       draw(scene, m, time) {
         const k = Math.round(1000 * time / m.seconds), bob = m.path[k][0];
-        scene.face(arc(origin, times(1.05, x_axis), times(1.05, y_axis)), "shade", 1, 1);
+        scene.floor(0, 1.12);
         ["N", "E", "S", "W"].forEach((name, i) =>
-          scene.text(times(1.16, [Math.sin(i * 90 * degree), Math.cos(i * 90 * degree), 0]), name));
+          scene.words(name, scene.at(times(1.25, [Math.sin(i * 90 * degree), Math.cos(i * 90 * degree), 0])), "ink", "center", true));
         scene.line(m.path.slice(0, k + 1).map(([r]) => r), "blue", 2);
-        scene.line([origin, bob], "grey", 1.5);
+        const hung = sum(bob, [0, 0, 0.12 + 0.2 * (bob[0] ** 2 + bob[1] ** 2)]);
+        scene.line([[0, 0, 3.4], hung], "ink", 1.5);
+        scene.solid("ball", hung, diagonal(0.09, 0.09, 0.09), "orange");
         if (scene.released) {
           const day = times(1.12, [Math.sin(planet_rate * time), Math.cos(planet_rate * time), 0]);
-          scene.line([times(-1, day), day], "grey", 1, { dash: [4, 5] });
-          scene.text(times(1.08, day), "once a day", "grey");
+          scene.line([times(-1, day), day], "grey", 1.5, { dash: [4, 5] });
+          scene.words("once a day", scene.at(times(1.08, day)), "grey", "center", true);
         }
-        scene.dot(bob, "ink", 6);
       },
     },
     "Where it swings": {
       half: 1.7, towards: [0.25, -1, 0.35],
+      handle: ({ lambda }) => [Math.cos(lambda), 0, Math.sin(lambda)],
+      drag: (pixels, scene) => ({ latitude: Math.round(Math.asin(unit(scene.point_at(pixels, 1))[2]) / degree) }),
       draw(scene, { lambda }) {
         const up = [Math.cos(lambda), 0, Math.sin(lambda)], north = [-up[2], 0, up[0]];
         scene.ellipsoid(origin, identity, "blue");
-        for (const latitude of [0, lambda])
-          scene.on_surface(parallel(latitude), p => p, latitude ? "green" : "grey", 1.5);
-        scene.line([times(-1.4, z_axis), times(1.4, z_axis)], "grey", 1.5, { dash: [6, 5] });
-        scene.line([sum(up, times(-0.2, north)), sum(up, times(0.2, north))], "ink", 2);
-        scene.arrow(up, sum(up, [0, 0, 0.6]), "purple", "Ω");
-        if (scene.released) scene.arrow(up, sum(up, times(0.6 * up[2], up)), "vermilion", "Ω sin λ", { beside: true });
+        for (const latitude of [0, lambda]) scene.line(parallel(latitude), latitude ? "green" : "grey", 2);
+        for (const length of steps(0, 150, 5)) {
+          const [c, s] = [Math.cos(length * degree), Math.sin(length * degree)];
+          scene.line(arc(origin, z_axis, [c, s, 0]), "pale", 1);
+        }
+        scene.line([times(-1.4, z_axis), times(1.4, z_axis)], "grey", 2, { dash: [6, 5] });
+        scene.line([sum(up, times(-0.2, north)), sum(up, times(0.2, north))], "ink", 3);
+        scene.arrow(up, sum(up, [0, 0, 0.6]), "omega", "Ω");
+        if (scene.released) scene.arrow(up, sum(up, times(0.6 * up[2], up)), "purple", "Ω sin λ", { beside: true });
       },
     },
   },

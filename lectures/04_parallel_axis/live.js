@@ -21,19 +21,7 @@ function principal(I) {
 }
 
 live("moving_point", {
-  about: "A block of 6 kg with edges of 1, 2 and 3 m, and the inertia ellipsoid about a point that moves through it.",
-  question: "The point moves from one corner of the block to the opposite one. How do the principal axes at the point lie?",
   shows_end: true,
-  choices: {
-    "along the edges everywhere": "No: about a corner the block has products of inertia on axes along its edges.",
-    "along the edges only at the centre": "Yes: on this path d, from the centre to the point, lies along no edge, " +
-      "and only at the centre it is zero.",
-    "along the edges only at the corners": "No: at the corners the products −M d d are largest.",
-  },
-  answer: "Only at the centre. Elsewhere the term −M d d adds products, unless d lies along an edge: drag the point to the " +
-    "middle of a face, and the axes lie along the edges again. Each moment is least where the path is closest to the centre.",
-  controls: [slider("x", "x", -0.5, 1.5, 0.05, 1, "m"), slider("y", "y", -0.5, 2.5, 0.05, 2, "m"),
-    slider("z", "z", -0.5, 3.5, 0.05, 3, "m")],
   prepare({ x, y, z }) {
     const end = [x, y, z], I_corner = yours.cuboid_about_corner?.(mass, ...edges) ?? block_about(center);
     // R points from the new origin to the old one.
@@ -55,11 +43,11 @@ live("moving_point", {
       draw(scene, m, time) {
         const P = times(time / 6, m.end), I = m.about(P), at = from_center(P);
         const { moments, axes } = principal(I);
-        scene.box(origin, edges.map((edge, i) => times(edge / 4, identity[i])), ["grey", "grey", "grey"], 0.2);
+        scene.box(origin, edges.map((edge, i) => times(edge / 4, identity[i])), ["grey", "grey", "grey"], 0.15);
         scene.line([from_center(origin), from_center(m.end)], "ink", 1.5, { dash: [4, 4] });
         scene.dot(origin, "ink", 3);
         if (scene.released) {
-          scene.ellipsoid(at, axes.map((axis, i) => times(1 / Math.sqrt(moments[i]), axis)), "blue");
+          scene.ellipsoid(at, axes.map((axis, i) => times(1 / Math.sqrt(moments[i]), axis)), "sky");
           axes.forEach((axis, i) => {
             const half = times(1.25 / Math.sqrt(moments[i]), axis);
             scene.line([minus(at, half), sum(at, half)], axis_colors[i], 2.5);
@@ -67,7 +55,6 @@ live("moving_point", {
           });
         }
         scene.dot(at, "vermilion", 5);
-        scene.dot(from_center(m.end), "vermilion", 6);
       },
     },
     "Along the path": {

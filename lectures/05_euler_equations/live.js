@@ -1,4 +1,46 @@
-// A free body by rules of integration.
+// A bicycle wheel on a rope, and a free body by rules of integration.
+
+live("wheel", {
+  // A wheel that hardly spins does not stay level.
+  legal(values) { if (Math.abs(values.spin) < 8) values.spin = values.spin < 0 ? -8 : 8; },
+  prepare({ spin, arm, wheel_mass }) {
+    // All mass in a rim of 0.3 m.
+    const moment = wheel_mass * 0.3 ** 2, torque = wheel_mass * 9.81 * arm, L = moment * spin;
+    return { arm, spin, L, torque, rate: torque / L };
+  },
+  duration: () => 8,
+  pace: 0.7,
+  views: {
+    "The wheel on its rope": {
+      half: 0.62, towards: [0.5, -1, 0.5], aspect: 1.5,
+      // The hub.
+      handle: (m, time) => sum([0, 0, 0.1], times(m.arm, [Math.cos(m.rate * time), Math.sin(m.rate * time), 0])),
+      drag: (pixels, scene) => ({ arm: Math.max(0.05, Math.min(0.3, Math.round(100 * norm(scene.point_at(pixels).slice(0, 2))) / 100)) }),
+      draw(scene, m, time) {
+        const turn = m.rate * time, axle = [Math.cos(turn), Math.sin(turn), 0], side = [-axle[1], axle[0], 0];
+        const top = [0, 0, 0.1], on = part => sum(top, times(part, axle)), hub = on(m.arm), roll = 0.3 * m.spin * time;
+        const radial = angle => sum(times(Math.cos(angle), side), times(Math.sin(angle), z_axis));
+        scene.floor(-0.42, 0.62);
+        scene.line([[0, 0, 1], top], "orange", 3);
+        scene.round("rod", on(-0.03), on(m.arm + 0.1), 0.012, "ink");
+        scene.solid("ring", hub, [side, z_axis, axle].map(axis => times(0.3, axis)), "grey", { whiteness: 0 });
+        for (const k of steps(0, 11, 11))
+          scene.line([hub, sum(hub, times(0.29, radial(k * 30 * degree + roll)))], k ? "grey" : "vermilion", k ? 1.5 : 4);
+        const way = m.spin < 0 ? -1 : 1, tip = sum(hub, times(0.3 * way, axle));
+        scene.arrow(hub, sum(hub, [0, 0, -0.22]), "ink", "Mg", { width: 2.2 });
+        if (scene.released) {
+          scene.arrow(hub, tip, "L", "L");
+          scene.arrow(tip, sum(tip, times(0.18, side)), "green", "dL", { width: 2.2 });
+          scene.line(arc(top, times(m.arm + 0.1, x_axis), times(m.arm + 0.1, y_axis), 0, turn), "grey", 1.5, { dash: [4, 4] });
+        }
+        const expected = [-1, undefined, 1][scene.expected], long = m.arm + 0.1;
+        if (expected) scene.expect(arc(top, times(long, x_axis), times(expected * long, z_axis), 0, 1.3));
+      },
+    },
+  },
+  numbers: m => [["|L|", Math.abs(m.L), "kg m²/s"], ["torque", m.torque, "N m"], ["round the rope", m.rate, "rad/s"],
+    ["once round in", 2 * Math.PI / Math.abs(m.rate), "s"]],
+});
 
 const rules = [
   (rate, state, h) => sum(state, times(h, rate(state))),
@@ -9,26 +51,12 @@ const constants = (I, omega) => yours.rotation_invariants?.(I, omega)
   ?? [dot(omega, scaled(I, omega)) / 2, dot(scaled(I, omega), scaled(I, omega))];
 
 live("integrators", {
-  about: "The angular velocity of a free body, exact and as a rule of integration computes it with a chosen step.",
-  question: "The explicit Euler rule integrates the free body with steps of 0.1 s. What becomes of the energy?",
-  choices: {
-    "it stays": "No: the motion keeps T, but a step along the tangent leaves the ellipsoid on which T is constant.",
-    "it falls": "No: the tangents of an ellipsoid lie outside it, where T is larger.",
-    "it swings about its value": "No: every step adds to T, and none takes from it.",
-    "it grows": "Yes: every step goes along a tangent of the ellipsoid of energy, which lies outside it.",
-  },
-  answer: "It grows, in jumps, each time the body turns over: every step leaves along the tangent, outwards. Half the step halves " +
-    "the drift; a rule of order p divides it by 2ᵖ. Splitting, a problem of this lecture, lets T swing a little and keeps " +
-    "L² to rounding: solve it, and ./checker/run live 05 adds it to the rules.",
-  controls: [choice("rule", "Rule", ["explicit Euler", "midpoint", "Runge–Kutta", ...yours.splitting_step ? ["your splitting"] : []]),
-    slider("h", "step", 0.02, 0.5, 0.02, 0.1, "s"), slider("w1", "ω̃₁", -1, 1, 0.05, 0.1, "rad/s"),
-    slider("w2", "ω̃₂", -1, 1, 0.05, 1, "rad/s"), slider("w3", "ω̃₃", 0.05, 1, 0.05, 0.1, "rad/s")],
   prepare({ rule, h, w1, w2, w3 }) {
     const I = [1, 2, 3], start = [w1, w2, w3], seconds = 60, count = Math.floor(seconds / h);
     const rate = omega => yours.euler_equations?.(I, omega, origin) ?? free_rate(I)(omega);
     // What has left far behind what is drawn stays there, before its numbers overflow.
     const computed = history(omega => norm(omega) > 100 ? omega : rules[rule](rate, omega, h, I), start, count);
-    const moments = steps(0, seconds, 400), exact = motion(I, start, identity, seconds, 400, yours.free_rotation).map(({ omega }) => omega);
+    const moments = steps(0, seconds, 400), exact = motion(I, start, undefined, seconds, 400, yours.free_rotation).map(({ omega }) => omega);
     const [T, L2] = constants(I, start), size = 1 / Math.sqrt(2 * T);
     const drift = computed.map((omega, k) => {
       const now = constants(I, omega);
@@ -42,12 +70,12 @@ live("integrators", {
     "ω and the ellipsoid of energy": {
       half: 1.4, towards: [0.95, 1.15, 0.62],
       draw(scene, m, time) {
-        const k = Math.floor(time / m.h), normal = p => p.map((x, i) => m.I[i] * x);
-        scene.ellipsoid(origin, diagonal(...m.axes), "blue");
-        if (scene.released) scene.on_surface(m.exact.map(omega => times(m.size, omega)), normal, "grey", 1.5);
+        const k = Math.floor(time / m.h);
+        scene.ellipsoid(origin, diagonal(...m.axes), "sky");
+        if (scene.released) scene.line(m.exact.map(omega => times(m.size, omega)), "ink", 1.5);
         scene.line(m.computed.slice(Math.max(0, k - 400), k + 1).map(omega => times(m.size, omega)), "vermilion", 2.2);
-        scene.arrow(origin, times(m.size, m.computed[k]), "vermilion", "ω");
-        for (const arrow of axis_arrows(identity, m.axes)) scene.arrow(...arrow);
+        scene.arrow(origin, times(m.size, m.computed[k]), "omega", "ω");
+        scene.arrows(axis_arrows(identity, m.axes));
       },
     },
     "Drift of the constants": {
@@ -74,3 +102,4 @@ live("integrators", {
     return [["T", T, "J"], ["L²", L2, "kg² m⁴/s²"], ["ω̃₂ exact", exact.omega[1], "rad/s"]];
   },
 });
+if (!yours.splitting_step) definitions.integrators.controls[0].options.pop();

@@ -6,25 +6,13 @@ const angles_at = A => yours.euler_angles?.(transposed(A)) ?? angles_of(A);
 // The axes of the body about which each convention turns it, one after the other.
 const conventions = [[2, 1, 2], [2, 0, 2], [2, 1, 0]];
 const turn_names = [["φ", "θ", "ψ"], ["φ", "θ", "ψ"], ["yaw", "pitch", "roll"]];
-const turn_colors = ["blue", "vermilion", "green"];
+const turn_colors = ["phi", "theta", "psi"];
 
 function draw_axes(scene, E, names = axis_names) {
-  scene.body_with_arrows(() => {}, E.map((axis, i) => [origin, axis, axis_colors[i], names[i]]));
+  E.forEach((axis, i) => scene.arrow(origin, axis, axis_colors[i], names[i]));
 }
 
 live("three_turns", {
-  about: "A body is rotated three times, each time about one of its own axes; a disc marks the plane of each rotation.",
-  question: "The body is rotated by φ about e₃, then by θ about its new e₂, then by ψ about its new e₃. Which of these moves e₃?",
-  choices: {
-    "all three": "No: a rotation about e₃ leaves e₃ where it is, and two of the three are about e₃.",
-    "the first and the second": "No: the first is about e₃ itself; it only chooses the direction of the tilt.",
-    "only the second": "Yes: it is about e₂; the two others are about e₃, which they do not move.",
-  },
-  answer: "Only the second: the first and the third are about e₃ itself. Yet φ decides in which direction θ tilts it. In another " +
-    "convention the same three numbers mean another attitude.",
-  controls: [choice("convention", "Convention", ["z–y–z, ours", "z–x–z, Goldstein", "yaw, pitch, roll (z–y–x)"]),
-    slider("phi", "first", -180, 180, 5, 50, "°"), slider("theta", "second", -180, 180, 5, 50, "°"),
-    slider("psi", "third", -180, 180, 5, 70, "°")],
   prepare({ convention, phi, theta, psi }) {
     const angles = times(degree, [phi, theta, psi]), axes = conventions[convention];
     // Before, between and after the turns.
@@ -43,9 +31,10 @@ live("three_turns", {
         draw_axes(scene, identity.map(axis => times(0.6, axis)), ["", "", ""]);
         for (let k = 0; k <= turn; ++k) {
           const kept = m.axes[k], [u, v] = [1, 2].map(i => m.attitudes[k][(kept + i) % 3]);
-          scene.face(arc(origin, u, v), turn_colors[k], 0.13, 0.6);
+          scene.face(arc(origin, u, v), turn_colors[k], 0.12, 1);
           const angle = m.angles[k] * (k === turn ? part : 1), swept = arc(origin, times(0.75, u), times(0.75, v), 0, angle);
-          scene.line(swept, turn_colors[k], 3);
+          scene.fan(origin, swept, turn_colors[k], 0.35);
+          scene.line(swept, turn_colors[k], 4);
           if (Math.abs(angle) > 0.2) scene.text(times(1.25, swept[36]), m.names[k], turn_colors[k]);
         }
         scene.box(origin, E.map((axis, i) => times([0.34, 0.22, 0.08][i], axis)), axis_colors);
@@ -58,17 +47,6 @@ live("three_turns", {
 });
 
 live("gimbal_passage", {
-  about: "A rotor in its gimbals passes near the vertical while it rotates steadily; the rates of its Euler angles.",
-  question: "The body rotates steadily at 1 rad/s, so that e₃ passes the vertical at 10°. How large does dφ/dt become?",
-  choices: {
-    "it stays below 1 rad/s": "No: the rates of φ and ψ nearly cancel each other, so each may be far larger than ω.",
-    "about 6 rad/s": "Yes: e₃ passes the vertical at 1 rad/s on a circle of radius sin 10°, which takes φ at 1/sin " +
-      "10° rad/s.",
-    "infinite": "No: only a passage through the vertical itself needs an infinite rate.",
-  },
-  answer: "1/sin 10°, about 6 rad/s, and dψ/dt nearly as much in the other sense: the axes of φ and ψ have almost merged, and the " +
-    "motion needs the direction across both rings. The body itself feels nothing. Let it pass nearer.",
-  controls: [slider("distance", "distance", 1, 60, 1, 10, "°"), slider("spin", "spin about e₃", -1, 1, 0.1, 0, "rad/s")],
   prepare({ distance, spin }) {
     // e₃ moves in the plane of x and the direction of the passage; half way it stands at `distance` from the vertical.
     const omega = [0, Math.cos(distance * degree), Math.sin(distance * degree)];
@@ -90,12 +68,15 @@ live("gimbal_passage", {
       draw(scene, m, time) {
         const { A, angles: [phi] } = m.at(time), nodes = [-Math.sin(phi), Math.cos(phi), 0];
         const across = [Math.cos(phi), Math.sin(phi), 0];
-        scene.line(arc(origin, z_axis, nodes), "blue", 4);
-        scene.line(arc(origin, times(0.9, A[2]), times(0.9, nodes)), "vermilion", 4);
-        scene.face(arc(origin, times(0.6, A[0]), times(0.6, A[1])), "green", 0.35, 1);
-        scene.line([origin, times(0.6, A[0])], "ink", 1.5);
-        scene.body_with_arrows(() => {}, [[times(-1.3, z_axis), times(1.3, z_axis), "blue", "φ"],
-          [times(-1.2, nodes), times(1.2, nodes), "vermilion", "θ"], [times(-1.2, A[2]), times(1.2, A[2]), "green", "ψ"]]);
+        const ring = (radius, u, v, color) =>
+          scene.solid("ring", origin, [times(radius, u), times(radius, v), times(radius, cross(u, v))], color, { whiteness: 0.1 });
+        scene.floor(-1.4, 1.1);
+        ring(1.1, z_axis, nodes, "phi");
+        ring(0.9, A[2], nodes, "theta");
+        scene.round("rod", times(-0.06, A[2]), times(0.06, A[2]), 0.62, "psi");
+        scene.line([times(0.065, A[2]), sum(times(0.065, A[2]), times(0.6, A[0]))], "ink", 3);
+        for (const [axis, long, color, name] of [[z_axis, 1.35, "phi", "φ"], [nodes, 1.2, "theta", "θ"], [A[2], 1.1, "psi", "ψ"]])
+          scene.arrow(times(-long, axis), times(long, axis), color, name);
         scene.line([times(-1, across), across], "grey", 1.5, { dash: [3, 5] });
       },
     },
@@ -104,7 +85,7 @@ live("gimbal_passage", {
         const largest = Math.max(...m.samples.flatMap(({ rates }) => rates).map(Math.abs));
         const most = 1.1 * (scene.released ? largest : 2);
         scene.plot({ x: [0, Math.PI], y: [-most, most], x_name: "time (s)", y_name: "rad/s", now: time,
-          curves: ["dφ/dt", "dθ/dt", "dψ/dt"].map((name, i) => ({ name, color: ["blue", "vermilion", "green"][i],
+          curves: ["dφ/dt", "dθ/dt", "dψ/dt"].map((name, i) => ({ name, color: turn_colors[i],
             points: m.samples.map(({ rates }, k) => [m.moments[k], rates[i]]) })),
           expected: [[1, -1], [-6, 6]][scene.expected] });
       },

@@ -12,20 +12,6 @@ function state_of(I, q, v) {
 }
 
 live("angles_and_momenta", {
-  about: "The axis e₃ of a free body and its angular momentum L, which is upright; its canonical momenta over time.",
-  question: "No torque acts, and L is upright. The three moments differ. Which canonical momenta stay constant?",
-  choices: {
-    "all three": "No: p_ψ is L along e₃, and the angle between e₃ and L changes as long as I₁ and I₂ differ.",
-    "p_φ and p_ψ, not p_θ": "No: ψ is cyclic only if I₁ = I₂, and p_θ is zero because the line of nodes is at right " +
-      "angles to L.",
-    "p_φ and p_θ, not p_ψ": "Yes: the vertical and the line of nodes keep their angles with L, which is upright; e₃ " +
-      "does not.",
-  },
-  answer: "p_φ is L along the vertical, p_θ is L along the line of nodes, which is level: zero. p_ψ is L along e₃, and e₃ nods as " +
-    "long as I₁ and I₂ differ. Make them equal: ψ becomes cyclic, p_ψ constant, and e₃ goes round on a circle.",
-  controls: [slider("I1", "I₁", 0.8, 2.4, 0.1, 1, "kg m²"), slider("I2", "I₂", 0.8, 2.4, 0.1, 1.8, "kg m²"),
-    slider("I3", "I₃", 0.8, 1.6, 0.1, 1.6, "kg m²"), slider("theta", "θ", 10, 80, 1, 40, "°"),
-    slider("psi", "ψ", 0, 360, 5, 180, "°"), slider("L", "L", 1, 4, 0.1, 3, "kg m²/s")],
   prepare(values) {
     const I = [values.I1, values.I2, values.I3], angles = times(degree, [0, values.theta, values.psi]);
     // L is upright; its components on the body axes are those of the vertical.
@@ -45,17 +31,19 @@ live("angles_and_momenta", {
       half: 1.4, towards: [0.3, -1, 0.9],
       draw(scene, m, time) {
         const k = Math.round(300 * time / m.seconds), { A } = m.samples[k];
-        scene.ellipsoid(origin, identity, "blue", 0.6);
-        for (const latitude of [0, 30, 60]) scene.on_surface(parallel(latitude * degree), p => p, "grey", 1);
-        scene.on_surface(m.samples.slice(0, k + 1).map(({ tip }) => tip), p => p, "vermilion", 2.5);
-        scene.body_with_arrows(() => scene.box(origin, A.map((axis, i) => times([0.34, 0.22, 0.1][i], axis)), axis_colors),
-          [[origin, A[2], "purple", "e₃"], [origin, [0, 0, 1.25], "blue", "L"]]);
+        scene.floor(-1.15, 1.3);
+        scene.ellipsoid(origin, identity, "sky", 0.25);
+        for (const latitude of [0, 30, 60]) scene.line(parallel(latitude * degree), "grey", 1.2);
+        scene.line(m.samples.slice(0, k + 1).map(({ tip }) => tip), "e3", 3);
+        scene.box(origin, A.map((axis, i) => times([0.34, 0.22, 0.1][i], axis)), axis_colors);
+        scene.arrow(origin, A[2], "e3", "e₃");
+        scene.arrow(origin, [0, 0, 1.25], "L", "L");
       },
     },
     "Canonical momenta": {
       draw(scene, m, time) {
         scene.plot({ x: [0, m.seconds], y: [-1.15 * m.L, 1.15 * m.L], x_name: "time (s)", y_name: "kg m²/s", now: time,
-          curves: ["p_φ", "p_θ", "p_ψ"].map((name, i) => ({ name, color: ["blue", "vermilion", "green"][i],
+          curves: ["p_φ", "p_θ", "p_ψ"].map((name, i) => ({ name, color: ["phi", "theta", "psi"][i],
             points: m.samples.map(({ momenta }, k) => [m.seconds * k / 300, momenta[i]]) })),
           expected: [[0, 1, 2], [0, 2]][scene.expected]?.map(i => m.samples[0].momenta[i]) });
       },

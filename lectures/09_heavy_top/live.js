@@ -37,26 +37,6 @@ function measured_nutation(axes, h) {
 }
 
 live("heavy_top", {
-  about: "A top spins on its tip; the other end of its axis draws a path. Beside it, its effective potential.",
-  question: "The axis of the spinning top is held at 30° and then released. What does the axis do?",
-  choices: {
-    "it sinks until the top lies": "No: so falls a top without spin; to keep p_φ this one must go round, and that " +
-      "takes the energy which sinking sets free.",
-    "it goes round, always at 30°": "No: to stay at 30° it must go round from the start, and this axis starts at rest.",
-    "it sinks a little, goes round, and comes up again": "Yes: to keep p_φ it goes round as it sinks, until that " +
-      "takes all the energy which sinking sets free.",
-  },
-  answer: "It sinks and rises between two inclinations while it goes round, and at the top of each arc it is at rest: a cusp. A small " +
-    "push forwards makes waves, a push backwards loops. Upright the top sleeps, down to the spin at which its well becomes flat.",
-  controls: [slider("theta", "θ", 4, 85, 1, 30, "°"), slider("push", "push dφ/dt", -8, 8, 0.2, 0, "rad/s"),
-    slider("spin", "spin ω̃₃", 40, 300, 5, 150, "rad/s")],
-  starts: {
-    "released at rest": { theta: 30, push: 0, spin: 150 },
-    "pushed forwards": { theta: 40, push: 2.6, spin: 200 },
-    "pushed backwards": { theta: 40, push: -5, spin: 200 },
-    "nearly upright and fast": { theta: 4, push: 0, spin: 250 },
-    "nearly upright and slow": { theta: 4, push: 0, spin: 90 },
-  },
   prepare({ theta, push, spin }) {
     const tilt = theta * degree, rates = [push, 0, spin - push * Math.cos(tilt)], start = [0, tilt, 0];
     const attitudes = spun(start, rates, 2, 4000), samples = attitudes.filter((_, k) => k % 8 === 0);
@@ -81,22 +61,30 @@ live("heavy_top", {
   pace: 0.2,
   views: {
     "The top and the path of its axis": {
-      half: 1.2, towards: [0.4, -1, 0.55],
+      half: 1.35, towards: [0.4, -1, 0.55],
+      // The axis at the start.
+      handle: m => sum([0, 0, -0.5], times(1.35, m.samples[0][2])),
+      drag(pixels, scene) {
+        const [x, y, z] = minus(scene.point_at(pixels), [0, 0, -0.5]);
+        return { theta: Math.max(4, Math.min(85, Math.round(Math.atan2(Math.hypot(x, y), z) / degree))) };
+      },
       draw(scene, m, time) {
-        const k = Math.round(250 * time), [x, y, axis] = m.samples[k];
+        const k = Math.round(250 * time), [x, , axis] = m.samples[k];
         const foot = [0, 0, -0.5], on_axis = part => sum(foot, times(part, axis));
+        scene.floor(-0.5, 1.2);
         scene.line([foot, [0, 0, 1.1]], "grey", 1.5, { dash: [6, 5] });
-        scene.line(arc(foot, times(0.25, x_axis), times(0.25, y_axis)), "pale", 2);
-        const rim = arc(on_axis(0.75), times(0.42, x), times(0.42, y));
-        rim.slice(1).forEach((point, i) => scene.face([foot, rim[i], point], "blue", 0.1));
-        scene.face(rim, "blue", 0.35, 1.5);
-        scene.line([on_axis(0.75), sum(on_axis(0.75), times(0.42, x))], "ink", 2);
+        scene.round("cone", on_axis(0.5), foot, 0.16, "orange");
+        scene.round("rod", on_axis(0.5), on_axis(0.64), 0.46, "sky");
+        scene.round("rod", on_axis(0.64), on_axis(1.05), 0.05, "orange");
+        // A stripe shows the spin.
+        for (const side of [-1, 1]) scene.line([on_axis(0.65), sum(on_axis(0.65), times(0.45 * side, x))], side > 0 ? "ink" : "grey", 4);
         const [, , [c, s, up]] = m.samples[0], level = Math.hypot(c, s), end = angle =>
           sum(foot, times(1.35, [c / level * Math.sin(angle), s / level * Math.sin(angle), Math.cos(angle)]));
         scene.expect([steps(Math.acos(up), Math.PI / 2, 24).map(end),
           arc(sum(foot, [0, 0, 1.35 * up]), times(1.35 * level, x_axis), times(1.35 * level, y_axis))][scene.expected]);
-        scene.line(m.samples.slice(0, k + 1).map(sample => sum(foot, times(1.35, sample[2]))), "vermilion", 2.2);
-        scene.arrow(on_axis(0.75), on_axis(1.35), "purple", "e₃");
+        scene.ellipsoid(foot, identity.map(axis => times(1.34, axis)), "grey", 0.07);
+        scene.line(m.samples.slice(0, k + 1).map(sample => sum(foot, times(1.35, sample[2]))), "e3", 3);
+        scene.arrow(on_axis(0.9), on_axis(1.35), "e3", "e₃");
       },
     },
     "Effective potential": {

@@ -3,20 +3,6 @@
 const crate = [1.2, 2, 2.7], once = 360;  // kg m²; samples in a period of ω
 
 live("herpolhode", {
-  about: "The ellipsoid of a free body rolls on a plane at rest; the point of contact draws the herpolhode.",
-  question: "After one period of ω the ellipsoid touches the plane with the same point of its surface. Where on the plane?",
-  choices: {
-    "at the same place": "No: ω is back in the body, but the body has not made whole turns about L meanwhile.",
-    "at another place, as far from the foot": "Yes: ω is back in the body, so its length is; the body has turned " +
-      "about L by some angle.",
-    "at another distance from the foot": "No: the distance follows from ω in the body, and that is what it was.",
-  },
-  answer: "At another place, at the same distance from the foot: the body has turned about L by an angle that is in general no " +
-    "fraction of a full turn. The herpolhode repeats itself, rotated by this angle, and never closes. The angle differs from " +
-    "2TP/L by the solid angle that L encloses in the body, up to full turns.",
-  controls: [slider("w1", "ω̃₁", 0.1, 1, 0.05, 0.4, "rad/s"), slider("w2", "ω̃₂", -1, -0.1, 0.05, -0.9, "rad/s"),
-    slider("w3", "ω̃₃", 0.1, 1, 0.05, 0.6, "rad/s")],
-  starts: { "round axis 3": { w1: 0.4, w2: -0.9, w3: 0.6 }, "round axis 1": { w1: 0.9, w2: -0.5, w3: 0.2 } },
   prepare({ w1, w2, w3 }) {
     const omega0 = [w1, w2, w3], momentum = omega => scaled(crate, omega), L_body = momentum(omega0);
     const [T, L2] = yours.rotation_invariants?.(crate, omega0) ?? [dot(omega0, L_body) / 2, dot(L_body, L_body)];
@@ -53,16 +39,14 @@ live("herpolhode", {
       half: 1.3, towards: [0.3, -1, 0.5],
       draw(scene, m, time) {
         const k = Math.floor(m.count * time / m.seconds), A = m.attitudes[k], drawn = p => sum(times(m.size, p), [0, 0, 0.3]);
-        const on_body = curve => curve.map(p => drawn(turned(A, p)));
-        const normal = p => turned(A, m.momentum(turned(transposed(A), minus(p, [0, 0, 0.3]))));
-        const foot = drawn([0, 0, -m.height]);
-        scene.face(arc(foot, times(1.15, x_axis), times(1.15, y_axis)), "grey", 0.2, 1);
-        scene.line(m.contacts.slice(0, k + 1).map(drawn), "vermilion", 2.2);
-        scene.body_with_arrows(() => {
-          scene.ellipsoid(drawn(origin), A.map((axis, i) => times(m.size * m.axes[i], axis)), "blue");
-          for (const circle of m.circles) scene.on_surface(on_body(circle), normal, "grey", 1);
-          scene.on_surface(on_body(m.omegas.slice(0, 1 + once)), normal, "blue", 2);
-        }, [[drawn(origin), sum(foot, [0, 0, -0.25]), "blue", "L"], [drawn(origin), drawn(m.contacts[k]), "vermilion", "ω"]]);
+        const on_body = curve => curve.map(p => drawn(turned(A, p))), foot = drawn([0, 0, -m.height]);
+        scene.floor(foot[2], 1.25);
+        scene.line(m.contacts.slice(0, k + 1).map(drawn), "omega", 2.5);
+        scene.ellipsoid(drawn(origin), A.map((axis, i) => times(m.size * m.axes[i], axis)), "sky");
+        for (const circle of m.circles) scene.line(on_body(circle), "grey", 1.2);
+        scene.line(on_body(m.omegas.slice(0, 1 + once)), "blue", 3);
+        scene.arrow(drawn(origin), sum(foot, [0, 0, -0.25]), "L", "L");
+        scene.arrow(drawn(origin), drawn(m.contacts[k]), "omega", "ω", { beside: true });
         scene.dot(drawn(m.contacts[k]), "ink");
       },
     },

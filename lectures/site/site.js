@@ -153,7 +153,7 @@ function offer_motion(picture) {
   picture.after(controls);
 }
 
-/** Figures that move: what they need is loaded when one comes into sight. */
+/** Figures that move: what they need is loaded when one comes into sight, or when a sentence sets it. */
 function offer_live_figure(place) {
   const load = source => new Promise((loaded, failed) => {
     const present = document.querySelector(`script[src="${source}"]`);
@@ -162,18 +162,33 @@ function offer_live_figure(place) {
     script.addEventListener("load", () => { script.loaded = true; loaded(); });
     script.addEventListener("error", failed);
   });
-  new IntersectionObserver(async (entries, observer) => {
-    if (!entries.some(entry => entry.isIntersecting)) return;
-    observer.disconnect();
+  const { figure: name, lecture } = place.dataset, figure = place.closest("figure");
+  let opened;
+  const open = () => opened ??= (async () => {
+    await load("live/scene.js");
     await load("live/live.js");
     // `checker live` makes the reader's own functions and names the page with this question mark.
     if (location.search === "?yours") {
       await load("live/student.js");
       await load_yours();
     }
-    await load(`live/${place.dataset.lecture}.js`);
+    await load(`live/${lecture}.js`);
     start_live(place);
-  }, { rootMargin: "200px" }).observe(place.closest("figure"));
+  })();
+  new IntersectionObserver((entries, observer) => {
+    if (!entries.some(entry => entry.isIntersecting)) return;
+    observer.disconnect();
+    open();
+  }, { rootMargin: "200px" }).observe(figure);
+  for (const words of document.querySelectorAll(`.sets[data-figure="${name}"]`)) {
+    const onclick = async () => {
+      place.scrollIntoView({ block: "start" });
+      await open();
+      place.live?.begin_with(words.dataset.start);
+    };
+    words.replaceWith(Object.assign(document.createElement("button"), { className: "sets", textContent: words.textContent, onclick }));
+  }
+  if (location.hash.startsWith(`#live=${name}&`)) figure.scrollIntoView();
 }
 
 /** Doxygen keeps the indentation of quoted code. */

@@ -68,6 +68,8 @@ async function run_figure(number, thoroughly) {
   const { live } = places[number], faults = [];
   const expect = (holds, sentence) => { if (!holds) faults.push(sentence); };
   const still = async milliseconds => {
+    // What rests is drawn once more, with smooth edges.
+    for (let tries = 0; tries < 200 && !live.playing && !live.rested; ++tries) await wait(10);
     const before = pictures(live);
     await wait(milliseconds);
     return before === pictures(live);

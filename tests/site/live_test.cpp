@@ -151,6 +151,43 @@ const std::map<std::string, std::function<Numbers(const Values&, double)>> numbe
      [](const Values& v, double time) -> Numbers {
        return {not_compared, not_compared, free_rotation({1, 2, 3}, spin_of(v), VectorXd::Constant(1, time))(1, 0)};
      }},
+    {"wheel",
+     [](const Values& v, double) -> Numbers {
+       const double I3 = v.at("wheel_mass") * 0.09, spin = v.at("spin"), rate = 9.81 * v.at("arm") / 0.09 / spin;
+       return {I3 * std::abs(spin), gyroscopic_torque(I3 / 2, I3, spin, {rate, 0, 0}).norm(), rate,
+               2 * M_PI / std::abs(rate)};
+     }},
+    {"t_handle",
+     [](const Values& v, double time) -> Numbers {
+       const Vector3d I(1, 2.2, 2.9);
+       const double error = v.at("error") * degree, spin = v.at("spin");
+       const Vector3d omega0(0, spin * std::cos(error), spin * std::sin(error));
+       const Vector3d omega = free_rotation(I, omega0, VectorXd::Constant(1, time)).col(0);
+       const double half = tumbling_period(I, omega0) / 2;
+       return {omega[0], omega[1], omega[2], half, half * I.cwiseProduct(omega0).norm() / I[1] / (2 * M_PI)};
+     }},
+    {"plate",
+     [](const Values& v, double) -> Numbers {
+       const double tilt = v.at("tilt") * degree, ratio = v.at("ratio"), spin = v.at("spin");
+       const double wobble = space_precession_rate(1, ratio, {0, ratio * spin * std::tan(tilt), spin});
+       const double emblem = wobble - body_precession_rate(1, ratio, spin);
+       return {wobble, emblem, wobble / emblem};
+     }},
+    {"friction",
+     [](const Values& v, double time) -> Numbers {
+       // By the midpoint rule with steps so small that it suffices.
+       const Vector3d I(v.at("I1"), 2, 2.4);
+       const double angle = v.at("angle") * degree, h = 2e-4;
+       Vector3d L = 3 * Vector3d(std::cos(angle), 0.6 * std::sin(angle), 0.8 * std::sin(angle));
+       const auto rate = [&](const Vector3d& now) -> Vector3d {
+         const Vector3d across = now.cross(Vector3d(now.cwiseQuotient(I)));
+         return across + v.at("kappa") / 3 * now.cross(across);
+       };
+       const double T0 = L.dot(L.cwiseQuotient(I)) / 2;
+       for (int k = 0; k < static_cast<int>(std::round(20 * time)) * 250; ++k) L += h * rate(L + h / 2 * rate(L));
+       const double T = L.dot(L.cwiseQuotient(I)) / 2;
+       return {3, T, T0 - T, std::acos(std::min(1.0, std::abs(L[0]) / L.norm()))};
+     }},
     {"free_body", numbers_of_free_body},
     {"rolling_cones", numbers_of_free_body},
     {"three_turns",
@@ -394,6 +431,51 @@ TEST_CASE("on paper, and without JavaScript, the still picture stays with its ca
   CHECK(browser().evaluate(captions) == "true,false");
   browser().call("Emulation.setScriptExecutionDisabled", {{"value", false}});
   check_events();
+}
+
+TEST_CASE("the time is moved in a plot and in steps, values go back, and an address restores the state") {
+  const std::string page = "lecture_06_free_tops_exact.html";
+  open_page(page);
+  browser().evaluate("open_figure(0)");
+  evaluate_in(0, "place.querySelector('.question button').click(), live.play(false)");
+  const json plot = evaluate_in(0,
+                                "(canvas => (box => [box.x + box.width / 2, box.y + box.height / 2])(box_of(canvas)))"
+                                "(live.scenes.at(-1).scene.canvas)");
+  for (const char* type : {"mousePressed", "mouseReleased"})
+    browser().call("Input.dispatchMouseEvent",
+                   {{"type", type}, {"x", plot[0]}, {"y", plot[1]}, {"button", "left"}, {"clickCount", 1}});
+  const auto part_of_time = [] { return evaluate_in(0, "live.time / live.end").get<double>(); };
+  CHECK(part_of_time() == doctest::Approx(0.48).epsilon(0.05));
+  evaluate_in(0, "live.move_to(0), live.step(3)");
+  CHECK(part_of_time() == doctest::Approx(0.03));
+  CHECK(evaluate_in(0, "(live.set({ w1: 1.5 }, 'w1'), live.values.w1)") == 1.5);
+  evaluate_in(0, "live.move_to(2)");
+  const std::string address = evaluate_in(0, "live.address()");
+  evaluate_in(0, "place.querySelectorAll('.settings input[type=range]')[3].dispatchEvent(new Event('dblclick'))");
+  CHECK(evaluate_in(0, "live.values.w1") == 0);
+  evaluate_in(0, "(live.set({ I1: 2 }, 'I1'), place.querySelector('[title^=\"As at\"]').click())");
+  CHECK(evaluate_in(0, "live.values.I1") == 1);
+  // Another page first: an address that differs only behind the # loads nothing.
+  open_page("index.html");
+  open_page(page + address.substr(address.find('#')) + "&w2=99");
+  browser().evaluate("open_figure(0)");
+  CHECK(evaluate_in(0, "[live.values.w1, live.values.w2, live.time, live.scenes[0].scene.released]") ==
+        json({1.5, 3, 2, false}));
+}
+
+TEST_CASE("where nothing can be drawn in space, the still picture stays, and a sentence says why") {
+  const std::string page = "lecture_06_free_tops_exact.html";
+  const json id = browser().call("Page.addScriptToEvaluateOnNewDocument",
+                                 {{"source", "HTMLCanvasElement.prototype.getContext = () => null;"}});
+  open_page(page);
+  browser().evaluate("places[0].scrollIntoView({ behavior: 'instant' })");
+  CHECK(browser()
+            .evaluate("(async () => { for (let k = 0; k < 500 && !places[0].textContent; ++k) await wait(10);"
+                      " return places[0].textContent; })()")
+            .get<std::string>()
+            .find("WebGL 2") != std::string::npos);
+  CHECK(browser().evaluate("document.querySelector('figure:has(> .live) > svg').getBoundingClientRect().height") > 20);
+  browser().call("Page.removeScriptToEvaluateOnNewDocument", id);
 }
 
 TEST_CASE("where motion is to be reduced, an answer alone moves nothing") {
