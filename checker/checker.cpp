@@ -17,7 +17,7 @@ int run_on_demand(const Course& course, const Options& options) {
   if (!trouble.empty()) throw std::runtime_error("This command could not be built; " + trouble);
   std::vector<std::string> words = options.typed;
   words.insert(words.begin(), program.string());
-  become(std::move(words));
+  exec_program(std::move(words));
 }
 
 }  // namespace

@@ -83,7 +83,7 @@ class HelpFormatter : public CLI::Formatter {
   std::string fitted(const std::string& line) const {
     if (display_width(line) <= console_.width() || line.starts_with("  " + command(""))) return line;
     if (!line.starts_with(' ')) return console_.wrapped(line);
-    // A name and behind a gap what it means, side by side, or one below the other on a narrow terminal.
+    // A name and after a gap what it means, side by side, or one below the other on a narrow terminal.
     const std::size_t column = get_column_width();
     const std::size_t name = line.find_first_not_of(' ');
     const std::size_t gap = name >= column ? 0 : std::min(line.find("  ", name), column - 1);
@@ -264,7 +264,7 @@ class CommandLine {
     }
   }
 
-  /// Every option and argument once; a command names those that it takes. Words behind the first one tell apart
+  /// Every option and argument once; a command names those that it takes. Words after the first one tell apart
   /// options of one name.
   void declare_options() {
     option("NAME", "", options_.names, "exercises or lectures, by name or number; none: all");
@@ -322,11 +322,9 @@ class CommandLine {
     option("--record", "", options_.record, "try them and write the record, judging/adequacy.json");
     declared_["--picture"] = [this](CLI::App& command) {
       static const std::map<std::string, PictureKind> kinds = {{"auto", PictureKind::automatic},
-                                                               {"kitty", PictureKind::kitty},
-                                                               {"sixel", PictureKind::sixel},
                                                                {"text", PictureKind::text},
                                                                {"none", PictureKind::none}};
-      command.add_option("--picture", options_.picture, "the plot on the terminal: auto (if not given), kitty, sixel, text or none")
+      command.add_option("--picture", options_.picture, "the plot on the terminal: auto (if not given), text or none")
           ->transform(CLI::Transformer(kinds).description(""))
           ->transform(CLI::IsMember(kinds).description(""))
           ->type_name("KIND");
@@ -357,8 +355,8 @@ class CommandLine {
         {"solution inertia_of_points"}, {"EXERCISE", "--now"}, solution);
     add("plot", students,
         "Draw your curve on the reference\n\nWrites an SVG and a PNG with your curve on the reference and the "
-        "difference below, and shows the picture in the terminal: as graphics where it knows the kitty or the sixel "
-        "protocol, else as text. For instructors: --all --out DIR draws every exercise and copies every figure of the "
+        "difference below, and shows the picture in the terminal: as graphics where chafa is installed and the "
+        "terminal can show them, else as text. For instructors: --all --out DIR draws every exercise and copies every figure of the "
         "lectures.",
         {"plot inertia_of_points", "plot 03", "plot --all --out pictures"},
         {"NAME", "--all plots", "--file", "--out", "--seed", "--picture"}, plot);

@@ -222,7 +222,7 @@ ChildProcess::ChildProcess(const Launch& launch)
 }
 
 void ChildProcess::wait_for_start() {
-  while (const std::optional<ProcessReport> report = hear()) {
+  while (const std::optional<ProcessReport> report = receive_report()) {
     if (report->kind == ProcessReport::started) return;
     if (report->kind != ProcessReport::failed) continue;
     kill();
@@ -240,7 +240,7 @@ void ChildProcess::wait_for_start() {
 }
 
 /// The next report; nothing at their end, or with an errno.
-std::optional<ProcessReport> ChildProcess::hear() {
+std::optional<ProcessReport> ChildProcess::receive_report() {
   ProcessReport report;
   alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(ucred))> control{};
   iovec bytes{&report, sizeof report};
@@ -301,7 +301,7 @@ ProcessEnd ChildProcess::reap() {
   double processor_seconds = seconds(usage);
   if (in_namespaces_) {
     status = SIGKILL;  // unless the process above the program still could tell
-    while (const std::optional<ProcessReport> report = hear())
+    while (const std::optional<ProcessReport> report = receive_report())
       if (report->kind == ProcessReport::ended) status = report->number, processor_seconds = report->processor_seconds;
   }
   ProcessEnd end;
@@ -362,7 +362,7 @@ FinishedProgram make(const Build& build, const std::vector<std::string>& targets
   return finished;
 }
 
-void become(std::vector<std::string> program_and_arguments) {
+void exec_program(std::vector<std::string> program_and_arguments) {
   std::fflush(stdout);
   std::vector<char*> pointers;
   for (std::string& one : program_and_arguments) pointers.push_back(one.data());

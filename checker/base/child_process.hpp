@@ -19,7 +19,7 @@ namespace workbook {
 
 using Clock = std::chrono::steady_clock;
 
-/// What the new process finds behind standard input, output and error.
+/// What the new process finds after standard input, output and error.
 inline constexpr int channel_descriptor = 3;  ///< the socket pair to talk over, or the read end of the lifeline
 inline constexpr int report_descriptor = 4;   ///< where its ProcessReport goes; closed by exec
 inline constexpr int program_descriptor = 5;  ///< with a channel: the program itself; closed by exec
@@ -73,8 +73,8 @@ struct ProcessEnd {
 };
 
 /// A running program with its own process group. Its standard input is empty; standard output and error arrive
-/// together. Nothing of it is left when the object is gone, nor when the checker is killed. Linux ties the life of a
-/// process to the thread that made it: keep that thread.
+/// together. Nothing of it is left when the object is gone, nor when the checker is killed. PR_SET_PDEATHSIG fires when
+/// the creating thread ends: create it from a thread that outlives it.
 class ChildProcess {
  public:
   /// @throws LaunchError
@@ -87,7 +87,7 @@ class ChildProcess {
   int output() const { return output_.number(); }    ///< does not block
   int channel() const { return channel_.number(); }  ///< does not block
 
-  /// Says over the channel that no more will be said.
+  /// Closes our sending direction of the channel.
   void close_write();
 
   /// How the process ended, or nothing if it still runs at that time.
@@ -98,7 +98,7 @@ class ChildProcess {
 
  private:
   void wait_for_start();
-  std::optional<ProcessReport> hear();
+  std::optional<ProcessReport> receive_report();
   ProcessEnd reap();
 
   pid_t process_ = -1;
@@ -141,7 +141,7 @@ struct Build {
 FinishedProgram make(const Build& build, const std::vector<std::string>& targets);
 
 /// Goes on as another program, on this terminal. @throws std::runtime_error if it cannot be started
-[[noreturn]] void become(std::vector<std::string> program_and_arguments);
+[[noreturn]] void exec_program(std::vector<std::string> program_and_arguments);
 
 /// Runs a program that finds others on PATH and inherits nothing else. @throws LaunchError
 FinishedProgram run_with_path(const std::string& program, const std::vector<std::string>& arguments,

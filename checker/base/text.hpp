@@ -24,7 +24,7 @@ std::size_t display_width(std::string_view text);
 /// The text if it fits into `width` columns, else its beginning and "…".
 std::string shortened(const std::string& text, std::size_t width);
 
-/// Filled up with spaces to `width` columns, behind the text or in front of it.
+/// Filled up with spaces to `width` columns, after the text or before it.
 std::string padded(const std::string& text, std::size_t width);
 std::string padded_left(const std::string& text, std::size_t width);
 
@@ -61,8 +61,7 @@ struct Match {
   std::string fill(std::string sentence, char mark = '$') const;
 };
 
-/// The first place that a regular expression (of ECMAScript) fits. Patterns are kept, for to make one takes longer than
-/// to use it. The text should be short: std::regex recurses over its length.
+/// The first place that a regular expression (of ECMAScript) fits. Compiled patterns are cached. The text should be short: std::regex recurses over its length.
 Match search(std::string_view text, std::string_view pattern);
 /// All of them, which do not overlap.
 std::vector<Match> search_all(std::string_view text, std::string_view pattern);

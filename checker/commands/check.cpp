@@ -12,7 +12,7 @@ namespace {
 /// What is drawn of one exercise, in words too. A plot that fails changes no verdict.
 void draw(const Course& course, const CheckResult& checked, PictureKind picture, const Console& console,
           bool to_terminal) {
-  if (checked.executable.empty()) return;
+  if (checked.observation.sweep.empty()) return;
   try {
     const Overlay overlay = overlay_of(checked);
     const auto files = draw_overlay(overlay, course.plots(), checked.name());
@@ -84,13 +84,16 @@ std::string remember(Progress& progress, const CheckResult& checked) {
   return fmt::format("Your change has changed no value. `{}` shows the next hint.", command("hint " + checked.name()));
 }
 
-std::vector<CheckTask> tasks_of(const Course& course, const Options& options) {
+std::vector<CheckTask> tasks_of(const Course& course, const Options& options, bool is_drawn) {
   const std::vector<Exercise> exercises = course.choose(options.names);
   if ((options.file || options.case_name) && exercises.size() != 1)
     throw UsageError(
         fmt::format("--file and --case need one exercise, for example `{}`.", command("check EXERCISE --file FILE")));
   std::vector<CheckTask> tasks;
-  for (const Exercise& exercise : exercises) tasks.push_back(check_task(course, exercise, options.seed, options.file));
+  for (const Exercise& exercise : exercises) {
+    tasks.push_back(check_task(course, exercise, options.seed, options.file));
+    if (is_drawn) tasks.back().drawn = CheckTask::always;
+  }
   return tasks;
 }
 
@@ -141,14 +144,13 @@ std::size_t copy_figures(const Course& course, const std::string& lecture, const
 
 int check(const Course& course, const Options& options) {
   CheckContext context(course);
-  const std::vector<CheckTask> tasks = tasks_of(course, options);
+  const std::vector<CheckTask> tasks = tasks_of(course, options, options.plot);
   Detail detail{options.full, {}};
   if (options.case_name) detail.case_index = find_case(context.reference(tasks.front()), *options.case_name);
 
   const Console console = Console::of_standard_output();
-  const PictureKind picture = options.plot && !options.json
-                                  ? choose_picture(options.picture, tasks.size(), traits_of_this_terminal(console))
-                                  : PictureKind::none;
+  const PictureKind picture =
+      options.plot && !options.json ? choose_picture(options.picture, tasks.size(), console) : PictureKind::none;
   Progress progress(course.progress_file());
   std::vector<CheckResult> results;
   ProgressBar progress_bar(!options.json);
@@ -200,13 +202,12 @@ int plot(const Course& course, const Options& options) {
   if (!options.all && options.names.empty())
     throw UsageError(fmt::format("Say which exercise to plot, for example `{}`, or --all.",
                                  command("plot " + course.exercises().front().name())));
-  const std::vector<CheckTask> tasks = tasks_of(course, options);
+  const std::vector<CheckTask> tasks = tasks_of(course, options, true);
   const fs::path directory = options.out.value_or(course.plots());
   require_pictures(directory);
 
   const Console console = Console::of_standard_output();
-  const PictureKind picture =
-      options.all ? PictureKind::none : choose_picture(options.picture, tasks.size(), traits_of_this_terminal(console));
+  const PictureKind picture = options.all ? PictureKind::none : choose_picture(options.picture, tasks.size(), console);
   CheckContext context(course);
   int worst = all_passed;
   ProgressBar progress_bar;

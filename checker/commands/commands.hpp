@@ -53,7 +53,7 @@ struct Options {
   bool mutants = false;                          ///< check it by small bugs in the solutions instead
   std::string new_name, new_lecture, signature;  ///< what a new lecture or exercise is to be
   fs::path program;                              ///< the file of the running program
-  std::vector<std::string> typed;                ///< the words of the command line behind the program's name
+  std::vector<std::string> typed;                ///< the words of the command line after the program's name
 };
 
 /// What each does stands in its help, in checker/main.cpp.
@@ -84,8 +84,8 @@ void warn(const Progress& progress);
 /// Keeps a verdict. Returns what is to be said of it, or "".
 std::string remember(Progress& progress, const CheckResult& checked);
 
-/// What the command line asks to check. @throws UsageError
-std::vector<CheckTask> tasks_of(const Course& course, const Options& options);
+/// What the command line asks to check. @param is_drawn  each gets a plot. @throws UsageError
+std::vector<CheckTask> tasks_of(const Course& course, const Options& options, bool is_drawn);
 
 /// The case of that number, counted from 1, or name. @throws UsageError
 std::size_t find_case(const ExerciseReference& exercise, const std::string& asked);

@@ -175,7 +175,7 @@ class Watch {
         if (!on_screen_ && ::isatty(STDOUT_FILENO) != 0) print(working("checking", checked_.index, check_->begun()));
       } catch (const std::exception& problem) {
         show(failed_check(
-            task, fmt::format("It could not be started ({}): end other programs, then check again.", problem.what())));
+            task, fmt::format("It could not be started ({}): close some programs, then check again.", problem.what())));
       }
     }
   }
@@ -224,14 +224,17 @@ class Watch {
     try {
       plot_.emplace([this] { return plot(); }, std::chrono::seconds(60));
     } catch (const std::exception& problem) {
-      panel(fmt::format("The plot could not be started ({}): end other programs, then press p.", problem.what()));
+      panel(fmt::format("The plot could not be started ({}): close some programs, then press p.", problem.what()));
     }
   }
 
   std::string plot() {
     try {
-      const CheckResult checked =
-          result_ ? *result_ : check_exercise(context_, check_task(course_, exercises_[current_]));
+      CheckTask task = check_task(course_, exercises_[current_]);
+      task.drawn = CheckTask::always;
+      task.is_explained = false;
+      const bool is_asked = result_ && !result_->observation.sweep.empty();
+      const CheckResult checked = is_asked ? *result_ : check_exercise(context_, task);
       if (!checked.is_judged()) return checked.judgement.message;
       const Overlay overlay = overlay_of(checked);
       const std::vector<fs::path> files = draw_overlay(overlay, course_.plots(), checked.name());

@@ -12,12 +12,10 @@ namespace workbook {
 
 /// What the compiler may use for one file.
 struct CompileLimits {
-  /// Of a processor, for all that it runs, own functions and the linker included. On a busy machine it may last five
-  /// times as long.
-  std::chrono::duration<double> time{60.0};
-  std::size_t memory_bytes = std::size_t{2} << 30;
-  std::size_t output_bytes = std::size_t{256} << 10;
-  std::size_t file_bytes = std::size_t{64} << 20;  ///< of each file that it writes
+  limits::Seconds time = limits::compile_time;  ///< of a processor, own functions and the linker included
+  std::size_t memory_bytes = limits::compile_memory;
+  std::size_t output_bytes = limits::compile_output;
+  std::size_t file_bytes = limits::compile_file;  ///< of each file that it writes
 };
 
 /// A file, and the exercise that it is for.
@@ -63,7 +61,7 @@ Observation refused(const Compilation& compilation);
 /// here means only that nothing is found. Where the file says `auto`, it is compiled once more for that.
 std::vector<Finding> source_findings(const CompileTask& task, const Compilation& compilation,
                                      const Toolchain& toolchain, const std::filesystem::path& cache_directory,
-                                     const CompileLimits& limits = {.time = std::chrono::seconds(3)});
+                                     const CompileLimits& limits = {.time = limits::repair_compile_time});
 
 /// Is it only odd, and no reason why a function crashes or stops?
 bool is_remark(const Finding& finding);
@@ -115,7 +113,8 @@ class Compiler {
       : toolchain_(toolchain),
         limits_(limits),
         workspace_(std::move(workspace)),
-        deadline_(Clock::now() + std::chrono::duration_cast<Clock::duration>(5 * limits.time)) {}
+        deadline_(Clock::now() +
+                  std::chrono::duration_cast<Clock::duration>(limits::compile_time_on_busy_machines * limits.time)) {}
 
   /// Writes unit.cpp, or a file of another name; `before` stands before its first line and is not counted.
   /// @throws std::runtime_error if it cannot be written

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 void Compiler::write(std::string_view source, const std::string& before, const std::string& name) const {
   const fs::path file = workspace_ / name;
   if (!before.empty() && source.starts_with(byte_order_mark)) source.remove_prefix(byte_order_mark.size());
-  // Not without need: behind a #line GCC does not look at the indentation.
+  // Not without need: after a #line GCC does not look at the indentation.
   const std::string problem = write_file(
       file, before.empty() ? std::string(source) : fmt::format("{}#line 1 \"{}\"\n{}", before, name, source));
   if (!problem.empty())

@@ -54,14 +54,14 @@ std::optional<Finding> recognized(const std::vector<MessageMistake>& table, cons
   return std::nullopt;
 }
 
-/// What is missing before a token belongs behind the one before it, which may stand on an earlier line.
+/// What is missing before a token belongs after the one before it, which may stand on an earlier line.
 Place place_to_show(const Diagnostic& error, const SourceText& source) {
   const auto next = std::ranges::lower_bound(source.tokens(), source.offset_of(error.place), {}, &Token::offset);
   const bool noticed_late = error.text.find("before") != std::string::npos &&
                             (error.text.find(';') < 20 || error.text.starts_with("expected initializer"));
   if (!noticed_late || next == source.tokens().begin()) return error.place;
-  const Place behind = source.place_of((next - 1)->offset + (next - 1)->text.size());
-  return behind.line < error.place.line ? behind : error.place;
+  const Place after = source.place_of((next - 1)->offset + (next - 1)->text.size());
+  return after.line < error.place.line ? after : error.place;
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ std::vector<Finding> kept_expressions(const SourceText& source, const Compiler& 
   for (const Diagnostic& error : compiler.read(asked.output, "").diagnostics) {
     const bool of_result = error.text.starts_with("deduced return type does not satisfy");
     const bool is_kept = of_result || error.text.starts_with("deduced initializer does not satisfy");
-    // The last `auto` before the error is meant, and the name behind it.
+    // The last `auto` before the error is meant, and the name after it.
     auto at = std::ranges::lower_bound(tokens, source.offset_of(error.place), {}, &Token::offset);
     while (is_kept && at != tokens.begin() && (at == tokens.end() || at->text != "auto")) --at;
     const auto name = std::find_if(at, tokens.end(), [](const Token& token) {

@@ -184,6 +184,9 @@ std::string example_that_calls(const Course& course, const Exercise& exercise);
 /// "Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r)". "" if the contract does not declare it.
 std::string declared_signature(const Course& course, const Exercise& exercise);
 
+/// A text from checker/course/skeletons with its fields, "@NAME@", filled in. @throws std::runtime_error
+std::string from_skeleton(const std::string& name, const std::map<std::string, std::string>& fields = {});
+
 /// The text of the stub: where the task is to be read, so that a correction of it never touches a student's file; the
 /// contract's header, the function with its TODO.
 std::string stub_text(const Exercise& exercise, const std::string& signature);

@@ -1,5 +1,7 @@
 #include "checker/course/course.hpp"
 
+#include <boost/algorithm/string/replace.hpp>
+
 #include <sstream>
 
 namespace workbook {
@@ -69,13 +71,18 @@ std::string declared_signature(const Course& course, const Exercise& exercise) {
   return replaced(found[1], "\\s+", " ");
 }
 
+std::string from_skeleton(const std::string& name, const std::map<std::string, std::string>& fields) {
+  const fs::path file = fs::path(WORKBOOK_SKELETONS) / name;
+  std::optional<std::string> text = read_file(file);
+  if (!text) throw std::runtime_error(fmt::format("{} cannot be read.", shown_path(file)));
+  for (const auto& [field, value] : fields) boost::replace_all(*text, "@" + field + "@", value);
+  return *text;
+}
+
 std::string stub_text(const Exercise& exercise, const std::string& signature) {
-  return fmt::format(
-      "// The task stands in include/rigid/{1}.hpp; ./checker/run check {0} shows it in short.\n"
-      "#include <rigid/{1}.hpp>\n\nnamespace rigid {{\n\n{2} {{\n"
-      "  // TODO: write this function; the next line says that you have not started yet.\n"
-      "  throw NotStarted{{}};\n}}\n\n}}  // namespace rigid\n",
-      exercise.name(), exercise.card->contract, wrapped_parameters(signature));
+  return from_skeleton(
+      "exercise/stub.cpp",
+      {{"NAME", exercise.name()}, {"CONTRACT", exercise.card->contract}, {"SIGNATURE", wrapped_parameters(signature)}});
 }
 
 bool is_begun(const fs::path& file) {

@@ -111,6 +111,28 @@ void start_sodium() {
   if (sodium_init() < 0) throw std::runtime_error("libsodium cannot be started on this machine.");
 }
 
+struct LockedText {
+  Comparison comparison{};
+  std::vector<LockedCall> calls;
+  std::string box, nonce, salt;
+};
+
+LockedText read_locked(const std::string& locked) {
+  try {
+    const json document = json::parse(locked);
+    if (document.at("format") != locked_format) throw std::runtime_error("another format");
+    const auto bytes = [&](const char* part) { return from_base64(document.at(part).get<std::string>()); };
+    LockedText read{static_cast<Comparison>(document.at("comparison").get<int>()),
+                    document.at("calls").get<std::vector<LockedCall>>(), bytes("box"), bytes("nonce"), bytes("salt")};
+    if (read.box.size() < crypto_secretbox_MACBYTES || read.nonce.size() != crypto_secretbox_NONCEBYTES ||
+        read.salt.size() != crypto_pwhash_SALTBYTES)
+      throw std::runtime_error("wrong sizes");
+    return read;
+  } catch (const std::exception& problem) {
+    throw std::runtime_error(fmt::format("The locked text is damaged ({}).", problem.what()));
+  }
+}
+
 }  // namespace
 
 bool makes_key(const ExerciseReference& reference) { return results_for_key(reference).bits >= enough_bits; }
@@ -128,29 +150,21 @@ std::string locked_text(const ExerciseReference& reference, const std::string& t
   return document.dump() + "\n";
 }
 
-std::optional<std::string> unlocked_text(const std::string& locked, const Evaluate& evaluate) {
+std::vector<PlannedCall> calls_of_locked(const std::string& locked) {
+  std::vector<PlannedCall> calls;
+  for (const LockedCall& call : read_locked(locked).calls) calls.push_back({call.inputs, call.rows, call.cols});
+  return calls;
+}
+
+std::optional<std::string> unlocked_text(const std::string& locked, const std::vector<Reply>& replies) {
   start_sodium();
-  std::vector<LockedCall> calls;
-  Comparison comparison{};
-  std::string box, nonce, salt;
-  try {
-    const json document = json::parse(locked);
-    if (document.at("format") != locked_format) throw std::runtime_error("another format");
-    comparison = static_cast<Comparison>(document.at("comparison").get<int>());
-    document.at("calls").get_to(calls);
-    const auto bytes = [&](const char* part) { return from_base64(document.at(part).get<std::string>()); };
-    box = bytes("box"), nonce = bytes("nonce"), salt = bytes("salt");
-    if (box.size() < crypto_secretbox_MACBYTES || nonce.size() != crypto_secretbox_NONCEBYTES ||
-        salt.size() != crypto_pwhash_SALTBYTES)
-      throw std::runtime_error("wrong sizes");
-  } catch (const std::exception& problem) {
-    throw std::runtime_error(fmt::format("The locked text is damaged ({}).", problem.what()));
-  }
+  const auto [comparison, calls, box, nonce, salt] = read_locked(locked);
   std::string secret;
-  for (const LockedCall& call : calls) {
-    const std::optional<Value> value = evaluate(call.inputs, call.rows, call.cols);
-    if (!value || value->numbers.size() < call.quanta.size()) return std::nullopt;
-    secret += whole_numbers(*value, comparison, call.quanta);
+  for (std::size_t k = 0; k < calls.size(); ++k) {
+    if (k >= replies.size() || replies[k].ending != Ending::returned ||
+        replies[k].value.numbers.size() < calls[k].quanta.size())
+      return std::nullopt;
+    secret += whole_numbers(replies[k].value, comparison, calls[k].quanta);
   }
   std::string text(box.size() - crypto_secretbox_MACBYTES, ' ');
   if (crypto_secretbox_open_easy(raw(text), raw(box), box.size(), raw(nonce), raw(key_of(secret, salt))) != 0)

@@ -2,15 +2,10 @@
 /// Texts that only a right function opens: in copies for students, the solution and the derivation of an exercise.
 #pragma once
 
+#include "checker/data/observation.hpp"
 #include "checker/data/reference_results.hpp"
 
-#include <functional>
-#include <optional>
-
 namespace workbook {
-
-/// One call of the function, and what it returned; nothing where it returned no usable value.
-using Evaluate = std::function<std::optional<Value>(const std::vector<Value>& inputs, int rows, int cols)>;
 
 /// Does it have enough random cases for a key that cannot be guessed? A whole number is worth little: as many bits as
 /// the most frequent one among them leaves to be guessed.
@@ -22,8 +17,11 @@ bool makes_key(const ExerciseReference& reference);
 /// @throws std::runtime_error if it makes no key
 std::string locked_text(const ExerciseReference& reference, const std::string& text);
 
-/// The text; nothing if the function does not return what a right one does.
-/// @throws std::runtime_error if the locked text is damaged
-std::optional<std::string> unlocked_text(const std::string& locked, const Evaluate& evaluate);
+/// The calls of which a right function opens it. @throws std::runtime_error if the locked text is damaged
+std::vector<PlannedCall> calls_of_locked(const std::string& locked);
+
+/// The text; nothing if the function did not return what a right one does.
+/// @param replies  to these calls. @throws std::runtime_error if the locked text is damaged
+std::optional<std::string> unlocked_text(const std::string& locked, const std::vector<Reply>& replies);
 
 }  // namespace workbook

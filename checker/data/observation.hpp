@@ -4,6 +4,7 @@
 
 #include "checker/data/value.hpp"
 
+#include <functional>
 #include <optional>
 
 namespace workbook {
@@ -49,6 +50,14 @@ enum class ProtocolViolation {
   closed_channel
 };
 
+/// One call of the student's function: what goes in, and the shape that should come out.
+struct PlannedCall {
+  std::vector<Value> inputs;
+  int rows = 1;
+  int cols = 1;
+};
+
+/// What came of it.
 struct Reply {
   Ending ending = Ending::not_run;
   Value value = {};
@@ -67,6 +76,9 @@ struct Repeat {
   std::size_t case_index = 0;
   Reply reply;
 };
+
+/// Further calls of the function that was judged, with limits of their own.
+using Ask = std::function<std::vector<Reply>(const std::vector<PlannedCall>&)>;
 
 /// The replies at inputs whose numbers were converted to a smaller unit.
 struct UnitProbe {
@@ -97,7 +109,9 @@ struct Observation {
 
   std::vector<Reply> replies;  ///< one per case
   std::vector<Repeat> repeats;
-  std::vector<UnitProbe> probes;  ///< taken only after a wrong value
+  std::vector<Reply> sweep;     ///< one per point of the plot, where the task asks for them
+  std::vector<Reply> measured;  ///< of a function that passes: what it makes of each piece of real data
+  std::vector<Reply> further;   ///< of a function that passes: at the inputs that the task adds
   double compile_seconds = 0.0;
   double run_seconds = 0.0;
 };

@@ -140,7 +140,8 @@ class DiagnosticRun {
 
  private:
   Run run(std::int32_t mode) const {
-    Budget budget{Clock::now() + std::chrono::seconds(8), 5.0, std::size_t{1} << 20};
+    Budget budget{Clock::now() + std::chrono::duration_cast<Clock::duration>(limits::diagnostic_run_time),
+                  limits::diagnostic_run_processor_time.count(), limits::diagnostic_output};
     Worker worker(program_, profile_, budget);
     Run result;
     result.reply = worker.call({case_.inputs, case_.expected.rows, case_.expected.cols}, mode);
@@ -165,18 +166,18 @@ class DiagnosticRun {
   }
 
   /// What is known of "NAME|FACT|…".
-  void tell(int line, const std::string& text) {
+  void add_finding(int line, const std::string& text) {
     if (const auto& [event, found] = known(text); found) add(line, event.name, found.fill(event.sentence));
   }
 
-  void tell_undefined(const Run& run) {
+  void add_undefined_behavior(const Run& run) {
     for (const DiagnosticEvent& event : run.events)
-      if (is_undefined_behavior(event) && event.line() > 0) tell(event.line(), event.text);
+      if (is_undefined_behavior(event) && event.line() > 0) add_finding(event.line(), event.text);
   }
 
   void explain_ending() {
     const Run again = run(protocol::fill_with_nan);
-    tell_undefined(again);
+    add_undefined_behavior(again);
     if (again.returned() || again.events.empty() || !again.is_harmless()) return;
     tell_last_event(again);
     if (const Run zeros = run(protocol::plain); zeros.returned()) explain_never_set(zeros);
@@ -195,27 +196,27 @@ class DiagnosticRun {
       for (char bar = 0; numbers >> bar;) numbers >> assertion.compared.emplace_back();
       add(line, kind_of(assertion), sentence(assertion) + ".");
     } else if (last->is("thrown") && judged_.ending == Ending::exception) {
-      if (is_same) tell(line, "exception|" + quoted(judged_.text));
+      if (is_same) add_finding(line, "exception|" + quoted(judged_.text));
     } else if (last->is("thrown")) {
-      tell(line, "uncaught|" + quoted(judged_.text));
+      add_finding(line, "uncaught|" + quoted(judged_.text));
     } else if (last->is("forbidden")) {
-      if (judged_.system_call >= 0) tell(line, "forbidden|" + forbidden_operation(judged_.system_call));
+      if (judged_.system_call >= 0) add_finding(line, "forbidden|" + forbidden_operation(judged_.system_call));
     } else if (const int caller = recursion_line(*last); caller > 0) {
-      tell(caller, "recursion");
+      add_finding(caller, "recursion");
     } else {
-      tell(line, last->text);
+      add_finding(line, last->text);
     }
   }
 
   void explain_value() {
     const Run first = run(protocol::plain);
     // What the optimiser had removed, such as a second delete, may also end the call now.
-    tell_undefined(first);
+    add_undefined_behavior(first);
     // What lies outside an array was never set either.
     if (first.is_harmless() && first.returned()) explain_never_set(first);
     if (verdict_ != Verdict::non_finite_value || !findings_.empty()) return;
     const Run trapped = run(protocol::trap_invalid | protocol::trap_non_finite);
-    if (const int line = trapped.trap_line(); line > 0) tell(line, "FPE|" + operation_at(trapped));
+    if (const int line = trapped.trap_line(); line > 0) add_finding(line, "FPE|" + operation_at(trapped));
   }
 
   /// What gave no finite number: a division, as the sanitizer saw it, or the only function of <cmath> that the line
@@ -240,14 +241,14 @@ class DiagnosticRun {
     // NaN trap where they are first used; with zeros nothing must happen there.
     const int line = run(protocol::fill_with_nan | protocol::trap_invalid).trap_line();
     const bool is_certain = line > 0 && run(protocol::trap_invalid).trap_line() == 0;
-    if (is_certain) return tell(line, "never_set here");
+    if (is_certain) return add_finding(line, "never_set here");
     const auto [declared, name] = declaration_without_value(source_);
-    tell(declared, declared > 0 ? "never_set|" + name : "never_set");
+    add_finding(declared, declared > 0 ? "never_set|" + name : "never_set");
   }
 
   void explain_long_run() {
     const Run long_run = run(protocol::sample);
-    tell_undefined(long_run);
+    add_undefined_behavior(long_run);
     std::vector<std::vector<int>> samples;  // of every sample the lines of the student's file, outermost first
     for (const DiagnosticEvent& event : long_run.events)
       if (event.is("running") && event.line() > 0) samples.emplace_back(event.lines.rbegin(), event.lines.rend());
@@ -260,7 +261,7 @@ class DiagnosticRun {
       first = at_depth(std::ranges::min(samples, {}, at_depth));
       last = at_depth(std::ranges::max(samples, {}, at_depth));
     }
-    tell(first, fmt::format("{}|{}|{}", verdict_ == Verdict::output_limit ? "printing" : "running", first, last));
+    add_finding(first, fmt::format("{}|{}|{}", verdict_ == Verdict::output_limit ? "printing" : "running", first, last));
   }
 
   const Verdict verdict_;
@@ -345,7 +346,7 @@ std::vector<Finding> diagnostic_run(const DiagnosticTask& task, const Toolchain&
     const Workspace workspace(scratch);
     const Compilation compilation =
         compile({.submission = task.submission, .exercise = task.reference.name, .signature = task.reference.signature},
-                read_toolchain(toolchain.diagnostic), workspace.directory(), {.time = std::chrono::seconds(30)});
+                read_toolchain(toolchain.diagnostic), workspace.directory(), {.time = limits::diagnostic_compile_time});
     return compilation.executable ? diagnostic_run_of(*compilation.executable, task, toolchain)
                                   : std::vector<Finding>();
   } catch (const std::exception&) {

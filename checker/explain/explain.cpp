@@ -11,7 +11,7 @@ namespace workbook {
 namespace {
 
 /// What the function returns when the same inputs are given in smaller units.
-std::vector<UnitProbe> take_probes(ExerciseRunner& runner, const ExerciseReference& reference) {
+std::vector<UnitProbe> take_probes(const Ask& ask, const ExerciseReference& reference) {
   std::vector<UnitProbe> probes = plan_probes(reference);
   for (UnitProbe& probe : probes) {
     std::vector<PlannedCall> calls;
@@ -19,17 +19,9 @@ std::vector<UnitProbe> take_probes(ExerciseRunner& runner, const ExerciseReferen
       const Case& probed = reference.cases[index];
       calls.push_back({probe_inputs(reference, probe, index), probed.expected.rows, probed.expected.cols});
     }
-    probe.replies = runner.evaluate(calls);
+    probe.replies = ask(calls);
   }
   return probes;
-}
-
-/// What the function makes of real data.
-std::vector<Reply> on_measured(ExerciseRunner& runner, const ExerciseReference& reference) {
-  std::vector<PlannedCall> calls;
-  const Value& like = reference.cases.front().expected;
-  for (const Measured& real : reference.measured) calls.push_back({real.inputs, like.rows, like.cols});
-  return calls.empty() ? std::vector<Reply>() : runner.evaluate(calls);
 }
 
 /// Adds findings, but no second one about a line that has been spoken of.
@@ -43,12 +35,12 @@ void add(std::vector<Finding>& findings, std::vector<Finding> more) {
 }
 
 /// The inputs of which further calls confirm that they never change the result: at other cases, by other amounts.
-std::vector<IndependentInput> confirmed(std::vector<IndependentInput> inputs, ExerciseRunner& runner,
+std::vector<IndependentInput> confirmed(std::vector<IndependentInput> inputs, const Ask& ask,
                                         const ExerciseReference& reference, const Answers& answers) {
   constexpr std::size_t most_cases = 12;
   std::vector<std::size_t> all(reference.described_cases());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  const std::vector<std::size_t> cases = spread(all, most_cases);
+  const std::vector<std::size_t> cases = evenly_spaced(all, most_cases);
   std::erase_if(inputs, [&](const IndependentInput& input) {
     return std::ranges::any_of(cases, [&](std::size_t index) {
       if (!answers[index] || !answers[index]->is_finite()) return true;
@@ -65,7 +57,7 @@ std::vector<IndependentInput> confirmed(std::vector<IndependentInput> inputs, Ex
           numbers[mirror] = changed;
         numbers[input.entry] = changed;
       }
-      return std::ranges::any_of(runner.evaluate(calls), [&](const Reply& reply) {
+      return std::ranges::any_of(ask(calls), [&](const Reply& reply) {
         return reply.ending == Ending::returned && reply.value.numbers != answers[index]->numbers;
       });
     });
@@ -120,8 +112,7 @@ void explain_deeper(Explanation& explanation, const Evidence& evidence, bool has
     });
     add(explanation.findings, {*slip});
   } else if (!has_mistake_in_code) {
-    const auto inputs =
-        confirmed(independent_inputs(task.reference, answers), evidence.runner, task.reference, answers);
+    const auto inputs = confirmed(independent_inputs(task.reference, answers), evidence.ask, task.reference, answers);
     const auto found = inputs.size() <= 6 ? independence(task.reference, inputs) : std::nullopt;
     if (found) diagnoses.insert(diagnoses.begin(), *found);
   }
@@ -157,7 +148,7 @@ Explanation explain(const Evidence& evidence) {
     explanation.diagnoses = diagnose_finite(task.reference, answers);
     if (!explanation.diagnoses.empty()) add(explanation.findings, besides(diagnostic_run(task, toolchain, cache)));
   } else if (!has_no_value) {
-    explanation.diagnoses = diagnose(task.reference, answers, take_probes(evidence.runner, task.reference));
+    explanation.diagnoses = diagnose(task.reference, answers, take_probes(evidence.ask, task.reference));
   }
   if (std::ranges::all_of(explanation.diagnoses, &Diagnosis::is_symptom))
     explain_deeper(explanation, evidence, has_mistake_in_code, answers);

@@ -6,7 +6,6 @@
 #include "checker/compile/compile.hpp"
 #include "checker/explain/diagnostic_run.hpp"
 #include "checker/explain/values/diagnosis.hpp"
-#include "checker/sandbox/worker_process.hpp"
 
 namespace workbook {
 
@@ -23,7 +22,7 @@ struct Evidence {
   DiagnosticTask task;
   CompileTask compile_task;
   const Compilation& compilation;
-  ExerciseRunner& runner;  ///< for further calls
+  const Ask& ask;
   const Toolchain& toolchain;
   std::filesystem::path cache;
 };

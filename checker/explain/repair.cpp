@@ -116,7 +116,7 @@ VariantRunner::VariantRunner(const DiagnosticTask& task, std::vector<Variant>& v
 Reply VariantRunner::call(std::size_t variant, std::size_t case_index) {
   // The original took a moment only: what takes long is another one's endless loop.
   if (running_ != variant)
-    budget_ = {std::min(deadline_, after(limits_.one_variant)), limits_.one_variant.count(), std::size_t{1} << 20};
+    budget_ = {std::min(deadline_, after(limits_.one_variant)), limits_.one_variant.count(), limits::diagnostic_output};
   running_ = variant;
   if (!worker_ || !worker_->running()) worker_ = std::make_unique<Worker>(program_, run_profile(), budget_);
   const Case& one = task_.reference.cases[case_index];
@@ -144,7 +144,7 @@ bool VariantRunner::is_other(std::size_t variant) {
   });
 }
 
-std::optional<std::set<std::size_t>> VariantRunner::taken(std::size_t variant) {
+std::optional<std::set<std::size_t>> VariantRunner::cases_taking_branch(std::size_t variant) {
   std::set<std::size_t> cases;
   for (const std::size_t index : order_) {
     if (task_.observation.replies.at(index).ending != Ending::returned) return std::nullopt;
@@ -199,7 +199,7 @@ std::optional<Finding> slip_or_branch(const DiagnosticTask& task, const Toolchai
       });
       return forced != variants.end() && runner.is_right(static_cast<std::size_t>(forced - variants.begin()));
     };
-    if (const auto taken = runner.taken(k)) consider(branch, variants[k], *taken, is_right_if_always, task);
+    if (const auto taken = runner.cases_taking_branch(k)) consider(branch, variants[k], *taken, is_right_if_always, task);
   }
   for (std::size_t k = 0; k < variants.size(); ++k) {
     const Variant& each = variants[k];

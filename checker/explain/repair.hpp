@@ -23,10 +23,11 @@ CodeReasons code_reasons(const DiagnosticTask& task, const std::vector<Finding>&
 std::optional<Finding> slip_or_branch(const DiagnosticTask& task, const Toolchain& toolchain,
                                       const std::filesystem::path& cache);
 
-/// What may be spent on trying the variants of a file; as it stands, while a student waits.
+/// What may be spent on trying the variants of a file.
 struct TrialLimits {
-  int compilations = 4;  ///< each leaves out what it objected to, up to twenty errors
-  std::chrono::duration<double> compiling{10}, running{4}, one_variant{0.3};
+  int compilations = limits::trial_compilations;
+  limits::Seconds compiling = limits::trial_compile_time, running = limits::trial_run_time,
+                  one_variant = limits::trial_of_one;
 };
 
 /// Variants of a file in one executable, run in one process as long as they behave.
@@ -42,7 +43,7 @@ class VariantRunner {
   /// Does it differ from what was judged at a failing case?
   bool is_other(std::size_t variant);
   /// The cases at which the condition of a branch is true; nothing where that is not certain.
-  std::optional<std::set<std::size_t>> taken(std::size_t variant);
+  std::optional<std::set<std::size_t>> cases_taking_branch(std::size_t variant);
 
  private:
   Reply call(std::size_t variant, std::size_t case_index);

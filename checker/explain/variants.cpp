@@ -44,7 +44,7 @@ class Conditions {
     for (std::size_t k = 0; k < size_; ++k) {
       const bool is_if = text(k) == "if" && text(k + 1) == "(";
       if (is_if) mark(decides_, k + 1, closing(k + 1));
-      // With the token before it: a sign behind that one would be the condition's.
+      // With the token before it: a sign after that one would be the condition's.
       if (text(k) == "?") mark(decides_, std::max(begin_of_operand(k), std::size_t{1}) - 1, k);
       if (text(k) == "bool") mark(decides_, k, end_of_operand(k));
       const bool compares = is_one_of(text(k), {"==", "!=", "<=", ">=", "&&", "||"}) ||
@@ -77,7 +77,7 @@ class Conditions {
     return 0;
   }
 
-  /// One behind the last token.
+  /// One past the last token.
   std::size_t end_of_operand(std::size_t index) const {
     int depth = 0;
     for (std::size_t k = index + 1; k < size_; ++k) {
@@ -102,10 +102,10 @@ class Conditions {
 };
 
 /// Makes the variants of one file.
-class Slips {
+class SourceMutations {
  public:
   /// @param all_bugs  also what is hardly a slip
-  Slips(const SourceText& source, const ExerciseReference& exercise, bool all_bugs)
+  SourceMutations(const SourceText& source, const ExerciseReference& exercise, bool all_bugs)
       : source_(source), conditions_(source), all_bugs_(all_bugs), most_(all_bugs ? std::string::npos : most_variants) {
     for (const Argument& argument : exercise.arguments) types_[argument.name] = to_string(argument.kind);
     find_locals();
@@ -184,9 +184,9 @@ class Slips {
   void exchange(const char* kind, const char* words, std::size_t one, std::size_t other) {
     add(kind, words, one, {replaced(one, one, token(other)), replaced(other, other, token(one))});
   }
-  void insert_behind(const char* kind, const char* words, const std::string& text) {
-    const Token& behind = source_.tokens()[at_];
-    add(kind, words, at_ + 1, {{behind.offset + behind.text.size(), 0, " " + text}});
+  void insert_after(const char* kind, const char* words, const std::string& text) {
+    const Token& token = source_.tokens()[at_];
+    add(kind, words, at_ + 1, {{token.offset + token.text.size(), 0, " " + text}});
   }
 
   bool follows_operand() const {
@@ -201,7 +201,7 @@ class Slips {
     const bool begins_expression = is_one_of(here(), {"return", "=", "(", ",", "{", "<<"});
     if (begins_expression && (is_identifier(after()) || is_numeral(after())) && !is_index(at_ + 1) &&
         !is_zero(at_ + 1) && !is_even())
-      insert_behind("sign", "another sign", "-");
+      insert_after("sign", "another sign", "-");
   }
 
   /// Do we open an even function of one variable, as in `cos(psi)` or `abs(angles[1])`?
@@ -293,7 +293,7 @@ class Slips {
     add("function", words, at_, {replaced(has_prefix ? at_ - 2 : at_, at_, "")});
   }
 
-  /// A factor in front of a term: behind return, =, + or -.
+  /// A factor in front of a term: after return, =, + or -.
   void factors() {
     const bool begins_term = is_one_of(here(), {"return", "=", "+", "-", "+=", "-="});
     if (!begins_term || is_zero(at_ + 1) || conditions_.in_loop(at_) || declares_whole_number()) return;
@@ -301,8 +301,8 @@ class Slips {
     // In `n = axis` nobody forgot a number; another one may only move the inputs out of a wrong branch.
     if (here() == "=" && is_identifier(after()) && token(at_ + 2) == ";" && !all_bugs_) return;
     if (is_identifier(after()) && (after() == "std" || after() == "static_cast") && token(at_ + 2) != "::") return;
-    for (const char* factor : {"2.0 *", "0.5 *"}) insert_behind("factor", "another factor", factor);
-    insert_behind("factor", "one term left out", "0.0 *");
+    for (const char* factor : {"2.0 *", "0.5 *"}) insert_after("factor", "another factor", factor);
+    insert_after("factor", "one term left out", "0.0 *");
   }
 
   /// `int i = …`: half of it is none.
@@ -321,11 +321,11 @@ class Slips {
       for (const char* other : found->second) add("operator", "another operator or constant", other);
     if (here() == "." && token(at_ + 2) == "(" && token(at_ + 3) == ")" && after() != "transpose")
       add("call", "one call left out", at_, {replaced(at_, at_ + 3, "")});
-    if (here() == ";" || here() == "{" || here() == "}") statement_behind();
+    if (here() == ";" || here() == "{" || here() == "}") statement_after();
   }
 
   /// Left out, unless it declares something or is a plain return.
-  void statement_behind() {
+  void statement_after() {
     if (!is_identifier(after()) || after() == "return" || is_identifier(token(at_ + 2))) return;
     int depth = 0;
     for (std::size_t end = at_ + 1; end < last_ && token(end) != "}" && token(end) != "{"; ++end) {
@@ -345,7 +345,7 @@ class Slips {
   std::size_t at_ = 0, first_ = 0, last_ = 0;
 };
 
-/// The first token on that line with this text, at or behind the column.
+/// The first token on that line with this text, at or after the column.
 const Token* token_at(const SourceText& source, const Finding& finding, std::string_view text) {
   for (const Token& token : source.tokens()) {
     const Place place = source.place_of(token.offset);
@@ -450,11 +450,11 @@ std::vector<Variant> branch_variants(const SourceText& source) {
 }
 
 std::vector<Variant> one_token_variants(const SourceText& source, const ExerciseReference& exercise) {
-  return Slips(source, exercise, false).all();
+  return SourceMutations(source, exercise, false).all();
 }
 
 std::vector<Variant> source_mutants(const SourceText& source, const ExerciseReference& exercise) {
-  return Slips(source, exercise, true).all();
+  return SourceMutations(source, exercise, true).all();
 }
 
 std::string edited(std::string_view text, std::vector<Edit> edits) {

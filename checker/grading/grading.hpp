@@ -42,7 +42,7 @@ std::optional<std::string> filled_worksheet(const fs::path& roster, const nlohma
 /// What a person has decided about one exercise of a student, or about the whole. A row of overrides.csv.
 struct Override {
   std::optional<double> points;  ///< in place of what was earned; those of the whole also of what lateness leaves
-  bool is_excused = false;       ///< it counts neither way
+  bool is_excused = false;       ///< it is not counted
   std::optional<std::int64_t> due = {};  ///< of the whole only
   std::string sentence = {};             ///< all this and the comment, as it is shown
 
@@ -232,7 +232,7 @@ std::string class_page(const nlohmann::ordered_json& document, const std::string
 // --- no student's code is run by an administrator
 
 /// Who grades into a folder: this user; or where that is root the owner that the folder has from an earlier run, or
-/// else a user whom nobody is.
+/// else an unused user id.
 uid_t grading_user(const fs::path& folder);
 
 /// Where this program runs as root: hands the folder over to the user who grades, and becomes that user for good.

@@ -461,7 +461,7 @@ class Collector {
     }
   }
 
-  /// "ID_EXERCISE.cpp"; Canvas puts "-1" behind the name of what was handed in once more.
+  /// "ID_EXERCISE.cpp"; Canvas puts "-1" after the name of what was handed in once more.
   void take_flat(const std::string& name, const Read& read) {
     std::string stem = name.ends_with(".cpp") ? name.substr(0, name.size() - 4) : "";
     if (const std::size_t end = stem.find_last_not_of("0123456789"); end != std::string::npos && stem[end] == '-')

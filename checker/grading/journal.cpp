@@ -40,7 +40,7 @@ Journal::Journal(fs::path file, Access access) : file_(std::move(file)) {
   if (!descriptor_) fail(file_, "opened");
   // It holds what students have handed in.
   if (access == Access::write && ::fchmod(descriptor_.number(), 0600) != 0) fail(file_, "kept from other users");
-  // Of the kind that jobs which outlive a killed checker for a moment do not inherit.
+  // A POSIX lock: unlike that of flock it is not inherited by forked jobs.
   struct flock lock {};
   lock.l_type = access == Access::write ? F_WRLCK : F_RDLCK;
   if (::fcntl(descriptor_.number(), F_SETLK, &lock) != 0)

@@ -216,13 +216,13 @@ std::vector<Deviation> deviations(const ExerciseReference& exercise, std::size_t
   }
   for (const Property& property : exercise.properties) {
     if (property.kind == PropertyKind::constant_weighted_square && actual.cols > 0) {
-      found.push_back(drift(exercise, property, case_index, actual));
+      found.push_back(invariant_deviation(exercise, property, case_index, actual));
     }
   }
   return found;
 }
 
-Deviation drift(const ExerciseReference& exercise, const Property& property, std::size_t case_index,
+Deviation invariant_deviation(const ExerciseReference& exercise, const Property& property, std::size_t case_index,
                 const Value& actual) {
   const Case& one = exercise.cases.at(case_index);
   const std::vector<double>& weights = property.weights.at(case_index);

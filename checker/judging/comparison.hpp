@@ -52,7 +52,7 @@ std::vector<Deviation> deviations(const ExerciseReference& exercise, std::size_t
 
 /// How far Σ weightᵢ yᵢ² of every column is from its one right value. It is measured against its own size: it is
 /// conserved better than the entries are known. The answer must have columns, as many as the expected one.
-Deviation drift(const ExerciseReference& exercise, const Property& property, std::size_t case_index,
+Deviation invariant_deviation(const ExerciseReference& exercise, const Property& property, std::size_t case_index,
                 const Value& actual);
 
 /// True if the answer is right: of the expected shape and within the tolerance in every way.

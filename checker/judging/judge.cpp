@@ -284,7 +284,7 @@ Judgement judge(const ExerciseReference& exercise, const Observation& observatio
   return judgement;
 }
 
-std::vector<std::size_t> spread(const std::vector<std::size_t>& items, std::size_t count) {
+std::vector<std::size_t> evenly_spaced(const std::vector<std::size_t>& items, std::size_t count) {
   if (items.size() <= count) return items;
   if (count == 1) return {items.front()};
   std::vector<std::size_t> chosen;
@@ -292,10 +292,16 @@ std::vector<std::size_t> spread(const std::vector<std::size_t>& items, std::size
   return chosen;
 }
 
+std::vector<PlannedCall> plan_calls(const std::vector<Case>& cases) {
+  std::vector<PlannedCall> calls;
+  for (const Case& one : cases) calls.push_back({one.inputs, one.expected.rows, one.expected.cols});
+  return calls;
+}
+
 std::vector<std::size_t> plan_repeats(const ExerciseReference& exercise) {
   std::vector<std::size_t> all(exercise.cases.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  std::vector<std::size_t> chosen = spread(all, 3);
+  std::vector<std::size_t> chosen = evenly_spaced(all, 3);
   std::ranges::reverse(chosen);
   return chosen;
 }

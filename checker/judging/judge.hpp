@@ -53,11 +53,14 @@ struct Judgement {
 /// everything that is missing or odd fails.
 Judgement judge(const ExerciseReference& exercise, const Observation& observation);
 
+/// The calls of the student's function at these cases: what it is run with knows no expected value.
+std::vector<PlannedCall> plan_calls(const std::vector<Case>& cases);
+
 /// The cases to run once more in a fresh process: up to three, in reverse order, so that what a function remembers from
 /// an earlier call shows.
 std::vector<std::size_t> plan_repeats(const ExerciseReference& exercise);
 
 /// Up to `count` items, evenly spread from the first to the last.
-std::vector<std::size_t> spread(const std::vector<std::size_t>& items, std::size_t count);
+std::vector<std::size_t> evenly_spaced(const std::vector<std::size_t>& items, std::size_t count);
 
 }  // namespace workbook

@@ -25,7 +25,7 @@ std::string kind_of(const EigenAssertion& assertion);
 /// "open a file": what a forbidden system call is for, to follow "tried to".
 std::string forbidden_operation(long system_call);
 
-/// A student's text inside a sentence: on one line, and not for ever.
+/// A student's text inside a sentence: on one line, at most 300 bytes.
 std::string quoted(const std::string& text);
 
 }  // namespace workbook

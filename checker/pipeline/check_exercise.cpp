@@ -28,16 +28,17 @@ static void from_json(const json& part, Reply& reply) {
 }
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Repeat, case_index, reply)
 // What reports show of an observation; the rest has done its work by then.
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Observation, refusal_details, replies, repeats, compile_seconds, run_seconds)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Observation, refusal_details, replies, repeats, sweep, measured, further,
+                                   compile_seconds, run_seconds)
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CheckResult, source, observation, judgement, explanation, measured, executable,
-                                   weak_sandbox)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CheckResult, source, observation, judgement, explanation, weak_sandbox)
 
 namespace {
 
-/// More than the limits up to the verdict together: 300 s to compile, 10 s to run. Another one for the tests.
+/// Another one for the tests.
 std::chrono::seconds longest_check() {
-  return std::chrono::seconds(std::atoi(environment("WORKBOOK_CHECK_SECONDS", "600").c_str()));
+  const std::string seconds = environment("WORKBOOK_CHECK_SECONDS");
+  return seconds.empty() ? limits::check : std::chrono::seconds(std::atoi(seconds.c_str()));
 }
 
 /// A message: its length in eight bytes, and a result.
@@ -79,7 +80,8 @@ bool is_learnt(Judged& judged, CheckContext& context) {
     ++others;
     wrong += answers[i] && passes(drawn, i, *answers[i]) ? 0 : 1;
   }
-  return 2 * wrong > others && judge(known, judged.runner->observe(known.cases, plan_repeats(known))).passed();
+  return 2 * wrong > others &&
+         judge(known, judged.runner->observe(plan_calls(known.cases), plan_repeats(known))).passed();
 }
 
 void explain_failure(Judged& judged, CheckContext& context) {
@@ -103,10 +105,11 @@ void explain_failure(Judged& judged, CheckContext& context) {
         "Check the file yourself: the reasons of other failures in this submission took all the time for them.";
     return;
   }
+  const Ask ask = [&](const std::vector<PlannedCall>& calls) { return judged.runner->evaluate(calls); };
   explanation = explain({{judged.submission, reference, checked.observation, checked.judgement},
                          judged.compile_task(),
                          judged.compilation,
-                         *judged.runner,
+                         ask,
                          context.toolchain(),
                          context.course().compiled()});
   for (Diagnosis& diagnosis : explanation.diagnoses)
@@ -125,6 +128,28 @@ CheckResult missing_file(const CheckTask& task, const ExerciseReference& referen
   return checked;
 }
 
+/// What else a function that was judged is asked: data for plots, the report and locked texts. After it, all is data
+/// but the runs that explain. @throws LaunchError
+void ask_further(Judged& judged) {
+  const CheckResult& checked = judged.checked;
+  const ExerciseReference& reference = *checked.reference;
+  Observation& observation = judged.checked.observation;
+  const auto ask = [&](const std::vector<PlannedCall>& calls) {
+    return calls.empty() ? std::vector<Reply>() : judged.runner->evaluate(calls);
+  };
+  std::vector<PlannedCall> sweep, measured;
+  for (std::size_t i = 0; i < reference.sweep.x.size(); ++i)
+    sweep.push_back({reference.sweep.inputs[i], reference.sweep.expected[i].rows, reference.sweep.expected[i].cols});
+  const Value& like = reference.cases.front().expected;
+  for (const Measured& real : reference.measured) measured.push_back({real.inputs, like.rows, like.cols});
+  const CheckTask::Drawn drawn = checked.task.drawn;
+  const bool is_wrong = checked.judgement.verdict == Verdict::wrong_value;
+  if (drawn == CheckTask::always || (is_wrong && drawn == CheckTask::wrong_values)) observation.sweep = ask(sweep);
+  if (!checked.judgement.passed()) return;
+  observation.measured = ask(measured);
+  observation.further = ask(checked.task.further);
+}
+
 /// read → compile → run → judge. @throws RejectedFile, std::runtime_error
 Judged judge_file(CheckContext& context, const CheckTask& task) {
   Judged judged;
@@ -137,9 +162,9 @@ Judged judge_file(CheckContext& context, const CheckTask& task) {
     checked.weak_sandbox = fmt::format("Sandbox: {}.", sandbox.sentence());
   judged.compilation = compile(judged.compile_task(), context.toolchain(), context.course().compiled());
   if (judged.compilation.executable) {
-    checked.executable = *judged.compilation.executable;
     judged.runner.emplace(judged.compilation.program());
-    checked.observation = judged.runner->observe(checked.reference->cases, plan_repeats(*checked.reference));
+    checked.observation =
+        judged.runner->observe(plan_calls(checked.reference->cases), plan_repeats(*checked.reference));
     checked.observation.compile_seconds = judged.compilation.seconds;
   } else {
     checked.observation = refused(judged.compilation);
@@ -271,13 +296,12 @@ CheckResult check_exercise(CheckContext& context, const CheckTask& task,
   CheckResult& checked = judged.checked;
   try {
     if (on_verdict && judged.runner && !checked.judgement.passed()) on_verdict(checked);
-    if (checked.judgement.passed()) checked.measured = on_measured(*judged.runner, *checked.reference);
     if (!checked.judgement.passed())
       wait_for_own_functions(context, task, judged.compilation.linked, checked.judgement);
     if (checked.judgement.verdict == Verdict::waiting) {
       checked.observation.replies.clear();  // values that say nothing of this file
-      checked.executable.clear();
     } else {
+      if (judged.runner) ask_further(judged);
       explain_failure(judged, context);
     }
   } catch (const std::exception&) {  // a reason less; what was judged stands

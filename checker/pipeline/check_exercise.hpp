@@ -21,7 +21,9 @@ struct CheckTask {
   bool is_other_seed = false;  ///< the cases are not those that count
   /// Of cases whose results students have: who fails is looked at for having learnt these.
   std::optional<std::uint64_t> known_seed = {};
-  bool is_explained = true;  ///< a failure gets its reasons
+  bool is_explained = true;                                         ///< a failure gets its reasons
+  enum Drawn { never, wrong_values, always } drawn = wrong_values;  ///< when its values along the plot are asked for
+  std::vector<PlannedCall> further = {};                            ///< what it is asked besides, if it passes
 
   /// Verdicts on a file elsewhere, or with another seed, are no progress.
   bool counts_as_progress() const { return !is_elsewhere && !is_other_seed; }
@@ -34,14 +36,12 @@ struct CheckResult {
   Observation observation;
   Judgement judgement;
   Explanation explanation;
-  std::vector<Reply> measured;  ///< of a function that passes: what it makes of each piece of real data
-  fs::path executable;          ///< for the plot; empty if the file did not compile
   const ExerciseReference* reference = nullptr;
   std::string weak_sandbox;     ///< what held the function back no further than that; empty: it could reach nothing
   std::optional<double> share;  ///< of the points that it earns, where that is not all or nothing
   std::string by_hand;  ///< what a person has decided about it, in one sentence; such points take the place of others
   std::optional<double> points_by_hand;
-  bool is_excused = false;  ///< by hand: it counts neither way
+  bool is_excused = false;  ///< by hand: it is not counted
 
   const std::string& name() const { return task.exercise.name(); }
   double points() const { return is_excused ? 0.0 : task.exercise.entry->points; }

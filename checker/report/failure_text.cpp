@@ -356,10 +356,10 @@ std::vector<std::string> describe_case(const ExerciseReference& exercise, std::s
 
 std::vector<std::string> on_real_data(const CheckResult& checked) {
   std::vector<std::string> sentences;
-  for (std::size_t k = 0; k < checked.measured.size(); ++k) {
+  for (std::size_t k = 0; k < checked.observation.measured.size(); ++k) {
     const ExerciseReference& exercise = *checked.reference;
     const Measured& real = exercise.measured[k];
-    const Reply& reply = checked.measured[k];
+    const Reply& reply = checked.observation.measured[k];
     const std::vector<PlotComponent>& components = exercise.sweep.components;
     std::vector<std::string> parts;
     for (const PlotComponent& each : components) {

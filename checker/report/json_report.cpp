@@ -35,7 +35,7 @@ ordered_json result_of(const CheckResult& checked) {
       {"lecture", checked.task.exercise.lecture()},
       {"exercise", checked.name()},
       {"verdict", to_string(judgement.verdict)},
-      // Trouble of our own is no zero: there is no score at all.
+      // Our own failures get no score (null), not 0.
       {"score", checked.is_judged() ? ordered_json(checked.score()) : ordered_json(nullptr)},
       {"points", checked.points()},
       {"cases", {{"passed", judgement.cases_passed()}, {"total", judgement.cases_total}, {"failing", failing}}},
@@ -58,8 +58,8 @@ ordered_json result_of(const CheckResult& checked) {
   for (std::size_t index = 0; index < checked.observation.replies.size(); ++index)
     if (const std::string& text = checked.observation.replies[index].printed; !text.empty())
       result["printed"].push_back({{"case", index + 1}, {"text", text}});
-  for (std::size_t k = 0; k < checked.measured.size(); ++k) {
-    const Reply& reply = checked.measured[k];
+  for (std::size_t k = 0; k < checked.observation.measured.size(); ++k) {
+    const Reply& reply = checked.observation.measured[k];
     const bool has_result = reply.ending == Ending::returned;
     const Measured& real = checked.reference->measured[k];
     result["measured"].push_back(

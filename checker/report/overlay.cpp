@@ -1,7 +1,5 @@
 #include "checker/report/reports.hpp"
 
-#include "checker/sandbox/worker_process.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -191,18 +189,11 @@ Overlay overlay_of(const CheckResult& checked) {
   for (const PlotComponent& component : sweep.components)
     overlay.labels.push_back(is_sign_free(reference) ? "|" + component.name + "|" : component.name);
 
-  if (!checked.executable.empty()) {
-    std::vector<PlannedCall> calls;
-    for (std::size_t i = 0; i < sweep.x.size(); ++i)
-      calls.push_back({sweep.inputs[i], sweep.expected[i].rows, sweep.expected[i].cols});
-    std::vector<Value> values;
-    bool has_value = false;
-    for (const Reply& reply : ExerciseRunner(checked.executable).evaluate(calls)) {
-      values.push_back(reply.ending == Ending::returned ? reply.value : Value{0, 0, {}});
-      has_value = has_value || reply.ending == Ending::returned;
-    }
-    if (has_value) overlay.student = curves_of(reference, values);
-  }
+  std::vector<Value> values;
+  for (const Reply& reply : checked.observation.sweep)
+    values.push_back(reply.ending == Ending::returned ? reply.value : Value{0, 0, {}});
+  if (std::ranges::count(checked.observation.sweep, Ending::returned, &Reply::ending) > 0)
+    overlay.student = curves_of(reference, values);
   for (const Diagnosis& diagnosis : checked.explanation.diagnoses) {
     const auto same = std::ranges::find(reference.misconceptions, diagnosis.name, &Misconception::name);
     if (diagnosis.kind != DiagnosisKind::misconception || same == reference.misconceptions.end()) continue;

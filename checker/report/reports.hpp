@@ -89,7 +89,7 @@ std::string report_page(const ReportedCourse& reported);
 
 /// They are part of the program, which then works wherever it is copied and never meets a template of another version.
 extern const char *const report_page_template, *const class_page_template, *const class_page_row_template,
-    *const class_page_script;
+                                                                               *const class_page_script;
 
 /// A page made from a template of mustache. All text of the document is text on the page, without control characters.
 /// @param raw  what the template takes unescaped, by name. @throws std::logic_error if it is no template
@@ -142,8 +142,8 @@ struct Overlay {
   bool has_turns = false;  ///< angles that differ by full turns are one attitude
 };
 
-/// Runs the student's function along the sweep.
-/// @throws std::runtime_error if there is no sweep, LaunchError or SandboxError if the worker cannot be started
+/// The student's function along the sweep, where the check asked for its values there.
+/// @throws std::runtime_error if there is no sweep
 Overlay overlay_of(const CheckResult& checked);
 
 /// Draws DIRECTORY/NAME.svg and DIRECTORY/NAME.png. Returns both paths.
@@ -163,45 +163,14 @@ std::string meaning_of_letters(const Overlay& overlay);
 // --- on the terminal itself, in the best way that it can show
 
 enum class PictureKind {
-  automatic,  ///< the best that the terminal can show; none where nobody looks at it
-  kitty,      ///< the graphics protocol of kitty, Ghostty, WezTerm, Konsole
-  sixel,      ///< the graphics of DEC's terminals: xterm, foot, mlterm, Windows Terminal
+  automatic,  ///< graphics where the program chafa is installed and knows that the terminal shows them, else letters
   text,       ///< a drawing made of letters
   none
 };
 
-/// What the terminal says of itself.
-struct GraphicsAnswer {
-  bool kitty = false;
-  bool sixel = false;
-};
-
-/// Reads the answers to both questions out of whatever came back: kitty's, and the primary device attributes, where 4
-/// means sixel.
-GraphicsAnswer read_graphics_answer(std::string_view reply);
-
-/// Asks the terminal behind standard input and output, and waits at most 0.2 s. Does not ask if somebody has typed
-/// ahead: those letters belong to the shell.
-GraphicsAnswer ask_terminal();
-
-/// What is known without asking.
-struct TerminalTraits {
-  bool is_watched = false;  ///< standard input and output are one terminal, and we are in its foreground
-  bool is_plain = false;    ///< no drawings wanted
-  std::string term;         ///< the variable TERM
-  std::string term_program;
-  bool has_kitty_window = false;
-  bool is_multiplexed = false;  ///< tmux or screen stands between us and the terminal, and has its own answer
-};
-TerminalTraits traits_of_this_terminal(const Console& console);
-
-/// The kind to draw; never `automatic`. Of several plots nothing is shown unless a kind was named: they would chase
-/// each other off the screen. `ask` is called only where it matters.
-PictureKind choose_picture(PictureKind wanted, std::size_t plots, const TerminalTraits& traits,
-                           const std::function<GraphicsAnswer()>& ask = ask_terminal);
-
-/// What makes a terminal of kitty's kind show a PNG, that many columns wide.
-std::string kitty_picture(std::string_view png, std::size_t columns);
+/// `wanted`; but of several plots, in the plain mode, and where nobody looks at a terminal nothing is shown unless a
+/// kind was named: they would chase each other off the screen.
+PictureKind choose_picture(PictureKind wanted, std::size_t plots, const Console& console);
 
 /// What to print for the plot to be seen, no larger than the window; "" for `none`.
 /// @param png  what draw_overlay() has left

@@ -73,15 +73,15 @@ bool give_to(uid_t user, std::initializer_list<std::string> files) {
       files, [&](const std::string& file) { return ::geteuid() != 0 || ::lchown(file.c_str(), user, user) == 0; });
 }
 
-constexpr std::string_view of_a_run = "run-";  ///< "run-PID-NUMBER"
+constexpr std::string_view group_prefix = "run-";  ///< "run-PID-NUMBER"
 
 /// What earlier runs have left that were killed. Groups of others that run now stay, although some are still empty.
 void remove_groups_below(const std::string& folder) {
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(folder, ignored)) {
     const std::string name = entry.path().filename().string();
-    if (!name.starts_with(of_a_run)) continue;
-    const auto maker = static_cast<pid_t>(std::strtol(name.c_str() + of_a_run.size(), nullptr, 10));
+    if (!name.starts_with(group_prefix)) continue;
+    const auto maker = static_cast<pid_t>(std::strtol(name.c_str() + group_prefix.size(), nullptr, 10));
     if (maker > 0 && ::kill(maker, 0) != 0 && errno == ESRCH) ::rmdir(entry.path().c_str());
   }
 }
@@ -123,7 +123,7 @@ std::vector<std::string> control_groups_for(uid_t user) {
 
 ControlGroup::ControlGroup(const std::vector<std::string>& parents, std::size_t memory_bytes, unsigned processes) {
   static std::atomic<unsigned> made = 0;
-  const std::string name = fmt::format("/{}{}-{}", of_a_run, ::getpid(), ++made);
+  const std::string name = fmt::format("/{}{}-{}", group_prefix, ::getpid(), ++made);
   const std::string memory = std::to_string(memory_bytes), count = std::to_string(processes);
   for (const std::string& parent : parents) {
     const std::string folder = folders_.emplace_back(parent + name);

@@ -69,7 +69,7 @@ SandboxStrength what_the_kernel_offers() {
   return strength;
 }
 
-std::vector<std::string> written(const SandboxProfile& profile) {
+std::vector<std::string> to_arguments(const SandboxProfile& profile) {
   std::vector<std::string> words;
   for (const std::size_t number :
        {static_cast<std::size_t>(profile.calls), std::size_t{profile.processor_seconds}, profile.memory_bytes,

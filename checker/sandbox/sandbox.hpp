@@ -4,6 +4,8 @@
 /// starts. In the strongest tier that process stands in namespaces of its own (bubblewrap), where nothing else exists.
 #pragma once
 
+#include "checker/sandbox/limits.hpp"
+
 #include <sys/types.h>
 #include <unistd.h>
 
@@ -73,11 +75,11 @@ struct SandboxProfile {
   };
 
   Calls calls = Calls::compute;
-  unsigned processor_seconds = 5;
-  std::size_t memory_bytes = std::size_t{512} << 20;  ///< of addresses; 0: not limited
-  std::size_t stack_bytes = std::size_t{8} << 20;
+  unsigned processor_seconds = static_cast<unsigned>(limits::run_processor_time.count());
+  std::size_t memory_bytes = limits::run_memory;  ///< of addresses; 0: not limited
+  std::size_t stack_bytes = limits::run_stack;
   std::size_t file_bytes = 0;  ///< of each file that is written
-  unsigned open_files = 8;
+  unsigned open_files = limits::run_files;
   std::vector<std::uint64_t> filter = {};  ///< of system calls, as confine() sets it: instructions for the kernel
   std::vector<std::string> readable = {};  ///< files and folders with all that is in them; programs there may be run
   std::vector<std::string> writable = {};  ///< the same
@@ -102,8 +104,8 @@ inline constexpr std::uint32_t own_process = 0x5e1f5e1f;
 /// What the kernel runs at every system call of such a program. @throws LaunchError
 const std::vector<std::uint64_t>& system_call_filter(SandboxProfile::Calls calls);
 
-/// As words of a command, and back: `words` is moved behind what was read.
-std::vector<std::string> written(const SandboxProfile& profile);
+/// As words of a command, and back: `words` is moved past what was read.
+std::vector<std::string> to_arguments(const SandboxProfile& profile);
 SandboxProfile read_profile(char**& words);
 
 /// Starts it in a sandbox of the tier in use.

@@ -22,7 +22,6 @@ namespace {
 using Calls = SandboxProfile::Calls;
 
 constexpr const char* newer_option = "--disable-userns";  ///< of bubblewrap since version 0.8
-constexpr const char* temporary_bytes = "268435456";      ///< in the /tmp of a compiler
 
 void confine_to(const SandboxStrength& strength, Launch& launch, SandboxProfile profile) {
   if (strength.filters_system_calls) profile.filter = system_call_filter(profile.calls);
@@ -38,8 +37,8 @@ void confine_to(const SandboxStrength& strength, Launch& launch, SandboxProfile 
   const bool builds = profile.calls == Calls::build;
   if (!strength.control_groups.empty()) {
     // Where addresses cannot be limited, whoever starts the program watches its memory and stops it before this does.
-    const std::size_t memory = profile.memory_bytes == 0 ? std::size_t{2} << 30 : profile.memory_bytes;
-    const unsigned processes = builds ? 64 : 16;  // bubblewrap's own are among them
+    const std::size_t memory = profile.memory_bytes == 0 ? 2 * limits::diagnostic_memory : profile.memory_bytes;
+    const unsigned processes = builds ? limits::compile_processes : limits::run_processes;
     const auto group = std::make_shared<const ControlGroup>(strength.control_groups, memory, processes);
     launch.prepare = [members = group.get()] { return members->enter(); };
     launch.held = group;
@@ -48,7 +47,8 @@ void confine_to(const SandboxStrength& strength, Launch& launch, SandboxProfile 
   command = strength.namespaces;
   const bool has_files = builds && profile.file_bytes > 0 && std::ranges::count(command, newer_option) > 0;
   if (has_files)
-    command.insert(command.end(), {"--size", temporary_bytes, "--tmpfs", "/tmp", "--setenv", "TMPDIR", "/tmp"});
+    command.insert(command.end(), {"--size", std::to_string(limits::compile_temporary), "--tmpfs", "/tmp", "--setenv",
+                                   "TMPDIR", "/tmp"});
   for (const std::string& path : profile.readable)
     if (path == "/proc/self")
       command.insert(command.end(), {"--proc", "/proc"});
@@ -57,7 +57,7 @@ void confine_to(const SandboxStrength& strength, Launch& launch, SandboxProfile 
   for (const std::string& path : profile.writable) command.insert(command.end(), {"--dev-bind-try", path, path});
   if (has_files) profile.writable.emplace_back("/tmp");
   command.insert(command.end(), {"--ro-bind", WORKBOOK_LAST_STAGE, "/last_stage", "--remount-ro", "/", "/last_stage"});
-  std::ranges::move(written(profile), std::back_inserter(command));
+  std::ranges::move(to_arguments(profile), std::back_inserter(command));
 }
 
 /// Where shared libraries are installed, and compilers, never anybody's own files.
@@ -262,7 +262,7 @@ SandboxProfile run_profile() { return {}; }
 SandboxProfile diagnose_profile(const std::string& compiler, const std::string& program) {
   SandboxProfile profile{.calls = Calls::compute_and_read,
                          .memory_bytes = 0,
-                         .open_files = 32,
+                         .open_files = limits::diagnostic_files,
                          .readable = system_folders(compiler, {"lib", "lib64"})};
   profile.readable.insert(profile.readable.end(), {program, "/proc/self"});
   return profile;
@@ -271,11 +271,11 @@ SandboxProfile diagnose_profile(const std::string& compiler, const std::string& 
 SandboxProfile compile_profile(const std::string& compiler, const std::vector<std::string>& inputs,
                                const std::string& workspace) {
   SandboxProfile profile{.calls = Calls::build,
-                         .processor_seconds = 60,
-                         .memory_bytes = std::size_t{2} << 30,
-                         .stack_bytes = std::size_t{64} << 20,
-                         .file_bytes = std::size_t{64} << 20,
-                         .open_files = 256,
+                         .processor_seconds = static_cast<unsigned>(limits::compile_time.count()),
+                         .memory_bytes = limits::compile_memory,
+                         .stack_bytes = limits::compile_stack,
+                         .file_bytes = limits::compile_file,
+                         .open_files = limits::compile_files,
                          .readable = system_folders(compiler, {"bin", "include", "lib", "lib64", "libexec"}),
                          .writable = {workspace, "/dev/null"}};
   profile.readable.insert(profile.readable.end(), inputs.begin(), inputs.end());

@@ -19,11 +19,6 @@ namespace {
 
 static_assert(protocol::channel == channel_descriptor);
 
-/// How long a worker may take to end after it closed the channel or was told that no more comes.
-constexpr std::chrono::milliseconds shutdown_timeout{500};
-
-/// Of a worker whose addresses cannot be limited.
-constexpr std::size_t most_resident_memory = std::size_t{1} << 30;
 constexpr std::chrono::milliseconds between_looks_at_memory{20};
 
 template <class T>
@@ -85,7 +80,7 @@ Reply Worker::call(const PlannedCall& call, std::int32_t mode) {
   Reply reply = answer(call, nonce);
   reply.printed = printable(printed_);
   printed_.clear();
-  if (reply.ending == Ending::memory_limit) end_process();  // what else it could not allocate, nobody knows
+  if (reply.ending == Ending::memory_limit) end_process();  // after bad_alloc its state is unknown
   return reply;
 }
 
@@ -150,7 +145,7 @@ Reply Worker::finish() {
   sent_ = 0;
   received_.clear();
   const Clock::time_point deadline = budget_.deadline;
-  budget_.deadline = std::min(deadline, Clock::now() + shutdown_timeout);
+  budget_.deadline = std::min(deadline, Clock::now() + limits::end);
   const Ending end = exchange(1);
   budget_.deadline = deadline;
   if (end == Ending::returned) return violated(ProtocolViolation::after_last_reply);
@@ -197,7 +192,7 @@ void Worker::send_some() {
   const ssize_t put =
       ::send(process_.channel(), unsent_.data() + sent_, unsent_.size() - sent_, MSG_NOSIGNAL | MSG_DONTWAIT);
   if (put > 0) sent_ += static_cast<std::size_t>(put);
-  // If nobody listens any more, the end of the stream will say so.
+  // If the worker has closed its end, the end of the stream will say so.
   if (put < 0 && errno != EAGAIN && errno != EINTR) sent_ = unsent_.size();
 }
 
@@ -241,7 +236,7 @@ bool Worker::uses_too_much_memory() const {
   std::ifstream statistics("/proc/" + std::to_string(process_.number()) + "/statm");
   std::size_t pages = 0, resident_pages = 0;
   statistics >> pages >> resident_pages;
-  return resident_pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)) > most_resident_memory;
+  return resident_pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)) > limits::diagnostic_memory;
 }
 
 Reply Worker::violated(ProtocolViolation violation) {
@@ -254,7 +249,7 @@ Reply Worker::stopped(Ending reason) {
     end_process();
     return {.ending = reason};
   }
-  if (!process_.wait_until(std::min(budget_.deadline, Clock::now() + shutdown_timeout)))
+  if (!process_.wait_until(std::min(budget_.deadline, Clock::now() + limits::end)))
     return violated(ProtocolViolation::closed_channel);
   const ProcessEnd end = end_process();
   if (collect_prints() == Ending::output_limit) return {.ending = Ending::output_limit};
@@ -338,16 +333,14 @@ class Session {
 
 }  // namespace
 
-Observation ExerciseRunner::observe(const std::vector<Case>& cases, const std::vector<std::size_t>& repeats) {
+Observation ExerciseRunner::observe(const std::vector<PlannedCall>& calls, const std::vector<std::size_t>& repeats) {
   const Clock::time_point start = Clock::now();
   Observation observation;
-  const auto planned = [](const Case& one) { return PlannedCall{one.inputs, one.expected.rows, one.expected.cols}; };
   try {
     Session session(executable_, limits_);
-    for (const Case& one : cases) observation.replies.push_back(session.call(planned(one)));
-    if (!cases.empty()) session.finish_process(observation.replies.back());
-    for (const std::size_t index : repeats)
-      observation.repeats.push_back({index, session.call(planned(cases.at(index)))});
+    for (const PlannedCall& call : calls) observation.replies.push_back(session.call(call));
+    if (!calls.empty()) session.finish_process(observation.replies.back());
+    for (const std::size_t index : repeats) observation.repeats.push_back({index, session.call(calls.at(index))});
     if (!repeats.empty()) session.finish_process(observation.repeats.back().reply);
   } catch (const LaunchError& error) {
     observation = {};

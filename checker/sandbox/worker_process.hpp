@@ -5,7 +5,6 @@
 
 #include "checker/base/child_process.hpp"
 #include "checker/data/observation.hpp"
-#include "checker/data/reference_results.hpp"
 #include "checker/sandbox/sandbox.hpp"
 #include "checker/worker/protocol.hpp"
 
@@ -16,13 +15,6 @@ struct Budget {
   Clock::time_point deadline;  ///< moves on while others have the processors
   double processor_seconds = 0.0;
   std::size_t output_bytes = 0;
-};
-
-/// One call of the student's function: what goes in, and the shape that should come out.
-struct PlannedCall {
-  std::vector<Value> inputs;
-  int rows = 1;
-  int cols = 1;
 };
 
 /// Anything but an answer ends the conversation: the worker is then gone, and the next call needs a new one.
@@ -74,9 +66,9 @@ class Worker {
 
 /// For all calls of one exercise together.
 struct RunLimits {
-  std::chrono::duration<double> time{10.0};
-  std::chrono::duration<double> processor_time{5.0};
-  std::size_t output_bytes = std::size_t{64} << 10;
+  limits::Seconds time = limits::run_time;
+  limits::Seconds processor_time = limits::run_processor_time;
+  std::size_t output_bytes = limits::run_output;
   SandboxProfile sandbox = run_profile();
 };
 
@@ -86,9 +78,9 @@ class ExerciseRunner {
   explicit ExerciseRunner(Program executable, RunLimits limits = {})
       : executable_(std::move(executable)), limits_(std::move(limits)) {}
 
-  /// One reply per case; then the cases with the given indices once more, in a fresh process.
+  /// One reply per call; then the calls with the given indices once more, in a fresh process.
   /// If the worker cannot be started at all, the observation is refused with Refusal::checker_error.
-  Observation observe(const std::vector<Case>& cases, const std::vector<std::size_t>& repeats);
+  Observation observe(const std::vector<PlannedCall>& calls, const std::vector<std::size_t>& repeats);
 
   /// One reply per call, with limits of its own. @throws LaunchError if the worker cannot be started
   std::vector<Reply> evaluate(const std::vector<PlannedCall>& calls);

@@ -53,7 +53,7 @@ void FileChanges::find_folders() {
                ::inotify_add_watch(events_.number(), folder.c_str(),
                                    IN_CLOSE_WRITE | IN_MOVE | IN_CREATE | IN_DELETE | IN_ONLYDIR) < 0 &&
                errno != ENOENT && errno != ENOTDIR && errno != EACCES) {
-      // The limit of watches, most likely. Half of the folders with events would only confuse.
+      // The limit of watches, most likely. Watching only some folders would be inconsistent: fall back to polling.
       events_missing_ = "inotify: " + std::generic_category().message(errno);
       events_.close();
     }

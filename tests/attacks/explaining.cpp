@@ -110,7 +110,8 @@ TEST_CASE("a function that writes the reports itself changes no verdict, and get
       "  for (int n = 0; n < 50; ++n) (void)!write(2, report, sizeof report);\n"
       "  return x;\n}\n");
   const ExerciseReference reference = reference_at(7);
-  const Observation observation = ExerciseRunner(executable(text), short_limits()).observe(reference.cases, {});
+  const Observation observation =
+      ExerciseRunner(executable(text), short_limits()).observe(plan_calls(reference.cases), {});
   const Judgement judgement = judge(reference, observation);
   CHECK(judgement.verdict == Verdict::wrong_value);
   const Submission submission = submit(text, "twice");

@@ -328,7 +328,7 @@ TEST_CASE("what a function tries while it runs gets it no answer, and nothing el
     limits.time = std::chrono::milliseconds(attack.works == goes_on ? 600 : 5000);
     const auto begun = std::chrono::steady_clock::now();
     ExerciseRunner runner(program, limits);
-    expect(attack, reference, runner.observe(reference.cases, {1}), begun);
+    expect(attack, reference, runner.observe(plan_calls(reference.cases), {1}), begun);
   }
   for (const auto& [kind, count] : of_kind) MESSAGE(kind << ": " << count);
 }

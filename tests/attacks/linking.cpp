@@ -48,7 +48,7 @@ TEST_CASE("code generated at the link reaches no file, for there is none") {
   write(directory / "attack.cpp", attack);
   REQUIRE(compiler_unhindered(with_flags({"-c", "attack.cpp", "-o", "attack.o"}), directory).succeeded());
   ExerciseRunner deceived(linked_as_before(directory / "attack.o"), short_limits());
-  CHECK(deceived.observe({twice_case(1)}, {}).replies.at(0).value.numbers.at(0) == 42.0);  // the control
+  CHECK(deceived.observe(plan_calls({twice_case(1)}), {}).replies.at(0).value.numbers.at(0) == 42.0);  // the control
 
   const Compilation refused = compile_text(attack);
   CHECK(refused.refusal == Refusal::compile_error);

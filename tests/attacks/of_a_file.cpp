@@ -187,8 +187,9 @@ TEST_CASE("what a file tries before it runs, and in the compiler, gets it nothin
     restore_canary();
     const ExerciseReference reference = reference_at(7);
     expect(attack, reference,
-           is_run ? ExerciseRunner(*compilation.executable, short_limits()).observe(reference.cases, {2, 1, 0})
-                  : refused(compilation),
+           is_run
+               ? ExerciseRunner(*compilation.executable, short_limits()).observe(plan_calls(reference.cases), {2, 1, 0})
+               : refused(compilation),
            begun);
     expect_silence(compilation);
   }

@@ -85,7 +85,7 @@ TEST_CASE("nothing that a file says acts on a terminal or a page") {
                   "the control does not work");
     const ExerciseReference reference = reference_at(7);
     const Observation observation =
-        is_run ? ExerciseRunner(*compilation.executable, short_limits()).observe(reference.cases, {})
+        is_run ? ExerciseRunner(*compilation.executable, short_limits()).observe(plan_calls(reference.cases), {})
                : refused(compilation);
     expect(attack, reference, observation, begun);
     const std::string page = all_reports(reference, text, observation);
@@ -107,7 +107,7 @@ TEST_CASE("a name that is an option of the compiler is a name") {
     REQUIRE(compilation.executable.has_value());
     const ExerciseReference reference = reference_at(7);
     expect({"names", each.what, "", passed}, reference,
-           ExerciseRunner(*compilation.executable, short_limits()).observe(reference.cases, {}), begun);
+           ExerciseRunner(*compilation.executable, short_limits()).observe(plan_calls(reference.cases), {}), begun);
   }
 }
 

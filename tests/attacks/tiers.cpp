@@ -194,7 +194,7 @@ TEST_CASE("without Landlock a function is still judged, but not run again for re
     use_sandbox(minimal);
     return missing_for_diagnostic_runs(toolchain()).find("Landlock") == 0 &&
            compile_text(std::string(right) + "// again\n").executable.has_value() &&
-           ExerciseRunner(program, short_limits()).observe({twice_case(1)}, {}).replies.at(0).ending ==
+           ExerciseRunner(program, short_limits()).observe(plan_calls({twice_case(1)}), {}).replies.at(0).ending ==
                Ending::returned;
   }));
 }

@@ -3,8 +3,8 @@
 #include "checker/base/text.hpp"
 #include "checker/course/assignment.hpp"
 #include "checker/course/course.hpp"
-#include "checker/grading/grading.hpp"
 #include "checker/explain/values/diagnosis.hpp"
+#include "checker/grading/grading.hpp"
 #include "checker/judging/judge.hpp"
 #include "checker/sandbox/worker_process.hpp"
 #include "tests/judging/made_up.hpp"
@@ -249,7 +249,8 @@ TEST_CASE("Damaged replies: a value is what the worker sent in answer to this qu
   limits.time = std::chrono::minutes(5);  // starting a process takes long beside the sanitizers
   limits.processor_time = std::chrono::minutes(2);
   limits.output_bytes = std::size_t{1} << 20;
-  const Observation seen = ExerciseRunner(std::filesystem::path(WORKBOOK_TEST_FUZZ_WORKER), limits).observe(exercise.cases, {});
+  const Observation seen =
+      ExerciseRunner(std::filesystem::path(WORKBOOK_TEST_FUZZ_WORKER), limits).observe(plan_calls(exercise.cases), {});
   REQUIRE(!seen.refusal);
   REQUIRE(seen.replies.size() == exercise.cases.size());
   unsigned returned = 0, passed = 0;

@@ -201,9 +201,9 @@ TEST_CASE("Verdicts and diagnoses have the names that programs read") {
 }
 
 TEST_CASE("A sample is spread from the first to the last, and repeats run backwards") {
-  CHECK(spread({4, 5, 6, 7, 8, 9, 10}, 3) == Cases{4, 7, 10});
-  CHECK(spread({4, 5}, 3) == Cases{4, 5});
-  CHECK(spread({}, 3).empty());
+  CHECK(evenly_spaced({4, 5, 6, 7, 8, 9, 10}, 3) == Cases{4, 7, 10});
+  CHECK(evenly_spaced({4, 5}, 3) == Cases{4, 5});
+  CHECK(evenly_spaced({}, 3).empty());
   CHECK(plan_repeats(momentum()) == Cases{8, 4, 0});
   CHECK(plan_repeats(quaternion) == Cases{0});
 }

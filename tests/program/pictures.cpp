@@ -6,9 +6,6 @@
 
 #include <doctest/doctest.h>
 
-#include <boost/archive/iterators/binary_from_base64.hpp>
-#include <boost/archive/iterators/transform_width.hpp>
-
 #include <algorithm>
 #include <filesystem>
 #include <regex>
@@ -19,46 +16,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const char* const kitty_and_attributes = "\033_Gi=31;OK\033\\\033[?62;c";
-const char* const sixel_attributes = "\033[?62;4;22c";
-const char* const no_graphics = "\033[?1;2c";
-
 const std::string plot = "plot spring_energy --out pictures";
 const std::string letters_of_student = "A your E";
 
 struct CourseWithMistake : CourseCopy {
   CourseWithMistake() { answer_energy("return k * x.squaredNorm();"); }
 };
-
-/// The picture in the escape sequences of kitty's protocol.
-std::string picture_in(const std::string& shown) {
-  std::string text;
-  const std::regex chunk("\033_G([^;\033]*m=([01]));([A-Za-z0-9+/=]*)\033\\\\");
-  for (std::sregex_iterator match(shown.begin(), shown.end(), chunk), end; match != end; ++match) {
-    CHECK((*match)[3].length() <= 4096);
-    text += (*match)[3];
-    if ((*match)[2] == "0") break;
-  }
-  using namespace boost::archive::iterators;
-  using Bytes = transform_width<binary_from_base64<std::string::const_iterator>, 8, 6>;
-  const auto padding = static_cast<std::size_t>(std::ranges::count(text, '='));
-  std::ranges::replace(text, '=', 'A');
-  std::string bytes(Bytes(text.cbegin()), Bytes(text.cend()));
-  bytes.resize(bytes.size() - padding);
-  return bytes;
-}
-
-TerminalTraits watched(const std::string& term) {
-  TerminalTraits traits;
-  traits.is_watched = true;
-  traits.term = term;
-  return traits;
-}
-
-GraphicsAnswer never_asked() {
-  FAIL("the terminal must not be asked here");
-  return {};
-}
 
 /// A build that leaves its output in a file, as checker/setup.sh does.
 constexpr const char* failed_build =
@@ -78,52 +41,6 @@ std::string examples(const CourseCopy& course, const std::string& build, const s
 }
 
 }  // namespace
-
-TEST_CASE("kitty's escape sequences hold the whole picture in chunks of at most 4096 letters") {
-  for (const std::size_t size : {1, 2, 3, 3071, 3072, 3073, 10000}) {
-    CAPTURE(size);
-    std::string picture;
-    for (std::size_t i = 0; i < size; ++i) picture += static_cast<char>(i * 37 % 251);
-    const std::string text = kitty_picture(picture, 60);
-    CHECK(text.starts_with("\033_Ga=T,f=100,q=2,c=60,"));
-    CHECK(picture_in(text) == picture);
-  }
-}
-
-TEST_CASE("a terminal's answer is read for kitty's protocol and for sixel") {
-  CHECK(read_graphics_answer(kitty_and_attributes).kitty);
-  CHECK_FALSE(read_graphics_answer(kitty_and_attributes).sixel);
-  CHECK(read_graphics_answer(sixel_attributes).sixel);
-  CHECK(read_graphics_answer("\033[?62;1;4c").sixel);
-  CHECK_FALSE(read_graphics_answer(no_graphics).sixel);
-  CHECK_FALSE(read_graphics_answer("\033[?4;6c").sixel);    // a VT132, no attribute
-  CHECK_FALSE(read_graphics_answer("\033[?62;14c").sixel);  // another attribute
-  CHECK_FALSE(read_graphics_answer("\033_Gi=31;ENOTSUPPORTED\033\\\033[?62c").kitty);
-  CHECK_FALSE(read_graphics_answer("").kitty);
-}
-
-TEST_CASE("the kind of picture follows the wish, then the terminal") {
-  const auto says_kitty = [] { return GraphicsAnswer{true, true}; };
-  const auto says_sixel = [] { return GraphicsAnswer{false, true}; };
-  const auto says_nothing = [] { return GraphicsAnswer{}; };
-  const TerminalTraits xterm = watched("xterm-256color");
-  CHECK(choose_picture(PictureKind::automatic, 1, xterm, says_kitty) == PictureKind::kitty);
-  CHECK(choose_picture(PictureKind::automatic, 1, xterm, says_sixel) == PictureKind::sixel);
-  CHECK(choose_picture(PictureKind::automatic, 1, xterm, says_nothing) == PictureKind::text);
-  CHECK(choose_picture(PictureKind::automatic, 2, xterm, never_asked) == PictureKind::none);
-  CHECK(choose_picture(PictureKind::text, 2, {}, never_asked) == PictureKind::text);
-  CHECK(choose_picture(PictureKind::none, 1, xterm, never_asked) == PictureKind::none);
-  CHECK(choose_picture(PictureKind::automatic, 1, watched("dumb"), never_asked) == PictureKind::text);
-  CHECK(choose_picture(PictureKind::automatic, 1, watched("xterm-kitty"), never_asked) == PictureKind::kitty);
-  TerminalTraits inherited = watched("tmux-256color");
-  inherited.has_kitty_window = true;
-  inherited.is_multiplexed = true;
-  CHECK(choose_picture(PictureKind::automatic, 1, inherited, says_nothing) == PictureKind::text);
-  TerminalTraits plain = xterm;
-  plain.is_plain = true;
-  CHECK(choose_picture(PictureKind::automatic, 1, plain, never_asked) == PictureKind::none);
-  CHECK(choose_picture(PictureKind::automatic, 1, {}, never_asked) == PictureKind::none);
-}
 
 TEST_CASE("plots are written as SVG and PNG, with the misconception by name") {
   const CourseWithMistake course;
@@ -177,67 +94,48 @@ TEST_CASE("a title that is wider than the picture takes two lines") {
   CHECK(has(svg, "it stays stretched by 1 m<"));
 }
 
-TEST_CASE("a terminal of kitty's kind gets the very picture that lies in the folder") {
+TEST_CASE("chafa's graphics are shown, the size of the window; of its characters, and without it, we take letters") {
   const CourseWithMistake course;
-  const TerminalOutcome outcome = course.run_on_terminal(plot, {.answer = kitty_and_attributes}, "TERM=xterm-256color");
-  CHECK(outcome.status == 0);
-  CHECK(outcome.was_asked);
-  CHECK(outcome.echoes_afterwards);
-  CHECK(picture_in(outcome.shown) == read(course.root() / "pictures/spring_energy.png"));
+  const auto shown_with = [&](const std::string& chafa, const std::string& arguments, int columns = 80) {
+    course.stand_in("bin/chafa", chafa);
+    const TerminalOutcome outcome = course.run_on_terminal(
+        arguments, columns, 24, "NO_COLOR=1 TERM=xterm PATH='" + course.root().string() + "/bin':\"$PATH\"");
+    CHECK(has(outcome.shown, "spring_energy.png"));
+    return outcome.shown;
+  };
+  for (const char* graphics : {"\\033_Ga=T", "\\033P0;1;0q", "\\033]1337;File="}) {
+    const std::string shown = shown_with("printf '" + std::string(graphics) + "'; echo \" $*\"", plot, 60);
+    CHECK_MESSAGE(has(shown, "--size 60x20 pictures/spring_energy.png"), shown);
+    CHECK_FALSE(has(shown, letters_of_student));
+  }
+  for (const char* other : {"printf '\\033[0m\\033[7m'", "printf '\\033P'; exit 1", "printf ''"}) {
+    const std::string shown = shown_with(other, plot);
+    CHECK_MESSAGE(has(shown, letters_of_student), shown);
+  }
+  const std::string asked = "printf '\\033P'; touch asked";
+  CHECK(has(shown_with(asked, plot + " --picture text"), letters_of_student));
+  CHECK_FALSE(has(shown_with(asked, plot + " --picture none"), letters_of_student));
+  CHECK_FALSE(has(shown_with(asked, "--plain " + plot), letters_of_student));
+  CHECK_FALSE(fs::exists(course.root() / "asked"));
 }
 
-TEST_CASE("a terminal with sixel gets sixel, no larger than its window") {
-  const CourseWithMistake course;
-  const TerminalOutcome outcome =
-      course.run_on_terminal(plot, {.columns = 60, .rows = 24, .answer = sixel_attributes}, "TERM=xterm");
-  CHECK(outcome.status == 0);
-  std::smatch size;
-  const std::regex raster("\033P[0-9;]*q\"[0-9]+;[0-9]+;([0-9]+);([0-9]+)");
-  REQUIRE(std::regex_search(outcome.shown, size, raster));
-  CHECK(std::stoi(size[1]) <= 60 * 8);
-  CHECK(std::stoi(size[2]) <= 24 * 16);
-}
-
-TEST_CASE("any other terminal gets letters, no wider than it is, and a line that says what they mean") {
+TEST_CASE("letters are no wider than the terminal, and a line says what they mean") {
   const CourseWithMistake course;
   for (const int columns : {30, 80, 160}) {
     CAPTURE(columns);
     const TerminalOutcome outcome =
-        course.run_on_terminal(plot, {.columns = columns, .answer = no_graphics}, "TERM=xterm-256color NO_COLOR=1");
+        course.run_on_terminal(plot + " --picture text", columns, 40, "TERM=xterm-256color NO_COLOR=1");
     CHECK(outcome.status == 0);
     CHECK(has(outcome.shown, ".."));
     CHECK(has(outcome.shown, letters_of_student));
-    std::string text = outcome.shown.substr(outcome.shown.find("\033[c") + 3);
+    std::string text = outcome.shown;
     std::erase(text, '\r');
     for (const std::string& line : lines_of(text)) CHECK_MESSAGE(display_width(line) <= columns, line);
   }
   const TerminalOutcome check =
-      course.run_on_terminal("check spring_energy --plot", {.answer = no_graphics}, "TERM=xterm");
+      course.run_on_terminal("check spring_energy --plot --picture text", 80, 40, "TERM=xterm");
   CHECK(check.status == 1);
   CHECK(has(check.shown, letters_of_student));
-}
-
-TEST_CASE("a terminal that keeps silent gets letters after a moment, and one that was typed on is not asked") {
-  const CourseWithMistake course;
-  const TerminalOutcome silent = course.run_on_terminal(plot, {}, "TERM=xterm");
-  CHECK(silent.was_asked);
-  CHECK(silent.echoes_afterwards);
-  CHECK(has(silent.shown, letters_of_student));
-  const TerminalOutcome typed = course.run_on_terminal(plot, {.typed_ahead = "ls\n"}, "TERM=xterm");
-  CHECK_FALSE(typed.was_asked);
-  CHECK(has(typed.shown, letters_of_student));
-}
-
-TEST_CASE("the plain mode and --picture none show no picture, and ask nothing") {
-  const CourseWithMistake course;
-  const TerminalWindow window = {.answer = kitty_and_attributes};
-  for (const TerminalOutcome& outcome : {course.run_on_terminal(plot, window, "TERM=xterm WORKBOOK_PLAIN=1"),
-                                         course.run_on_terminal(plot + " --picture none", window, "TERM=xterm")}) {
-    CHECK(outcome.status == 0);
-    CHECK_FALSE(outcome.was_asked);
-    CHECK_FALSE(has(outcome.shown, letters_of_student));
-    CHECK(has(outcome.shown, "spring_energy.png"));
-  }
 }
 
 TEST_CASE("without a terminal, a kind that is named is shown; without a value, the reference alone") {
@@ -285,7 +183,8 @@ TEST_CASE("figures that cannot be built or listed say why") {
 TEST_CASE("live figures take the functions that pass, and say where one of them is needed") {
   const CourseCopy course;
   CHECK(course.run("live springs").status == 1);  // has none
-  write(course.root() / "lectures/01_springs/live.js", "yours.spring_energy?.(k, x) ?? 1; yours.spring_force?.(k, x) ?? 2");
+  write(course.root() / "lectures/01_springs/live.js",
+        "yours.spring_energy?.(k, x) ?? 1; yours.spring_force?.(k, x) ?? 2");
   const Outcome nothing_passes = course.run("live springs");
   CHECK(nothing_passes.status == 1);
   CHECK_MESSAGE(has(nothing_passes.out, "spring_energy, spring_force"), nothing_passes.out);

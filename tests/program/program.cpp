@@ -4,10 +4,8 @@
 
 #include <fmt/format.h>
 
-#include <fcntl.h>
 #include <pty.h>
 #include <sys/wait.h>
-#include <termios.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -50,11 +48,11 @@ Outcome CourseCopy::run(const std::string& arguments, const std::string& environ
   return run_command(shell_command(arguments, environment), root_);
 }
 
-TerminalOutcome CourseCopy::run_on_terminal(const std::string& arguments, const TerminalWindow& window,
+TerminalOutcome CourseCopy::run_on_terminal(const std::string& arguments, int columns, int rows,
                                             const std::string& environment) const {
   winsize size{};
-  size.ws_col = static_cast<unsigned short>(window.columns);
-  size.ws_row = static_cast<unsigned short>(window.rows);
+  size.ws_row = static_cast<unsigned short>(rows);
+  size.ws_col = static_cast<unsigned short>(columns);
   const std::string command = shell_command(arguments, "exec env -i PATH=\"$PATH\" " + environment);
   int terminal = -1;
   const pid_t child = forkpty(&terminal, nullptr, nullptr, &size);
@@ -64,28 +62,12 @@ TerminalOutcome CourseCopy::run_on_terminal(const std::string& arguments, const 
     execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
     _exit(127);
   }
-  const auto type = [&](const std::string& text) {
-    if (::write(terminal, text.data(), text.size()) != static_cast<ssize_t>(text.size()))
-      throw std::runtime_error("the pseudo terminal takes no input");
-  };
-  if (!window.typed_ahead.empty()) type(window.typed_ahead);
   TerminalOutcome outcome;
-  fcntl(terminal, F_SETFL, O_NONBLOCK);
+  char buffer[65536];
+  for (ssize_t count = 0; (count = ::read(terminal, buffer, sizeof buffer)) > 0;)  // an error when all has ended
+    outcome.shown.append(buffer, static_cast<std::size_t>(count));
   int status = 0;
-  for (bool ended = false; !ended;) {
-    ended = waitpid(child, &status, WNOHANG) != 0;
-    char buffer[65536];
-    for (ssize_t count = 0; (count = ::read(terminal, buffer, sizeof buffer)) > 0;)
-      outcome.shown.append(buffer, static_cast<std::size_t>(count));
-    if (!outcome.was_asked && has(outcome.shown, "\033[c")) {
-      outcome.was_asked = true;
-      if (!window.answer.empty()) type(window.answer);
-    }
-    usleep(5000);
-  }
-  termios after{};
-  outcome.echoes_afterwards =
-      tcgetattr(terminal, &after) == 0 && (after.c_lflag & ECHO) != 0 && (after.c_lflag & ICANON) != 0;
+  waitpid(child, &status, 0);
   outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   close(terminal);
   return outcome;

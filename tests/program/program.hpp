@@ -9,18 +9,9 @@
 
 namespace workbook::testing {
 
-/// A terminal that the test plays.
-struct TerminalWindow {
-  int columns = 80;
-  int rows = 40;
-  std::string answer = {};       ///< to the question for device attributes; empty: the terminal keeps silent
-  std::string typed_ahead = {};  ///< typed before the checker begins
-};
 struct TerminalOutcome {
   int status = -1;
   std::string shown;  ///< standard output and standard error, as the terminal got them
-  bool was_asked = false;
-  bool echoes_afterwards = false;  ///< the terminal is as it was
 };
 
 /// A copy of the tiny course in a folder of its own, gone at the end of the test.
@@ -35,7 +26,7 @@ class CourseCopy {
   Outcome run(const std::string& arguments, const std::string& environment = "") const;
 
   /// The same on a terminal, with an environment that holds nothing else but PATH.
-  TerminalOutcome run_on_terminal(const std::string& arguments, const TerminalWindow& window,
+  TerminalOutcome run_on_terminal(const std::string& arguments, int columns, int rows,
                                   const std::string& environment) const;
 
   /// Commands with what they print and how they end, for a golden file.

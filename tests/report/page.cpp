@@ -38,7 +38,7 @@ TEST_CASE("a page with a bit of everything") {
   ReportedExercise& passed = course.add("01_springs", "energy", Verdict::passed, 2);
   passed.picture = "<svg/>";
   passed.checked.reference = &reference;
-  passed.checked.measured = {{Ending::returned, {1, 1, {2.4525}}}};
+  passed.checked.observation.measured = {{Ending::returned, {1, 1, {2.4525}}}};
   ReportedExercise& wrong = course.add("01_springs", "force", Verdict::wrong_value, 3);
   wrong.checked.explanation.diagnoses = {
       {DiagnosisKind::misconception, "away", "A spring pulls back.", "springs_energy"}};

@@ -19,7 +19,7 @@ std::size_t entries(const fs::path& directory) {
 }
 
 bool answers(const Program& executable) {
-  const Observation observation = ExerciseRunner(executable, short_limits()).observe({twice_case(21)}, {});
+  const Observation observation = ExerciseRunner(executable, short_limits()).observe(plan_calls({twice_case(21)}), {});
   return observation.replies.at(0).value == Value{1, 1, {42.0}};
 }
 

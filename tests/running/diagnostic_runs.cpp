@@ -160,7 +160,7 @@ ExerciseReference reference_of(const std::string& exercise, const Case& one, Kin
 Judged judged(const std::string& text, const ExerciseReference& reference) {
   Judged result{submit(text, reference.name), reference, {}, {}};
   ExerciseRunner runner(executable(text, reference.name), short_limits());
-  result.observation = runner.observe(reference.cases, {0});
+  result.observation = runner.observe(plan_calls(reference.cases), {0});
   result.judgement = judge(reference, result.observation);
   return result;
 }

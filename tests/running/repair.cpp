@@ -42,7 +42,7 @@ struct Judged {
 
   explicit Judged(const std::string& body) : submission(submit(text_of(body), "signed_by")) {
     ExerciseRunner runner(executable(submission.text, "signed_by"), short_limits());
-    observation = runner.observe(reference.cases, {});
+    observation = runner.observe(plan_calls(reference.cases), {});
     judgement = judge(reference, observation);
     REQUIRE(judgement.verdict == Verdict::wrong_value);
   }

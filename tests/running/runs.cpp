@@ -118,7 +118,7 @@ TEST_CASE("a worker that does not read its request is not waited for in vain") {
 TEST_CASE("repeats run in a fresh process, where a state that grows starts again") {
   ExerciseRunner runner(executable("static int calls = 0;\ndouble rigid::twice(double x) { return 2 * x + calls++; }"),
                         short_limits());
-  const Observation observation = runner.observe({twice_case(1), twice_case(2), twice_case(3)}, {2, 0});
+  const Observation observation = runner.observe(plan_calls({twice_case(1), twice_case(2), twice_case(3)}), {2, 0});
   REQUIRE(observation.replies.size() == 3);
   CHECK(observation.replies[2].value == Value{1, 1, {8.0}});
   REQUIRE(observation.repeats.size() == 2);
@@ -133,7 +133,7 @@ TEST_CASE("answers by chance differ in a repeat") {
   ExerciseRunner runner(executable("#include <chrono>\ndouble rigid::twice(double) { return "
                                    "double(std::chrono::steady_clock::now().time_since_epoch().count()); }"),
                         short_limits());
-  const Observation observation = runner.observe({twice_case(1)}, {0});
+  const Observation observation = runner.observe(plan_calls({twice_case(1)}), {0});
   CHECK(observation.repeats.at(0).reply.ending == Ending::returned);
   CHECK_FALSE(observation.repeats.at(0).reply.value == observation.replies.at(0).value);
 }
@@ -142,7 +142,7 @@ TEST_CASE("after a used-up limit the repeats are not run") {
   RunLimits limits = short_limits();
   limits.time = std::chrono::milliseconds(200);
   ExerciseRunner runner(executable("#include <unistd.h>\ndouble rigid::twice(double) { for (;;) usleep(9); }"), limits);
-  const Observation observation = runner.observe({twice_case(1), twice_case(2)}, {0});
+  const Observation observation = runner.observe(plan_calls({twice_case(1), twice_case(2)}), {0});
   CHECK(observation.replies.at(0).ending == Ending::time_limit);
   CHECK(observation.replies.at(1).ending == Ending::not_run);
   CHECK(observation.repeats.at(0).reply.ending == Ending::not_run);
@@ -153,7 +153,7 @@ TEST_CASE("many slow crashes together may not use more than the limit") {
   limits.time = std::chrono::seconds(1);
   ExerciseRunner runner(executable("#include <unistd.h>\ndouble rigid::twice(double) { usleep(50000); std::abort(); }"),
                         limits);
-  const Observation observation = runner.observe(std::vector<Case>(30, twice_case(1)), {});
+  const Observation observation = runner.observe(plan_calls(std::vector<Case>(30, twice_case(1))), {});
   CHECK(observation.replies.front().ending == Ending::crashed);
   CHECK(observation.replies.back().ending == Ending::not_run);
   CHECK(observation.run_seconds < 5.0);
@@ -178,7 +178,7 @@ TEST_CASE("a program too large for its memory is the student's, not a checker er
   ExerciseRunner runner(executable("volatile double huge[1 << 26];\n"
                                    "double rigid::twice(double x) { huge[int(x)] = x; return huge[int(x)]; }"),
                         short_limits());
-  const Observation observation = runner.observe({twice_case(1)}, {});
+  const Observation observation = runner.observe(plan_calls({twice_case(1)}), {});
   CHECK_FALSE(observation.refusal.has_value());
   REQUIRE(observation.replies.size() == 1);
   CHECK(observation.replies[0].ending == Ending::crashed);
@@ -187,7 +187,7 @@ TEST_CASE("a program too large for its memory is the student's, not a checker er
 
 TEST_CASE("an executable that cannot be started is a checker error") {
   ExerciseRunner runner(fresh_directory("absent") / "worker", short_limits());
-  const Observation observation = runner.observe({twice_case(1)}, {});
+  const Observation observation = runner.observe(plan_calls({twice_case(1)}), {});
   CHECK(observation.refusal == Refusal::checker_error);
   CHECK(observation.refusal_message.find("(start the program: No such file or directory)") != std::string::npos);
   CHECK(observation.replies.empty());
@@ -198,7 +198,7 @@ TEST_CASE("a file that is no program is a checker error") {
   const std::filesystem::path file = write(fresh_directory("no-program") / "worker", "hello");
   std::filesystem::permissions(file, std::filesystem::perms::owner_all);
   ExerciseRunner runner(file, short_limits());
-  const Observation observation = runner.observe({twice_case(1)}, {});
+  const Observation observation = runner.observe(plan_calls({twice_case(1)}), {});
   CHECK(observation.refusal == Refusal::checker_error);
   CHECK(observation.refusal_message.find("start the program: Exec format error") != std::string::npos);
 }
@@ -208,7 +208,7 @@ TEST_CASE("where the filter of system calls cannot be loaded, nothing runs and t
   const std::filesystem::path program = executable("double rigid::twice(double x) { return 2 * x; }");
   const bool refused = in_another_process([&] {
     if (!refuse_system_call(SYS_seccomp, EPERM)) return false;  // as some containers do
-    const Observation observation = ExerciseRunner(program, short_limits()).observe({twice_case(1)}, {});
+    const Observation observation = ExerciseRunner(program, short_limits()).observe(plan_calls({twice_case(1)}), {});
     return observation.refusal == Refusal::checker_error && observation.replies.empty() &&
            observation.refusal_message.find("filter its system calls: Operation not permitted") != std::string::npos;
   });
@@ -222,7 +222,7 @@ TEST_CASE("an unchanged file is checked in an instant") {
   const Compilation compilation = compile_text(text);
   REQUIRE(compilation.executable.has_value());
   const Observation observation =
-      ExerciseRunner(*compilation.executable).observe(std::vector<Case>(14, twice_case(1)), {0, 1, 2});
+      ExerciseRunner(*compilation.executable).observe(plan_calls(std::vector<Case>(14, twice_case(1))), {0, 1, 2});
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   CHECK(compilation.from_cache);
   CHECK(observation.replies.back().ending == Ending::returned);

@@ -140,7 +140,7 @@ Observation run(const std::string& text, const std::vector<double>& inputs, cons
   std::vector<Case> cases(inputs.size());
   std::ranges::transform(inputs, cases.begin(), twice_case);
   ExerciseRunner runner(executable(text), limits);
-  return runner.observe(cases, {});
+  return runner.observe(plan_calls(cases), {});
 }
 
 fs::path golden(const std::string& name) { return fs::path(WORKBOOK_TEST_SOURCES) / "golden" / name; }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "checker/compile/compile.hpp"
+#include "checker/judging/judge.hpp"
 #include "checker/sandbox/sandbox.hpp"
 #include "checker/sandbox/worker_process.hpp"
 #include "tests/support/files.hpp"

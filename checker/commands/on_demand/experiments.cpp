@@ -9,48 +9,6 @@ namespace workbook {
 
 namespace {
 
-constexpr const char* first_experiment =
-    R"(// An experiment of your own: any program that calls your functions. `./checker/run try` builds and runs it.
-#include <rigid/inertia_tensor.hpp>
-
-#include <iostream>
-
-using namespace rigid;
-
-int main() {
-  // The four masses of lecture 03 in kg, and their places in m: a column for each.
-  const VectorXd m{{1, 2, 3, 4}};
-  const Matrix3Xd r{{1, 0, 0, 1}, {0, 2, 0, 1}, {0, 0, 3, 1}};
-  const Matrix3d I = inertia_of_points(m, r);
-  std::cout << "The inertia tensor about the origin, in kg m²:\n" << I << "\n";
-}
-)";
-
-/// What the prelude and a function that is not started need, where there is no worker around them.
-constexpr const char* support = R"(#include <cstdio>
-#include <exception>
-#include <iostream>
-#include <unistd.h>
-
-void workbook::throw_eigen_error(const char* condition) { throw EigenError(condition); }
-
-static const auto previous = std::set_terminate([] {
-  std::fflush(stdout);
-  try {
-    std::rethrow_exception(std::current_exception());
-  } catch (const rigid::NotStarted& missing) {
-    std::fprintf(stderr, "%s is not started: write it first.\n", missing.function);
-  } catch (const workbook::EigenError& error) {
-    std::fprintf(stderr, "Eigen stopped the calculation; this should have held: %s\n", error.what());
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "An exception ended the program: %s\n", error.what());
-  } catch (...) {
-    std::fprintf(stderr, "An exception ended the program.\n");
-  }
-  _exit(1);
-});
-)";
-
 /// Compiles a program with the student's files that it may call. Where it does not compile, prints what the compiler
 /// says and returns false. @throws std::runtime_error
 bool build_program(const Course& course, const fs::path& source, const std::vector<Submission>& files,
@@ -58,7 +16,7 @@ bool build_program(const Course& course, const fs::path& source, const std::vect
   const Toolchain toolchain = read_toolchain(course.toolchain_file());
   make({toolchain.setup, toolchain.build}, {toolchain.target});
   const fs::path around = program.parent_path() / "support.cpp";
-  write_or_throw(around, support);
+  write_or_throw(around, from_skeleton("try_support.cpp"));
   std::vector<std::string> arguments = toolchain.flags;
   arguments.insert(arguments.end(), options.begin(), options.end());
   arguments.insert(arguments.end(), {"-Wall", "-fmax-errors=20", "-include", toolchain.prelude.string(),
@@ -196,7 +154,7 @@ int try_out(const Course& course, const Options& options) {
   if (options.case_name) return try_case(course, options);
   const fs::path file = fs::absolute(options.file.value_or(course.lectures() / "try.cpp"));
   if (!options.file && !fs::exists(file)) {
-    write_or_throw(file, first_experiment);
+    write_or_throw(file, from_skeleton("try.cpp"));
     fmt::print("A first experiment is in {}: change it as you like.\n\n", shown_path(file));
   }
   const Submission experiment = read_submission(file);
@@ -204,7 +162,7 @@ int try_out(const Course& course, const Options& options) {
   const auto files = own_functions(experiment.text, course.exercises(),
                                    [&](const Exercise& exercise) { return course.student_file(exercise); });
   if (!build_program(course, file, files, {}, program)) return something_failed;
-  become({program.string()});
+  exec_program({program.string()});
 }
 
 int debug(const Course& course, const Options& options) {
@@ -217,7 +175,7 @@ int debug(const Course& course, const Options& options) {
     index = find_case(context.reference(task), *options.case_name);
   } else {
     const CheckResult checked = check_exercise(context, task);
-    if (checked.executable.empty() || !checked.is_started()) {
+    if (checked.observation.replies.empty() || !checked.is_started()) {
       fmt::print("{}", terminal_report(checked, course, Console::of_standard_output(), {}));
       return something_failed;
     }
@@ -228,7 +186,7 @@ int debug(const Course& course, const Options& options) {
   if (options.build_only) return all_passed;
   std::vector<std::string> words = debugger(context, gdb);
   words.insert(words.end(), {"-ex", "break rigid::" + exercise.name(), "-ex", "run", program.string()});
-  become(words);
+  exec_program(words);
 }
 
 }  // namespace workbook

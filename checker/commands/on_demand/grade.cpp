@@ -340,8 +340,9 @@ class Grader {
                                       bool is_explained = true) {
     for (const auto& [name, text] : content.files) write_or_fail(folder(number) / (name + ".cpp"), text);
     fs::current_path(folder(number));  // messages name files as seen from there
-    auto job = std::make_unique<CheckJob>(context_, CheckTask{exercise, folder(number) / (exercise.name() + ".cpp"),
-                                                              seed_, true, false, known_seed_, is_explained});
+    auto job =
+        std::make_unique<CheckJob>(context_, CheckTask{exercise, folder(number) / (exercise.name() + ".cpp"), seed_,
+                                                       true, false, known_seed_, is_explained, CheckTask::never});
     leave_folder();
     return job;
   }
@@ -353,7 +354,6 @@ class Grader {
     std::error_code ignored;
     fs::remove_all(folder(number), ignored);
     checked.observation.compile_seconds = checked.observation.run_seconds = 0;  // the same for the same files
-    checked.executable.clear();
     // Nothing reads the values where no case failed; without them a later run reads the journal in half the time.
     if (checked.judgement.failing.empty() && printed(checked.observation).empty()) checked.observation.replies.clear();
     return checked;

@@ -84,18 +84,14 @@ void write(const fs::path& file, const std::string& text, bool is_new = true) {
 }
 
 /// The card as it is laid out, with one exercise more at its end.
-std::string card_with(const fs::path& file, const CardExercise& entry) {
+std::string card_with(const fs::path& file, std::string entry, const std::string& name) {
   std::string card = read_file(file).value_or("");
   const std::size_t end = card.rfind(']');
   const std::size_t last = end == std::string::npos ? end : card.find_last_not_of(" \n", end - 1);
   if (last == std::string::npos) throw UsageError(shown_path(file) + " has no list of exercises at its end.");
-  card.replace(
-      last + 1, end - last - 1,
-      fmt::format(
-          "{}\n    {{ \"name\": \"{}\",\n      \"points\": {}, \"notes\": \"{}\",\n      \"task\": \"{}\" }}\n  ",
-          card[last] == '[' ? "" : ",", entry.name, entry.points, entry.notes, entry.task));
+  card.replace(last + 1, end - last - 1, card[last] == '[' ? entry.substr(1) : entry);
   const auto exercises = nlohmann::json::parse(card).at("exercises");
-  if (exercises.empty() || exercises.back().at("name") != entry.name)
+  if (exercises.empty() || exercises.back().at("name") != name)
     throw UsageError(shown_path(file) + ": the list of exercises should stand last.");
   return card;
 }
@@ -122,26 +118,13 @@ int new_lecture(const Course& course, const Options& options) {
   if (fs::exists(lecture)) throw UsageError(fmt::format("lectures/{} exists already.", folder));
   const std::string topic = folder.substr(3);
   const std::string number = folder.substr(0, 2);
-  write(
-      course.root() / "include/rigid" / (topic + ".hpp"),
-      fmt::format("/// @file\n/// Contract of lecture {}: TODO.\n#pragma once\n\n#include \"rigid/vocabulary.hpp\"\n\n"
-                  "namespace rigid {{\n\n}}  // namespace rigid\n",
-                  number));
-  write(lecture / "card.json",
-        fmt::format("{{\n  \"title\": \"{}\",\n  \"summary\": \"TODO: the lecture in one sentence.\",\n"
-                    "  \"slides\": [],\n  \"builds_on\": [],\n  \"contract\": \"{}\",\n  \"facts\": [],\n"
-                    "  \"exercises\": []\n}}\n",
-                    as_title(topic), topic));
-  write(lecture / "notes.md", fmt::format("# {0} {1} {{#lecture_{2}}}\n\n\\lecture_card{{{2}}}\n\n[TOC]\n\nTODO\n",
-                                          number, as_title(topic), folder));
-  write(lecture / "worked_examples.cpp",
-        fmt::format("// Worked examples of lecture {}: each case computes its own numbers, and the notes quote it.\n"
-                    "#include <doctest/doctest.h>\n\n#include <rigid/{}.hpp>\n",
-                    number, topic));
-  write(lecture / "figures.cpp",
-        fmt::format("// Figures of lecture {}.\n#include \"lectures/support/figure.hpp\"\n\n"
-                    "int main(int argc, char** argv) {{ return workbook::draw_figures(argc, argv, {{}}); }}\n",
-                    number));
+  const auto from = [&](const std::string& part) {
+    return from_skeleton("lecture/" + part,
+                         {{"NUMBER", number}, {"TITLE", as_title(topic)}, {"TOPIC", topic}, {"FOLDER", folder}});
+  };
+  write(course.root() / "include/rigid" / (topic + ".hpp"), from("contract.hpp"));
+  for (const char* part : {"card.json", "notes.md", "worked_examples.cpp", "figures.cpp"})
+    write(lecture / part, from(part));
   fmt::print("Next: `{}`\n", command("new exercise NAME --lecture " + number + " --signature '...'"));
   return all_passed;
 }
@@ -151,51 +134,39 @@ int new_exercise(const Course& course, const Options& options) {
   const std::string& name = options.new_name;
   const Card& card = course.find_lecture(options.new_lecture);
   const Signature signature = parsed_signature(options.signature, name);
-  const CardExercise entry{name, 1, card.contract + "_" + name, "TODO: what to write, in a line or two."};
+  const CardExercise entry{name, 1, card.contract + "_" + name, ""};
   const Exercise exercise{&card, &entry};
   for (const Exercise& other : course.exercises())
     if (other.name() == name) throw UsageError(fmt::format("{} is an exercise of {} already.", name, other.lecture()));
+  const auto from = [&](const std::string& part) {
+    return from_skeleton("exercise/" + part, {{"NAME", name},
+                                              {"TITLE", as_title(name)},
+                                              {"ANCHOR", entry.notes},
+                                              {"CONTRACT", card.contract},
+                                              {"SIGNATURE", signature.text},
+                                              {"PARAMETERS", signature.described},
+                                              {"UNNAMED", signature.unnamed},
+                                              {"PLACEHOLDER", signature.placeholder},
+                                              {"QUANTITIES", signature.quantities},
+                                              {"DRAWN", signature.drawn}});
+  };
   const fs::path card_file = course.lectures() / card.lecture / "card.json";
-  const std::string new_card = card_with(card_file, entry);
+  const std::string new_card = card_with(card_file, from("card.json"), name);
   const fs::path contract_file = course.contract_file(card);
   std::string contract = read_file(contract_file).value_or("");
   const std::size_t end = contract.rfind("\n}");
   if (end == std::string::npos) throw UsageError(shown_path(contract_file) + " does not end its namespace.");
-  contract.insert(end + 1, fmt::format("/// TODO: what it computes, in one sentence.\n///\n{}"
-                                       "/// @pre TODO: which inputs are legal; the degenerate ones by name\n"
-                                       "/// @return TODO: meaning, frame, unit\n{};\n\n",
-                                       signature.described, signature.text));
+  contract.insert(end + 1, from("contract.hpp"));
   const fs::path notes_file = course.notes_file(card);
   std::string notes = read_file(notes_file).value_or("");
-  // What ends a lecture stays there: its questions, and the list of slides behind them.
+  // What ends a lecture stays there: its questions, and the list of slides after them.
   const std::size_t questions = notes.find("\n## Questions {#");
-  notes.insert(questions == std::string::npos ? notes.size() : questions,
-               fmt::format("\n### {} {{#{}}}\n\nTODO\n", as_title(name), entry.notes));
+  notes.insert(questions == std::string::npos ? notes.size() : questions, from("notes.md"));
   write(course.student_file(exercise), stub_text(exercise, signature.text));
-  write(
-      course.hints_file(exercise),
-      "TODO: what to think of first.\n\n---\n\nTODO: the decisive step.\n\n---\n\nTODO: the formula, and how to write "
-      "it.\n");
-  write(course.solution_file(exercise),
-        fmt::format(
-            "#include \"rigid/{}.hpp\"\n\nnamespace rigid {{\n\n{} {{\n  return {};  // TODO: the solution\n}}\n\n"
-            "}}  // namespace rigid\n",
-            card.contract, signature.unnamed, signature.placeholder));
-  write(course.judging_file(exercise), fmt::format(R"(#include "rigid/{0}.hpp"
-#include "solutions/judging/judging.hpp"
-
-void judge_{1}(workbook::judging::Lecture& lecture) {{
-  using namespace workbook::judging;
-  // TODO: the units in place of none.
-  auto& e = lecture.exercise(&rigid::{1}, {{{2}}}, {{"result", none}});
-  e.random("a random input", 10, [](Random& random) {{ return std::tuple{{{3}}}; }});
-  e.scale(1.0);  // TODO: remove it; the size of the expected numbers will do in most cases
-  // TODO: worked and special cases, three wrong answers, three routes, what every right result has, a sweep to plot.
-}}
-)",
-                                                   card.contract, name, signature.quantities, signature.drawn));
-  write(course.derivation_file(exercise),
-        fmt::format("# {}\n\nTODO: another route, and why it is equal.\n", as_title(name)));
+  write(course.hints_file(exercise), from("hints.md"));
+  write(course.solution_file(exercise), from("solution.cpp"));
+  write(course.judging_file(exercise), from("judging.cpp"));
+  write(course.derivation_file(exercise), from("derivation.md"));
   write(contract_file, contract, false);
   write(notes_file, notes, false);
   write(card_file, new_card, false);

@@ -25,7 +25,7 @@ bool is_untouched(const Course& course, const CheckTask& task) {
 /// The plot, where the function gave a value. A plot that fails leaves the page without it.
 void add_picture(const Course& course, ReportedExercise& reported) {
   const CheckResult& checked = reported.checked;
-  if (checked.executable.empty() || !checked.is_judged()) return;
+  if (checked.observation.sweep.empty() || !checked.is_judged()) return;
   try {
     const Overlay overlay = overlay_of(checked);
     if (overlay.student.empty()) return;
@@ -42,7 +42,7 @@ void add_picture(const Course& course, ReportedExercise& reported) {
 }  // namespace
 
 int report(const Course& course, const Options& options) {
-  const std::vector<CheckTask> tasks = tasks_of(course, options);
+  const std::vector<CheckTask> tasks = tasks_of(course, options, true);
   std::set<std::string> begun;
   for (const CheckTask& task : tasks)
     if (!is_untouched(course, task)) begun.insert(task.exercise.lecture());

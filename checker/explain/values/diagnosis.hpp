@@ -163,7 +163,7 @@ std::vector<Quantity> quantities_of(const ExerciseReference& exercise);
 /// differs from case to case. (patterns.cpp)
 std::set<std::size_t> wrong_entries(const ExerciseReference& exercise, const Answers& answers);
 
-/// How the entry of a value of that kind is typed behind its name: "[1]", "(0,2)", "".
+/// How the entry of a value of that kind is typed after its name: "[1]", "(0,2)", "".
 std::string entry_suffix(Kind kind, std::size_t entry);
 
 // --- dimensions by a change of units: a quantity in kg m² grows 10⁴ times when lengths are given in centimetres

@@ -130,7 +130,7 @@ std::vector<UnitProbe> plan_probes(const ExerciseReference& exercise) {
   for (const Base& base : bases) {
     const auto has_dimension = [&](const Argument& argument) { return argument.unit.*base.exponent != 0; };
     if (std::ranges::any_of(exercise.arguments, has_dimension))
-      probes.push_back({base.name, base.factor, spread(deciding_cases(exercise), probed_cases), {}});
+      probes.push_back({base.name, base.factor, evenly_spaced(deciding_cases(exercise), probed_cases), {}});
   }
   return probes;
 }

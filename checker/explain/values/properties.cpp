@@ -114,7 +114,7 @@ Violation drift_violation(const ExerciseReference& exercise, const Property& pro
                           const Value& value) {
   if (value.cols == 0) return {};
   const Case& one = exercise.cases[case_index];
-  const Deviation deviation = drift(exercise, property, case_index, value);
+  const Deviation deviation = invariant_deviation(exercise, property, case_index, value);
   const std::vector<double>& weights = property.weights.at(case_index);
   const double constant = weighted_squares(weights, one.expected).front();
   Violation worst;

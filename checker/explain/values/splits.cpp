@@ -269,7 +269,7 @@ std::optional<Diagnosis> diagnose_split(const ExerciseReference& exercise, const
   if (!exact.empty() && exact.size() <= most_features)
     return Diagnosis{DiagnosisKind::split, "split",
                      fmt::format("Your result is wrong exactly where {}{} ({} of {}), and right elsewhere.{}",
-                                 exact.front(), exact.size() > 1 ? ", which here is also where " + exact.back() : "",
+                                 exact.front(), exact.size() > 1 ? " (in these cases the same as: " + exact.back() + ")" : "",
                                  outcome.wrong.size(), total, there)};
   if (!exact.empty() || nearly.size() != 1) return std::nullopt;  // of many that fit none is certain
   const auto& [words, right] = nearly.front();
@@ -310,11 +310,11 @@ std::optional<Diagnosis> diagnose_few(const ExerciseReference& exercise, const A
   for (const std::size_t i : outcome.wrong) {
     const Case& one = exercise.cases[i];
     const auto base = static_cast<std::size_t>(std::max(one.base, 0));
-    const std::string behind = one.base < 0 ? "" : " (" + exercise.cases[base].name + ")";
+    const std::string suffix = one.base < 0 ? "" : " (" + exercise.cases[base].name + ")";
     const bool is_change =
-        one.base >= 0 && one.name.ends_with(behind) && std::ranges::find(outcome.right, base) != outcome.right.end();
+        one.base >= 0 && one.name.ends_with(suffix) && std::ranges::find(outcome.right, base) != outcome.right.end();
     if (is_change)
-      changes.emplace_back(one.name.substr(0, one.name.size() - behind.size()), exercise.cases[base].name);
+      changes.emplace_back(one.name.substr(0, one.name.size() - suffix.size()), exercise.cases[base].name);
     else
       described.insert(one.name);
   }

@@ -113,7 +113,7 @@ json entry_of(const ReportedExercise& exercise, const ReportedCourse& course) {
       {"has_source", checked.is_started() && !checked.source.empty()},
       {"source", checked.is_started() ? marked_source(checked) : json()},
       {"answer",
-       exercise.answered_right ? (*exercise.answered_right ? "answered right" : "answered wrong at first") : ""},
+       exercise.answered_right ? (*exercise.answered_right ? "answered correctly" : "answered wrong at first") : ""},
       {"picture", base64(exercise.picture)},
       {"description", exercise.picture_description}};
   for (const std::string& sentence : on_real_data(checked)) entry["measured"].push_back("The function " + sentence);

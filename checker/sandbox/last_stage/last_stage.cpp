@@ -3,7 +3,7 @@
 // more. With the end of this process everything in its namespaces ends. A small static program of its own, because it
 // is started for every run.
 //
-//   last_stage PROFILE... PROGRAM ARGUMENT...      see written(SandboxProfile)
+//   last_stage PROFILE... PROGRAM ARGUMENT...      see to_arguments(SandboxProfile)
 //   last_stage NUMBER                              makes this one of the attempts; exit status 1 if it succeeds, else 0
 #include "checker/base/child_process.hpp"
 #include "checker/sandbox/last_stage/attempts.hpp"
@@ -26,11 +26,11 @@ namespace {
 
 void say(ProcessReport report, const char* step = "") {
   std::strncpy(report.step, step, sizeof report.step - 1);
-  // Where nobody listens any more, the end of this process is near.
+  // If the checker has closed its end, we are about to be killed: ignore the error.
   [[maybe_unused]] const ssize_t unused = ::write(report_descriptor, &report, sizeof report);
 }
 
-[[noreturn]] void become(char** program, const Sandbox& sandbox) {
+[[noreturn]] void exec_program(char** program, const Sandbox& sandbox) {
   say({ProcessReport::begun});
   const bool has_descriptor = ::fcntl(program_descriptor, F_GETFD) >= 0;  // else it is started by its path
   const char* failed = sandbox.enter();
@@ -80,7 +80,7 @@ int start(char** words) {
   if (program == 0) {
     ::signal(SIGCHLD, SIG_DFL);
     ::sigprocmask(SIG_SETMASK, &usual_signals, nullptr);
-    become(words, sandbox);
+    exec_program(words, sandbox);
   }
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO, channel_descriptor, program_descriptor})
     ::close(descriptor);  // so that the checker sees when the program closes them
