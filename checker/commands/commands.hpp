@@ -56,7 +56,7 @@ struct Options {
   std::vector<std::string> typed;                ///< the words of the command line after the program's name
 };
 
-/// What each does stands in its help, in checker/main.cpp.
+/// What each does stands in its help, in checker/commands/program/main.cpp.
 using Command = int(const Course& course, const Options& options);
 Command status, list, check, hint, solution, plot, report, reset;                    // exercises
 Command figures, live, examples, try_out, debug, predict, question, review, update;  // the course

@@ -1,7 +1,5 @@
 #include "checker/grading/grading.hpp"
 
-#include "checker/report/reports.hpp"
-
 #include <boost/math/statistics/bivariate_statistics.hpp>
 #include <boost/math/statistics/univariate_statistics.hpp>
 

@@ -226,8 +226,6 @@ std::string indented(const nlohmann::ordered_json& document);
 std::map<std::string, std::string> class_exports(const nlohmann::ordered_json& document);
 /// Texts by the names of the folders that hold such a file of every student. @param student  the document about one
 std::map<std::string, std::string> student_exports(const nlohmann::ordered_json& student);
-/// The page about the class. @param date  as it is to be read
-std::string class_page(const nlohmann::ordered_json& document, const std::string& date);
 
 // --- no student's code is run by an administrator
 

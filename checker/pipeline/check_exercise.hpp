@@ -10,6 +10,8 @@
 #include "checker/judging/judge.hpp"
 #include "checker/source/submission.hpp"
 
+#include <nlohmann/json_fwd.hpp>
+
 namespace workbook {
 
 /// What is to be checked.
@@ -83,6 +85,12 @@ CheckResult rejected_check(const CheckTask& task, const ExerciseReference& refer
 std::string written_result(const CheckResult& checked);
 /// @throws std::exception if these are no such bytes
 CheckResult read_result(std::string_view bytes);
+
+/// The document of `check --json`; its form is described in the README.
+std::string json_report(const std::vector<CheckResult>& results, std::uint64_t seed);
+
+/// All that was decided by hand about a student, in the document about one or about a class; "": nothing.
+std::string decided_by_hand(const nlohmann::ordered_json& student);
 
 /// What all checks with one seed share: the toolchain, and the reference results, read once per exercise.
 class CheckContext {

@@ -59,10 +59,7 @@ std::string error_size(const ExerciseReference& exercise, const std::vector<std:
 /// What a function that passes makes of real data: "on throw 3: a = -0.998 ± 0.004, …", one sentence for each piece.
 std::vector<std::string> on_real_data(const CheckResult& checked);
 
-// --- for programs, and on pages
-
-/// The document of `check --json`; its form is described in the README.
-std::string json_report(const std::vector<CheckResult>& results, std::uint64_t seed);
+// --- on pages
 
 struct ReportedExercise {
   CheckResult checked;
@@ -87,9 +84,12 @@ struct ReportedCourse {
 /// Whatever came from the student is text on it, never markup. It holds no script, and it asks for no other file.
 std::string report_page(const ReportedCourse& reported);
 
+/// The page about a class. @param document  class.json. @param date  as it is to be read
+std::string class_page(const nlohmann::ordered_json& document, const std::string& date);
+
 /// They are part of the program, which then works wherever it is copied and never meets a template of another version.
-extern const char *const report_page_template, *const class_page_template, *const class_page_row_template,
-                                                                               *const class_page_script;
+extern const char *const page_style,
+    *const report_page_template, *const class_page_template, *const class_page_row_template, *const class_page_script;
 
 /// A page made from a template of mustache. All text of the document is text on the page, without control characters.
 /// @param raw  what the template takes unescaped, by name. @throws std::logic_error if it is no template
@@ -98,9 +98,6 @@ std::string rendered_page(const std::string& page_template, const nlohmann::json
 
 /// How pages show a verdict by its name: its tone, which the style sheet knows, and its mark.
 nlohmann::json look_of(const std::string& verdict);
-
-/// The style sheet of the report page, which other pages share.
-std::string page_style();
 
 /// What is known of one exercise.
 struct State {

@@ -1,5 +1,5 @@
 // Which files have changed: with the system's events, and by looking only.
-#include "checker/watch/watch.hpp"
+#include "checker/commands/watch/watch.hpp"
 #include "tests/watch/saving.hpp"
 
 #include <doctest/doctest.h>

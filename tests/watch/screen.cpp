@@ -1,6 +1,6 @@
 // The pure parts of the watch: what is a key, and what fits on a screen.
 #include "checker/base/text.hpp"
-#include "checker/watch/watch.hpp"
+#include "checker/commands/watch/watch.hpp"
 #include "tests/support/files.hpp"
 
 #include <doctest/doctest.h>

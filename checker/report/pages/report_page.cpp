@@ -201,7 +201,7 @@ std::string report_page(const ReportedCourse& course) {
                      {"all_passed", std::ranges::none_of(results, is_left)},
                      {"steps", steps_of(course)},
                      {"lectures", lectures}};
-  return rendered_page(report_page_template, page);
+  return rendered_page(report_page_template, page, {{"style", page_style}});
 }
 
 std::string rendered_page(const std::string& page_template, const json& document,
@@ -219,12 +219,6 @@ json look_of(const std::string& verdict) {
   if (verdict == "not_started") return {{"tone", "idle"}, {"mark", "·"}};
   if (verdict == "checker_error") return {{"tone", "unclear"}, {"mark", "!"}};
   return {{"tone", "bad"}, {"mark", "✗"}};
-}
-
-std::string page_style() {
-  const std::string page = report_page_template;
-  const std::size_t begin = page.find("<style>") + 7;
-  return page.substr(begin, page.find("</style>") - begin);
 }
 
 }  // namespace workbook

@@ -1,6 +1,6 @@
 /// @file
 /// The watch: whatever exercise is saved is checked, and the verdict is shown in place.
-#include "checker/watch/watch.hpp"
+#include "checker/commands/watch/watch.hpp"
 #include "checker/commands/commands.hpp"
 
 #include <poll.h>

@@ -1,4 +1,5 @@
-#include "checker/report/reports.hpp"
+// A result as programs read it.
+#include "checker/pipeline/check_exercise.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -82,6 +83,16 @@ std::string json_report(const std::vector<CheckResult>& results, std::uint64_t s
   for (const CheckResult& checked : results) document["results"].push_back(result_of(checked));
   // What the student printed may hold bytes that are no text; they are replaced, not fatal.
   return document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string decided_by_hand(const ordered_json& student) {
+  std::vector<std::string> sentences;
+  if (student.contains("by_hand")) sentences.push_back(student.at("by_hand"));
+  for (const ordered_json& mark : student.at("results"))
+    if (mark.contains("by_hand"))
+      sentences.push_back(
+          fmt::format("{}: {}", mark.at("exercise").get<std::string>(), mark.at("by_hand").get<std::string>()));
+  return fmt::format("{}", fmt::join(sentences, "; "));
 }
 
 }  // namespace workbook

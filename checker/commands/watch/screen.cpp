@@ -1,4 +1,4 @@
-#include "checker/watch/watch.hpp"
+#include "checker/commands/watch/watch.hpp"
 
 #include <algorithm>
 
