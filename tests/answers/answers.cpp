@@ -1,9 +1,10 @@
 // Evidence that the checker can be trusted: answers as students write them, wrong ones and right ones, that were
 // written without a look at the judging. No wrong one may pass; every right one must pass without a word against it.
 //
-// A file holds the answers to one exercise. It begins with the #include lines of all of them; then each answer has a
-// line "//! right: TITLE" or "//! wrong: TITLE" and either its code, without `namespace rigid { }`, or its difference
-// from the last answer above that has its code: a unified diff without line numbers, whose hunks are separated by "@@".
+// A file holds the answers to one exercise. It begins with the #include lines of all of them and the line that most of
+// them begin with, the function's head. Then each answer has a line "//! right: TITLE" or "//! wrong: TITLE" and one of:
+// the function's body; code of its own, without `namespace rigid { }`; or, with lines that begin with + and -, its
+// difference from the last answer above that is none: a unified diff without line numbers, with "@@" between its hunks.
 #include <doctest/doctest.h>
 #include "checker/base/text.hpp"
 #include "tests/support/files.hpp"
@@ -65,19 +66,20 @@ std::string patched(std::string code, const Answer& difference) {
 /// The answers in the text of a file, as whole files that students hand in.
 std::vector<Answer> answers_in(const std::string& text, const std::string& exercise) {
   std::vector<Answer> answers;
-  std::string includes, whole;
+  std::string includes, head, whole;
   for (const std::string& line : lines_of(text)) {
     const bool is_right = line.starts_with("//! right: ");
     if (is_right || line.starts_with("//! wrong: "))
       answers.push_back({exercise, line.substr(std::size("//! right: ") - 1), "", is_right, "", "", {}});
     else
-      (answers.empty() ? includes : answers.back().code) += line + "\n";
+      (!answers.empty() ? answers.back().code : line.starts_with('#') ? includes : head) += line + "\n";
   }
   for (Answer& answer : answers) {
-    const bool is_patch = std::string("-+ ").find(answer.code.front()) != std::string::npos;
-    if (!is_patch) whole = answer.code;
-    answer.code = fmt::format("{}namespace rigid {{\n{}}}  // namespace rigid\n", includes,
-                              is_patch ? patched(whole, answer) : answer.code);
+    if (has("\n" + answer.code, "\n+") || has("\n" + answer.code, "\n-"))
+      answer.code = patched(whole, answer);
+    else
+      answer.code = whole = answer.code.starts_with(' ') ? head + answer.code + "}\n" : answer.code;
+    answer.code = fmt::format("{}namespace rigid {{\n{}}}  // namespace rigid\n", includes, answer.code);
   }
   return answers;
 }
@@ -169,8 +171,8 @@ void print_table(const std::vector<Answer>& answers) {
 
 }  // namespace
 
-TEST_CASE("an answer is code or a difference from the code above it") {
-  const std::string right = "#include <cmath>\n//! right: a sum\ndouble f() {\n  return 1 + 1;\n}\n";
+TEST_CASE("an answer is a body, code of its own, or a difference from what is above it") {
+  const std::string right = "#include <cmath>\ndouble f() {\n//! right: a sum\n  return 1 + 1;\n";
   const std::string before = "#include <cmath>\nnamespace rigid {\n", after = "}  // namespace rigid\n";
   const auto answers = answers_in(right +
                                       "//! wrong: a difference\n-  return 1 + 1;\n+  const int one = 1;\n"

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <rigid/frame_derivatives.hpp>
-//! right: Rodrigues, column by column
 Matrix3d rotated_basis(const Matrix3d& E, const Vector3d& omega, double dt) {
+//! right: Rodrigues, column by column
   const double speed = omega.norm();
   if (speed == 0) return E;
   const Vector3d n = omega / speed;
@@ -12,60 +12,41 @@ Matrix3d rotated_basis(const Matrix3d& E, const Vector3d& omega, double dt) {
     result.col(i) = c * e + s * n.cross(e) + (1 - c) * n.dot(e) * n;
   }
   return result;
-}
 //! wrong: cos instead of one minus cos
 -  const double c = std::cos(speed * dt), s = std::sin(speed * dt);
 @@
 -    result.col(i) = c * e + s * n.cross(e) + (1 - c) * n.dot(e) * n;
 +    result.col(i) = e + std::sin(speed * dt) * n.cross(e) + std::cos(speed * dt) * n.cross(n.cross(e));
 //! right: a quaternion
-Matrix3d rotated_basis(const Matrix3d& E, const Vector3d& omega, double dt) {
   const double half = omega.norm() * dt / 2;
   const Vector3d n = omega.normalized();
   const Eigen::Quaterniond q(std::cos(half), n.x() * std::sin(half), n.y() * std::sin(half), n.z() * std::sin(half));
   return q.toRotationMatrix() * E;
-}
 //! right: the same rotation about the axes of the body
-Matrix3d rotated_basis(const Matrix3d& E, const Vector3d& omega, double dt) {
   if (omega.norm() == 0) return E;
   const Vector3d omega_body = E.transpose() * omega;
   return E * Eigen::AngleAxisd(omega_body.norm() * dt, omega_body.normalized()).toRotationMatrix();
-}
 //! wrong: about the axes of the body
-Matrix3d rotated_basis(const Matrix3d& E, const Vector3d& omega, double dt) {
   if (omega.isZero(0)) return E;
   const Eigen::AngleAxisd rotation(omega.norm() * dt, omega / omega.norm());
   return E * rotation.toRotationMatrix();
-}
 //! wrong: only to first order
-Matrix3d rotated_basis(const Matrix3d& E, const Vector3d& omega, double dt) {
   Matrix3d result;
   for (int i = 0; i < 3; ++i) result.col(i) = E.col(i) + omega.cross(E.col(i)) * dt;
   return result;
-}
 //! wrong: the other way round
-Matrix3d rotated_basis(const Matrix3d& E, const Vector3d& omega, double dt) {
   const double angle = -omega.norm() * dt;
   return Eigen::AngleAxisd(angle, omega.normalized()) * E;
-}
 //! wrong: divides by zero at rest
-Matrix3d rotated_basis(const Matrix3d& E, const Vector3d& omega, double dt) {
   const Vector3d n = omega / omega.norm();
   return Eigen::AngleAxisd(omega.norm() * dt, n).toRotationMatrix() * E;
-}
 //! wrong: the axis is not normalised
-Matrix3d rotated_basis(const Matrix3d& E, const Vector3d& omega, double dt) {
   return Eigen::AngleAxisd(omega.norm() * dt, omega).toRotationMatrix() * E;
-}
 //! wrong: every slow rotation is taken for none
-Matrix3d rotated_basis(const Matrix3d& E, const Vector3d& omega, double dt) {
   const double speed = omega.norm();
   if (speed < 1e-3) return E;
   return Eigen::AngleAxisd(speed * dt, omega / speed).toRotationMatrix() * E;
-}
 //! wrong: negative times run forwards
-Matrix3d rotated_basis(const Matrix3d& E, const Vector3d& omega, double dt) {
   const double angle = omega.norm() * std::abs(dt);
   if (angle == 0) return E;
   return Eigen::AngleAxisd(angle, omega.normalized()).toRotationMatrix() * E;
-}

@@ -2,30 +2,23 @@
 #include <cmath>
 #include <numbers>
 #include <rigid/frame_derivatives.hpp>
-//! right: by Eigen
 Vector3d rotation_vector(const Matrix3d& E) {
+//! right: by Eigen
   Eigen::Quaterniond q(E);
   if (q.w() < 0) q.coeffs() *= -1;
   const double s = q.vec().norm();
   if (s == 0) return Vector3d::Zero();
   return 2 * std::atan2(s, q.w()) / s * q.vec();
-}
 //! wrong: sign of the axis by the transposed matrix
-Vector3d rotation_vector(const Matrix3d& E) {
   const double angle = std::acos(std::clamp((E.trace() - 1) / 2, -1.0, 1.0));
   if (angle < 1e-12) return Vector3d::Zero();
   Vector3d n(E(1, 2) - E(2, 1), E(2, 0) - E(0, 2), E(0, 1) - E(1, 0));
   return angle * n.normalized();
-}
 //! wrong: not divided by the sine
-Vector3d rotation_vector(const Matrix3d& E) {
   const double angle = std::acos(std::clamp((E.trace() - 1) / 2, -1.0, 1.0));
   return angle * Vector3d(E(2, 1) - E(1, 2), E(0, 2) - E(2, 0), E(1, 0) - E(0, 1)) / 2;
-}
 //! wrong: asin loses angles above a right angle
-Vector3d rotation_vector(const Matrix3d& E) {
   Vector3d s = Vector3d(E(2, 1) - E(1, 2), E(0, 2) - E(2, 0), E(1, 0) - E(0, 1)) / 2;
   double n = s.norm();
   if (n == 0) return Vector3d::Zero();
   return std::asin(std::min(n, 1.0)) / n * s;
-}

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <rigid/frame_derivatives.hpp>
-//! right: from sine and cosine
 Matrix3Xd screw_of_displacement(const Vector3d& rotation, const Vector3d& d) {
+//! right: from sine and cosine
   const double a = rotation.norm(), c = std::cos(a), s = std::sin(a);
   const Vector3d n = rotation.normalized(), along = d.dot(n) * n, u = d - along;
   const Vector3d point = 0.5 * u + s / (2 * (1 - c)) * n.cross(u);
@@ -9,24 +9,19 @@ Matrix3Xd screw_of_displacement(const Vector3d& rotation, const Vector3d& d) {
   out.col(0) = point;
   out.col(1) = along;
   return out;
-}
 //! right: least squares
-Matrix3Xd screw_of_displacement(const Vector3d& rotation, const Vector3d& d) {
   const Eigen::AngleAxisd turn(rotation.norm(), rotation.normalized());
   const Vector3d n = turn.axis(), along = d.dot(n) * n;
   const Matrix3d M = Matrix3d::Identity() - turn.toRotationMatrix() + n * n.transpose();
   Matrix3Xd out(3, 2);
   out << M.fullPivLu().solve(Vector3d(d - along)), along;
   return out;
-}
 //! wrong: cotangent of the whole angle
-Matrix3Xd screw_of_displacement(const Vector3d& rotation, const Vector3d& d) {
   const double a = rotation.norm();
   const Vector3d n = rotation / a, along = n * n.dot(d);
   Matrix3Xd out(3, 2);
   out << 0.5 * (d - along + n.cross(d) / std::tan(a)), along;
   return out;
-}
 //! wrong: order of the cross product
 -  out << 0.5 * (d - along + n.cross(d) / std::tan(a)), along;
 +  out << 0.5 * (d - along + d.cross(n) / std::tan(a / 2)), along;
@@ -34,18 +29,14 @@ Matrix3Xd screw_of_displacement(const Vector3d& rotation, const Vector3d& d) {
 -  out << 0.5 * (d - along + n.cross(d) / std::tan(a)), along;
 +  out << 0.5 * (d - along + n.cross(d) / std::tan(a / 2)), d;
 //! wrong: d with its part along the axis
-Matrix3Xd screw_of_displacement(const Vector3d& rotation, const Vector3d& d) {
   const double a = rotation.norm();
   const Vector3d n = rotation / a;
   Matrix3Xd out(3, 2);
   out << 0.5 * (d + n.cross(d) / std::tan(a / 2)), n * n.dot(d);
   return out;
-}
 //! wrong: rotation vector not normalised
-Matrix3Xd screw_of_displacement(const Vector3d& rotation, const Vector3d& d) {
   const double a = rotation.norm();
   const Vector3d along = rotation * rotation.dot(d);
   Matrix3Xd out(3, 2);
   out << 0.5 * (d - along + rotation.cross(d) / std::tan(a / 2)), along;
   return out;
-}

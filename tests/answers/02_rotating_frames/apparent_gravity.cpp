@@ -2,13 +2,12 @@
 #include <cmath>
 #include <numbers>
 #include <rigid/rotating_frames.hpp>
-//! right: written out
 Vector3d apparent_gravity(double latitude, double radius, double g0, double earth_rate, const Vector2d& v) {
+//! right: written out
   const double s = std::sin(latitude), c = std::cos(latitude);
   const double W = earth_rate;
   return Vector3d(2 * W * s * v[1], -2 * W * s * v[0] - W * W * radius * s * c,
                   -g0 + 2 * W * c * v[0] + W * W * radius * c * c + v.squaredNorm() / radius);
-}
 //! wrong: north and east exchanged in the Coriolis term
 -  return Vector3d(2 * W * s * v[1], -2 * W * s * v[0] - W * W * radius * s * c,
 +  return Vector3d(2 * W * s * v[0], -2 * W * s * v[1] - W * W * radius * s * c,
@@ -19,7 +18,6 @@ Vector3d apparent_gravity(double latitude, double radius, double g0, double eart
 -                  -g0 + 2 * W * c * v[0] + W * W * radius * c * c + v.squaredNorm() / radius);
 +                  g0 + 2 * W * c * v[0] + W * W * radius * c * c + v.squaredNorm() / radius);
 //! wrong: centrifugal uses cos only once
-Vector3d apparent_gravity(double latitude, double radius, double g0, double earth_rate, const Vector2d& v) {
   const double s = std::sin(latitude), c = std::cos(latitude);
   Vector3d a(0, 0, -g0);
   a += Vector3d(0, -earth_rate * earth_rate * radius * s, earth_rate * earth_rate * radius * c);
@@ -27,4 +25,3 @@ Vector3d apparent_gravity(double latitude, double radius, double g0, double eart
   a -= 2 * w.cross(Vector3d(v[0], v[1], 0));
   a[2] += v.squaredNorm() / radius;
   return a;
-}

@@ -1,9 +1,8 @@
 #include <cmath>
 #include <rigid/rotating_frames.hpp>
-//! right: two thirds of the height
 double eastward_deflection(double height, double latitude, double g, double earth_rate) {
+//! right: two thirds of the height
   return 2.0 / 3.0 * earth_rate * height * std::sqrt(2 * height / g) * std::cos(latitude);
-}
 //! wrong: sine of the latitude
 -  return 2.0 / 3.0 * earth_rate * height * std::sqrt(2 * height / g) * std::cos(latitude);
 +  const double t = std::sqrt(2 * height / g);
@@ -29,14 +28,10 @@ double eastward_deflection(double height, double latitude, double g, double eart
 +  const int t = std::sqrt(2 * height / g);
 +  return earth_rate * g * t * t * t * std::cos(latitude) / 3;
 //! right: the eastward velocity integrated by Simpson's rule, which is exact here
-double eastward_deflection(double height, double latitude, double g, double earth_rate) {
   const double end = std::sqrt(2 * height / g);
   const auto velocity = [&](double t) { return earth_rate * std::cos(latitude) * g * t * t; };
   return end / 6 * (velocity(0) + 4 * velocity(end / 2) + velocity(end));
-}
 //! wrong: to the west on the southern hemisphere
-double eastward_deflection(double height, double latitude, double g, double earth_rate) {
   const double t = std::sqrt(2 * height / g);
   const double d = earth_rate * g * t * t * t * std::cos(latitude) / 3;
   return latitude < 0 ? -d : d;
-}

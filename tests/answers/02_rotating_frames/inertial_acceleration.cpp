@@ -1,9 +1,8 @@
 #include <rigid/rotating_frames.hpp>
-//! right: the square of omega written out
 Vector3d inertial_acceleration(const Vector3d& a_body, const Vector3d& v_body, const Vector3d& r, const Vector3d& omega,
                                const Vector3d& alpha) {
+//! right: the square of omega written out
   return a_body + 2 * omega.cross(v_body) + alpha.cross(r) + omega.dot(r) * omega - omega.squaredNorm() * r;
-}
 //! wrong: the Coriolis term without its factor 2
 -  return a_body + 2 * omega.cross(v_body) + alpha.cross(r) + omega.dot(r) * omega - omega.squaredNorm() * r;
 +  return a_body + omega.cross(v_body) + alpha.cross(r) + omega.cross(omega.cross(r));
@@ -25,15 +24,10 @@ Vector3d inertial_acceleration(const Vector3d& a_body, const Vector3d& v_body, c
 +  const auto rest = alpha.cross(r) + omega.cross(omega.cross(r));
 +  return a_body + coriolis + rest;
 //! right: the transport theorem twice
-Vector3d inertial_acceleration(const Vector3d& a_body, const Vector3d& v_body, const Vector3d& r, const Vector3d& omega,
-                               const Vector3d& alpha) {
   const Vector3d v = v_body + omega.cross(r);
   const Vector3d v_rate_body = a_body + alpha.cross(r) + omega.cross(v_body);
   return v_rate_body + omega.cross(v);
-}
 //! right: matrices
-Vector3d inertial_acceleration(const Vector3d& a_body, const Vector3d& v_body, const Vector3d& r, const Vector3d& omega,
-                               const Vector3d& alpha) {
   const auto matrix = [](const Vector3d& w) {
     Matrix3d m;
     m << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0;
@@ -41,7 +35,6 @@ Vector3d inertial_acceleration(const Vector3d& a_body, const Vector3d& v_body, c
   };
   const Matrix3d W = matrix(omega);
   return a_body + 2 * W * v_body + (matrix(alpha) + W * W) * r;
-}
 //! wrong: position and velocity exchanged in the list
 Vector3d inertial_acceleration(const Vector3d& a_body, const Vector3d& r, const Vector3d& v_body, const Vector3d& omega,
                                const Vector3d& alpha) {

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <numbers>
 #include <rigid/rotating_frames.hpp>
-//! right: Newton on the potential as it stands
 double tide(double mass_ratio, double radius, double distance, double angle) {
+//! right: Newton on the potential as it stands
   // units: G M = 1
   auto potential = [&](double r, double gamma) {
     const double c = std::cos(gamma);
@@ -17,7 +17,6 @@ double tide(double mass_ratio, double radius, double distance, double angle) {
     r -= (potential(r, angle) - level) / slope;
   }
   return r - radius;
-}
 //! wrong: moon and planet only
 -    return -1 / r - mass_ratio / std::sqrt(r * r + distance * distance - 2 * r * distance * c) +
 -           mass_ratio * r * c / (distance * distance);
@@ -26,7 +25,6 @@ double tide(double mass_ratio, double radius, double distance, double angle) {
 -    return -1 / r - mass_ratio / std::sqrt(r * r + distance * distance - 2 * r * distance * c) +
 +    return -1 / r - mass_ratio / std::sqrt(r * r + distance * distance - 2 * r * distance * c) -
 //! right: bisection with the constant taken off
-double tide(double mass_ratio, double radius, double distance, double angle) {
   const double x = radius / distance;
   auto f = [&](double h, double c) {
     const double y = x * (1 + h);
@@ -43,19 +41,12 @@ double tide(double mass_ratio, double radius, double distance, double angle) {
     }
   }
   return low * radius;
-}
 //! wrong: textbook formula
-double tide(double mass_ratio, double radius, double distance, double angle) {
   const double c = std::cos(angle);
   return 1.5 * mass_ratio * std::pow(radius / distance, 3) * radius * c * c;
-}
 //! wrong: height over the mean level
-double tide(double mass_ratio, double radius, double distance, double angle) {
   const double c = std::cos(angle);
   return 0.5 * mass_ratio * std::pow(radius / distance, 3) * radius * (3 * c * c - 1);
-}
 //! wrong: two terms of the series
-double tide(double mass_ratio, double radius, double distance, double angle) {
   const double c = std::cos(angle), x = radius / distance;
   return mass_ratio * x * x * x * radius * (1.5 * c * c + x * (2.5 * c * c * c - 1.5 * c));
-}

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <numbers>
 #include <rigid/inertia_tensor.hpp>
-//! wrong: point masses at the centroids of the tetrahedra
 Matrix3d inertia_of_mesh(const Matrix3Xd& corners, double density) {
+//! wrong: point masses at the centroids of the tetrahedra
   Matrix3d I = Matrix3d::Zero();
   for (int k = 0; k < corners.cols(); k += 3) {
     const Vector3d a = corners.col(k), b = corners.col(k + 1), c = corners.col(k + 2);
@@ -12,9 +12,7 @@ Matrix3d inertia_of_mesh(const Matrix3Xd& corners, double density) {
     I += m * (r.squaredNorm() * Matrix3d::Identity() - r * r.transpose());
   }
   return I;
-}
 //! wrong: absolute volumes
-Matrix3d inertia_of_mesh(const Matrix3Xd& corners, double density) {
   Matrix3d C = Matrix3d::Zero();
   for (int k = 0; k < corners.cols(); k += 3) {
     const Vector3d a = corners.col(k), b = corners.col(k + 1), c = corners.col(k + 2), s = a + b + c;
@@ -22,9 +20,7 @@ Matrix3d inertia_of_mesh(const Matrix3Xd& corners, double density) {
     C += m / 20 * (a * a.transpose() + b * b.transpose() + c * c.transpose() + s * s.transpose());
   }
   return C.trace() * Matrix3d::Identity() - C;
-}
 //! wrong: second moments instead of the tensor
-Matrix3d inertia_of_mesh(const Matrix3Xd& corners, double density) {
   Matrix3d C = Matrix3d::Zero();
   for (int k = 0; k < corners.cols(); k += 3) {
     const Vector3d a = corners.col(k), b = corners.col(k + 1), c = corners.col(k + 2), s = a + b + c;
@@ -32,9 +28,7 @@ Matrix3d inertia_of_mesh(const Matrix3Xd& corners, double density) {
     C += m / 20 * (a * a.transpose() + b * b.transpose() + c * c.transpose() + s * s.transpose());
   }
   return C;
-}
 //! wrong: whole-number division
-Matrix3d inertia_of_mesh(const Matrix3Xd& corners, double density) {
   Matrix3d C = Matrix3d::Zero();
   for (int k = 0; k < corners.cols(); k += 3) {
     const Vector3d a = corners.col(k), b = corners.col(k + 1), c = corners.col(k + 2), s = a + b + c;
@@ -42,4 +36,3 @@ Matrix3d inertia_of_mesh(const Matrix3Xd& corners, double density) {
     C += 1 / 120 * m * (a * a.transpose() + b * b.transpose() + c * c.transpose() + s * s.transpose());
   }
   return C.trace() * Matrix3d::Identity() - C;
-}

@@ -2,12 +2,11 @@
 #include <cmath>
 #include <numbers>
 #include <rigid/inertia_tensor.hpp>
-//! right: by the commutator
 Matrix3d inertia_rate(const Matrix3d& I, const Vector3d& omega) {
+//! right: by the commutator
   Matrix3d W;
   W << 0, -omega[2], omega[1], omega[2], 0, -omega[0], -omega[1], omega[0], 0;
   return W * I - I * W;
-}
 //! wrong: half of it
 -  return W * I - I * W;
 +  return 0.5 * (W * I - I * W);
@@ -18,7 +17,5 @@ Matrix3d inertia_rate(const Matrix3d& I, const Vector3d& omega) {
 -  return W * I - I * W;
 +  return W * I * W;
 //! wrong: angular momentum rate on the diagonal
-Matrix3d inertia_rate(const Matrix3d& I, const Vector3d& omega) {
   const Vector3d d = omega.cross(I * omega);
   return d.asDiagonal();
-}

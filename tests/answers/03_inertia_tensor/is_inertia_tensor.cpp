@@ -2,36 +2,27 @@
 #include <cmath>
 #include <numbers>
 #include <rigid/inertia_tensor.hpp>
-//! wrong: triangle inequality on the diagonal
 int is_inertia_tensor(const Matrix3d& I) {
+//! wrong: triangle inequality on the diagonal
   if (!I.isApprox(I.transpose(), 1e-9)) return 0;
   return I(0, 0) + I(1, 1) >= I(2, 2) && I(1, 1) + I(2, 2) >= I(0, 0) && I(0, 0) + I(2, 2) >= I(1, 1);
-}
 //! wrong: only positive definite
-int is_inertia_tensor(const Matrix3d& I) {
   if (!I.isApprox(I.transpose(), 1e-9)) return 0;
   Eigen::SelfAdjointEigenSolver<Matrix3d> s(I);
   return s.eigenvalues()[0] >= -1e-9 * I.cwiseAbs().maxCoeff();
-}
 //! wrong: symmetry not asked
-int is_inertia_tensor(const Matrix3d& I) {
   Eigen::SelfAdjointEigenSolver<Matrix3d> s(I);
   const Vector3d m = s.eigenvalues();
   return m[0] + m[1] - m[2] >= -1e-9 * I.cwiseAbs().maxCoeff();
-}
 //! wrong: strict inequality
-int is_inertia_tensor(const Matrix3d& I) {
   const double big = I.cwiseAbs().maxCoeff();
   if ((I - I.transpose()).cwiseAbs().maxCoeff() > 1e-9 * big) return 0;
   Eigen::SelfAdjointEigenSolver<Matrix3d> s(I);
   const Vector3d m = s.eigenvalues();
   return m[0] + m[1] > m[2] * (1 + 1e-9);
-}
 //! wrong: answer inverted
-int is_inertia_tensor(const Matrix3d& I) {
   const double big = I.cwiseAbs().maxCoeff();
   if ((I - I.transpose()).cwiseAbs().maxCoeff() > 1e-9 * big) return 1;
   Eigen::SelfAdjointEigenSolver<Matrix3d> s(I);
   const Vector3d m = s.eigenvalues();
   return m[0] + m[1] - m[2] >= -1e-9 * big ? 0 : 1;
-}

@@ -1,10 +1,9 @@
 #include <rigid/inertia_tensor.hpp>
-//! right: third axis from the two others
 Matrix3d principal_axes(const Matrix3d& I) {
+//! right: third axis from the two others
   Matrix3d axes = Eigen::SelfAdjointEigenSolver<Matrix3d>(I).eigenvectors();
   axes.col(2) = axes.col(0).cross(axes.col(1));
   return axes;
-}
 //! wrong: left-handed
 -  axes.col(2) = axes.col(0).cross(axes.col(1));
 +  axes.col(2) = axes.col(1).cross(axes.col(0));
@@ -12,17 +11,13 @@ Matrix3d principal_axes(const Matrix3d& I) {
  Matrix3d principal_axes(const Matrix3d& I) {
 +  if (I.isDiagonal()) return Matrix3d::Identity();
 //! right: all axes reversed
-Matrix3d principal_axes(const Matrix3d& I) {
   const Matrix3d axes = Eigen::SelfAdjointEigenSolver<Matrix3d>(I).eigenvectors();
   return axes.determinant() > 0 ? axes : Matrix3d(-axes);
-}
 //! right: singular vectors
-Matrix3d principal_axes(const Matrix3d& I) {
   const Eigen::JacobiSVD<Matrix3d> svd(I, Eigen::ComputeFullU);
   Matrix3d axes = svd.matrixU().rowwise().reverse();
   if (axes.determinant() < 0) axes.col(0) = -axes.col(0);
   return axes;
-}
 //! wrong: a sphere's axes from an initial guess that is never filled
 -  const Eigen::JacobiSVD<Matrix3d> svd(I, Eigen::ComputeFullU);
 -  Matrix3d axes = svd.matrixU().rowwise().reverse();
@@ -33,20 +28,14 @@ Matrix3d principal_axes(const Matrix3d& I) {
 //! wrong: as the solver returns them, of either handedness
 Matrix3d principal_axes(const Matrix3d& I) { return Eigen::SelfAdjointEigenSolver<Matrix3d>(I).eigenvectors(); }
 //! wrong: axes as rows
-Matrix3d principal_axes(const Matrix3d& I) {
   Matrix3d axes = Eigen::SelfAdjointEigenSolver<Matrix3d>(I).eigenvectors();
   if (axes.determinant() < 0) axes.col(0) *= -1;
   return axes.transpose();
-}
 //! wrong: descending
-Matrix3d principal_axes(const Matrix3d& I) {
   Matrix3d axes = Eigen::SelfAdjointEigenSolver<Matrix3d>(I).eigenvectors().rowwise().reverse();
   if (axes.determinant() < 0) axes.col(2) *= -1;
   return axes;
-}
 //! wrong: in the order of the general solver
-Matrix3d principal_axes(const Matrix3d& I) {
   Matrix3d axes = Eigen::EigenSolver<Matrix3d>(I).eigenvectors().real();
   if (axes.determinant() < 0) axes.col(2) = -axes.col(2);
   return axes;
-}

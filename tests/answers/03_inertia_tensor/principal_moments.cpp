@@ -1,17 +1,14 @@
 #include <algorithm>
 #include <cmath>
 #include <rigid/inertia_tensor.hpp>
-//! right: singular values, which are the moments because none is negative
 Vector3d principal_moments(const Matrix3d& I) {
+//! right: singular values, which are the moments because none is negative
   const Eigen::JacobiSVD<Matrix3d> svd(I);
   return svd.singularValues().reverse();
-}
 //! right: general solver, then sorted
-Vector3d principal_moments(const Matrix3d& I) {
   Vector3d moments = Eigen::EigenSolver<Matrix3d>(I).eigenvalues().real();
   std::sort(moments.data(), moments.data() + 3);
   return moments;
-}
 //! wrong: the diagonal
 -  Vector3d moments = Eigen::EigenSolver<Matrix3d>(I).eigenvalues().real();
 +  Vector3d moments = I.diagonal();
@@ -21,7 +18,6 @@ Vector3d principal_moments(const Matrix3d& I) {
 +  const double root = std::sqrt(half * half + I(0, 1) * I(0, 1));
 +  Vector3d moments(mean - root, mean + root, I(2, 2));
 //! right: Jacobi rotations
-Vector3d principal_moments(const Matrix3d& I) {
   Matrix3d D = I;
   for (int sweep = 0; sweep < 30; ++sweep) {
     for (int p = 0; p < 2; ++p) {
@@ -39,22 +35,15 @@ Vector3d principal_moments(const Matrix3d& I) {
   Vector3d moments = D.diagonal();
   std::sort(moments.data(), moments.data() + 3);
   return moments;
-}
 //! wrong: descending
-Vector3d principal_moments(const Matrix3d& I) {
   const Vector3d moments = Eigen::SelfAdjointEigenSolver<Matrix3d>(I).eigenvalues();
   return moments.reverse();
-}
 //! wrong: in the order of the general solver
 Vector3d principal_moments(const Matrix3d& I) { return Eigen::EigenSolver<Matrix3d>(I).eigenvalues().real(); }
 //! wrong: squares, from the singular values of the square
-Vector3d principal_moments(const Matrix3d& I) {
   const Matrix3d square = I * I;
   Vector3d moments = Eigen::SelfAdjointEigenSolver<Matrix3d>(square).eigenvalues();
   return moments;
-}
 //! wrong: single precision
-Vector3d principal_moments(const Matrix3d& I) {
   const Eigen::Matrix3f single = I.cast<float>();
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f>(single).eigenvalues().cast<double>();
-}

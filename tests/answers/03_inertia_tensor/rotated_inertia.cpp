@@ -1,6 +1,6 @@
 #include <rigid/inertia_tensor.hpp>
-//! right: four indices
 Matrix3d rotated_inertia(const Matrix3d& I_body, const Matrix3d& A_inertial_from_body) {
+//! right: four indices
   const Matrix3d& A = A_inertial_from_body;
   Matrix3d I = Matrix3d::Zero();
   for (int i = 0; i < 3; ++i)
@@ -8,14 +8,11 @@ Matrix3d rotated_inertia(const Matrix3d& I_body, const Matrix3d& A_inertial_from
       for (int k = 0; k < 3; ++k)
         for (int l = 0; l < 3; ++l) I(i, j) += A(i, k) * A(j, l) * I_body(k, l);
   return I;
-}
 //! wrong: one index of the sum mixed up
 -        for (int l = 0; l < 3; ++l) I(i, j) += A(i, k) * A(j, l) * I_body(k, l);
 +        for (int l = 0; l < 3; ++l) I(i, j) += A(i, k) * I_body(k, l) * A(l, j);
 //! right: the inverse of the rotation
-Matrix3d rotated_inertia(const Matrix3d& I_body, const Matrix3d& A_inertial_from_body) {
   return A_inertial_from_body * I_body * A_inertial_from_body.inverse();
-}
 //! wrong: transposed
 -  return A_inertial_from_body * I_body * A_inertial_from_body.inverse();
 +  const Matrix3d& A = A_inertial_from_body;
@@ -30,7 +27,6 @@ Matrix3d rotated_inertia(const Matrix3d& I_body, const Matrix3d& A_inertial_from
 -  return A_inertial_from_body * I_body * A_inertial_from_body.inverse();
 +  return A_inertial_from_body * I_body.diagonal().asDiagonal() * A_inertial_from_body.transpose();
 //! right: principal axes, rotated
-Matrix3d rotated_inertia(const Matrix3d& I_body, const Matrix3d& A_inertial_from_body) {
   const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(I_body);
   Matrix3d I = Matrix3d::Zero();
   for (int i = 0; i < 3; ++i) {
@@ -38,11 +34,8 @@ Matrix3d rotated_inertia(const Matrix3d& I_body, const Matrix3d& A_inertial_from
     I += solver.eigenvalues()[i] * e * e.transpose();
   }
   return I;
-}
 //! wrong: a product written over its own factor
-Matrix3d rotated_inertia(const Matrix3d& I_body, const Matrix3d& A_inertial_from_body) {
   Matrix3d I = I_body;
   I.noalias() = A_inertial_from_body * I;
   I.noalias() = I * A_inertial_from_body.transpose();
   return I;
-}

@@ -1,6 +1,6 @@
 #include <rigid/parallel_axis.hpp>
-//! right: reduced masses of all pairs
 Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, const std::vector<Matrix3d>& tensors) {
+//! right: reduced masses of all pairs
   Matrix3d I = Matrix3d::Zero();
   for (int k = 0; k < masses.size(); ++k) {
     I += tensors[k];
@@ -11,9 +11,7 @@ Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, cons
     }
   }
   return I;
-}
 //! right: one body after another joins
-Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, const std::vector<Matrix3d>& tensors) {
   Matrix3d I = tensors.at(0);
   double M = masses[0];
   Vector3d center = centers.col(0);
@@ -25,18 +23,14 @@ Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, cons
     M = total;
   }
   return I;
-}
 //! right: second moments about the centre
-Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, const std::vector<Matrix3d>& tensors) {
   const Vector3d center = centers * masses / masses.sum();
   const Matrix3Xd d = centers.colwise() - center;
   const Matrix3d S = d * masses.asDiagonal() * d.transpose();
   Matrix3d I = S.trace() * Matrix3d::Identity() - S;
   for (const Matrix3d& tensor : tensors) I += tensor;
   return I;
-}
 //! wrong: mean of the centres without weights
-Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, const std::vector<Matrix3d>& tensors) {
   const Vector3d center = centers.rowwise().mean();
   Matrix3d I = Matrix3d::Zero();
   for (int k = 0; k < masses.size(); ++k) {
@@ -44,7 +38,6 @@ Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, cons
     I += tensors[k] + masses[k] * (d.squaredNorm() * Matrix3d::Identity() - d * d.transpose());
   }
   return I;
-}
 //! wrong: about the origin
 -  const Vector3d center = centers.rowwise().mean();
 @@
@@ -57,7 +50,6 @@ Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, cons
 -  const Vector3d center = centers.rowwise().mean();
 +  const Vector3d center = masses.size() > 1 ? Vector3d(centers * masses / masses.sum()) : Vector3d::Zero();
 //! wrong: bodies as points
-Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, const std::vector<Matrix3d>& tensors) {
   const Vector3d center = centers * masses / masses.sum();
   Matrix3d I = Matrix3d::Zero();
   for (int k = 0; k < masses.size(); ++k) {
@@ -65,15 +57,11 @@ Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, cons
     I += masses[k] * (d.squaredNorm() * Matrix3d::Identity() - d * d.transpose());
   }
   return I;
-}
 //! wrong: tensors about different points added
-Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, const std::vector<Matrix3d>& tensors) {
   Matrix3d I = Matrix3d::Zero();
   for (const Matrix3d& tensor : tensors) I += tensor;
   return I;
-}
 //! wrong: the first body is left out
-Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, const std::vector<Matrix3d>& tensors) {
   const Vector3d center = centers * masses / masses.sum();
   Matrix3d I = Matrix3d::Zero();
   for (int k = 1; k < masses.size(); ++k) {
@@ -81,9 +69,7 @@ Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, cons
     I += tensors[k] + masses[k] * (d.squaredNorm() * Matrix3d::Identity() - d * d.transpose());
   }
   return I;
-}
 //! wrong: total mass in whole kilograms
-Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, const std::vector<Matrix3d>& tensors) {
   int total = 0;
   Vector3d center = Vector3d::Zero();
   for (int k = 0; k < masses.size(); ++k) {
@@ -97,4 +83,3 @@ Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, cons
     I += tensors[k] + masses[k] * (d.squaredNorm() * Matrix3d::Identity() - d * d.transpose());
   }
   return I;
-}

@@ -1,16 +1,14 @@
 #include <rigid/parallel_axis.hpp>
-//! right: the general formula of the shift
 Matrix3d inertia_to_center_of_mass(const Matrix3d& I_origin, double M, const Vector3d& r_cm) {
+//! right: the general formula of the shift
   const Vector3d R = -r_cm;
   const Matrix3d one = Matrix3d::Identity();
   return I_origin + M * (R.squaredNorm() * one - R * R.transpose()) +
          M * (2 * r_cm.dot(R) * one - r_cm * R.transpose() - R * r_cm.transpose());
-}
 //! wrong: the general formula with the new origin on the wrong side
 -  const Vector3d R = -r_cm;
 +  const Vector3d R = r_cm;
 //! right: componentwise
-Matrix3d inertia_to_center_of_mass(const Matrix3d& I_origin, double M, const Vector3d& r_cm) {
   const double x = r_cm[0], y = r_cm[1], z = r_cm[2];
   Matrix3d I = I_origin;
   I(0, 0) -= M * (y * y + z * z);
@@ -23,25 +21,15 @@ Matrix3d inertia_to_center_of_mass(const Matrix3d& I_origin, double M, const Vec
   I(1, 2) += M * y * z;
   I(2, 1) += M * y * z;
   return I;
-}
 //! wrong: plus
-Matrix3d inertia_to_center_of_mass(const Matrix3d& I_origin, double M, const Vector3d& r_cm) {
   return I_origin + M * (r_cm.squaredNorm() * Matrix3d::Identity() - r_cm * r_cm.transpose());
-}
 //! wrong: brackets forgotten
-Matrix3d inertia_to_center_of_mass(const Matrix3d& I_origin, double M, const Vector3d& r_cm) {
   return I_origin - M * r_cm.squaredNorm() * Matrix3d::Identity() - M * r_cm * r_cm.transpose();
-}
 //! wrong: Steiner's scalar theorem on all axes
-Matrix3d inertia_to_center_of_mass(const Matrix3d& I_origin, double M, const Vector3d& r_cm) {
   return I_origin - M * r_cm.squaredNorm() * Matrix3d::Identity();
-}
 //! wrong: the mass is forgotten
-Matrix3d inertia_to_center_of_mass(const Matrix3d& I_origin, double M, const Vector3d& r_cm) {
   return I_origin - (r_cm.squaredNorm() * Matrix3d::Identity() - r_cm * r_cm.transpose());
-}
 //! wrong: moments in whole numbers
-Matrix3d inertia_to_center_of_mass(const Matrix3d& I_origin, double M, const Vector3d& r_cm) {
   Matrix3d I = I_origin;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
@@ -50,4 +38,3 @@ Matrix3d inertia_to_center_of_mass(const Matrix3d& I_origin, double M, const Vec
     }
   }
   return I;
-}

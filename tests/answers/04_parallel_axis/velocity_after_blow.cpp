@@ -2,39 +2,23 @@
 #include <cmath>
 #include <numbers>
 #include <rigid/parallel_axis.hpp>
-//! wrong: lever from p
 Vector3d velocity_after_blow(double M, const Matrix3d& I_cm, const Vector3d& r, const Vector3d& impulse,
                              const Vector3d& p) {
+//! wrong: lever from p
   const Vector3d w = I_cm.inverse() * p.cross(impulse);
   return impulse / M + w.cross(p);
-}
 //! wrong: impulse cross r
-Vector3d velocity_after_blow(double M, const Matrix3d& I_cm, const Vector3d& r, const Vector3d& impulse,
-                             const Vector3d& p) {
   const Vector3d w = I_cm.inverse() * impulse.cross(r);
   return impulse / M + w.cross(p);
-}
 //! wrong: tensor multiplied instead of inverted
-Vector3d velocity_after_blow(double M, const Matrix3d& I_cm, const Vector3d& r, const Vector3d& impulse,
-                             const Vector3d& p) {
   const Vector3d w = I_cm * r.cross(impulse);
   return impulse / M + w.cross(p);
-}
 //! wrong: momentum instead of velocity
-Vector3d velocity_after_blow(double M, const Matrix3d& I_cm, const Vector3d& r, const Vector3d& impulse,
-                             const Vector3d& p) {
   const Vector3d w = I_cm.inverse() * r.cross(impulse);
   return impulse + M * w.cross(p);
-}
 //! wrong: p scaled by M
-Vector3d velocity_after_blow(double M, const Matrix3d& I_cm, const Vector3d& r, const Vector3d& impulse,
-                             const Vector3d& p) {
   const Vector3d w = I_cm.inverse() * r.cross(impulse);
   return (impulse + w.cross(p)) / M;
-}
 //! wrong: auto keeps an expression
-Vector3d velocity_after_blow(double M, const Matrix3d& I_cm, const Vector3d& r, const Vector3d& impulse,
-                             const Vector3d& p) {
   auto w = I_cm.inverse() * r.cross(impulse).eval().normalized();
   return impulse / M + w.cross(p);
-}

@@ -1,8 +1,7 @@
 #include <rigid/euler_equations.hpp>
-//! right: inverse
 Vector3d euler_equations_general(const Matrix3d& I, const Vector3d& omega, const Vector3d& torque) {
+//! right: inverse
   return I.inverse() * (torque - omega.cross(I * omega));
-}
 //! wrong: divided component by component
 -  return I.inverse() * (torque - omega.cross(I * omega));
 +  const Vector3d L = I * omega;
@@ -24,27 +23,19 @@ Vector3d euler_equations_general(const Matrix3d& I, const Vector3d& omega, const
 -  return I.inverse() * (torque - omega.cross(I * omega));
 +  return I.inverse() * torque - omega.cross(I * omega);
 //! right: pivoted elimination
-Vector3d euler_equations_general(const Matrix3d& I, const Vector3d& omega, const Vector3d& torque) {
   const Vector3d right_side = torque + (I * omega).cross(omega);
   return I.fullPivLu().solve(right_side);
-}
 //! right: on the principal axes, and back
-Vector3d euler_equations_general(const Matrix3d& I, const Vector3d& omega, const Vector3d& torque) {
   const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(I);
   const Matrix3d A = solver.eigenvectors();
   const Vector3d moments = solver.eigenvalues();
   const Vector3d right_side = A.transpose() * (torque - omega.cross(I * omega));
   return A * right_side.cwiseQuotient(moments);
-}
 //! wrong: the principal moments in the order of the solver, on the old axes
-Vector3d euler_equations_general(const Matrix3d& I, const Vector3d& omega, const Vector3d& torque) {
   const Vector3d moments = Eigen::SelfAdjointEigenSolver<Matrix3d>(I).eigenvalues();
   const Vector3d L = moments.cwiseProduct(omega);
   return (torque - omega.cross(L)).cwiseQuotient(moments);
-}
 //! wrong: the shortcut for principal axes has another sign
-Vector3d euler_equations_general(const Matrix3d& I, const Vector3d& omega, const Vector3d& torque) {
   const Vector3d L = I * omega;
   if (I.isDiagonal()) return (torque + omega.cross(L)).cwiseQuotient(I.diagonal());
   return I.inverse() * (torque - omega.cross(L));
-}

@@ -3,6 +3,7 @@
 #include <boost/numeric/odeint.hpp>
 #include <cmath>
 #include <rigid/euler_equations.hpp>
+Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
 //! right: Taylor series of every step
 static Vector3d taylor(const Vector3d& I, const Vector3d& start, double time) {
   const Vector3d factors((I[1] - I[2]) / I[0], (I[2] - I[0]) / I[1], (I[0] - I[1]) / I[2]);
@@ -32,7 +33,6 @@ Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorX
   return result;
 }
 //! right: Bulirsch-Stoer of the library
-Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
   using State = std::array<double, 3>;
   const double scale = omega0.norm();
   Matrix3Xd result = Matrix3Xd::Zero(3, times.size());
@@ -52,7 +52,6 @@ Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorX
     for (int i = 0; i < 3; ++i) result(i, k) = w[static_cast<std::size_t>(i)] * scale;
   }
   return result;
-}
 //! wrong: sign of Euler's equations
 static Vector3d rate(const Vector3d& I, const Vector3d& w) { return w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
 Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
@@ -88,14 +87,12 @@ Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorX
 -    const int steps = 4000;
 +    const int steps = times[k] == end ? 20000 : 19000;
 //! wrong: one long step of Euler's method
-Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
   Matrix3Xd result(3, times.size());
   for (int k = 0; k < times.size(); ++k) {
     const Vector3d L = I.cwiseProduct(omega0);
     result.col(k) = omega0 - omega0.cross(L).cwiseQuotient(I) * times[k];
   }
   return result;
-}
 //! wrong: negative times are not reached
 static Vector3d rate(const Vector3d& I, const Vector3d& w) { return -w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
 Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
@@ -116,13 +113,11 @@ Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorX
   return result;
 }
 //! wrong: the solution of the symmetric top for every body
-Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
   const double Omega = omega0[2] * (I[2] - I[0]) / I[0];
   Matrix3Xd result(3, times.size());
   for (int k = 0; k < times.size(); ++k)
     result.col(k) = Eigen::AngleAxisd(Omega * times[k], Vector3d::UnitZ()) * omega0;
   return result;
-}
 //! wrong: whole steps only, the remainder is dropped
 static Vector3d rate(const Vector3d& I, const Vector3d& w) { return -w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
 Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {

@@ -2,12 +2,11 @@
 #include <cmath>
 #include <numbers>
 #include <rigid/euler_equations.hpp>
-//! right: the whole angular momentum along the axle
 double gyrocompass_period(double I1, double I3, double spin, double latitude, double ground_rate) {
+//! right: the whole angular momentum along the axle
   const double n = ground_rate * std::cos(latitude);
   const double stiffness = n * (I3 * std::fabs(spin) + (I3 - I1) * n);
   return 2 * std::numbers::pi / std::sqrt(stiffness / I1);
-}
 //! wrong: spin with its sign
 -  const double stiffness = n * (I3 * std::fabs(spin) + (I3 - I1) * n);
 -  return 2 * std::numbers::pi / std::sqrt(stiffness / I1);
@@ -17,7 +16,6 @@ double gyrocompass_period(double I1, double I3, double spin, double latitude, do
 -  return 2 * std::numbers::pi / std::sqrt(stiffness / I1);
 +  return 2 * std::numbers::pi * std::sqrt(I1 / (n * I3 * (std::abs(spin) + n)));
 //! right: swings integrated on the ground
-double gyrocompass_period(double I1, double I3, double spin, double latitude, double ground_rate) {
   const double n = ground_rate * std::cos(latitude), omega3 = std::abs(spin) + n;
   const double guess = std::sqrt(I1 / (I3 * omega3 * n)), h = 1e-3 * guess;
   auto acceleration = [&](double phi) {
@@ -32,13 +30,8 @@ double gyrocompass_period(double I1, double I3, double spin, double latitude, do
     t += h;
   }
   return 4 * (t - h * phi / (phi - before));
-}
 //! wrong: fast rotor on a slow ground
-double gyrocompass_period(double I1, double I3, double spin, double latitude, double ground_rate) {
   return 2 * std::numbers::pi * std::sqrt(I1 / (I3 * std::abs(spin) * ground_rate * std::cos(latitude)));
-}
 //! wrong: sine of the latitude
-double gyrocompass_period(double I1, double I3, double spin, double latitude, double ground_rate) {
   const double n = ground_rate * std::abs(std::sin(latitude));
   return 2 * std::numbers::pi * std::sqrt(I1 / (n * (I3 * std::abs(spin) + (I3 - I1) * n)));
-}

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <rigid/euler_equations.hpp>
-//! right: leg by leg
 Matrix3d reorientation(const Matrix3d& I, const Vector2d& J, const VectorXd& wheel1, const VectorXd& wheel2) {
+//! right: leg by leg
   Matrix3d A = Matrix3d::Identity();
   for (int k = 0; k + 1 < wheel1.size(); ++k) {
     const Vector3d h(J[0] * (wheel1[k + 1] - wheel1[k]), J[1] * (wheel2[k + 1] - wheel2[k]), 0);
@@ -9,7 +9,6 @@ Matrix3d reorientation(const Matrix3d& I, const Vector2d& J, const VectorXd& whe
     if (v.norm() > 0) A = A * Eigen::AngleAxisd(v.norm(), v.normalized()).toRotationMatrix();
   }
   return A;
-}
 //! right: many small steps
 -    const Vector3d v = -I.inverse() * h;
 -    if (v.norm() > 0) A = A * Eigen::AngleAxisd(v.norm(), v.normalized()).toRotationMatrix();
@@ -46,7 +45,5 @@ Matrix3d reorientation(const Matrix3d& I, const Vector2d& J, const VectorXd& whe
 +    A = Eigen::AngleAxisd(v.norm(), v.stableNormalized()).toRotationMatrix();
 +  }
 //! wrong: the wheels are back, so the body is back
-Matrix3d reorientation(const Matrix3d& I, const Vector2d& J, const VectorXd& wheel1, const VectorXd& wheel2) {
   (void)I, (void)J, (void)wheel1, (void)wheel2;
   return Matrix3d::Identity();
-}

@@ -1,12 +1,11 @@
 #include <cmath>
 #include <rigid/free_tops.hpp>
+double body_precession_rate(double I1, double I3, double omega3) {
 //! right: quotient first
 double body_precession_rate(double I1, double I3, double omega3) { return (I3 - I1) / I1 * omega3; }
 //! right: difference of two angular momenta
-double body_precession_rate(double I1, double I3, double omega3) {
   const double L = I3 * omega3;
   return (L - I1 * omega3) / I1;
-}
 //! wrong: sign
 double body_precession_rate(double I1, double I3, double omega3) { return omega3 * (I1 - I3) / I1; }
 //! wrong: divided by the other moment
@@ -20,12 +19,8 @@ double body_precession_rate(double I1, double I3, double omega3) { return omega3
 //! wrong: moments exchanged in the list
 double body_precession_rate(double I3, double I1, double omega3) { return omega3 * (I3 - I1) / I1; }
 //! wrong: whole numbers
-double body_precession_rate(double I1, double I3, double omega3) {
   const int difference = I3 - I1;
   return omega3 * difference / I1;
-}
 //! wrong: a sphere turns with its spin
-double body_precession_rate(double I1, double I3, double omega3) {
   if (I1 == I3) return omega3;
   return omega3 * (I3 - I1) / I1;
-}

@@ -1,40 +1,25 @@
 #include <cmath>
 #include <rigid/free_tops.hpp>
-//! right: from the equations of motion
 Vector2d linearized_rates(const Vector3d& I, double omega3) {
+//! right: from the equations of motion
   const double rate1 = (I[1] - I[2]) / I[0] * omega3;
   const double rate2 = (I[2] - I[0]) / I[1] * omega3;
   return {-rate1, rate2};
-}
 //! right: element by element
-Vector2d linearized_rates(const Vector3d& I, double omega3) {
   Vector2d rates;
   for (int i = 0; i < 2; ++i) rates[i] = (I[2] - I[1 - i]) * omega3 / I[i];
   return rates;
-}
 //! wrong: subscripts exchanged
-Vector2d linearized_rates(const Vector3d& I, double omega3) {
   return {omega3 * (I[2] - I[0]) / I[1], omega3 * (I[2] - I[1]) / I[0]};
-}
 //! wrong: denominators exchanged
-Vector2d linearized_rates(const Vector3d& I, double omega3) {
   return {omega3 * (I[2] - I[1]) / I[1], omega3 * (I[2] - I[0]) / I[0]};
-}
 //! wrong: signs of the equations of motion
-Vector2d linearized_rates(const Vector3d& I, double omega3) {
   return {-omega3 * (I[2] - I[1]) / I[0], omega3 * (I[2] - I[0]) / I[1]};
-}
 //! wrong: sizes only
-Vector2d linearized_rates(const Vector3d& I, double omega3) {
   const Vector2d rates((I[2] - I[1]) / I[0], (I[2] - I[0]) / I[1]);
   return std::abs(omega3) * rates.cwiseAbs();
-}
 //! wrong: a symmetric top is taken for granted
-Vector2d linearized_rates(const Vector3d& I, double omega3) {
   const double Omega = omega3 * (I[2] - I[0]) / I[0];
   return {Omega, Omega};
-}
 //! wrong: indices from one
-Vector2d linearized_rates(const Vector3d& I, double omega3) {
   return {omega3 * (I[3] - I[2]) / I[1], omega3 * (I[3] - I[1]) / I[2]};
-}

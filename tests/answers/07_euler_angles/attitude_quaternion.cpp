@@ -2,50 +2,39 @@
 #include <cmath>
 #include <numbers>
 #include <rigid/euler_angles.hpp>
-//! wrong: scalar last
 VectorXd attitude_quaternion(const Vector3d& angles) {
+//! wrong: scalar last
   const double a = (angles[0] + angles[2]) / 2, b = (angles[2] - angles[0]) / 2, c = std::cos(angles[1] / 2),
                s = std::sin(angles[1] / 2);
   VectorXd q(4);
   q << s * std::sin(b), s * std::cos(b), c * std::sin(a), c * std::cos(a);
   return q;
-}
 //! wrong: whole angles
-VectorXd attitude_quaternion(const Vector3d& angles) {
   const double a = angles[0] + angles[2], b = angles[2] - angles[0], c = std::cos(angles[1]), s = std::sin(angles[1]);
   VectorXd q(4);
   q << c * std::cos(a), s * std::sin(b), s * std::cos(b), c * std::sin(a);
   return q;
-}
 //! wrong: conjugate
-VectorXd attitude_quaternion(const Vector3d& angles) {
   const double a = (angles[0] + angles[2]) / 2, b = (angles[2] - angles[0]) / 2, c = std::cos(angles[1] / 2),
                s = std::sin(angles[1] / 2);
   VectorXd q(4);
   q << c * std::cos(a), -s * std::sin(b), -s * std::cos(b), -c * std::sin(a);
   return q;
-}
 //! wrong: difference with the other sign
-VectorXd attitude_quaternion(const Vector3d& angles) {
   const double a = (angles[0] + angles[2]) / 2, b = (angles[0] - angles[2]) / 2, c = std::cos(angles[1] / 2),
                s = std::sin(angles[1] / 2);
   VectorXd q(4);
   q << c * std::cos(a), s * std::sin(b), s * std::cos(b), c * std::sin(a);
   return q;
-}
 //! wrong: only three numbers
-VectorXd attitude_quaternion(const Vector3d& angles) {
   const double a = (angles[0] + angles[2]) / 2, b = (angles[2] - angles[0]) / 2, c = std::cos(angles[1] / 2),
                s = std::sin(angles[1] / 2);
   VectorXd q(3);
   q << s * std::sin(b), s * std::cos(b), c * std::sin(a);
   return q;
-}
 //! wrong: integer halves
-VectorXd attitude_quaternion(const Vector3d& angles) {
   const double a = 1 / 2 * (angles[0] + angles[2]), b = 1 / 2 * (angles[2] - angles[0]), c = std::cos(angles[1] / 2),
                s = std::sin(angles[1] / 2);
   VectorXd q(4);
   q << c * std::cos(a), s * std::sin(b), s * std::cos(b), c * std::sin(a);
   return q;
-}

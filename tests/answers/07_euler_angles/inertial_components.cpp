@@ -1,7 +1,7 @@
 #include <cmath>
 #include <rigid/euler_angles.hpp>
-//! right: the body axes, weighted
 Vector3d inertial_components(const Vector3d& V_body, const Vector3d& angles) {
+//! right: the body axes, weighted
   const double cf = std::cos(angles[0]), sf = std::sin(angles[0]);
   const double ct = std::cos(angles[1]), st = std::sin(angles[1]);
   const double cp = std::cos(angles[2]), sp = std::sin(angles[2]);
@@ -9,38 +9,27 @@ Vector3d inertial_components(const Vector3d& V_body, const Vector3d& angles) {
   const Vector3d e2(-sp * ct * cf - cp * sf, -sp * ct * sf + cp * cf, sp * st);
   const Vector3d e3(st * cf, st * sf, ct);
   return V_body[0] * e1 + V_body[1] * e2 + V_body[2] * e3;
-}
 //! right: one quaternion
-Vector3d inertial_components(const Vector3d& V_body, const Vector3d& angles) {
   const Eigen::Quaterniond q(std::cos(angles[1] / 2) * std::cos((angles[0] + angles[2]) / 2),
                              std::sin(angles[1] / 2) * std::sin((angles[2] - angles[0]) / 2),
                              std::sin(angles[1] / 2) * std::cos((angles[2] - angles[0]) / 2),
                              std::cos(angles[1] / 2) * std::sin((angles[0] + angles[2]) / 2));
   return q * V_body;
-}
 //! wrong: from inertial to body components
-Vector3d inertial_components(const Vector3d& V_body, const Vector3d& angles) {
   using Eigen::AngleAxisd;
   return AngleAxisd(-angles[2], Vector3d::UnitZ()) *
          (AngleAxisd(-angles[1], Vector3d::UnitY()) * (AngleAxisd(-angles[0], Vector3d::UnitZ()) * V_body));
-}
 //! wrong: factors transposed, their order kept
-Vector3d inertial_components(const Vector3d& V_body, const Vector3d& angles) {
   using Eigen::AngleAxisd;
   return AngleAxisd(angles[2], Vector3d::UnitZ()) *
          (AngleAxisd(angles[1], Vector3d::UnitY()) * (AngleAxisd(angles[0], Vector3d::UnitZ()) * V_body));
-}
 //! wrong: about x in the middle
-Vector3d inertial_components(const Vector3d& V_body, const Vector3d& angles) {
   using Eigen::AngleAxisd;
   return AngleAxisd(angles[0], Vector3d::UnitZ()) *
          (AngleAxisd(angles[1], Vector3d::UnitX()) * (AngleAxisd(angles[2], Vector3d::UnitZ()) * V_body));
-}
 //! wrong: the last rotation is forgotten
-Vector3d inertial_components(const Vector3d& V_body, const Vector3d& angles) {
   using Eigen::AngleAxisd;
   return AngleAxisd(angles[0], Vector3d::UnitZ()) * (AngleAxisd(angles[1], Vector3d::UnitY()) * V_body);
-}
 //! wrong: arguments in another order
 Vector3d inertial_components(const Vector3d& angles, const Vector3d& V_body) {
   using Eigen::AngleAxisd;

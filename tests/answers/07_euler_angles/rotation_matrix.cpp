@@ -1,13 +1,12 @@
 #include <cmath>
 #include <rigid/euler_angles.hpp>
-//! right: the library's rotations, transposed
 Matrix3d rotation_matrix(const Vector3d& angles) {
+//! right: the library's rotations, transposed
   using Eigen::AngleAxisd;
   const Matrix3d A = (AngleAxisd(angles[0], Vector3d::UnitZ()) * AngleAxisd(angles[1], Vector3d::UnitY()) *
                       AngleAxisd(angles[2], Vector3d::UnitZ()))
                          .toRotationMatrix();
   return A.transpose();
-}
 //! wrong: z-x-z of the other books
 -  const Matrix3d A = (AngleAxisd(angles[0], Vector3d::UnitZ()) * AngleAxisd(angles[1], Vector3d::UnitY()) *
 +  const Matrix3d A = (AngleAxisd(angles[0], Vector3d::UnitZ()) * AngleAxisd(angles[1], Vector3d::UnitX()) *
@@ -18,7 +17,6 @@ Matrix3d rotation_matrix(const Vector3d& angles) {
 +  const Matrix3d A = (AngleAxisd(rad[0], Vector3d::UnitZ()) * AngleAxisd(rad[1], Vector3d::UnitY()) *
 +                      AngleAxisd(rad[2], Vector3d::UnitZ()))
 //! right: all nine entries
-Matrix3d rotation_matrix(const Vector3d& angles) {
   const double cf = std::cos(angles[0]), sf = std::sin(angles[0]);
   const double ct = std::cos(angles[1]), st = std::sin(angles[1]);
   const double cp = std::cos(angles[2]), sp = std::sin(angles[2]);
@@ -26,9 +24,7 @@ Matrix3d rotation_matrix(const Vector3d& angles) {
   R << cp * ct * cf - sp * sf, cp * ct * sf + sp * cf, -cp * st, -sp * ct * cf - cp * sf, -sp * ct * sf + cp * cf,
       sp * st, st * cf, st * sf, ct;
   return R;
-}
 //! wrong: order of the three rotations
-Matrix3d rotation_matrix(const Vector3d& angles) {
   const auto z = [](double a) {
     Matrix3d m;
     m << std::cos(a), std::sin(a), 0, -std::sin(a), std::cos(a), 0, 0, 0, 1;
@@ -37,7 +33,6 @@ Matrix3d rotation_matrix(const Vector3d& angles) {
   Matrix3d y;
   y << std::cos(angles[1]), 0, -std::sin(angles[1]), 0, 1, 0, std::sin(angles[1]), 0, std::cos(angles[1]);
   return z(angles[0]) * y * z(angles[2]);
-}
 //! wrong: sense of the second rotation
 -  y << std::cos(angles[1]), 0, -std::sin(angles[1]), 0, 1, 0, std::sin(angles[1]), 0, std::cos(angles[1]);
 -  return z(angles[0]) * y * z(angles[2]);
@@ -47,9 +42,7 @@ Matrix3d rotation_matrix(const Vector3d& angles) {
 -  return z(angles[0]) * y * z(angles[2]);
 +  return z(angles[0]) * y * z(angles[0]);
 //! wrong: active, the transpose
-Matrix3d rotation_matrix(const Vector3d& angles) {
   using Eigen::AngleAxisd;
   return (AngleAxisd(angles[0], Vector3d::UnitZ()) * AngleAxisd(angles[1], Vector3d::UnitY()) *
           AngleAxisd(angles[2], Vector3d::UnitZ()))
       .toRotationMatrix();
-}

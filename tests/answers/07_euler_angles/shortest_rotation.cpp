@@ -2,24 +2,19 @@
 #include <cmath>
 #include <numbers>
 #include <rigid/euler_angles.hpp>
-//! right: by AngleAxis
 Matrix3d shortest_rotation(const Vector3d& a, const Vector3d& b) {
+//! right: by AngleAxis
   const Vector3d f = a.normalized(), t = b.normalized();
   const Vector3d v = f.cross(t);
   if (v.norm() == 0) return Matrix3d::Identity();
   return Eigen::AngleAxisd(std::atan2(v.norm(), f.dot(t)), v.normalized()).toRotationMatrix();
-}
 //! wrong: angle read as its sine
 -  return Eigen::AngleAxisd(std::atan2(v.norm(), f.dot(t)), v.normalized()).toRotationMatrix();
 +  return Eigen::AngleAxisd(v.norm(), v.normalized()).toRotationMatrix();
 //! wrong: from b to a
-Matrix3d shortest_rotation(const Vector3d& a, const Vector3d& b) {
   return Eigen::Quaterniond::FromTwoVectors(b, a).toRotationMatrix();
-}
 //! wrong: not normalised
-Matrix3d shortest_rotation(const Vector3d& a, const Vector3d& b) {
   const Vector3d v = a.cross(b);
   Matrix3d V;
   V << 0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0;
   return Matrix3d::Identity() + V + V * V / (1 + a.dot(b));
-}

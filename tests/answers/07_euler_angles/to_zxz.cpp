@@ -1,17 +1,15 @@
 #include <cmath>
 #include <numbers>
 #include <rigid/euler_angles.hpp>
-//! right: from the matrix
 Vector3d to_zxz(const Vector3d& angles) {
+//! right: from the matrix
   const double pi = std::numbers::pi;
   const double cp = std::cos(angles[0]), sp = std::sin(angles[0]), ct = std::cos(angles[1]), st = std::sin(angles[1]);
   const double cs = std::cos(angles[2]), ss = std::sin(angles[2]);
   const double theta = std::atan2(std::abs(st), ct);
   if (std::abs(st) < 1e-9) return {std::atan2(sp * cs * ct + cp * ss, cp * cs * ct - sp * ss), theta, 0};
   return {std::atan2(st * cp, -st * sp), theta, std::atan2(-st * cs, st * ss)};
-}
 //! right: loops until in range
-Vector3d to_zxz(const Vector3d& angles) {
   const double pi = std::numbers::pi;
   double phi = angles[0] + pi / 2, theta = angles[1], psi = angles[2] - pi / 2;
   while (theta > pi + 1e-9) theta -= 2 * pi;
@@ -30,32 +28,23 @@ Vector3d to_zxz(const Vector3d& angles) {
   while (psi > pi) psi -= 2 * pi;
   while (psi <= -pi) psi += 2 * pi;
   return {phi, theta, psi};
-}
 //! wrong: no ranges
-Vector3d to_zxz(const Vector3d& angles) {
   const double pi = std::numbers::pi;
   return {angles[0] + pi / 2, angles[1], angles[2] - pi / 2};
-}
 //! wrong: signs of the quarter turns
-Vector3d to_zxz(const Vector3d& angles) {
   const double pi = std::numbers::pi;
   Vector3d q(angles[0] - pi / 2, std::remainder(angles[1], 2 * pi), angles[2] + pi / 2);
   if (q[1] < 0) q = Vector3d(q[0] + pi, -q[1], q[2] + pi);
   if (std::sin(q[1]) < 1e-9) q = Vector3d(q[1] < 1 ? q[0] + q[2] : q[0] - q[2], q[1], 0);
   return {std::remainder(q[0], 2 * pi), q[1], std::remainder(q[2], 2 * pi)};
-}
 //! wrong: nothing special at the vertical
-Vector3d to_zxz(const Vector3d& angles) {
   const double pi = std::numbers::pi;
   Vector3d q(angles[0] + pi / 2, std::remainder(angles[1], 2 * pi), angles[2] - pi / 2);
   if (q[1] < 0) q = Vector3d(q[0] + pi, -q[1], q[2] + pi);
   return {std::remainder(q[0], 2 * pi), q[1], std::remainder(q[2], 2 * pi)};
-}
 //! wrong: upside down like upright
-Vector3d to_zxz(const Vector3d& angles) {
   const double pi = std::numbers::pi;
   Vector3d q(angles[0] + pi / 2, std::remainder(angles[1], 2 * pi), angles[2] - pi / 2);
   if (q[1] < 0) q = Vector3d(q[0] + pi, -q[1], q[2] + pi);
   if (std::sin(q[1]) < 1e-9) q = Vector3d(q[0] + q[2], q[1], 0);
   return {std::remainder(q[0], 2 * pi), q[1], std::remainder(q[2], 2 * pi)};
-}

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <rigid/kinetic_energy.hpp>
-//! right: on axes that follow the line of nodes
 Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, const Vector3d& rates) {
+//! right: on axes that follow the line of nodes
   const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
   const double f = rates[0], t = rates[1], p = rates[2];
   const Vector3d w(-f * s * cp + t * sp, f * s * sp + t * cp, f * c + p);
@@ -11,9 +11,7 @@ Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, co
   const Vector3d relative = a - frame.cross(frame + p * Vector3d::UnitZ());
   const double ff = -(relative[0] + f * t * c) / s;
   return {ff, relative[1], relative[2] - ff * c + f * s * t};
-}
 //! right: the matrix of the axes and its rate
-Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, const Vector3d& rates) {
   const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
   const double t = rates[1], p = rates[2];
   Matrix3d B, B_rate;
@@ -22,9 +20,7 @@ Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, co
   const Vector3d w = B * rates;
   const Vector3d w_rate = -w.cross(I.cwiseProduct(w)).cwiseQuotient(I);
   return B.fullPivLu().solve(w_rate - B_rate * rates);
-}
 //! wrong: sign of Euler's equations
-Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, const Vector3d& rates) {
   const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
   const double f = rates[0], t = rates[1], p = rates[2];
   const Vector3d w(-f * s * cp + t * sp, f * s * sp + t * cp, f * c + p);
@@ -34,7 +30,6 @@ Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, co
   const Vector3d a = w_rate + (-1) * turning;
   const double phi = (-a[0] * cp + a[1] * sp) / s;
   return {phi, a[0] * sp + a[1] * cp, a[2] - c * phi};
-}
 //! wrong: the turning of the axes with the other sign
 -  const Vector3d w_rate = w.cross(I.cwiseProduct(w)).cwiseQuotient(I);
 +  const Vector3d w_rate = w.cross(-I.cwiseProduct(w)).cwiseQuotient(I);
@@ -48,15 +43,12 @@ Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, co
 -  const Vector3d a = w_rate + (-1) * turning;
 +  const Vector3d a = w_rate - turning;
 //! wrong: the axes are taken to stand still
-Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, const Vector3d& rates) {
   const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
   const Vector3d w(-rates[0] * s * cp + rates[1] * sp, rates[0] * s * sp + rates[1] * cp, rates[0] * c + rates[2]);
   const Vector3d a = -w.cross(I.cwiseProduct(w)).cwiseQuotient(I);
   const double phi = (-a[0] * cp + a[1] * sp) / s;
   return {phi, a[0] * sp + a[1] * cp, a[2] - c * phi};
-}
 //! wrong: Lagrange's equation without the derivative of the energy
-Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, const Vector3d& rates) {
   const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
   Matrix3d B, dB;
   B << -s * cp, sp, 0, s * sp, cp, 0, c, 0, 1;
@@ -65,9 +57,7 @@ Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, co
   const Matrix3d M = B.transpose() * I.asDiagonal() * B;
   const Matrix3d dM = dB.transpose() * I.asDiagonal() * B + B.transpose() * I.asDiagonal() * dB;
   return -M.inverse() * dM * rates;
-}
 //! wrong: only one of the terms of the turning line of nodes
-Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, const Vector3d& rates) {
   const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
   const double f = rates[0], t = rates[1], p = rates[2];
   const Vector3d w(-f * s * cp + t * sp, f * s * sp + t * cp, f * c + p);
@@ -76,4 +66,3 @@ Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, co
   const Vector3d a = w_rate - turning;
   const double phi = (-a[0] * cp + a[1] * sp) / s;
   return {phi, a[0] * sp + a[1] * cp, a[2] - c * phi};
-}

@@ -2,39 +2,30 @@
 #include <cmath>
 #include <numbers>
 #include <rigid/kinetic_energy.hpp>
-//! wrong: inertia of a cylinder along
 double rolling_cone_energy(double M, double height, double half_angle, double rate) {
+//! wrong: inertia of a cylinder along
   const double R = height * std::tan(half_angle);
   const double A = 0.5 * M * R * R, B = 0.6 * M * (height * height + R * R / 4);
   const double w = rate / std::tan(half_angle);
   return 0.5 * (A * std::pow(w * std::cos(half_angle), 2) + B * std::pow(w * std::sin(half_angle), 2));
-}
 //! wrong: rate times tangent
-double rolling_cone_energy(double M, double height, double half_angle, double rate) {
   const double R = height * std::tan(half_angle);
   const double A = 0.3 * M * R * R, B = 0.6 * M * (height * height + R * R / 4);
   const double w = rate * std::tan(half_angle);
   return 0.5 * (A * std::pow(w * std::cos(half_angle), 2) + B * std::pow(w * std::sin(half_angle), 2));
-}
 //! wrong: about the centre of mass
-double rolling_cone_energy(double M, double height, double half_angle, double rate) {
   const double R = height * std::tan(half_angle);
   const double A = 0.3 * M * R * R, B = 3.0 / 80 * M * (height * height + 4 * R * R);
   const double w = rate / std::tan(half_angle);
   return 0.5 * (A * std::pow(w * std::cos(half_angle), 2) + B * std::pow(w * std::sin(half_angle), 2));
-}
 //! wrong: integer fraction
-double rolling_cone_energy(double M, double height, double half_angle, double rate) {
   const double R = height * std::tan(half_angle);
   const double A = 3 / 10 * M * R * R, B = 0.6 * M * (height * height + R * R / 4);
   const double w = rate / std::tan(half_angle);
   return 0.5 * (A * std::pow(w * std::cos(half_angle), 2) + B * std::pow(w * std::sin(half_angle), 2));
-}
 //! wrong: half angle forgotten as full
-double rolling_cone_energy(double M, double height, double half_angle, double rate) {
   const double a = half_angle / 2;
   const double R = height * std::tan(a);
   const double A = 0.3 * M * R * R, B = 0.6 * M * (height * height + R * R / 4);
   const double w = rate / std::tan(a);
   return 0.5 * (A * std::pow(w * std::cos(a), 2) + B * std::pow(w * std::sin(a), 2));
-}

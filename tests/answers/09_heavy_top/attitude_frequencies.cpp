@@ -1,12 +1,11 @@
 #include <cmath>
 #include <rigid/heavy_top.hpp>
-//! right: the quadratic equation, its roots from sum and product
 Vector3d attitude_frequencies(const Vector3d& I, double orbital_rate) {
+//! right: the quadratic equation, its roots from sum and product
   const double a = I[0] * I[1], g = I[0] + I[1] - I[2], k1 = I[2] - I[1], k2 = 4 * (I[2] - I[0]);
   const double b = k1 * I[1] + k2 * I[0] + g * g, c = k1 * k2;
   const double large = (b + std::sqrt(b * b - 4 * a * c)) / (2 * a), small = c / (a * large);
   return orbital_rate * Vector3d(std::sqrt(3 * (I[1] - I[0]) / I[2]), std::sqrt(small), std::sqrt(large));
-}
 //! wrong: radial and forward exchanged
 -  const double a = I[0] * I[1], g = I[0] + I[1] - I[2], k1 = I[2] - I[1], k2 = 4 * (I[2] - I[0]);
 -  const double b = k1 * I[1] + k2 * I[0] + g * g, c = k1 * k2;
@@ -16,16 +15,12 @@ Vector3d attitude_frequencies(const Vector3d& I, double orbital_rate) {
 -  return orbital_rate * Vector3d(std::sqrt(3 * (I[1] - I[0]) / I[2]), std::sqrt(small), std::sqrt(large));
 +  return orbital_rate * Vector3d(std::sqrt(3 * (I[1] - I[0]) / I[0]), std::sqrt(small), std::sqrt(large));
 //! wrong: two pendulums across the plane
-Vector3d attitude_frequencies(const Vector3d& I, double orbital_rate) {
   const double a = 4 * (I[2] - I[0]) / I[1], b = (I[2] - I[1]) / I[0];
   const double roll = std::sqrt(std::abs(a)), yaw = std::sqrt(std::abs(b));
   return orbital_rate * Vector3d(std::sqrt(3 * (I[1] - I[0]) / I[2]), std::fmin(roll, yaw), std::fmax(roll, yaw));
-}
 //! wrong: the sign of the coupling
-Vector3d attitude_frequencies(const Vector3d& I, double orbital_rate) {
   const double a = I[0] * I[1], g = I[0] + I[1] - I[2], k1 = I[2] - I[1], k2 = 4 * (I[2] - I[0]);
   const double b = k1 * I[1] + k2 * I[0] - g * g, c = k1 * k2;
   const double root = std::sqrt(std::abs(b * b - 4 * a * c));
   return orbital_rate * Vector3d(std::sqrt(3 * (I[1] - I[0]) / I[2]), std::sqrt(std::abs(b - root) / (2 * a)),
                                  std::sqrt(std::abs(b + root) / (2 * a)));
-}

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <rigid/heavy_top.hpp>
-//! right: Euler's equations, then the derivatives of omega along and across the line of nodes
 Vector3d heavy_top_accelerations(const Vector3d& I, double mgl, const Vector3d& angles, const Vector3d& rates) {
+//! right: Euler's equations, then the derivatives of omega along and across the line of nodes
   const double s = std::sin(angles[1]), c = std::cos(angles[1]);
   const double sp = std::sin(angles[2]), cp = std::cos(angles[2]);
   const Vector3d w(-rates[0] * s * cp + rates[1] * sp, rates[0] * s * sp + rates[1] * cp, rates[0] * c + rates[2]);
@@ -10,7 +10,6 @@ Vector3d heavy_top_accelerations(const Vector3d& I, double mgl, const Vector3d& 
   const double theta = dw[0] * sp + dw[1] * cp - rates[2] * rates[0] * s;
   const double phi = (-dw[0] * cp + dw[1] * sp + rates[2] * rates[1] - rates[0] * rates[1] * c) / s;
   return {phi, theta, dw[2] - phi * c + rates[0] * rates[1] * s};
-}
 //! wrong: the torque always about the second axis of the body
 -  const Vector3d torque(mgl * s * sp, mgl * s * cp, 0);
 +  const Vector3d torque(0, mgl * s, 0);
@@ -36,7 +35,6 @@ Vector3d heavy_top_accelerations(const Vector3d& I, double mgl, const Vector3d& 
 -  const double phi = (-dw[0] * cp + dw[1] * sp + rates[2] * rates[1] - rates[0] * rates[1] * c) / s;
 +  const double phi = (-dw[0] * cp + dw[1] * sp) / s;
 //! right: all vectors in space
-Vector3d heavy_top_accelerations(const Vector3d& I, double mgl, const Vector3d& angles, const Vector3d& rates) {
   const Vector3d up(0, 0, 1), nodes(-std::sin(angles[0]), std::cos(angles[0]), 0);
   const Matrix3d A = (Eigen::AngleAxisd(angles[0], Vector3d::UnitZ()) *
                       Eigen::AngleAxisd(angles[1], Vector3d::UnitY()) * Eigen::AngleAxisd(angles[2], Vector3d::UnitZ()))
@@ -50,12 +48,9 @@ Vector3d heavy_top_accelerations(const Vector3d& I, double mgl, const Vector3d& 
   const Vector3d dw = inverse * (mgl * up.cross(axis) - w.cross(inertia * w));
   const Vector3d moving = rates[1] * rates[0] * up.cross(nodes) + rates[2] * w.cross(axis);
   return E.inverse() * (dw - moving);
-}
 //! wrong: a symmetric top
-Vector3d heavy_top_accelerations(const Vector3d& I, double mgl, const Vector3d& angles, const Vector3d& rates) {
   const double s = std::sin(angles[1]), c = std::cos(angles[1]);
   const double spin = rates[0] * c + rates[2];
   const double theta = s * (c * rates[0] * rates[0] - (I[2] * spin * rates[0] - mgl) / I[0]);
   const double phi = (I[2] * spin / I[0] - 2 * c * rates[0]) * rates[1] / s;
   return {phi, theta, rates[0] * rates[1] * s - phi * c};
-}

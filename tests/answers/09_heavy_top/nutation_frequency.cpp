@@ -1,10 +1,9 @@
 #include <cmath>
 #include <rigid/heavy_top.hpp>
-//! right: two squares
 double nutation_frequency(double I1, double mgl, double theta, double rate) {
+//! right: two squares
   const double c = std::cos(theta), s = std::sin(theta), b = c * rate + mgl / (I1 * rate);
   return std::hypot(rate * s, b - 2 * rate * c);
-}
 //! right: the slope by a difference in long double
 static long double pull(long double I1, long double mgl, long double t, long double a, long double b) {
   const long double rate = (a - b * std::cos(t)) / (std::sin(t) * std::sin(t));
@@ -19,21 +18,13 @@ double nutation_frequency(double I1, double mgl, double theta, double rate) {
   return static_cast<double>(std::sqrt(-(4 * slope(h / 2) - slope(h)) / 3));
 }
 //! wrong: a bead on a hoop that a motor turns
-double nutation_frequency(double I1, double mgl, double theta, double rate) {
   (void)I1, (void)mgl;
   return std::abs(rate * std::sin(theta));
-}
 //! wrong: the momentum over the moment
-double nutation_frequency(double I1, double mgl, double theta, double rate) {
   return std::abs(rate * std::cos(theta) + mgl / (I1 * rate));
-}
 //! wrong: the mixed term without its two
-double nutation_frequency(double I1, double mgl, double theta, double rate) {
   const double w = mgl / I1;
   return std::sqrt(rate * rate - w * std::cos(theta) + w * w / (rate * rate));
-}
 //! wrong: sine for cosine
-double nutation_frequency(double I1, double mgl, double theta, double rate) {
   const double w = mgl / I1;
   return std::sqrt(std::abs(rate * rate - 2 * w * std::sin(theta) + w * w / (rate * rate)));
-}

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 #include <rigid/heavy_top.hpp>
-//! right: halved intervals of the cubic about the start
 Vector2d nutation_limits(double I1, double I3, double mgl, double theta, const Vector3d& rates) {
+//! right: halved intervals of the cubic about the start
   const double u0 = std::cos(theta), s2 = std::pow(std::sin(theta), 2), p = rates[0];
   const double b = I3 * (p * u0 + rates[2]) / I1, beta = 2 * mgl / I1, k = p * p * s2 + rates[1] * rates[1];
   const auto f = [&](double d) {
@@ -18,12 +18,10 @@ Vector2d nutation_limits(double I1, double I3, double mgl, double theta, const V
     (f(y) < 0 ? highest : high) = y;
   }
   return {std::acos(u0 + high), std::acos(u0 + low)};
-}
 //! wrong: order of the cosines
 -  return {std::acos(u0 + high), std::acos(u0 + low)};
 +  return {std::acos(u0 + low), std::acos(u0 + high)};
 //! right: Viète's cosines for the three roots, each polished with Newton's rule
-Vector2d nutation_limits(double I1, double I3, double mgl, double theta, const Vector3d& rates) {
   const double u0 = std::cos(theta), s2 = std::pow(std::sin(theta), 2), p = rates[0], q = rates[1];
   const double b = I3 * (p * u0 + rates[2]) / I1, beta = 2 * mgl / I1, k = p * p * s2 + q * q;
   const double c0 = s2 * q * q / beta, c1 = (2 * b * p * s2 - 2 * u0 * k) / beta - s2, c2 = 2 * u0 - (k + b * b) / beta;
@@ -39,9 +37,7 @@ Vector2d nutation_limits(double I1, double I3, double mgl, double theta, const V
     }
   std::sort(d, d + 2);
   return {std::acos(u0 + d[1]), std::acos(u0 + d[0])};
-}
 //! wrong: the third term of omega3 without its cosine
-Vector2d nutation_limits(double I1, double I3, double mgl, double theta, const Vector3d& rates) {
   const double u = std::cos(theta), s2 = std::pow(std::sin(theta), 2);
   const double spin = rates[0] + rates[2], b = I3 * spin / I1, a = rates[0] * s2 + b * u, beta = 2 * mgl / I1;
   const double alpha = rates[0] * rates[0] * s2 + rates[1] * rates[1] + beta * u;
@@ -53,7 +49,6 @@ Vector2d nutation_limits(double I1, double I3, double mgl, double theta, const V
     (f(y) < 0 ? highest : high) = y;
   }
   return {std::acos(high), std::acos(low)};
-}
 //! wrong: energy of the spin counted in alpha
 -  const double u = std::cos(theta), s2 = std::pow(std::sin(theta), 2);
 -  const double spin = rates[0] + rates[2], b = I3 * spin / I1, a = rates[0] * s2 + b * u, beta = 2 * mgl / I1;
@@ -62,7 +57,6 @@ Vector2d nutation_limits(double I1, double I3, double mgl, double theta, const V
 +  const double E = 0.5 * I1 * (rates[0] * rates[0] * s2 + rates[1] * rates[1]) + 0.5 * I3 * spin * spin + mgl * u;
 +  const double b = I3 * spin / I1, a = rates[0] * s2 + b * u, beta = 2 * mgl / I1, alpha = 2 * E / I1;
 //! wrong: the two largest roots of the cubic
-Vector2d nutation_limits(double I1, double I3, double mgl, double theta, const Vector3d& rates) {
   const double u = std::cos(theta), s2 = std::pow(std::sin(theta), 2);
   const double spin = rates[0] * u + rates[2], b = I3 * spin / I1, a = rates[0] * s2 + b * u, beta = 2 * mgl / I1;
   const double alpha = rates[0] * rates[0] * s2 + rates[1] * rates[1] + beta * u;
@@ -72,9 +66,7 @@ Vector2d nutation_limits(double I1, double I3, double mgl, double theta, const V
   Vector3d roots = C.eigenvalues().real();
   std::sort(roots.begin(), roots.end());
   return {std::acos(roots[2]), std::acos(roots[1])};
-}
 //! wrong: the start taken for a limit
-Vector2d nutation_limits(double I1, double I3, double mgl, double theta, const Vector3d& rates) {
   const double u0 = std::cos(theta), s2 = std::pow(std::sin(theta), 2), p = rates[0];
   const double b = I3 * (p * u0 + rates[2]) / I1, beta = 2 * mgl / I1, k = p * p * s2;
   // cubic in d = u − u0 divided by d
@@ -82,9 +74,7 @@ Vector2d nutation_limits(double I1, double I3, double mgl, double theta, const V
   const double d = 2 * C / (-B + std::sqrt(B * B - 4 * A * C));
   const double other = std::acos(std::clamp(u0 + d, -1.0, 1.0));
   return {std::min(theta, other), std::max(theta, other)};
-}
 //! wrong: looks in steps of a thousandth
-Vector2d nutation_limits(double I1, double I3, double mgl, double theta, const Vector3d& rates) {
   const double p_psi = I3 * (rates[0] * std::cos(theta) + rates[2]);
   const double p_phi = I1 * std::pow(std::sin(theta), 2) * rates[0] + p_psi * std::cos(theta);
   const auto U = [&](double x) {
@@ -95,4 +85,3 @@ Vector2d nutation_limits(double I1, double I3, double mgl, double theta, const V
   while (low > 0 && U(low) <= E) low -= 1e-3;
   while (high < std::numbers::pi && U(high) <= E) high += 1e-3;
   return {low, high};
-}

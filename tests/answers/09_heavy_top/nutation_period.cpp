@@ -1,8 +1,8 @@
 #include <cmath>
 #include <numbers>
 #include <rigid/heavy_top.hpp>
-//! right: arithmetic-geometric mean
 double nutation_period(double I1, double I3, double mgl, double theta, const Vector3d& rates) {
+//! right: arithmetic-geometric mean
   const double u0 = std::cos(theta), s2 = std::pow(std::sin(theta), 2), p = rates[0];
   const double b = I3 * (p * u0 + rates[2]) / I1, beta = 2 * mgl / I1, k = p * p * s2 + rates[1] * rates[1];
   const auto f = [&](double d) {
@@ -23,7 +23,6 @@ double nutation_period(double I1, double I3, double mgl, double theta, const Vec
     x = next;
   }
   return 2 * std::numbers::pi / x;
-}
 //! right: midpoints in the angle that removes the ends
 -  double x = std::sqrt(beta * (third - low)), y = std::sqrt(beta * (third - high));
 -  for (int i = 0; i < 50; ++i) {
@@ -39,7 +38,6 @@ double nutation_period(double I1, double I3, double mgl, double theta, const Vec
 -  return 2 * std::numbers::pi / x;
 +  return time;
 //! wrong: from one limit to the other
-double nutation_period(double I1, double I3, double mgl, double theta, const Vector3d& rates) {
   const double u0 = std::cos(theta), s2 = std::pow(std::sin(theta), 2), p = rates[0];
   const double b = I3 * (p * u0 + rates[2]) / I1, beta = 2 * mgl / I1, k = p * p * s2 + rates[1] * rates[1];
   const auto f = [&](double d) {
@@ -55,7 +53,6 @@ double nutation_period(double I1, double I3, double mgl, double theta, const Vec
   const double third = (k + b * b) / beta - 2 * u0 - low - high;
   const double m = (high - low) / (third - low);
   return 2 * std::comp_ellint_1(std::sqrt(m)) / std::sqrt(beta * (third - low));
-}
 //! wrong: difference to the upper limit under the root
 -  return 2 * std::comp_ellint_1(std::sqrt(m)) / std::sqrt(beta * (third - low));
 +  return 4 * std::comp_ellint_1(std::sqrt(m)) / std::sqrt(beta * (third - high));
@@ -80,7 +77,6 @@ double nutation_period(double I1, double I3, double mgl, double theta, const Vec
 +  }
 +  return time;
 //! wrong: small nodding at the bottom of the well
-double nutation_period(double I1, double I3, double mgl, double theta, const Vector3d& rates) {
   const double p_psi = I3 * (rates[0] * std::cos(theta) + rates[2]);
   const double p_phi = I1 * std::pow(std::sin(theta), 2) * rates[0] + p_psi * std::cos(theta);
   const auto force = [&](double x) {
@@ -94,7 +90,6 @@ double nutation_period(double I1, double I3, double mgl, double theta, const Vec
   }
   const double h = 1e-5, curvature = (force(low + h) - force(low - h)) / (2 * h);
   return 2 * std::numbers::pi * std::sqrt(I1 / curvature);
-}
 //! wrong: a pendulum
 double nutation_period(double I1, double, double mgl, double, const Vector3d&) {
   return 2 * std::numbers::pi * std::sqrt(I1 / mgl);

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <rigid/heavy_top.hpp>
-//! right: bisection for the spin at which the upright axis turns unstable
 double sleeping_spin(double I1, double I3, double mgl) {
+//! right: bisection for the spin at which the upright axis turns unstable
   // small tilt x + iy: I1 z'' - i I3 w z' - mgl z = 0; real frequencies while (I3 w)² > 4 I1 mgl
   const auto oscillates = [&](double w) { return (w * I3 / I1) * (w * I3 / mgl) >= 4; };
   double low = 0, high = 1e-9;
@@ -11,16 +11,13 @@ double sleeping_spin(double I1, double I3, double mgl) {
     (oscillates(middle) ? high : low) = middle;
   }
   return high;
-}
 //! right: three roots
 double sleeping_spin(double I1, double I3, double mgl) { return 2 * std::sqrt(I1 / I3) * std::sqrt(mgl / I3); }
 //! wrong: angular momentum returned
 double sleeping_spin(double I1, double, double mgl) { return 2 * std::sqrt(I1 * mgl); }
 //! wrong: the expansion of the cosine without its half
-double sleeping_spin(double I1, double I3, double mgl) {
   // p² θ²/(8 I1) against mgl θ²
   return std::sqrt(8 * I1 * mgl) / I3;
-}
 //! wrong: root never taken
 double sleeping_spin(double I1, double I3, double mgl) { return 4 * I1 * mgl / (I3 * I3); }
 //! wrong: exponent one half in whole numbers

@@ -1,35 +1,24 @@
 #include <cmath>
 #include <rigid/attitude_of_a_free_body.hpp>
-//! right: sums of squares by hand
 double azimuth_rate(const Vector3d& I, const Vector3d& omega) {
+//! right: sums of squares by hand
   const double a = I[0] * omega[0], b = I[1] * omega[1], c = I[2] * omega[2];
   return std::sqrt(a * a + b * b + c * c) * (a * omega[0] + b * omega[1]) / (a * a + b * b);
-}
 //! right: by the velocity of the tip
-double azimuth_rate(const Vector3d& I, const Vector3d& omega) {
   const Vector3d up = I.cwiseProduct(omega).normalized(), tip = Vector3d::UnitZ();
   const Vector3d round = up.cross(tip);
   return omega.cross(tip).dot(round) / round.dot(round);
-}
 //! wrong: the formula of the contract as it stands
-double azimuth_rate(const Vector3d& I, const Vector3d& omega) {
   const Vector3d L = I.cwiseProduct(omega);
   const double c = L[2] / L.norm();
   return (omega.dot(L) / L.norm() - omega[2] * c) / (1 - c * c);
-}
 //! wrong: mean of two rates
-double azimuth_rate(const Vector3d& I, const Vector3d& omega) {
   const double L = I.cwiseProduct(omega).norm();
   return L * (1 / I[0] + 1 / I[1]) / 2;
-}
 //! wrong: sine of the angle with omega
-double azimuth_rate(const Vector3d& I, const Vector3d& omega) {
   const Vector3d L = I.cwiseProduct(omega);
   const double c = omega[2] / omega.norm();
   return (omega.dot(L) / L.norm() - omega[2] * c) / (1 - c * c);
-}
 //! wrong: moments not squared below
-double azimuth_rate(const Vector3d& I, const Vector3d& omega) {
   const Vector3d L = I.cwiseProduct(omega);
   return L.norm() * (L[0] * omega[0] + L[1] * omega[1]) / (I[0] * omega[0] * omega[0] + I[1] * omega[1] * omega[1]);
-}

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <utility>
 #include <rigid/attitude_of_a_free_body.hpp>
-//! right: Jacobi's functions of the library
 Vector3d exact_rotation(const Vector3d& I, const Vector3d& omega0, double t) {
+//! right: Jacobi's functions of the library
   double I1 = I[0], I2 = I[1], I3 = I[2];
   Vector3d w = omega0;
   const bool other = I1 * (I2 - I1) * w[0] * w[0] > I3 * (I3 - I2) * w[2] * w[2];
@@ -24,7 +24,6 @@ Vector3d exact_rotation(const Vector3d& I, const Vector3d& omega0, double t) {
   Vector3d result(a1 * cn, s * a2 * sn, s * a3 * dn);
   if (other) std::swap(result[0], result[2]);
   return result;
-}
 //! wrong: quadrant of the phase lost
 -  // with the labels exchanged both factors of each product change their sign
 @@
@@ -62,7 +61,6 @@ Vector3d exact_rotation(const Vector3d& I, const Vector3d& omega0, double t) {
 -  const double sn = boost::math::jacobi_elliptic(k, nu * t + u0, &cn, &dn);
 +  const double sn = boost::math::jacobi_elliptic(m, nu * t + u0, &cn, &dn);
 //! right: whole periods left out, the remainder integrated
-Vector3d exact_rotation(const Vector3d& I, const Vector3d& omega0, double t) {
   double a = I[0], b = I[1], c = I[2], x = omega0[0], y = omega0[1], z = omega0[2];
   if (a * (b - a) * x * x > c * (c - b) * z * z) {
     std::swap(a, c);
@@ -84,9 +82,7 @@ Vector3d exact_rotation(const Vector3d& I, const Vector3d& omega0, double t) {
     w += h / 6 * (p + 2 * q + 2 * r + s);
   }
   return w;
-}
 //! wrong: remainder after periods of a small wobble
-Vector3d exact_rotation(const Vector3d& I, const Vector3d& omega0, double t) {
   const auto rate = [&](const Vector3d& w) {
     return Vector3d((I[1] - I[2]) * w[1] * w[2] / I[0], (I[2] - I[0]) * w[2] * w[0] / I[1],
                     (I[0] - I[1]) * w[0] * w[1] / I[2]);
@@ -100,7 +96,6 @@ Vector3d exact_rotation(const Vector3d& I, const Vector3d& omega0, double t) {
     w += h / 6 * (a + 2 * b + 2 * c + d);
   }
   return w;
-}
 //! wrong: fifty thousand steps, however long the time
 -  const double P = 2 * std::numbers::pi / (omega0.norm() * std::sqrt((I[2] - I[0]) * (I[2] - I[1]) / (I[0] * I[1])));
 -  const int n = 10000;
@@ -108,7 +103,6 @@ Vector3d exact_rotation(const Vector3d& I, const Vector3d& omega0, double t) {
 +  const int n = 50000;
 +  const double h = t / n;
 //! wrong: steps of a hundredth of a second up to the end
-Vector3d exact_rotation(const Vector3d& I, const Vector3d& omega0, double t) {
   const auto rate = [&](const Vector3d& w) {
     return Vector3d((I[1] - I[2]) * w[1] * w[2] / I[0], (I[2] - I[0]) * w[2] * w[0] / I[1],
                     (I[0] - I[1]) * w[0] * w[1] / I[2]);
@@ -120,4 +114,3 @@ Vector3d exact_rotation(const Vector3d& I, const Vector3d& omega0, double t) {
     w += h / 6 * (a + 2 * b + 2 * c + d);
   }
   return w;
-}

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <utility>
 #include <rigid/attitude_of_a_free_body.hpp>
-//! right: area over equal steps of the azimuth
 double geometric_phase(const Vector3d& I, const Vector3d& omega0) {
+//! right: area over equal steps of the azimuth
   int a = 0, b = 1, c = 2;
   const Vector3d L = I.cwiseProduct(omega0);
   const double E = omega0.dot(L) / L.squaredNorm();
@@ -16,7 +16,6 @@ double geometric_phase(const Vector3d& I, const Vector3d& omega0) {
     area += (1 - std::sqrt(1 - sin2)) * 2 * M_PI / steps;
   }
   return area;
-}
 //! wrong: area projected along the axis
 -    area += (1 - std::sqrt(1 - sin2)) * 2 * M_PI / steps;
 +    area += sin2 / 2 * 2 * M_PI / steps;
@@ -113,8 +112,6 @@ double geometric_phase(const Vector3d& I, const Vector3d& omega0) {
 -  return round_3 ? mean + 2 * M_PI - angle : angle - mean;
 +  return std::fmod(angle, 2 * M_PI);
 //! wrong: a circle through the start
-double geometric_phase(const Vector3d& I, const Vector3d& omega0) {
   const Vector3d n = I.cwiseProduct(omega0).normalized();
   const bool round_3 = I.cwiseProduct(omega0).squaredNorm() > I[1] * I.dot(omega0.cwiseAbs2());
   return 2 * M_PI * (1 - std::abs(round_3 ? n[2] : n[0]));
-}

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <rigid/measured.hpp>
-//! right: Rodrigues by hand
 Matrix3d attitude_from_rates(const VectorXd& t, const Matrix3Xd& omega) {
+//! right: Rodrigues by hand
   Matrix3d A = Matrix3d::Identity();
   for (int k = 1; k < t.size(); ++k) {
     const Vector3d v = (t[k] - t[k - 1]) * (omega.col(k) + omega.col(k - 1)) / 2;
@@ -12,7 +12,6 @@ Matrix3d attitude_from_rates(const VectorXd& t, const Matrix3Xd& omega) {
     A = A * (Matrix3d::Identity() + std::sin(angle) * N + (1 - std::cos(angle)) * N * N);
   }
   return A;
-}
 //! wrong: no rotation divided by zero
 -    const double angle = v.norm();
 -    if (angle == 0) continue;
@@ -28,7 +27,6 @@ Matrix3d attitude_from_rates(const VectorXd& t, const Matrix3Xd& omega) {
 -    A = A * (Matrix3d::Identity() + std::sin(angle) * N + (1 - std::cos(angle)) * N * N);
 +    A = Eigen::AngleAxisd(v.norm(), v.normalized()).toRotationMatrix() * A;
 //! wrong: Euler angles of the steps
-Matrix3d attitude_from_rates(const VectorXd& t, const Matrix3Xd& omega) {
   Matrix3d A = Matrix3d::Identity();
   for (int k = 1; k < t.size(); ++k) {
     const Vector3d v = (t[k] - t[k - 1]) * (omega.col(k) + omega.col(k - 1)) / 2;
@@ -36,9 +34,7 @@ Matrix3d attitude_from_rates(const VectorXd& t, const Matrix3Xd& omega) {
         Eigen::AngleAxisd(v[2], Vector3d::UnitZ());
   }
   return A;
-}
 //! wrong: half angles forgotten in the quaternion
-Matrix3d attitude_from_rates(const VectorXd& t, const Matrix3Xd& omega) {
   Eigen::Quaterniond q = Eigen::Quaterniond::Identity();
   for (int k = 1; k < t.size(); ++k) {
     const Vector3d v = (t[k] - t[k - 1]) * (omega.col(k) + omega.col(k - 1)) / 2;
@@ -47,4 +43,3 @@ Matrix3d attitude_from_rates(const VectorXd& t, const Matrix3Xd& omega) {
     q = q * Eigen::Quaterniond(std::cos(angle), n[0], n[1], n[2]);
   }
   return q.normalized().toRotationMatrix();
-}

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <rigid/measured.hpp>
-//! right: Runge and Kutta in steps of five milliseconds
 Vector3d damped_rotation(const Vector3d& I, const Vector3d& omega0, double gamma, double t) {
+//! right: Runge and Kutta in steps of five milliseconds
   Vector3d w = omega0;
   const int steps = 1 + static_cast<int>(t / 0.005);
   const double h = t / steps;
@@ -13,7 +13,6 @@ Vector3d damped_rotation(const Vector3d& I, const Vector3d& omega0, double gamma
     w += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
   }
   return w;
-}
 //! wrong: torque against omega
 -    return Vector3d(-u.cross(I.cwiseProduct(u)).cwiseQuotient(I)) - gamma * u;
 +    return Vector3d((-u.cross(I.cwiseProduct(u)) - gamma * u).cwiseQuotient(I));
@@ -29,9 +28,7 @@ Vector3d damped_rotation(const Vector3d& I, const Vector3d& omega0, double gamma
 -  return w;
 +  return std::exp(-gamma * t) * w;
 //! wrong: explicit Euler
-Vector3d damped_rotation(const Vector3d& I, const Vector3d& omega0, double gamma, double t) {
   Vector3d w = omega0;
   const int steps = 1 + static_cast<int>(t / 0.001);
   for (int k = 0; k < steps; ++k) w += t / steps * (Vector3d(-w.cross(I.cwiseProduct(w)).cwiseQuotient(I)) - gamma * w);
   return w;
-}

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <rigid/measured.hpp>
-//! right: sums in one loop
 Vector3d euler_coefficients(const VectorXd& t, const Matrix3Xd& omega) {
+//! right: sums in one loop
   Vector3d result;
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
@@ -18,7 +18,6 @@ Vector3d euler_coefficients(const VectorXd& t, const Matrix3Xd& omega) {
     result[i] = (n * sxy - sx * sy) / (n * sxx - sx * sx);
   }
   return result;
-}
 //! wrong: mean of the factors instead of the products
 -      if (m > 0) S += 0.5 * (t[m] - t[m - 1]) * (omega(j, m) * omega(k, m) + omega(j, m - 1) * omega(k, m - 1));
 +      if (m > 0) S += (t[m] - t[m - 1]) * (omega(j, m) + omega(j, m - 1)) / 2 * (omega(k, m) + omega(k, m - 1)) / 2;
@@ -29,7 +28,6 @@ Vector3d euler_coefficients(const VectorXd& t, const Matrix3Xd& omega) {
 -      if (m > 0) S += 0.5 * (t[m] - t[m - 1]) * (omega(j, m) * omega(k, m) + omega(j, m - 1) * omega(k, m - 1));
 +      if (m > 0) S += 0.005 * (omega(j, m) * omega(k, m) + omega(j, m - 1) * omega(k, m - 1));
 //! right: normal equations
-Vector3d euler_coefficients(const VectorXd& t, const Matrix3Xd& omega) {
   Vector3d result;
   for (int i = 0; i < 3; ++i) {
     Eigen::MatrixX2d X(t.size(), 2);
@@ -45,9 +43,7 @@ Vector3d euler_coefficients(const VectorXd& t, const Matrix3Xd& omega) {
     result[i] = line[1];
   }
   return result;
-}
 //! wrong: derivative by differences
-Vector3d euler_coefficients(const VectorXd& t, const Matrix3Xd& omega) {
   Vector3d result;
   for (int i = 0; i < 3; ++i) {
     double above = 0, below = 0;
@@ -59,4 +55,3 @@ Vector3d euler_coefficients(const VectorXd& t, const Matrix3Xd& omega) {
     result[i] = above / below;
   }
   return result;
-}
