@@ -38,9 +38,9 @@ TEST_CASE("code generated at the link reaches no file, for there is none") {
   // A file is compiled into the compiler's own intermediate language; the text of that is the attack.
   write(directory / "inner.cpp",
         "#include <fixture/contract.hpp>\nextern \"C\" const char secret[];\n"
-        "asm(\".section .rodata\\n.globl secret\\nsecret: .incbin \\\"" +
+        "asm(\".pushsection .rodata\\n.globl secret\\nsecret: .incbin \\\"" +
             secret.string() +
-            "\\\"\\n\");\n"
+            "\\\"\\n.popsection\\n\");\n"
             "double rigid::twice(double) { return secret[0]; }\n");
   REQUIRE(compiler_unhindered(with_flags({"-flto", "-S", "inner.cpp", "-o", "inner.s"}), directory).succeeded());
   const std::string attack = as_asm(read(directory / "inner.s"));

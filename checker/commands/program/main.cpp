@@ -76,6 +76,7 @@ class HelpFormatter : public CLI::Formatter {
       if (line.empty() && text.ends_with("\n\n")) continue;
       text += (line.starts_with("Usage") ? "\n" : "") + fitted(line) + "\n";
     }
+    while (text.ends_with("\n\n")) text.pop_back();  // the versions of CLI11 end in different ways
     return text;
   }
 
