@@ -5,6 +5,48 @@
 
 namespace workbook::judging {
 
+Vector3d cross(const Vector3d& a, const Vector3d& b) { return a.cross(b); }
+
+Matrix3d columns(const Vector3d& a, const Vector3d& b, const Vector3d& c) { return (Matrix3d() << a, b, c).finished(); }
+
+Matrix3d skew(const Vector3d& w) { return Matrix3d{{0, -w[2], w[1]}, {w[2], 0, -w[0]}, {-w[1], w[0], 0}}; }
+
+Vector3d axial(const Matrix3d& W) { return {W(2, 1), W(0, 2), W(1, 0)}; }
+
+Vector3d axial_part(const Matrix3d& W) { return axial(W - W.transpose()) / 2; }
+
+Vector3d in_xy_plane(double angle) { return {std::cos(angle), std::sin(angle), 0}; }
+
+Vector3d L_of(const Vector3d& I, const Vector3d& w) { return I.cwiseProduct(w); }
+
+double twice_T(const Vector3d& I, const Vector3d& w) { return I.dot(w.cwiseAbs2()); }
+
+Vector3d free_rate(const Vector3d& I, const Vector3d& w) { return cross(L_of(I, w), w).cwiseQuotient(I); }
+
+Matrix3d dyad(const Vector3d& r) { return r * r.transpose(); }
+
+Matrix3d turn(const Vector3d& axis, double angle) {
+  return Eigen::AngleAxisd(angle, axis.stableNormalized()).toRotationMatrix();
+}
+
+Matrix3d attitude(const Vector3d& angles) {
+  return turn(z_axis, angles[0]) * turn(y_axis, angles[1]) * turn(z_axis, angles[2]);
+}
+
+Matrix3d diagonal_part(const Matrix3d& I) { return I.diagonal().asDiagonal(); }
+
+Matrix3d products_flipped(const Matrix3d& I) { return 2 * diagonal_part(I) - I; }
+
+Matrix3d of_unit_mass(const Vector3d& r) { return r.squaredNorm() * Matrix3d::Identity() - dyad(r); }
+
+Matrix3d second_moment(const VectorXd& m, const Matrix3Xd& r) { return r * m.asDiagonal() * r.transpose(); }
+
+Matrix3d tensor_of_moment(const Matrix3d& C) { return C.trace() * Matrix3d::Identity() - C; }
+
+Matrix3d moment_of_tensor(const Matrix3d& I) { return I.trace() / 2 * Matrix3d::Identity() - I; }
+
+Vector3d center_of_mass(const VectorXd& m, const Matrix3Xd& r) { return r * m / m.sum(); }
+
 Matrix3d of_unit_mass_by_entries(const Vector3d& r) {
   const double x = r.x(), y = r.y(), z = r.z();
   return Matrix3d{{y * y + z * z, -x * y, -x * z}, {-x * y, x * x + z * z, -y * z}, {-x * z, -y * z, x * x + y * y}};

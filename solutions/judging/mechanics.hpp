@@ -18,8 +18,7 @@ using namespace rigid;
 inline constexpr double pi = std::numbers::pi;
 inline constexpr double degree = pi / 180;
 
-inline const Vector3d zero = Vector3d::Zero();
-inline const Vector3d x_axis = Vector3d::UnitX(), y_axis = Vector3d::UnitY(), z_axis = Vector3d::UnitZ();
+inline const Vector3d zero(0, 0, 0), x_axis(1, 0, 0), y_axis(0, 1, 0), z_axis(0, 0, 1);
 
 /// The angular velocity of the running example.
 inline const Vector3d example_omega(0.3, -0.2, 0.5);
@@ -27,55 +26,49 @@ inline const Vector3d example_omega(0.3, -0.2, 0.5);
 /// The four masses of lecture 03 about the origin: 10 kg at (0.5, 0.8, 1.3) m.
 inline const Matrix3d tensor_of_four_masses{{43, -4, -4}, {-4, 36, -4}, {-4, -4, 17}};
 
-inline Vector3d cross(const Vector3d& a, const Vector3d& b) { return a.cross(b); }
+Vector3d cross(const Vector3d& a, const Vector3d& b);
 
-inline Matrix3d columns(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
-  return (Matrix3d() << a, b, c).finished();
-}
+Matrix3d columns(const Vector3d& a, const Vector3d& b, const Vector3d& c);
 
 /// The matrix that does what w× does, and back.
-inline Matrix3d skew(const Vector3d& w) { return Matrix3d{{0, -w[2], w[1]}, {w[2], 0, -w[0]}, {-w[1], w[0], 0}}; }
-inline Vector3d axial(const Matrix3d& W) { return {W(2, 1), W(0, 2), W(1, 0)}; }
-inline Vector3d axial_part(const Matrix3d& W) { return axial(W - W.transpose()) / 2; }
+Matrix3d skew(const Vector3d& w);
+Vector3d axial(const Matrix3d& W);
+Vector3d axial_part(const Matrix3d& W);
 
-inline Vector3d in_xy_plane(double angle) { return {std::cos(angle), std::sin(angle), 0}; }
+Vector3d in_xy_plane(double angle);
 
 /// L and 2T on principal axes, and the rates of change of ω without a torque.
-inline Vector3d L_of(const Vector3d& I, const Vector3d& w) { return I.cwiseProduct(w); }
-inline double twice_T(const Vector3d& I, const Vector3d& w) { return I.dot(w.cwiseAbs2()); }
-inline Vector3d free_rate(const Vector3d& I, const Vector3d& w) { return cross(L_of(I, w), w).cwiseQuotient(I); }
+Vector3d L_of(const Vector3d& I, const Vector3d& w);
+double twice_T(const Vector3d& I, const Vector3d& w);
+Vector3d free_rate(const Vector3d& I, const Vector3d& w);
 
 /// r r, the matrix with entries rᵢ rⱼ.
-inline Matrix3d dyad(const Vector3d& r) { return r * r.transpose(); }
+Matrix3d dyad(const Vector3d& r);
 
 /// The active rotation about an axis of any length; about the zero vector nothing turns.
-inline Matrix3d turn(const Vector3d& axis, double angle) {
-  return Eigen::AngleAxisd(angle, axis.stableNormalized()).toRotationMatrix();
-}
+Matrix3d turn(const Vector3d& axis, double angle);
 
 /// The attitude with these Euler angles: A in V_inertial = A V_body.
-inline Matrix3d attitude(const Vector3d& angles) {
-  return turn(z_axis, angles[0]) * turn(y_axis, angles[1]) * turn(z_axis, angles[2]);
-}
+Matrix3d attitude(const Vector3d& angles);
 
-inline Matrix3d diagonal_part(const Matrix3d& I) { return I.diagonal().asDiagonal(); }
+Matrix3d diagonal_part(const Matrix3d& I);
 
 /// The tensor with the signs of its products of inertia flipped.
-inline Matrix3d products_flipped(const Matrix3d& I) { return 2 * diagonal_part(I) - I; }
+Matrix3d products_flipped(const Matrix3d& I);
 
 /// The tensor of a unit mass at r: r² 1 − r r.
-inline Matrix3d of_unit_mass(const Vector3d& r) { return r.squaredNorm() * Matrix3d::Identity() - dyad(r); }
+Matrix3d of_unit_mass(const Vector3d& r);
 Matrix3d of_unit_mass_by_entries(const Vector3d& r);
 
 /// Σ m r r; and the tensor of a body with such second moments, tr C 1 − C, and back.
-inline Matrix3d second_moment(const VectorXd& m, const Matrix3Xd& r) { return r * m.asDiagonal() * r.transpose(); }
-inline Matrix3d tensor_of_moment(const Matrix3d& C) { return C.trace() * Matrix3d::Identity() - C; }
-inline Matrix3d moment_of_tensor(const Matrix3d& I) { return I.trace() / 2 * Matrix3d::Identity() - I; }
+Matrix3d second_moment(const VectorXd& m, const Matrix3Xd& r);
+Matrix3d tensor_of_moment(const Matrix3d& C);
+Matrix3d moment_of_tensor(const Matrix3d& I);
 
 /// Six points about the centre of mass; with a sixth of the mass each they have the tensor of a given body.
 Matrix3Xd six_points(const Matrix3d& I_cm, double M);
 
-inline Vector3d center_of_mass(const VectorXd& m, const Matrix3Xd& r) { return r * m / m.sum(); }
+Vector3d center_of_mass(const VectorXd& m, const Matrix3Xd& r);
 
 /// M (b² + c²) and so on with the factor `diagonal`, M ab and so on with the factor `product` off the diagonal.
 Matrix3d of_cuboid(double M, const Vector3d& edges, double diagonal, double product);
