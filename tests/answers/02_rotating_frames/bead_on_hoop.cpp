@@ -3,23 +3,24 @@
 #include <numbers>
 #include <rigid/rotating_frames.hpp>
 Vector2d bead_on_hoop(double radius, double g, double rate) {
+//! right: bottom or tilted
+  const double w2 = rate * rate, k = g / radius;
+  if (w2 <= k) return {0, std::sqrt(k - w2)};
+  return {std::acos(k / w2), std::sqrt(w2 - k * k / w2)};
+//! wrong: sine for cosine in the equilibrium
+-  return {std::acos(k / w2), std::sqrt(w2 - k * k / w2)};
++  return {std::asin(k / w2), std::abs(rate) * std::sqrt(1 - k * k / w2 / w2)};
+//! wrong: bottom frequency not lowered by the rotation
+-  if (w2 <= k) return {0, std::sqrt(k - w2)};
++  if (w2 <= k) return {0, std::sqrt(k)};
+//! wrong: negative rate gives a negative frequency
+-  return {std::acos(k / w2), std::sqrt(w2 - k * k / w2)};
++  return {std::acos(k / w2), rate * std::sqrt(1 - k * k / (w2 * w2))};
 //! wrong: critical rate without the root
   if (rate < g / radius) return {0, std::sqrt(std::abs(g / radius - rate * rate))};
   const double c = g / (rate * rate * radius);
   return {std::acos(c), rate * std::sqrt(1 - c * c)};
-//! wrong: sine for cosine in the equilibrium
-  const double w2 = rate * rate, k = g / radius;
-  if (w2 <= k) return {0, std::sqrt(k - w2)};
-  return {std::asin(k / w2), std::abs(rate) * std::sqrt(1 - k * k / w2 / w2)};
 //! wrong: frequency squared
   const double w2 = rate * rate, k = g / radius;
   if (w2 <= k) return {0, k - w2};
   return {std::acos(k / w2), w2 - k * k / w2};
-//! wrong: bottom frequency not lowered by the rotation
-  const double w2 = rate * rate, k = g / radius;
-  if (w2 <= k) return {0, std::sqrt(k)};
-  return {std::acos(k / w2), std::sqrt(w2 - k * k / w2)};
-//! wrong: negative rate gives a negative frequency
-  const double w2 = rate * rate, k = g / radius;
-  if (w2 <= k) return {0, std::sqrt(k - w2)};
-  return {std::acos(k / w2), rate * std::sqrt(1 - k * k / (w2 * w2))};

@@ -3,6 +3,25 @@
 #include <numbers>
 #include <rigid/inertia_tensor.hpp>
 Matrix3d inertia_of_mesh(const Matrix3Xd& corners, double density) {
+//! right: signed tetrahedra from the origin
+  Matrix3d C = Matrix3d::Zero();
+  for (int k = 0; k < corners.cols(); k += 3) {
+    const Vector3d a = corners.col(k), b = corners.col(k + 1), c = corners.col(k + 2), s = a + b + c;
+    const double m = density * a.dot(b.cross(c)) / 6;
+    C += m / 20 * (a * a.transpose() + b * b.transpose() + c * c.transpose() + s * s.transpose());
+  }
+  return C.trace() * Matrix3d::Identity() - C;
+//! wrong: absolute volumes
+-    const double m = density * a.dot(b.cross(c)) / 6;
++    const double m = density * std::abs(a.dot(b.cross(c))) / 6;
+//! wrong: second moments instead of the tensor
+-  return C.trace() * Matrix3d::Identity() - C;
++  return C;
+//! wrong: whole-number division
+-    const double m = density * a.dot(b.cross(c)) / 6;
+-    C += m / 20 * (a * a.transpose() + b * b.transpose() + c * c.transpose() + s * s.transpose());
++    const double m = density * a.dot(b.cross(c));
++    C += 1 / 120 * m * (a * a.transpose() + b * b.transpose() + c * c.transpose() + s * s.transpose());
 //! wrong: point masses at the centroids of the tetrahedra
   Matrix3d I = Matrix3d::Zero();
   for (int k = 0; k < corners.cols(); k += 3) {
@@ -12,27 +31,3 @@ Matrix3d inertia_of_mesh(const Matrix3Xd& corners, double density) {
     I += m * (r.squaredNorm() * Matrix3d::Identity() - r * r.transpose());
   }
   return I;
-//! wrong: absolute volumes
-  Matrix3d C = Matrix3d::Zero();
-  for (int k = 0; k < corners.cols(); k += 3) {
-    const Vector3d a = corners.col(k), b = corners.col(k + 1), c = corners.col(k + 2), s = a + b + c;
-    const double m = density * std::abs(a.dot(b.cross(c))) / 6;
-    C += m / 20 * (a * a.transpose() + b * b.transpose() + c * c.transpose() + s * s.transpose());
-  }
-  return C.trace() * Matrix3d::Identity() - C;
-//! wrong: second moments instead of the tensor
-  Matrix3d C = Matrix3d::Zero();
-  for (int k = 0; k < corners.cols(); k += 3) {
-    const Vector3d a = corners.col(k), b = corners.col(k + 1), c = corners.col(k + 2), s = a + b + c;
-    const double m = density * a.dot(b.cross(c)) / 6;
-    C += m / 20 * (a * a.transpose() + b * b.transpose() + c * c.transpose() + s * s.transpose());
-  }
-  return C;
-//! wrong: whole-number division
-  Matrix3d C = Matrix3d::Zero();
-  for (int k = 0; k < corners.cols(); k += 3) {
-    const Vector3d a = corners.col(k), b = corners.col(k + 1), c = corners.col(k + 2), s = a + b + c;
-    const double m = density * a.dot(b.cross(c));
-    C += 1 / 120 * m * (a * a.transpose() + b * b.transpose() + c * c.transpose() + s * s.transpose());
-  }
-  return C.trace() * Matrix3d::Identity() - C;

@@ -2,23 +2,27 @@
 #include <cmath>
 #include <numbers>
 #include <rigid/parallel_axis.hpp>
+//! right: two laws
 Vector3d velocity_after_blow(double M, const Matrix3d& I_cm, const Vector3d& r, const Vector3d& impulse,
                              const Vector3d& p) {
+  const Vector3d w = I_cm.inverse() * r.cross(impulse);
+  return impulse / M + w.cross(p);
+}
 //! wrong: lever from p
-  const Vector3d w = I_cm.inverse() * p.cross(impulse);
-  return impulse / M + w.cross(p);
+-  const Vector3d w = I_cm.inverse() * r.cross(impulse);
++  const Vector3d w = I_cm.inverse() * p.cross(impulse);
 //! wrong: impulse cross r
-  const Vector3d w = I_cm.inverse() * impulse.cross(r);
-  return impulse / M + w.cross(p);
+-  const Vector3d w = I_cm.inverse() * r.cross(impulse);
++  const Vector3d w = I_cm.inverse() * impulse.cross(r);
 //! wrong: tensor multiplied instead of inverted
-  const Vector3d w = I_cm * r.cross(impulse);
-  return impulse / M + w.cross(p);
+-  const Vector3d w = I_cm.inverse() * r.cross(impulse);
++  const Vector3d w = I_cm * r.cross(impulse);
 //! wrong: momentum instead of velocity
-  const Vector3d w = I_cm.inverse() * r.cross(impulse);
-  return impulse + M * w.cross(p);
+-  return impulse / M + w.cross(p);
++  return impulse + M * w.cross(p);
 //! wrong: p scaled by M
-  const Vector3d w = I_cm.inverse() * r.cross(impulse);
-  return (impulse + w.cross(p)) / M;
+-  return impulse / M + w.cross(p);
++  return (impulse + w.cross(p)) / M;
 //! wrong: auto keeps an expression
-  auto w = I_cm.inverse() * r.cross(impulse).eval().normalized();
-  return impulse / M + w.cross(p);
+-  const Vector3d w = I_cm.inverse() * r.cross(impulse);
++  auto w = I_cm.inverse() * r.cross(impulse).eval().normalized();

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 #include <rigid/euler_equations.hpp>
-//! wrong: last stage forgotten
+//! right: five turns about the axes
 Vector3d splitting_step(const Vector3d& I, const Vector3d& omega, double h) {
   Vector3d L = I.cwiseProduct(omega);
   auto go = [&](int i, double t) { L = Eigen::AngleAxisd(-t * L[i] / I[i], Vector3d::Unit(i)) * L; };
@@ -10,21 +10,18 @@ Vector3d splitting_step(const Vector3d& I, const Vector3d& omega, double h) {
   go(1, h / 2);
   go(2, h);
   go(1, h / 2);
+  go(0, h / 2);
   return L.cwiseQuotient(I);
 }
+//! wrong: last stage forgotten
+   go(1, h / 2);
+-  go(0, h / 2);
 //! wrong: returns L
 -  return L.cwiseQuotient(I);
-+  go(0, h / 2);
 +  return L;
 //! wrong: angle without the moment
 -  auto go = [&](int i, double t) { L = Eigen::AngleAxisd(-t * L[i] / I[i], Vector3d::Unit(i)) * L; };
 +  auto go = [&](int i, double t) { L = Eigen::AngleAxisd(-t * L[i], Vector3d::Unit(i)) * L; };
-@@
-+  go(0, h / 2);
-   return L.cwiseQuotient(I);
 //! wrong: middle stage halved
 -  go(2, h);
 +  go(2, h / 2);
-@@
-+  go(0, h / 2);
-   return L.cwiseQuotient(I);

@@ -2,28 +2,27 @@
 #include <cmath>
 #include <numbers>
 #include <rigid/free_tops.hpp>
+//! right: L is kept, the energy sinks to that about the largest moment
 Vector2d flat_spin(const Vector3d& I, const Vector3d& omega) {
+  const Vector3d L = I.cwiseProduct(omega);
+  const double i = I.maxCoeff();
+  return {0.5 * L.dot(omega) - L.squaredNorm() / (2 * i), L.norm() / i};
+}
 //! wrong: smallest moment
-  const Vector3d L = I.cwiseProduct(omega);
-  const double i = I.minCoeff();
-  return {0.5 * L.dot(omega) - L.squaredNorm() / (2 * i), L.norm() / i};
+-  const double i = I.maxCoeff();
++  const double i = I.minCoeff();
 //! wrong: third moment
-  const Vector3d L = I.cwiseProduct(omega);
-  const double i = I[2];
-  return {0.5 * L.dot(omega) - L.squaredNorm() / (2 * i), L.norm() / i};
+-  const double i = I.maxCoeff();
++  const double i = I[2];
 //! wrong: energy without the half
-  const Vector3d L = I.cwiseProduct(omega);
-  const double i = I.maxCoeff();
-  return {L.dot(omega) - L.squaredNorm() / i, L.norm() / i};
+-  return {0.5 * L.dot(omega) - L.squaredNorm() / (2 * i), L.norm() / i};
++  return {L.dot(omega) - L.squaredNorm() / i, L.norm() / i};
 //! wrong: final energy, not the loss
-  const Vector3d L = I.cwiseProduct(omega);
-  const double i = I.maxCoeff();
-  return {L.squaredNorm() / (2 * i), L.norm() / i};
+-  return {0.5 * L.dot(omega) - L.squaredNorm() / (2 * i), L.norm() / i};
++  return {L.squaredNorm() / (2 * i), L.norm() / i};
 //! wrong: rate kept
-  const Vector3d L = I.cwiseProduct(omega);
-  const double i = I.maxCoeff();
-  return {0.5 * L.dot(omega) - L.squaredNorm() / (2 * i), omega.norm()};
+-  return {0.5 * L.dot(omega) - L.squaredNorm() / (2 * i), L.norm() / i};
++  return {0.5 * L.dot(omega) - L.squaredNorm() / (2 * i), omega.norm()};
 //! wrong: order of the results
-  const Vector3d L = I.cwiseProduct(omega);
-  const double i = I.maxCoeff();
-  return {L.norm() / i, 0.5 * L.dot(omega) - L.squaredNorm() / (2 * i)};
+-  return {0.5 * L.dot(omega) - L.squaredNorm() / (2 * i), L.norm() / i};
++  return {L.norm() / i, 0.5 * L.dot(omega) - L.squaredNorm() / (2 * i)};

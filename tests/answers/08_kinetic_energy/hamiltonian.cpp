@@ -3,30 +3,25 @@
 #include <numbers>
 #include <rigid/kinetic_energy.hpp>
 double hamiltonian(const Vector3d& I, const Vector3d& angles, const Vector3d& momenta) {
+//! right: components of L in the body from the momenta
+  const double s = std::sin(angles[1]), c = std::cos(angles[1]), S = std::sin(angles[2]), C = std::cos(angles[2]);
+  const double x = (momenta[0] - momenta[2] * c) / s;
+  const double L1 = -x * C + momenta[1] * S, L2 = x * S + momenta[1] * C;
+  return L1 * L1 / (2 * I[0]) + L2 * L2 / (2 * I[1]) + momenta[2] * momenta[2] / (2 * I[2]);
 //! wrong: I1 and I2 exchanged
-  const double s = std::sin(angles[1]), c = std::cos(angles[1]), S = std::sin(angles[2]), C = std::cos(angles[2]);
-  const double x = (momenta[0] - momenta[2] * c) / s;
-  const double L1 = -x * C + momenta[1] * S, L2 = x * S + momenta[1] * C;
-  return L1 * L1 / (2 * I[1]) + L2 * L2 / (2 * I[0]) + momenta[2] * momenta[2] / (2 * I[2]);
+-  return L1 * L1 / (2 * I[0]) + L2 * L2 / (2 * I[1]) + momenta[2] * momenta[2] / (2 * I[2]);
++  return L1 * L1 / (2 * I[1]) + L2 * L2 / (2 * I[0]) + momenta[2] * momenta[2] / (2 * I[2]);
 //! wrong: one half missing
-  const double s = std::sin(angles[1]), c = std::cos(angles[1]), S = std::sin(angles[2]), C = std::cos(angles[2]);
-  const double x = (momenta[0] - momenta[2] * c) / s;
-  const double L1 = -x * C + momenta[1] * S, L2 = x * S + momenta[1] * C;
-  return L1 * L1 / (2 * I[0]) + L2 * L2 / (2 * I[1]) + momenta[2] * momenta[2] / I[2];
+-  return L1 * L1 / (2 * I[0]) + L2 * L2 / (2 * I[1]) + momenta[2] * momenta[2] / (2 * I[2]);
++  return L1 * L1 / (2 * I[0]) + L2 * L2 / (2 * I[1]) + momenta[2] * momenta[2] / I[2];
 //! wrong: sign of p_psi cos theta
-  const double s = std::sin(angles[1]), c = std::cos(angles[1]), S = std::sin(angles[2]), C = std::cos(angles[2]);
-  const double x = (momenta[0] + momenta[2] * c) / s;
-  const double L1 = -x * C + momenta[1] * S, L2 = x * S + momenta[1] * C;
-  return L1 * L1 / (2 * I[0]) + L2 * L2 / (2 * I[1]) + momenta[2] * momenta[2] / (2 * I[2]);
+-  const double x = (momenta[0] - momenta[2] * c) / s;
++  const double x = (momenta[0] + momenta[2] * c) / s;
 //! wrong: phi in place of psi
-  const double s = std::sin(angles[1]), c = std::cos(angles[1]), S = std::sin(angles[0]), C = std::cos(angles[0]);
-  const double x = (momenta[0] - momenta[2] * c) / s;
-  const double L1 = -x * C + momenta[1] * S, L2 = x * S + momenta[1] * C;
-  return L1 * L1 / (2 * I[0]) + L2 * L2 / (2 * I[1]) + momenta[2] * momenta[2] / (2 * I[2]);
+-  const double s = std::sin(angles[1]), c = std::cos(angles[1]), S = std::sin(angles[2]), C = std::cos(angles[2]);
++  const double s = std::sin(angles[1]), c = std::cos(angles[1]), S = std::sin(angles[0]), C = std::cos(angles[0]);
+//! wrong: divided by sine twice
+-  const double x = (momenta[0] - momenta[2] * c) / s;
++  const double x = (momenta[0] - momenta[2] * c) / s / s;
 //! wrong: momenta as body components
   return (momenta.cwiseAbs2().array() / I.array()).sum() / 2;
-//! wrong: divided by sine twice
-  const double s = std::sin(angles[1]), c = std::cos(angles[1]), S = std::sin(angles[2]), C = std::cos(angles[2]);
-  const double x = (momenta[0] - momenta[2] * c) / s / s;
-  const double L1 = -x * C + momenta[1] * S, L2 = x * S + momenta[1] * C;
-  return L1 * L1 / (2 * I[0]) + L2 * L2 / (2 * I[1]) + momenta[2] * momenta[2] / (2 * I[2]);

@@ -3,26 +3,23 @@
 #include <numbers>
 #include <rigid/kinetic_energy.hpp>
 double rolling_cone_energy(double M, double height, double half_angle, double rate) {
-//! wrong: inertia of a cylinder along
-  const double R = height * std::tan(half_angle);
-  const double A = 0.5 * M * R * R, B = 0.6 * M * (height * height + R * R / 4);
-  const double w = rate / std::tan(half_angle);
-  return 0.5 * (A * std::pow(w * std::cos(half_angle), 2) + B * std::pow(w * std::sin(half_angle), 2));
-//! wrong: rate times tangent
+//! right: about the tip
   const double R = height * std::tan(half_angle);
   const double A = 0.3 * M * R * R, B = 0.6 * M * (height * height + R * R / 4);
-  const double w = rate * std::tan(half_angle);
+  const double w = rate / std::tan(half_angle);
   return 0.5 * (A * std::pow(w * std::cos(half_angle), 2) + B * std::pow(w * std::sin(half_angle), 2));
+//! wrong: inertia of a cylinder along
+-  const double A = 0.3 * M * R * R, B = 0.6 * M * (height * height + R * R / 4);
++  const double A = 0.5 * M * R * R, B = 0.6 * M * (height * height + R * R / 4);
+//! wrong: rate times tangent
+-  const double w = rate / std::tan(half_angle);
++  const double w = rate * std::tan(half_angle);
 //! wrong: about the centre of mass
-  const double R = height * std::tan(half_angle);
-  const double A = 0.3 * M * R * R, B = 3.0 / 80 * M * (height * height + 4 * R * R);
-  const double w = rate / std::tan(half_angle);
-  return 0.5 * (A * std::pow(w * std::cos(half_angle), 2) + B * std::pow(w * std::sin(half_angle), 2));
+-  const double A = 0.3 * M * R * R, B = 0.6 * M * (height * height + R * R / 4);
++  const double A = 0.3 * M * R * R, B = 3.0 / 80 * M * (height * height + 4 * R * R);
 //! wrong: integer fraction
-  const double R = height * std::tan(half_angle);
-  const double A = 3 / 10 * M * R * R, B = 0.6 * M * (height * height + R * R / 4);
-  const double w = rate / std::tan(half_angle);
-  return 0.5 * (A * std::pow(w * std::cos(half_angle), 2) + B * std::pow(w * std::sin(half_angle), 2));
+-  const double A = 0.3 * M * R * R, B = 0.6 * M * (height * height + R * R / 4);
++  const double A = 3 / 10 * M * R * R, B = 0.6 * M * (height * height + R * R / 4);
 //! wrong: half angle forgotten as full
   const double a = half_angle / 2;
   const double R = height * std::tan(a);
