@@ -3,7 +3,6 @@
 #include "checker/course/assignment.hpp"
 #include "checker/course/exam.hpp"
 #include "checker/course/locked_text.hpp"
-#include "checker/sandbox/worker_process.hpp"
 
 #include <algorithm>
 #include <sstream>
