@@ -2,6 +2,7 @@
 #include "tests/program/program.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <filesystem>
 
@@ -105,6 +106,41 @@ TEST_CASE("self-check finds a card that points nowhere") {
   require_fault(course, "lectures/01_springs/notes.md", "{#springs_force}");
 }
 
+TEST_CASE("a pointer that leads nowhere hides no other fault") {
+  const CourseCopy course;
+  replace_in(course.notes(), "{#springs_force}", "");
+  write(course.root() / "lectures/01_springs/hints/spring_energy.md", "Read.\n\n---\n\nThink.\n");
+  const Outcome outcome = course.run("self-check --seeds 1");
+  CHECK(has(outcome.out, "{#springs_force}"));
+  CHECK(has(outcome.out, "2 hints instead of 3"));
+}
+
+TEST_CASE("self-check finds a command that Doxygen does not know, or takes for another") {
+  const CourseCopy course;
+  write(course.root() / "lectures/site/Doxyfile.in", "ALIASES = \"computed{2}=x\"\nALIASES += \"source=x\"\n");
+  const std::string notes = read(course.notes());
+  for (const char* known : {"\\ref x and \\source", "`\\nosuch`", "\\f$ \\vec\nx \\f$", "\\f[ \\vec x \\f]"}) {
+    write(course.notes(), notes + known + "\n");
+    CHECK_MESSAGE(course.run("self-check --seeds 1").status == 0, known);
+  }
+  for (const char* command : {"\\nosuch", "\\snippet{", "\\computed", "\\source{"}) {
+    write(course.notes(), notes + "See " + command + " x\n");
+    require_fault(course, "lectures/01_springs/notes.md", fmt::format("no command reads '{}'", command));
+  }
+}
+
+TEST_CASE("self-check finds cases outside the contract") {
+  const CourseCopy course;
+  const auto demanding = [&](const std::string& condition) {
+    replace_in(course.root() / "include/rigid/springs.hpp", "/// Force of", "/// @pre " + condition + "\n/// Force of");
+  };
+  demanding("0 < k and |x| > 7; spring < k");
+  CHECK(course.run("self-check --seeds 1").status == 0);
+  demanding("0 < k < 0.001, where x is small");
+  require_fault(course, "solutions/01_springs/judging/spring_force.cpp",
+                "is outside the contract, which demands 0 < k < 0.001");
+}
+
 TEST_CASE("self-check finds a formula among the words about a problem") {
   const CourseCopy course;
   replace_in(course.card(), "\"points\": 2", "\"points\": 2, \"difficulty\": 1, \"minutes\": 20");
@@ -149,7 +185,8 @@ TEST_CASE("a stray file is a remark and stops nothing") {
   CHECK(course.run("check --json").json().at("results").size() == 2);
 }
 
-TEST_CASE("self-check names lost digits and a record of typical bugs that does not fit, and writes a new one when asked") {
+TEST_CASE(
+    "self-check names lost digits and a record of typical bugs that does not fit, and writes a new one when asked") {
   const CourseCopy course;
   const fs::path record = course.root() / "solutions/01_springs/judging/adequacy.json";
   const std::string before = read(record);

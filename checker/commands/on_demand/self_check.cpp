@@ -7,8 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cctype>
+#include <cstring>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <numeric>
 #include <set>
 #include <sstream>
@@ -62,7 +65,12 @@ class SelfCheck {
       }
     }
     progress_bar.clear();
-    fmt::print("{}", adequacy_);
+    if (!adequacy_.empty())
+      fmt::print(
+          "Bugs are small mistakes in the solution, such as a lost sign. One is found if some case fails with it, and "
+          "is "
+          "equal in the domain if no legal input shows it.\n{}",
+          adequacy_);
     for (const std::string& sentence : faults_) fmt::print("{}\n", sentence);
     if (!faults_.empty()) {
       fmt::print("{} to fix.\n", plural(faults_.size(), "fault"));
@@ -139,7 +147,47 @@ class SelfCheck {
                       {course_.judging_file(exercise), "how it is judged"},
                       {course_.derivation_file(exercise), "another route to the same result, and why it is equal"}});
       require(card.lecture + ", " + exercise.name(), parts);
+      if (fs::exists(course_.hints_file(exercise))) check_hints(exercise);
     }
+    check_commands(course_.notes_file(card), notes);
+  }
+
+  void check_hints(const Exercise& exercise) {
+    const fs::path hints_file = course_.hints_file(exercise);
+    try {
+      const std::vector<std::string> hints = read_hints(hints_file);
+      if (hints.size() != hints_wanted)
+        fault(hints_file, "{} instead of {}; separate them by lines of three dashes.", plural(hints.size(), "hint"),
+              hints_wanted);
+      if (std::set<std::string>(hints.begin(), hints.end()).size() != hints.size())
+        fault(hints_file, "two hints are the same; write another.");
+    } catch (const CourseError& problem) {
+      add(problem.what());
+    }
+  }
+
+  /// Doxygen passes over what it does not know: its commands and those of the site, whose arguments stand in braces.
+  void check_commands(const fs::path& file, std::string notes) {
+    static const std::set<std::string> of_doxygen = {
+        "ref",     "page",    "include",  "snippet",   "anchor",      "image",        "cite",        "note",   "par",
+        "section", "subpage", "htmlonly", "latexonly", "endhtmlonly", "endlatexonly", "htmlinclude", "warning"};
+    std::map<std::string, bool> of_site;  // with an argument?
+    const std::string settings = text_of(course_.lectures() / "site/Doxyfile.in");
+    for (const Match& alias : search_all(settings, R"re(ALIASES *\+?= *"(\w+)(\{\d\})?=)re"))
+      of_site[alias[1]] = !alias[2].empty();
+    if (of_site.empty()) return;
+    for (const auto& [open, close] : {std::pair{"```", "```"}, {"`", "`"}, {"\\f$", "\\f$"}, {"\\f[", "\\f]"}})
+      for (std::size_t at = 0; (at = notes.find(open, at)) != std::string::npos;)
+        notes.erase(at, notes.find(close, at + std::strlen(open)) + std::strlen(close) - at);
+    for (const std::string& line : lines_of(notes))
+      for (const Match& used : search_all(line, R"re((?:^|[^\\\w])[\\@]([a-z_]+)(\{)?)re")) {
+        const auto alias = of_site.find(used[1]);
+        const bool has_braces = !used[2].empty();
+        if (alias != of_site.end() ? alias->second == has_braces
+                                   : of_doxygen.contains(used[1]) && (!has_braces || used[1] == "include"))
+          continue;
+        fault(file, "no command reads '\\{}{}': Doxygen passes over it, or takes it for another.", used[1], used[2]);
+      }
   }
 
   /// Files that belong to nothing. Dot-files and editors' backups do not count.
@@ -170,6 +218,8 @@ class SelfCheck {
     for (const Exercise& exercise : exercises_of(card)) {
       const ExerciseReference& judged = reference.exercise(exercise.name());
       for (const std::string& sentence : unsound_parts(judged)) fault(course_.judging_file(exercise), "{}", sentence);
+      if (do_routes_agree_on_another(judged)) continue;  // all else follows from it
+      check_domain(exercise, judged);
       if (is_first) {
         routes_ += judged.routes.size();
         misconceptions_ += judged.misconceptions.size();
@@ -186,6 +236,56 @@ class SelfCheck {
       if (is_first) require_verdict(exercise, seed, course_.student_file(exercise), Verdict::not_started);
       require_verdict(exercise, seed, course_.solution_file(exercise), Verdict::passed);
     }
+  }
+
+  /// What the contract demands of numbers by their names, "0 < inner < outer", holds at every case; else the domain of
+  /// the judging is wider than the contract. Conditions of another form are left to people.
+  void check_domain(const Exercise& exercise, const ExerciseReference& judged) {
+    const std::string contract = text_of(course_.contract_file(*exercise.card));
+    const std::size_t end = contract.find(" " + exercise.name() + "(");
+    const std::size_t before = end == std::string::npos ? end : contract.rfind(";", end);
+    if (before == std::string::npos) return;
+    constexpr const char* condition =
+        R"re((?:^|[,;:(]|\band) *((?:[A-Za-z]\w*|[0-9.]+|π)(?: (?:<|≤|>|≥|≠) (?:[A-Za-z]\w*|[0-9.]+|π))+) *(?=$|[,;:)]| and\b))re";
+    for (const std::string& line : lines_of(contract.substr(before, end - before))) {
+      const std::size_t pre = line.find("@pre ");
+      if (pre == std::string::npos) continue;
+      for (const Match& found : search_all(std::string_view(line).substr(pre + 5), condition))
+        for (const Case& one : judged.cases)
+          if (!holds(found[1], judged, one)) {
+            fault(course_.judging_file(exercise),
+                  "the case “{}” is outside the contract, which demands {}: narrow the domain.", one.name, found[1]);
+            break;
+          }
+    }
+  }
+
+  /// @param condition  numbers and names with signs of comparison between, "0 < inner ≤ 2"
+  static bool holds(const std::string& condition, const ExerciseReference& judged, const Case& one) {
+    std::istringstream words(condition);
+    std::optional<double> last;
+    std::string sign;
+    for (std::string word; words >> word; words >> sign) {
+      std::optional<double> number;
+      const auto argument = std::ranges::find(judged.arguments, word, &Argument::name);
+      if (word == "π")
+        number = std::numbers::pi;
+      else if (std::isdigit(static_cast<unsigned char>(word[0])) != 0)
+        number = std::stod(word);
+      else if (argument != judged.arguments.end())
+        if (const Value& value = one.inputs.at(static_cast<std::size_t>(argument - judged.arguments.begin()));
+            argument->kind == Kind::number || argument->kind == Kind::integer)
+          number = value.numbers[0];
+      if (last && number &&
+          !(sign == "<"   ? *last < *number
+            : sign == ">" ? *last > *number
+            : sign == "≤" ? *last <= *number
+            : sign == "≥" ? *last >= *number
+                          : *last != *number))
+        return false;
+      last = number;
+    }
+    return true;
   }
 
   /// Where anchors, examples and facts are looked for and are not.
@@ -232,20 +332,9 @@ class SelfCheck {
     }
   }
 
-  /// Hints that are too few or the same, a stub that is not the one its card makes, a contract that declares another
+  /// A stub that is not the one its card makes, a contract that declares another
   /// function than is judged.
   void check_texts(const Exercise& exercise, const ExerciseReference& reference) {
-    const fs::path hints_file = course_.hints_file(exercise);
-    try {
-      const std::vector<std::string> hints = read_hints(hints_file);
-      if (hints.size() != hints_wanted)
-        fault(hints_file, "{} instead of {}; separate them by lines of three dashes.", plural(hints.size(), "hint"),
-              hints_wanted);
-      if (std::set<std::string>(hints.begin(), hints.end()).size() != hints.size())
-        fault(hints_file, "two hints are the same; write another.");
-    } catch (const CourseError& problem) {
-      add(problem.what());
-    }
     const std::string declared = declared_signature(course_, exercise);
     if (declared != reference.signature)
       fault(course_.contract_file(*exercise.card),

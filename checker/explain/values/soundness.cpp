@@ -130,18 +130,6 @@ void check_routes(const ExerciseReference& exercise, Sentences& found) {
   }
 }
 
-/// Then the solution is what is wrong, and all else that is found is a consequence.
-bool do_routes_agree_on_another(const ExerciseReference& exercise) {
-  const std::vector<Route>& routes = exercise.routes;
-  const auto passes_judge = [&](const Route& route) { return judge_values(exercise, route.outputs).passed(); };
-  if (routes.size() < 2 || std::ranges::any_of(routes, passes_judge)) return false;
-  return std::ranges::all_of(routes, [&](const Route& route) {
-    for (std::size_t i = 0; i < exercise.cases.size(); ++i)
-      if (!is_same_answer(exercise, i, route.outputs.at(i), routes.front().outputs.at(i))) return false;
-    return true;
-  });
-}
-
 /// Generated cases carry no outputs of wrong answers, terms and routes.
 ExerciseReference without_generated_cases(ExerciseReference exercise) {
   const std::size_t described = exercise.described_cases();
@@ -152,9 +140,21 @@ ExerciseReference without_generated_cases(ExerciseReference exercise) {
 
 }  // namespace
 
+bool do_routes_agree_on_another(const ExerciseReference& whole) {
+  const ExerciseReference exercise = without_generated_cases(whole);
+  const std::vector<Route>& routes = exercise.routes;
+  const auto passes_judge = [&](const Route& route) { return judge_values(exercise, route.outputs).passed(); };
+  if (routes.size() < 2 || std::ranges::any_of(routes, passes_judge)) return false;
+  return std::ranges::all_of(routes, [&](const Route& route) {
+    for (std::size_t i = 0; i < exercise.cases.size(); ++i)
+      if (!is_same_answer(exercise, i, route.outputs.at(i), routes.front().outputs.at(i))) return false;
+    return true;
+  });
+}
+
 Sentences unsound_parts(const ExerciseReference& exercise) {
   const ExerciseReference described = without_generated_cases(exercise);
-  if (do_routes_agree_on_another(described))
+  if (do_routes_agree_on_another(exercise))
     return {fmt::format("All {} routes agree with each other, and not with the solution: correct that first.",
                         described.routes.size())};
   Sentences found;
