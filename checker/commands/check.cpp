@@ -197,6 +197,26 @@ int check(const Course& course, const Options& options) {
   return exit_status(results);
 }
 
+/// The solution beside a wrong answer of the judging, for a lecture.
+static int plot_wrong(const Course& course, const std::vector<CheckTask>& tasks, const std::string& name,
+                      const fs::path& directory) {
+  if (tasks.size() != 1) throw UsageError("--wrong needs one exercise.");
+  if (!course.has_solutions()) throw UsageError("Wrong answers are drawn where the solutions are.");
+  CheckContext context(course);
+  CheckResult shown;
+  shown.task = tasks.front();
+  shown.reference = &context.reference(shown.task);
+  std::vector<std::string> names;
+  for (const Misconception& each : shown.reference->misconceptions) names.push_back(each.name);
+  if (std::ranges::count(names, name) == 0)
+    throw UsageError(
+        fmt::format("{} has no wrong answer '{}'; it has {}.", shown.name(), printable(name), listed(names)));
+  shown.explanation.diagnoses = {{DiagnosisKind::misconception, name, "", ""}};
+  for (const fs::path& file : draw_overlay(overlay_of(shown), directory, shown.name() + "-" + name))
+    fmt::print("{}\n", file.string());
+  return all_passed;
+}
+
 int plot(const Course& course, const Options& options) {
   if (options.all && !options.names.empty()) throw UsageError("--all draws the whole course; leave out the names.");
   if (!options.all && options.names.empty())
@@ -205,6 +225,7 @@ int plot(const Course& course, const Options& options) {
   const std::vector<CheckTask> tasks = tasks_of(course, options, true);
   const fs::path directory = options.out.value_or(course.plots());
   require_pictures(directory);
+  if (!options.wrong.empty()) return plot_wrong(course, tasks, options.wrong, directory);
 
   const Console console = Console::of_standard_output();
   const PictureKind picture = options.all ? PictureKind::none : choose_picture(options.picture, tasks.size(), console);
@@ -230,7 +251,8 @@ int plot(const Course& course, const Options& options) {
       fmt::print("{}", terminal_picture(picture, overlay, files.back(), console));
       for (const fs::path& file : files)
         if (!options.all) fmt::print("{}\n", file.string());
-      if (!overlay.student.empty()) return;
+      // In the tree of an instructor nothing is started.
+      if (!overlay.student.empty() || (options.all && !checked.is_started())) return;
       worst = std::max<int>(worst, something_failed);
       say("{}: only the reference is drawn, because your function gave no "
           "value. {}",

@@ -25,6 +25,26 @@ bool is_sign_free(const ExerciseReference& reference) {
   return reference.comparison == Comparison::eigenvectors || reference.comparison == Comparison::up_to_sign;
 }
 
+/// "omega_1" as the axes have it: "ω₁".
+std::string as_symbol(std::string name) {
+  constexpr std::array<std::array<const char*, 2>, 11> letters = {{{"omega", "ω"},
+                                                                   {"Omega", "Ω"},
+                                                                   {"sigma", "σ"},
+                                                                   {"theta", "θ"},
+                                                                   {"phi", "φ"},
+                                                                   {"psi", "ψ"},
+                                                                   {"lambda", "λ"},
+                                                                   {"alpha", "α"},
+                                                                   {"beta", "β"},
+                                                                   {"gamma", "γ"},
+                                                                   {"tau", "τ"}}};
+  for (const auto& [word, letter] : letters) name = replaced(name, fmt::format("\\b{}(?![a-zA-Z])", word), letter);
+  constexpr std::array digits = {"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉"};
+  for (std::size_t digit = 0; digit < digits.size(); ++digit)
+    name = replaced(name, fmt::format("_{}(?![0-9])", digit), digits[digit]);
+  return name;
+}
+
 /// Every component along the sweep.
 Overlay::Curves curves_of(const ExerciseReference& reference, const std::vector<Value>& values) {
   Overlay::Curves curves;
@@ -70,6 +90,8 @@ class PlotCommand {
     data_ += "END\n";
     plots_ += (count_ == 1 ? "plot " : ", ") + block + " " + style;
   }
+  /// An entry of the legend alone.
+  void explain(const std::string& style) { plots_ += ", NaN " + style; }
   std::string script() const { return data_ + plots_ + "\n"; }
 
  private:
@@ -80,21 +102,28 @@ class PlotCommand {
   std::string plots_;
 };
 
-std::string student_style(std::size_t k, const std::string& title) {
-  return fmt::format("with linespoints lw 1.5 pt {} ps 0.6 pointinterval 4 lc rgb '{}' title {}", point_types[k % 3],
-                     student_colors[k % 3], quoted(title));
+std::string student_style(std::size_t k) {
+  return fmt::format("with linespoints lw 1.5 pt {} ps 0.6 pointinterval 4 lc rgb '{}' title ''", point_types[k % 3],
+                     student_colors[k % 3]);
 }
 
 std::string upper_panel(const Overlay& overlay) {
   PlotCommand plot(overlay, "curve");
   for (std::size_t k = 0; k < overlay.labels.size(); ++k) {
-    const std::string& label = overlay.labels[k];
-    plot.add(overlay.reference[k], fmt::format("with lines lw 6 lc rgb '{}' title {}", reference_colors[k % 3],
-                                               quoted(label + " reference")));
-    if (!overlay.student.empty()) plot.add(overlay.student[k], student_style(k, label + " yours"));
+    // Ever narrower, so that equal ones are all seen.
+    plot.add(overlay.reference[k], fmt::format("with lines lw {} lc rgb '{}' title {}",
+                                               k == 0   ? 7.0
+                                               : k == 1 ? 4.5
+                                                        : 2.5,
+                                               reference_colors[k % 3], quoted(overlay.labels[k])));
+    if (!overlay.student.empty()) plot.add(overlay.student[k], student_style(k));
     if (!overlay.misconception.empty())
       plot.add(overlay.misconception[k], fmt::format("with lines lw 2 dt (8,6) lc rgb '#000000' title {}",
                                                      k == 0 ? quoted(overlay.misconception_name) : "''"));
+  }
+  if (!overlay.student.empty()) {
+    plot.explain("with lines lw 6 lc rgb '#BBBBBB' title 'reference'");
+    plot.explain("with linespoints lw 1.5 pt 7 ps 0.6 lc rgb '#444444' title 'yours'");
   }
   return plot.script();
 }
@@ -112,7 +141,7 @@ std::string lower_panel(const Overlay& overlay) {
       if (std::isfinite(overlay.reference[k][i]))
         natural_size = std::max(natural_size, std::abs(overlay.reference[k][i]));
     }
-    plot.add(difference, student_style(k, overlay.labels[k]));
+    plot.add(difference, student_style(k));
   }
   // Differences smaller than rounding would fill the panel with noise.
   largest = std::max(largest, 1e-9 * (natural_size > 0 ? natural_size : 1));
@@ -133,7 +162,7 @@ std::string labels_of(const Sweep& sweep) {
 
 std::string panels(const Overlay& overlay) {
   const std::string script =
-      "set grid lc rgb '#DDDDDD' lt 1\nset border lc rgb '#444444'\nset lmargin 13; set rmargin 3\n"
+      "set grid lc rgb '#DDDDDD' lt 1\nset border lc rgb '#444444'\nset lmargin 13; set rmargin 5\nset format x '%g'\n"
       "set offsets 0, 0, graph 0.04, graph 0.04\n"
       "set key outside top center horizontal maxrows 4 width -1\n" +  // above the curves, where it covers none of them
       labels_of(*overlay.sweep) +
@@ -141,7 +170,7 @@ std::string panels(const Overlay& overlay) {
   if (overlay.student.empty()) return script + upper_panel(overlay);
   return script + "set multiplot\nset size 1,0.68; set origin 0,0.32; set bmargin 1; set format x ''; unset xlabel\n" +
          upper_panel(overlay) +
-         "unset title; unset key; set offsets; set format x\n"
+         "unset title; unset key; set offsets; set format x '%g'\n"
          "set size 1,0.32; set origin 0,0; set tmargin 0.5; set bmargin 3.5\n" +
          fmt::format("set xlabel {} noenhanced; set ylabel 'yours − reference'\n", quoted(overlay.sweep->x_label)) +
          lower_panel(overlay) + "unset multiplot\n";
@@ -187,7 +216,7 @@ Overlay overlay_of(const CheckResult& checked) {
   if (overlay.has_whole_numbers) overlay.jump = 0.5;
   if (std::ranges::count(reference.result_units, units::radian) > 0) overlay.jump = std::numbers::pi / 2;
   for (const PlotComponent& component : sweep.components)
-    overlay.labels.push_back(is_sign_free(reference) ? "|" + component.name + "|" : component.name);
+    overlay.labels.push_back(as_symbol(is_sign_free(reference) ? "|" + component.name + "|" : component.name));
 
   std::vector<Value> values;
   for (const Reply& reply : checked.observation.sweep)

@@ -48,11 +48,22 @@ TEST_CASE("plots are written as SVG and PNG, with the misconception by name") {
   CHECK(outcome.status == 0);
   CHECK(outcome.out == "pictures/spring_energy.svg\npictures/spring_energy.png\n");
   const std::string svg = read(course.root() / "pictures/spring_energy.svg");
-  for (const char* part : {"E yours", "E reference", "no half", "x (m)"}) CHECK_MESSAGE(has(svg, part), part);
+  for (const char* part : {"yours", "reference", "no half", "x (m)"}) CHECK_MESSAGE(has(svg, part), part);
   CHECK(read(course.root() / "pictures/spring_energy.png").substr(1, 3) == "PNG");
   CHECK(std::distance(fs::directory_iterator(course.root() / "pictures"), fs::directory_iterator()) == 2);
   for (const char* command : {"check spring_energy", "check spring_energy --plot"})  // a wrong value is drawn unasked
     CHECK(has(course.run(command).out, "spring_energy.svg"));
+}
+
+TEST_CASE("a wrong answer of the judging is drawn beside the solution, for a lecture") {
+  const CourseCopy course;
+  const Outcome outcome = course.run("plot spring_energy --wrong no_half --out pictures");
+  CHECK(outcome.out == "pictures/spring_energy-no_half.svg\npictures/spring_energy-no_half.png\n");
+  const std::string svg = read(course.root() / "pictures/spring_energy-no_half.svg");
+  CHECK(has(svg, "no half"));
+  CHECK(!has(svg, "yours"));
+  CHECK(has(course.run("plot spring_energy --wrong half --out pictures").err, "no_half"));
+  CHECK(course.run("plot springs --wrong no_half --out pictures").status == 2);
 }
 
 TEST_CASE("gnuplot's settings of the user change no plot") {
