@@ -23,6 +23,7 @@ struct Options {
   bool full = false;                     ///< with all that the compiler says
   bool json = false;
   bool plot = false;
+  std::string wrong;                     ///< the wrong answer to draw beside the solution
   bool all = false;                      ///< all hints, or all plots and figures
   std::vector<std::string> predictions;  ///< "4=0 0 1.5": a case and the numbers of the result
   std::string answer;                    ///< to the question on an exercise: "a", "b" or "c"; "": show the question
@@ -42,6 +43,7 @@ struct Options {
   std::string only;                              ///< judge what has this verdict once more
   std::string shard;                             ///< "2/8": judge only this part of the class
   std::vector<fs::path> merged;                  ///< folders of such parts, to be joined
+  std::string image = "rigid-body-workbook";     ///< of containers, with the workbook in it
   std::optional<fs::path> copy;                  ///< that students have
   bool who = false;                              ///< only say who has handed in what
   bool with_missing = false;                     ///< tables have rows also of students of whom something was not read
@@ -60,7 +62,7 @@ struct Options {
 using Command = int(const Course& course, const Options& options);
 Command status, list, check, hint, solution, plot, report, reset;                    // exercises
 Command figures, live, examples, try_out, debug, predict, question, review, update;  // the course
-Command exam, watch, doctor, handout, grade, self_check, new_lecture, new_exercise;
+Command exam, watch, doctor, handout, export_recipe, grade, self_check, new_lecture, new_exercise;
 
 // --- what several of them do
 

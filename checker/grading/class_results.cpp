@@ -72,6 +72,8 @@ ordered_json ClassResults::add(const Student& student, const std::vector<CheckRe
             fmt::format("{}: {}: {}", student.id, checked.name(), printable(checked.judgement.message)));
       continue;
     }
+    if (checked.judgement.passed())
+      similar.add(checked.name(), student.id, student.files.at(checked.name()).where, checked.source);
     possible += checked.points();
     points += checked.score();
     for (const Diagnosis& diagnosis : checked.explanation.diagnoses) {
@@ -152,6 +154,7 @@ ordered_json ClassResults::document() {
   document["learnt_by_heart"] = ordered_json::array();
   for (const auto& [exercise, ids] : learnt_)
     document["learnt_by_heart"].push_back({{"exercise", exercise}, {"students", ids}});
+  document["similar"] = similar.pairs();
   document["not_judged"] = not_judged_;
   document["changes"] = ordered_json::array();
   document["students"] = std::move(students_);

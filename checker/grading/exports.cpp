@@ -1,8 +1,8 @@
 // The class document in the forms that other programs read.
 #include "checker/grading/grading.hpp"
+#include "checker/report/reports.hpp"
 
 #include <fmt/chrono.h>
-#include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -13,13 +13,6 @@ namespace workbook {
 using nlohmann::ordered_json;
 
 namespace {
-
-std::string xml(const std::string& text) {
-  std::string escaped = printable(text);
-  for (const auto& [letter, entity] : {std::pair{"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}})
-    boost::replace_all(escaped, letter, entity);
-  return escaped;
-}
 
 std::string number(const ordered_json& value) {
   return value.is_number() ? fmt::format("{:g}", value.get<double>()) : "";
@@ -47,36 +40,6 @@ std::string grades_csv(const ordered_json& document) {
     table.back().push_back(decided_by_hand(student));
   }
   return write_csv(table);
-}
-
-std::string junit_xml(const ordered_json& document) {
-  const std::string head = fmt::format("    <properties><property name=\"sandbox\" value=\"{}\"/></properties>\n",
-                                       xml(document.at("sandbox")));
-  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
-  for (const ordered_json& student : document.at("students")) {
-    std::string cases;
-    int failures = 0, errors = 0, skipped = 0;
-    for (const ordered_json& mark : student.at("results")) {
-      const std::string verdict = mark.at("verdict"), message = xml(message_of(mark));
-      std::string inside;
-      if (is_excused(mark) || (verdict == "not_started" && !mark.contains("by_hand"))) {
-        ++skipped;
-        inside = "<skipped/>";
-      } else if (mark.at("score").is_null()) {
-        ++errors;
-        inside = fmt::format("<error type=\"{}\" message=\"{}\"/>", verdict, message);
-      } else if (!is_right(mark)) {
-        ++failures;
-        inside = fmt::format("<failure type=\"{}\" message=\"{}\"/>", verdict, message);
-      }
-      cases += fmt::format("    <testcase classname=\"{}\" name=\"{}\">{}</testcase>\n", xml(student.at("id")),
-                           xml(mark.at("exercise")), inside);
-    }
-    text += fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\">\n{}",
-                        xml(student.at("id")), student.at("results").size(), failures, errors, skipped, head + cases);
-    text += "  </testsuite>\n";
-  }
-  return text + "</testsuites>\n";
 }
 
 /// What gradebooks take.
@@ -114,85 +77,74 @@ std::string canvas_csv(const ordered_json& document) {
   return write_csv(table);
 }
 
-ordered_json gradescope_results(const ordered_json& student) {
-  std::vector<std::string> notes = student.at("student").at("notes");
-  notes.insert(notes.begin(), "Sandbox: " + student.at("sandbox").get<std::string>());
-  const std::size_t days_late = student.at("student").at("days_late");
-  if (student.at("student").contains("by_hand")) notes.push_back("By hand: " + text(student.at("student"), "by_hand"));
-  if (days_late > 0) notes.push_back(fmt::format("Handed in {} late.", plural(days_late, "day")));
-  ordered_json tests = ordered_json::array();
-  for (const ordered_json& result : student.at("results")) {
-    ordered_json test = {{"name", result.at("exercise")},
-                         {"max_score", result.at("points")},
-                         {"output", message_of(result)},
-                         {"output_format", "text"}};
-    if (result.at("score").is_number()) {
-      test["score"] = result.at("score");
-      test["status"] = is_right(result) ? "passed" : "failed";
+/// What the forms of other systems are filled with. Numbers are texts, which keep their digits; points are also in
+/// hundredths, for who takes whole numbers only. @param about  the student
+nlohmann::json form_values(const ordered_json& about, const ordered_json& results, const ordered_json& sandbox) {
+  std::vector<std::string> notes = about.value("notes", std::vector<std::string>());
+  notes.insert(notes.begin(), "Sandbox: " + sandbox.get<std::string>());
+  if (about.contains("by_hand")) notes.push_back("By hand: " + text(about, "by_hand"));
+  if (about.at("days_late") > 0)
+    notes.push_back(fmt::format("Handed in {} late.", plural(about.at("days_late"), "day")));
+  const double score = about.at("score"), possible = about.at("possible");
+  nlohmann::json all = nlohmann::json::array(), judged = all;
+  std::map<std::string, int> counts;
+  std::array<long, 2> hundredths{};
+  for (const ordered_json& mark : results) {
+    const bool is_judged = mark.at("score").is_number();
+    const bool is_skipped = is_excused(mark) || (mark.at("verdict") == "not_started" && !mark.contains("by_hand"));
+    const std::string status = !is_judged ? "error" : is_right(mark) ? "pass" : "fail";
+    ++counts[status];
+    ++counts[is_skipped ? "skipped" : status + " of those left"];
+    const long most = std::lround(100 * mark.at("points").get<double>());
+    const long earned = is_judged ? std::lround(100 * mark.at("score").get<double>()) : 0;
+    std::string message = message_of(mark);
+    if (mark.contains("diagnosis") && !mark.at("diagnosis").empty())
+      message += " " + printable(text(mark.at("diagnosis").front(), "message"));
+    nlohmann::json values = {{"exercise", mark.at("exercise")},
+                             {"verdict", mark.at("verdict")},
+                             {"message", message},
+                             {"points", mark.at("points").dump()},
+                             {"score", mark.at("score").dump()},
+                             {"status", status},
+                             {"is_judged", is_judged},
+                             {"is_right", is_right(mark)},
+                             {"is_skipped", is_skipped},
+                             {"is_error", !is_skipped && !is_judged},
+                             {"hundredths", std::to_string(earned)},
+                             {"most_hundredths", std::to_string(most)},
+                             {"is_failure", !is_skipped && status == "fail"}};
+    for (nlohmann::json* list : {&all, &judged}) {
+      if (list == &judged && !is_judged) continue;
+      values["comma"] = list->empty() ? "" : ", ";
+      list->push_back(values);
     }
-    tests.push_back(std::move(test));
+    if (is_judged) hundredths = {hundredths[0] + earned, hundredths[1] + most};
   }
-  return {{"score", student.at("student").at("score")},
+  return {{"id", about.at("id")},
+          {"sandbox", sandbox},
           {"output", fmt::format("{}", fmt::join(notes, "\n"))},
-          {"output_format", "text"},
-          {"tests", tests}};
+          {"score", about.at("score").dump()},
+          {"possible", about.at("possible").dump()},
+          {"share", fmt::format("{:.6f}", possible > 0 ? std::min(1.0, score / possible) : 0.0)},
+          {"hundredths", std::to_string(hundredths[0])},
+          {"most_hundredths", std::to_string(hundredths[1])},
+          {"status", counts["error"] > 0  ? "error"
+                     : counts["fail"] > 0 ? "fail"
+                                          : "pass"},
+          {"tests", results.size()},
+          {"skipped", counts["skipped"]},
+          {"errors", counts["error of those left"]},
+          {"failures", counts["fail of those left"]},
+          {"results", all},
+          {"judged", judged}};
 }
 
-/// The last line that a grader prints for Autolab. https://docs.autolabproject.com/lab/
-ordered_json autolab_scores(const ordered_json& student) {
-  ordered_json scores = ordered_json::object();
-  for (const ordered_json& result : student.at("results"))
-    if (result.at("score").is_number()) scores[result.at("exercise").get<std::string>()] = result.at("score");
-  return {{"scores", scores}};
-}
-
-/// What a runner hands to autograding-grading-reporter of GitHub Classroom, there in base64.
-ordered_json github_classroom_result(const ordered_json& student) {
-  ordered_json tests = ordered_json::array();
-  std::string status = "pass";
-  for (const ordered_json& result : student.at("results")) {
-    const bool is_judged = result.at("score").is_number(), has_passed = is_right(result);
-    const std::string of_test = !is_judged ? "error" : has_passed ? "pass" : "fail";
-    if (!has_passed && status != "error") status = of_test;
-    tests.push_back({{"name", result.at("exercise")},
-                     {"status", of_test},
-                     {"score", is_judged ? result.at("score") : ordered_json(0)},
-                     {"message", message_of(result)},
-                     {"line_no", 0}});
-  }
-  return {{"version", 1}, {"status", status}, {"max_score", student.at("student").at("possible")}, {"tests", tests}};
-}
-
-/// result.json of Classroom 50, schemas/result-v1.schema.json there, whose runner says in its environment what is
-/// graded. Points are whole numbers, so that ours are given in hundredths.
-ordered_json classroom50_result(const ordered_json& student) {
-  ordered_json document = {{"schema", "classroom50/result/v1"},
-                           {"classroom", environment("CLASSROOM")},
-                           {"assignment", environment("ASSIGNMENT")},
-                           {"assignment_type", environment("ASSIGNMENT_TYPE")},
-                           {"owner", environment("OWNER")},
-                           {"submission", environment("SUBMISSION_TAG")},
-                           {"commit", environment("COMMIT_URL")},
-                           {"release", environment("RELEASE_URL")},
-                           {"review", environment("REVIEW_URL")},
-                           {"datetime", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))}};
-  const auto hundredths = [](const ordered_json& points) { return std::lround(100 * points.get<double>()); };
-  long score = 0, most = 0;
-  ordered_json tests = ordered_json::array();
-  for (const ordered_json& result : student.at("results")) {
-    if (!result.at("score").is_number()) continue;
-    score += hundredths(result.at("score"));
-    most += hundredths(result.at("points"));
-    tests.push_back({{"test-name", result.at("exercise")},
-                     {"passed", is_right(result)},
-                     {"score", hundredths(result.at("score"))},
-                     {"max-score", hundredths(result.at("points"))},
-                     {"message", message_of(result)}});
-  }
-  document["score"] = score;
-  document["max-score"] = most;
-  document["tests"] = tests;
-  return document;
+std::string junit_xml(const ordered_json& document) {
+  std::string suites;
+  for (const ordered_json& student : document.at("students"))
+    suites += filled_text(page_template("junit.xml"), "junit.xml",
+                          form_values(student, student.at("results"), document.at("sandbox")));
+  return fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n{}</testsuites>\n", suites);
 }
 
 }  // namespace
@@ -215,10 +167,21 @@ std::map<std::string, std::string> class_exports(const ordered_json& document) {
 }
 
 std::map<std::string, std::string> student_exports(const ordered_json& student) {
-  std::map<std::string, std::string> texts = {{"gradescope", indented(gradescope_results(student))},
-                                              {"autolab", autolab_scores(student).dump() + "\n"},
-                                              {"github_classroom", indented(github_classroom_result(student))}};
-  if (!environment("CLASSROOM", "").empty()) texts.emplace("classroom50", indented(classroom50_result(student)));
+  const ordered_json& about = student.at("student");
+  nlohmann::json values = form_values(about, student.at("results"), student.at("sandbox"));
+  // The runner of Classroom 50 says in its environment what is graded.
+  for (const char* name : {"CLASSROOM", "ASSIGNMENT", "ASSIGNMENT_TYPE", "OWNER", "SUBMISSION_TAG", "COMMIT_URL",
+                           "RELEASE_URL", "REVIEW_URL"})
+    values[name] = environment(name);
+  values["now"] = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+  std::map<std::string, std::string> texts;
+  for (const char* form :
+       {"gradescope.json", "autolab.txt", "github_classroom.json", "classroom50.json", "prairielearn.json"}) {
+    const fs::path name = form;
+    if (name.stem() == "classroom50" && environment("CLASSROOM").empty()) continue;
+    texts[name.stem() / (text(about, "slug") + name.extension().string())] =
+        filled_text(page_template(form), name, values);
+  }
   return texts;
 }
 

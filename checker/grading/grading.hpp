@@ -11,6 +11,7 @@
 
 #include <array>
 #include <map>
+#include <set>
 
 namespace workbook {
 
@@ -125,6 +126,9 @@ struct Zipped {
 /// @throws RejectedFile
 std::vector<Zipped> read_zip(const fs::path& file, const std::vector<std::string>& names, bool is_class);
 
+/// All files of a folder, in a file whose name says of which kind: "week3.zip", "week3.tar". @throws std::runtime_error
+void write_archive(const fs::path& folder, const fs::path& file);
+
 // --- what has been judged, in a file that only grows: a program that is killed loses nothing but what it was doing
 
 class Journal {
@@ -179,6 +183,28 @@ class Journal {
 
 // --- what came of a class: one document, from which every table and page is made
 
+/// Right answers to an exercise that have more in common than those of people who think alike: a reason to look at both
+/// texts, and no proof.
+class SimilarAnswers {
+ public:
+  /// What everybody has, and is nobody's: the stub, and code of the course.
+  void take_off(const std::string& exercise, const std::string& text);
+  /// @param place  of what was handed in: several students may have handed in one file together
+  void add(const std::string& exercise, const std::string& student, const std::string& place, const std::string& text);
+  /// Each with the share of the shorter answer that both have, and for both the students and the text; the most similar
+  /// first.
+  nlohmann::ordered_json pairs() const;
+
+ private:
+  struct Answer {
+    std::string text;
+    std::vector<std::uint32_t> prints;                         ///< without those of the course
+    std::map<std::string, std::vector<std::string>> students;  ///< by place
+  };
+  std::map<std::string, std::set<std::uint32_t>> of_course_;      ///< by exercise
+  std::map<std::string, std::map<std::string, Answer>> answers_;  ///< by exercise and fingerprint of the text
+};
+
 /// Collects the results of one student after the other, and keeps of each only what the class is told.
 class ClassResults {
  public:
@@ -193,6 +219,8 @@ class ClassResults {
 
   /// The document about the class: class.json. Nothing is added afterwards.
   nlohmann::ordered_json document();
+
+  SimilarAnswers similar;
 
  private:
   nlohmann::ordered_json exercise_entry(std::size_t number) const;
@@ -224,7 +252,8 @@ std::string indented(const nlohmann::ordered_json& document);
 // --- in the forms that other programs read
 /// Texts by the names of their files.
 std::map<std::string, std::string> class_exports(const nlohmann::ordered_json& document);
-/// Texts by the names of the folders that hold such a file of every student. @param student  the document about one
+/// What systems with an autograder read of one student, by "gradescope/SLUG.json". @param student  the document about
+/// one
 std::map<std::string, std::string> student_exports(const nlohmann::ordered_json& student);
 
 // --- no student's code is run by an administrator

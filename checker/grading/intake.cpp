@@ -6,7 +6,11 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <array>
+#include <clocale>
+#include <cstdlib>
 #include <cstring>
+#include <cwctype>
 #include <set>
 #include <sstream>
 
@@ -17,6 +21,8 @@ constexpr std::size_t most_notes = 20;
 constexpr std::size_t most_entries = 20'000;  // looked at in one student's folder
 constexpr int deepest = 16;
 const fs::path progress_file = ".workbook/progress.json";
+constexpr std::array other_sources = {".cc", ".cxx", ".CPP"};
+constexpr std::array other_archives = {".tar", ".gz", ".tgz", ".xz", ".bz2", ".7z", ".rar"};
 constexpr std::size_t nobody = SIZE_MAX;  // who is graded here, but perhaps in another shard
 
 /// "Spring Energy-2 (1)" → "spring_energy": what somebody meant who did not keep to a name.
@@ -28,6 +34,46 @@ std::string plain_name(std::string stem) {
     if (letter == ' ' || letter == '-') letter = '_';
   }
   return stem;
+}
+
+/// A person's name as it is compared: in small letters, with accents in one form, and without what learning systems
+/// leave out of the names of files.
+std::string plain_person(const std::string& name) {
+  struct Accent {
+    wchar_t sign;
+    std::wstring_view bare, accented;
+  };
+  // Where an accent is a sign of its own, as in names of files that a Mac has written.
+  constexpr std::array<Accent, 13> accents = {{{0x300, L"aeiou", L"àèìòù"},
+                                               {0x301, L"aeiouyclnrsz", L"áéíóúýćĺńŕśź"},
+                                               {0x302, L"aeioucghjswy", L"âêîôûĉĝĥĵŝŵŷ"},
+                                               {0x303, L"anoiu", L"ãñõĩũ"},
+                                               {0x304, L"aeiou", L"āēīōū"},
+                                               {0x306, L"aegiou", L"ăĕğĭŏŭ"},
+                                               {0x307, L"cegz", L"ċėġż"},
+                                               {0x308, L"aeiouy", L"äëïöüÿ"},
+                                               {0x30a, L"au", L"åů"},
+                                               {0x30b, L"ou", L"őű"},
+                                               {0x30c, L"cdenrstz", L"čďěňřšťž"},
+                                               {0x327, L"cgklnrst", L"çģķļņŗşţ"},
+                                               {0x328, L"aeiu", L"ąęįų"}}};
+  static const locale_t utf8 = ::newlocale(LC_ALL_MASK, "C.UTF-8", nullptr);
+  const locale_t usual = ::uselocale(utf8);
+  std::wstring read(name.size(), L'\0'), plain;
+  const std::size_t size = std::mbstowcs(read.data(), name.c_str(), read.size());
+  for (const wchar_t letter : read.substr(0, size == std::string::npos ? 0 : size)) {
+    const auto accent = std::ranges::find(accents, letter, &Accent::sign);
+    const std::size_t bare =
+        accent == accents.end() || plain.empty() ? std::wstring::npos : accent->bare.find(plain.back());
+    if (bare != std::wstring::npos)
+      plain.back() = accent->accented[bare];
+    else if (std::wstring_view(L"&<>\"`|':\\/\u2019").find(letter) == std::wstring_view::npos)
+      plain += letter == '_' ? L' ' : static_cast<wchar_t>(std::towlower(static_cast<wint_t>(letter)));
+  }
+  std::string written(4 * plain.size(), '\0');
+  written.resize(std::wcstombs(written.data(), plain.c_str(), written.size()));
+  ::uselocale(usual);
+  return written.empty() ? boost::to_lower_copy(name) : written;
 }
 
 /// In the order of their names, so that every run sees the same.
@@ -71,7 +117,30 @@ class Collector {
       for (const std::string& alias : entry.aliases) add_name(aliases_, alias, entry.id);
       add_name(aliases_, entry.id, entry.id);
       add_name(full_names_, entry.name, entry.id);
+      if (const Match turned = search(entry.name, "^([^,]+), *([^,]+)$"))
+        add_name(full_names_, turned[2] + " " + turned[1], entry.id);
     }
+  }
+
+  /// What GitHub Classroom puts before the logins: beginnings up to a "-" that most of the entries have.
+  void learn_assignment(const std::set<std::string>& entries) {
+    std::map<std::string, std::size_t> shares;
+    std::size_t all = 0;
+    assignments_.clear();
+    for (const std::string& name : entries) {
+      all += name.find('-') != std::string::npos ? 1 : 0;
+      for (std::size_t dash = name.find('-'); dash != std::string::npos; dash = name.find('-', dash + 1))
+        ++shares[name.substr(0, dash + 1)];
+    }
+    for (const auto& [beginning, count] : shares)
+      if (2 * count > all) assignments_.insert(beginning);
+  }
+
+  /// Is the only entry a folder in which a whole class lies? Where there is a roster, that is known.
+  bool is_class(const std::string& entry, const std::set<std::string>& inside) {
+    if (!has_roster_ || !groups_.empty() || !meant_by(entry).empty()) return false;
+    learn_assignment(inside);
+    return std::ranges::any_of(inside, [&](const std::string& name) { return !meant_by(name).empty(); });
   }
 
   Intake intake;
@@ -119,7 +188,18 @@ class Collector {
 
   void take_top_level(const fs::path& submissions) {
     std::error_code unreadable;
-    for (const fs::path& entry : sorted_entries(submissions, unreadable)) {
+    const auto stems = [&](const std::vector<fs::path>& files) {
+      std::set<std::string> names;
+      for (const fs::path& file : files)
+        names.insert((file.extension() == ".zip" ? file.stem() : file.filename()).string());
+      return names;
+    };
+    const std::vector<fs::path> entries = sorted_entries(submissions, unreadable);
+    if (entries.size() == 1 && type_of(entries[0]) == fs::file_type::directory &&
+        is_class(entries[0].filename().string(), stems(sorted_entries(entries[0], unreadable))))
+      return take_top_level(entries[0]);
+    learn_assignment(stems(entries));
+    for (const fs::path& entry : entries) {
       const fs::file_type type = type_of(entry);
       const std::string name = entry.filename().string();
       if (name == "__MACOSX" || name == gradescope_metadata) continue;
@@ -140,7 +220,7 @@ class Collector {
   void take_zipped_class(const std::vector<Zipped>& files) {
     const auto metadata = std::ranges::find_if(
         files, [](const Zipped& each) { return fs::path(each.path).filename() == gradescope_metadata; });
-    if (metadata == files.end()) return take_zipped(files, "");
+    if (metadata == files.end()) return take_zipped_entries(files);
     if (!metadata->refusal.empty())
       throw GradingError(fmt::format("{} {}. Nothing was graded.", gradescope_metadata, metadata->refusal));
     take_metadata(metadata->text);
@@ -152,6 +232,21 @@ class Collector {
       inside.back().path.erase(0, above.size());
     }
     take_zipped(inside, "");
+  }
+
+  void take_zipped_entries(std::vector<Zipped> files) {
+    std::set<std::string> names, inside;
+    for (const Zipped& each : files) {
+      const std::size_t slash = std::min(each.path.find('/'), each.path.size() - 1);
+      names.insert(each.path.substr(0, slash));
+      inside.insert(each.path.substr(slash + 1, each.path.find('/', slash + 1) - slash - 1));
+    }
+    if (names.size() == 1 && is_class(*names.begin(), inside)) {
+      for (Zipped& each : files) each.path.erase(0, each.path.find('/') + 1);
+      return take_zipped_entries(std::move(files));
+    }
+    learn_assignment(names);
+    take_zipped(files, "");
   }
 
   void take_zipped(const std::vector<Zipped>& files, const std::string& prefix) {
@@ -177,6 +272,8 @@ class Collector {
  private:
   std::vector<std::string> endings() const {
     std::vector<std::string> endings = names_;
+    endings.insert(endings.end(), other_sources.begin(), other_sources.end());
+    endings.insert(endings.end(), other_archives.begin(), other_archives.end());
     endings.insert(endings.end(), {".cpp", progress_file.filename().string(), gradescope_metadata});
     return endings;
   }
@@ -194,12 +291,12 @@ class Collector {
   /// Names of several students name nobody.
   void add_name(std::map<std::string, std::string>& names, const std::string& name, const std::string& id) {
     if (name.empty()) return;
-    const auto [known, is_new] = names.emplace(boost::to_lower_copy(name), id);
+    const auto [known, is_new] = names.emplace(plain_person(name), id);
     if (!is_new && known->second != id) known->second.clear();
   }
 
   std::optional<std::size_t> found_in(const std::map<std::string, std::string>& names, const std::string& name) const {
-    const auto found = names.find(boost::to_lower_copy(name));
+    const auto found = names.find(plain_person(name));
     if (found == names.end() || found->second.empty()) return std::nullopt;
     return students_.at(found->second);
   }
@@ -285,11 +382,29 @@ class Collector {
     return meant;
   }
 
-  /// GitHub Classroom: "ASSIGNMENT-LOGIN", and both may hold "-".
+  /// GitHub Classroom: "ASSIGNMENT-LOGIN", and both may hold "-"; in a zip file of GitHub also "ASSIGNMENT-LOGIN-main".
   std::optional<std::size_t> by_login(const std::string& name) const {
-    for (std::size_t dash = name.find('-'); dash != std::string::npos; dash = name.find('-', dash + 1))
-      if (const auto student = known(name.substr(dash + 1))) return student;
+    for (const std::string& beginning : assignments_) {
+      if (!name.starts_with(beginning)) continue;
+      const std::string login = name.substr(beginning.size());
+      if (const auto student = known(login)) return student;
+      if (const Match branch = search(login, "^(.*)-(main|master)$"))
+        if (const auto student = known(branch[1])) return student;
+    }
     return std::nullopt;
+  }
+
+  /// Whom of the roster the name of an entry means.
+  std::set<std::size_t> meant_by(const std::string& name) const {
+    if (const auto whole = known(name)) return {*whole};
+    const std::vector<std::string> fields = leading_fields(name);
+    std::set<std::size_t> meant = named_by(fields);
+    if (meant.empty() && fields.size() == 1)
+      if (const auto student = by_login(name)) meant.insert(*student);
+    // "Ada Byron_900001_assignsubmission_file_" of Moodle, whose number is of this assignment only.
+    if (meant.empty() && fields.size() == 2 && is_number(fields.back()))
+      if (const auto student = found_in(full_names_, fields.front())) meant.insert(*student);
+    return meant;
   }
 
   /// Whom a top-level entry of that name belongs to and who is graded here.
@@ -311,18 +426,18 @@ class Collector {
   }
 
   std::size_t owner_of(const std::string& name) {
-    if (!has_roster_) {
-      if (!shard_.has(name)) return nobody;
-      add_student(name);
-    }
     std::vector<std::string> fields = leading_fields(name);
-    const auto whole = known(name);
-    std::set<std::size_t> meant = whole ? std::set<std::size_t>{*whole} : named_by(fields);
-    if (meant.empty() && fields.size() == 1)
-      if (const auto student = by_login(name)) meant.insert(*student);
-    // "Ada Byron_900001_assignsubmission_file_" of Moodle, whose number is of this assignment only.
-    if (meant.empty() && fields.size() == 2 && is_number(fields.back()))
-      if (const auto student = found_in(full_names_, fields.front())) meant.insert(*student);
+    std::erase(fields, "LATE");  // which Canvas puts there
+    std::string entry = fmt::format("{}", fmt::join(fields, "_"));
+    std::set<std::size_t> meant = meant_by(name);
+    if (!has_roster_) {
+      // Canvas numbers the files behind the student, Moodle says what an entry holds.
+      const Match of_system = search(name, "^([a-z]+(_LATE)?_\\d+_\\d\\d+(_.*)?|.+_\\d+_assignsubmission_.*)$");
+      if (!of_system) entry = name;
+      if (!shard_.has(entry)) return nobody;
+      if (!students_.contains(entry)) add_student(entry);
+      meant = {students_.at(entry)};
+    }
     if (meant.size() != 1) {
       problem(fmt::format("'{}' was not read: {} of the roster.", shortened(printable(name), 100),
                           meant.empty() ? "it names no id" : "it names several ids"));
@@ -330,8 +445,6 @@ class Collector {
     }
     if (*meant.begin() == nobody) return nobody;
     Student& student = intake.students[*meant.begin()];
-    std::erase(fields, "LATE");  // which Canvas puts there
-    const std::string entry = fmt::format("{}", fmt::join(fields, "_"));
     if (student.entry.empty()) student.entry = entry;
     if (student.entry != entry) dispute(student, student.entry, entry);
     return *meant.begin();
@@ -436,9 +549,12 @@ class Collector {
     if (exercise != exercises_.end() && name == stem + ".cpp") {
       const std::string place = fmt::format("/lectures/{}/exercises/{}.cpp", exercise->lecture(), stem);
       hand_in(student, stem, {relative.ends_with(place) ? HandedIn::in_place : HandedIn::anywhere, relative}, read);
+    } else if (const std::string ending = fs::path(name).extension().string();
+               std::ranges::count(other_archives, ending) > 0 && std::ranges::count(relative, '/') == 1) {
+      unread(student, fmt::format("'{}' was not read: it is no zip file.", shown));
     } else if (const std::string meant = plain_name(fs::path(stem).stem().string());
                std::ranges::find(exercises_, meant, &Exercise::name) != exercises_.end() &&
-               name.find(".cpp") != std::string::npos) {
+               (name.find(".cpp") != std::string::npos || std::ranges::count(other_sources, ending) > 0)) {
       hand_in(student, meant, {HandedIn::under_another_name, relative}, [&](const std::string&) -> std::string {
         throw RejectedFile(fmt::format("'{}' was not read: the file should be called {}.cpp.", shown, meant));
       });
@@ -519,8 +635,9 @@ class Collector {
   const bool has_roster_, by_attempts_;
   std::map<std::string, std::vector<std::int64_t>> orders_;  ///< of the attempts, by student
   std::vector<std::string> names_;
+  std::set<std::string> assignments_;                        ///< what GitHub Classroom may put before logins
   std::map<std::string, std::size_t> students_;              ///< by id
-  std::map<std::string, std::string> aliases_, full_names_;  ///< ids by names in lower case; "": of several students
+  std::map<std::string, std::string> aliases_, full_names_;  ///< ids by plain_person(); "": of several students
   std::map<std::string, std::vector<std::size_t>> groups_;   ///< by folder, where the export says whose each is
   std::map<std::string, std::size_t> owners_;                ///< by names of top-level entries that were met
   std::set<std::string> slugs_;

@@ -18,14 +18,20 @@ namespace {
 constexpr std::size_t largest_table = std::size_t{16} << 20;
 
 // The headings of a roster of one's own, of Gradescope and GitHub Classroom (identifier), of the gradebook of Canvas
-// (Student, ID, SIS User ID, SIS Login ID) and of the grading worksheet of Moodle (Identifier, Full name).
-const std::vector<std::string> id_headings = {"id",          "sid",        "student id", "id number",    "username",
-                                              "sis user id", "identifier", "email",      "email address"};
-const std::vector<std::string> name_headings = {"name", "full name", "student", "student name"};
-const std::vector<std::string> time_headings = {"submitted", "submission time"};
+// (Student, ID, SIS User ID, SIS Login ID) and of the grading worksheet of Moodle (Identifier, Full name), in small
+// letters and without what stands between them.
+const std::vector<std::string> id_headings = {"id",        "sid",        "studentid", "idnumber",    "username",
+                                              "sisuserid", "identifier", "email",     "emailaddress"};
+const std::vector<std::string> name_headings = {"name", "fullname", "student", "studentname"};
+const std::vector<std::string> time_headings = {"submitted", "submissiontime"};
 const std::vector<std::string> alias_headings = {
-    "aliases", "email", "email address", "username",        "login",        "sis login id", "sis user id",
-    "sid",     "id",    "id number",     "github_username", "github login", "github",       "identifier"};
+    "aliases", "email", "emailaddress", "username",       "login",       "sisloginid", "sisuserid",
+    "sid",     "id",    "idnumber",     "githubusername", "githublogin", "github",     "identifier"};
+
+std::string plain_heading(std::string heading) {
+  std::erase_if(heading, [](char letter) { return std::string_view(" _-").find(letter) != std::string_view::npos; });
+  return boost::to_lower_copy(heading);
+}
 
 /// A table whose first row names the columns.
 class NamedTable {
@@ -35,7 +41,8 @@ class NamedTable {
     if (!text) throw GradingError(fmt::format("{} cannot be read; check its name.", shown_path(file)));
     try {
       const std::string_view head = std::string_view(*text).substr(0, text->find('\n'));
-      separator_ = head.find(',') == std::string::npos && head.find(';') != std::string::npos ? ';' : ',';
+      for (const char each : {';', '\t'})
+        if (std::ranges::count(head, each) > std::ranges::count(head, separator_)) separator_ = each;
       rows = read_csv(*text, separator_);
     } catch (const GradingError& problem) {
       refuse(problem.what());
@@ -53,7 +60,7 @@ class NamedTable {
   std::optional<std::size_t> column(const std::vector<std::string>& headings) const {
     for (const std::string& heading : headings)
       for (std::size_t at = 0; at < rows.front().size(); ++at)
-        if (boost::iequals(rows.front()[at], heading)) return at;
+        if (plain_heading(rows.front()[at]) == heading) return at;
     return std::nullopt;
   }
 
@@ -70,18 +77,17 @@ class NamedTable {
 
 /// "Participant 900001", as Moodle's worksheet has it, in any language.
 std::string participant_number(const std::string& identifier) {
-  const std::size_t space = identifier.rfind(' ');
-  const std::string number = space == std::string::npos ? "" : identifier.substr(space + 1);
-  return number.find_first_not_of("0123456789") == std::string::npos ? number : "";
+  return identifier.substr(identifier.find_last_not_of("0123456789") + 1);
 }
 
+/// Without names where the students are not to be known.
 bool is_worksheet(const NamedTable& table) {
-  return table.column({"identifier"}) && table.column({"full name"}) && table.column({"grade"});
+  return table.column({"identifier"}) && table.column({"grade"}) && table.column({"status", "maximumgrade"});
 }
 
 /// The id under which a row of the worksheet is graded.
 std::string worksheet_id(const NamedTable& table, std::size_t row) {
-  const std::string own = table.field(row, table.column({"id number"}));
+  const std::string own = table.field(row, table.column({"idnumber"}));
   return own.empty() ? participant_number(table.field(row, table.column({"identifier"}))) : own;
 }
 
@@ -98,7 +104,7 @@ std::vector<RosterEntry> read_roster(const fs::path& file) {
   const bool worksheet = is_worksheet(table);
   const auto id = table.column(id_headings), name = table.column(name_headings),
              submitted = table.column(time_headings);
-  const auto first_name = table.column({"first name"}), last_name = table.column({"last name", "surname"});
+  const auto first_name = table.column({"firstname"}), last_name = table.column({"lastname", "surname"});
   if (!id && !worksheet)
     table.refuse(fmt::format("the first line should name the columns, one of them id; it names '{}'",
                              shortened(printable(fmt::format("{}", fmt::join(table.rows.front(), "', '"))), 200)));
@@ -143,7 +149,7 @@ Overrides read_overrides(const fs::path& file, const Assignment& assignment) {
              comment = table.column({"comment"});
   if (!student) table.refuse("the first line should name the columns, one of them student");
   for (const std::string& heading : table.rows.front())
-    if (const auto at = table.column({heading});
+    if (const auto at = table.column({plain_heading(heading)});
         at != student && at != exercise && at != points && at != excuse && at != due && at != comment)
       table.refuse(fmt::format("the column '{}' means nothing", shortened(printable(heading), 100)));
   Overrides overrides;
@@ -218,7 +224,7 @@ std::optional<std::string> filled_worksheet(const fs::path& roster, const nlohma
   NamedTable table(roster);
   if (!is_worksheet(table)) return std::nullopt;
   const std::size_t grade = *table.column({"grade"});
-  const auto feedback = table.column({"feedback comments"}), maximum = table.column({"maximum grade"});
+  const auto feedback = table.column({"feedbackcomments"}), maximum = table.column({"maximumgrade"});
   for (std::size_t row = 1; row < table.rows.size(); ++row) {
     const auto& students = document.at("students");
     const auto found =

@@ -151,7 +151,8 @@ TEST_CASE("an id counts where a platform puts it, and not in what students name"
       {"cleo_dora_5_6_spring_energy.cpp", ""}};
   for (const auto& [path, id] : whose) write(all.submissions() / path, right + "// " + path + "\n");
   write(all.submissions() / "bob/spring_energy.cpp", wrong);
-  const Taken taken(all, "submissions", std::vector<std::string>{"101", "102", "34", "s_7", "ann", "ann_b", "bob", "cleo", "dora"});
+  const Taken taken(all, "submissions",
+                    std::vector<std::string>{"101", "102", "34", "s_7", "ann", "ann_b", "bob", "cleo", "dora"});
   for (const auto& [path, id] : whose) {
     CAPTURE(path);
     if (!id.empty()) CHECK(taken.energy(id) == right + "// " + path + "\n");
@@ -258,6 +259,73 @@ TEST_CASE("Canvas' gradebook and the roster of GitHub Classroom are rosters") {
   CHECK(classroom.energy("ada@x.org") == right);
 }
 
+TEST_CASE("names of people are compared as systems write them into the names of files") {
+  const MadeUpClass all;
+  const std::vector<std::pair<std::string, std::string>> whose = {
+      {"MU\u0308LLER Zoe_900001_assignsubmission_file/spring_energy.cpp", "1"},  // as a Mac writes the Ü
+      {"Miles OBrien_900002_assignsubmission_file_spring_energy.cpp", "2"},      // not in folders
+      {"Ada Byron_900003_assignsubmission_file_/spring_energy.cpp", "3"},
+      {"Jean-Luc Picard_900004_assignsubmission_file_/spring_energy.cpp", "4"}};
+  for (const auto& [path, id] : whose) write(all.submissions() / path, right + "// " + path + "\n");
+  write(all.submissions() / "Ada Byron_900003_assignsubmission_onlinetext_/onlinetext.html", "<p>Hello</p>");
+  const Taken taken = Taken::with_table(all, "submissions",
+                                        "ID,Name\n1,Müller Zoe\n2,Miles O'Brien\n3,\"Byron, Ada\"\n"
+                                        "4,JEAN-LUC PICARD\n5,Luc Picard\n");
+  for (const auto& [path, id] : whose) CHECK_MESSAGE(taken.energy(id) == right + "// " + path + "\n", path);
+  CHECK(taken.student("5").is_missing());
+  CHECK(taken.intake.problems.empty());
+}
+
+TEST_CASE("without a roster the files of one student of Canvas or Moodle are one student's") {
+  const MadeUpClass all;
+  for (const char* name : {"planckmax_LATE_34_778_spring_energy-1.cpp", "planckmax_34_779_spring_force.cpp",
+                           "Ada Byron_900001_assignsubmission_file_/spring_energy.cpp",
+                           "Ada Byron_900001_assignsubmission_onlinetext_/spring_force.cpp",
+                           "team_1_2/spring_energy.cpp", "team_1_3/spring_energy.cpp"})
+    write(all.submissions() / name, right);
+  const Taken taken(all);
+  CHECK(taken.student("planckmax_34").files.size() == 2);
+  CHECK(taken.student("Ada Byron_900001").files.size() == 2);
+  CHECK(taken.energy("team_1_2") == right);
+  CHECK(taken.energy("team_1_3") == right);
+  CHECK(taken.intake.students.size() == 4);
+}
+
+TEST_CASE("a login stands behind the name of the assignment, and is not a part of another login") {
+  const MadeUpClass all;
+  for (const char* name : {"week-3-octo-cat", "week-3-mary-ann", "week-3-bob-main", "week-3-x"})
+    write(all.submissions() / name / "spring_energy.cpp", right);
+  const Taken taken(all, "submissions", std::vector<std::string>{"octo-cat", "ann", "bob", "cat"});
+  CHECK(taken.energy("octo-cat") == right);
+  CHECK(taken.energy("bob") == right);  // as GitHub calls a zip file of a branch
+  for (const char* id : {"ann", "cat"}) CHECK_MESSAGE(taken.student(id).is_missing(), id);
+  CHECK(taken.intake.problems.size() == 2);
+}
+
+TEST_CASE("Moodle's worksheet of an anonymous assignment, in another language, is a roster too") {
+  const MadeUpClass all;
+  write(all.submissions() / "Teilnehmer_in_900001_assignsubmission_file_/spring_energy.cpp", right);
+  const Taken taken = Taken::with_table(all, "submissions",
+                                        "Identifier\tStatus\tGrade\tMaximum Grade\nTeilnehmer/in900001\tx\t\t10\n"
+                                        "Teilnehmer/in900002\t\"no\nsubmission\"\t\t10\n");
+  CHECK(taken.energy("900001") == right);
+  CHECK(taken.student("900002").is_missing());
+}
+
+TEST_CASE("files of other kinds are named where they may be an exercise") {
+  const MadeUpClass all;
+  write(all.submissions() / "ada/spring_energy.cc", right);
+  write(all.submissions() / "ben/Spring_Energy.CPP", right);
+  write(all.submissions() / "cleo/work.tar.gz", "no zip file");
+  write(all.submissions() / "dora/clone/data/table.gz", "not hers to hand in");
+  write_zip(all.submissions() / "emil.zip", {{"work.7z", "no zip file"}, {"spring_energy.cxx", right}});
+  const Taken taken(all);
+  for (const char* id : {"ada", "ben", "emil"})
+    CHECK_MESSAGE(has(taken.student(id).files.at("spring_energy").refusal, "should be called spring_energy.cpp"), id);
+  for (const char* id : {"cleo", "emil"}) CHECK_MESSAGE(taken.student(id).unread.size() == 1, id);
+  CHECK(taken.student("dora").unread.empty());
+}
+
 TEST_CASE("times have a zone") {
   const auto noon = workbook::read_time("2027-03-01T12:00:00Z");
   REQUIRE(noon);
@@ -295,9 +363,17 @@ TEST_CASE("a class in one folder of a zip file is not taken for a student withou
   const Taken taken(all, "class.zip");
   REQUIRE(taken.intake.students.size() == 1);
   CHECK(has(taken.student("export").unread.at(0), "SUBMISSIONS"));
-  const Taken listed(all, "class.zip", std::vector<std::string>{"s_1", "s_2"});
-  CHECK(listed.intake.problems.size() == 1);
-  CHECK(listed.student("s_1").is_missing());
+  // With a roster it is known which of them it is.
+  write(all.submissions() / "export/s_1/spring_energy.cpp", right);
+  write(all.submissions() / "export/s_2/spring_energy.cpp", wrong);
+  for (const char* submissions : {"class.zip", "submissions"}) {
+    const Taken listed(all, submissions, std::vector<std::string>{"s_1", "s_2"});
+    CHECK(listed.intake.problems.empty());
+    CHECK(listed.energy("s_1") == right);
+    CHECK(listed.energy("s_2") == wrong);
+  }
+  const Taken strangers(all, "class.zip", std::vector<std::string>{"t_1"});
+  CHECK(has(strangers.intake.problems.at(0), "'export' was not read"));
 }
 
 TEST_CASE("parts of a class are of a size, whatever ids have in common") {

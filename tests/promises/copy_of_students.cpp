@@ -326,3 +326,82 @@ TEST_CASE("a folder that cannot be made is named, and nothing half done is left"
   for (const auto& entry : fs::directory_iterator(copy().parent_path()))
     CHECK(!has(entry.path().string(), "unfinished"));
 }
+
+TEST_CASE("what is exported for another system grades there, with the marks of grade, and holds no solution") {
+  const fs::path folder = scratch / "exported", class_folder = folder / "class", student = class_folder / "ada";
+  fs::remove_all(folder);
+  const auto answer = [&](const std::string& name, const std::string& text) { write(student / (name + ".cpp"), text); };
+  answer("kinetic_energy", solutions().at("kinetic_energy"));
+  answer("inertia_of_points", "int main() {}\n");
+  write(
+      folder / "week 3.json",
+      R"({"title": "Week \"3\"", "exercises": [{"name": "inertia_of_points", "points": 2}, {"name": "kinetic_energy", "points": 3}]})");
+  const auto checker = [&](const std::string& arguments) {
+    return run(fmt::format("cd '{}' && '{}' {}", folder.string(), WORKBOOK_TEST_CHECKER, arguments));
+  };
+  CHECK(checker("export moodle --out x.zip").status == 2);
+  for (const auto& [system, file] :
+       {std::pair{"gradescope", "a.zip"}, {"autolab", "b.tar"}, {"prairielearn", "c.zip"}, {"classroom50", "d.zip"}}) {
+    const Outcome made = checker(fmt::format("export {} --seed 7 --assignment 'week 3.json' --out {}", system, file));
+    REQUIRE_MESSAGE(made.status == 0, made.said());
+    REQUIRE(run(fmt::format("cd '{0}' && mkdir {1} && cd {1} && cmake -E tar xf ../{2}", folder.string(), system, file))
+                .status == 0);
+  }
+  for (const fs::path& file : files_below(folder / "gradescope"))
+    CHECK_MESSAGE(file.lexically_relative(folder / "gradescope/workbook").begin()->string() != "solutions", file);
+
+  // The workbook is that of this build: it is made from the same files.
+  const fs::path workbook = folder / "gradescope/workbook";
+  write(workbook / "build/workbook/checker/checker",
+        fmt::format("#!/bin/sh\nexec '{}' \"$@\"\n", WORKBOOK_TEST_CHECKER));
+  fs::permissions(workbook / "build/workbook/checker/checker",
+                  fs::perms::owner_all | fs::perms::group_exec | fs::perms::others_exec);
+  const std::string with_workbook = fmt::format("WORKBOOK='{}' ", workbook.string());
+
+  const fs::path autograder = folder / "autograder";
+  fs::create_directories(autograder);
+  fs::rename(folder / "gradescope", autograder / "source");
+  fs::create_directory_symlink(autograder / "source", folder / "gradescope");
+  fs::copy_file(autograder / "source/run_autograder", autograder / "run_autograder");
+  fs::copy(student, autograder / "submission");
+  const Outcome gradescope = run(fmt::format("cd '{}' && ./run_autograder", autograder.string()));
+  REQUIRE_MESSAGE(gradescope.status == 0, gradescope.said());
+  const auto results = nlohmann::json::parse(read(autograder / "results/results.json"));
+  CHECK(results.at("score") == 3);
+  CHECK(results.at("tests").at(0).at("status") == "failed");
+  CHECK(results.at("tests").at(1).at("score") == 3);
+
+  const fs::path lab = folder / "autolab/week3";
+  CHECK(fs::exists(lab / "week3.rb"));
+  CHECK(read(lab / "week3.yml").find("display_name: \"Week \\\"3\\\"\"") != std::string::npos);
+  fs::rename(lab / "autograde-Makefile", lab / "Makefile");
+  run(fmt::format("cd '{}' && cmake -E tar cf '{}' --format=zip .", student.string(), (lab / "handin.zip").string()));
+  const Outcome autolab = run(fmt::format("cd '{}' && {} make -s", lab.string(), with_workbook));
+  REQUIRE_MESSAGE(autolab.status == 0, autolab.said());
+  CHECK(nlohmann::json::parse(workbook::lines_of(autolab.out).back()) ==
+        nlohmann::json::parse(R"({"scores": {"inertia_of_points": 0.0, "kinetic_energy": 3.0}})"));
+
+  const fs::path question = folder / "prairielearn/questions/week3";
+  const auto info = nlohmann::json::parse(read(question / "info.json"));
+  CHECK(info.at("title") == "Week \"3\"");
+  CHECK(info.at("uuid").get<std::string>().size() == 36);
+  const std::string grade = (workbook / "checker/grading/containers/grade.sh").string();
+  const Outcome prairielearn =
+      run(fmt::format("'{}' prairielearn '{}' '{}' '{}'", grade, student.string(), (question / "tests/cases").string(),
+                      (folder / "results.json").string()));
+  REQUIRE_MESSAGE(prairielearn.status == 0, prairielearn.said());
+  CHECK(nlohmann::json::parse(read(folder / "results.json")).at("score").get<double>() == doctest::Approx(0.6));
+
+  if (run("command -v python3").status == 0) {
+    const Outcome classroom50 = run(
+        fmt::format("cd '{}' && {} CLASSROOM=c ASSIGNMENT=week3 OWNER=ada COMMIT_URL=u python3 '{}'", student.string(),
+                    with_workbook, (folder / "classroom50/autograders/week3/autograder.py").string()));
+    REQUIRE_MESSAGE(classroom50.status == 0, classroom50.said());
+    CHECK(nlohmann::json::parse(read(student / "result.json")).at("score") == 300);
+  }
+
+  // An error of the checker is no zero.
+  write(workbook / "build/workbook/checker/checker", "#!/bin/sh\nexit 3\n");
+  CHECK(run(fmt::format("cd '{}' && rm results/* && ./run_autograder", autograder.string())).status == 3);
+  CHECK(!fs::exists(autograder / "results/results.json"));
+}

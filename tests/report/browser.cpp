@@ -121,6 +121,11 @@ TEST_CASE("a class with hostile names and values has a page of text") {
   document["misconceptions"] = ordered_json::array(
       {{{"exercise", "spring_energy"}, {"name", "no_half"}, {"message", hostile}, {"students", {"1 " + hostile}}}});
   document["changes"] = {hostile};
+  document["similar"] = ordered_json::array(
+      {{{"exercise", "spring_energy"},
+        {"share", 0.9},
+        {"answers",
+         {{{"students", {"1 " + hostile}}, {"text", hostile}}, {{"students", {"2 " + hostile}}, {"text", hostile}}}}}});
   document["identical_wrong_outputs"] =
       ordered_json::array({{{"exercise", "spring_energy"},
                             {"first_failure", {{"case", hostile}, {"expected", 1.5}, {"actual", hostile}}},

@@ -202,8 +202,15 @@ class Grader {
     for (const Card& card : context_.course().cards())
       page.headings.merge(read_headings(context_.course().notes_file(card)));
     ClassResults results(assignment_, seed_, sandbox, intake, with_missing);
+    for (const Exercise& exercise : assignment_.exercises()) {
+      results.similar.take_off(exercise.name(), read_file(stub(exercise)).value_or(""));
+      results.similar.take_off(exercise.name(), read_file(context_.course().solution_file(exercise)).value_or(""));
+      for (const char* file : {"notes.md", "worked_examples.cpp", "figures.cpp"})
+        results.similar.take_off(exercise.name(),
+                                 read_file(context_.course().lectures() / exercise.lecture() / file).value_or(""));
+    }
     std::error_code ignored;
-    for (const char* folder : {"students", "gradescope", "autolab", "github_classroom", "classroom50"})
+    for (const char* folder : {"students", "gradescope", "autolab", "github_classroom", "classroom50", "prairielearn"})
       fs::remove_all(out_ / folder, ignored);
     for (Student student : intake.students) {
       std::ranges::copy(assignment_.rules(student.hints.has_value()), std::back_inserter(student.notes));
@@ -214,8 +221,7 @@ class Grader {
       const ordered_json document = results.add(student, checked, made_from);
       const fs::path file = out_ / "students" / student.slug;
       write_or_fail(file.string() + ".json", indented(document));
-      for (const auto& [folder, text] : student_exports(document))
-        write_or_fail(out_ / folder / (student.slug + ".json"), text);
+      for (const auto& [name, text] : student_exports(document)) write_or_fail(out_ / name, text);
       page.student = student.name.empty() ? student.id : student.name;
       page.notes = student.notes;
       page.notes.insert(page.notes.begin(), "Sandbox: " + sandbox + ".");

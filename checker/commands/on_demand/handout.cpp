@@ -1,11 +1,14 @@
 #include "checker/commands/commands.hpp"
 #include "checker/course/assignment.hpp"
 #include "checker/course/locked_text.hpp"
+#include "checker/grading/grading.hpp"
 
+#include <boost/algorithm/string/replace.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <iterator>
 #include <random>
 
@@ -73,19 +76,23 @@ std::string fingerprint_of(const std::string& text, const ExerciseReference& jud
   return fingerprint(bytes);
 }
 
+/// Without names of routes and of small bugs, which tell how a function is written.
+LectureReference without_secrets(LectureReference reference) {
+  for (ExerciseReference& exercise : reference.exercises) {
+    for (std::size_t k = 0; k < exercise.routes.size(); ++k) exercise.routes[k].name = fmt::format("route {}", k + 1);
+    exercise.adequacy = {};
+    exercise.survivor_reasons = {};
+  }
+  return reference;
+}
+
 /// What the reference implementation made: the results to judge by, the numbers and figures of the notes.
-void copy_made(const Course& course, const fs::path& copy, std::vector<LectureReference> references) {
-  for (LectureReference& reference : references) {
-    // Names of routes and of small bugs tell how the function is written.
-    for (ExerciseReference& exercise : reference.exercises) {
-      for (std::size_t k = 0; k < exercise.routes.size(); ++k) exercise.routes[k].name = fmt::format("route {}", k + 1);
-      exercise.adequacy = {};
-      exercise.survivor_reasons = {};
-    }
+void copy_made(const Course& course, const fs::path& copy, const std::vector<LectureReference>& references) {
+  for (const LectureReference& reference : references) {
     const fs::path data = copy / "lectures" / reference.lecture / "handed_out";
     place_file(course.build().directory / "printed" / (reference.lecture + ".txt"), data / "printed.txt");
     copy_figures(course, reference.lecture, data / "figures");
-    write_reference_results(reference, data / "reference.json");
+    write_reference_results(without_secrets(reference), data / "reference.json");
   }
 }
 
@@ -121,15 +128,60 @@ void lock_derivations(const Course& course, const fs::path& copy, const std::vec
   }
 }
 
-/// @param earlier  the copy that it is to take the place of
-void make_copy(const Course& course, const fs::path& copy, const std::vector<LectureReference>& references,
-               const std::optional<fs::path>& earlier) {
+void copy_sources(const Course& course, const fs::path& copy) {
   for (const char* part : handed_out) {
     if (fs::exists(course.root() / part)) copy_part(course.root() / part, copy / part);
   }
   write_stubs(course, copy);
+}
+
+/// @param earlier  the copy that it is to take the place of
+void make_copy(const Course& course, const fs::path& copy, const std::vector<LectureReference>& references,
+               const std::optional<fs::path>& earlier) {
+  copy_sources(course, copy);
   copy_made(course, copy, references);
   lock_derivations(course, copy, references, earlier);
+}
+
+void require_solutions_for_copies(const Course& course) {
+  if (!course.has_solutions())
+    throw UsageError(
+        "This copy was handed out itself: it has no solutions, so no other copy can be made from it. Copy the folder.");
+}
+
+/// What a learning system takes to grade in a container of its own: templates below checker/grading/containers, and
+/// where, of what they make, cases and workbook belong.
+struct Recipe {
+  const char *system, *cases, *workbook;
+};
+constexpr std::array recipes = {Recipe{"gradescope", "cases", "workbook"},
+                                Recipe{"autolab", "NAME/autograde.tar/cases", nullptr},
+                                Recipe{"prairielearn", "questions/NAME/tests/cases", nullptr},
+                                Recipe{"classroom50", "autograders/NAME/cases", nullptr}};
+
+/// What the templates are filled with. @param name  of letters and digits
+json recipe_values(const Assignment& assignment, const Options& options, const std::string& name) {
+  json exercises = json::array();
+  double possible = 0;
+  std::vector<std::string> files;
+  for (const Exercise& exercise : assignment.exercises()) {
+    const double points = exercise.entry->points;
+    exercises.push_back({{"exercise", exercise.name()}, {"points", points}, {"task", exercise.entry->task}});
+    possible += points;
+    files.push_back(exercise.name() + ".cpp");
+  }
+  std::string uuid =
+      fingerprint(name) + fingerprint(assignment.title() + name);  // the same for each week's next export
+  for (const std::size_t at : {20, 16, 12, 8}) uuid.insert(at, "-");
+  return {{"name", name},
+          {"module", capitalized(name)},
+          {"title", assignment.title().empty() ? "Rigid Body Workbook" : assignment.title()},
+          {"exercises", exercises},
+          {"possible", possible},
+          {"files", fmt::format("{}", fmt::join(files, ","))},
+          {"base", options.image},
+          {"image", options.image + "-autolab"},
+          {"uuid", uuid}};
 }
 
 /// The folder of an earlier release if it is to be updated, or one that is to be filled. @throws UsageError
@@ -147,9 +199,7 @@ fs::path target_of(const Options& options) {
 }  // namespace
 
 int handout(const Course& course, const Options& options) {
-  if (!course.has_solutions())
-    throw UsageError(
-        "This copy was handed out itself: it has no solutions, so no other copy can be made from it. Copy the folder.");
+  require_solutions_for_copies(course);
   const fs::path whole = target_of(options);
   std::optional<Release> before;
   if (options.update) before = read_release(whole);
@@ -205,6 +255,60 @@ int handout(const Course& course, const Options& options) {
       options.out->string(), plural(course.cards().size(), "lecture"), plural(course.exercises().size(), "exercise"),
       seed);
   return all_passed;
+}
+
+int export_recipe(const Course& course, const Options& options) {
+  const auto recipe = std::ranges::find(recipes, options.name, &Recipe::system);
+  if (recipe == recipes.end())
+    throw UsageError(
+        fmt::format("There is no system '{}'; there are gradescope, autolab, prairielearn and classroom50.",
+                    printable(options.name)));
+  require_solutions_for_copies(course);
+  try {
+    const Assignment assignment(course, options.assignment);
+    const fs::path file = fs::absolute(*options.out);
+    std::string name = options.assignment ? options.assignment->stem().string() : "workbook";
+    std::erase_if(name, [](unsigned char letter) { return std::isalnum(letter) == 0; });
+    if (name.empty() || std::isalpha(static_cast<unsigned char>(name[0])) == 0) name = "week" + name;
+    std::ranges::transform(name, name.begin(), [](unsigned char letter) { return std::tolower(letter); });
+    std::random_device random;
+    const std::uint64_t seed = options.is_seed_given ? options.seed : (std::uint64_t{random()} << 20) ^ random();
+    const json values = recipe_values(assignment, options, name);
+    const auto named = [&](std::string path) { return boost::replace_all_copy(path, "NAME", name); };
+    const Workspace made(fs::temp_directory_path());
+    const fs::path root = made.directory() / "made",
+                   templates = course.root() / "checker/grading/containers" / recipe->system;
+    std::string next;
+    for (const auto& entry : fs::recursive_directory_iterator(templates)) {
+      if (!entry.is_regular_file()) continue;
+      const std::string text = filled_text(read_file(entry.path()).value(), entry.path().filename().string(), values);
+      if (entry.path().filename() == "next.txt") {
+        next = text;
+        continue;
+      }
+      const fs::path target = root / named(entry.path().lexically_relative(templates).string());
+      write_or_throw(target, text);
+      fs::permissions(target, entry.status().permissions());
+    }
+    const fs::path cases = root / named(recipe->cases);
+    write_or_throw(cases / "assignment.json", options.assignment ? read_file(*options.assignment).value() : "{}\n");
+    for (const Card& card : course.cards()) {
+      write_reference_results(without_secrets(course.reference(card.lecture, seed)), cases / (card.lecture + ".json"));
+      if (card.lecture == assignment.exercises().back().lecture()) break;  // functions of earlier ones may be called
+    }
+    if (recipe->workbook != nullptr) copy_sources(course, root / recipe->workbook);
+    if (const fs::path inner = cases.parent_path(); inner.extension() == ".tar") {
+      write_archive(inner, made.directory() / "inner.tar");
+      fs::remove_all(inner);
+      fs::rename(made.directory() / "inner.tar", inner);
+    }
+    write_archive(root, file);
+    fmt::print("{} holds {} for {}, with cases of seed {}. {}", shown_path(file),
+               plural(assignment.exercises().size(), "exercise"), recipe->system, seed, next);
+    return all_passed;
+  } catch (const GradingError& problem) {
+    throw UsageError(problem.what());
+  }
 }
 
 }  // namespace workbook

@@ -24,6 +24,7 @@ int run_on_demand(const Course& course, const Options& options) {
 
 int debug(const Course& course, const Options& options) { return run_on_demand(course, options); }
 int examples(const Course& course, const Options& options) { return run_on_demand(course, options); }
+int export_recipe(const Course& course, const Options& options) { return run_on_demand(course, options); }
 int figures(const Course& course, const Options& options) { return run_on_demand(course, options); }
 int grade(const Course& course, const Options& options) { return run_on_demand(course, options); }
 int handout(const Course& course, const Options& options) { return run_on_demand(course, options); }

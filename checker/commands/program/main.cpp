@@ -297,10 +297,14 @@ class CommandLine {
     option("--all hints", "", options_.all, "show all three");
     option("--now", "", options_.now, "even though yours does not pass yet");
     option("--all plots", "", options_.all, "all plots, and the figures of every lecture");
+    option("--wrong", "NAME", options_.wrong, "this wrong answer of the judging beside the solution, for a lecture");
     option("--out", "FOLDER", options_.out, "the folder for the pictures");
     option("--seconds", "NUMBER", options_.seconds_per_figure, "time limit of one figure");
     option("--html", "FILE", options_.html, "the page to write; an older one is replaced", true);
     option("--name", "TEXT", options_.student, "whose page it is");
+    option("SYSTEM", "", options_.name, "gradescope, autolab, prairielearn or classroom50", true);
+    option("--out archive", "FILE", options_.out, "the file to write: zip or tar, as its name ends", true);
+    option("--image", "NAME", options_.image, "the image with the workbook, where a system takes one");
     option("SUBMISSIONS", "", options_.submissions, "what was handed in: a folder or a zip file", true);
     option("--out class", "FOLDER", options_.out, "the folder for all results; the next run goes on in it");
     option("--who", "", options_.who, "only say who has handed in what: nothing is judged or written");
@@ -358,9 +362,9 @@ class CommandLine {
         "Draw your curve on the reference\n\nWrites an SVG and a PNG with your curve on the reference and the "
         "difference below, and shows the picture in the terminal: as graphics where chafa is installed and the "
         "terminal can show them, else as text. For instructors: --all --out DIR draws every exercise and copies every figure of the "
-        "lectures.",
-        {"plot inertia_of_points", "plot 03", "plot --all --out pictures"},
-        {"NAME", "--all plots", "--file", "--out", "--seed", "--picture"}, plot);
+        "lectures, and --wrong draws a wrong answer, by its name in judging/, beside the solution.",
+        {"plot inertia_of_points", "plot 03", "plot inertia_of_points --wrong plus_dyad", "plot --all --out pictures"},
+        {"NAME", "--all plots", "--wrong", "--file", "--out", "--seed", "--picture"}, plot);
     add("report", students,
         "Write one page about your work, to hand in or to read\n\nThe page needs no other file: verdicts, reasons, "
         "plots, your files, and what to read next.",
@@ -458,6 +462,13 @@ class CommandLine {
         grade)
         .get_option("--reference")
         ->excludes("--seed");
+    add("export", instructors,
+        "Write what another system needs to grade an assignment itself\n\nFor Gradescope an autograder, for Autolab an "
+        "assessment, for PrairieLearn a question, for Classroom 50 an autograder: with cases of their own, which are "
+        "drawn anew unless --seed says which, and no solutions. What to do with it is printed.",
+        {"export gradescope --assignment week3.json --out week3.zip",
+         "export autolab --assignment week3.json --out week3.tar --image registry.example.org/workbook"},
+        {"SYSTEM", "--out archive", "--assignment", "--seed", "--image"}, export_recipe);
     add("self-check", authors,
         "Check the workbook itself\n\nTries every stub, solution, right route, wrong answer, hint and pointer of the "
         "course, and names the file and the fix for everything that is wrong.",

@@ -50,6 +50,11 @@ std::string class_page(const ordered_json& document, const std::string& date) {
     for (const ordered_json& id : ids) links.push_back(known.at(id));
     return links;
   };
+  for (ordered_json pair : document.value("similar", ordered_json::array())) {
+    pair["percent"] = fmt::format("{:.0f} %", 100 * pair.at("share").get<double>());
+    for (ordered_json& answer : pair["answers"]) answer["students"] = linked(answer.at("students"));
+    page["similar"].push_back(pair);
+  }
   for (const ordered_json& each : document.at("learnt_by_heart"))
     page["learnt"].push_back({{"exercise", each.at("exercise")}, {"students", linked(each.at("students"))}});
   for (ordered_json& each : page["misconceptions"]) {
@@ -86,7 +91,7 @@ std::string class_page(const ordered_json& document, const std::string& date) {
       in_need.back().second["failing"] = failing;
     }
     row["cells"] = cells;
-    rows += rendered_page(class_page_row_template, row);
+    rows += rendered_page(page_template("class_page_row.html"), row);
   }
   std::erase_if(in_need, [](const auto& each) { return each.first >= share_without_need; });
   std::ranges::stable_sort(in_need, {}, [](const auto& each) { return each.first; });
@@ -116,15 +121,18 @@ std::string class_page(const ordered_json& document, const std::string& date) {
     for (const char* key : {"expected", "actual"}) each[key] = shortened(short_numbers(failure.at(key)), 120);
   }
   page["any_unread"] = !document.at("problems").empty() || !missing.empty();
-  for (const char* list :
-       {"by_hand", "learnt", "not_judged", "misconceptions", "identical_wrong_outputs", "changes", "in_need"})
+  for (const char* list : {"by_hand", "learnt", "not_judged", "misconceptions", "identical_wrong_outputs", "changes",
+                           "in_need", "similar"})
     page[std::string("any_") + list] = !page[list].empty();
-  const std::string script = class_page_script;
+  const std::string& script = page_template("class_page.js");
   std::string hash(crypto_hash_sha256_BYTES, '\0');
   crypto_hash_sha256(reinterpret_cast<unsigned char*>(hash.data()),
                      reinterpret_cast<const unsigned char*>(script.data()), script.size());
-  return rendered_page(class_page_template, page,
-                       {{"style", page_style}, {"rows", rows}, {"script", script}, {"script_hash", base64(hash)}});
+  return rendered_page(page_template("class_page.html"), page,
+                       {{"style", "\n" + page_template("style.css")},
+                        {"rows", rows},
+                        {"script", script},
+                        {"script_hash", base64(hash)}});
 }
 
 }  // namespace workbook

@@ -201,17 +201,34 @@ std::string report_page(const ReportedCourse& course) {
                      {"all_passed", std::ranges::none_of(results, is_left)},
                      {"steps", steps_of(course)},
                      {"lectures", lectures}};
-  return rendered_page(report_page_template, page, {{"style", page_style}});
+  return rendered_page(page_template("report_page.html"), page, {{"style", "\n" + page_template("style.css")}});
 }
 
-std::string rendered_page(const std::string& page_template, const json& document,
-                          const std::map<std::string, std::string>& raw) {
-  kainjow::mustache::mustache form{page_template};
-  data values = for_template(document);
-  for (const auto& [name, text] : raw) values.set(name, text);
+namespace {
+
+std::string rendered(kainjow::mustache::mustache form, data values) {
   std::string text = form.render(values);
   if (!form.is_valid()) throw std::logic_error("the page has no usable template: " + form.error_message());
   return text;
+}
+
+}  // namespace
+
+std::string rendered_page(const std::string& page_template, const json& document,
+                          const std::map<std::string, std::string>& raw) {
+  data values = for_template(document);
+  for (const auto& [name, text] : raw) values.set(name, text);
+  return rendered(kainjow::mustache::mustache(page_template), std::move(values));
+}
+
+std::string filled_text(const std::string& file_template, const fs::path& name, const json& values) {
+  kainjow::mustache::mustache form(file_template);
+  if (name.extension() != ".xml" && name.extension() != ".html")
+    form.set_custom_escape([](const std::string& text) {
+      const std::string quoted = json(text).dump();
+      return quoted.substr(1, quoted.size() - 2);
+    });
+  return rendered(std::move(form), for_template(values));
 }
 
 json look_of(const std::string& verdict) {

@@ -1,0 +1,100 @@
+// Right answers that are alike: those of people who do not know of each other are not, renamed and reordered copies
+// are.
+#include "checker/base/text.hpp"
+#include "checker/grading/grading.hpp"
+#include "tests/support/files.hpp"
+
+#include <doctest/doctest.h>
+
+#include <map>
+
+using namespace workbook::testing;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The right answers of the evidence that are written from the beginning, by exercise.
+std::map<std::string, std::vector<std::string>> unrelated_answers() {
+  std::map<std::string, std::vector<std::string>> answers;
+  for (const fs::path& file : files_below(fs::path(WORKBOOK_ROOT) / "tests/answers")) {
+    if (!fs::is_directory(file.parent_path()) || file.parent_path().filename() == "answers") continue;
+    bool is_right = false;
+    for (const std::string& line : workbook::lines_of(read(file))) {
+      std::vector<std::string>& of = answers[file.parent_path().filename().string() + "/" + file.stem().string()];
+      if (line.starts_with("//! ")) {
+        is_right = line.starts_with("//! right");
+        if (is_right) of.emplace_back();
+      } else if (is_right) {
+        of.back() += line + "\n";
+      }
+    }
+  }
+  for (auto& [exercise, texts] : answers)
+    std::erase_if(texts, [](const std::string& text) {
+      return text.empty() || std::string("+- ").find(text[0]) != std::string::npos;
+    });
+  return answers;
+}
+
+/// With other names, and of each two lines that are statements the second first.
+std::string copied(const std::string& answer) {
+  std::vector<std::string> lines;
+  for (const std::string& line : workbook::lines_of(workbook::replaced(answer, R"(\b([a-z]\w?)\b(?!\s*\())", "my_$1")))
+    if (!line.empty()) lines.push_back(line);
+  const auto is_statement = [&](const std::string& line) {
+    return line.ends_with(';') && line.find("return") == std::string::npos;
+  };
+  for (std::size_t k = 2; k + 1 < lines.size(); k += 5)
+    if (is_statement(lines[k]) && is_statement(lines[k + 1])) std::swap(lines[k], lines[k + 1]);
+  std::string text = "// Written all by myself.\n";
+  for (const std::string& line : lines) text += line + "  // of course\n";
+  return text;
+}
+
+/// @param answers  to one exercise
+std::size_t pairs_among(const std::string& exercise, const std::vector<std::string>& answers) {
+  workbook::SimilarAnswers similar;
+  const std::string name = exercise.substr(exercise.find('/') + 1), lecture = exercise.substr(0, exercise.find('/'));
+  for (const std::string& file : {"lectures/" + lecture + "/exercises/" + name, "solutions/" + exercise,
+                                  "lectures/" + lecture + "/worked_examples"})
+    similar.take_off(name, read(fs::path(WORKBOOK_ROOT) / (file + ".cpp")));
+  for (std::size_t k = 0; k < answers.size(); ++k) similar.add(name, std::to_string(k), std::to_string(k), answers[k]);
+  return similar.pairs().size();
+}
+
+}  // namespace
+
+TEST_CASE("of unrelated right answers none are alike, and copies with other names and another order are") {
+  std::size_t answers = 0, copies = 0, long_enough = 0;
+  for (const auto& [exercise, texts] : unrelated_answers()) {
+    CAPTURE(exercise);
+    answers += texts.size();
+    CHECK(pairs_among(exercise, texts) == 0);
+    for (const std::string& text : texts) {
+      const bool is_long = pairs_among(exercise, {text, text}) == 1;
+      long_enough += is_long ? 1 : 0;
+      copies += is_long && pairs_among(exercise, {text, copied(text)}) == 1 ? 1 : 0;
+    }
+  }
+  MESSAGE(answers, " unrelated right answers; ", copies, " of ", long_enough, " copies are found");
+  CHECK(answers >= 170);
+  CHECK(long_enough * 2 > answers);
+  CHECK(copies * 20 >= long_enough * 19);
+}
+
+TEST_CASE("a file that several have handed in together is no copy, and what most write is nobody's") {
+  const std::string text = unrelated_answers().at("03_inertia_tensor/principal_moments").back();
+  workbook::SimilarAnswers group;
+  for (const char* student : {"ada", "ben"}) group.add("e", student, "submission_1/e.cpp", text);
+  CHECK(group.pairs().empty());
+  group.add("e", "cleo", "submission_2/e.cpp", text);
+  const auto pairs = group.pairs();
+  REQUIRE(pairs.size() == 1);
+  CHECK(pairs[0].at("share") == 1);
+  CHECK(pairs[0].at("answers")[0].at("students") == nlohmann::json({"ada", "ben"}));
+  CHECK(pairs[0].at("answers")[1].at("students") == nlohmann::json({"cleo"}));
+  workbook::SimilarAnswers usual;
+  for (int k = 0; k < 5; ++k) usual.add("e", std::to_string(k), std::to_string(k), text + "// " + std::to_string(k));
+  CHECK(usual.pairs().empty());
+}
