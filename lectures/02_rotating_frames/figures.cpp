@@ -25,7 +25,6 @@ Vector3d rotated(const Vector3d& vector, const Vector3d& axis, double angle) {
   return rotated_basis(Matrix3d::Identity(), axis, angle) * vector;
 }
 
-/// With few points, because each frame of a moving picture draws it again.
 SpaceCurve circle(const Vector3d& center, double radius) {
   SpaceCurve points;
   for (int k = 0; k <= 36; ++k) points.push_back(center + radius * rotated(x_axis, z_axis, k * pi / 18));
@@ -35,11 +34,10 @@ SpaceCurve circle(const Vector3d& center, double radius) {
 /// The puck of the worked example, beside the turntable and riding on it.
 void draw_puck(const std::filesystem::path& directory) {
   const Vector3d r0(-1, 0, 0), v0(0.5, 0.1, 0);
-  constexpr int frames = 41;
   const FigureSize size{600, 330};
-  draw_animation(directory, "puck_moving", size, frames, frames - 1, [&](gnuplotio::Gnuplot& gnuplot, int frame) {
+  draw_figure(directory, "puck", size, [&](gnuplotio::Gnuplot& gnuplot) {
     Sketch sketch;
-    const double now = 0.1 * frame;  // s
+    const double now = 4;  // s
     for (const bool riding : {false, true}) {
       const Vector3d center(riding ? 1.3 : -1.3, -0.08, 0);
       const double table = riding ? 0 : now;  // angle of the table as it is drawn
@@ -50,8 +48,8 @@ void draw_puck(const std::filesystem::path& directory) {
       sketch.line({center + one, center, center + other, center - other}, colors::pale, 2);
       sketch.line({center, center - one}, colors::vermilion, 2);
       SpaceCurve path;
-      for (int k = 0; k <= frame; ++k) path.push_back(place(0.1 * k));
-      if (path.size() > 1) sketch.line(path, colors::blue, 3);
+      for (int k = 0; k <= 40; ++k) path.push_back(place(0.1 * k));
+      sketch.line(path, colors::blue, 3);
       for (int second = 0; second <= now + 1e-9; ++second) sketch.dot(place(second), colors::blue, 0.6);
       sketch.dot(place(now), colors::black, 1.3);
       sketch.text(center + 1.27 * y_axis, riding ? "riding on the turntable" : "beside the turntable");
@@ -90,20 +88,6 @@ void draw_two_origins(const std::filesystem::path& directory) {
   sketch.draw(directory, "two_origins", 420);
 }
 
-/// The pieces of a curve on the unit sphere that face the reader.
-void draw_front(Sketch& sketch, const SpaceCurve& curve, const char* color, double width) {
-  SpaceCurve piece;
-  for (const Vector3d& point : curve) {
-    if (sketch.faces_reader(point)) {
-      piece.push_back(point);
-    } else if (!piece.empty()) {
-      if (piece.size() > 1) sketch.line(piece, color, width);
-      piece.clear();
-    }
-  }
-  if (piece.size() > 1) sketch.line(piece, color, width);
-}
-
 /// The Earth with its axis, a latitude, and the local axes.
 void draw_globe(const std::filesystem::path& directory) {
   Sketch sketch({1.0, -0.35, 0.42});
@@ -111,17 +95,16 @@ void draw_globe(const std::filesystem::path& directory) {
   const Vector3d meridian(std::cos(longitude), std::sin(longitude), 0);
   const Vector3d up = std::cos(latitude) * meridian + std::sin(latitude) * z_axis;
   const Vector3d east = z_axis.cross(meridian), north = up.cross(east);
-  const Vector3d right = z_axis.cross(sketch.towards()).normalized();
-  sketch.face(arc(origin, 1, right, sketch.towards().cross(right)), colors::shade, 1);
-  sketch.line(arc(origin, 1, right, sketch.towards().cross(right)), colors::grey, 1.5);
+  const Matrix3d ball = Matrix3d::Identity();
+  sketch.ellipsoid(ball, colors::sky);
   for (int k = -2; k <= 2; ++k) {
     const double there = 30 * k * degree;
-    draw_front(sketch, arc(std::sin(there) * z_axis, std::cos(there), x_axis, y_axis), colors::pale,
-               k == 0 ? 2.5 : 1.2);
+    sketch.on_ellipsoid(arc(std::sin(there) * z_axis, std::cos(there), x_axis, y_axis), ball, colors::grey,
+                        k == 0 ? 2 : 0.8);
   }
   for (int k = 0; k < 6; ++k)
-    draw_front(sketch, arc(origin, 1, z_axis, rotated(meridian, z_axis, pi / 6 * (k + 0.5))), colors::pale, 1.2);
-  draw_front(sketch, arc(origin, 1, meridian, z_axis, -pi / 2, pi / 2), colors::grey, 1.5);
+    sketch.on_ellipsoid(arc(origin, 1, z_axis, rotated(meridian, z_axis, pi / 6 * (k + 0.5))), ball, colors::grey, 0.8);
+  sketch.on_ellipsoid(arc(origin, 1, meridian, z_axis, -pi / 2, pi / 2), ball, colors::black, 1.5);
   sketch.line({-1.25 * z_axis, -1.0 * z_axis}, colors::blue, 2);
   sketch.line({origin, z_axis}, colors::blue, 2, "dt (4,4)");
   sketch.arrow(z_axis, 1.6 * z_axis, colors::blue, "{/:Bold Ω}", Side::right);
@@ -195,7 +178,7 @@ void draw_tower_from_outside(const std::filesystem::path& directory) {
 /// Foucault's pendulum in a fast rotation, released at rest on the floor and released at rest in the frame in which
 /// its plane stands still.
 void draw_rosette(const std::filesystem::path& directory) {
-  constexpr int frames = 48, points = 5;  // points of the path to a frame
+  constexpr int points = 240;
   const double swing = 1, Omega_z = 0.1, omega = std::hypot(swing, Omega_z), duration = pi / Omega_z;
   const std::complex<double> i(0, 1);
   const auto place = [&](double t, bool at_rest_on_floor) -> Vector3d {
@@ -205,15 +188,14 @@ void draw_rosette(const std::filesystem::path& directory) {
     return {zeta.real(), zeta.imag(), 0};
   };
   const FigureSize size{600, 350};
-  draw_animation(directory, "rosette_moving", size, frames, frames - 1, [&](gnuplotio::Gnuplot& gnuplot, int frame) {
+  draw_figure(directory, "rosette", size, [&](gnuplotio::Gnuplot& gnuplot) {
     Sketch sketch;
     for (const bool at_rest_on_floor : {true, false}) {
       const Vector3d center(at_rest_on_floor ? -1.3 : 1.3, -0.15, 0);
       sketch.line(circle(center, 1.05), colors::pale, 1.5);
       SpaceCurve path;
-      for (int k = 0; k <= frame * points; ++k)
-        path.push_back(center + place(duration * k / (points * (frames - 1)), at_rest_on_floor));
-      if (path.size() > 1) sketch.line(path, colors::blue, 2);
+      for (int k = 0; k <= points; ++k) path.push_back(center + place(duration * k / points, at_rest_on_floor));
+      sketch.line(path, colors::blue, 2);
       sketch.line({center, path.back()}, colors::grey, 1.5);
       sketch.dot(path.back(), colors::black, 1.3);
       sketch.text(center + 1.27 * y_axis,
@@ -277,11 +259,11 @@ void draw_over_latitude(const std::filesystem::path& directory) {
 
 int main(int argc, char** argv) {
   return draw_figures(argc, argv,
-                      {{"puck_moving", draw_puck},
+                      {{"puck", draw_puck},
                        {"two_origins", draw_two_origins},
                        {"globe", draw_globe},
                        {"plumb_line", draw_plumb_line},
                        {"tower_from_outside", draw_tower_from_outside},
-                       {"rosette_moving", draw_rosette},
+                       {"rosette", draw_rosette},
                        {"over_latitude", draw_over_latitude}});
 }

@@ -113,6 +113,8 @@ live("foucault", {
         if (scene.released) {
           const day = times(1.12, [Math.sin(planet_rate * time), Math.cos(planet_rate * time), 0]);
           scene.line([times(-1, day), day], "grey", 1.5, { dash: [4, 5] });
+          const turn = planet_rate * time * [undefined, 1, undefined, -Math.sin(m.lambda)][scene.expected];
+          if (scene.expected !== undefined && !isNaN(turn)) scene.expect([origin, [Math.sin(turn), Math.cos(turn), 0]]);
           scene.words("once a day", scene.at(times(1.08, day)), "grey", "center", true);
         }
       },

@@ -86,8 +86,6 @@ struct Box {
   Vector3d moments = Vector3d::Constant(squares.sum()) - squares;
 };
 
-const std::array<const char*, 3> axis_colors{colors::vermilion, colors::green, colors::purple};
-
 void draw_inertia_ellipsoid(const std::filesystem::path& directory) {
   const Box box;
   Sketch sketch({0.75, -1.0, 0.75});
@@ -99,28 +97,15 @@ void draw_inertia_ellipsoid(const std::filesystem::path& directory) {
     const Vector3d n(std::cos(polar), std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth));
     return box.axes * n.cwiseProduct(half_axes);
   };
-  const auto draw_front = [&](const auto& at) {
-    SpaceCurve piece;
-    for (int i = 0; i <= 72; ++i) {
-      const Vector3d p = at(i / 72.0);
-      const Vector3d normal = box.axes * box.moments.asDiagonal() * box.axes.transpose() * p;
-      if (sketch.faces_reader(normal)) {
-        piece.push_back(p);
-      } else if (!piece.empty()) {
-        sketch.line(piece, colors::sky, 1.2);
-        piece.clear();
-      }
-    }
-    if (piece.size() > 1) sketch.line(piece, colors::sky, 1.2);
+  const Matrix3d shape = box.axes * half_axes.asDiagonal();
+  sketch.ellipsoid(shape, colors::sky);
+  const auto draw = [&](const auto& at) {
+    SpaceCurve curve;
+    for (int i = 0; i <= 72; ++i) curve.push_back(at(i / 72.0));
+    sketch.on_ellipsoid(curve, shape, colors::sky, 1.2);
   };
-  for (int k = 1; k < 8; ++k) draw_front([&](double s) { return point(pi * k / 8, 2 * pi * s + 1); });
-  for (int k = 0; k < 12; ++k) draw_front([&](double s) { return point(pi * s, 2 * pi * k / 12); });
-  // Its outline: where the normal is at right angles to the line of sight.
-  const Vector3d sight = half_axes.cwiseInverse().cwiseProduct(box.axes.transpose() * sketch.towards()).normalized();
-  const Vector3d across = sight.unitOrthogonal();
-  SpaceCurve outline = arc(origin, 1, across, sight.cross(across));
-  for (Vector3d& n : outline) n = box.axes * n.cwiseProduct(half_axes);
-  sketch.line(outline, colors::sky, 2);
+  for (int k = 1; k < 8; ++k) draw([&](double s) { return point(pi * k / 8, 2 * pi * s + 1); });
+  for (int k = 0; k < 12; ++k) draw([&](double s) { return point(pi * s, 2 * pi * k / 12); });
   for (int i = 0; i < 3; ++i) {
     sketch.arrow(origin, box.axes.col(i) * (half_axes[i] + (i == 0 ? 0.5 : 0.9)),
                  axis_colors[static_cast<std::size_t>(i)], fmt::format("I_{} = {:.2f} kg m²", i + 1, box.moments[i]),
@@ -155,35 +140,31 @@ void draw_energy_on_sphere(const std::filesystem::path& directory) {
   for (const double side : {1.0, -1.0}) {
     const Vector3d towards = side * Vector3d(0.75, 1.0, 0.6).normalized();
     const Vector3d right = z_axis.cross(towards).normalized(), up = towards.cross(right);
-    const Vector3d center(-1.15 * side, 0, 0);
-    const auto place = [&](const Vector3d& n) -> Vector3d { return center + Vector3d(n.dot(right), n.dot(up), 0); };
-    const auto draw_front = [&](const SpaceCurve& curve, const char* color, double width) {
-      SpaceCurve piece;
-      for (const Vector3d& n : curve) {
-        if (n.dot(towards) >= 0) {
-          piece.push_back(place(n));
-        } else {
-          if (piece.size() > 1) sketch.line(piece, color, width);
-          piece.clear();
-        }
-      }
-      if (piece.size() > 1) sketch.line(piece, color, width);
+    const Vector3d center(-1.2 * side, 0, 0);
+    // Turned so that one looks along z.
+    const auto place = [&](const Vector3d& n) -> Vector3d {
+      return center + Vector3d(n.dot(right), n.dot(up), n.dot(towards));
     };
-    sketch.line(arc(center, 1, x_axis, y_axis), colors::grey, 1.5);
+    const auto draw = [&](SpaceCurve curve, const char* color, double width) {
+      for (Vector3d& n : curve) n = place(n);
+      sketch.on_ellipsoid(curve, Matrix3d::Identity(), color, width, center);
+    };
+    sketch.ellipsoid(Matrix3d::Identity(), colors::sky, center);
     for (const double sign : {1.0, -1.0}) {
       for (const double part : {0.1, 0.35, 0.65, 0.9}) {
-        draw_front(level_line(I, I[0] + part * (I[1] - I[0]), sign), colors::vermilion, 1.8);
-        draw_front(level_line(I, I[2] + part * (I[1] - I[2]), sign), colors::purple, 1.8);
+        draw(level_line(I, I[0] + part * (I[1] - I[0]), sign), axis_colors[0], 1.8);
+        draw(level_line(I, I[2] + part * (I[1] - I[2]), sign), axis_colors[2], 1.8);
       }
       // The level through ±e₂: two great circles.
       const Vector3d across = Vector3d(std::sqrt(I[2] - I[1]), 0, sign * std::sqrt(I[1] - I[0])).normalized();
-      draw_front(arc(origin, 1, across, y_axis), colors::black, 2.4);
+      draw(arc(origin, 1, across, y_axis), colors::black, 2.4);
     }
     for (int i = 0; i < 3; ++i) {
       const Vector3d n = side * Vector3d::Unit(i);
-      sketch.dot(place(n), axis_colors[static_cast<std::size_t>(i)], 0.8);
-      sketch.text(place(n), fmt::format("{}{{/:Bold e}}_{}", side > 0 ? "" : "−", i + 1),
-                  axis_colors[static_cast<std::size_t>(i)], Side::right);
+      const char* color = axis_colors[static_cast<std::size_t>(i)];
+      sketch.arrow(place(n), place(1.25 * n), color);
+      sketch.text(place(1.25 * n), fmt::format("{}{{/:Bold e}}_{}", side > 0 ? "" : "−", i + 1), color,
+                  i == 0 ? Side::below : Side::right);
     }
   }
   sketch.draw(directory, "energy_on_sphere", 590);

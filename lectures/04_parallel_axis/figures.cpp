@@ -139,7 +139,7 @@ void draw_along_the_diagonal(const std::filesystem::path& directory) {
   });
 }
 
-/// The inertia ellipsoid about a point, as its outline and its axes with the moments.
+/// The inertia ellipsoid about a point, with its axes and moments.
 void draw_ellipsoid(Sketch& sketch, const Matrix3d& I, const Vector3d& center, const char* color,
                     const std::array<Side, 3>& sides, const Vector3d& signs) {
   const double size = 2.6;
@@ -151,16 +151,12 @@ void draw_ellipsoid(Sketch& sketch, const Matrix3d& I, const Vector3d& center, c
     axes.col(i).cwiseAbs().maxCoeff(&largest);
     axes.col(i) *= signs[i] * (axes(largest, i) > 0 ? 1 : -1);
   }
-  const Vector3d sight = moments.cwiseSqrt().cwiseProduct(axes.transpose() * sketch.towards()).normalized();
-  const Vector3d across = sight.unitOrthogonal();
-  std::vector<Vector3d> outline = arc(Vector3d::Zero(), 1, across, sight.cross(across));
-  for (Vector3d& n : outline) n = center + axes * half_axes.cwiseProduct(n);
-  sketch.face(outline, color, 0.15);
-  sketch.line(outline, color, 1.5);
+  sketch.ellipsoid(axes * half_axes.asDiagonal(), color, center);
   for (int i = 0; i < 3; ++i) {
     const Vector3d tip = half_axes[i] * axes.col(i);
     sketch.line({center - tip, center + tip}, color, 2.5);
-    sketch.text(center + tip, fmt::format("{:.3g}", moments[i]), color, sides[static_cast<std::size_t>(i)]);
+    sketch.text(center + tip, fmt::format("I_{} = {:.3g}", i + 1, moments[i]), color,
+                sides[static_cast<std::size_t>(i)]);
   }
   sketch.dot(center, color, 0.9);
 }
@@ -168,15 +164,19 @@ void draw_ellipsoid(Sketch& sketch, const Matrix3d& I, const Vector3d& center, c
 void draw_corner_and_center(const std::filesystem::path& directory) {
   const Block block;
   Sketch sketch({1.0, 0.62, 0.5});
-  sketch.box(Vector3d::Zero(), block.edges.asDiagonal());
-  sketch.text({0.5, 2, 0}, "a", colors::black, Side::right);
-  sketch.text({1, 1, 0}, "b", colors::black, Side::below);
-  sketch.text({1, 0, 1.5}, "c", colors::black, Side::left);
-  draw_ellipsoid(sketch, block.at_corner(), Vector3d::Zero(), colors::vermilion, {Side::left, Side::right, Side::above},
+  // Side by side.
+  const Vector3d aside = 4.4 * z_axis.cross(sketch.towards()).normalized();
+  for (const Vector3d& corner : {origin, aside}) {
+    sketch.box(corner, block.edges.asDiagonal());
+    sketch.text(corner + Vector3d(0.5, 2, 0), "a", colors::black, Side::right);
+    sketch.text(corner + Vector3d(1, 1, 0), "b", colors::black, Side::below);
+    sketch.text(corner + Vector3d(1, 0, 1.5), "c", colors::black, Side::left);
+  }
+  draw_ellipsoid(sketch, block.at_center(), block.edges / 2, colors::blue, {Side::above, Side::above, Side::left},
                  {1, 1, 1});
-  draw_ellipsoid(sketch, block.at_center(), block.edges / 2, colors::blue, {Side::left, Side::above, Side::left},
+  draw_ellipsoid(sketch, block.at_corner(), aside, colors::vermilion, {Side::above, Side::right, Side::below},
                  {1, 1, 1});
-  sketch.draw(directory, "corner_and_center", 380);
+  sketch.draw(directory, "corner_and_center", 590);
 }
 
 /// The door wedge of the worked example, with its principal axes; lengths in centimetres.

@@ -154,7 +154,6 @@ void draw_integrators(const std::filesystem::path& directory) {
   const double T0 = rotation_invariants(tumbling_body, tumbling_start)[0];
 
   draw_figure(directory, "integrators", {560, 590}, [&](gnuplotio::Gnuplot& gnuplot) {
-    const std::array<const char*, 3> axis_colors{colors::vermilion, colors::green, colors::purple};
     gnuplot << "set multiplot layout 2,1\nunset key; set lmargin 9; set rmargin 2; set tmargin 1.6; set xrange [0:60]; "
                "set xtics 10\n"
                "set xlabel 'time (s)'; set ylabel 'ω (rad/s)'; set yrange [-1.95:1.95]; set ytics 1\n"
@@ -201,7 +200,6 @@ void draw_tumbling(const std::filesystem::path& directory) {
   Sketch sketch({1.0, -0.75, 0.6});
   const Vector3d right = z_axis.cross(sketch.towards()).normalized(), up = sketch.towards().cross(right);
   const Vector3d L = tumbling_body.cwiseProduct(tumbling_start).normalized();
-  const std::array<const char*, 3> axis_colors{colors::vermilion, colors::green, colors::purple};
   for (int i = 0; i < 8; ++i) {
     const int column = i % 4, row = i / 4;
     const Vector3d center = 2.3 * column * right - 2.4 * row * up;

@@ -23,8 +23,6 @@ namespace {
 using Point = std::pair<double, double>;
 using Plot = std::vector<Point>;
 
-const std::array<const char*, 3> axis_colors{colors::vermilion, colors::green, colors::purple};
-
 const Vector3d flat_body(1, 2, 3);
 
 /// dω/dt of a free body.
@@ -38,21 +36,6 @@ Plot component(const std::vector<Motion>& motion, double duration, int index, do
     curve.emplace_back(duration * static_cast<double>(i) / static_cast<double>(motion.size() - 1),
                        factor * motion[i].omega[index]);
   return curve;
-}
-
-/// Those pieces of a curve on a closed surface that the reader sees; `normal` gives the outward normal at a point.
-void draw_front(Sketch& sketch, const SpaceCurve& curve, const std::function<Vector3d(const Vector3d&)>& normal,
-                const char* color, double width, const std::string& style = "") {
-  SpaceCurve piece;
-  for (const Vector3d& point : curve) {
-    if (sketch.faces_reader(normal(point))) {
-      piece.push_back(point);
-    } else {
-      if (piece.size() > 1) sketch.line(piece, color, width, style);
-      piece.clear();
-    }
-  }
-  if (piece.size() > 1) sketch.line(piece, color, width, style);
 }
 
 // ---- the symmetric top
@@ -90,7 +73,7 @@ void draw_cone(Sketch& sketch, const Vector3d& apex, const Vector3d& axis, const
 }
 
 /// The body cone rolls on the space cone: a long top and a flattened one.
-void animate_cones(const std::filesystem::path& directory) {
+void draw_cones(const std::filesystem::path& directory) {
   struct Top {
     const char* name;
     double ratio;  // I₃/I₁
@@ -100,16 +83,15 @@ void animate_cones(const std::filesystem::path& directory) {
   };
   const std::array<Top, 2> tops{{{"long, I_3 = I_1 / 2", 0.5, std::acos(0.75), 8, -1.15},
                                  {"flattened, I_3 = 1.8 I_1", 1.8, std::acos(0.9), 10, 1.2}}};
-  const int frames = 30;
   const FigureSize size{600, 320};
-  draw_animation(directory, "cones", size, frames, 15, [&](Gnuplot& gnuplot, int frame) {
+  draw_figure(directory, "cones", size, [&](Gnuplot& gnuplot) {
     Sketch sketch({0, -1, 0.42});
     for (const Top& top : tops) {
       const Vector3d at(top.place, 0, -0.7);
       const double opening = std::atan(top.ratio * std::tan(top.tilt));  // of ω from the axis
       // At the rates of the lecture: dφ/dt = L/I₁ and dψ/dt = −Ω.
       const Vector3d omega(std::tan(opening), 0, 1);
-      const double round = 2 * pi * frame / frames + 0.8;
+      const double round = pi + 0.8;
       const double own = -round * body_precession_rate(1, top.ratio, 1) / space_precession_rate(1, top.ratio, omega);
       const Vector3d outward(std::cos(round), std::sin(round), 0);
       const auto leaning = [&](double angle) -> Vector3d {
@@ -356,10 +338,8 @@ void draw_surface(Sketch& sketch, const Vector3d& e, const Vector3d& f,
                   const std::function<Vector3d(const Vector3d&)>& rate) {
   const auto normal = [&](const Vector3d& x) -> Vector3d { return e.cwiseProduct(x); };
   const Vector3d root = e.cwiseSqrt();
-  const Vector3d pole = sketch.towards().cwiseProduct(root).normalized(), across = pole.unitOrthogonal();
-  SpaceCurve outline = arc(origin, 1, across, pole.cross(across));
-  for (Vector3d& x : outline) x = x.cwiseQuotient(root);
-  sketch.face(outline, colors::pale, 0.25);
+  const Matrix3d half_axes = root.cwiseInverse().asDiagonal();
+  sketch.ellipsoid(half_axes, colors::sky);
   const auto mark = [&](const SpaceCurve& curve, std::size_t index, const char* color) {
     const Vector3d& x = curve[index];
     const Vector3d step = 0.04 / root.minCoeff() * rate(x).normalized();
@@ -370,17 +350,16 @@ void draw_surface(Sketch& sketch, const Vector3d& e, const Vector3d& f,
     for (std::size_t i = 0; i < levels[static_cast<std::size_t>(family)].size(); ++i) {
       for (const double side : {1.0, -1.0}) {
         const SpaceCurve curve = level_curve(e, f, levels[static_cast<std::size_t>(family)][i], axis, side);
-        draw_front(sketch, curve, normal, axis_colors[static_cast<std::size_t>(axis)], 2);
+        sketch.on_ellipsoid(curve, half_axes, axis_colors[static_cast<std::size_t>(axis)], 2);
         if (side > 0 && i % 2 == 0) mark(curve, 45, axis_colors[static_cast<std::size_t>(axis)]);
       }
     }
   }
   for (const double side : {1.0, -1.0}) {
     const SpaceCurve curve = separatrix_curve(e, f, side);
-    draw_front(sketch, curve, normal, colors::black, 3);
+    sketch.on_ellipsoid(curve, half_axes, colors::black, 3);
     for (const std::size_t index : {9U, 27U}) mark(curve, index, colors::black);
   }
-  sketch.line(outline, colors::grey, 1.5);
 }
 
 void draw_polhodes(const std::filesystem::path& directory) {
@@ -414,13 +393,12 @@ void draw_momentum_sphere(const std::filesystem::path& directory) {
   SpaceCurve path;
   Vector3d L = Vector3d(1, -0.104, 0.06).normalized();
   for (int i = 0; i < 40000; ++i) {
-    if (i % 10 == 0) path.push_back(L);
+    if (i % 40 == 0) path.push_back(L);
     const auto slope = [&](const Vector3d& x) -> Vector3d { return rate(x) + 0.12 * x.cross(rate(x)); };
     const double h = 0.005;
     L = (L + h * slope(L + h / 2 * slope(L))).normalized();
   }
-  draw_front(
-      sketch, path, [](const Vector3d& x) { return x; }, colors::blue, 3.5);
+  sketch.on_ellipsoid(path, Matrix3d::Identity(), colors::blue, 3.5);
   const std::array<const char*, 3> names{"{/:Bold e}_1, T highest", "{/:Bold e}_2", "{/:Bold e}_3, T lowest"};
   for (int i = 0; i < 3; ++i) {
     sketch.arrow(Vector3d::Unit(i), (i == 0 ? 1.5 : 1.3) * Vector3d::Unit(i), axis_colors[static_cast<std::size_t>(i)],
@@ -497,10 +475,14 @@ struct Flight {
 /// The racket at one attitude, 1.7 long, its two faces in different colours.
 void draw_racket_at(Sketch& sketch, const Vector3d& center, const Matrix3d& A, double handle) {
   const auto placed = [&](double x, double y) -> Vector3d { return center + A * Vector3d(x, y, 0); };
-  const SpaceCurve head = circle(placed(0.45, 0), 1, 0.42 * A.col(0), 0.3 * A.col(1));
   const char* color = sketch.faces_reader(A.col(2)) ? colors::sky : colors::orange;
-  sketch.face(head, color, 0.6);
-  sketch.line(head, colors::black, 3);
+  // The rim has a height: what is behind comes first.
+  const double near = sketch.faces_reader(A.col(2)) ? 0.05 : -0.05;
+  for (const double height : {-near, near}) {
+    const SpaceCurve head = circle(placed(0.45, 0) + height * A.col(2), 1, 0.42 * A.col(0), 0.3 * A.col(1));
+    if (height == near) sketch.face(head, color, 0.6);
+    sketch.line(head, height == near ? colors::black : colors::grey, 3);
+  }
   sketch.line({placed(0.03, 0), placed(-0.85, 0)}, colors::black, handle);
 }
 
@@ -508,57 +490,30 @@ const Vector3d towards_racket(0.45, -1, 0.35);
 
 void draw_racket(const std::filesystem::path& directory) {
   const Flight flight;
-  const auto motion = history(flight.I, flight.start, flight.period / 2, 8);
+  constexpr int views = 6;
+  const auto motion = history(flight.I, flight.start, flight.period / 2, views);
   Sketch sketch(towards_racket);
   const Vector3d right = z_axis.cross(sketch.towards()).normalized(), up = sketch.towards().cross(right);
-  for (int i = 0; i < 8; ++i) {
-    const int column = i % 4, row = i / 4;
+  for (int i = 0; i < views; ++i) {
+    const int column = i % 3, row = i / 3;
     const Vector3d center = 2.1 * column * right - 2.35 * row * up;
     const Matrix3d& A = motion[static_cast<std::size_t>(i)].A;
     draw_racket_at(sketch, center, A, 6);
     sketch.arrow(center, center + 0.75 * A.col(1), colors::green);
-    sketch.text(center - 1.08 * up, fmt::format("{:.2f} s", flight.period / 2 * i / 7));
+    sketch.text(center - 1.08 * up, fmt::format("{:.2f} s", flight.period / 2 * i / (views - 1)));
   }
   sketch.arrow(1.2 * up + 0.2 * right, 1.2 * up + 0.2 * right + 0.8 * x_axis, colors::blue, "{/:Bold L}, always",
                Side::right);
-  sketch.arrow(1.2 * up + 4.2 * right, 1.2 * up + 4.7 * right, colors::green, "{/:Bold e}_2 of the racket",
+  sketch.arrow(1.2 * up + 2.6 * right, 1.2 * up + 3.1 * right, colors::green, "{/:Bold e}_2 of the racket",
                Side::right);
   sketch.draw(directory, "racket", 600);
-}
-
-void animate_racket(const std::filesystem::path& directory) {
-  const Flight flight;
-  const int frames = 40;
-  const auto motion = history(flight.I, flight.start, flight.period, frames + 1);
-  const Plot curve = component(history(flight.I, flight.start, flight.period, 61), flight.period, 1);
-  draw_animation(directory, "racket_moving", {480, 440}, frames, 11, [&](Gnuplot& gnuplot, int frame) {
-    const Motion& now = motion[static_cast<std::size_t>(frame)];
-    Sketch sketch(towards_racket);
-    draw_racket_at(sketch, origin, now.A, 9);
-    sketch.arrow(origin, 0.8 * now.A.col(1), colors::green);
-    sketch.text(0.95 * now.A.col(1), "{/:Bold e}_2", colors::green);
-    sketch.arrow(Vector3d(-0.5, 0, -0.95), Vector3d(0.7, 0, -0.95), colors::blue, "{/:Bold L}");
-    send_block(gnuplot, "$rate", curve);
-    send_block(gnuplot, "$now", Plot{{flight.period * frame / frames, now.omega[1]}});
-    gnuplot << "set multiplot\nset origin 0,0.35; set size 1,0.65\n";
-    sketch.send(gnuplot, {480, 286}, 1.7);
-    gnuplot << "unset arrow; unset label\nset origin 0,0; set size 1,0.35\n"
-               "set lmargin 8; set rmargin 2; set tmargin 0.5; set bmargin 3\n"
-            << fmt::format("set border 3 lc rgb '{}'; set ytics nomirror -10,10,10; set xtics nomirror 0.5\n",
-                           colors::grey)
-            << "set xlabel 'time (s)'; set ylabel 'ω̃_2 (rad/s)'\n"
-            << fmt::format("set xrange [0:{:.3f}]; set yrange [-12.5:12.5]\n", flight.period)
-            << fmt::format("plot $rate with lines lw 2 lc rgb '{0}', $now with points pt 7 ps 1.0 lc rgb '{0}'\n",
-                           colors::green)
-            << "unset multiplot\n";
-  });
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   return draw_figures(argc, argv,
-                      {{"cones", animate_cones},
+                      {{"cones", draw_cones},
                        {"cylinders", draw_cylinders},
                        {"plate", draw_plate},
                        {"slip", draw_slip},
@@ -568,6 +523,5 @@ int main(int argc, char** argv) {
                        {"momentum_sphere", draw_momentum_sphere},
                        {"flip", draw_flip},
                        {"flip_law", draw_flip_law},
-                       {"racket", draw_racket},
-                       {"racket_moving", animate_racket}});
+                       {"racket", draw_racket}});
 }

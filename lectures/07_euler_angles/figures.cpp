@@ -162,19 +162,34 @@ void draw_gimbal_lock(const std::filesystem::path& directory) {
   Sketch sketch(towards);
   const Vector3d right = z_axis.cross(towards).normalized(), up = sketch.towards().cross(right);
   int panel = 0;
-  for (const double theta : {60.0, 15.0, 2.0}) {
-    const Vector3d at = 2.9 * panel++ * right;
+  for (const double theta : {60.0, 8.0}) {
+    const Vector3d at = 3.4 * panel++ * right;
     const Matrix3d axes = triad({-20 * degree, theta * degree, 0});
     const Vector3d &across = axes.col(0), &nodes = axes.col(1), &spin = axes.col(2);
-    sketch.text(at - 1.35 * up, fmt::format("θ = {}°", theta));
-    sketch.face(arc(at, 0.5, across, nodes), colors::purple, 0.25);
-    sketch.line(arc(at, 0.5, across, nodes), colors::purple, 1.2);
-    sketch.line(arc(at, 1, z_axis, nodes), colors::blue, 3);
-    sketch.line(arc(at, 0.85, spin, nodes), colors::purple, 3);
-    sketch.arrow(at, at + 1.45 * z_axis, colors::blue, theta > 10 ? vertical_name : "", Side::right);
-    sketch.arrow(at, at + 1.45 * spin, colors::purple, theta > 10 ? "{/:Bold e}_3" : "{/:Bold e}@^0_3, {/:Bold e}_3",
+    // Half of a ring, in front or behind; what it covers keeps a distance.
+    const auto half_ring = [&](double radius, const Vector3d& axis, const char* color, bool in_front) {
+      const double from = sketch.faces_reader(nodes) == in_front ? 0 : pi;
+      const SpaceCurve half = arc(at, radius, axis, nodes, from, from + pi);
+      if (in_front) sketch.line(half, "#FFFFFF", 11);
+      sketch.line(half, color, 6);
+    };
+    sketch.text(at - 1.45 * up, fmt::format("θ = {}°", theta));
+    for (const bool in_front : {false, true}) {
+      half_ring(1.1, z_axis, colors::blue, in_front);
+      half_ring(0.9, spin, colors::purple, in_front);
+      if (in_front) continue;
+      sketch.face(arc(at, 0.55, across, nodes), colors::purple, 0.5);
+      sketch.line(arc(at, 0.55, across, nodes), colors::purple, 2);
+      // Bearings.
+      for (const double side : {1.0, -1.0}) {
+        sketch.line({at + 0.9 * side * nodes, at + 1.1 * side * nodes}, colors::green, 5);
+        sketch.line({at, at + 0.9 * side * spin}, colors::purple, 3);
+      }
+    }
+    sketch.arrow(at + 1.1 * z_axis, at + 1.5 * z_axis, colors::blue, vertical_name,
                  theta > 10 ? Side::left : Side::right);
-    sketch.arrow(at, at + 1.35 * nodes, colors::green, "{/:Bold e}_2′", Side::right);
+    sketch.arrow(at + 0.9 * spin, at + 1.45 * spin, colors::purple, "{/:Bold e}_3", Side::left);
+    sketch.arrow(at + 1.1 * nodes, at + 1.5 * nodes, colors::green, "{/:Bold e}_2′", Side::right);
   }
   sketch.draw(directory, "gimbal_lock", 590);
 }

@@ -27,20 +27,6 @@ SpaceCurve path_of_axis(const std::vector<AngleMotion>& states) {
   return path;
 }
 
-/// The parts of a curve on the unit sphere that face the reader.
-void draw_front(Sketch& sketch, const SpaceCurve& curve, const char* color, double width) {
-  SpaceCurve piece;
-  for (const Vector3d& point : curve) {
-    if (sketch.faces_reader(point)) {
-      piece.push_back(point);
-    } else {
-      if (piece.size() > 1) sketch.line(piece, color, width);
-      piece.clear();
-    }
-  }
-  if (piece.size() > 1) sketch.line(piece, color, width);
-}
-
 // ---- energy and momenta ----
 
 void draw_convention(const std::filesystem::path& directory) {
@@ -111,16 +97,18 @@ void draw_free_top(const std::filesystem::path& directory) {
                 [&](const Vector3d& q, const Vector3d& v) { return euler_angle_accelerations(I, q, v); }));
   };
   Sketch sketch({0.3, -1.0, 1.15});
+  const Matrix3d ball = Matrix3d::Identity();
+  sketch.ellipsoid(ball, colors::sky);
   for (int polar = 15; polar <= 60; polar += 15) {
     const double z = std::cos(polar * degree), radius = std::sin(polar * degree);
-    draw_front(sketch, arc(z * z_axis, radius, x_axis, y_axis), colors::pale, 1.2);
+    sketch.on_ellipsoid(arc(z * z_axis, radius, x_axis, y_axis), ball, colors::grey, 1);
     sketch.text(z * z_axis + radius * Vector3d(0.5, -0.866, 0), fmt::format("{}°", polar), colors::grey);
   }
   // Two bodies whose third axis starts at the same inclination.
   const SpaceCurve asymmetric = track(Vector3d(1, 1.8, 2.2), Vector3d(0.8, 0, 1.2), 11.5);
   const SpaceCurve symmetric = track(Vector3d(1.4, 1.4, 2.2), Vector3d(0.8 / 1.4, 0, 1.2), 3.2);
-  draw_front(sketch, asymmetric, colors::blue, 2.5);
-  draw_front(sketch, symmetric, colors::vermilion, 3.5);
+  sketch.on_ellipsoid(asymmetric, ball, colors::blue, 2.5);
+  sketch.on_ellipsoid(symmetric, ball, colors::vermilion, 3.5);
   sketch.dot(asymmetric.front(), colors::black, 0.9);
   sketch.arrow(z_axis, 1.5 * z_axis, colors::black, "{/:Bold L}", Side::right);
   sketch.draw(directory, "free_top", 480);

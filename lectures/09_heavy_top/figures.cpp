@@ -181,7 +181,7 @@ void draw_upright(const std::filesystem::path& directory) {
 /// The top while it nods four times in one turn of precession: the spin is chosen so that the film closes.
 void draw_nutation(const std::filesystem::path& directory) {
   const double theta0 = 40 * degree;
-  const int nods = 4, frames = 32, steps = 5;
+  const int nods = 4, points = 400;
   double slow = 110, fast = 250;
   for (int halving = 0; halving < 40; ++halving) {
     const double middle = 0.5 * (slow + fast);
@@ -189,27 +189,29 @@ void draw_nutation(const std::filesystem::path& directory) {
   }
   const double duration = nods * nutation_period(I1, I3, Mgl, theta0, {0, 0, slow});
   SpaceCurve path;
-  for (const AngleMotion& state : moved(theta0, 0, slow, duration, frames * steps + 1))
-    path.push_back(axis_at(state.angles));
+  for (const AngleMotion& state : moved(theta0, 0, slow, duration, points + 1)) path.push_back(axis_at(state.angles));
   const double low = std::cos(nutation_limits(I1, I3, Mgl, theta0, {0, 0, slow})[1]);
-  const FigureSize size{440, 340};
-  draw_animation(directory, "nutation", size, frames, 5, [&](Gnuplot& gnuplot, int frame) {
-    Sketch sketch({0.2, -1.0, 0.6});
-    const Vector3d tip = -0.45 * z_axis;  // the picture is centred on the origin
+  const FigureSize size{440, 400};
+  draw_figure(directory, "nutation", size, [&](Gnuplot& gnuplot) {
+    Sketch sketch({0.2, 1.0, 0.6});
+    const Vector3d tip = -0.15 * z_axis;  // the picture is centred on the origin
     const auto moved = [&](SpaceCurve curve) {
       for (Vector3d& point : curve) point += tip;
       return curve;
     };
+    // On the sphere about the tip.
+    const Matrix3d ball = Matrix3d::Identity();
+    sketch.ellipsoid(ball, colors::pale, tip);
     for (const double z : {std::cos(theta0), low})
-      sketch.line(moved(arc(z * z_axis, std::sqrt(1 - z * z), x_axis, y_axis)), colors::grey, 1, "dt (4,4)");
-    sketch.line(moved(path), colors::sky, 1.5);
-    const auto now = static_cast<std::ptrdiff_t>(frame) * steps;
-    if (now > 0) sketch.line(moved({path.begin(), path.begin() + now + 1}), colors::blue, 3);
+      sketch.on_ellipsoid(moved(arc(z * z_axis, std::sqrt(1 - z * z), x_axis, y_axis)), ball, colors::grey, 1, tip);
+    sketch.on_ellipsoid(moved(path), ball, colors::sky, 1.5, tip);
+    constexpr std::ptrdiff_t now = 150;
+    sketch.on_ellipsoid(moved({path.begin(), path.begin() + now + 1}), ball, colors::blue, 3, tip);
     const Vector3d& axis = path[static_cast<std::size_t>(now)];
     add_top(sketch, tip, axis);
     sketch.arrow(tip, tip + 1.15 * z_axis, colors::black, vertical_name, Side::left, 1.5);
     sketch.arrow(tip, tip + axis, colors::purple, "{/:Bold e}_3", Side::above, 2.5);
-    sketch.send(gnuplot, size, 1.0);
+    sketch.send(gnuplot, size, 1.25);
   });
 }
 
@@ -253,19 +255,8 @@ void draw_planet(const std::filesystem::path& directory) {
   const Vector3d axis(std::sin(tilt), 0, std::cos(tilt)), near(std::cos(tilt), 0, -std::sin(tilt));
   // A spheroid: its outline is where its normal is at right angles to the sight.
   Matrix3d stretch = Matrix3d::Identity() - 0.25 * axis * axis.transpose();
-  const Vector3d seen = (stretch.inverse() * sketch.towards()).normalized(), across = seen.unitOrthogonal();
-  SpaceCurve outline;
-  for (const Vector3d& point : arc(origin, 1, across, seen.cross(across))) outline.push_back(stretch * point);
-  sketch.face(outline, colors::blue, 0.15);
-  sketch.line(outline, colors::grey, 1.5);
-  SpaceCurve front, back;
-  const Vector3d start = axis.cross(sketch.towards()).normalized();  // where the equator comes to the front
-  for (const Vector3d& point : arc(origin, 1, start, axis.cross(start), 0, pi))
-    (sketch.faces_reader(axis.cross(start)) ? front : back).push_back(point);
-  for (const Vector3d& point : arc(origin, 1, start, Vector3d(-axis.cross(start)), 0, pi))
-    (sketch.faces_reader(axis.cross(start)) ? back : front).push_back(point);
-  sketch.line(front, colors::blue, 3);
-  sketch.line(back, colors::blue, 1.5, "dt (4,4)");
+  sketch.ellipsoid(stretch, colors::sky);
+  sketch.on_ellipsoid(arc(origin, 1, near, axis.cross(near)), stretch, colors::blue, 3);
   sketch.line(arc(origin, 1.75, x_axis, y_axis), colors::grey, 1, "dt (4,4)");
   sketch.arrow(1.75 * x_axis, 2.4 * x_axis, colors::orange, "sun", Side::right, 2.5);
   for (const double side : {1.0, -1.0}) {

@@ -19,8 +19,6 @@ using gnuplotio::Gnuplot;
 
 namespace {
 
-const std::array<const char*, 3> axis_colors{colors::vermilion, colors::green, colors::purple};
-
 /// The crate of the lecture, kg m², and two motions, rad/s.
 const Vector3d crate(1.2, 2, 2.7), about_3(0.4, -0.9, 0.6), about_1(0.9, -0.5, 0.2);
 
@@ -34,27 +32,6 @@ std::vector<Motion> with_L_along(const Vector3d& up, const Vector3d& I, const Ve
     motion.push_back({exact_rotation(I, omega0, t), A * exact_attitude(I, omega0, t)});
   }
   return motion;
-}
-
-/// Draws the pieces of a curve on a closed surface that the reader sees, and those behind it in another style.
-void draw_on_surface(Sketch& sketch, const SpaceCurve& curve, const SpaceCurve& normals, const char* color,
-                     double width, const std::string& hidden = "") {
-  SpaceCurve piece;
-  bool in_front = true;
-  const auto end_piece = [&] {
-    if (piece.size() > 1 && in_front) sketch.line(piece, color, width);
-    if (piece.size() > 1 && !in_front && !hidden.empty()) sketch.line(piece, color, width / 2, hidden);
-    piece.clear();
-  };
-  for (std::size_t i = 0; i < curve.size(); ++i) {
-    if (sketch.faces_reader(normals[i]) != in_front) {
-      piece.push_back(curve[i]);
-      end_piece();
-      in_front = !in_front;
-    }
-    piece.push_back(curve[i]);
-  }
-  end_piece();
 }
 
 /// The ellipsoid of energy lies on the plane on which it rolls; L points down.
@@ -75,33 +52,16 @@ void draw_poinsot(const std::filesystem::path& directory) {
   for (const Motion& each : motion) herpolhode.emplace_back(each.A * each.omega);
   sketch.line(herpolhode, colors::blue, 1.5);
 
-  // The outline of an ellipsoid is the image of a great circle, as the ellipsoid is that of a sphere.
-  const auto place = [&](const Vector3d& on_sphere) -> Vector3d { return now.A * half_axes.cwiseProduct(on_sphere); };
-  const auto normal = [&](const Vector3d& on_sphere) -> Vector3d { return now.A * on_sphere.cwiseQuotient(half_axes); };
-  const auto great_circle = [&](const Vector3d& pole) {
-    const Vector3d first = pole.unitOrthogonal(), second = pole.normalized().cross(first);
-    return arc(origin, 1, first, second);
-  };
-  const auto mapped = [](const SpaceCurve& points, const auto& map) {
-    SpaceCurve images;
-    for (const Vector3d& point : points) images.push_back(map(point));
-    return images;
-  };
-  const Vector3d away = (now.A.transpose() * sketch.towards()).cwiseQuotient(half_axes);
-  const SpaceCurve outline = mapped(great_circle(away), place);
-  sketch.face(outline, colors::sky, 0.25);
+  const Matrix3d shape = now.A * half_axes.asDiagonal();
+  sketch.ellipsoid(shape, colors::sky);
   for (int axis = 0; axis < 3; ++axis) {
-    const SpaceCurve circle = great_circle(Vector3d::Unit(axis));
-    draw_on_surface(sketch, mapped(circle, place), mapped(circle, normal), colors::grey, 1);
+    SpaceCurve circle = arc(origin, 1, Vector3d::Unit((axis + 1) % 3), Vector3d::Unit((axis + 2) % 3));
+    for (Vector3d& point : circle) point = shape * point;
+    sketch.on_ellipsoid(circle, shape, colors::grey, 1);
   }
-  SpaceCurve polhode, normals;
-  for (int i = 0; i <= 240; ++i) {
-    const Vector3d omega = motion[static_cast<std::size_t>(i)].omega;
-    polhode.emplace_back(now.A * omega);
-    normals.emplace_back(now.A * I.cwiseProduct(omega));
-  }
-  draw_on_surface(sketch, polhode, normals, colors::vermilion, 3.5, "dt (4,3)");
-  sketch.line(outline, colors::grey, 2);
+  SpaceCurve polhode;
+  for (int i = 0; i <= 240; ++i) polhode.emplace_back(now.A * motion[static_cast<std::size_t>(i)].omega);
+  sketch.on_ellipsoid(polhode, shape, colors::vermilion, 3.5);
 
   const Vector3d contact = now.A * now.omega;
   sketch.line({foot, contact}, colors::black, 2);
@@ -151,25 +111,24 @@ void draw_herpolhode(const std::filesystem::path& directory) {
 
 /// The path of the tip of axis 3 on a sphere about L.
 void draw_track(const std::filesystem::path& directory) {
-  Sketch sketch({0.3, -1.0, 1.2});
+  Sketch sketch({0.3, -1.0, 0.9});
   const double P = tumbling_period(crate, about_3);
   const auto motion = with_L_along(z_axis, crate, about_3, 4 * P, 1601);
   const Vector3d start = motion[0].A.col(2);
   const Eigen::AngleAxisd to_the_left(-2.6 - std::atan2(start[1], start[0]), z_axis);
   SpaceCurve track;
   for (const Motion& each : motion) track.emplace_back(to_the_left * each.A.col(2));
-  const Vector3d view = sketch.towards().normalized(), side = z_axis.cross(view).normalized();
-  sketch.face(arc(origin, 1, side, view.cross(side)), colors::shade, 1);
-  sketch.line(arc(origin, 1, side, view.cross(side)), colors::grey, 1.5);
+  const Matrix3d ball = Matrix3d::Identity();
+  sketch.ellipsoid(ball, colors::sky);
   const auto is_lower = [](const Vector3d& one, const Vector3d& other) { return one[2] < other[2]; };
   const auto [lowest, highest] = std::minmax_element(track.begin(), track.end(), is_lower);
   for (const double height : {(*lowest)[2], (*highest)[2]}) {
     const SpaceCurve circle = arc(height * z_axis, std::sqrt(1 - height * height), x_axis, y_axis);
-    draw_on_surface(sketch, circle, circle, colors::grey, 1.5);
+    sketch.on_ellipsoid(circle, ball, colors::grey, 1.5);
   }
   const SpaceCurve later(track.begin() + 400, track.end()), first(track.begin(), track.begin() + 401);
-  draw_on_surface(sketch, later, later, colors::sky, 1);
-  draw_on_surface(sketch, first, first, colors::purple, 3.5, "dt (4,3)");
+  sketch.on_ellipsoid(later, ball, colors::blue, 1);
+  sketch.on_ellipsoid(first, ball, colors::purple, 3.5);
   sketch.arrow(origin, 1.6 * z_axis, colors::blue, "{/:Bold L}", Side::right);
   sketch.arrow(origin, 1.2 * track[0], colors::purple, "{/:Bold e}_3", Side::left, 2.5);
   sketch.dot(track[0], colors::black, 0.9);
@@ -188,18 +147,16 @@ SpaceCurve path_of_L(const Vector3d& I, const Vector3d& omega0) {
 /// Two solid angles on the sphere of the directions of L in the body.
 void draw_solid_angle(const std::filesystem::path& directory) {
   Sketch sketch({1.0, 0.9, 0.85});
-  const Vector3d view = sketch.towards().normalized(), side = z_axis.cross(view).normalized();
-  const SpaceCurve outline = arc(origin, 1, side, view.cross(side));
-  sketch.face(outline, colors::shade, 1);
+  const Matrix3d ball = Matrix3d::Identity();
+  sketch.ellipsoid(ball, colors::sky);
   const auto draw_path = [&](const Vector3d& omega0, const char* color) {
     const SpaceCurve path = path_of_L(crate, omega0);
     sketch.face(path, color, 0.35);
-    draw_on_surface(sketch, path, path, color, 3.5);
+    sketch.on_ellipsoid(path, ball, color, 3.5);
     for (const std::size_t at : {30U, 150U}) sketch.arrow(path[at - 3], path[at + 3], color, "", Side::right, 2.5);
   };
   draw_path({0.45, 0.2, 0.9}, colors::purple);
   draw_path({0.9, 0.2, 0.2}, colors::vermilion);
-  sketch.line(outline, colors::grey, 1.5);
   sketch.text(Vector3d(0.06, 0.2, 0.97), "S", colors::black);
   sketch.text(Vector3d(0.97, 0.2, 0.12), "S", colors::black);
   const std::array<const char*, 3> names{"{/:Bold e}_1", "{/:Bold e}_2", "{/:Bold e}_3"};

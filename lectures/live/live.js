@@ -39,28 +39,9 @@ const measured = ([, value, measure = "", size = 1]) => `${shown(value / size)} 
 // ---- A figure: its definition, then the figure on the page.
 
 const definitions = {};
+const letters = Promise.all(["italic", "italic bold", ""].map(style => document.fonts.load(`${style} 18px Formula`)));
 
-/** Adds a figure. What it says and offers stands in live.json beside the script, under its name:
- *    question, choices, answer  what the reader predicts before it starts: choices by their words, each with one sentence
- *                               that begins with "Yes" or "No" and says why; and what happens. Until the reader has
- *                               chosen, neither numbers nor the caption are shown, and what is drawn must not tell
- *                               either; `scene.released` and `scene.expected` say whether and what
- *    about                      for those who do not see it
- *    controls                   sliders [name, label, least, largest, step, first, unit] and choices [name, label, options];
- *                               `values` holds what they are set to, by their names
- *    starts                     if need be: sets of values by their titles, the first at the beginning
- *    like                       the figure from which it has what it does not say
- *  A definition has
- *    legal(values, changed)     may change values so that they fit the one that was changed
- *    prepare(values)            all that does not depend on time; `model` in the rest
- *    duration(model)            seconds of the motion;  pace: seconds of motion per second;  shows_end: a change of a
- *                               value shows the end of the motion instead of its beginning
- *    views                      pictures by their titles: {half, towards, aspect, draw(scene, model, time, values)} and,
- *                               for a point that one drags, handle(model, time, values) and drag(pixels, scene, values,
- *                               model, time), which gives the values that change
- *    numbers(model, time)       [name, value, unit] of what is shown as numbers; a fourth part says how much of the SI unit
- *                               the unit is
- */
+/** Adds a figure; the page for authors says what it consists of. */
 function live(name, definition) {
   const said = { ...texts[texts[name].like], ...texts[name] };
   const controls = said.controls.map(([name, label, from, to, step, value, unit = ""]) =>
@@ -344,7 +325,8 @@ class LiveFigure {
   /** The numbers as a sentence and, where that takes time, smooth edges, once they rest. */
   speak() {
     clearTimeout(this.pending);
-    this.pending = setTimeout(() => {
+    this.pending = setTimeout(async () => {
+      await letters;
       if (!this.playing) this.draw(true);
       const numbers = this.numbers.map(number => `${number[0].replace("_", " ")} ${measured(number)}`).join(", ");
       this.spoken.textContent = `At ${this.time.toFixed(2)} seconds: ${numbers}.`;
@@ -372,5 +354,4 @@ function start_live(place) {
     return place.replaceChildren(text("p", "This figure can be turned and set where the browser offers WebGL 2, which it does not here."));
   place.live = new LiveFigure(place, definition);
   place.live.started = performance.now() - begun;
-  document.fonts.load("italic 18px Formula").then(() => document.fonts.load("italic bold 18px Formula")).then(() => place.live.draw());
 }

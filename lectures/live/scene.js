@@ -173,7 +173,7 @@ const edged = points => points.slice(1).flatMap((point, i) => {
 const around = (radius, thickness, from, to, count) => steps(from, to, count).map(angle => [Math.cos(angle), Math.sin(angle)])
   .map(normal => [[radius + thickness * normal[0], thickness * normal[1]], normal]);
 const meshes = {
-  ball: lathe(around(0, 1, -Math.PI / 2, Math.PI / 2, 24)),
+  ball: lathe(around(0, 1, -Math.PI / 2, Math.PI / 2, 20), 44),
   bead: lathe(around(0, 1, -Math.PI / 2, Math.PI / 2, 6), 12),
   shaft: lathe(edged([[1, -1], [1, 1]]), 8),
   head: lathe(edged([[0, -1], [1, -1], [0, 0]]), 12),
@@ -295,7 +295,7 @@ const lights = {
         if (thing.color[3] > 0.3) this.draw(thing, change, [0, 0, 0, 0.2]);
     }
     pass(solids, gl.LEQUAL, true, [gl.ALWAYS, 0]);
-    pass(marks, gl.GREATER, false, [gl.NOTEQUAL, 9], ({ color }) => [undefined, [...color.slice(0, 3), 0.3 * color[3]]]);
+    if (solids.length) pass(marks, gl.GREATER, false, [gl.NOTEQUAL, 9], ({ color }) => [undefined, [...color.slice(0, 3), 0.3 * color[3]]]);
     pass(marks, gl.LEQUAL, true, [gl.ALWAYS, 0]);
     gl.enable(gl.CULL_FACE);
     const far_to_near = clear.sort((a, b) => a.far - b.far);
@@ -318,6 +318,7 @@ const pieces_of = (words, is_sentence) => words.split(/([\s,.:;?()]+)/).flatMap(
   const rate = token.match(/^d(.)\/dt$/), [, bar, letter, accent, index, power, end] =
     token.match(/^(\|?)([A-Za-zα-ωΓΔΘΨΩ])(\u0303?)([₀-₉]+|_[a-zφθψ]+)?(²?)(\|?)$/u) ?? [];
   if (rate) return [["d", ""], [rate[1], "i"], ["/d", ""], ["t", "i"]];
+  if (/^(dL|Mg)$/.test(token)) return [[token[0], token === "Mg" ? "i" : ""], [token[1], "b"]];
   if (!letter || is_sentence && /^[aAI]$/.test(token) || token === "a" && i + 1 < all.length) return [[token, ""]];
   const digits = (index ?? "").replace("_", "").replace(/[₀-₉]/g, digit => "₀₁₂₃₄₅₆₇₈₉".indexOf(digit));
   const is_vector = vectors.test(letter + (index ?? "")) && !accent && !power;
@@ -366,7 +367,7 @@ class Scene {
   }
 
   /** A vector to the right, up, and towards the reader. */
-  seen(vector) { return [dot(vector, this.right), dot(vector, this.up), dot(vector, this.towards)]; }
+  seen([x, y, z]) { return [this.right, this.up, this.towards].map(axis => x * axis[0] + y * axis[1] + z * axis[2]); }
 
   /** Pixels of a point. */
   at(point) {

@@ -130,29 +130,6 @@ function offer_search() {
   });
 }
 
-/** A moving picture stands still until it is started; its slider shows any moment of it. */
-function offer_motion(picture) {
-  const frames = picture.querySelectorAll(".frame");
-  const controls = document.createElement("div");
-  controls.className = "controls";
-  const button = document.createElement("button");
-  const slider = Object.assign(document.createElement("input"), { type: "range", min: 0, max: frames.length - 1 });
-  slider.setAttribute("aria-label", "Moment of the moving picture");
-  slider.value = [...frames].findIndex(frame => frame.style.display !== "none");
-  let timer = null;
-  const show = () => frames.forEach((frame, i) => frame.style.display = i === +slider.value ? "" : "none");
-  const play = playing => {
-    clearInterval(timer);
-    timer = playing ? setInterval(() => { slider.value = (+slider.value + 1) % frames.length; show(); }, 80) : null;
-    button.textContent = playing ? "Pause" : "Play";
-  };
-  button.onclick = () => play(timer === null);
-  slider.oninput = () => { play(false); show(); };
-  play(false);
-  controls.append(button, slider);
-  picture.after(controls);
-}
-
 /** Figures that move: what they need is loaded when one comes into sight, or when a sentence sets it. */
 function offer_live_figure(place) {
   const load = source => new Promise((loaded, failed) => {
@@ -247,7 +224,6 @@ if (document.querySelector("#course")) {
   offer_permalinks();
   offer_search();
   find_paragraph();
-  document.querySelectorAll("figure > svg:has(.frame)").forEach(offer_motion);
   document.querySelectorAll("figure > .live").forEach(offer_live_figure);
   const menu = document.querySelector("#menu");
   menu.onclick = () => menu.setAttribute("aria-expanded", document.querySelector("#course").classList.toggle("open"));

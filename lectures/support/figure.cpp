@@ -13,7 +13,6 @@
 #include <iterator>
 #include <map>
 #include <regex>
-#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -64,8 +63,8 @@ void run_gnuplot(const fs::path& file, const std::string& terminal,
   // so the shell writes this file where all went well.
   const fs::path complete = file.string() + ".complete";
   {
-    gnuplotio::Gnuplot gnuplot(fmt::format("if LC_ALL=C.UTF-8 gnuplot --default-settings; then : >{}; fi",
-                                           shell_quoted(complete.string())));
+    gnuplotio::Gnuplot gnuplot(
+        fmt::format("if LC_ALL=C.UTF-8 gnuplot --default-settings; then : >{}; fi", shell_quoted(complete.string())));
     gnuplot << "set terminal " << terminal << "\nset output '" << file.string() << "'\n" << common_style;
     draw(gnuplot);
     gnuplot << "\nset output\n";
@@ -98,6 +97,45 @@ std::string with_variables(const std::string& svg) {
   return result.append(copied, svg.end());
 }
 
+/// A text with its symbols, single letters that are neither units nor words, in the letters of the formulas.
+std::string with_symbols(const std::string& text) {
+  // Latin and Greek letters, and a tilde over one.
+  const std::string letter = "(?:[A-Za-z]|[\xCE\xCF][\x80-\xBF])", tilde = "\xCC\x83";
+  static const std::regex letters("(?:" + letter + "|" + tilde + ")+"), symbol("(d?)(" + letter + ")(" + tilde + ")?");
+  static const std::regex before_units("(^|.*[0-9] |.*kg |.*[(/'’])$"), not_symbols("[smJNSEW]"), words("[Aa]|do");
+  std::string result;
+  auto copied = text.begin();
+  for (std::sregex_iterator run(text.begin(), text.end(), letters), end; run != end; ++run) {
+    std::smatch parts;
+    const std::string word = run->str(), before(text.begin(), text.begin() + run->position());
+    if (!std::regex_match(word, parts, symbol) || (std::regex_match(word, words) && text != word)) continue;
+    if (std::regex_match(word, not_symbols) && std::regex_match(before, before_units)) continue;
+    result.append(copied, text.begin() + run->position());
+    result += fmt::format("{}<tspan class=\"i\">{}</tspan>", parts[1].str(), parts[2].str());
+    if (parts[3].matched) result += "<tspan class=\"r\" dx=\"-0.55em\">˜</tspan>";
+    copied = text.begin() + run->position() + run->length();
+  }
+  return std::regex_replace(result.append(copied, text.end()), std::regex(R"((^|[ (])-(?=[0-9]))"), "$1−");
+}
+
+/// All texts of a picture so; vectors, which are bold, too, and unit vectors with their hats.
+std::string typeset(const std::string& svg) {
+  static const std::regex piece(R"re(<tspan ([^>]*)>([^<]+)</tspan>(?=(<tspan  font-size="12.8")?))re");
+  std::string result;
+  auto copied = svg.begin();
+  for (std::sregex_iterator found(svg.begin(), svg.end(), piece), end; found != end; ++found) {
+    const std::string style = (*found)[1], text = (*found)[2];
+    result.append(copied, svg.begin() + found->position());
+    copied = svg.begin() + found->position() + found->length();
+    if (style.find("bold") == std::string::npos)
+      result += fmt::format("<tspan {}>{}</tspan>", style, with_symbols(text));
+    else
+      result += fmt::format("<tspan {} class=\"b\">{}</tspan>{}", style, text,
+                            text == "e" && (*found)[3].matched ? "<tspan class=\"r\" dx=\"-0.5em\">ˆ</tspan>" : "");
+  }
+  return result.append(copied, svg.end());
+}
+
 /// The picture without what only a file of its own needs, and with names that no other picture of the page has.
 std::string for_a_page(std::string svg, const std::string& name, FigureSize size) {
   svg.erase(0, svg.find("<svg"));
@@ -114,7 +152,7 @@ std::string for_a_page(std::string svg, const std::string& name, FigureSize size
       {R"(\n\s*)", "\n"},
   }};
   for (const auto& [pattern, text] : changes) svg = std::regex_replace(svg, std::regex(pattern), text);
-  return with_variables(svg);
+  return with_variables(typeset(svg));
 }
 
 /// One picture as SVG for a page.
@@ -125,20 +163,6 @@ std::string svg_for_page(const fs::path& directory, const std::string& name, Fig
               fmt::format("svg enhanced size {},{} fixed font 'Helvetica,16' name '{}'", size.width, size.height, name),
               draw);
   return for_a_page(text_of(file), name, size);
-}
-
-/// The groups at the top level of a picture.
-std::vector<std::string> groups_of(const std::string& picture) {
-  std::vector<std::string> groups;
-  int depth = 0;
-  std::size_t start = 0;
-  for (std::size_t at = picture.find('<'); at != std::string::npos; at = picture.find('<', at + 1)) {
-    if (picture.compare(at, 3, "<g ") == 0) ++depth;
-    if (picture.compare(at, 4, "</g>") != 0 || --depth > 0) continue;
-    groups.push_back(picture.substr(start, at + 4 - start));
-    start = at + 4;
-  }
-  return groups;
 }
 
 void draw_png(const fs::path& directory, const std::string& name, FigureSize size,
@@ -195,36 +219,6 @@ void draw_figure(const fs::path& directory, const std::string& name, FigureSize 
                  const std::function<void(gnuplotio::Gnuplot&)>& draw) {
   write_text(directory / (name + ".svg"), svg_for_page(directory, name, size, draw));
   draw_png(directory, name, size, draw);
-}
-
-void draw_animation(const fs::path& directory, const std::string& name, FigureSize size, int frames, int still,
-                    const std::function<void(gnuplotio::Gnuplot&, int frame)>& draw) {
-  std::string head;
-  std::vector<std::vector<std::string>> pictures;
-  std::map<std::string, int> frames_with;  // a group
-  for (int frame = 0; frame < frames; ++frame) {
-    const std::string svg =
-        svg_for_page(directory, name, size, [&](gnuplotio::Gnuplot& gnuplot) { draw(gnuplot, frame); });
-    // The canvas is opened before the definitions and closed at the end.
-    const std::size_t body = svg.find("</defs>") + 7;
-    head = svg.substr(0, body);
-    // Elements of one frame need no name, and would have the same in every frame.
-    pictures.push_back(
-        groups_of(std::regex_replace(svg.substr(body, svg.rfind("</g>") - body), std::regex(R"( id="[^"]*")"), "")));
-    for (const std::string& group : std::set(pictures.back().begin(), pictures.back().end())) ++frames_with[group];
-  }
-  const auto joined = [&](const std::vector<std::string>& groups, bool moving) {
-    std::string text;
-    for (const std::string& group : groups)
-      if ((frames_with[group] < frames) == moving) text += group;
-    return text;
-  };
-  std::string svg = head + joined(pictures.front(), false);
-  for (int frame = 0; frame < frames; ++frame)
-    svg += fmt::format("<g class=\"frame\"{}>{}</g>", frame == still ? "" : " style=\"display:none\"",
-                       joined(pictures[static_cast<std::size_t>(frame)], true));
-  write_text(directory / (name + ".svg"), svg + "</g></svg>\n");
-  draw_png(directory, name, size, [&](gnuplotio::Gnuplot& gnuplot) { draw(gnuplot, still); });
 }
 
 }  // namespace workbook

@@ -62,11 +62,4 @@ int draw_figures(int argc, char** argv, const std::vector<Figure>& figures);
 void draw_figure(const std::filesystem::path& directory, const std::string& name, FigureSize size,
                  const std::function<void(gnuplotio::Gnuplot&)>& draw);
 
-/// Draws a moving picture of `frames` frames into DIRECTORY/NAME.svg, which the page plays and pauses, and frame
-/// `still` of it as DIRECTORY/NAME.png; print shows that frame too. `draw` is called once per frame with its number;
-/// what all frames share is kept once and lies below the rest.
-/// @throws std::runtime_error as draw_figure()
-void draw_animation(const std::filesystem::path& directory, const std::string& name, FigureSize size, int frames,
-                    int still, const std::function<void(gnuplotio::Gnuplot&, int frame)>& draw);
-
 }  // namespace workbook

@@ -85,6 +85,50 @@ void Sketch::box(const Vector3d& corner, const Eigen::Matrix3d& edges, bool shad
   }
 }
 
+void Sketch::ellipsoid(const Eigen::Matrix3d& half_axes, const std::string& color, const Vector3d& center) {
+  // The image of the unit ball: its outline is that of the circle across the image of the sight.
+  const Vector3d pole = (half_axes.inverse() * towards_).normalized(), across = pole.unitOrthogonal();
+  Vector3d light = half_axes.inverse() * (up_ - 0.7 * right_);
+  light = 0.4 * (light - light.dot(pole) * pole).normalized();
+  const auto ellipse = [&](double size) {
+    std::vector<Vector3d> points;
+    for (int i = 0; i <= 48; ++i) {
+      const double angle = i * pi / 24;
+      const Vector3d on_circle = std::cos(angle) * across + std::sin(angle) * pole.cross(across);
+      points.emplace_back(center + half_axes * (size * on_circle + (1 - size) * light));
+    }
+    return points;
+  };
+  constexpr int rings = 10;
+  for (int ring = 0; ring < rings; ++ring) {
+    const double size = 1 - ring / static_cast<double>(rings);
+    std::vector<Vector3d> shape = ellipse(size), inner = ellipse(size - 1.0 / rings);
+    shape.insert(shape.end(), inner.rbegin(), inner.rend());
+    face(shape, color, 0.06 + 0.36 * size * size * size);
+  }
+  line(ellipse(1), colors::grey, 1.5);
+}
+
+void Sketch::on_ellipsoid(const std::vector<Vector3d>& points, const Eigen::Matrix3d& half_axes,
+                          const std::string& color, double width, const Vector3d& center) {
+  const Eigen::Matrix3d to_ball = half_axes.inverse();
+  const auto is_seen = [&](const Vector3d& point) {
+    return faces_reader(to_ball.transpose() * (to_ball * (point - center)));
+  };
+  for (const bool seen : {false, true}) {
+    std::vector<Vector3d> piece;
+    const auto end_piece = [&] {
+      if (piece.size() > 1) line(piece, seen ? color : colors::pale, seen ? width : width / 2);
+      piece.clear();
+    };
+    for (const Vector3d& point : points) {
+      if (is_seen(point) == seen || (!piece.empty() && is_seen(piece.back()) == seen)) piece.push_back(point);
+      if (is_seen(point) != seen) end_piece();
+    }
+    end_piece();
+  }
+}
+
 void Sketch::dot(const Vector3d& at, const std::string& color, double size) {
   const auto [x, y] = project(at);
   dots_ += fmt::format("set label '' at {:.5f},{:.5f} point pt 7 ps {} lc rgb '{}' front\n", x, y, size, color);

@@ -6,6 +6,7 @@
 
 #include <Eigen/Dense>
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <numbers>
@@ -21,6 +22,8 @@ inline constexpr double degree = pi / 180;
 inline const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
 inline const Eigen::Vector3d x_axis = Eigen::Vector3d::UnitX(), y_axis = Eigen::Vector3d::UnitY(),
                              z_axis = Eigen::Vector3d::UnitZ();
+/// Of e₁, e₂ and e₃, as in live figures; ω is vermilion and L blue.
+inline constexpr std::array<const char*, 3> axis_colors{colors::orange, colors::green, colors::purple};
 inline constexpr const char* vertical_name = "{/:Bold e}@^0_3";
 using PlaneCurve = std::vector<std::pair<double, double>>;
 using SpaceCurve = std::vector<Eigen::Vector3d>;
@@ -52,6 +55,12 @@ class Sketch {
              const std::string& text = "", Side side = Side::right, double width = 3);
   /// The edges of a box that starts at a corner, those that are hidden dashed; `edges` has the three edges as columns.
   void box(const Eigen::Vector3d& corner, const Eigen::Matrix3d& edges, bool shaded = false);
+  /// An ellipsoid with its half axes as columns: its outline, and darker towards it, as if lit from above.
+  void ellipsoid(const Eigen::Matrix3d& half_axes, const std::string& color,
+                 const Eigen::Vector3d& center = Eigen::Vector3d::Zero());
+  /// A line on it: the pieces that the reader sees, and those behind it thin and faint.
+  void on_ellipsoid(const std::vector<Eigen::Vector3d>& points, const Eigen::Matrix3d& half_axes,
+                    const std::string& color, double width, const Eigen::Vector3d& center = Eigen::Vector3d::Zero());
   void dot(const Eigen::Vector3d& at, const std::string& color, double size = 0.8);
   void text(const Eigen::Vector3d& at, const std::string& text, const std::string& color = colors::black,
             Side side = Side::centre);

@@ -83,7 +83,9 @@ async function run_figure(number, thoroughly) {
   expect(shown() === "true,true,true", "has no numbers or caption after the reader has predicted");
   expect(live.scenes.every(({ scene }) => scene.expected === 0), "forgets what the reader has predicted");
   const [frames, begun] = [live.frames, performance.now()];
-  expect(!await still(300), "stands still while it runs");
+  let moves = false;
+  for (let tries = 0; tries < 100 && !moves; ++tries) moves = !await still(30);
+  expect(moves, "stands still while it runs");
   const rate = 1000 * (live.frames - frames) / (performance.now() - begun);
   live.play_button.click();
   expect(await still(100), "moves while it is paused");

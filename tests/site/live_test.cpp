@@ -463,6 +463,15 @@ TEST_CASE("the time is moved in a plot and in steps, values go back, and an addr
         json({1.5, 3, 2, false}));
 }
 
+TEST_CASE("words of a sentence set the figure they speak of, also before it is in sight") {
+  open_page("lecture_05_euler_equations.html");
+  browser().evaluate(
+      "[...document.querySelectorAll('button.sets')].find(words => words.textContent === 'slowly').click()");
+  CHECK(browser().evaluate(
+            "(async () => { for (let k = 0; k < 500 && places[0].live?.values.spin !== 12; ++k) await wait(10);"
+            " return places[0].live.values.spin; })()") == 12);
+}
+
 TEST_CASE("where nothing can be drawn in space, the still picture stays, and a sentence says why") {
   const std::string page = "lecture_06_free_tops_exact.html";
   const json id = browser().call("Page.addScriptToEvaluateOnNewDocument",
