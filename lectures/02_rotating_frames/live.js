@@ -18,7 +18,7 @@ function ridden(law, r, v, seconds, count) {
 
 function draw_table(scene, angle) {
   const one = [Math.cos(angle), Math.sin(angle), 0], other = [-one[1], one[0], 0];
-  scene.face(arc(origin, times(1.15, x_axis), times(1.15, y_axis)), "shade", 1, 1);
+  scene.floor(-0.02, 1.15);
   scene.line([times(-1.15, other), times(1.15, other)], "pale", 2);
   scene.line([times(-1.15, one), origin], "vermilion", 2);
   scene.line([origin, times(1.15, one)], "pale", 2);
@@ -40,12 +40,12 @@ live("puck", {
   duration: () => 4,
   views: {
     "Beside the turntable": {
-      half: 1.3,
+      half: 1.3, towards: from_above, fixed: true,
       // The tip of the velocity at the start.
       handle: m => sum(m.straight[0], m.v),
       drag(pixels, scene, values, m) {
         const [x, y] = minus(scene.point_at(pixels), m.straight[0]);
-        return { speed: Math.min(1, Math.round(20 * Math.hypot(x, y)) / 20), heading: 5 * Math.round(Math.atan2(y, x) / degree / 5) };
+        return { speed: Math.hypot(x, y), heading: Math.atan2(y, x) / degree };
       },
       draw(scene, m, time) {
         const k = Math.floor(40 * time);
@@ -56,7 +56,7 @@ live("puck", {
       },
     },
     "Riding on it": {
-      half: 1.3,
+      half: 1.3, towards: from_above, fixed: true,
       draw(scene, m, time) {
         const k = Math.floor(40 * time), [r, v] = m.path[k];
         draw_table(scene, 0);
@@ -122,7 +122,7 @@ live("foucault", {
     "Where it swings": {
       half: 1.7, towards: [0.25, -1, 0.35],
       handle: ({ lambda }) => [Math.cos(lambda), 0, Math.sin(lambda)],
-      drag: (pixels, scene) => ({ latitude: Math.round(Math.asin(unit(scene.point_at(pixels, 1))[2]) / degree) }),
+      drag: (pixels, scene) => ({ latitude: Math.asin(unit(scene.point_at(pixels, 1))[2]) / degree }),
       draw(scene, { lambda }) {
         const up = [Math.cos(lambda), 0, Math.sin(lambda)], north = [-up[2], 0, up[0]];
         scene.ellipsoid(origin, identity, "blue");

@@ -11,7 +11,7 @@ const draggable = radius => ({
   handle: m => times(radius, m.n),
   drag(pixels, scene) {
     const [x, y, z] = unit(scene.point_at(pixels, radius));
-    return { polar: Math.round(Math.acos(z) / degree), azimuth: Math.round((Math.atan2(y, x) / degree + 360) % 360) };
+    return { polar: Math.acos(z) / degree, azimuth: (Math.atan2(y, x) / degree + 360) % 360 };
   },
 });
 

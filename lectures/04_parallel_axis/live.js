@@ -37,8 +37,7 @@ live("moving_point", {
       drag(pixels, scene, { x, y, z }) {
         const depth = dot(from_center([x, y, z]), scene.towards);
         const point = sum(center, times(2, sum(scene.point_at(pixels), times(depth, scene.towards))));
-        return Object.fromEntries(["x", "y", "z"].map((name, i) =>
-          [name, Math.min(edges[i] + 0.5, Math.max(-0.5, Math.round(20 * point[i]) / 20))]));
+        return { x: point[0], y: point[1], z: point[2] };
       },
       draw(scene, m, time) {
         const P = times(time / 6, m.end), I = m.about(P), at = from_center(P);

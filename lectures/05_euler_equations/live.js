@@ -15,7 +15,7 @@ live("wheel", {
       half: 0.62, towards: [0.5, -1, 0.5], aspect: 1.5,
       // The hub.
       handle: (m, time) => sum([0, 0, 0.1], times(m.arm, [Math.cos(m.rate * time), Math.sin(m.rate * time), 0])),
-      drag: (pixels, scene) => ({ arm: Math.max(0.05, Math.min(0.3, Math.round(100 * norm(scene.point_at(pixels).slice(0, 2))) / 100)) }),
+      drag: (pixels, scene) => ({ arm: norm(scene.point_at(pixels).slice(0, 2)) }),
       draw(scene, m, time) {
         const turn = m.rate * time, axle = [Math.cos(turn), Math.sin(turn), 0], side = [-axle[1], axle[0], 0];
         const top = [0, 0, 0.1], on = part => sum(top, times(part, axle)), hub = on(m.arm), roll = 0.3 * m.spin * time;

@@ -124,7 +124,7 @@ const free_body = {
       drag(pixels, scene, { surface }, m) {
         const point = scene.point_at(pixels, 1), n = surface === 0 ? point : point.map((part, i) => part / m.I[i]);
         const omega = times(Math.sqrt(2 * m.T / dot(n, m.momentum(n))), n.map(Math.abs));
-        return Object.fromEntries(omega.map((part, i) => ["w" + (i + 1), Math.max(i === 2 ? 0.01 : 0, Math.min(4, Math.round(100 * part) / 100))]));
+        return { w1: omega[0], w2: omega[1], w3: omega[2] };
       },
     },
     "In space": { half: 1.42, towards: [0.3, -1, 0.45], draw: draw_in_space },
@@ -188,7 +188,7 @@ live("plate", {
       handle: (m, time) => times(0.95, m.at(time)[2]),
       drag(pixels, scene) {
         const [x, y, z] = scene.point_at(pixels, 0.95);
-        return { tilt: Math.max(2, Math.min(60, Math.round(Math.atan2(Math.hypot(x, y), z) / degree))) };
+        return { tilt: Math.atan2(Math.hypot(x, y), z) / degree };
       },
       draw(scene, m, time) {
         const A = m.at(time), [c, s] = [Math.cos(m.theta), Math.sin(m.theta)];

@@ -66,7 +66,7 @@ live("heavy_top", {
       handle: m => sum([0, 0, -0.5], times(1.35, m.samples[0][2])),
       drag(pixels, scene) {
         const [x, y, z] = minus(scene.point_at(pixels), [0, 0, -0.5]);
-        return { theta: Math.max(4, Math.min(85, Math.round(Math.atan2(Math.hypot(x, y), z) / degree))) };
+        return { theta: Math.atan2(Math.hypot(x, y), z) / degree };
       },
       draw(scene, m, time) {
         const k = Math.round(250 * time), [x, , axis] = m.samples[k];

@@ -51,7 +51,7 @@ live("herpolhode", {
       },
     },
     "The plane from above": {
-      half: 1.15,
+      half: 1.15, towards: from_above, fixed: true,
       draw(scene, m, time) {
         const k = Math.floor(m.count * time / m.seconds), size = 1 / Math.max(...m.contacts.map(([x, y]) => Math.hypot(x, y)));
         const drawn = ([x, y]) => [size * x, size * y, 0];

@@ -71,9 +71,7 @@ class LiveFigure {
     place.replaceChildren(this.make_views(), this.make_question(), this.make_settings(), this.make_numbers());
     const [, name, state] = decodeURIComponent(location.hash).match(/^#live=(\w+)&(.*)/) ?? [];
     const { t, ...given } = name === place.dataset.figure ? Object.fromEntries(new URLSearchParams(state)) : {};
-    for (const { name, options, from = 0, to = options.length - 1 } of definition.controls)
-      if (given[name] >= from && given[name] <= to) this.values[name] = options ? Math.floor(given[name]) : +given[name];
-    this.set({});
+    this.set(Object.fromEntries(Object.entries(given).filter(([, value]) => isFinite(value)).map(([name, value]) => [name, +value])));
     if (t > 0) this.move_to(+t);
     this.turn_visible();
   }
@@ -88,7 +86,7 @@ class LiveFigure {
     this.scenes = Object.entries(this.definition.views).map(([title, view]) => {
       const canvas = element("canvas", { tabIndex: 0 });
       canvas.setAttribute("role", "img");
-      const keys = view.towards ? " The arrow keys turn it." : "";
+      const keys = view.towards && !view.fixed ? " The arrow keys turn it." : "";
       canvas.setAttribute("aria-label", `${title}. ${this.definition.about}${keys}`);
       canvas.style.aspectRatio = view.aspect ?? 1.2;
       const scene = new (view.towards ? Space : Scene)(canvas, view);
@@ -229,7 +227,7 @@ class LiveFigure {
       : element("input", { type: "range", min, max, step, title: "A double click sets it back", ondblclick: () => change(this.first[name]) });
     input.oninput = () => change(+input.value);
     const typed = element("input", { type: "number", min, max, step, ariaLabel: label,
-      onchange: () => change(Math.max(min, Math.min(max, +typed.value || 0))) });
+      onchange: () => change(+typed.value || 0) });
     control.show = value => {
       input.value = value;
       typed.value = value.toFixed(String(step).split(".")[1]?.length);
@@ -247,11 +245,12 @@ class LiveFigure {
   }
 
   /** Changes values: one by its name, that of the handle, or several. After another choice the time goes on, else the
-   *  motion begins anew. */
+   *  motion begins anew. What is outside the range of a control becomes its nearest value. */
   set(values, changed) {
     // The prediction was for other values.
     if (Object.keys(values).length) for (const { scene } of this.scenes) scene.expected = undefined;
-    Object.assign(this.values, values);
+    for (const { name, options, from = 0, to = options.length - 1, step = 1 } of this.definition.controls)
+      if (name in values) this.values[name] = +(from + step * Math.round((Math.max(from, Math.min(to, values[name])) - from) / step)).toFixed(6);
     this.definition.legal?.(this.values, changed);
     for (const control of this.definition.controls) control.show(this.values[control.name]);
     used = this.used;
@@ -341,8 +340,8 @@ class LiveFigure {
       this.last = undefined;
       this.next_frame();
     }).observe(this.place);
-    new ResizeObserver(() => this.draw()).observe(this.place);
-    new MutationObserver(() => this.draw()).observe(document.documentElement, { attributeFilter: ["class"] });
+    new ResizeObserver(() => this.draw(this.rested)).observe(this.place);
+    new MutationObserver(() => this.draw(this.rested)).observe(document.documentElement, { attributeFilter: ["class"] });
     this.draw();
   }
 }

@@ -16,6 +16,7 @@ const transposed = A => A[0].map((_, row) => A.map(column => column[row]));
 const diagonal = (a, b, c) => [[a, 0, 0], [0, b, 0], [0, 0, c]];
 const identity = diagonal(1, 1, 1);
 const [x_axis, y_axis, z_axis] = identity;
+const from_above = [0, -1e-9, 1];  // x to the right, y up
 const origin = [0, 0, 0];
 const degree = Math.PI / 180;
 const axis_names = ["e₁", "e₂", "e₃"], axis_colors = ["e1", "e2", "e3"];
@@ -325,16 +326,16 @@ const pieces_of = (words, is_sentence) => words.split(/([\s,.:;?()]+)/).flatMap(
   return [[bar, ""], [letter + (is_vector && index ? "\u0302" : accent), is_vector ? "b" : "i"], [digits, "sub"], [power + end, ""]];
 }).filter(([part]) => part);
 
-// ---- A picture: orthographic. Flat ones are drawn one over the other, those in space by their depth; names lie above.
+// ---- A picture: orthographic. Plots are drawn in their order, what is in space by its depth; names lie above.
 
 class Scene {
-  /** A view has `half`, the half width of what it shows in its own units, and `towards`, from where one looks at first;
-   *  without that it is flat, x to the right and y up. */
+  /** A view has `half`, the half width of what it shows in its own units, and `towards`, from where one looks at first,
+   *  if it is not a plot; `fixed` pictures cannot be turned. */
   constructor(canvas, view) {
-    Object.assign(this, { canvas, half: view.half ?? 1, flat: !view.towards, context: canvas.getContext("2d") });
+    Object.assign(this, { canvas, half: view.half ?? 1, flat: view.fixed || !view.towards, context: canvas.getContext("2d") });
     const [x, y, z] = view.towards ?? z_axis;
-    this.azimuth = this.flat ? -Math.PI / 2 : Math.atan2(y, x);
-    this.height = this.flat ? Math.PI / 2 : Math.atan2(z, Math.hypot(x, y));
+    this.azimuth = Math.atan2(y, x);
+    this.height = Math.atan2(z, Math.hypot(x, y));
     this.released = false;  // what is to be predicted must not be seen before
     this.expected = undefined;  // the number of the choice that the reader has made
   }
@@ -359,12 +360,6 @@ class Scene {
 
   /** After everything is drawn. */
   finish() { this.place_labels(); }
-
-  turn(right, up) {
-    if (this.flat) return;
-    this.azimuth -= right;
-    this.height = Math.max(-1.5, Math.min(1.5, this.height + up));
-  }
 
   /** A vector to the right, up, and towards the reader. */
   seen([x, y, z]) { return [this.right, this.up, this.towards].map(axis => x * axis[0] + y * axis[1] + z * axis[2]); }
@@ -398,53 +393,6 @@ class Scene {
     c.globalAlpha = 1;
     c.setLineDash([]);
   }
-
-  /** What the reader expects, as far as it is in the picture; nothing if there are no points. */
-  expect(points = [], name = "expected") {
-    const outside = points.findIndex(point => Math.max(...[this.right, this.up].map(axis => Math.abs(dot(point, axis)))) > this.half);
-    const seen = outside < 0 ? points : points.slice(0, Math.max(outside, 1));
-    if (!seen.length) return;
-    this.line(seen, "grey", 2.5, { dash: [7, 6] });
-    this.dot(seen.at(-1), "grey", 4);
-    const [from, to] = seen.slice(-2).map(point => this.at(point)), [x, y] = to ? minus(to, from) : [1, 0];
-    if (Math.abs(y) > Math.abs(x)) this.words(name, sum(to, [-9, 0]), "grey", "right");
-    else this.words(name, sum(to ?? from, [0, to ? -13 : 14]), "grey");
-  }
-
-  face(corners, color, opacity = 0.2, edge = 0) {
-    const c = this.context;
-    Object.assign(c, { fillStyle: this.color(color), globalAlpha: opacity });
-    this.path(corners, true);
-    c.fill();
-    c.globalAlpha = 1;
-    if (edge) this.line([...corners, corners[0]], "ink", edge);
-  }
-
-  /** With a head, and a name beyond its tip or beside it. */
-  arrow(from, to, color, name = "", { width = 3, beside = false } = {}) {
-    const [a, b] = [this.at(from), this.at(to)];
-    const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
-    const along = length > 0 ? [(b[0] - a[0]) / length, (b[1] - a[1]) / length] : [0, 0];
-    this.draw_arrow(from, to, color, width, a, b, along, Math.min(3.6 * width, length));
-    // A short arrow points at the reader: its name stands beside it.
-    const [dx, dy] = length <= 12 ? [0.7, -0.7] : beside ? [-along[1], along[0]] : along;
-    if (name) this.words(name, [b[0] + (10 + 3 * name.length) * dx, b[1] + 14 * dy], color);
-  }
-
-  draw_arrow(from, to, color, width, a, b, along, head) {
-    const c = this.context, foot = [b[0] - head * along[0], b[1] - head * along[1]];
-    Object.assign(c, { strokeStyle: this.color(color), fillStyle: this.color(color), lineWidth: width });
-    c.beginPath();
-    c.moveTo(...a);
-    c.lineTo(...foot);
-    c.stroke();
-    c.beginPath();
-    c.moveTo(...b);
-    for (const side of [0.45, -0.45]) c.lineTo(foot[0] - side * head * along[1], foot[1] + side * head * along[0]);
-    c.fill();
-  }
-
-  arrows(list) { for (const arrow of list) this.arrow(...arrow); }
 
   dot(point, color, radius = 4) {
     const c = this.context;
@@ -568,8 +516,14 @@ class Scene {
   }
 }
 
-/** A picture in space: bodies with light and shadows, lines and arrows faint where a body hides them. */
+/** A picture in space, or of a plane from above: bodies with light and shadows, lines and arrows faint where a body hides them. */
 class Space extends Scene {
+  turn(right, up) {
+    if (this.flat) return;
+    this.azimuth -= right;
+    this.height = Math.max(-1.5, Math.min(1.5, this.height + up));
+  }
+
   rgb(name, opacity = 1, whiteness = 0) {
     const parts = color => {
       Object.assign(this.context, { fillStyle: color });
@@ -663,12 +617,33 @@ class Space extends Scene {
     });
   }
 
-  draw_arrow(from, to, color, width) {
-    const way = minus(to, from), length = norm(way), head = Math.min(4 * width / this.scale, length);
-    if (length < 1e-6) return;
-    const foot = sum(from, times(1 - head / length, way)), properties = { layer: "mark", whiteness: 0 };
+  /** With a head, and a name beyond its tip or beside it. */
+  arrow(from, to, color, name = "", { width = 3, beside = false } = {}) {
+    const [a, b] = [this.at(from), this.at(to)];
+    const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
+    const along = length > 0 ? [(b[0] - a[0]) / length, (b[1] - a[1]) / length] : [0, 0];
+    const way = minus(to, from), size = norm(way), head = Math.min(4 * width / this.scale, size);
+    if (size < 1e-6) return;
+    const foot = sum(from, times(1 - head / size, way)), properties = { layer: "mark", whiteness: 0 };
     this.round("shaft", from, foot, width / 2 / this.scale, color, properties);
     this.round("head", foot, to, 0.42 * head, color, properties);
+    // A short arrow points at the reader: its name stands beside it.
+    const [dx, dy] = length <= 12 ? [0.7, -0.7] : beside ? [-along[1], along[0]] : along;
+    if (name) this.words(name, [b[0] + (10 + 3 * name.length) * dx, b[1] + 14 * dy], color);
+  }
+
+  arrows(list) { for (const arrow of list) this.arrow(...arrow); }
+
+  /** What the reader expects, as far as it is in the picture; nothing if there are no points. */
+  expect(points = [], name = "expected") {
+    const outside = points.findIndex(point => Math.max(...[this.right, this.up].map(axis => Math.abs(dot(point, axis)))) > this.half);
+    const seen = outside < 0 ? points : points.slice(0, Math.max(outside, 1));
+    if (!seen.length) return;
+    this.line(seen, "grey", 2.5, { dash: [7, 6] });
+    this.dot(seen.at(-1), "grey", 4);
+    const [from, to] = seen.slice(-2).map(point => this.at(point)), [x, y] = to ? minus(to, from) : [1, 0];
+    if (Math.abs(y) > Math.abs(x)) this.words(name, sum(to, [-9, 0]), "grey", "right");
+    else this.words(name, sum(to ?? from, [0, to ? -13 : 14]), "grey");
   }
 
   dot(point, color, radius = 4) {

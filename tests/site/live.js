@@ -53,7 +53,7 @@ function left_handed(number, seen = direction => direction) {
         if (dot(frame["₁"], cross(frame["₂"], frame["₃"])) <= 0) found.push(letter);
         delete frames[letter];
       }
-      Scene.prototype.arrow.call(scene, from, to, color, name, ...rest);
+      Space.prototype.arrow.call(scene, from, to, color, name, ...rest);
     };
     if (dot(scene.right, cross(scene.up, scene.towards)) <= 0) found.push("of the picture");
   }

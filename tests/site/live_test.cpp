@@ -460,7 +460,7 @@ TEST_CASE("the time is moved in a plot and in steps, values go back, and an addr
   open_page(page + address.substr(address.find('#')) + "&w2=99");
   browser().evaluate("open_figure(0)");
   CHECK(evaluate_in(0, "[live.values.w1, live.values.w2, live.time, live.scenes[0].scene.released]") ==
-        json({1.5, 3, 2, false}));
+        json({1.5, 4, 2, false}));
 }
 
 TEST_CASE("words of a sentence set the figure they speak of, also before it is in sight") {
