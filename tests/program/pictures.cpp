@@ -19,8 +19,8 @@ namespace {
 const std::string plot = "plot spring_energy --out pictures";
 const std::string letters_of_student = "A your E";
 
-struct CourseWithMistake : CourseCopy {
-  CourseWithMistake() { answer_energy("return k * x.squaredNorm();"); }
+struct CourseToDraw : CourseCopy {
+  CourseToDraw() { answer_energy("return k * x.squaredNorm();"); }
 };
 
 /// A build that leaves its output in a file, as checker/setup.sh does.
@@ -43,7 +43,7 @@ std::string examples(const CourseCopy& course, const std::string& build, const s
 }  // namespace
 
 TEST_CASE("plots are written as SVG and PNG, with the misconception by name") {
-  const CourseWithMistake course;
+  const CourseToDraw course;
   const Outcome outcome = course.run(plot);
   CHECK(outcome.status == 0);
   CHECK(outcome.out == "pictures/spring_energy.svg\npictures/spring_energy.png\n");
@@ -106,7 +106,7 @@ TEST_CASE("a title that is wider than the picture takes two lines") {
 }
 
 TEST_CASE("chafa's graphics are shown, the size of the window; of its characters, and without it, we take letters") {
-  const CourseWithMistake course;
+  const CourseToDraw course;
   const auto shown_with = [&](const std::string& chafa, const std::string& arguments, int columns = 80) {
     course.stand_in("bin/chafa", chafa);
     const TerminalOutcome outcome = course.run_on_terminal(
@@ -131,7 +131,7 @@ TEST_CASE("chafa's graphics are shown, the size of the window; of its characters
 }
 
 TEST_CASE("letters are no wider than the terminal, and a line says what they mean") {
-  const CourseWithMistake course;
+  const CourseToDraw course;
   for (const int columns : {30, 80, 160}) {
     CAPTURE(columns);
     const TerminalOutcome outcome =
@@ -150,7 +150,7 @@ TEST_CASE("letters are no wider than the terminal, and a line says what they mea
 }
 
 TEST_CASE("without a terminal, a kind that is named is shown; without a value, the reference alone") {
-  const CourseWithMistake course;
+  const CourseToDraw course;
   const Outcome letters = course.run("plot springs --out pictures --picture text");
   CHECK(letters.status == 1);
   CHECK(has(letters.out, letters_of_student));

@@ -19,7 +19,6 @@
 using namespace workbook::testing;
 namespace fs = std::filesystem;
 using std::chrono::milliseconds;
-using std::chrono::seconds;
 
 namespace {
 
@@ -167,7 +166,7 @@ TEST_CASE("a key works while a check runs, and neither loses what the other writ
   watch.type("h");
   CHECK(watch.shows({"checking spring_energy …", "Hint 1 of 3"}));
   CHECK_MESSAGE(shows_seconds(watch), watch.screen());
-  CHECK(watch.judges(energy, "passed", seconds(60)));
+  CHECK(watch.judges(energy, "passed", std::chrono::seconds(60)));
   watch.type("bh");
   CHECK(watch.shows({"01_springs › spring_energy", "Hint 2 of 3"}));
   CHECK(has(watch.run("list").out, "✓ spring_energy"));
@@ -178,7 +177,7 @@ TEST_CASE("a save while another version is checked ends that check") {
   watch.answer_energy(wrong, slow_to_compile(20));
   CHECK(watch.shows({"checking spring_energy …"}));
   watch.answer_energy("return 42; // the second one");
-  CHECK(watch.judges(energy, "wrong_value", seconds(10)));
+  CHECK(watch.judges(energy, "wrong_value", std::chrono::seconds(10)));
   watch.type("q");
   CHECK(watch.ends() == 0);
   CHECK(nothing_left_running());
@@ -187,7 +186,7 @@ TEST_CASE("a save while another version is checked ends that check") {
 TEST_CASE("an endless loop ends at its limit") {
   IdleWatch watch;
   watch.answer_energy(endless);
-  CHECK(watch.judges(energy, "time_limit", seconds(60)));
+  CHECK(watch.judges(energy, "time_limit", std::chrono::seconds(60)));
 }
 
 TEST_CASE("the watch begins where it is told to") {
