@@ -19,7 +19,7 @@ std::vector<std::string> arguments_for(const Submission& submission, const std::
   const std::string name = submission.path.filename().string(), source = unit + ".cpp";
   return {"-Wreturn-type", "-Wuninitialized", "-Wfloat-conversion", "-Wparentheses", "-Wunused-value", "-Wtype-limits",
           "-Wunused-variable", "-Wunused-parameter", "-Wunused-but-set-variable", "-Wreturn-local-addr",
-          "-Wimplicit-fallthrough", "-Wmisleading-indentation", "-Wshadow=local", "-Wdiv-by-zero",
+          "-Wimplicit-fallthrough", "-Wmisleading-indentation", "-Wshadow=local", "-Wdiv-by-zero", "-Wsequence-point",
           // The student's own name of the file in assertions, and in what debuggers read.
           fmt::format("-fmacro-prefix-map={}={}", source, name),
           fmt::format("-fdebug-prefix-map={}=shown/{}", source, name),
@@ -255,13 +255,17 @@ class CompilationInProgress {
     const auto is_missing = [&](const Symbol& symbol) { return symbol.is_used() && !defined.contains(symbol.name); };
     if (source_.tokens().empty())
       refuse("Your file is empty, or holds nothing but comments.", output, {}, Refusal::missing_function);
-    for (const Symbol& symbol : symbols(toolchain_.worker_object(task_.exercise).string()))
-      if (is_missing(symbol) && symbol.shown.starts_with("rigid::"))
-        refuse_symbol(
-            Refusal::missing_function, "missing_function", symbol.base_name(), output,
-            fmt::format("Your file does not define `{}`: it defines {}. Keep namespace, name and parameters of "
-                        "the contract, without inline, static or template.",
-                        in_plain_words(symbol.shown), defined_functions()));
+    constexpr std::string_view space = "rigid::";
+    for (const Symbol& symbol : symbols(toolchain_.worker_object(task_.exercise).string())) {
+      if (!is_missing(symbol) || !symbol.shown.starts_with(space)) continue;
+      if (defined_functions().find("`" + in_plain_words(symbol.shown.substr(space.size())) + "`") != std::string::npos)
+        refuse_symbol(Refusal::missing_function, "missing_namespace", symbol.base_name(), output,
+                      "Your function stands outside of the namespace: put it between `namespace rigid {` and its `}`.");
+      refuse_symbol(Refusal::missing_function, "missing_function", symbol.base_name(), output,
+                    fmt::format("Your file does not define `{}`: it defines {}. Keep namespace, name and parameters of "
+                                "the contract, without inline, static or template.",
+                                in_plain_words(symbol.shown), defined_functions()));
+    }
     std::erase_if(used, [&](const Symbol& symbol) {
       return !is_missing(symbol) || symbol.base_name().empty() || output.find(symbol.shown) == std::string::npos;
     });

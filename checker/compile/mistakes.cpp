@@ -72,10 +72,13 @@ std::optional<Finding> first_error(const std::vector<Diagnostic>& found, const S
   auto first = std::ranges::find_if(found, is_placed_error);
   if (first == found.end()) first = std::ranges::find_if(found, &Diagnostic::is_error);
   if (first == found.end()) return std::nullopt;
-  for (auto next = first; next != found.end(); ++next)
-    if (is_placed_error(*next) && next->place.line == first->place.line)
-      if (auto finding = recognized(error_table, *next, place_to_show(*next, source), source, signature))
-        return finding;
+  // What Eigen asserts says more than what follows from it.
+  for (const bool is_assertion : {true, false})
+    for (auto next = first; next != found.end(); ++next)
+      if (is_placed_error(*next) && next->place.line == first->place.line &&
+          next->text.starts_with("static assertion") == is_assertion)
+        if (auto finding = recognized(error_table, *next, place_to_show(*next, source), source, signature))
+          return finding;
   constexpr std::size_t longest = 300;
   const std::string text = in_plain_words(first->text);
   return source.finding(first->place, "compiler_error",

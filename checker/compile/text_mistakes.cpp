@@ -90,6 +90,10 @@ const std::vector<TextMistake>& table() {
        nullptr, own_types},
       {"empty_body", R"(^(?:else )?(for|if) \( )" + inside + R"(\) ;$)",
        "The ; directly after $1 (...) is all that it does: what follows does not belong to it. Leave out this ;"},
+      {"always_true", R"((?:[=!]=|[<>]=?) [^ ]+ (\|\| \d[\w.]*)(?= (?:[)|&;?]|\|\|)))",
+       "`$1` is always true, whatever stands before it: write the whole comparison again, as in x == 1 || x == 2."},
+      {"whole_sum", R"((accumulate) \( .* , 0 \))",
+       "This sum begins with the whole number 0 and drops what follows every decimal point: begin with 0.0."},
       {"rounded_pi", R"((?:^| )(3\.14\d*)(?= |$))", "$1 is only near π; write std::numbers::pi.", is_rounded_pi},
       {"float_precision", "(?:^| )(float) ", "A float keeps only about 7 digits; use double."},
   };
@@ -109,6 +113,15 @@ std::size_t sum_without_start(std::span<const Token> tokens, std::size_t declare
     if (is_one_of(tokens, k - 1, " ( , ") && is_one_of(tokens, k + 1, " ) , ")) return 0;
   }
   return sum;
+}
+
+/// static double s = 0; … s += x; @returns does it keep what calls before have added
+bool accumulates(std::span<const Token> tokens, std::size_t declared) {
+  for (std::size_t k = declared + 1; k < std::min(tokens.size(), declared + 1000); ++k)
+    if (tokens[k].text == tokens[declared].text &&
+        (is_one_of(tokens, k + 1, " += -= *= /= ++ -- ") || is_one_of(tokens, k - 1, " ++ -- ")))
+      return true;
+  return false;
 }
 
 }  // namespace
@@ -133,6 +146,13 @@ std::vector<Finding> text_mistakes(const SourceText& source) {
       const auto at = std::ranges::upper_bound(statement.ends, match.offsets[1]);
       add(statement.first_token + static_cast<std::size_t>(at - statement.ends.begin()), mistake->name, match,
           mistake->sentence);
+    }
+    const Match kept = search(statement.text, R"(^static (?:[\w:<>]+ )+?(\w+) (?:;|=|\(|\{))");
+    if (kept) {
+      const auto at = std::ranges::lower_bound(statement.ends, kept.offsets[1] + kept[1].size());
+      if (accumulates(tokens, statement.first_token + static_cast<std::size_t>(at - statement.ends.begin())))
+        add(statement.first_token, "static_variable", kept,
+            "`$1` is static: it keeps its value from one call to the next, so results depend on earlier calls.");
     }
     const Match declaration = search(statement.text, "^(Matrix[234]d|Vector[234]d) (\\w+) ;$");
     if (has_own_types || !declaration) continue;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
+#include <set>
 
 namespace workbook {
 
@@ -22,6 +23,16 @@ std::vector<UnitProbe> take_probes(const Ask& ask, const ExerciseReference& refe
     probe.replies = ask(calls);
   }
   return probes;
+}
+
+/// A mistake after which a statement does something else than it seems to: what comes of it is no physics.
+bool spoils_values(const Finding& finding) {
+  static const std::set<std::string> names = {
+      "always_true",   "assignment_in_condition", "chained_comparison", "comma_in_number",  "degrees_literal",
+      "empty_body",    "discarded_result",        "fall_through",       "integer_division", "misleading_indentation",
+      "unused_value",  "shadowed_variable",       "static_variable",    "unclear_order",    "whole_sum",
+      "xor_for_power", "uninitialized_variable"};
+  return names.contains(finding.name);
 }
 
 /// Adds findings, but no second one about a line that has been spoken of.
@@ -91,6 +102,27 @@ std::vector<Finding> besides(std::vector<Finding> findings) {
   return findings;
 }
 
+/// A limit at which it fails, or else the first case; and where it is right.
+Diagnosis where_it_fails(const ExerciseReference& exercise, const Answers& answers) {
+  constexpr std::size_t most_named = 3;
+  const Outcomes outcomes = outcomes_of(exercise, answers);
+  std::vector<std::string> right;
+  for (const std::size_t index : outcomes.right)
+    if (const std::string name = fmt::format("“{}”", exercise.cases[index].name);
+        index < exercise.described_cases() && right.size() < most_named && std::ranges::count(right, name) == 0)
+      right.push_back(name);
+  std::string sentence = fmt::format("It is wrong at {} of {}", outcomes.wrong.size(),
+                                     plural(outcomes.wrong.size() + outcomes.right.size(), "case"));
+  const auto limit = std::ranges::find_if(
+      exercise.limits, [&](const Limit& each) { return std::ranges::count(outcomes.wrong, each.case_index) > 0; });
+  if (limit != exercise.limits.end())
+    sentence += fmt::format(", the limit “{}” among them: what must come out there without any formula?",
+                            exercise.cases[limit->case_index].name);
+  else
+    sentence += right.empty() ? "." : ", and right at " + listed(right) + ".";
+  return {DiagnosisKind::place, "where", sentence + " The reason is named at the third try, or after a hint."};
+}
+
 /// Where the values tell symptoms only.
 void explain_deeper(Explanation& explanation, const Evidence& evidence, bool has_mistake_in_code,
                     const Answers& answers) {
@@ -129,8 +161,14 @@ Explanation explain(const Evidence& evidence) {
   Explanation explanation{task.observation.findings, {}};
   std::vector<Finding> in_code = source_findings(evidence.compile_task, evidence.compilation, toolchain, cache);
   if (!has_values(task.judgement.verdict)) {
-    add(explanation.findings, diagnostic_run(task, toolchain, cache));
     std::erase_if(in_code, is_remark);
+    // Of a line that is known to be wrong, the run may only tell what comes of it.
+    std::vector<Finding> met = diagnostic_run(task, toolchain, cache);
+    std::erase_if(met, [&](const Finding& finding) {
+      const bool is_consequence = finding.name == "endless_loop" || finding.name == "missing_return";
+      return is_consequence && std::ranges::count(in_code, finding.line, &Finding::line) > 0;
+    });
+    add(explanation.findings, std::move(met));
     add(explanation.findings, std::move(in_code));
     return explanation;
   }
@@ -141,19 +179,42 @@ Explanation explain(const Evidence& evidence) {
     if (!code.are_all) add(explanation.findings, std::move(in_code));
     return explanation;
   }
+  if (std::ranges::any_of(in_code, spoils_values)) {
+    explanation.findings = std::move(in_code);
+    return explanation;
+  }
   const bool has_mistake_in_code = !std::ranges::all_of(in_code, is_remark);
-  const bool has_no_value = std::ranges::count(in_code, "uninitialized_variable", &Finding::name) > 0;
   const Answers answers = answers_of(task.reference, task.observation.replies);
-  if (task.judgement.verdict == Verdict::non_finite_value && !has_no_value) {
+  if (task.judgement.verdict == Verdict::non_finite_value) {
     explanation.diagnoses = diagnose_finite(task.reference, answers);
     if (!explanation.diagnoses.empty()) add(explanation.findings, besides(diagnostic_run(task, toolchain, cache)));
-  } else if (!has_no_value) {
+  } else {
     explanation.diagnoses = diagnose(task.reference, answers, take_probes(evidence.ask, task.reference));
   }
   if (std::ranges::all_of(explanation.diagnoses, &Diagnosis::is_symptom))
     explain_deeper(explanation, evidence, has_mistake_in_code, answers);
   add(explanation.findings, std::move(in_code));
   return explanation;
+}
+
+void hold_back(Explanation& explanation, int stage, const ExerciseReference& exercise, const Answers& answers) {
+  using enum DiagnosisKind;
+  const std::set<DiagnosisKind> at_once = {dimension, accuracy, property, learnt};
+  const std::set<DiagnosisKind> second = {split, independence, entry, place};
+  const auto is_told = [&](DiagnosisKind kind) {
+    return at_once.contains(kind) || (stage > 1 && second.contains(kind));
+  };
+  const std::size_t found = explanation.findings.size() + explanation.diagnoses.size();
+  std::erase_if(explanation.findings, [](const Finding& each) { return each.name.starts_with("slip_"); });
+  std::erase_if(explanation.diagnoses, [&](const Diagnosis& each) { return !is_told(each.kind); });
+  if (explanation.findings.size() + explanation.diagnoses.size() == found) return;
+  if (stage > 1 && explanation.is_empty())
+    for (Mechanism* const mechanism : {&diagnose_split, &diagnose_one_side, &diagnose_place, &diagnose_few})
+      if (const auto region = mechanism(exercise, answers); region && is_told(region->kind)) {
+        explanation.diagnoses = {*region};
+        break;
+      }
+  if (explanation.is_empty()) explanation.diagnoses = {where_it_fails(exercise, answers)};
 }
 
 }  // namespace workbook

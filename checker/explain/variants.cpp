@@ -27,6 +27,8 @@ bool is_one_of(std::string_view text, std::initializer_list<std::string_view> te
   return std::ranges::find(texts, text) != texts.end();
 }
 
+const std::initializer_list<std::string_view> whole_types = {"int", "Index", "size_t", "long", "unsigned", "bool"};
+
 bool opens(std::string_view text) { return text == "(" || text == "[" || text == "{"; }
 bool closes(std::string_view text) { return text == ")" || text == "]" || text == "}"; }
 
@@ -120,6 +122,7 @@ class SourceMutations {
       numbers();
       names();
       functions();
+      divisions();
       factors();
       if (all_bugs_) bugs();
     }
@@ -280,6 +283,18 @@ class SourceMutations {
     if (here() == "cross" && before() == ".") negate_cross();
   }
 
+  /// A quotient of what may be whole numbers: of variables, of a size.
+  void divisions() {
+    const auto is_whole = [&](std::string_view text) {
+      const auto type = types_.find(std::string(text));
+      return is_numeral(text) ? text.find_first_of(".eE") == std::string_view::npos
+                              : type != types_.end() && is_one_of(type->second, whole_types);
+    };
+    const bool is_size = token(at_ + 2) == "." && is_one_of(token(at_ + 3), {"size", "cols", "rows"});
+    if (here() == "/" && !all_bugs_ && (is_whole(before()) || before() == ")") && (is_whole(after()) || is_size))
+      add("division", "a division of doubles, * 1.0 /,", "* 1.0 /");
+  }
+
   /// `a.cross(b)` as `b.cross(a)`, that is with the other sign.
   void negate_cross() {
     const std::string_view operand = at_ >= 2 ? token(at_ - 2) : std::string_view();
@@ -309,7 +324,7 @@ class SourceMutations {
   bool declares_whole_number() const {
     if (at_ < 1 || here() != "=") return false;
     const auto type = types_.find(std::string(before()));
-    return type != types_.end() && is_one_of(type->second, {"int", "Index", "size_t", "long", "unsigned", "bool"});
+    return type != types_.end() && is_one_of(type->second, whole_types);
   }
 
   void bugs() {

@@ -4,9 +4,13 @@
 #include "tests/support/golden.hpp"
 
 #include "checker/base/files.hpp"
+#include "checker/base/text.hpp"
+#include "checker/explain/explain.hpp"
+#include "checker/judging/judge.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
+#include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -61,7 +65,7 @@ const std::vector<Mistaken> files_that_do_not_compile = {
     {"std_vector_as_vector 4:11", body("std::vector<double> v(3);\nreturn (v + v)[0];")},
     {"modulo_of_double 3:10", body("return x % 2;")},
     {"arrow_for_comparison 3:8", body("if (x => 0) return 1;\nreturn x;")},
-    {"matrix_brackets 4:5", scaled("Matrix3d B;\nB[0][1] = factor; return B;")},
+    {"matrix_brackets 4:4", scaled("Matrix3d B;\nB[0][1] = factor; return B;")},
     {"matrix_brackets 4:7", scaled("Matrix3d B;\nB[0, 1] = factor; return B;")},
     {"call_of_value 4:5", scaled("Matrix3d B;\nB(0)(1) = factor; return B;")},
     {"missing_multiplication 3:8", body("return 2x;")},
@@ -87,7 +91,7 @@ const std::vector<Mistaken> files_that_do_not_compile = {
     {"undeclared_member 4:10", body("Vector3d v;\nreturn v.squaredNrom();")},
     {"undeclared_member 4:10", body("Vector3d v;\nreturn v.length();")},
     {"member_of_number 3:10", body("return x.norm();")},
-    {"undeclared_name 3:1", body("y = 2 * x; return y;")},
+    {"missing_type 3:1", body("y = 2 * x; return y;")},
     {"missing_prefix 3:1", body("vector<double> v; return x;")},
     {"missing_prefix 3:1", body("RowVector3d v; return x;")},
     {"undeclared_name 3:8", body("return pi * x;")},
@@ -127,7 +131,7 @@ const std::vector<Mistaken> files_that_do_not_compile = {
     {"missing_header 1:10", "#include <rigid/nothing.hpp>\n" + body("return x;")},
     {"newer_library 1:10", "#include <mdspan>\n" + body("return x;")},
     {"newer_library 3:6", body("std::format(\"{}\", x); return x;")},
-    {"compiler_error 4:14", body("std::vector<int> v(3);\nstd::ranges::foo(v); return x;")},
+    {"undeclared_member 4:14", body("std::vector<int> v(3);\nstd::ranges::foo(v); return x;")},
     {"assignment_in_condition 4:7", body("const double p = x;\nif (p = 0) return 1;\nreturn x;")},
     {"assignment_in_condition 4:9", body("const Vector3d p(x, x, x);\nif (p = 0) return 1;\nreturn x;")},
     {"comparison_of_vectors 4:7", body("Vector3d p(x, x, x);\nif (p == 0) return 1;\nreturn x;")},
@@ -142,7 +146,7 @@ const std::vector<Mistaken> files_that_do_not_compile = {
     {"array_and_matrix 3:18", scaled("return A.array() + A;")},
     {"assignment_to_value 3:3", body("2 * x = 3; return x;")},
     {"arrow_for_dot 3:28", body("Vector3d v(1,2,3); return v->norm();")},
-    {"compiler_error 4:16", body("auto f = [](double a) { return a; };\nreturn std::pow(x);")},
+    {"argument_kinds 4:16", body("auto f = [](double a) { return a; };\nreturn std::pow(x);")},
     {"argument_count 4:9", "double h(double a, double b) { return a + b; }\n" + body("return h(x);")},
     {"argument_count 4:9", "double h(double a) { return a; }\n" + body("return h(x, 2);")},
     {"argument_kind 4:10", "double h(const Eigen::Vector3d& a) { return a(0); }\n" + body("return h(x);")},
@@ -258,7 +262,7 @@ return a + b + mask + n + k + K(0, 0) + s + pi;)code")},
     {"", body("Matrix3d I;\nif (x > 0) I += Matrix3d::Identity(); else I = Matrix3d::Zero();\nreturn I.trace();")},
     {"", body("auto fill = [](Matrix3d& A) { A.setZero(); };\nMatrix3d I;\nfill(I); I += Matrix3d::Identity(); return "
               "x * I.trace();")},
-    {"", body("static Matrix3d I;\nI += Matrix3d::Identity(); return x * I(0, 0);")},
+    {"static_variable 3:1", body("static Matrix3d I;\nI += Matrix3d::Identity(); return x * I(0, 0);")},
     {"", "struct Frame { void transpose() {} };\n" + body("Frame f;\nf.transpose(); return x;")},
 };
 
@@ -277,16 +281,18 @@ Result findings_in(const std::string& text) {
   return {compiles, compiles ? source_findings(task, compilation, toolchain(), shared_cache()) : compilation.findings};
 }
 
-/// Compiled on all processors.
-std::vector<Result> findings_in(const std::vector<Mistaken>& files) {
-  std::vector<Result> results(files.size());
+void on_all_processors(std::size_t count, const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next = 0;
   std::vector<std::jthread> threads;
   for (unsigned i = 0; i < std::thread::hardware_concurrency(); ++i)
     threads.emplace_back([&] {
-      for (std::size_t file = next++; file < files.size(); file = next++) results[file] = findings_in(files[file].text);
+      for (std::size_t k = next++; k < count; k = next++) work(k);
     });
-  threads.clear();
+}
+
+std::vector<Result> findings_in(const std::vector<Mistaken>& files) {
+  std::vector<Result> results(files.size());
+  on_all_processors(files.size(), [&](std::size_t k) { results[k] = findings_in(files[k].text); });
   return results;
 }
 
@@ -295,6 +301,94 @@ std::string names_of(const std::vector<Finding>& findings) {
   for (const Finding& one : findings)
     names += fmt::format("{}{} {}:{}", names.empty() ? "" : "; ", one.name, one.line, one.column);
   return names;
+}
+
+/// A file of beginners.txt.
+struct Beginner {
+  std::string title;
+  std::vector<std::string> words;  ///< of which a sentence holds one
+  std::string exercise;
+  std::string text;
+};
+
+std::vector<Beginner> beginners() {
+  std::vector<Beginner> all;
+  std::string text = read_file(fs::path(WORKBOOK_TEST_SOURCES) / "beginners.txt").value_or("");
+  for (const std::string& line : lines_of(text.substr(text.find("\n### ") + 1))) {
+    if (const Match head = search(line, R"(^### (.*) \| (.*)$)")) {
+      all.push_back({head[1], {}, "", ""});
+      std::string words = head[2];
+      for (std::size_t end; (end = words.find(" / ")) != std::string::npos; words.erase(0, end + 3))
+        all.back().words.push_back(words.substr(0, end));
+      all.back().words.push_back(words);
+    } else if (all.back().exercise.empty()) {
+      all.back().exercise = line;
+    } else {
+      all.back().text += line + "\n";
+    }
+  }
+  for (Beginner& each : all) {
+    if (each.exercise == "twice") each.text = body(each.text);
+    if (each.exercise == "scaled") each.text = scaled(each.text);
+    each.exercise = each.text.find("scaled(const Matrix3d& A") != std::string::npos &&
+                            each.text.find("double twice(") == std::string::npos
+                        ? "scaled"
+                        : "twice";
+  }
+  return all;
+}
+
+/// 2x and factor · A, at a few inputs.
+ExerciseReference reference_of(const std::string& exercise) {
+  ExerciseReference reference;
+  reference.name = exercise;
+  reference.signature = signature(exercise);
+  const bool is_number = exercise == "twice";
+  if (!is_number) reference.arguments.push_back({"A", Kind::matrix3, {}});
+  reference.arguments.push_back({is_number ? "x" : "factor", Kind::number, {}});
+  reference.result_kind = is_number ? Kind::number : Kind::matrix3;
+  reference.result_units = {units::none};
+  for (const double x : {1.0, 2.0, -0.5, 7.25, 0.0, -3.0}) {
+    Case one = twice_case(x);
+    one.name = "made up";
+    one.tolerance = 1e-12;
+    if (!is_number) {
+      one.inputs = {Value{3, 3, {1, 2, 3, 4, 5, 6, 7, 8, 10}}, Value{1, 1, {x}}};
+      one.expected = one.inputs.front();
+      for (double& number : one.expected.numbers) number *= x;
+    }
+    one.scale.assign(one.expected.numbers.size(), 1.0);
+    reference.cases.push_back(one);
+  }
+  return reference;
+}
+
+/// What a student reads of the file.
+struct Told {
+  Verdict verdict = Verdict::passed;
+  std::string sentences;
+  std::vector<Diagnosis> physics;
+};
+
+Told told(const Beginner& beginner) {
+  const Submission submission = submit(beginner.text, beginner.exercise);
+  const ExerciseReference reference = reference_of(beginner.exercise);
+  const CompileTask task{submission, beginner.exercise, reference.signature};
+  const Compilation compilation = compile(task, toolchain(), shared_cache());
+  std::optional<ExerciseRunner> runner;
+  if (compilation.executable) runner.emplace(compilation.program(), short_limits());
+  const Observation observation =
+      runner ? runner->observe(plan_calls(reference.cases), plan_repeats(reference)) : refused(compilation);
+  const Judgement judgement = judge(reference, observation);
+  Explanation explanation{observation.findings, {}};
+  const Ask ask = [&](const std::vector<PlannedCall>& calls) { return runner->evaluate(calls); };
+  if (runner && !judgement.passed())
+    explanation =
+        explain({{submission, reference, observation, judgement}, task, compilation, ask, toolchain(), shared_cache()});
+  std::string sentences = explanation.findings.empty() ? judgement.message + "\n" : "";
+  for (const Finding& finding : explanation.findings)
+    sentences += fmt::format("{} {}:{} {}\n", finding.name, finding.line, finding.column, finding.sentence);
+  return {judgement.verdict, sentences, explanation.diagnoses};
 }
 
 }  // namespace
@@ -318,14 +412,32 @@ TEST_CASE("mistakes have a name, a place and a sentence") {
   compare_with_golden(golden("compile_findings.txt"), sentences);
 }
 
-TEST_CASE("every mistake of the tables is in a file here, or made by another compiler") {
-  std::string expected;
-  for (const auto* files : {&files_that_do_not_compile, &files_that_compile})
-    for (const Mistaken& file : *files) expected += "; " + file.expected;
+TEST_CASE("each of the beginners' mistakes is told in a tutor's words, and none as physics") {
+  const std::vector<Beginner> files = beginners();
+  CHECK(files.size() >= 200);
+  std::vector<Told> all(files.size());
+  on_all_processors(files.size(), [&](std::size_t k) { all[k] = told(files[k]); });
+  std::string names;
+  for (std::size_t k = 0; k < files.size(); ++k) {
+    CAPTURE(files[k].title);
+    CAPTURE(files[k].text);
+    CAPTURE(to_string(all[k].verdict));
+    CAPTURE(all[k].sentences);
+    CHECK(all[k].verdict != Verdict::passed);
+    CHECK(std::ranges::any_of(
+        files[k].words, [&](const std::string& words) { return all[k].sentences.find(words) != std::string::npos; }));
+    for (const Diagnosis& diagnosis : all[k].physics) CHECK(diagnosis.message == "");
+    names += all[k].sentences;
+  }
+  CHECK(nothing_left_running());
+
+  // Every mistake of the tables is in a file, or made by another compiler.
+  for (const auto* list : {&files_that_do_not_compile, &files_that_compile})
+    for (const Mistaken& file : *list) names += boost::replace_all_copy(file.expected, "; ", "\n") + "\n";
   for (const auto* table : {&error_table, &warning_table})
     for (const MessageMistake& mistake : *table) {
-      INFO(mistake.name);
-      CHECK((*mistake.name == '\0' || expected.find(std::string("; ") + mistake.name + " ") != std::string::npos));
+      INFO(std::string(mistake.name));
+      CHECK((*mistake.name == '\0' || ("\n" + names).find(fmt::format("\n{} ", mistake.name)) != std::string::npos));
     }
 }
 
