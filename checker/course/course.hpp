@@ -6,6 +6,7 @@
 #include "checker/base/text.hpp"
 #include "checker/data/reference_results.hpp"
 
+#include <array>
 #include <map>
 
 namespace workbook {
@@ -177,6 +178,10 @@ std::vector<std::string> read_hints(const fs::path& file);
 /// be read: a heading is a help, and the anchor does as well.
 std::map<std::string, std::string> read_headings(const fs::path& notes);
 
+/// Anchor of the paragraph of the notes that a comment names for this mistake: <!-- mistakes: NAME NAME … -->; "" if
+/// there is none.
+std::string paragraph_on_mistake(const Course& course, const std::string& name);
+
 /// The title of the lecture's first worked example that calls the function; "" if none does.
 std::string example_that_calls(const Course& course, const Exercise& exercise);
 
@@ -210,6 +215,7 @@ struct Practice {
   std::string verdict;  ///< "passed", "wrong_value"; "" if it was never checked
   std::string source;   ///< fingerprint of the file that was judged
   std::string values;   ///< fingerprint of the wrong values, if it failed with any
+  int wrong_tries = 0;   ///< texts that failed with values
   std::size_t hints_shown = 0;
   std::string passed_on;  ///< the day when it first passed; "" if it has not
   std::vector<Review> reviews;
@@ -236,6 +242,12 @@ class Progress {
     return known_.contains(exercise) ? known_.at(exercise) : Practice{};
   }
 
+  /// How many other texts returned wrong values before. @param source  the file's fingerprint
+  int wrong_tries_before(const std::string& exercise, const std::string& source) const;
+
+  /// What was checked last: exercise, verdict and day; "" where there is none.
+  const std::array<std::string, 3>& last() const { return last_; }
+
   /// True if the exercise passed and its file has not changed since. @param source  the file's fingerprint
   bool passed(const std::string& exercise, const std::string& source) const {
     return of(exercise).verdict == "passed" && of(exercise).source == source;
@@ -258,6 +270,7 @@ class Progress {
 
   fs::path file_;
   std::map<std::string, Practice> known_;
+  std::array<std::string, 3> last_;
   std::string warning_;
 };
 

@@ -49,9 +49,25 @@ std::vector<std::string> read_hints(const fs::path& file) {
 std::map<std::string, std::string> read_headings(const fs::path& notes) {
   std::map<std::string, std::string> headings;
   for (const std::string& line : lines_of(read_file(notes).value_or("")))
-    if (const Match heading = search(line, R"(^#+\s+(.*\S)\s*\{#(\w+)\}\s*$)"))
-      headings.emplace(heading[2], heading[1]);
+    if (line.starts_with('#'))
+      if (const Match heading = search(line, R"(^#+\s+(.*\S)\s*\{#(\w+)\}\s*$)"))
+        headings.emplace(heading[2], heading[1]);
   return headings;
+}
+
+std::string paragraph_on_mistake(const Course& course, const std::string& name) {
+  for (const Card& card : course.cards()) {
+    std::string anchor;
+    bool is_in_list = false;
+    for (const std::string& line : lines_of(read_file(course.notes_file(card)).value_or(""))) {
+      if (const Match heading = line.starts_with('#') ? search(line, R"(\{#(\w+)\}\s*$)") : Match())
+        anchor = heading[1];
+      is_in_list = is_in_list || line.starts_with("<!-- mistakes:");
+      if (is_in_list && (" " + line + " ").find(" " + name + " ") != std::string::npos) return anchor;
+      is_in_list = is_in_list && line.find("-->") == std::string::npos;
+    }
+  }
+  return "";
 }
 
 std::string example_that_calls(const Course& course, const Exercise& exercise) {

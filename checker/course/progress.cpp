@@ -35,12 +35,14 @@ void Progress::read() {
         one.source = entry.at("source");
       }
       one.values = entry.value("values", "");
+      one.wrong_tries = entry.value("wrong_tries", 0);
       one.passed_on = entry.value("passed_on", "");
       one.reviews = entry.value("reviews", std::vector<Review>());
       if (entry.contains("answered_right")) one.answered_right = entry.at("answered_right").get<bool>();
       if (entry.contains("hints")) one.hints_shown = entry.at("hints").get_ref<const json::number_unsigned_t&>();
     }
     known_ = std::move(known);
+    last_ = document.value("last", last_);
   } catch (const std::exception&) {
     const fs::path aside = free_name(file_.string() + ".damaged");
     fs::rename(file_, aside, problem);
@@ -70,11 +72,13 @@ void Progress::change(const Change& something) {
     if (!one.verdict.empty()) exercises[exercise] = {{"verdict", one.verdict}, {"source", one.source}};
     if (one.hints_shown > 0) exercises[exercise]["hints"] = one.hints_shown;
     if (!one.values.empty()) exercises[exercise]["values"] = one.values;
+    if (one.wrong_tries > 0) exercises[exercise]["wrong_tries"] = one.wrong_tries;
     if (!one.passed_on.empty()) exercises[exercise]["passed_on"] = one.passed_on;
     if (!one.reviews.empty()) exercises[exercise]["reviews"] = one.reviews;
     if (one.answered_right) exercises[exercise]["answered_right"] = *one.answered_right;
   }
-  const json document = {{"format", progress_format}, {"exercises", exercises}};
+  json document = {{"format", progress_format}, {"exercises", exercises}};
+  if (!last_[0].empty()) document["last"] = last_;
   if (!write_file(file_, document.dump(2) + "\n").empty())
     warning_ = fmt::format(
         "Your progress could not be saved in {}; make that folder writable. The verdict above is valid all the same.",
@@ -87,12 +91,19 @@ bool Progress::remember(const std::string& exercise, const std::string& verdict,
   change([&] {
     Practice& one = known_[exercise];
     is_repeated = !values.empty() && values == one.values && one.source != fingerprint(source);
+    one.wrong_tries += !values.empty() && one.source != fingerprint(source) ? 1 : 0;
     one.verdict = verdict;
     one.source = fingerprint(source);
     one.values = values;
+    last_ = {exercise, verdict, current_day()};
     if (verdict == "passed" && one.passed_on.empty()) one.passed_on = current_day();
   });
   return is_repeated;
+}
+
+int Progress::wrong_tries_before(const std::string& exercise, const std::string& source) const {
+  const Practice one = of(exercise);
+  return one.wrong_tries - (!one.values.empty() && one.source == source ? 1 : 0);
 }
 
 void Progress::begin_review(const std::string& exercise) {

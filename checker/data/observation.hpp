@@ -98,6 +98,7 @@ struct Finding {
   std::string sentence = {};  ///< what is to be said of it
   std::string name = {};      ///< of the kind of mistake, "integer_division"; the same in `check --json`
   int column = 0;             ///< in that line, from 1; 0: none
+  std::string notes = {};     ///< anchor of the paragraph on such mistakes; may be empty
 };
 
 struct Observation {

@@ -13,7 +13,7 @@ namespace workbook {
 
 using nlohmann::json;
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Finding, line, excerpt, sentence, name, column)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Finding, line, excerpt, sentence, name, column, notes)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Judgement, verdict, message, next_step, failing, cases_total, waiting_for)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Explanation, findings, diagnoses)
 
@@ -112,6 +112,8 @@ void explain_failure(Judged& judged, CheckContext& context) {
                          ask,
                          context.toolchain(),
                          context.course().compiled()});
+  if (checked.task.stage < CheckTask::last_stage)
+    hold_back(explanation, checked.task.stage, reference, answers_of(reference, checked.observation.replies));
   for (Diagnosis& diagnosis : explanation.diagnoses)
     if (diagnosis.notes.empty()) diagnosis.notes = checked.task.exercise.entry->notes;
 }
@@ -303,6 +305,8 @@ CheckResult check_exercise(CheckContext& context, const CheckTask& task,
     } else {
       if (judged.runner) ask_further(judged);
       explain_failure(judged, context);
+      for (Finding& finding : checked.explanation.findings)
+        finding.notes = paragraph_on_mistake(context.course(), finding.name);
     }
   } catch (const std::exception&) {  // a reason less; what was judged stands
   }

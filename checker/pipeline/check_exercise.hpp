@@ -26,6 +26,9 @@ struct CheckTask {
   bool is_explained = true;                                         ///< a failure gets its reasons
   enum Drawn { never, wrong_values, always } drawn = wrong_values;  ///< when its values along the plot are asked for
   std::vector<PlannedCall> further = {};                            ///< what it is asked besides, if it passes
+  int stage = last_stage;  ///< how much of them is told of a problem, 1 to last_stage: all
+
+  static constexpr int last_stage = 3;
 
   /// Verdicts on a file elsewhere, or with another seed, are no progress.
   bool counts_as_progress() const { return !is_elsewhere && !is_other_seed; }

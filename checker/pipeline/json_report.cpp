@@ -55,7 +55,8 @@ ordered_json result_of(const CheckResult& checked) {
                                   {"line", finding.line},
                                   {"column", finding.column},
                                   {"excerpt", finding.excerpt},
-                                  {"message", finding.sentence}});
+                                  {"message", finding.sentence},
+                                  {"notes", finding.notes}});
   for (std::size_t index = 0; index < checked.observation.replies.size(); ++index)
     if (const std::string& text = checked.observation.replies[index].printed; !text.empty())
       result["printed"].push_back({{"case", index + 1}, {"text", text}});
@@ -68,6 +69,7 @@ ordered_json result_of(const CheckResult& checked) {
          {"result", has_result ? json_of(reply.value, checked.reference->result_kind) : nlohmann::json(nullptr)},
          {"errors", real.errors}});
   }
+  if (checked.task.exercise.entry->is_problem()) result["stage"] = checked.task.stage;
   if (!checked.by_hand.empty()) result["by_hand"] = checked.by_hand;
   if (!checked.weak_sandbox.empty()) result["sandbox"] = checked.weak_sandbox;
   if (!judgement.waiting_for.empty()) result["waiting_for"] = judgement.waiting_for;

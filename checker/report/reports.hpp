@@ -17,6 +17,7 @@ struct Detail {
   bool full = false;                      ///< every failing case by name, long lists and all that the compiler says
   std::optional<std::size_t> case_index;  ///< this case, whether it passed or not; else the first failing one
   bool by_keys = false;                   ///< in the watch, whose keys do what is to be typed elsewhere
+  bool is_pending = false;                ///< the reason may still come: no advice takes its place
 };
 
 /// One line for what passed or was not started; for the rest why, or what to do next, and the first failing case in

@@ -2,6 +2,7 @@
 #include "checker/report/reports.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace workbook {
 
@@ -73,16 +74,20 @@ class Report {
     for (const Finding& finding : explanation.findings) {
       labelled("Why", finding_line(checked_, finding));
       for (const std::string& line : lines_of(finding.excerpt)) text_ += "    " + fitted(line) + "\n";
+      read(finding.notes);
     }
-    std::string last_place;
     for (const Diagnosis& diagnosis : explanation.diagnoses) {
       labelled("Why", diagnosis.message);
-      const std::string place =
-          diagnosis.notes.empty() ? "" : notes_place(course_, checked_.task.exercise, diagnosis.notes);
-      if (!place.empty() && place != last_place) labelled("Read", place);
-      last_place = place;
+      read(diagnosis.notes);
     }
-    if (explanation.is_empty() || detail_.full) labelled("Next", checked_.next_step());
+    if ((explanation.is_empty() && !detail_.is_pending) || detail_.full) labelled("Next", checked_.next_step());
+  }
+
+  /// Where to read on, once; in one piece, so that a terminal makes a link of it.
+  void read(const std::string& anchor) {
+    if (anchor.empty() || std::exchange(last_anchor_, anchor) == anchor) return;
+    text_ += "  " + console_.styled(padded("Read", label_width), Style::strong) + " " +
+             notes_place(course_, checked_.task.exercise, anchor) + "\n";
   }
 
   /// The case to be shown in full, if any.
@@ -100,7 +105,7 @@ class Report {
     for (const std::string& line : describe_case(reference, index, answers.at(index), page))
       text_ += (line.empty() ? "" : "  ") + line + "\n";
     if (checked_.judgement.passed()) return;
-    if (checked_.explanation.is_empty()) {
+    if (checked_.explanation.is_empty() && !detail_.is_pending) {
       const std::string size = error_size(reference, checked_.judgement.failing, answers);
       if (!size.empty()) text_ += console_.wrapped(size, report_indent) + "\n";
     }
@@ -161,6 +166,7 @@ class Report {
   const Console& console_;
   const Detail& detail_;
   std::string text_;
+  std::string last_anchor_;
 };
 
 }  // namespace
@@ -176,6 +182,20 @@ State state_of(const Course& course, const Progress& progress, const Exercise& e
   return {"✗", in_words(verdict), Style::bad};
 }
 
+/// "7 points, 1 h 20 min left"; "" if nothing is.
+static std::string left_of(const ProgressSummary& summary, const Card& card) {
+  double points = 0;
+  int minutes = 0;
+  for (std::size_t i = 0; i < summary.exercises.size(); ++i) {
+    if (summary.passed[i] || summary.exercises[i].card != &card) continue;
+    points += summary.exercises[i].entry->points;
+    minutes += summary.exercises[i].entry->minutes;
+  }
+  if (points == 0 && minutes == 0) return "";
+  return fmt::format("{}, {} left", points == 1 ? "1 point" : fmt::format("{} points", points),
+                     hours_and_minutes(std::chrono::minutes(minutes)));
+}
+
 std::string overview(const Course& course, const ProgressSummary& summary, const Console& console) {
   double points = 0, all_points = 0;
   for (std::size_t i = 0; i < summary.exercises.size(); ++i) {
@@ -186,20 +206,21 @@ std::string overview(const Course& course, const ProgressSummary& summary, const
                                                  summary.exercises.size(), points, all_points)) +
                      "\n\n";
   std::size_t name_width = 0;
-  std::size_t title_width = 0;
+  std::size_t left_width = 0;
   for (const Card& card : course.cards()) {
     name_width = std::max(name_width, display_width(card.lecture));
-    title_width = std::max(title_width, display_width(card.title));
+    left_width = std::max(left_width, display_width(left_of(summary, card)));
   }
-  const std::size_t bar_width = std::clamp<std::size_t>(console.width() / 4, 8, 24);
+  const std::size_t beside = name_width + 16 + left_width;
+  const std::size_t bar_width = std::clamp<std::size_t>(console.width() - std::min(console.width(), beside), 8, 20);
   for (const Card& card : course.cards()) {
     const std::size_t total = card.exercises.size();
     const std::size_t passed = summary.count_passed(card.lecture);
     const std::string bar = console.plain() ? "" : console.bar(passed, total, bar_width) + "  ";
-    const bool has_room = console.width() >= name_width + bar_width + 16 + title_width;
-    const std::string count = fmt::format("{} of {}", passed, total);
+    const bool has_room = console.width() >= beside + bar_width;
+    const std::string count = fmt::format("{} of {}", passed, total), left = left_of(summary, card);
     text += console.mark(passed == total ? "✓" : " ", Style::good) + padded(card.lecture, name_width) + "  " + bar +
-            (has_room ? padded(count, 10) + console.styled(card.title, Style::quiet) : count) + "\n";
+            (has_room && !left.empty() ? padded(count, 10) + console.styled(left, Style::quiet) : count) + "\n";
   }
   return text;
 }
@@ -214,16 +235,7 @@ std::string exercise_list(const Course& course, const Progress& progress, const 
     text += (text.empty() ? "" : "\n") + console.styled(card.lecture, Style::strong) + "\n";
     std::string place =
         fmt::format("{}: {} of {} are yours", card.title, summary.count_passed(card.lecture), card.exercises.size());
-    double points = 0;
-    int minutes = 0;
-    for (std::size_t i = 0; i < summary.exercises.size(); ++i) {
-      if (summary.passed[i] || summary.exercises[i].card != &card) continue;
-      points += summary.exercises[i].entry->points;
-      minutes += summary.exercises[i].entry->minutes;
-    }
-    if (minutes > 0)
-      place += fmt::format(", {} and about {} to go", points == 1 ? "1 point" : fmt::format("{} points", points),
-                           hours_and_minutes(std::chrono::minutes(minutes)));
+    if (const std::string left = left_of(summary, card); !left.empty()) place += ", " + left;
     if (!card.builds_on.empty()) place += fmt::format("; builds on {}", fmt::join(card.builds_on, ", "));
     text += console.wrapped(place, 2) + "\n";
     for (const CardExercise& entry : card.exercises) {
@@ -247,10 +259,18 @@ std::string introduction(const Course& course, const Exercise& exercise, const C
 }
 
 std::string notes_place(const Course& course, const Exercise& exercise, const std::string& anchor) {
-  if (const auto page = course.notes_page(exercise.lecture()))
-    return shown_path(*page) + (anchor.empty() ? "" : "#" + anchor);
-  const std::string heading = read_headings(course.notes_file(*exercise.card))[anchor];
-  return "lectures/" + exercise.lecture() + "/notes.md" + (heading.empty() ? "" : ", “" + heading + "”");
+  std::map<std::string, std::string> headings = read_headings(course.notes_file(*exercise.card));
+  std::string lecture = exercise.lecture();
+  if (!anchor.empty() && !headings.contains(anchor))  // what C++ is about stands in another one
+    for (const Card& card : course.cards())
+      if (auto others = read_headings(course.notes_file(card)); others.contains(anchor)) {
+        lecture = card.lecture;
+        headings = std::move(others);
+      }
+  if (const auto page = course.notes_page(lecture))
+    return "file://" + printable(fs::absolute(*page).string()) + (anchor.empty() ? "" : "#" + anchor);
+  const std::string heading = headings[anchor];
+  return "lectures/" + lecture + "/notes.md" + (heading.empty() ? "" : ", “" + heading + "”");
 }
 
 std::string terminal_report(const CheckResult& checked, const Course& course, const Console& console,
