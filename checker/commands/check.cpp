@@ -79,7 +79,7 @@ void warn(const Progress& progress) {
 
 std::string remember(Progress& progress, const CheckResult& checked) {
   const Verdict verdict = checked.judgement.verdict;
-  const std::string values = verdict == Verdict::wrong_value ? checked.fingerprint_of_values() : "";
+  const std::string values = has_values(verdict) ? checked.fingerprint_of_values() : "";
   if (!progress.remember(checked.name(), to_string(verdict), checked.source, values)) return "";
   return fmt::format("Your change has changed no value. `{}` shows the next hint.", command("hint " + checked.name()));
 }
@@ -95,6 +95,13 @@ std::vector<CheckTask> tasks_of(const Course& course, const Options& options, bo
     if (is_drawn) tasks.back().drawn = CheckTask::always;
   }
   return tasks;
+}
+
+void set_stage(CheckTask& task, const Progress& progress) {
+  if (!task.exercise.entry->is_problem() || task.is_elsewhere || progress.of(task.exercise.name()).hints_shown > 0)
+    return;
+  const int tries = progress.wrong_tries_before(task.exercise.name(), file_fingerprint(task.file));
+  task.stage = std::min(1 + tries, CheckTask::last_stage);
 }
 
 std::size_t find_case(const ExerciseReference& exercise, const std::string& asked) {
@@ -115,8 +122,8 @@ std::size_t find_case(const ExerciseReference& exercise, const std::string& aske
 void require_pictures(const fs::path& directory) {
   if (program_on_path("gnuplot").empty()) throw std::runtime_error(gnuplot_is_missing);
   if (const std::string trouble = folder_trouble(directory); !trouble.empty())
-    throw std::runtime_error(fmt::format("Pictures cannot be written into {} ({}); give another folder with --out.",
-                                         shown_path(directory), trouble));
+    throw UsageError(fmt::format("Pictures cannot be written into {} ({}); give another folder with --out.",
+                                 shown_path(directory), trouble));
 }
 
 void require_page(const fs::path& file) {
@@ -144,7 +151,7 @@ std::size_t copy_figures(const Course& course, const std::string& lecture, const
 
 int check(const Course& course, const Options& options) {
   CheckContext context(course);
-  const std::vector<CheckTask> tasks = tasks_of(course, options, options.plot);
+  std::vector<CheckTask> tasks = tasks_of(course, options, options.plot);
   Detail detail{options.full, {}};
   if (options.case_name) detail.case_index = find_case(context.reference(tasks.front()), *options.case_name);
 
@@ -152,6 +159,7 @@ int check(const Course& course, const Options& options) {
   const PictureKind picture =
       options.plot && !options.json ? choose_picture(options.picture, tasks.size(), console) : PictureKind::none;
   Progress progress(course.progress_file());
+  for (CheckTask& task : tasks) set_stage(task, progress);
   std::vector<CheckResult> results;
   ProgressBar progress_bar(!options.json);
   std::size_t done = 0;

@@ -62,7 +62,7 @@ struct Options {
 using Command = int(const Course& course, const Options& options);
 Command status, list, check, hint, solution, plot, report, reset;                    // exercises
 Command figures, live, examples, try_out, debug, predict, question, review, update;  // the course
-Command exam, watch, doctor, handout, export_recipe, grade, self_check, new_lecture, new_exercise;
+Command exam, watch, doctor, prepare, handout, export_recipe, grade, self_check, new_lecture, new_exercise;
 
 // --- what several of them do
 
@@ -89,6 +89,9 @@ std::string remember(Progress& progress, const CheckResult& checked);
 /// What the command line asks to check. @param is_drawn  each gets a plot. @throws UsageError
 std::vector<CheckTask> tasks_of(const Course& course, const Options& options, bool is_drawn);
 
+/// Tells of a problem in an exercise's own file only what its try deserves. A file elsewhere is an instructor's matter.
+void set_stage(CheckTask& task, const Progress& progress);
+
 /// The case of that number, counted from 1, or name. @throws UsageError
 std::size_t find_case(const ExerciseReference& exercise, const std::string& asked);
 
@@ -98,7 +101,7 @@ std::string due_for_review(const Course& course, const Progress& progress);
 /// What an update leaves to the reader to look at.
 void print_update(const Release& now, const Release& before, const UpdateResult& result);
 
-/// @throws std::runtime_error where no picture can be made
+/// @throws std::runtime_error where no picture can be made, UsageError where none can be kept
 void require_pictures(const fs::path& directory);
 
 /// @throws UsageError where no page can be written

@@ -142,7 +142,13 @@ int status(const Course& course, const Options& /*options*/) {
   const Progress progress(course.progress_file());
   const ProgressSummary summary = summary_of(course, progress);
   fmt::print("{}\n", overview(course, summary, console));
-  if (fs::exists(course.lectures() / "assignment.json")) say("{}\n\n", assignment_state(course, summary));
+  std::string matters;
+  const auto& [last, verdict, day] = progress.last();
+  if (!last.empty()) matters += fmt::format("Last: {}, {}, on {}.\n", last, in_words(verdict), day);
+  if (const std::string due = due_for_review(course, progress); !due.empty())
+    matters += fmt::format("Due for review: {}, by `{}`.\n", due, command("review"));
+  if (fs::exists(course.lectures() / "assignment.json")) matters += assignment_state(course, summary) + "\n";
+  if (!matters.empty()) say("{}", matters);
   if (const Exercise* next = summary.next()) {
     const State state = state_of(course, progress, *next);
     fmt::print("{}", introduction(course, *next, console));
@@ -158,6 +164,38 @@ int status(const Course& course, const Options& /*options*/) {
   print_exam(course);
   print_remarks(course, progress);
   return all_passed;
+}
+
+int prepare(const Course& course, const Options& /*options*/) {
+  struct Part {
+    const char* what;
+    std::vector<std::string> targets;
+  };
+  std::vector<Part> parts = {{"checks", {"toolchain", "toolchain_diagnostic"}},
+                             {"commands", {"all_commands"}},
+                             {"notes", {"notes"}},
+                             {"examples and figures", {}}};
+  for (const Card& card : course.cards()) {
+    if (course.has_solutions()) parts[0].targets.push_back("reference_results_" + card.lecture);
+    for (const char* objects : {"worked_examples_objects_", "figures_objects_"})
+      parts[3].targets.push_back(objects + card.lecture);
+  }
+  say("This builds what commands build when they are first used, so that nothing is left to build on the way. Ctrl-C "
+      "stops it; what is built by then stays.");
+  const Console console = Console::of_standard_output();
+  int status = all_passed;
+  for (const Part& part : parts) {
+    const FinishedProgram built = make(course.build(), part.targets);
+    if (!built.succeeded()) status = something_failed;
+    fmt::print("{}{}{}\n", built.succeeded() ? console.mark("✓", Style::good) : console.mark("✗", Style::bad),
+               part.what, built.succeeded() ? "" : ": " + built.output);
+    std::fflush(stdout);
+  }
+  if (status == all_passed) {
+    const Toolchain toolchain = read_toolchain(course.toolchain_file());
+    for (const Exercise& exercise : course.exercises()) require_complete(toolchain, exercise.name());
+  }
+  return status;
 }
 
 int hint(const Course& course, const Options& options) {

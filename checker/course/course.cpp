@@ -157,9 +157,8 @@ Exercise Course::find_exercise(const std::string& name) const {
 }
 
 std::optional<fs::path> Course::notes_page(const std::string& lecture) const {
-  for (const fs::path& folder : {notes_, root_ / "notes"})  // the second one came with a copy
-    if (const fs::path page = folder / ("lecture_" + lecture + ".html"); fs::exists(page)) return page;
-  return std::nullopt;
+  const fs::path page = notes_ / ("lecture_" + lecture + ".html");
+  return fs::exists(page) ? std::optional(page) : std::nullopt;
 }
 
 fs::path Course::reference_file(const std::string& lecture) const {

@@ -70,7 +70,7 @@ TEST_CASE("wrong usage and names that mean nothing") {
   course.solve("spring_energy");
   write(course.root() / "draft.cpp", read(course.solution("spring_energy")));
   write(course.root() / "blocked", "a file where a folder should be");
-  check_golden("wrong_usage", course.screens({"chek",
+  const std::string screens = course.screens({"chek",
                                               "spring_energy",
                                               "quaternion",
                                               "check --sed 5",
@@ -103,7 +103,29 @@ TEST_CASE("wrong usage and names that mean nothing") {
                                               "check --seed -1",
                                               "grade lectures --out grades --roster nowhere.csv",
                                               "examples sprigs",
-                                              "figures sprigs"}));
+                                              "figures sprigs",
+                                              "live sprigs",
+                                              "solution spring_enrgy",
+                                              "question spring_enrgy",
+                                              "question spring_energy z",
+                                              "predict spring_enrgy",
+                                              "predict spring_energy 9999=1",
+                                              "predict spring_energy one",
+                                              "exam 77",
+                                              "exam springs --minutes -5",
+                                              "review spring_energy",
+                                              "update",
+                                              "update nowhere",
+                                              "reset",
+                                              "debug",
+                                              "try --case 3",
+                                              "watch quaternion",
+                                              "list springs",
+                                              "prepare springs",
+                                              "doctor --full",
+                                              "--plane"});
+  check_golden("wrong_usage", screens);
+  CHECK(!std::regex_search(screens, std::regex("\n\\[[^2]")));
 }
 
 TEST_CASE("without gnuplot") {

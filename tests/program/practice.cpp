@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <regex>
+
 using namespace workbook::testing;
 
 namespace {
@@ -42,6 +44,53 @@ TEST_CASE("limits are asked first, and a right prediction is told the reason") {
   CHECK(has(course.run("predict spring_force '" + number + "=(0, 0, 0)'").out, "Nothing is stretched."));
   CHECK_FALSE(has(course.run("predict spring_force '" + number + "=(0, 1, 0)'").out, "Nothing is stretched."));
   CHECK_FALSE(has(offered(course, "spring_energy"), "limits"));
+}
+
+TEST_CASE("a problem tells where it fails, then a region, then the mistake by name; or all after a hint") {
+  const CourseCopy course;
+  replace_in(course.card(), "\"points\": 2,", "\"points\": 2, \"difficulty\": 1, \"minutes\": 10,");
+  const auto told = [&](const std::string& arguments = "") {
+    const auto result = nlohmann::json::parse(course.run("check spring_energy --json" + arguments).out)["results"][0];
+    std::string names = fmt::format("{}:", result["stage"].get<int>());
+    for (const auto& diagnosis : result["diagnosis"]) names += " " + diagnosis["name"].get<std::string>();
+    return names;
+  };
+  course.answer_energy("return k * x.squaredNorm();");
+  const std::string first = told();
+  CHECK(first == "1: where");
+  CHECK(told() == first);  // the same text is no further try
+  CHECK_FALSE(has(course.run("check spring_energy --full").out, "half"));
+  CHECK(told(" --file lectures/01_springs/exercises/spring_force.cpp").starts_with("3:"));
+  course.answer_energy("return x.squaredNorm() * k;");
+  CHECK(told().starts_with("2:"));
+  course.answer_energy("return x.dot(x) * k;");
+  const std::string third = told();
+  CHECK(third.starts_with("3:"));
+  CHECK(third != "3:");
+  CHECK(third.find("where") == std::string::npos);
+
+  // Of a mistake in the code everything is told at once, and of all after a hint.
+  const CourseCopy other;
+  replace_in(other.card(), "\"points\": 2,", "\"points\": 2, \"difficulty\": 1, \"minutes\": 10,");
+  other.answer_energy("return 1/2 * k * x.squaredNorm();");
+  CHECK(has(other.run("check spring_energy").out, "divides whole numbers"));
+  other.answer_energy("return k * x.squaredNorm();");
+  other.run("hint spring_energy");
+  CHECK(has(other.run("check spring_energy --json").out, "\"stage\": 3"));
+}
+
+TEST_CASE("an editor finds each reason at its line and column") {
+  const CourseCopy course;
+  course.answer_energy("return k * x.squaredNorm() / y;");
+  const auto tasks = nlohmann::json::parse(read(std::filesystem::path(WORKBOOK_ROOT) / ".vscode/tasks.json"));
+  const nlohmann::json& pattern = tasks["tasks"][0]["problemMatcher"]["pattern"];
+  const std::string screen = course.run("check spring_energy", "COLUMNS=1000").out;
+  std::smatch found;
+  REQUIRE(std::regex_search(screen, found, std::regex(pattern["regexp"].get<std::string>(), std::regex::multiline)));
+  CHECK(found[pattern["file"].get<std::size_t>()] == "spring_energy.cpp");
+  CHECK(found[pattern["line"].get<std::size_t>()] == "4");
+  CHECK(found[pattern["column"].get<std::size_t>()] == "30");
+  CHECK(has(found[pattern["message"].get<std::size_t>()].str(), "`y`"));
 }
 
 TEST_CASE("after a pass a function is shown on real data, with errors where they are known") {

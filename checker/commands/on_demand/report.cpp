@@ -60,6 +60,7 @@ int report(const Course& course, const Options& options) {
 
   CheckContext context(course);
   const Progress progress(course.progress_file());
+  for (CheckTask& task : to_check) set_stage(task, progress);
   const auto add_untouched_before = [&](const std::string& name) {
     for (std::size_t k = reported.exercises.size(); k < tasks.size() && tasks[k].exercise.name() != name; ++k)
       reported.exercises.push_back({untouched(tasks[k]), {}, {}, {}});

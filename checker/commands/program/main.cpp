@@ -427,6 +427,10 @@ class CommandLine {
         "that you have begun and files of your own stay as they are; another file that you have changed is kept under "
         ".workbook/kept. What has changed is printed.",
         {"update ../phy711-release-2"}, {"KIT"}, update);
+    add("prepare", students,
+        "Build all that is otherwise built when it is first needed\n\nReference results, the commands, the notes, and "
+        "the examples and figures of all lectures: before a journey, for example. It takes minutes.",
+        {"prepare"}, {}, prepare);
     add("doctor", students, "Check what is installed and writable on this machine", {}, {"--json"}, doctor);
     add("completion", students, "Print a script that lets bash complete commands, options and names", {}, {},
         [this](const Course& course, const Options&) {

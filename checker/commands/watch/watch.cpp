@@ -168,7 +168,8 @@ class Watch {
     while (!check_ && !waiting_.empty()) {
       checked_ = waiting_.front();
       waiting_.pop_front();
-      const CheckTask task = check_task(course_, exercises_[checked_.index]);
+      CheckTask task = check_task(course_, exercises_[checked_.index]);
+      set_stage(task, Progress(course_.progress_file()));
       context_.forget_failures();  // what was damaged may be repaired by now
       try {
         check_.emplace(context_, task);
@@ -215,7 +216,8 @@ class Watch {
   }
 
   std::string report() const {
-    return terminal_report(*result_, course_, console_, {full_, {}, terminal_.has_keyboard()});
+    const bool is_pending = check_ && checked_.index == current_;
+    return terminal_report(*result_, course_, console_, {full_, {}, terminal_.has_keyboard(), is_pending});
   }
 
   /// Beside the loop: no verdict waits for gnuplot. Shown in letters if it was asked for.
