@@ -17,7 +17,7 @@ namespace rigid {
 /// @return        rates of change of the components of omega, rad/s²
 /// @pre each moment > 0
 /// @par Source
-/// S0 s19–20, S1 s7–8, S2 s17–18, S3 p~16–17, S4 p~18–19
+/// S0 s19–20, S1 s7–8, S2 s17–18, S3 p. 16–17, S4 p. 18–19
 Vector3d euler_equations(const Vector3d& I, const Vector3d& omega, const Vector3d& torque);
 
 /// Euler's equations on any axes fixed in the body, principal or not.
@@ -30,7 +30,7 @@ Vector3d euler_equations(const Vector3d& I, const Vector3d& omega, const Vector3
 /// @return        angular acceleration on the same axes, rad/s²; it is the same vector in the inertial frame
 /// @pre I is an inertia tensor and positive definite: a body on one straight line is excluded
 /// @par Source
-/// the torque equation of S0 s19, S1 s7, S2 s17, S3 p~16, S4 p~18, before the choice of axes
+/// the torque equation of S0 s19, S1 s7, S2 s17, S3 p. 16, S4 p. 18, before the choice of axes
 Vector3d euler_equations_general(const Matrix3d& I, const Vector3d& omega, const Vector3d& torque);
 
 /// The torque that must act on a body for its angular velocity to stay as it is.
@@ -44,7 +44,7 @@ Vector3d euler_equations_general(const Matrix3d& I, const Vector3d& omega, const
 /// @return       torque on the body, same axes, N m; zero when omega lies along a principal axis
 /// @pre I is an inertia tensor and positive definite: a body on one straight line is excluded
 /// @par Source
-/// S0 s19, S1 s7, S2 s17, S3 p~16, S4 p~18 with \f$\dot{\vec\omega} = 0\f$
+/// S0 s19, S1 s7, S2 s17, S3 p. 16, S4 p. 18 with \f$\dot{\vec\omega} = 0\f$
 Vector3d torque_to_hold_rotation(const Matrix3d& I, const Vector3d& omega);
 
 /// The rate of change of the angular momentum in the inertial frame.
@@ -58,7 +58,7 @@ Vector3d torque_to_hold_rotation(const Matrix3d& I, const Vector3d& omega);
 /// @return            the vector dL/dt as seen from the inertial frame, its components taken on the body axes, N m
 /// @pre I is an inertia tensor and positive definite: a body on one straight line is excluded
 /// @par Source
-/// S0 s17–18, S1 s6, S2 s16, S3 p~15, S4 p~17
+/// S0 s17–18, S1 s6, S2 s16, S3 p. 15, S4 p. 17
 Vector3d angular_momentum_rate(const Matrix3d& I, const Vector3d& omega, const Vector3d& omega_rate);
 
 /// What a free rotation conserves: the kinetic energy and the square of the angular momentum.
@@ -70,7 +70,7 @@ Vector3d angular_momentum_rate(const Matrix3d& I, const Vector3d& omega, const V
 /// @return       {T in J, L² in (kg m²/s)²}
 /// @pre each moment > 0
 /// @par Source
-/// S0 s17, S1 s4 and s6, S2 s16, S3 p~14, S4 p~16
+/// S0 s17, S1 s4 and s6, S2 s16, S3 p. 14, S4 p. 16
 Vector2d rotation_invariants(const Vector3d& I, const Vector3d& omega);
 
 /// The angular velocity of a symmetric satellite while a thruster acts about its axis.
@@ -89,7 +89,7 @@ Vector2d rotation_invariants(const Vector3d& I, const Vector3d& omega);
 /// @return        angular velocity at time t, body components, rad/s
 /// @pre I1 > 0 and I3 > 0
 /// @par Source
-/// S0 s20, S1 s8, S2 s18, S3 p~17, S4 p~19 with this torque
+/// S0 s20, S1 s8, S2 s18, S3 p. 17, S4 p. 19 with this torque
 Vector3d spin_up(double I1, double I3, const Vector3d& omega0, double torque, double t);
 
 /// The angular velocity of a body on which no torque acts, as time goes by.
@@ -103,7 +103,7 @@ Vector3d spin_up(double I1, double I3, const Vector3d& omega0, double torque, do
 /// @return        3×n, rad/s: column k holds the components on the principal axes at times[k]
 /// @pre each moment > 0
 /// @par Source
-/// S0 s20, S1 s7–8, S2 s18, S3 p~17, S4 p~19
+/// S0 s20, S1 s7–8, S2 s18, S3 p. 17, S4 p. 19
 Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times);
 
 /// Where a free body is: its attitude at time t.

@@ -16,7 +16,7 @@ namespace rigid {
 /// @param omega  any vector, here an angular velocity, rad/s; may be zero
 /// @return       antisymmetric 3×3 matrix on the same axes and in the same unit as omega
 /// @par Source
-/// the ω× of S0 s7–8, S2 s6–7, S3 p~5–6, S4 p~6–7 written as a matrix
+/// the ω× of S0 s7–8, S2 s6–7, S3 p. 5–6, S4 p. 6–7 written as a matrix
 Matrix3d cross_matrix(const Vector3d& omega);
 
 /// Rate of change of a vector in the inertial frame, from its rate in a rotating frame: the transport theorem.
@@ -31,7 +31,7 @@ Matrix3d cross_matrix(const Vector3d& omega);
 /// @param V          the vector itself, in any unit
 /// @return           rate in the inertial frame, unit of V per s
 /// @par Source
-/// S0 s6, s8; S2 s4, s7; S3 p~3, p~6; S4 p~4, p~7
+/// S0 s6, s8; S2 s4, s7; S3 p. 3, p. 6; S4 p. 4, p. 7
 Vector3d inertial_rate(const Vector3d& rate_body, const Vector3d& omega, const Vector3d& V);
 
 /// The basis after it has rotated for a time dt with constant angular velocity.
@@ -49,7 +49,7 @@ Vector3d inertial_rate(const Vector3d& rate_body, const Vector3d& omega, const V
 /// @return       3×3 rotation matrix with the rotated basis vectors as columns, inertial components
 /// @pre EᵀE = 1 and det E = +1
 /// @par Source
-/// S0 s7, S2 s6, S3 p~5, S4 p~6, where the rotation is infinitesimal
+/// S0 s7, S2 s6, S3 p. 5, S4 p. 6, where the rotation is infinitesimal
 Matrix3d rotated_basis(const Matrix3d& E, const Vector3d& omega, double dt);
 
 /// The angular velocity with which a basis rotates.
@@ -63,7 +63,7 @@ Matrix3d rotated_basis(const Matrix3d& E, const Vector3d& omega, double dt);
 /// @pre EᵀE = 1 and det E = +1
 /// @pre the rates belong to a rotation: \f$\dot{\mat A}\,\mat A\T\f$ is antisymmetric
 /// @par Source
-/// the inverse of \f$\dot{\unit e} = \vec\omega\times\unit e\f$: S0 s7, S2 s6, S3 p~5, S4 p~6
+/// the inverse of \f$\dot{\unit e} = \vec\omega\times\unit e\f$: S0 s7, S2 s6, S3 p. 5, S4 p. 6
 Vector3d angular_velocity_of_basis(const Matrix3d& E, const Matrix3d& E_rate);
 
 /// The screw that takes a body from one place to another: Chasles' theorem.
@@ -79,7 +79,7 @@ Vector3d angular_velocity_of_basis(const Matrix3d& E, const Matrix3d& E_rate);
 /// @return          3×2, m: first the point c of the line that is nearest to the origin, then the shift along the line
 /// @pre 0.001 ≤ Θ ≤ 2π − 0.001 (without a rotation there is no line)
 /// @par Source
-/// the finite rotation to S0 s7, S2 s6, S3 p~5, S4 p~6; M. Chasles 1830
+/// the finite rotation to S0 s7, S2 s6, S3 p. 5, S4 p. 6; M. Chasles 1830
 Matrix3Xd screw_of_displacement(const Vector3d& rotation, const Vector3d& d);
 
 /// Angular acceleration of a rotor that is mounted on a rotating platform.
@@ -96,7 +96,7 @@ Matrix3Xd screw_of_displacement(const Vector3d& rotation, const Vector3d& d);
 /// @return           angular acceleration of the rotor in the inertial frame, inertial components, rad/s²
 /// @pre EᵀE = 1 and det E = +1; any of the vectors may be zero
 /// @par Source
-/// addition of angular velocities and the transport theorem, S0 s7–8, S2 s6–7, S3 p~5–6, S4 p~6–7
+/// addition of angular velocities and the transport theorem, S0 s7–8, S2 s6–7, S3 p. 5–6, S4 p. 6–7
 Vector3d composed_angular_acceleration(const Matrix3d& E, const Vector3d& omega, const Vector3d& alpha,
                                        const Vector3d& spin, const Vector3d& spin_rate);
 
@@ -112,7 +112,7 @@ Vector3d composed_angular_acceleration(const Matrix3d& E, const Vector3d& omega,
 ///           half a turn there are two, opposite to each other, and either is right
 /// @pre EᵀE = 1 and det E = +1
 /// @par Source
-/// the finite rotation to S0 s7, S2 s6, S3 p~5, S4 p~6, read backwards
+/// the finite rotation to S0 s7, S2 s6, S3 p. 5, S4 p. 6, read backwards
 Vector3d rotation_vector(const Matrix3d& E);
 
 /// Angular velocity of a rigid body, from three of its points.
@@ -126,7 +126,7 @@ Vector3d rotation_vector(const Matrix3d& E);
 /// @pre v belongs to a rigid motion, up to rounding
 /// @pre the points form a triangle none of whose heights is smaller than a tenth of its longest side
 /// @par Source
-/// \f$\dot{\unit e} = \vec\omega\times\unit e\f$ of S0 s7, S2 s6, S3 p~5, S4 p~6 for lines on the body that are not
+/// \f$\dot{\unit e} = \vec\omega\times\unit e\f$ of S0 s7, S2 s6, S3 p. 5, S4 p. 6 for lines on the body that are not
 /// orthonormal
 Vector3d angular_velocity_from_three_points(const Matrix3d& r, const Matrix3d& v);
 
@@ -142,7 +142,7 @@ Vector3d angular_velocity_from_three_points(const Matrix3d& r, const Matrix3d& v
 /// @return       point of the line with the smallest distance from the origin, m
 /// @pre omega ≠ 0 (a pure translation has no such line)
 /// @par Source
-/// \f$\dot{\unit e} = \vec\omega\times\unit e\f$ of S0 s7, S2 s6, S3 p~5, S4 p~6; Chasles' theorem for velocities
+/// \f$\dot{\unit e} = \vec\omega\times\unit e\f$ of S0 s7, S2 s6, S3 p. 5, S4 p. 6; Chasles' theorem for velocities
 Vector3d point_on_screw_axis(const Vector3d& r, const Vector3d& v, const Vector3d& omega);
 
 }  // namespace rigid

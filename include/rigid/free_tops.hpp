@@ -19,7 +19,7 @@ namespace rigid {
 /// @return        Ω of the slides, rad/s; zero for a sphere
 /// @pre I1 > 0 and I3 > 0: a thin rod, I3 = 0, is excluded; a sphere, I3 = I1, is legal
 /// @par Source
-/// S0 s20, S1 s8, S2 s18, S3 p~17, S4 p~19
+/// S0 s20, S1 s8, S2 s18, S3 p. 17, S4 p. 19
 double body_precession_rate(double I1, double I3, double omega3);
 
 /// The angular velocity of a free symmetric top, in body components, at time t.
@@ -36,7 +36,7 @@ double body_precession_rate(double I1, double I3, double omega3);
 /// @return        angular velocity at time t, body components, rad/s
 /// @pre I1 > 0 and I3 > 0: a thin rod, I3 = 0, is excluded; a sphere, I3 = I1, is legal
 /// @par Source
-/// S0 s20–21, S1 s8–9, S2 s18–19, S3 p~17–18, S4 p~19–20
+/// S0 s20–21, S1 s8–9, S2 s18–19, S3 p. 17–18, S4 p. 19–20
 Vector3d symmetric_top(double I1, double I3, const Vector3d& omega0, double t);
 
 /// The rate at which the symmetry axis of a free symmetric top runs round the angular momentum, seen from the inertial
@@ -68,7 +68,7 @@ double space_precession_rate(double I1, double I3, const Vector3d& omega);
 /// @return        {Ω1, Ω2}, rad/s
 /// @pre each moment > 0; equal moments are legal
 /// @par Source
-/// S0 s22, S1 s10–11, S2 s20–22, S3 p~19–21, S4 p~21–23
+/// S0 s22, S1 s10–11, S2 s20–22, S3 p. 19–21, S4 p. 21–23
 Vector2d linearized_rates(const Vector3d& I, double omega3);
 
 /// The small wobble of an asymmetric top that spins about a stable axis 3.
@@ -88,7 +88,7 @@ Vector2d linearized_rates(const Vector3d& I, double omega3);
 /// @pre each moment > 0
 /// @pre Ω1 Ω2 > 0: omega3 ≠ 0, and I₃ is larger than both other moments or smaller than both; these two may be equal
 /// @par Source
-/// S1 s11, S2 s22, S3 p~21, S4 p~23, with the sign corrected
+/// S1 s11, S2 s22, S3 p. 21, S4 p. 23, with the sign corrected
 Vector2d linearized_top(const Vector3d& I, double omega3, double amplitude, double phase, double t);
 
 /// The rate at which a small disturbance of a spin about the intermediate axis grows.
@@ -102,7 +102,7 @@ Vector2d linearized_top(const Vector3d& I, double omega3, double amplitude, doub
 /// @return             growth rate, 1/s, never negative; zero if I₂ equals another moment
 /// @pre 0 < I₁ ≤ I₂ ≤ I₃; equal moments are legal
 /// @par Source
-/// not on the slides; follows from "opposite signs: unstable" of S1 s11, S2 s22, S3 p~21, S4 p~23
+/// not on the slides; follows from "opposite signs: unstable" of S1 s11, S2 s22, S3 p. 21, S4 p. 23
 double growth_rate(const Vector3d& I_ascending, double omega2);
 
 /// Whether a free spin about a principal axis is stable.
@@ -117,7 +117,7 @@ double growth_rate(const Vector3d& I_ascending, double omega2);
 /// @pre each moment > 0
 /// @pre axis is 0, 1 or 2
 /// @par Source
-/// the signs of Ω1 and Ω2 on S1 s11, S2 s22, S3 p~21, S4 p~23
+/// the signs of Ω1 and Ω2 on S1 s11, S2 s22, S3 p. 21, S4 p. 23
 int axis_stability(const Vector3d& I, int axis);
 
 /// The time after which the angular velocity of a free top repeats itself in the body: exact, for any amplitude.

@@ -18,7 +18,7 @@ namespace rigid {
 /// @pre as many masses as columns; no point at all is legal and gives zero
 /// @pre each mass > 0
 /// @par Source
-/// S0 s10, S1 s3–4, S2 s9, S3 p~8, S4 p~9
+/// S0 s10, S1 s3–4, S2 s9, S3 p. 8, S4 p. 9
 Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r);
 
 /// Kinetic energy of a body that rotates with angular velocity omega about the origin of its inertia tensor.
@@ -32,7 +32,7 @@ Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r);
 /// @return       energy, J
 /// @pre I is an inertia tensor
 /// @par Source
-/// S0 s10, S1 s3, S2 s9, S3 p~8, S4 p~9
+/// S0 s10, S1 s3, S2 s9, S3 p. 8, S4 p. 9
 double kinetic_energy(const Matrix3d& I, const Vector3d& omega);
 
 /// Angular momentum about the origin of the inertia tensor.
@@ -46,7 +46,7 @@ double kinetic_energy(const Matrix3d& I, const Vector3d& omega);
 /// @return       angular momentum on these axes, kg m²/s
 /// @pre I is an inertia tensor
 /// @par Source
-/// S1 s5, S4 p~10
+/// S1 s5, S4 p. 10
 Vector3d angular_momentum(const Matrix3d& I, const Vector3d& omega);
 
 /// Moment of inertia about an axis through the origin.
@@ -77,7 +77,7 @@ double moment_about_axis(const Matrix3d& I, const Vector3d& axis);
 /// @pre M > 0
 /// @pre a, b, c ≥ 0: a plate and a rod are legal
 /// @par Source
-/// S0 s11, S2 s10, S3 p~9, S4 p~11
+/// S0 s11, S2 s10, S3 p. 9, S4 p. 11
 Matrix3d cuboid_about_corner(double M, double a, double b, double c);
 
 /// Principal moments of inertia: the eigenvalues of the tensor.
@@ -86,7 +86,7 @@ Matrix3d cuboid_about_corner(double M, double a, double b, double c);
 /// @return   moments in ascending order, kg m²
 /// @pre I is an inertia tensor
 /// @par Source
-/// S0 s12, S2 s11, S3 p~10, S4 p~12
+/// S0 s12, S2 s11, S3 p. 10, S4 p. 12
 Vector3d principal_moments(const Matrix3d& I);
 
 /// Principal axes of inertia: the eigenvectors of the tensor.
@@ -99,7 +99,7 @@ Vector3d principal_moments(const Matrix3d& I);
 /// @return   3×3 rotation matrix with the axes as columns
 /// @pre I is an inertia tensor
 /// @par Source
-/// S0 s12, s16, S1 s4, S2 s11, s15, S3 p~10, p~14, S4 p~12, p~16
+/// S0 s12, s16, S1 s4, S2 s11, s15, S3 p. 10, p. 14, S4 p. 12, p. 16
 Matrix3d principal_axes(const Matrix3d& I);
 
 /// The inertia tensor of a rotated body, on axes that did not rotate.

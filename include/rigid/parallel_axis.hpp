@@ -19,7 +19,7 @@ namespace rigid {
 /// @pre I_cm is an inertia tensor
 /// @pre M > 0
 /// @par Source
-/// S0 s13–14, S2 s12–13, S3 p~11–12, S4 p~13–14, read from the centre of mass outwards
+/// S0 s13–14, S2 s12–13, S3 p. 11–12, S4 p. 13–14, read from the centre of mass outwards
 Matrix3d inertia_from_center_of_mass(const Matrix3d& I_cm, double M, const Vector3d& d);
 
 /// Inertia tensor about the centre of mass, from the tensor about the origin.
@@ -34,7 +34,7 @@ Matrix3d inertia_from_center_of_mass(const Matrix3d& I_cm, double M, const Vecto
 /// @pre I_origin is the tensor of a body with this mass and centre of mass: inertia_to_center_of_mass() returns an
 ///      inertia tensor
 /// @par Source
-/// S0 s14, S2 s13, S3 p~12, S4 p~14: the shift \f$\vec R = -\vec r_\CM\f$
+/// S0 s14, S2 s13, S3 p. 12, S4 p. 14: the shift \f$\vec R = -\vec r_\CM\f$
 Matrix3d inertia_to_center_of_mass(const Matrix3d& I_origin, double M, const Vector3d& r_cm);
 
 /// Inertia tensor about a shifted origin, which neither before nor after need be the centre of mass.
@@ -54,7 +54,7 @@ Matrix3d inertia_to_center_of_mass(const Matrix3d& I_origin, double M, const Vec
 /// @pre I_origin is the tensor of a body with this mass and centre of mass: inertia_to_center_of_mass() returns an
 ///      inertia tensor
 /// @par Source
-/// S0 s13, S2 s12, S3 p~11, S4 p~13
+/// S0 s13, S2 s12, S3 p. 11, S4 p. 13
 Matrix3d inertia_about_shifted_origin(const Matrix3d& I_origin, double M, const Vector3d& r_cm, const Vector3d& R);
 
 /// Inertia tensor of a uniform cuboid about its centre.
@@ -72,7 +72,7 @@ Matrix3d inertia_about_shifted_origin(const Matrix3d& I_origin, double M, const 
 /// @pre M > 0
 /// @pre a, b, c ≥ 0: a plate and a rod are legal
 /// @par Source
-/// S0 s15, S2 s14, S3 p~13, S4 p~15
+/// S0 s15, S2 s14, S3 p. 13, S4 p. 15
 Matrix3d cuboid_about_center(double M, double a, double b, double c);
 
 /// Inertia tensor of several bodies fixed to one another, about their common centre of mass.

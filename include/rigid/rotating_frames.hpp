@@ -21,7 +21,7 @@ namespace rigid {
 /// @param alpha   its rate \f$\vec\alpha = \dot{\vec\omega}\f$, the same in both frames, rad/s²
 /// @return        acceleration in the inertial frame, m/s²
 /// @par Source
-/// S0 s8, S2 s7, S3 p~6, S4 p~7 (printed there without the brackets of the last term)
+/// S0 s8, S2 s7, S3 p. 6, S4 p. 7 (printed there without the brackets of the last term)
 Vector3d inertial_acceleration(const Vector3d& a_body, const Vector3d& v_body, const Vector3d& r, const Vector3d& omega,
                                const Vector3d& alpha);
 
@@ -41,7 +41,7 @@ Vector3d inertial_acceleration(const Vector3d& a_body, const Vector3d& v_body, c
 /// @return        force, N, on the axes of the arguments
 /// @pre m > 0
 /// @par Source
-/// S0 s8, S2 s7, S3 p~6, S4 p~7, brought to the other side of \f$m\,\vec a_\inertialframe = \vec F\f$
+/// S0 s8, S2 s7, S3 p. 6, S4 p. 7, brought to the other side of \f$m\,\vec a_\inertialframe = \vec F\f$
 Vector3d fictitious_force(double m, const Vector3d& r, const Vector3d& v_body, const Vector3d& omega,
                           const Vector3d& alpha);
 
@@ -58,7 +58,7 @@ Vector3d fictitious_force(double m, const Vector3d& r, const Vector3d& v_body, c
 /// @pre |latitude| ≤ π/2
 /// @pre earth_rate > 0
 /// @par Source
-/// the Coriolis term of S0 s8, S2 s7, S3 p~6, S4 p~7 on the rotating Earth; Fetter & Walecka, chapter 2
+/// the Coriolis term of S0 s8, S2 s7, S3 p. 6, S4 p. 7 on the rotating Earth; Fetter & Walecka, chapter 2
 Vector3d coriolis_acceleration(const Vector3d& v_enu, double latitude, double earth_rate);
 
 /// How far to the east of the plumb line a body lands that is dropped from rest, to first order in the Earth's rate.
@@ -76,7 +76,7 @@ Vector3d coriolis_acceleration(const Vector3d& v_enu, double latitude, double ea
 /// @pre |latitude| ≤ π/2
 /// @pre g > 0 and earth_rate > 0
 /// @par Source
-/// the Coriolis term of S0 s8, S2 s7, S3 p~6, S4 p~7 integrated twice; Fetter & Walecka, chapter 2
+/// the Coriolis term of S0 s8, S2 s7, S3 p. 6, S4 p. 7 integrated twice; Fetter & Walecka, chapter 2
 double eastward_deflection(double height, double latitude, double g, double earth_rate);
 
 /// Time in which the plane of swing of a Foucault pendulum rotates once round.
@@ -89,7 +89,7 @@ double eastward_deflection(double height, double latitude, double g, double eart
 /// @pre 0 < latitude ≤ π/2 (on the equator the plane of swing does not rotate)
 /// @pre sidereal_day > 0
 /// @par Source
-/// the Coriolis term of S0 s8, S2 s7, S3 p~6, S4 p~7 applied to a pendulum; Fetter & Walecka, chapter 2
+/// the Coriolis term of S0 s8, S2 s7, S3 p. 6, S4 p. 7 applied to a pendulum; Fetter & Walecka, chapter 2
 double foucault_period(double latitude, double sidereal_day);
 
 /// The velocity in the laboratory of a charge whose orbit a weak magnetic field rotates.
@@ -107,7 +107,7 @@ double foucault_period(double latitude, double sidereal_day);
 /// @param t          time, s; negative times lie before t = 0
 /// @return           velocity in the laboratory at time t, m/s
 /// @par Source
-/// not on the slides; J. Larmor 1897; the Coriolis term of S0 s8, S2 s7, S3 p~6, S4 p~7
+/// not on the slides; J. Larmor 1897; the Coriolis term of S0 s8, S2 s7, S3 p. 6, S4 p. 7
 Vector3d larmor_velocity(const Vector3d& qB_over_m, const Vector3d& r_free, const Vector3d& v_free, double t);
 
 /// Gravity as a plumb line and a scale register it aboard a moving ship.
@@ -126,7 +126,7 @@ Vector3d larmor_velocity(const Vector3d& qB_over_m, const Vector3d& r_free, cons
 /// @pre radius > 0, g0 > 0 and earth_rate > 0
 /// @pre the ship does not lift off: the component up is negative
 /// @par Source
-/// the four terms of S0 s8, S2 s7, S3 p~6, S4 p~7; the Eötvös effect
+/// the four terms of S0 s8, S2 s7, S3 p. 6, S4 p. 7; the Eötvös effect
 Vector3d apparent_gravity(double latitude, double radius, double g0, double earth_rate, const Vector2d& v);
 
 /// How far a shell lands beside the line of fire because the Earth rotates, to first order in its rate.
@@ -144,7 +144,7 @@ Vector3d apparent_gravity(double latitude, double radius, double g0, double eart
 /// @pre |latitude| ≤ π/2
 /// @pre range ≥ 0, time > 0, g > 0 and earth_rate > 0
 /// @par Source
-/// the Coriolis term of S0 s8, S2 s7, S3 p~6, S4 p~7; Fetter & Walecka, chapter 2
+/// the Coriolis term of S0 s8, S2 s7, S3 p. 6, S4 p. 7; Fetter & Walecka, chapter 2
 double shell_drift(double latitude, double azimuth, double range, double time, double g, double earth_rate);
 
 /// Position of the bob of a Foucault pendulum on the floor.
@@ -166,7 +166,7 @@ double shell_drift(double latitude, double azimuth, double range, double time, d
 /// than
 ///      2·10⁻⁵ of |start|, and may be kept or left out
 /// @par Source
-/// the Coriolis term of S0 s8, S2 s7, S3 p~6, S4 p~7 applied to a pendulum; Fetter & Walecka, chapter 2
+/// the Coriolis term of S0 s8, S2 s7, S3 p. 6, S4 p. 7 applied to a pendulum; Fetter & Walecka, chapter 2
 Vector2d foucault_path(const Vector2d& start, double length, double g, double latitude, double earth_rate, double t);
 
 /// How high the tide of a moon stands on a planet that is covered with water.
@@ -185,7 +185,7 @@ Vector2d foucault_path(const Vector2d& start, double length, double g, double la
 /// @pre mass_ratio > 0 and 0 ≤ angle ≤ π
 /// @pre 2·10⁻⁵ ≤ radius/distance ≤ 0.3; mass_ratio times its cube is from 10⁻⁹ to 0.005
 /// @par Source
-/// a moving origin in S0 s8, S2 s7, S3 p~6, S4 p~7; Isaac Newton 1687
+/// a moving origin in S0 s8, S2 s7, S3 p. 6, S4 p. 7; Isaac Newton 1687
 double tide(double mass_ratio, double radius, double distance, double angle);
 
 /// Stable equilibrium of a bead on a rotating hoop, and its small oscillations.
@@ -201,7 +201,7 @@ double tide(double mass_ratio, double radius, double distance, double angle);
 /// @pre radius > 0 and g > 0
 /// @pre |rate| differs by at least 1 % from the critical one, at which the frequency is zero
 /// @par Source
-/// the centrifugal term of S0 s8, S2 s7, S3 p~6, S4 p~7 on a curve
+/// the centrifugal term of S0 s8, S2 s7, S3 p. 6, S4 p. 7 on a curve
 Vector2d bead_on_hoop(double radius, double g, double rate);
 
 }  // namespace rigid

@@ -1,109 +1,71 @@
-# Prints the lectures with their exercises as one PDF: title, contents with page numbers, figures, formulas as vectors.
-#   cmake -D site=… -D source=… -D lectures=… -D browser=… -D book=… -P book.cmake
-# A browser numbers pages but cannot say in the contents where a chapter begins. So the book is printed twice; the first
-# PDF tells on which page every heading landed.
+# Prints the notes as one PDF: symbols, lectures with their exercises, answers, references, index. book.js puts the pages together
+# in the browser that prints them, because only a browser knows their structure.
+#   cmake -D site=… -D source=… -D output=… -D lectures=… -D browser=… -D book=… -P book.cmake
+# A browser numbers pages but cannot say elsewhere where a heading landed. So the book is printed twice; the first PDF tells.
 cmake_minimum_required(VERSION 3.25)
 
-# The text of a page of the site, without what only a screen needs.
-function(read_page variable page)
+set(chapters "")
+# The text of a page of the site as a part of the book, without what only a screen needs.
+function(add_page page kind)
   file(READ ${site}/${page}.html html)
+  string(REGEX MATCH "<title>([^<]*) – Rigid" title "${html}")
+  set(title "${CMAKE_MATCH_1}")
   string(FIND "${html}" "<div class=\"textblock\">" start)
   string(FIND "${html}" "</div><!-- contents -->" end)
   math(EXPR length "${end} - ${start}")
   string(SUBSTRING "${html}" ${start} ${length} html)
   # Links between pages become links within the book; those to pages that it does not have go.
-  string(REGEX REPLACE "href=\"(namespacerigid|slides|errata|index|exercises)\\.html[^\"]*\"" "" html "${html}")
+  string(REGEX REPLACE "href=\"(slides|errata|index|exercises|practice|marks|authors)\\.html[^\"]*\"" "" html "${html}")
   string(REGEX REPLACE "href=\"[a-z0-9_]+\\.html#" "href=\"#" html "${html}")
-  string(REGEX REPLACE "href=\"([a-z0-9_]+)\\.html\"" "href=\"#\\1\"" html "${html}")
-  string(REPLACE "<details class=\"answer\">" "<details class=\"answer\" open>" html "${html}")
-  set(${variable} "${html}" PARENT_SCOPE)
+  string(REGEX REPLACE "href=\"([A-Za-z0-9_]+)\\.html\"" "href=\"#\\1\"" html "${html}")
+  # Of an exercise, how to check it and its derivation are left out.
+  string(FIND "${html}" "<h1><a class=\"anchor\" id=\"exercise_" end)
+  if(NOT end EQUAL -1)
+    string(SUBSTRING "${html}" 0 ${end} html)
+    string(APPEND html "</div>")
+  endif()
+  set(chapters "${chapters}<section class=\"${kind}\" id=\"${page}\" data-title=\"${title}\">${html}</section>\n" PARENT_SCOPE)
 endfunction()
 
-set(contents "")
-set(chapters "")
-# A chapter of the page's text, in which the list of exercises makes way for the exercises in ${exercises}.
-macro(add_chapter page title)
-  read_page(text ${page})
-  string(FIND "${text}" "<div class=\"exercise-table\">" start)
-  if(NOT start EQUAL -1)
-    string(SUBSTRING "${text}" ${start} -1 rest)
-    string(FIND "${rest}" "</div>" end)
-    math(EXPR end "${end} + 6")
-    string(SUBSTRING "${rest}" ${end} -1 rest)
-    string(SUBSTRING "${text}" 0 ${start} text)
-    string(APPEND text "${exercises}${rest}")
+add_page(notation chapter)
+file(READ ${output}/sequence.txt sequence)
+foreach(page IN LISTS sequence)
+  if(page IN_LIST lectures)
+    add_page(lecture_${page} chapter)
+    file(READ ${source}/lectures/${page}/card.json card)
+    string(JSON count LENGTH "${card}" exercises)
+    math(EXPR last "${count} - 1")
+    foreach(index RANGE ${last})
+      string(JSON name GET "${card}" exercises ${index} name)
+      add_page(exercise_${name} exercise)
+    endforeach()
+  else()
+    add_page(lecture_${page} part)
   endif()
-  string(APPEND contents "<li><a href=\"#${page}\">${title}</a><span>@${page}@</span></li>\n")
-  string(APPEND chapters "<section><h1 class=\"chapter\" id=\"${page}\">${title}</h1>\n${text}</section>\n")
-  # Sections of the chapter, for the contents.
-  set(heading "<h1><a class=\"anchor\" id=\"")
-  while(TRUE)
-    string(FIND "${text}" "${heading}" next)
-    if(next EQUAL -1)
-      break()
-    endif()
-    string(SUBSTRING "${text}" ${next} -1 text)
-    string(REGEX MATCH "^<h1><a class=\"anchor\" id=\"([^\"]*)\"></a>([^<]*)" start "${text}")
-    set(anchor ${CMAKE_MATCH_1})
-    string(STRIP "${CMAKE_MATCH_2}" section)
-    # Every lecture has these three at its end.
-    if(NOT section MATCHES "^(Summary|Questions|What to try next)$")
-      string(APPEND contents "<li class=\"section\"><a href=\"#${anchor}\">${section}</a><span>@${anchor}@</span></li>\n")
-    endif()
-    string(SUBSTRING "${text}" 4 -1 text)
-  endwhile()
-endmacro()
-
-foreach(lecture IN LISTS lectures)
-  file(READ ${source}/lectures/${lecture}/card.json card)
-  string(JSON title GET "${card}" title)
-  string(SUBSTRING ${lecture} 0 2 number)
-  string(JSON count LENGTH "${card}" exercises)
-  math(EXPR last "${count} - 1")
-  set(exercises "")
-  foreach(index RANGE ${last})
-    string(JSON name GET "${card}" exercises ${index} name)
-    read_page(text exercise_${name})
-    string(FIND "${text}" "<h1><a class=\"anchor\" id=\"exercise_${name}_check\">" end)
-    string(SUBSTRING "${text}" 0 ${end} text)
-    file(READ ${site}/exercise_${name}.html html)
-    string(REGEX MATCH "<title>([^<]*) – Rigid" phrase "${html}")
-    string(APPEND exercises "<section class=\"exercise\"><h2 id=\"exercise_${name}\">${CMAKE_MATCH_1}</h2>\n${text}</div></section>\n")
-  endforeach()
-  add_chapter(lecture_${lecture} "${number} ${title}")
-  # Further pages of the lecture, as pages.cmake finds them.
-  file(STRINGS ${source}/lectures/${lecture}/notes.md parts REGEX "^.page lecture_")
-  foreach(part IN LISTS parts)
-    string(REGEX MATCH "^.page ([a-z0-9_]+) (.+)$" part "${part}")
-    add_chapter(${CMAKE_MATCH_1} "${CMAKE_MATCH_2}")
-  endforeach()
 endforeach()
-foreach(page notation references)
-  string(SUBSTRING ${page} 0 1 first)
-  string(SUBSTRING ${page} 1 -1 rest)
-  string(TOUPPER ${first} first)
-  add_chapter(${page} "${first}${rest}")
-endforeach()
+add_page(references chapter)
+add_page(formulas chapter)
 
 # The head of any page has what formulas and looks need.
 file(READ ${site}/notation.html head)
 string(FIND "${head}" "</head>" end)
 string(SUBSTRING "${head}" 0 ${end} head)
-string(REGEX REPLACE "<script src=\"doxygen-awesome[^<]*</script>" "" head "${head}")
+string(REGEX REPLACE "<script src=\"[^<]*</script>" "" head "${head}")
 string(REGEX REPLACE "<title>[^<]*" "<title>Rigid Body Workbook" head "${head}")
 file(READ ${CMAKE_CURRENT_LIST_DIR}/book.css style)
-set(html "${head}<style>${style}</style></head><body><div id=\"title\"><h1>Rigid Body Workbook</h1>
-<p>Rotating bodies, derived and computed</p></div>\n<h1 class=\"chapter\">Contents</h1><ol id=\"contents\">${contents}</ol>\n<div class=\"contents\">${chapters}</div></body></html>\n")
+file(READ ${CMAKE_CURRENT_LIST_DIR}/book.js script)
+file(READ ${output}/parts/edition.md edition)
 
-# Prints HTML into the file BOOK.
-function(print_book)
-  # A number that is not known takes as much room as one that is.
-  string(REGEX REPLACE "<span>@[a-z0-9_A-Z]*@</span>" "<span>000</span>" html "${html}")
-  file(WRITE ${site}/book.html "${html}")
+# Prints the book; PAGES is the place of every heading, as a JavaScript object.
+function(print_book pages)
+  file(WRITE ${site}/book.html "${head}<style>${style}</style></head><body><div class=\"contents\"><div id=\"title\"><h1>Rigid Body Workbook</h1>
+<p>Rotating bodies, derived and computed</p><p>The developers of the Rigid Body Workbook<br>${edition}<br>MIT licence</p></div>
+${chapters}</div><script>const pages = ${pages};\n${script}</script></body></html>\n")
   file(REMOVE ${book})
   execute_process(
     COMMAND ${browser} --headless --no-sandbox --disable-gpu --disable-dev-shm-usage --user-data-dir=${book}.profile
-            --no-pdf-header-footer --virtual-time-budget=600000 --print-to-pdf=${book} file://${site}/book.html
+            --no-pdf-header-footer --generate-pdf-document-outline --virtual-time-budget=600000 --timeout=600000
+            --print-to-pdf=${book} file://${site}/book.html
     ERROR_VARIABLE said OUTPUT_QUIET)
   file(REMOVE_RECURSE ${book}.profile)
   file(REMOVE ${site}/book.html)
@@ -112,10 +74,11 @@ function(print_book)
   endif()
 endfunction()
 
-print_book()
+print_book("{}")
 # The objects of a PDF stand in its file in the order of the pages; destinations are "/name [OBJECT 0 R /XYZ …".
 file(STRINGS ${book} lines REGEX "^[0-9]+ 0 obj|^<</Type /Page$|/XYZ")
 set(page 0)
+set(pages "")
 foreach(line IN LISTS lines)
   if(line MATCHES "^([0-9]+) 0 obj")
     set(object ${CMAKE_MATCH_1})
@@ -123,12 +86,16 @@ foreach(line IN LISTS lines)
     math(EXPR page "${page} + 1")
     set(page_of_${object} ${page})
   elseif(line MATCHES "/([A-Za-z0-9_]+) .([0-9]+) 0 R /XYZ" AND NOT CMAKE_MATCH_1 STREQUAL "Dest")
-    string(REPLACE "<span>@${CMAKE_MATCH_1}@</span>" "<span>${page_of_${CMAKE_MATCH_2}}</span>" html "${html}")
+    string(APPEND pages "${CMAKE_MATCH_1}:${page_of_${CMAKE_MATCH_2}},")
   endif()
 endforeach()
-string(REGEX MATCH "<span>@([a-z0-9_A-Z]*)@</span>" left "${html}")
-if(left)
-  message(FATAL_ERROR "The printed book has no page for ${CMAKE_MATCH_1}: this browser writes PDF in another way.")
+if(NOT pages MATCHES "lecture_")
+  message(FATAL_ERROR "The printed book has no page for a lecture: this browser writes PDF in another way.")
 endif()
-print_book()
+print_book("{${pages}}")
+# The first page of the notes leads to it.
+file(CREATE_LINK ${book} ${site}/workbook.pdf COPY_ON_ERROR)
+file(READ ${site}/index.html html)
+string(REGEX REPLACE "<span id=\"book\">[^\n]*</span>" "<span id=\"book\"><a href=\"workbook.pdf\">workbook.pdf</a>, ${page} pages</span>" html "${html}")
+file(WRITE ${site}/index.html "${html}")
 message(STATUS "${book}: ${page} pages")

@@ -1,6 +1,6 @@
 # Writes what follows from the cards: the list of lectures, a page for each exercise, the parts of pages that notes.md
 # quotes, and the header of every page with the navigation.
-#   cmake -D source=… -D output=… -D lectures=… -P pages.cmake
+#   cmake -D source=… -D figures=… -D output=… -D lectures=… -P pages.cmake
 cmake_minimum_required(VERSION 3.25)
 
 file(REMOVE_RECURSE ${output})
@@ -70,6 +70,7 @@ set(edition)       # what the head of every page says of them
 set(course)        # the list of the first page
 set(all_exercises) # the page of all exercises
 set(navigation)
+set(exercises_js)
 foreach(lecture IN LISTS lectures)
   set(title "${title_of_${lecture}}")
   file(READ ${source}/lectures/${lecture}/card.json card)
@@ -81,7 +82,6 @@ foreach(lecture IN LISTS lectures)
 
   set(names)
   set(list)
-  set(pages_of_exercises)
   foreach(index RANGE ${last})
     read_card(name exercises ${index} name)
     read_card(worth exercises ${index} points)
@@ -97,7 +97,6 @@ foreach(lecture IN LISTS lectures)
       set(effort "Problem, difficulty ${difficulty} of 3, about ${minutes} minutes: the formula is yours to find. ")
       set(mark "Problem ${stars}, ${minutes} min, ")
     endif()
-    string(APPEND pages_of_exercises "<li><a href=\"exercise_${name}.html\">${name}</a></li>")
     # From the start of a line that holds NAME( and is no comment, to the semicolon.
     if(NOT declarations MATCHES "\n([^/\n][^\n]*[ &]${name}\\([^;]*;)")
       message(FATAL_ERROR "include/rigid/${contract}.hpp does not declare ${name}, though the card of ${lecture} lists it.")
@@ -176,14 +175,30 @@ When you are stuck, `./checker/run hint @name@` gives a hint, and a further one 
     "<div class=\"lecture-card\">${foundations}Its functions: `rigid/${contract}.hpp`.</div>\n")
   file(WRITE ${output}/parts/${lecture}.exercises.md "<div class=\"exercise-table\">\n\n${list}\n</div>\n")
   list(LENGTH names count)
-  string(APPEND course "- \\ref lecture_${lecture} \"${title}\": ${summary} *Exercises: ${count}.*\n")
+  # A minute for 120 words and half of one for each formula of a line of its own, to five minutes.
+  file(READ ${source}/lectures/${lecture}/notes.md notes)
+  string(REGEX MATCHALL "[A-Za-z]+[ ,.:\n]" words "${notes}")
+  string(REGEX MATCHALL "f\\[" formulas "${notes}")
+  list(LENGTH words words)
+  list(LENGTH formulas formulas)
+  math(EXPR minutes "(${words} / 120 + ${formulas} / 2 + 2) / 5 * 5")
+  read_card(picture picture)
+  if(picture)
+    file(READ ${figures}/${lecture}/${picture}.svg picture)
+  endif()
+  string(APPEND course "<div class=\"lecture\"><div class=\"picture\">${picture}</div><p><a href=\"lecture_${lecture}.html\">${title}</a><br>${summary} "
+    "<span class=\"effort\">${minutes} minutes to read, ${count} exercises</span></p></div>\n")
   # Not a heading of Markdown, whose anchor would need a name.
   string(APPEND all_exercises "\n<h2>${title}</h2>\n\n${list}")
   string(APPEND navigation "<li><a href=\"lecture_${lecture}.html\">${title}</a>${parts}"
-    "<details><summary aria-label=\"${count} exercises of ${title}\">${count} exercises</summary><ul>${pages_of_exercises}</ul></details></li>\n")
+    "<details><summary aria-label=\"${count} exercises of ${title}\">${count} exercises</summary></details></li>\n")
+  list(JOIN names "\",\"" names)
+  string(APPEND exercises_js "[\"${names}\"],\n")
 endforeach()
 
-file(WRITE ${output}/parts/course.md "${course}")
+file(WRITE ${output}/parts/course.html "<div class=\"course\">\n${course}</div>\n")
+string(TIMESTAMP today "%d %B %Y" UTC)
+file(WRITE ${output}/parts/edition.md "Edition of ${today}")
 file(WRITE ${output}/exercises.md "# Exercises {#exercises}
 
 <div class=\"exercise-table\">
@@ -196,3 +211,9 @@ ${all_exercises}
 string(REPLACE "@navigation@" "${navigation}" header "${header}")
 string(REPLACE "@edition@" "${edition}" header "${header}")
 file(WRITE ${output}/header.html "${header}")
+# The names of the exercises in the navigation: in every page they would be a tenth of the site.
+file(WRITE ${output}/exercises.js "const exercises = [\n${exercises_js}];
+document.querySelectorAll(\"#course details\").forEach((place, i) => place.insertAdjacentHTML(\"beforeend\",
+  `<ul>\${exercises[i].map(name => `<li><a href=\"exercise_\${name}.html\">\${name}</a></li>`).join(\"\")}</ul>`));
+")
+file(WRITE ${output}/sequence.txt "${sequence}")

@@ -78,7 +78,7 @@ endfunction()
 
 set(paragraphs)
 file(GLOB pages RELATIVE ${site} ${site}/*.html)
-list(FILTER pages EXCLUDE REGEX "^(dir_.*|annotated|book|classes|graph_legend|namespaces|pages|structrigid_.*)\\.html$")
+list(FILTER pages EXCLUDE REGEX "^(book|graph_legend)\\.html$")
 foreach(page IN LISTS pages)
   file(READ ${site}/${page} html)
   string(FIND "${html}" "<div class=\"contents\">" start)

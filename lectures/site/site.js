@@ -179,17 +179,15 @@ function shift_to_the_left(fragment) {
 }
 
 /** A call of a function of the course leads to the page of its exercise. */
-function link_calls(exercises) {
-  const pages = new Map(exercises.map(link => [link.textContent, link.getAttribute("href")]));
-  for (const link of document.querySelectorAll(".fragment a")) link.href = pages.get(link.textContent) ?? link.href;
-  const call = new RegExp(`\\b(${[...pages.keys()].join("|")})(?=\\()`);
+function link_calls() {
+  const call = new RegExp(`\\b(${exercises.flat().join("|")})(?=\\()`);
   for (const line of document.querySelectorAll(".fragment .line")) {
     for (let node = line.firstChild; node; node = node.nextSibling) {
       const found = node.nodeType === Node.TEXT_NODE && node.data.match(call);
-      if (!found || location.pathname.endsWith("/" + pages.get(found[1]))) continue;
+      if (!found || location.pathname.endsWith(`/exercise_${found[1]}.html`)) continue;
       const name = node.splitText(found.index);
       name.splitText(found[1].length);
-      name.replaceWith(node = Object.assign(document.createElement("a"), { className: "code", href: pages.get(found[1]), textContent: found[1] }));
+      name.replaceWith(node = Object.assign(document.createElement("a"), { className: "code", href: `exercise_${found[1]}.html`, textContent: found[1] }));
     }
   }
 }
@@ -213,15 +211,40 @@ function offer_permalinks() {
   }
 }
 
+/** What a link within the notes leads to, while the pointer rests on it: that page at that place, in a frame. */
+function offer_previews() {
+  const frame = Object.assign(document.createElement("iframe"), { className: "preview", tabIndex: -1, title: "Preview" });
+  frame.setAttribute("aria-hidden", "true");
+  frame.onload = () => frame.style.visibility = "";
+  let timer = null;
+  const show = link => {
+    const [page, place] = link.href.split("#"), box = link.getBoundingClientRect(), width = Math.min(640, innerWidth * 0.9);
+    frame.src = `${page}?preview#${place}`;
+    const below = box.bottom + 260 < innerHeight ? box.bottom + 6 : Math.max(box.top - 250, 60);
+    Object.assign(frame.style, { visibility: "hidden", top: `${scrollY + below}px`,
+      left: `${Math.max(8, Math.min(box.left, innerWidth - width - 24))}px` });
+    document.body.append(frame);
+  };
+  const hide = () => { clearTimeout(timer); frame.remove(); };
+  for (const link of document.querySelectorAll(".textblock a[href*='#']:not(.number, .permalink, [href^=http])")) {
+    link.addEventListener("pointerenter", () => { hide(); timer = setTimeout(show, 350, link); });
+    link.addEventListener("pointerleave", hide);
+  }
+  addEventListener("keydown", event => { if (event.key === "Escape") hide(); });
+}
+
 document.querySelectorAll(".fragment").forEach(shift_to_the_left);
-// The book has neither navigation nor anything to press.
-if (document.querySelector("#course")) {
+if (location.search === "?preview") {
+  document.documentElement.classList.add("is-preview");
+  document.getElementById(decodeURIComponent(location.hash.slice(1)))?.scrollIntoView();
+} else if (document.querySelector("#course")) {  // the book has neither navigation nor anything to press
   DoxygenAwesomeFragmentCopyButton.init();
   offer_dark_mode();
   mark_place();
   offer_contents();
-  link_calls([...document.querySelectorAll("#course a[href^=exercise_]")]);
+  link_calls();
   offer_permalinks();
+  if (matchMedia("(hover: hover)").matches) offer_previews();
   offer_search();
   find_paragraph();
   document.querySelectorAll("figure > .live").forEach(offer_live_figure);

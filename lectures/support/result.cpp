@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -27,7 +28,7 @@ class Pages {
     const char* file = std::getenv("WORKBOOK_PRINTED");
     if (file == nullptr) return;
     std::ofstream out(file, std::ios::app);
-    // Doxygen knows no formulas in a quoted part: they reach MathJax as HTML.
+    // Doxygen knows no formulas in a quoted part: they are written as HTML.
     for (const auto& [name, text] : shown_)
       out << fmt::format("[{0}]\n<div class=\"result\">\\htmlonly\n{1}\\endhtmlonly</div>\n[{0}]\n\n", name, text);
     out << values_;
@@ -54,6 +55,8 @@ Pages& pages() {
 std::string in_tex(double number, double size, int digits) {
   if (!std::isfinite(number)) throw std::domain_error("a result must be finite");
   if (std::abs(number) <= 1e-15 * size) return "0";
+  // 1234 is easier to read than 1.23·10³.
+  if (std::abs(number) >= 1000 && std::abs(number) < 1e5) digits = std::max(digits, std::abs(number) < 1e4 ? 4 : 5);
   std::string text = fmt::format("{:.{}g}", number, digits);
   const std::size_t exponent = text.find('e');
   if (exponent == std::string::npos) return text;

@@ -25,13 +25,13 @@ namespace workbook {
 /// @param digits  that are shown, of those that matter
 /// @throws std::domain_error if the value is not finite
 void result(const std::string& name, double value, const std::string& unit, const std::string& remark = "",
-            int digits = 6);
+            int digits = 3);
 
 /// The same for a vector, printed as a row, or a matrix.
 void result(const std::string& name, const Eigen::MatrixXd& value, const std::string& unit,
-            const std::string& remark = "", int digits = 6);
+            const std::string& remark = "", int digits = 3);
 
 /// Prints a table, a column of `values` below each head such as R"(error / J)"; heads may hold formulas as remarks do.
-void result_table(const std::vector<std::string>& heads, const Eigen::MatrixXd& values, int digits = 6);
+void result_table(const std::vector<std::string>& heads, const Eigen::MatrixXd& values, int digits = 3);
 
 }  // namespace workbook

@@ -68,8 +68,11 @@ int main(int argc, char** argv) {
         inspection.look_at(page, axe);
       }
       exercise_judged = exercise_judged || is_exercise;
-      if (page.starts_with("lecture_")) judge_shares(inspection, page);
+      if (!page.starts_with("lecture_")) continue;
+      judge_shares(inspection, page);
+      inspection.read_without_scripts(page);
     }
+    inspection.expect_numbers();
     inspection.follow_links();
     for (const std::string& phrase : words) inspection.search("index.html", phrase);
     if (!words.empty()) inspection.walk_with_keyboard("index.html");

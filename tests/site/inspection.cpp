@@ -107,16 +107,7 @@ void Inspection::fault(const std::string& page, const std::string& sentence) {
   if (std::ranges::find(faults_, whole) == faults_.end()) faults_.push_back(whole);
 }
 
-void Inspection::open(const std::string& page) {
-  browser_.open(url(page));
-  // Formulas are drawn after loading.
-  const bool drawn = browser_.evaluate(R"(new Promise(done => {
-    if (!window.MathJax) return done(true);
-    setTimeout(() => done(false), 120000);
-    MathJax.Hub.Register.StartupHook("End", () => { MathJax.Hub.Queue(() => done(true)); });
-  }))");
-  if (!drawn) fault(page, "the formulas are still not drawn after two minutes.");
-}
+void Inspection::open(const std::string& page) { browser_.open(url(page)); }
 
 void Inspection::look_at(const std::string& page, const std::string& axe, Widths widths) {
   ++counts_.pages;
@@ -192,9 +183,10 @@ void Inspection::judge_happenings(const std::string& page) {
 }
 
 void Inspection::judge_look(const std::string& page, const json& look) {
-  for (const json& error : look["formulas"]["errors"]) {
-    fault(page, fmt::format("the formula “{}” cannot be shown: {}.", error["formula"].get<std::string>(),
-                            error["reason"].get<std::string>()));
+  for (const std::string element : look["unnumbered"])
+    fault(page, fmt::format("{} has no number that is its address.", element));
+  for (const std::string number : look["numbers"]) {
+    if (!numbers_.insert(number).second) fault(page, fmt::format("the number {} stands twice.", number));
   }
   for (const std::string text : look["raw_texts"]) fault(page, fmt::format("“{}” is not meant for readers.", text));
   for (const std::string picture : look["stuck"]) fault(page, fmt::format("{} does not move.", picture));
@@ -212,9 +204,30 @@ void Inspection::judge_look(const std::string& page, const json& look) {
   }
   anchors_[page] = look["anchors"].get<std::set<std::string>>();
   for (const json& link : look["links"]) links_.push_back({page, link["name"], link["to"]});
-  counts_.formulas += look["formulas"]["count"].get<int>();
+  counts_.formulas += look["formulas"].get<int>();
   counts_.pictures += static_cast<int>(look["pictures"].size());
   counts_.links += static_cast<int>(look["links"].size());
+}
+
+void Inspection::read_without_scripts(const std::string& page) {
+  browser_.call("Emulation.setScriptExecutionDisabled", {{"value", true}});
+  open(page);
+  const json hidden = browser_.evaluate(R"(
+    [...document.querySelectorAll(".contents p.formulaDsp")].filter(formula => !formula.closest("details"))
+      .filter(formula => !(formula.querySelector(".katex-html")?.getBoundingClientRect().height > 10))
+      .map(formula => formula.textContent.trim().slice(0, 40)))");
+  browser_.call("Emulation.setScriptExecutionDisabled", {{"value", false}});
+  for (const std::string formula : hidden)
+    fault(page, fmt::format("the formula “{}” is not shown without scripts.", formula));
+}
+
+void Inspection::expect_numbers() {
+  for (const std::string& number : numbers_) {
+    const auto last = number.rfind('_') + 1;
+    const std::string before = number.substr(0, last) + std::to_string(std::stoi(number.substr(last)) - 1);
+    if (!before.ends_with("_0") && !numbers_.contains(before))
+      faults_.push_back(fmt::format("There is a number {}, but no {}.", number, before));
+  }
 }
 
 void Inspection::follow_links() {

@@ -44,6 +44,12 @@ class Inspection {
   /// Presses Tab until the navigation and the search have had the focus, and the keys that turn pages.
   void walk_with_keyboard(const std::string& page);
 
+  /// Opens a page without its scripts and expects every formula on a line of its own to be shown.
+  void read_without_scripts(const std::string& page);
+
+  /// Expects the numbers of formulas and figures on the pages looked at so far to have no gaps.
+  void expect_numbers();
+
   /// Judges the links between the pages looked at so far.
   void follow_links();
 
@@ -79,6 +85,7 @@ class Inspection {
   std::filesystem::path root_;
   std::vector<std::string> faults_;
   std::map<std::string, std::set<std::string>> anchors_;  ///< of each page
+  std::set<std::string> numbers_;                         ///< eq_6_12, fig_6_3
   std::vector<Link> links_;
   Counts counts_;
 };

@@ -55,7 +55,6 @@ TEST_CASE("a sound page has no faults, and what it holds is counted") {
 }
 
 TEST_CASE("each kind of fault on a page is found and named") {
-  check_page("broken_formula.html", {R"(\notacommand)", R"(\frac{1}{2)"});
   check_page("plain_formula.html", {R"(\(T\))", R"(\f$ L \f$)"});
   check_page("missing_picture.html", {"nowhere.svg", "nowhere.svg"});  // not shown, not loaded
   check_page("undescribed_picture.html", {"square.svg"});
@@ -68,6 +67,25 @@ TEST_CASE("each kind of fault on a page is found and named") {
   check_page("missing_script.html", {"nowhere.js"});
   check_page("failing_script.html", {"no such angle", "undefinedFunction"});
   check_page("no_landmarks.html", {"V46", "<main>", "<nav>"});
+}
+
+TEST_CASE("formulas without a number, with that of another, twice the same number and a gap are found") {
+  check_page("lecture_numbers.html", {"L = 3 J s", "(1.5)", "eq_1_1 stands twice"});
+  Inspection inspection = new_inspection();
+  inspection.look_at("lecture_numbers.html");
+  inspection.expect_numbers();
+  REQUIRE(inspection.faults().size() == 4);
+  CHECK(inspection.faults().back() == "There is a number eq_1_3, but no eq_1_2.");
+}
+
+TEST_CASE("a formula that only a script shows is found") {
+  Inspection inspection = new_inspection();
+  inspection.look_at("lecture_scripts.html");
+  check_named(inspection, {});
+  inspection.read_without_scripts("lecture_scripts.html");
+  check_named(inspection, {"(2.1)"});
+  inspection.look_at("sound.html");  // with scripts again
+  CHECK(inspection.faults().size() == 1);
 }
 
 TEST_CASE("what does not fit is named with the width and the colours") {

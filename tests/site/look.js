@@ -10,25 +10,16 @@
     return `the element ${name}${mark}` + (text ? ` (“${text}”)` : "");
   }
 
-  /** MathJax turns what it cannot read into an merror, in whatever format it draws. */
-  function formulas() {
-    if (!window.MathJax) return { count: 0, errors: [] };
-    const errors = [];
-    const all = MathJax.Hub.getAllJax();
-    const error_below = node => {
-      if (!node) return "";
-      if (node.type === "merror") return node.data.map(part => part.toString ? texts(part) : "").join(" ");
-      return (node.data || []).map(error_below).find(found => found) || "";
-    };
-    const texts = node => !node ? "" : node.data === undefined ? String(node) : node.data.map(texts).join("");
-    for (const jax of all) {
-      const error = error_below(jax.root);
-      if (error) errors.push({ formula: jax.originalText.trim(), reason: error });
-    }
-    for (const broken of document.querySelectorAll(".MathJax_Error, mjx-merror")) {
-      errors.push({ formula: broken.textContent.trim(), reason: "Math Processing Error" });
-    }
-    return { count: all.length, errors };
+  const folded = element => element.closest("details");
+  const formulas = [...document.querySelectorAll("p.formulaDsp")].filter(formula => !folded(formula));
+
+  /** In a lecture every formula on a line of its own and every figure has a number, which is also its address. */
+  function unnumbered() {
+    if (!location.pathname.includes("/lecture_")) return [];
+    const addressed = (element, number) => element.id && number?.getAttribute("href") === "#" + element.id &&
+      element.id.replace(/^\w+?_/, "").replace("_", ".") === number.textContent.replace(/[^\d.]|\.(?!\d)/g, "");
+    return [...formulas.filter(formula => !addressed(formula, formula.querySelector(":scope > .number"))),
+      ...figures.filter(figure => !folded(figure) && !addressed(figure, figure.querySelector("figcaption > .number")))].map(named);
   }
 
   /** TeX that nothing has turned into a formula, and labels that only the authors know. */
@@ -79,7 +70,9 @@
 
   return {
     title: document.title,
-    formulas: formulas(),
+    formulas: document.querySelectorAll(".katex").length,
+    unnumbered: unnumbered(),
+    numbers: [...document.querySelectorAll(".number")].map(number => number.getAttribute("href").slice(1)),
     raw_texts: raw_texts(),
     pictures: [
       ...[...document.images].map(image => ({

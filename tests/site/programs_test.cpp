@@ -1,4 +1,5 @@
-// check_site as a program: when it cannot do its work it says why in one sentence, and ends with a status of its own.
+// The programs that make and judge the site: when one cannot do its work it says why, and ends with a status of its
+// own.
 #include "tests/support/files.hpp"
 
 #include <doctest/doctest.h>
@@ -52,4 +53,24 @@ TEST_CASE("the status is 0 where nothing is wrong and 1 where something is") {
   const Outcome broken = check_site(fmt::format("'{}' --page missing_picture.html", SITE_PAGES));
   CHECK(broken.status == 1);
   CHECK_MESSAGE(has(broken.out, "nowhere.svg"), broken.out);
+}
+
+TEST_CASE("a formula that cannot be set and a label without a formula stop the build and are named") {
+  const fs::path site = fs::path(WORKBOOK_TEST_SCRATCH) / "site";
+  const std::string tex = R"(<p>An angle \(\theta\), another \(\notacommand{x}\).</p>)";
+  fs::create_directories(site);
+  write(site / "lecture_01_a.html", tex);
+  const Outcome formulas = run_command(fmt::format("'{}' '{}/formulas.js' '{}' '{}' '{}/macros.tex'", SITE_NODE,
+                                                   SITE_SOURCES, SITE_KATEX, site.string(), SITE_SOURCES),
+                                       WORKBOOK_TEST_SCRATCH);
+  CHECK(formulas.status == 1);
+  CHECK_MESSAGE(has(formulas.err, R"(lecture_01_a.html: the formula “\notacommand{x}” cannot be set)"), formulas.err);
+  CHECK(read(site / "lecture_01_a.html") == tex);
+  write(site / "pages", "01_a");
+  write(site / "lecture_01_a.html", R"(<p class="formulaDsp">T</p><p id="eq_lost">No formula below.</p>)");
+  const Outcome numbers = run_command(
+      fmt::format("cmake -D 'site={0}' -D 'pages={0}/pages' -P '{1}/numbers.cmake'", site.string(), SITE_SOURCES),
+      WORKBOOK_TEST_SCRATCH);
+  CHECK(numbers.status == 1);
+  CHECK_MESSAGE(has(numbers.err, "no formula and no figure follows the anchor eq_lost"), numbers.err);
 }

@@ -1,0 +1,160 @@
+// Makes a book of the pages that book.cmake has put one after the other. `pages` has the page of every place that a link leads
+// to; at the first printing it is empty.
+const all = (selector, root = document) => [...root.querySelectorAll(selector)];
+const make = (tag, properties, ...children) => {
+  const element = Object.assign(document.createElement(tag), properties);
+  element.append(...children);
+  return element;
+};
+const book = document.querySelector(".contents");
+const number_of = id => String(pages[id] ?? "000");
+
+// ---- Chapters: a lecture with its parts and its exercises.
+
+const chapters = all("section.chapter");
+let chapter = null;
+for (const section of all("section")) {
+  const [, number, title] = section.dataset.title.match(/^(\d\d )?(.*)$/);
+  if (section.matches(".chapter")) {
+    chapter = section;
+    section.dataset.head = (number ? +number + "  " : "") + title;
+    section.prepend(make("h1", { className: "chapter" }, section.dataset.head));
+  } else if (section.matches(".part")) {
+    section.prepend(make("h2", { className: "part" }, title.replace(/^.*: (.)/, (_, first) => first.toUpperCase())));
+    chapter.append(section);
+  } else {
+    section.prepend(make("h4", {}, title, " ", make("code", {}, section.id.replace("exercise_", ""))));
+    chapter.exercises ??= make("section", { className: "exercises" }, make("h2", {}, "Exercises and problems"));
+    chapter.exercises.append(section);
+  }
+}
+for (const list of all(".exercise-table")) {
+  const heading = list.previousElementSibling;
+  if (/^H\d$/.test(heading?.tagName)) heading.remove();
+  list.remove();
+}
+for (const heading of all(".textblock :is(h3, h2, h1)")) {
+  const lower = make(`h${+heading.tagName[1] + 1}`, { id: heading.id }, ...heading.childNodes);
+  heading.replaceWith(lower);
+}
+for (const section of chapters) if (section.exercises) section.append(section.exercises);
+
+// ---- An exercise is its physics, and in small print its declaration and what the quantities are.
+
+for (const exercise of all("section.exercise")) {
+  const text = exercise.querySelector(".textblock"), about = text.querySelector("p"), code = text.querySelector(".fragment");
+  about.innerHTML = about.innerHTML.replace(/<code>.*?<\/code>\.|Lecture <a.*?<\/a>, |: the formula is yours to find/g, "");
+  const contract = make("p", { className: "contract" }, make("code", {}, code.textContent.trim().replace(/\s+/g, " ").replace(/;$/, "")), ". ");
+  const item = (name, part) => contract.append(make("em", {}, name), " ", ...part.childNodes, "; ");
+  for (const row of all(".params tr", text)) item(row.cells[0].textContent.trim(), row.cells[1]);
+  for (const [kind, name] of [["return", "Returns"], ["pre", "Requires"]])
+    for (const part of all(`dl.${kind} dd`, text)) item(name, part);
+  contract.lastChild.replaceWith(".");
+  all("dl", text).forEach(list => list.remove());
+  code.remove();
+  about.className = "about";
+  text.append(contract, about);
+}
+
+// ---- Answers stand at the end.
+
+const answers = make("section", { className: "chapter", id: "answers" }, make("h1", { className: "chapter" }, "Answers"));
+answers.dataset.head = "Answers";
+for (const section of all("section.chapter, section.part")) {
+  const here = all("details.answer", section).filter(answer => answer.closest("section") === section);
+  if (!here.length) continue;
+  const list = make("ol", {});
+  for (const answer of here) {
+    const question = answer.closest("li");
+    answer.querySelector("summary").remove();
+    list.append(make("li", { value: [...question.parentElement.children].indexOf(question) + 1 }, ...answer.childNodes));
+    answer.remove();
+  }
+  answers.append(make("h2", {}, section.querySelector("h1, h2").textContent.trim()), list);
+}
+all("details, .lecture-card, .neighbours, .toc, .live, .live-caption, figure > p").forEach(part => part.remove());
+const references = document.getElementById("references");
+references.before(answers);
+
+// ---- Figures are as wide as their text needs: none below 7 points.
+
+for (const picture of all("figure > svg")) {
+  const box = picture.viewBox.baseVal;
+  const smallest = Math.min(16, ...all("text, tspan", picture).filter(text => text.textContent.trim())
+    .map(text => parseFloat(getComputedStyle(text).fontSize)));
+  const widest = 454;  // points
+  const scale = Math.min(widest / box.width, Math.max(7.05 / smallest, Math.min(7.6 / smallest, 215 / box.height)));
+  Object.assign(picture.style, { width: `${scale * box.width}pt`, height: `${scale * box.height}pt`, minWidth: 0, maxWidth: "none" });
+}
+
+// ---- Index: where a section first speaks of a term.
+
+const terms = `angular momentum|angular velocity|bicycle|body cone|centrifugal force|Chandler|Chasles|conjugate momenta|Coriolis|
+damping|degree of freedom|dumbbell|dyad|Earth|Eötvös|effective potential|elliptic integral|energy ellipsoid|equinox|
+ergodic|Euler angles|Euler's equations|Explorer 1|Feynman|Foucault|free fall|friction|geometric phase|gimbal|gimbal lock|gyration|
+gyroscope|Hannay|heavy top|herpolhode|inertia ellipsoid|inertia tensor|intermediate axis|Jacobi|kinetic energy|Lagrangian|Larmor|
+line of nodes|Montgomery|moment of inertia|nutation|parallel axis|parallel transport|pendulum|perpendicular axis|plumb line|Poinsot|
+polhode|precession|principal axes|product of inertia|quaternion|racket|rattleback|Rodrigues|rotation matrix|Runge|screw|separatrix|
+sleeping top|solid angle|space cone|stability|Steiner|symmetric top|T-handle|tensor|torque|transport theorem|triangle inequality|
+tumbling|turbine|vector product|work`.replace(/\n/g, "").split("|");
+const index = make("section", { className: "chapter", id: "index" }, make("h1", { className: "chapter" }, "Index"), make("ul", {}));
+index.dataset.head = "Index";
+const blocks = all(".textblock :is(p, li, figcaption)").filter(block => !block.querySelector("p, li") && !block.closest(".exercise, #references, #formulas"));
+const texts = blocks.map(block => block.textContent.replace(/\s+/g, " "));
+const sections = new Map();
+let current = null;
+for (const element of all(".textblock :is(h2, h3, p, li, figcaption)")) {
+  if (/^H/.test(element.tagName)) current = element;
+  sections.set(element, current);
+}
+let places = 0;
+for (const term of terms) {
+  const pattern = new RegExp(`(?<![a-z])${term.replace(/is$/, "[ie]s")}`, "i"), found = new Map();
+  blocks.forEach((block, i) => { if (pattern.test(texts[i]) && !found.has(sections.get(block))) found.set(sections.get(block), block); });
+  const best = [...found].sort(([a], [b]) => pattern.test(b?.textContent) - pattern.test(a?.textContent)).slice(0, 6).map(([, block]) => block)
+    .sort((a, b) => blocks.indexOf(a) - blocks.indexOf(b));
+  if (!best.length) continue;
+  const entry = make("li", {}, term);
+  const seen = new Set();
+  for (const block of best) {
+    block.id ||= `place_${++places}`;
+    const number = number_of(block.id);
+    if (number !== "000" && seen.has(number)) continue;
+    seen.add(number);
+    entry.append(", ", make("a", { href: "#" + block.id }, number));
+  }
+  index.querySelector("ul").append(entry);
+}
+
+// ---- Links say the page.
+
+for (const link of all(".textblock a[href^='#']:not(.number), #answers a[href^='#']")) {
+  const target = document.getElementById(link.hash.slice(1)), here = link.closest("section.chapter");
+  if (!target) { link.removeAttribute("href"); continue; }
+  if (link.closest(".fragment, code, h1, h2, h3, h4, table") || link.textContent.startsWith("(")) continue;
+  if (link.closest(".contract") || target.closest("section.chapter") === here && !link.closest("#answers, .about")) continue;
+  link.after(`\u00a0(p.\u00a0${number_of(target.id)})`);
+}
+
+// ---- Contents, running heads.
+
+book.append(index);
+const contents = make("ol", { id: "contents" });
+for (const section of all("section.chapter")) {
+  const entry = (title, id, kind) => contents.append(make("li", { className: kind }, make("a", { href: "#" + id }, title), make("span", {}, number_of(id))));
+  entry(section.dataset.head, section.id, "");
+  for (const heading of all("h2", section)) {
+    const anchor = heading.querySelector("a.anchor")?.id ?? heading.parentElement.id;
+    if (anchor && section.id.startsWith("lecture_") && !/^(Summary|Questions|What to try next|Exercises)/.test(heading.textContent.trim()))
+      entry(heading.textContent.trim(), anchor, "section");
+  }
+}
+document.getElementById("title").after(make("h1", { className: "chapter" }, "Contents"), contents);
+const heads = make("style", {});
+document.head.append(heads);
+for (const section of all("section.chapter")) {
+  section.style.page = section.id;
+  const head = JSON.stringify(section.dataset.head);
+  heads.append(`@page ${section.id}:left { @top-left { content: counter(page); } @top-right { content: ${head}; } }
+    @page ${section.id}:right { @top-left { content: ${head}; } @top-right { content: counter(page); } }\n`);
+}

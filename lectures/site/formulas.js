@@ -1,0 +1,53 @@
+// Sets the formulas of the built site: TeX becomes HTML for the eye and MathML for the ear, so no page needs a script for them.
+//   node formulas.js KATEX SITE MACROS
+const fs = require("fs"), path = require("path");
+const [folder, site, definitions] = process.argv.slice(2);
+const katex = require(path.join(folder, "katex.js"));
+
+const macros = Object.fromEntries([...fs.readFileSync(definitions, "utf8").matchAll(/\\newcommand{(\\\w+)}(?:\[\d\])?{(.*)}/g)]
+  .map(([, name, meaning]) => [name, meaning]));
+const entities = { lt: "<", gt: ">", amp: "&", quot: '"', "#39": "'", "#160": " ", nbsp: " " };
+const plain = text => text.replace(/&(#?\w+);/g, (entity, name) => entities[name] ?? entity);
+
+// The same few styles stand a hundred thousand times: as classes they take half of the room.
+const styles = new Map();
+function short(style) {
+  if (!styles.has(style)) styles.set(style, "k" + styles.size.toString(36));
+  return styles.get(style);
+}
+
+const known = new Map(); // most formulas stand in many places
+function formula(page, tex, displayMode) {
+  const key = displayMode + tex;
+  if (!known.has(key)) {
+    try {
+      known.set(key, katex.renderToString(plain(tex), { displayMode, macros, strict: "error", throwOnError: true })
+        .replace(/ xmlns="[^"]*"|<annotation.*?<\/annotation>|<\/?semantics>/gs, "")
+        .replace(/<span(?: class="([^"]*)")? style="([^"]*)"/g, (_, names, style) => `<span class="${names ? names + " " : ""}${short(style)}"`));
+    } catch (error) {
+      console.error(`${page}: the formula “${plain(tex).trim()}” cannot be set: ${error.message}`);
+      process.exit(1);
+    }
+  }
+  return known.get(key);
+}
+
+const joined = text => text && "\u2060"; // no line ends between a formula and its bracket or comma
+for (const page of fs.readdirSync(site).filter(name => name.endsWith(".html"))) {
+  const file = path.join(site, page);
+  const html = fs.readFileSync(file, "utf8").replace(/<script type="text\/x-mathjax-config">[^]*?<script[^>]*MathJax\.js"><\/script>/,
+    '<link href="katex/katex.css" rel="stylesheet">');
+  // Code stays as it is.
+  fs.writeFileSync(file, html.split(/(<div class="fragment">[^]*?<!-- fragment -->|<(?:code|pre)\b[^]*?<\/(?:code|pre)>)/)
+    .map((part, i) => i % 2 ? part : part
+      .replace(/\\\[(.*?)\\\]/gs, (_, tex) => formula(page, tex, true))
+      .replace(/([(“[]?)\\\((.*?)\\\)([.,;:!?)”\]’]*)/gs, (_, before, tex, after) =>
+        before + joined(before) + formula(page, tex, false) + joined(after) + after))
+    .join(""));
+}
+
+fs.mkdirSync(path.join(site, "katex", "fonts"), { recursive: true });
+fs.writeFileSync(path.join(site, "katex", "katex.css"), fs.readFileSync(path.join(folder, "katex.min.css"), "utf8") +
+  [...styles].map(([style, name]) => `.katex .${name}{${style.replace(/;/g, "!important;")}}\n`).join(""));
+for (const font of fs.readdirSync(path.join(folder, "fonts")).filter(name => /(AMS|Caligraphic|Main|Math|SansSerif|Size\d)-.*2$/.test(name)))
+  fs.copyFileSync(path.join(folder, "fonts", font), path.join(site, "katex", "fonts", font));
