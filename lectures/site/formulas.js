@@ -9,6 +9,8 @@ const macros = Object.fromEntries([...fs.readFileSync(definitions, "utf8").match
 const entities = { lt: "<", gt: ">", amp: "&", quot: '"', "#39": "'", "#160": " ", nbsp: " " };
 const plain = text => text.replace(/&(#?\w+);/g, (entity, name) => entities[name] ?? entity);
 
+const css = fs.readFileSync(path.join(folder, "katex.min.css"), "utf8");
+const styled = new Set(css.match(/(?<=\.)[a-z][\w-]*/g));
 // The same few styles stand a hundred thousand times: as classes they take half of the room.
 const styles = new Map();
 function short(style) {
@@ -23,7 +25,10 @@ function formula(page, tex, displayMode) {
     try {
       known.set(key, katex.renderToString(plain(tex), { displayMode, macros, strict: "error", throwOnError: true })
         .replace(/ xmlns="[^"]*"|<annotation.*?<\/annotation>|<\/?semantics>/gs, "")
-        .replace(/<span(?: class="([^"]*)")? style="([^"]*)"/g, (_, names, style) => `<span class="${names ? names + " " : ""}${short(style)}"`));
+        .replace(/<span(?: class="([^"]*)")?(?: style="([^"]*)")?/g, (_, names = "", style) => {
+          const kept = [...names.split(" ").filter(name => styled.has(name)), ...style ? [short(style)] : []];
+          return kept.length ? `<span class="${kept.join(" ")}"` : "<span";
+        }));
     } catch (error) {
       console.error(`${page}: the formula “${plain(tex).trim()}” cannot be set: ${error.message}`);
       process.exit(1);
@@ -47,7 +52,7 @@ for (const page of fs.readdirSync(site).filter(name => name.endsWith(".html"))) 
 }
 
 fs.mkdirSync(path.join(site, "katex", "fonts"), { recursive: true });
-fs.writeFileSync(path.join(site, "katex", "katex.css"), fs.readFileSync(path.join(folder, "katex.min.css"), "utf8") +
+fs.writeFileSync(path.join(site, "katex", "katex.css"), css +
   [...styles].map(([style, name]) => `.katex .${name}{${style.replace(/;/g, "!important;")}}\n`).join(""));
 for (const font of fs.readdirSync(path.join(folder, "fonts")).filter(name => /(AMS|Caligraphic|Main|Math|SansSerif|Size\d)-.*2$/.test(name)))
   fs.copyFileSync(path.join(folder, "fonts", font), path.join(site, "katex", "fonts", font));
