@@ -29,8 +29,7 @@ for (const section of all("section")) {
   }
 }
 for (const list of all(".exercise-table")) {
-  const heading = list.previousElementSibling;
-  if (/^H\d$/.test(heading?.tagName)) heading.remove();
+  all("h1", list.parentElement).findLast(heading => heading.querySelector("[id$=_exercises]"))?.remove();
   list.remove();
 }
 for (const heading of all(".textblock :is(h3, h2, h1)")) {
@@ -82,21 +81,20 @@ for (const picture of all("figure > svg")) {
   const box = picture.viewBox.baseVal;
   const smallest = Math.min(16, ...all("text, tspan", picture).filter(text => text.textContent.trim())
     .map(text => parseFloat(getComputedStyle(text).fontSize)));
-  const widest = 454;  // points
-  const scale = Math.min(widest / box.width, Math.max(7.05 / smallest, Math.min(7.6 / smallest, 215 / box.height)));
+  const widest = 470;  // points
+  const scale = Math.min(widest / box.width, Math.max(7.05 / smallest, Math.min(7.6 / smallest, 165 / box.height)));
   Object.assign(picture.style, { width: `${scale * box.width}pt`, height: `${scale * box.height}pt`, minWidth: 0, maxWidth: "none" });
 }
 
 // ---- Index: where a section first speaks of a term.
 
-const terms = `angular momentum|angular velocity|bicycle|body cone|centrifugal force|Chandler|Chasles|conjugate momenta|Coriolis|
-damping|degree of freedom|dumbbell|dyad|Earth|Eötvös|effective potential|elliptic integral|energy ellipsoid|equinox|
-ergodic|Euler angles|Euler's equations|Explorer 1|Feynman|Foucault|free fall|friction|geometric phase|gimbal|gimbal lock|gyration|
-gyroscope|Hannay|heavy top|herpolhode|inertia ellipsoid|inertia tensor|intermediate axis|Jacobi|kinetic energy|Lagrangian|Larmor|
-line of nodes|Montgomery|moment of inertia|nutation|parallel axis|parallel transport|pendulum|perpendicular axis|plumb line|Poinsot|
-polhode|precession|principal axes|product of inertia|quaternion|racket|rattleback|Rodrigues|rotation matrix|Runge|screw|separatrix|
-sleeping top|solid angle|space cone|stability|Steiner|symmetric top|T-handle|tensor|torque|transport theorem|triangle inequality|
-tumbling|turbine|vector product|work`.replace(/\n/g, "").split("|");
+const terms = `angular momentum|angular velocity|bicycle|body cone|centrifugal force|Chandler|Chasles|canonical momenta|Coriolis|
+dumbbell|effective potential|elliptic integral|Eötvös|equinox|Euler angles|Euler's equations|Explorer 1|Feynman|Foucault|friction|
+geometric phase|gimbal|gimbal lock|radius of gyration|gyroscope|Hannay|heavy top|herpolhode|inertia ellipsoid|inertia tensor|
+intermediate axis|Jacobi|kinetic energy|Lagrangian|Larmor|line of nodes|Mercury|moment of inertia|nutation|parallel axis|
+parallel transport|pendulum|plumb line|Poinsot|polhode|precession|principal axes|products of inertia|quaternion|racket|Rodrigues|
+rotation matrix|Runge|screw|separatrix|sleeping|solid angle|space cone|stability|Steiner|symmetric top|symplectic|T-handle|torque|
+transport theorem|triangle inequality|tumbling`.replace(/\n/g, "").split("|");
 const index = make("section", { className: "chapter", id: "index" }, make("h1", { className: "chapter" }, "Index"), make("ul", {}));
 index.dataset.head = "Index";
 const blocks = all(".textblock :is(p, li, figcaption)").filter(block => !block.querySelector("p, li") && !block.closest(".exercise, #references, #formulas"));
@@ -131,7 +129,7 @@ for (const term of terms) {
 for (const link of all(".textblock a[href^='#']:not(.number), #answers a[href^='#']")) {
   const target = document.getElementById(link.hash.slice(1)), here = link.closest("section.chapter");
   if (!target) { link.removeAttribute("href"); continue; }
-  if (link.closest(".fragment, code, h1, h2, h3, h4, table") || link.textContent.startsWith("(")) continue;
+  if (link.closest(".fragment, code, h1, h2, h3, h4, #notation table, #references table") || link.textContent.startsWith("(")) continue;
   if (link.closest(".contract") || target.closest("section.chapter") === here && !link.closest("#answers, .about")) continue;
   link.after(`\u00a0(p.\u00a0${number_of(target.id)})`);
 }

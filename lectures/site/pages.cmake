@@ -211,9 +211,6 @@ ${all_exercises}
 string(REPLACE "@navigation@" "${navigation}" header "${header}")
 string(REPLACE "@edition@" "${edition}" header "${header}")
 file(WRITE ${output}/header.html "${header}")
-# The names of the exercises in the navigation: in every page they would be a tenth of the site.
-file(WRITE ${output}/exercises.js "const exercises = [\n${exercises_js}];
-document.querySelectorAll(\"#course details\").forEach((place, i) => place.insertAdjacentHTML(\"beforeend\",
-  `<ul>\${exercises[i].map(name => `<li><a href=\"exercise_\${name}.html\">\${name}</a></li>`).join(\"\")}</ul>`));
-")
+file(READ ${CMAKE_CURRENT_LIST_DIR}/course.js script)
+file(WRITE ${output}/exercises.js "const exercises = [\n${exercises_js}];\n${script}")
 file(WRITE ${output}/sequence.txt "${sequence}")

@@ -12,17 +12,8 @@ function offer_dark_mode() {
   document.querySelector("#tools").append(button);
 }
 
-/** The page in the navigation, the exercises of its lecture, and the section that is being read. */
-function mark_place() {
-  const here = location.pathname.split("/").pop() || "index.html";
-  const link = document.querySelector(`#course a[href="${here}"]`);
-  if (link) {
-    link.setAttribute("aria-current", "page");
-    const exercises = link.closest("details") || link.closest("#course > ul > li")?.querySelector("details");
-    if (exercises) exercises.open = true;
-    const course = document.querySelector("#course");
-    course.scrollTop = link.offsetTop - course.clientHeight / 2;
-  }
+/** The section that is being read. */
+function mark_section() {
   const sections = [...document.querySelectorAll(".toc a")]
     .map(entry => [entry, document.getElementById(decodeURIComponent(entry.hash.slice(1)))]);
   const mark = () => {
@@ -219,7 +210,7 @@ function offer_previews() {
   let timer = null;
   const show = link => {
     const [page, place] = link.href.split("#"), box = link.getBoundingClientRect(), width = Math.min(640, innerWidth * 0.9);
-    frame.src = `${page}?preview#${place}`;
+    frame.src = `${page}?preview=${place}`;
     const below = box.bottom + 260 < innerHeight ? box.bottom + 6 : Math.max(box.top - 250, 60);
     Object.assign(frame.style, { visibility: "hidden", top: `${scrollY + below}px`,
       left: `${Math.max(8, Math.min(box.left, innerWidth - width - 24))}px` });
@@ -227,24 +218,26 @@ function offer_previews() {
   };
   const hide = () => { clearTimeout(timer); frame.remove(); };
   for (const link of document.querySelectorAll(".textblock a[href*='#']:not(.number, .permalink, [href^=http])")) {
-    link.addEventListener("pointerenter", () => { hide(); timer = setTimeout(show, 350, link); });
+    link.addEventListener("pointerenter", event => { hide(); if (event.pointerType === "mouse") timer = setTimeout(show, 350, link); });
     link.addEventListener("pointerleave", hide);
   }
   addEventListener("keydown", event => { if (event.key === "Escape") hide(); });
 }
 
 document.querySelectorAll(".fragment").forEach(shift_to_the_left);
-if (location.search === "?preview") {
+const previewed = new URLSearchParams(location.search).get("preview");
+if (previewed) {
   document.documentElement.classList.add("is-preview");
-  document.getElementById(decodeURIComponent(location.hash.slice(1)))?.scrollIntoView();
+  // Not scrollIntoView(), which would move the page around the frame too.
+  scrollTo(0, document.getElementById(previewed)?.getBoundingClientRect().top - 40);
 } else if (document.querySelector("#course")) {  // the book has neither navigation nor anything to press
   DoxygenAwesomeFragmentCopyButton.init();
   offer_dark_mode();
-  mark_place();
+  mark_section();
   offer_contents();
   link_calls();
   offer_permalinks();
-  if (matchMedia("(hover: hover)").matches) offer_previews();
+  offer_previews();
   offer_search();
   find_paragraph();
   document.querySelectorAll("figure > .live").forEach(offer_live_figure);
