@@ -82,7 +82,7 @@ for (const picture of all("figure > svg")) {
   const smallest = Math.min(16, ...all("text, tspan", picture).filter(text => text.textContent.trim())
     .map(text => parseFloat(getComputedStyle(text).fontSize)));
   const widest = 470;  // points
-  const scale = Math.min(widest / box.width, Math.max(7.05 / smallest, Math.min(7.6 / smallest, 165 / box.height)));
+  const scale = Math.min(widest / box.width, Math.max(7.05 / smallest, Math.min(7.6 / smallest, 150 / box.height)));
   Object.assign(picture.style, { width: `${scale * box.width}pt`, height: `${scale * box.height}pt`, minWidth: 0, maxWidth: "none" });
 }
 
@@ -150,7 +150,9 @@ for (const section of all("section.chapter")) {
 document.getElementById("title").after(make("h1", { className: "chapter" }, "Contents"), contents);
 const heads = make("style", {});
 document.head.append(heads);
-for (const section of all("section.chapter")) {
+for (const id of ["formulas", "index"]) document.getElementById(id).style.page = "references";
+document.getElementById("references").dataset.head = "References, formulas, index";
+for (const section of all("section.chapter:not(#formulas, #index)")) {
   section.style.page = section.id;
   const head = JSON.stringify(section.dataset.head);
   heads.append(`@page ${section.id}:left { @top-left { content: counter(page); } @top-right { content: ${head}; } }

@@ -59,7 +59,7 @@ int main(int argc, char** argv) {
       return 0;
     }
     // All pages of exercises are made alike: only the first is judged whole.
-    bool exercise_judged = false;
+    bool exercise_judged = false, preview_judged = false;
     for (const std::string& page : pages) {
       const bool is_exercise = page.starts_with("exercise_");
       if (is_exercise && exercise_judged) {
@@ -71,6 +71,7 @@ int main(int argc, char** argv) {
       if (!page.starts_with("lecture_")) continue;
       judge_shares(inspection, page);
       inspection.read_without_scripts(page);
+      preview_judged = preview_judged || inspection.rest_on_citation(page);
     }
     inspection.expect_numbers();
     inspection.follow_links();

@@ -221,6 +221,29 @@ void Inspection::read_without_scripts(const std::string& page) {
     fault(page, fmt::format("the formula “{}” is not shown without scripts.", formula));
 }
 
+bool Inspection::rest_on_citation(const std::string& page) {
+  resize(browser_, 1280);
+  open(page);
+  const json place = browser_.evaluate(R"js((() => {
+    const link = document.querySelector(".textblock a[href*='#eq_']:not(.number)");
+    link?.scrollIntoView({ block: "center" });
+    const box = link?.getBoundingClientRect();
+    return box ? [box.x + 3, box.y + box.height / 2] : null;
+  })())js");
+  if (place.is_null()) return false;
+  const auto shown = [&](const json& x, const json& y, bool wanted) {
+    browser_.call("Input.dispatchMouseEvent", {{"type", "mouseMoved"}, {"x", x}, {"y", y}});
+    for (int tries = 0; tries < 300; ++tries) {
+      if (browser_.evaluate("document.querySelector('iframe.preview')?.style.visibility === ''") == wanted) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    return false;
+  };
+  if (!shown(place[0], place[1], true)) fault(page, "a link to a formula shows no preview.");
+  if (!shown(5, 5, false)) fault(page, "a preview stays when the pointer has left the link.");
+  return true;
+}
+
 void Inspection::expect_numbers() {
   for (const std::string& number : numbers_) {
     const auto last = number.rfind('_') + 1;

@@ -47,6 +47,10 @@ class Inspection {
   /// Opens a page without its scripts and expects every formula on a line of its own to be shown.
   void read_without_scripts(const std::string& page);
 
+  /// Rests the pointer on the first link to a numbered formula and expects a preview that goes when the pointer does.
+  /// Returns false if the page has no such link.
+  bool rest_on_citation(const std::string& page);
+
   /// Expects the numbers of formulas and figures on the pages looked at so far to have no gaps.
   void expect_numbers();
 

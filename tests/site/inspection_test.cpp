@@ -78,14 +78,17 @@ TEST_CASE("formulas without a number, with that of another, twice the same numbe
   CHECK(inspection.faults().back() == "There is a number eq_1_3, but no eq_1_2.");
 }
 
-TEST_CASE("a formula that only a script shows is found") {
+TEST_CASE("a formula that only a script shows and a citation without a preview are found") {
   Inspection inspection = new_inspection();
   inspection.look_at("lecture_scripts.html");
   check_named(inspection, {});
   inspection.read_without_scripts("lecture_scripts.html");
   check_named(inspection, {"(2.1)"});
+  CHECK(!inspection.rest_on_citation("sound.html"));
+  CHECK(inspection.rest_on_citation("lecture_scripts.html"));
+  check_named(inspection, {"(2.1)", "shows no preview"});
   inspection.look_at("sound.html");  // with scripts again
-  CHECK(inspection.faults().size() == 1);
+  CHECK(inspection.faults().size() == 2);
 }
 
 TEST_CASE("what does not fit is named with the width and the colours") {
