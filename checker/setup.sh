@@ -225,7 +225,7 @@ Notes                                        20
 # A line of progress from what ninja says. What is left is told from a twentieth of the work on: by the time that the
 # finished steps took. Those that run are taken to be the next of the plan, one for each processor.
 show_progress() {  # $1: what ninja plans; $2: the file in which others see how far it is
-  local line text name pattern cost now spent running i processors left age expected credit shown_at=$SECONDS work=0 total=0
+  local line text name pattern cost now spent running i processors left age expected rest credit longest shown_at=$SECONDS work=0 total=0
   local step='^\[([0-9]+)/([0-9]+)( [0-9]+)?[.0-9]*\] (.*)' unfinished=() started=()
   local -A place_of=()
   processors=$(nproc)
@@ -254,15 +254,16 @@ show_progress() {  # $1: what ninja plans; $2: the file in which others see how 
       spent=$((spent - (now - ${started[i]:=$now})))
     done
     if [ $((work * 20)) -ge "$total" ] && [ "$work" -lt "$total" ] && [ "$spent" -gt 0 ]; then
-      # A step that takes longer than expected is taken to end now; it does not shorten what comes after it.
-      running=0 credit=0
+      # A step that takes longer than expected has a fifth of its age left; it does not shorten what comes after it.
+      running=0 credit=0 longest=1
       for i in "${!unfinished[@]}"; do
         [ $((running += 1)) -le "$processors" ] || break
         age=$((now - started[i])) expected=$((unfinished[i] * spent / work))
-        credit=$((credit + (age < expected ? age : expected)))
+        rest=$((age * 6 < expected * 5 ? expected - age : age / 5))
+        credit=$((credit + expected - rest)) longest=$((rest > longest ? rest : longest))
       done
       left=$((((total - work) * spent / work - credit) / processors))
-      text+=", about $((left > 0 ? left : 1)) s left"
+      text+=", about $((left > longest ? left : longest)) s left"  # a step has one processor
     fi
     printf '%s\n' "$begun" "$title" "$text" >"$2"
     [ -n "$announced" ] || [ "$now" -ge 1 ] || continue
