@@ -66,7 +66,7 @@ live("replayed_throw", {
       },
     },
     "The racket in space, as its phone felt it": {
-      half: 1.3, towards: [0.3, -1, 0.45],
+      half: 1.42, towards: [0.3, -1, 0.45],
       draw(scene, m, time) {
         const A = m.attitudes[Math.floor(time / m.step + 1e-6)], at = (x, y, z = 0) => turned(A, [x, y, z]);
         const rim = steps(0, 2 * Math.PI, 48).map(angle => at(0.36 * Math.cos(angle), 0.42 + 0.45 * Math.sin(angle)));

@@ -3,8 +3,8 @@
 //
 //   RECORDING=my_throws.csv ./checker/run try lectures/11_measured/phone.cpp
 //
-// Without RECORDING it reads the one beside this file. It needs euler_coefficients, mean_and_error, rigidity_defect and
-// moment_ratios; with tumbling_period and damped_rotation it compares periods and draws ω.
+// Without RECORDING it reads the one beside this file. It needs euler_coefficients, rigidity_defect and moment_ratios;
+// with tumbling_period and damped_rotation it compares periods and draws ω.
 #include "throws.hpp"
 
 #include <rigid/free_tops.hpp>
@@ -37,15 +37,17 @@ using Eigen::Index;
 namespace {
 
 // What counts as a free flight.
-constexpr double least_rate = 4;             // rad/s; the air and the hand win below it
-constexpr double least_time = 0.25;          // s
-constexpr double largest_push = 35;          // rad/s² that Euler's equations do not explain: hand, table, bounce
-constexpr double noise = 0.05;               // rad/s of a sample
-constexpr double least_way = 1;              // rad/s that each component must vary by
+constexpr double least_rate = 4;            // rad/s; the air and the hand win below it
+constexpr double least_time = 0.25;         // s
+constexpr double largest_push = 35;         // rad/s² that Euler's equations do not explain: hand, table, bounce
+constexpr double largest_steady_push = 15;  // rad/s² of this over some hundredths of a second: the hand lets go slowly
+constexpr double noise = 0.05;              // rad/s of a sample
+constexpr double least_way = 1;             // rad/s that a component must vary by to tell its coefficient
 constexpr double largest_coefficient = 1.1;  // of a body it is 1
 constexpr double largest_defect = 0.2;       // of a body it is 0
 constexpr double largest_drag = 1;           // 1/s; of a racket a quarter
-constexpr double largest_change = 0.15;      // of a coefficient by the air
+constexpr double largest_change = 0.08;      // of a coefficient by the air
+constexpr double largest_rest = 0.08;        // of ω that neither coefficients nor the air explain
 
 using Recording = Flight;  // all of it, or a part
 
@@ -285,8 +287,15 @@ std::vector<Stretch> flights_in(const Recording& part) {
   return flights;
 }
 
-/// Coefficients, and the γ of a torque −γ L: without the air, slow flights would seem to be those of no body.
-Eigen::Vector4d coefficients_in_air(const Recording& flight) {
+/// Euler's equations in air, fitted to a flight: without the air, slow flights would seem to be those of no body.
+struct Fit {
+  Vector3d abc;
+  double gamma;  // of a torque −γ L
+  double rest;   // share of ω that coefficients and air leave
+  Vector3d way;  // by which the tumbling changes each component, rad/s
+};
+
+Fit fit_in_air(const Recording& flight) {
   const Index count = flight.t.size();
   const Matrix3Xd products = product_integrals(flight);
   Matrix3Xd losses = Matrix3Xd::Zero(3, count);
@@ -301,22 +310,58 @@ Eigen::Vector4d coefficients_in_air(const Recording& flight) {
     system.col(3).segment(axis * count, count) = centred(losses.row(axis));
     samples.segment(axis * count, count) = centred(flight.omega.row(axis));
   }
-  return system.colPivHouseholderQr().solve(samples);
+  const VectorXd found = system.colPivHouseholderQr().solve(samples);
+  const Vector3d abc = found.head<3>(), ranges = products.rowwise().maxCoeff() - products.rowwise().minCoeff();
+  return {abc, found[3], (samples - system * found).norm() / flight.omega.norm(), abc.cwiseAbs().cwiseProduct(ranges)};
+}
+
+/// A flight without the ends at which a hand still acts, or acts again.
+Stretch without_hands(const Recording& part, Stretch flight) {
+  constexpr double window = 0.04;  // s
+  const Index count = flight.end - flight.begin;
+  const Recording all = part_of(part, flight.begin, flight.end);
+  const Fit fit = fit_in_air(all);
+  const Matrix3Xd products = product_integrals(all);
+  Matrix3Xd left = Matrix3Xd::Zero(3, count);  // what coefficients and air leave of ω
+  for (Index k = 1; k < count; ++k)
+    left.col(k) = left.col(k - 1) + all.omega.col(k) - all.omega.col(k - 1) -
+                  fit.abc.cwiseProduct(products.col(k) - products.col(k - 1)) +
+                  fit.gamma * (all.t[k] - all.t[k - 1]) / 2 * (all.omega.col(k - 1) + all.omega.col(k));
+  Index first = 0, last = count;
+  for (Index begin = 0, end = 0; begin < count; ++begin) {
+    while (end < count && all.t[end] - all.t[begin] < window) ++end;
+    if (end == count) break;
+    const double push = (left.col(end) - left.col(begin)).cwiseAbs().maxCoeff() / (all.t[end] - all.t[begin]);
+    if (push < largest_steady_push) continue;
+    if (begin < count / 3) first = (begin + end) / 2;
+    if (end >= count - count / 3) last = std::min(last, (begin + end) / 2);
+  }
+  return {flight.begin + first, flight.begin + last, ""};
+}
+
+/// Which of the coefficients a flight tells: those of components that the tumbling changes enough, and the air little.
+std::array<bool, 3> told_by(const Recording& flight, const Fit& fit) {
+  const Vector3d changes = (euler_coefficients(flight.t, flight.omega) - fit.abc).cwiseAbs();
+  const auto told = [&](int axis) { return fit.way[axis] >= least_way && changes[axis] <= largest_change; };
+  return {told(0), told(1), told(2)};
 }
 
 /// Why a stretch is no throw of a body, or "".
 std::string reason_against(const Recording& flight) {
-  for (int axis = 0; axis < 3; ++axis)
-    if (flight.omega.row(axis).maxCoeff() - flight.omega.row(axis).minCoeff() < least_way)
-      return std::string("ω_") + "xyz"[axis] + " hardly changes: turn it so that it tumbles";
-  const Eigen::Vector4d found = coefficients_in_air(flight);
-  const double a = found[0], b = found[1], c = found[2];
-  if (found.head<3>().cwiseAbs().maxCoeff() > largest_coefficient || std::abs(a + b + c + a * b * c) > largest_defect ||
-      std::abs(found[3]) > largest_drag)
+  const Fit fit = fit_in_air(flight);
+  Index least = 0;
+  fit.way.minCoeff(&least);
+  if ((fit.way.array() >= least_way).count() < 2)
+    return std::string("ω_") + "xyz"[least] + " hardly changes, nor does another component: turn it so that it tumbles";
+  const std::array<bool, 3> told = told_by(flight, fit);
+  double largest = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (told.at(axis)) largest = std::max(largest, std::abs(fit.abc[static_cast<Index>(axis)]));
+  const Index count = std::count(told.begin(), told.end(), true);
+  if (largest > largest_coefficient || (count == 3 && std::abs(fit.abc.sum() + fit.abc.prod()) > largest_defect) ||
+      std::abs(fit.gamma) > largest_drag || fit.rest > largest_rest)
     return "no rigid body has the coefficients of this motion";
-  if ((euler_coefficients(flight.t, flight.omega) - found.head<3>()).cwiseAbs().maxCoeff() > largest_change)
-    return "the air changes it more than its tumbling does: turn it so that it tumbles";
-  return "";
+  return count < 2 ? "the air changes it more than its tumbling does: turn it so that it tumbles" : "";
 }
 
 /// The flights of a recording, and what is left out, with reasons.
@@ -328,7 +373,9 @@ std::pair<std::vector<Recording>, std::vector<Stretch>> search(const Recording& 
     std::vector<Stretch> found = flights_in(samples);
     std::sort(found.begin(), found.end(), [](const Stretch& a, const Stretch& b) { return a.begin < b.begin; });
     for (Stretch each : found) {
+      for (int round = 0; round < 2; ++round) each = without_hands(samples, each);
       const Recording flight = part_of(samples, each.begin, each.end);
+      if (flight.t.size() < 8 || flight.t[flight.t.size() - 1] - flight.t[0] < least_time) continue;  // told below
       each = {part.begin + each.begin, part.begin + each.end, reason_against(flight)};
       if (each.reason.empty())
         flights.push_back(flight);
@@ -559,23 +606,45 @@ VectorXd all_of(const Vector3d& abc) {
   return all;
 }
 
-/// Each of these with its error: from the scatter of several flights, or from the noise of the only one.
+/// The same of a flight, not a number where the flight does not tell it.
+VectorXd told_of(const Recording& flight) {
+  VectorXd all = all_of(euler_coefficients(flight.t, flight.omega));
+  const auto [a, b, c] = told_by(flight, fit_in_air(flight));
+  const bool is_told[] = {a, b, c, a && c, a && c, a && b && c};
+  for (Index i = 0; i < 6; ++i)
+    if (!is_told[i]) all[i] = std::nan("");
+  return all;
+}
+
+/// Each of these with its error: from the scatter of several flights, or from the noise of the only one that tells it.
 Eigen::MatrixXd with_errors(const std::vector<Recording>& flights, const Eigen::MatrixXd& results) {
-  Eigen::MatrixXd both(6, 2);
-  if (flights.size() > 1) {
-    for (Index i = 0; i < 6; ++i) both.row(i) = mean_and_error(results.row(i).transpose()).transpose();
-    return both;
+  Eigen::MatrixXd both = Eigen::MatrixXd::Constant(6, 2, std::nan(""));
+  for (Index i = 0; i < 6; ++i) {
+    std::vector<double> values;
+    std::size_t last = 0;
+    for (std::size_t k = 0; k < flights.size(); ++k) {
+      if (std::isnan(results(i, static_cast<Index>(k)))) continue;
+      values.push_back(results(i, static_cast<Index>(k)));
+      last = k;
+    }
+    if (values.size() > 1) {
+      both.row(i) = mean_and_error(VectorXd::Map(values.data(), static_cast<Index>(values.size()))).transpose();
+    } else if (values.size() == 1) {
+      const Vector3d abc = coefficients_without_steps(flights[last]);
+      const Matrix3Xd changes = changes_by_noise(flights[last]);
+      double squares = 0;
+      for (const auto& change : changes.colwise()) squares += std::pow(all_of(abc + change)[i] - all_of(abc)[i], 2);
+      both.row(i) << all_of(abc)[i], std::sqrt(squares);
+    }
   }
-  const Vector3d abc = coefficients_without_steps(flights[0]);
-  const VectorXd here = all_of(abc);
-  const Matrix3Xd changes = changes_by_noise(flights[0]);
-  VectorXd squares = VectorXd::Zero(6);
-  for (Index k = 0; k < changes.cols(); ++k) squares += (all_of(abc + changes.col(k)) - here).cwiseAbs2();
-  both << here, squares.cwiseSqrt();
   return both;
 }
 
-std::string with_error(double value, double error) { return shown("%.4f ± %.4f", value, error); }
+/// In a table "-" stands for what was not measured.
+std::string number_or_dash(double value) { return std::isnan(value) ? "-" : shown("%.4f", value); }
+std::string with_error(double value, double error) {
+  return std::isnan(value) ? "-" : shown("%.4f ± %.4f", value, error);
+}
 
 void report_periods(Report& report, const std::vector<Recording>& flights, const Vector3d& I) {
   report.heading("Half of the period, measured and exact", {"from (s)", "measured (s)", "exact (s)", "ratio"}, 14);
@@ -603,9 +672,9 @@ void report(const Recording& all) {
   report.heading("Flights", {"from (s)", "to (s)", "a", "b", "c", "I_y/I_x", "I_z/I_x"}, 11);
   for (std::size_t k = 0; k < flights.size(); ++k) {
     const Recording& flight = flights[k];
-    results.col(static_cast<Index>(k)) = all_of(euler_coefficients(flight.t, flight.omega));
+    results.col(static_cast<Index>(k)) = told_of(flight);
     std::vector<std::string> cells = {shown("%.2f", flight.t[0]), shown("%.2f", flight.t[flight.t.size() - 1])};
-    for (Index i = 0; i < 5; ++i) cells.push_back(shown("%.4f", results(i, static_cast<Index>(k))));
+    for (Index i = 0; i < 5; ++i) cells.push_back(number_or_dash(results(i, static_cast<Index>(k))));
     report.row(cells);
   }
   report.end();
@@ -622,15 +691,17 @@ void report(const Recording& all) {
     const char* const names[] = {"a", "b", "c", "I_y/I_x", "I_z/I_x", "D"};
     for (Index i = 0; i < 6; ++i) report.row({names[i], with_error(both(i, 0), both(i, 1))});
     report.end();
-    if (flights.size() > 1) {
+    if (flights.size() > 1 && both.topRows<3>().allFinite()) {
       const Vector2d D = rigidity_defect(both.col(0).head<3>(), both.col(1).head<3>());
       report.line("D from the means and their errors: " + with_error(D[0], D[1]));
-    } else {
+    } else if (flights.size() == 1) {
       report.line("One throw: these are the errors that the noise of its samples makes. Throw again for all others.");
     }
     const Vector3d I(1, both(3, 0), both(4, 0));
     const bool is_body = (I.array() > 0).all() && I.allFinite();
-    if (!is_body) report.line("With these ratios of the moments there is no body to compute periods and motions of.");
+    if (!is_body)
+      report.line(I.allFinite() ? "With these ratios of the moments there is no body to compute periods and motions of."
+                                : "No flight tells both a and c, so no ratio of moments, no period and no motion.");
     std::vector<std::string> motions(flights.size());
     const auto unless_not_started = [&](const auto& action) {
       try {
@@ -649,7 +720,8 @@ void report(const Recording& all) {
       report.page << "<h2>" << shown("%.2f s to %.2f s", flight.t[0], flight.t[flight.t.size() - 1])
                   << "</h2>\n<div class='pictures'>" << motions[k];
       const Vector3d abc = results.col(static_cast<Index>(k)).head<3>();
-      for (int axis = 0; axis < 3; ++axis) report.page << picture_of_line(flight, axis, abc[axis]);
+      for (int axis = 0; axis < 3; ++axis)
+        if (!std::isnan(abc[axis])) report.page << picture_of_line(flight, axis, abc[axis]);
       report.page << "</div>\n";
     }
   }
