@@ -29,17 +29,6 @@ namespace rigid {
 /// not on the slides; Euler's equations are S0 s17, S1 s4–5
 Vector3d euler_coefficients(const VectorXd& t, const Matrix3Xd& omega);
 
-/// Mean of repeated measurements, and its standard error.
-///
-/// \f[ \bar x = \frac1n\sum_i x_i , \qquad \Delta\bar x = \sqrt{\frac{\sum_i (x_i - \bar x)^2}{n\,(n - 1)}} \f]
-///
-/// @param values  results of the n measurements, of any unit
-/// @return        {mean, standard error of the mean}
-/// @pre two values at least; they may be equal
-/// @par Source
-/// not on the slides
-Vector2d mean_and_error(const VectorXd& values);
-
 /// Whether three measured coefficients can belong to a rigid body.
 ///
 /// \f[ D = a + b + c + abc \f]

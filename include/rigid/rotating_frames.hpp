@@ -92,24 +92,6 @@ double eastward_deflection(double height, double latitude, double g, double eart
 /// the Coriolis term of S0 s8, S2 s7, S3 p. 6, S4 p. 7 applied to a pendulum; Fetter & Walecka, chapter 2
 double foucault_period(double latitude, double sidereal_day);
 
-/// The velocity in the laboratory of a charge whose orbit a weak magnetic field rotates.
-///
-/// \f[ \vec v = \mat A\,(\vec v_\mathrm{free} + \vec\omega_\mathrm L\times\vec r_\mathrm{free}), \qquad
-///     \vec\omega_\mathrm L = -\frac{q\vec B}{2m} , \f]
-///
-/// where A is the rotation about \f$\vec\omega_\mathrm L\f$ by the angle \f$\omega_\mathrm L t\f$. On axes that rotate
-/// with \f$\vec\omega_\mathrm L\f$ since t = 0 the charge runs an orbit as without field about the centre, the origin
-/// of both frames (Larmor's theorem, to first order in B).
-///
-/// @param qB_over_m  charge times field by mass, rad/s; against the field for an electron. Zero: no field
-/// @param r_free     place on the orbit without field at time t, m: components on the rotating axes
-/// @param v_free     velocity on the orbit without field at time t, m/s: components on the rotating axes
-/// @param t          time, s; negative times lie before t = 0
-/// @return           velocity in the laboratory at time t, m/s
-/// @par Source
-/// not on the slides; J. Larmor 1897; the Coriolis term of S0 s8, S2 s7, S3 p. 6, S4 p. 7
-Vector3d larmor_velocity(const Vector3d& qB_over_m, const Vector3d& r_free, const Vector3d& v_free, double t);
-
 /// Gravity as a plumb line and a scale register it aboard a moving ship.
 ///
 /// A planet is a sphere that attracts towards its centre and rotates. The ship sails over its surface at a constant
@@ -173,15 +155,16 @@ Vector2d foucault_path(const Vector2d& start, double length, double g, double la
 ///
 /// The planet attracts like a point at its centre, and falls freely in the attraction of the moon, which is a point
 /// too. The water is at rest on the planet; the water's own attraction is left out, and the rotation of the planet
-/// too. Heights are counted from the places that have the moon on the horizon: there the water stands at the
-/// distance radius from the centre. A distant moon makes two equal high waters, on the side of the moon and on the
+/// too. Heights are counted from the places a quarter round from the moon, at the angle π/2: there the water stands at
+/// the distance radius from the centre. A distant moon makes two equal high waters, on the side of the moon and on the
 /// opposite one; a nearer moon makes that on its own side higher.
 ///
 /// @param mass_ratio  mass of the moon by that of the planet
-/// @param radius      distance of the water from the centre where the moon is on the horizon, m
+/// @param radius      distance of the water from the centre a quarter round from the moon, m
 /// @param distance    from the centre of the planet to the moon, m
 /// @param angle       at the centre, between the direction of the place and that of the moon, rad: 0 below the moon
-/// @return            height of the water at this place, m; below the horizon's it is negative
+/// @return            height of the water at this place, m; negative where it stands lower than a quarter round from
+/// the moon
 /// @pre mass_ratio > 0 and 0 ≤ angle ≤ π
 /// @pre 2·10⁻⁵ ≤ radius/distance ≤ 0.3; mass_ratio times its cube is from 10⁻⁹ to 0.005
 /// @par Source

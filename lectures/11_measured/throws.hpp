@@ -57,6 +57,13 @@ inline std::vector<Flight> racket_throws() {
   return flights;
 }
 
+/// The mean of repeated measurements and its standard error, from their scatter.
+inline Vector2d mean_and_error(const VectorXd& values) {
+  const auto n = static_cast<double>(values.size());
+  const double mean = values.mean();
+  return {mean, std::sqrt((values.array() - mean).square().sum() / (n * (n - 1)))};
+}
+
 /// Running integrals of the three products, one row per axis, as euler_coefficients takes them.
 inline Matrix3Xd product_integrals(const Flight& flight) {
   Matrix3Xd sums = Matrix3Xd::Zero(3, flight.t.size());

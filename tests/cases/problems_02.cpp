@@ -58,27 +58,3 @@ TEST_CASE("tide: the root of the exact potential, and of its series in 34 digits
   CHECK(agrees(tide(332946, 6.371e6, 1.496e11, 0.5), 0.189270388813548, 1e-10));
   CHECK(agrees(tide(0.12, 1.2e6, 6e6, 2.2), 651.228904366942, 1e-12));
 }
-
-TEST_CASE("larmor_velocity: a charge on a spring in a field, to first order in the field") {
-  // The free orbit starts with the velocity that the rotating axes leave of the one in the laboratory.
-  const auto error_at = [](double strength) {
-    const Vector3d field = strength * Vector3d(0.3, -0.2, 0.5), start(1, 0, 0.3), velocity(0.1, 0.4, 0.2);
-    const double t = 7;
-    using Charge = Eigen::Matrix<double, 3, 2>;
-    const auto rate = [&](const Charge& now) -> Charge {
-      return (Charge() << now.col(1), now.col(1).cross(field) - now.col(0)).finished();
-    };
-    Charge now = (Charge() << start, velocity).finished();
-    const int steps = 4000;
-    for (int i = 0; i < steps; ++i) {
-      const double h = t / steps;
-      const Charge k1 = rate(now), k2 = rate(now + h / 2 * k1), k3 = rate(now + h / 2 * k2), k4 = rate(now + h * k3);
-      now += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-    }
-    const Vector3d seen = velocity + field.cross(start) / 2;
-    const Vector3d r = std::cos(t) * start + std::sin(t) * seen, v = std::cos(t) * seen - std::sin(t) * start;
-    return (larmor_velocity(field, r, v, t) - now.col(1)).norm();
-  };
-  CHECK(error_at(1e-3) < 1e-5);
-  CHECK(agrees(error_at(1e-3) / error_at(1e-4), 100.0, 0.01));
-}
