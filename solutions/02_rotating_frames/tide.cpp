@@ -11,10 +11,10 @@ double tide(double mass_ratio, double radius, double distance, double angle) {
     const double u = x * (x - 2 * c), w = std::sqrt(1 + u);
     return -x * (c * u * (2 + w) / (w * (1 + w)) + x / w) / (1 + w);
   };
-  const double x = radius / distance, horizon = tidal(x, 0);
+  const double x = radius / distance, quarter = tidal(x, 0);
   double height = 0;  // in units of radius: 1 − 1/(1 + height) is what the planet's potential gains
   for (int i = 0; i < 30; ++i) {
-    const double gain = mass_ratio * x * (tidal(x * (1 + height), std::cos(angle)) - horizon);
+    const double gain = mass_ratio * x * (tidal(x * (1 + height), std::cos(angle)) - quarter);
     height = gain / (1 - gain);
   }
   return height * radius;

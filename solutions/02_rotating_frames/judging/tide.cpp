@@ -7,7 +7,7 @@ template <class Potential>
 auto level_of(const Potential& moon) {
   return [moon](auto ratio, auto R, auto d, auto angle) {
     const double x = R / d;
-    const auto gain = [&](double h) {  // of −potential, over the horizon
+    const auto gain = [&](double h) {  // of −potential, over that a quarter round
       return -h / (1 + h) + ratio * x * (moon(x * (1 + h), cos(angle)) - moon(x, 0));
     };
     double below = -0.1, above = 0.1;
@@ -36,7 +36,7 @@ auto legendre_series(int last) {
   };
 }
 
-/// Along the surface from the horizon, at right angles to the force.
+/// Along the surface from a quarter round, at right angles to the force.
 double along_the_surface(double ratio, double R, double d, double angle) {
   using Place = Vector2d;  // height and angle, in units of radius
   const double start = pi / 2, x = R / d;
@@ -68,10 +68,13 @@ void judge_tide(Lecture& lecture) {
   e.worked("a moon as near as those of Mars, and heavier", 0.12, 1.2e6, 6e6, 2.2);
   e.worked("our Moon overhead", moon, earth, to_moon, 0);
   e.special("our Moon on the other side", moon, earth, to_moon, pi);
-  e.special("our Moon on the horizon", moon, earth, to_moon, pi / 2);
-  e.special("just off the horizon", moon, earth, to_moon, pi / 2 - 0.008);
+  e.special("our Moon a quarter round", moon, earth, to_moon, pi / 2);
+  e.special("nearly a quarter round", moon, earth, to_moon, pi / 2 - 0.008);
   e.special("the Sun", 332946, earth, 1.496e11, 0.5);
   e.special("a moon that nearly grazes", 0.01, 1, 3.4, 0.3);
+  e.limit("our Moon a quarter round", 0, "Heights are counted from there.");
+  e.limit("the Sun", 1.5 * 332946 * pow(earth / 1.496e11, 3) * earth * pow(cos(0.5), 2),
+          "So far away only the lowest order in R/d counts, and both high waters are alike.");
   e.random("a heavy moon nearby", 10, [](Random& random) {
     const double x = random.uniform(0.1, 0.28), R = random.uniform(1e6, 8e6);
     const double angle = random.sign() > 0 ? random.uniform(0.2, 0.6) : pi - random.uniform(0.2, 0.6);
@@ -90,7 +93,8 @@ void judge_tide(Lecture& lecture) {
   e.wrong("The height is that of a distant moon, to lowest order; this moon is near.", "lowest_order",
           [](auto ratio, auto R, auto d, auto angle) { return first_order(ratio, R, d) * cos(angle) * cos(angle); });
   e.wrong(
-      "Heights are counted from the mean level, and to lowest order; asked for are those above the horizon's, exactly.",
+      "Heights are counted from the mean level, and to lowest order; asked for are those above a quarter round, "
+      "exactly.",
       "mean_level", [](auto ratio, auto R, auto d, auto angle) {
         return first_order(ratio, R, d) * (cos(angle) * cos(angle) - 1. / 3);
       });
@@ -106,7 +110,7 @@ void judge_tide(Lecture& lecture) {
             const double x = R / d;
             return R * ratio * x * (moon_in_full(x, cos(angle)) - moon_in_full(x, 0));
           });
-  e.wrong_input<3>("The angle is taken from the horizon; it is counted from the direction of the moon.", "altitude",
+  e.wrong_input<3>("The angle is taken from a quarter round; it is counted from the direction of the moon.", "altitude",
                    complement);
   e.wrong_inputs("The distance is taken from the surface; it is that from the centre of the planet to the moon.",
                  "from_the_surface", [](auto, auto R, auto& d, auto) { d += R; });
