@@ -145,7 +145,8 @@ int predict(const Course& course, const Options& options) {
     };
     std::set<std::size_t> shown;
     if (!reference.limits.empty())
-      say("What will {} return in these limits? No formula is needed, only the reason:\n\n", exercise.name());
+      say("What will {} return in these limits? Its formula is not needed, simpler physics is enough:\n\n",
+          exercise.name());
     for (const Limit& limit : reference.limits) {
       show(limit.case_index, reference.cases[limit.case_index].name + ": ");
       shown.insert(limit.case_index);

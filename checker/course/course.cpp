@@ -9,7 +9,7 @@ namespace workbook {
 
 static void from_json(const nlohmann::json& part, CardExercise& exercise) {
   exercise = {part.at("name"), part.at("points"), part.at("notes"), part.at("task")};
-  exercise.difficulty = part.value("difficulty", 0);
+  if (part.value("problem", false)) exercise.difficulty = part.at("difficulty");
   const bool is_known = part.contains("minutes") || exercise.is_problem();
   exercise.minutes = is_known ? part.at("minutes").get<int>() : std::max(1, static_cast<int>(10 * exercise.points));
 }
@@ -39,7 +39,7 @@ Card read_card(const fs::path& lecture) {
     if (!names.insert(exercise.name).second) refuse(fmt::format("the exercise '{}' is on it twice", exercise.name));
     if (!(exercise.points > 0)) refuse(fmt::format("the points of '{}' should be a positive number", exercise.name));
     if (exercise.difficulty < 0 || exercise.difficulty > 3)
-      refuse(fmt::format("the difficulty of '{}' should be from 1 to 3, or left out", exercise.name));
+      refuse(fmt::format("the difficulty of '{}' of a problem should be from 1 to 3", exercise.name));
     if (exercise.minutes <= 0) refuse(fmt::format("the minutes of '{}' should be a positive number", exercise.name));
   }
   return card;

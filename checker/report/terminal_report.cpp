@@ -229,7 +229,7 @@ std::string exercise_list(const Course& course, const Progress& progress, const 
                           const Console& console) {
   std::size_t name_width = 0;
   for (const Exercise& exercise : course.exercises()) name_width = std::max(name_width, display_width(exercise.name()));
-  const bool is_wide = console.width() >= name_width + 40;
+  const bool is_wide = console.width() >= name_width + 55;
   std::string text;
   for (const Card& card : course.cards()) {
     text += (text.empty() ? "" : "\n") + console.styled(card.lecture, Style::strong) + "\n";
@@ -243,7 +243,7 @@ std::string exercise_list(const Course& course, const Progress& progress, const 
       text += "  " + console.mark(state.mark, state.style) + padded(entry.name, is_wide ? name_width : 0) + "  " +
               console.styled(is_wide ? padded(state.words, 24) : state.words, state.style);
       std::string worth = entry.points == 1 ? "1 point" : fmt::format("{} points", entry.points);
-      if (entry.is_problem()) worth += fmt::format(", problem, {} min", entry.minutes);
+      worth += fmt::format(", {} min{}", entry.minutes, entry.is_problem() ? ", problem" : "");
       if (is_wide) text += console.styled(worth, Style::quiet);
       text += "\n";
     }

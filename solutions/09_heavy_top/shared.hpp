@@ -51,6 +51,16 @@ inline const std::vector<Named> arguments_of_nutation{{"I1", positive(kg_m2)},
                                                       {"theta", positive(rad)},
                                                       {"rates", rad_per_s}};
 
+// A small top without spin that goes round on a cone at the inclination 2.2, and swings when it is tapped with 0.1
+// rad/s.
+inline const double rate_on_cone = sqrt(top_mgl / (-top_I1 * cos(2.2)));
+inline const double frequency_on_cone = rate_on_cone * sqrt(1 + 3 * pow(cos(2.2), 2));
+inline const double tapped_by = 0.1 / frequency_on_cone;
+
+// The fast top of the cases: it nods as a free body does, but for twice the part of its precession along the axis.
+inline const double fast_spin = top_I3 * 800 / top_I1, fast_precession = top_mgl / top_I1 / fast_spin;
+inline const double fast_nods = fast_spin - 2 * fast_precession * cos(0.5);
+
 /// Domain and cases of all exercises on nutation.
 template <class Exercise>
 void describe_starts(Exercise& e) {
@@ -64,6 +74,7 @@ void describe_starts(Exercise& e) {
   e.special("a fast top, with a nutation of 0.0045", top_I1, top_I3, top_mgl, 0.5, {0, 0, 800});
   e.special("close to the vertical", top_I1, top_I3, top_mgl, 0.02, {25, 0.3, 90});
   e.special("without spin: a spherical pendulum", top_I1, top_I3, top_mgl, 2.2, {4, 1, -4 * cos(2.2)});
+  e.special("a conical pendulum, tapped", top_I1, top_I3, top_mgl, 2.2, {rate_on_cone, 0.1, -rate_on_cone * cos(2.2)});
   e.special("a flat top", 2e-4, 3e-4, 0.03, 1.2, {-3, 2, 20});
   e.random("any top", 10, any_nutation);
   e.survivor("halving", "One halving more or less changes no digit.");

@@ -105,8 +105,8 @@ TEST_CASE("Damaged cards: a sentence, or points that can be given") {
   const fs::path root = fuzz_folder("cards");
   const fs::path card = root / "lectures/01_springs/card.json";
   const auto exercise = [](const char* name, double points) {
-    return json{{"name", name},          {"points", points}, {"notes", "springs"},
-                {"task", "What it is."}, {"difficulty", 2},  {"minutes", 20}};
+    return json{{"name", name},    {"points", points}, {"notes", "springs"}, {"task", "What it is."},
+                {"problem", true}, {"difficulty", 2},  {"minutes", 20}};
   };
   const json whole = {{"title", "Springs"},
                       {"summary", "All about them."},

@@ -14,8 +14,8 @@ namespace {
 class CourseOfProblems : public CourseCopy {
  public:
   CourseOfProblems() {
-    replace_in(card(), "\"points\": 2", "\"points\": 2, \"difficulty\": 1, \"minutes\": 20");
-    replace_in(card(), "\"points\": 1", "\"points\": 1, \"difficulty\": 1, \"minutes\": 15");
+    replace_in(card(), "\"points\": 2", "\"points\": 2, \"problem\": true, \"difficulty\": 1, \"minutes\": 20");
+    replace_in(card(), "\"points\": 1", "\"points\": 1, \"problem\": true, \"difficulty\": 1, \"minutes\": 15");
   }
   std::filesystem::path exam() const { return root() / ".workbook/exam.json"; }
 };

@@ -143,8 +143,22 @@ TEST_CASE("self-check finds cases outside the contract") {
 
 TEST_CASE("self-check finds a formula among the words about a problem") {
   const CourseCopy course;
-  replace_in(course.card(), "\"points\": 2", "\"points\": 2, \"difficulty\": 1, \"minutes\": 20");
+  replace_in(course.card(), "\"points\": 2", "\"points\": 2, \"problem\": true, \"difficulty\": 1, \"minutes\": 20");
   require_fault(course, "solutions/01_springs/judging/spring_energy.cpp", "'The factor ½ is missing.' holds a formula");
+}
+
+TEST_CASE("self-check finds a problem that names no limits, and an exercise after a problem") {
+  const CourseCopy course;
+  const auto said = [&] { return course.run("self-check --seeds 1").out; };
+  CHECK_FALSE(has(said(), "limits"));
+  replace_in(course.card(), "\"points\": 2", "\"points\": 2, \"problem\": true, \"difficulty\": 1, \"minutes\": 20");
+  require_fault(course, "solutions/01_springs/judging/spring_energy.cpp", "a problem names 2 limits (`e.limit`)");
+  require_fault(course, "lectures/01_springs/card.json",
+                "'spring_force' stands after a problem or after what is harder");
+  // spring_force names two.
+  replace_in(course.card(), "\"points\": 1", "\"points\": 1, \"problem\": true, \"difficulty\": 1, \"minutes\": 20");
+  CHECK_FALSE(has(said(), "spring_force names"));
+  CHECK_FALSE(has(said(), "stands after"));
 }
 
 TEST_CASE("self-check finds the formula of a problem in the notes and in quoted code, and not where it is folded") {
@@ -154,7 +168,7 @@ TEST_CASE("self-check finds the formula of a problem in the notes and in quoted 
   const fs::path derivation = course.root() / "solutions/01_springs/derivations/spring_energy.md";
   const fs::path example = course.root() / "lectures/01_springs/worked_examples.cpp";
   const std::string notes = read(course.notes()), code = read(example);
-  replace_in(course.card(), "\"points\": 2", "\"points\": 2, \"difficulty\": 1, \"minutes\": 20");
+  replace_in(course.card(), "\"points\": 2", "\"points\": 2, \"problem\": true, \"difficulty\": 1, \"minutes\": 20");
   write(derivation, "# Energy\n\n" + formula + "\n*Wrong turns.* None.\n");
   replace_in(course.solution("spring_energy"), "0.5 * k * x.squaredNorm()",
              "0.5 * k * (std::pow(x[0], 2) + x.tail<2>().squaredNorm())");

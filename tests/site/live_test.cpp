@@ -519,7 +519,7 @@ TEST_CASE("nothing of the site computes what is asked for") {
     const json content = json::parse(read_text(card));
     for (const json& entry : content["exercises"]) {
       exercises.push_back(entry["name"]);
-      if (!entry.contains("difficulty")) continue;
+      if (!entry.contains("problem")) continue;
       json cases = json::array();
       for (const auto& one : reference.exercise(entry["name"]).cases)
         if (one.group == workbook::Group::random)

@@ -20,7 +20,7 @@ namespace workbook {
 
 namespace {
 
-constexpr std::size_t hints_wanted = 3;
+constexpr std::size_t hints_wanted = 3, limits_wanted = 2;
 
 /// What stands in a formula and not in a sentence: operators, powers, fractions, functions of symbols.
 constexpr const char* in_formulas =
@@ -215,6 +215,10 @@ class SelfCheck {
     const bool is_first = seed == seeds_.front();
     const LectureReference reference = course_.reference(card.lecture, seed);
     if (is_first) check_notes(card, reference);
+    const auto rank = [](const CardExercise& entry) { return std::pair(entry.is_problem(), entry.difficulty); };
+    const auto easier = std::ranges::is_sorted_until(card.exercises, {}, rank);
+    if (easier != card.exercises.end())
+      fault(card_file(card), "'{}' stands after a problem or after what is harder; list it earlier.", easier->name);
     for (const Exercise& exercise : exercises_of(card)) {
       const ExerciseReference& judged = reference.exercise(exercise.name());
       for (const std::string& sentence : unsound_parts(judged)) fault(course_.judging_file(exercise), "{}", sentence);
@@ -226,6 +230,11 @@ class SelfCheck {
         adequacy_ += adequacy_text(exercise, judged, judged.adequacy);
         check_texts(exercise, judged);
         if (exercise.entry->is_problem()) check_words(exercise, judged);
+        if (exercise.entry->is_problem() && judged.limits.size() < limits_wanted)
+          fault(
+              course_.judging_file(exercise),
+              "a problem names {} limits (`e.limit`): what comes out there without its formula, and why. {} names {}.",
+              limits_wanted, exercise.name(), judged.limits.size());
         if (exercise.entry->is_problem() && course_.has_solutions())
           for (const GivenAway& each : answers_given_away(course_, exercise)) fault(each.file, "{}", each.sentence);
         if (!question_on(judged))

@@ -54,6 +54,9 @@ void judge_angular_velocity_from_three_points(Lecture& lecture) {
     return cross(r.col(1) - r.col(0), r.col(2) - r.col(0)).norm() >= 0.1 * longest * longest;
   });
   add_points_cases(e);
+  e.limit("translation only", zero, "All points have the same velocity: nothing rotates.");
+  e.limit("rotation about z through the origin", {0, 0, 2},
+          "No point moves along z, and each moves across its radius at 2 rad/s times its distance from the z axis.");
   // The velocities, not their differences, carry the rounding errors.
   e.scale([](auto& r, auto& v) { return or_one(v.norm() / longest_side(r)); });
   e.sweep({"A triangle in the x–y plane; ω of 1 rad/s tilts from its normal into its plane and on to the other side",

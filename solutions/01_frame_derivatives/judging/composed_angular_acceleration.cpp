@@ -15,6 +15,10 @@ void judge_composed_angular_acceleration(Lecture& lecture) {
   e.special("the rotor begins to spin", E0, example_omega, alpha0, zero, spin_rate0);
   e.special("the platform is at rest", E0, zero, zero, spin0, spin_rate0);
   e.special("the rotor spins about the platform's axis of rotation", E0, 2 * E0 * spin0, alpha0, spin0, spin_rate0);
+  e.limit("the rotor rests on the platform", alpha0,
+          "It then turns as the platform does, and its angular velocity changes as that of the platform.");
+  e.limit("the platform is at rest", E0 * spin_rate0,
+          "Nothing is carried round: the spin changes as it is seen to change.");
   e.random("a random rotor", 10, &Random::rotation, any::vector(2), any::vector(2), any::vector(3), any::vector(2));
   e.scale([](auto&, auto& w, auto& alpha, auto& spin, auto& rate) {
     return or_one(alpha.norm() + rate.norm() + w.norm() * spin.norm());

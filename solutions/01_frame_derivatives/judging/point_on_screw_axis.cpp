@@ -12,6 +12,11 @@ void judge_point_on_screw_axis(Lecture& lecture) {
   e.special("the origin lies on the line", 2 * example_omega, -3 * example_omega, example_omega);
   e.special("the point lies across ω", cross(example_omega, v0), v0, example_omega);
   e.special("a slow rotation", r0, v0, 1e-8 * example_omega);
+  e.limit("a wheel rolls along x", {7, 0, 0},
+          "The point of a rolling wheel that touches the ground is at rest for a moment.");
+  e.limit("the origin lies on the line", zero,
+          "The given point moves along ω, so it lies on the line, and the line through it along ω passes through the "
+          "origin.");
   e.random("a random motion", 10, any::vector(2), any::vector(2), any::vector(2));
   e.scale([](auto& r, auto& v, auto& w) { return or_one(r.norm() + v.norm() / w.norm()); });
   e.sweep({"A wheel of radius 0.5 m whose hub moves at 2 m/s and that spins slowly (it skids) or fast (it slips)",

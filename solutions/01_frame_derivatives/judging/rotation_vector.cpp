@@ -47,6 +47,9 @@ void judge_rotation_vector(Lecture& lecture) {
   auto& e = lecture.exercise(&rotation_vector, {{"E", rotation}}, {"v", rad});
   e.compare(rotation_by_vector);
   add_turns(e);
+  e.limit("no turn", zero, "Nothing has turned, and no axis is needed.");
+  e.limit("a quarter turn about z", {0, 0, pi / 2},
+          "Axis 1 has gone to axis 2, axis 2 to the reverse of axis 1, and axis 3 has stayed.");
   e.wrong("This is the axis times the sine of the angle; the angle itself is asked for.", "no_theta_over_sin",
           [](auto& E) { return axial_part(E); });
   e.wrong("The angle comes from its sine alone, which an angle shares with its supplement.", "asin", [](auto& E) {

@@ -48,6 +48,9 @@ void judge_apparent_gravity(Lecture& lecture) {
   e.special("westwards along the equator, against the rotation", 0, our_radius, g0, our_earth_rate,
             {-our_radius * our_earth_rate, 0});
   e.special("eastwards at 60° south", -60 * degree, our_radius, g0, our_earth_rate, {20, 0});
+  e.limit("ashore at the north pole", {0, 0, -g0}, "On the axis nothing goes round: the attraction is all.");
+  e.limit("westwards along the equator, against the rotation", {0, 0, -g0},
+          "For somebody in space this ship stands still, so only the attraction is felt.");
   e.random("a random ship on a planet", 10, generic_latitude, any::uniform(2e6, 2e7), any::uniform(5, 15),
            any::uniform(3e-5, 2e-4), [](Random& random) -> Vector2d { return random.vector(300).head<2>(); });
   e.scale([](auto, auto, auto g, auto, auto&) { return g; });

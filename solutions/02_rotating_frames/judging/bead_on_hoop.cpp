@@ -47,6 +47,11 @@ void judge_bead_on_hoop(Lecture& lecture) {
   e.special("very fast, the other way", 0.5, 9.81, -60);
   e.special("2 % below the critical rate", 0.5, 9.81, 0.98 * sqrt(9.81 / 0.5));
   e.special("2 % above the critical rate", 0.5, 9.81, 1.02 * sqrt(9.81 / 0.5));
+  e.limit("the hoop is at rest", {0, sqrt(9.81 / 0.5)},
+          "A bead on a hoop at rest is a pendulum as long as the radius.");
+  e.limit("very fast, the other way", {acos(9.81 / (0.5 * 60 * 60)), 60},
+          "Fast rotation drives the bead nearly to the height of the centre; there it oscillates once in a rotation, "
+          "and the sense does not matter.");
   const auto random_hoop = [](double slowest, double fastest) {
     return [=](Random& random) {
       const double radius = random.uniform(0.1, 2), g = random.uniform(2, 15);

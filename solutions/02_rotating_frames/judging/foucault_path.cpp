@@ -42,6 +42,9 @@ void judge_foucault_path(Lecture& lecture) {
   e.special("after a quarter of a swing", pushed, 67, our_g, paris, our_earth_rate, pi / 2 * sqrt(67 / our_g));
   e.special("a short pendulum", {0, 0.01}, 0.25, our_g, paris, our_earth_rate, 1800);
   e.special("hung at rest", Vector2d::Zero(), 67, our_g, paris, our_earth_rate, 604);
+  e.limit("at the moment of release", pushed, "It has not moved yet.");
+  e.limit("on the equator", pushed * cos(sqrt(our_g / 67) * 604),
+          "The vertical part of the rotation vanishes there, and the plane of the swing stays.");
   e.random("a random pendulum", 10, a_swing);
   e.tolerance(2e-5, "An answer to first order in earth_rate may differ from the exact one by 1.6e-5 of the start.");
   e.scale([](auto& start, auto...) { return or_one(start.norm()); });

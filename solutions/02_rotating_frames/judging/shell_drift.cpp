@@ -57,6 +57,11 @@ void judge_shell_drift(Lecture& lecture) {
   e.special("from the south pole", -pi / 2, 1, 20e3, 60, our_g, our_earth_rate);
   e.special("at 45°, where sine and cosine are equal", pi / 4, 0.4, 20e3, 60, our_g, our_earth_rate);
   e.special("straight up", 40 * degree, 0, 0, 60, our_g, our_earth_rate);
+  e.limit("eastwards along the equator", 0,
+          "Path and weight stay in the plane of the equator, and nothing leads out of it.");
+  e.limit("from the north pole", 20e3 * our_earth_rate * 60,
+          "Seen from space the shell flies straight, and the ground turns to the left below it through the angle of "
+          "the Earth's rotation.");
   e.random(
       "a random shot on a planet", 10, generic_latitude,
       [](Random& random) {

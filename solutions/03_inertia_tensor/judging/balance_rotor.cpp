@@ -73,6 +73,10 @@ void judge_balance_rotor(Lecture& lecture) {
   e.special("balanced", VectorXd{{0.1, 0.1}}, Matrix3Xd{{0.1, -0.1}, {0, 0}, {0.2, 0.2}}, {0, 0.3}, 0.05);
   e.special("a tiny rotor", 1e-9 * masses, 1e-9 * places, {-5e-11, 2.5e-10}, 4e-11);
   e.special("no mass at all", VectorXd(0), Matrix3Xd(3, 0), {0.1, 0.3}, 0.05);
+  e.limit("balanced", Matrix3Xd{{0, 0}, {0, 0}, {0, 0.3}},
+          "Nothing is to be corrected, so both masses go onto the axis.");
+  e.limit("one mass in one of the planes", Matrix3Xd{{0, -0.02}, {0, -0.03}, {0, 0.1}},
+          "An equal mass opposite to it in its own plane is enough.");
   e.random("a rotor", 10, [](Random& random) {
     const int count = random.whole(2, 6);
     const double first = random.sign() * random.uniform(0.2, 0.6), gap = random.sign() * random.uniform(0.3, 1);

@@ -126,6 +126,9 @@ void judge_inertia_of_mesh(Lecture& lecture) {
             with_hollow(block, surface(corners_of_block({0.2, 0.3, 0.5}, {0.7, 1.1, 2}), of_block)), 1);
   e.special("an octahedron about its centre", surface(on_the_axes, of_octahedron), 1.5);
   e.special("no triangle", Matrix3Xd(3, 0), 1);
+  e.limit("no triangle", Matrix3d::Zero(), "There is no body.");
+  e.limit("a block with a corner at the origin", Matrix3d{{26, -3, -4.5}, {-3, 20, -9}, {-4.5, -9, 10}},
+          "It is the cuboid about its corner of the exercise before, whatever its surface is cut into.");
   e.random("a tetrahedron", 4, [](Random& random) {
     const Matrix3Xd points = Matrix3Xd{{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}} + 0.1 * random.points(4);
     return tuple(surface(turned_and_shifted(random, points), of_tetrahedron), random.uniform(0.5, 4));

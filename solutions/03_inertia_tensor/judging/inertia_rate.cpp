@@ -33,6 +33,8 @@ void judge_inertia_rate(Lecture& lecture) {
   e.special("about an axis of symmetry", Vector3d(2, 2, 3).asDiagonal(), {0, 0, 2});
   e.special("a sphere", 2 * Matrix3d::Identity(), example_omega);
   e.special("no rotation", tensor_of_four_masses, {0, 0, 0});
+  e.limit("a sphere", Matrix3d::Zero(), "A sphere looks the same however it is turned.");
+  e.limit("about an axis of symmetry", Matrix3d::Zero(), "Turned about this axis the tensor stays as it is.");
   e.random("a random body", 8, &Random::inertia_tensor, any::vector(3));
   e.sweep<1>(
       {"The four masses; ω of 2 rad/s turns from x to y", "angle of ω from x (rad)", "rate of an entry (kg m²/s)"},

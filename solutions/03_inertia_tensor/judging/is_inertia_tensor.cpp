@@ -61,6 +61,8 @@ void judge_is_inertia_tensor(Lecture& lecture) {
   e.special("a negative moment", diagonal(3, -1, 3));
   e.special("negative throughout", diagonal(-2, -2, -3));
   e.special("a single point at the origin", Matrix3d::Zero());
+  e.limit("a single point at the origin", 1, "A mass at the origin has no moment about any axis, and that is allowed.");
+  e.limit("a negative moment", 0, "A moment is a sum of masses times squares of distances.");
   e.random("a body on turned axes", 4, &Random::inertia_tensor);
   e.random("a flat body, turned", 3, [](Random& random) {
     const double x = random.uniform(0.5, 1.5), y = random.uniform(0.5, 1.5);

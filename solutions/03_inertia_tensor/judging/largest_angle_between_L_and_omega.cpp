@@ -34,6 +34,10 @@ void judge_largest_angle_between_L_and_omega(Lecture& lecture) {
   e.special("two equal moments", {1, 1, 1.8});
   e.special("a thin rod", {5, 0.01, 5});
   e.special("a flat body", {3, 1, 2});
+  e.special("a very thin rod", {1, 1e-6, 1});
+  e.limit("a sphere", 0, "L is along ω for every axis.");
+  e.limit("a very thin rod", pi / 2,
+          "About its own line a rod has hardly any L: all of L comes from the small rest of ω across it.");
   e.random("a body with the middle moment first or last", 10, [](Random& random) -> Vector3d {
     const double x = random.uniform(0.02, 0.2), y = random.uniform(0.4, 1.3), z = random.uniform(1.6, 2.2);
     const Vector3d moments(z + x, x + y, y + z);  // middle, smallest, largest

@@ -69,6 +69,9 @@ void judge_block_with_hole(Lecture& lecture) {
   e.special("a hole in the middle", 800, edges, zero, 0.07);
   e.special("no hole", 800, edges, center, 0);
   e.special("a cube, the hole touches three faces", 2700, {1, 1, 1}, {-0.2, 0.2, 0.2}, 0.3);
+  e.limit("no hole", of_block(800, edges), "The block is whole.");
+  e.limit("a hole in the middle", about_the_middle(800, edges, zero, 0.07),
+          "The centre of mass stays, and the moments of a solid ball are missing.");
   e.random("a large hole", 10, [](Random& random) {
     const double radius = random.uniform(0.5, 0.8);
     const Vector3d place = random.vector(0.4);

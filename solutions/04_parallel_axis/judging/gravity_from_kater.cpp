@@ -29,6 +29,11 @@ void judge_gravity_from_kater(Lecture& lecture) {
   e.worked("edges at 0.62 m and 0.2 m", 0.62, 1.7362, 0.2, 1.5539);
   e.special("equal periods, as Kater adjusted them", 0.7, 2, 0.29396, 2);
   e.special("the first edge close to the centre of mass", 0.05, 1.8495, 0.5, 1.5278);
+  e.special("nearly all mass in one point", 1, 2.0001, 0.25, 1.0008);
+  e.limit("equal periods, as Kater adjusted them", 4 * pi * pi * (0.7 + 0.29396) / 4,
+          "The two edges are then as far apart as the simple pendulum of this period is long.");
+  e.limit("nearly all mass in one point", pi * pi,
+          "On each edge it is a simple pendulum, of the length of the distance.");
   e.random("a pendulum", 10, [](Random& random) {
     const double h1 = random.uniform(0.1, 0.9),
                  h2 = h1 * (random.sign() > 0 ? 1 / random.uniform(1.3, 3) : random.uniform(1.3, 3));

@@ -55,6 +55,12 @@ void judge_toppling_speed(Lecture& lecture) {
   e.special("a flat plate", 1, 0.1, 9.81);
   e.special("a tall post", 0.1, 2, 9.81);
   e.special("a tiny block, hardly any gravity", 3e-12, 5e-12, 9.81e-14);
+  e.special("a very flat plate", 1, 1e-3, 9.81);
+  e.limit("a tall post", 0.1 * sqrt(2 * 9.81 / (3 * 2)),
+          "Stopped at its foot a post keeps three quarters of its energy, and needs to be raised by length²/(4 height) "
+          "only.");
+  e.limit("a very flat plate", sqrt(9.81 * 4 / 3) * 1000,
+          "A plate keeps only ¾ (height/length)² of its energy, and must be raised by half of its length.");
   e.random("a block", 10, [](Random& random) {
     const double height = random.uniform(0.1, 2), ratio = random.uniform(1.2, 4);
     return tuple(random.sign() > 0 ? height * ratio : height / ratio, height, random.uniform(1.6, 25));

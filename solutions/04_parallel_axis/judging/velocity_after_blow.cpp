@@ -35,6 +35,9 @@ void judge_velocity_after_blow(Lecture& lecture) {
   e.special("the bat struck at its centre of mass", 0.9, bat, zero, {0, 3, 0}, grip);
   e.special("the centre of mass", 10, I, struck, impulse, zero);
   e.special("no blow", 10, I, struck, zero, struck);
+  e.limit("the centre of mass", impulse / 10,
+          "The centre of mass moves as if all mass were there and the blow struck there.");
+  e.limit("no blow", zero, "Nothing happens.");
   e.random("a random blow", 10, any::uniform(2, 6), &Random::inertia_tensor, any::vector(2), any::vector(5),
            any::vector(2));
   e.sweep({"A bat of 0.9 kg is struck across with 3 N s", "where it is struck, from the centre of mass (m)",

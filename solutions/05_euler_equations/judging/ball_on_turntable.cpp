@@ -60,6 +60,9 @@ void judge_ball_on_turntable(Lecture& lecture) {
   e.special("on a circle about the middle", 0.4, 3.5, {0.4, 0}, {0, 0.4}, 4);
   e.special("after a full circle", 0.4, 3.5, start, velocity, 2 * pi);
   e.special("before time 0", 0.4, 3.5, start, velocity, -3);
+  e.limit("a table at rest", start + 4 * velocity, "On a table at rest a ball rolls straight on.");
+  e.limit("put down at rest", start,
+          "The table turns the ball on the spot, steadily; so it needs no force, and stays.");
   e.random("a random ball", 10, [](Random& random) {
     const double k = random.uniform(0.2, 0.36), rate = random.sign() * random.uniform(1, 5);
     const Vector2d r = random.vector(0.5).head<2>(), v = random.vector(0.8).head<2>();

@@ -36,6 +36,9 @@ void judge_bearing_forces(Lecture& lecture) {
   e.special("both bearings on one side", rotor, 4, rotor_center, -300, {0.2, 0.5});
   e.special("a thin rod askew", of_unit_mass({0.1, 0.2, 0.3}), 2, zero, 100, rotor_bearings);
   e.special("at rest", rotor, 4, rotor_center, 0, rotor_bearings);
+  e.limit("at rest", Matrix3Xd::Zero(3, 2), "A shaft that does not turn needs no forces besides those of the weight.");
+  e.limit("balanced both ways", Matrix3Xd::Zero(3, 2),
+          "The centre of mass does not move, and L stays along the shaft.");
   e.random("a random rotor", 10, &Random::inertia_tensor, any::uniform(2, 9), any::vector(0.5), any::spin(5, 50),
            [](Random& random) {
              const double z = random.uniform(-0.6, 0.4);

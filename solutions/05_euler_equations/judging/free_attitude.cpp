@@ -46,6 +46,10 @@ void judge_free_attitude(Lecture& lecture) {
   e.special("nearly equal components of ω", {1.2, 2, 2.7}, {0.7, 0.70005, 0.69992}, 28);
   e.special("time 0", {1.2, 2, 2.7}, {0.4, -0.9, 0.6}, 0);
   e.special("no rotation", example_moments, zero, 5);
+  e.limit("a sphere", turn(example_omega.normalized(), 9 * example_omega.norm()),
+          "ω is along L and stays: the body turns steadily about one direction.");
+  e.limit("a spin about the middle axis alone", turn(y_axis, 10),
+          "A spin exactly about a principal axis lasts, even where it is unstable.");
   e.random("a random motion", 8, &Random::principal_moments, any::vector(1.1), any::spin(2, 12));
   e.tolerance(
       1e-6,

@@ -75,6 +75,12 @@ void judge_gyrocompass_period(Lecture& lecture) {
   e.special("a rotor with equal moments", 0.05, 0.05, 12, 0.7, 2);
   e.special("a long rotor that spins slowly", 0.07, 0.02, -10, 0.4, 2);
   e.special("near the pole", 0.012, 0.02, 2000, 1.45, earth);
+  e.limit("on the equator", 2 * pi * sqrt(0.012 / (0.02 * 2000 * earth)),
+          "A fast rotor on the equator swings as a pendulum does: the torque on an axle that points off north is the "
+          "spin's angular momentum times the rotation of the ground, times the sine.");
+  e.limit("near the pole", 2 * pi * sqrt(0.012 / (0.02 * 2000 * earth * cos(1.45))),
+          "Only the horizontal part of the ground's rotation draws the axle to the north; near the pole little of it "
+          "is left, and the swings become slow.");
   e.random("a wheel on a turntable", 10, [](Random& random) {
     const double I1 = random.uniform(0.03, 0.2), rate = random.uniform(1, 4);
     const double I3 = I1 * (random.sign() > 0 ? random.uniform(1.3, 2) : random.uniform(0.3, 0.7));

@@ -19,6 +19,9 @@ void judge_gyroscopic_torque(Lecture& lecture) {
   e.special("a vehicle that does not turn", 0.35, 0.6, 40, zero);
   e.special("a spin that undoes the turn about axis 3", 0.35, 0.6, -2, {0.3, -0.5, 2});
   e.special("a sphere", 0.5, 0.5, 40, {0.3, -0.5, 2});
+  e.limit("a vehicle that does not turn", zero, "The angular momentum of the rotor stays, whatever its spin.");
+  e.limit("the vehicle turns about the rotor's axis", zero,
+          "The axis of the rotor keeps its direction, and so does its angular momentum.");
   e.random(
       "a random rotor", 10,
       [](Random& random) {

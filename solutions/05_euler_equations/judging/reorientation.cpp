@@ -78,6 +78,11 @@ void judge_reorientation(Lecture& lecture) {
   e.special("the first wheel hardly moves", principal, {0.05, 0.04}, VectorXd{{0, 9e-4, 2e-4}}, VectorXd{{0, 10, 50}});
   e.special("corners close together", principal, {0.05, 0.04}, VectorXd{{5, 5.005, 5.002, 5.008}},
             VectorXd{{0, 60, 20, 80}});
+  e.limit("one wheel alone", turn(x_axis, -20 * 0.05 / 2),
+          "About the one axis the angles divide in the ratio of the moments: what the wheel has gained, the satellite "
+          "turns back.");
+  e.limit("there and back on the same way", Matrix3d::Identity(),
+          "Each step is undone by the step back; a loop must enclose an area.");
   e.random("a random path", 8, [](Random& random) {
     const Matrix3d I = random.inertia_tensor();
     const Vector2d J(random.uniform(0.02, 0.06), random.uniform(0.02, 0.06));

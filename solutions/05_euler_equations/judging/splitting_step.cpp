@@ -39,6 +39,9 @@ void judge_splitting_step(Lecture& lecture) {
   e.special("a sphere", {2, 2, 2}, example_omega, 0.8);
   e.special("a symmetric body", {1, 1, 1.8}, example_omega, 0.8);
   e.special("no rotation", example_moments, zero, 0.8);
+  e.limit("no step", example_omega, "No time passes.");
+  e.limit("a spin about axis 3 alone", {0, 0, 5},
+          "L lies on the axis about which the third term turns it, and the two others are zero.");
   e.random("a random body", 10, &Random::principal_moments, any::vector(2), any::spin(0.3, 1));
   e.scale([](auto& I, auto& w, auto) { return or_one(L_of(I, w).norm() / I.minCoeff()); });
   e.sweep<2>(

@@ -63,6 +63,12 @@ void judge_first_flip(Lecture& lecture) {
   e.special("the same round axis 1", {1, 2, 3}, {0.1, -1, 0});
   e.special("just thrown through zero", {1, 2, 3}, {0.5, 1e-3, 0.4});
   e.special("just before zero", {1, 2, 3}, {0.5, -1e-3, 0.4});
+  e.special("a small wobble about axis 3", {1, 2, 3}, {0, 0.01, 1});
+  e.limit("just before zero", 1e-3 / (0.4 * 0.5),
+          "It crosses zero at the rate that Euler's equations give at the start.");
+  e.limit("a small wobble about axis 3", pi / 2,
+          "It wobbles harmonically about axis 3, here at 1 rad/s, and zero is a quarter of a period from the largest "
+          "value.");
   const auto thrown = [](double sign_of_product) {
     return [=](Random& random) {
       while (true) {

@@ -18,6 +18,8 @@ void judge_flat_spin(Lecture& lecture) {
   e.special("exactly about the middle moment", {1.2, 2, 2.7}, {0, 3, 0});
   e.special("exactly about the largest moment", {1.2, 2, 2.7}, {0, 0, 3});
   e.special("at rest", {1.2, 2, 2.7}, zero);
+  e.limit("exactly about the largest moment", {0, 3}, "With this L no motion has less energy.");
+  e.limit("a sphere", {0, sqrt(14)}, "Every axis has the largest moment: there is nothing to lose.");
   e.random("a random satellite", 10, &Random::principal_moments, any::vector(4));
   e.scale([](auto& I, auto& w) {
     return Vector2d(or_one(I.dot(w.cwiseAbs2()) / 2), or_one(I.cwiseProduct(w).norm() / I.maxCoeff()));

@@ -55,6 +55,9 @@ void judge_largest_rates(Lecture& lecture) {
   e.special("a spin about axis 3 alone", {1.1, 2.3, 3.1}, {0, 0, 0.7});
   e.tolerance_of_last_case(1e-6, alone);
   e.special("a spin about axis 1 alone", {1.1, 2.3, 3.1}, {-0.7, 0, 0});
+  e.limit("a spin about axis 3 alone", {0, 0, 0.7}, "A spin about a principal axis lasts.");
+  e.limit("a flattened symmetric body", {0.5, 0.5, 2},
+          "The component on the axis of symmetry stays, and the two others go round a circle.");
   e.tolerance_of_last_case(1e-6);
   e.random("round axis 3", 5, round_axis(2));
   e.random("round axis 1", 5, round_axis(0));

@@ -33,6 +33,8 @@ void judge_separatrix(Lecture& lecture) {
   e.special("long before", {1.2, 1.7, 2.6}, 2, -1000);
   e.special("a flat body", {1, 2, 3}, 1, 1);
   e.special("moments close together", {1, 1.002, 1.005}, 1, 100);
+  e.limit("long after", {0, 2, 0}, "It ends as a spin about the intermediate axis.");
+  e.limit("long before", {0, -2, 0}, "It begins as the opposite spin about this axis.");
   e.random("a random body", 10, [](Random& random) {
     const Vector3d I = random.ascending_moments();
     const double spin = random.uniform(0.4, 3), angle = random.sign() * random.uniform(0.4, 2);

@@ -12,6 +12,9 @@ void judge_angle_between_attitudes(Lecture& lecture) {
   e.special("full turns more", example_angles, {7.5, 0.7, -8.2});
   e.special("only ψ differs", example_angles, {0.3, 0.7, 2.5});
   e.special("θ differs by 1e-7", example_angles, example_angles + Vector3d(0, 1e-7, 0));
+  e.limit("equal angles", 0, "It is there already.");
+  e.limit("half a turn", pi,
+          "After a turn by π about axis 2 the last turn about axis 3 only chooses the axis of another half turn.");
   e.random("any two attitudes", 10, &Random::euler_angles, &Random::euler_angles);
   e.scale(1);
   e.sweep({"From no turn to (φ, 0.7, φ)", "φ (rad)", "angle (rad)"}, {"angle"}, {0, 2 * pi},

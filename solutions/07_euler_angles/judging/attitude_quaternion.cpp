@@ -19,6 +19,9 @@ void judge_attitude_quaternion(Lecture& lecture) {
   e.special("φ = ψ: x vanishes", {0.6, 1.2, 0.6});
   e.special("a tiny θ", {-2.5, 1e-8, 0.3});
   e.special("more than a full turn", {7.5, 0.7, -8.2});
+  e.limit("no turn at all", Eigen::Vector4d(1, 0, 0, 0), "The cosine of half of no angle is 1.");
+  e.limit("half a turn about ê₂", Eigen::Vector4d(0, 0, 1, 0),
+          "Half of the angle is a right angle: its cosine is 0, and its sine stands on axis 2.");
   e.random("any attitude", 8, &Random::euler_angles);
   e.scale(1);
   e.sweep({"The quaternion while θ grows, φ = 0.3, ψ = 1.1", "θ (rad)", "part of the quaternion"}, {"w", "x", "y"},

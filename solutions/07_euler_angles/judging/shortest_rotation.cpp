@@ -24,6 +24,9 @@ void judge_shortest_rotation(Lecture& lecture) {
   e.special("a quarter turn about ê₃", {1, 0, 0}, {0, 3, 0});
   e.special("1e-5 apart", {0.3, -0.2, 0.5}, {0.3, -0.2 + 1e-5, 0.5});
   e.special("very long and very short", {1e80, 2e80, -1e80}, {4e-80, -3e-80, 6e-80});
+  e.limit("parallel", Matrix3d::Identity(), "The directions agree already; lengths do not count.");
+  e.limit("a quarter turn about ê₃", Matrix3d{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
+          "From axis 1 to axis 2 the smallest rotation is that about axis 3.");
   e.random("any two directions", 8, [](Random& random) {
     Vector3d a = random.vector(3), b = random.vector(0.5);
     while (angle_from(a, b) > pi - 0.1 || angle_from(a, b) < 0.2) b = random.vector(0.5);

@@ -28,6 +28,8 @@ void judge_yaw_pitch_roll(Lecture& lecture) {
   e.special("pitch +π/2", {0.3, pi / 2, 0});
   e.tolerance_of_last_case(1e-7);
   e.special("pitch nearly −π/2", {0.3, pi / 2 - 2e-5, pi});
+  e.limit("θ = 0: all of it is yaw", {1.4, 0, 0}, "Both turns are about axis 3 and add up.");
+  e.limit("φ = ψ = 0: the pitch is θ", {0, 0.7, 0}, "Both sequences have the turn about axis 2 in the middle.");
   e.tolerance_of_last_case(1e-7);
   e.random("any attitude", 8, [](Random& random) {
     Vector3d angles = random.euler_angles();

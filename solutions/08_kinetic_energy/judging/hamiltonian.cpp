@@ -24,6 +24,8 @@ void judge_hamiltonian(Lecture& lecture) {
   e.special("θ = π/2", {1, 2, 3}, {0.3, pi / 2, 1.1}, {1.3, -0.4, 0.8});
   e.special("only p_θ", {1, 2, 3}, lecture_angles, {0, -0.4, 0});
   e.special("at rest", {1, 2, 3}, lecture_angles, zero);
+  e.limit("at rest", 0, "Without momenta nothing moves.");
+  e.limit("L along ê₃", 0.8 * 0.8 / (2 * 3), "All of L lies on axis 3: the energy is L²/2I₃.");
   e.random("a random body and motion", 10, &Random::principal_moments, &Random::euler_angles, any::vector(2));
   e.scale([](auto& I, auto&, auto& p) { return or_one(0.5 * p.squaredNorm() / I.minCoeff()); });
   e.sweep({"H of given momenta (1.3, −0.4, 0.8) kg m²/s at every inclination", "θ (rad)", "H (J)"}, {"H"},

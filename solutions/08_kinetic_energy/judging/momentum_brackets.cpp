@@ -27,6 +27,9 @@ void judge_momentum_brackets(Lecture& lecture) {
   e.special("L along the line of nodes", lecture_angles, {0, 1.5, 0});
   e.special("sin θ = 0.1", {0.3, asin(0.1), 1.1}, {1.3, -0.4, 0.8});
   e.special("θ = π/2", {0.3, pi / 2, 1.1}, {1.3, -0.4, 0.8});
+  e.limit("L = 0", Matrix3d::Zero(), "Each bracket is a component of L.");
+  e.limit("L along ê₃", Matrix3d{{0, -0.8, 0}, {0.8, 0, 0}, {0, 0, 0}},
+          "Only the bracket of the first two components is not zero, and on body axes it has the minus sign.");
   e.random("any attitude and momenta", 10, &Random::euler_angles, any::vector(2));
   e.scale([](auto& q, auto& p) { return or_one(L_of_momenta<double>(q, p).norm()); });
   e.tolerance(1e-8, "Derivatives by differences lose some digits.");

@@ -60,6 +60,12 @@ void judge_rolling_cone_energy(Lecture& lecture) {
   e.special("nearly a disc: half angle 89°", 2, 0.3, 89 * degree, 4);
   e.special("the other way round", 2, 0.3, 25 * degree, -4);
   e.special("at rest", 2, 0.3, 25 * degree, 0);
+  e.limit("a needle: half angle 1°", 0.75 * 0.6 * 2 * pow(0.3 * 4, 2),
+          "A thin needle is a row of small discs that roll along, each with ¾ m v², and the mean of the square of the "
+          "distance from the apex is ⅗ of the height squared.");
+  e.limit("nearly a disc: half angle 89°", 0.075 * 2 * pow(0.3 * 4, 2),
+          "A flat cone hardly turns about the line of contact, at rate · cot α, and about that line it has the moment "
+          "3/20 M r² of a flat cone's diameter.");
   e.random("any cone", 8, [](Random& random) {
     const double half_angle = random.sign() > 0 ? random.uniform(0.2, 0.7) : random.uniform(0.87, 1.3);
     return tuple{random.uniform(0.5, 3), random.uniform(0.1, 0.5), half_angle, random.sign() * random.uniform(1, 6)};

@@ -27,6 +27,13 @@ void judge_spinning_coin(Lecture& lecture) {
   e.special("nearly upright, 80°", 0.0375, 9.81, 80 * degree);
   e.special("45°", 0.0375, 9.81, 45 * degree);
   e.special("on the Moon", 0.0375, 1.62, 20 * degree);
+  e.special("all but upright, 89°", 0.0375, 9.81, 89 * degree);
+  e.limit("all but upright, 89°", 2 * sqrt(9.81 / 0.0375),
+          "A coin that spins about its upright diameter is held up when ¼MR²Ω², the torque that its leaning L needs, "
+          "reaches MgR.");
+  e.limit(
+      "the rattle before the end, 1°", 2 * sqrt(9.81 / (0.0375 * degree)),
+      "Nearly flat, L is only ¼MR²Ωα and level, and it goes round at Ω under the torque MgR: the flatter, the faster.");
   e.random("any coin", 8, [](Random& random) {
     const double inclination = random.sign() > 0 ? random.uniform(0.1, 0.7) : random.uniform(0.87, 1.3);
     return tuple{random.uniform(0.01, 0.1), random.uniform(1.5, 25), inclination};

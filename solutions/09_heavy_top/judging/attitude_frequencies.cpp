@@ -96,6 +96,12 @@ void judge_attitude_frequencies(Lecture& lecture) {
   e.worked("the Moon", {0.99937, 0.9996, 1}, 2 * pi / (27.32 * 86400));
   e.special("a plate edge on to the orbit", {1, 2, 3}, low_orbit);
   e.special("the smallest moment along the normal", {0.75, 1, 0.7}, low_orbit);
+  e.limit("nearly a rod", low_orbit * Vector3d(sqrt(3), sqrt(0.5), 2),
+          "A rod swings √3 times in an orbit in the plane and twice across it, as two masses on a string do; about "
+          "itself it is carried round once, which gives √((I₃ − I₂)/I₁).");
+  e.limit("a plate edge on to the orbit", low_orbit * Vector3d(1, 1, 2),
+          "In the plane the tide holds it a third as strongly as a rod. Across the plane its forward axis returns as a "
+          "free particle does, once in an orbit; at its radial axis the tide also pulls, 3 n² beside n².");
   e.random("a satellite", 8, [](Random& random) {
     return tuple{random.ascending_moments(), random.uniform(5e-4, 2e-3)};
   });

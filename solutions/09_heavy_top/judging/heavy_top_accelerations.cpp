@@ -73,6 +73,12 @@ void judge_heavy_top_accelerations(Lecture& lecture) {
   e.special("θ = −0.7", body, top_mgl, {0.3, -0.7, 1.1}, rates);
   const Vector2d steady = steady_precession(top_I1, top_I3, top_mgl, 150, 0.7);
   e.special("steady precession", {top_I1, top_I1, top_I3}, top_mgl, angles, {steady[0], 0, 150 - steady[0] * cos(0.7)});
+  const double off_plane = top_mgl * sin(1.1) * cos(1.1) * (1 / body[1] - 1 / body[0]);
+  const double falling = top_mgl * sin(0.7) * (pow(sin(1.1), 2) / body[0] + pow(cos(1.1), 2) / body[1]);
+  e.limit("steady precession", zero, "The three rates stay.");
+  e.limit("let go at rest", {off_plane, falling, -off_plane * cos(0.7)},
+          "At rest no product of rates counts: the torque of the weight, along the line of nodes, is divided by the "
+          "moments.");
   e.random("any body", 10, [](Random& random) {
     const Vector3d I = 1e-4 * random.principal_moments();
     const double mgl = random.uniform(0.02, 0.1);

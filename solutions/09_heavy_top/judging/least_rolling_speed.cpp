@@ -67,6 +67,10 @@ void judge_least_rolling_speed(Lecture& lecture) {
   e.special("a coin on the Moon", 0.01, 1.62, 0.5, 0.25);
   e.special("a wheel with a long axle", 0.3, 9.81, 0.6, 2);
   e.special("a wheel with its mass near the hub", 0.3, 9.81, 0.05, 0.025);
+  e.limit("a coin on the Moon", sqrt(1.62 * 0.01 / 3),
+          "For a thin disc the textbooks have v² > ga/3, here with the g of the Moon.");
+  e.limit("a hula hoop", sqrt(9.81 * 0.45 / 4),
+          "For a hoop they have v² > ga/4: with its mass far out it has more angular momentum.");
   e.random("any wheel", 8, [](Random& random) {
     const double axial = random.uniform(0.3, 1);
     return tuple{random.uniform(0.05, 0.5), random.uniform(1.5, 25), axial, axial * random.uniform(0.6, 1.5)};

@@ -85,6 +85,8 @@ void judge_moon_libration(Lecture& lecture) {
   e.special("at once", 0.3, 0.1, 1e-5, 0.4, 1e-5, 0);
   e.special("turned by half a turn", 0.25, 0.1, 1e-5, pi + 0.3, 1e-5, 7e5);
   e.special("rotating backwards", 0.25, 0.1, 1e-5, 0.3, -2e-5, 7e5);
+  e.limit("a round equator", {0.4 + 1.5e-5 * 3e5, 1.5e-5}, "There is nothing to pull at, and it rotates steadily.");
+  e.limit("at once", {0.4, 1e-5}, "No time has passed.");
   e.random("a moon that faces its planet", 6, [](Random& random) {
     const double n = random.uniform(2e-6, 4e-5), orbits = random.uniform(0.6, 1.8);
     return tuple{random.uniform(0.05, 0.2),    random.uniform(0.05, 0.2), n, random.sign() * random.uniform(0.2, 0.5),

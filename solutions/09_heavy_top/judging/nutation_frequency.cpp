@@ -34,6 +34,10 @@ void judge_nutation_frequency(Lecture& lecture) {
   e.special("where both rates meet", 2, 2, 1, 1 / sqrt(cos(1)));
   e.special("without spin: a pendulum on a cone", 1, 2, 2, sqrt(2 / -cos(2)));
   e.special("very slow", 3.28e-4, 0.0456, 0.5, 0.05);
+  e.limit("very slow", 0.0456 / (3.28e-4 * 0.05),
+          "A very slow precession belongs to a fast spin, and a fast top nods as a free one: at p_ψ/I₁.");
+  e.limit("without spin: a pendulum on a cone", sqrt(2 / -cos(2)) * sqrt(1 + 3 * pow(cos(2), 2)),
+          "This is the conical pendulum of particle mechanics, L about the vertical being constant.");
   e.random("any top", 8, [](Random& random) {
     const double I1 = random.uniform(2e-4, 6e-4), mgl = random.uniform(0.02, 0.1);
     const double theta = random.uniform(0.4, 1.2) + (random.sign() > 0 ? 0 : 1.4);

@@ -34,6 +34,11 @@ Vector2d turning_points(double I1, double I3, double mgl, double theta, const Ve
 void judge_nutation_limits(Lecture& lecture) {
   auto& e = lecture.exercise(&nutation_limits, arguments_of_nutation, {"limits", rad});
   describe_starts(e);
+  e.limit("a fast top, with a nutation of 0.0045", {0.5, 0.5 + 2 * top_I1 * top_mgl * sin(0.5) / pow(top_I3 * 800, 2)},
+          "Let go at rest, the axis starts at its smallest inclination and falls by twice the distance to where it "
+          "would precess steadily.");
+  e.limit("a conical pendulum, tapped", {2.2 - tapped_by, 2.2 + tapped_by},
+          "It swings harmonically, and equally far to both sides.");
   e.tolerance(1e-8, "Close to the vertical, an angle that is taken from its cosine loses digits.");
   e.sweep<4>({"A small top, let go at rest at θ = 0.5", "spin (rad/s)", "θ (rad)"}, {{"smallest", 0}, {"largest", 1}},
              {20, 250}, [](auto spin) { return spin * z_axis; });

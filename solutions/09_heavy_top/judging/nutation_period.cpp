@@ -30,6 +30,10 @@ double spin_of(double theta, const Vector3d& rates) { return abs(rates[0] * cos(
 void judge_nutation_period(Lecture& lecture) {
   auto& e = lecture.exercise(&nutation_period, arguments_of_nutation, {"period", second});
   describe_starts(e);
+  e.limit("a fast top, with a nutation of 0.0045", 2 * pi / fast_nods,
+          "A fast top nods as a free body does, at p_ψ/I₁, only a little slower by its precession.");
+  e.limit("a conical pendulum, tapped", 2 * pi / frequency_on_cone,
+          "Without spin it is the conical pendulum of particle mechanics.");
   e.sweep<4>({"A small top, let go at rest at θ = 0.5", "spin (rad/s)", "period (s)"}, {"period"}, {20, 250},
              [](auto spin) { return spin * z_axis; });
 

@@ -53,6 +53,9 @@ void judge_planet_precession_rate(Lecture& lecture) {
   e.special("equal moments", 1, 1, mars_spin, mars_orbital_rate, 25.19 * degree);
   e.special("a disc", 1, 2, 1e-4, 1e-7, 1);
   e.special("axis in the plane of the orbit", 0.9, 1, 1e-4, 1e-7, pi / 2);
+  e.limit("equal moments", 0, "The pull at a sphere has no torque about its centre.");
+  e.limit("axis in the plane of the orbit", 0,
+          "A quarter of a year later the torque has the opposite direction: nothing is left in the mean.");
   e.random("a flattened planet", 10, [](Random& random) {
     const double tilt = random.sign() > 0 ? random.uniform(0.2, 0.65) : random.uniform(0.9, 1.3);
     return tuple{random.uniform(0.6, 0.9), random.uniform(1, 1.1), random.uniform(1e-5, 2e-4),

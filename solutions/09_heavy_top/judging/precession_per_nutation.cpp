@@ -81,6 +81,10 @@ void mistakes_of_precession_per_nutation(Exercise& e) {
 void judge_precession_per_nutation(Lecture& lecture) {
   auto& e = lecture.exercise(&precession_per_nutation, arguments_of_nutation, {"advance", rad});
   describe_starts(e);
+  e.limit("a fast top, with a nutation of 0.0045", 2 * pi * fast_precession / fast_nods,
+          "The axis goes round at nearly mgl/p_ψ on the average, and nods at nearly p_ψ/I₁.");
+  e.limit("a conical pendulum, tapped", 2 * pi * rate_on_cone / frequency_on_cone,
+          "It goes round at the rate of the steady motion, for the time of one swing.");
   // Its axis goes round by more than half a turn, so that whole turns which are taken away show.
   e.random("without spin: a spherical pendulum", 2, [](Random& random) {
     while (true) {

@@ -143,6 +143,10 @@ void judge_exact_attitude(Lecture& lecture) {
   e.special("a small wobble about axis 3", lecture_body, {0.2, 0.1, -1}, 8e5);
   e.special("a small wobble about axis 1", lecture_body, {1, -0.1, 0.2}, 8e5);
   e.special("moments close together", {1, 1.07, 1.15}, {0.3, -0.2, 0.5}, 6e5);
+  e.special("a moment later", lecture_body, round_3, 0.01);
+  e.limit("time 0", Matrix3d::Identity(), "No time has passed.");
+  e.limit("a moment later", turn(round_3.normalized(), 0.01 * round_3.norm()),
+          "In so short a time ω hardly changes, and the body turns about it.");
   e.random("round axis 3", 6, round_axis(3), any::spin(1e5, 1e6));
   e.random("round axis 1", 6, round_axis(1), any::spin(1e5, 1e6));
   e.random("within a minute", 4, round_axis(1), any::spin(20, 60));

@@ -95,6 +95,9 @@ void judge_exact_rotation(Lecture& lecture) {
   e.special("a flat body", {1, 2, 3}, {0.1, 1, 0.2}, 3e5);
   e.special("a small wobble", lecture_body, {0.05, 0.03, -1}, 8e5);
   e.special("moments close together", {1, 1.07, 1.15}, {0.3, -0.2, 0.5}, 6e5);
+  e.special("after one period", lecture_body, round_3, ExactTop(lecture_body, round_3).period());
+  e.limit("time 0", round_1, "No time has passed.");
+  e.limit("after one period", round_3, "On the axes of the body the motion repeats itself.");
   e.random("round axis 3", 6, round_axis(3), any::spin(1e5, 1e6));
   e.random("round axis 1", 6, round_axis(1), any::spin(1e5, 1e6));
   e.random("within a minute", 4, round_axis(1), any::spin(2, 60));

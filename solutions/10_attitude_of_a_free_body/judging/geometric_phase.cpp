@@ -39,6 +39,10 @@ void judge_geometric_phase(Lecture& lecture) {
   e.worked("round axis 1 in the other sense", lecture_body, {-0.9, -0.5, 0.2});
   e.special("round axis 3 in the other sense", lecture_body, {0.3, 0.02, -1});
   cases_of_a_period(e);
+  e.limit("a small wobble about axis 3", pi * 0.0021333 / sqrt((1 / 1.2 - 1 / 2.7) * (1 / 2. - 1 / 2.7)) / 7.2972,
+          "A small curve is an ellipse, with the area π a b; the smaller the wobble, the less it encloses.");
+  e.limit("a small wobble about axis 1", pi * 0.0096375 / sqrt((1 / 1.2 - 1 / 2.) * (1 / 1.2 - 1 / 2.7)) / 1.461825,
+          "A small curve is an ellipse, with the area π a b, longer along axis 2 than along axis 3.");
   e.scale(1);
   e.sweep<1>({"I = (1.2, 2, 2.7) kg m², ω = (0.5, 0.6, ω₃) rad/s: round axis 1 on the left, round axis 3 on the right",
               "ω₃ (rad/s)", "solid angle"},

@@ -114,6 +114,9 @@ void judge_herpolhode_radii(Lecture& lecture) {
   e.special("a spin about axis 3 alone", {1, 2, 3}, {0, 0, -3});
   e.tolerance_of_last_case(1e-6, alone);
   e.special("a spin about axis 1 alone", {1.1, 2.3, 3.1}, {0.7, 0, 0});
+  e.limit("a spin about axis 3 alone", {0, 0}, "The point of contact is the foot of the perpendicular.");
+  e.limit("a flattened symmetric body", Vector2d::Constant(0.64 / hypot(0.4, 3.6)),
+          "The angle between ω and L stays, so the curve is a circle, as wide as the part of ω across L.");
   e.tolerance_of_last_case(1e-6);
   e.random("round axis 3", 6, round_axis(3));
   e.random("round axis 1", 6, round_axis(1));

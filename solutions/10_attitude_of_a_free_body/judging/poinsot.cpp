@@ -9,6 +9,9 @@ void judge_poinsot(Lecture& lecture) {
   e.special("a sphere", {2, 2, 2}, {0.3, -0.2, 0.5});
   e.special("a symmetric top", {1, 1, 1.8}, {0.4, 0, 2});
   e.special("moments in descending order", {3, 2, 1}, {0.3, -0.2, 0.5});
+  e.limit("a sphere", {sqrt(0.38), 0}, "The ellipsoid is a ball, and it turns about the point at which it touches.");
+  e.limit("a spin about the middle axis", {2, 0},
+          "ω is along L and stays: the plane is |ω| away, and the point of contact is the foot.");
   e.random("a random motion", 10, &Random::principal_moments, any::vector(2));
   e.random("nearly along L", 4, [](Random& random) {
     const Vector3d I = random.principal_moments(), wobble = random.vector(1e-4);

@@ -92,6 +92,10 @@ void judge_racket_twist(Lecture& lecture) {
   e.special("two equal moments across the handle", {1, 2, 2}, {0.4, -0.9, 0.6});
   e.special("a flat body with equal moments about the handle and across it", {1, 1, 2}, {0.4, -0.9, 0.6});
   e.special("a sphere", {2, 2, 2}, {0.3, -0.2, 0.5});
+  e.limit("exactly about axis 2", 0, "It rotates about axis 2 for ever, and shows no other face.");
+  e.limit("two equal moments across the handle", 2 * pi * 0.4 / hypot(0.4, 1.8, 1.2),
+          "The handle keeps its angle from L, and the body twists steadily, here I₂/I₁ − 1 = 1 times as fast as it "
+          "goes round, times the cosine of that angle.");
   e.random("a racket", 6, [](Random& random) {
     const Vector3d I(random.uniform(1.2e-3, 1.8e-3), random.uniform(14e-3, 17e-3), random.uniform(17.2e-3, 18.1e-3));
     const double spin = random.sign() * random.uniform(8, 14);

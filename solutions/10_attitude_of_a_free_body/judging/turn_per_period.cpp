@@ -54,6 +54,11 @@ void judge_turn_per_period(Lecture& lecture) {
   e.worked("backwards about axis 3", lecture_body, {0.3, 0.02, -1});
   e.special("starting with ω₁ = 0", lecture_body, {0, -0.7, 0.8});
   cases_of_a_period(e);
+  e.limit("a small wobble about axis 3", 2 * pi * (1 + 1 / sqrt(1.5 * 0.7 / (1.2 * 2))),
+          "While L goes once round axis 3 on the body, the body rotates about this axis at 1 rad/s: axis 3 goes round "
+          "L through this angle, and a full turn more.");
+  e.limit("a small wobble about axis 1", 2 * pi / sqrt(0.8 * 1.5 / (2 * 2.7)),
+          "Axis 3 is nearly across L and turns as the body does, at 1 rad/s.");
   e.sweep<1>({"I = (1.2, 2, 2.7) kg m², ω = (0.5, 0.6, ω₃) rad/s: round axis 1 on the left, round axis 3 on the right",
               "ω₃ (rad/s)", "turn about L in a period (rad)"},
              {"turn"}, {0, 1.5, 76}, [](auto w3) { return Vector3d(0.5, 0.6, w3); });

@@ -36,6 +36,8 @@ void judge_damped_rotation(Lecture& lecture) {
   e.special("a symmetric body", {1, 1, 1.8}, {0.4, 0, 2}, 0.1, 3);
   e.special("about one axis", {1, 2, 3}, {0, -1, 0}, 0.1, 5);
   e.special("at rest", {1, 2, 3}, zero, 0.1, 5);
+  e.limit("a sphere", std::exp(-0.5) * example_omega, "ω is along L and becomes shorter with it.");
+  e.limit("at once", {0.1, 1, 0.1}, "No time has passed.");
   constexpr double of_all = 0.25;  // of the notes, common to all throws
   const Vector3d start = measured::fitted_start(
       throw_3, [](const Vector3d& from) { return measured::motion_in_air(measured::racket, throw_3.t, from, of_all); });

@@ -85,6 +85,10 @@ void judge_moment_from_pendulum(Lecture& lecture) {
   e.special("the period alone has an error", 0.457, 9.81, 0.413, 1.436, 0, 0.039);
   e.special("a point mass", 2, 4 * pi * pi, 0.25, 0.5, 0.01, 0.01);
   e.special("the distance is half of the pendulum's length", 2, 4 * pi * pi, 0.5, 1, 0.01, 0.01);
+  e.limit("a point mass", {0, sqrt(2) * 0.005},
+          "All of the moment about the axis is Md²: nothing is left but the two errors.");
+  e.limit("the distance is half of the pendulum's length", {0.5, 0.02},
+          "The result is largest here as a function of d, so the error of d does not count to first order.");
   e.random("some body", 10, [](Random& random) {
     const double g = random.uniform(8, 11), d = random.uniform(0.2, 1.5), share = random.uniform(1.2, 1.7);
     const double P = 2 * pi * sqrt(d * share / g);

@@ -11,6 +11,8 @@ void judge_moment_ratios(Lecture& lecture) {
   e.special("a thin rod along y", -1, 1);
   e.special("symmetric about z", -0.6, 0);
   e.special("symmetric about x", 0, -0.4);
+  e.limit("a sphere", {1, 1}, "Its moments are equal, and Euler's equations have no products left.");
+  e.limit("a thin rod along y", {0, 1}, "It has no moment about itself, and equal ones about x and z.");
   e.random("moments in any order", 10, [](Random& random) {
     while (true) {
       const Vector3d I = random.principal_moments();
