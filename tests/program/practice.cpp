@@ -48,7 +48,7 @@ TEST_CASE("limits are asked first, and a right prediction is told the reason") {
 
 TEST_CASE("a problem tells where it fails, then a region, then the mistake by name; or all after a hint") {
   const CourseCopy course;
-  replace_in(course.card(), "\"points\": 2,", "\"points\": 2, \"difficulty\": 1, \"minutes\": 10,");
+  replace_in(course.card(), "\"points\": 2,", "\"points\": 2, \"problem\": true, \"difficulty\": 1, \"minutes\": 10,");
   const auto told = [&](const std::string& arguments = "") {
     const auto result = nlohmann::json::parse(course.run("check spring_energy --json" + arguments).out)["results"][0];
     std::string names = fmt::format("{}:", result["stage"].get<int>());
@@ -71,7 +71,7 @@ TEST_CASE("a problem tells where it fails, then a region, then the mistake by na
 
   // Of a mistake in the code everything is told at once, and of all after a hint.
   const CourseCopy other;
-  replace_in(other.card(), "\"points\": 2,", "\"points\": 2, \"difficulty\": 1, \"minutes\": 10,");
+  replace_in(other.card(), "\"points\": 2,", "\"points\": 2, \"problem\": true, \"difficulty\": 1, \"minutes\": 10,");
   other.answer_energy("return 1/2 * k * x.squaredNorm();");
   CHECK(has(other.run("check spring_energy").out, "divides whole numbers"));
   other.answer_energy("return k * x.squaredNorm();");
