@@ -118,9 +118,11 @@ std::string upper_panel(const Overlay& overlay) {
                                                reference_colors[k % 3], quoted(overlay.labels[k])));
     if (!overlay.student.empty()) plot.add(overlay.student[k], student_style(k));
     if (!overlay.misconception.empty())
-      plot.add(overlay.misconception[k], fmt::format("with lines lw 2 dt (8,6) lc rgb '#000000' title {}",
-                                                     k == 0 ? quoted(overlay.misconception_name) : "''"));
+      plot.add(overlay.misconception[k],
+               fmt::format("with lines lw 2 dt (8,6) lc rgb '{}' title ''", student_colors[k % 3]));
   }
+  if (!overlay.misconception.empty())
+    plot.explain(fmt::format("with lines lw 2 dt (8,6) lc rgb '#444444' title {}", quoted(overlay.misconception_name)));
   if (!overlay.student.empty()) {
     plot.explain("with lines lw 6 lc rgb '#BBBBBB' title 'reference'");
     plot.explain("with linespoints lw 1.5 pt 7 ps 0.6 lc rgb '#444444' title 'yours'");
