@@ -19,10 +19,10 @@ void judge_angular_velocity_of_basis(Lecture& lecture) {
     return turning(basis, random.vector(3.0));
   });
   e.scale([](auto&, auto& rate) { return or_one(rate.norm()); });
-  e.sweep({"ω = (0.3, −0.2, 0.5) rad/s seen from bases turned about (1, 1, 1)",
-           "angle by which the basis is turned (rad)", "component of ω (rad/s)"},
-          {"ω_x", "ω_y", "ω_z"}, {0, 2 * pi},
-          [turning](auto angle) { return turning(turn(Vector3d::Ones(), angle), example_omega); });
+  e.sweep(
+      {"A basis that turns about ever other axes: ω = (cos α, sin α, 0.5) rad/s", "α (rad)", "component of ω (rad/s)"},
+      {"ω_x", "ω_y", "ω_z"}, {0, 2 * pi},
+      [turning](auto angle) { return turning(turn(Vector3d::Ones(), 1), Vector3d(cos(angle), sin(angle), 0.5)); });
 
   const char* const products[] = {"e₁ × ė₁", "e₂ × ė₂", "e₃ × ė₃"};
   for (int i = 0; i < 3; ++i)

@@ -62,8 +62,8 @@ void judge_bead_on_hoop(Lecture& lecture) {
   e.random("a random hoop above the critical rate", 8, random_hoop(1.1, 3));
   e.random("a random hoop below the critical rate", 4, random_hoop(0.2, 0.9));
   e.scale([](auto radius, auto g, auto rate) { return Doubles{1, max(sqrt(g / radius), abs(rate))}; });
-  e.sweep<2>({"A hoop of radius 0.5 m", "rate of the hoop (rad/s)", "angle (rad), frequency (rad/s)"},
-             {"angle", "frequency"}, {0, 12, 121});
+  e.sweep<2>({"A hoop of radius 0.5 m", "rate of the hoop (rad/s)", "frequency about rest (rad/s)"},
+             {{"frequency", 1, 0}}, {0, 12, 121});
 
   e.wrong("The tilted position is taken at every rate; below the critical rate there is no such angle: not a number.",
           "always_tilted", [](auto radius, auto g, auto rate) {

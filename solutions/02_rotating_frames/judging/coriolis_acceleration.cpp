@@ -14,9 +14,9 @@ void judge_coriolis_acceleration(Lecture& lecture) {
   e.special("at rest", zero, 0.7, our_earth_rate);
   e.random("a random velocity on a planet", 10, any::vector(100), generic_latitude, any::uniform(3e-5, 2e-4));
   e.scale([](auto& v, auto, auto rate) { return 2 * rate * max(v.norm(), 1.0); });
-  e.sweep<1>({"A velocity of (30, −20, 10) m/s east, north, up, from pole to pole", "latitude (rad)",
+  e.sweep<1>({"A velocity of (30, −20, 10) m/s east, north, up, from pole to pole", "latitude (°)",
               "Coriolis acceleration (m/s²)"},
-             {"east", "north", "up"}, {-pi / 2, pi / 2});
+             {"east", "north", "up"}, {-90, 90}, [](auto degrees) { return degrees * degree; });
 
   e.term("Ω sin λ ẑ × v", -2, [](auto& v, auto lat, auto rate) { return rate * sin(lat) * cross(z_axis, v); });
   e.term("Ω cos λ ŷ × v", -2, [](auto& v, auto lat, auto rate) { return rate * cos(lat) * cross(y_axis, v); });

@@ -18,8 +18,8 @@ void judge_eastward_deflection(Lecture& lecture) {
   e.random("a random fall on a planet", 10, any::uniform(20, 300), generic_latitude, any::uniform(2, 15),
            any::uniform(3e-5, 2e-4));
   e.scale([](auto height, auto, auto g, auto rate) { return or_one(rate * sqrt(height * height * height / g)); });
-  e.sweep<1>({"A fall of 110 m, from pole to pole", "latitude (rad)", "deflection to the east (m)"}, {"east"},
-             {-pi / 2, pi / 2});
+  e.sweep<1>({"A fall of 110 m, from pole to pole", "latitude (°)", "deflection to the east (m)"}, {"east"}, {-90, 90},
+             [](auto degrees) { return degrees * degree; });
 
   e.term("Ω g t³ cos λ", 1. / 3, [](auto&... inputs) { return 3 * eastward_deflection(inputs...); });
   e.wrong_input<1>("The latitude enters with its sine; across the fall it is Ω cos λ.", "sine", complement);

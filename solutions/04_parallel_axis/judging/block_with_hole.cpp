@@ -81,7 +81,7 @@ void judge_block_with_hole(Lecture& lecture) {
   });
   e.sweep(
       {"A hole of radius 0.07 m moves through the block along x", "center of the hole, x (m)", "entry of I (kg m²)"},
-      {{"I_yy", 1, 1}, {"I_xx", 0, 0}, {"I_xy", 0, 1}}, {-0.13, 0.13},
+      {{"I_xy", 0, 1}, {"I_xz", 0, 2}}, {-0.13, 0.13},
       [=](auto x) { return tuple(800, edges, Vector3d(x, -0.04, 0.02), 0.07); });
 
   e.wrong("This is the tensor about the middle of the block; the centre of mass of what remains is elsewhere.",

@@ -11,11 +11,11 @@ void judge_inertia_to_center_of_mass(Lecture& lecture) {
   e.special("a centre of mass on the z axis", Vector3d(2.55, 2.55, 0.3).asDiagonal(), 1, {0, 0, 1.5});
   e.random("a random body off the origin", 8, off_center(2));
   e.scale([](auto& I, auto, auto&) { return I.norm(); });  // what is taken off can be much larger than what is left
-  e.sweep({"Back to the centre of a cuboid (1 m, 2 m, 3 m) whose tensor is known about ever farther points",
-           "distance of the centre along (1, 2, −1) (m)", "entry of I_cm (kg m²)"},
-          {"I_xx", {"I_zz", 2, 2}, {"I_xy", 0, 1}}, {0, 3}, [](auto distance) {
-            const Vector3d r_cm = distance * along_sweep;
-            return tuple(inertia_from_center_of_mass(cuboid_about_center(6, 1, 2, 3), 6, r_cm), 6, r_cm);
+  e.sweep({"Back to the centre of cuboids (1 m, 2 m, c) whose tensors are known about a point 2 m away",
+           "third edge c (m)", "entry of I_cm (kg m²)"},
+          {"I_xx", {"I_zz", 2, 2}, {"I_xy", 0, 1}}, {0.5, 3}, [](auto edge) {
+            const Vector3d r_cm = 2 * along_sweep;
+            return tuple(inertia_from_center_of_mass(cuboid_about_center(6, 1, 2, edge), 6, r_cm), 6, r_cm);
           });
 
   e.term("I_origin", 1, [](auto& I, auto, auto&) { return I; });

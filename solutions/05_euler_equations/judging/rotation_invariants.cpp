@@ -11,8 +11,8 @@ void judge_rotation_invariants(Lecture& lecture) {
   e.random("a random body", 10, &Random::principal_moments, any::vector(2));
   e.scale([](auto& I, auto& w) { return I.maxCoeff() * max(w.squaredNorm(), 1e-3) * Vector2d(0.5, I.maxCoeff()); });
   e.sweep<1>({"A body with moments 1, 2, 3 kg m², ω turned from axis 1 to axis 3, |ω| = 1 rad/s",
-              "angle of ω from axis 1 (rad)", "T (J), L² (kg² m⁴/s²)"},
-             {"T", "L²"}, {0, pi / 2}, [](auto angle) { return Vector3d(cos(angle), 0, sin(angle)); });
+              "angle of ω from axis 1 (rad)", "L² (kg² m⁴/s²)"},
+             {{"L²", 1, 0}}, {0, pi / 2}, [](auto angle) { return Vector3d(cos(angle), 0, sin(angle)); });
 
   e.term("Σ I ω² in T", 0.5, [](auto& I, auto& w) { return Vector2d(I.dot(w.cwiseAbs2()), 0); });
   e.term("Σ I² ω² in L²", 1, [](auto& I, auto& w) { return Vector2d(0, L_of(I, w).squaredNorm()); });

@@ -25,8 +25,8 @@ void judge_flat_spin(Lecture& lecture) {
     return Vector2d(or_one(I.dot(w.cwiseAbs2()) / 2), or_one(I.cwiseProduct(w).norm() / I.maxCoeff()));
   });
   e.sweep({"Moments 1, 2, 3 kg m², 1 rad/s at the start about an axis between axis 1 and axis 3",
-           "angle of ω from axis 1 (rad)", "heat (J), final rate (rad/s)"},
-          {"heat", "rate"}, {0, pi / 2},
+           "angle of ω from axis 1 (rad)", "heat (J)"},
+          {{"heat"}}, {0, pi / 2},
           [](auto angle) { return tuple(Vector3d(1, 2, 3), Vector3d(cos(angle), 0, sin(angle))); });
 
   e.wrong("The rate is kept here; what friction inside the body cannot change is L.", "omega_kept",

@@ -45,7 +45,7 @@ void judge_geometric_phase(Lecture& lecture) {
           "A small curve is an ellipse, with the area π a b, longer along axis 2 than along axis 3.");
   e.scale(1);
   e.sweep<1>({"I = (1.2, 2, 2.7) kg m², ω = (0.5, 0.6, ω₃) rad/s: round axis 1 on the left, round axis 3 on the right",
-              "ω₃ (rad/s)", "solid angle"},
+              "ω₃ (rad/s)", "solid angle (sr)"},
              {"S"}, {0, 1.5, 76}, [](auto w3) { return Vector3d(0.5, 0.6, w3); });
 
   e.wrong("This is the turn about L itself without whole turns; its dynamical part is still in it.", "turn_itself",
