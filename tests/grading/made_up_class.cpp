@@ -2,11 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <fcntl.h>
+#include <sched.h>
+#include <sys/mount.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdio>
+#include <iterator>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -30,14 +34,43 @@ std::string force_text(const std::string& body) {
          body + "\n}\n}\n";
 }
 
-bool is_open_to_all() {
-  if (geteuid() != 0) return true;
+namespace {
+
+bool others_reach_the_checker() {
   const pid_t process = fork();
   if (process == 0) _exit(setuid(64000) == 0 && access(WORKBOOK_TEST_CHECKER, X_OK) == 0 ? 0 : 1);
   int status = 1;
   waitpid(process, &status, 0);
-  if (status != 0) std::puts("Left out: as root, grading needs a workbook that everybody can read.");
   return status == 0;
+}
+
+/// Where the workbook lies below a folder of root alone, as /root is: puts an empty folder in its place that others may
+/// enter, and the workbook into that. Nobody but this process and its children sees it.
+bool open_the_way() {
+  const fs::path workbook = WORKBOOK_ROOT;
+  fs::path closed = workbook.root_path();
+  for (auto part = std::next(workbook.begin()); part != workbook.end(); ++part) {
+    closed /= *part;
+    if ((fs::status(closed).permissions() & fs::perms::others_exec) == fs::perms::none) break;
+  }
+  if (closed == workbook) return false;
+  if (unshare(CLONE_NEWNS) != 0 || mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0) return false;
+  const std::string inside = fmt::format("/proc/self/fd/{}", open(workbook.c_str(), O_PATH | O_CLOEXEC));
+  std::error_code failed;
+  return mount("way", closed.c_str(), "tmpfs", 0, "mode=755") == 0 && fs::create_directories(workbook, failed) &&
+         mount(inside.c_str(), workbook.c_str(), nullptr, MS_BIND | MS_REC, nullptr) == 0 &&
+         chdir(workbook.c_str()) == 0;
+}
+
+}  // namespace
+
+bool is_open_to_all() {
+  static const bool is_open = [] {
+    if (geteuid() != 0 || others_reach_the_checker() || (open_the_way() && others_reach_the_checker())) return true;
+    std::puts("Left out: as root, grading needs a workbook that everybody can read.");
+    return false;
+  }();
+  return is_open;
 }
 
 void MadeUpClass::energy(const std::string& student, const std::string& body) const {
