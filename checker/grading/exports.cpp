@@ -1,6 +1,6 @@
 // The class document in the forms that other programs read.
 #include "checker/grading/grading.hpp"
-#include "checker/report/reports.hpp"
+#include "checker/templates/templates.hpp"
 
 #include <fmt/chrono.h>
 

@@ -2,6 +2,7 @@
 #include "checker/course/assignment.hpp"
 #include "checker/course/locked_text.hpp"
 #include "checker/grading/grading.hpp"
+#include "checker/templates/templates.hpp"
 
 #include <boost/algorithm/string/replace.hpp>
 #include <nlohmann/json.hpp>

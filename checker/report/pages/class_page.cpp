@@ -1,5 +1,6 @@
 // The page about a class, from its document.
 #include "checker/report/reports.hpp"
+#include "checker/templates/templates.hpp"
 
 #include <sodium.h>
 #include <boost/math/statistics/univariate_statistics.hpp>

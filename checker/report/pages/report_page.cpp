@@ -1,6 +1,6 @@
 #include "checker/report/reports.hpp"
+#include "checker/templates/templates.hpp"
 
-#include <kainjow/mustache.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -11,32 +11,10 @@ namespace workbook {
 
 namespace {
 
-using kainjow::mustache::data;
 using nlohmann::json;
 
 constexpr std::size_t most_steps = 5;
 constexpr std::size_t longest_text = std::size_t{48} << 10;  // of one printout or file, in bytes
-
-/// Everything that goes into the template passes here: valid text without control characters. The template escapes it.
-/// What is empty opens no section.
-data for_template(const json& value) {
-  if (value.is_object()) {
-    data object;
-    for (const auto& [name, part] : value.items()) object.set(name, for_template(part));
-    return object;
-  }
-  if (value.is_boolean()) return data(value.get<bool>());
-  if (value.is_array()) {
-    data list{data::type::list};
-    for (const json& part : value) list << for_template(part);
-    return list;
-  }
-  if (value.is_null()) return data(false);
-  if (value.is_number()) return data(fmt::format("{:g}", value.get<double>()));
-  std::string text = value.get<std::string>();
-  std::erase(text, '\r');
-  return text.empty() ? data(false) : data(printable(text));
-}
 
 std::string shortened_end(const std::string& text) {
   return text.size() <= longest_text ? text : cut(text, longest_text) + "\n… (the rest is too long to be shown here)";
@@ -202,33 +180,6 @@ std::string report_page(const ReportedCourse& course) {
                      {"steps", steps_of(course)},
                      {"lectures", lectures}};
   return rendered_page(page_template("report_page.html"), page, {{"style", "\n" + page_template("style.css")}});
-}
-
-namespace {
-
-std::string rendered(kainjow::mustache::mustache form, data values) {
-  std::string text = form.render(values);
-  if (!form.is_valid()) throw std::logic_error("the page has no usable template: " + form.error_message());
-  return text;
-}
-
-}  // namespace
-
-std::string rendered_page(const std::string& page_template, const json& document,
-                          const std::map<std::string, std::string>& raw) {
-  data values = for_template(document);
-  for (const auto& [name, text] : raw) values.set(name, text);
-  return rendered(kainjow::mustache::mustache(page_template), std::move(values));
-}
-
-std::string filled_text(const std::string& file_template, const fs::path& name, const json& values) {
-  kainjow::mustache::mustache form(file_template);
-  if (name.extension() != ".xml" && name.extension() != ".html")
-    form.set_custom_escape([](const std::string& text) {
-      const std::string quoted = json(text).dump();
-      return quoted.substr(1, quoted.size() - 2);
-    });
-  return rendered(std::move(form), for_template(values));
 }
 
 json look_of(const std::string& verdict) {
