@@ -54,5 +54,5 @@ for (const page of fs.readdirSync(site).filter(name => name.endsWith(".html"))) 
 fs.mkdirSync(path.join(site, "katex", "fonts"), { recursive: true });
 fs.writeFileSync(path.join(site, "katex", "katex.css"), css +
   [...styles].map(([style, name]) => `.katex .${name}{${style.replace(/;/g, "!important;")}}\n`).join(""));
-for (const font of fs.readdirSync(path.join(folder, "fonts")).filter(name => /(AMS|Caligraphic|Main|Math|SansSerif|Size\d)-.*2$/.test(name)))
+for (const font of fs.readdirSync(path.join(folder, "fonts")).filter(name => /(AMS|Caligraphic|Main|Math|SansSerif|Size\d|Typewriter)-.*2$/.test(name)))
   fs.copyFileSync(path.join(folder, "fonts", font), path.join(site, "katex", "fonts", font));
