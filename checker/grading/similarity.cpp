@@ -17,7 +17,7 @@ using nlohmann::ordered_json;
 constexpr std::size_t gram = 8, window = 4;
 // tests/grading/similarity.cpp measures them: unrelated right answers share less, renamed and reordered copies more.
 constexpr double alike = 0.65;
-constexpr std::size_t least_in_common = 12;  // of fingerprints: some fifty tokens; what is shorter, many write alike
+constexpr std::size_t least_in_common = 16;  // of fingerprints: some sixty tokens; what is shorter, many write alike
 constexpr std::size_t most_pairs = 50, most_of_a_text = 6000;
 
 /// Names count as one: who copies renames.

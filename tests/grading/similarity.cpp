@@ -14,26 +14,30 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The right answers of the evidence that are written from the beginning, by exercise.
+/// The right answers of the evidence that are no difference from another one, by exercise. tests/answers/answers.cpp
+/// tells how they are written.
 std::map<std::string, std::vector<std::string>> unrelated_answers() {
   std::map<std::string, std::vector<std::string>> answers;
   for (const fs::path& file : files_below(fs::path(WORKBOOK_ROOT) / "tests/answers")) {
-    if (!fs::is_directory(file.parent_path()) || file.parent_path().filename() == "answers") continue;
-    bool is_right = false;
+    if (file.parent_path().filename() == "answers") continue;
+    std::vector<std::string>& of = answers[file.parent_path().filename().string() + "/" + file.stem().string()];
+    std::string head;
+    bool is_right = false, is_first = true;
     for (const std::string& line : workbook::lines_of(read(file))) {
-      std::vector<std::string>& of = answers[file.parent_path().filename().string() + "/" + file.stem().string()];
       if (line.starts_with("//! ")) {
         is_right = line.starts_with("//! right");
+        is_first = false;
         if (is_right) of.emplace_back();
       } else if (is_right) {
         of.back() += line + "\n";
+      } else if (is_first && !line.starts_with('#')) {
+        head += line + "\n";
       }
     }
+    std::erase_if(of, [](const std::string& text) { return bool(workbook::search("\n" + text, "\n[-+]")); });
+    for (std::string& text : of)
+      if (text.starts_with(' ')) text.insert(0, head).append("}\n");
   }
-  for (auto& [exercise, texts] : answers)
-    std::erase_if(texts, [](const std::string& text) {
-      return text.empty() || std::string("+- ").find(text[0]) != std::string::npos;
-    });
   return answers;
 }
 
