@@ -144,7 +144,9 @@ int status(const Course& course, const Options& /*options*/) {
   fmt::print("{}\n", overview(course, summary, console));
   std::string matters;
   const auto& [last, verdict, day] = progress.last();
-  if (!last.empty()) matters += fmt::format("Last: {}, {}, on {}.\n", last, in_words(verdict), day);
+  if (!last.empty())
+    matters +=
+        fmt::format("Last: {}, {}, {}.\n", last, in_words(verdict), day == current_day() ? "today" : "on " + day);
   if (const std::string due = due_for_review(course, progress); !due.empty())
     matters += fmt::format("Due for review: {}, by `{}`.\n", due, command("review"));
   if (fs::exists(course.lectures() / "assignment.json")) matters += assignment_state(course, summary) + "\n";

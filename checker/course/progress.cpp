@@ -95,7 +95,7 @@ bool Progress::remember(const std::string& exercise, const std::string& verdict,
     one.verdict = verdict;
     one.source = fingerprint(source);
     one.values = values;
-    last_ = {exercise, verdict, current_day()};
+    if (verdict != "not_started") last_ = {exercise, verdict, current_day()};
     if (verdict == "passed" && one.passed_on.empty()) one.passed_on = current_day();
   });
   return is_repeated;

@@ -1,5 +1,6 @@
 #include "checker/explain/explain.hpp"
 
+#include "checker/base/text.hpp"
 #include "checker/explain/repair.hpp"
 
 #include <algorithm>

@@ -83,11 +83,12 @@ class Report {
     if ((explanation.is_empty() && !detail_.is_pending) || detail_.full) labelled("Next", checked_.next_step());
   }
 
-  /// Where to read on, once; in one piece, so that a terminal makes a link of it.
+  /// Where to read on, once; a link in one piece, so that a terminal opens it.
   void read(const std::string& anchor) {
     if (anchor.empty() || std::exchange(last_anchor_, anchor) == anchor) return;
-    text_ += "  " + console_.styled(padded("Read", label_width), Style::strong) + " " +
-             notes_place(course_, checked_.task.exercise, anchor) + "\n";
+    const std::string place = notes_place(course_, checked_.task.exercise, anchor);
+    if (!place.starts_with("file://")) return labelled("Read", place);
+    text_ += "  " + console_.styled(padded("Read", label_width), Style::strong) + " " + place + "\n";
   }
 
   /// The case to be shown in full, if any.

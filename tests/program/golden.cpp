@@ -107,7 +107,6 @@ TEST_CASE("wrong usage and names that mean nothing") {
                                               "live sprigs",
                                               "solution spring_enrgy",
                                               "question spring_enrgy",
-                                              "question spring_energy z",
                                               "predict spring_enrgy",
                                               "predict spring_energy 9999=1",
                                               "predict spring_energy one",
