@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 #include <span>
+#include <utility>
 
 namespace workbook {
 namespace {
@@ -96,6 +97,10 @@ const std::vector<TextMistake>& table() {
        "This sum begins with the whole number 0 and drops what follows every decimal point: begin with 0.0."},
       {"rounded_pi", R"((?:^| )(3\.14\d*)(?= |$))", "$1 is only near π; write std::numbers::pi.", is_rounded_pi},
       {"float_precision", "(?:^| )(float) ", "A float keeps only about 7 digits; use double."},
+      {"kept_between_calls",
+       R"(^(static) (?!const|inline)(?:\w+ (?::: |< [\w ,:]+ > )?)+(\w+) (?:\( [\d ,]*\) |= .*|\{ .*)?;$)",
+       "A static variable is set once and keeps its value from call to call: `$2` begins with what the last call left. "
+       "Leave out static."},
   };
   return mistakes;
 }
@@ -138,8 +143,14 @@ std::vector<Finding> text_mistakes(const SourceText& source) {
     for (std::string& group : match.groups) boost::erase_all(group, " ");
     found.push_back(source.finding(source.place_of(tokens[token].offset), name, match.fill(sentence)));
   };
+  std::string last;  // statement
   for (const Statement& statement : statements_of(tokens)) {
+    const std::string before = std::exchange(last, statement.text);
     if (statement.text.size() > longest_statement || found.size() > most) continue;
+    if (const Match copied = search(before, R"(^([\w.\[\]() ,]+) = ([\w.\[\]() ,]+) ;$)");
+        copied && statement.text == copied[2] + " = " + copied[1] + " ;")
+      add(statement.first_token, "overwritten", copied,
+          "`$1` was given the value of `$2` just before, so this changes nothing: std::swap exchanges two values.");
     for (const TextMistake* mistake : possible) {
       const Match match = search(statement.text, mistake->pattern);
       if (!match || (mistake->holds != nullptr && !mistake->holds(match))) continue;

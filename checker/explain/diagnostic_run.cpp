@@ -261,7 +261,8 @@ class DiagnosticRun {
       first = at_depth(std::ranges::min(samples, {}, at_depth));
       last = at_depth(std::ranges::max(samples, {}, at_depth));
     }
-    add_finding(first, fmt::format("{}|{}|{}", verdict_ == Verdict::output_limit ? "printing" : "running", first, last));
+    add_finding(first,
+                fmt::format("{}|{}|{}", verdict_ == Verdict::output_limit ? "printing" : "running", first, last));
   }
 
   const Verdict verdict_;

@@ -3,6 +3,8 @@
 #include "checker/base/text.hpp"
 #include "checker/explain/repair.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
 #include <numeric>
@@ -129,26 +131,29 @@ void explain_deeper(Explanation& explanation, const Evidence& evidence, bool has
                     const Answers& answers) {
   const DiagnosticTask& task = evidence.task;
   std::vector<Diagnosis>& diagnoses = explanation.diagnoses;
+  const auto is_place = [](const Diagnosis& each) { return each.kind == DiagnosisKind::place; };
+  const bool is_inaccurate = std::ranges::count(diagnoses, DiagnosisKind::accuracy, &Diagnosis::kind) > 0;
+  if (task.judgement.verdict == Verdict::wrong_value) {
+    if (const auto slip = slip_or_branch(task, evidence.toolchain, evidence.cache, is_inaccurate)) {
+      std::erase_if(diagnoses, [&](const Diagnosis& each) {
+        return each.kind != DiagnosisKind::split && each.kind != DiagnosisKind::accuracy &&
+               (slip->name == "branch" || !is_place(each));
+      });
+      return add(explanation.findings, {*slip});
+    }
+  }
+  if (is_inaccurate) return;
   std::vector<Finding> deeper = diagnostic_run(task, evidence.toolchain, evidence.cache);
   if (!deeper.empty()) {
     diagnoses.clear();
     return add(explanation.findings, std::move(deeper));
   }
   // Where a mistake in the code is known, its consequences are none of physics.
-  const auto is_place = [](const Diagnosis& each) { return each.kind == DiagnosisKind::place; };
   if (has_mistake_in_code) std::erase_if(diagnoses, std::not_fn(is_place));
-  if (task.judgement.verdict != Verdict::wrong_value) return;
-  const auto slip = slip_or_branch(task, evidence.toolchain, evidence.cache);
-  if (slip) {
-    std::erase_if(diagnoses, [&](const Diagnosis& each) {
-      return each.kind != DiagnosisKind::split && (slip->name == "branch" || !is_place(each));
-    });
-    add(explanation.findings, {*slip});
-  } else if (!has_mistake_in_code) {
-    const auto inputs = confirmed(independent_inputs(task.reference, answers), evidence.ask, task.reference, answers);
-    const auto found = inputs.size() <= 6 ? independence(task.reference, inputs) : std::nullopt;
-    if (found) diagnoses.insert(diagnoses.begin(), *found);
-  }
+  if (task.judgement.verdict != Verdict::wrong_value || has_mistake_in_code) return;
+  const auto inputs = confirmed(independent_inputs(task.reference, answers), evidence.ask, task.reference, answers);
+  const auto found = inputs.size() <= 6 ? independence(task.reference, inputs) : std::nullopt;
+  if (found) diagnoses.insert(diagnoses.begin(), *found);
 }
 
 }  // namespace

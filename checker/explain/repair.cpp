@@ -5,6 +5,7 @@
 #include "checker/judging/comparison.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <iterator>
 #include <numeric>
@@ -15,37 +16,37 @@ namespace {
 
 const std::string variants_name = "variants.cpp";
 
-/// The variants whose lines the compiler objects to.
-std::set<int> uncompilable(const VariantUnit& unit, const std::string& compiler_output) {
-  std::set<int> objected;
-  for (const std::string& line : lines_of(compiler_output))
-    if (line.starts_with(variants_name + ':'))
-      objected.insert(unit.variant_at(std::atoi(line.c_str() + variants_name.size() + 1)));
-  objected.erase(-1);
-  return objected;
-}
+bool has(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
 
-Clock::time_point after(std::chrono::duration<double> time) {
-  return Clock::now() + std::chrono::duration_cast<Clock::duration>(time);
+std::int32_t mode_of(std::size_t variant) { return static_cast<std::int32_t>(variant) << protocol::variant_shift; }
+
+/// The variants whose lines the compiler objects to, as it is printed of each error and of what led to it.
+std::set<std::size_t> uncompilable(const VariantUnit& unit, const std::string& compiler_output) {
+  std::set<std::size_t> objected;
+  for (const std::string& line : lines_of(compiler_output))
+    if (line.starts_with(variants_name + ':') && (has(line, " error: ") || has(line, " required from ")))
+      objected.merge(unit.variants_at(std::atoi(line.c_str() + variants_name.size() + 1)));
+  return objected;
 }
 
 /// All variants that compile, in one executable; those that do not are erased.
 Program compile_variants(const DiagnosticTask& task, std::vector<Variant>& variants, const Toolchain& toolchain,
                          const std::filesystem::path& cache, const TrialLimits& trial) {
-  CompileLimits limits{.time = trial.compiling};
-  for (int tries = 0; tries < trial.compilations && !variants.empty() && limits.time.count() > 0; ++tries) {
-    const VariantUnit unit(task.submission.text, variants, task.reference);
+  const SourceText source(task.submission.text);
+  Toolchain with_all_errors = toolchain;
+  with_all_errors.flags.insert(with_all_errors.flags.end(), {"-fmax-errors=0", "-w"});
+  for (int tries = 0; tries < trial.compilations && !variants.empty(); ++tries) {
+    const VariantUnit unit(source, variants, task.reference);
     const Submission all{variants_name, variants_name, unit.text(), task.submission.library, task.submission.own_names};
     const Compilation compilation =
-        compile({.submission = all, .exercise = task.reference.name, .signature = task.reference.signature}, toolchain,
-                cache, limits);
+        compile({.submission = all, .exercise = task.reference.name, .signature = task.reference.signature},
+                with_all_errors, cache, {.time = trial.compiling});
     if (compilation.executable) return compilation.program();
-    limits.time -= std::chrono::duration<double>(compilation.processor_seconds);
-    const std::set<int> objected = uncompilable(unit, compilation.details);
-    if (objected.empty()) break;
+    const std::set<std::size_t> objected = uncompilable(unit, compilation.details);
     std::vector<Variant> rest;
     for (std::size_t k = 0; k < variants.size(); ++k)
-      if (!objected.contains(static_cast<int>(k))) rest.push_back(std::move(variants[k]));
+      if (!objected.contains(k)) rest.push_back(std::move(variants[k]));
+    if (objected.empty()) break;
     variants = std::move(rest);
   }
   throw std::runtime_error("the variants do not compile within the limits");
@@ -97,6 +98,30 @@ Finding finding_of(const DecidingBranch& found, const SourceText& source, const 
   return source.finding(found.branch.place, "branch", sentence + ".");
 }
 
+/// How many steps, and how small something must be.
+bool is_of_accuracy(const Variant& variant) {
+  return variant.kind == "loop" || variant.kind == "number" || variant.words == "more steps";
+}
+
+/// Two slips in one line with which all cases are right.
+std::optional<Finding> two_slips(VariantRunner& runner, const std::vector<Variant>& variants,
+                                 const std::vector<std::size_t>& order, const SourceText& source,
+                                 const DiagnosticTask& task) {
+  for (auto one = order.begin(); one != order.end(); ++one) {
+    for (auto other = one + 1; other != order.end(); ++other) {
+      const Variant &first = variants[*one], &second = variants[*other];
+      const bool are_apart = first.edits.front().offset != second.edits.front().offset;
+      if (first.is_branch() || second.is_branch() || first.kind != second.kind || first.kind == "factor" ||
+          first.place.line != second.place.line || !are_apart || !runner.is_right(*one, *other))
+        continue;
+      return source.finding(first.place, "slips_" + first.kind,
+                            fmt::format("with {} here and {} in column {}, the result is right at all {} cases.",
+                                        first.words, second.words, second.place.column, task.reference.cases.size()));
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 VariantRunner::VariantRunner(const DiagnosticTask& task, std::vector<Variant>& variants, const Toolchain& toolchain,
@@ -104,8 +129,8 @@ VariantRunner::VariantRunner(const DiagnosticTask& task, std::vector<Variant>& v
     : task_(task),
       program_(compile_variants(task, variants, toolchain, cache, limits)),
       limits_(limits),
-      order_(task.reference.cases.size()),
-      deadline_(after(limits.running)) {
+      unchanged_(variants.size()),
+      order_(task.reference.cases.size()) {
   std::iota(order_.begin(), order_.end(), std::size_t{0});
   // What fails today comes first: almost every variant fails there too.
   std::ranges::stable_partition(order_, [&](std::size_t index) {
@@ -114,25 +139,50 @@ VariantRunner::VariantRunner(const DiagnosticTask& task, std::vector<Variant>& v
 }
 
 Reply VariantRunner::call(std::size_t variant, std::size_t case_index) {
-  // The original took a moment only: what takes long is another one's endless loop.
+  if (!calls_left_) calls_left_ = affordable_calls();
+  if (--*calls_left_ < 0 || slow_ >= limits_.slow_variants) return {};
+  return answer(variant, case_index);
+}
+
+Reply VariantRunner::answer(std::size_t variant, std::size_t case_index) {
+  // What calls no switch in its endless loop.
   if (running_ != variant)
-    budget_ = {std::min(deadline_, after(limits_.one_variant)), limits_.one_variant.count(), limits::diagnostic_output};
+    budget_ = {Clock::now() + std::chrono::duration_cast<Clock::duration>(limits_.one_variant),
+               limits_.one_variant.count(), limits::diagnostic_output};
   running_ = variant;
-  if (!worker_ || !worker_->running()) worker_ = std::make_unique<Worker>(program_, run_profile(), budget_);
-  const Case& one = task_.reference.cases[case_index];
-  const Clock::time_point until = budget_.deadline;
-  const Reply reply = worker_->call({one.inputs, one.expected.rows, one.expected.cols},
-                                    static_cast<std::int32_t>(variant) << protocol::variant_shift);
-  deadline_ += budget_.deadline - until;  // what other processes had of the time
+  const auto planned = [&](std::size_t index) {
+    const Case& one = task_.reference.cases[index];
+    return PlannedCall{one.inputs, one.expected.rows, one.expected.cols};
+  };
+  if (!worker_ || !worker_->running()) {
+    worker_ = std::make_unique<Worker>(program_, run_profile(), budget_);
+    // What is computed once for all calls is computed from what the file says.
+    if (variant != unchanged_) worker_->call(planned(order_.front()), mode_of(unchanged_));
+  }
+  const Reply reply = worker_->call(planned(case_index), mode_of(variant));
+  if (reply.ending == Ending::time_limit) ++slow_;
   return reply;
 }
 
-bool VariantRunner::is_right(std::size_t variant) {
+long VariantRunner::affordable_calls() {
+  constexpr std::size_t looked_at = 3;
+  constexpr long fewest = 200;
+  int exponent = 3;
+  for (const std::size_t index : evenly_spaced(order_, looked_at))
+    while (exponent < 7 && answer(VariantUnit::limited(unchanged_, exponent), index).ending == Ending::exception)
+      ++exponent;
+  return std::clamp(limits_.work / static_cast<long>(std::pow(10, exponent)), fewest, long{limits_.calls});
+}
+
+bool VariantRunner::is_right(std::size_t variant, std::optional<std::size_t> beside) {
+  if (beside) variant = VariantUnit::both(variant, *beside);
   return std::ranges::all_of(order_, [&](std::size_t index) {
     const Reply reply = call(variant, index);
     return has_usable_value(reply, task_.reference.cases[index]) && passes(task_.reference, index, reply.value);
   });
 }
+
+bool VariantRunner::is_as_judged() { return !is_other(unchanged_); }
 
 bool VariantRunner::is_other(std::size_t variant) {
   return std::ranges::any_of(task_.judgement.failing, [&](std::size_t index) {
@@ -184,11 +234,13 @@ CodeReasons code_reasons(const DiagnosticTask& task, const std::vector<Finding>&
 }
 
 std::optional<Finding> slip_or_branch(const DiagnosticTask& task, const Toolchain& toolchain,
-                                      const std::filesystem::path& cache) try {
+                                      const std::filesystem::path& cache, bool is_inaccurate) try {
   const SourceText source(task.submission.text);
   std::vector<Variant> variants = branch_variants(source);
   std::ranges::move(one_token_variants(source, task.reference), std::back_inserter(variants));
+  if (is_inaccurate) std::erase_if(variants, [](const Variant& each) { return !is_of_accuracy(each); });
   VariantRunner runner(task, variants, toolchain, cache);
+  if (!runner.is_as_judged()) return std::nullopt;
   std::optional<DecidingBranch> branch;
   for (std::size_t k = 0; k < variants.size(); ++k) {
     if (variants[k].kind != "branch") continue;
@@ -199,18 +251,27 @@ std::optional<Finding> slip_or_branch(const DiagnosticTask& task, const Toolchai
       });
       return forced != variants.end() && runner.is_right(static_cast<std::size_t>(forced - variants.begin()));
     };
-    if (const auto taken = runner.cases_taking_branch(k)) consider(branch, variants[k], *taken, is_right_if_always, task);
+    if (const auto taken = runner.cases_taking_branch(k))
+      consider(branch, variants[k], *taken, is_right_if_always, task);
   }
-  for (std::size_t k = 0; k < variants.size(); ++k) {
+  // Another number may stand for many a mistake: it comes last, and where few cases fail it may only move rounding.
+  const auto rank = [&](std::size_t k) {
+    return variants[k].kind == "guard" ? 3 : variants[k].kind == "factor" ? 2 : variants[k].kind == "number" ? 1 : 0;
+  };
+  std::vector<std::size_t> order(variants.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, rank);
+  for (const std::size_t k : order) {
     const Variant& each = variants[k];
-    if (each.is_branch() || (branch && !branch->may_hold(each)) || !runner.is_right(k)) continue;
+    const bool may_hold = !branch || (each.kind != "guard" && branch->may_hold(each));
+    if (each.is_branch() || !may_hold || !runner.is_right(k)) continue;
     return source.finding(
         each.place, "slip_" + each.kind,
         fmt::format("{}{} here, the result is right at all {} cases.", each.words.starts_with("without") ? "" : "with ",
                     each.words, task.reference.cases.size()));
   }
   if (branch) return finding_of(*branch, source, task);
-  return std::nullopt;
+  return two_slips(runner, variants, order, source, task);
 } catch (const std::exception&) {
   return std::nullopt;
 }

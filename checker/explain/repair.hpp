@@ -18,16 +18,20 @@ struct CodeReasons {
 CodeReasons code_reasons(const DiagnosticTask& task, const std::vector<Finding>& findings, const Toolchain& toolchain,
                          const std::filesystem::path& cache);
 
-/// The one token with which all cases are right: its place and its kind, not the answer; else the condition that holds
-/// at the failing cases.
+/// The one token with which all cases are right, or two in a line: the place and its kind, not the answer; else the
+/// condition that holds at the failing cases.
+/// @param is_inaccurate  the values are nearly right: only numbers and the ends of loops may be the cause
 std::optional<Finding> slip_or_branch(const DiagnosticTask& task, const Toolchain& toolchain,
-                                      const std::filesystem::path& cache);
+                                      const std::filesystem::path& cache, bool is_inaccurate = false);
 
-/// What may be spent on trying the variants of a file.
+/// What may be spent on trying the variants of a file; as it stands, while a student waits. It is counted, so that a
+/// busy machine finds what an idle one finds; time, of a processor, only ends what would never end.
 struct TrialLimits {
-  int compilations = limits::trial_compilations;
-  limits::Seconds compiling = limits::trial_compile_time, running = limits::trial_run_time,
-                  one_variant = limits::trial_of_one;
+  int compilations = limits::trial_compilations;  ///< each leaves out what it objected to
+  long work = 300'000'000;                        ///< in switches: some seconds
+  int calls = 20'000;
+  int slow_variants = 6;  ///< that reach the limit of one
+  limits::Seconds compiling = limits::trial_compile_time, one_variant = limits::trial_of_one;
 };
 
 /// Variants of a file in one executable, run in one process as long as they behave.
@@ -38,8 +42,10 @@ class VariantRunner {
   VariantRunner(const DiagnosticTask& task, std::vector<Variant>& variants, const Toolchain& toolchain,
                 const std::filesystem::path& cache, const TrialLimits& limits = {});
 
-  /// At every case?
-  bool is_right(std::size_t variant);
+  /// Does the file as it stands, among its variants, give what was judged?
+  bool is_as_judged();
+  /// At every case? Two of one copy may be asked for together.
+  bool is_right(std::size_t variant, std::optional<std::size_t> beside = {});
   /// Does it differ from what was judged at a failing case?
   bool is_other(std::size_t variant);
   /// The cases at which the condition of a branch is true; nothing where that is not certain.
@@ -47,12 +53,17 @@ class VariantRunner {
 
  private:
   Reply call(std::size_t variant, std::size_t case_index);
+  Reply answer(std::size_t variant, std::size_t case_index);
+  /// How many calls are as much work as all may be.
+  long affordable_calls();
 
   const DiagnosticTask& task_;
   const Program program_;
   const TrialLimits limits_;
+  const std::size_t unchanged_;  ///< the number of the file as it stands
   std::vector<std::size_t> order_;
-  Clock::time_point deadline_;
+  std::optional<long> calls_left_;
+  int slow_ = 0;
   std::optional<std::size_t> running_;
   Budget budget_;
   std::unique_ptr<Worker> worker_;

@@ -13,7 +13,7 @@ namespace workbook {
 namespace {
 
 constexpr std::size_t last_token_looked_at = 4000;
-constexpr std::size_t most_variants = 160;
+constexpr std::size_t most_variants = 1500;
 
 bool is_identifier(std::string_view text) {
   return !text.empty() && (std::isalpha(static_cast<unsigned char>(text[0])) != 0 || text[0] == '_');
@@ -44,6 +44,8 @@ class Conditions {
       if (is_one_of(text(k), {"for", "while"}) && text(k + 1) == "(") mark(in_loop_, k + 1, closing(k + 1));
     }
     for (std::size_t k = 0; k < size_; ++k) {
+      // Between the parentheses of a lambda stand declarations.
+      if (text(k) == "]" && text(k + 1) == "(") mark(decides_, k + 1, closing(k + 1));
       const bool is_if = text(k) == "if" && text(k + 1) == "(";
       if (is_if) mark(decides_, k + 1, closing(k + 1));
       // With the token before it: a sign after that one would be the condition's.
@@ -67,6 +69,15 @@ class Conditions {
       if (depth == 0) return k;
     }
     return size_ - 1;
+  }
+
+  /// The bracket that opens what is closed at the index; the first token if there is none.
+  std::size_t opening(std::size_t index) const {
+    int depth = 0;
+    for (std::size_t k = index;; --k) {
+      depth += closes(text(k)) ? 1 : opens(text(k)) ? -1 : 0;
+      if (depth == 0 || k == 0) return k;
+    }
   }
 
   std::size_t begin_of_operand(std::size_t index) const {
@@ -109,7 +120,9 @@ class SourceMutations {
   /// @param all_bugs  also what is hardly a slip
   SourceMutations(const SourceText& source, const ExerciseReference& exercise, bool all_bugs)
       : source_(source), conditions_(source), all_bugs_(all_bugs), most_(all_bugs ? std::string::npos : most_variants) {
-    for (const Argument& argument : exercise.arguments) types_[argument.name] = to_string(argument.kind);
+    constexpr const char* types[] = {"double",   "int",      "Vector2d",  "Vector3d",  // in the order of Kind
+                                     "VectorXd", "Matrix3d", "Matrix3Xd", "vector"};
+    for (const Argument& argument : exercise.arguments) types_[argument.name] = types[static_cast<int>(argument.kind)];
     find_locals();
   }
 
@@ -117,15 +130,22 @@ class SourceMutations {
     const std::vector<Token>& tokens = source_.tokens();
     find_body();
     for (at_ = first_; at_ < std::min(last_, last_token_looked_at) && found_.size() < most_; ++at_) {
-      if (tokens[at_].in_directive || (conditions_.decides(at_) && !all_bugs_)) continue;
+      if (tokens[at_].in_directive) continue;
+      if (conditions_.decides(at_) && !all_bugs_) {
+        numbers("guard");
+        continue;
+      }
       signs();
-      numbers();
+      numbers("number");
       names();
       functions();
       divisions();
       factors();
+      products();
+      loops();
       if (all_bugs_) bugs();
     }
+    names_everywhere();
     if (found_.size() > most_) found_.resize(most_);
     return std::move(found_);
   }
@@ -159,16 +179,32 @@ class SourceMutations {
       if (opens(here)) ++depth;
       if (closes(here)) --depth;
       if (!is_identifier(here) || !is_named) continue;
+      if (right == "(" && token(conditions_.closing(k + 1) + 1) == "{") continue;  // a function
+      const std::string_view word = left == "&" && k > 1 ? token(k - 2) : left;
       const bool is_type =
-          is_identifier(left) && !is_one_of(left, {"return", "else", "new", "throw", "case", "goto", "namespace"});
+          is_identifier(word) && !is_one_of(word, {"return", "else", "new", "throw", "case", "goto", "namespace"});
       if (is_type && type.empty()) {
-        type = left;
+        type = word == "auto" ? fmt::format("auto {}", here) : std::string(word);  // nobody else's
         depth = 0;
         types_.emplace(here, type);
+        scopes_[std::string(here)] = {k, end_of_block(k)};
       } else if (left == "," && depth == 0 && !type.empty() && right != ";" && right != ",") {
         types_.emplace(here, type);
+        scopes_[std::string(here)] = {k, end_of_block(k)};
       }
     }
+  }
+
+  /// The token that closes the block around the one at the index; of what is declared in a head, that behind it.
+  std::size_t end_of_block(std::size_t index) const {
+    int depth = 0;
+    for (std::size_t k = index; k < source_.tokens().size(); ++k) {
+      if (opens(token(k))) ++depth;
+      if (closes(token(k)) && --depth < 0 && token(k) == "}") return k;
+      if (depth == -1 && token(k) == ")")
+        return token(k + 1) == "{" ? conditions_.closing(k + 1) : source_.tokens().size();
+    }
+    return source_.tokens().size();
   }
 
   /// An edit that puts something in place of the tokens from the one index to the other.
@@ -201,10 +237,21 @@ class SourceMutations {
     if (here() == "-") add("sign", "another sign", follows_operand() ? "+" : " ");
     if (here() == "+=") add("sign", "another sign", "-=");
     if (here() == "-=") add("sign", "another sign", "+=");
-    const bool begins_expression = is_one_of(here(), {"return", "=", "(", ",", "{", "<<"});
-    if (begins_expression && (is_identifier(after()) || is_numeral(after())) && !is_index(at_ + 1) &&
+    if (begins_expression() && (is_identifier(after()) || is_numeral(after())) && !is_index(at_ + 1) &&
         !is_zero(at_ + 1) && !is_even())
       insert_after("sign", "another sign", "-");
+  }
+
+  /// Is what follows a value, and no declaration and no statement?
+  bool begins_expression() const {
+    const bool declares = is_identifier(after()) && (is_identifier(token(at_ + 2)) || token(at_ + 2) == "&");
+    const auto scope = scopes_.find(std::string(after()));
+    const bool is_declared = scope != scopes_.end() && scope->second.first == at_ + 1;
+    if (declares || is_declared || after() == "const" || after() == "auto") return false;
+    if (here() == "{") return is_one_of(before(), {"return", "=", "(", ",", "{"});
+    if (here() == "(") return !is_one_of(before(), {"for", "if", "while", "switch", "catch", "]"});
+    if (here() == ",") return token(at_ + 2) != "=";
+    return is_one_of(here(), {"return", "=", "<<"});
   }
 
   /// Do we open an even function of one variable, as in `cos(psi)` or `abs(angles[1])`?
@@ -228,59 +275,163 @@ class SourceMutations {
     return token(index) == "0" || token(index) == "0.0" || (token(index + 1) == "::" && token(index + 2) == "Zero");
   }
 
-  void numbers() {
+  void numbers(const char* kind) {
     if (!is_numeral(here())) return;
+    const bool is_guard = std::string_view(kind) == "guard";
     if (is_index(at_)) {
+      if (is_guard) return;
       for (const char* other : {"0", "1", "2"})
         if (here() != other) add("index", "another index", other);
       if (token(at_ + 1) == "," && is_index(at_ + 2) && here() != token(at_ + 2))
         exchange("index", "the two indices the other way round", at_, at_ + 2);
       return;
     }
-    if (conditions_.in_loop(at_) && (before() == "=" || before() == "<" || before() == "<=")) {
-      if (is_one_of(here(), {"0", "1", "2", "3"}))
-        for (const int step : {-1, 1})
-          if (const int other = here().front() - '0' + step; other >= 0)
-            add("number", "another number", std::to_string(other));
-      return;
-    }
     double value = 0;
     const auto [end, problem] = std::from_chars(here().data(), here().data() + here().size(), value);
-    if (problem != std::errc() || end != here().data() + here().size() || value == 0) return;
+    if (problem != std::errc() || end != here().data() + here().size() || (before() == "<" && after() == ">")) return;
     const bool is_whole = here().find_first_of(".e") == std::string_view::npos;
-    for (const double factor : {2.0, 0.5, 4.0, 0.25, 3.0, 1.0 / 3, 1.5, -1.0}) {
-      const double changed = value * factor;
-      if (is_whole && changed != std::trunc(changed)) continue;
-      add("number", "another number", is_whole ? fmt::format("{:.0f}", changed) : fmt::format("{}", changed));
+    std::vector<double> others;
+    if (value != 0)
+      for (const double factor : {2.0, 0.5, 4.0, 0.25, 3.0, 1.0 / 3, 1.5, 2.0 / 3, -1.0, 10.0, 100.0, 0.01, 1e-6})
+        others.push_back(value * factor);
+    if (is_whole) others.insert(others.end(), {value + 1, value - 1});
+    for (const double other : others) {
+      if (is_guard && other == -value) continue;
+      if (is_whole && (other != std::trunc(other) || (other < 0 && conditions_.in_loop(at_)) || std::abs(other) > 1e9))
+        continue;
+      const char* words = is_guard                                                  ? "another bound in this condition"
+                          : std::abs(other) >= 10 * std::abs(value) && value != 0   ? "a larger number"
+                          : std::abs(other) <= 0.01 * std::abs(value) && value != 0 ? "a smaller number"
+                                                                                    : "another number";
+      add(kind, words, is_whole ? fmt::format("{:.0f}", other) : fmt::format("{:.17g}", other));
     }
   }
 
   void names() {
     const auto type = types_.find(std::string(here()));
-    if (type == types_.end() || before() == "." || before() == "::" || before() == type->second) return;
-    for (const auto& [other, other_type] : types_)
-      if (other != here() && other_type == type->second) add("name", "another name", other);
+    if (type == types_.end() || is_one_of(before(), {".", "::", "->", "&"}) || before() == type->second) return;
+    const auto own_scope = scopes_.find(std::string(here()));
+    if (own_scope != scopes_.end() && own_scope->second.first == at_) return;  // it is declared here
+    if (is_one_of(after(), {"=", "+=", "-=", "*=", "/=", "{"})) return;
+    for (const auto& [other, declared] : types_)
+      if (other != here() && declared == type->second) {
+        const auto scope = scopes_.find(other);
+        if (scope != scopes_.end() && (at_ < scope->second.first || at_ > scope->second.second)) continue;
+        add("name", "another name", other);
+        places_[{std::string(here()), other}].push_back(found_.back().edits.front());
+      }
+    if (!all_bugs_) derived(type->second);
+  }
+
+  /// What is easily left out of a name: a square, a root, a length of 1, a matrix before a vector.
+  void derived(const std::string& type) {
+    const std::string name(here());
+    const auto put = [&](const std::string& words, const std::string& value) {
+      add("name", "", value);
+      found_.back().words = fmt::format(fmt::runtime(words), "`" + name + "`");
+    };
+    if (type == "double" && before() != "(") {
+      put("the square of {}", name + " * " + name);
+      put("the root of {}", "std::sqrt(" + name + ")");
+      put("the absolute value of {}", "std::abs(" + name + ")");
+    }
+    if (type == "Vector3d" && after() != "[" && after() != "(") {
+      put("the unit vector of {}", "Vector3d(" + name + ".normalized())");
+      for (const auto& [matrix, other_type] : types_) {
+        const auto scope = scopes_.find(matrix);
+        if (scope != scopes_.end() && (at_ < scope->second.first || at_ > scope->second.second)) continue;
+        if (other_type == "Matrix3d") {
+          put("a matrix before {}", "Vector3d(" + matrix + " * " + name + ")");
+          put("a matrix before {}", "Vector3d(" + matrix + ".transpose() * " + name + ")");
+        } else if (other_type == "Vector3d" && matrix == "I" && name != "I") {
+          put("the moments times {}", "Vector3d(" + matrix + ".cwiseProduct(" + name + "))");
+        }
+      }
+    }
+    if (type == "Matrix3d" && after() != "(") put("the transpose of {}", "Matrix3d(" + name + ".transpose())");
+  }
+
+  /// One name in place of another wherever that stands.
+  void names_everywhere() {
+    for (const auto& [names, edits] : places_)
+      if (edits.size() > 1 && !all_bugs_)
+        found_.push_back({"name", "another name wherever `" + names.first + "` stands",
+                          source_.place_of(edits.front().offset), edits});
   }
 
   void functions() {
-    static const std::map<std::string_view, std::vector<const char*>> others = {
-        {"sin", {"cos", "tan"}},    {"cos", {"sin"}},          {"tan", {"sin", "std::atan"}},
-        {"asin", {"acos", "atan"}}, {"acos", {"asin"}},        {"sqrt", {"std::abs"}},
-        {"cosh", {"sinh"}},         {"sinh", {"cosh"}},        {"min", {"max"}},
-        {"max", {"min"}},           {"norm", {"squaredNorm"}}, {"squaredNorm", {"norm"}},
-        {"row", {"col"}},           {"col", {"row"}},          {"x", {"y", "z"}},
-        {"y", {"x", "z"}},          {"z", {"x", "y"}}};
+    using Others = std::map<std::string_view, std::vector<const char*>>;
+    static const Others functions = {
+        {"sin", {"cos", "std::tan"}}, {"cos", {"sin"}},   {"tan", {"sin", "std::atan", "std::cos"}},
+        {"asin", {"acos", "atan"}},   {"acos", {"asin"}}, {"atan", {"tan"}},
+        {"sqrt", {"std::abs"}},       {"cosh", {"sinh"}}, {"sinh", {"cosh"}},
+        {"tanh", {"std::tan"}},       {"min", {"max"}},   {"max", {"min"}}};
+    static const Others methods = {{"norm", {".squaredNorm"}},
+                                   {"squaredNorm", {".norm"}},
+                                   {"x", {".y", ".z"}},
+                                   {"y", {".x", ".z"}},
+                                   {"z", {".x", ".y"}},
+                                   {"transpose", {"", ".inverse"}},
+                                   {"inverse", {"", ".transpose"}},
+                                   {"normalized", {""}},
+                                   {"maxCoeff", {".minCoeff"}},
+                                   {"minCoeff", {".maxCoeff"}}};
     const bool is_called = after() == "(";
-    const auto found = others.find(here());
-    const bool is_coordinate = is_one_of(here(), {"x", "y", "z"});
-    if (found != others.end() && is_called && (!is_coordinate || before() == "."))
+    if (before() == "." && is_called) {
+      const auto found = methods.find(here());
+      const std::size_t last = token(at_ + 2) == ")" ? at_ + 2 : at_ + 1;
+      const std::string_view behind = token(conditions_.closing(at_ + 1) + 1);
+      if (found == methods.end() || at_ < 2 || is_one_of(behind, {"=", "+=", "-=", "*=", "/="})) return;
+      for (const std::string_view other : found->second) {
+        Edit edit =
+            replaced(at_ - 1, last, other.empty() ? "" : fmt::format("{}{}", other, last == at_ + 2 ? "()" : "("));
+        edit.operand = source_.tokens()[operand_of(at_ - 1)].offset;
+        add("method", other.empty() ? "one call left out" : "another function", at_, {edit});
+      }
+      if (here() == "cross") negate_cross();
+      return;
+    }
+    if (const auto found = functions.find(here()); found != functions.end() && is_called)
       for (const char* other : found->second) add("function", "another function", other);
     if ((here() == "abs" || here() == "fabs") && is_called) drop("the absolute value left out");
     if (here() == "sqrt" && is_called) drop("the root left out");
-    if (here() == "static") add("static", "without static", " ");
-    if (here() == "." && after() == "transpose" && token(at_ + 2) == "(" && token(at_ + 3) == ")")
-      add("transpose", "without the transpose", at_, {replaced(at_, at_ + 3, "")});
-    if (here() == "cross" && before() == ".") negate_cross();
+  }
+
+  /// The first token of what the dot at the index belongs to: `I` of `I.col(0).norm()`.
+  std::size_t operand_of(std::size_t dot) const {
+    std::size_t first = dot;
+    while (first > 0) {
+      --first;
+      while (first > 0 && closes(token(first))) {
+        first = conditions_.opening(first);
+        const std::string_view left = token(first - 1);
+        if (first > 0 && (closes(left) || (is_identifier(left) && left != "return"))) --first;
+      }
+      if (first == 0 || !is_one_of(token(first - 1), {".", "->", "::"})) return first;
+      --first;
+    }
+    return first;
+  }
+
+  /// `a * b` as `a / b`, or of matrices as `b * a` or with the transpose of a.
+  void products() {
+    const bool begins_factor = is_identifier(after()) || is_numeral(after()) || after() == "(";
+    if (!is_one_of(here(), {"*", "/"}) || !follows_operand() || !begins_factor || all_bugs_) return;
+    add("operator", here() == "*" ? "a quotient in place of the product" : "a product in place of the quotient",
+        here() == "*" ? "/" : "*");
+    if (here() == "/") return;
+    add("order", "the factors in the other order", "*");
+    add("transpose", "the transpose of the left factor", "*");
+  }
+
+  /// The end of a loop.
+  void loops() {
+    if (!conditions_.in_loop(at_) || !is_one_of(here(), {"<", "<=", ">", ">=", "!="}) || all_bugs_) return;
+    if (!is_identifier(after()) && !is_numeral(after())) return;
+    const std::size_t behind = source_.tokens()[at_].offset + here().size();
+    add("loop", "one step more", at_, {{behind, 0, "1"}});
+    add("loop", "one step less", at_, {{behind, 0, "-1"}});
+    add("factor", "more steps", at_, {{behind, 0, "10.0 *"}});
   }
 
   /// A quotient of what may be whole numbers: of variables, of a size.
@@ -299,7 +450,7 @@ class SourceMutations {
   void negate_cross() {
     const std::string_view operand = at_ >= 2 ? token(at_ - 2) : std::string_view();
     if (is_identifier(operand) && after() == "(" && is_identifier(token(at_ + 2)) && token(at_ + 3) == ")")
-      exchange("order", "the other order of a cross product", at_ - 2, at_ + 2);
+      exchange("cross", "the other order of a cross product", at_ - 2, at_ + 2);
   }
 
   /// The function's name in front of its bracket is left out, with a std:: before it.
@@ -316,7 +467,8 @@ class SourceMutations {
     // In `n = axis` nobody forgot a number; another one may only move the inputs out of a wrong branch.
     if (here() == "=" && is_identifier(after()) && token(at_ + 2) == ";" && !all_bugs_) return;
     if (is_identifier(after()) && (after() == "std" || after() == "static_cast") && token(at_ + 2) != "::") return;
-    for (const char* factor : {"2.0 *", "0.5 *"}) insert_after("factor", "another factor", factor);
+    for (const char* factor : {"2.0 *", "0.5 *", "3.0 *", "1.0/3 *", "4.0 *", "0.25 *", "1.5 *", "2.0/3 *"})
+      insert_after("factor", "another factor", factor);
     insert_after("factor", "one term left out", "0.0 *");
   }
 
@@ -333,8 +485,8 @@ class SourceMutations {
         {"!=", {"=="}},     {"&&", {"||"}},      {"||", {"&&"}},      {"*", {"/"}},        {"/", {"*"}},
         {"0", {"1"}},       {"0.0", {"1.0"}},    {"true", {"false"}}, {"false", {"true"}}};
     if (const auto found = others.find(here()); found != others.end() && !is_index(at_))
-      for (const char* other : found->second) add("operator", "another operator or constant", other);
-    if (here() == "." && token(at_ + 2) == "(" && token(at_ + 3) == ")" && after() != "transpose")
+      for (const char* other : found->second) add("bug", "another operator or constant", other);
+    if (here() == "." && token(at_ + 2) == "(" && token(at_ + 3) == ")")
       add("call", "one call left out", at_, {replaced(at_, at_ + 3, "")});
     if (here() == ";" || here() == "{" || here() == "}") statement_after();
   }
@@ -355,7 +507,9 @@ class SourceMutations {
   const Conditions conditions_;
   const bool all_bugs_;
   const std::size_t most_;
-  std::map<std::string, std::string> types_;  ///< of arguments and local variables
+  std::map<std::string, std::string> types_;                                 ///< of arguments and local variables
+  std::map<std::string, std::pair<std::size_t, std::size_t>> scopes_;        ///< of the latter
+  std::map<std::pair<std::string, std::string>, std::vector<Edit>> places_;  ///< of one name in place of another
   std::vector<Variant> found_;
   std::size_t at_ = 0, first_ = 0, last_ = 0;
 };
@@ -403,6 +557,8 @@ std::vector<Edit> fix_of(const SourceText& source, const Finding& finding) {
     if (const Token* comma = token_at(source, finding, ",")) return {{comma->offset, 1, "."}};
   }
   if (finding.name == "narrowing" || finding.name == "float_precision") return wider_type(source, finding);
+  if (finding.name == "kept_between_calls")
+    if (const Token* word = token_at(source, finding, "static")) return {{word->offset, word->text.size(), ""}};
   if (finding.name == "aliasing") {
     const Token* word = token_at(source, finding, "noalias");
     if (word == nullptr) return {};
@@ -433,12 +589,11 @@ std::vector<Variant> branch_variants(const SourceText& source) {
     const auto begin_of = [&](std::size_t index) { return tokens[index].offset; };
     const auto end_of = [&](std::size_t index) { return tokens[index].offset + tokens[index].text.size(); };
     const std::size_t begin = begin_of(condition.first), end = end_of(condition.second);
-    for (const auto& [kind, more] :
-         {std::pair("branch", "&& ::workbook_reached()"), {"branch_off", "&& false"}, {"branch_on", "|| true"}})
+    for (const char* kind : {"branch", "branch_off", "branch_on"})
       found.push_back({kind,
                        std::string(source.text().substr(begin, end - begin)),
                        source.place_of(begin_of(place)),
-                       {{begin, 0, "(("}, {end, 0, fmt::format(") {})", more)}},
+                       {{begin, end - begin, ""}},
                        begin_of(body.first),
                        end_of(body.second)});
   };
@@ -497,48 +652,6 @@ std::vector<Variant> fixed_variants(const SourceText& source, const std::vector<
       if (std::ranges::find(all.edits, edit.offset, &Edit::offset) == all.edits.end()) all.edits.push_back(edit);
   variants.push_back(std::move(all));
   return variants;
-}
-
-VariantUnit::VariantUnit(std::string_view source, const std::vector<Variant>& variants,
-                         const ExerciseReference& exercise) {
-  // Lines of the preprocessor stand once, before all variants: headers must not be read inside a namespace.
-  std::vector<Edit> without_directives;
-  std::size_t at = source.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
-  if (at > 0) without_directives.push_back({0, at, ""});
-  while (at < source.size()) {
-    const std::size_t end = std::min(source.find('\n', at), source.size());
-    const std::size_t first = source.find_first_not_of(" \t", at);
-    if (first < end && source[first] == '#') {
-      text_ += std::string(source.substr(at, end - at)) + "\n";
-      without_directives.push_back({at, end - at, ""});
-    }
-    at = end + 1;
-  }
-  text_ +=
-      "template <class T> auto workbook_value(const T& value) {\n"
-      "  if constexpr (requires { value.eval(); }) return typename T::PlainObject(value);\n"
-      "  else return value;\n}\ninline bool workbook_reached() { throw 0; }\nextern \"C\" int workbook_variant;\n";
-  const auto next_line = [&] { return 1 + static_cast<int>(std::ranges::count(text_, '\n')); };
-  std::string table, names;
-  for (std::size_t k = 0; k < variants.size(); ++k) {
-    std::vector<Edit> edits = without_directives;
-    edits.insert(edits.end(), variants[k].edits.begin(), variants[k].edits.end());
-    first_lines_.push_back(next_line());
-    text_ += fmt::format("namespace variant_{} {{ namespace rigid {{ using namespace ::rigid; {}; }}\n{}\n}}\n", k,
-                         exercise.signature, edited(source, edits));
-    table += fmt::format("{}&variant_{}::rigid::{}", table.empty() ? "" : ", ", k, exercise.name);
-  }
-  end_line_ = next_line();
-  for (const Argument& argument : exercise.arguments) names += (names.empty() ? "" : ", ") + argument.name;
-  text_ += fmt::format(
-      "namespace rigid {{\n{} {{\n  static constexpr decltype(&::rigid::{}) variants[] = {{{}}};\n"
-      "  return variants[workbook_variant]({});\n}}\n}}\n",
-      exercise.signature, exercise.name, table, names);
-}
-
-int VariantUnit::variant_at(int line) const {
-  if (first_lines_.empty() || line < first_lines_.front() || line >= end_line_) return -1;
-  return static_cast<int>(std::ranges::upper_bound(first_lines_, line) - first_lines_.begin()) - 1;
 }
 
 }  // namespace workbook

@@ -5,6 +5,8 @@
 #include "checker/data/reference_results.hpp"
 #include "checker/source/source_text.hpp"
 
+#include <set>
+
 #include <string_view>
 
 namespace workbook {
@@ -14,10 +16,13 @@ struct Edit {
   std::size_t offset = 0;
   std::size_t length = 0;
   std::string replacement;
+  std::size_t operand = std::string_view::npos;  ///< of a method's call: where that begins of which it is called
 };
 
 struct Variant {
-  std::string kind;   ///< "sign", "index", "name", "function", "number", "factor"; or the name of a finding
+  /// "sign", "factor", "number", "index", "name", "function", "method", "operator", "order", "loop"; "branch" and its
+  /// outcomes; or the name of a finding.
+  std::string kind;
   std::string words;  ///< of what is changed, without the answer: "another sign"; the condition of a branch
   Place place;
   std::vector<Edit> edits;
@@ -27,13 +32,13 @@ struct Variant {
   bool is_branch() const { return body_end > 0; }
 };
 
-/// Of every `if` and `?`: a file that throws where its condition is true ("branch"), to learn which cases go that way,
-/// and files in which it is never so ("branch_off") and always so ("branch_on").
+/// Of every `if` and `?`: one that throws where its condition is true ("branch"), to learn which cases go that way, and
+/// ones in which it is never so ("branch_off") and always so ("branch_on").
 std::vector<Variant> branch_variants(const SourceText& source);
 
-/// Slips of one token: signs, indices, names of arguments of one kind, functions, numbers, a lost or surplus factor, a
-/// surplus abs, transpose or static. All of them keep the types as they are, so that most compile. Conditions stay as
-/// they are: to change one may only switch a wrong branch off.
+/// Slips of one place: signs, indices, names of one type, functions, numbers, a lost or surplus factor, a surplus abs,
+/// transpose or static, the order of a product, the end of a loop. All of them keep the types as they are, so that most
+/// compile. Conditions stay as they are: to change one may only switch a wrong branch off.
 std::vector<Variant> one_token_variants(const SourceText& source, const ExerciseReference& exercise);
 
 /// Bugs in a file: all slips of one token, and those that are hardly slips: another comparison, a call such as
@@ -46,20 +51,35 @@ std::string edited(std::string_view text, std::vector<Edit> edits);
 /// small change fixes.
 std::vector<Variant> fixed_variants(const SourceText& source, const std::vector<Finding>& findings);
 
-/// One translation unit with variants of a file, each in a namespace of its own, and the exercise's function that calls
-/// the one with the number `workbook_variant`.
+/// One translation unit with all variants of a file, and the exercise's function that calls the one with the number
+/// `workbook_variant`; the number behind the last is the file as it stands. Slips stand in one copy of the file, where
+/// each is switched on by its number: it compiles in the time of a few copies, however many there are. Changes of
+/// types and statements need a copy each, in a namespace of its own.
 class VariantUnit {
  public:
-  VariantUnit(std::string_view source, const std::vector<Variant>& variants, const ExerciseReference& exercise);
+  /// The number for a second slip beside the first.
+  static constexpr std::size_t both(std::size_t one, std::size_t other) { return one + ((other + 1) << 12); }
+  /// The number for a variant that may do work of 10^exponent switches only, and throws where it needs more.
+  static constexpr std::size_t limited(std::size_t variant, int exponent) {
+    return variant + (static_cast<std::size_t>(first_limit + exponent) << 12);
+  }
+  static constexpr int first_limit = 2001;       ///< no unit has so many slips
+  static constexpr long most_work = 20'000'000;  ///< of one call, in switches
+
+  VariantUnit(const SourceText& source, const std::vector<Variant>& variants, const ExerciseReference& exercise);
 
   const std::string& text() const { return text_; }
-  /// The variant that a line of the text belongs to; -1: none.
-  int variant_at(int line) const;
+  /// The variants that a line of the text belongs to, or that stand last before it.
+  std::set<std::size_t> variants_at(int line) const;
 
  private:
+  struct Piece;
+  std::vector<Piece> pieces_of(const SourceText& source, const std::vector<Variant>& variants) const;
+  void append(std::string_view text, const std::set<std::size_t>& variants = {});
+
   std::string text_;
-  std::vector<int> first_lines_;  ///< of the variants
-  int end_line_ = 0;
+  int line_ = 1;                                      ///< the last one
+  std::map<int, std::set<std::size_t>> variants_at_;  ///< by the first line from which they count
 };
 
 }  // namespace workbook

@@ -176,7 +176,8 @@ Ending Worker::exchange(std::size_t wanted) {
     // A worker that closed its standard output would wake us for ever.
     const int ready = ::poll(watched.data(), output_closed_ ? 1 : 2, milliseconds_until(wake));
     if (ready < 0 && errno == EINTR) continue;
-    if (Clock::now() >= budget_.deadline && !extend_deadline()) return Ending::time_limit;
+    // Where something came, it was in time: only we may have waited for a processor.
+    if (ready <= 0 && Clock::now() >= budget_.deadline && !extend_deadline()) return Ending::time_limit;
     if (watches_memory && uses_too_much_memory()) return Ending::memory_limit;
     if (ready <= 0) continue;
     if (!output_closed_ && watched[1].revents != 0)

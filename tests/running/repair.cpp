@@ -1,6 +1,7 @@
 // A wrong value explained by trying: one token changed, or a finding about the code fixed.
 #include "tests/running/student.hpp"
 
+#include "checker/base/text.hpp"
 #include "checker/compile/compile.hpp"
 #include "checker/explain/repair.hpp"
 #include "checker/explain/variants.hpp"
@@ -75,10 +76,10 @@ TEST_CASE("the one token with which all cases are right is found, with its place
       {"return n * std::abs(x);", "slip_function", 7, 17},
       {"const Vector3d v(x, 1, 2);\nreturn n * v[1];", "slip_index", 8, 14},
       {"return n + x * x;", "", 0, 0},
-      {"double sum = 0;\nfor (int i = 1; i < 3; ++i) sum += n * x / 3;\nreturn sum;", "slip_number", 8, 14},
+      {"double sum = 0;\nfor (int i = 1; i < 3; ++i) sum += n * x / 3;\nreturn sum;", "slip_loop", 8, 19},
       // A condition that only switches a wrong branch off is no slip.
       {"if (x < 0) return 1.0;\nreturn n * x;", "branch", 7, 1},
-      {"if (x > 1) {\n  return n * x;\n} else {\n  return n / x;\n}", "branch", 7, 1},
+      {"if (x > 1) {\n  return n * x;\n} else {\n  return n / x;\n}", "slip_operator", 10, 12},
       {"return x == 2.0 ? 0 : n * x;", "branch", 7, 8},
       {"return x < 0 ? -n * x : n * x;", "slip_sign", 7, 16},
       {"const bool small = x < 1;\nif (small) return 0;\nreturn n * x;", "branch", 8, 1},
@@ -128,22 +129,50 @@ TEST_CASE("findings are the reason if their fix makes all cases right, and a par
 }
 
 TEST_CASE("a unit of variants knows its lines, and reads headers once") {
-  const std::string text = Judged::text_of("return n + x;");
+  const std::string text = Judged::text_of("static int calls = 0;\nreturn n + x * std::sin(x);");
   const ExerciseReference reference = n_times_x();
   const SourceText source(text);
-  const std::vector<Variant> variants = one_token_variants(source, reference);
-  REQUIRE(variants.size() > 2);
-  const VariantUnit unit(text, variants, reference);
+  std::vector<Variant> variants = one_token_variants(source, reference);
+  const std::size_t slips = variants.size();
+  for (Variant& other : fixed_variants(source, {{.line = 7, .name = "kept_between_calls"}}))
+    variants.push_back(std::move(other));
+  REQUIRE(slips > 20);
+  REQUIRE(variants.size() == slips + 1);
+  const VariantUnit unit(source, variants, reference);
   CHECK(unit.text().find("#include") == unit.text().rfind("#include"));
-  CHECK(unit.variant_at(1) == -1);
-  CHECK(unit.variant_at(static_cast<int>(std::ranges::count(unit.text(), '\n'))) == -1);
-  int last = -1;
-  for (int line = 1; line < static_cast<int>(std::ranges::count(unit.text(), '\n')); ++line) {
-    const int variant = unit.variant_at(line);
-    if (variant >= 0) CHECK((variant == last || variant == last + 1));
-    last = std::max(last, variant);
+  CHECK(unit.variants_at(1).empty());
+  std::set<std::size_t> seen;
+  const auto lines = lines_of(unit.text());
+  for (std::size_t line = 0; line < lines.size(); ++line) {
+    const std::set<std::size_t> here = unit.variants_at(static_cast<int>(line) + 1);
+    seen.insert(here.begin(), here.end());
+    // What names one variant alone is that one's.
+    if (const Match only = search(lines[line], "^workbook_is\\((\\d+)\\) \\?"))
+      CHECK(here == std::set{std::stoul(only[1])});
   }
-  CHECK(last == static_cast<int>(variants.size()) - 1);
+  CHECK(seen.size() == variants.size());
+}
+
+TEST_CASE("two slips in one line, a bound in a condition and a name with something left out are found") {
+  struct Slip {
+    const char* body;
+    const char* name;
+    int line;
+  };
+  const Slip slips[] = {
+      {"const Vector3d v(x, n, 0), w(1, x, 3);\nreturn v[2] * w[0];", "slips_name", 8},
+      {"return (x < -1 ? -1 : 1) * n * std::sqrt(x * x);", "slip_guard", 7},
+      {"double sum = 0;\nfor (int i = 0; i + 1 < n; ++i) sum += x;\nreturn sum;", "slip_loop", 8},
+      {"return n / x;", "slip_operator", 7},
+      {"const Vector3d v(x, 2, 1);\nreturn n * v.y();", "slip_method", 8},
+  };
+  for (const Slip& slip : slips) {
+    CAPTURE(std::string(slip.body));
+    const auto found = Judged(slip.body).slip();
+    REQUIRE(found.has_value());
+    CHECK(found->name == slip.name);
+    CHECK(found->line == slip.line);
+  }
 }
 
 TEST_CASE("the branch that the failing cases take is named with its condition, and whether all is right without it") {
@@ -159,8 +188,7 @@ TEST_CASE("the branch that the failing cases take is named with its condition, a
       {"const double y = std::abs(x) < 0.6 ? 0 : x;\nreturn n * y;", 7, 18, "`std::abs(x) < 0.6` is true"},  // one case
       {"if (x > 0)\n  if (x > 1.5) return 0;\nreturn n * x;", 8, 3, "`x > 1.5` is true"},
       {"if (x < 1.5) x = 1;\nreturn n * x;", 7, 1, "`x < 1.5` is true"},  // 1 is right by chance
-      {"if (const double y = x; y > 1.5) return 0;\nreturn n * x;", 0, 0, ""},
-      {"if (x > 3) x = 0;\nreturn n * x * x;", 0, 0, ""},  // fails elsewhere too
+      {"if (x > 3) x = 0;\nreturn n * x * x;", 0, 0, ""},                 // fails elsewhere too
   };
   for (const Wrong& wrong : wrongs) {
     CAPTURE(std::string(wrong.body));

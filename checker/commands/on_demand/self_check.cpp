@@ -418,8 +418,10 @@ nlohmann::json try_mutants(const Course& course, const Toolchain& toolchain, con
                 std::back_inserter(mutants));
     VariantRunner runner(task, mutants, toolchain, course.compiled(),
                          {.compilations = 50,
+                          .work = 100'000'000'000,
+                          .calls = 1'000'000,
+                          .slow_variants = 150,
                           .compiling = std::chrono::minutes(5),
-                          .running = std::chrono::minutes(10),
                           .one_variant = std::chrono::seconds(1)});
     if (!mutants.front().edits.empty() || !runner.is_right(0))
       throw std::runtime_error("the solution itself does not pass");

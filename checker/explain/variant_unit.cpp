@@ -1,0 +1,296 @@
+// All variants of a file in one translation unit.
+#include "checker/explain/variants.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace workbook {
+
+namespace {
+
+/// What a switched slip is made of. A number of another variant leaves every value bit by bit as the file has it. How
+/// often it is asked for measures the work of a call, on every machine in the same way.
+constexpr const char* switches = R"(
+extern "C" int workbook_variant;
+inline long workbook_work = 0;  // what is left of it
+inline bool workbook_is(int variant) {
+  if (--workbook_work < 0) throw 0;
+  return (workbook_variant & 4095) == variant || (workbook_variant >> 12) == variant + 1;
+}
+inline bool workbook_reached() { throw 0; }
+inline bool workbook_condition(int thrown, int never, int always, bool is_so) {
+  return workbook_is(never) ? false : workbook_is(always) ? true : is_so && workbook_is(thrown) ? workbook_reached() : is_so;
+}
+template <class T> auto workbook_value(const T& value) {
+  if constexpr (std::is_base_of_v<Eigen::MatrixBase<T>, T>)
+    return Eigen::Matrix<typename T::Scalar, T::RowsAtCompileTime, T::ColsAtCompileTime>(value);
+  else if constexpr (requires { value.eval(); }) return typename T::PlainObject(value);
+  else return value;
+}
+template <class T> const T& workbook_itself(const T& value) { return value; }
+struct WorkbookTimes {
+  double factor;
+  WorkbookTimes operator-() const { return {-factor}; }
+  WorkbookTimes operator+() const { return *this; }
+};
+template <class T> auto operator*(WorkbookTimes times, const T& x) {
+  if constexpr (requires { typename T::PlainObject; }) {
+    typename T::PlainObject value = x;
+    value *= static_cast<typename T::Scalar>(times.factor);
+    return value;
+  } else if constexpr (requires { static_cast<T>(times.factor * x); }) {
+    return static_cast<T>(times.factor * x);
+  } else {
+    return workbook_itself(x);
+  }
+}
+struct WorkbookProduct { int inverse, order, transposed; };
+template <class T> struct WorkbookLeft { const T& left; WorkbookProduct by; };
+template <class T> WorkbookLeft<T> operator*(const T& left, WorkbookProduct by) { return {left, by}; }
+template <class T> WorkbookLeft<T> operator/(const T& left, WorkbookProduct by) { return {left, by}; }
+template <class A, class B> auto operator*(WorkbookLeft<A> a, const B& b) {
+  if constexpr (std::is_arithmetic_v<B> && requires { a.left / b; }) {
+    return workbook_is(a.by.inverse) ? workbook_value(a.left / b) : workbook_value(a.left * b);
+  } else if constexpr (requires { A::RowsAtCompileTime; B::RowsAtCompileTime; }) {
+    auto value = workbook_value(a.left * b);
+    if constexpr (A::RowsAtCompileTime == 3 && A::ColsAtCompileTime == 3) {
+      if constexpr (B::RowsAtCompileTime == 3 && B::ColsAtCompileTime == 3)
+        if (workbook_is(a.by.order)) value = workbook_value(b * a.left);
+      if (workbook_is(a.by.transposed)) value = workbook_value(a.left.transpose() * b);
+    }
+    return value;
+  } else if constexpr (requires { static_cast<decltype(a.left * b)>(b * a.left); }) {
+    return workbook_is(a.by.order) ? static_cast<decltype(a.left * b)>(b * a.left) : a.left * b;
+  } else {
+    return a.left * b;
+  }
+}
+template <class A, class B> auto operator/(WorkbookLeft<A> a, const B& b) {
+  if constexpr (requires { a.left * b; })
+    return workbook_is(a.by.inverse) ? workbook_value(a.left * b) : workbook_value(a.left / b);
+  else
+    return a.left / b;
+}
+)";
+
+enum class Form { times, step, value, call, method, product, condition, copy };
+
+Form form_of(const Variant& variant) {
+  static const std::map<std::string_view, Form> forms = {
+      {"sign", Form::times},          {"factor", Form::times},     {"loop", Form::step},
+      {"number", Form::value},        {"index", Form::value},      {"name", Form::value},
+      {"cross", Form::value},         {"guard", Form::value},      {"function", Form::call},
+      {"method", Form::method},       {"operator", Form::product}, {"order", Form::product},
+      {"transpose", Form::product},   {"branch", Form::condition}, {"branch_on", Form::condition},
+      {"branch_off", Form::condition}};
+  const auto found = forms.find(variant.kind);
+  return variant.edits.empty() || found == forms.end() ? Form::copy : found->second;
+}
+
+}  // namespace
+
+/// Text in place of some of the file's, in parts that stand on lines of their own where they belong to variants.
+struct VariantUnit::Piece {
+  std::size_t offset = 0, length = 0;
+  int order = 0;  ///< of what stands at one place
+  std::size_t end = 0;
+  std::vector<std::pair<std::string, std::set<std::size_t>>> parts = {};
+};
+
+std::vector<VariantUnit::Piece> VariantUnit::pieces_of(const SourceText& source,
+                                                       const std::vector<Variant>& variants) const {
+  struct SamePlace {
+    std::vector<std::pair<std::size_t, const Edit*>> edits = {};
+    std::set<std::size_t> all = {};
+  };
+  const std::string_view text = source.text();
+  std::map<std::tuple<Form, std::size_t, std::size_t>, SamePlace> groups;
+  for (std::size_t k = 0; k < variants.size(); ++k) {
+    const Form form = form_of(variants[k]);
+    if (form == Form::copy) continue;
+    for (const Edit& edit : variants[k].edits) {
+      std::size_t offset = edit.offset, end = edit.offset + edit.length;
+      if (form == Form::times) offset = end;
+      // With its std::, which belongs to the function.
+      if (form == Form::call && text.substr(0, offset).ends_with("std::")) offset -= 5;
+      SamePlace& group = groups[{form, offset, end}];
+      group.edits.emplace_back(k, &edit);
+      group.all.insert(k);
+    }
+  }
+  std::vector<Piece> pieces;
+  for (const auto& [key, group] : groups) {
+    const auto [form, offset, end] = key;
+    const std::string original(text.substr(offset, end - offset));
+    const auto number_of = [&](std::string_view kind) {
+      const auto found =
+          std::ranges::find_if(group.edits, [&](const auto& each) { return variants[each.first].kind == kind; });
+      return found == group.edits.end() ? -1 : static_cast<int>(found->first);
+    };
+    Piece piece{offset, end - offset, 2, end, {}};
+    const auto choose = [&](const std::string& before, const auto& words_of, const std::string& otherwise) {
+      piece.parts.emplace_back(before, std::set<std::size_t>{});
+      for (const auto& [k, edit] : group.edits)
+        piece.parts.emplace_back(fmt::format("workbook_is({}) ? {} :", k, words_of(*edit)), std::set{k});
+      piece.parts.emplace_back(otherwise, group.all);
+    };
+    const auto choose_number = [&](const auto& number_of_edit, const char* otherwise) {
+      std::string chain;
+      for (const auto& [k, edit] : group.edits)
+        chain += fmt::format("workbook_is({}) ? {} : ", k, number_of_edit(k, *edit));
+      return chain + otherwise;
+    };
+    switch (form) {
+      case Form::times: {
+        const auto factor = [&](std::size_t k, const Edit& edit) {
+          return variants[k].kind == "sign" ? "-1.0" : edit.replacement.substr(0, edit.replacement.find('*'));
+        };
+        piece.order = 0;
+        piece.parts = {{fmt::format(" WorkbookTimes{{{}}} * ", choose_number(factor, "1.0")), group.all}};
+        break;
+      }
+      case Form::step:
+        piece.order = 0;
+        piece.parts = {{fmt::format(" ({}) + ",
+                                    choose_number([](std::size_t, const Edit& edit) { return edit.replacement; }, "0")),
+                        group.all}};
+        break;
+      case Form::value:
+        choose(
+            "(", [](const Edit& edit) { return edit.replacement; }, original + ")");
+        break;
+      case Form::call: {
+        const bool has_prefix = original.starts_with("std::");
+        choose(
+            "[](const auto&... x) { return ",
+            [&](const Edit& edit) {
+              const bool is_whole =
+                  edit.replacement.empty() || edit.replacement.starts_with("std::") || edit.offset == offset;
+              return fmt::format("{}{}(x...)", is_whole || !has_prefix ? "" : "std::",
+                                 edit.replacement.empty() ? "workbook_itself" : edit.replacement);
+            },
+            original + "(x...); }");
+        break;
+      }
+      case Form::method: {
+        Piece head{group.edits.front().second->operand, 0, 1, end, {}};
+        std::swap(head.parts, piece.parts);
+        choose(
+            "[](const auto& value, const auto&... x) { return ",
+            [](const Edit& edit) {
+              const std::string method = edit.replacement.substr(0, edit.replacement.find('('));
+              return fmt::format("workbook_value(value{})", method.empty() ? "" : method + "(x...)");
+            },
+            fmt::format("workbook_value(value{}(x...)); }}(", original.substr(0, original.find('('))));
+        std::swap(head.parts, piece.parts);
+        piece.parts = {{original.ends_with(')') ? ")" : ", ", {}}};
+        pieces.push_back(std::move(head));
+        break;
+      }
+      case Form::product:
+        piece.parts = {{fmt::format(" {0} WorkbookProduct{{{1}, {2}, {3}}} {0} ", original, number_of("operator"),
+                                    number_of("order"), number_of("transpose")),
+                        group.all}};
+        break;
+      case Form::condition:
+        pieces.push_back({offset,
+                          0,
+                          1,
+                          end,
+                          {{fmt::format("workbook_condition({}, {}, {}, static_cast<bool>(", number_of("branch"),
+                                        number_of("branch_off"), number_of("branch_on")),
+                            group.all}}});
+        piece = {end, 0, -1, end - offset, {{"))", {}}}};
+        break;
+      case Form::copy:
+        break;
+    }
+    pieces.push_back(std::move(piece));
+  }
+  // What is switched is no constant expression; most constants need not be one.
+  const std::vector<Token>& tokens = source.tokens();
+  for (std::size_t k = 1; k < tokens.size(); ++k)
+    if (tokens[k].text == "constexpr" && !tokens[k].in_directive && tokens[k - 1].text != "if")
+      pieces.push_back({tokens[k].offset, tokens[k].text.size(), 2, 0, {{"const", {}}}});
+  std::ranges::sort(pieces, [](const Piece& one, const Piece& other) {
+    return std::tuple(one.offset, one.order, -static_cast<long>(one.end)) <
+           std::tuple(other.offset, other.order, -static_cast<long>(other.end));
+  });
+  return pieces;
+}
+
+void VariantUnit::append(std::string_view text, const std::set<std::size_t>& variants) {
+  const auto begin_line = [&](const std::set<std::size_t>& of) {
+    text_ += '\n';
+    variants_at_[++line_] = of;
+  };
+  if (!variants.empty()) begin_line(variants);
+  text_ += text;
+  line_ += static_cast<int>(std::ranges::count(text, '\n'));
+  if (!variants.empty()) begin_line({});
+}
+
+VariantUnit::VariantUnit(const SourceText& source, const std::vector<Variant>& variants,
+                         const ExerciseReference& exercise) {
+  // Lines of the preprocessor stand once, before all copies: headers must not be read inside a namespace.
+  const std::string_view text = source.text();
+  std::vector<Edit> without_directives;
+  std::size_t at = text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
+  if (at > 0) without_directives.push_back({0, at, ""});
+  while (at < text.size()) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const std::size_t first = text.find_first_not_of(" \t", at);
+    if (first < end && text[first] == '#') {
+      append(std::string(text.substr(at, end - at)) + "\n");
+      without_directives.push_back({at, end - at, ""});
+    }
+    at = end + 1;
+  }
+  append(switches);
+  std::string table, names;
+  const auto begin_copy = [&](const std::string& name) {
+    append(
+        fmt::format("namespace {} {{ namespace rigid {{ using namespace ::rigid; {}; }}\n", name, exercise.signature));
+  };
+  std::vector<Piece> pieces = pieces_of(source, variants);
+  for (const Edit& edit : without_directives) pieces.push_back({edit.offset, edit.length, -2, 0, {}});
+  std::ranges::stable_sort(pieces, {}, &Piece::offset);
+  begin_copy("switched");
+  std::size_t done = 0;
+  for (const Piece& piece : pieces) {
+    append(text.substr(done, piece.offset - done));
+    for (const auto& [part, of] : piece.parts) append(part, of);
+    done = piece.offset + piece.length;
+  }
+  append(text.substr(done));
+  append("\n}\n");
+  for (std::size_t k = 0; k <= variants.size(); ++k) {
+    std::string name = "switched";
+    if (k < variants.size() && form_of(variants[k]) == Form::copy) {
+      std::vector<Edit> edits = without_directives;
+      edits.insert(edits.end(), variants[k].edits.begin(), variants[k].edits.end());
+      name = fmt::format("variant_{}", k);
+      begin_copy(name);
+      append(edited(text, edits), {k});
+      append("}\n");
+    }
+    table += fmt::format("{}&{}::rigid::{}", table.empty() ? "" : ", ", name, exercise.name);
+  }
+  for (const Argument& argument : exercise.arguments) names += (names.empty() ? "" : ", ") + argument.name;
+  append(
+      fmt::format("namespace rigid {{\n{} {{\n  static constexpr decltype(&::rigid::{}) variants[] = {{{}}};\n"
+                  "  workbook_work = workbook_variant >> 12 < {} ? {} : std::pow(10, (workbook_variant >> 12) - {});\n"
+                  "  return variants[workbook_variant & 4095]({});\n}}\n}}\n",
+                  exercise.signature, exercise.name, table, first_limit, most_work, first_limit, names));
+}
+
+std::set<std::size_t> VariantUnit::variants_at(int line) const {
+  // What is wrong with a part may be said of what follows it.
+  for (auto at = variants_at_.upper_bound(line); at != variants_at_.begin();)
+    if (--at; !at->second.empty()) return at->second;
+  return {};
+}
+
+}  // namespace workbook
