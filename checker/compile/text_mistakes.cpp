@@ -97,10 +97,6 @@ const std::vector<TextMistake>& table() {
        "This sum begins with the whole number 0 and drops what follows every decimal point: begin with 0.0."},
       {"rounded_pi", R"((?:^| )(3\.14\d*)(?= |$))", "$1 is only near π; write std::numbers::pi.", is_rounded_pi},
       {"float_precision", "(?:^| )(float) ", "A float keeps only about 7 digits; use double."},
-      {"kept_between_calls",
-       R"(^(static) (?!const|inline)(?:\w+ (?::: |< [\w ,:]+ > )?)+(\w+) (?:\( [\d ,]*\) |= .*|\{ .*)?;$)",
-       "A static variable is set once and keeps its value from call to call: `$2` begins with what the last call left. "
-       "Leave out static."},
   };
   return mistakes;
 }

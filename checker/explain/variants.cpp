@@ -557,7 +557,7 @@ std::vector<Edit> fix_of(const SourceText& source, const Finding& finding) {
     if (const Token* comma = token_at(source, finding, ",")) return {{comma->offset, 1, "."}};
   }
   if (finding.name == "narrowing" || finding.name == "float_precision") return wider_type(source, finding);
-  if (finding.name == "kept_between_calls")
+  if (finding.name == "static_variable")
     if (const Token* word = token_at(source, finding, "static")) return {{word->offset, word->text.size(), ""}};
   if (finding.name == "aliasing") {
     const Token* word = token_at(source, finding, "noalias");

@@ -134,7 +134,7 @@ TEST_CASE("a unit of variants knows its lines, and reads headers once") {
   const SourceText source(text);
   std::vector<Variant> variants = one_token_variants(source, reference);
   const std::size_t slips = variants.size();
-  for (Variant& other : fixed_variants(source, {{.line = 7, .name = "kept_between_calls"}}))
+  for (Variant& other : fixed_variants(source, {{.line = 7, .name = "static_variable"}}))
     variants.push_back(std::move(other));
   REQUIRE(slips > 20);
   REQUIRE(variants.size() == slips + 1);
