@@ -17,7 +17,7 @@ extern "C" int workbook_variant;
 inline long workbook_work = 0;  // what is left of it
 inline bool workbook_is(int variant) {
   if (--workbook_work < 0) throw 0;
-  return (workbook_variant & 4095) == variant || (workbook_variant >> 12) == variant + 1;
+  return variant >= 0 && ((workbook_variant & 4095) == variant || (workbook_variant >> 12) == variant + 1);
 }
 inline bool workbook_reached() { throw 0; }
 inline bool workbook_condition(int thrown, int never, int always, bool is_so) {
