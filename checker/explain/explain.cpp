@@ -142,7 +142,11 @@ void explain_deeper(Explanation& explanation, const Evidence& evidence, bool has
       return add(explanation.findings, {*slip});
     }
   }
-  if (is_inaccurate) return;
+  if (is_inaccurate) {
+    // A float or a π of few digits is reason enough.
+    if (has_mistake_in_code) diagnoses.clear();
+    return;
+  }
   std::vector<Finding> deeper = diagnostic_run(task, evidence.toolchain, evidence.cache);
   if (!deeper.empty()) {
     diagnoses.clear();

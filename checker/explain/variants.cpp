@@ -548,7 +548,7 @@ std::vector<Edit> wider_type(const SourceText& source, const Finding& finding) {
   return {};
 }
 
-/// `1 / 2` as `1.0 / 2`, `0,5` as `0.5`, `int` and `float` as `double`, `auto x = a;` as a value.
+/// `1 / 2` as `1.0 / 2`, `0,5` as `0.5`, `3.14` as π, `int` and `float` as `double`, `auto x = a;` as a value.
 std::vector<Edit> fix_of(const SourceText& source, const Finding& finding) {
   if (finding.name == "integer_division") {
     if (const Token* sign = token_at(source, finding, "/")) return {{sign->offset, 1, "* 1.0 /"}};
@@ -557,6 +557,10 @@ std::vector<Edit> fix_of(const SourceText& source, const Finding& finding) {
     if (const Token* comma = token_at(source, finding, ",")) return {{comma->offset, 1, "."}};
   }
   if (finding.name == "narrowing" || finding.name == "float_precision") return wider_type(source, finding);
+  if (finding.name == "rounded_pi")
+    for (const Token& token : source.tokens())
+      if (token.offset == source.offset_of({finding.line, finding.column}))
+        return {{token.offset, token.text.size(), "3.14159265358979323846"}};
   if (finding.name == "static_variable")
     if (const Token* word = token_at(source, finding, "static")) return {{word->offset, word->text.size(), ""}};
   if (finding.name == "aliasing") {

@@ -147,8 +147,8 @@ std::optional<Diagnosis> diagnose_transform(const ExerciseReference& exercise, c
   if (!all_deciding_cases_answered(exercise, answers) || !is_wrong_somewhere(exercise, answers)) return std::nullopt;
   std::vector<Transform> candidates;
   const std::optional<double> factor = common_factor(exercise, answers);
-  // A factor within the tolerance of 1 would say that the answer is right.
-  if (factor && std::abs(*factor - 1) > 1e-6) candidates.push_back(scaled(exercise, *factor));
+  // One that is written as 1 would say that the answer is right; it is inaccurate.
+  if (factor && coefficient_text(*factor) != "1") candidates.push_back(scaled(exercise, *factor));
   std::ranges::move(reorderings(exercise), std::back_inserter(candidates));
 
   for (const Transform& transform : candidates) {
@@ -214,8 +214,8 @@ std::optional<Diagnosis> diagnose_wrong_part(const ExerciseReference& exercise, 
   for (const InputTransform& each : exercise.input_transforms)
     if (agrees_there(each.outputs))
       return Diagnosis{DiagnosisKind::input_transform, each.name,
-                       fmt::format("At every case {} {} right for {}; all other numbers are right.",
-                                   listed(names), names.size() == 1 ? "is" : "are", each.message)};
+                       fmt::format("At every case {} {} right for {}; all other numbers are right.", listed(names),
+                                   names.size() == 1 ? "is" : "are", each.message)};
   return std::nullopt;
 }
 
