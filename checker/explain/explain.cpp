@@ -34,7 +34,7 @@ bool spoils_values(const Finding& finding) {
       "always_true",   "assignment_in_condition", "chained_comparison", "comma_in_number",  "degrees_literal",
       "empty_body",    "discarded_result",        "fall_through",       "integer_division", "misleading_indentation",
       "unused_value",  "shadowed_variable",       "static_variable",    "unclear_order",    "whole_sum",
-      "xor_for_power", "uninitialized_variable"};
+      "xor_for_power", "uninitialized_variable",  "rounded_pi"};
   return names.contains(finding.name);
 }
 
@@ -215,16 +215,21 @@ void hold_back(Explanation& explanation, int stage, const ExerciseReference& exe
     return at_once.contains(kind) || (stage > 1 && second.contains(kind));
   };
   const std::size_t found = explanation.findings.size() + explanation.diagnoses.size();
-  std::erase_if(explanation.findings, [](const Finding& each) { return each.name.starts_with("slip_"); });
+  // An argument without effect is a region too.
+  std::erase_if(explanation.findings,
+                [&](const Finding& each) { return each.name.starts_with("slip_") || (stage == 1 && is_remark(each)); });
   std::erase_if(explanation.diagnoses, [&](const Diagnosis& each) { return !is_told(each.kind); });
   if (explanation.findings.size() + explanation.diagnoses.size() == found) return;
-  if (stage > 1 && explanation.is_empty())
+  const auto tells_nothing = [&] {
+    return explanation.diagnoses.empty() && std::ranges::all_of(explanation.findings, is_remark);
+  };
+  if (stage > 1 && tells_nothing())
     for (Mechanism* const mechanism : {&diagnose_split, &diagnose_one_side, &diagnose_place, &diagnose_few})
       if (const auto region = mechanism(exercise, answers); region && is_told(region->kind)) {
         explanation.diagnoses = {*region};
         break;
       }
-  if (explanation.is_empty()) explanation.diagnoses = {where_it_fails(exercise, answers)};
+  if (tells_nothing()) explanation.diagnoses = {where_it_fails(exercise, answers)};
 }
 
 }  // namespace workbook

@@ -66,8 +66,8 @@ TEST_CASE("what is missing when the program is linked has a name, and a place if
   };
   const Unlinked files[] = {
       {"", Refusal::missing_function, "", 0, 0, "empty"},
-      {"double twice(double x) { return 2 * x; }", Refusal::missing_function, "missing_function", 1, 8,
-       "`twice(double)`"},
+      {"double twice(double x) { return 2 * x; }", Refusal::missing_function, "missing_namespace", 1, 8,
+       "outside of the namespace"},
       {"namespace rigid { double twice(const Vector3d& x) { return x[0]; } }", Refusal::missing_function,
        "missing_function", 1, 26, "`rigid::twice(const Vector3d&)`"},
       {"namespace rigid { inline double twice(double x) { return 2 * x; } }", Refusal::missing_function,
