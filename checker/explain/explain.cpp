@@ -31,10 +31,10 @@ std::vector<UnitProbe> take_probes(const Ask& ask, const ExerciseReference& refe
 /// A mistake after which a statement does something else than it seems to: what comes of it is no physics.
 bool spoils_values(const Finding& finding) {
   static const std::set<std::string> names = {
-      "always_true",   "assignment_in_condition", "chained_comparison", "comma_in_number",  "degrees_literal",
-      "empty_body",    "discarded_result",        "fall_through",       "integer_division", "misleading_indentation",
-      "unused_value",  "shadowed_variable",       "static_variable",    "unclear_order",    "whole_sum",
-      "xor_for_power", "uninitialized_variable",  "rounded_pi"};
+      "always_true",  "assignment_in_condition", "chained_comparison", "comma_in_number",  "degrees_literal",
+      "empty_body",   "discarded_result",        "fall_through",       "integer_division", "misleading_indentation",
+      "unused_value", "shadowed_variable",       "unclear_order",      "whole_sum",        "xor_for_power",
+      "rounded_pi",   "uninitialized_variable"};
   return names.contains(finding.name);
 }
 
@@ -189,6 +189,8 @@ Explanation explain(const Evidence& evidence) {
     if (!code.are_all) add(explanation.findings, std::move(in_code));
     return explanation;
   }
+  // Values that are the same in a new process do not depend on earlier calls.
+  std::erase_if(in_code, [](const Finding& finding) { return finding.name == "static_variable"; });
   if (std::ranges::any_of(in_code, spoils_values)) {
     explanation.findings = std::move(in_code);
     return explanation;

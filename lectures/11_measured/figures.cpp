@@ -40,7 +40,7 @@ void draw_flight(const std::filesystem::path& directory) {
     const Vector3d omega = damped_rotation(racket, start, gamma, t - begin);
     for (std::size_t i = 0; i < 3; ++i) fitted.at(i).emplace_back(t, omega[static_cast<Eigen::Index>(i)]);
   }
-  draw_figure(directory, "flight", {590, 500}, [&](gnuplotio::Gnuplot& gnuplot) {
+  draw_figure(directory, "flight", {590, 560}, [&](gnuplotio::Gnuplot& gnuplot) {
     gnuplot << "set xlabel 'time (s)'\nset ylabel 'component of ω (rad/s)'\nset xrange [0:0.9]\nset yrange [-20:24]\n"
             << "set key top right horizontal Left reverse samplen 1 width 1\n";
     std::string plot = "plot ";
@@ -123,7 +123,7 @@ void draw_polhodes(const std::filesystem::path& directory) {
   constexpr std::array<std::size_t, 3> numbers{5, 6, 12};
   constexpr std::array<const char*, 3> curve_colors{colors::blue, colors::vermilion, colors::purple};
   const double Iy = racket[1], Iz = racket[2];  // beside I_x
-  draw_figure(directory, "polhodes", {590, 480}, [&](gnuplotio::Gnuplot& gnuplot) {
+  draw_figure(directory, "polhodes", {590, 540}, [&](gnuplotio::Gnuplot& gnuplot) {
     gnuplot << "set xlabel 'I_xω_x / L'\nset ylabel 'I_x|ω_y| / L'\nset xrange [-1.1:1.1]\nset yrange [0:1.2]\n"
             << "set key center center Left reverse samplen 1 width 1\n";
     std::string plot = "plot ";

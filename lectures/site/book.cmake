@@ -54,13 +54,15 @@ string(REGEX REPLACE "<script src=\"[^<]*</script>" "" head "${head}")
 string(REGEX REPLACE "<title>[^<]*" "<title>Rigid Body Workbook" head "${head}")
 file(READ ${CMAKE_CURRENT_LIST_DIR}/book.css style)
 file(READ ${CMAKE_CURRENT_LIST_DIR}/book.js script)
+file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/index_terms.txt terms ENCODING UTF-8)
+list(JOIN terms "\", \"" terms)
 file(READ ${output}/parts/edition.md edition)
 
 # Prints the book; PAGES is the place of every heading, as a JavaScript object.
 function(print_book pages)
   file(WRITE ${site}/book.html "${head}<style>${style}</style></head><body><div class=\"contents\"><div id=\"title\"><h1>Rigid Body Workbook</h1>
 <p>Rotating bodies, derived and computed</p><p>The developers of the Rigid Body Workbook<br>${edition}<br>MIT licence</p></div>
-${chapters}</div><script>const pages = ${pages};\n${script}</script></body></html>\n")
+${chapters}</div><script>const pages = ${pages}, terms = [\"${terms}\"];\n${script}</script></body></html>\n")
   file(REMOVE ${book})
   execute_process(
     COMMAND ${browser} --headless --no-sandbox --disable-gpu --disable-dev-shm-usage --user-data-dir=${book}.profile

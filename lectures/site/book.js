@@ -88,13 +88,6 @@ for (const picture of all("figure > svg")) {
 
 // ---- Index: where a section first speaks of a term.
 
-const terms = `angular momentum|angular velocity|bicycle|body cone|centrifugal force|Chandler|Chasles|canonical momenta|Coriolis|
-dumbbell|effective potential|elliptic integral|Eötvös|equinox|Euler angles|Euler's equations|Explorer 1|Feynman|Foucault|friction|
-geometric phase|gimbal|gimbal lock|radius of gyration|gyroscope|Hannay|heavy top|herpolhode|inertia ellipsoid|inertia tensor|
-intermediate axis|Jacobi|kinetic energy|Lagrangian|Larmor|line of nodes|Mercury|moment of inertia|nutation|parallel axis|
-parallel transport|pendulum|plumb line|Poinsot|polhode|precession|principal axes|products of inertia|quaternion|racket|Rodrigues|
-rotation matrix|Runge|screw|separatrix|sleeping|solid angle|space cone|stability|Steiner|symmetric top|symplectic|T-handle|torque|
-transport theorem|triangle inequality|tumbling`.replace(/\n/g, "").split("|");
 const index = make("section", { className: "chapter", id: "index" }, make("h1", { className: "chapter" }, "Index"), make("ul", {}));
 index.dataset.head = "Index";
 const blocks = all(".textblock :is(p, li, figcaption)").filter(block => !block.querySelector("p, li") && !block.closest(".exercise, #references, #formulas"));
