@@ -96,9 +96,9 @@ void before_call(std::int32_t mode) {
   if ((mode & (protocol::trap_invalid | protocol::trap_non_finite)) != 0) ::feenableexcept(FE_INVALID);
   if ((mode & protocol::trap_non_finite) != 0) ::feenableexcept(FE_DIVBYZERO | FE_OVERFLOW);
   if ((mode & protocol::sample) != 0) {
-    handle(SIGPROF, on_alarm);
-    const itimerval often{{0, 13'000}, {0, 300'000}};  // of a processor; no multiple of what loops are likely to take
-    ::setitimer(ITIMER_PROF, &often, nullptr);
+    handle(SIGALRM, on_alarm);
+    const itimerval often{{0, 13'000}, {0, 300'000}};  // no multiple of what loops are likely to take
+    ::setitimer(ITIMER_REAL, &often, nullptr);  // a loop that sleeps uses hardly any processor time
   }
   watching = true;
 }
