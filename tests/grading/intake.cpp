@@ -291,7 +291,7 @@ TEST_CASE("without a roster the files of one student of Canvas or Moodle are one
   CHECK(taken.intake.students.size() == 4);
 }
 
-TEST_CASE("a login stands behind the name of the assignment, and is not a part of another login") {
+TEST_CASE("a login follows the name of the assignment, and is not a part of another login") {
   const MadeUpClass all;
   for (const char* name : {"week-3-octo-cat", "week-3-mary-ann", "week-3-bob-main", "week-3-x"})
     write(all.submissions() / name / "spring_energy.cpp", right);
