@@ -10,7 +10,7 @@
 namespace workbook::testing {
 namespace {
 
-const char* const beginning = R"code(
+const char* const beginning_of_reports = R"code(
 #include <fixture/contract.hpp>
 #include <csignal>
 #include <cstdlib>
@@ -58,8 +58,8 @@ const Try tries[] = {
      "-1, 0) == MAP_FAILED) return 0; return 42;"},
 };
 
-std::string program_text() {
-  std::string text = beginning;
+std::string program_of_reports() {
+  std::string text = beginning_of_reports;
   for (std::size_t k = 0; k < std::size(tries); ++k)
     text += fmt::format("    case {}: {{ {} }}\n", 100 + k, tries[k].code);
   return filled_in(text +
@@ -80,7 +80,7 @@ std::filesystem::path diagnostic_program(const std::string& text) {
 TEST_CASE("the run that explains a failure gives no more than the run that is judged") {
   if (!missing_for_diagnostic_runs(toolchain()).empty()) return;
   restore_canary();
-  const std::filesystem::path program = diagnostic_program(program_text());
+  const std::filesystem::path program = diagnostic_program(program_of_reports());
   const SandboxProfile profile = diagnose_profile(toolchain().compiler.string(), program.string());
   for (std::size_t k = 0; k < std::size(tries); ++k) {
     INFO(std::string(tries[k].what));

@@ -18,7 +18,7 @@ using enum Verdict;
 
 bool answers(const Unhindered& control) { return control.value.has_value(); }
 
-const Attack attacks[] = {
+const Attack attacks_of_a_file[] = {
     // --- before main, and in place of what is there
     {"interposition", "a global object", FORGERY "static int early = (forge(), _exit(0), 1);\n" RIGHT,
      protocol_violation},
@@ -170,7 +170,7 @@ TEST_CASE("what a file tries before it runs, and in the compiler, gets it nothin
   limits.file_bytes = std::size_t{16} << 20;
   limits.output_bytes = 16'000;
   restore_canary();
-  for (const Attack& attack : attacks) {
+  for (const Attack& attack : attacks_of_a_file) {
     INFO(std::string(attack.kind) << ": " << std::string(attack.what));
     const std::string text = filled_in(attack.code);
     const auto begun = std::chrono::steady_clock::now();

@@ -19,7 +19,7 @@ bool prints_it(const Unhindered& control) { return is_hostile(control.printed); 
 bool compiler_says_it(const Unhindered& control) { return is_hostile(control.compiler.output); }
 bool worker_says_it(const Unhindered& control) { return is_hostile(control.answer); }
 
-const Attack attacks[] = {
+const Attack texts_of_attacks[] = {
     {"escapes", "in what is printed",
      "#include <cstdio>\ndouble rigid::twice(double x) { puts(\"" HOSTILE "\"); return x; }\n", wrong_value, prints_it},
     {"escapes", "in an exception",
@@ -75,7 +75,7 @@ const Name names[] = {{"a plugin", "-fplugin=evil.cpp"},
 
 TEST_CASE("nothing that a file says acts on a terminal or a page") {
   restore_canary();
-  for (const Attack& attack : attacks) {
+  for (const Attack& attack : texts_of_attacks) {
     INFO(std::string(attack.kind) << ": " << std::string(attack.what));
     const std::string text = attack.code;
     const auto begun = std::chrono::steady_clock::now();

@@ -62,7 +62,8 @@ TEST_CASE("where a student's time for reasons is used up, verdicts are as ever")
   CHECK(has(without[0].at("next"), "took all the time"));
 }
 
-TEST_CASE("parts of a class, judged by themselves and joined, give the results of a single run") {
+TEST_CASE("parts of a class, judged by themselves and joined, give the results of a single run" *
+          doctest::test_suite("thorough")) {
   const MadeUpClass few;
   few.hand_in_few_files();
   few.energy("dora", right_energy);
@@ -98,7 +99,7 @@ TEST_CASE("parts of a class, judged by themselves and joined, give the results o
   CHECK(few.grade("out", "--merge no_such_folder").status == 2);
 }
 
-TEST_CASE("a damaged journal changes no result") {
+TEST_CASE("a damaged journal changes no result" * doctest::test_suite("thorough")) {
   const MadeUpClass few;
   few.energy("ada", right_energy);
   few.energy("ben", "return k * x.squaredNorm();");
@@ -379,7 +380,8 @@ TEST_CASE("of several attempts the last or the best one counts") {
   CHECK(scope.student("1").at("student").at("score") == 2);
 }
 
-TEST_CASE("one group of results is judged again, and given reference results take the place of a seed") {
+TEST_CASE("one group of results is judged again, and given reference results take the place of a seed" *
+          doctest::test_suite("thorough")) {
   const MadeUpClass few;
   few.hand_in_few_files();
   REQUIRE(few.grade().status == 0);

@@ -69,7 +69,8 @@ std::size_t pairs_among(const std::string& exercise, const std::vector<std::stri
 
 }  // namespace
 
-TEST_CASE("of unrelated right answers none are alike, and copies with other names and another order are") {
+TEST_CASE("of unrelated right answers none are alike, and copies with other names and another order are" *
+          doctest::test_suite("thorough")) {
   std::size_t answers = 0, copies = 0, long_enough = 0;
   for (const auto& [exercise, texts] : unrelated_answers()) {
     CAPTURE(exercise);

@@ -127,7 +127,7 @@ TEST_CASE("A case is shown with its inputs, the expected value, the student's an
   for (double error : {600.0, 1.5, 0.05, 1e-4, 3e-8, -0.5, -1.0, -1 + 1e-10, -2.0})
     text += fmt::format("{}: {}\n", error,
                         error_size(given_results(Kind::number, {number(2)}), {0}, {number(2 + 2 * error)}));
-  compare_with_golden("cases.txt", text);
+  compare_with_golden_file("cases.txt", text);
 }
 
 TEST_CASE("Every number that differs, and no other, is marked") {

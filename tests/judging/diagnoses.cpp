@@ -379,7 +379,7 @@ TEST_CASE("What is said of a wrong answer has the right kind and name") {
       CHECK_MESSAGE(names == one.names, one.about << ": " << names);
     }
   }
-  compare_with_golden("diagnoses.txt", text);
+  compare_with_golden_file("diagnoses.txt", text);
 }
 
 TEST_CASE("An input is independent where at two cases at least it moves the right result, and never the student's") {

@@ -111,7 +111,7 @@ TEST_CASE("A wrong unit is named, or what shows it in each base unit, and a righ
     }
     CHECK_MESSAGE(bases == answer.bases, answer.about << ": " << bases);
   }
-  compare_with_golden("dimensions.txt", text);
+  compare_with_golden_file("dimensions.txt", text);
 }
 
 TEST_CASE("Probes without a value say nothing, and neither do they where a misconception is named") {

@@ -160,7 +160,7 @@ std::string joined(const std::vector<std::string>& lines) {
   return text;
 }
 
-void compare_with_golden(const std::string& name, const std::string& text) {
+void compare_with_golden_file(const std::string& name, const std::string& text) {
   compare_with_golden(std::filesystem::path(WORKBOOK_TEST_GOLDEN) / name, text);
 }
 

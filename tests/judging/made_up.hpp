@@ -64,6 +64,6 @@ Answers all_answers(const std::vector<Value>& values);
 /// The lines as one text.
 std::string joined(const std::vector<std::string>& lines);
 
-void compare_with_golden(const std::string& name, const std::string& text);
+void compare_with_golden_file(const std::string& name, const std::string& text);
 
 }  // namespace workbook::testing

@@ -260,7 +260,7 @@ TEST_CASE("Each mistake of an author is told in a sentence of its own, and a sou
     CHECK(found.size() == mistake.sentences);
     text += mistake.about + "\n" + joined(found) + "\n";
   }
-  compare_with_golden("soundness.txt", text);
+  compare_with_golden_file("soundness.txt", text);
 }
 
 }  // namespace workbook::testing

@@ -12,7 +12,6 @@ namespace workbook::testing {
 namespace {
 
 using nlohmann::json;
-using Texts = std::pair<std::string, std::string>;
 
 struct Written {
   Kind kind;
@@ -84,7 +83,7 @@ TEST_CASE("Numbers are shown with as many digits as are needed, and no sign wher
   CHECK(number_text(1.0 / 3, 3) == "0.333");
   CHECK(number_text(-not_a_number, 6) == "NaN");
   CHECK(number_text(-infinity, 6) == "-inf");
-  CHECK(distinct_texts(1, 1 + 1e-9, 6) == Texts("1", "1.000000001"));
+  CHECK(distinct_texts(1, 1 + 1e-9, 6) == std::pair<std::string, std::string>("1", "1.000000001"));
   CHECK(digits_to_tell_apart(1, 1 + 1e-9) == 11);
   CHECK(digits_to_tell_apart(1, std::nextafter(1, 2)) == 17);
   CHECK(digits_to_tell_apart(1, not_a_number) == 6);

@@ -177,7 +177,7 @@ TEST_CASE("Whatever is observed gets its verdict, the cases that fail, one sente
   }
   CHECK(verdicts.size() == static_cast<std::size_t>(V::checker_error));  // all but waiting, which needs other exercises
   CHECK(endings.size() == static_cast<std::size_t>(E::not_run) + 1);
-  compare_with_golden("verdicts.txt", text);
+  compare_with_golden_file("verdicts.txt", text);
 }
 
 TEST_CASE("Verdicts and diagnoses have the names that programs read") {

@@ -39,7 +39,8 @@ TEST_CASE("the first experiment is written once, and not over one that is there"
   CHECK(course.run("try").status == 4);
 }
 
-TEST_CASE("gdb stops in the function at the first failing case, and shows and multiplies vectors as C++ does") {
+TEST_CASE("gdb stops in the function at the first failing case, and shows and multiplies vectors as C++ does" *
+          doctest::test_suite("thorough")) {
   const CourseCopy course;
   course.answer_energy("const Vector3d twice = 2 * x;\nreturn k * twice.norm();");
   write(course.root() / "typed",
@@ -57,7 +58,7 @@ TEST_CASE("gdb stops in the function at the first failing case, and shows and mu
   CHECK(course.run("debug spring_energy --case 99999").status == 2);
 }
 
-TEST_CASE("every variable of a function is shown at one case, line by line") {
+TEST_CASE("every variable of a function is shown at one case, line by line" * doctest::test_suite("thorough")) {
   const CourseCopy course;
   course.answer_energy(
       "const Vector3d twice = 2 * x;\ndouble sum = 0;\nfor (int i = 0; i < 3; ++i)\n  sum += twice[i];\n"

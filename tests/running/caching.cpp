@@ -12,8 +12,6 @@ namespace workbook::testing {
 namespace fs = std::filesystem;
 namespace {
 
-const char* const right = "double rigid::twice(double x) { return 2 * x; }\n";
-
 std::size_t entries(const fs::path& directory) {
   return static_cast<std::size_t>(std::distance(fs::directory_iterator(directory), fs::directory_iterator()));
 }
@@ -26,7 +24,7 @@ bool answers(const Program& executable) {
 /// A file, and a cache of its own for it.
 struct Course {
   fs::path directory;
-  fs::path file = write(directory / "twice.cpp", right);
+  fs::path file = write(directory / "twice.cpp", right_twice);
   fs::path cache = directory / "cache";
   Toolchain tools = toolchain();
 
@@ -46,9 +44,9 @@ TEST_CASE("an unchanged file is compiled once, a changed one again") {
   CHECK(answers(*second.executable));
   CHECK(second.seconds < first.seconds);
 
-  write(course.file, std::string(right) + "// a thought\n");
+  write(course.file, std::string(right_twice) + "// a thought\n");
   CHECK_FALSE(course.check().from_cache);
-  write(course.file, right);
+  write(course.file, right_twice);
   CHECK(course.check().from_cache);
   CHECK(entries(course.cache) == 2);
 

@@ -12,8 +12,6 @@ namespace workbook::testing {
 namespace fs = std::filesystem;
 namespace {
 
-const char* const right = "double rigid::twice(double x) { return 2 * x; }\n";
-
 Compilation compile_file(const fs::path& file, const CompileLimits& limits = {}, const Toolchain& tools = toolchain(),
                          const fs::path& cache = shared_cache(), const std::string& exercise = "twice") {
   return compile({read_submission(file), exercise, signature("twice")}, tools, cache, limits);
@@ -98,7 +96,7 @@ TEST_CASE("what is missing when the program is linked has a name, and a place if
   }
 }
 
-TEST_CASE("a name of the linker that stands for an endless signature does no harm") {
+TEST_CASE("a name of the linker that stands for an endless signature does no harm" * doctest::test_suite("thorough")) {
   // f(A<int>, A<A<int>, A<int>>, …): every parameter is twice as long as the one before it.
   std::string name = "_Z1f1AIiE";
   for (const char digit : std::string("0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ"))
@@ -140,8 +138,8 @@ TEST_CASE("a compilation that takes too long is stopped with all its processes")
 }
 
 TEST_CASE("a program that would fill the disk is stopped") {
-  CHECK(says(refused_text(std::string(right) + "double huge[1 << 27] = {1.0};\n"), "too large"));
-  CHECK(says(refused_text(std::string(right) + "asm(\".data; .fill 3000000000, 1, 7\");\n"), "too large"));
+  CHECK(says(refused_text(std::string(right_twice) + "double huge[1 << 27] = {1.0};\n"), "too large"));
+  CHECK(says(refused_text(std::string(right_twice) + "asm(\".data; .fill 3000000000, 1, 7\");\n"), "too large"));
 }
 
 TEST_CASE("a file and the own functions that it calls are compiled within one limit of time") {
@@ -176,15 +174,15 @@ TEST_CASE("the compiler's messages are cut where they become a flood") {
 
 TEST_CASE("other files cannot be included, in any way, and nothing of them is shown") {
   const fs::path directory = fresh_directory("answers");
-  const std::string answer = write(directory / "answer.cpp", right).string();
-  const std::string spaced = write(directory / "two words" / "answer.cpp", right).string();
+  const std::string answer = write(directory / "answer.cpp", right_twice).string();
+  const std::string spaced = write(directory / "two words" / "answer.cpp", right_twice).string();
   const std::string secret = write(directory / "secret", "a_secret_word\n").string();
   CHECK(says(refused_text("#include \"" + answer + "\"\n"), answer));
   CHECK(says(refused_text("#include \"" + spaced + "\"\n"), spaced));
-  CHECK(says(refused_text(std::string(right) + "asm(\".incbin \\\"" + answer + "\\\"\");\n"), answer));
+  CHECK(says(refused_text(std::string(right_twice) + "asm(\".incbin \\\"" + answer + "\\\"\");\n"), answer));
   refused_text("#include \"/proc/self/cwd/unit.cpp\"\n");
   for (const std::string& text :
-       {"#include \"" + secret + "\"\n", std::string(right) + "asm(\".include \\\"" + secret + "\\\"\");\n",
+       {"#include \"" + secret + "\"\n", std::string(right_twice) + "asm(\".include \\\"" + secret + "\\\"\");\n",
         "#include \"" + secret + "\"\nint x = y;\n", "#line 1 \"" + secret + "\"\nint rigid;\n"}) {
     CAPTURE(text);
     const Compilation compilation = refused_text(text);
@@ -199,7 +197,7 @@ TEST_CASE("headers of the course, of Eigen and of the standard library can be in
             std::string("#include <fixture/contract.hpp>\n#include <rigid/vocabulary.hpp>\n#include <Eigen/Geometry>\n"
                         "#include <unsupported/Eigen/MatrixFunctions>\n#include <cmath>\n#include <deque>\n"
                         "#include <unistd.h>\n") +
-            right)
+            right_twice)
             .executable.has_value());
 }
 
@@ -208,7 +206,7 @@ TEST_CASE("any file name will do") {
   for (const std::string name : {"-o worker.cpp", "two words.cpp", "quote\".cpp", "back\\slash.cpp", "a=b.cpp",
                                  "semi;colon$(true).cpp", "unit.cpp", "Trägheit.cpp", "no-ending", "line\nbreak.cpp"}) {
     INFO(name);
-    const Compilation good = compile_file(write(directory / name, right));
+    const Compilation good = compile_file(write(directory / name, right_twice));
     INFO(good.message << good.details);
     CHECK(good.executable.has_value());
   }
@@ -240,7 +238,7 @@ TEST_CASE("the precompiled prelude is used") {
 
 TEST_CASE("a toolchain that cannot be used is a checker error, never the student's") {
   const fs::path directory = fresh_directory("bad-tools");
-  const fs::path file = write(directory / "twice.cpp", right);
+  const fs::path file = write(directory / "twice.cpp", right_twice);
   const auto trouble = [&](const Toolchain& tools, const std::string& named, const std::string& exercise = "twice") {
     const Compilation compilation = compile_file(file, {}, tools, directory / "cache", exercise);
     CHECK(compilation.refusal == Refusal::checker_error);
@@ -262,10 +260,10 @@ TEST_CASE("a toolchain that cannot be used is a checker error, never the student
 TEST_CASE("a tool of the compiler that is missing is no mistake in the file, but one that a file makes fail is") {
   CHECK(in_another_process([] {
     ::setenv("PATH", "/nowhere", 1);  // where the compiler looks for its assembler
-    return compile_text(std::string(right) + "// without tools\n").refusal == Refusal::checker_error;
+    return compile_text(std::string(right_twice) + "// without tools\n").refusal == Refusal::checker_error;
   }));
   const fs::path directory = fresh_directory("failing-tools");
-  const fs::path file = write(directory / "twice.cpp", right);
+  const fs::path file = write(directory / "twice.cpp", right_twice);
   Toolchain tools = toolchain();
   const auto refusal_with = [&](const char* beginning) {
     tools.compiler = stand_in_compiler(directory, beginning);
@@ -280,8 +278,8 @@ TEST_CASE("a tool of the compiler that is missing is no mistake in the file, but
 
 TEST_CASE("where the checker may not write, it says so") {
   const fs::path directory = fresh_directory("no-room");
-  const Compilation compilation =
-      compile_file(write(directory / "twice.cpp", right), {}, toolchain(), write(directory / "file", "") / "cache");
+  const Compilation compilation = compile_file(write(directory / "twice.cpp", right_twice), {}, toolchain(),
+                                               write(directory / "file", "") / "cache");
   CHECK(compilation.refusal == Refusal::checker_error);
   CHECK(says(compilation, directory.string()));
 }

@@ -204,7 +204,8 @@ std::string only_in_diagnostic_runs(const std::string& code, const std::string& 
 
 }  // namespace
 
-TEST_CASE("each failure is traced to its line and its kind, which the line names in a comment") {
+TEST_CASE("each failure is traced to its line and its kind, which the line names in a comment" *
+          doctest::test_suite("thorough")) {
   std::string sentences;
   for (int x = 100; x < 180; ++x) {
     if (std::string(many_failures).find("case " + std::to_string(x) + ":") == std::string::npos || x == 169) continue;
@@ -265,7 +266,7 @@ TEST_CASE("only a function that ran and failed is run again") {
   }
 }
 
-TEST_CASE("a file that defeats the run only goes without an explanation") {
+TEST_CASE("a file that defeats the run only goes without an explanation" * doctest::test_suite("thorough")) {
   for (const std::string code :
        {"#error no", "return x;", "for (;;) {}", "close(3); for (;;) {}", "close(2); _exit(0);",
         "char noise[4000] = \"noise\"; (void)!write(3, noise, sizeof noise);",

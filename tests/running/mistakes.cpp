@@ -394,7 +394,7 @@ Told told(const Beginner& beginner) {
 
 }  // namespace
 
-TEST_CASE("mistakes have a name, a place and a sentence") {
+TEST_CASE("mistakes have a name, a place and a sentence" * doctest::test_suite("thorough")) {
   std::string sentences;
   for (const auto* files : {&files_that_do_not_compile, &files_that_compile}) {
     const std::vector<Result> results = findings_in(*files);
@@ -413,7 +413,8 @@ TEST_CASE("mistakes have a name, a place and a sentence") {
   compare_with_golden(golden("compile_findings.txt"), sentences);
 }
 
-TEST_CASE("each of the beginners' mistakes is told in a tutor's words, and none as physics") {
+TEST_CASE("each of the beginners' mistakes is told in a tutor's words, and none as physics" *
+          doctest::test_suite("thorough")) {
   const std::vector<Beginner> files = beginners();
   CHECK(files.size() >= 200);
   std::vector<Told> all(files.size());

@@ -18,7 +18,7 @@ std::string code_of(const std::string& text) {
   return code;
 }
 
-CompilerOutput read(const std::string& output) {
+CompilerOutput read_output(const std::string& output) {
   return read_compiler_output(output, "a.cpp", [](const std::string& file) { return file.starts_with("/allowed/"); });
 }
 
@@ -81,7 +81,7 @@ TEST_CASE("messages are told without the noise of templates") {
 }
 
 TEST_CASE("an error in a header has the place of the line that led to it") {
-  const CompilerOutput output = read(
+  const CompilerOutput output = read_output(
       "In file included from /allowed/Core:164,\n                 from <command-line>:\n"
       "/allowed/Dot.h: In instantiation of 'f() [with T = int]':\n"
       "unit.cpp:4:9:   required from 'T g(T)'\nunit.cpp:8:3:   required from here\n"
@@ -113,7 +113,7 @@ TEST_CASE("an error in a header has the place of the line that led to it") {
 }
 
 TEST_CASE("of a file that may not be included nothing is shown") {
-  const CompilerOutput output = read(
+  const CompilerOutput output = read_output(
       "In file included from unit.cpp:1:\n/etc/secret:1:1: error: 'word' does not name a type\n    1 | word:x:0\n"
       "      | ^~~~\n/etc/secret: In function 'word':\nunit.cpp:3:1: error: mine\n    3 | mine\n"
       "/etc/secret:2: Error: no such instruction: `word'\n/etc/secret:3:1: note: word\n");
@@ -153,7 +153,7 @@ TEST_CASE("hostile texts do not hang the checker") {
     const std::string line = repeated(text, 256 << 10);
     (void)in_plain_words("unit.cpp:1:1: error: " + line);
     const CompilerOutput output =
-        read("unit.cpp:1:1: error: " + line + "\n" + repeated(text + std::string("\n"), 256 << 10));
+        read_output("unit.cpp:1:1: error: " + line + "\n" + repeated(text + std::string("\n"), 256 << 10));
     (void)first_error(output.diagnostics, SourceText("int x;"), "");
     CHECK(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC < most_seconds);
   }

@@ -35,13 +35,13 @@ ExerciseReference n_times_x() {
 }
 
 /// A file, judged.
-struct Judged {
+struct Attempt {
   Submission submission;
   ExerciseReference reference = n_times_x();
   Observation observation;
   Judgement judgement;
 
-  explicit Judged(const std::string& body) : submission(submit(text_of(body), "signed_by")) {
+  explicit Attempt(const std::string& body) : submission(submit(text_of(body), "signed_by")) {
     ExerciseRunner runner(executable(submission.text, "signed_by"), short_limits());
     observation = runner.observe(plan_calls(reference.cases), {});
     judgement = judge(reference, observation);
@@ -87,7 +87,7 @@ TEST_CASE("the one token with which all cases are right is found, with its place
   };
   for (const Slip& slip : slips) {
     CAPTURE(std::string(slip.body));
-    const auto found = Judged(slip.body).slip();
+    const auto found = Attempt(slip.body).slip();
     REQUIRE(found.has_value() == (*slip.name != '\0'));
     if (!found) continue;
     CHECK(found->name == slip.name);
@@ -98,7 +98,7 @@ TEST_CASE("the one token with which all cases are right is found, with its place
 }
 
 TEST_CASE("a variant that never ends, or throws, hides no other") {
-  const auto slip = Judged(
+  const auto slip = Attempt(
                         "for (int i = 0; i < 4; i += 1) x = x + 0;\nconst std::vector<double> v(2, "
                         "x);\nif (n > 2) return -n * v.at(0);\nreturn n * x;")
                         .slip();
@@ -108,7 +108,7 @@ TEST_CASE("a variant that never ends, or throws, hides no other") {
 
 TEST_CASE("findings are the reason if their fix makes all cases right, and a part of it if it changes the value") {
   const auto reasons = [](const std::string& body) -> std::string {
-    const Judged judged(body);
+    const Attempt judged(body);
     const CompileTask task{judged.submission, "signed_by", signature("signed_by")};
     const Compilation compilation = compile(task, toolchain(), shared_cache());
     const CodeReasons found =
@@ -129,7 +129,7 @@ TEST_CASE("findings are the reason if their fix makes all cases right, and a par
 }
 
 TEST_CASE("a unit of variants knows its lines, and reads headers once") {
-  const std::string text = Judged::text_of("static int calls = 0;\nreturn n + x * std::sin(x);");
+  const std::string text = Attempt::text_of("static int calls = 0;\nreturn n + x * std::sin(x);");
   const ExerciseReference reference = n_times_x();
   const SourceText source(text);
   std::vector<Variant> variants = one_token_variants(source, reference);
@@ -168,7 +168,7 @@ TEST_CASE("two slips in one line, a bound in a condition and a name with somethi
   };
   for (const Slip& slip : slips) {
     CAPTURE(std::string(slip.body));
-    const auto found = Judged(slip.body).slip();
+    const auto found = Attempt(slip.body).slip();
     REQUIRE(found.has_value());
     CHECK(found->name == slip.name);
     CHECK(found->line == slip.line);
@@ -192,7 +192,7 @@ TEST_CASE("the branch that the failing cases take is named with its condition, a
   };
   for (const Wrong& wrong : wrongs) {
     CAPTURE(std::string(wrong.body));
-    const auto found = Judged(wrong.body).slip();
+    const auto found = Attempt(wrong.body).slip();
     REQUIRE(found.has_value() == (wrong.line > 0));
     if (!found) continue;
     CHECK(found->name == "branch");
@@ -206,7 +206,7 @@ TEST_CASE("the branch that the failing cases take is named with its condition, a
 
 TEST_CASE("of the variants that are bugs, statements, comparisons and calls are left out or changed too") {
   const std::string text =
-      Judged::text_of("Vector3d v(x, 0, 0);\nv.normalize();\nif (x < 0) std::swap(n, n);\nreturn n * v.norm();");
+      Attempt::text_of("Vector3d v(x, 0, 0);\nv.normalize();\nif (x < 0) std::swap(n, n);\nreturn n * v.norm();");
   const ExerciseReference reference = n_times_x();
   const SourceText source(text);
   std::set<std::string> changed;
@@ -227,7 +227,7 @@ TEST_CASE("of the variants that are bugs, statements, comparisons and calls are 
 }
 
 TEST_CASE("a whole number that no type holds becomes no other one by accident") {
-  const std::string text = Judged::text_of("return n * x * 99999999999999999999;");
+  const std::string text = Attempt::text_of("return n * x * 99999999999999999999;");
   for (const Variant& variant : one_token_variants(SourceText(text), n_times_x()))
     CHECK_MESSAGE(!has(edited(text, variant.edits), "9223372036854775808"), edited(text, variant.edits));
 }

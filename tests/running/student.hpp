@@ -31,6 +31,9 @@ std::filesystem::path fresh_directory(const std::string& name);
 /// The directory in which all tests keep their executables, so that a second run of the tests is quick.
 std::filesystem::path shared_cache();
 
+/// A right answer to the exercise twice.
+inline constexpr const char* right_twice = "double rigid::twice(double x) { return 2 * x; }\n";
+
 /// As the contract declares an exercise.
 std::string signature(const std::string& exercise);
 

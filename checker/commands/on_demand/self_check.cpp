@@ -242,8 +242,7 @@ class SelfCheck {
                 "no case tells three of its wrong answers apart, as the question after a pass needs; add one.");
       }
       if (!course_.has_solutions()) continue;
-      if (is_first) require_verdict(exercise, seed, course_.student_file(exercise), Verdict::not_started);
-      require_verdict(exercise, seed, course_.solution_file(exercise), Verdict::passed);
+      require_pass(exercise, seed);
     }
   }
 
@@ -369,15 +368,14 @@ class SelfCheck {
     require_words(reference.properties, &Property::message);
   }
 
-  /// Runs a stub or a solution; its verdict is the one that it should have, without an explanation.
-  void require_verdict(const Exercise& exercise, std::uint64_t seed, const fs::path& file, Verdict wanted) {
+  /// The solution passes, and nothing is explained.
+  void require_pass(const Exercise& exercise, std::uint64_t seed) {
+    const fs::path file = course_.solution_file(exercise);
     const CheckResult checked = check_exercise(context_, check_task(course_, exercise, seed, file));
-    if (checked.judgement.verdict != wanted)
-      fault(file, "the verdict is {}, not {}: {} {}", to_string(checked.judgement.verdict), to_string(wanted),
-            checked.judgement.message,
-            wanted == Verdict::passed ? "Correct the solution or its judging."
-                                      : fmt::format("`{}` puts the stub back.", command("reset " + exercise.name())));
-    else if (wanted == Verdict::passed && !checked.explanation.is_empty())
+    if (checked.judgement.verdict != Verdict::passed)
+      fault(file, "the verdict is {}, not passed: {} Correct the solution or its judging.",
+            to_string(checked.judgement.verdict), checked.judgement.message);
+    else if (!checked.explanation.is_empty())
       fault(file, "passes, and a fault is explained all the same.");
   }
 
