@@ -127,7 +127,10 @@ class Collector {
     std::map<std::string, std::size_t> shares;
     std::size_t all = 0;
     assignments_.clear();
+    has_groups_ = true;
     for (const std::string& name : entries) {
+      if (const std::size_t moodle = name.find("_assignsubmission_"); moodle != std::string::npos)
+        has_groups_ = has_groups_ && name.find('-') < moodle;
       all += name.find('-') != std::string::npos ? 1 : 0;
       for (std::size_t dash = name.find('-'); dash != std::string::npos; dash = name.find('-', dash + 1))
         ++shares[name.substr(0, dash + 1)];
@@ -401,9 +404,17 @@ class Collector {
     std::set<std::size_t> meant = named_by(fields);
     if (meant.empty() && fields.size() == 1)
       if (const auto student = by_login(name)) meant.insert(*student);
-    // "Ada Byron_900001_assignsubmission_file_" of Moodle, whose number is of this assignment only.
-    if (meant.empty() && fields.size() == 2 && is_number(fields.back()))
-      if (const auto student = found_in(full_names_, fields.front())) meant.insert(*student);
+    // "Ada Byron_900001_assignsubmission_file_" of Moodle, whose number is of this assignment only; where groups hand
+    // in for their members "Group-Ada Byron_900001_...".
+    if (meant.empty() && fields.size() == 2 && is_number(fields.back())) {
+      std::string person = fields.front();
+      std::optional<std::size_t> student = found_in(full_names_, person);
+      for (std::size_t dash = 0; has_groups_ && !student && (dash = person.find('-')) != std::string::npos;) {
+        person.erase(0, dash + 1);
+        student = found_in(full_names_, person);
+      }
+      if (student) meant.insert(*student);
+    }
     return meant;
   }
 
@@ -431,9 +442,11 @@ class Collector {
     std::string entry = fmt::format("{}", fmt::join(fields, "_"));
     std::set<std::size_t> meant = meant_by(name);
     if (!has_roster_) {
-      // Canvas numbers the files behind the student, Moodle says what an entry holds.
-      const Match of_system = search(name, "^([a-z]+(_LATE)?_\\d+_\\d\\d+(_.*)?|.+_\\d+_assignsubmission_.*)$");
-      if (!of_system) entry = name;
+      // Canvas numbers the files behind the student, who may be a group or have no name; Moodle says what they are.
+      if (const Match nameless = search(name, "^(LATE_)?(anon_[A-Za-z0-9]+)_\\d\\d+(_.*)?$"))
+        entry = nameless[2];
+      else if (!search(name, "^([^A-Z_ -]+(_LATE)?_\\d+_\\d\\d+(_.*)?|.+_\\d+_assignsubmission_.*)$"))
+        entry = name;
       if (!shard_.has(entry)) return nobody;
       if (!students_.contains(entry)) add_student(entry);
       meant = {students_.at(entry)};
@@ -633,6 +646,7 @@ class Collector {
   const std::vector<Exercise> exercises_;
   const Shard shard_;
   const bool has_roster_, by_attempts_;
+  bool has_groups_ = false;  ///< each of Moodle's entries may begin with the name of a group
   std::map<std::string, std::vector<std::int64_t>> orders_;  ///< of the attempts, by student
   std::vector<std::string> names_;
   std::set<std::string> assignments_;                        ///< what GitHub Classroom may put before logins

@@ -17,16 +17,38 @@ namespace {
 
 constexpr std::size_t largest_table = std::size_t{16} << 20;
 
-// The headings of a roster of one's own, of Gradescope and GitHub Classroom (identifier), of the gradebook of Canvas
-// (Student, ID, SIS User ID, SIS Login ID) and of the grading worksheet of Moodle (Identifier, Full name), in small
-// letters and without what stands between them.
-const std::vector<std::string> id_headings = {"id",        "sid",        "studentid", "idnumber",    "username",
-                                              "sisuserid", "identifier", "email",     "emailaddress"};
-const std::vector<std::string> name_headings = {"name", "fullname", "student", "studentname"};
-const std::vector<std::string> time_headings = {"submitted", "submissiontime"};
-const std::vector<std::string> alias_headings = {
-    "aliases", "email", "emailaddress", "username",       "login",       "sisloginid", "sisuserid",
-    "sid",     "id",    "idnumber",     "githubusername", "githublogin", "github",     "identifier"};
+// The headings of a roster of one's own, of Gradescope, of GitHub Classroom and its table of grades, of the gradebook
+// of Canvas, and of Moodle's grading worksheet and list of participants in English, German, French and Spanish; in
+// small letters and without what stands between them.
+using Headings = std::vector<std::string>;
+const Headings email_headings = {"email", "emailaddress", "adressedecourriel", "direccióndecorreo"};
+const Headings id_number_headings = {"idnumber", "idnummer", "matrikelnummer", "numérod'identification", "númerodeid"};
+const Headings identifier_headings = {"identifier", "id", "identifiant", "identificador"};
+const Headings login_headings = {"username",         "login",           "anmeldename",
+                                 "nomd'utilisateur", "nombredeusuario", "sisloginid",
+                                 "githubusername",   "githublogin",     "github"};
+const Headings name_headings = {"name",       "fullname",      "student", "studentname", "vollständigername",
+                                "nomcomplet", "nombrecompleto"};
+const Headings first_name_headings = {"firstname", "vorname", "prénom", "nombre"};
+const Headings last_name_headings = {"lastname", "surname", "nachname", "nom", "apellido(s)"};
+const Headings time_headings = {"submitted", "submissiontime", "submissiontimestamp"};
+const Headings grade_headings = {"grade", "bewertung", "note", "calificación"};
+const Headings maximum_headings = {"maximumgrade", "bestwertung", "notemaximale", "calificaciónmáxima"};
+const Headings scale_headings = {"scale", "skala", "barème", "escala"};
+const Headings status_headings = {"status", "statut", "estado"};
+const Headings feedback_headings = {"feedbackcomments", "feedbackalskommentar", "feedbackparcommentaires",
+                                    "comentariosderetroalimentación"};
+
+Headings joined(const std::vector<Headings>& all) {
+  Headings headings;
+  for (const Headings& each : all) headings.insert(headings.end(), each.begin(), each.end());
+  return headings;
+}
+const Headings id_headings = joined({{"id", "sid", "studentid"},
+                                     id_number_headings,
+                                     {"sisuserid", "rosteridentifier", "identifier"},
+                                     login_headings,
+                                     email_headings});
 
 std::string plain_heading(std::string heading) {
   std::erase_if(heading, [](char letter) { return std::string_view(" _-").find(letter) != std::string_view::npos; });
@@ -57,7 +79,7 @@ class NamedTable {
   }
 
   /// The first of the headings that is there.
-  std::optional<std::size_t> column(const std::vector<std::string>& headings) const {
+  std::optional<std::size_t> column(const Headings& headings) const {
     for (const std::string& heading : headings)
       for (std::size_t at = 0; at < rows.front().size(); ++at)
         if (plain_heading(rows.front()[at]) == heading) return at;
@@ -66,6 +88,13 @@ class NamedTable {
 
   std::string field(std::size_t row, std::optional<std::size_t> at) const {
     return at && *at < rows[row].size() ? rows[row][*at] : "";
+  }
+
+  /// The first cell under one of the headings that is not empty.
+  std::string field(std::size_t row, const Headings& headings) const {
+    for (const std::string& heading : headings)
+      if (std::string cell = field(row, column({heading})); !cell.empty()) return cell;
+    return "";
   }
 
   Table rows;
@@ -82,13 +111,19 @@ std::string participant_number(const std::string& identifier) {
 
 /// Without names where the students are not to be known.
 bool is_worksheet(const NamedTable& table) {
-  return table.column({"identifier"}) && table.column({"grade"}) && table.column({"status", "maximumgrade"});
+  const auto participant = table.column(identifier_headings);
+  if (!participant || !table.column(grade_headings) ||
+      !table.column(joined({status_headings, maximum_headings, scale_headings})))
+    return false;
+  const std::string first = table.rows.size() > 1 ? table.field(1, participant) : "";
+  const std::string number = participant_number(first);
+  return !number.empty() && number.size() < first.size();
 }
 
 /// The id under which a row of the worksheet is graded.
 std::string worksheet_id(const NamedTable& table, std::size_t row) {
-  const std::string own = table.field(row, table.column({"idnumber"}));
-  return own.empty() ? participant_number(table.field(row, table.column({"identifier"}))) : own;
+  const std::string own = table.field(row, id_number_headings);
+  return own.empty() ? participant_number(table.field(row, table.column(identifier_headings))) : own;
 }
 
 std::string text_at(const YAML::Node& node, const char* key) {
@@ -102,10 +137,9 @@ std::string text_at(const YAML::Node& node, const char* key) {
 std::vector<RosterEntry> read_roster(const fs::path& file) {
   const NamedTable table(file);
   const bool worksheet = is_worksheet(table);
-  const auto id = table.column(id_headings), name = table.column(name_headings),
-             submitted = table.column(time_headings);
-  const auto first_name = table.column({"firstname"}), last_name = table.column({"lastname", "surname"});
-  if (!id && !worksheet)
+  const auto submitted = table.column(time_headings), role = table.column({"role"});
+  const bool is_of_canvas = table.column({"student"}) && table.column({"sisloginid", "section"});
+  if (!table.column(id_headings) && !worksheet)
     table.refuse(fmt::format("the first line should name the columns, one of them id; it names '{}'",
                              shortened(printable(fmt::format("{}", fmt::join(table.rows.front(), "', '"))), 200)));
   if (table.rows.size() == 1) table.refuse("it has columns and no row; a line for each student should follow");
@@ -115,13 +149,16 @@ std::vector<RosterEntry> read_roster(const fs::path& file) {
     const auto refuse_row = [&](const std::string& reason) {
       table.refuse(fmt::format("row {}: {}", row + 1, reason));
     };
-    RosterEntry entry{worksheet ? worksheet_id(table, row) : table.field(row, id),
-                      table.field(row, name),
+    RosterEntry entry{worksheet ? worksheet_id(table, row) : table.field(row, id_headings),
+                      table.field(row, name_headings),
                       read_time(table.field(row, submitted)),
                       {}};
-    if (entry.name.empty() && first_name && last_name)
-      entry.name = table.field(row, first_name) + " " + table.field(row, last_name);
-    if (entry.id.empty() && boost::iequals(entry.name, "points possible")) continue;  // the second row of Canvas
+    if (entry.name.empty())
+      entry.name = boost::trim_copy(table.field(row, first_name_headings) + " " + table.field(row, last_name_headings));
+    if (entry.id.empty() && is_of_canvas) continue;  // points possible, and what is posted by hand
+    if (std::string who = boost::to_lower_copy(table.field(row, role));
+        who == "instructor" || who == "ta" || who == "reader")
+      continue;  // whom Gradescope's roster names too
     if (table.rows[row].size() > table.rows.front().size())
       refuse_row(fmt::format("it has {}, and the first line only {}; put quotation marks around a cell with commas",
                              plural(table.rows[row].size(), "cell"), table.rows.front().size()));
@@ -129,14 +166,14 @@ std::vector<RosterEntry> read_roster(const fs::path& file) {
     if (!ids.insert(entry.id).second) refuse_row(fmt::format("the id {} is there twice", printable(entry.id)));
     if (!entry.submitted && !table.field(row, submitted).empty())
       refuse_row("'submitted' should be a time like 2027-03-01T23:59:00Z");
-    for (const std::string& heading : alias_headings) {
+    for (const std::string& heading : joined({{"aliases"}, id_headings})) {
       std::vector<std::string> names;
       const std::string cell = table.field(row, table.column({heading}));
       boost::split(names, cell, [&](char letter) { return heading == "aliases" && (letter == ' ' || letter == ';'); });
-      if (worksheet && heading == "identifier") names = {participant_number(cell)};
       for (const std::string& each : names)
         if (!each.empty() && each != entry.id) entry.aliases.push_back(each);
     }
+    if (worksheet) entry.aliases.push_back(participant_number(table.field(row, table.column(identifier_headings))));
     entries.push_back(std::move(entry));
   }
   return entries;
@@ -223,17 +260,23 @@ std::map<std::string, std::vector<RosterEntry>> read_gradescope(const std::strin
 std::optional<std::string> filled_worksheet(const fs::path& roster, const nlohmann::ordered_json& document) {
   NamedTable table(roster);
   if (!is_worksheet(table)) return std::nullopt;
-  const std::size_t grade = *table.column({"grade"});
-  const auto feedback = table.column({"feedbackcomments"}), maximum = table.column({"maximumgrade"});
+  const auto grade = table.column(grade_headings), feedback = table.column(feedback_headings);
   for (std::size_t row = 1; row < table.rows.size(); ++row) {
     const auto& students = document.at("students");
     const auto found =
         std::ranges::find_if(students, [&](const auto& each) { return each.at("id") == worksheet_id(table, row); });
     if (found == students.end() || !found->at("in_gradebooks")) continue;
-    const double possible = found->at("possible"), most = std::atof(table.field(row, maximum).c_str());
+    std::string maximum = table.field(row, maximum_headings);
+    const bool is_comma = maximum.find(',') != std::string::npos;
+    std::ranges::replace(maximum, ',', '.');
+    const double possible = found->at("possible"), most = std::atof(maximum.c_str());
     const double scale = most > 0 && possible > 0 ? most / possible : 1;
     table.rows[row].resize(table.rows.front().size());
-    table.rows[row][grade] = fmt::format("{:.2f}", scale * found->at("score").template get<double>());
+    if (!table.column(scale_headings)) {  // whose words are the lecturer's
+      std::string& cell = table.rows[row][*grade] =
+          fmt::format("{:.2f}", scale * found->at("score").template get<double>());
+      if (is_comma) std::ranges::replace(cell, '.', ',');
+    }
     std::vector<std::string> said;
     if (found->contains("by_hand")) said.push_back(found->at("by_hand"));
     for (const auto& mark : found->at("results"))

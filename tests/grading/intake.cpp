@@ -43,11 +43,12 @@ class Taken {
   }
 
   /// The text that is judged as spring_energy; "": none was taken.
-  std::string energy(const std::string& id) const {
+  std::string energy(const std::string& id) const { return text(id, "spring_energy"); }
+  std::string text(const std::string& id, const std::string& exercise) const {
     const auto& files = student(id).files;
-    const auto file = files.find("spring_energy");
+    const auto file = files.find(exercise);
     if (file == files.end() || !file->second.refusal.empty()) return "";
-    return read(copies_ / student(id).slug / "spring_energy.cpp");
+    return read(copies_ / student(id).slug / (exercise + ".cpp"));
   }
 
  private:
@@ -257,6 +258,125 @@ TEST_CASE("Canvas' gradebook and the roster of GitHub Classroom are rosters") {
       cloned, "submissions",
       "\"identifier\",\"github_username\",\"github_id\",\"name\"\n\"ada@x.org\",\"Octo-Cat\",\"7\",\"\"\n");
   CHECK(classroom.energy("ada@x.org") == right);
+  // Its table of grades, in which who is not on the roster has the login only.
+  const Taken grades = Taken::with_table(cloned, "submissions",
+                                         "assignment_name,github_username,roster_identifier,submission_timestamp\n"
+                                         "week 3,Octo-Cat,,2027-03-01 12:00:00 UTC\nweek 3,ben,b@x.org,\n");
+  CHECK(grades.energy("Octo-Cat") == right);
+  CHECK(grades.student("Octo-Cat").submitted == workbook::read_time("2027-03-01T12:00:00Z"));
+  CHECK(grades.student("b@x.org").is_missing());
+}
+
+TEST_CASE("one class has the same files and names in the layout of every system") {
+  const MadeUpClass all;
+  struct Person {
+    std::string id, name, canvas, login;
+  };
+  const std::vector<Person> people = {{"1001", "Zoë Müller", "müllerzoë", "zoe-m"},
+                                      {"1002", "Miles O'Brien", "obrienmiles", "OBrien"},
+                                      {"1003", "Ana María de la Cruz", "delacruzanamaría", "ana"},
+                                      {"1004", "Jean-Luc Picard", "picardjeanluc", "main"}};
+  // What each hands in; the last one works in a folder, and hands in a zip file of it where that can be.
+  const auto files_of = [](const Person& person) {
+    std::map<std::string, std::string> files = {
+        {"spring_energy", energy_text(right_energy) + "// " + person.id + "\r\n"}};
+    if (person.id != "1001")
+      files["spring_force"] =
+          force_text(person.id == "1002" ? "return k * x;" : right_force) + "// " + person.id + "\n";
+    return files;
+  };
+  using Files = std::vector<std::pair<std::string, std::optional<std::string>>>;
+  std::map<std::string, Files> layouts;
+  std::map<std::string, std::string> rosters = {
+      {"plain", "\ufeffid;name\r\n"},
+      {"gradescope", "First Name,Last Name,SID,Email,Role\nLee,T,,t@x.org,Instructor\n"},
+      {"moodle", "id,name\n"},
+      {"moodle, German",
+       "\ufeffID,\"Vollständiger Name\",ID-Nummer,E-Mail-Adresse,Status,Bewertung,Bestwertung,\"Feedback als "
+       "Kommentar\"\n"},
+      {"moodle, groups", "id,name\n"},
+      {"canvas",
+       "Student,ID,SIS User ID,SIS Login ID,Section,Week 3 (7)\n,,,,,Manual Posting\n    Points "
+       "Possible,,,,,10\n"},
+      {"classroom", "\"identifier\",\"github_username\",\"github_id\",\"name\"\n"}};
+  std::string yaml = "---\n";
+  int number = 0;
+  for (const Person& person : people) {
+    ++number;
+    const std::string& id = person.id;
+    std::string moodle = person.name;
+    std::erase(moodle, '\'');
+    const std::string space = person.name.substr(0, person.name.find(' ')),
+                      rest = person.name.substr(person.name.find(' ') + 1);
+    yaml += fmt::format("submission_{}:\n  :submitters:\n  - :name: \"{}\"\n    :sid: '{}'\n    :email: x\n", number,
+                        person.name, id);
+    rosters["plain"] += fmt::format("{};{}\r\n", id, person.name);
+    rosters["gradescope"] += fmt::format("{},{},{},{}@x.org,Student\n", space, rest, id, id);
+    rosters["moodle"] += fmt::format("{},{}\n", id, person.name);
+    rosters["moodle, groups"] += fmt::format("{},\"{}, {}\"\n", id, rest, space);
+    rosters["moodle, German"] +=
+        fmt::format("Teilnehmer/in90{},{},{},a@x.org,\"Abgegeben\",,\"50,00\",\n", id, person.name, id);
+    rosters["canvas"] += fmt::format("\"{}, {}\",77{},{},{},A,\n", rest, space, id, id, person.login);
+    rosters["classroom"] += fmt::format("\"{}\",\"{}\",\"5\",\"{}\"\n", id, person.login, person.name);
+    int attachment = 500 + 10 * number;
+    Files zipped;
+    for (const auto& [exercise, text] : files_of(person)) {
+      const std::string file = exercise + ".cpp", place = "/lectures/01_springs/exercises/" + file;
+      const std::string group = number < 3 ? "Group 1-" : "Default group-";
+      zipped.emplace_back("work/" + file, text);
+      layouts["plain"].emplace_back(id + "/" + file, text);
+      layouts["gradescope"].emplace_back(fmt::format("assignment_5_export/submission_{}{}", number, place), text);
+      for (const char* with : {"moodle", "moodle, German", "moodle, groups"})
+        if (number < 4)
+          layouts[with].emplace_back(fmt::format("{}{}_90{}_assignsubmission_file_/{}",
+                                                 with == std::string("moodle, groups") ? group : "", moodle, id, file),
+                                     text);
+      if (number < 4)
+        layouts["canvas"].emplace_back(
+            fmt::format("{}{}_77{}_{}_{}-1.cpp", person.canvas, number == 2 ? "_LATE" : "", id, ++attachment, exercise),
+            text);
+      layouts["classroom"].emplace_back("week-3-" + person.login + place, text);
+    }
+    if (number < 4) continue;
+    const std::string archive = ::zipped(all, zipped);
+    for (const char* with : {"moodle", "moodle, German", "moodle, groups"}) {
+      const std::string group = with == std::string("moodle, groups") ? "Default group-" : "";
+      layouts[with].emplace_back(fmt::format("{}{}_90{}_assignsubmission_file_/my work.zip", group, moodle, id),
+                                 archive);
+      layouts[with].emplace_back(
+          fmt::format("{}{}_90{}_assignsubmission_onlinetext_/onlinetext.html", group, moodle, id), "<p>");
+    }
+    layouts["canvas"].emplace_back(fmt::format("{}_77{}_600_my work.zip", person.canvas, id), archive);
+  }
+  layouts["gradescope"].emplace_back("assignment_5_export/submission_metadata.yml", yaml);
+  for (auto& [system, files] : layouts) {
+    CAPTURE(system);
+    files.emplace_back("__MACOSX/._x.cpp", "of a Mac");
+    for (const auto& [path, text] : files) write(all.root() / system / path, *text);
+    write_zip(all.root() / (system + ".zip"), files);
+    for (const std::string& submissions : {system, system + ".zip"}) {
+      CAPTURE(submissions);
+      const Taken taken = Taken::with_table(all, submissions, rosters.at(system));
+      CHECK(taken.intake.students.size() == people.size());
+      CHECK(taken.intake.problems == std::vector<std::string>());
+      for (const Person& person : people) {
+        // By whatever id the roster has.
+        const std::string id = (system == "canvas" ? "77" : "") + person.id;
+        CAPTURE(id);
+        CHECK(taken.student(id).unread.empty());
+        CHECK(taken.student(id).dispute.empty());
+        CHECK(taken.student(id).files.size() == files_of(person).size());
+        for (const auto& [exercise, text] : files_of(person)) CHECK(taken.text(id, exercise) == text);
+      }
+    }
+    const Outcome graded =
+        all.run(fmt::format("grade '{}.zip' --out graded --roster roster.csv --allow-reduced --seed 1", system));
+    CHECK(graded.status == 0);
+    const auto document = nlohmann::json::parse(read(all.root() / "graded/class.json"));
+    std::vector<double> marks;
+    for (const auto& student : document.at("students")) marks.push_back(student.at("score"));
+    CHECK(fmt::format("{}", fmt::join(marks, " ")) == "2 2 3 3");
+  }
 }
 
 TEST_CASE("names of people are compared as systems write them into the names of files") {
@@ -278,17 +398,21 @@ TEST_CASE("names of people are compared as systems write them into the names of 
 
 TEST_CASE("without a roster the files of one student of Canvas or Moodle are one student's") {
   const MadeUpClass all;
-  for (const char* name : {"planckmax_LATE_34_778_spring_energy-1.cpp", "planckmax_34_779_spring_force.cpp",
-                           "Ada Byron_900001_assignsubmission_file_/spring_energy.cpp",
-                           "Ada Byron_900001_assignsubmission_onlinetext_/spring_force.cpp",
-                           "team_1_2/spring_energy.cpp", "team_1_3/spring_energy.cpp"})
+  for (const char* name :
+       {"planckmax_LATE_34_778_spring_energy-1.cpp", "planckmax_34_779_spring_force.cpp",
+        "Ada Byron_900001_assignsubmission_file_/spring_energy.cpp",
+        "Ada Byron_900001_assignsubmission_onlinetext_/spring_force.cpp", "team_1_2/spring_energy.cpp",
+        "team_1_3/spring_energy.cpp", "müllerzoë_35_780_spring_energy.cpp", "müllerzoë_35_781_spring_force.cpp",
+        "LATE_anon_aB3xY_782_spring_energy.cpp", "LATE_anon_aB3xY_783_spring_force-1.cpp"})
     write(all.submissions() / name, right);
   const Taken taken(all);
   CHECK(taken.student("planckmax_34").files.size() == 2);
   CHECK(taken.student("Ada Byron_900001").files.size() == 2);
   CHECK(taken.energy("team_1_2") == right);
   CHECK(taken.energy("team_1_3") == right);
-  CHECK(taken.intake.students.size() == 4);
+  CHECK(taken.student("müllerzoë_35").files.size() == 2);
+  CHECK(taken.student("anon_aB3xY").files.size() == 2);
+  CHECK(taken.intake.students.size() == 6);
 }
 
 TEST_CASE("a login follows the name of the assignment, and is not a part of another login") {
@@ -354,6 +478,26 @@ TEST_CASE("--who says who has handed in what, and judges nothing; the worksheet 
   CHECK(has(sheet, "Participant 900001,Ada Byron,Submitted,"));
   CHECK(has(sheet, "Participant 900002,Ben Ohm,No submission,,50,"));
   CHECK(!has(sheet, "900001,Ada Byron,Submitted,,"));
+}
+
+TEST_CASE("Moodle's worksheet comes back as its language writes numbers, and words of a scale stay the lecturer's") {
+  const MadeUpClass all;
+  const nlohmann::ordered_json graded = {{"students",
+                                          {{{"id", "1327670"},
+                                            {"in_gradebooks", true},
+                                            {"score", 2.5},
+                                            {"possible", 3.0},
+                                            {"results", nlohmann::ordered_json::array()}}}}};
+  const auto filled = [&](const std::string& table) {
+    return *workbook::filled_worksheet(write(all.root() / "sheet.csv", table), graded);
+  };
+  CHECK(filled("ID,Status,Bewertung,Bestwertung,Feedback als Kommentar\nTeilnehmer/in1327670,x,,\"7,50\",\n") ==
+        "ID,Status,Bewertung,Bestwertung,Feedback als Kommentar\r\n"
+        "Teilnehmer/in1327670,x,\"6,25\",\"7,50\",All passed.\r\n");
+  CHECK(filled("ID,Bewertung,Skala,Feedback als Kommentar\nTeilnehmer/in1327670,,bestanden,\n") ==
+        "ID,Bewertung,Skala,Feedback als Kommentar\r\nTeilnehmer/in1327670,,bestanden,All passed.\r\n");
+  CHECK(filled("Identifiant,Statut,Note,Note maximale\nParticipant 1327670,x,,\"3,00\"\n") ==
+        "Identifiant,Statut,Note,Note maximale\r\nParticipant 1327670,x,\"2,50\",\"3,00\"\r\n");
 }
 
 TEST_CASE("a class in one folder of a zip file is not taken for a student without a word") {
