@@ -79,6 +79,31 @@ std::vector<IndependentInput> confirmed(std::vector<IndependentInput> inputs, co
   return inputs;
 }
 
+/// Does what tells wrong cases from right ones also tell the points of the plot from each other? By coincidence of the
+/// cases it would not.
+bool is_confirmed(const Diagnosis& split, const Ask& ask, ExerciseReference exercise, Answers answers) {
+  const auto claim = [](const std::string& message) { return message.substr(0, message.find(" (")); };
+  std::vector<PlannedCall> calls;
+  double size = 0;
+  for (std::size_t i = 0; i < exercise.sweep.x.size(); ++i) {
+    const Value& expected = exercise.sweep.expected[i];
+    calls.push_back({exercise.sweep.inputs[i], expected.rows, expected.cols});
+    size = std::max(size, as_matrix(expected).cwiseAbs().maxCoeff());
+  }
+  const std::vector<Reply> replies = calls.empty() ? std::vector<Reply>() : ask(calls);
+  for (std::size_t i = 0; i < replies.size(); ++i) {
+    Case point = exercise.cases.front();
+    point.inputs = exercise.sweep.inputs[i];
+    point.expected = exercise.sweep.expected[i];
+    point.scale = {size};
+    if (!has_usable_value(replies[i], point)) continue;
+    exercise.cases.push_back(point);
+    answers.push_back(replies[i].value);
+  }
+  const std::optional<Diagnosis> again = diagnose_split(exercise, answers);
+  return again && claim(again->message) == claim(split.message);
+}
+
 /// Why finite values are wrong, where others are not finite: one cause of the former is not silenced by the latter.
 /// Empty where values that are finite are right, or too few, or where nothing is certain.
 std::vector<Diagnosis> diagnose_finite(ExerciseReference exercise, Answers answers) {
@@ -96,6 +121,70 @@ std::vector<Diagnosis> diagnose_finite(ExerciseReference exercise, Answers answe
   std::vector<Diagnosis> found = diagnose(exercise, answers, {});
   if (std::ranges::all_of(found, &Diagnosis::is_symptom)) found.clear();
   return found;
+}
+
+bool are_zero(const Answers& answers) {
+  return std::ranges::all_of(answers, [](const std::optional<Value>& answer) {
+    return answer && std::ranges::all_of(answer->numbers, [](double number) { return number == 0; });
+  });
+}
+
+/// With which elements of a list the result never changes, although the right one does: further calls tell.
+std::optional<Diagnosis> elements_without_effect(const Ask& ask, const ExerciseReference& reference,
+                                                 const Answers& answers) {
+  struct Pattern {
+    const char* words;
+    bool (*has_effect)(std::size_t element, std::size_t count);
+  };
+  static constexpr Pattern patterns[] = {
+      {"any entry of {} but the first", [](std::size_t k, std::size_t) { return k == 0; }},
+      {"any entry of {} but the first two", [](std::size_t k, std::size_t) { return k < 2; }},
+      {"any entry of {} but the last", [](std::size_t k, std::size_t n) { return k + 1 == n; }},
+      {"any entry of {} but the first and the last", [](std::size_t k, std::size_t n) { return k == 0 || k + 1 == n; }},
+      {"the first entry of {}", [](std::size_t k, std::size_t) { return k > 0; }},
+      {"the last entry of {}", [](std::size_t k, std::size_t n) { return k + 1 < n; }}};
+  constexpr std::size_t fewest = 3, most = 40, most_cases = 3;
+  for (std::size_t a = 0; a < reference.arguments.size(); ++a) {
+    const auto columns = [&](std::size_t i) -> std::size_t {
+      const Value& list = reference.cases[i].inputs[a];
+      const Kind kind = reference.arguments[a].kind;
+      return kind == Kind::vector     ? list.numbers.size()
+             : kind == Kind::points   ? static_cast<std::size_t>(list.cols)
+             : kind == Kind::matrices ? static_cast<std::size_t>(list.cols) / 3
+                                      : 0;
+    };
+    std::vector<Pattern> fitting(std::begin(patterns), std::end(patterns));
+    std::size_t looked_at = 0;
+    for (std::size_t i = 0; i < reference.described_cases() && looked_at < most_cases; ++i) {
+      const Case& one = reference.cases[i];
+      const std::size_t count = columns(i), stride = count > 0 ? one.inputs[a].numbers.size() / count : 0;
+      if (count < fewest || count > most || !answers[i] || passes(reference, i, *answers[i]) ||
+          std::ranges::count(one.inputs[a].numbers, 0) > 0)  // what is 0 stays so
+        continue;
+      ++looked_at;
+      std::vector<PlannedCall> calls(count, {one.inputs, one.expected.rows, one.expected.cols});
+      for (std::size_t k = 0; k < count * stride; ++k) calls[k / stride].inputs[a].numbers[k] *= 1.01;
+      const std::vector<Reply> replies = ask(calls);
+      std::erase_if(fitting, [&](const Pattern& pattern) {
+        for (std::size_t k = 0; k < count; ++k) {
+          const bool is_same =
+              replies[k].ending == Ending::returned && replies[k].value.numbers == answers[i]->numbers;
+          if (is_same == pattern.has_effect(k, count)) return true;
+        }
+        return false;
+      });
+    }
+    const auto right_one_changes = [&](const Case& changed) {
+      if (changed.base < 0 || changed.argument != static_cast<int>(a)) return false;
+      const auto base = static_cast<std::size_t>(changed.base);
+      return !is_same_answer(reference, base, changed.expected, reference.cases[base].expected);
+    };
+    if (looked_at > 0 && !fitting.empty() && std::ranges::any_of(reference.cases, right_one_changes))
+      return Diagnosis{DiagnosisKind::independence, "elements",
+                       fmt::format("Your result never changes with {}; the right one does.",
+                                   fmt::format(fmt::runtime(fitting.front().words), reference.arguments[a].name))};
+  }
+  return std::nullopt;
 }
 
 /// Findings that explain a few cases only.
@@ -132,11 +221,13 @@ void explain_deeper(Explanation& explanation, const Evidence& evidence, bool has
   const DiagnosticTask& task = evidence.task;
   std::vector<Diagnosis>& diagnoses = explanation.diagnoses;
   const auto is_place = [](const Diagnosis& each) { return each.kind == DiagnosisKind::place; };
-  const bool is_inaccurate = std::ranges::count(diagnoses, DiagnosisKind::accuracy, &Diagnosis::kind) > 0;
+  const bool is_inaccurate = std::ranges::any_of(diagnoses, [](const Diagnosis& each) {
+    return each.kind == DiagnosisKind::accuracy && each.name != "near";
+  });
   if (task.judgement.verdict == Verdict::wrong_value) {
     if (const auto slip = slip_or_branch(task, evidence.toolchain, evidence.cache, is_inaccurate)) {
       std::erase_if(diagnoses, [&](const Diagnosis& each) {
-        return each.kind != DiagnosisKind::split && each.kind != DiagnosisKind::accuracy &&
+        return each.kind != DiagnosisKind::split && (each.kind != DiagnosisKind::accuracy || each.name == "near") &&
                (slip->name == "branch" || !is_place(each));
       });
       return add(explanation.findings, {*slip});
@@ -155,9 +246,12 @@ void explain_deeper(Explanation& explanation, const Evidence& evidence, bool has
   // Where a mistake in the code is known, its consequences are none of physics.
   if (has_mistake_in_code) std::erase_if(diagnoses, std::not_fn(is_place));
   if (task.judgement.verdict != Verdict::wrong_value || has_mistake_in_code) return;
+  if (are_zero(answers)) return;
   const auto inputs = confirmed(independent_inputs(task.reference, answers), evidence.ask, task.reference, answers);
   const auto found = inputs.size() <= 6 ? independence(task.reference, inputs) : std::nullopt;
   if (found) diagnoses.insert(diagnoses.begin(), *found);
+  if (const auto list = elements_without_effect(evidence.ask, task.reference, answers))
+    diagnoses.insert(diagnoses.begin(), *list);
 }
 
 }  // namespace
@@ -183,7 +277,13 @@ Explanation explain(const Evidence& evidence) {
     return explanation;
   }
   // A slip of C++ is not explained as physics.
-  const CodeReasons code = code_reasons(task, in_code, toolchain, cache);
+  const Answers answers = answers_of(task.reference, task.observation.replies);
+  CodeReasons code = code_reasons(task, in_code, toolchain, cache);
+  if (code.findings.empty()) {
+    code = code_reasons(task, whole_quotients(SourceText(task.submission.text), task.reference), toolchain, cache);
+    // Many a quotient of whole numbers is meant so: it is a mistake where all is right without it, or all zero with it.
+    if (!code.are_all && !are_zero(answers)) code.findings.clear();
+  }
   if (!code.findings.empty()) {
     explanation.findings = code.findings;
     if (!code.are_all) add(explanation.findings, std::move(in_code));
@@ -196,13 +296,16 @@ Explanation explain(const Evidence& evidence) {
     return explanation;
   }
   const bool has_mistake_in_code = !std::ranges::all_of(in_code, is_remark);
-  const Answers answers = answers_of(task.reference, task.observation.replies);
   if (task.judgement.verdict == Verdict::non_finite_value) {
     explanation.diagnoses = diagnose_finite(task.reference, answers);
     if (!explanation.diagnoses.empty()) add(explanation.findings, besides(diagnostic_run(task, toolchain, cache)));
   } else {
     explanation.diagnoses = diagnose(task.reference, answers, take_probes(evidence.ask, task.reference));
   }
+  std::erase_if(explanation.diagnoses, [&](const Diagnosis& each) {
+    return each.kind == DiagnosisKind::split && each.name == "split" &&
+           !is_confirmed(each, evidence.ask, task.reference, answers);
+  });
   if (std::ranges::all_of(explanation.diagnoses, &Diagnosis::is_symptom))
     explain_deeper(explanation, evidence, has_mistake_in_code, answers);
   add(explanation.findings, std::move(in_code));

@@ -103,6 +103,28 @@ bool is_of_accuracy(const Variant& variant) {
   return variant.kind == "loop" || variant.kind == "number" || variant.words == "more steps";
 }
 
+/// The number, or the end of a loop, with which the error falls at every failing case that is looked at: it follows a
+/// law, so that this limits the accuracy.
+std::optional<Finding> coarse(VariantRunner& runner, const std::vector<Variant>& variants, const SourceText& source) {
+  constexpr double clearly_less = 0.3, nearly_right = 0.01;
+  const std::vector<double> errors = runner.errors(variants.size());
+  if (errors.size() < 3 || std::ranges::max(errors) > nearly_right) return std::nullopt;
+  double best = clearly_less;
+  std::optional<Finding> found;
+  for (std::size_t k = 0; k < variants.size(); ++k) {
+    if (!is_of_accuracy(variants[k])) continue;
+    const std::vector<double> others = runner.errors(k);
+    double ratio = others.size() == errors.size() ? 0 : 1;
+    for (std::size_t i = 0; i < others.size(); ++i) ratio = std::max(ratio, others[i] / errors[i]);
+    if (ratio >= best) continue;
+    best = ratio;
+    found = source.finding(variants[k].place, "slip_coarse",
+                           fmt::format("this limits the accuracy: with {} here, at most {:.0f} % of the error are left.",
+                                       variants[k].words, std::ceil(100 * ratio)));
+  }
+  return found;
+}
+
 /// Two slips in one line with which all cases are right.
 std::optional<Finding> two_slips(VariantRunner& runner, const std::vector<Variant>& variants,
                                  const std::vector<std::size_t>& order, const SourceText& source,
@@ -194,6 +216,19 @@ bool VariantRunner::is_other(std::size_t variant) {
   });
 }
 
+std::vector<double> VariantRunner::errors(std::size_t variant) {
+  constexpr std::size_t looked_at = 5;
+  std::vector<double> errors;
+  for (const std::size_t index : evenly_spaced(task_.judgement.failing, looked_at)) {
+    const Reply reply = call(variant, index);
+    if (!has_usable_value(reply, task_.reference.cases[index])) return {};
+    errors.push_back(0);
+    for (const Deviation& each : deviations(task_.reference, index, reply.value))
+      errors.back() = std::max(errors.back(), each.relative_size());
+  }
+  return errors;
+}
+
 std::optional<std::set<std::size_t>> VariantRunner::cases_taking_branch(std::size_t variant) {
   std::set<std::size_t> cases;
   for (const std::size_t index : order_) {
@@ -238,7 +273,9 @@ std::optional<Finding> slip_or_branch(const DiagnosticTask& task, const Toolchai
   const SourceText source(task.submission.text);
   std::vector<Variant> variants = branch_variants(source);
   std::ranges::move(one_token_variants(source, task.reference), std::back_inserter(variants));
-  if (is_inaccurate) std::erase_if(variants, [](const Variant& each) { return !is_of_accuracy(each); });
+  std::erase_if(variants, [&](const Variant& each) {
+    return each.kind == "division" || (is_inaccurate && !is_of_accuracy(each));  // the former are known
+  });
   VariantRunner runner(task, variants, toolchain, cache);
   if (!runner.is_as_judged()) return std::nullopt;
   std::optional<DecidingBranch> branch;
@@ -271,6 +308,7 @@ std::optional<Finding> slip_or_branch(const DiagnosticTask& task, const Toolchai
                     each.words, task.reference.cases.size()));
   }
   if (branch) return finding_of(*branch, source, task);
+  if (const auto limit = coarse(runner, variants, source)) return limit;
   return two_slips(runner, variants, order, source, task);
 } catch (const std::exception&) {
   return std::nullopt;

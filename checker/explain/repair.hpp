@@ -48,6 +48,8 @@ class VariantRunner {
   bool is_right(std::size_t variant, std::optional<std::size_t> beside = {});
   /// Does it differ from what was judged at a failing case?
   bool is_other(std::size_t variant);
+  /// By how much it is wrong at some failing cases, in natural sizes; nothing where it has no value at one.
+  std::vector<double> errors(std::size_t variant);
   /// The cases at which the condition of a branch is true; nothing where that is not certain.
   std::optional<std::set<std::size_t>> cases_taking_branch(std::size_t variant);
 

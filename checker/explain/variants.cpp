@@ -173,9 +173,10 @@ class SourceMutations {
     int depth = 0;     // of brackets in it
     for (std::size_t k = 1; k < std::min(source_.tokens().size(), last_token_looked_at); ++k) {
       const std::string_view left = token(k - 1), here = token(k), right = token(k + 1);
-      const bool is_named = is_one_of(right, {"=", ";", ",", "(", "{", ":"});
+      const bool is_named = is_one_of(right, {"=", ";", ",", "(", ")", "{", ":"});
       const bool next_parameter = here == "," && is_identifier(right) && is_identifier(token(k + 2));
-      if (here == ";" || next_parameter || depth < 0) type.clear();
+      const bool begins_lambda = left == "]" && here == "(";
+      if (here == ";" || next_parameter || begins_lambda || depth < 0) type.clear();
       if (opens(here)) ++depth;
       if (closes(here)) --depth;
       if (!is_identifier(here) || !is_named) continue;
@@ -332,9 +333,11 @@ class SourceMutations {
     };
     if (type == "double" && before() != "(") {
       put("the square of {}", name + " * " + name);
-      put("the root of {}", "std::sqrt(" + name + ")");
       put("the absolute value of {}", "std::abs(" + name + ")");
     }
+    if (type == "double" && !is_one_of(token(at_ - 2), {"sqrt", "abs", "cos", "sin"}))
+      put("the root of {}", "std::sqrt(" + name + ")");
+    if (type == "double" && before() == "-" && token(at_ - 2) == "1") put("1 − {} in place", "(1 - " + name + ")");
     if (type == "Vector3d" && after() != "[" && after() != "(") {
       put("the unit vector of {}", "Vector3d(" + name + ".normalized())");
       for (const auto& [matrix, other_type] : types_) {
@@ -434,16 +437,29 @@ class SourceMutations {
     add("factor", "more steps", at_, {{behind, 0, "10.0 *"}});
   }
 
-  /// A quotient of what may be whole numbers: of variables, of a size.
+  /// A whole number by what it is written as or declared to be.
+  bool is_whole(std::size_t index) const {
+    const std::string_view text = token(index);
+    const auto type = types_.find(std::string(text));
+    return is_numeral(text) ? text.find_first_of(".eE") == std::string_view::npos
+                            : type != types_.end() && is_one_of(type->second, whole_types);
+  }
+
+  /// `n`, `2`, `(n - 1)` and `r.cols()` before the token here.
+  bool follows_whole() const {
+    if (before() != ")") return is_whole(at_ - 1);
+    const std::size_t open = conditions_.opening(at_ - 1);
+    if (open > 0 && is_identifier(token(open - 1))) return is_one_of(token(open - 1), {"size", "cols", "rows"});
+    for (std::size_t k = open + 1; k + 1 < at_; ++k)
+      if (!is_whole(k) && !is_one_of(token(k), {"+", "-", "*", "(", ")"})) return false;
+    return true;
+  }
+
+  /// A quotient of whole numbers: of variables, of a size.
   void divisions() {
-    const auto is_whole = [&](std::string_view text) {
-      const auto type = types_.find(std::string(text));
-      return is_numeral(text) ? text.find_first_of(".eE") == std::string_view::npos
-                              : type != types_.end() && is_one_of(type->second, whole_types);
-    };
+    if (here() != "/" || all_bugs_ || !follows_whole()) return;
     const bool is_size = token(at_ + 2) == "." && is_one_of(token(at_ + 3), {"size", "cols", "rows"});
-    if (here() == "/" && !all_bugs_ && (is_whole(before()) || before() == ")") && (is_whole(after()) || is_size))
-      add("division", "a division of doubles, * 1.0 /,", "* 1.0 /");
+    if (is_whole(at_ + 1) || is_size) add("division", "", "* 1.0 /");
   }
 
   /// `a.cross(b)` as `b.cross(a)`, that is with the other sign.
@@ -629,6 +645,16 @@ std::vector<Variant> one_token_variants(const SourceText& source, const Exercise
 
 std::vector<Variant> source_mutants(const SourceText& source, const ExerciseReference& exercise) {
   return SourceMutations(source, exercise, true).all();
+}
+
+std::vector<Finding> whole_quotients(const SourceText& source, const ExerciseReference& exercise) {
+  std::vector<Finding> found;
+  for (const Variant& each : one_token_variants(source, exercise))
+    if (each.kind == "division")
+      found.push_back(source.finding(each.place, "integer_division",
+                                     "Whole numbers are divided here, and what follows the decimal point is dropped: "
+                                     "make one of them a double."));
+  return found;
 }
 
 std::string edited(std::string_view text, std::vector<Edit> edits) {

@@ -45,6 +45,9 @@ std::vector<Variant> one_token_variants(const SourceText& source, const Exercise
 /// .normalized() or a statement left out.
 std::vector<Variant> source_mutants(const SourceText& source, const ExerciseReference& exercise);
 
+/// Quotients of whole numbers that have names: a mistake only where one of doubles gives another result.
+std::vector<Finding> whole_quotients(const SourceText& source, const ExerciseReference& exercise);
+
 std::string edited(std::string_view text, std::vector<Edit> edits);
 
 /// Files in which a finding about the code is fixed, and last one with all of them fixed; none for findings that no

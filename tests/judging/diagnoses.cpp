@@ -170,7 +170,8 @@ Table transforms() {
   Table table;
   for (double factor : {-1.0, 2.0, 0.5, -1.5, 0.0, degrees})
     for (const Exercise& exercise : {momentum(), momentum_with_terms()})
-      add(table, fmt::format("{:.3} times", factor), exercise, times(exercise, factor), "transform factor");
+      add(table, fmt::format("{:.3} times", factor), exercise, times(exercise, factor),
+          factor == 0 ? "transform zero" : "transform factor");
   add(table, "2 times a single number", given_results(Kind::number, {number(3)}), {number(6)});
   add(table, "degrees", angles, times(angles, degrees), "transform degrees");
   add(table, "converted twice", angles, times(angles, 1 / degrees), "transform converted_twice");
@@ -219,7 +220,11 @@ Table patterns() {
   Values coarse = outputs(momentum(), right_momentum);
   for (std::size_t i = 0; i < coarse.size(); ++i)
     for (double& number : coarse[i].numbers) number *= 1 + 1e-5 * static_cast<double>(i % 3 + 1);
-  add(table, "four digits", momentum(), coarse, "accuracy accuracy");
+  add(table, "four digits", momentum(), coarse, "accuracy near");
+  Values single = outputs(momentum(), right_momentum);
+  for (Value& value : single)
+    for (double& number : value.numbers) number = static_cast<float>(number * 1.1) / 1.1;
+  add(table, "a float", momentum(), single, "accuracy accuracy");
 
   Values split = outputs(momentum(), right_momentum);
   for (std::size_t i = 0; i < 9; ++i)

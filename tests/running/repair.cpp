@@ -84,6 +84,7 @@ TEST_CASE("the one token with which all cases are right is found, with its place
       {"return x < 0 ? -n * x : n * x;", "slip_sign", 7, 16},
       {"const bool small = x < 1;\nif (small) return 0;\nreturn n * x;", "branch", 8, 1},
       {"if (x > -9) return 7;\nreturn n * x;", "", 0, 0},  // taken always
+      {"const double h = 0.001;\nreturn n * ((x + h) * (x + h) - x * x) / (2 * h);", "slip_coarse", 7, 18},
   };
   for (const Slip& slip : slips) {
     CAPTURE(std::string(slip.body));
@@ -126,6 +127,31 @@ TEST_CASE("findings are the reason if their fix makes all cases right, and a par
   CHECK(reasons("return n * x * (1 / 3);") == " integer_division");  // another mistake besides
   CHECK(reasons("return -n * x + 0 * (1 / 3);") == "");              // it changes nothing
   CHECK(reasons("return -n * x;") == "");                            // nothing found
+}
+
+TEST_CASE("a quotient of whole numbers with names is a reason where one of doubles is right") {
+  struct Quotient {
+    const char* body;
+    std::size_t found;
+    bool is_reason;
+  };
+  const Quotient quotients[] = {
+      {"const int one = 1, two = 2;\nreturn 2 * n * x * (one / two);", 1, true},
+      {"auto ratio = [](int a, int b) { return a / b; };\nreturn 2 * n * x * ratio(1, 2);", 1, true},
+      {"const int steps = 4;\ndouble sum = 0;\nfor (int i = 0; i < steps; ++i) sum += (1 / steps) * n * x;\nreturn sum;",
+       1, true},
+      {"const int k = 5;\nreturn -n * x * (k / 3);", 1, false},
+      {"return x / 2 * n / 1.0;", 0, false},
+  };
+  for (const Quotient& each : quotients) {
+    CAPTURE(std::string(each.body));
+    const Judged judged(each.body);
+    const auto found = whole_quotients(SourceText(judged.submission.text), judged.reference);
+    CHECK(found.size() == each.found);
+    CHECK(code_reasons({judged.submission, judged.reference, judged.observation, judged.judgement}, found, toolchain(),
+                       shared_cache())
+              .are_all == each.is_reason);
+  }
 }
 
 TEST_CASE("a unit of variants knows its lines, and reads headers once") {

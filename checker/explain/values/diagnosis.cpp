@@ -36,7 +36,7 @@ bool Diagnosis::is_symptom() const {
   // A wrong order or range is all that there is to say.
   if (kind == DiagnosisKind::property) return name != "range" && name != to_string(PropertyKind::ascending);
   return kind == DiagnosisKind::place || kind == DiagnosisKind::accuracy || kind == DiagnosisKind::dimension ||
-         kind == DiagnosisKind::independence || (kind == DiagnosisKind::split && name != "split");
+         kind == DiagnosisKind::independence || name == "zero" || (kind == DiagnosisKind::split && name != "split");
 }
 
 namespace {

@@ -72,7 +72,7 @@ Mechanism diagnose_invariant;
 Mechanism diagnose_place;         ///< "Only component 3 is wrong": always true, and silent where all are
 Mechanism diagnose_entries;       ///< entries that hold what belongs in others, while the rest is right
 Mechanism diagnose_eigenvectors;  ///< principal axes in another order, of another length or handedness
-Mechanism diagnose_accuracy;      ///< "right to about 4 digits at every case", and with what the error grows
+Mechanism diagnose_accuracy;      ///< nearly right at every case; the digits where the error follows a law
 Mechanism diagnose_range;  ///< the right attitudes by numbers beyond their range: θ, the pitch, more than half a turn
 
 /// One number of an argument.

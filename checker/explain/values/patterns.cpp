@@ -58,31 +58,32 @@ std::optional<Diagnosis> diagnose_accuracy(const ExerciseReference& exercise, co
   }
   if (errors.size() < fewest || 4 * errors.size() < exercise.cases.size()) return std::nullopt;
   const double worst = std::ranges::max(errors, {}, &std::pair<std::size_t, double>::second).second;
-  std::string sentence =
-      fmt::format("Your result is right to about {} at every case, and more are asked for.",
-                  plural(static_cast<std::size_t>(std::max(1.0, std::floor(-std::log10(worst)))), "digit"));
-  // With which number of the inputs does the error grow, from the smaller to the larger half?
+  // An error of a calculation follows a law; without one, as much may be a small term that is wrong or missing.
   std::vector<std::string> grows_with;
   for (const Quantity& quantity : quantities_of(exercise)) {
-    if (!(quantity.unit == units::second)) continue;
     const auto size_at = [&](const auto& error) { return std::abs(quantity.values[error.first]); };
     std::vector<std::pair<std::size_t, double>> ordered = errors;
     std::ranges::stable_sort(ordered, {}, size_at);
     const auto middle = ordered.begin() + static_cast<std::ptrdiff_t>(ordered.size() / 2);
     const auto error_of = &std::pair<std::size_t, double>::second;
-    if (size_at(ordered.front()) < size_at(*middle) &&
+    if (quantity.unit == units::second && size_at(ordered.front()) < size_at(*middle) &&
         std::ranges::max_element(ordered.begin(), middle, {}, error_of)->second * 3 <
             std::ranges::max_element(middle, ordered.end(), {}, error_of)->second)
       grows_with.push_back(quantity.name);
   }
+  std::string law;
   if (!grows_with.empty())
-    sentence += fmt::format(" The error grows with {}, as that of steps that are too large does.", listed(grows_with));
+    law = fmt::format(" The error grows with {}, as that of steps that are too large does.", listed(grows_with));
   else if (worst < single_precision)
-    sentence += " A `float` has so many, and so has a constant or a step of about that accuracy.";
+    law = " A `float` has so many, and so has a constant or a step of about that accuracy.";
   else
-    sentence +=
-        " Look for steps that are too large, a series that ends early, a difference quotient, a constant with "
-        "few digits, or a small term that is missing.";
+    return Diagnosis{DiagnosisKind::accuracy, "near",
+                     fmt::format("Your result is nearly right: it differs by less than {} % of its size at every case. "
+                                 "Either a small term is wrong or missing, or the calculation is too coarse.",
+                                 number_text(std::ceil(1000 * worst) / 10, 2))};
+  const std::string sentence =
+      fmt::format("Your result is right to about {} at every case, and more are asked for.{}",
+                  plural(static_cast<std::size_t>(std::max(1.0, std::floor(-std::log10(worst)))), "digit"), law);
   return Diagnosis{DiagnosisKind::accuracy, "accuracy", sentence};
 }
 

@@ -59,9 +59,7 @@ bool is_an_angle(const ExerciseReference& exercise) {
   return std::ranges::any_of(exercise.result_units, [](const Unit& unit) { return unit.radian != 0; });
 }
 
-std::string factor_sentence(double factor) {
-  const std::string text = coefficient_text(factor);
-  if (text == "0") return "Your result is zero everywhere, also where the expected one is not.";
+std::string factor_sentence(const std::string& text) {
   if (text == "−1")
     return "Your result is the negative of the expected one at every case: a sign is lost or one too many.";
   if (text == "1/2") return "Your result is half of the expected one at every case.";
@@ -79,7 +77,9 @@ Transform scaled(const ExerciseReference& exercise, double factor) {
             "Your result is converted from degrees to radians once too often: it is π/180 times the expected one.",
             apply};
   }
-  return {"factor", factor_sentence(factor), apply};
+  const std::string text = coefficient_text(factor);
+  if (text == "0") return {"zero", "Your result is zero everywhere, also where the expected one is not.", apply};
+  return {"factor", factor_sentence(text), apply};
 }
 
 /// Every other order of the rows: of the components of a vector, or of every column of a list of points.

@@ -37,3 +37,6 @@ double kinetic_energy(const Matrix3d& I, const Vector3d& omega) { return 0.5 * (
 //! wrong: small energies are taken for none
   const double T = 0.5 * omega.dot(I * omega);
   return T > 1e-9 ? T : 0;
+//! wrong: a half that is computed in whole numbers with names
+  auto ratio = [](int a, int b) { return a / b; };
+  return ratio(1, 2) * omega.dot(I * omega);

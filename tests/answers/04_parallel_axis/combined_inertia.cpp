@@ -83,3 +83,11 @@ Matrix3d combined_inertia(const VectorXd& masses, const Matrix3Xd& centers, cons
     I += tensors[k] + masses[k] * (d.squaredNorm() * Matrix3d::Identity() - d * d.transpose());
   }
   return I;
+//! wrong: the tensor of the first body only
+  const Vector3d center = centers * masses / masses.sum();
+  Matrix3d I = tensors[0];
+  for (int k = 0; k < masses.size(); ++k) {
+    const Vector3d d = centers.col(k) - center;
+    I += masses[k] * (d.squaredNorm() * Matrix3d::Identity() - d * d.transpose());
+  }
+  return I;
