@@ -31,7 +31,7 @@ search.addEventListener("input", () => {
 // In another order each time, so that it does not tell who is who.
 anonymous.addEventListener("click", () => {
   const hidden = document.body.classList.toggle("anonymous");
-  anonymous.setAttribute("aria-pressed", hidden);
+  anonymous.textContent = hidden ? "Show names" : "Hide names, for the projector";
   search.value = "";
   for (let i = rows.length - 1; i > 0; --i) {
     const k = Math.floor(Math.random() * (i + 1));
