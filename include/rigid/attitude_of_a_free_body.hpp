@@ -78,9 +78,8 @@ Vector3d exact_rotation(const Vector3d& I, const Vector3d& omega0, double t);
 /// @pre a real body, 0 < I₁ < I₂ < I₃ ≤ I₁ + I₂, neighbours at least 5 % of I₃ apart
 /// @pre 0.1 ≤ |omega0| ≤ 2 rad/s; signs are arbitrary, and one component may vanish
 /// @pre \f$|L^2 - 2TI_2| \ge 10^{-3}L^2\f$: not close to the separatrix
-/// @pre no pure spin: across axis 1, and across axis 3, omega0 has a part of at least 0.05 |omega0|; so axis 3 never
-/// points
-///      along L
+/// @pre no pure spin: across axis 1, and across axis 3, omega0 has a part of at least 0.05 |omega0|; so
+///      axis 3 never points along L
 /// @par Source
 /// not on the slides; L. D. Landau and E. M. Lifshitz, Mechanics, §37
 double turn_per_period(const Vector3d& I, const Vector3d& omega0);

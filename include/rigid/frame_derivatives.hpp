@@ -107,9 +107,8 @@ Vector3d composed_angular_acceleration(const Matrix3d& E, const Vector3d& omega,
 /// however small.
 ///
 /// @param E  3×3 rotation matrix: its columns are the axes of the body in inertial components
-/// @return   the vector along the axis, by the right-hand rule, whose length is the angle in rad; zero for E = 1. At
-/// exactly
-///           half a turn there are two, opposite to each other, and either is right
+/// @return   the vector along the axis, by the right-hand rule, whose length is the angle in rad; zero for E = 1.
+///           At exactly half a turn there are two, opposite to each other, and either is right
 /// @pre EᵀE = 1 and det E = +1
 /// @par Source
 /// the finite rotation to S0 s7, S2 s6, S3 p. 5, S4 p. 6, read backwards
@@ -126,8 +125,7 @@ Vector3d rotation_vector(const Matrix3d& E);
 /// @pre v belongs to a rigid motion, up to rounding
 /// @pre the points form a triangle none of whose heights is smaller than a tenth of its longest side
 /// @par Source
-/// \f$\dot{\unit e} = \vec\omega\times\unit e\f$ of S0 s7, S2 s6, S3 p. 5, S4 p. 6 for lines on the body that are not
-/// orthonormal
+/// \f$\dot{\unit e} = \vec\omega\times\unit e\f$ of S0 s7, S2 s6, S3 p. 5, S4 p. 6, for oblique lines on the body
 Vector3d angular_velocity_from_three_points(const Matrix3d& r, const Matrix3d& v);
 
 /// Point of the instantaneous screw axis that is nearest to the origin.

@@ -149,9 +149,8 @@ double nutation_period(double I1, double I3, double mgl, double theta, const Vec
 /// @param mgl    weight times the distance of the centre of mass from the tip, J
 /// @param theta  inclination at the start, rad
 /// @param rates  \f$(\dot\phi, \dot\theta, \dot\psi)\f$ at the start, rad/s
-/// @return       change of φ in one period of the nutation, rad; positive anticlockwise as seen from above; the parts
-/// of a
-///               loop that run backwards count as negative
+/// @return       change of φ in one period of the nutation, rad; positive anticlockwise as seen from above; the
+///               parts of a loop that run backwards count as negative
 /// @pre I1 > 0, I3 > 0, I3 ≤ 2 I1, mgl > 0 and 0 < theta < π
 /// @pre no steady precession: the limits differ by at least 10⁻³ rad
 /// @pre not through the vertical or close to it: sin θ ≥ 0.01 at both limits
@@ -168,9 +167,8 @@ double precession_per_nutation(double I1, double I3, double mgl, double theta, c
 /// @param I3            moment about the axis of rotation, kg m²
 /// @param spin          angular velocity of the rotation, rad/s
 /// @param orbital_rate  angular velocity of the orbital motion, rad/s
-/// @param obliquity     between the angular velocities of the rotation and of the orbital motion, rad; beyond π/2 the
-/// planet
-///                      rotates against its orbital motion
+/// @param obliquity     between the angular velocities of the rotation and of the orbital motion, rad; beyond π/2
+///                      the planet rotates against its orbital motion
 /// @return              rate, averaged over a year, rad/s, positive in the sense of the orbital motion
 /// @pre 0 < I1 ≤ I3 ≤ 2 I1; equal moments are legal and give 0
 /// @pre spin > 0, orbital_rate > 0 and 0 < obliquity < π
