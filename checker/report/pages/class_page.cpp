@@ -112,7 +112,7 @@ std::string class_page(const ordered_json& document, const std::string& date) {
   for (std::size_t i = 0; i < counts.size(); ++i)
     page["bins"].push_back({{"range", fmt::format("{} – {} %", 10 * i, 10 * (i + 1))},
                             {"count", counts[i]},
-                            {"width", fmt::format("{:.0f}", 100.0 * counts[i] / most)}});
+                            {"width", fmt::format("{:.3g}", 100.0 * counts[i] / most)}});
   for (ordered_json& each : page["identical_wrong_outputs"]) {
     each["count"] = each.at("students").size();
     each["students"] = linked(each.at("students"));
