@@ -39,7 +39,7 @@ const measured = ([, value, measure = "", size = 1]) => `${shown(value / size)} 
 // ---- A figure: its definition, then the figure on the page.
 
 const definitions = {};
-const letters = Promise.all(["italic", "italic bold", ""].map(style => document.fonts.load(`${style} 18px Formula`)));
+const letters = Promise.all(["italic 18px KaTeX_Math", "italic bold 18px KaTeX_Math", "13px KaTeX_Main"].map(font => document.fonts.load(font)));
 
 /** Adds a figure; the page for authors says what it consists of. */
 function live(name, definition) {

@@ -446,8 +446,8 @@ class Scene {
 
   /** Writes from the left, if it has a color; the width. */
   write(words, x, y, color) {
-    const c = this.context, fonts = { "": "15px system-ui, Helvetica, Arial, sans-serif", i: "italic 18px Formula, serif",
-      b: "italic bold 18px Formula, serif", sub: "13px Formula, serif" };
+    const c = this.context, fonts = { "": "15px system-ui, Helvetica, Arial, sans-serif", i: "italic 18px KaTeX_Math, serif",
+      b: "italic bold 18px KaTeX_Math, serif", sub: "13px KaTeX_Main, serif" };
     let at = x;
     for (const [part, style] of words) {
       const letters = part.normalize("NFD").replace(/[\u0302\u0303]/, ""), accent = { "\u0302": "ˆ", "\u0303": "˜" }[part.normalize("NFD")[1]];
@@ -458,7 +458,7 @@ class Scene {
         const down = style === "sub" ? 5 : 0, all = [[letters, at, y + down]];
         if (accent) all.push([accent, at + width / 2 - 2, y - (/[A-Z]/.test(letters) ? 5 : 1)]);
         for (const act of ["strokeText", "fillText"]) for (const [glyphs, u, v] of all) {
-          if (glyphs === accent) c.font = "bold 18px Formula, serif";
+          if (glyphs === accent) c.font = "bold 18px KaTeX_Main, serif";
           c[act](glyphs, u, v);
           c.font = fonts[style];
         }

@@ -40,8 +40,7 @@ function formula(page, tex, displayMode) {
 const joined = text => text && "\u2060"; // no line ends between a formula and its bracket or comma
 for (const page of fs.readdirSync(site).filter(name => name.endsWith(".html"))) {
   const file = path.join(site, page);
-  const html = fs.readFileSync(file, "utf8").replace(/<script type="text\/x-mathjax-config">[^]*?<script[^>]*MathJax\.js"><\/script>/,
-    '<link href="katex/katex.css" rel="stylesheet">');
+  const html = fs.readFileSync(file, "utf8");
   // Code stays as it is.
   fs.writeFileSync(file, html.split(/(<div class="fragment">[^]*?<!-- fragment -->|<(?:code|pre)\b[^]*?<\/(?:code|pre)>)/)
     .map((part, i) => i % 2 ? part : part
@@ -51,8 +50,13 @@ for (const page of fs.readdirSync(site).filter(name => name.endsWith(".html"))) 
     .join(""));
 }
 
+// The letters that most pages need stand in the style sheet: as files they would come after the text, and everything would move.
+const fonts = path.join(folder, "fonts");
+const data = file => `url(data:font/woff2;base64,${fs.readFileSync(path.join(fonts, file), "base64")})`;
 fs.mkdirSync(path.join(site, "katex", "fonts"), { recursive: true });
-fs.writeFileSync(path.join(site, "katex", "katex.css"), css +
+fs.writeFileSync(path.join(site, "katex", "katex.css"),
+  css.replace(/src:url\(fonts\/(KaTeX_(?:(?:Main|SansSerif|Size[12])-Regular|Math-\w+)\.woff2)\)[^;}]*/g, (_, file) => `src:${data(file)}`)
+    .replace(/,url\([^)]*\.(?:woff|ttf)\) format\('\w+'\)/g, "") +
   [...styles].map(([style, name]) => `.katex .${name}{${style.replace(/;/g, "!important;")}}\n`).join(""));
-for (const font of fs.readdirSync(path.join(folder, "fonts")).filter(name => /(AMS|Caligraphic|Main|Math|SansSerif|Size\d|Typewriter)-.*2$/.test(name)))
-  fs.copyFileSync(path.join(folder, "fonts", font), path.join(site, "katex", "fonts", font));
+for (const font of fs.readdirSync(fonts).filter(name => /(AMS|Caligraphic|Main-[BI]|SansSerif-[BI]|Size[34]|Typewriter).*2$/.test(name)))
+  fs.copyFileSync(path.join(fonts, font), path.join(site, "katex", "fonts", font));

@@ -143,6 +143,8 @@ function offer_live_figure(place) {
     await load(`live/${lecture}.js`);
     start_live(place);
   })();
+  // The first page has brought the scripts, so that its figure is there before anything is seen, and nothing moves.
+  if (document.querySelector('script[src="live/live.js"]')) open();
   new IntersectionObserver((entries, observer) => {
     if (!entries.some(entry => entry.isIntersecting)) return;
     observer.disconnect();

@@ -31,8 +31,6 @@ namespace {
 /// One browser for all cases.
 Browser& browser() {
   static Browser the_browser(SITE_CHROMIUM);
-  // Formulas are tested elsewhere, take time, and move what lies below them.
-  static const json blocked = the_browser.call("Network.setBlockedURLs", {{"urls", {"*/MathJax.js*"}}});
   return the_browser;
 }
 
