@@ -86,6 +86,9 @@ int exam(const Course& course, const Options& options) {
     throw UsageError("--finish grades the exam that is running; leave out the lectures.");
   if (running && !options.name.empty())
     throw UsageError(fmt::format("An exam is running already; `{}` grades it.", command("exam --finish")));
+  if (running && options.minutes > 0)
+    throw UsageError(fmt::format("The exam that is running has {}; --minutes is for a new one.",
+                                 hours_and_minutes(std::chrono::minutes(running->minutes))));
   if (!running && options.name.empty())
     throw UsageError(fmt::format("No exam is running; `{}` draws one from these lectures.", command("exam 01-03")));
   if (options.finish) return finish(course, *running);

@@ -31,6 +31,9 @@ std::vector<Exercise> drawn_problems(const Course& course, const Progress& progr
                                      std::uint64_t seed) {
   constexpr std::size_t most = 6;
   const std::size_t dash = lectures.find('-');
+  if (dash == 0 || dash + 1 == lectures.size())
+    throw UsageError(fmt::format("'{}' lacks a lecture; a range is written as in `{}`.", printable(lectures),
+                                 command("exam 01-03")));
   const Card& first = course.find_lecture(lectures.substr(0, dash));
   const Card& last = dash == std::string::npos ? first : course.find_lecture(lectures.substr(dash + 1));
   if (last.lecture < first.lecture)

@@ -101,6 +101,7 @@ TEST_CASE("what no exam can be made of is refused in a sentence, before anything
                {"exam --finish", "No exam is running"},
                {"exam 07", "no lecture"},
                {"exam 01-07", "no lecture"},
+               {"exam 01-", "lacks a lecture"},
                {"exam 01 --finish", "leave out the lectures"},
                {"exam 01 --minutes -5", "--minutes"},
                {"exam 01 --minutes 100000", "--minutes"},
@@ -115,6 +116,9 @@ TEST_CASE("what no exam can be made of is refused in a sentence, before anything
   CHECK(has(without_problems.run("exam 01").err, "no problem in '01' that you have not seen"));
   course.run("exam 01");
   CHECK(has(course.run("exam 01").err, "An exam is running already"));
+  const Outcome other_time = course.run("exam --minutes 90");
+  CHECK(other_time.status == 2);
+  CHECK(has(other_time.err, "The exam that is running has 35 min; --minutes is for a new one."));
   write(course.exam(), "{");
   const Outcome damaged = course.run("hint spring_energy");
   CHECK(damaged.status == 2);
