@@ -150,7 +150,7 @@ int status(const Course& course, const Options& /*options*/) {
   if (const std::string due = due_for_review(course, progress); !due.empty())
     matters += fmt::format("Due for review: {}, by `{}`.\n", due, command("review"));
   if (fs::exists(course.lectures() / "assignment.json")) matters += assignment_state(course, summary) + "\n";
-  if (!matters.empty()) say("{}", matters);
+  if (!matters.empty()) say("{}\n", matters);
   if (const Exercise* next = summary.next()) {
     const State state = state_of(course, progress, *next);
     fmt::print("{}", introduction(course, *next, console));

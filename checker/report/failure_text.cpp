@@ -117,7 +117,7 @@ Lines input_lines(const Argument& argument, const Value& value, const Page& page
   const std::string unit = to_string(argument.unit);
   const std::string line =
       fmt::format("{} = {}{}{}", argument.name, format_value(value, argument.kind), unit.empty() ? "" : " ", unit);
-  const bool fits = is_vector(argument.kind) && block_indent + display_width(line) <= page.width;
+  const bool fits = argument.kind != Kind::matrices && block_indent + display_width(line) <= page.width;
   if (fits || argument.kind == Kind::number || argument.kind == Kind::integer || value.cols == 0) return {line};
 
   Lines lines = {argument.name + in_brackets(unit)};
@@ -348,8 +348,16 @@ std::vector<std::string> describe_case(const ExerciseReference& exercise, std::s
                                        const std::optional<Value>& actual, const Page& page) {
   const Case& one = exercise.cases.at(case_index);
   Lines lines = {fmt::format("Case {} “{}”", case_index + 1, one.name)};
-  for (std::size_t a = 0; a < one.inputs.size(); ++a)
-    append(lines, indented(input_lines(exercise.arguments.at(a), one.inputs[a], page)));
+  bool may_join = false;  // short inputs stand beside each other
+  for (std::size_t a = 0; a < one.inputs.size(); ++a) {
+    Lines input = indented(input_lines(exercise.arguments.at(a), one.inputs[a], page));
+    const bool is_short = input.size() == 1 && !page.is_linear;
+    if (is_short && may_join && display_width(lines.back()) + display_width(input.front()) < page.width)
+      lines.back() += " " + input.front();
+    else
+      append(lines, std::move(input));
+    may_join = is_short;
+  }
   append(lines, result_section(exercise, case_index, actual, page));
   return lines;
 }

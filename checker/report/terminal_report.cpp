@@ -71,7 +71,9 @@ class Report {
     const bool is_said =
         judgement.verdict == Verdict::wrong_value || (!explanation.is_empty() && !checked_.observation.replies.empty());
     if (!is_said || detail_.full) text_ += console_.wrapped(judgement.message, report_indent) + "\n";
+    const bool is_certain = !std::ranges::all_of(explanation.diagnoses, &Diagnosis::is_symptom);
     for (const Finding& finding : explanation.findings) {
+      if (is_remark(finding) && is_certain && !detail_.full) continue;  // a reason says it too
       labelled("Why", finding_line(checked_, finding));
       for (const std::string& line : lines_of(finding.excerpt)) text_ += "    " + fitted(line) + "\n";
       read(finding.notes);

@@ -36,7 +36,7 @@ TEST_CASE("screens of failures") {
   std::string screens;
   for (const char* body : {"return 0.5 * k * x^2;", "return x(7);", "int* p = nullptr; *p = 1; return k;", "throw 3;",
                            "std::cout << \"k = \" << k << \"\\n\"; return k > 3 ? 0.0 : 0.5 * k * x.squaredNorm();",
-                           "return 0.5000001 * k * x.squaredNorm();"}) {
+                           "return 0.5000001 * k * x.squaredNorm();", "return 0.5 * x.squaredNorm();"}) {
     course.answer_energy(body);
     screens += std::string("{ ") + body + " }\n" + course.screens({"check spring_energy"});
   }
