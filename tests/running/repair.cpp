@@ -145,7 +145,7 @@ TEST_CASE("a quotient of whole numbers with names is a reason where one of doubl
   };
   for (const Quotient& each : quotients) {
     CAPTURE(std::string(each.body));
-    const Judged judged(each.body);
+    const Attempt judged(each.body);
     const auto found = whole_quotients(SourceText(judged.submission.text), judged.reference);
     CHECK(found.size() == each.found);
     CHECK(code_reasons({judged.submission, judged.reference, judged.observation, judged.judgement}, found, toolchain(),
