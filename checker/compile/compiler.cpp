@@ -77,6 +77,8 @@ bool Compiler::may_be_included(const std::string& name) const {
   const fs::path path = (workspace_ / name).lexically_normal();
   // The compiler's own: the unit, and the assembler's file, which is gone again.
   if (path.parent_path() == workspace_) return true;
+  // clang names what is precompiled too.
+  if (path == toolchain_.prelude || path.parent_path() == toolchain_.sources) return true;
   // These mean something else for the compiler than for the checker.
   if (is_below(path, "/proc") || is_below(path, "/dev")) return false;
   std::error_code error;

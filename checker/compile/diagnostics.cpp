@@ -64,6 +64,7 @@ CompilerOutput read_compiler_output(std::string_view output, const std::string& 
           one.option = text.substr(option + 2, text.size() - option - 3);
           one.text.resize(option);
         }
+        one.text = in_words_of_gcc(one.text);
         included_at = {};
       } else if (!result.diagnostics.empty() && result.diagnostics.back().notes.size() < longest_text) {
         Diagnostic& noted = result.diagnostics.back();

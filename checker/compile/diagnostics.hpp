@@ -54,6 +54,9 @@ struct MessageMistake {
   const char* code = "";  ///< empty: whatever the line is
 };
 
+/// What clang says, in the words of GCC where the tables need them; any other text as it is.
+std::string in_words_of_gcc(const std::string& message);
+
 // The first that fits counts.
 extern const std::vector<MessageMistake> error_table;
 extern const std::vector<MessageMistake> warning_table;

@@ -11,6 +11,42 @@ const std::string_view spellings =
     ";ln=std::log;arcsin=std::asin;arccos=std::acos;arctan=std::atan;arctan2=std::atan2;sqr=x * x;square=x * x"
     ";print=std::cout << x;eye=Matrix3d::Identity();zeros=Matrix3d::Zero();ones=Matrix3d::Ones();";
 
+std::string in_words_of_gcc(const std::string& message) {
+  static constexpr std::pair<const char*, const char*> words[] = {
+      {"^use of undeclared identifier '(\\w+)'; did you mean '([\\w:]+)'\\?",
+       "'$1' was not declared in this scope; did you mean '$2'?"},
+      {"^use of undeclared identifier '(\\w+)'", "'$1' was not declared in this scope"},
+      {"^unknown type name '(\\w+)'(; did you mean '[\\w:]+'\\?)?", "'$1' was not declared in this scope$2"},
+      {"^no (?:member|type|template) named '(\\w+)' in namespace '(\\w+)'(; did you mean '[\\w:]+'\\?)?",
+       "'$1' is not a member of '$2'$3"},
+      {"^no member named '(\\w+)' in '(.+?)'(; did you mean '[\\w:]+'\\?)?", "'$2' has no member named '$1'$3"},
+      {"^reference to non-static member function must be called", "did you forget the '()'"},
+      {"^member reference base type '(.+?)' is not a structure or union",
+       "request for member 'it' in what is of non-class type '$1'\n"},
+      {"^expected ';' (?:after|at end of) ", "expected ';' before what follows: after "},
+      {"^expected '([()\\]])'$", "expected '$1' before what follows"},
+      {"^expected '\\}'$", "expected '}' at end of input"},
+      {"^extraneous closing brace", "expected declaration before '}' token"},
+      {"^extraneous '\\)' before", "expected primary-expression before ')'"},
+      {"^function definition is not allowed here", "a function-definition is not allowed here before '{' token"},
+      {"^no viable conversion from (?:returned value of type )?'(.+?)' to (?:function return type )?'(.+?)'",
+       "could not convert from '$1' to '$2'"},
+      {"^cannot initialize a variable of type '(.+?)' with an? .value of type '(.+?)'",
+       "cannot convert '$2' to '$1' in initialization"},
+      {"^non-void (?:function|lambda) does not return a value", "no return statement in function returning non-void"},
+      {"^variable '(\\w+)' is (?:used )?uninitialized when", "'$1' is used uninitialized when"},
+      {"^implicit conversion .*: '(.+?)' to '(.+?)'", "conversion from '$1' to '$2' may change value"},
+      {"^using the result of an assignment as a condition",
+       "suggest parentheses around assignment used as truth value"},
+      {"mathematical meaning$", "comparisons do not have their mathematical meaning"},
+      {"^result of comparison of unsigned expression ", "comparison of unsigned expression in "},
+      {"^declaration shadows a (?:local variable|parameter)", "declaration of it shadows a previous local"}};
+  const std::string plain = replaced(replaced(message, " \\(aka '[^']*'\\)", ""), "'rigid::", "'");
+  for (const auto& [of_clang, of_gcc] : words)
+    if (const Match found = search(plain, of_clang)) return found.fill(of_gcc);
+  return message;
+}
+
 const std::vector<MessageMistake> error_table = {
     // Sizes, which Eigen reports by the names of static assertions.
     {"row_and_column",
@@ -371,7 +407,7 @@ const std::vector<MessageMistake> warning_table = {
     {"missing_return", "^-Wreturn-type: (no return statement|control reaches end)",
      "The function can reach its end without a return; then its result is arbitrary. Return a value on every path."},
     // "may be used uninitialized" is a guess; this is not.
-    {"uninitialized_variable", R"(^-Wuninitialized: '(\w+)' is used uninitialized)",
+    {"uninitialized_variable", R"(^-Wuninitialized[-a-z]*: '(\w+)' is used uninitialized)",
      "`$1` is used here before it, or this part of it, was given a value."},
     {"", "^-Wfloat-conversion", "", "round|floor|ceil|trunc|rint"},
     {"narrowing",

@@ -82,7 +82,7 @@ std::vector<Finding> source_findings(const CompileTask& task, const Compilation&
     add(warned_mistakes(compiler.read(compilation.compiler_output, "").diagnostics, source));
   } catch (const std::exception&) {  // it is a help only; what matters has been judged
   }
-  std::ranges::stable_partition(all, [](const Finding& finding) { return !is_remark(finding); });
+  std::stable_partition(all.begin(), all.end(), [](const Finding& finding) { return !is_remark(finding); });
   std::vector<Finding> found;
   for (Finding& finding : all) {
     const bool is_known = std::ranges::any_of(

@@ -11,7 +11,6 @@
 #include <iterator>
 #include <map>
 #include <random>
-#include <ranges>
 
 namespace workbook {
 
@@ -82,6 +81,8 @@ ResultsForKey results_for_key(const ExerciseReference& reference) {
   std::map<double, double> shares;
   for (const Case& one : cases)
     if (is_whole) shares[one.expected.numbers.at(0)] += 1.0 / static_cast<double>(cases.size());
+  double largest_share = 0;
+  for (const auto& [number, share] : shares) largest_share = std::max(largest_share, share);
   ResultsForKey made;
   for (const Case& one : cases) {
     if (made.bits >= 2 * enough_bits) break;
@@ -93,7 +94,7 @@ ResultsForKey results_for_key(const ExerciseReference& reference) {
       quanta.push_back(is_clear ? quantum : 0.0);
       if (is_clear)
         made.bits +=
-            is_whole ? -std::log2(std::ranges::max(shares | std::views::values)) : std::log2(1 + std::abs(quotient));
+            is_whole ? -std::log2(largest_share) : std::log2(1 + std::abs(quotient));
     }
     made.calls.push_back({one.inputs, one.expected.rows, one.expected.cols, quanta});
     made.secret += whole_numbers(one.expected, reference.comparison, quanta);

@@ -155,7 +155,7 @@ VariantRunner::VariantRunner(const DiagnosticTask& task, std::vector<Variant>& v
       order_(task.reference.cases.size()) {
   std::iota(order_.begin(), order_.end(), std::size_t{0});
   // What fails today comes first: almost every variant fails there too.
-  std::ranges::stable_partition(order_, [&](std::size_t index) {
+  std::stable_partition(order_.begin(), order_.end(), [&](std::size_t index) {
     return std::ranges::find(task.judgement.failing, index) != task.judgement.failing.end();
   });
 }

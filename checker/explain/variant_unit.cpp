@@ -121,8 +121,10 @@ std::vector<VariantUnit::Piece> VariantUnit::pieces_of(const SourceText& source,
     }
   }
   std::vector<Piece> pieces;
-  for (const auto& [key, group] : groups) {
-    const auto [form, offset, end] = key;
+  for (const auto& [key, of_key] : groups) {
+    const SamePlace& group = of_key;  // clang 14 lets no lambda capture a name of a structured binding
+    const auto [form, begin, end] = key;
+    const std::size_t offset = begin;
     const std::string original(text.substr(offset, end - offset));
     const auto number_of = [&](std::string_view kind) {
       const auto found =

@@ -171,7 +171,7 @@ std::string forbidden_operation(long system_call) {
 }
 
 Advice advice_on_ending(const std::string& when, const Reply& reply, const std::string& signature) {
-  const char* const only_the_function =
+  const char* const function_only =
       "Let the file hold the function and its helpers only, and let it return its result.";
   switch (reply.ending) {
     case Ending::returned:
@@ -209,7 +209,7 @@ Advice advice_on_ending(const std::string& when, const Reply& reply, const std::
               "Compute the result from the arguments alone: no files, no network, no other programs."};
     case Ending::protocol_violation:
       return {fmt::format("Something other than the function answered {}: {}.", when, sentence(reply.violation)),
-              only_the_function};
+              function_only};
     case Ending::not_run:
       return {
           fmt::format("The time for this exercise was used up before the function could be run {}.", when),

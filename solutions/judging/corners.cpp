@@ -514,7 +514,9 @@ void add_changes_of(std::vector<NamedChange>& changes, const Argument& argument,
     if (size == 3)
       for (const int shift : {1, 2})
         add(fmt::format("shifted_{}", shift), fmt::format("{} with its components shifted round by {}", name, shift),
-            [shift](Value& value) { std::ranges::rotate(value.numbers, value.numbers.begin() + shift); });
+            [shift](Value& value) {
+              std::rotate(value.numbers.begin(), value.numbers.begin() + shift, value.numbers.end());
+            });
     add("unit", name + " divided by its length", [](Value& value) { scale(value, 1 / norm(value)); });
   }
   if (argument.kind == Kind::vector || argument.kind == Kind::vector3 || argument.kind == Kind::vector2) {

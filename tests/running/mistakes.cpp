@@ -413,6 +413,48 @@ TEST_CASE("mistakes have a name, a place and a sentence" * doctest::test_suite("
   compare_with_golden(golden("compile_findings.txt"), sentences);
 }
 
+TEST_CASE("what clang says has the names that GCC's messages have") {
+  struct Said {
+    const char* message;  // at line 1, column 20
+    const char* name;
+    const char* code = "                   x";
+  };
+  const Said all[] = {
+      {"error: use of undeclared identifier 'cso'", "undeclared_name"},
+      {"error: use of undeclared identifier 'pi'", "undeclared_name"},
+      {"error: use of undeclared identifier 'omeg'; did you mean 'omega'?", "undeclared_name"},
+      {"error: unknown type name 'Vektor3d'; did you mean 'Vector3d'?", "undeclared_name"},
+      {"error: no member named 'transposed' in 'Eigen::Matrix<double, 3, 3>'", "undeclared_member"},
+      {"error: no member named 'sine' in namespace 'std'", "undeclared_member"},
+      {"error: reference to non-static member function must be called; did you mean to call it with no arguments?",
+       "missing_call", "double z =      a.z;"},
+      {"error: expected ';' after expression", "missing_semicolon", "Matrix3d R = A + B "},
+      {"error: expected '}'", "missing_brace"},
+      {"error: extraneous closing brace ('}')", "surplus_brace"},
+      {"error: expected ')'", "missing_parenthesis"},
+      {"error: no viable conversion from returned value of type 'double' to function return type "
+       "'rigid::Matrix3d' (aka 'Matrix<double, 3, 3>')",
+       "returned_kind", "    return         x;"},
+      {"warning: non-void function does not return a value in all control paths [-Wreturn-type]", "missing_return"},
+      {"warning: variable 's' is uninitialized when used here [-Wuninitialized]", "uninitialized_variable"},
+      {"warning: implicit conversion turns floating-point number into integer: 'double' to 'int' [-Wfloat-conversion]",
+       "narrowing"},
+      {"warning: using the result of an assignment as a condition without parentheses [-Wparentheses]",
+       "assignment_in_condition"},
+      {"warning: left operand of comma operator has no effect [-Wunused-value]", "unused_value"},
+      {"warning: unused variable 's' [-Wunused-variable]", "never_used"}};
+  for (const Said& one : all) {
+    CAPTURE(one.message);
+    const CompilerOutput output = read_compiler_output(unit_name + ":1:20: " + one.message + "\n", "a.cpp",
+                                                       [](const std::string&) { return false; });
+    REQUIRE(output.diagnostics.size() == 1);
+    const SourceText source(std::string(one.code) + "\n");
+    const std::optional<Finding> error = first_error(output.diagnostics, source, "");
+    const std::vector<Finding> warned = warned_mistakes(output.diagnostics, source);
+    CHECK((error ? error->name : warned.empty() ? "" : warned[0].name) == one.name);
+  }
+}
+
 TEST_CASE("each of the beginners' mistakes is told in a tutor's words, and none as physics" *
           doctest::test_suite("thorough")) {
   const std::vector<Beginner> files = beginners();

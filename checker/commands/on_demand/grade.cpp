@@ -443,10 +443,10 @@ std::uint64_t own_seed(const Course& course, const Options& options, const Journ
 
 /// @param students  all of the class. @throws GradingError if an override is of somebody else
 void require_known(const Overrides& overrides, const auto& students) {
-  for (const auto& [id, unused] : overrides)
-    if (std::ranges::none_of(students, [&](const auto& each) { return each.id == id; }))
+  for (const auto& one : overrides)
+    if (std::ranges::none_of(students, [&](const auto& each) { return each.id == one.first; }))
       throw GradingError(fmt::format("The overrides are of '{}', who is not in the class. Nothing was graded.",
-                                     shortened(printable(id), 100)));
+                                     shortened(printable(one.first), 100)));
 }
 
 /// Says how many have handed in, and what was not read. Returns whether that is all.

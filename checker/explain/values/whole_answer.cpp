@@ -169,7 +169,8 @@ std::optional<Diagnosis> diagnose_whole_turns(const ExerciseReference& exercise,
   };
   if (wrong.empty() || !std::ranges::all_of(wrong, is_angle) || !all_deciding_cases_answered(exercise, answers))
     return std::nullopt;
-  for (const auto& [period, text] : {std::pair(2 * std::numbers::pi, "2π"), std::pair(std::numbers::pi, "π")}) {
+  for (const auto& [size, text] : {std::pair(2 * std::numbers::pi, "2π"), std::pair(std::numbers::pi, "π")}) {
+    const double period = size;  // clang 14 lets no lambda capture a name of a structured binding
     std::size_t cases = 0;
     const bool holds = std::ranges::all_of(deciding_cases(exercise), [&](std::size_t i) {
       const Deviation deviation = deviations(exercise, i, *answers[i]).front();
