@@ -21,7 +21,10 @@ int doctor(const Course& course, const Options& options) {
   try {
     const Toolchain toolchain = read_toolchain(course.toolchain_file());
     if (!course.exercises().empty()) require_complete(toolchain, course.exercises().front().name());
-    report(true, "compiler", toolchain.compiler.string());
+    const bool is_clang = toolchain.compiler.filename().string().find("clang") != std::string::npos;
+    report(true, "compiler",
+           toolchain.compiler.string() +
+               (is_clang ? ": verdicts are the same; only its commonest messages are explained" : ""));
     const std::string missing = missing_for_diagnostic_runs(toolchain);
     report(missing.empty(), "reasons",
            missing.empty() ? "a function that fails is run again under the compiler's sanitizers to find its line"

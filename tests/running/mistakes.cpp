@@ -415,9 +415,9 @@ TEST_CASE("mistakes have a name, a place and a sentence" * doctest::test_suite("
 
 TEST_CASE("what clang says has the names that GCC's messages have") {
   struct Said {
-    const char* message;  // at line 1, column 20
-    const char* name;
-    const char* code = "                   x";
+    std::string message;  // at line 1, column 20
+    std::string name;
+    std::string code = "                   x";
   };
   const Said all[] = {
       {"error: use of undeclared identifier 'cso'", "undeclared_name"},
@@ -434,7 +434,7 @@ TEST_CASE("what clang says has the names that GCC's messages have") {
       {"error: expected ')'", "missing_parenthesis"},
       {"error: no viable conversion from returned value of type 'double' to function return type "
        "'rigid::Matrix3d' (aka 'Matrix<double, 3, 3>')",
-       "returned_kind", "    return         x;"},
+       "returned_kind", "            return x;"},
       {"warning: non-void function does not return a value in all control paths [-Wreturn-type]", "missing_return"},
       {"warning: variable 's' is uninitialized when used here [-Wuninitialized]", "uninitialized_variable"},
       {"warning: implicit conversion turns floating-point number into integer: 'double' to 'int' [-Wfloat-conversion]",
@@ -448,10 +448,11 @@ TEST_CASE("what clang says has the names that GCC's messages have") {
     const CompilerOutput output = read_compiler_output(unit_name + ":1:20: " + one.message + "\n", "a.cpp",
                                                        [](const std::string&) { return false; });
     REQUIRE(output.diagnostics.size() == 1);
-    const SourceText source(std::string(one.code) + "\n");
+    const std::string text = one.code + "\n";
+    const SourceText source(text);
     const std::optional<Finding> error = first_error(output.diagnostics, source, "");
     const std::vector<Finding> warned = warned_mistakes(output.diagnostics, source);
-    CHECK((error ? error->name : warned.empty() ? "" : warned[0].name) == one.name);
+    CHECK((error ? error->name : warned.empty() ? std::string() : warned[0].name) == one.name);
   }
 }
 
