@@ -406,6 +406,23 @@ TEST_CASE(
   CHECK(shown_at(0) == "Earth: no turn– h");
 }
 
+TEST_CASE("nothing moves on a page once it is seen") {
+  for (const std::string page : {"index.html", "lecture_04_parallel_axis.html"})
+    for (const int width : {1280, 390}) {
+      open_page(page);
+      resize(width);
+      browser().open(fmt::format("file://" SITE_NOTES "/{}", page));
+      const double moved = browser().evaluate(R"js((async () => {
+        let total = 0;
+        new PerformanceObserver(list => list.getEntries().forEach(({ value }) => total += value))
+          .observe({ type: "layout-shift", buffered: true });
+        await new Promise(done => setTimeout(done, 1500));
+        return total;
+      })())js");
+      CHECK_MESSAGE(moved < 0.001, page, " at ", width, " pixels");
+    }
+}
+
 TEST_CASE("on paper, and without JavaScript, the still picture stays with its caption") {
   const std::string page = pages_with_figures().front();
   const std::string still_height = "document.querySelector('figure:has(> .live) > svg').getBoundingClientRect().height";
