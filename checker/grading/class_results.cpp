@@ -220,7 +220,7 @@ std::vector<std::string> changed_marks(const ordered_json& before, const ordered
                                                                                 : ", by another checker";
         reasons.push_back(fmt::format("{} was {} and is {}{}", exercise, words(*same), words(mark), why));
       } else if (same->at("points") != mark.at("points")) {
-        reasons.push_back(exercise + " has other points");
+        if (by_hand(old) == by_hand(student)) reasons.push_back(exercise + " has other points");  // not by an excuse
       } else if (same->at("score") != mark.at("score")) {
         reasons.push_back(exercise + " earns another part of its points");
       }

@@ -466,6 +466,10 @@ TEST_CASE("whose mark has changed, and why") {
   // What could not be judged before, on a full disk for example, has no other reason.
   CHECK(line(document(1, "a", "checker_error", 1, 1), before) ==
         "s0: 0 of 1 points, before 0 of 0: e was not judged and is wrong value.");
+  // Who is excused from the whole has other points for everything.
+  auto excused = document(1, "a", "passed", 0, 1);
+  excused["students"][0]["by_hand"] = "excused: Ill";
+  CHECK(line(document(1, "a", "passed", 1, 1), excused) == "s0: 0 of 0 points, before 1 of 1: by hand: excused: Ill.");
   // One reason for many is one line.
   const auto many = workbook::changed_marks(document(1, "a", "passed", 1, 60), document(1, "a", "passed", 2, 60));
   CHECK(many ==
