@@ -112,9 +112,10 @@ std::string participant_number(const std::string& identifier) {
 /// Without names where the students are not to be known.
 bool is_worksheet(const NamedTable& table) {
   const auto participant = table.column(identifier_headings);
-  if (!participant || !table.column(grade_headings) ||
-      !table.column(joined({status_headings, maximum_headings, scale_headings})))
-    return false;
+  if (!participant || !table.column(grade_headings)) return false;
+  // In German its numbers are below "ID", as in anybody's own roster.
+  const bool is_marked = table.column(joined({maximum_headings, scale_headings})).has_value();
+  if (!is_marked && (participant == table.column({"id"}) || !table.column(status_headings))) return false;
   const std::string first = table.rows.size() > 1 ? table.field(1, participant) : "";
   const std::string number = participant_number(first);
   return !number.empty() && number.size() < first.size();

@@ -172,6 +172,7 @@ TEST_CASE("a roster is read as spreadsheets write it, or refused as a whole") {
     return all;
   };
   CHECK(ids("id,name\n101,Ada\n") == "101|");
+  CHECK(ids("id,name,grade,status\ns101,Ada,,enrolled\n") == "s101|");  // no worksheet of Moodle
   CHECK(ids("\xef\xbb\xbfName;ID;submitted\r\n\"Byron; Ada\"; 101 ;\r\nBen;102;2027-03-01T12:00:00Z") == "101|102|");
   const std::vector<std::pair<std::string, std::string>> broken = {{"", "empty"},
                                                                    {"\n\n", "empty"},
