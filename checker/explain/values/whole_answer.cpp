@@ -194,6 +194,11 @@ std::optional<Diagnosis> diagnose_wrong_part(const ExerciseReference& exercise, 
   const Value& shape = exercise.cases.front().expected;
   if (wrong.empty() || wrong.size() == shape.numbers.size() || !all_deciding_cases_answered(exercise, answers))
     return std::nullopt;
+  // Zeros agree with every mistake in which something vanishes.
+  const auto has_number = [&](std::size_t i) {
+    return std::ranges::any_of(wrong, [&](std::size_t n) { return answers[i]->numbers[n] != 0; });
+  };
+  if (std::ranges::none_of(deciding_cases(exercise), has_number)) return std::nullopt;
   std::vector<std::string> names;
   for (const std::size_t n : wrong) names.push_back(entry_name(shape, exercise.result_kind, n));
   // A candidate is compared where the answer is wrong; that the rest is right is known.
