@@ -47,9 +47,7 @@ constexpr int answers = 4;
       // What is drawn in space is drawn by the processor.
       "--enable-unsafe-swiftshader", "--disable-background-networking", "--disable-component-update", "--disable-sync",
       // Whatever a page asks for, no other machine is found.
-      "--host-resolver-rules=MAP * ~NOTFOUND",
-      // A key that is pressed before the first paint would be dropped.
-      "--allow-pre-commit-input", nullptr};
+      "--host-resolver-rules=MAP * ~NOTFOUND", nullptr};
   ::execv(chromium.c_str(), const_cast<char* const*>(arguments.data()));
   ::_exit(127);
 }

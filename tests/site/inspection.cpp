@@ -347,6 +347,7 @@ void Inspection::walk_with_keyboard(const std::string& page) {
   resize(browser_, 1280, 300);
   for (const auto& [key, code] : {std::pair{"PageDown", 34}, {" ", 32}, {"End", 35}, {"ArrowDown", 40}}) {
     open(page);
+    settle(browser_);  // a key before the first paint is dropped
     press(browser_, key, code);
     bool moved = false;
     for (int tries = 0; tries < 300 && !moved; ++tries) {
