@@ -138,7 +138,7 @@ TEST_CASE("Where root grades without namespaces, each function runs as a user of
           "#include <sys/syscall.h>\n#include <unistd.h>\n" +
               energy_text("throw std::runtime_error(\"user \" + std::to_string(syscall(SYS_getuid))); // " +
                           std::string(student)));
-  const Outcome graded = two.grade("out", "--seed 1", "PATH=" + (two.root() / "bin").string());
+  const Outcome graded = two.grade("out", "--seed 1", "PATH='" + (two.root() / "bin").string() + "'");
   REQUIRE_MESSAGE(graded.status == 0, graded.said());
   std::set<std::string> users;
   for (const char* student : {"ada", "ben"}) {
@@ -162,7 +162,7 @@ TEST_CASE("What the sandbox does not hold back is said at every result.") {
     CHECK(result.at("verdict") == "passed");
     CHECK(has(result.at("sandbox"), said));
     const std::string page = (course.root() / "page.html").string();
-    CHECK(course.run("report --html " + page).status == 0);
+    CHECK(course.run("report --html '" + page + "'").status == 0);
     CHECK(has(read(page), said));
   }).join();
   CHECK_FALSE(course.run("check spring_energy --json").result().contains("sandbox"));

@@ -137,7 +137,7 @@ TEST_CASE("however a checker ends, its programs and all their children end with 
 TEST_CASE("what ends others itself, as ninja does, is left to do so") {
   const std::filesystem::path ended = fresh_directory("ended") / "ended";
   const std::string others = fmt::format(
-      "setpriv --pdeathsig TERM sh -c 'trap \"echo >{}; exit\" TERM; echo; while :; do sleep 0.1; done'; true",
+      "setpriv --pdeathsig TERM sh -c 'trap \"echo >\\\"{}\\\"; exit\" TERM; echo; while :; do sleep 0.1; done'; true",
       ended.string());
   Launch launch = shell(others);
   launch.ends_others = true;
