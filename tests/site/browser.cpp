@@ -40,7 +40,7 @@ constexpr int answers = 4;
   const int null = ::open("/dev/null", O_RDWR);
   for (int standard : {0, 1, 2}) ::dup2(null, standard);
   const std::string profile_option = "--user-data-dir=" + profile.string();
-  const std::array<const char*, 16> arguments{
+  const std::array<const char*, 15> arguments{
       chromium.c_str(), "--headless", "--remote-debugging-pipe", profile_option.c_str(),
       // Chromium's sandbox does not work for root in a container; the pages are our own.
       "--no-sandbox", "--disable-dev-shm-usage", "--disable-gpu", "--no-first-run", "--disable-extensions",
