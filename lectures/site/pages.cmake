@@ -1,6 +1,6 @@
 # Writes what follows from the cards: the list of lectures, a page for each exercise, the parts of pages that notes.md
 # quotes, and the header of every page with the navigation.
-#   cmake -D source=… -D figures=… -D output=… -D lectures=… -P pages.cmake
+#   cmake -D source=… -D solutions=ON|OFF -D figures=… -D output=… -D lectures=… -P pages.cmake
 cmake_minimum_required(VERSION 3.25)
 
 file(REMOVE_RECURSE ${output})
@@ -143,7 +143,7 @@ Write it in `lectures/@lecture@/exercises/@name@.cpp`, then
 When you are stuck, `./checker/run hint @name@` gives a hint, and a further one each time you ask.
 ]] text @ONLY)
     # Only instructors' notes have it: what students get holds no solutions.
-    if(EXISTS ${source}/solutions/${lecture}/derivations/${name}.md)
+    if(solutions AND EXISTS ${source}/solutions/${lecture}/derivations/${name}.md)
       file(READ ${source}/solutions/${lecture}/derivations/${name}.md derivation)
       set(heading "Derivation")
       if(is_exercise)

@@ -9,6 +9,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <map>
@@ -51,11 +52,28 @@ std::string squeezed(const std::string& text) {
   return result;
 }
 
-/// All files of the copy as it was handed out.
+/// The pages of the notes that are in the copy; none where this machine cannot build them.
+const std::vector<fs::path>& pages() {
+  static const std::vector<fs::path> all = [] {
+    const fs::path archive = copy() / "lectures/site/handed_out.zip", folder = scratch / "pages";
+    if (!fs::exists(archive)) return std::vector<fs::path>();
+    fs::create_directories(folder);
+    const Outcome unpacked = run(fmt::format("cd '{}' && cmake -E tar xf '{}'", folder.string(), archive.string()));
+    REQUIRE_MESSAGE(unpacked.status == 0, unpacked.said());
+    return files_below(folder);
+  }();
+  return all;
+}
+
+/// All files of the copy as it was handed out; of a page what is read there.
 const std::map<fs::path, std::string>& texts() {
   static const std::map<fs::path, std::string> all = [] {
     std::map<fs::path, std::string> found;
     for (const fs::path& file : files_below(copy())) found[file] = squeezed(read(file));
+    for (const fs::path& page : pages()) {
+      const std::string text = read(page);
+      found[page] = squeezed(page.extension() == ".html" ? workbook::replaced(text, "<[^>]*>", "") : text);
+    }
     return found;
   }();
   return all;
@@ -166,6 +184,8 @@ TEST_CASE("A copy holds nothing that computes a graded function: no script, no W
   std::string scripts;
   for (const auto& [file, text] : texts()) {
     CHECK_MESSAGE(!holds_webassembly(text), file.string());
+    // Pages name the exercises; what computes lies in live.
+    if (std::ranges::count(pages(), file) > 0 && file.parent_path().filename() != "live") continue;
     if (file.extension() == ".js" || file.extension() == ".html") scripts += read(file);
   }
   CHECK(has(scripts, "function motion("));
@@ -199,6 +219,28 @@ TEST_CASE("A copy holds nothing that computes a graded function: no program.") {
   CHECK(has(symbols.out, "main"));
   for (const auto& solution : solutions())
     CHECK_MESSAGE(!has(symbols.out, "rigid::" + solution.first + "("), solution.first);
+}
+
+TEST_CASE("in the copy the notes are pages without derivations, from the first build on") {
+  if (pages().empty()) {
+    const fs::path build = fs::path(WORKBOOK_COURSE).parent_path().parent_path();
+    CHECK_MESSAGE(!fs::exists(build / "notes/html"), "this machine can build the pages, and the copy has none");
+    return;
+  }
+  for (const fs::path& page : pages())
+    CHECK_MESSAGE(workbook::search_all(read(page), R"(id="exercise_\w+_derivation")").empty(), page.string());
+  const CheckerInCopy checker;
+  const Outcome unpacked = run(fmt::format("cd '{}' && cmake --build build/workbook --target notes", copy().string()));
+  REQUIRE_MESSAGE(unpacked.status == 0, unpacked.said());
+  const std::string page = (copy() / "build/workbook/notes/html/lecture_03_inertia_tensor.html").string();
+  CHECK(fs::exists(page));
+  const fs::path wrong = scratch / "inertia_of_points.cpp";
+  write(wrong,
+        "#include <rigid/inertia_tensor.hpp>\n"
+        "Eigen::Matrix3d rigid::inertia_of_points(const Eigen::VectorXd& m, const Eigen::Matrix3Xd& r) {\n"
+        "  return r * m.asDiagonal() * r.transpose();\n}\n");
+  const Outcome told = checker("check inertia_of_points --file " + wrong.string());
+  CHECK_MESSAGE(has(told.said(), "Read   file://" + page), told.said());
 }
 
 TEST_CASE("in the copy the checker works with the reference results as data") {
@@ -321,8 +363,8 @@ TEST_CASE("a folder that cannot be made is named, and nothing half done is left"
   const fs::path file = copy().parent_path() / "a file";
   write(file, "no folder\n");
   const Outcome outcome = handout(file / "below");
-  CHECK(outcome.status == 3);
-  CHECK_MESSAGE(has(outcome.said(), "nothing was handed out"), outcome.said());
+  CHECK(outcome.status == 2);
+  CHECK_MESSAGE(has(outcome.said(), "a file/below cannot be written (Not a directory)"), outcome.said());
   for (const auto& entry : fs::directory_iterator(copy().parent_path()))
     CHECK(!has(entry.path().string(), "unfinished"));
 }

@@ -87,8 +87,12 @@ LectureReference without_secrets(LectureReference reference) {
   return reference;
 }
 
-/// What the reference implementation made: the results to judge by, the numbers and figures of the notes.
+/// The notes as pages without derivations; missing where this machine cannot build them.
+fs::path student_notes(const Course& course) { return course.build().directory / "student_notes.zip"; }
+
+/// What the reference implementation made: the results to judge by, the notes, and the numbers and figures in them.
 void copy_made(const Course& course, const fs::path& copy, const std::vector<LectureReference>& references) {
+  if (fs::exists(student_notes(course))) place_file(student_notes(course), copy / "lectures/site/handed_out.zip");
   for (const LectureReference& reference : references) {
     const fs::path data = copy / "lectures" / reference.lecture / "handed_out";
     place_file(course.build().directory / "printed" / (reference.lecture + ".txt"), data / "printed.txt");
@@ -255,6 +259,9 @@ int handout(const Course& course, const Options& options) {
       "it into an archive or a repository of its own.\n",
       options.out->string(), plural(course.cards().size(), "lecture"), plural(course.exercises().size(), "exercise"),
       seed);
+  if (!fs::exists(student_notes(course)))
+    say("Students will read the notes as plain text, because this machine cannot build the pages; cmake --workflow "
+        "--preset notes says which packages are missing. Then repeat this command with --update.");
   return all_passed;
 }
 
