@@ -66,6 +66,17 @@ std::string folder_trouble(const fs::path& folder) {
   return access(folder.c_str(), W_OK) == 0 ? "" : std::strerror(errno);
 }
 
+std::string place_trouble(const fs::path& file) {
+  std::error_code problem, ignored;
+  fs::path first_missing;
+  for (fs::path place = fs::absolute(file).lexically_normal(); !fs::exists(place, ignored); place = place.parent_path())
+    first_missing = place;
+  if (first_missing.empty()) return "";
+  // Only trying tells: permissions say nothing of a file system that takes no files.
+  if (fs::create_directory(first_missing, problem)) fs::remove(first_missing, ignored);
+  return problem ? problem.message() : "";
+}
+
 bool is_newer(const fs::path& file_or_folder, const fs::path& than) {
   std::error_code problem, ignored;
   const auto time = fs::last_write_time(than, problem);

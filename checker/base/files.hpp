@@ -31,6 +31,9 @@ std::filesystem::path free_name(const std::filesystem::path& file);
 /// "" or why nothing can be written into a folder, which is made if need be: found out before the long work begins.
 std::string folder_trouble(const std::filesystem::path& folder);
 
+/// Why no file or folder can be made there, with the folders that it lies in; empty: it can, or is there. Leaves nothing.
+std::string place_trouble(const std::filesystem::path& file);
+
 /// Is a file, or anything in a folder, newer than that file, or is that file missing?
 bool is_newer(const std::filesystem::path& file_or_folder, const std::filesystem::path& than);
 

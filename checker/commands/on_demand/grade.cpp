@@ -479,7 +479,6 @@ void compare_with_last_run(const fs::path& class_file, ordered_json& document) {
 
 int print_who(const Course& course, const Options& options) {
   const fs::path submissions = fs::absolute(options.submissions);
-  if (!fs::exists(submissions)) throw GradingError(fmt::format("There is no {}.", shown_path(submissions)));
   const std::vector<RosterEntry> roster = options.roster ? read_roster(*options.roster) : std::vector<RosterEntry>{};
   const Workspace copies(fs::temp_directory_path());
   const Intake intake = take_in(submissions, course, roster, copies.directory());
@@ -517,7 +516,6 @@ int grade(const Course& given, const Options& options) {
     const SandboxStrength sandbox = strong_sandbox(options.allow_reduced, out);
     fmt::print("Sandbox: {}.\n", sandbox.sentence());
     const fs::path submissions = fs::absolute(options.submissions);
-    if (!fs::exists(submissions)) throw GradingError(fmt::format("There is no {}.", shown_path(submissions)));
     Course course = given;
     course.use_scratch(out / "work");
     const std::optional<std::uint64_t> of_references = use_references(course, options.references);

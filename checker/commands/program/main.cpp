@@ -177,6 +177,13 @@ std::string known_name(const Course& course, const fs::path& typed) {
                                command("check " + named + " --file " + shell_quoted(file))));
 }
 
+/// CLI11's own, whose sentence is another one in each version.
+auto in_range(int least, int most) {
+  return [range = CLI::Range(least, most), least, most](std::string typed) {
+    return range(typed).empty() ? "" : fmt::format("{} is not between {} and {}", printable(typed), least, most);
+  };
+}
+
 fs::path running_program(const char* argv0) {
   std::error_code problem;
   const fs::path program = fs::read_symlink("/proc/self/exe", problem);
@@ -262,6 +269,12 @@ class CommandLine {
       if (name == "--roster") require_file(*options_.roster, "a table in CSV");
       if (name == "--assignment") require_file(*options_.assignment, "what is graded, in JSON,");
       if (name == "--html") require_page(options_.html);
+      if (name == "SUBMISSIONS" && !fs::exists(options_.submissions))
+        throw UsageError(fmt::format("There is no {}.", printable(options_.submissions.string())));
+      if (name == "FOLDER" || name == "--out")
+        if (const std::string trouble = place_trouble(*options_.out); !trouble.empty())
+          throw UsageError(fmt::format("{} cannot be written ({}); name a place that is writable.",
+                                       printable(options_.out->string()), trouble));
     }
   }
 
@@ -421,7 +434,7 @@ class CommandLine {
         {"exam 01-03", "exam 09 --minutes 90", "exam", "exam --finish"},
         {"LECTURES", "--minutes", "--finish", "--seed of problems"}, exam)
         .get_option("--minutes")
-        ->check(CLI::Range(0, 1440).description(""));
+        ->check(in_range(0, 1440));
     add("update", students,
         "Bring your copy of the workbook to a new release\n\nKIT is the newer copy, unpacked somewhere else. Exercises "
         "that you have begun and files of your own stay as they are; another file that you have changed is kept under "
@@ -479,7 +492,7 @@ class CommandLine {
         {"self-check --seeds 20", "self-check 03", "self-check --mutants 03", "self-check --record slow_precession"},
         {"NAME", "--seeds", "--mutants", "--prove", "--record"}, self_check)
         .get_option("--seeds")
-        ->check(CLI::Range(1, 1000).description(""));
+        ->check(in_range(1, 1000));
   }
 
   void add_new() {
