@@ -171,7 +171,12 @@ std::string Course::trouble_to_build(const std::string& target, const fs::path& 
   const bool is_old = std::ranges::any_of(sources, [&](const fs::path& source) { return is_newer(source, file); });
   if (build_.setup.empty() || !is_old) return "";
   const FinishedProgram made = make(build_, {target});
-  if (made.succeeded()) return "";
+  if (made.succeeded()) {
+    // A folder is newer than the file after any change in it, also one that the file does not depend on.
+    std::error_code ignored;
+    fs::last_write_time(file, fs::file_time_type::clock::now(), ignored);
+    return "";
+  }
   return fmt::format("{} says why.{}", shown_path(build_.directory / "build.log"), first_errors(made.output));
 }
 
