@@ -92,7 +92,7 @@ std::vector<CheckTask> tasks_of(const Course& course, const Options& options, bo
   std::vector<CheckTask> tasks;
   for (const Exercise& exercise : exercises) {
     tasks.push_back(check_task(course, exercise, options.seed, options.file));
-    if (is_drawn) tasks.back().drawn = CheckTask::always;
+    tasks.back().is_always_drawn = is_drawn;
   }
   return tasks;
 }

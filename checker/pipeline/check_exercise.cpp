@@ -31,7 +31,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Repeat, case_index, reply)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Observation, refusal_details, replies, repeats, sweep, measured, further,
                                    compile_seconds, run_seconds)
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CheckResult, source, observation, judgement, explanation, weak_sandbox)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CheckResult, source, observation, judgement, explanation, picture,
+                                   picture_description, weak_sandbox)
 
 namespace {
 
@@ -144,9 +145,7 @@ void ask_further(Judged& judged) {
     sweep.push_back({reference.sweep.inputs[i], reference.sweep.expected[i].rows, reference.sweep.expected[i].cols});
   const Value& like = reference.cases.front().expected;
   for (const Measured& real : reference.measured) measured.push_back({real.inputs, like.rows, like.cols});
-  const CheckTask::Drawn drawn = checked.task.drawn;
-  const bool is_wrong = checked.judgement.verdict == Verdict::wrong_value;
-  if (drawn == CheckTask::always || (is_wrong && drawn == CheckTask::wrong_values)) observation.sweep = ask(sweep);
+  if (checked.task.is_always_drawn || checked.judgement.verdict == Verdict::wrong_value) observation.sweep = ask(sweep);
   if (!checked.judgement.passed()) return;
   observation.measured = ask(measured);
   observation.further = ask(checked.task.further);
@@ -307,6 +306,7 @@ CheckResult check_exercise(CheckContext& context, const CheckTask& task,
       explain_failure(judged, context);
       for (Finding& finding : checked.explanation.findings)
         finding.notes = paragraph_on_mistake(context.course(), finding.name);
+      if (task.draw && !checked.observation.sweep.empty()) task.draw(checked);
     }
   } catch (const std::exception&) {  // a reason less; what was judged stands
   }

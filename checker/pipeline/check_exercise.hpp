@@ -14,6 +14,8 @@
 
 namespace workbook {
 
+struct CheckResult;
+
 /// What is to be checked.
 struct CheckTask {
   Exercise exercise;
@@ -23,10 +25,11 @@ struct CheckTask {
   bool is_other_seed = false;  ///< the cases are not those that count
   /// Of cases whose results students have: who fails is looked at for having learnt these.
   std::optional<std::uint64_t> known_seed = {};
-  bool is_explained = true;                                         ///< a failure gets its reasons
-  enum Drawn { never, wrong_values, always } drawn = wrong_values;  ///< when its values along the plot are asked for
-  std::vector<PlannedCall> further = {};                            ///< what it is asked besides, if it passes
-  int stage = last_stage;  ///< how much of them is told of a problem, 1 to last_stage: all
+  bool is_explained = true;                             ///< a failure gets its reasons
+  bool is_always_drawn = false;                         ///< its values along the plot are asked for also if it passes
+  std::function<void(CheckResult& checked)> draw = {};  ///< makes the picture of these, in the process of the check
+  std::vector<PlannedCall> further = {};                ///< what it is asked besides, if it passes
+  int stage = last_stage;                               ///< how much of them is told of a problem, 1 to last_stage: all
 
   static constexpr int last_stage = 3;
 
@@ -42,8 +45,10 @@ struct CheckResult {
   Judgement judgement;
   Explanation explanation;
   const ExerciseReference* reference = nullptr;
-  std::string weak_sandbox;     ///< what held the function back no further than that; empty: it could reach nothing
-  std::optional<double> share;  ///< of the points that it earns, where that is not all or nothing
+  std::string picture;              ///< the plot: SVG in base64; empty: none
+  std::string picture_description;  ///< what it shows, in words
+  std::string weak_sandbox;         ///< what held the function back no further than that; empty: it could reach nothing
+  std::optional<double> share;      ///< of the points that it earns, where that is not all or nothing
   std::string by_hand;  ///< what a person has decided about it, in one sentence; such points take the place of others
   std::optional<double> points_by_hand;
   bool is_excused = false;  ///< by hand: it is not counted

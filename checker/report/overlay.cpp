@@ -253,6 +253,20 @@ std::string drawn_overlay(const Overlay& overlay, const std::string& terminal, c
   return drawn(panels(overlay), terminal, directory);
 }
 
+void add_picture(CheckResult& checked, const fs::path& directory) {
+  try {
+    const Overlay overlay = overlay_of(checked);
+    if (overlay.student.empty()) return;
+    const std::string terminal = "svg noenhanced size 640,512 font 'Helvetica,14' background rgb 'white'";
+    checked.picture = base64(drawn_overlay(overlay, terminal, directory));
+    checked.picture_description =
+        fmt::format("Plot of {}: {}. The submitted function on the reference{}; below, the difference.", checked.name(),
+                    overlay.sweep->title,
+                    overlay.misconception.empty() ? "" : fmt::format(" and on “{}”", overlay.misconception_name));
+  } catch (const std::runtime_error&) {  // there is none
+  }
+}
+
 std::string drawn_letters(const Overlay& overlay, const std::string& terminal, std::size_t columns,
                           const fs::path& directory) {
   PlotCommand plot(overlay, "letters");

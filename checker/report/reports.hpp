@@ -64,8 +64,6 @@ std::vector<std::string> on_real_data(const CheckResult& checked);
 
 struct ReportedExercise {
   CheckResult checked;
-  std::string picture;                      ///< the plot as SVG; empty: none
-  std::string picture_description;          ///< what it shows, in words
   std::optional<bool> answered_right = {};  ///< the question on it
 };
 
@@ -143,6 +141,9 @@ std::vector<fs::path> draw_overlay(const Overlay& overlay, const fs::path& direc
 /// @param directory  for files on the way
 /// @throws std::runtime_error
 std::string drawn_overlay(const Overlay& overlay, const std::string& terminal, const fs::path& directory);
+
+/// Gives a result the plot for a page, where the function gave a value: one that cannot be drawn is left out.
+void add_picture(CheckResult& checked, const fs::path& directory);
 
 /// The curves alone, made of letters on such a terminal, and what the letters mean.
 std::string drawn_letters(const Overlay& overlay, const std::string& terminal, std::size_t columns,

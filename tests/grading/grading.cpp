@@ -62,6 +62,38 @@ TEST_CASE("where a student's time for reasons is used up, verdicts are as ever")
   CHECK(has(without[0].at("next"), "took all the time"));
 }
 
+TEST_CASE("a wrong function is drawn on the reference on its student's page, and only once") {
+  const MadeUpClass few;
+  few.energy("ada", right_energy);
+  few.energy("ben", "return k * x.squaredNorm();");
+  const auto page = [&](const char* out, const char* id) {
+    return read(few.root() / out / "students" / (std::string(id) + ".html"));
+  };
+  const std::string before = "<img src=\"data:image/svg+xml;base64,";
+  REQUIRE(few.grade().status == 0);
+  CHECK(!has(page("out", "ada"), before));
+  const std::string drawn = page("out", "ben");
+  REQUIRE(has(drawn, before));
+  CHECK(has(drawn, "alt=\"Plot of spring_energy: "));
+  const std::size_t begin = drawn.find(before) + before.size();
+  const std::string picture = workbook::from_base64(drawn.substr(begin, drawn.find('"', begin) - begin));
+  for (const char* part : {"<svg", ">yours<", ">reference<"}) CHECK_MESSAGE(has(picture, part), part);
+  CHECK(picture.size() < 60'000);
+
+  write(few.root() / "programs/gnuplot", "#!/bin/sh\nexit 1\n");
+  fs::permissions(few.root() / "programs/gnuplot", fs::perms::owner_all | fs::perms::others_all);
+  const std::string failing = fmt::format("PATH={}:$PATH", (few.root() / "programs").string());
+  const auto results = results_in(few.root() / "out");
+  CHECK(has(few.grade("out", "", failing).out, "No mark has changed."));
+  CHECK(results_in(few.root() / "out") == results);
+  const Outcome bare = few.grade("bare", "", failing);
+  REQUIRE_MESSAGE(bare.status == 0, bare.said());
+  CHECK(!has(page("bare", "ben"), before));
+  CHECK(read(few.root() / "bare/grades.csv") == read(few.root() / "out/grades.csv"));
+  CHECK(!has(bare.out, "no plots"));
+  CHECK(has(few.grade("bare", "", without_programs).out, "Pages get no plots: gnuplot is not installed"));
+}
+
 TEST_CASE("parts of a class, judged by themselves and joined, give the results of a single run" *
           doctest::test_suite("thorough")) {
   const MadeUpClass few;

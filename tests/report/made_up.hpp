@@ -41,9 +41,9 @@ inline void fill_with_hostile_text(MadeUpCourse& course) {
   for (const Verdict verdict : {Verdict::passed, Verdict::wrong_value, Verdict::compile_error, Verdict::crashed,
                                 Verdict::uncaught_exception, Verdict::checker_error}) {
     ReportedExercise& exercise = course.add("01_springs", "a_" + to_string(verdict), verdict);
-    exercise.picture =
-        R"(<svg xmlns="http://www.w3.org/2000/svg" width="640" height="512"><rect width="640" height="512"/></svg>)";
-    exercise.picture_description = "Pictured. " + hostile;
+    exercise.checked.picture = base64(
+        R"(<svg xmlns="http://www.w3.org/2000/svg" width="640" height="512"><rect width="640" height="512"/></svg>)");
+    exercise.checked.picture_description = "Pictured. " + hostile;
     CheckResult& checked = exercise.checked;
     checked.source = "// Source. " + hostile + "\r\n" + std::string(300, 'y') + "\033[31m";
     checked.judgement.message = "The function threw an exception: " + hostile;

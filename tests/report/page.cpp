@@ -36,14 +36,14 @@ TEST_CASE("a page with a bit of everything") {
   reference.sweep.components = {{"E"}};
   reference.measured = {{"a luggage scale", {}, {0.02}}};
   ReportedExercise& passed = course.add("01_springs", "energy", Verdict::passed, 2);
-  passed.picture = "<svg/>";
+  passed.checked.picture = base64("<svg/>");
   passed.checked.reference = &reference;
   passed.checked.observation.measured = {{Ending::returned, {1, 1, {2.4525}}}};
   ReportedExercise& wrong = course.add("01_springs", "force", Verdict::wrong_value, 3);
   wrong.checked.explanation.diagnoses = {
       {DiagnosisKind::misconception, "away", "A spring pulls back.", "springs_energy"}};
-  wrong.picture = "<svg/>";
-  wrong.picture_description = "A plot.";
+  wrong.checked.picture = base64("<svg/>");
+  wrong.checked.picture_description = "A plot.";
   ReportedExercise& refused = course.add("01_springs", "work", Verdict::compile_error);
   refused.checked.explanation.findings = {{4, "return x^2;\n        ^", "^ is not a power.", "power", 9}};
   refused.checked.observation.refusal_details = "All that the compiler said.";

@@ -105,7 +105,12 @@ class Grader {
         explain_minutes_(explain_minutes),
         out_(std::move(out)),
         journal_(journal),
-        all_(course.exercises()) {}
+        all_(course.exercises()) {
+    if (program_on_path("gnuplot").empty())
+      fmt::print("Pages get no plots: {} `--only wrong_value` draws them later.\n", gnuplot_is_missing);
+    else
+      draw_ = [this](CheckResult& checked) { add_picture(checked, out_ / "work"); };
+  }
 
   /// Builds now what is else built at its first need: who gives up root can write into no build afterwards.
   void build_all(SandboxTier tier) {
@@ -237,7 +242,7 @@ class Grader {
                                          100 * document.at("student").at("late_factor").get<double>()));
       }
       page.exercises.clear();
-      for (CheckResult& each : checked) page.exercises.push_back({std::move(each), {}, {}});
+      for (CheckResult& each : checked) page.exercises.push_back({std::move(each)});
       write_or_fail(file.string() + ".html", report_page(page));
     }
     return results.document();
@@ -348,7 +353,7 @@ class Grader {
     fs::current_path(folder(number));  // messages name files as seen from there
     auto job =
         std::make_unique<CheckJob>(context_, CheckTask{exercise, folder(number) / (exercise.name() + ".cpp"), seed_,
-                                                       true, false, known_seed_, is_explained, CheckTask::never});
+                                                       true, false, known_seed_, is_explained, false, draw_});
     leave_folder();
     return job;
   }
@@ -360,6 +365,7 @@ class Grader {
     std::error_code ignored;
     fs::remove_all(folder(number), ignored);
     checked.observation.compile_seconds = checked.observation.run_seconds = 0;  // the same for the same files
+    checked.observation.sweep.clear();                                          // it is drawn
     // Nothing reads the values where no case failed; without them a later run reads the journal in half the time.
     if (checked.judgement.failing.empty() && printed(checked.observation).empty()) checked.observation.replies.clear();
     return checked;
@@ -388,6 +394,8 @@ class Grader {
   Journal& journal_;
   const fs::path origin_ = fs::current_path();
   const std::vector<Exercise> all_;
+  /// Once and on all processors, so that a run without anything new draws nothing.
+  std::function<void(CheckResult&)> draw_;
   std::string tools_;
   std::set<std::string> keys_;
   std::vector<std::pair<const Student*, Exercise>> waiting_;

@@ -22,23 +22,6 @@ bool is_untouched(const Course& course, const CheckTask& task) {
          read_file(task.file) == stub_text(task.exercise, declared_signature(course, task.exercise));
 }
 
-/// The plot, where the function gave a value. A plot that fails leaves the page without it.
-void add_picture(const Course& course, ReportedExercise& reported) {
-  const CheckResult& checked = reported.checked;
-  if (checked.observation.sweep.empty() || !checked.is_judged()) return;
-  try {
-    const Overlay overlay = overlay_of(checked);
-    if (overlay.student.empty()) return;
-    const std::string terminal = "svg noenhanced size 640,512 font 'Helvetica,14' background rgb 'white'";
-    reported.picture = drawn_overlay(overlay, terminal, course.plots());
-    reported.picture_description =
-        fmt::format("Plot of {}: {}. The submitted function on the reference{}; below, the difference.", checked.name(),
-                    overlay.sweep->title,
-                    overlay.misconception.empty() ? "" : fmt::format(" and on “{}”", overlay.misconception_name));
-  } catch (const std::runtime_error&) {  // there is none
-  }
-}
-
 }  // namespace
 
 int report(const Course& course, const Options& options) {
@@ -60,18 +43,20 @@ int report(const Course& course, const Options& options) {
 
   CheckContext context(course);
   const Progress progress(course.progress_file());
-  for (CheckTask& task : to_check) set_stage(task, progress);
+  for (CheckTask& task : to_check) {
+    set_stage(task, progress);
+    if (has_gnuplot) task.draw = [&](CheckResult& checked) { add_picture(checked, course.plots()); };
+  }
   const auto add_untouched_before = [&](const std::string& name) {
     for (std::size_t k = reported.exercises.size(); k < tasks.size() && tasks[k].exercise.name() != name; ++k)
-      reported.exercises.push_back({untouched(tasks[k]), {}, {}, {}});
+      reported.exercises.push_back({untouched(tasks[k])});
   };
   ProgressBar progress_bar;
   check_all(context, to_check, [&](CheckResult checked) {
     add_untouched_before(checked.name());
     progress_bar.show(reported.exercises.size(), tasks.size(), checked.name());
     const auto answered = progress.of(checked.name()).answered_right;
-    ReportedExercise exercise{std::move(checked), {}, {}, answered};
-    if (has_gnuplot) add_picture(course, exercise);
+    ReportedExercise exercise{std::move(checked), answered};
     reported.exercises.push_back(std::move(exercise));
   });
   progress_bar.clear();

@@ -233,7 +233,7 @@ class Watch {
   std::string plot() {
     try {
       CheckTask task = check_task(course_, exercises_[current_]);
-      task.drawn = CheckTask::always;
+      task.is_always_drawn = true;
       task.is_explained = false;
       const bool is_asked = result_ && !result_->observation.sweep.empty();
       const CheckResult checked = is_asked ? *result_ : check_exercise(context_, task);

@@ -92,8 +92,8 @@ json entry_of(const ReportedExercise& exercise, const ReportedCourse& course) {
       {"source", checked.is_started() ? marked_source(checked) : json()},
       {"answer",
        exercise.answered_right ? (*exercise.answered_right ? "answered correctly" : "answered wrong at first") : ""},
-      {"picture", base64(exercise.picture)},
-      {"description", exercise.picture_description}};
+      {"picture", checked.picture.empty() ? "" : checked.name()},
+      {"description", checked.picture_description}};
   for (const std::string& sentence : on_real_data(checked)) entry["measured"].push_back("The function " + sentence);
   for (const Finding& finding : checked.explanation.findings)
     entry["findings"].push_back(
@@ -179,7 +179,15 @@ std::string report_page(const ReportedCourse& course) {
                      {"all_passed", std::ranges::none_of(results, is_left)},
                      {"steps", steps_of(course)},
                      {"lectures", lectures}};
-  return rendered_page(page_template("report_page.html"), page, {{"style", "\n" + page_template("style.css")}});
+  std::string text =
+      rendered_page(page_template("report_page.html"), page, {{"style", "\n" + page_template("style.css")}});
+  // Pictures are much larger than all the rest, and are no text that needs to be escaped.
+  for (const CheckResult& checked : results) {
+    const std::string before = ";base64,", name = checked.name();
+    if (!checked.picture.empty())
+      text.replace(text.find(before + name + '"') + before.size(), name.size(), checked.picture);
+  }
+  return text;
 }
 
 json look_of(const std::string& verdict) {
