@@ -44,6 +44,7 @@ Lines indented(Lines lines, std::size_t depth = block_indent) {
 
 /// Numbers in rows and columns, those outside the tolerance with a mark in front.
 struct Table {
+  std::string title = {};        ///< above the labels
   Lines headings = {};           ///< one per column of numbers, or none
   Lines labels = {};             ///< one per row, or none
   std::vector<Lines> rows = {};  ///< numbers, aligned on the decimal point column by column
@@ -54,12 +55,13 @@ struct Table {
   Lines lines() const {
     if (rows.empty()) return {};
     const std::size_t heading = headings.empty() ? 0 : 1;
-    const std::size_t label_width = widest(labels);
+    const std::size_t label_width = std::max(widest(labels), display_width(title));
     Lines text(rows.size() + heading, std::string(label_width, ' '));
+    if (heading > 0) text.front() = padded(title, label_width);
     for (std::size_t row = 0; row < labels.size(); ++row) text[row + heading] = padded_left(labels[row], label_width);
     for (std::size_t col = 0; col < rows.front().size(); ++col) {
       const Lines cells = column(col);
-      const char* const gap = col == 0 && labels.empty() ? "" : is_marked ? " " : "  ";  // a mark is a gap too
+      const char* const gap = col == 0 && label_width == 0 ? "" : is_marked ? " " : "  ";  // a mark is a gap too
       for (std::size_t row = 0; row < text.size(); ++row) text[row] += gap + cells[row];
     }
     for (std::size_t row = 0; row < endings.size(); ++row) text[row + heading] += " " + endings[row];
@@ -115,10 +117,19 @@ Lines side_by_side(const std::vector<Lines>& blocks, std::size_t indent, const P
 
 Lines input_lines(const Argument& argument, const Value& value, const Page& page) {
   const std::string unit = to_string(argument.unit);
-  const std::string line =
-      fmt::format("{} = {}{}{}", argument.name, format_value(value, argument.kind), unit.empty() ? "" : " ", unit);
-  const bool fits = argument.kind != Kind::matrices && block_indent + display_width(line) <= page.width;
-  if (fits || argument.kind == Kind::number || argument.kind == Kind::integer || value.cols == 0) return {line};
+  const auto on_one_line = [&](const char* sign, int digits) {
+    return fmt::format("{} {} {}{}{}", argument.name, sign, format_value(value, argument.kind, digits),
+                       unit.empty() ? "" : " ", unit);
+  };
+  const auto fits = [&](const std::string& line) {
+    return argument.kind != Kind::matrices && block_indent + display_width(line) <= page.width;
+  };
+  const std::string line = on_one_line("=", all_digits);
+  const bool is_number = argument.kind == Kind::number || argument.kind == Kind::integer;
+  if (fits(line) || is_number || value.cols == 0) return {line};
+  if (page.is_brief)
+    for (const int digits : {6, 4})
+      if (const std::string rounded = on_one_line("≈", digits); fits(rounded)) return {rounded};
 
   Lines lines = {argument.name + in_brackets(unit)};
   const auto cols = static_cast<std::size_t>(value.cols);
@@ -130,7 +141,7 @@ Lines input_lines(const Argument& argument, const Value& value, const Page& page
     append(lines, side_by_side(blocks, block_indent, {.width = page.width}, 2));
   } else if (argument.kind == Kind::points) {
     lines.front() += ", column by column";
-    const std::size_t shown = std::min(cols, page.most_rows);
+    const std::size_t shown = std::min(cols, page.is_brief ? page.most_rows / 2 : page.most_rows);
     Table table;
     for (std::size_t col = 0; col < shown; ++col) {
       table.labels.push_back(std::to_string(col));
@@ -166,6 +177,7 @@ struct Result {
   Value expected;
   std::vector<Column> columns = {};
   std::optional<Deviation> difference = {};  ///< where entries are compared one by one
+  std::string title = {};                    ///< name and unit where they stand among the headings of columns
 
   std::size_t size() const { return expected.numbers.size(); }
   bool differs(std::size_t number) const { return difference && !difference->is_within(number); }
@@ -221,7 +233,7 @@ Lines component_lines(const Result& result, const Page& page) {
       });
     shown.resize(std::min(shown.size(), page.most_rows));
   }
-  Table table;
+  Table table{.title = result.title};
   for (const Result::Column& one : result.columns) table.headings.emplace_back(one.title);
   for (std::size_t n : shown) {
     const std::string label = component_label(result.exercise.result_kind, n);
@@ -246,11 +258,16 @@ Lines lines_beside_each_other(const Result& result, const Page& page) {
     std::vector<Lines> blocks;
     for (const Result::Column& one : result.columns) {
       const bool is_expected = blocks.empty();
-      blocks.push_back({"  " + std::string(one.title)});
+      blocks.push_back({"  " + std::string(one.title) + (is_expected && !result.title.empty() ? " " + result.title : "")});
       append(blocks.back(), matrix_lines(one.value, col, one.digits,
                                          [&](std::size_t n) { return !is_expected && result.differs(n); }));
     }
-    append(lines, side_by_side(blocks, 0, page));
+    Lines band = side_by_side(blocks, 0, page);
+    if (page.is_brief && result.difference && band.size() > blocks.front().size()) {
+      blocks.pop_back();  // the marks tell where they differ
+      band = side_by_side(blocks, 0, page);
+    }
+    append(lines, band);
   }
   return lines;
 }
@@ -268,6 +285,13 @@ Lines whole_deviation_lines(const Deviation& deviation, const Page& page) {
   Lines lines =
       wrapped_lines(is_sentence ? deviation.meaning : deviation.meaning + ": zero for a right answer.", page.width);
   if (deviation.kind == Kind::matrix3) {
+    if (page.is_brief) {
+      double largest = 0;
+      for (const double number : deviation.difference.numbers) largest = std::max(largest, std::abs(number));
+      return wrapped_lines(fmt::format("{}: zero for a right answer, here up to {}.", deviation.meaning,
+                                       number_text(largest, difference_digits)),
+                           page.width);
+    }
     append(lines, matrix_lines(deviation.difference, 0, difference_digits,
                                [&](std::size_t number) { return !deviation.is_within(number); }));
     return lines;
@@ -304,10 +328,18 @@ Lines result_section(const ExerciseReference& exercise, std::size_t case_index, 
   if (result.difference) result.columns.push_back({"difference", result.difference->difference, difference_digits});
 
   const std::string unit = exercise.result_units.size() == 1 ? to_string(exercise.result_units.front()) : "";
-  Lines lines = {"Result " + exercise.result_name + in_brackets(unit)};
-  const Lines wide = lines_beside_each_other(result, page);
-  const bool fits = !page.is_linear && (page.width >= Page().width || widest(wide) <= page.width);
-  append(lines, fits || result.size() == 0 ? wide : lines_below_each_other(result, page));
+  const std::string title = exercise.result_name + in_brackets(unit);
+  Lines lines = {"Result " + title};
+  if (!page.is_linear && exercise.result_kind != Kind::matrices && result.size() > 0) result.title = title;
+  Lines wide = lines_beside_each_other(result, page);
+  if (!result.title.empty() && widest(wide) <= page.width) {
+    lines = wide;
+  } else {
+    result.title.clear();
+    wide = lines_beside_each_other(result, page);
+    const bool fits = !page.is_linear && (page.width >= Page().width || widest(wide) <= page.width);
+    append(lines, fits || result.size() == 0 ? wide : lines_below_each_other(result, page));
+  }
   if (!actual) lines.emplace_back("  No value of yours can be shown.");
   if (actual && exercise.comparison == Comparison::up_to_sign)
     lines.emplace_back("  Expected is this value or its negative, whichever is nearer to yours.");

@@ -41,6 +41,7 @@ struct Page {
   std::size_t width = 78;     ///< all text keeps to it where its numbers let it
   bool is_linear = false;     ///< nothing beside each other: for screen readers
   std::size_t most_rows = 8;  ///< of a long list so many are shown; the checker's JSON has them all
+  bool is_brief = false;      ///< inputs on one line, rounded if need be, and no difference below other columns
 };
 
 /// Inputs, expected, yours and their difference, lined up number by number, with units, and the size of the error in

@@ -103,6 +103,7 @@ class Report {
     const ExerciseReference& reference = *checked_.reference;
     const Answers answers = answers_of(reference, checked_.observation.replies);
     Page page{console_.width() - report_indent, console_.plain()};
+    page.is_brief = !detail_.full;
     if (detail_.full) page.most_rows = 10000;
     text_ += "\n";
     for (const std::string& line : describe_case(reference, index, answers.at(index), page))
