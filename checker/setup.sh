@@ -27,6 +27,7 @@ libsodium-dev           locks solutions in copies for students
 libkainjow-mustache-dev the templates of the report pages
 libarchive-dev          reads zip files of submissions
 libyaml-cpp-dev         reads whose submissions Gradescope exports
+libicu-dev              compares the names of students
 libseccomp-dev          filters the system calls of what a student hands in
 bubblewrap              isolates the code of a class that is graded
 '
@@ -42,9 +43,9 @@ missing_packages() {  # the names on standard input that are not installed
 
 explain_other_systems() {
   say "This script installs packages with apt-get, which this system does not have. Install these yourself, then start again:"
-  say "  Homebrew: brew install cmake ninja eigen fmt nlohmann-json cli11 doctest boost libarchive yaml-cpp gnuplot doxygen (and gnuplot-iostream.h and kainjow's mustache.hpp from their authors)"
-  say "  Fedora:   dnf install gcc-c++ libstdc++-static glibc-static cmake ninja-build eigen3-devel fmt-devel json-devel cli11-devel doctest-devel boost-devel libarchive-devel yaml-cpp-devel libseccomp-devel bubblewrap gnuplot gnuplot-iostream-devel doxygen (and kainjow's mustache.hpp from its author)"
-  say "  Arch:     pacman -S base-devel cmake ninja eigen fmt nlohmann-json cli11 doctest boost libarchive yaml-cpp libseccomp bubblewrap gnuplot doxygen (and gnuplot-iostream from the user repository, and kainjow's mustache.hpp from its author)"
+  say "  Homebrew: brew install cmake ninja eigen fmt nlohmann-json cli11 doctest boost libarchive yaml-cpp icu4c gnuplot doxygen (and gnuplot-iostream.h and kainjow's mustache.hpp from their authors)"
+  say "  Fedora:   dnf install gcc-c++ libstdc++-static glibc-static cmake ninja-build eigen3-devel fmt-devel json-devel cli11-devel doctest-devel boost-devel libarchive-devel yaml-cpp-devel libicu-devel libseccomp-devel bubblewrap gnuplot gnuplot-iostream-devel doxygen (and kainjow's mustache.hpp from its author)"
+  say "  Arch:     pacman -S base-devel cmake ninja eigen fmt nlohmann-json cli11 doctest boost libarchive yaml-cpp icu libseccomp bubblewrap gnuplot doxygen (and gnuplot-iostream from the user repository, and kainjow's mustache.hpp from its author)"
   say "If they are installed already, set WORKBOOK_SKIP_PACKAGES=1 and start again."
 }
 

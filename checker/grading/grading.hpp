@@ -113,18 +113,19 @@ Intake take_in(const fs::path& submissions, const Course& course, const std::vec
 /// Makes one attempt of a student the submission. @param why  "the last one"
 void take_attempt(Student& student, std::size_t number, const std::string& why, const fs::path& copies);
 
-/// One file of a zip file.
-struct Zipped {
-  std::string path;
-  std::string text;
-  std::string refusal;     ///< one sentence; "": here is its text
-  bool is_unread = false;  ///< the refusal speaks of more than a source file: a zip file in this one, or a student
+/// A file among the submissions, in a folder or in a zip file.
+struct Found {
+  std::string path;          ///< of a folder with "/" at its end
+  std::string text = {};     ///< of one from a zip file
+  std::string refusal = {};  ///< goes on after "it"; "": it can be read
+  bool is_unread = false;    ///< the refusal speaks of more than a source file: a zip file in this one, or a student
+  fs::path file = {};        ///< where it lies, if that is no zip file
 };
 
 /// Reads, in a process of its own and in a sandbox, the files with these names; what is zipped once more as well.
 /// @param is_class  the first part of a path is a student, and what is too much of one student costs no other
 /// @throws RejectedFile
-std::vector<Zipped> read_zip(const fs::path& file, const std::vector<std::string>& names, bool is_class);
+std::vector<Found> read_zip(const fs::path& file, const std::vector<std::string>& names, bool is_class);
 
 /// All files of a folder, in a file whose name says of which kind: "week3.zip", "week3.tar". @throws std::runtime_error
 void write_archive(const fs::path& folder, const fs::path& file);

@@ -1,16 +1,14 @@
 #include "checker/grading/grading.hpp"
 
+#include <unicode/normalizer2.h>
 #include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/erase.hpp>
 #include <boost/algorithm/string/split.hpp>
 
 #include <sys/stat.h>
 
 #include <algorithm>
 #include <array>
-#include <clocale>
-#include <cstdlib>
-#include <cstring>
-#include <cwctype>
 #include <set>
 #include <sstream>
 
@@ -21,85 +19,33 @@ constexpr std::size_t most_notes = 20;
 constexpr std::size_t most_entries = 20'000;  // looked at in one student's folder
 constexpr int deepest = 16;
 const fs::path progress_file = ".workbook/progress.json";
-constexpr std::array other_sources = {".cc", ".cxx", ".CPP"};
-constexpr std::array other_archives = {".tar", ".gz", ".tgz", ".xz", ".bz2", ".7z", ".rar"};
 constexpr std::size_t nobody = SIZE_MAX;  // who is graded here, but perhaps in another shard
 
 /// "Spring Energy-2 (1)" → "spring_energy": what somebody meant who did not keep to a name.
-std::string plain_name(std::string stem) {
-  while (!stem.empty() && std::string_view("0123456789()-_ ").find(stem.back()) != std::string_view::npos)
-    stem.pop_back();
-  for (char& letter : stem) {
-    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter + 32);
-    if (letter == ' ' || letter == '-') letter = '_';
-  }
-  return stem;
+std::string plain_name(const std::string& stem) {
+  return replaced(boost::to_lower_copy(replaced(stem, "[-0-9()_ ]+$", "")), "[- ]", "_");
 }
 
-/// A person's name as it is compared: in small letters, with accents in one form, and without what learning systems
-/// leave out of the names of files.
+/// A person's name as it is compared: in small letters, with accents in one form (a Mac writes them as signs of their
+/// own), and without what learning systems leave out of the names of files.
 std::string plain_person(const std::string& name) {
-  struct Accent {
-    wchar_t sign;
-    std::wstring_view bare, accented;
-  };
-  // Where an accent is a sign of its own, as in names of files that a Mac has written.
-  constexpr std::array<Accent, 13> accents = {{{0x300, L"aeiou", L"àèìòù"},
-                                               {0x301, L"aeiouyclnrsz", L"áéíóúýćĺńŕśź"},
-                                               {0x302, L"aeioucghjswy", L"âêîôûĉĝĥĵŝŵŷ"},
-                                               {0x303, L"anoiu", L"ãñõĩũ"},
-                                               {0x304, L"aeiou", L"āēīōū"},
-                                               {0x306, L"aegiou", L"ăĕğĭŏŭ"},
-                                               {0x307, L"cegz", L"ċėġż"},
-                                               {0x308, L"aeiouy", L"äëïöüÿ"},
-                                               {0x30a, L"au", L"åů"},
-                                               {0x30b, L"ou", L"őű"},
-                                               {0x30c, L"cdenrstz", L"čďěňřšťž"},
-                                               {0x327, L"cgklnrst", L"çģķļņŗşţ"},
-                                               {0x328, L"aeiu", L"ąęįų"}}};
-  static const locale_t utf8 = ::newlocale(LC_ALL_MASK, "C.UTF-8", nullptr);
-  const locale_t usual = ::uselocale(utf8);
-  std::wstring read(name.size(), L'\0'), plain;
-  const std::size_t size = std::mbstowcs(read.data(), name.c_str(), read.size());
-  for (const wchar_t letter : read.substr(0, size == std::string::npos ? 0 : size)) {
-    const auto accent = std::ranges::find(accents, letter, &Accent::sign);
-    const std::size_t bare =
-        accent == accents.end() || plain.empty() ? std::wstring::npos : accent->bare.find(plain.back());
-    if (bare != std::wstring::npos)
-      plain.back() = accent->accented[bare];
-    else if (std::wstring_view(L"&<>\"`|':\\/\u2019").find(letter) == std::wstring_view::npos)
-      plain += letter == '_' ? L' ' : static_cast<wchar_t>(std::towlower(static_cast<wint_t>(letter)));
-  }
-  std::string written(4 * plain.size(), '\0');
-  written.resize(std::wcstombs(written.data(), plain.c_str(), written.size()));
-  ::uselocale(usual);
-  return written.empty() ? boost::to_lower_copy(name) : written;
+  UErrorCode problem = U_ZERO_ERROR;
+  const icu::Normalizer2* const form = icu::Normalizer2::getNFKCCasefoldInstance(problem);
+  const icu::UnicodeString read = icu::UnicodeString::fromUTF8(name);
+  std::string plain;
+  if (U_SUCCESS(problem)) form->normalize(read, problem).toUTF8String(plain);
+  if (U_FAILURE(problem) || read.indexOf(char16_t{0xFFFD}) >= 0) return boost::to_lower_copy(name);  // no UTF-8
+  for (const char* sign : {"&", "<", ">", "\"", "`", "|", "'", ":", "\\", "/", "\u2019"}) boost::erase_all(plain, sign);
+  std::ranges::replace(plain, '_', ' ');
+  return plain;
 }
 
-/// In the order of their names, so that every run sees the same.
-std::vector<fs::path> sorted_entries(const fs::path& folder, std::error_code& problem) {
-  std::vector<fs::path> entries;
-  for (fs::directory_iterator next(folder, problem), end; !problem && next != end; next.increment(problem))
-    if (!next->path().filename().string().starts_with('.')) entries.push_back(next->path());
-  std::ranges::sort(entries);
-  return entries;
-}
+/// The folder into which Gradescope's export puts all students.
+bool is_export(const std::string& name) { return name.starts_with("assignment_") && name.ends_with("_export"); }
 
 fs::file_type type_of(const fs::path& file) {
   std::error_code ignored;
   return fs::symlink_status(file, ignored).type();
-}
-
-/// The text of one file, wherever it lies, for which sentences have a name. @throws RejectedFile
-using Read = std::function<std::string(const std::string& shown)>;
-
-Read read_of(const fs::path& file) {
-  return [file](const std::string& shown) {
-    struct stat status {};
-    if (::lstat(file.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_nlink > 1)
-      throw RejectedFile(shown + " is a hard link, so it may be somebody else's; hand in a file of its own.");
-    return read_submission(file, shown).text;
-  };
 }
 
 class Collector {
@@ -112,6 +58,7 @@ class Collector {
         has_roster_(!roster.empty()),
         by_attempts_(by_attempts) {
     for (const Exercise& exercise : exercises_) names_.push_back(exercise.name() + ".cpp");
+    endings_.insert(endings_.end(), names_.begin(), names_.end());
     for (const RosterEntry& entry : roster) {
       add(entry);
       for (const std::string& alias : entry.aliases) add_name(aliases_, alias, entry.id);
@@ -141,7 +88,8 @@ class Collector {
 
   /// Is the only entry a folder in which a whole class lies? Where there is a roster, that is known.
   bool is_class(const std::string& entry, const std::set<std::string>& inside) {
-    if (!has_roster_ || !groups_.empty() || !meant_by(entry).empty()) return false;
+    if (has_roster_ && !meant_by(entry).empty()) return false;
+    if (inside.contains(gradescope_metadata) || !has_roster_) return inside.contains(gradescope_metadata);
     learn_assignment(inside);
     return std::ranges::any_of(inside, [&](const std::string& name) { return !meant_by(name).empty(); });
   }
@@ -149,116 +97,85 @@ class Collector {
   Intake intake;
 
   /// A class in a zip file. @throws GradingError
-  std::vector<Zipped> zipped_class(const fs::path& submissions) const {
+  std::vector<Found> zipped_class(const fs::path& submissions) const {
     try {
-      return read_zip(submissions, endings(), true);
+      return read_zip(submissions, endings_, true);
     } catch (const RejectedFile& reason) {
       throw GradingError(fmt::format("{} Nothing was graded.", reason.what()));
     }
   }
 
-  /// An export of Gradescope: whose its folders are.
-  void take_metadata(const std::string& text) {
-    for (const auto& [folder, people] : read_gradescope(text)) {
-      std::vector<std::size_t>& owners = groups_[folder];
-      for (const RosterEntry& person : people) {
-        std::optional<std::size_t> meant = has_roster_ ? known(person.id) : std::optional<std::size_t>();
-        if (has_roster_) {
-          for (const std::string& alias : person.aliases)
-            if (!meant) meant = known(alias);
-          if (!meant) meant = found_in(full_names_, person.name);
-          if (!meant)
-            problem(fmt::format("'{}' was not read for {}: the roster has neither '{}' nor that name.",
-                                shortened(printable(folder), 100), shortened(printable(person.name), 100),
-                                shortened(printable(person.id), 100)));
-        } else {
-          if (!students_.contains(person.id)) add(person);
-          meant = students_.at(person.id);
-        }
-        if (!meant || *meant == nobody) continue;
-        owners.push_back(*meant);
-        Student& student = intake.students[*meant];
-        if (by_attempts_) {
-          attempt(student, folder, person.submitted, person.submitted.value_or(0));
+  /// A class in a folder. Of what students have handed in only the files that may be read, for it can be much.
+  void list(const fs::path& folder, const std::string& above, std::vector<Found>& files, int depth = 0) {
+    std::error_code problem;
+    std::vector<fs::path> entries;
+    for (fs::directory_iterator next(folder, problem), end; !problem && next != end; next.increment(problem))
+      if (!next->path().filename().string().starts_with('.')) entries.push_back(next->path());
+    std::ranges::sort(entries);  // every run sees the same
+    if (depth == 0) is_alone_ = entries.size() == 1;
+    const bool is_above_students = depth == 0 || (depth == 1 && (is_alone_ || is_export(folder.filename().string())));
+    const auto refuse = [&](const std::string& path, const std::string& reason) {
+      files.push_back({.path = path, .refusal = reason, .is_unread = true});
+    };
+    if (problem) refuse(above, fmt::format("is a folder that cannot be read ({})", problem.message()));
+    if (depth > 0 && type_of(folder / progress_file.parent_path()) == fs::file_type::directory &&
+        type_of(folder / progress_file) != fs::file_type::not_found)
+      files.push_back({.path = above + progress_file.string(), .file = folder / progress_file});
+    for (const fs::path& entry : entries) {
+      const std::string name = entry.filename().string(), path = above + name;
+      if (is_above_students) looked_at_ = 0;
+      if (++looked_at_ > most_entries) return refuse(path, "comes after too many other files");
+      if (type_of(entry) == fs::file_type::directory && std::ranges::count(names_, name) == 0) {
+        if (name == "__MACOSX") continue;
+        if (depth == deepest) {
+          refuse(path, "is a folder in too many others");
           continue;
         }
-        if (!student.submitted) student.submitted = person.submitted;
-        if (!student.entry.empty() && student.entry != folder) dispute(student, student.entry, folder);
-        student.entry = folder;
-      }
-    }
-  }
-
-  void take_top_level(const fs::path& submissions) {
-    std::error_code unreadable;
-    const auto stems = [&](const std::vector<fs::path>& files) {
-      std::set<std::string> names;
-      for (const fs::path& file : files)
-        names.insert((file.extension() == ".zip" ? file.stem() : file.filename()).string());
-      return names;
-    };
-    const std::vector<fs::path> entries = sorted_entries(submissions, unreadable);
-    if (entries.size() == 1 && type_of(entries[0]) == fs::file_type::directory &&
-        is_class(entries[0].filename().string(), stems(sorted_entries(entries[0], unreadable))))
-      return take_top_level(entries[0]);
-    learn_assignment(stems(entries));
-    for (const fs::path& entry : entries) {
-      const fs::file_type type = type_of(entry);
-      const std::string name = entry.filename().string();
-      if (name == "__MACOSX" || name == gradescope_metadata) continue;
-      if (type == fs::file_type::directory) {
-        for (Student* student : students_of(name)) {
-          looked_at_ = 0;
-          take_folder(entry, name, *student, 1);
-        }
+        if (is_above_students) files.push_back({.path = path + "/"});  // also whose folder is empty is of the class
+        list(entry, path + "/", files, depth + 1);
       } else if (entry.extension() == ".zip") {
-        take_zip(entry, entry.stem().string() + "/");
-      } else {
-        take(name, read_of(entry));
+        looked_at_ += most_entries / 20;
+        files.push_back({.path = path.substr(0, path.size() - 4), .file = entry});
+      } else if (depth == 0 || std::ranges::any_of(endings_, [&](auto& each) { return name.ends_with(each); })) {
+        files.push_back({.path = path, .file = entry});
       }
     }
   }
 
-  /// A whole class.
-  void take_zipped_class(const std::vector<Zipped>& files) {
-    const auto metadata = std::ranges::find_if(
-        files, [](const Zipped& each) { return fs::path(each.path).filename() == gradescope_metadata; });
-    if (metadata == files.end()) return take_zipped_entries(files);
-    if (!metadata->refusal.empty())
-      throw GradingError(fmt::format("{} {}. Nothing was graded.", gradescope_metadata, metadata->refusal));
-    take_metadata(metadata->text);
-    const std::string above = metadata->path.substr(0, metadata->path.size() - std::strlen(gradescope_metadata));
-    std::vector<Zipped> inside;
-    for (const Zipped& each : files) {
-      if (&each == &*metadata || !each.path.starts_with(above)) continue;
-      inside.push_back(each);
-      inside.back().path.erase(0, above.size());
+  /// All that a class has handed in.
+  void take_class(std::vector<Found> files) {
+    std::set<std::string> top;
+    while (true) {
+      std::set<std::string> below;
+      top.clear();
+      for (const Found& each : files) {
+        const std::size_t slash = std::min(each.path.find('/'), each.path.size());
+        top.insert(each.path.substr(0, slash));
+        if (slash + 1 < each.path.size())
+          below.insert(each.path.substr(slash + 1, each.path.find('/', slash + 1) - slash - 1));
+      }
+      // Is the only entry a folder in which a whole class lies?
+      if (top.size() != 1 || !is_class(*top.begin(), below)) break;
+      for (Found& each : files) each.path.erase(0, each.path.find('/') + 1);
+      std::erase_if(files, [](const Found& each) { return each.path.empty(); });  // the folder itself
     }
-    take_zipped(inside, "");
-  }
-
-  void take_zipped_entries(std::vector<Zipped> files) {
-    std::set<std::string> names, inside;
-    for (const Zipped& each : files) {
-      const std::size_t slash = std::min(each.path.find('/'), each.path.size() - 1);
-      names.insert(each.path.substr(0, slash));
-      inside.insert(each.path.substr(slash + 1, each.path.find('/', slash + 1) - slash - 1));
+    learn_assignment(top);
+    const auto metadata = std::ranges::find_if(files, [](const Found& each) {
+      const fs::path path = each.path;
+      return path.filename() == gradescope_metadata && (path.parent_path().empty() || is_export(path.parent_path()));
+    });
+    std::string above;
+    if (metadata != files.end()) {
+      above = metadata->path.substr(0, metadata->path.size() - std::string_view(gradescope_metadata).size());
+      if (!metadata->refusal.empty())
+        throw GradingError(fmt::format("{} {}. Nothing was graded.", gradescope_metadata, metadata->refusal));
+      take_metadata(metadata->file.empty() ? metadata->text
+                                           : read_file(metadata->file, std::size_t{64} << 20).value_or(""));
     }
-    if (names.size() == 1 && is_class(*names.begin(), inside)) {
-      for (Zipped& each : files) each.path.erase(0, each.path.find('/') + 1);
-      return take_zipped_entries(std::move(files));
-    }
-    learn_assignment(names);
-    take_zipped(files, "");
-  }
-
-  void take_zipped(const std::vector<Zipped>& files, const std::string& prefix) {
-    for (const Zipped& each : files) {
-      const std::string path = prefix + each.path;
-      if (each.is_unread)
-        unread(path, fmt::format("'{}' was not read: it {}.", shortened(printable(path), 200), each.refusal));
-      else
-        take(path, read_of_zipped(each));
+    for (Found& each : files) {
+      if (!each.path.starts_with(above) || each.path == above + gradescope_metadata) continue;
+      each.path.erase(0, above.size());
+      take(each);
     }
   }
 
@@ -273,12 +190,35 @@ class Collector {
   }
 
  private:
-  std::vector<std::string> endings() const {
-    std::vector<std::string> endings = names_;
-    endings.insert(endings.end(), other_sources.begin(), other_sources.end());
-    endings.insert(endings.end(), other_archives.begin(), other_archives.end());
-    endings.insert(endings.end(), {".cpp", progress_file.filename().string(), gradescope_metadata});
-    return endings;
+  /// An export of Gradescope: whose its folders are.
+  void take_metadata(const std::string& text) {
+    for (const auto& [folder, people] : read_gradescope(text)) {
+      std::vector<std::size_t>& owners = groups_[folder];
+      for (const RosterEntry& person : people) {
+        std::optional<std::size_t> meant = has_roster_ ? known(person.id) : std::nullopt;
+        if (!has_roster_) {
+          if (!students_.contains(person.id)) add(person);
+          meant = students_.at(person.id);
+        }
+        for (const std::string& alias : person.aliases)
+          if (!meant) meant = known(alias);
+        if (!meant) meant = found_in(full_names_, person.name);
+        if (!meant)
+          problem(fmt::format("'{}' was not read for {}: the roster has neither '{}' nor that name.",
+                              shortened(printable(folder), 100), shortened(printable(person.name), 100),
+                              shortened(printable(person.id), 100)));
+        if (!meant || *meant == nobody) continue;
+        owners.push_back(*meant);
+        Student& student = intake.students[*meant];
+        if (by_attempts_) {
+          attempt(student, folder, person.submitted, person.submitted.value_or(0));
+          continue;
+        }
+        if (!student.submitted) student.submitted = person.submitted;
+        if (!student.entry.empty() && student.entry != folder) dispute(student, student.entry, folder);
+        student.entry = folder;
+      }
+    }
   }
 
   void add(const RosterEntry& entry) {
@@ -312,22 +252,15 @@ class Collector {
 
   Student& add_student(const std::string& raw) {
     // Names of files that differ in case only are one file on some systems.
-    std::string slug;
-    for (const char letter : cut(raw, 60)) {
-      const bool is_kept = std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_' || letter == '.';
-      slug += is_kept ? letter : '-';
-    }
+    std::string slug = replaced(cut(raw, 60), "[^A-Za-z0-9_.]", "-");
     slug.erase(0, slug.find_first_not_of(".-"));
     if (slug.empty()) slug = "student";
     std::string unique = slug;
     for (int number = 2; !slugs_.insert(boost::to_lower_copy(unique)).second; ++number)
       unique = fmt::format("{}-{}", slug, number);
-    std::string id = printable(raw);
-    std::ranges::replace_if(
-        id, [](char letter) { return letter == '\n' || letter == '\t'; }, '?');
     students_.emplace(raw, intake.students.size());
     Student student;
-    student.id = shortened(id, 200);
+    student.id = shortened(replaced(printable(raw), "[\n\t]", "?"), 200);
     student.slug = unique;
     intake.students.push_back(std::move(student));
     return intake.students.back();
@@ -345,14 +278,6 @@ class Collector {
   static void unread(Student& student, const std::string& sentence) {
     note(student, sentence);
     if (student.unread.size() < most_notes) student.unread.push_back(sentence);
-  }
-
-  /// Of more than a source file, by its path.
-  void unread(const std::string& path, const std::string& sentence) {
-    const std::string first = path.substr(0, path.find('/'));
-    for (Student* student :
-         students_of(first == path && path.ends_with(".zip") ? fs::path(first).stem().string() : first))
-      unread(*student, sentence);
   }
 
   static bool is_number(const std::string& field) {
@@ -485,10 +410,8 @@ class Collector {
     std::string name = parts[1];
     if (name.size() > 16 && name[13] == '-' && name[16] == '-') name[13] = name[16] = ':';  // which Windows has not
     if (const auto time = read_time(name)) return attempt(student, parts[1], time, *time);
-    boost::to_lower(name);
-    const std::string number = name.starts_with("attempt") ? name.substr(name.find_first_not_of(" _-", 7)) : "";
-    return is_number(number) && number.size() < 10 ? attempt(student, parts[1], student.submitted, std::stoi(number))
-                                                   : student;
+    const Match numbered = search(boost::to_lower_copy(name), "^attempt[ _-]*([0-9]{1,9})$");
+    return numbered ? attempt(student, parts[1], student.submitted, std::stoi(numbered[1])) : student;
   }
 
   static void dispute(Student& student, const std::string& one, const std::string& other) {
@@ -497,88 +420,76 @@ class Collector {
                                     shortened(printable(one), 100), shortened(printable(other), 100));
   }
 
-  void take_folder(const fs::path& folder, const std::string& relative, Student& student, int depth) {
-    std::error_code unreadable;
-    const std::vector<fs::path> entries = sorted_entries(folder, unreadable);
-    if (unreadable)
-      unread(student, fmt::format("The folder '{}' cannot be read ({}).", shortened(printable(relative), 200),
-                                  unreadable.message()));
-    if (const fs::path own = folder / progress_file.parent_path(); type_of(own) == fs::file_type::directory)
-      if (const fs::path file = folder / progress_file; type_of(file) != fs::file_type::not_found)
-        take(relative + "/" + progress_file.string(), read_of(file));
-    for (const fs::path& entry : entries) {
-      if (++looked_at_ > most_entries)
-        return unread(student, "The folder holds too many files; the rest was not read.");
-      const std::string name = entry.filename().string(), below = fmt::format("{}/{}", relative, name);
-      const bool is_folder = type_of(entry) == fs::file_type::directory;
-      if (is_folder && std::ranges::count(names_, name) == 0) {
-        if (depth == deepest)
-          unread(student, "Folders in folders in folders: the deepest were not read.");
-        else
-          take_folder(entry, below, student, depth + 1);
-      } else if (entry.extension() == ".zip") {
-        looked_at_ += most_entries / 20;
-        take_zip(entry, relative + "/");
-      } else {
-        take(below, read_of(entry));
+  void take(Found& found) {
+    const std::string shown = shortened(printable(found.path), 200);
+    std::string first = found.path.substr(0, found.path.find('/'));
+    std::string trouble = found.is_unread ? fmt::format("'{}' was not read: it {}.", shown, found.refusal) : "";
+    if (first == found.path && first.ends_with(".zip")) first.resize(first.size() - 4);
+    if (found.file.extension() == ".zip") {
+      try {
+        for (Found& each : read_zip(found.file, endings_, false)) {
+          each.path = found.path + "/" + each.path;
+          take(each);
+        }
+        return;
+      } catch (const RejectedFile& reason) {
+        trouble = reason.what();
       }
     }
+    if (trouble.empty() && !found.path.ends_with('/')) return take_file(found, shown);
+    for (Student* student : students_of(first))
+      if (!trouble.empty()) unread(*student, trouble);
   }
 
-  void take_zip(const fs::path& file, const std::string& prefix) {
-    try {
-      take_zipped(read_zip(file, endings(), false), prefix);
-    } catch (const RejectedFile& reason) {
-      unread(prefix, reason.what());
-    }
-  }
-
-  /// A file by its path in the submissions: whose it is, for what, and what is in it.
-  void take(const std::string& relative, const Read& read) {
-    const std::string shown = shortened(printable(relative), 200);
+  /// Whose it is, for what, and what is in it.
+  void take_file(const Found& found, const std::string& shown) {
     std::vector<std::string> parts;
-    for (const fs::path& part : fs::path(relative))
+    for (const fs::path& part : fs::path(found.path))
       if (!part.empty() && part != "." && part != "/") parts.push_back(part.string());
     const bool is_progress = parts.size() > 2 && fs::path(parts[parts.size() - 2]) / parts.back() == progress_file;
     if (is_progress) parts.resize(parts.size() - 2);
     if (parts.empty() || std::ranges::any_of(parts, [](const auto& part) { return part.starts_with('.'); })) {
       if (std::ranges::count(parts, "..") > 0) problem(fmt::format("'{}' was not read: its path leads away.", shown));
-      return;
+    } else if (parts.size() == 1 && !is_progress) {
+      take_flat(parts.front(), found);
+    } else {
+      for (Student* owner : students_of(parts.front())) {
+        Student& student = attempt_of(*owner, parts);
+        if (is_progress)
+          take_progress(student, found, shown);
+        else
+          take_of(student, parts.back(), found, shown);
+      }
     }
-    if (is_progress) {
-      for (Student* student : students_of(parts.front())) take_progress(attempt_of(*student, parts), read, shown);
-      return;
-    }
-    if (parts.size() == 1) return take_flat(parts.front(), read);
-    if (parts.front() == "__MACOSX") return;
-    for (Student* student : students_of(parts.front()))
-      take_file(attempt_of(*student, parts), parts.back(), relative, shown, read);
   }
 
-  void take_file(Student& student, const std::string& name, const std::string& relative, const std::string& shown,
-                 const Read& read) {
-    const std::string stem = fs::path(name).stem().string();
-    const auto exercise = std::ranges::find(exercises_, stem, &Exercise::name);
-    if (exercise != exercises_.end() && name == stem + ".cpp") {
-      const std::string place = fmt::format("/lectures/{}/exercises/{}.cpp", exercise->lecture(), stem);
-      hand_in(student, stem, {relative.ends_with(place) ? HandedIn::in_place : HandedIn::anywhere, relative}, read);
-    } else if (const std::string ending = fs::path(name).extension().string();
-               std::ranges::count(other_archives, ending) > 0 && std::ranges::count(relative, '/') == 1) {
+  void take_of(Student& student, const std::string& name, const Found& found, const std::string& shown) {
+    const std::string stem = fs::path(name).stem().string(), ending = fs::path(name).extension().string();
+    const std::string meant = plain_name(fs::path(stem).stem().string());
+    const auto is_known = [&](const std::string& exercise) {
+      return std::ranges::count(names_, exercise + ".cpp") > 0;
+    };
+    if (is_known(stem) && ending == ".cpp") {
+      const std::string lecture = std::ranges::find(exercises_, stem, &Exercise::name)->lecture();
+      const bool is_in_place = found.path.ends_with(fmt::format("/lectures/{}/exercises/{}", lecture, name));
+      hand_in(student, stem, {is_in_place ? HandedIn::in_place : HandedIn::anywhere, found.path}, found);
+    } else if (!ending.starts_with(".c") && ending != ".CPP" && std::ranges::count(endings_, ending) > 0 &&
+               std::ranges::count(found.path, '/') == 1) {
       unread(student, fmt::format("'{}' was not read: it is no zip file.", shown));
-    } else if (const std::string meant = plain_name(fs::path(stem).stem().string());
-               std::ranges::find(exercises_, meant, &Exercise::name) != exercises_.end() &&
-               (name.find(".cpp") != std::string::npos || std::ranges::count(other_sources, ending) > 0)) {
-      hand_in(student, meant, {HandedIn::under_another_name, relative}, [&](const std::string&) -> std::string {
-        throw RejectedFile(fmt::format("'{}' was not read: the file should be called {}.cpp.", shown, meant));
-      });
+    } else if (is_known(meant) &&
+               (name.find(".cpp") != std::string::npos || std::ranges::count(endings_, ending) > 0)) {
+      hand_in(student, meant,
+              {HandedIn::under_another_name, found.path,
+               fmt::format("'{}' was not read: the file should be called {}.cpp.", shown, meant)},
+              found);
     }
   }
 
   /// Of several the one counts, for each exercise, that tells of more hints.
-  void take_progress(Student& student, const Read& read, const std::string& shown) {
+  void take_progress(Student& student, const Found& found, const std::string& shown) {
     const fs::path copy = copies_ / student.slug / "progress.json";
     try {
-      write_or_throw(copy, read(shown));
+      write_or_throw(copy, text_of(found, shown));
       const Progress progress(copy);
       if (progress.warning().empty() && !student.hints) student.hints.emplace();
       for (const Exercise& exercise : exercises_)
@@ -591,7 +502,7 @@ class Collector {
   }
 
   /// "ID_EXERCISE.cpp"; Canvas puts "-1" after the name of what was handed in once more.
-  void take_flat(const std::string& name, const Read& read) {
+  void take_flat(const std::string& name, const Found& found) {
     std::string stem = name.ends_with(".cpp") ? name.substr(0, name.size() - 4) : "";
     if (const std::size_t end = stem.find_last_not_of("0123456789"); end != std::string::npos && stem[end] == '-')
       stem.resize(end);
@@ -604,42 +515,44 @@ class Collector {
       return problem(fmt::format("'{}' was not read: it should be a student's folder, a zip file or ID_EXERCISE.cpp.",
                                  shortened(printable(name), 100)));
     for (Student* student : students_of(stem.substr(0, stem.size() - meant->name().size() - 1)))
-      hand_in(*student, meant->name(), {HandedIn::anywhere, name}, read);
+      hand_in(*student, meant->name(), {HandedIn::anywhere, name}, found);
   }
 
-  void hand_in(Student& student, const std::string& exercise, HandedIn found, const Read& read) {
+  void hand_in(Student& student, const std::string& exercise, HandedIn in, const Found& found) {
     const fs::path copy = copies_ / student.slug / (exercise + ".cpp");
-    found.entry = found.where.substr(0, found.where.find('/'));
-    found.where = shortened(printable(found.where), 200);
+    in.entry = in.where.substr(0, in.where.find('/'));
+    in.where = shortened(printable(in.where), 200);
     const auto known = student.files.find(exercise);
     const bool is_second = known != student.files.end();
-    if (is_second && known->second.place > found.place) return;
+    if (is_second && known->second.place > in.place) return;
     std::string text;
     try {
-      text = read(found.where);
+      if (in.refusal.empty()) text = text_of(found, in.where);
     } catch (const RejectedFile& reason) {
-      found.refusal = reason.what();
+      in.refusal = reason.what();
     }
-    if (is_second && known->second.place == found.place) {
-      if (known->second.refusal.empty() && found.refusal.empty() && read_file(copy) == text) return;
-      if (known->second.entry != found.entry) dispute(student, known->second.entry, found.entry);
-      has_second_ = has_second_ || found.place != HandedIn::under_another_name;
-      found.refusal =
-          fmt::format("{}.cpp is there twice: '{}' and '{}'; hand in one.", exercise, known->second.where, found.where);
+    if (is_second && known->second.place == in.place) {
+      if (known->second.refusal.empty() && in.refusal.empty() && read_file(copy) == text) return;
+      if (known->second.entry != in.entry) dispute(student, known->second.entry, in.entry);
+      has_second_ = has_second_ || in.place != HandedIn::under_another_name;
+      in.refusal =
+          fmt::format("{}.cpp is there twice: '{}' and '{}'; hand in one.", exercise, known->second.where, in.where);
     }
     std::error_code ignored;
     fs::remove(copy, ignored);
-    if (found.refusal.empty()) write_or_throw(copy, text);
-    student.files[exercise] = std::move(found);
+    if (in.refusal.empty()) write_or_throw(copy, text);
+    student.files[exercise] = std::move(in);
   }
 
-  /// Through a file, for it is judged like all others.
-  Read read_of_zipped(const Zipped& zipped) const {
-    return [&zipped, unpacked = copies_ / ".unpacked"](const std::string& shown) {
-      if (!zipped.refusal.empty()) throw RejectedFile(shown + " " + zipped.refusal + ".");
-      write_or_throw(unpacked, zipped.text);
-      return read_submission(unpacked, shown).text;
-    };
+  /// @throws RejectedFile
+  std::string text_of(const Found& found, const std::string& shown) const {
+    if (!found.refusal.empty()) throw RejectedFile(fmt::format("{} {}.", shown, found.refusal));
+    struct stat status {};
+    if (::lstat(found.file.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_nlink > 1)
+      throw RejectedFile(shown + " is a hard link, so it may be somebody else's; hand in a file of its own.");
+    const fs::path unpacked = copies_ / ".unpacked";  // what was in a zip file is judged like all others
+    if (found.file.empty()) write_or_throw(unpacked, found.text);
+    return read_submission(found.file.empty() ? unpacked : found.file, shown).text;
   }
 
   const fs::path copies_;
@@ -649,6 +562,19 @@ class Collector {
   bool has_groups_ = false;  ///< each of Moodle's entries may begin with the name of a group
   std::map<std::string, std::vector<std::int64_t>> orders_;  ///< of the attempts, by student
   std::vector<std::string> names_;
+  std::vector<std::string> endings_ = {".cpp",
+                                       progress_file.filename().string(),
+                                       gradescope_metadata,
+                                       ".cc",
+                                       ".cxx",
+                                       ".CPP",
+                                       ".tar",
+                                       ".gz",
+                                       ".tgz",
+                                       ".xz",
+                                       ".bz2",
+                                       ".7z",
+                                       ".rar"};              ///< of files to be taken
   std::set<std::string> assignments_;                        ///< what GitHub Classroom may put before logins
   std::map<std::string, std::size_t> students_;              ///< by id
   std::map<std::string, std::string> aliases_, full_names_;  ///< ids by plain_person(); "": of several students
@@ -656,19 +582,11 @@ class Collector {
   std::map<std::string, std::size_t> owners_;                ///< by names of top-level entries that were met
   std::set<std::string> slugs_;
   std::size_t looked_at_ = 0;
+  bool is_alone_ = false;    ///< the folder of the class holds one entry
   bool has_second_ = false;  ///< somebody has handed in different files for one exercise
 };
 
 }  // namespace
-
-/// The folder itself, or the one folder in it that Gradescope's export puts everything into.
-static fs::path with_metadata(const fs::path& folder) {
-  std::error_code ignored;
-  std::vector<fs::path> found;
-  for (const fs::path& entry : sorted_entries(folder, ignored))
-    if (fs::is_regular_file(entry / gradescope_metadata, ignored)) found.push_back(entry);
-  return found.size() == 1 && !fs::exists(folder / gradescope_metadata, ignored) ? found.front() : folder;
-}
 
 bool Shard::has(const std::string& id) const {
   // The low bits of the fingerprint tell parities of the letters only: the digits of ids are often so chosen.
@@ -694,18 +612,15 @@ Intake take_in(const fs::path& submissions, const Course& course, const std::vec
   if (type != fs::file_type::directory && !(type == fs::file_type::regular && submissions.extension() == ".zip"))
     throw GradingError(fmt::format("{} is neither a folder nor a zip file.", shown_path(submissions)));
   Collector collector(course, roster, copies, shard, by_attempts);
-  std::vector<Zipped> zipped;
-  if (type == fs::file_type::regular) zipped = collector.zipped_class(submissions);
+  std::vector<Found> files;
   if (type == fs::file_type::directory) fs::directory_iterator(submissions, problem);
   if (problem) throw GradingError(fmt::format("{} cannot be read ({}).", shown_path(submissions), problem.message()));
+  if (type == fs::file_type::regular)
+    files = collector.zipped_class(submissions);
+  else
+    collector.list(submissions, "", files);
   fs::remove_all(copies, problem);
-  if (type == fs::file_type::regular) {
-    collector.take_zipped_class(zipped);
-  } else {
-    const fs::path top = with_metadata(submissions);
-    if (const auto text = read_file(top / gradescope_metadata, std::size_t{64} << 20)) collector.take_metadata(*text);
-    collector.take_top_level(top);
-  }
+  collector.take_class(std::move(files));
   collector.doubt_single_student();
   fs::remove(copies / ".unpacked", problem);
   for (Student& student : collector.intake.students)

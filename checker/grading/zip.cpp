@@ -191,7 +191,7 @@ std::string unpacked(int file, const std::vector<std::string>& names, bool is_cl
 
 }  // namespace
 
-std::vector<Zipped> read_zip(const fs::path& file, const std::vector<std::string>& names, bool is_class) {
+std::vector<Found> read_zip(const fs::path& file, const std::vector<std::string>& names, bool is_class) {
   const auto reject = [&](const std::string& reason) {
     throw RejectedFile(fmt::format("{} {}.", printable(file.filename().string()), reason));
   };
@@ -201,7 +201,7 @@ std::vector<Zipped> read_zip(const fs::path& file, const std::vector<std::string
   if (!S_ISREG(status.st_mode)) reject("is not an ordinary file");
   if (static_cast<std::size_t>(status.st_size) > largest_archive) reject("is larger than 1 GiB");
   ForkedJob job([&] { return unpacked(opened.number(), names, is_class); }, longest);
-  std::vector<Zipped> files;
+  std::vector<Found> files;
   try {
     if (const std::string trouble = job.finish(); !trouble.empty())
       throw std::runtime_error("cannot be read: " + trouble);

@@ -374,6 +374,8 @@ TEST_CASE("of several attempts the last or the best one counts") {
   few.force("ada/2027-03-01T12-00-00Z", right_force);
   few.energy("ada/2027-03-02T12-00-00Z/lectures/01_springs/exercises", right_energy);
   few.energy("ben/attempt_9", "return 7;");
+  few.energy("ben/attempt_10/attempt", right_energy);
+  write(few.submissions() / "ben/attempt/readme.cpp", "no attempt");
   few.energy("ben/attempt_10", right_energy);
   few.force("cleo", right_force);
   write(few.root() / "assignment.json", R"({"due": "2027-03-01T12:00:00Z", "late": {"per_day": 0.5, "days": 3}})");

@@ -223,6 +223,50 @@ TEST_CASE("Gradescope's export says whose a folder is: one, several, by number, 
   CHECK_THROWS_AS(Taken(all, "unpacked"), workbook::GradingError);
 }
 
+TEST_CASE("who hands in a file called as Gradescope's does not say whose the others' files are") {
+  const MadeUpClass all;
+  const std::vector<std::pair<std::string, std::optional<std::string>>> files = {
+      {"ada/submission_metadata.yml", metadata},
+      {"ada/submission_111/spring_energy.cpp", wrong},
+      {"ben/spring_energy.cpp", right}};
+  for (const auto& [path, text] : files) write(all.submissions() / path, *text);
+  write_zip(all.root() / "class.zip", files);
+  for (const char* submissions : {"submissions", "class.zip"}) {
+    const Taken taken(all, submissions);
+    CHECK(taken.intake.students.size() == 2);
+    CHECK(taken.energy("ben") == right);
+  }
+}
+
+TEST_CASE("what is too much in a folder, too deep, or zipped three times is named, and costs nobody else a file") {
+  const MadeUpClass all;
+  std::string deep = "ada";
+  for (int k = 0; k < 20; ++k) deep += "/d";
+  write(all.submissions() / deep / "spring_energy.cpp", wrong);
+  write(all.submissions() / "ada/spring_energy.cpp", right);
+  for (int k = 0; k < 30; ++k)
+    write(all.submissions() / fmt::format("ben/{:02}.zip", k), zipped(all, {{"readme.txt", "x"}}));
+  write(all.submissions() / "ben/spring_energy.cpp", right);
+  write(all.submissions() / "cleo/1.zip",
+        zipped(all, {{"2.zip", zipped(all, {{"3.zip", zipped(all, {{"spring_energy.cpp", wrong}})}})}}));
+  fs::create_directories(all.submissions() / "dora");
+  write(all.submissions() / "emil/spring_energy.cpp", right);
+  const std::vector<std::string> ids = {"ada", "ben", "cleo", "dora", "emil"};
+  fs::create_directories(all.root() / "above");
+  for (const bool is_wrapped : {false, true}) {
+    if (is_wrapped) fs::rename(all.submissions(), all.root() / "above/class");
+    const Taken taken(all, is_wrapped ? "above" : "submissions", is_wrapped ? ids : std::vector<std::string>{});
+    CHECK(taken.intake.students.size() == ids.size());
+    CHECK(taken.intake.problems.empty());
+    CHECK(taken.energy("ada") == right);
+    CHECK(has(taken.student("ada").unread.at(0), "is a folder in too many others"));
+    CHECK(has(taken.student("ben").unread.at(0), "comes after too many other files"));
+    CHECK(has(taken.student("cleo").unread.at(0), "'cleo/1/2/3.zip' was not read: it is a zip file in a zip file"));
+    CHECK(taken.student("dora").is_missing());
+    CHECK(taken.energy("emil") == right);
+  }
+}
+
 TEST_CASE("Moodle's grading worksheet is a roster by the number of the participant") {
   const MadeUpClass all;
   write(all.submissions() / "Ada Byron_900001_assignsubmission_file_/spring_energy.cpp", right);
