@@ -123,7 +123,7 @@ TEST_CASE("self-check finds a command that Doxygen does not know, or takes for a
     write(course.notes(), notes + known + "\n");
     CHECK_MESSAGE(course.run("self-check --seeds 1").status == 0, known);
   }
-  for (const char* command : {"\\nosuch", "\\snippet{", "\\computed", "\\source{"}) {
+  for (const char* command : {"\\nosuch", "\\snippet{x}", "\\computed", "\\computed{x}", "\\source{x}"}) {
     write(course.notes(), notes + "See " + command + " x\n");
     require_fault(course, "lectures/01_springs/notes.md", fmt::format("no command reads '{}'", command));
   }

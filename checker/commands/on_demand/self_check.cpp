@@ -171,20 +171,21 @@ class SelfCheck {
     static const std::set<std::string> of_doxygen = {
         "ref",     "page",    "include",  "snippet",   "anchor",      "image",        "cite",        "note",   "par",
         "section", "subpage", "htmlonly", "latexonly", "endhtmlonly", "endlatexonly", "htmlinclude", "warning"};
-    std::map<std::string, bool> of_site;  // with an argument?
+    std::map<std::string, long> of_site;  // so many arguments
     const std::string settings = text_of(course_.lectures() / "site/Doxyfile.in");
-    for (const Match& alias : search_all(settings, R"re(ALIASES *\+?= *"(\w+)(\{\d\})?=)re"))
-      of_site[alias[1]] = !alias[2].empty();
+    for (const Match& alias : search_all(settings, R"re(ALIASES *\+?= *"(\w+)(?:\{(\d)\})?=)re"))
+      of_site[alias[1]] = std::atol(alias[2].c_str());
     if (of_site.empty()) return;
     for (const auto& [open, close] : {std::pair{"```", "```"}, {"`", "`"}, {"\\f$", "\\f$"}, {"\\f[", "\\f]"}})
       for (std::size_t at = 0; (at = notes.find(open, at)) != std::string::npos;)
         notes.erase(at, notes.find(close, at + std::strlen(open)) + std::strlen(close) - at);
     for (const std::string& line : lines_of(notes))
-      for (const Match& used : search_all(line, R"re((?:^|[^\\\w])[\\@]([a-z_]+)(\{)?)re")) {
+      for (const Match& used : search_all(line, R"re((?:^|[^\\\w])[\\@]([a-z_]+)(\{[^}]*\}?)?)re")) {
         const auto alias = of_site.find(used[1]);
-        const bool has_braces = !used[2].empty();
-        if (alias != of_site.end() ? alias->second == has_braces
-                                   : of_doxygen.contains(used[1]) && (!has_braces || used[1] == "include"))
+        const long arguments = used[2].empty() ? 0 : 1 + std::ranges::count(used[2], ',');
+        // A comma in a single argument is a part of it.
+        if (alias != of_site.end() ? alias->second == (alias->second == 1 ? std::min(arguments, 1L) : arguments)
+                                   : of_doxygen.contains(used[1]) && (arguments == 0 || used[1] == "include"))
           continue;
         fault(file, "no command reads '\\{}{}': Doxygen passes over it, or takes it for another.", used[1], used[2]);
       }
