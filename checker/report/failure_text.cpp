@@ -258,7 +258,8 @@ Lines lines_beside_each_other(const Result& result, const Page& page) {
     std::vector<Lines> blocks;
     for (const Result::Column& one : result.columns) {
       const bool is_expected = blocks.empty();
-      blocks.push_back({"  " + std::string(one.title) + (is_expected && !result.title.empty() ? " " + result.title : "")});
+      blocks.push_back(
+          {"  " + std::string(one.title) + (is_expected && !result.title.empty() ? " " + result.title : "")});
       append(blocks.back(), matrix_lines(one.value, col, one.digits,
                                          [&](std::size_t n) { return !is_expected && result.differs(n); }));
     }

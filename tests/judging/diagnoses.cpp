@@ -300,6 +300,17 @@ Table patterns() {
   moved.cases.back().name = "v = 7 (" + moved.cases[2].name + ")";
   add(table, "wrong after one change", moved, changed, "split one_change");
 
+  // Cases whose names are all that they have in common.
+  Exercise named = momentum();
+  for (int k : {1, 2, 3, 4, 5})
+    add_case(named, fmt::format("a collision {}", k),
+             {number(1.5 * k), vector({2.5 - k, k * k / 4.0, k % 2 - 0.5}), vector({1.0 - k % 3, 2, 1.0 * k})},
+             right_momentum);
+  Values collided = outputs(named, right_momentum);
+  for (std::size_t i = 9; i < collided.size(); ++i)
+    collided[i].numbers = {0.3 * static_cast<double>(i), 7 - static_cast<double>(i), static_cast<double>(i % 3)};
+  add(table, "wrong at all cases of a name", named, collided, "split kinds");
+
   Exercise still = momentum();
   for (int k : {1, 2, 3})
     add_case(still, fmt::format("at rest {}", k), {number(k), vector({0, 0, 0}), vector({1, 2, 1.0 * k})},

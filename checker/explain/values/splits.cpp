@@ -267,10 +267,11 @@ std::optional<Diagnosis> diagnose_split(const ExerciseReference& exercise, const
   const std::string there = words_of_wrong(exercise, answers, outcome.wrong);
   const std::string total = plural(outcome.right.size() + outcome.wrong.size(), "case");
   if (!exact.empty() && exact.size() <= most_features)
-    return Diagnosis{DiagnosisKind::split, "split",
-                     fmt::format("Your result is wrong exactly where {}{} ({} of {}), and right elsewhere.{}",
-                                 exact.front(), exact.size() > 1 ? " (in these cases the same as: " + exact.back() + ")" : "",
-                                 outcome.wrong.size(), total, there)};
+    return Diagnosis{
+        DiagnosisKind::split, "split",
+        fmt::format("Your result is wrong exactly where {}{} ({} of {}), and right elsewhere.{}", exact.front(),
+                    exact.size() > 1 ? " (in these cases the same as: " + exact.back() + ")" : "", outcome.wrong.size(),
+                    total, there)};
   if (!exact.empty() || nearly.size() != 1) return std::nullopt;  // of many that fit none is certain
   const auto& [words, right] = nearly.front();
   return Diagnosis{DiagnosisKind::split, "split",
@@ -299,10 +300,33 @@ std::optional<Diagnosis> diagnose_one_side(const ExerciseReference& exercise, co
                                plural(right, "case"), words, outcome.wrong.size(), elsewhere)};
 }
 
+/// The kinds of cases that are wrong, by their names, where all others are right; nothing where these are most.
+static std::vector<std::string> wrong_kinds(const ExerciseReference& exercise, const Outcomes& outcome) {
+  constexpr std::size_t most_named = 6, fewest_right = 5;
+  std::vector<std::string> wrong;
+  std::size_t right = 0;
+  const auto kind = [&](std::size_t i) { return in_quotes(replaced(exercise.cases[i].name, " [0-9]+$", "")); };
+  for (const std::size_t i : outcome.wrong)
+    if (i < exercise.described_cases() && std::ranges::count(wrong, kind(i)) == 0) wrong.push_back(kind(i));
+  for (const std::size_t i : outcome.right) {
+    if (i >= exercise.described_cases()) continue;
+    if (std::ranges::count(wrong, kind(i)) > 0) return {};
+    right += exercise.cases[i].group == Group::random ? 1 : 0;
+  }
+  return right < fewest_right || wrong.size() > most_named ? std::vector<std::string>() : wrong;
+}
+
 std::optional<Diagnosis> diagnose_few(const ExerciseReference& exercise, const Answers& answers) {
   const Outcomes outcome = outcomes_of(exercise, answers);
   constexpr std::size_t most_named = 3;
   const std::size_t total = outcome.right.size() + outcome.wrong.size();
+  if (outcome.wrong.size() > most_named)
+    if (const std::vector<std::string> kinds = wrong_kinds(exercise, outcome); !kinds.empty())
+      return Diagnosis{
+          DiagnosisKind::split, "kinds",
+          fmt::format("Your result is right at {} of {} and wrong at all of {} {}: {}.{}", outcome.right.size(),
+                      plural(total, "case"), kinds.size() == 1 ? "this" : "these", kinds.size() == 1 ? "kind" : "kinds",
+                      listed(kinds), words_of_wrong(exercise, answers, outcome.wrong))};
   if (outcome.wrong.empty() || outcome.wrong.size() * 8 > total) return std::nullopt;
   // Wrong ones that differ from a right one in one change.
   std::vector<std::pair<std::string, std::string>> changes;  // and the case that was changed
