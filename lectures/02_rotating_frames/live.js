@@ -10,11 +10,8 @@ const laws = [
   (r, v, w) => fictitious(r, times(0.5, v), w)];
 
 /** Positions and velocities by a law of motion, at equal steps of time. */
-function ridden(law, r, v, seconds, count) {
-  const rate = state => [...state.slice(3), ...law(state.slice(0, 3), state.slice(3))];
-  return history(state => runge_kutta(rate, state, seconds / count), [...r, ...v], count)
-    .map(state => [state.slice(0, 3), state.slice(3)]);
-}
+const ridden = (law, r, v, seconds, count) =>
+  history(runge_kutta(([r, v]) => [v, law(r, v)], seconds / count), [r, v], count);
 
 function draw_table(scene, angle) {
   const one = [Math.cos(angle), Math.sin(angle), 0], other = [-one[1], one[0], 0];
@@ -28,54 +25,42 @@ live("puck", {
   prepare({ law, speed, heading, start, omega }) {
     const w = [0, 0, omega], r = [start, 0, 0], v = times(speed, [Math.cos(heading * degree), Math.sin(heading * degree), 0]);
     // On the table it starts with the velocity that the rider sees.
-    const path = ridden((p, u) => laws[law](p, u, w), r, minus(v, cross(w, r)), 4, 160);
+    const seen = minus(v, cross(w, r)), path = ridden((p, u) => laws[law](p, u, w), r, seen, 4, 160);
     const straight = steps(0, 4, 160).map(time => sum(r, times(time, v)));
     const back = straight.map((p, i) => turned(yours.rotated_basis?.(identity, w, -i / 40) ?? rotation(times(-i / 40, w)), p));
     // Straight on, and the mirror image of what the rider sees, from the velocity that the rider sees at first.
-    const seen = minus(v, cross(w, r)), along = norm(seen) ? unit(seen) : x_axis;
+    const along = norm(seen) ? unit(seen) : x_axis;
     const expected = [steps(0, 4, 160).map(time => sum(r, times(time, seen))),
       back.map(p => sum(r, minus(times(2 * dot(minus(p, r), along), along), minus(p, r))))];
     return { w, v, path, straight, back, law, expected };
   },
-  duration: () => 4,
-  views: {
-    "Beside the turntable": {
-      half: 1.3, towards: from_above, fixed: true,
-      // The tip of the velocity at the start.
-      handle: m => sum(m.straight[0], m.v),
-      drag(pixels, scene, values, m) {
-        const [x, y] = minus(scene.point_at(pixels), m.straight[0]);
-        return { speed: Math.hypot(x, y), heading: Math.atan2(y, x) / degree };
-      },
-      draw(scene, m, time) {
-        const k = Math.floor(40 * time);
-        draw_table(scene, m.w[2] * time);
-        scene.arrow(m.straight[0], sum(m.straight[0], m.v), "green", "v", { width: 2.2, beside: true });
-        scene.line(m.straight.slice(0, k + 1), "blue", 3);
-        scene.dot(m.straight[k], "ink", 6);
-      },
-    },
-    "Riding on it": {
-      half: 1.3, towards: from_above, fixed: true,
-      draw(scene, m, time) {
-        const k = Math.floor(40 * time), [r, v] = m.path[k];
-        draw_table(scene, 0);
-        if (scene.released) scene.line(m.back, "ink", 1.5, { dash: [1, 6] });
-        scene.expect(m.expected[scene.expected]?.slice(0, k + 1));
-        scene.line(m.path.slice(0, k + 1).map(([p]) => p), "blue", 3);
-        const force = (law, factor, color, name) => scene.arrow(r, sum(r, times(factor, laws[law](r, v, m.w))), color, name);
-        if (scene.released && m.law !== 1) force(2, 0.4, "green", "centrifugal");
-        if (scene.released && m.law !== 2) force(1, m.law === 3 ? 0.2 : 0.4, "purple", "Coriolis");
-        scene.dot(r, "ink", 6);
-      },
-    },
+  // The tip of the velocity at the start.
+  handle: m => sum(m.straight[0], m.v),
+  drag(pixels, scene, values, m) {
+    const [x, y] = minus(scene.point_at(pixels), m.straight[0]);
+    return { speed: Math.hypot(x, y), heading: Math.atan2(y, x) / degree };
   },
+  draw: [(scene, m, time) => {
+    const k = Math.floor(40 * time);
+    draw_table(scene, m.w[2] * time);
+    scene.arrow(m.straight[0], sum(m.straight[0], m.v), "green", "v", { width: 2.2, beside: true });
+    scene.line(m.straight.slice(0, k + 1), "blue", 3);
+    scene.dot(m.straight[k], "ink", 6);
+  }, (scene, m, time) => {
+    const k = Math.floor(40 * time), [r, v] = m.path[k];
+    draw_table(scene, 0);
+    if (scene.released) scene.line(m.back, "ink", 1.5, { dash: [1, 6] });
+    scene.expect(m.expected[scene.expected]?.slice(0, k + 1));
+    scene.line(m.path.slice(0, k + 1).map(([p]) => p), "blue", 3);
+    const force = (law, factor, color, name) => scene.arrow(r, sum(r, times(factor, laws[law](r, v, m.w))), color, name);
+    if (scene.released && m.law !== 1) force(2, 0.4, "green", "centrifugal");
+    if (scene.released && m.law !== 2) force(1, m.law === 3 ? 0.2 : 0.4, "purple", "Coriolis");
+    scene.dot(r, "ink", 6);
+  }],
   numbers(m, time) {
-    const [r, v] = m.path[Math.floor(40 * time)];
-    const a = laws[m.law](r, v, m.w);
+    const [r, v] = m.path[Math.floor(40 * time)], a = laws[m.law](r, v, m.w);
     const outside = yours.inertial_acceleration?.(a, v, r, m.w, origin) ?? minus(a, laws[0](r, v, m.w));
-    return [["Coriolis / m", norm(laws[1](r, v, m.w)), "m/s²"], ["centrifugal / m", norm(laws[2](r, v, m.w)), "m/s²"],
-      ["|a| from outside", norm(outside), "m/s²"]];
+    return [norm(laws[1](r, v, m.w)), norm(laws[2](r, v, m.w)), norm(outside)];
   },
 });
 
@@ -91,57 +76,44 @@ live("foucault", {
     // The law on the floor for g/ℓ = 1/s²; the rotation of the frame in which the swing is plane decides the second start.
     const law = (r, v) => sum(times(-1, r), [...coriolis(v, lambda).slice(0, 2), 0]);
     const sideways = [release ? planet_rate * Math.sin(lambda) : 0, 0, 0];
-    return { lambda, law, seconds, path: ridden(law, [0, 1, 0], sideways, seconds, 1000),
+    return { lambda, seconds, path: ridden(law, [0, 1, 0], sideways, seconds, 1000),
       // In the south in the same time, the other way round.
       period: lambda ? yours.foucault_period?.(Math.abs(lambda), sidereal_day) ?? sidereal_day / Math.sin(Math.abs(lambda)) : NaN,
       turning: lambda ? `${lambda > 0 ? "" : "anti"}clockwise in` : "no turn" };
   },
-  duration: m => m.seconds,
-  pace: 3,
-  views: {
-    "The bob over the floor, and how it has passed": {
-      half: 1.35, towards: [0.01, -0.5, 1],
-      draw(scene, m, time) {
-        const k = Math.round(1000 * time / m.seconds), bob = m.path[k][0];
-        scene.floor(0, 1.12);
-        ["N", "E", "S", "W"].forEach((name, i) =>
-          scene.words(name, scene.at(times(1.25, [Math.sin(i * 90 * degree), Math.cos(i * 90 * degree), 0])), "ink", "center", true));
-        scene.line(m.path.slice(0, k + 1).map(([r]) => r), "blue", 2);
-        const hung = sum(bob, [0, 0, 0.12 + 0.2 * (bob[0] ** 2 + bob[1] ** 2)]);
-        scene.line([[0, 0, 3.4], hung], "ink", 1.5);
-        scene.solid("ball", hung, diagonal(0.09, 0.09, 0.09), "orange");
-        if (scene.released) {
-          const day = times(1.12, [Math.sin(planet_rate * time), Math.cos(planet_rate * time), 0]);
-          scene.line([times(-1, day), day], "grey", 1.5, { dash: [4, 5] });
-          const turn = planet_rate * time * [undefined, 1, undefined, -Math.sin(m.lambda)][scene.expected];
-          if (scene.expected !== undefined && !isNaN(turn)) scene.expect([origin, [Math.sin(turn), Math.cos(turn), 0]]);
-          scene.words("once a day", scene.at(times(1.08, day)), "grey", "center", true);
-        }
-      },
-    },
-    "Where it swings": {
-      half: 1.7, towards: [0.25, -1, 0.35],
-      handle: ({ lambda }) => [Math.cos(lambda), 0, Math.sin(lambda)],
-      drag: (pixels, scene) => ({ latitude: Math.asin(unit(scene.point_at(pixels, 1))[2]) / degree }),
-      draw(scene, { lambda }) {
-        const up = [Math.cos(lambda), 0, Math.sin(lambda)], north = [-up[2], 0, up[0]];
-        scene.ellipsoid(origin, identity, "blue");
-        for (const latitude of [0, lambda]) scene.line(parallel(latitude), latitude ? "green" : "grey", 2);
-        for (const length of steps(0, 150, 5)) {
-          const [c, s] = [Math.cos(length * degree), Math.sin(length * degree)];
-          scene.line(arc(origin, z_axis, [c, s, 0]), "pale", 1);
-        }
-        scene.line([times(-1.4, z_axis), times(1.4, z_axis)], "grey", 2, { dash: [6, 5] });
-        scene.line([sum(up, times(-0.2, north)), sum(up, times(0.2, north))], "ink", 3);
-        scene.arrow(up, sum(up, [0, 0, 0.6]), "omega", "Ω");
-        if (scene.released) scene.arrow(up, sum(up, times(0.6 * up[2], up)), "purple", "Ω sin λ", { beside: true });
-      },
-    },
-  },
+  // The place of the pendulum.
+  handle: ({ lambda }) => [Math.cos(lambda), 0, Math.sin(lambda)],
+  drag: (pixels, scene) => ({ latitude: Math.asin(unit(scene.point_at(pixels, 1))[2]) / degree }),
+  draw: [(scene, m, time) => {
+    const k = Math.round(1000 * time / m.seconds), bob = m.path[k][0];
+    scene.floor(0, 1.12);
+    ["N", "E", "S", "W"].forEach((name, i) =>
+      scene.words(name, scene.at(times(1.25, [Math.sin(i * 90 * degree), Math.cos(i * 90 * degree), 0])), "ink", "center", true));
+    scene.line(m.path.slice(0, k + 1).map(([r]) => r), "blue", 2);
+    const hung = sum(bob, [0, 0, 0.12 + 0.2 * (bob[0] ** 2 + bob[1] ** 2)]);
+    scene.line([[0, 0, 3.4], hung], "ink", 1.5);
+    scene.solid("ball", hung, diagonal(0.09, 0.09, 0.09), "orange");
+    if (!scene.released) return;
+    const day = times(1.12, [Math.sin(planet_rate * time), Math.cos(planet_rate * time), 0]);
+    scene.line([times(-1, day), day], "grey", 1.5, { dash: [4, 5] });
+    scene.words("once a day", scene.at(times(1.08, day)), "grey", "center", true);
+    const turn = planet_rate * time * [NaN, 1, NaN, -Math.sin(m.lambda)][scene.expected];
+    if (!isNaN(turn)) scene.expect([origin, [Math.sin(turn), Math.cos(turn), 0]]);
+  }, (scene, { lambda }) => {
+    const up = [Math.cos(lambda), 0, Math.sin(lambda)], north = [-up[2], 0, up[0]];
+    scene.ellipsoid(origin, identity, "blue");
+    for (const latitude of [0, lambda]) scene.line(parallel(latitude), latitude ? "green" : "grey", 2);
+    for (const length of steps(0, 150, 5)) {
+      const [c, s] = [Math.cos(length * degree), Math.sin(length * degree)];
+      scene.line(arc(origin, z_axis, [c, s, 0]), "pale", 1);
+    }
+    scene.line([times(-1.4, z_axis), times(1.4, z_axis)], "grey", 2, { dash: [6, 5] });
+    scene.line([sum(up, times(-0.2, north)), sum(up, times(0.2, north))], "ink", 3);
+    scene.arrow(up, sum(up, [0, 0, 0.6]), "omega", "Ω");
+    if (scene.released) scene.arrow(up, sum(up, times(0.6 * up[2], up)), "purple", "Ω sin λ", { beside: true });
+  }],
   numbers(m, time) {
-    const [r, v] = m.path[Math.round(1000 * time / m.seconds)];
-    const [east, north] = coriolis(v, m.lambda);
-    return [[`Earth: ${m.turning}`, m.period, "h", 3600], ["Coriolis, east", east, "m/s²"],
-      ["Coriolis, north", north, "m/s²"]];
+    const [r, v] = m.path[Math.round(1000 * time / m.seconds)], [east, north] = coriolis(v, m.lambda);
+    return [m.period, east, north];
   },
 });

@@ -21,55 +21,37 @@ function principal(I) {
 }
 
 live("moving_point", {
-  shows_end: true,
   prepare({ x, y, z }) {
     const end = [x, y, z], I_corner = yours.cuboid_about_corner?.(mass, ...edges) ?? block_about(center);
     // R points from the new origin to the old one.
     const about = point => yours.inertia_about_shifted_origin?.(I_corner, mass, center, times(-1, point))
       ?? block_about(minus(point, center));
-    return { end, about, curve: steps(0, 1, 60).map(part => [part, about(times(part, end))]) };
+    const entries = I => [I[0][0], I[1][1], I[2][2], I[2][1]];
+    return { end, about, curves: over_time(steps(0, 1, 60), part => entries(about(times(part, end)))) };
   },
-  duration: () => 6,
-  views: {
-    "The block and its ellipsoid about the point": {
-      half: 1.2, towards: [1, -1, 0.6],
-      handle: m => from_center(m.end),
-      drag(pixels, scene, { x, y, z }) {
-        const depth = dot(from_center([x, y, z]), scene.towards);
-        const point = sum(center, times(2, sum(scene.point_at(pixels), times(depth, scene.towards))));
-        return { x: point[0], y: point[1], z: point[2] };
-      },
-      draw(scene, m, time) {
-        const P = times(time / 6, m.end), I = m.about(P), at = from_center(P);
-        const { moments, axes } = principal(I);
-        scene.box(origin, edges.map((edge, i) => times(edge / 4, identity[i])), ["grey", "grey", "grey"], 0.15);
-        scene.line([from_center(origin), from_center(m.end)], "ink", 1.5, { dash: [4, 4] });
-        scene.dot(origin, "ink", 3);
-        if (scene.released) {
-          scene.ellipsoid(at, axes.map((axis, i) => times(1 / Math.sqrt(moments[i]), axis)), "sky");
-          axes.forEach((axis, i) => {
-            const half = times(1.25 / Math.sqrt(moments[i]), axis);
-            scene.line([minus(at, half), sum(at, half)], axis_colors[i], 2.5);
-            scene.text(sum(at, times(1.25, half)), moment_names[i], axis_colors[i]);
-          });
-        }
-        scene.dot(at, "vermilion", 5);
-      },
-    },
-    "Along the path": {
-      draw(scene, m, time) {
-        const entries = [["I_xx", "blue", 0, 0], ["I_yy", "green", 1, 1], ["I_zz", "purple", 2, 2], ["I_yz", "vermilion", 2, 1]];
-        const curves = entries.map(([name, color, i, j]) =>
-          ({ name, color, points: m.curve.map(([part, I]) => [part, I[i][j]]) }));
-        const all = curves.flatMap(({ points }) => points.map(([, value]) => value));
-        scene.plot({ x: [0, 1], y: [1.1 * Math.min(...all), 1.1 * Math.max(...all)], x_name: "part of the path",
-          y_name: "kg m²", now: time / 6, curves });
-      },
-    },
+  handle: m => from_center(m.end),
+  drag(pixels, scene, values, m) {
+    const depth = dot(from_center(m.end), scene.towards);
+    const [x, y, z] = sum(center, times(2, sum(scene.point_at(pixels), times(depth, scene.towards))));
+    return { x, y, z };
   },
+  draw: [(scene, m, time) => {
+    const P = times(time / 6, m.end), at = from_center(P), { moments, axes } = principal(m.about(P));
+    scene.box(origin, edges.map((edge, i) => times(edge / 4, identity[i])), ["grey", "grey", "grey"], 0.15);
+    scene.line([from_center(origin), from_center(m.end)], "ink", 1.5, { dash: [4, 4] });
+    scene.dot(origin, "ink", 3);
+    if (scene.released) {
+      scene.ellipsoid(at, axes.map((axis, i) => times(1 / Math.sqrt(moments[i]), axis)), "sky");
+      axes.forEach((axis, i) => {
+        const half = times(1.25 / Math.sqrt(moments[i]), axis);
+        scene.line([minus(at, half), sum(at, half)], axis_colors[i], 2.5);
+        scene.text(sum(at, times(1.25, half)), ["I₁", "I₂", "I₃"][i], axis_colors[i]);
+      });
+    }
+    scene.dot(at, "vermilion", 5);
+  }, (m, time) => ({ x: [0, 1], now: time / 6, curves: m.curves })],
   numbers(m, time) {
     const I = m.about(times(time / 6, m.end));
-    return [["I_xx", I[0][0], "kg m²"], ["I_yz", I[2][1], "kg m²"], ["I_xy", I[1][0], "kg m²"],
-      ...principal(I).moments.map((moment, i) => [moment_names[i], moment, "kg m²"])];
+    return [I[0][0], I[2][1], I[1][0], ...principal(I).moments];
   },
 });

@@ -10,9 +10,8 @@ function period_of(I, omega) {
 }
 
 /** ω over one period, or as long as a minute. */
-function polhode_of(I, omega, count = 160) {
-  return motion(I, omega, undefined, Math.min(period_of(I, omega), 60), count, yours.free_rotation).map(now => now.omega);
-}
+const polhode_of = (I, omega, count = 160) =>
+  motion(I, omega, undefined, Math.min(period_of(I, omega), 60), count, yours.free_rotation).map(now => now.omega);
 
 function prepare_free_body(values) {
   const I = moments(values), omega0 = spin(values);
@@ -20,40 +19,27 @@ function prepare_free_body(values) {
   const [T, L2] = yours.rotation_invariants?.(I, omega0) ?? [dot(omega0, L_body) / 2, dot(L_body, L_body)];
   const L = Math.sqrt(L2), period = period_of(I, omega0), seconds = Math.max(12, Math.min(2.5 * period, 40));
   // In space L is upright.
-  const move = (omega, A, time, count) => motion(I, omega, A, time, count, yours.free_rotation, yours.free_attitude);
-  const moments_of_time = steps(0, seconds, 480), samples = move(omega0, upright(L_body), seconds, 480);
-  const at = time => {
-    const k = Math.floor(480 * time / seconds);
-    return move(samples[k].omega, samples[k].A, time - moments_of_time[k], 1)[1];
-  };
-  const omegas = samples.map(({ omega }) => omega), herpolhode = samples.map(({ omega, A }) => turned(A, omega));
-  // The samples until ω has gone once round L.
-  let round = 0, once = 1;
-  for (; once < herpolhode.length && round < 2 * Math.PI; ++once) {
-    const [[a, b], [c, d]] = [herpolhode[once - 1], herpolhode[once]];
-    round += Math.abs(Math.atan2(a * d - b * c, a * c + b * d));
-  }
+  const samples = motion(I, omega0, upright(L_body), seconds, 480, yours.free_rotation, yours.free_attitude);
+  const herpolhode = samples.map(({ omega, A }) => turned(A, omega));
+  // Until ω has gone once round L.
+  let round = 0;
+  const full = turns_of(herpolhode).findIndex(turn => (round += Math.abs(turn)) >= 2 * Math.PI);
   // Other motions with this energy, from the plane of each pair of neighbouring axes.
   const axes = I.map(moment => Math.sqrt(2 * T / moment));
-  const others = [];
-  for (const [i, j] of [[0, 1], [1, 2], [2, 0]]) {
-    for (const angle of [0.35, 0.8, 1.2]) {
-      const from = [0, 0, 0];
-      from[i] = axes[i] * Math.cos(angle);
-      from[j] = axes[j] * Math.sin(angle);
-      const curve = polhode_of(I, from, 80);
-      others.push(curve, curve.map(omega => times(-1, omega)));
-    }
-  }
+  const others = [[0, 1], [1, 2], [2, 0]].flatMap(([i, j]) => [0.35, 0.8, 1.2].flatMap(angle => {
+    const from = sum(times(axes[i] * Math.cos(angle), identity[i]), times(axes[j] * Math.sin(angle), identity[j]));
+    const curve = polhode_of(I, from, 80);
+    return [curve, curve.map(omega => times(-1, omega))];
+  }));
   // Half edges of a uniform box with these moments.
   const [a, b, c] = I, edges = [b + c - a, c + a - b, a + b - c].map(square => Math.sqrt(Math.max(square, 0.003)));
-  return { I, omega0, samples, edges: times(0.85 / norm(edges), edges), T, L2, L, period, at, seconds, omegas, moments_of_time,
-    herpolhode, axes, others, momentum, once, polhode: polhode_of(I, omega0), size: 1 / Math.max(...axes),
-    circles: [0, 1, 2].map(i => [1, 2].map(k => times(axes[(i + k) % 3], identity[(i + k) % 3])))
-      .map(([u, v]) => arc(origin, u, v)) };
+  return { I, omega0, samples, edges: times(0.85 / norm(edges), edges), T, L2, L, period, seconds, herpolhode, axes, others, momentum,
+    space_cone: herpolhode.slice(0, full < 0 ? undefined : full + 2), polhode: polhode_of(I, omega0),
+    size: 1 / Math.max(...axes), curves: over_time(samples, ({ omega }) => omega),
+    at: time => moved_on(I, samples, time, yours.free_rotation, yours.free_attitude) };
 }
 
-function draw_in_body(scene, m, time, { surface }) {
+function draw_in_body(scene, m, time, { surface = 0 }) {
   const { omega } = m.at(time);
   // On the ellipsoid of energy stands ω, on the sphere L.
   const place = surface === 0 ? w => times(m.size, w) : w => unit(m.momentum(w));
@@ -80,21 +66,21 @@ function draw_in_space(scene, m, time, { picture }) {
   if (picture === 0 || picture === 3) {
     scene.floor(-1.15, 1.25);
     if (picture === 0) scene.box(origin, A.map((axis, i) => times(m.edges[i], axis)), axis_colors);
-    else draw_handle(scene, A);
+    else for (const [i, from, to, radius] of [[0, -0.62, 0.62, 0.1], [1, 0.05, 0.5, 0.09]])
+      scene.round("rod", times(from, A[i]), times(to, A[i]), radius, axis_colors[i]);
     scene.arrows(axis_arrows(A, m.edges));
     // Where the tip of e₂ has been, as far as two seconds ago.
-    const tips = m.samples.slice(Math.max(0, Math.floor(480 * (time - 2) / m.seconds)), 1 + Math.floor(480 * time / m.seconds));
+    const tips = m.samples.filter(sample => sample.time > time - 2 && sample.time <= time);
     scene.line(tips.map(({ A }) => times(m.edges[1] + 0.3, A[1])), "e2", 2.5);
   } else if (picture === 1) {
-    draw_cone(scene, center, m.herpolhode.slice(0, m.once).map(drawn), "grey");
+    draw_cone(scene, center, m.space_cone.map(drawn), "grey");
     draw_cone(scene, center, m.polhode.map(in_body), "blue");
     scene.arrow(center, sum(center, times(1.6, A[2])), "e3", "e₃");
   } else {
-    scene.ellipsoid(origin, A.map((axis, i) => times(size * m.axes[i], axis)), "sky");
-    for (const circle of m.circles) scene.line(circle.map(in_body), "grey", 1.2);
+    scene.rolling_ellipsoid(origin, A.map((axis, i) => times(size * m.axes[i], axis)));
     scene.line(m.polhode.map(in_body), "blue", 2.5);
     scene.face(arc([0, 0, size * 2 * m.T / m.L], times(1.15, x_axis), times(1.15, y_axis)), "grey", 0.15, 1);
-    scene.line(m.herpolhode.slice(0, 1 + Math.floor(480 * time / m.seconds)).map(drawn), "omega", 2.5);
+    scene.line(until(time / m.seconds, m.herpolhode).map(drawn), "omega", 2.5);
     scene.dot(drawn(omega), "ink");
   }
   scene.arrow(center, sum(center, [0, 0, picture === 1 ? 1.7 : 1.25]), "L", "L");
@@ -115,59 +101,26 @@ const free_body = {
     values[changed] = Math.min(Math.max(values[changed], Math.abs(a - b)), a + b);
   },
   prepare: prepare_free_body,
-  duration: m => m.seconds,
-  views: {
-    "In the body": {
-      half: 1.42, towards: [0.95, 1.15, 0.62], draw: draw_in_body,
-      // The start of ω, on its ellipsoid or as the direction of L; T stays.
-      handle: (m, time, { surface }) => surface === 0 ? times(m.size, m.omega0) : unit(m.momentum(m.omega0)),
-      drag(pixels, scene, { surface }, m) {
-        const point = scene.point_at(pixels, 1), n = surface === 0 ? point : point.map((part, i) => part / m.I[i]);
-        const omega = times(Math.sqrt(2 * m.T / dot(n, m.momentum(n))), n.map(Math.abs));
-        return { w1: omega[0], w2: omega[1], w3: omega[2] };
-      },
-    },
-    "In space": { half: 1.42, towards: [0.3, -1, 0.45], draw: draw_in_space },
-    "Components of ω in the body": {
-      aspect: 3.6,
-      draw(scene, m, time) {
-        const most = 1.1 * Math.max(...m.omegas.flat().map(Math.abs));
-        scene.plot({ x: [0, m.seconds], y: [-most, most], x_name: "time (s)", y_name: "rad/s", now: time,
-          curves: axis_colors.map((color, i) => ({ color, name: omega_names[i],
-            points: m.omegas.map((omega, k) => [m.moments_of_time[k], omega[i]]) })) });
-      },
-    },
+  // The start of ω, on its ellipsoid or as the direction of L; T stays.
+  handle: (m, time, { surface }) => surface === 0 ? times(m.size, m.omega0) : unit(m.momentum(m.omega0)),
+  drag(pixels, scene, { surface }, m) {
+    const point = scene.point_at(pixels, 1), n = surface === 0 ? point : point.map((part, i) => part / m.I[i]);
+    const [w1, w2, w3] = times(Math.sqrt(2 * m.T / dot(n, m.momentum(n))), n.map(Math.abs));
+    return { w1, w2, w3 };
   },
-  numbers(m, time) {
-    return [...m.at(time).omega.map((rate, i) => [omega_names[i], rate, "rad/s"]), ["T", m.T, "J"], ["L²", m.L2, "kg² m⁴/s²"],
-      ["period in the body", m.period, "s"]];
-  },
+  draw: [draw_in_body, draw_in_space, ({ curves }) => ({ curves })],
+  numbers: (m, time) => [...m.at(time).omega, m.T, m.L2, m.period],
 };
 live("free_body", free_body);
-
-live("rolling_cones", {
-  ...free_body,
-});
+live("rolling_cones", free_body);
 
 // ---- The T-handle: a bar along e₁, with a stem along e₂ at its middle.
 
-function draw_handle(scene, A) {
-  scene.round("rod", times(-0.62, A[0]), times(0.62, A[0]), 0.1, "e1");
-  scene.round("rod", times(0.05, A[1]), times(0.5, A[1]), 0.09, "e2");
-}
-
 live("t_handle", {
-  ...free_body,
-  legal: undefined,
   prepare: ({ spin, error }) => prepare_free_body({ I1: 1, I2: 2.2, I3: 2.9, w1: 0, w2: spin * Math.cos(error * degree),
     w3: spin * Math.sin(error * degree) }),
-  views: {
-    "The handle in space": { half: 1.42, towards: [0.3, -1, 0.45], draw: (scene, m, time) => draw_in_space(scene, m, time, { picture: 3 }) },
-    "In the body": { half: 1.42, towards: [0.95, 1.15, 0.62], draw: (scene, m, time) => draw_in_body(scene, m, time, { surface: 0 }) },
-    "Components of ω in the body": free_body.views["Components of ω in the body"],
-  },
-  numbers: (m, time) => [...m.at(time).omega.map((rate, i) => [omega_names[i], rate, "rad/s"]),
-    ["from flip to flip", m.period / 2, "s"], ["turns meanwhile", m.period / 2 * m.L / m.I[1] / 2 / Math.PI, ""]],
+  draw: [(scene, m, time) => draw_in_space(scene, m, time, { picture: 3 }), draw_in_body, ({ curves }) => ({ curves })],
+  numbers: (m, time) => [...m.at(time).omega, m.period / 2, m.period / 2 * m.L / m.I[1] / 2 / Math.PI],
 });
 
 // ---- A thrown plate.
@@ -180,40 +133,21 @@ live("plate", {
     return { theta, ratio, wobble, round, spin, seconds: 4 * 2 * Math.PI / round,
       at: time => attitude([wobble * time, theta, (round - wobble) * time]) };
   },
-  duration: m => m.seconds,
-  pace: 0.4,
-  views: {
-    "The plate in flight": {
-      half: 1.3, towards: [0.2, -1, 0.4],
-      handle: (m, time) => times(0.95, m.at(time)[2]),
-      drag(pixels, scene) {
-        const [x, y, z] = scene.point_at(pixels, 0.95);
-        return { tilt: Math.atan2(Math.hypot(x, y), z) / degree };
-      },
-      draw(scene, m, time) {
-        const A = m.at(time), [c, s] = [Math.cos(m.theta), Math.sin(m.theta)];
-        scene.floor(-0.9, 1.2);
-        const thick = 0.05 + 0.6 * (2 - m.ratio);
-        scene.round("rod", times(-thick, A[2]), times(thick, A[2]), 0.9, "sky");
-        const [from, to] = [0.2, 0.85].map(part => sum(times(thick + 0.01, A[2]), times(part, A[0])));
-        scene.line([from, to], "vermilion", 7);
-        if (scene.released) scene.line(arc([0, 0, 0.95 * c], times(0.95 * s, x_axis), times(0.95 * s, y_axis)), "e3", 1.5, { dash: [4, 4] });
-        scene.arrow(origin, [0, 0, 1.15], "L", "L");
-        scene.arrow(origin, times(0.95, A[2]), "e3", "e₃");
-        const turn = m.round * time * [0.5, 1][scene.expected];
-        if (turn >= 0) scene.expect([origin, times(0.95, [s * Math.cos(turn), s * Math.sin(turn), c])], "e₃ expected");
-      },
-    },
-    "How far they have gone round": {
-      draw(scene, m, time) {
-        const turns = rate => [0, m.seconds].map(t => [t, rate * t / 2 / Math.PI]);
-        scene.plot({ x: [0, m.seconds], y: [0, 1.05 * m.wobble * m.seconds / 2 / Math.PI], x_name: "time (s)", y_name: "turns", now: time,
-          curves: [{ name: "emblem", color: "vermilion", points: turns(m.round) },
-            ...scene.released ? [{ name: "wobble", color: "e3", points: turns(m.wobble) }] : []] });
-      },
-    },
-  },
-  numbers: m => [["wobble", m.wobble, "rad/s"], ["emblem", m.round, "rad/s"], ["wobbles to a turn", m.wobble / m.round, ""]],
+  handle: (m, time) => times(0.95, m.at(time)[2]),
+  drag: (pixels, scene) => ({ tilt: inclination(scene.point_at(pixels, 0.95)) / degree }),
+  draw: [(scene, m, time) => {
+    const A = m.at(time), [c, s] = [Math.cos(m.theta), Math.sin(m.theta)], thick = 0.05 + 0.6 * (2 - m.ratio);
+    scene.floor(-0.9, 1.2);
+    scene.round("rod", times(-thick, A[2]), times(thick, A[2]), 0.9, "sky");
+    const [from, to] = [0.2, 0.85].map(part => sum(times(thick + 0.01, A[2]), times(part, A[0])));
+    scene.line([from, to], "vermilion", 7);
+    if (scene.released) scene.line(arc([0, 0, 0.95 * c], times(0.95 * s, x_axis), times(0.95 * s, y_axis)), "e3", 1.5, { dash: [4, 4] });
+    scene.arrow(origin, [0, 0, 1.15], "L", "L");
+    scene.arrow(origin, times(0.95, A[2]), "e3", "e₃");
+    const turn = m.round * time * [0.5, 1][scene.expected];
+    if (turn >= 0) scene.expect([origin, times(0.95, [s * Math.cos(turn), s * Math.sin(turn), c])], "e₃ expected");
+  }, m => ({ curves: over_time([0, m.seconds], time => times(time / 2 / Math.PI, [m.round, m.wobble])) })],
+  numbers: m => [m.wobble, m.round, m.wobble / m.round],
 });
 
 // ---- A satellite with antennas that bend.
@@ -221,57 +155,33 @@ live("plate", {
 live("friction", {
   prepare({ I1, kappa, angle }) {
     const I = [I1, 2, 2.4], L0 = times(3, [Math.cos(angle * degree), 0.6 * Math.sin(angle * degree), 0.8 * Math.sin(angle * degree)]);
-    const seconds = 60, count = 1200, omega_of = L => L.map((part, i) => part / I[i]);
-    // L on the axes of the body, and with it the axes of space, which turn backwards there.
-    const rate = state => {
-      const L = state.slice(0, 3), omega = omega_of(L), across = cross(L, omega);
-      return [...sum(across, times(kappa / norm(L), cross(L, across))), ...[3, 6].flatMap(i => cross(state.slice(i, i + 3), omega))];
-    };
-    const [x, y] = transposed(upright(L0));
-    const samples = history(state => runge_kutta(rate, runge_kutta(rate, state, 0.025), 0.025), [...L0, ...x, ...y], count);
-    const momenta = samples.map(state => state.slice(0, 3)), energies = momenta.map(L => dot(L, omega_of(L)) / 2);
-    return { I, seconds, momenta, omega_of, energies, landscape: on_ball(n => dot(n, omega_of(n))),
-      at: k => transposed([unit(cross(samples[k].slice(6), momenta[k])), samples[k].slice(6), unit(momenta[k])]) };
+    const omega_of = L => L.map((part, i) => part / I[i]), energy = L => dot(L, omega_of(L)) / 2;
+    // L on the axes of the body, and with it two axes of space, which turn backwards there.
+    const step = runge_kutta(([L, ...axes]) => {
+      const omega = omega_of(L), across = cross(L, omega);
+      return [sum(across, times(kappa / norm(L), cross(L, across))), ...axes.map(axis => cross(axis, omega))];
+    }, 0.025);
+    const samples = history(state => step(step(state)), [L0, ...transposed(upright(L0)).slice(0, 2)], 1200);
+    return { samples, energies: samples.map(([L]) => energy(L)), landscape: on_ball(energy) };
   },
-  duration: m => m.seconds,
-  pace: 3,
-  views: {
-    "L in the body, on its sphere: strong where the energy is high": {
-      half: 1.4, towards: [1.1, 0.9, 0.6],
-      draw(scene, m, time) {
-        const k = Math.round(20 * time);
-        scene.painted_ball(m.landscape, "sky");
-        scene.arrows(axis_arrows(identity, [1, 1, 1]));
-        scene.line(m.momenta.slice(0, k + 1).map(unit), "L", 2.5);
-        scene.arrow(origin, times(1.05, unit(m.momenta[k])), "L", "L");
-        const expected = [undefined, x_axis][scene.expected];
-        if (expected) scene.expect([origin, times(1.3, expected)]);
-      },
-    },
-    "In space": {
-      half: 1.4, towards: [0.3, -1, 0.45],
-      draw(scene, m, time) {
-        const k = Math.round(20 * time), A = m.at(k);
-        scene.floor(-1.2, 1.2);
-        scene.round("rod", times(-0.75, A[0]), times(0.45, A[0]), 0.16, "e1");
-        scene.round("cone", times(0.45, A[0]), times(0.85, A[0]), 0.16, "e1", { whiteness: 0.1 });
-        for (const axis of [A[1], A[2]]) scene.line([times(-0.6, axis), times(0.6, axis)], "ink", 2);
-        scene.arrow(origin, [0, 0, 1.2], "L", "L");
-        scene.arrow(times(0.85, A[0]), times(1.1, A[0]), "e1", "e₁");
-      },
-    },
-    "Energy": {
-      aspect: 3.6,
-      draw(scene, m, time) {
-        const most = 1.1 * m.energies[0];
-        scene.plot({ x: [0, m.seconds], y: [0, most], x_name: "time (s)", y_name: "J", now: time,
-          curves: [{ name: "T", color: "ink", points: m.energies.map((T, k) => [k / 20, T]) }] });
-      },
-    },
-  },
+  draw: [(scene, m, time) => {
+    const momenta = m.samples.slice(0, 1 + Math.round(20 * time)).map(([L]) => unit(L));
+    scene.painted_ball(m.landscape, "sky");
+    scene.arrows(axis_arrows(identity, [1, 1, 1]));
+    scene.line(momenta, "L", 2.5);
+    scene.arrow(origin, times(1.05, momenta.at(-1)), "L", "L");
+    if (scene.expected === 1) scene.expect([origin, times(1.3, x_axis)]);
+  }, (scene, m, time) => {
+    const [L, , y] = m.samples[Math.round(20 * time)], A = transposed([unit(cross(y, L)), y, unit(L)]);
+    scene.floor(-1.2, 1.2);
+    scene.round("rod", times(-0.75, A[0]), times(0.45, A[0]), 0.16, "e1");
+    scene.round("cone", times(0.45, A[0]), times(0.85, A[0]), 0.16, "e1", { whiteness: 0.1 });
+    for (const axis of [A[1], A[2]]) scene.line([times(-0.6, axis), times(0.6, axis)], "ink", 2);
+    scene.arrow(origin, [0, 0, 1.2], "L", "L");
+    scene.arrow(times(0.85, A[0]), times(1.1, A[0]), "e1", "e₁");
+  }, m => ({ curves: [m.energies.map((T, k) => [k / 20, T])] })],
   numbers(m, time) {
-    const k = Math.round(20 * time), L = m.momenta[k];
-    return [["|L|", norm(L), "kg m²/s"], ["T", m.energies[k], "J"], ["heat", m.energies[0] - m.energies[k], "J"],
-      ["L from e₁", Math.acos(Math.min(1, Math.abs(L[0]) / norm(L))), "°", degree]];
+    const k = Math.round(20 * time), [L] = m.samples[k];
+    return [norm(L), m.energies[k], m.energies[0] - m.energies[k], Math.acos(Math.min(1, Math.abs(L[0]) / norm(L)))];
   },
 });

@@ -20,30 +20,22 @@ live("three_turns", {
     axes.forEach((axis, k) => attitudes.push(rotated(attitudes[k], times(angles[k], attitudes[k][axis]), 1)));
     return { angles, axes, attitudes, names: turn_names[convention], ours: angles_at(attitudes[3]) };
   },
-  duration: () => 3,
-  pace: 0.5,
-  views: {
-    "One turn after the other": {
-      half: 1.25, towards: [0.9, -1, 0.65], aspect: 1.5,
-      draw(scene, m, time) {
-        const turn = Math.min(2, Math.floor(time)), part = time - turn;
-        const E = rotated(m.attitudes[turn], times(m.angles[turn], m.attitudes[turn][m.axes[turn]]), part);
-        draw_axes(scene, identity.map(axis => times(0.6, axis)), ["", "", ""]);
-        for (let k = 0; k <= turn; ++k) {
-          const kept = m.axes[k], [u, v] = [1, 2].map(i => m.attitudes[k][(kept + i) % 3]);
-          scene.face(arc(origin, u, v), turn_colors[k], 0.12, 1);
-          const angle = m.angles[k] * (k === turn ? part : 1), swept = arc(origin, times(0.75, u), times(0.75, v), 0, angle);
-          scene.fan(origin, swept, turn_colors[k], 0.35);
-          scene.line(swept, turn_colors[k], 4);
-          if (Math.abs(angle) > 0.2) scene.text(times(1.25, swept[36]), m.names[k], turn_colors[k]);
-        }
-        scene.box(origin, E.map((axis, i) => times([0.34, 0.22, 0.08][i], axis)), axis_colors);
-        draw_axes(scene, E.map(axis => times(1.1, axis)));
-      },
-    },
-  },
-  numbers: m => [...m.ours.map((angle, i) => [`in the end, our ${["φ", "θ", "ψ"][i]}`, angle, "°", degree]),
-    ...m.attitudes[3][2].map((component, i) => [`e₃ along ${"xyz"[i]}`, component])],
+  draw: [(scene, m, time) => {
+    const turn = Math.min(2, Math.floor(time)), part = time - turn;
+    const E = rotated(m.attitudes[turn], times(m.angles[turn], m.attitudes[turn][m.axes[turn]]), part);
+    draw_axes(scene, identity.map(axis => times(0.6, axis)), ["", "", ""]);
+    for (let k = 0; k <= turn; ++k) {
+      const kept = m.axes[k], [u, v] = [1, 2].map(i => m.attitudes[k][(kept + i) % 3]);
+      scene.face(arc(origin, u, v), turn_colors[k], 0.12, 1);
+      const angle = m.angles[k] * (k === turn ? part : 1), swept = arc(origin, times(0.75, u), times(0.75, v), 0, angle);
+      scene.fan(origin, swept, turn_colors[k], 0.35);
+      scene.line(swept, turn_colors[k], 4);
+      if (Math.abs(angle) > 0.2) scene.text(times(1.25, swept[36]), m.names[k], turn_colors[k]);
+    }
+    scene.box(origin, E.map((axis, i) => times([0.34, 0.22, 0.08][i], axis)), axis_colors);
+    draw_axes(scene, E.map(axis => times(1.1, axis)));
+  }],
+  numbers: m => [...m.ours, ...m.attitudes[3][2]],
 });
 
 live("gimbal_passage", {
@@ -57,43 +49,26 @@ live("gimbal_passage", {
       const own = yours.euler_angle_rates?.(angles, turned(transposed(A), omega_now));
       return { A, angles, rates: own ?? angle_rates(angles, omega_now) };
     };
-    const moments = steps(0, Math.PI, 240);
-    return { at, moments, samples: moments.map(at) };
+    const moments = steps(0, Math.PI, 240), curves = over_time(moments, time => at(time).rates);
+    return { at, curves, seconds: Math.PI, most: 1.1 * Math.max(...curves.flat().map(([, rate]) => Math.abs(rate))) };
   },
-  duration: () => Math.PI,
-  pace: 0.4,
-  views: {
-    "A rotor in its gimbals": {
-      half: 1.45, towards: [0.5, -1, 0.45],
-      draw(scene, m, time) {
-        const { A, angles: [phi] } = m.at(time), nodes = [-Math.sin(phi), Math.cos(phi), 0];
-        const across = [Math.cos(phi), Math.sin(phi), 0];
-        const ring = (radius, u, v, color) =>
-          scene.solid("ring", origin, [times(radius, u), times(radius, v), times(radius, cross(u, v))], color, { whiteness: 0.1 });
-        scene.floor(-1.4, 1.1);
-        ring(1.1, z_axis, nodes, "phi");
-        ring(0.9, A[2], nodes, "theta");
-        scene.round("rod", times(-0.06, A[2]), times(0.06, A[2]), 0.62, "psi");
-        scene.line([times(0.065, A[2]), sum(times(0.065, A[2]), times(0.6, A[0]))], "ink", 3);
-        for (const [axis, long, color, name] of [[z_axis, 1.35, "phi", "φ"], [nodes, 1.2, "theta", "θ"], [A[2], 1.1, "psi", "ψ"]])
-          scene.arrow(times(-long, axis), times(long, axis), color, name);
-        scene.line([times(-1, across), across], "grey", 1.5, { dash: [3, 5] });
-      },
-    },
-    "Rates of the angles": {
-      draw(scene, m, time) {
-        const largest = Math.max(...m.samples.flatMap(({ rates }) => rates).map(Math.abs));
-        const most = 1.1 * (scene.released ? largest : 2);
-        scene.plot({ x: [0, Math.PI], y: [-most, most], x_name: "time (s)", y_name: "rad/s", now: time,
-          curves: ["dφ/dt", "dθ/dt", "dψ/dt"].map((name, i) => ({ name, color: turn_colors[i],
-            points: m.samples.map(({ rates }, k) => [m.moments[k], rates[i]]) })),
-          expected: [[1, -1], [-6, 6]][scene.expected] });
-      },
-    },
-  },
+  draw: [(scene, m, time) => {
+    const { A, angles: [phi] } = m.at(time), nodes = [-Math.sin(phi), Math.cos(phi), 0];
+    const across = [Math.cos(phi), Math.sin(phi), 0];
+    const ring = (radius, u, v, color) =>
+      scene.solid("ring", origin, [times(radius, u), times(radius, v), times(radius, cross(u, v))], color, { whiteness: 0.1 });
+    scene.floor(-1.4, 1.1);
+    ring(1.1, z_axis, nodes, "phi");
+    ring(0.9, A[2], nodes, "theta");
+    scene.round("rod", times(-0.06, A[2]), times(0.06, A[2]), 0.62, "psi");
+    scene.line([times(0.065, A[2]), sum(times(0.065, A[2]), times(0.6, A[0]))], "ink", 3);
+    for (const [axis, long, color, name] of [[z_axis, 1.35, "phi", "φ"], [nodes, 1.2, "theta", "θ"], [A[2], 1.1, "psi", "ψ"]])
+      scene.arrow(times(-long, axis), times(long, axis), color, name);
+    scene.line([times(-1, across), across], "grey", 1.5, { dash: [3, 5] });
+  }, ({ curves, most }, time, { released, expected }) =>
+    ({ y: released ? [-most, most] : [-2.2, 2.2], curves, expected: [[1, -1], [-6, 6]][expected] })],
   numbers(m, time) {
     const { angles, rates } = m.at(time);
-    return [...["φ", "θ", "ψ"].map((name, i) => [name, angles[i], "°", degree]),
-      ...["dφ/dt", "dθ/dt", "dψ/dt"].map((name, i) => [name, rates[i], "rad/s"])];
+    return [...angles, ...rates];
   },
 });

@@ -4,20 +4,14 @@ const I1 = 3.28e-4, I3 = 6.6e-5, mgl = 0.0456;  // kg m², kg m², J: the toy to
 
 /** The axes of the top, as columns, at equal steps of time: torque and ω act on L, on an axis across, and on its own. */
 function spun(angles, rates, seconds, count) {
-  const own = yours.heavy_top_accelerations, A = attitude(angles);
-  if (own)
-    return history(state => runge_kutta(([a, b, c, ...v]) => [...v, ...own([I1, I1, I3], mgl, [a, b, c], v)], state,
-      seconds / count), [...angles, ...rates], count).map(([a, b, c]) => attitude([a, b, c]));
-  const part = (state, i) => state.slice(3 * i, 3 * i + 3);
-  const rate = state => {
-    const [L, across, axis] = [0, 1, 2].map(i => part(state, i)), along = dot(L, axis);
-    const omega = sum(times(1 / I1, L), times(along / I3 - along / I1, axis));
-    return [...times(mgl, cross(z_axis, axis)), ...cross(omega, across), ...cross(omega, axis)];
-  };
+  const own = yours.heavy_top_accelerations, A = attitude(angles), moved = (rate, state) => history(runge_kutta(rate, seconds / count), state, count);
+  if (own) return moved(([q, v]) => [v, own([I1, I1, I3], mgl, q, v)], [angles, rates]).map(([q]) => attitude(q));
   const omega = sum(times(rates[0], z_axis), times(rates[2], A[2]));
-  const along = dot(omega, A[2]), L = sum(times(I1, omega), times((I3 - I1) * along, A[2]));
-  return history(state => runge_kutta(rate, state, seconds / count), [...L, ...A[0], ...A[2]], count)
-    .map(state => [part(state, 1), cross(part(state, 2), part(state, 1)), part(state, 2)]);
+  const L = sum(times(I1, omega), times((I3 - I1) * dot(omega, A[2]), A[2]));
+  return moved(([L, across, axis]) => {
+    const omega = sum(times(1 / I1, L), times((1 / I3 - 1 / I1) * dot(L, axis), axis));
+    return [times(mgl, cross(z_axis, axis)), cross(omega, across), cross(omega, axis)];
+  }, [L, A[0], A[2]]).map(([, across, axis]) => [across, cross(axis, across), axis]);
 }
 
 /** What the path of the axis shows, from one turning point on: the inclinations at which it turns round, the time until
@@ -28,13 +22,12 @@ function measured_nutation(axes, h) {
   if (end < 0) return [NaN, NaN, NaN, NaN];
   // The parabola through three inclinations has its end at `part` of a step from the middle one.
   const [a, b, c] = lean.slice(end - 1, end + 2), part = (a - c) / (a - 2 * b + c) / 2, last = b - (a - c) * part / 4;
-  const turns = axes.slice(1, end + 2).map(([x, y], k) => {
-    const [a, b] = axes[k];
-    return Math.atan2(a * y - b * x, a * x + b * y);
-  });
+  const turns = turns_of(axes.slice(0, end + 2));
   const round = turns.slice(0, end).reduce((total, turn) => total + turn) + part * turns[part < 0 ? end - 1 : end];
   return [Math.min(lean[0], last), Math.max(lean[0], last), 2 * h * (end + part), 2 * round];
 }
+
+const foot = [0, 0, -0.5], on_sphere = direction => sum(foot, times(1.35, direction));
 
 live("heavy_top", {
   prepare({ theta, push, spin }) {
@@ -57,47 +50,30 @@ live("heavy_top", {
       yours.nutation_period?.(...top) ?? seen[2], yours.precession_per_nutation?.(...top) ?? seen[3]];
     return { samples, well, energy: 1000 * potential(tilt), nutation, slow: precession[0] ?? NaN };
   },
-  duration: () => 2,
-  pace: 0.2,
-  views: {
-    "The top and the path of its axis": {
-      half: 1.35, towards: [0.4, -1, 0.55],
-      // The axis at the start.
-      handle: m => sum([0, 0, -0.5], times(1.35, m.samples[0][2])),
-      drag(pixels, scene) {
-        const [x, y, z] = minus(scene.point_at(pixels), [0, 0, -0.5]);
-        return { theta: Math.atan2(Math.hypot(x, y), z) / degree };
-      },
-      draw(scene, m, time) {
-        const k = Math.round(250 * time), [x, , axis] = m.samples[k];
-        const foot = [0, 0, -0.5], on_axis = part => sum(foot, times(part, axis));
-        scene.floor(-0.5, 1.2);
-        scene.line([foot, [0, 0, 1.1]], "grey", 1.5, { dash: [6, 5] });
-        scene.round("cone", on_axis(0.5), foot, 0.16, "orange");
-        scene.round("rod", on_axis(0.5), on_axis(0.64), 0.46, "sky");
-        scene.round("rod", on_axis(0.64), on_axis(1.05), 0.05, "orange");
-        // A stripe shows the spin.
-        for (const side of [-1, 1]) scene.line([on_axis(0.65), sum(on_axis(0.65), times(0.45 * side, x))], side > 0 ? "ink" : "grey", 4);
-        const [, , [c, s, up]] = m.samples[0], level = Math.hypot(c, s), end = angle =>
-          sum(foot, times(1.35, [c / level * Math.sin(angle), s / level * Math.sin(angle), Math.cos(angle)]));
-        scene.expect([steps(Math.acos(up), Math.PI / 2, 24).map(end),
-          arc(sum(foot, [0, 0, 1.35 * up]), times(1.35 * level, x_axis), times(1.35 * level, y_axis))][scene.expected]);
-        scene.ellipsoid(foot, identity.map(axis => times(1.34, axis)), "grey", 0.07);
-        scene.line(m.samples.slice(0, k + 1).map(sample => sum(foot, times(1.35, sample[2]))), "e3", 3);
-        scene.arrow(on_axis(0.9), on_axis(1.35), "e3", "e₃");
-      },
-    },
-    "Effective potential": {
-      draw(scene, m, time) {
-        const theta = Math.acos(m.samples[Math.round(250 * time)][2][2]) / degree;
-        const lowest = Math.min(...m.well.map(([, U]) => U)), depth = Math.max(m.energy - lowest, 2);
-        scene.plot({ x: [0, 120], y: [lowest - 0.4 * depth, m.energy + 0.8 * depth], x_name: "θ (°)", y_name: "mJ",
-          mark: [theta, m.energy], curves: [{ points: scene.released ? m.well : [], color: "blue", name: "potential" },
-            { points: [[0, m.energy], [120, m.energy]], color: "vermilion", name: "energy", dash: [6, 4] }] });
-      },
-    },
-  },
-  numbers: m => [["least θ", m.nutation[0], "°", degree], ["largest θ", m.nutation[1], "°", degree],
-    ["nutation period", m.nutation[2], "s"], ["φ per nutation", m.nutation[3], "°", degree],
-    ["steady dφ/dt", m.slow, "rad/s"], ["sleeps above", yours.sleeping_spin?.(I1, I3, mgl) ?? 2 * Math.sqrt(I1 * mgl) / I3, "rad/s"]],
+  // The axis at the start.
+  handle: m => on_sphere(m.samples[0][2]),
+  drag: (pixels, scene) => ({ theta: inclination(minus(scene.point_at(pixels), foot)) / degree }),
+  draw: [(scene, m, time) => {
+    const k = Math.round(250 * time), [x, , axis] = m.samples[k], on_axis = part => sum(foot, times(part, axis));
+    scene.floor(-0.5, 1.2);
+    scene.line([foot, [0, 0, 1.1]], "grey", 1.5, { dash: [6, 5] });
+    scene.round("cone", on_axis(0.5), foot, 0.16, "orange");
+    scene.round("rod", on_axis(0.5), on_axis(0.64), 0.46, "sky");
+    scene.round("rod", on_axis(0.64), on_axis(1.05), 0.05, "orange");
+    // A stripe shows the spin.
+    for (const side of [-1, 1]) scene.line([on_axis(0.65), sum(on_axis(0.65), times(0.45 * side, x))], side > 0 ? "ink" : "grey", 4);
+    const [c, s, up] = m.samples[0][2], level = Math.hypot(c, s);
+    const fallen = angle => on_sphere([c / level * Math.sin(angle), s / level * Math.sin(angle), Math.cos(angle)]);
+    scene.expect([steps(Math.acos(up), Math.PI / 2, 24).map(fallen),
+      arc(on_sphere([0, 0, up]), times(1.35 * level, x_axis), times(1.35 * level, y_axis))][scene.expected]);
+    scene.ellipsoid(foot, identity.map(axis => times(1.34, axis)), "grey", 0.07);
+    scene.line(m.samples.slice(0, k + 1).map(sample => on_sphere(sample[2])), "e3", 3);
+    scene.arrow(on_axis(0.9), on_axis(1.35), "e3", "e₃");
+  }, (m, time) => {
+    const theta = inclination(m.samples[Math.round(250 * time)][2]) / degree;
+    const lowest = Math.min(...m.well.map(([, U]) => U)), depth = Math.max(m.energy - lowest, 2);
+    return { y: [lowest - 0.4 * depth, m.energy + 0.8 * depth], mark: [theta, m.energy],
+      curves: [m.well, [[0, m.energy], [120, m.energy]]] };
+  }],
+  numbers: m => [...m.nutation, m.slow, yours.sleeping_spin?.(I1, I3, mgl) ?? 2 * Math.sqrt(I1 * mgl) / I3],
 });

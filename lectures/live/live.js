@@ -33,42 +33,57 @@ function shown(value) {
   return text.replace(/^-/, "−").replace(/e(.*)/, (_, power) => `·10${raised(power)}`);
 }
 
-/** A number of a figure with its unit, which may be so many of the SI unit. */
-const measured = ([, value, measure = "", size = 1]) => `${shown(value / size)} ${measure}`;
+/** A number with its unit, which may be so many of the SI unit. */
+const measured = (value, [, unit = "", size = unit === "°" ? degree : 1]) => `${shown(value / size)} ${unit}`;
 
 // ---- A figure: its definition, then the figure on the page.
 
 const definitions = {};
-const letters = Promise.all(["italic 18px KaTeX_Math", "italic bold 18px KaTeX_Math", "13px KaTeX_Main"].map(font => document.fonts.load(font)));
 
 /** Adds a figure; the page for authors says what it consists of. */
 function live(name, definition) {
   const said = { ...texts[texts[name].like], ...texts[name] };
   const controls = said.controls.map(([name, label, from, to, step, value, unit = ""]) =>
     Array.isArray(from) ? { name, label, options: from, value: 0 } : { name, label, from, to, step, value, unit });
-  definitions[name] = { ...definition, ...said, controls };
+  const { handle, drag, draw, numbers: numbers_at, ...computed } = definition;
+  // What a view lets one drag has a radius there, where it is on a ball.
+  const views = Object.entries(said.views).map(([title, view], i) => ({ title, ...view, draw: draw[i],
+    ...view.handle && { handle: (...now) => handle(...now, view.handle), drag: (...now) => drag(...now, view.handle) } }));
+  definitions[name] = { ...computed, ...said, controls, views, numbers_at };
 }
 const texts = {};
 
-const element = (tag, properties = {}, ...children) => {
-  const made = Object.assign(document.createElement(tag), properties);
-  made.append(...children);
-  return made;
-};
-/** Words with their symbols in the letters of the formulas. */
-const typeset = (words, is_sentence) => pieces_of(words, is_sentence).map(([part, style]) => {
-  const [letter, accent] = part.normalize("NFD"), kind = { "\u0302": "hat", "\u0303": "tilde" }[accent];
-  return style ? element(style, { className: style === "sub" ? "" : `symbol ${kind ?? ""}`, textContent: kind ? letter : part }) : part;
-});
-const text = (tag, words, is_sentence = true) => element(tag, {}, ...typeset(words, is_sentence));
+const form = `
+<div class="views"></div>
+<div class="question"></div>
+<fieldset disabled>
+  <div class="time">
+    <button class="play"></button>
+    <button title="A step back" aria-label="A step back">‹</button>
+    <button title="A step on" aria-label="A step on">›</button>
+    <input type="range" min="0" step="any" aria-label="Time">
+    <output></output>
+    <select aria-label="Speed"><option value="0.125">× ⅛<option value="0.25">× ¼<option value="0.5">× ½<option value="1" selected>× 1<option value="2">× 2</select>
+    <button title="As at the beginning">Reset</button>
+    <button title="Put this state into the address">Link</button>
+  </div>
+  <div class="settings"></div>
+</fieldset>
+<div class="numbers" hidden><dl></dl><p class="spoken" role="status"></p><p class="own"></p></div>`;
 
 class LiveFigure {
+  part(name) { return this.place.querySelector("." + name); }
+
   constructor(place, definition) {
     Object.assign(this, { place, definition, time: 0, speed: 1, playing: false, in_sight: true, frames: 0, used: new Set() });
     this.first = Object.fromEntries(definition.controls.map(control => [control.name, control.value]));
     Object.assign(this.first, Object.values(definition.starts ?? {})[0]);
     this.values = { ...this.first };
-    place.replaceChildren(this.make_views(), this.make_question(), this.make_settings(), this.make_numbers());
+    place.innerHTML = form;
+    this.make_views();
+    this.make_question();
+    this.make_settings();
+    this.play(false);
     const [, name, state] = decodeURIComponent(location.hash).match(/^#live=(\w+)&(.*)/) ?? [];
     const { t, ...given } = name === place.dataset.figure ? Object.fromEntries(new URLSearchParams(state)) : {};
     this.set(Object.fromEntries(Object.entries(given).filter(([, value]) => isFinite(value)).map(([name, value]) => [name, +value])));
@@ -83,56 +98,47 @@ class LiveFigure {
   }
 
   make_views() {
-    this.scenes = Object.entries(this.definition.views).map(([title, view]) => {
-      const canvas = element("canvas", { tabIndex: 0 });
-      canvas.setAttribute("role", "img");
-      const keys = view.towards && !view.fixed ? " The arrow keys turn it." : "";
-      canvas.setAttribute("aria-label", `${title}. ${this.definition.about}${keys}`);
-      canvas.style.aspectRatio = view.aspect ?? 1.2;
-      const scene = new (view.towards ? Space : Scene)(canvas, view);
+    this.scenes = this.definition.views.map(view => {
+      const { title, towards, aspect, drag } = view, canvas = element("canvas", { tabIndex: 0, role: "img" });
+      canvas.ariaLabel = `${title}. ${this.definition.about}${towards ? " The arrow keys turn it." : ""}`;
+      canvas.style.aspectRatio = aspect ?? 1.2;
+      const hint = towards ? drag ? "⟲ drag to turn, or the ring" : "⟲ drag to turn" : drag ? "drag the ring" : "";
+      this.part("views").append(element("div", { className: aspect > 1.5 ? "wide" : "" }, canvas,
+        element("div", { className: "names", ariaHidden: true }), text("span", title),
+        ...hint ? [element("span", { className: "hint", textContent: hint })] : []));
+      const scene = new (view.lines ? Scene : Space)(canvas, view);
       this.offer_turning(scene, view);
-      return { title, view, scene };
+      return { view, scene };
     });
-    return element("div", { className: "views" }, ...this.scenes.map(({ title, view, scene }) =>
-      element("div", { className: view.aspect > 1.5 ? "wide" : "" }, scene.canvas,
-        text("span", title), ...!scene.flat || view.drag ? [element("span", { className: "hint",
-          textContent: scene.flat ? "drag the ring" : view.drag ? "⟲ drag to turn, or the ring" : "⟲ drag to turn" })] : [])));
   }
 
   /** With the pointer: turns the picture, moves what has a ring, or the time in a plot. With the arrow keys: turns it or
    *  moves the time; Space plays. A finger that moves up or down scrolls the page. */
   offer_turning(scene, view) {
     const { canvas } = scene;
-    let held = null, last;
-    const pixels = event => {
-      const box = canvas.getBoundingClientRect();
-      return [event.clientX - box.left, event.clientY - box.top];
+    let held = null;
+    const hold = (event, what) => {
+      held = what;
+      canvas.setPointerCapture(event.pointerId);
+      if (held) canvas.parentElement.classList.add("touched");
     };
-    const grasped = event => {
-      const at = scene.released && this.handle_of(view) && scene.at(this.handle_of(view)), [x, y] = pixels(event);
-      return at && Math.hypot(at[0] - x, at[1] - y) < 28;
-    };
-    const scrub = ([x]) => {
+    const scrub = x => {
       const [left, right, from, to] = scene.times;
       this.play(false);
       this.move_to(Math.max(0, (from + (to - from) * (x - left) / (right - left)) * this.end / to));
     };
-    canvas.addEventListener("touchstart", event => grasped(event.touches[0]) && event.preventDefault(), { passive: false });
+    // Of what lies above the picture only the ring takes a pointer.
+    canvas.nextElementSibling.onpointerdown = event => hold(event, "handle");
     canvas.onpointerdown = event => {
-      held = grasped(event) ? "handle" : !scene.flat ? "view" : scene.times && scene.released ? "time" : null;
-      last = pixels(event);
-      canvas.setPointerCapture(event.pointerId);
-      if (held === "time") scrub(last);
-      if (held) canvas.parentElement.classList.add("touched");
+      hold(event, !scene.flat ? "view" : scene.times && scene.released ? "time" : null);
+      if (held === "time") scrub(event.offsetX);
     };
     canvas.onpointermove = event => {
-      const now = pixels(event);
-      if (!held)
-        return canvas.style.cursor = grasped(event) ? "pointer" : !scene.flat ? "grab" : scene.times ? "ew-resize" : "default";
-      if (held === "time") return scrub(now);
-      if (held === "handle") return this.set(view.drag(now, scene, this.values, this.model, this.time), "handle");
-      scene.turn((now[0] - last[0]) / 120, (now[1] - last[1]) / 120);
-      last = now;
+      canvas.style.cursor = !scene.flat ? "grab" : scene.times ? "ew-resize" : "default";
+      if (held === "time") scrub(event.offsetX);
+      if (held === "handle") this.set(view.drag([event.offsetX, event.offsetY], scene, this.values, this.model, this.time), "handle");
+      if (held !== "view") return;
+      scene.turn(event.movementX / 120, event.movementY / 120);
       this.draw();
       this.speak();
     };
@@ -149,17 +155,14 @@ class LiveFigure {
     };
   }
 
-  handle_of(view) { return view.handle?.(this.model, this.time, this.values); }
-
   /** What will happen? Only an answer lets the motion begin, and shows numbers and caption. */
   make_question() {
-    const { question, choices, answer } = this.definition;
-    const box = element("div", { className: "question" }, text("p", question));
-    box.append(...Object.entries(choices).map(([expected, why], number) => element("button", {
+    const { question, choices, answer } = this.definition, box = this.part("question");
+    box.append(text("p", question), ...Object.entries(choices).map(([expected, why], number) => element("button", {
       onclick: () => {
         this.explanation = element("details", {}, text("summary", "What happens"), text("p", why), text("p", answer));
         box.replaceChildren(text("p", `You expect: ${expected}.`), this.explanation);
-        this.settings.disabled = this.numbers_box.hidden = false;
+        this.settings.disabled = this.part("numbers").hidden = false;
         this.place.closest("figure").classList.add("is-released");
         for (const { scene } of this.scenes) Object.assign(scene, { released: true, expected: number });
         this.play_button.focus();
@@ -168,39 +171,32 @@ class LiveFigure {
         if (!matchMedia("(prefers-reduced-motion: reduce)").matches) this.play(true);
       },
     }, ...typeset(expected, true))));
-    return box;
   }
 
   make_settings() {
-    this.play_button = element("button", { className: "play", onclick: () => this.play(!this.playing) });
-    this.time_slider = element("input", { type: "range", min: 0, step: "any" });
+    const [play, back, on, reset, link] = this.place.querySelectorAll(".time > button"), speed = this.place.querySelector(".time select");
+    const { controls, starts } = this.definition;
+    Object.assign(this, { play_button: play, time_slider: this.place.querySelector(".time input"), clock: this.place.querySelector("output"),
+      settings: this.place.querySelector("fieldset"), list: this.place.querySelector("dl"), spoken: this.part("spoken"), own: this.part("own") });
+    play.onclick = () => this.play(!this.playing);
+    back.onclick = () => this.step(-1);
+    on.onclick = () => this.step(1);
+    reset.onclick = () => this.begin_with();
+    link.onclick = () => {
+      history.replaceState(null, "", this.address());
+      navigator.clipboard?.writeText(location.href).catch(() => {});
+    };
+    speed.onchange = () => this.speed = +speed.value;
     this.time_slider.oninput = () => {
       this.play(false);
       this.move_to(+this.time_slider.value);
     };
-    this.time_slider.setAttribute("aria-label", "Time");
-    this.clock = element("output");
-    const button = (words, title, onclick) => element("button", { textContent: words, title, ariaLabel: words.length > 1 ? null : title, onclick });
-    const speeds = ["⅛", "¼", "½", "1", "2"], speed = element("select", { ariaLabel: "Speed",
-      onchange: () => this.speed = 2 ** (speed.selectedIndex - 3) }, ...speeds.map(factor => text("option", `× ${factor}`)));
-    speed.selectedIndex = 3;
-    const link = button("Link", "Put this state into the address", () => {
-      history.replaceState(null, "", this.address());
-      navigator.clipboard?.writeText(location.href).catch(() => {});
-    });
-    const rows = this.definition.controls.map(control => this.make_control(control)), { starts } = this.definition;
     if (starts) {
       this.start_box = element("select", { onchange: () => this.begin_with(this.start_box.value) },
-        ...Object.keys(starts).map(title => element("option", { textContent: title })), text("option", "your own"));
-      rows.unshift(element("label", {}, text("span", "Start"), this.start_box));
+        ...[...Object.keys(starts), "your own"].map(title => text("option", title)));
+      this.part("settings").append(element("label", {}, text("span", "Start"), this.start_box));
     }
-    this.settings = element("fieldset", { disabled: true },
-      element("div", { className: "time" }, this.play_button, button("‹", "A step back", () => this.step(-1)),
-        button("›", "A step on", () => this.step(1)), this.time_slider, this.clock, speed,
-        button("Reset", "As at the beginning", () => this.begin_with()), link),
-      element("div", { className: "settings" }, ...rows));
-    this.play(false);
-    return this.settings;
+    this.part("settings").append(...controls.map(control => this.make_control(control)));
   }
 
   /** A hundredth of the motion, or as many. */
@@ -236,14 +232,6 @@ class LiveFigure {
     return options ? row : element("div", {}, row, typed, element("span", { textContent: unit }));
   }
 
-  make_numbers() {
-    this.list = element("dl");
-    this.spoken = element("p", { className: "spoken" });
-    this.spoken.setAttribute("role", "status");
-    this.own = element("p");
-    return this.numbers_box = element("div", { className: "numbers", hidden: true }, this.list, this.spoken, this.own);
-  }
-
   /** Changes values: one by its name, that of the handle, or several. After another choice the time goes on, else the
    *  motion begins anew. What is outside the range of a control becomes its nearest value. */
   set(values, changed) {
@@ -255,7 +243,7 @@ class LiveFigure {
     for (const control of this.definition.controls) control.show(this.values[control.name]);
     used = this.used;
     this.model = this.definition.prepare(this.values);
-    this.end = this.definition.duration(this.model);
+    this.end = this.model.seconds ?? this.definition.seconds;
     this.time_slider.max = this.end;
     const is_choice = this.definition.controls.some(({ name, options }) => options && name === changed);
     this.move_to(is_choice ? this.time : changed && this.definition.shows_end ? this.end : 0);
@@ -303,21 +291,24 @@ class LiveFigure {
     this.rested = rested;
     for (const { view, scene } of this.scenes) {
       scene.begin(rested ? lights.finest ?? 1 : this.pixels);
-      view.draw(scene, this.model, this.time, this.values);
+      if (view.lines) scene.plot({ x: [0, this.end], now: this.time, ...view, ...view.draw(this.model, this.time, scene) });
+      else view.draw(scene, this.model, this.time, this.values);
+      if (scene.released && view.handle) scene.grip(view.handle(this.model, this.time, this.values));
       scene.finish();
-      if (scene.released && view.handle) scene.grip(this.handle_of(view));
     }
-    this.numbers = this.definition.numbers(this.model, this.time);
+    const values = this.definition.numbers_at(this.model, this.time);
+    this.numbers = this.definition.numbers.map((number, i) =>
+      [number[0].replace(/{(.*)}/, (_, name) => this.model[name]), measured(values[i], number)]);
     if (used.size) this.own.textContent = `Computed with your own ${[...used].join(", ")}.`;
     this.time_slider.value = this.time;
     this.clock.textContent = `${this.time.toFixed(2)} s`;
     this.time_slider.setAttribute("aria-valuetext", this.clock.textContent);
     if (this.list.childElementCount !== this.numbers.length)
       this.list.replaceChildren(...this.numbers.map(() => element("div", {}, element("dt"), element("dd"))));
-    this.numbers.forEach((number, i) => {
+    this.numbers.forEach(([name, value], i) => {
       const [term, text] = this.list.children[i].children;
-      if (term.name !== number[0]) Object.assign(term, { name: number[0] }).replaceChildren(...typeset(number[0]));
-      text.textContent = measured(number);
+      if (term.name !== name) Object.assign(term, { name }).replaceChildren(...typeset(name));
+      text.textContent = value;
     });
   }
 
@@ -325,9 +316,9 @@ class LiveFigure {
   speak() {
     clearTimeout(this.pending);
     this.pending = setTimeout(async () => {
-      await letters;
+      await document.fonts.ready;
       if (!this.playing) this.draw(true);
-      const numbers = this.numbers.map(number => `${number[0].replace("_", " ")} ${measured(number)}`).join(", ");
+      const numbers = this.numbers.map(([name, value]) => `${name.replace("_", " ")} ${value}`).join(", ");
       this.spoken.textContent = `At ${this.time.toFixed(2)} seconds: ${numbers}.`;
     }, 300);
   }
@@ -349,7 +340,7 @@ class LiveFigure {
 /** Called by site.js when all scripts are there. The still picture stays where bodies cannot be drawn. */
 function start_live(place) {
   const begun = performance.now(), definition = definitions[place.dataset.figure];
-  if (Object.values(definition.views).some(({ towards }) => towards) && !lights.begin())
+  if (definition.views.some(({ lines }) => !lines) && !lights.begin())
     return place.replaceChildren(text("p", "This figure can be turned and set where the browser offers WebGL 2, which it does not here."));
   place.live = new LiveFigure(place, definition);
   place.live.started = performance.now() - begun;

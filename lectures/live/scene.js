@@ -16,11 +16,9 @@ const transposed = A => A[0].map((_, row) => A.map(column => column[row]));
 const diagonal = (a, b, c) => [[a, 0, 0], [0, b, 0], [0, 0, c]];
 const identity = diagonal(1, 1, 1);
 const [x_axis, y_axis, z_axis] = identity;
-const from_above = [0, -1e-9, 1];  // x to the right, y up
 const origin = [0, 0, 0];
 const degree = Math.PI / 180;
 const axis_names = ["e₁", "e₂", "e₃"], axis_colors = ["e1", "e2", "e3"];
-const omega_names = ["ω̃₁", "ω̃₂", "ω̃₃"], moment_names = ["I₁", "I₂", "I₃"];
 /** count + 1 numbers, equally spaced. */
 const steps = (from, to, count) => Array.from({ length: count + 1 }, (_, i) => from + (to - from) * i / count);
 /** Points of an ellipse with two half axes, or of a part of it. */
@@ -34,19 +32,29 @@ const parallel = latitude =>
 const axis_arrows = (A, begin, length = 0.3) => A.map((axis, i) =>
   [times(begin[i], axis), times(begin[i] + length, axis), axis_colors[i], axis_names[i], { width: 2.2 }]);
 
-/** A step of the classical rule for a state, which is a list of numbers. */
-function runge_kutta(rate, state, h) {
-  const along = (time, rates) => state.map((number, i) => number + time * rates[i]);
-  const a = rate(state), b = rate(along(h / 2, a)), c = rate(along(h / 2, b)), d = rate(along(h, c));
-  return along(h / 6, a.map((number, i) => number + 2 * b[i] + 2 * c[i] + d[i]));
+/** The points of a path that have been passed when a part of the time is over. */
+const until = (part, points) => points.slice(0, 1 + Math.floor(part * (points.length - 1) + 1e-9));
+/** From point to point, the angle by which it goes on round the vertical. */
+const turns_of = points => points.slice(1).map(([x, y], k) => {
+  const [a, b] = points[k];
+  return Math.atan2(a * y - b * x, a * x + b * y);
+});
+const inclination = ([x, y, z]) => Math.atan2(Math.hypot(x, y), z);
+/** For a plot: the curve of each component that samples have, which are times or have one. */
+function over_time(samples, components_of) {
+  const rows = samples.map(components_of);
+  return rows[0].map((_, i) => rows.map((row, k) => [samples[k].time ?? samples[k], row[i]]));
 }
 
+/** The step of the classical rule for a state, which is a vector or a list of vectors. */
+const runge_kutta = (rate, h) => state => {
+  const a = rate(state), b = rate(moved(state, h / 2, a)), c = rate(moved(state, h / 2, b)), d = rate(moved(state, h, c));
+  return [[h / 6, a], [h / 3, b], [h / 3, c], [h / 6, d]].reduce((total, [time, rates]) => moved(total, time, rates), state);
+};
+const moved = (state, time, rates) => state.map ? state.map((part, i) => moved(part, time, rates[i])) : state + time * rates;
+
 /** The state at the beginning and after each of so many steps. */
-function history(step, state, count) {
-  const states = [state];
-  while (states.length <= count) states.push(step(states.at(-1)));
-  return states;
-}
+const history = (step, state, count) => Array.from({ length: count + 1 }, (_, k) => state = k ? step(state) : state);
 
 /** The rotation about a vector by its length. */
 function rotation(vector) {
@@ -62,31 +70,32 @@ const scaled = (factors, vector) => vector.map((component, i) => factors[i] * co
 const free_rate = I => omega => cross(scaled(I, omega), omega).map((torque, i) => torque / I[i]);
 const largest_turn = 0.05;  // rad in a step of integration: enough for the digits that figures show
 
-/** A free body at count + 1 equally spaced times: ω and A, without an A0 only ω. The last two are the reader's own functions,
- *  if any. */
+/** A free body at count + 1 equally spaced times: time, ω and A, which it has only with an A0. The last two are the reader's own
+ *  functions, if any. */
 function motion(I, omega0, A0, seconds, count, own_omegas, own_turn) {
-  const h = seconds / count, parts = Math.max(1, Math.ceil(norm(omega0) * h / largest_turn)), rate = free_rate(I);
+  const h = seconds / count, parts = Math.max(1, Math.ceil(norm(omega0) * h / largest_turn)), times = steps(0, seconds, count);
   // As the body sees them, the axes of space turn backwards.
-  const rates = state => {
-    const omega = state.slice(0, 3);
-    return rate(omega).concat(...A0 ? [3, 6, 9].map(i => cross(state.slice(i, i + 3), omega)) : []);
-  };
-  const step = state => history(now => runge_kutta(rates, now, h / parts), state, parts).at(-1);
-  const states = history(step, [...omega0, ...A0 ? transposed(A0).flat() : []], count);
-  const omegas = own_omegas?.(I, omega0, steps(0, seconds, count)) ?? states.map(state => state.slice(0, 3));
-  const attitudes = [A0];
+  const step = runge_kutta(([omega, ...axes]) => [free_rate(I)(omega), ...axes.map(axis => cross(axis, omega))], h / parts);
+  const states = history(state => history(step, state, parts).at(-1), [omega0, ...A0 ? transposed(A0) : []], count);
+  const omegas = own_omegas?.(I, omega0, times) ?? states.map(([omega]) => omega), attitudes = [A0];
   for (let k = 1; k <= count && A0; ++k)
-    attitudes.push(own_turn ? product(attitudes[k - 1], own_turn(I, omegas[k - 1], h))
-      : transposed([3, 6, 9].map(i => states[k].slice(i, i + 3))));
-  return omegas.map((omega, k) => ({ omega, A: attitudes[k] }));
+    attitudes.push(own_turn ? product(attitudes[k - 1], own_turn(I, omegas[k - 1], h)) : transposed(states[k].slice(1)));
+  return omegas.map((omega, k) => ({ time: times[k], omega, A: attitudes[k] }));
+}
+
+/** Such a motion at a time between its samples. */
+function moved_on(I, samples, time, own_omegas, own_turn) {
+  const { time: before, omega, A } = samples.findLast(sample => sample.time <= time);
+  return motion(I, omega, A, time - before, 1, own_omegas, own_turn)[1];
 }
 
 /** The time after which ω comes back, twice that between zeros of its part along the axis of the intermediate moment;
  *  infinite where it takes longer than some twenty turns of the body. */
 function time_of_return(I, omega0) {
   const middle = [0, 1, 2].sort((i, j) => I[i] - I[j])[1], h = largest_turn / norm(omega0), zeros = [];
+  const step = runge_kutta(free_rate(I), h);
   for (let k = 0, omega = omega0; k < 3000 && zeros.length < 2; ++k) {
-    const next = runge_kutta(free_rate(I), omega, h), [a, b] = [omega[middle], next[middle]];
+    const next = step(omega), [a, b] = [omega[middle], next[middle]];
     if (a < 0 !== b < 0) zeros.push(h * (k + a / (a - b)));
     omega = next;
   }
@@ -103,57 +112,15 @@ function angle_rates([phi, theta], [x, y, z]) {
   return [z - across * Math.cos(theta), y * Math.cos(phi) - x * Math.sin(phi), across];
 }
 
-/** A rotation that turns a vector upright. */
-function upright(vector) {
+/** A basis whose last vector has the direction of this one; its transpose turns the vector upright. */
+function basis_along(vector) {
   const n = unit(vector), level = unit(cross(Math.abs(n[0]) < 0.9 ? x_axis : y_axis, n));
-  return transposed([level, cross(n, level), n]);
+  return [level, cross(n, level), n];
 }
+const upright = vector => transposed(basis_along(vector));
 
-// ---- Light and depth: WebGL2 on one canvas for all pictures of a page, which takes each picture in its turn.
-
-const vertex_shader = `#version 300 es
-layout(location = 0) in vec3 position;
-layout(location = 1) in vec3 normal;  // of a line: across it, and how far along it
-layout(location = 2) in vec4 paint;
-uniform mat3 axes, normals;
-uniform vec3 center, scale;
-uniform float width;
-out vec3 n;
-out float along;
-out vec4 color;
-void main() {
-  vec3 p = axes * position + center;
-  if (width > 0.0) p += vec3(width * normal.xy, width);
-  gl_Position = vec4(p * scale, 1);
-  n = width > 0.0 ? vec3(normal.xy, 0) : normals * normal;
-  along = normal.z;
-  color = paint;
-}`;
-const fragment_shader = `#version 300 es
-precision highp float;
-in vec3 n;
-in float along;
-in vec4 color;
-uniform float width, gloss;
-uniform vec2 dash;
-uniform vec3 light, mirror;
-out vec4 seen;
-void main() {
-  seen = vec4(color.rgb, 1) * color.a;
-  // Not discarded: that would make every hidden pixel be computed.
-  if (dash.x > 0.0 && mod(along, dash.x + dash.y) > dash.x) seen *= 0.0;
-  vec3 m = n;
-  if (width > 0.0) {
-    float edge = length(n.xy);
-    seen *= min(1.0, (1.0 - edge) / fwidth(edge) + 0.3);
-    m.z = sqrt(max(0.0, 1.0 - edge * edge));
-  }
-  if (gloss == 0.0) return;
-  m *= inversesqrt(dot(m, m)) * (m.z < 0.0 ? -1.0 : 1.0);
-  float shade = 0.5 + 0.5 * dot(m, light), glint = max(0.0, dot(m, mirror));
-  glint *= glint; glint *= glint; glint *= glint; glint *= glint; glint *= glint;
-  seen.rgb = seen.rgb * (0.42 + 0.68 * shade * shade + 0.08 * m.z) + 0.25 * gloss * glint * seen.a;
-}`;
+// ---- Light and depth: WebGL2 on one canvas for all pictures of a page, which takes each picture in its turn. The shaders are
+// scene.vert and scene.frag.
 
 /** Triangles of a surface round z: through points [radius, height], with a normal in each. */
 function lathe(profile, count = 48) {
@@ -207,7 +174,7 @@ const lights = {
     if (!gl) return false;
     this.finest = is_slow ? 2 : 1;
     const program = gl.createProgram();
-    for (const [kind, source] of [[gl.VERTEX_SHADER, vertex_shader], [gl.FRAGMENT_SHADER, fragment_shader]]) {
+    for (const [kind, source] of [[gl.VERTEX_SHADER, shaders.vert], [gl.FRAGMENT_SHADER, shaders.frag]]) {
       const shader = gl.createShader(kind);
       gl.shaderSource(shader, source);
       gl.compileShader(shader);
@@ -219,6 +186,7 @@ const lights = {
       .map(name => [name, gl.getUniformLocation(program, name)]));
     this.arrays = Object.fromEntries(Object.entries(meshes).map(([name, vertices]) => [name, this.array(vertices)]));
     this.loose = this.array(new Float32Array(6));
+    gl.clearStencil(255);
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     return gl;
@@ -287,23 +255,16 @@ const lights = {
       // Along the light onto the ground, once wherever that is.
       const n = ground.axes[2], slope = dot(n, light), axis = v => minus(v, times(dot(n, v) / slope, light));
       const change = { axis, point: p => sum(ground.center, axis(minus(p, ground.center)), times(0.004, n)) };
-      gl.stencilMask(255);
-      gl.depthFunc(gl.ALWAYS);
-      gl.depthMask(false);
-      gl.stencilFunc(gl.EQUAL, 1, 255);
-      gl.stencilOp(gl.KEEP, gl.KEEP, gl.INCR);
-      if (slope > 0.1) for (const thing of [...solids, ...marks, ...clear])
-        if (thing.color[3] > 0.3) this.draw(thing, change, [0, 0, 0, 0.2]);
+      const opaque = slope > 0.1 ? [...solids, ...marks, ...clear].filter(({ color }) => color[3] > 0.3) : [];
+      pass(opaque, gl.ALWAYS, false, [gl.GREATER, 2], () => [change, [0, 0, 0, 0.2]]);
     }
     pass(solids, gl.LEQUAL, true, [gl.ALWAYS, 0]);
     if (solids.length) pass(marks, gl.GREATER, false, [gl.NOTEQUAL, 9], ({ color }) => [undefined, [...color.slice(0, 3), 0.3 * color[3]]]);
     pass(marks, gl.LEQUAL, true, [gl.ALWAYS, 0]);
     gl.enable(gl.CULL_FACE);
-    const far_to_near = clear.sort((a, b) => a.far - b.far);
-    for (const thing of far_to_near) for (const side of thing.mesh === "ball" ? [gl.FRONT, gl.BACK] : [0]) {
-      side ? gl.cullFace(side) : gl.disable(gl.CULL_FACE);
+    for (const thing of clear.sort((a, b) => a.far - b.far)) for (const side of [gl.FRONT, gl.BACK]) {
+      gl.cullFace(side);
       pass([thing], gl.LEQUAL, false, [gl.ALWAYS, 0]);
-      gl.enable(gl.CULL_FACE);
     }
     gl.disable(gl.CULL_FACE);
     return canvas;
@@ -312,32 +273,34 @@ const lights = {
 
 // ---- Names in the letters of the formulas: single letters, with a tilde, an index, between bars; also the rate of one.
 
-const vectors = /^(V|L|ω|Ω|e[₁₂₃])$/;
-/** What names and sentences consist of: [words, style], the style "", "i" of a symbol, "b" of a vector, "sub" of an index;
- *  the accent of a letter follows it. In sentences "a" and "A" are words. */
-const pieces_of = (words, is_sentence) => words.split(/([\s,.:;?()]+)/).flatMap((token, i, all) => {
-  const rate = token.match(/^d(.)\/dt$/), [, bar, letter, accent, index, power, end] =
+const italic = (letter, accent = "") => element("i", { className: `symbol ${accent}` }, letter);
+const bold = (letter, accent = "") => element("b", { className: `symbol ${accent}` }, letter);
+/** Words with their symbols as they stand in a page. In sentences "a" and "A" are words. */
+const typeset = (words, is_sentence) => words.split(/([\s,.:;?()]+)/).flatMap((token, i, all) => {
+  const rate = token.match(/^d(.)\/dt$/), [, bar, letter, tilde, index = "", power, end] =
     token.match(/^(\|?)([A-Za-zα-ωΓΔΘΨΩ])(\u0303?)([₀-₉]+|_[a-zφθψ]+)?(²?)(\|?)$/u) ?? [];
-  if (rate) return [["d", ""], [rate[1], "i"], ["/d", ""], ["t", "i"]];
-  if (/^(dL|Mg)$/.test(token)) return [[token[0], token === "Mg" ? "i" : ""], [token[1], "b"]];
-  if (!letter || is_sentence && /^[aAI]$/.test(token) || token === "a" && i + 1 < all.length) return [[token, ""]];
-  const digits = (index ?? "").replace("_", "").replace(/[₀-₉]/g, digit => "₀₁₂₃₄₅₆₇₈₉".indexOf(digit));
-  const is_vector = vectors.test(letter + (index ?? "")) && !accent && !power;
-  return [[bar, ""], [letter + (is_vector && index ? "\u0302" : accent), is_vector ? "b" : "i"], [digits, "sub"], [power + end, ""]];
-}).filter(([part]) => part);
+  if (rate) return ["d", italic(rate[1]), "/d", italic("t")];
+  if (token === "dL") return ["d", bold("L")];
+  if (token === "Mg") return [italic("M"), bold("g")];
+  if (!letter || is_sentence && /^[aAI]$/.test(token) || token === "a" && i + 1 < all.length) return [token];
+  const is_vector = /^(V|L|ω|Ω|e[₁₂₃])$/.test(letter + index) && !tilde && !power;
+  const digits = index.replace("_", "").replace(/[₀-₉]/g, digit => "₀₁₂₃₄₅₆₇₈₉".indexOf(digit));
+  return [bar, is_vector ? bold(letter, index && "hat") : italic(letter, tilde && "tilde"),
+    ...digits ? [element("sub", {}, digits)] : [], power + end];
+});
+const text = (tag, words, is_sentence = true) => element(tag, {}, ...typeset(words, is_sentence));
 
 // ---- A picture: orthographic. Plots are drawn in their order, what is in space by its depth; names lie above.
 
 class Scene {
-  /** A view has `half`, the half width of what it shows in its own units, and `towards`, from where one looks at first,
-   *  if it is not a plot; `fixed` pictures cannot be turned. */
-  constructor(canvas, view) {
-    Object.assign(this, { canvas, half: view.half ?? 1, flat: view.fixed || !view.towards, context: canvas.getContext("2d") });
-    const [x, y, z] = view.towards ?? z_axis;
+  /** A view has `half`, the half width of what it shows in its own units, and `towards`, from where one looks at first; without
+   *  it one looks from above, and cannot turn it. */
+  constructor(canvas, { half, towards }) {
+    // What is to be predicted must not be seen before it is released; `expected` is the number of the choice that was made.
+    Object.assign(this, { canvas, half, flat: !towards, context: canvas.getContext("2d"), released: false, expected: undefined });
+    const [x, y, z] = towards ?? [0, -1e-9, 1];  // x to the right, y up
     this.azimuth = Math.atan2(y, x);
-    this.height = Math.atan2(z, Math.hypot(x, y));
-    this.released = false;  // what is to be predicted must not be seen before
-    this.expected = undefined;  // the number of the choice that the reader has made
+    this.height = Math.PI / 2 - inclination([x, y, z]);
   }
 
   /** Clears the picture; where bodies are drawn, of the screen's pixels they may have a part. */
@@ -358,9 +321,6 @@ class Scene {
     this.color = name => known[name] ??= style.getPropertyValue("--figure-" + name) || name;
   }
 
-  /** After everything is drawn. */
-  finish() { this.place_labels(); }
-
   /** A vector to the right, up, and towards the reader. */
   seen([x, y, z]) { return [this.right, this.up, this.towards].map(axis => x * axis[0] + y * axis[1] + z * axis[2]); }
 
@@ -377,53 +337,38 @@ class Scene {
     return sum(times(r / far, this.right), times(u / far, this.up), times(depth, this.towards));
   }
 
-  path(points, close = false) {
+  /** A line on the paper, through pixels. */
+  stroke(pixels, color, width, dash = []) {
     const c = this.context;
-    c.beginPath();
-    points.forEach((point, i) => i ? c.lineTo(...this.at(point)) : c.moveTo(...this.at(point)));
-    if (close) c.closePath();
-  }
-
-  line(points, color, width = 2, { dash = [], opacity = 1 } = {}) {
-    const c = this.context;
-    Object.assign(c, { strokeStyle: this.color(color), lineWidth: width, globalAlpha: opacity });
+    Object.assign(c, { strokeStyle: this.color(color), lineWidth: width });
     c.setLineDash(dash);
-    this.path(points);
-    c.stroke();
-    c.globalAlpha = 1;
-    c.setLineDash([]);
-  }
-
-  dot(point, color, radius = 4) {
-    const c = this.context;
-    c.fillStyle = this.color(color);
     c.beginPath();
-    c.arc(...this.at(point), radius, 0, 2 * Math.PI);
-    c.fill();
+    for (const at of pixels) c.lineTo(...at);
+    c.stroke();
   }
 
   /** Where one may take hold. */
   grip(point) {
-    const c = this.context;
-    for (const [color, width] of [["paper", 5], ["ink", 2]]) {
-      Object.assign(c, { strokeStyle: this.color(color), lineWidth: width });
-      c.beginPath();
-      c.arc(...this.at(point), 10, 0, 2 * Math.PI);
-      c.stroke();
-    }
+    const [x, y] = this.at(point);
+    this.labels.unshift({ name: element("span", { className: "grip" }), x, y, align: "center" });
   }
 
   text(point, words, color = "ink", align = "center") { this.words(words, this.at(point), color, align); }
   /** Plain words are units or places, no symbols. */
   words(words, [x, y], color = "ink", align = "center", plain = false) {
-    this.labels.push({ words: plain ? [[words, ""]] : pieces_of(words), x, y, color, align });
+    const name = element("span", {}, ...plain ? [words] : typeset(words));
+    name.style.color = `var(--figure-${color})`;
+    this.labels.push({ name, x, y, color, align });
+    return name;
   }
 
-  /** Names where they are to stand or, where another stands already, near by with a line to their place. */
-  place_labels() {
-    const taken = [], c = this.context;
-    for (const label of this.labels) {
-      const width = this.write(label.words, 0, 0) + 4, left = { left: 0, center: width / 2, right: width }[label.align];
+  /** After everything is drawn: names where they are to stand or, where another stands already, near by with a line to there. */
+  finish() {
+    const taken = [], names = this.labels.map(({ name }) => name);
+    this.canvas.nextElementSibling.replaceChildren(...names);
+    const widths = names.map(name => name.offsetWidth);
+    this.labels.forEach((label, i) => {
+      const width = widths[i], left = { left: 0, center: width / 2, right: width }[label.align];
       const box_at = ([dx, dy]) => {
         const x = Math.max(2, Math.min(this.width - width - 2, label.x - left + dx));
         const y = Math.max(9, Math.min(this.high - 9, label.y + dy));
@@ -431,52 +376,26 @@ class Scene {
       };
       const ways = [[0, 0], ...[18, 30, 44].flatMap(far =>
         [[0, -1], [1, -0.6], [-1, -0.6], [0, 1], [1, 0.6], [-1, 0.6]].map(way => times(far, way)))];
-      const found = this.flat ? box_at([0, 0]) : ways.map(box_at).find(({ free }) => free) ?? box_at([0, 0]);
-      taken.push({ ...found, width });
-      if (Math.hypot(found.x + left - label.x, found.y - label.y) > 24) {
-        Object.assign(c, { strokeStyle: this.color(label.color), lineWidth: 1 });
-        c.beginPath();
-        c.moveTo(label.x, label.y);
-        c.lineTo(Math.max(found.x, Math.min(found.x + width, label.x)), found.y);
-        c.stroke();
-      }
-      this.write(label.words, found.x, found.y, this.color(label.color));
-    }
+      const { x, y } = this instanceof Space && ways.map(box_at).find(({ free }) => free) || box_at([0, 0]);
+      taken.push({ x, y, width });
+      label.name.style.transform = `translate(${x}px, ${y}px) translateY(-50%)`;
+      if (Math.hypot(x + left - label.x, y - label.y) < 24) return;
+      this.stroke([[label.x, label.y], [Math.max(x, Math.min(x + width, label.x)), y]], label.color, 1);
+    });
   }
 
-  /** Writes from the left, if it has a color; the width. */
-  write(words, x, y, color) {
-    const c = this.context, fonts = { "": "15px system-ui, Helvetica, Arial, sans-serif", i: "italic 18px KaTeX_Math, serif",
-      b: "italic bold 18px KaTeX_Math, serif", sub: "13px KaTeX_Main, serif" };
-    let at = x;
-    for (const [part, style] of words) {
-      const letters = part.normalize("NFD").replace(/[\u0302\u0303]/, ""), accent = { "\u0302": "ˆ", "\u0303": "˜" }[part.normalize("NFD")[1]];
-      c.font = fonts[style];
-      const width = c.measureText(letters).width;
-      if (color) {
-        Object.assign(c, { textAlign: "left", strokeStyle: this.color("paper"), fillStyle: color, lineWidth: 4 });
-        const down = style === "sub" ? 5 : 0, all = [[letters, at, y + down]];
-        if (accent) all.push([accent, at + width / 2 - 2, y - (/[A-Z]/.test(letters) ? 5 : 1)]);
-        for (const act of ["strokeText", "fillText"]) for (const [glyphs, u, v] of all) {
-          if (glyphs === accent) c.font = "bold 18px KaTeX_Main, serif";
-          c[act](glyphs, u, v);
-          c.font = fonts[style];
-        }
-      }
-      at += width + (style === "i" || style === "b" ? 1 : 0);
-    }
-    return at - x;
-  }
-
-  /** Curves over x in a flat view: `x` and `y` are the ranges, a curve is {points, color, name, dash},
-   *  or its points alone with `dots`; a line stands at
-   *  the time `now`, or a dot at `mark`; `expected` are values that the reader expects. */
-  plot({ x, y, x_name, y_name, curves, now, mark, expected = [] }) {
-    const [left, right, top, bottom] = [46, this.width - 16, 22, this.high - 38];
+  /** Curves over x in ranges `x` and `y`; each has a line [name, color, style]. A line stands at the time `now`, or a dot at `mark`;
+   *  `expected` are values that the reader expects. */
+  plot({ lines, curves, x, y, over = "time (s)", unit, now, mark, expected = [] }) {
+    if (!this.released) [lines, curves] = [lines, curves].map(list => list.filter((_, i) => lines[i][2] !== "secret"));
+    const values = curves.flat().map(([, value]) => value);
+    y ??= [1.1 * Math.min(0, ...values), 1.1 * Math.max(0, ...values) || 1];
+    const [left, right, top, bottom] = [46, this.width - 16, 22, this.high - 38], c = this.context;
     const place = ([u, v]) => [left + (right - left) * (u - x[0]) / (x[1] - x[0]),
       bottom - (bottom - top) * (v - y[0]) / (y[1] - y[0])];
-    const c = this.context;
-    this.at = place;
+    const line = (points, ...style) => this.stroke(points.map(place), ...style);
+    // A dot is a line without length.
+    const dot = (point, color, radius) => line([point, point], color, 2 * radius);
     const labels = ([from, to], most) => {
       const rough = (to - from) / most, power = 10 ** Math.floor(Math.log10(rough));
       const step = [1, 2, 5, 10].map(k => k * power).find(k => k >= rough);
@@ -484,35 +403,34 @@ class Scene {
       return steps(first, last, last - first).map(k => [k * step, String(+(k * step).toPrecision(6)).replace("-", "−")]);
     };
     for (const [u, label] of labels(x, (right - left) / 90)) {
-      this.line([[u, y[0]], [u, y[1]]], u ? "pale" : "grey", 1);
+      line([[u, y[0]], [u, y[1]]], u ? "pale" : "grey", 1);
       this.words(label, sum(place([u, y[0]]), [0, 13]));
     }
     for (const [v, label] of labels(y, (bottom - top) / 36)) {
-      this.line([[x[0], v], [x[1], v]], v ? "pale" : "grey", 1);
+      line([[x[0], v], [x[1], v]], v ? "pale" : "grey", 1);
       this.words(label, sum(place([x[0], v]), [-6, 0]), "ink", "right");
     }
     c.save();
     c.beginPath();
     c.rect(left, top - 2, right - left, bottom - top + 4);
     c.clip();
-    for (const value of expected) this.line([[x[0], value], [x[1], value]], "grey", 2, { dash: [7, 6] });
+    for (const value of expected) line([[x[0], value], [x[1], value]], "grey", 2, [7, 6]);
     if (expected.length) this.words("expected", sum(place([x[1], expected[0]]), [-4, 9]), "grey", "right");
     // Before the reader has predicted, only what has happened.
-    for (const { points, color, dash, dots } of curves) {
-      const seen = this.released || mark ? points : points.filter(([u]) => u <= now);
-      if (dots) for (const point of seen) this.dot(point, color, 2.5);
-      else this.line(seen, color, 2.2, { dash });
-    }
-    if (mark) this.dot(mark, "ink", 5); else this.line([[now, y[0]], [now, y[1]]], "ink", 1.4);
+    lines.forEach(([, color, style], i) => {
+      const seen = this.released || mark ? curves[i] : curves[i].filter(([u]) => u <= now);
+      if (style === "dots") for (const point of seen) dot(point, color, 2.5);
+      else line(seen, color, 2.2, style === "dashed" ? [6, 4] : []);
+    });
+    if (mark) dot(mark, "ink", 5); else line([[now, y[0]], [now, y[1]]], "ink", 1.4);
     c.restore();
-    this.words(x_name, [(left + right) / 2, this.high - 9], "ink", "center", true);
+    this.words(over, [(left + right) / 2, this.high - 9], "ink", "center", true);
     if (!mark) this.times = [left, right, ...x];
-    let at = left + 4;
-    for (const { name, color, plain } of [{ name: y_name, color: "ink", plain: true }, ...curves.filter(curve => curve.name)]) {
-      this.words(name, [at, 9], color, "left", plain);
-      at += this.write(plain ? [[name, ""]] : pieces_of(name), 0, 0) + 14;
-    }
-    delete this.at;
+    this.words(unit, [left + 4, 9], "ink", "left", true).append(...lines.filter(([name]) => name).map(([name, color]) => {
+      const said = element("span", { className: "line" }, ...typeset(name));
+      said.style.color = `var(--figure-${color})`;
+      return said;
+    }));
   }
 }
 
@@ -525,12 +443,8 @@ class Space extends Scene {
   }
 
   rgb(name, opacity = 1, whiteness = 0) {
-    const parts = color => {
-      Object.assign(this.context, { fillStyle: color });
-      const hex = this.context.fillStyle;
-      return [1, 3, 5].map(i => parseInt(hex.slice(i, i + 2), 16) / 255);
-    };
-    return [...sum(times(1 - whiteness, parts(this.color(name))), times(whiteness, parts(this.color("paper")))), opacity];
+    const parts = name => this.color(name).match(/\w\w/g).map(hex => parseInt(hex, 16) / 255);
+    return [...sum(times(1 - whiteness, parts(name)), times(whiteness, parts("paper"))), opacity];
   }
 
   finish() {
@@ -551,6 +465,11 @@ class Space extends Scene {
       color: this.rgb(color, opacity, whiteness), paints, far: dot(center, this.towards) });
   }
   ellipsoid(center, axes, color, opacity = 1) { this.solid("ball", center, axes, color, { opacity, whiteness: 0.5 }); }
+  /** With circles that show how it turns. */
+  rolling_ellipsoid(center, axes) {
+    this.ellipsoid(center, axes, "sky");
+    axes.forEach((axis, i) => this.line(arc(center, axis, axes[(i + 1) % 3]), "grey", 1.2));
+  }
 
   /** The unit ball, strong in colour where the values are large. */
   painted_ball(values, color) {
@@ -561,9 +480,8 @@ class Space extends Scene {
 
   /** A mesh of revolution from one point to another. */
   round(mesh, from, to, radius, color, properties) {
-    const half = times(0.5, minus(to, from)), level = unit(cross(Math.abs(half[0]) < 0.9 * norm(half) ? x_axis : y_axis, half));
-    const center = /cone|head/.test(mesh) ? to : sum(from, half), along = /cone|head/.test(mesh) ? times(2, half) : half;
-    this.solid(mesh, center, [times(radius, level), times(radius, cross(unit(half), level)), along], color, properties);
+    const way = minus(to, from), [u, v] = basis_along(way), has_tip = /cone|head/.test(mesh);
+    this.solid(mesh, has_tip ? to : sum(from, times(0.5, way)), [times(radius, u), times(radius, v), times(has_tip ? 1 : 0.5, way)], color, properties);
   }
 
   /** The ground below, where shadows fall: a disc at a height. */
@@ -629,7 +547,7 @@ class Space extends Scene {
     this.round("head", foot, to, 0.42 * head, color, properties);
     // A short arrow points at the reader: its name stands beside it.
     const [dx, dy] = length <= 12 ? [0.7, -0.7] : beside ? [-along[1], along[0]] : along;
-    if (name) this.words(name, [b[0] + (10 + 3 * name.length) * dx, b[1] + 14 * dy], color);
+    if (name) this.words(name, [b[0] + 9 * dx, b[1] + 13 * dy], color, dx > 0.4 ? "left" : dx < -0.4 ? "right" : "center");
   }
 
   arrows(list) { for (const arrow of list) this.arrow(...arrow); }

@@ -11,6 +11,7 @@ const number_of = id => String(pages[id] ?? "000");
 
 // ---- Chapters: a lecture with its parts and its exercises.
 
+all(".lecture-card, .neighbours, .toc, .contents-of-page, .permalink, .live, .live-caption, figure > p").forEach(part => part.remove());
 const chapters = all("section.chapter");
 let chapter = null;
 for (const section of all("section")) {
@@ -71,7 +72,7 @@ for (const section of all("section.chapter, section.part")) {
   }
   answers.append(make("h2", {}, section.querySelector("h1, h2").textContent.trim()), list);
 }
-all("details, .lecture-card, .neighbours, .toc, .live, .live-caption, figure > p").forEach(part => part.remove());
+all("details").forEach(part => part.remove());
 const references = document.getElementById("references");
 references.before(answers);
 
@@ -90,31 +91,22 @@ for (const picture of all("figure > svg")) {
 
 const index = make("section", { className: "chapter", id: "index" }, make("h1", { className: "chapter" }, "Index"), make("ul", {}));
 index.dataset.head = "Index";
-const blocks = all(".textblock :is(p, li, figcaption)").filter(block => !block.querySelector("p, li") && !block.closest(".exercise, #references, #formulas"));
-const texts = blocks.map(block => block.textContent.replace(/\s+/g, " "));
-const sections = new Map();
-let current = null;
-for (const element of all(".textblock :is(h2, h3, p, li, figcaption)")) {
-  if (/^H/.test(element.tagName)) current = element;
-  sections.set(element, current);
+const blocks = [];
+let heading = null;
+for (const block of all(".textblock :is(h2, h3, p, li, figcaption)")) {
+  if (/^H/.test(block.tagName)) heading = block;
+  else if (!block.querySelector("p, li") && !block.closest(".exercise, #references, #formulas"))
+    blocks.push({ block, heading, text: block.textContent.replace(/\s+/g, " ") });
 }
 let places = 0;
 for (const term of terms) {
-  const pattern = new RegExp(`(?<![a-z])${term.replace(/is$/, "[ie]s")}`, "i"), found = new Map();
-  blocks.forEach((block, i) => { if (pattern.test(texts[i]) && !found.has(sections.get(block))) found.set(sections.get(block), block); });
-  const best = [...found].sort(([a], [b]) => pattern.test(b?.textContent) - pattern.test(a?.textContent)).slice(0, 6).map(([, block]) => block)
-    .sort((a, b) => blocks.indexOf(a) - blocks.indexOf(b));
-  if (!best.length) continue;
-  const entry = make("li", {}, term);
-  const seen = new Set();
-  for (const block of best) {
-    block.id ||= `place_${++places}`;
-    const number = number_of(block.id);
-    if (number !== "000" && seen.has(number)) continue;
-    seen.add(number);
-    entry.append(", ", make("a", { href: "#" + block.id }, number));
-  }
-  index.querySelector("ul").append(entry);
+  const pattern = new RegExp(`(?<![a-z])${term.replace(/is$/, "[ie]s")}`, "i"), is_title = ({ heading }) => pattern.test(heading?.textContent);
+  const found = blocks.filter(({ text }) => pattern.test(text));
+  const best = found.filter(({ heading }, i) => found.findIndex(other => other.heading === heading) === i)
+    .sort((a, b) => is_title(b) - is_title(a)).slice(0, 6).sort((a, b) => blocks.indexOf(a) - blocks.indexOf(b));
+  for (const { block } of best) block.id ||= `place_${++places}`;
+  const links = new Map(best.map(({ block }) => [pages[block.id] ?? block.id, make("a", { href: "#" + block.id }, number_of(block.id))]));
+  if (best.length) index.querySelector("ul").append(make("li", {}, term, ...[...links.values()].flatMap(link => [", ", link])));
 }
 
 // ---- Links say the page.

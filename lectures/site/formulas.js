@@ -1,4 +1,5 @@
 // Sets the formulas of the built site: TeX becomes HTML for the eye and MathML for the ear, so no page needs a script for them.
+// Also what headings, contents and code need beyond what Doxygen makes of them.
 //   node formulas.js KATEX SITE MACROS
 const fs = require("fs"), path = require("path");
 const [folder, site, definitions] = process.argv.slice(2);
@@ -37,13 +38,28 @@ function formula(page, tex, displayMode) {
   return known.get(key);
 }
 
+const pages = fs.readdirSync(site).filter(name => name.endsWith(".html"));
+/** Doxygen keeps the indentation of quoted code; and a call of a function of the course leads to the page of its exercise. */
+function code(page, html) {
+  const indentation = Math.min(...[...html.matchAll(/<div class="line">( *)(?=[^ \n])(?!<\/div>)/g)].map(([, spaces]) => spaces.length));
+  return html.replaceAll(`<div class="line">${" ".repeat(isFinite(indentation) ? indentation : 0)}`, '<div class="line">')
+    .replace(/\b\w+(?=\()(?![^<]*<\/span>)/g, name => {
+      const exercise = `exercise_${name}.html`;
+      return pages.includes(exercise) && page !== exercise ? `<a class="code" href="${exercise}">${name}</a>` : name;
+    });
+}
+
 const joined = text => text && "\u2060"; // no line ends between a formula and its bracket or comma
-for (const page of fs.readdirSync(site).filter(name => name.endsWith(".html"))) {
+for (const page of pages) {
   const file = path.join(site, page);
-  const html = fs.readFileSync(file, "utf8");
-  // Code stays as it is.
+  // Where there is no room beside the text, its contents are one click away. Beside each heading is a link that names the place.
+  const html = fs.readFileSync(file, "utf8")
+    .replace(/<div class="toc">.*?<\/div>/s, toc => `${toc}<details class="contents-of-page"><summary>On this page</summary>${toc}</details>`)
+    .replace(/(<(h[1-4])[^>]*><a class="anchor" id="(?!autotoc)([^"]*)">.*?)(?=<\/\2>)/gs,
+      '$1<a class="permalink" href="#$3" aria-label="Link to this paragraph" tabindex="-1">#</a>');
+  // Code has no formulas.
   fs.writeFileSync(file, html.split(/(<div class="fragment">[^]*?<!-- fragment -->|<(?:code|pre)\b[^]*?<\/(?:code|pre)>)/)
-    .map((part, i) => i % 2 ? part : part
+    .map((part, i) => i % 2 ? part.startsWith("<div") ? code(page, part) : part : part
       .replace(/\\\[(.*?)\\\]/gs, (_, tex) => formula(page, tex, true))
       .replace(/([(“[]?)\\\((.*?)\\\)([.,;:!?)”\]’]*)/gs, (_, before, tex, after) =>
         before + joined(before) + formula(page, tex, false) + joined(after) + after))

@@ -19,7 +19,7 @@ foreach(list slides errata)
 endforeach()
 
 file(GLOB lists ${site}/annotated.html ${site}/classes.html ${site}/dir_*.html ${site}/functions*.html ${site}/namespace*.html
-  ${site}/pages.html ${site}/struct*.html ${site}/*.png ${site}/doxygen.svg ${site}/dynsections.js ${site}/tabs.css)
+  ${site}/pages.html ${site}/struct*.html ${site}/*.png ${site}/doxygen.svg ${site}/dynsections.js ${site}/jquery.js ${site}/tabs.css)
 file(REMOVE ${lists})
 file(GLOB pages ${site}/*.html)
 foreach(page IN LISTS pages)

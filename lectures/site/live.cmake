@@ -1,5 +1,15 @@
-# The script of a lecture's live figures as the pages load it: what they say and offer, live.json, before live.js.
+# A script of live figures as the pages load it.
+#   cmake -D scene=FOLDER -D output=FILE -P live.cmake
 #   cmake -D lecture=FOLDER -D output=FILE -P live.cmake
+if(scene)
+  # With its shaders.
+  foreach(part vert frag js)
+    file(READ ${scene}/scene.${part} ${part})
+  endforeach()
+  file(WRITE ${output} "const shaders = { vert: `${vert}`, frag: `${frag}` };\n${js}")
+  return()
+endif()
+# Of a lecture what its figures say and offer, live.json, before live.js.
 file(READ ${lecture}/live.json texts)
 file(READ ${lecture}/live.js script)
 # Measured data, where the figures have some.

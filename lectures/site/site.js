@@ -1,20 +1,21 @@
 // What the pages do by themselves: search, the current place, moving pictures, phones. No server, no other machine.
 
-/** Light and dark: the theme's own switch, as a button that the keyboard reaches. */
+const element = (tag, properties = {}, ...children) => {
+  const made = Object.assign(document.createElement(tag), properties);
+  made.append(...children);
+  return made;
+};
+
+/** Light and dark: the theme's own switch, in a button that the keyboard reaches. */
 function offer_dark_mode() {
-  const button = document.createElement("button");
-  button.title = "Light or dark";
-  button.setAttribute("aria-label", "Light or dark");
-  const show = () => button.innerHTML = DoxygenAwesomeDarkModeToggle.darkModeEnabled
-    ? DoxygenAwesomeDarkModeToggle.darkModeIcon : DoxygenAwesomeDarkModeToggle.lightModeIcon;
-  button.onclick = () => { DoxygenAwesomeDarkModeToggle.userPreference = !DoxygenAwesomeDarkModeToggle.userPreference; show(); };
-  show();
-  document.querySelector("#tools").append(button);
+  const toggle = new DoxygenAwesomeDarkModeToggle(), title = "Light or dark";
+  toggle.updateIcon();
+  document.querySelector("#tools").append(element("button", { title, ariaLabel: title, onclick: () => toggle.toggleDarkMode() }, toggle));
 }
 
 /** The section that is being read. */
 function mark_section() {
-  const sections = [...document.querySelectorAll(".toc a")]
+  const sections = [...document.querySelectorAll(".contents > .toc a")]
     .map(entry => [entry, document.getElementById(decodeURIComponent(entry.hash.slice(1)))]);
   const mark = () => {
     const current = sections.filter(([, heading]) => heading.getBoundingClientRect().top < 120).pop();
@@ -63,15 +64,17 @@ function search(question, pattern = word => word) {
 /** The text with what a search has found in it marked. */
 function marked(text, starts) {
   const all = new RegExp(`(${starts.map(start => start.source).join("|")})`, "giu");
-  return text.split(all).map((part, i) => i % 2 ? Object.assign(document.createElement("mark"), { textContent: part }) : part);
+  return text.split(all).map((part, i) => i % 2 ? element("mark", {}, part) : part);
 }
 
-/** Loads the words of the site, once; a script, because a file may not fetch a file. */
+const scripts = {};
+/** Loads a script, once. */
+const load = source => scripts[source] ??= new Promise((loaded, failed) => document.querySelector(`script[src="${source}"]`) ? loaded()
+  : document.head.append(element("script", { src: source, onload: loaded, onerror: failed })));
+
+/** Loads the words of the site; a script, because a file may not fetch a file. */
 function with_words(use) {
-  if (typeof paragraphs !== "undefined") return use();
-  const script = document.getElementById("words")
-    ?? document.head.appendChild(Object.assign(document.createElement("script"), { id: "words", src: "search.js" }));
-  script.addEventListener("load", use);
+  load("search.js").then(use);
 }
 
 /** The checker names a paragraph by its lecture, and the paragraph may stand on another page of it: goes there. */
@@ -91,16 +94,10 @@ function offer_search() {
     status.textContent = question.length < 2 ? "" : !found.length ? "No page has these words."
       : found.length > 12 ? `The best 12 of ${found.length} pages` : `${found.length} page${found.length > 1 ? "s" : ""}`;
     places.replaceChildren(...found.slice(0, 12).map(({ page, starts, places }) => {
-      const item = document.createElement("li");
-      item.append(...places.slice(0, 3).map(({ address, title, excerpt }, i) => {
-        const link = Object.assign(document.createElement("a"), { href: address });
-        const [head, body] = [document.createElement("strong"), document.createElement("span")];
-        head.append(...marked(i ? title : title === page ? page : `${page}: ${title}`, starts));
-        body.append(...marked(excerpt, starts));
-        link.append(...i ? [head] : [head, body]);
-        return link;
-      }));
-      return item;
+      const links = places.slice(0, 3).map(({ address, title, excerpt }, i) => element("a", { href: address },
+        element("strong", {}, ...marked(i || title === page ? title : `${page}: ${title}`, starts)),
+        ...i ? [] : [element("span", {}, ...marked(excerpt, starts))]));
+      return element("li", {}, ...links);
     }));
   };
   query.oninput = () => with_words(show);
@@ -123,13 +120,6 @@ function offer_search() {
 
 /** Figures that move: what they need is loaded when one comes into sight, or when a sentence sets it. */
 function offer_live_figure(place) {
-  const load = source => new Promise((loaded, failed) => {
-    const present = document.querySelector(`script[src="${source}"]`);
-    const script = present ?? document.head.appendChild(Object.assign(document.createElement("script"), { src: source }));
-    if (script.loaded) return loaded();
-    script.addEventListener("load", () => { script.loaded = true; loaded(); });
-    script.addEventListener("error", failed);
-  });
   const { figure: name, lecture } = place.dataset, figure = place.closest("figure");
   let opened;
   const open = () => opened ??= (async () => {
@@ -156,58 +146,14 @@ function offer_live_figure(place) {
       await open();
       place.live?.begin_with(words.dataset.start);
     };
-    words.replaceWith(Object.assign(document.createElement("button"), { className: "sets", textContent: words.textContent, onclick }));
+    words.replaceWith(element("button", { className: "sets", textContent: words.textContent, onclick }));
   }
   if (location.hash.startsWith(`#live=${name}&`)) figure.scrollIntoView();
 }
 
-/** Doxygen keeps the indentation of quoted code. */
-function shift_to_the_left(fragment) {
-  const lines = [...fragment.querySelectorAll(".line")].filter(line => line.textContent.trim());
-  const indentation = Math.min(...lines.map(line => line.textContent.search(/\S/)));
-  for (const line of lines) {
-    if (indentation && line.firstChild.nodeType === Node.TEXT_NODE)
-      line.firstChild.data = line.firstChild.data.slice(indentation);
-  }
-}
-
-/** A call of a function of the course leads to the page of its exercise. */
-function link_calls() {
-  const call = new RegExp(`\\b(${exercises.flat().join("|")})(?=\\()`);
-  for (const line of document.querySelectorAll(".fragment .line")) {
-    for (let node = line.firstChild; node; node = node.nextSibling) {
-      const found = node.nodeType === Node.TEXT_NODE && node.data.match(call);
-      if (!found || location.pathname.endsWith(`/exercise_${found[1]}.html`)) continue;
-      const name = node.splitText(found.index);
-      name.splitText(found[1].length);
-      name.replaceWith(node = Object.assign(document.createElement("a"), { className: "code", href: `exercise_${found[1]}.html`, textContent: found[1] }));
-    }
-  }
-}
-
-/** Where there is no room beside the text, its contents are one click away. */
-function offer_contents() {
-  const contents = document.querySelector(".contents > .toc");
-  if (!contents) return;
-  const folded = Object.assign(document.createElement("details"), { className: "contents-of-page" });
-  folded.append(Object.assign(document.createElement("summary"), { textContent: "On this page" }), contents.cloneNode(true));
-  contents.after(folded);
-}
-
-/** Beside each heading, a link that names the place. */
-function offer_permalinks() {
-  for (const anchor of document.querySelectorAll(".contents :is(h1, h2, h3, h4) > a.anchor[id]:not([id^=autotoc])")) {
-    const link = Object.assign(document.createElement("a"), { className: "permalink", href: "#" + anchor.id, textContent: "#" });
-    link.setAttribute("aria-label", "Link to this paragraph");
-    link.tabIndex = -1;
-    anchor.parentElement.append(link);
-  }
-}
-
 /** What a link within the notes leads to, while the pointer rests on it: that page at that place, in a frame. */
 function offer_previews() {
-  const frame = Object.assign(document.createElement("iframe"), { className: "preview", tabIndex: -1, title: "Preview" });
-  frame.setAttribute("aria-hidden", "true");
+  const frame = element("iframe", { className: "preview", tabIndex: -1, title: "Preview", ariaHidden: true });
   frame.onload = () => frame.style.visibility = "";
   let timer = null;
   const show = link => {
@@ -226,7 +172,8 @@ function offer_previews() {
   addEventListener("keydown", event => { if (event.key === "Escape") hide(); });
 }
 
-document.querySelectorAll(".fragment").forEach(shift_to_the_left);
+// All that the theme takes from jQuery: this script comes when the document is there.
+const $ = start => { if (start !== document) start(); return { ready: begin => begin() }; };
 const previewed = new URLSearchParams(location.search).get("preview");
 if (previewed) {
   document.documentElement.classList.add("is-preview");
@@ -236,9 +183,6 @@ if (previewed) {
   DoxygenAwesomeFragmentCopyButton.init();
   offer_dark_mode();
   mark_section();
-  offer_contents();
-  link_calls();
-  offer_permalinks();
   offer_previews();
   offer_search();
   find_paragraph();

@@ -30,7 +30,7 @@ function faults_of_words(number) {
   const { question, choices, answer, about, views } = definition, reasons = Object.values(choices);
   const foreign = new RegExp("\\b(blue|vermilion|red|green|purple|violet|orange|brown|yellow|grey|black|white|" +
     "dashe[ds]|dott?ed|dots?|thick|thin|heavy part|Left|Right|left-hand|right-hand|[Oo]n the (left|right))\\b");
-  const named = [caption, question, ...Object.keys(choices), ...reasons, answer, about, ...Object.keys(views)]
+  const named = [caption, question, ...Object.keys(choices), ...reasons, answer, about, ...views.map(({ title }) => title)]
     .map(text => text.match(foreign)).filter(Boolean);
   const faults = named.map(([word]) => `says “${word}”`);
   if (!caption) faults.push("has no caption of its own");
@@ -115,7 +115,7 @@ function settings_of(number) {
     live.set({});
     const time = random() * live.end;
     live.move_to(time);
-    return { left_handed: left_handed(number), values: { ...live.values }, time, numbers: definition.numbers(definition.prepare(live.values), time).map(row => row[1]) };
+    return { left_handed: left_handed(number), values: { ...live.values }, time, numbers: definition.numbers_at(definition.prepare(live.values), time) };
   });
 }
 
