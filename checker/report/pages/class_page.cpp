@@ -61,6 +61,8 @@ std::string class_page(const ordered_json& document, const std::string& date) {
   for (ordered_json& each : page["misconceptions"]) {
     each["count"] = each.at("students").size();
     each["students"] = linked(each.at("students"));
+    each["plot"] = command(
+        fmt::format("plot {} --wrong {}", each.at("exercise").get<std::string>(), each.at("name").get<std::string>()));
   }
   for (ordered_json& each : page["exercises"]) {
     ordered_json& fraction = each["difficulty"];
@@ -77,13 +79,14 @@ std::string class_page(const ordered_json& document, const std::string& date) {
     ordered_json failing = ordered_json::array();
     for (const ordered_json& mark : student.at("results")) {
       const std::string verdict = mark.at("verdict");
-      cells.push_back(look_of(verdict));
-      cells.back()["words"] = in_words(verdict);
-      if (verdict != "passed" && verdict != "not_started") failing.push_back(mark.at("exercise"));
+      const bool is_counted = mark.at("points") != 0;
+      cells.push_back(is_counted ? look_of(verdict) : nlohmann::json{{"tone", "idle"}, {"mark", "–"}});
+      cells.back()["words"] = is_counted ? in_words(verdict) : "not counted";
+      if (is_counted && verdict != "passed" && verdict != "not_started") failing.push_back(mark.at("exercise"));
     }
     ordered_json row = known.at(student.at("id"));
     row["score"] = two_digits(student.at("score"));
-    row["possible"] = student.at("possible");
+    row["possible"] = student.at("possible") == 0 ? ordered_json() : student.at("possible");
     row["before"] = student.contains("before") ? fmt::format("{:g}", two_digits(student.at("before"))) : "";
     row["late"] = student.at("days_late") > 0 ? plural(student.at("days_late"), "day") : "";
     if (student.at("possible") > 0 && std::ranges::count(missing, student.at("id").get<std::string>()) == 0) {

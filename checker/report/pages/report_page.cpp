@@ -28,7 +28,10 @@ struct Score {
     if (checked.is_judged()) possible += checked.points();
     points += checked.score();
   }
-  std::string text() const { return fmt::format("{:g} of {:g} point{}", points, possible, possible == 1 ? "" : "s"); }
+  std::string text() const {
+    return possible == 0 ? "Not counted"
+                         : fmt::format("{:g} of {:g} point{}", points, possible, possible == 1 ? "" : "s");
+  }
 };
 
 /// Where to read, as the lecture calls it.
@@ -134,7 +137,7 @@ json steps_of(const ReportedCourse& course) {
     if (!checked.is_started()) {
       if (start.is_null())
         start = {{"name", name}, {"text", "Start it. " + checked.task.exercise.entry->task}, {"link", false}};
-    } else if (checked.is_judged() && !checked.judgement.passed() && ++failing <= most_steps) {
+    } else if (checked.is_judged() && !checked.is_excused && !checked.judgement.passed() && ++failing <= most_steps) {
       steps.push_back({{"name", name}, {"text", step_of(exercise, course)}, {"link", true}});
     }
   }
