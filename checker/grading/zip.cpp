@@ -14,6 +14,9 @@
 #include <set>
 
 namespace workbook {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Found, path, text, refusal, is_unread)
+
 namespace {
 
 using nlohmann::json;
@@ -56,7 +59,7 @@ class Reader {
  public:
   Reader(const std::vector<std::string>& names, bool is_class) : names_(names), is_class_(is_class) {}
 
-  json found = json::array();
+  std::vector<Found> found;
 
   void read(archive* opened, const std::string& prefix, int depth) {
     archive_entry* entry = nullptr;
@@ -107,14 +110,10 @@ class Reader {
     if (is_archive && refusal.empty()) return read_inner(text, path, student);
     if (is_archive) return add_unread(path, refusal);
     count(student, {.kept = text.size() + path.size()});
-    add(path, refusal.empty() ? text : "", refusal, false);
+    found.push_back({path, refusal.empty() ? text : "", refusal});
   }
 
-  void add(const std::string& path, const std::string& text, const std::string& refusal, bool is_unread) {
-    found.push_back(
-        {json::binary({path.begin(), path.end()}), json::binary({text.begin(), text.end()}), refusal, is_unread});
-  }
-  void add_unread(const std::string& path, const std::string& refusal) { add(path, "", refusal, true); }
+  void add_unread(const std::string& path, const std::string& refusal) { found.push_back({path, "", refusal, true}); }
 
   /// All of it or nothing; but the time that it took is gone.
   void read_inner(const std::string& bytes, const std::string& path, const std::string& student) {
@@ -165,7 +164,7 @@ class Reader {
 };
 
 std::string unpacked(int file, const std::vector<std::string>& names, bool is_class) {
-  json answer = {{"problem", ""}};
+  std::string trouble;
   const std::unique_ptr<archive, decltype(&archive_read_free)> opened(archive_read_new(), archive_read_free);
   Reader reader(names, is_class);
   try {
@@ -181,11 +180,10 @@ std::string unpacked(int file, const std::vector<std::string>& names, bool is_cl
       throw std::runtime_error("is damaged or no zip file");
     reader.read(opened.get(), "", 0);
   } catch (const std::exception& problem) {
-    answer["problem"] = problem.what();
-    reader.found.clear();
+    trouble = problem.what();
   }
-  answer["found"] = std::move(reader.found);
-  const std::vector<std::uint8_t> bytes = json::to_cbor(answer);
+  const std::vector<std::uint8_t> bytes =
+      json::to_cbor(std::pair(trouble, trouble.empty() ? reader.found : std::vector<Found>()));
   return {bytes.begin(), bytes.end()};
 }
 
@@ -205,13 +203,9 @@ std::vector<Found> read_zip(const fs::path& file, const std::vector<std::string>
   try {
     if (const std::string trouble = job.finish(); !trouble.empty())
       throw std::runtime_error("cannot be read: " + trouble);
-    const json answer = json::from_cbor(job.output());
-    if (const std::string problem = answer.at("problem"); !problem.empty()) throw std::runtime_error(problem);
-    const auto text = [](const json& bytes) {
-      return std::string(bytes.get_binary().begin(), bytes.get_binary().end());
-    };
-    for (const json& each : answer.at("found"))
-      files.push_back({text(each.at(0)), text(each.at(1)), each.at(2), each.at(3)});
+    std::string problem;
+    std::tie(problem, files) = json::from_cbor(job.output()).get<std::pair<std::string, std::vector<Found>>>();
+    if (!problem.empty()) throw std::runtime_error(problem);
   } catch (const std::exception& problem) {
     reject(printable(problem.what()));
   }
