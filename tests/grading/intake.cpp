@@ -516,6 +516,9 @@ TEST_CASE("--who says who has handed in what, and judges nothing; the worksheet 
   CHECK(who.status == 1);
   CHECK(has(who.out, "900001, Ada Byron (Ada Byron_900001): spring_energy\n1 of 2 students of the roster handed in."));
   CHECK(has(who.out, "Nothing was found of 900002."));
+  write(all.submissions() / "Ben \033[31m Ohm_900002_assignsubmission_file_/spring_energy.cpp", right);
+  CHECK(!has(all.run("grade submissions --who").out, "\033"));
+  fs::remove_all(all.submissions() / "Ben \033[31m Ohm_900002_assignsubmission_file_");
   CHECK(all.run("grade submissions").status == 2);
   all.run("grade submissions --out graded --roster sheet.csv --allow-reduced --seed 1");
   const std::string sheet = read(all.root() / "graded/moodle_worksheet.csv");

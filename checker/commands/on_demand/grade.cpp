@@ -496,11 +496,12 @@ int print_who(const Course& course, const Options& options) {
       missing.push_back(student.id);
       continue;
     }
+    const std::string entry = printable(student.entry);
     std::vector<std::string> files;
     for (const auto& [exercise, file] : student.files)
       files.push_back(file.refusal.empty() ? exercise : exercise + " (not read)");
     fmt::print("{}{}{}: {}\n", student.id, student.name.empty() ? "" : ", " + student.name,
-               student.entry.empty() || student.entry == student.id ? "" : " (" + student.entry + ")",
+               entry.empty() || entry == student.id ? "" : " (" + entry + ")",
                !student.dispute.empty() ? student.dispute
                : files.empty()          ? "nothing that is graded"
                                         : listed(files));
