@@ -197,30 +197,34 @@ wait_for_other_build() {
 
 # Seconds of a processor that a step takes, by what ninja says of it: the first line that fits. Only the ratios matter.
 costs_of_steps='
-*/unity_judging*                             34
-*/unity_source_compile*                      33
-*/unity_commands_on_demand*                  20
-*/unity_grading*                             22
-*/reference_*/Unity/*                        17
-*/workbook_judging.dir/*                     14
-*/workbook_command_line.dir/*                11
-*/solutions_*/Unity/*                         5
-*.gch                                        15
-*worked_examples_objects_@(02|08|09|10)_*    22
-*worked_examples_objects_*                   10
-*figures_objects_@(06|10)_*                  20
-*figures_objects_*                            6
-*lectures/*/support/motion*                  15
-*exercises_of_the_student*                    2
-*Building?CXX?object*                         7
-WebAssembly*                                 10
-Precompiling*                                 7
-Compiling*                                    2
-Reference*10_*                                4
-Figures?of?@(02|06|09|10)_*                   7
-Figures*                                      2
-Notes                                        20
-*                                             1
+*/unity_source_compile*                           27
+*/unity_judging*                                  24
+*/unity_grading*                                  17
+*/unity_commands_on_demand*                       14
+*/workbook_command_line.dir/*                     10
+*/workbook_judging.dir/cmake_pch*                 10
+*/workbook_judging.dir/*                          11
+*/reference_@(03|05|09|11)_*/Unity/*              17
+*/reference_*/Unity/*                             10
+*/solutions_@(05|09|10|11)_*/Unity/*               6
+*/solutions_*/Unity/*                              3
+*.gch                                              6
+*worked_examples_objects_@(02|07|08|09|10|11)_*   13
+*worked_examples_objects_*                         5
+*figures_objects_@(06|10|11)_*                    14
+*figures_objects_*                                 3
+*lectures/*/support/motion*                        7
+*tests/*/Unity/*                                  14
+*exercises_of_the_student*                         2
+*Building?CXX?object*                              4
+WebAssembly*                                      10
+Precompiling*                                      5
+Compiling*                                         1
+Reference*@(05|09|10)_*                            3
+Figures?of?@(02|06|09|10)_*                        6
+Figures*                                           2
+Notes*                                             5
+*                                                  1
 '
 
 # A line of progress from what ninja says. What is left is told from a twentieth of the work on: by the time that the

@@ -256,10 +256,9 @@ std::string exercise_list(const Course& course, const Progress& progress, const 
 }
 
 std::string introduction(const Course& course, const Exercise& exercise, const Console& console) {
-  const auto notes = course.notes_page(exercise.lecture()).value_or(course.notes_file(*exercise.card));
   return fmt::format("Next: {}\n{}\n  file   {}\n  notes  {}\n", console.styled(exercise.name(), Style::strong),
                      console.wrapped(exercise.entry->task, 2), shown_path(course.student_file(exercise)),
-                     shown_path(notes));
+                     notes_place(course, exercise, ""));
 }
 
 std::string notes_place(const Course& course, const Exercise& exercise, const std::string& anchor) {
