@@ -257,7 +257,9 @@ std::optional<Diagnosis> diagnose_split(const ExerciseReference& exercise, const
     const auto right = static_cast<std::size_t>(std::ranges::count_if(outcome.right, holds));
     if (right == 0) exact.push_back(each.words);
     // Where much is zero, a wrong answer may be right.
-    const bool tells_apart = outcome.wrong.size() >= 6 * right && outcome.right.size() >= 10 * right;
+    const bool tells_apart = exercise.result_kind == Kind::integer  // of few answers a wrong one is often right
+                                 ? outcome.wrong.size() >= right && outcome.right.size() >= right + 8
+                                 : outcome.wrong.size() >= 6 * right && outcome.right.size() >= 10 * right;
     if (tells_apart && outcome.wrong.size() > 5) nearly.emplace_back(each.words, right);
   }
   // What is so of the whole is so of its components.
