@@ -38,7 +38,7 @@ struct Score {
 std::string place_of(const std::string& anchor, const ReportedExercise& exercise, const ReportedCourse& course) {
   if (anchor.empty()) return "";
   const auto heading = course.headings.find(anchor);
-  return fmt::format("lectures/{}/notes.md, “{}”", exercise.checked.task.exercise.lecture(),
+  return fmt::format("the notes of lecture {}, “{}”", exercise.checked.task.exercise.lecture().substr(0, 2),
                      heading == course.headings.end() ? anchor : heading->second);
 }
 
