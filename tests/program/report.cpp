@@ -17,7 +17,7 @@ TEST_CASE("report writes one page about all that was asked, and its status says 
   CHECK(outcome.err.empty());
   const std::string page = read(course.root() / "page.html");
   for (const char* part :
-       {"<h1>Report for Ada</h1>", "The factor ½ is missing.", "lectures/01_springs/notes.md, “Energy”",
+       {"<h1>Report for Ada</h1>", "The factor ½ is missing.", "the notes of lecture 01, “Energy”",
         "data:image/svg+xml;base64,", "“no half”", "return k * x.squaredNorm();", "spring_force"})
     CHECK_MESSAGE(has(page, part), part);
   CHECK_FALSE(has(page, course.root().string()));
