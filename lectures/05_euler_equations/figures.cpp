@@ -153,7 +153,7 @@ void draw_integrators(const std::filesystem::path& directory) {
   const auto exact = history(tumbling_body, {tumbling_start}, duration, 301);
   const double T0 = rotation_invariants(tumbling_body, tumbling_start)[0];
 
-  draw_figure(directory, "integrators", {560, 590}, [&](gnuplotio::Gnuplot& gnuplot) {
+  draw_figure(directory, "integrators", {560, 490}, [&](gnuplotio::Gnuplot& gnuplot) {
     gnuplot << "set multiplot layout 2,1\nunset key; set lmargin 9; set rmargin 2; set tmargin 1.6; set xrange [0:60]; "
                "set xtics 10\n"
                "set xlabel 'time (s)'; set ylabel 'ω (rad/s)'; set yrange [-1.95:1.95]; set ytics 1\n"
@@ -200,18 +200,25 @@ void draw_tumbling(const std::filesystem::path& directory) {
   Sketch sketch({1.0, -0.75, 0.6});
   const Vector3d right = z_axis.cross(sketch.towards()).normalized(), up = sketch.towards().cross(right);
   const Vector3d L = tumbling_body.cwiseProduct(tumbling_start).normalized();
+  std::array<bool, 3> is_named{};
   for (int i = 0; i < 8; ++i) {
     const int column = i % 4, row = i / 4;
     const Vector3d center = 2.3 * column * right - 2.4 * row * up;
     const Matrix3d A = integrated(tumbling_body, {tumbling_start}, step * i).A;
-    const auto corner = [&](double x, double y) -> Vector3d { return center + A * Vector3d(0.78 * x, 0.55 * y, 0); };
-    const std::vector<Vector3d> cover{corner(1, 1), corner(-1, 1), corner(-1, -1), corner(1, -1), corner(1, 1)};
-    sketch.face({cover.begin(), cover.end() - 1}, sketch.faces_reader(A.col(2)) ? colors::sky : colors::orange, 0.45);
-    sketch.line(cover, colors::black, 2);
-    for (int axis = 0; axis < 3; ++axis)
-      sketch.arrow(center, center + 0.7 * A.col(axis), axis_colors[static_cast<std::size_t>(axis)], "", Side::right, 2);
+    const Vector3d half(0.72, 0.5, 0.09);
     sketch.line({center - 1.05 * L, center}, colors::blue, 2, "dt (5,4)");
-    sketch.arrow(center, center + 1.05 * L, colors::blue, i == 0 ? "{/:Bold L}" : "", Side::above, 3);
+    sketch.lit_box(center, A * half.asDiagonal(),
+                   {colors::grey, colors::grey, sketch.faces_reader(A.col(2)) ? colors::sky : colors::orange});
+    // Axes begin at the faces that the reader sees; each has its name once.
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!sketch.faces_reader(A.col(axis))) continue;
+      const auto k = static_cast<std::size_t>(axis);
+      const Vector3d from = center + half[axis] * A.col(axis);
+      sketch.arrow(from, from + 0.42 * A.col(axis), axis_colors[k], "", Side::right, 2);
+      if (!std::exchange(is_named[k], true))
+        sketch.text(from + 0.62 * A.col(axis), fmt::format("{{/:Bold e}}_{}", axis + 1), axis_colors[k]);
+    }
+    sketch.arrow(center + 0.2 * L, center + 1.1 * L, colors::blue, i == 0 ? "{/:Bold L}" : "", Side::above, 3);
     sketch.text(center - 1.12 * up, fmt::format("{:.1f} s", step * i));
   }
   sketch.draw(directory, "tumbling", 600);

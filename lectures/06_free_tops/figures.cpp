@@ -150,7 +150,7 @@ void draw_cylinders(const std::filesystem::path& directory) {
 /// A plate in flight, at eight moments of one turn of its emblem.
 void draw_plate(const std::filesystem::path& directory) {
   const double tilt = 20 * degree, radius = 0.95;
-  Sketch sketch({0, -1, 0.8});
+  Sketch sketch({0, -1, 0.55});
   const Vector3d right = x_axis, up = sketch.towards().cross(x_axis);
   const std::array<const char*, 8> parts{"", "1/8", "1/4", "3/8", "1/2", "5/8", "3/4", "7/8"};
   for (int i = 0; i < 8; ++i) {
@@ -160,15 +160,22 @@ void draw_plate(const std::filesystem::path& directory) {
         (Eigen::AngleAxisd(phi, z_axis) * Eigen::AngleAxisd(tilt, y_axis) * Eigen::AngleAxisd(psi, z_axis))
             .toRotationMatrix();
     const int column = i % 4, row = i / 4;
-    const Vector3d center = 2.35 * (column * right - row * up);
+    const Vector3d center = 2.35 * column * right - 2.75 * row * up;
     const Vector3d e1 = A.col(0), e2 = A.col(1), e3 = A.col(2);
-    sketch.face(arc(center, radius, e1, e2), colors::sky, 0.35);
-    sketch.line(arc(center, radius, e1, e2), colors::black, 2);
-    sketch.line(arc(center, 0.6 * radius, e1, e2), colors::grey, 1);
-    sketch.dot(center - 0.8 * radius * e2, colors::vermilion, 0.9);
-    sketch.line({center, center + 0.75 * z_axis}, colors::blue, 1.5, "dt (5,4)");
-    sketch.arrow(center, center + 0.85 * e3, colors::purple);
-    sketch.text(center - 1.08 * up, i == 0 ? "start" : fmt::format("{} turn", parts[static_cast<std::size_t>(i)]));
+    // L, as long as the axis, and on the ground the shadow.
+    const Vector3d ground = center - 0.95 * z_axis;
+    SpaceCurve shadow = arc(ground, radius, e1, e2);
+    for (Vector3d& point : shadow) point.z() = ground.z();
+    sketch.face(shadow, colors::grey, 0.25);
+    const double thick = 0.06;
+    sketch.turned_body(center - thick * e3, center + thick * e3, {{0, 0}, {0, 0.8 * radius}, {1, radius}, {1, 0}},
+                       colors::sky);
+    const Vector3d rim = center + thick * e3, emblem_at = rim - 0.8 * radius * e2;
+    sketch.line(arc(rim, 0.6 * radius, e1, e2), colors::blue, 1);
+    sketch.face(arc(emblem_at, 0.13, e1, e2), colors::vermilion, 1);
+    sketch.arrow(rim, rim + 0.75 * z_axis, colors::blue, i == 0 ? "{/:Bold L}" : "", Side::left, 2);
+    sketch.arrow(rim, rim + 0.75 * e3, colors::purple, i == 0 ? "{/:Bold e}_3" : "", Side::right, 2.5);
+    sketch.text(center - 1.38 * up, i == 0 ? "start" : fmt::format("{} turn", parts[static_cast<std::size_t>(i)]));
   }
   sketch.draw(directory, "plate", 600);
 }

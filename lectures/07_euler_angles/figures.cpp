@@ -66,8 +66,8 @@ void draw_three_turns(const std::filesystem::path& directory) {
   const Vector3d nodes = first.col(1);
   Panels panels;
   const auto place = [&](int column, int row, const char* title) {
-    panels.move_to(3.1 * column, -2.9 * row);
-    panels.title(title, 1.5);
+    panels.move_to(3.1 * column, -2.65 * row);
+    panels.title(title, 1.4);
   };
 
   place(0, 0, "1: φ about the vertical");
@@ -112,7 +112,7 @@ void draw_three_turns(const std::filesystem::path& directory) {
   panels.angle(y_axis, nodes, "φ");
   panels.angle(z_axis, third.col(2), "θ");
   panels.angle(nodes, third.col(1), "ψ", 0.6);
-  panels.draw(directory, "three_turns", 590);
+  panels.draw(directory, "three_turns", 540);
 }
 
 /// The vertical in the plane of the second rotation, and the line of nodes in the plane of the third.
@@ -264,7 +264,7 @@ void draw_two_readings(const std::filesystem::path& directory) {
   };
   track(tip_zyz, colors::blue, "", "z–y–z", Side::below);
   track(tip_zxz, colors::vermilion, "dt (10,5)", "z–x–z", Side::below);
-  sketch.draw(directory, "two_readings", 400);
+  sketch.draw(directory, "two_readings", 360);
 }
 
 }  // namespace

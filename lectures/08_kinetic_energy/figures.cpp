@@ -46,9 +46,11 @@ void draw_convention(const std::filesystem::path& directory) {
     const auto label = [&](const char* text, double x, double y, const char* color) {
       gnuplot << fmt::format("set label '{}' at {},{} center front tc rgb '{}'\n", text, x, y, color);
     };
-    label("racket, z–y–z", 70, 1.585, colors::blue);
-    label("racket, z–x–z", 160, 1.585, colors::vermilion);
-    label("symmetric top, either", 275, 1.585, colors::black);
+    // Each beside its curve.
+    label("racket, z–y–z", 121, 1.568, colors::blue);
+    label("racket, z–x–z", 212, 1.568, colors::vermilion);
+    label("symmetric top, either", 290, 1.432, colors::black);
+    gnuplot << fmt::format("set arrow from 275,1.438 to 266,1.4985 head filled front lc rgb '{}'\n", colors::black);
     gnuplot << fmt::format(
         "plot '-' w l lw 3.5 lc rgb '{}', '-' w l lw 3 dt (10,5) lc rgb '{}', '-' w l lw 3 lc rgb '{}'\n", colors::blue,
         colors::vermilion, colors::black);

@@ -35,29 +35,7 @@ std::vector<AngleMotion> moved(double theta, double precession, double omega3, d
 
 /// A toy top: a cone on its tip.
 void add_top(Sketch& sketch, const Vector3d& tip, const Vector3d& axis) {
-  const Vector3d across = axis.unitOrthogonal(), other = axis.cross(across);
-  const Vector3d rim = tip + 0.6 * axis;
-  const SpaceCurve circle = arc(rim, 0.36, across, other);
-  // The cone from the rim to the tip: its outline touches the rim where the normal is at right angles to the sight.
-  const double slope = std::atan2(0.36, 0.6);
-  const auto normal = [&](double angle) -> Vector3d {
-    return std::cos(slope) * (std::cos(angle) * across + std::sin(angle) * other) - std::sin(slope) * axis;
-  };
-  SpaceCurve front{tip};
-  for (int i = 0; i <= 144; ++i) {
-    const double angle = 2 * pi * i / 72;
-    const bool faces = sketch.faces_reader(normal(angle)), before = sketch.faces_reader(normal(angle - 2 * pi / 72));
-    if (faces && (front.size() > 1 || !before))
-      front.push_back(rim + 0.36 * (std::cos(angle) * across + std::sin(angle) * other));
-    if (!faces && front.size() > 1) break;
-  }
-  if (front.size() > 2) {
-    front.push_back(tip);
-    sketch.face(front, colors::purple, 0.3);
-    sketch.line(front, colors::purple, 1.5);
-  }
-  sketch.face(circle, colors::purple, 0.3);
-  sketch.line(circle, colors::purple, 1.5);
+  sketch.turned_body(tip, tip + 0.6 * axis, {{0, 0.02}, {1, 0.36}, {1, 0}}, colors::purple);
 }
 
 void draw_heavy_top(const std::filesystem::path& directory) {
@@ -67,11 +45,15 @@ void draw_heavy_top(const std::filesystem::path& directory) {
   const Vector3d center = 0.6 * axis;
   sketch.line(arc({0, 0, 1.15 * std::cos(theta)}, 1.15 * std::sin(theta), x_axis, y_axis), colors::grey, 1.2,
               "dt (5,4)");
+  const Vector3d across = axis.unitOrthogonal();
+  SpaceCurve shadow = arc(center, 0.36, across, axis.cross(across));
+  for (Vector3d& point : shadow) point.z() = 0;
+  sketch.face(shadow, colors::grey, 0.25);
   add_top(sketch, origin, axis);
-  sketch.face(arc(origin, 0.3, x_axis, y_axis), colors::grey, 0.2);
+  sketch.line({origin, 0.6 * axis}, colors::black, 1.2, "dt (5,4)");
   sketch.arrow(origin, 1.45 * z_axis, colors::black, vertical_name, Side::left, 1.8);
-  sketch.arrow(origin, 1.45 * axis, colors::purple, "{/:Bold e}_3", Side::right, 2.5);
-  sketch.arrow(center, center - 0.55 * z_axis, colors::vermilion, "Mg", Side::right, 3);
+  sketch.arrow(0.6 * axis, 1.45 * axis, colors::purple, "{/:Bold e}_3", Side::right, 2.5);
+  sketch.arrow(center, center - 0.55 * z_axis, colors::vermilion, "M{/:Bold g}", Side::right, 3);
   sketch.dot(center, colors::black, 0.9);
   sketch.text(0.33 * axis - Vector3d(0.06, 0, 0), "ℓ", colors::black, Side::left);
   sketch.line(arc(origin, 0.95, z_axis, (axis - axis.z() * z_axis).normalized(), 0, theta), colors::black, 1.5);
@@ -210,7 +192,7 @@ void draw_nutation(const std::filesystem::path& directory) {
     const Vector3d& axis = path[static_cast<std::size_t>(now)];
     add_top(sketch, tip, axis);
     sketch.arrow(tip, tip + 1.15 * z_axis, colors::black, vertical_name, Side::left, 1.5);
-    sketch.arrow(tip, tip + axis, colors::purple, "{/:Bold e}_3", Side::above, 2.5);
+    sketch.arrow(tip + 0.6 * axis, tip + axis, colors::purple, "{/:Bold e}_3", Side::above, 2.5);
     sketch.send(gnuplot, size, 1.25);
   });
 }
@@ -227,7 +209,8 @@ void draw_paths(const std::filesystem::path& directory) {
   int panel = 0;
   for (const Release& release : {Release{0, "at rest", 36}, Release{2.6, "+2.6 rad/s", 36}, Release{-5, "−5 rad/s", 36},
                                  Release{10, "+10 rad/s", 74}}) {
-    const Vector3d at = 2.0 * panel++ * x_axis;
+    const Vector3d at = 1.75 * (panel % 2) * x_axis - 1.9 * (panel / 2) * y_axis;
+    ++panel;
     SpaceCurve path;
     double inner = 1, outer = 0;
     for (const AngleMotion& state : moved(theta0, release.precession, omega3, 2.5, 1201)) {
@@ -243,9 +226,9 @@ void draw_paths(const std::filesystem::path& directory) {
     sketch.dot(path.front(), colors::black, 0.8);
     sketch.arrow(path[release.arrow], path[release.arrow + 12], colors::blue, "", Side::right, 2.2);
     sketch.dot(at, colors::grey, 0.6);
-    sketch.text(at - 1.1 * y_axis, release.name);
+    sketch.text(at - 0.95 * y_axis, release.name);
   }
-  sketch.draw(directory, "paths", 590);
+  sketch.draw(directory, "paths", 460);
 }
 
 /// A flattened planet, the pull of the sun at its bulge, and where its axis goes.

@@ -63,7 +63,7 @@ void draw_lines(const std::filesystem::path& directory) {
   const Matrix3Xd sums = product_integrals(flight);
   const Vector3d slopes = euler_coefficients(flight.t, flight.omega);
   constexpr std::array<const char*, 3> below{"∫ω_yω_z dt (rad^2/s)", "∫ω_zω_x dt (rad^2/s)", "∫ω_xω_y dt (rad^2/s)"};
-  draw_figure(directory, "lines", {590, 720}, [&](gnuplotio::Gnuplot& gnuplot) {
+  draw_figure(directory, "lines", {590, 660}, [&](gnuplotio::Gnuplot& gnuplot) {
     std::array<PlaneCurve, 3> samples, lines;
     for (int i = 0; i < 3; ++i) {
       const auto at = static_cast<std::size_t>(i);

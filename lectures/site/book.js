@@ -83,7 +83,7 @@ for (const picture of all("figure > svg")) {
   const smallest = Math.min(16, ...all("text, tspan", picture).filter(text => text.textContent.trim())
     .map(text => parseFloat(getComputedStyle(text).fontSize)));
   const widest = 481;  // points
-  const scale = Math.min(widest / box.width, Math.max(7.05 / smallest, Math.min(7.6 / smallest, 150 / box.height)));
+  const scale = Math.min(widest / box.width, Math.max(7.05 / smallest, Math.min(7.2 / smallest, 150 / box.height)));
   Object.assign(picture.style, { width: `${scale * box.width}pt`, height: `${scale * box.height}pt`, minWidth: 0, maxWidth: "none" });
 }
 

@@ -129,6 +129,64 @@ void Sketch::on_ellipsoid(const std::vector<Vector3d>& points, const Eigen::Matr
   }
 }
 
+void Sketch::lit_face(const std::vector<Vector3d>& corners, const Vector3d& normal, const std::string& color) {
+  const Vector3d light = (towards_ + 1.2 * up_ - 0.7 * right_).normalized();
+  const double brightness = 0.5 + 0.5 * normal.normalized().dot(light);
+  // Bright faces tend to white; all are the same on a dark page, as those of a lit body are.
+  std::string shade = "#";
+  for (std::size_t i = 1; i < 7; i += 2) {
+    const double part = std::stoi(color.substr(i, 2), nullptr, 16);
+    const double lit =
+        brightness < 0.55 ? part * (0.5 + 0.9 * brightness) : part + (255 - part) * (brightness - 0.55) * 1.5;
+    shade += fmt::format("{:02X}", std::clamp(static_cast<int>(lit), 0, 255));
+  }
+  std::vector<Point> curve(corners.size());
+  std::ranges::transform(corners, curve.begin(), [&](const Vector3d& corner) { return project(corner); });
+  curve.push_back(curve.front());
+  curves_.emplace_back(fmt::format("with filledcurves closed fc rgb '{0}' fs solid 1 border lc rgb '{0}'", shade), curve);
+}
+
+void Sketch::turned_body(const Vector3d& from, const Vector3d& to, const PlaneCurve& profile,
+                         const std::string& color) {
+  const Vector3d axis = to - from, first = axis.unitOrthogonal(), second = axis.normalized().cross(first);
+  constexpr int pieces = 36;
+  const auto radial = [&](double k) -> Vector3d {
+    return std::cos(2 * pi * k / pieces) * first + std::sin(2 * pi * k / pieces) * second;
+  };
+  const auto point = [&](const std::pair<double, double>& at, int k) -> Vector3d {
+    return from + at.first * axis + at.second * radial(k);
+  };
+  for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
+    const auto &start = profile[i], &end = profile[i + 1];
+    if (start.first == end.first) {  // a disc
+      const auto& rim = std::max(start, end);
+      std::vector<Vector3d> disc;
+      for (int k = 0; k < pieces; ++k) disc.push_back(point(rim, k));
+      const Vector3d normal = (start.second - end.second) * axis;
+      if (faces_reader(normal)) lit_face(disc, normal, color);
+      continue;
+    }
+    const double rise = (end.second - start.second) / axis.norm() / (end.first - start.first);
+    for (int k = 0; k < pieces; ++k) {
+      const Vector3d normal = radial(k + 0.5) - rise * axis.normalized();
+      if (faces_reader(normal))
+        lit_face({point(start, k), point(start, k + 1), point(end, k + 1), point(end, k)}, normal, color);
+    }
+  }
+}
+
+void Sketch::lit_box(const Vector3d& center, const Eigen::Matrix3d& half_edges,
+                     const std::array<const char*, 3>& face_colors) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vector3d one = half_edges.col((axis + 1) % 3), other = half_edges.col((axis + 2) % 3);
+    const Vector3d outward =
+        faces_reader(half_edges.col(axis)) ? half_edges.col(axis) : Vector3d(-half_edges.col(axis));
+    const Vector3d middle = center + outward;
+    lit_face({middle + one + other, middle - one + other, middle - one - other, middle + one - other}, outward,
+             face_colors[static_cast<std::size_t>(axis)]);
+  }
+}
+
 void Sketch::dot(const Vector3d& at, const std::string& color, double size) {
   const auto [x, y] = project(at);
   dots_ += fmt::format("set label '' at {:.5f},{:.5f} point pt 7 ps {} lc rgb '{}' front\n", x, y, size, color);

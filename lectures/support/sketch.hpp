@@ -61,6 +61,13 @@ class Sketch {
   /// A line on it: the pieces that the reader sees, and those behind it thin and faint.
   void on_ellipsoid(const std::vector<Eigen::Vector3d>& points, const Eigen::Matrix3d& half_axes,
                     const std::string& color, double width, const Eigen::Vector3d& center = Eigen::Vector3d::Zero());
+  /// A lit convex body of revolution that hides what was added before, between two points: its radii at these parts of
+  /// the way, and discs where two parts are the same.
+  void turned_body(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const PlaneCurve& profile,
+                   const std::string& color);
+  /// A lit box about a centre with the half edges as columns; each colour is that of the two faces across an edge.
+  void lit_box(const Eigen::Vector3d& center, const Eigen::Matrix3d& half_edges,
+               const std::array<const char*, 3>& face_colors);
   void dot(const Eigen::Vector3d& at, const std::string& color, double size = 0.8);
   void text(const Eigen::Vector3d& at, const std::string& text, const std::string& color = colors::black,
             Side side = Side::centre);
@@ -79,6 +86,8 @@ class Sketch {
   using Point = std::pair<double, double>;
 
   Point project(const Eigen::Vector3d& point);
+  /// Opaque, and the lighter, the more its outward normal points to the light: from above, from the left.
+  void lit_face(const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& normal, const std::string& color);
   void send(gnuplotio::Gnuplot& gnuplot, double x_min, double x_max, double y_min, double y_max) const;
 
   Eigen::Vector3d towards_, right_, up_;
