@@ -78,7 +78,7 @@ void run_gnuplot(const fs::path& file, const std::string& terminal,
 
 /// gnuplot's colours as variables of the page's style sheet, each with its light value for readers without one.
 std::string with_variables(const std::string& svg) {
-  static const std::regex color(R"(rgb\( *(\d+), *(\d+), *(\d+)\)|(color=|stroke=|fill=)(["'])(white|black)["'])");
+  static const std::regex color(R"(rgb\( *(\d+), *(\d+), *(\d+)\)|((?:color|stroke|fill) *= *)(["'])(white|black)["'])");
   std::string result;
   auto copied = svg.begin();
   for (std::sregex_iterator match(svg.begin(), svg.end(), color), end; match != end; ++match) {

@@ -56,7 +56,7 @@ std::string all_reports(const ExerciseReference& reference, const std::string& s
   checked.explanation.findings = observation.findings;
   checked.observation = std::move(observation);
   ReportedCourse page;
-  page.exercises.push_back({checked, {}, {}});
+  page.exercises.push_back({checked, {}});
   return report_page(page);
 }
 
