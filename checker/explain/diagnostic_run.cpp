@@ -30,7 +30,7 @@ constexpr KnownEvent known_events[] = {
     {"invalid-shift-.*", "invalid_shift", "the bits of a number cannot be shifted so far (a power is written with std::pow).", true},
     {"integer-divide-by-zero.*", "integer_division_by_zero", "a whole number is divided by zero.", true},
     {"float-cast-overflow.*", "conversion_out_of_range", "a number that no whole number of this type can hold (too large, infinite or NaN) is converted to one.", true},
-    {"missing-return.*", "missing_return", "the function comes to its end here without a return.", true},
+    {"missing-return.*", "missing_return", "this function comes to its end without a return.", true},
     {"signed-integer-overflow\\|.*: (.*) cannot be represented in type '(.*)'.*", "integer_overflow", "$1 does not fit into the type $2; calculate in double.", true},
     {"out-of-bounds-index\\|.*index (-?\\d+) out of bounds for type '.*\\[(\\d+)\\]'.*", "index_out_of_range", "index $1 is outside the array of size $2; indices start at 0.", true},
     {"index\\|[^|]*\\|(-?\\d+)\\|(\\d+)", "index_out_of_range", "index $1 is outside a container of size $2; indices start at 0."},

@@ -167,8 +167,7 @@ std::optional<Diagnosis> elements_without_effect(const Ask& ask, const ExerciseR
       const std::vector<Reply> replies = ask(calls);
       std::erase_if(fitting, [&](const Pattern& pattern) {
         for (std::size_t k = 0; k < count; ++k) {
-          const bool is_same =
-              replies[k].ending == Ending::returned && replies[k].value.numbers == answers[i]->numbers;
+          const bool is_same = replies[k].ending == Ending::returned && replies[k].value.numbers == answers[i]->numbers;
           if (is_same == pattern.has_effect(k, count)) return true;
         }
         return false;
@@ -212,7 +211,8 @@ Diagnosis where_it_fails(const ExerciseReference& exercise, const Answers& answe
                             exercise.cases[limit->case_index].name);
   else
     sentence += right.empty() ? "." : ", and right at " + listed(right) + ".";
-  return {DiagnosisKind::place, "where", sentence + " The reason is named at the third try, or after a hint."};
+  return {DiagnosisKind::place, "where",
+          sentence + " The reason is named at the third try with a changed file, or after a hint."};
 }
 
 /// Where the values tell symptoms only.
@@ -221,9 +221,8 @@ void explain_deeper(Explanation& explanation, const Evidence& evidence, bool has
   const DiagnosticTask& task = evidence.task;
   std::vector<Diagnosis>& diagnoses = explanation.diagnoses;
   const auto is_place = [](const Diagnosis& each) { return each.kind == DiagnosisKind::place; };
-  const bool is_inaccurate = std::ranges::any_of(diagnoses, [](const Diagnosis& each) {
-    return each.kind == DiagnosisKind::accuracy && each.name != "near";
-  });
+  const bool is_inaccurate = std::ranges::any_of(
+      diagnoses, [](const Diagnosis& each) { return each.kind == DiagnosisKind::accuracy && each.name != "near"; });
   if (task.judgement.verdict == Verdict::wrong_value) {
     if (const auto slip = slip_or_branch(task, evidence.toolchain, evidence.cache, is_inaccurate)) {
       std::erase_if(diagnoses, [&](const Diagnosis& each) {
@@ -269,8 +268,8 @@ Explanation explain(const Evidence& evidence) {
     // Of a line that is known to be wrong, the run may only tell what comes of it.
     std::vector<Finding> met = diagnostic_run(task, toolchain, cache);
     std::erase_if(met, [&](const Finding& finding) {
-      const bool is_consequence = finding.name == "endless_loop" || finding.name == "missing_return";
-      return is_consequence && std::ranges::count(in_code, finding.line, &Finding::line) > 0;
+      if (finding.name == "missing_return") return std::ranges::count(in_code, finding.name, &Finding::name) > 0;
+      return finding.name == "endless_loop" && std::ranges::count(in_code, finding.line, &Finding::line) > 0;
     });
     add(explanation.findings, std::move(met));
     add(explanation.findings, std::move(in_code));

@@ -41,7 +41,7 @@ constexpr EigenRule eigen_rules[] = {
      "index {2} is outside the vector of size {3}; indices start at 0"},
     {{"row >= 0 && row < rows()"}, "index_out_of_range", "a row or column index lies outside its matrix; indices start at 0",
      "entry ({0}, {2}) is outside its matrix, which has {3} columns; indices start at 0"},
-    {{"(i>=0) && ("}, "index_out_of_range", "row(i) or col(i) is asked for an i that the matrix does not have; indices start at 0"},
+    {{"(i>=0) && ("}, "index_out_of_range", "row(i) or col(i) is asked for an i that the matrix does not have; of n there are those from 0 to n - 1"},
     {{"startRow >= 0", "RowsAtCompileTime==blockRows"}, "index_out_of_range", "a block, segment, head or tail reaches beyond its matrix or vector"},
     {{"a_index <= m_matrix.cols()"}, "index_out_of_range", "diagonal(i) is asked for a diagonal that the matrix does not have"},
     {{"list_size ==", "list.size() =="}, "size_mismatch", "the rows in the braces do not have the size of their matrix"},

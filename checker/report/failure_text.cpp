@@ -285,14 +285,18 @@ Lines whole_deviation_lines(const Deviation& deviation, const Page& page) {
   const bool is_sentence = deviation.meaning.ends_with('.');
   Lines lines =
       wrapped_lines(is_sentence ? deviation.meaning : deviation.meaning + ": zero for a right answer.", page.width);
+  const std::vector<double>& numbers = deviation.difference.numbers;
+  const bool is_number = numbers.size() == 1;
+  if (page.is_brief && !is_sentence && (is_number || deviation.kind == Kind::matrix3) &&
+      deviation.difference.is_finite()) {
+    double largest = 0;
+    for (const double number : numbers) largest = std::max(largest, std::abs(number));
+    return wrapped_lines(
+        fmt::format("{}: zero for a right answer, here {}{}.", deviation.meaning, is_number ? "" : "up to ",
+                    number_text(is_number ? numbers.front() : largest, difference_digits)),
+        page.width);
+  }
   if (deviation.kind == Kind::matrix3) {
-    if (page.is_brief) {
-      double largest = 0;
-      for (const double number : deviation.difference.numbers) largest = std::max(largest, std::abs(number));
-      return wrapped_lines(fmt::format("{}: zero for a right answer, here up to {}.", deviation.meaning,
-                                       number_text(largest, difference_digits)),
-                           page.width);
-    }
     append(lines, matrix_lines(deviation.difference, 0, difference_digits,
                                [&](std::size_t number) { return !deviation.is_within(number); }));
     return lines;

@@ -248,7 +248,10 @@ std::string exercise_list(const Course& course, const Progress& progress, const 
               console.styled(is_wide ? padded(state.words, 24) : state.words, state.style);
       std::string worth = entry.points == 1 ? "1 point" : fmt::format("{} points", entry.points);
       worth += fmt::format(", {} min{}", entry.minutes, entry.is_problem() ? ", problem" : "");
-      if (is_wide) text += console.styled(worth, Style::quiet);
+      if (is_wide)
+        text += console.styled(worth, Style::quiet);
+      else if (entry.is_problem())
+        text += console.styled(", problem", Style::quiet);
       text += "\n";
     }
   }

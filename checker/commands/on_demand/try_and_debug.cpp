@@ -112,6 +112,7 @@ fs::path case_program(const Course& course, CheckContext& context, const CheckTa
   std::vector<Submission> files = submission.library;
   files.push_back(submission);
   fs::path program = folder / "program";
+  fmt::print(stderr, "Compiling it for the debugger ...\n");
   if (!build_program(course, source, files, {"-O0", "-g", "-w"}, program)) return "";
   fmt::print("Case {} “{}” of {} is in {}.\n", index + 1, reference.cases[index].name, reference.name,
              shown_path(source));

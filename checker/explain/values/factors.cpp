@@ -45,7 +45,7 @@ std::string text_of(const InputPower& power) {
 std::string simple_number(double number) {
   const auto fraction = [](double value) -> std::string {
     const std::string text = coefficient_text(value);
-    return text.find_first_of(".e") == std::string::npos ? text : "";
+    return text.find_first_of(".e") == std::string::npos && text != "0" ? text : "";
   };
   if (const std::string plain = fraction(number); !plain.empty()) return plain;
   const std::string sign = number < 0 ? "−" : "";

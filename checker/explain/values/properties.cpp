@@ -30,9 +30,8 @@ Violation transposition_violation(const MatrixXd& matrix, double sign, double sc
       const double entry = matrix(row, col), mirrored = matrix(col, row);
       consider(worst, std::abs(entry - sign * mirrored) / scale, [&] {
         const auto [first, second] = distinct_texts(entry, mirrored, shown_digits);
-        return row == col
-                   ? fmt::format("entry ({0},{0}) is {1}", row + 1, number_text(entry, shown_digits))
-                   : fmt::format("entry ({0},{1}) is {2}, entry ({1},{0}) is {3}", row + 1, col + 1, first, second);
+        return row == col ? fmt::format("entry ({0},{0}) is {1}", row, number_text(entry, shown_digits))
+                          : fmt::format("entry ({0},{1}) is {2}, entry ({1},{0}) is {3}", row, col, first, second);
       });
     }
   }
@@ -40,10 +39,9 @@ Violation transposition_violation(const MatrixXd& matrix, double sign, double sc
 }
 
 Violation negative_eigenvalue(const Matrix3d& matrix, double scale) {
-  const Matrix3d symmetric_part = (matrix + matrix.transpose()) / 2;
-  const double smallest =
-      Eigen::SelfAdjointEigenSolver<Matrix3d>(symmetric_part, Eigen::EigenvaluesOnly).eigenvalues()[0];
   Violation worst;
+  if (transposition_violation(matrix, 1, scale).size > 1e-9) return worst;  // its eigenvalues are others
+  const double smallest = Eigen::SelfAdjointEigenSolver<Matrix3d>(matrix, Eigen::EigenvaluesOnly).eigenvalues()[0];
   consider(worst, -smallest / scale,
            [&] { return "its smallest eigenvalue is " + number_text(smallest, shown_digits); });
   return worst;
@@ -55,9 +53,9 @@ Violation rotation_violation(const Matrix3d& matrix) {
   for (Index i = 0; i < products.rows(); ++i) {
     for (Index j = i; j < products.cols(); ++j) {
       consider(worst, std::abs(products(i, j) - (i == j ? 1 : 0)), [&] {
-        return i == j ? fmt::format("column {} has the length {}", i + 1,
+        return i == j ? fmt::format("column {} has the length {}", i,
                                     distinct_texts(std::sqrt(products(i, i)), 1, shown_digits).first)
-                      : fmt::format("columns {} and {} have the dot product {}", i + 1, j + 1,
+                      : fmt::format("columns {} and {} have the dot product {}", i, j,
                                     number_text(products(i, j), shown_digits));
       });
     }
@@ -122,7 +120,7 @@ Violation drift_violation(const ExerciseReference& exercise, const Property& pro
     const double difference = deviation.difference.numbers[col];
     consider(worst, std::abs(difference) / deviation.allowed[col] * one.tolerance, [&] {
       const auto [yours, right] = distinct_texts(constant + difference, constant, shown_digits);
-      const std::string place = value.cols > 1 ? fmt::format("in column {} ", col + 1) : "";
+      const std::string place = value.cols > 1 ? fmt::format("in column {} ", col) : "";
       return fmt::format("{}it is {} instead of {}", place, yours, right);
     });
   }

@@ -84,6 +84,11 @@ void judge_toppling_speed(Lecture& lecture) {
       "This is twice the right speed, as with the moment about the edge in the blow and the one about the centre of "
       "mass in the energy.",
       "mixed_moments", [](auto length, auto height, auto g) { return 2 * toppling_speed(length, height, g); });
+  e.wrong("The centre of mass is raised by its height above the edge less the height that it has already.",
+          "whole_height", [](auto length, auto height, auto g) {
+            const auto diagonal = hypot(length, height);
+            return sqrt(4. / 3 * g * diagonal) * diagonal / height;
+          });
   e.property(Is::nonnegative, "A speed is never negative.");
   e.route("eight masses", by_eight_masses);
   e.route("the impulse of the ridge", by_impulse);
