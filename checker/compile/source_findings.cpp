@@ -38,9 +38,22 @@ template <class T> concept PlainValue = !Kept<std::remove_cvref_t<T>>::value;
 #define auto ::workbook_values::PlainValue auto
 )";
 
+/// The text with `-> auto` at every lambda that says no type, so that the demand is made of its result too.
+std::string with_types_of_lambdas(const SourceText& source) {
+  std::string text(source.text());
+  const std::vector<Token>& tokens = source.tokens();
+  for (std::size_t brace = tokens.size(); brace-- > 2;) {
+    if (tokens[brace].text != "{" || tokens[brace - 1].text != ")") continue;
+    std::size_t depth = 1, at = brace - 1;
+    while (depth > 0 && at > 0) depth += tokens[--at].text == ")" ? 1 : tokens[at].text == "(" ? -1 : 0;
+    if (at > 0 && tokens[at - 1].text == "]") text.insert(tokens[brace].offset, "-> auto ");
+  }
+  return text;
+}
+
 std::vector<Finding> kept_expressions(const SourceText& source, const Compiler& compiler) {
   const std::vector<Token>& tokens = source.tokens();
-  compiler.write(source.text(), demand_of_values);
+  compiler.write(with_types_of_lambdas(source), demand_of_values);
   // Other errors may be many: the demand does not fit everywhere.
   const FinishedProgram asked = compiler.run(compiler.arguments({"-fsyntax-only", "-w", "-fmax-errors=0", unit_name}));
   std::vector<Finding> findings;
@@ -54,11 +67,14 @@ std::vector<Finding> kept_expressions(const SourceText& source, const Compiler& 
       return token.text != "auto" && token.text != "const" && token.text != "&" && token.text != "&&";
     });
     if (!is_kept || !error.header.empty() || name == tokens.end() || at->text != "auto") continue;
+    const bool of_lambda = of_result && std::next(name) != tokens.end() && std::next(name)->text == "=";
     findings.push_back(source.finding(
         source.place_of(at->offset), "kept_expression",
-        "With auto, `" + std::string(name->text) + (of_result ? "` returns" : "` holds") +
+        (of_lambda ? "`" : "With auto, `") + std::string(name->text) + (of_result ? "` returns" : "` holds") +
             " no result but a formula that is computed later, at every use, from operands that may have changed or "
-            "gone by then: write the type in place of auto."));
+            "gone by then: " +
+            (of_lambda ? "write its type after the parameters, as in -> Vector3d."
+                       : "write the type in place of auto.")));
   }
   return findings;
 }

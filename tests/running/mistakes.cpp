@@ -223,6 +223,10 @@ const std::vector<Mistaken> files_that_compile = {
     {"misleading_indentation 3:3", body("  for (int i = 0; i < 3; ++i)\n    x += i;\n    x *= 2;\n  return x;")},
     {"kept_expression 4:1", body("Vector3d a(x, x, x);\nauto b = a + a; return b(0);")},
     {"kept_expression 3:26", body("Vector3d a(x,x,x); const auto& r = a + a; return r(0);")},
+    {"kept_expression 3:1", body("auto doubled = [&](const Vector3d& v) { const Vector3d w = 2 * v; return w + v; "
+                                 "};\nreturn doubled({x, x, x})(0);")},
+    {"", body("const auto doubled = [](double y) { return 2 * y; };\nconst auto twice = [](const Vector3d& v) -> "
+              "Vector3d { return v + v; };\nreturn doubled(twice({x, x, x})(0));")},
     {"kept_expression 1:1",
      "auto helper(const Eigen::Vector3d& a) { return 2 * a; }\n" + body("return helper(Vector3d(x,x,x))(0);")},
     {"kept_expression 7:1", "#include <set>\n#include <ranges>\n#include <random>\n" +
