@@ -64,6 +64,19 @@ Place place_to_show(const Diagnostic& error, const SourceText& source) {
   return after.line < error.place.line ? after : error.place;
 }
 
+/// Where a header is included between { and }; npos: nowhere.
+std::size_t include_in_braces(const SourceText& source) {
+  int depth = 0;
+  const Token* before = nullptr;
+  for (const Token& token : source.tokens()) {
+    if (!token.in_directive) depth += token.text == "{" ? 1 : token.text == "}" ? -1 : 0;
+    if (depth > 0 && token.in_directive && token.text == "include" && before != nullptr && before->text == "#")
+      return before->offset;
+    before = &token;
+  }
+  return std::string::npos;
+}
+
 }  // namespace
 
 std::optional<Finding> first_error(const std::vector<Diagnostic>& found, const SourceText& source,
@@ -72,6 +85,9 @@ std::optional<Finding> first_error(const std::vector<Diagnostic>& found, const S
   auto first = std::ranges::find_if(found, is_placed_error);
   if (first == found.end()) first = std::ranges::find_if(found, &Diagnostic::is_error);
   if (first == found.end()) return std::nullopt;
+  if (const std::size_t inside = include_in_braces(source); inside != std::string::npos)
+    return source.finding(source.place_of(inside), "include_in_braces",
+                          "This #include is inside braces: write it at the top of the file, before namespace rigid {.");
   // What Eigen asserts says more than what follows from it.
   for (const bool is_assertion : {true, false})
     for (auto next = first; next != found.end(); ++next)

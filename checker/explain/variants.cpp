@@ -52,10 +52,25 @@ class Conditions {
       if (text(k) == "?") mark(decides_, std::max(begin_of_operand(k), std::size_t{1}) - 1, k);
       if (text(k) == "bool") mark(decides_, k, end_of_operand(k));
       const bool compares = is_one_of(text(k), {"==", "!=", "<=", ">=", "&&", "||"}) ||
-                            (is_one_of(text(k), {"<", ">"}) && (is_numeral(text(k + 1)) || is_numeral(text(k - 1))));
+                            (is_one_of(text(k), {"<", ">"}) && !is_of_template(k) &&
+                             (is_numeral(text(k + 1)) || is_numeral(text(k - 1))));
       if (compares && !in_loop_[k])
         mark(decides_, std::max(begin_of_operand(k), std::size_t{1}) - 1, end_of_operand(k));
     }
+  }
+
+  /// The < or > around whole numbers, as in head<2>() and block<2, 1>(0, 2).
+  bool is_of_template(std::size_t index) const {
+    const auto skips = [&](std::size_t k) { return text(k) == "," || is_numeral(text(k)); };
+    std::size_t k = index;
+    if (text(index) == "<") {
+      while (skips(++k)) {
+      }
+      return text(k) == ">" && k > index + 1;
+    }
+    while (k > 0 && skips(--k)) {
+    }
+    return text(k) == "<" && k + 1 < index;
   }
 
   bool decides(std::size_t index) const { return index < size_ && decides_[index]; }

@@ -67,6 +67,7 @@ const EigenRule* rule_of(const std::string& condition) {
 
 const char* signal_name(int signal) {
   if (signal == SIGFPE) return "arithmetic exception, such as a whole number divided by zero";
+  if (signal == SIGILL) return "illegal instruction, such as the end of a function on a way without a return";
   return ::sigdescr_np(signal) == nullptr ? "unknown" : ::sigdescr_np(signal);
 }
 

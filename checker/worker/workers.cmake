@@ -29,6 +29,8 @@ function(workbook_add_toolchain target)
   else()
     set(messages -ferror-limit=0 -Wno-unused-command-line-argument -Wno-unknown-warning-option -fno-integrated-as)
   endif()
+  # The optimiser takes a path without a return for one that is never taken, and the result for one that is right there.
+  set(returns -fsanitize=return -fsanitize-undefined-trap-on-error)
   # So that elliptic integrals of NaN are NaN in a moment, and no time limit.
   set(definitions -D_GLIBCXX_ASSERTIONS -DBOOST_MATH_MAX_SERIES_ITERATION_POLICY=1000)
   workbook_worker_sanitizers(sanitizers)
@@ -38,7 +40,7 @@ function(workbook_add_toolchain target)
   endif()
   workbook_add_one_toolchain(${target}
     DIRECTORY ${arg_DIRECTORY} INCLUDE ${arg_INCLUDE} CONTRACTS ${arg_CONTRACTS}
-    FLAGS -std=c++20 ${messages} -O1 -ftrivial-auto-var-init=pattern ${definitions}
+    FLAGS -std=c++20 ${messages} ${returns} -O1 -ftrivial-auto-var-init=pattern ${definitions}
     LINK_FLAGS -static -s -fno-lto ${link_flags}
     PRELUDE "#include \"${sources}/prelude.hpp\"\n"
     PARTS ${sources}/serve.cpp ${sources}/crash_handler.cpp ${sources}/streams.cpp

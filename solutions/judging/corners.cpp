@@ -487,6 +487,7 @@ void add_changes_of(std::vector<NamedChange>& changes, const Argument& argument,
   };
   add("negated", "−" + name, each([](double x) { return -x; }));
   add("zero", name + " = 0", each([](double) { return 0.0; }));
+  changes.back().may_leave_domain = false;
   add("absolute", "|" + name + "|", each([](double x) { return std::abs(x); }));
   add("doubled", "2·" + name, each([](double x) { return 2 * x; }));
   add("halved", name + "/2", each([](double x) { return x / 2; }));

@@ -45,7 +45,7 @@ std::optional<std::vector<double>> observed_powers(const ExerciseReference& exer
       if (number && n != *number) continue;
       const double before = answers[i]->numbers[n];
       const double after = probe.replies[k].value.numbers[n];
-      if (!(std::abs(before) > safely_away_from_zero * scale_at(one, n))) continue;
+      if (!std::isfinite(before) || !(std::abs(before) > safely_away_from_zero * scale_at(one, n))) continue;
       powers.push_back(std::log(std::abs(after / before)) / std::log(probe.factor));
     }
   }

@@ -20,3 +20,7 @@ double toppling_speed(double length, double height, double g) {
 //! wrong: energy conserved in the impact
   const double rise = (std::hypot(length, height) - height) / 2;
   return std::sqrt(2 * g * rise);
+//! wrong: no return where both are equal
+  const double diagonal = std::hypot(length, height);
+  const double v = std::sqrt(4 * g * diagonal * diagonal * (diagonal - height) / 3) / height;
+  if (length != height) return v;
