@@ -197,7 +197,7 @@ TEST_CASE("the page of a class of 500 students and 48 exercises opens at once") 
                                      {"passed", 1},
                                      {"difficulty", 0.5},
                                      {"discrimination", 0.25}});
-    document["misconceptions"].push_back({{"exercise", name}, {"message", "A sign is wrong."}});
+    document["misconceptions"].push_back({{"exercise", name}, {"name", "sign"}, {"message", "A sign is wrong."}});
   }
   for (int k = 0; k < 500; ++k) {
     const std::string id = fmt::format("s{:03}", k);
