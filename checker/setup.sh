@@ -199,32 +199,32 @@ wait_for_other_build() {
 costs_of_steps='
 */unity_source_compile*                           27
 */unity_judging*                                  24
-*/unity_grading*                                  17
+*/unity_grading*                                  18
 */unity_commands_on_demand*                       14
 */workbook_command_line.dir/*                     10
-*/workbook_judging.dir/cmake_pch*                 10
-*/workbook_judging.dir/*                          11
-*/reference_@(03|05|09|11)_*/Unity/*              17
-*/reference_*/Unity/*                             10
+*/workbook_judging.dir/*                           6
+*/reference_@(03|05|09|11)_*/Unity/*              19
+*/reference_*/Unity/*                              8
 */solutions_@(05|09|10|11)_*/Unity/*               6
 */solutions_*/Unity/*                              3
 *.gch                                              6
-*worked_examples_objects_@(02|07|08|09|10|11)_*   13
-*worked_examples_objects_*                         5
-*figures_objects_@(06|10|11)_*                    14
+*worked_examples_objects_@(02|07|08|09|10|11)_*    8
+*worked_examples_objects_*                         3
+*figures_objects_@(06|10|11)_*                    12
 *figures_objects_*                                 3
-*lectures/*/support/motion*                        7
-*tests/*/Unity/*                                  14
-*exercises_of_the_student*                         2
-*Building?CXX?object*                              4
+*lectures/*/support/motion*                        5
+*/test_judging.dir/*                              16
+*tests/*/Unity/*                                   7
+*Building?CXX?object*                              3
 WebAssembly*                                      10
-Precompiling*                                      5
-Compiling*                                         1
+Precompiling*                                      6
 Reference*@(05|09|10)_*                            3
 Figures?of?@(02|06|09|10)_*                        6
 Figures*                                           2
 Notes*                                             5
-*                                                  1
+Reference*                                         1
+Linking?CXX?executable*                            1
+*                                                  0
 '
 
 # A line of progress from what ninja says. What is left is told from a twentieth of the work on: by the time that the
