@@ -82,7 +82,7 @@ TEST_CASE("a wrong function is drawn on the reference on its student's page, and
 
   write(few.root() / "programs/gnuplot", "#!/bin/sh\nexit 1\n");
   fs::permissions(few.root() / "programs/gnuplot", fs::perms::owner_all | fs::perms::others_all);
-  const std::string failing = fmt::format("PATH={}:$PATH", (few.root() / "programs").string());
+  const std::string failing = fmt::format("PATH='{}':$PATH", (few.root() / "programs").string());
   const auto results = results_in(few.root() / "out");
   CHECK(has(few.grade("out", "", failing).out, "No mark has changed."));
   CHECK(results_in(few.root() / "out") == results);
