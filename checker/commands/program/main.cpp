@@ -269,7 +269,8 @@ class CommandLine {
       if (name == "--roster") require_file(*options_.roster, "a table in CSV");
       if (name == "--assignment") require_file(*options_.assignment, "what is graded, in JSON,");
       if (name == "--html") require_page(options_.html);
-      if (name == "SUBMISSIONS" && !fs::exists(options_.submissions))
+      std::error_code ignored;
+      if (name == "SUBMISSIONS" && !fs::exists(options_.submissions, ignored))
         throw UsageError(fmt::format("There is no {}.", printable(options_.submissions.string())));
       if (name == "FOLDER" || name == "--out")
         if (const std::string trouble = place_trouble(*options_.out); !trouble.empty())
