@@ -21,6 +21,7 @@ libboost-dev            elliptic functions, integrators, automatic differentiati
 libboost-iostreams-dev  needed by gnuplot-iostream
 libboost-filesystem-dev needed by gnuplot-iostream
 libboost-system-dev     needed by gnuplot-iostream
+libboost-regex-dev      finds patterns in long texts
 libgnuplot-iostream-dev plots and figures from C++
 gnuplot-nox             draws the plots and figures
 libsodium-dev           locks solutions in copies for students

@@ -5,6 +5,7 @@
 #include <boost/archive/iterators/binary_from_base64.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
 #include <boost/locale/utf.hpp>
+#include <boost/regex.hpp>
 
 #include <algorithm>
 #include <array>
@@ -13,7 +14,6 @@
 #include <iterator>
 #include <map>
 #include <numeric>
-#include <regex>
 #include <sstream>
 #include <utility>
 
@@ -47,14 +47,14 @@ std::size_t distance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
-const std::regex& regex_of(std::string_view pattern) {
-  static std::map<std::string, std::regex, std::less<>> made;
+const boost::regex& regex_of(std::string_view pattern) {
+  static std::map<std::string, boost::regex, std::less<>> made;
   const auto known = made.find(pattern);
   if (known != made.end()) return known->second;
-  return made.emplace(pattern, std::regex(pattern.data(), pattern.size())).first->second;
+  return made.emplace(pattern, boost::regex(pattern.data(), pattern.size())).first->second;
 }
 
-Match match_of(const std::cmatch& found) {
+Match match_of(const boost::cmatch& found) {
   Match match;
   for (std::size_t i = 0; i < found.size(); ++i) {
     match.groups.push_back(found.str(i));
@@ -173,21 +173,21 @@ std::string Match::fill(std::string sentence, char mark) const {
 }
 
 Match search(std::string_view text, std::string_view pattern) {
-  std::cmatch found;
-  std::regex_search(text.data(), text.data() + text.size(), found, regex_of(pattern));
+  boost::cmatch found;
+  boost::regex_search(text.data(), text.data() + text.size(), found, regex_of(pattern));
   return match_of(found);
 }
 
 std::vector<Match> search_all(std::string_view text, std::string_view pattern) {
   std::vector<Match> all;
-  for (std::cregex_iterator next(text.data(), text.data() + text.size(), regex_of(pattern)), end; next != end; ++next)
+  for (boost::cregex_iterator next(text.data(), text.data() + text.size(), regex_of(pattern)), end; next != end; ++next)
     all.push_back(match_of(*next));
   return all;
 }
 
 std::string replaced(std::string_view text, std::string_view pattern, const std::string& replacement) {
   std::string result;
-  std::regex_replace(std::back_inserter(result), text.data(), text.data() + text.size(), regex_of(pattern),
+  boost::regex_replace(std::back_inserter(result), text.data(), text.data() + text.size(), regex_of(pattern),
                      replacement);
   return result;
 }
