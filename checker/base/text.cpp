@@ -51,7 +51,7 @@ const boost::regex& regex_of(std::string_view pattern) {
   static std::map<std::string, boost::regex, std::less<>> made;
   const auto known = made.find(pattern);
   if (known != made.end()) return known->second;
-  return made.emplace(pattern, boost::regex(pattern.data(), pattern.size())).first->second;
+  return made.emplace(pattern, boost::regex(pattern.begin(), pattern.end())).first->second;
 }
 
 Match match_of(const boost::cmatch& found) {
@@ -174,8 +174,8 @@ std::string Match::fill(std::string sentence, char mark) const {
 
 Match search(std::string_view text, std::string_view pattern) {
   boost::cmatch found;
-  boost::regex_search(text.data(), text.data() + text.size(), found, regex_of(pattern));
-  return match_of(found);
+  const bool is_there = boost::regex_search(text.data(), text.data() + text.size(), found, regex_of(pattern));
+  return is_there ? match_of(found) : Match();
 }
 
 std::vector<Match> search_all(std::string_view text, std::string_view pattern) {
