@@ -47,11 +47,15 @@ std::size_t distance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
+// "." ends at a line, and "^" and "$" are those of the text.
+const auto whole_text = boost::match_not_dot_newline | boost::match_single_line;
+
 const boost::regex& regex_of(std::string_view pattern) {
   static std::map<std::string, boost::regex, std::less<>> made;
   const auto known = made.find(pattern);
   if (known != made.end()) return known->second;
-  return made.emplace(pattern, boost::regex(pattern.begin(), pattern.end())).first->second;
+  return made.emplace(pattern, boost::regex(boost::replace_all_copy(std::string(pattern), "[^]", "[\\s\\S]")))
+      .first->second;
 }
 
 Match match_of(const boost::cmatch& found) {
@@ -174,13 +178,15 @@ std::string Match::fill(std::string sentence, char mark) const {
 
 Match search(std::string_view text, std::string_view pattern) {
   boost::cmatch found;
-  const bool is_there = boost::regex_search(text.data(), text.data() + text.size(), found, regex_of(pattern));
+  const bool is_there =
+      boost::regex_search(text.data(), text.data() + text.size(), found, regex_of(pattern), whole_text);
   return is_there ? match_of(found) : Match();
 }
 
 std::vector<Match> search_all(std::string_view text, std::string_view pattern) {
   std::vector<Match> all;
-  for (boost::cregex_iterator next(text.data(), text.data() + text.size(), regex_of(pattern)), end; next != end; ++next)
+  for (boost::cregex_iterator next(text.data(), text.data() + text.size(), regex_of(pattern), whole_text), end;
+       next != end; ++next)
     all.push_back(match_of(*next));
   return all;
 }
@@ -188,7 +194,7 @@ std::vector<Match> search_all(std::string_view text, std::string_view pattern) {
 std::string replaced(std::string_view text, std::string_view pattern, const std::string& replacement) {
   std::string result;
   boost::regex_replace(std::back_inserter(result), text.data(), text.data() + text.size(), regex_of(pattern),
-                     replacement);
+                       replacement, whole_text);
   return result;
 }
 

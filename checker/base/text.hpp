@@ -61,8 +61,9 @@ struct Match {
   std::string fill(std::string sentence, char mark = '$') const;
 };
 
-/// The first place that a regular expression (of Perl's syntax) fits. Compiled patterns are cached. By Boost.Regex:
-/// std::regex recurses over the length of the text, and a long line of a compiler's output overflows the stack.
+/// The first place that a regular expression (of Perl's syntax, with "[^]" for any sign) fits. Compiled patterns are
+/// cached. By Boost.Regex: std::regex recurses over the length of the text, and a long line of a compiler's output
+/// overflows the stack.
 Match search(std::string_view text, std::string_view pattern);
 /// All of them, which do not overlap.
 std::vector<Match> search_all(std::string_view text, std::string_view pattern);

@@ -105,6 +105,15 @@ TEST_CASE("A fingerprint and base64 agree with their published test vectors") {
   CHECK(base64("") + base64("f") + base64("fo") + base64("foo") + base64("\xfb\xff\xfe") == "Zg==Zm8=Zm9v+//+");
 }
 
+TEST_CASE("A pattern fits within a line, and its ends are those of the text; what does not fit is no match") {
+  CHECK(workbook::search("ab\ncd", "a.*d").groups.empty());
+  CHECK(workbook::search("ab\ncd", "a[^]*d")[0] == "ab\ncd");
+  CHECK(workbook::search_all("ab\nab", "^ab").size() == 1);
+  CHECK(workbook::search("", "^x$").groups.empty());
+  CHECK(workbook::search("aaaaaaa", "^(a)(b)?").groups == std::vector<std::string>{"a", "a", ""});
+  CHECK(workbook::replaced("a\nb", "$", ".") == "a\nb.");
+}
+
 TEST_CASE("A file is written whole, over the old one, and its folder made") {
   const fs::path folder = scratch();
   const fs::path file = folder / "new" / "and newer" / "file.txt";
