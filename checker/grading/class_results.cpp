@@ -162,35 +162,24 @@ ordered_json ClassResults::document() {
 }
 
 std::vector<std::string> compare_with(const ordered_json& before, ordered_json& now) {
-  const std::vector<std::string> changes = changed_marks(before, now);
-  now["changes"] = changes.empty() ? before.value("changes", ordered_json::array()) : ordered_json(changes);
-  std::map<std::string, const ordered_json*> known;
-  for (const ordered_json& student : before.at("students")) known[student.at("id")] = &student;
-  for (ordered_json& student : now.at("students")) {
-    const auto old = known.find(student.at("id"));
-    if (old == known.end()) continue;
-    if (changes.empty() ? old->second->contains("before") : old->second->at("score") != student.at("score"))
-      student["before"] = old->second->at(changes.empty() ? "before" : "score");
-  }
-  return changes;
-}
-
-std::vector<std::string> changed_marks(const ordered_json& before, const ordered_json& now) {
+  now["changes"] = before.value("changes", ordered_json::array());  // first: a new key moves all that was there
   std::vector<std::string> lines;
   std::map<std::string, const ordered_json*> known;
+  std::vector<std::pair<ordered_json&, const ordered_json&>> in_both;
   const auto name_of_mark = [](const ordered_json& mark) { return mark.at("exercise").get<std::string>(); };
   const auto number = [](const ordered_json& student, const char* key) { return student.at(key).get<double>(); };
   const auto is_unjudged = [](const ordered_json& mark) { return mark.at("verdict") == "checker_error"; };
   const bool is_other_seed = before.at("seed") != now.at("seed");
   std::map<std::string, std::vector<std::string>> by_reason;  // what many have in common is said once
   for (const ordered_json& student : before.at("students")) known[student.at("id")] = &student;
-  for (const ordered_json& student : now.at("students")) {
+  for (ordered_json& student : now.at("students")) {
     const std::string id = student.at("id");
     if (!known.contains(id)) {
       lines.push_back(fmt::format("{}: {:g} points; new.", id, number(student, "score")));
       continue;
     }
     const ordered_json& old = *known.extract(id).mapped();
+    in_both.emplace_back(student, old);
     if (old.at("score") == student.at("score") && old.at("possible") == student.at("possible")) continue;
     std::vector<std::string> reasons;
     const auto by_hand = [](const ordered_json& of) { return of.value("by_hand", ""); };
@@ -237,6 +226,10 @@ std::vector<std::string> changed_marks(const ordered_json& before, const ordered
       for (const std::string& mark : marks) lines.push_back(fmt::format("{}: {}.", mark, reason));
   }
   for (const auto& [id, unused] : known) lines.push_back(fmt::format("{}: no longer in the class.", id));
+  if (!lines.empty()) now["changes"] = lines;
+  for (const auto& [student, old] : in_both)
+    if (lines.empty() ? old.contains("before") : old.at("score") != student.at("score"))
+      student["before"] = old.at(lines.empty() ? "before" : "score");
   return lines;
 }
 

@@ -14,9 +14,8 @@ using nlohmann::ordered_json;
 
 namespace {
 
-std::string number(const ordered_json& value) {
-  return value.is_number() ? fmt::format("{:g}", value.get<double>()) : "";
-}
+/// With as many digits as it has, and no others.
+std::string number(const ordered_json& value) { return fmt::format("{:.10g}", value.get<double>()); }
 
 std::string text(const ordered_json& of, const char* key) { return of.value(key, ""); }
 
@@ -27,58 +26,8 @@ bool is_right(const ordered_json& mark) {
   return mark.at("verdict") == "passed" || (mark.at("score").is_number() && mark.at("score") >= mark.at("points"));
 }
 
-std::string grades_csv(const ordered_json& document) {
-  Table table = {{"id", "name", "score", "possible", "days_late"}};
-  for (const ordered_json& exercise : document.at("exercises")) table[0].push_back(exercise.at("exercise"));
-  table[0].emplace_back("by_hand");
-  for (const ordered_json& student : document.at("students")) {
-    if (!student.at("in_tables")) continue;
-    table.push_back({student.at("id"), student.at("name"), number(student.at("score")), number(student.at("possible")),
-                     number(student.at("days_late"))});
-    for (const ordered_json& mark : student.at("results"))
-      table.back().push_back(is_excused(mark) ? "excused" : number(mark.at("score")));
-    table.back().push_back(decided_by_hand(student));
-  }
-  return write_csv(table);
-}
-
-/// What gradebooks take.
-Table gradebook(const ordered_json& document, const std::vector<std::string>& heading,
-                const std::function<std::vector<std::string>(const std::string& id, const std::string& name)>& row) {
-  const std::string title = document.at("title");
-  Table table = {heading};
-  table[0].push_back(title.empty() ? "Rigid Body Workbook" : title);
-  for (const ordered_json& student : document.at("students")) {
-    if (!student.at("in_gradebooks")) continue;
-    table.push_back(row(student.at("id"), student.at("name")));
-    table.back().push_back(number(student.at("score")));
-  }
-  return table;
-}
-
-/// The instructor says at the import which column is which. https://docs.moodle.org/en/Grade_import
-std::string moodle_csv(const ordered_json& document) {
-  const auto row = [](const std::string& id, const std::string& name) { return std::vector{id, name}; };
-  return write_csv(gradebook(document, {"ID number", "Full name"}, row));
-}
-
-/// Columns and the second row as lib/gradebook_importer.rb of Canvas demands them. It takes digits in the second column
-/// for its own number of a student, and looks for others in the next two.
-std::string canvas_csv(const ordered_json& document) {
-  const std::vector<std::string> heading = {"Student", "ID", "SIS User ID", "SIS Login ID", "Section"};
-  Table table = gradebook(document, heading, [](const std::string& id, const std::string& name) {
-    const bool is_number = id.find_first_not_of("0123456789") == std::string::npos;
-    const std::string own = is_number ? id : "", other = is_number ? "" : id;
-    return std::vector<std::string>{name.empty() ? id : name, own, other, other, ""};
-  });
-  double possible = 0;
-  for (const ordered_json& exercise : document.at("exercises")) possible += exercise.at("points").get<double>();
-  table.insert(table.begin() + 1, {"    Points Possible", "", "", "", "", number(possible)});
-  return write_csv(table);
-}
-
-/// What the forms of other systems are filled with. Numbers are texts, which keep their digits; points are also in
-/// hundredths, for who takes whole numbers only. @param about  the student
+/// What the forms of other systems are filled with. Points are also in hundredths, for who takes whole numbers only.
+/// Canvas takes digits for its own number of a student. @param about  the student
 nlohmann::json form_values(const ordered_json& about, const ordered_json& results, const ordered_json& sandbox) {
   std::vector<std::string> notes = about.value("notes", std::vector<std::string>());
   notes.insert(notes.begin(), "Sandbox: " + sandbox.get<std::string>());
@@ -103,10 +52,11 @@ nlohmann::json form_values(const ordered_json& about, const ordered_json& result
     nlohmann::json values = {{"exercise", mark.at("exercise")},
                              {"verdict", mark.at("verdict")},
                              {"message", message},
-                             {"points", mark.at("points").dump()},
-                             {"score", mark.at("score").dump()},
+                             {"points", number(mark.at("points"))},
+                             {"score", is_judged ? number(mark.at("score")) : "null"},
                              {"status", status},
                              {"is_judged", is_judged},
+                             {"is_excused", is_excused(mark)},
                              {"is_right", is_right(mark)},
                              {"is_skipped", is_skipped},
                              {"is_error", !is_skipped && !is_judged},
@@ -120,11 +70,16 @@ nlohmann::json form_values(const ordered_json& about, const ordered_json& result
     }
     if (is_judged) hundredths = {hundredths[0] + earned, hundredths[1] + most};
   }
-  return {{"id", about.at("id")},
+  const std::string id = about.at("id");
+  return {{"id", id},
+          {"is_number", id.find_first_not_of("0123456789") == std::string::npos},
+          {"name", about.at("name")},
+          {"decided", about.contains("results") ? decided_by_hand(about) : ""},
+          {"days_late", about.at("days_late")},
           {"sandbox", sandbox},
           {"output", fmt::format("{}", fmt::join(notes, "\n"))},
-          {"score", about.at("score").dump()},
-          {"possible", about.at("possible").dump()},
+          {"score", number(about.at("score"))},
+          {"possible", number(about.at("possible"))},
           {"share", fmt::format("{:.6f}", possible > 0 ? std::min(1.0, score / possible) : 0.0)},
           {"hundredths", std::to_string(hundredths[0])},
           {"most_hundredths", std::to_string(hundredths[1])},
@@ -137,14 +92,6 @@ nlohmann::json form_values(const ordered_json& about, const ordered_json& result
           {"failures", counts["fail of those left"]},
           {"results", all},
           {"judged", judged}};
-}
-
-std::string junit_xml(const ordered_json& document) {
-  std::string suites;
-  for (const ordered_json& student : document.at("students"))
-    suites += filled_text(page_template("junit.xml"), "junit.xml",
-                          form_values(student, student.at("results"), document.at("sandbox")));
-  return fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n{}</testsuites>\n", suites);
 }
 
 }  // namespace
@@ -160,10 +107,26 @@ std::string indented(const ordered_json& document) {
 }
 
 std::map<std::string, std::string> class_exports(const ordered_json& document) {
-  return {{"grades.csv", grades_csv(document)},
-          {"moodle.csv", moodle_csv(document)},
-          {"canvas.csv", canvas_csv(document)},
-          {"junit.xml", junit_xml(document)}};
+  std::map<std::string, std::string> texts;
+  const auto add = [&](const nlohmann::json& values) {
+    for (const char* form : {"grades.csv", "moodle.csv", "canvas.csv", "junit.xml"})
+      texts[form] += filled_text(page_template(form), form, values);
+  };
+  double possible = 0;
+  for (const ordered_json& exercise : document.at("exercises")) possible += exercise.at("points").get<double>();
+  const std::string title = text(document, "title");
+  add({{"heading", true},
+       {"title", title.empty() ? "Rigid Body Workbook" : title},
+       {"possible", number(possible)},
+       {"results", document.at("exercises")}});
+  for (const ordered_json& student : document.at("students")) {
+    nlohmann::json values = form_values(student, student.at("results"), document.at("sandbox"));
+    values["in_class"] = true;
+    for (const char* list : {"in_tables", "in_gradebooks"}) values[list] = student.at(list);
+    add(values);
+  }
+  add({{"end", true}});
+  return texts;
 }
 
 std::map<std::string, std::string> student_exports(const ordered_json& student) {

@@ -122,13 +122,15 @@ struct Found {
   fs::path file = {};        ///< where it lies, if that is no zip file
 };
 
-/// Reads, in a process of its own and in a sandbox, the files with these names; what is zipped once more as well.
+/// By the name, whatever the letters.
+bool is_zip(const fs::path& file);
+/// Is a file of that name read or, where it cannot be right, named?
+bool is_handed_in(const std::string& name);
+
+/// Reads, in a process of its own and in a sandbox, what is handed in; what is zipped once more as well.
 /// @param is_class  the first part of a path is a student, and what is too much of one student costs no other
 /// @throws RejectedFile
-std::vector<Found> read_zip(const fs::path& file, const std::vector<std::string>& names, bool is_class);
-
-/// All files of a folder, in a file whose name says of which kind: "week3.zip", "week3.tar". @throws std::runtime_error
-void write_archive(const fs::path& folder, const fs::path& file);
+std::vector<Found> read_zip(const fs::path& file, bool is_class);
 
 // --- what has been judged, in a file that only grows: a program that is killed loses nothing but what it was doing
 
@@ -238,10 +240,8 @@ class ClassResults {
   std::array<int, 10> distribution_{};
 };
 
-/// Whose mark is another one than before, and why, a line each.
-std::vector<std::string> changed_marks(const nlohmann::ordered_json& before, const nlohmann::ordered_json& now);
-
-/// The same; and notes in the document the changes, or those of the last run that had any.
+/// Whose mark is another one than before, and why, a line each; the document notes these, or those of the last run that
+/// had any.
 std::vector<std::string> compare_with(const nlohmann::ordered_json& before, nlohmann::ordered_json& now);
 
 /// What a learning system tells the student of one result: nothing of one that passed, but what was decided by hand.

@@ -3,6 +3,7 @@
 #include <unicode/normalizer2.h>
 #include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/erase.hpp>
+#include <boost/algorithm/string/predicate.hpp>
 #include <boost/algorithm/string/split.hpp>
 
 #include <sys/stat.h>
@@ -19,11 +20,19 @@ constexpr std::size_t most_notes = 20;
 constexpr std::size_t most_entries = 20'000;  // looked at in one student's folder
 constexpr int deepest = 16;
 const fs::path progress_file = ".workbook/progress.json";
+const std::vector<std::string> source_endings = {".cpp", ".cc", ".cxx", ".c", ".cpp.txt"};
+const std::vector<std::string> archive_endings = {".tar", ".gz", ".tgz", ".xz", ".bz2", ".7z", ".rar"};
 constexpr std::size_t nobody = SIZE_MAX;  // who is graded here, but perhaps in another shard
 
-/// "Spring Energy-2 (1)" → "spring_energy": what somebody meant who did not keep to a name.
-std::string plain_name(const std::string& stem) {
-  return replaced(boost::to_lower_copy(replaced(stem, "[-0-9()_ ]+$", "")), "[- ]", "_");
+bool has_ending(const std::string& name, const std::vector<std::string>& endings) {
+  return std::ranges::any_of(endings, [&](const auto& each) { return boost::iends_with(name, each); });
+}
+
+/// Canvas and Moodle write before the name of what was handed in whose it is, and numbers of their own.
+Match by_system(const std::string& name) {
+  return search(name,
+                "^(?:LATE_)?(anon_[A-Za-z0-9]+|[^A-Z_ -]+(?:_LATE)?_\\d+|.+_\\d+(?=_assignsubmission_))"
+                "_(?:\\d\\d+|assignsubmission_[a-z]+)(?:_(.*))?$");
 }
 
 /// A person's name as it is compared: in small letters, with accents in one form (a Mac writes them as signs of their
@@ -43,6 +52,8 @@ std::string plain_person(const std::string& name) {
 /// The folder into which Gradescope's export puts all students.
 bool is_export(const std::string& name) { return name.starts_with("assignment_") && name.ends_with("_export"); }
 
+std::string in_quotes(const std::string& name) { return fmt::format("'{}'", shortened(printable(name), 100)); }
+
 fs::file_type type_of(const fs::path& file) {
   std::error_code ignored;
   return fs::symlink_status(file, ignored).type();
@@ -57,8 +68,6 @@ class Collector {
         shard_(shard),
         has_roster_(!roster.empty()),
         by_attempts_(by_attempts) {
-    for (const Exercise& exercise : exercises_) names_.push_back(exercise.name() + ".cpp");
-    endings_.insert(endings_.end(), names_.begin(), names_.end());
     for (const RosterEntry& entry : roster) {
       add(entry);
       for (const std::string& alias : entry.aliases) add_name(aliases_, alias, entry.id);
@@ -99,7 +108,7 @@ class Collector {
   /// A class in a zip file. @throws GradingError
   std::vector<Found> zipped_class(const fs::path& submissions) const {
     try {
-      return read_zip(submissions, endings_, true);
+      return read_zip(submissions, true);
     } catch (const RejectedFile& reason) {
       throw GradingError(fmt::format("{} Nothing was graded.", reason.what()));
     }
@@ -125,7 +134,7 @@ class Collector {
       const std::string name = entry.filename().string(), path = above + name;
       if (is_above_students) looked_at_ = 0;
       if (++looked_at_ > most_entries) return refuse(path, "comes after too many other files");
-      if (type_of(entry) == fs::file_type::directory && std::ranges::count(names_, name) == 0) {
+      if (type_of(entry) == fs::file_type::directory && !is_exercise(entry)) {
         if (name == "__MACOSX") continue;
         if (depth == deepest) {
           refuse(path, "is a folder in too many others");
@@ -133,10 +142,10 @@ class Collector {
         }
         if (is_above_students) files.push_back({.path = path + "/"});  // also whose folder is empty is of the class
         list(entry, path + "/", files, depth + 1);
-      } else if (entry.extension() == ".zip") {
+      } else if (is_zip(entry)) {
         looked_at_ += most_entries / 20;
         files.push_back({.path = path.substr(0, path.size() - 4), .file = entry});
-      } else if (depth == 0 || std::ranges::any_of(endings_, [&](auto& each) { return name.ends_with(each); })) {
+      } else if (depth == 0 || is_handed_in(name)) {
         files.push_back({.path = path, .file = entry});
       }
     }
@@ -192,8 +201,9 @@ class Collector {
  private:
   /// An export of Gradescope: whose its folders are.
   void take_metadata(const std::string& text) {
+    has_metadata_ = true;
     for (const auto& [folder, people] : read_gradescope(text)) {
-      std::vector<std::size_t>& owners = groups_[folder];
+      std::vector<std::size_t>& owners = owners_[folder];
       for (const RosterEntry& person : people) {
         std::optional<std::size_t> meant = has_roster_ ? known(person.id) : std::nullopt;
         if (!has_roster_) {
@@ -204,9 +214,8 @@ class Collector {
           if (!meant) meant = known(alias);
         if (!meant) meant = found_in(full_names_, person.name);
         if (!meant)
-          problem(fmt::format("'{}' was not read for {}: the roster has neither '{}' nor that name.",
-                              shortened(printable(folder), 100), shortened(printable(person.name), 100),
-                              shortened(printable(person.id), 100)));
+          problem(fmt::format("{} was not read for {}: the roster has no {}, and not just one of that name.",
+                              in_quotes(folder), shortened(printable(person.name), 100), in_quotes(person.id)));
         if (!meant || *meant == nobody) continue;
         owners.push_back(*meant);
         Student& student = intake.students[*meant];
@@ -346,46 +355,36 @@ class Collector {
   /// Whom a top-level entry of that name belongs to and who is graded here.
   std::vector<Student*> students_of(const std::string& name) {
     std::vector<Student*> students;
-    if (!groups_.empty()) {
-      const auto group = groups_.find(name);
-      if (group == groups_.end())
-        problem(fmt::format("'{}' was not read: {} does not name it.", shortened(printable(name), 100),
-                            gradescope_metadata));
-      else
-        for (const std::size_t owner : group->second) students.push_back(&intake.students[owner]);
-      return students;
-    }
-    auto owner = owners_.find(name);
-    if (owner == owners_.end()) owner = owners_.emplace(name, owner_of(name)).first;
-    if (owner->second != nobody) students.push_back(&intake.students[owner->second]);
+    if (!owners_.contains(name)) owners_[name] = owners_of(name);
+    for (const std::size_t owner : owners_[name]) students.push_back(&intake.students[owner]);
     return students;
   }
 
-  std::size_t owner_of(const std::string& name) {
-    std::vector<std::string> fields = leading_fields(name);
-    std::erase(fields, "LATE");  // which Canvas puts there
-    std::string entry = fmt::format("{}", fmt::join(fields, "_"));
+  std::vector<std::size_t> owners_of(const std::string& name) {
+    if (has_metadata_) {
+      problem(fmt::format("{} was not read: {} does not name it.", in_quotes(name), gradescope_metadata));
+      return {};
+    }
+    const Match own = by_system(name);
     std::set<std::size_t> meant = meant_by(name);
-    if (!has_roster_) {
-      // Canvas numbers the files behind the student, who may be a group or have no name; Moodle says what they are.
-      if (const Match nameless = search(name, "^(LATE_)?(anon_[A-Za-z0-9]+)_\\d\\d+(_.*)?$"))
-        entry = nameless[2];
-      else if (!search(name, "^([^A-Z_ -]+(_LATE)?_\\d+_\\d\\d+(_.*)?|.+_\\d+_assignsubmission_.*)$"))
-        entry = name;
-      if (!shard_.has(entry)) return nobody;
+    const std::string entry = own           ? boost::erase_last_copy(own[1], "_LATE")
+                              : has_roster_ ? fmt::format("{}", fmt::join(leading_fields(name), "_"))
+                                            : name;
+    if (!has_roster_) {  // Canvas numbers the files of a student, who may be a group or have no name
+      if (!shard_.has(entry)) return {};
       if (!students_.contains(entry)) add_student(entry);
       meant = {students_.at(entry)};
     }
     if (meant.size() != 1) {
-      problem(fmt::format("'{}' was not read: {} of the roster.", shortened(printable(name), 100),
-                          meant.empty() ? "it names no id" : "it names several ids"));
-      return nobody;
+      problem(fmt::format("{} was not read: {} of the roster.", in_quotes(name),
+                          meant.empty() ? "it names no id, and no name of just one student," : "it names several ids"));
+      return {};
     }
-    if (*meant.begin() == nobody) return nobody;
+    if (*meant.begin() == nobody) return {};
     Student& student = intake.students[*meant.begin()];
     if (student.entry.empty()) student.entry = entry;
     if (student.entry != entry) dispute(student, student.entry, entry);
-    return *meant.begin();
+    return {*meant.begin()};
   }
 
   /// That of the name; a new one takes its place in their order.
@@ -405,7 +404,7 @@ class Collector {
   }
 
   Student& attempt_of(Student& student, const std::vector<std::string>& parts) {
-    if (!groups_.empty() && !student.attempts.empty()) return attempt(student, parts.front(), {}, 0);
+    if (has_metadata_ && !student.attempts.empty()) return attempt(student, parts.front(), {}, 0);
     if (!by_attempts_ || parts.size() < 2) return student;
     std::string name = parts[1];
     if (name.size() > 16 && name[13] == '-' && name[16] == '-') name[13] = name[16] = ':';  // which Windows has not
@@ -416,18 +415,18 @@ class Collector {
 
   static void dispute(Student& student, const std::string& one, const std::string& other) {
     if (student.dispute.empty())
-      student.dispute = fmt::format("'{}' and '{}' both name this student; leave only what is theirs.",
-                                    shortened(printable(one), 100), shortened(printable(other), 100));
+      student.dispute =
+          fmt::format("{} and {} both name this student; leave only what is theirs.", in_quotes(one), in_quotes(other));
   }
 
   void take(Found& found) {
     const std::string shown = shortened(printable(found.path), 200);
     std::string first = found.path.substr(0, found.path.find('/'));
     std::string trouble = found.is_unread ? fmt::format("'{}' was not read: it {}.", shown, found.refusal) : "";
-    if (first == found.path && first.ends_with(".zip")) first.resize(first.size() - 4);
-    if (found.file.extension() == ".zip") {
+    if (first == found.path && is_zip(first)) first.resize(first.size() - 4);
+    if (is_zip(found.file)) {
       try {
-        for (Found& each : read_zip(found.file, endings_, false)) {
+        for (Found& each : read_zip(found.file, false)) {
           each.path = found.path + "/" + each.path;
           take(each);
         }
@@ -451,7 +450,7 @@ class Collector {
     if (parts.empty() || std::ranges::any_of(parts, [](const auto& part) { return part.starts_with('.'); })) {
       if (std::ranges::count(parts, "..") > 0) problem(fmt::format("'{}' was not read: its path leads away.", shown));
     } else if (parts.size() == 1 && !is_progress) {
-      take_flat(parts.front(), found);
+      take_flat(parts.front(), found, shown);
     } else {
       for (Student* owner : students_of(parts.front())) {
         Student& student = attempt_of(*owner, parts);
@@ -463,24 +462,33 @@ class Collector {
     }
   }
 
+  bool is_exercise(const fs::path& file) const {
+    return file.extension() == ".cpp" && std::ranges::count(exercises_, file.stem().string(), &Exercise::name) > 0;
+  }
+
+  /// The exercise that somebody meant who called a file "Spring Energy-2 (1).cpp"; or none.
+  const Exercise* meant_exercise(const std::string& name) const {
+    const std::string plain = boost::to_lower_copy(replaced(name, "[- ]", "_"));
+    const Exercise* meant = nullptr;
+    for (const Exercise& exercise : exercises_)
+      if (search(plain, "^" + exercise.name() + "([^a-z]|$)"))
+        if (meant == nullptr || exercise.name().size() > meant->name().size()) meant = &exercise;
+    return meant;
+  }
+
   void take_of(Student& student, const std::string& name, const Found& found, const std::string& shown) {
-    const std::string stem = fs::path(name).stem().string(), ending = fs::path(name).extension().string();
-    const std::string meant = plain_name(fs::path(stem).stem().string());
-    const auto is_known = [&](const std::string& exercise) {
-      return std::ranges::count(names_, exercise + ".cpp") > 0;
-    };
-    if (is_known(stem) && ending == ".cpp") {
-      const std::string lecture = std::ranges::find(exercises_, stem, &Exercise::name)->lecture();
+    if (is_exercise(name)) {
+      const std::string exercise = fs::path(name).stem().string();
+      const std::string lecture = std::ranges::find(exercises_, exercise, &Exercise::name)->lecture();
       const bool is_in_place = found.path.ends_with(fmt::format("/lectures/{}/exercises/{}", lecture, name));
-      hand_in(student, stem, {is_in_place ? HandedIn::in_place : HandedIn::anywhere, found.path}, found);
-    } else if (!ending.starts_with(".c") && ending != ".CPP" && std::ranges::count(endings_, ending) > 0 &&
-               std::ranges::count(found.path, '/') == 1) {
-      unread(student, fmt::format("'{}' was not read: it is no zip file.", shown));
-    } else if (is_known(meant) &&
-               (name.find(".cpp") != std::string::npos || std::ranges::count(endings_, ending) > 0)) {
-      hand_in(student, meant,
+      hand_in(student, exercise, {is_in_place ? HandedIn::in_place : HandedIn::anywhere, found.path}, found);
+    } else if (has_ending(name, archive_endings)) {
+      if (std::ranges::count(found.path, '/') < 2)
+        unread(student, fmt::format("'{}' was not read: it is no zip file.", shown));
+    } else if (const Exercise* meant = meant_exercise(name); meant != nullptr && has_ending(name, source_endings)) {
+      hand_in(student, meant->name(),
               {HandedIn::under_another_name, found.path,
-               fmt::format("'{}' was not read: the file should be called {}.cpp.", shown, meant)},
+               fmt::format("'{}' was not read: the file should be called {}.cpp.", shown, meant->name())},
               found);
     }
   }
@@ -501,19 +509,23 @@ class Collector {
     }
   }
 
-  /// "ID_EXERCISE.cpp"; Canvas puts "-1" after the name of what was handed in once more.
-  void take_flat(const std::string& name, const Found& found) {
-    std::string stem = name.ends_with(".cpp") ? name.substr(0, name.size() - 4) : "";
-    if (const std::size_t end = stem.find_last_not_of("0123456789"); end != std::string::npos && stem[end] == '-')
-      stem.resize(end);
+  /// Of Canvas or Moodle, or else "ID_EXERCISE.cpp".
+  void take_flat(const std::string& name, const Found& found, const std::string& shown) {
+    // Canvas puts "-1" after the name of what was handed in once more.
+    const std::string last = replaced(name, "-\\d+(\\.\\w+)$", "$1");
+    if (const Match own = by_system(last)) {
+      for (Student* student : students_of(name)) take_of(*student, own[2], found, shown);
+      return;
+    }
+    const std::string stem = last.ends_with(".cpp") ? last.substr(0, last.size() - 4) : "";
     const Exercise* meant = nullptr;
     for (const Exercise& exercise : exercises_)
       if (stem.size() > exercise.name().size() + 1 && stem.ends_with("_" + exercise.name()) &&
           (meant == nullptr || exercise.name().size() > meant->name().size()))
         meant = &exercise;
     if (meant == nullptr)
-      return problem(fmt::format("'{}' was not read: it should be a student's folder, a zip file or ID_EXERCISE.cpp.",
-                                 shortened(printable(name), 100)));
+      return problem(fmt::format("{} was not read: it should be a student's folder, a zip file or ID_EXERCISE.cpp.",
+                                 in_quotes(name)));
     for (Student* student : students_of(stem.substr(0, stem.size() - meant->name().size() - 1)))
       hand_in(*student, meant->name(), {HandedIn::anywhere, name}, found);
   }
@@ -559,27 +571,13 @@ class Collector {
   const std::vector<Exercise> exercises_;
   const Shard shard_;
   const bool has_roster_, by_attempts_;
-  bool has_groups_ = false;  ///< each of Moodle's entries may begin with the name of a group
+  bool has_metadata_ = false;  ///< an export of Gradescope says whose each entry is
+  bool has_groups_ = false;    ///< each of Moodle's entries may begin with the name of a group
   std::map<std::string, std::vector<std::int64_t>> orders_;  ///< of the attempts, by student
-  std::vector<std::string> names_;
-  std::vector<std::string> endings_ = {".cpp",
-                                       progress_file.filename().string(),
-                                       gradescope_metadata,
-                                       ".cc",
-                                       ".cxx",
-                                       ".CPP",
-                                       ".tar",
-                                       ".gz",
-                                       ".tgz",
-                                       ".xz",
-                                       ".bz2",
-                                       ".7z",
-                                       ".rar"};              ///< of files to be taken
   std::set<std::string> assignments_;                        ///< what GitHub Classroom may put before logins
   std::map<std::string, std::size_t> students_;              ///< by id
   std::map<std::string, std::string> aliases_, full_names_;  ///< ids by plain_person(); "": of several students
-  std::map<std::string, std::vector<std::size_t>> groups_;   ///< by folder, where the export says whose each is
-  std::map<std::string, std::size_t> owners_;                ///< by names of top-level entries that were met
+  std::map<std::string, std::vector<std::size_t>> owners_;   ///< by top-level entries; of a group several
   std::set<std::string> slugs_;
   std::size_t looked_at_ = 0;
   bool is_alone_ = false;    ///< the folder of the class holds one entry
@@ -587,6 +585,13 @@ class Collector {
 };
 
 }  // namespace
+
+bool is_zip(const fs::path& file) { return boost::iequals(file.extension().string(), ".zip"); }
+
+bool is_handed_in(const std::string& name) {
+  return has_ending(name, source_endings) || has_ending(name, archive_endings) || name == gradescope_metadata ||
+         name == progress_file.filename();
+}
 
 bool Shard::has(const std::string& id) const {
   // The low bits of the fingerprint tell parities of the letters only: the digits of ids are often so chosen.
@@ -643,8 +648,8 @@ void take_attempt(Student& student, std::size_t number, const std::string& why, 
   student.attempt = taken.entry;
   std::ranges::copy(taken.notes, std::back_inserter(student.notes));
   std::ranges::copy(taken.unread, std::back_inserter(student.unread));
-  student.notes.push_back(fmt::format("Of {} '{}' counts, {}.", plural(student.attempts.size(), "attempt"),
-                                      shortened(printable(taken.entry), 100), why));
+  student.notes.push_back(
+      fmt::format("Of {} {} counts, {}.", plural(student.attempts.size(), "attempt"), in_quotes(taken.entry), why));
   student.attempts.clear();
 }
 

@@ -3,6 +3,8 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <boost/iostreams/device/file_descriptor.hpp>
+#include <boost/iostreams/stream.hpp>
 
 #include <algorithm>
 #include <cstring>
@@ -46,26 +48,18 @@ Journal::Journal(fs::path file, Access access) : file_(std::move(file)) {
   lock.l_type = access == Access::write ? F_WRLCK : F_RDLCK;
   if (::fcntl(descriptor_.number(), F_SETLK, &lock) != 0)
     throw GradingError(fmt::format("Another `grade` is at work in {}.", shown_path(file_.parent_path())));
-  std::string rest;
-  std::array<char, 1 << 16> buffer{};
-  for (std::int64_t at = 0;;) {
-    const ssize_t got = ::pread(descriptor_.number(), buffer.data(), buffer.size(), at);
-    if (got < 0) fail(file_, "read");
-    if (got == 0) break;
-    at += got;
-    rest.append(buffer.data(), static_cast<std::size_t>(got));
-    std::size_t begin = 0;
-    for (std::size_t end = 0; (end = rest.find('\n', begin)) != std::string::npos; begin = end + 1) {
-      const std::string_view line(rest.data() + begin, end - begin);
-      const std::string_view entry = entry_of(line);
-      if (entry.empty())
-        ++damaged_;
-      else
-        places_[std::string(entry.substr(before_key.size(), hash_size))] = {end_, line.size()};
-      end_ += static_cast<std::int64_t>(line.size()) + 1;
-    }
-    rest.erase(0, begin);
+  // The file is not opened once more to be read: to close it would end the lock.
+  namespace io = boost::iostreams;
+  io::stream<io::file_descriptor_source> lines(descriptor_.number(), io::never_close_handle);
+  for (std::string line; std::getline(lines, line) && !lines.eof();) {
+    const std::string_view entry = entry_of(line);
+    if (entry.empty())
+      ++damaged_;
+    else
+      places_[std::string(entry.substr(before_key.size(), hash_size))] = {end_, line.size()};
+    end_ += static_cast<std::int64_t>(line.size()) + 1;
   }
+  if (lines.bad()) fail(file_, "read");
   if (access == Access::write && ::ftruncate(descriptor_.number(), end_) != 0) fail(file_, "written");
 }
 

@@ -10,7 +10,6 @@
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <ctime>
 #include <set>
 
 namespace workbook {
@@ -57,7 +56,7 @@ struct TooMuchInAll : std::length_error {
 
 class Reader {
  public:
-  Reader(const std::vector<std::string>& names, bool is_class) : names_(names), is_class_(is_class) {}
+  explicit Reader(bool is_class) : is_class_(is_class) {}
 
   std::vector<Found> found;
 
@@ -87,16 +86,20 @@ class Reader {
     if (path.starts_with("assignment_") && above != std::string::npos && above < path.find('/'))
       path.erase(0, path.find('/') + 1);
     const std::size_t slash = path.find('/');
-    const bool is_archive = slash == std::string::npos && path.ends_with(".zip");
+    const bool is_archive = slash == std::string::npos && is_zip(path);
     return path.substr(0, is_archive ? path.size() - 4 : slash);
   }
 
   void read_entry(archive* opened, archive_entry* entry, const std::string& path, const std::string& student,
                   int depth) {
     const std::string name = path.substr(path.rfind('/') + 1);
-    const bool is_archive = name.ends_with(".zip");
+    const bool is_archive = is_zip(name);
     if (name.starts_with('.') || path.find("__MACOSX/") != std::string::npos) return;
-    if (!is_archive && std::ranges::none_of(names_, [&](const auto& known) { return name.ends_with(known); })) return;
+    if (!is_archive && !is_handed_in(name)) {
+      if (is_class_ && name == path && !name.empty())
+        found.push_back({path});  // nothing beside the students is passed over
+      return;
+    }
     if (is_archive && depth > 0) return add_unread(path, "is a zip file in a zip file in a zip file");
     const bool is_file = archive_entry_filetype(entry) == AE_IFREG && archive_entry_hardlink(entry) == nullptr;
     std::string text;
@@ -156,17 +159,16 @@ class Reader {
     return fmt::format("is larger than {} MiB; hand in the source file only", limit >> 20);
   }
 
-  const std::vector<std::string>& names_;
   const bool is_class_;
   Amount all_;
   std::map<std::string, Amount> students_;
   std::set<std::string> too_much_;
 };
 
-std::string unpacked(int file, const std::vector<std::string>& names, bool is_class) {
+std::string unpacked(int file, bool is_class) {
   std::string trouble;
   const std::unique_ptr<archive, decltype(&archive_read_free)> opened(archive_read_new(), archive_read_free);
-  Reader reader(names, is_class);
+  Reader reader(is_class);
   try {
     ::setlocale(LC_CTYPE, "C.UTF-8");
     const Sandbox sandbox({.calls = SandboxProfile::Calls::build,
@@ -189,7 +191,7 @@ std::string unpacked(int file, const std::vector<std::string>& names, bool is_cl
 
 }  // namespace
 
-std::vector<Found> read_zip(const fs::path& file, const std::vector<std::string>& names, bool is_class) {
+std::vector<Found> read_zip(const fs::path& file, bool is_class) {
   const auto reject = [&](const std::string& reason) {
     throw RejectedFile(fmt::format("{} {}.", printable(file.filename().string()), reason));
   };
@@ -198,7 +200,7 @@ std::vector<Found> read_zip(const fs::path& file, const std::vector<std::string>
   if (!opened || ::fstat(opened.number(), &status) != 0) reject("cannot be opened, or is a symbolic link");
   if (!S_ISREG(status.st_mode)) reject("is not an ordinary file");
   if (static_cast<std::size_t>(status.st_size) > largest_archive) reject("is larger than 1 GiB");
-  ForkedJob job([&] { return unpacked(opened.number(), names, is_class); }, longest);
+  ForkedJob job([&] { return unpacked(opened.number(), is_class); }, longest);
   std::vector<Found> files;
   try {
     if (const std::string trouble = job.finish(); !trouble.empty())
@@ -210,34 +212,6 @@ std::vector<Found> read_zip(const fs::path& file, const std::vector<std::string>
     reject(printable(problem.what()));
   }
   return files;
-}
-
-void write_archive(const fs::path& folder, const fs::path& file) {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (entry.is_regular_file()) files.push_back(entry.path());
-  std::ranges::sort(files);
-  const std::unique_ptr<archive, decltype(&archive_write_free)> written(archive_write_new(), archive_write_free);
-  const std::unique_ptr<archive_entry, decltype(&archive_entry_free)> entry(archive_entry_new(), archive_entry_free);
-  const auto require = [&](la_ssize_t status) {
-    if (status < ARCHIVE_OK)
-      throw std::runtime_error(
-          fmt::format("{} cannot be written ({}).", shown_path(file), archive_error_string(written.get())));
-  };
-  require(archive_write_set_format_filter_by_ext(written.get(), file.c_str()));
-  require(archive_write_open_filename(written.get(), file.c_str()));
-  for (const fs::path& each : files) {
-    const std::string text = read_file(each).value();
-    archive_entry_clear(entry.get());
-    archive_entry_set_pathname(entry.get(), each.lexically_relative(folder).c_str());
-    archive_entry_set_filetype(entry.get(), AE_IFREG);
-    archive_entry_set_perm(entry.get(), static_cast<mode_t>(fs::status(each).permissions()));
-    archive_entry_set_mtime(entry.get(), std::time(nullptr), 0);
-    archive_entry_set_size(entry.get(), static_cast<la_int64_t>(text.size()));
-    require(archive_write_header(written.get(), entry.get()));
-    require(archive_write_data(written.get(), text.data(), text.size()));
-  }
-  require(archive_write_close(written.get()));
 }
 
 }  // namespace workbook

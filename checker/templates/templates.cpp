@@ -1,6 +1,7 @@
 #include "checker/templates/templates.hpp"
 
 #include "checker/base/text.hpp"
+#include "checker/course/assignment.hpp"
 
 #include <kainjow/mustache.hpp>
 #include <nlohmann/json.hpp>
@@ -53,12 +54,22 @@ std::string rendered_page(const std::string& page_template, const json& document
 
 std::string filled_text(const std::string& file_template, const std::filesystem::path& name, const json& values) {
   kainjow::mustache::mustache form(file_template);
-  if (name.extension() != ".xml" && name.extension() != ".html")
+  const bool is_table = name.extension() == ".csv";
+  if (is_table)
+    form.set_custom_escape([](const std::string& text) {
+      const std::string row = write_csv({{text}});
+      return row.substr(0, row.size() - 2);
+    });
+  else if (name.extension() != ".xml" && name.extension() != ".html")
     form.set_custom_escape([](const std::string& text) {
       const std::string quoted = json(text).dump();
       return quoted.substr(1, quoted.size() - 2);
     });
-  return rendered(std::move(form), for_template(values));
+  const std::string text = rendered(std::move(form), for_template(values));
+  if (!is_table) return text;
+  std::string rows;  // the template leaves empty lines
+  for (const std::string& line : lines_of(text)) rows += line.empty() ? "" : line + "\r\n";
+  return rows;
 }
 
 }  // namespace workbook

@@ -491,8 +491,8 @@ TEST_CASE("whose mark has changed, and why") {
     return all;
   };
   const auto before = document(1, "a", "wrong_value", 1, 1);
-  const auto line = [&](const nlohmann::ordered_json& old, const nlohmann::ordered_json& now) {
-    return workbook::changed_marks(old, now).at(0);
+  const auto line = [&](const nlohmann::ordered_json& old, nlohmann::ordered_json now) {
+    return workbook::compare_with(old, now).at(0);
   };
   CHECK(line(before, document(1, "b", "passed", 1, 1)) ==
         "s0: 1 of 1 points, before 0 of 1: e was wrong value and is passed, with another file.");
@@ -508,7 +508,8 @@ TEST_CASE("whose mark has changed, and why") {
   excused["students"][0]["by_hand"] = "excused: Ill";
   CHECK(line(document(1, "a", "passed", 1, 1), excused) == "s0: 0 of 0 points, before 1 of 1: by hand: excused: Ill.");
   // One reason for many is one line.
-  const auto many = workbook::changed_marks(document(1, "a", "passed", 1, 60), document(1, "a", "passed", 2, 60));
+  auto more = document(1, "a", "passed", 2, 60);
+  const auto many = workbook::compare_with(document(1, "a", "passed", 1, 60), more);
   CHECK(many ==
         std::vector<std::string>{"60 students: e has other points. The first: s0: 2 of 2 points, before 1 of 1."});
 }

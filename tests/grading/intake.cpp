@@ -329,8 +329,7 @@ TEST_CASE("one class has the same files and names in the layout of every system"
           force_text(person.id == "1002" ? "return k * x;" : right_force) + "// " + person.id + "\n";
     return files;
   };
-  using Files = std::vector<std::pair<std::string, std::optional<std::string>>>;
-  std::map<std::string, Files> layouts;
+  std::map<std::string, std::vector<std::pair<std::string, std::optional<std::string>>>> layouts;
   std::map<std::string, std::string> rosters = {
       {"plain", "\ufeffid;name\r\n"},
       {"gradescope", "First Name,Last Name,SID,Email,Role\nLee,T,,t@x.org,Instructor\n"},
@@ -363,7 +362,7 @@ TEST_CASE("one class has the same files and names in the layout of every system"
     rosters["canvas"] += fmt::format("\"{}, {}\",77{},{},{},A,\n", rest, space, id, id, person.login);
     rosters["classroom"] += fmt::format("\"{}\",\"{}\",\"5\",\"{}\"\n", id, person.login, person.name);
     int attachment = 500 + 10 * number;
-    Files zipped;
+    std::vector<std::pair<std::string, std::optional<std::string>>> zipped;
     for (const auto& [exercise, text] : files_of(person)) {
       const std::string file = exercise + ".cpp", place = "/lectures/01_springs/exercises/" + file;
       const std::string group = number < 3 ? "Group 1-" : "Default group-";
@@ -578,6 +577,154 @@ TEST_CASE("parts of a class are of a size, whatever ids have in common") {
     CHECK(std::accumulate(sizes.begin(), sizes.end(), 0) == 800);
     for (const int size : sizes) CHECK(size > 800 / static_cast<int>(count) / 2);
   }
+}
+
+/// Whose text is judged for each, or why none is; then what belongs to nobody. Each text ends by saying whose it is.
+std::vector<std::string> summary(const Taken& taken) {
+  std::vector<std::string> lines;
+  for (const workbook::Student& each : taken.intake.students) {
+    const std::string text = taken.energy(each.id);
+    std::string said = text.empty() ? "" : text.substr(text.rfind("// ") + 3);
+    for (const auto& [unused, file] : each.files) said += file.refusal;
+    for (const std::string& sentence : each.unread) said += sentence;
+    lines.push_back(each.id + ": " + said + each.dispute);
+  }
+  std::ranges::sort(lines);
+  lines.insert(lines.end(), taken.intake.problems.begin(), taken.intake.problems.end());
+  return lines;
+}
+
+using Files = std::vector<std::pair<std::string, std::optional<std::string>>>;
+
+/// The same in a folder and in a zip file, by a roster in the given bytes.
+void check_class(const Files& files, const std::string& roster, const std::vector<std::string>& expected) {
+  const MadeUpClass all;
+  for (const auto& [path, text] : files) write(all.submissions() / path, *text);
+  write_zip(all.root() / "class.zip", files);
+  for (const char* submissions : {"submissions", "class.zip"})
+    CHECK_MESSAGE(summary(Taken::with_table(all, submissions, roster)) == expected, submissions);
+}
+
+std::string of(const std::string& whose) { return right + "// " + whose; }
+
+const std::string in_place = "/lectures/01_springs/exercises/spring_energy.cpp", of_a_mac("\0\5\x16\7", 4);
+
+TEST_CASE("files of Canvas are found, or named on their student's page, as students call them") {
+  const MadeUpClass all;
+  const Files whole = {{"workbook/CMakeLists.txt", "x"},
+                       {"workbook/build/spring_energy.cpp", of("nobody")},
+                       {"workbook" + in_place, of("39")},
+                       {"workbook/.git/x/spring_energy.cpp", of("nobody")}};
+  const Files folder = {{"Week 3/.DS_Store", "x"},
+                        {"__MACOSX/Week 3/._spring_energy.cpp", of_a_mac},
+                        {"Week 3/deep/spring_energy.cpp", of("38")}};
+  check_class({{"smithjohn_LATE_34_4501_spring_energy-1.cpp", of("34")},
+               {"smithjohn_35_4502_spring_energy-2.cpp", of("35")},  // another one of that name
+               {"mu\u0308llerzoe\u0308_LATE_36_4503_spring_energy (1).cpp", of("36")},
+               {"obrienmiles_37_4504_spring_energy.cpp.txt", of("37")},
+               {"picardjeanluc_LATE_38_4505_Week 3.ZIP", zipped(all, folder)},
+               {"delacruzana_39_4506_workbook-1.zip", zipped(all, whole)},
+               {"kim_41_4508_work.rar", "Rar!"},
+               {"lee_42_4509_spring_energy - Copy.Cpp", of("42")},
+               {"notes on the marks.pdf", "x"},
+               {".DS_Store", "x"},
+               {"__MACOSX/._smithjohn_LATE_34_4501_spring_energy-1.cpp", of_a_mac}},
+              "\ufeffStudent;ID;SIS User ID;SIS Login ID;Section;Week 3 (7)\r\n    Points Possible;;;;;10\r\n"
+              "\"Smith, John\";34;;;A;\r\n\"Smith, John\";35;;;A;\r\n\"Müller, Zoë\";36;;;A;\r\n"
+              "\"O'Brien, Miles\";37;;;A;\r\n\"Picard, Jean-Luc\";38;;;A;\r\n\"de la Cruz, Ana\";39;;;A;\r\n"
+              "Kim;41;;;A;\r\nLee;42;;;A;\r\n",
+              {"34: 34", "35: 35",
+               "36: 'mu\u0308llerzoe\u0308_LATE_36_4503_spring_energy (1).cpp' was not read: the file should be called "
+               "spring_energy.cpp.",
+               "37: 'obrienmiles_37_4504_spring_energy.cpp.txt' was not read: the file should be called "
+               "spring_energy.cpp.",
+               "38: 38", "39: 39", "41: 'kim_41_4508_work.rar' was not read: it is no zip file.",
+               "42: 'lee_42_4509_spring_energy - Copy.Cpp' was not read: the file should be called spring_energy.cpp.",
+               "'notes on the marks.pdf' was not read: it should be a student's folder, a zip file or "
+               "ID_EXERCISE.cpp."});
+}
+
+TEST_CASE("folders and files of Moodle are matched by names that just one student has, in any letters") {
+  const MadeUpClass all;
+  const Files files = {
+      {"Zoe\u0308 Mu\u0308ller_900001_assignsubmission_file/spring_energy.cpp", of("1")},
+      {"Zoe\u0308 Mu\u0308ller_900001_assignsubmission_onlinetext/Texteingabe.html", "<p>"},
+      {"John Smith_900002_assignsubmission_file_/Abgabe/spring_energy.cpp", of("2")},
+      {"John Smith_900003_assignsubmission_file_/spring_energy.cpp", of("3")},
+      {"Ana María_900004_assignsubmission_file_spring_energy.cpp", of("4")},
+      {"Ben Ohm_900005_assignsubmission_file_spring_energy (2).cpp", of("5")},
+      {"Cleo_900006_assignsubmission_onlinetext_onlinetext.html", "<p>"},
+      {"Dora D_900008_assignsubmission_file_/work.ZIP", zipped(all, {{"spring_energy.cpp", of("8")}})}};
+  const std::string renamed =
+      "'Ben Ohm_900005_assignsubmission_file_spring_energy (2).cpp' was not read: the file should be called "
+      "spring_energy.cpp.";
+  check_class(files,
+              "\ufeffID;\"Vollständiger Name\";ID-Nummer;Status;Bewertung;Bestwertung\r\n"
+              "Teilnehmer/in900001;Zoë Müller;1;x;;10\r\nTeilnehmer/in900002;John Smith;2;x;;10\r\n"
+              "Teilnehmer/in900003;John Smith;3;x;;10\r\nTeilnehmer/in900004;Ana María;4;x;;10\r\n"
+              "Teilnehmer/in900005;Ben Ohm;5;x;;10\r\nTeilnehmer/in900006;Cleo;6;x;;10\r\n"
+              "Teilnehmer/in900008;Dora D;8;x;;10\r\n",
+              {"1: 1", "2: 2", "3: 3", "4: 4", "5: " + renamed, "6: ", "8: 8"});
+  // By their names alone, from a spreadsheet that saves the letters of Windows, or all in two bytes.
+  const std::vector<std::string> expected = {
+      "1: 1",
+      "2: ",
+      "3: ",
+      "4: 4",
+      "5: " + renamed,
+      "6: ",
+      "8: 8",
+      "'John Smith_900002_assignsubmission_file_' was not read: it names no id, and no name of just one student, of "
+      "the roster.",
+      "'John Smith_900003_assignsubmission_file_' was not read: it names no id, and no name of just one student, of "
+      "the roster."};
+  const std::string names =
+      "id;Vorname;Nachname\r\n1;Zo\xeb;M\xfcller\r\n2;John;Smith\r\n3;John;Smith\r\n4;Ana;Mar\xed"
+      "a\r\n5;Ben;Ohm\r\n6;Cleo;\r\n8;Dora;D\r\n";
+  std::string wide = "\xff\xfe";
+  for (const char letter : names) wide += {letter, '\0'};
+  for (const std::string& roster : {"sep=;\r\n" + names, names, wide}) check_class(files, roster, expected);
+}
+
+TEST_CASE("what students put into folders of Gradescope is found, and two of one name are not taken for each other") {
+  const MadeUpClass all;
+  std::string yaml, number = "0";
+  for (const auto& [sid, name] : std::vector<std::pair<std::string, std::string>>{
+           {"1", "Mu\u0308ller, Zoe\u0308"}, {"2", "John Smith"}, {"3", "John Smith"}, {"", "Ana María"}}) {
+    ++number[0];
+    yaml += fmt::format(
+        "submission_{}:\r\n  :submitters:\r\n  - :name: \"{}\"\r\n    :sid: '{}'\r\n    :email: p{}@x.org\r\n", number,
+        name, sid, number);
+  }
+  const std::string above = "assignment_5_export/";
+  check_class(
+      {{above + "submission_metadata.yml", yaml},
+       {above + ".DS_Store", "x"},
+       {above + "submission_1/a/b/c/spring_energy.cpp", of("1")},
+       {above + "submission_1/__MACOSX/a/spring_energy.cpp", of("nobody")},
+       {above + "submission_2/spring_energy.cpp.txt", of("2")},
+       {above + "submission_3/spring_energy.cpp", of("3")},
+       {above + "submission_4/my workbook" + in_place, of("4")},
+       {above + "submission_4/my workbook/spring_energy copy.cpp", of("nobody")},
+       {"__MACOSX/assignment_5_export/._submission_metadata.yml", of_a_mac}},
+      "First Name,Last Name,SID,Email,Role\r\nZoë,Müller,1,,Student\r\nJohn,Smith,2,,Student\r\n"
+      "John,Smith,33,,Student\r\nAna,María,4,,Student\r\n",
+      {"1: 1", "2: 'submission_2/spring_energy.cpp.txt' was not read: the file should be called spring_energy.cpp.",
+       "33: ", "4: 4",
+       "'submission_3' was not read for John Smith: the roster has no '3', and not just one of that name."});
+}
+
+TEST_CASE("clones of GitHub Classroom may lie in its own folder, and no login is a part of another one") {
+  const std::string above = "week-3-submissions/week-3-";
+  check_class({{above + "octo-cat" + in_place, of("a")},
+               {above + "octo" + in_place, of("b")},
+               {above + "cat-1" + in_place, of("nobody")},  // somebody's, or cat's who began once more
+               {above + "main/spring_energy.cpp", of("d")},
+               {"week-3-submissions/.DS_Store", "x"}},
+              "\"identifier\",\"github_username\",\"github_id\",\"name\"\r\n\"a\",\"octo-cat\",\"1\",\"\"\r\n"
+              "\"b\",\"octo\",\"2\",\"\"\r\n\"c\",\"cat\",\"3\",\"\"\r\n\"d\",\"main\",\"4\",\"\"\r\n",
+              {"a: a", "b: b", "c: ", "d: d",
+               "'week-3-cat-1' was not read: it names no id, and no name of just one student, of the roster."});
 }
 
 TEST_SUITE_END();

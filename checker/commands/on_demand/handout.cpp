@@ -4,12 +4,15 @@
 #include "checker/grading/grading.hpp"
 #include "checker/templates/templates.hpp"
 
+#include <archive.h>
+#include <archive_entry.h>
 #include <boost/algorithm/string/replace.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <ctime>
 #include <iterator>
 #include <random>
 
@@ -199,6 +202,35 @@ fs::path target_of(const Options& options) {
         "{} exists and is not empty; name a new or an empty folder, so that nothing is lost, or --update it.",
         shown_path(directory)));
   return directory.has_filename() ? directory : directory.parent_path();
+}
+
+/// All files of a folder, in a file whose name says of which kind: "week3.zip", "week3.tar". @throws std::runtime_error
+void write_archive(const fs::path& folder, const fs::path& file) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  std::ranges::sort(files);
+  const std::unique_ptr<archive, decltype(&archive_write_free)> written(archive_write_new(), archive_write_free);
+  const std::unique_ptr<archive_entry, decltype(&archive_entry_free)> entry(archive_entry_new(), archive_entry_free);
+  const auto require = [&](la_ssize_t status) {
+    if (status < ARCHIVE_OK)
+      throw std::runtime_error(
+          fmt::format("{} cannot be written ({}).", shown_path(file), archive_error_string(written.get())));
+  };
+  require(archive_write_set_format_filter_by_ext(written.get(), file.c_str()));
+  require(archive_write_open_filename(written.get(), file.c_str()));
+  for (const fs::path& each : files) {
+    const std::string text = read_file(each).value();
+    archive_entry_clear(entry.get());
+    archive_entry_set_pathname(entry.get(), each.lexically_relative(folder).c_str());
+    archive_entry_set_filetype(entry.get(), AE_IFREG);
+    archive_entry_set_perm(entry.get(), static_cast<mode_t>(fs::status(each).permissions()));
+    archive_entry_set_mtime(entry.get(), std::time(nullptr), 0);
+    archive_entry_set_size(entry.get(), static_cast<la_int64_t>(text.size()));
+    require(archive_write_header(written.get(), entry.get()));
+    require(archive_write_data(written.get(), text.data(), text.size()));
+  }
+  require(archive_write_close(written.get()));
 }
 
 }  // namespace
