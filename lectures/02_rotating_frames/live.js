@@ -88,7 +88,7 @@ live("foucault", {
     const k = Math.round(1000 * time / m.seconds), bob = m.path[k][0];
     scene.floor(0, 1.12);
     ["N", "E", "S", "W"].forEach((name, i) =>
-      scene.words(name, scene.at(times(1.25, [Math.sin(i * 90 * degree), Math.cos(i * 90 * degree), 0])), "ink", "center", true));
+      scene.words(name, scene.at(times(1.25, [Math.sin(i * 90 * degree), Math.cos(i * 90 * degree), 0])), "ink", "center", name => [name]));
     scene.line(m.path.slice(0, k + 1).map(([r]) => r), "blue", 2);
     const hung = sum(bob, [0, 0, 0.12 + 0.2 * (bob[0] ** 2 + bob[1] ** 2)]);
     scene.line([[0, 0, 3.4], hung], "ink", 1.5);
@@ -96,7 +96,7 @@ live("foucault", {
     if (!scene.released) return;
     const day = times(1.12, [Math.sin(planet_rate * time), Math.cos(planet_rate * time), 0]);
     scene.line([times(-1, day), day], "grey", 1.5, { dash: [4, 5] });
-    scene.words("once a day", scene.at(times(1.08, day)), "grey", "center", true);
+    scene.words("once a day", scene.at(times(1.08, day)), "grey", "center", name => [name]);
     const turn = planet_rate * time * [NaN, 1, NaN, -Math.sin(m.lambda)][scene.expected];
     if (!isNaN(turn)) scene.expect([origin, [Math.sin(turn), Math.cos(turn), 0]]);
   }, (scene, { lambda }) => {

@@ -289,8 +289,11 @@ class LiveFigure {
   draw(rested = false) {
     used = this.used;
     this.rested = rested;
+    const part = rested ? lights.finest : this.pixels;
+    // What is copied is the whole canvas of the lights: no larger than need be.
+    if (part !== lights.part) Object.assign(lights, { part }).canvas.width = lights.canvas.height = 1;
     for (const { view, scene } of this.scenes) {
-      scene.begin(rested ? lights.finest ?? 1 : this.pixels);
+      scene.begin(part);
       if (view.lines) scene.plot({ x: [0, this.end], now: this.time, ...view, ...view.draw(this.model, this.time, scene) });
       else view.draw(scene, this.model, this.time, this.values);
       if (scene.released && view.handle) scene.grip(view.handle(this.model, this.time, this.values));
@@ -308,7 +311,7 @@ class LiveFigure {
     this.numbers.forEach(([name, value], i) => {
       const [term, text] = this.list.children[i].children;
       if (term.name !== name) Object.assign(term, { name }).replaceChildren(...typeset(name));
-      text.textContent = value;
+      if (text.textContent !== value) text.textContent = value;
     });
   }
 
@@ -332,7 +335,7 @@ class LiveFigure {
       this.next_frame();
     }).observe(this.place);
     new ResizeObserver(() => this.draw(this.rested)).observe(this.place);
-    new MutationObserver(() => this.draw(this.rested)).observe(document.documentElement, { attributeFilter: ["class"] });
+    new MutationObserver(() => (colors = {}, this.draw(this.rested))).observe(document.documentElement, { attributeFilter: ["class"] });
     this.draw();
   }
 }

@@ -206,7 +206,7 @@ const lights = {
     return array;
   },
   /** One thing; `change` maps it, as onto its shadow. */
-  draw({ mesh, vertices, axes = identity, center = origin, color, paints, width = 0, dash = [0, 0], gloss = 1 }, change, shadow) {
+  draw({ layer, mesh, vertices, axes = identity, center = origin, color, paints, width = 0, dash = [0, 0], gloss = 1 }, change, shadow) {
     const { gl, at } = this, array = this.arrays[mesh] ?? this.loose;
     gl.bindVertexArray(array.object);
     if (vertices) {
@@ -220,7 +220,11 @@ const lights = {
     } else gl.disableVertexAttribArray(2);
     gl.vertexAttrib4fv(2, shadow ?? color);
     const [a, b, c] = axes;
-    gl.uniformMatrix3fv(at.normals, false, [cross(b, c), cross(c, a), cross(a, b)].flat());
+    // Of a closed body half of its faces do, those towards the reader; a shadow may be that of either half.
+    const sides = [cross(b, c), cross(c, a), cross(a, b)], is_closed = /ball|bead|head|rod|cone|ring/.test(mesh);
+    if (is_closed && layer !== "clear") gl.cullFace(dot(a, sides[0]) > 0 ? gl.BACK : gl.FRONT);
+    (is_closed || layer === "clear" && !shadow ? gl.enable : gl.disable).call(gl, gl.CULL_FACE);
+    gl.uniformMatrix3fv(at.normals, false, sides.flat());
     gl.uniformMatrix3fv(at.axes, false, (change ? axes.map(change.axis) : axes).flat());
     gl.uniform3fv(at.center, change ? change.point(center) : center);
     gl.uniform1f(at.width, width);
@@ -261,12 +265,10 @@ const lights = {
     pass(solids, gl.LEQUAL, true, [gl.ALWAYS, 0]);
     if (solids.length) pass(marks, gl.GREATER, false, [gl.NOTEQUAL, 9], ({ color }) => [undefined, [...color.slice(0, 3), 0.3 * color[3]]]);
     pass(marks, gl.LEQUAL, true, [gl.ALWAYS, 0]);
-    gl.enable(gl.CULL_FACE);
     for (const thing of clear.sort((a, b) => a.far - b.far)) for (const side of [gl.FRONT, gl.BACK]) {
       gl.cullFace(side);
       pass([thing], gl.LEQUAL, false, [gl.ALWAYS, 0]);
     }
-    gl.disable(gl.CULL_FACE);
     return canvas;
   },
 };
@@ -292,12 +294,13 @@ const text = (tag, words, is_sentence = true) => element(tag, {}, ...typeset(wor
 
 // ---- A picture: orthographic. Plots are drawn in their order, what is in space by its depth; names lie above.
 
+let colors = {};  // of the page, until it turns light or dark
 class Scene {
   /** A view has `half`, the half width of what it shows in its own units, and `towards`, from where one looks at first; without
    *  it one looks from above, and cannot turn it. */
   constructor(canvas, { half, towards }) {
     // What is to be predicted must not be seen before it is released; `expected` is the number of the choice that was made.
-    Object.assign(this, { canvas, half, flat: !towards, context: canvas.getContext("2d"), released: false, expected: undefined });
+    Object.assign(this, { canvas, half, flat: !towards, context: canvas.getContext("2d"), released: false, expected: undefined, names: [] });
     const [x, y, z] = towards ?? [0, -1e-9, 1];  // x to the right, y up
     this.azimuth = Math.atan2(y, x);
     this.height = Math.PI / 2 - inclination([x, y, z]);
@@ -317,9 +320,9 @@ class Scene {
     this.towards = sum(times(Math.cos(this.height), level), [0, 0, Math.sin(this.height)]);
     this.right = [-level[1], level[0], 0];
     this.up = cross(this.towards, this.right);
-    const style = getComputedStyle(canvas), known = {};
-    this.color = name => known[name] ??= style.getPropertyValue("--figure-" + name) || name;
   }
+
+  color(name) { return colors[name] ??= getComputedStyle(this.canvas).getPropertyValue("--figure-" + name) || name; }
 
   /** A vector to the right, up, and towards the reader. */
   seen([x, y, z]) { return [this.right, this.up, this.towards].map(axis => x * axis[0] + y * axis[1] + z * axis[2]); }
@@ -350,22 +353,22 @@ class Scene {
   /** Where one may take hold. */
   grip(point) {
     const [x, y] = this.at(point);
-    this.labels.unshift({ name: element("span", { className: "grip" }), x, y, align: "center" });
+    this.labels.unshift({ name: this.ring ??= element("span", { className: "grip" }), x, y, align: "center" });
   }
 
   text(point, words, color = "ink", align = "center") { this.words(words, this.at(point), color, align); }
-  /** Plain words are units or places, no symbols. */
-  words(words, [x, y], color = "ink", align = "center", plain = false) {
-    const name = element("span", {}, ...plain ? [words] : typeset(words));
-    name.style.color = `var(--figure-${color})`;
-    this.labels.push({ name, x, y, color, align });
-    return name;
+  /** What the words are made of may be something else than letters of formulas. A name that stays is not made anew. */
+  words(words, [x, y], color = "ink", align = "center", parts = typeset) {
+    const i = this.labels.length, key = `${words} ${color}`;
+    if (this.names[i]?.key !== key)
+      this.names[i] = { key, name: element("span", { style: `color: var(--figure-${color})` }, ...parts(words)) };
+    this.labels.push({ ...this.names[i], x, y, color, align });
   }
 
   /** After everything is drawn: names where they are to stand or, where another stands already, near by with a line to there. */
   finish() {
-    const taken = [], names = this.labels.map(({ name }) => name);
-    this.canvas.nextElementSibling.replaceChildren(...names);
+    const taken = [], names = this.labels.map(({ name }) => name), layer = this.canvas.nextElementSibling;
+    if (layer.childElementCount !== names.length || names.some((name, i) => name !== layer.children[i])) layer.replaceChildren(...names);
     const widths = names.map(name => name.offsetWidth);
     this.labels.forEach((label, i) => {
       const width = widths[i], left = { left: 0, center: width / 2, right: width }[label.align];
@@ -424,13 +427,11 @@ class Scene {
     });
     if (mark) dot(mark, "ink", 5); else line([[now, y[0]], [now, y[1]]], "ink", 1.4);
     c.restore();
-    this.words(over, [(left + right) / 2, this.high - 9], "ink", "center", true);
+    this.words(over, [(left + right) / 2, this.high - 9], "ink", "center", over => [over]);
     if (!mark) this.times = [left, right, ...x];
-    this.words(unit, [left + 4, 9], "ink", "left", true).append(...lines.filter(([name]) => name).map(([name, color]) => {
-      const said = element("span", { className: "line" }, ...typeset(name));
-      said.style.color = `var(--figure-${color})`;
-      return said;
-    }));
+    this.words(lines.reduce((all, [name, color]) => name ? `${all};${name};${color}` : all, unit), [left + 4, 9], "ink", "left", () =>
+      [unit, ...lines.filter(([name]) => name).map(([name, color]) =>
+        element("span", { className: "line", style: `color: var(--figure-${color})` }, ...typeset(name)))]);
   }
 }
 

@@ -73,9 +73,7 @@ const load = source => scripts[source] ??= new Promise((loaded, failed) => docum
   : document.head.append(element("script", { src: source, onload: loaded, onerror: failed })));
 
 /** Loads the words of the site; a script, because a file may not fetch a file. */
-function with_words(use) {
-  load("search.js").then(use);
-}
+const with_words = use => load("search.js").then(use);
 
 /** The checker names a paragraph by its lecture, and the paragraph may stand on another page of it: goes there. */
 function find_paragraph() {
