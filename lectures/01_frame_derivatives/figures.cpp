@@ -78,9 +78,8 @@ void draw_small_rotation(const std::filesystem::path& directory) {
 void draw_turbine(const std::filesystem::path& directory) {
   Sketch sketch({1.0, -0.75, 0.35});
   const Vector3d hub = 0.35 * x_axis;
-  sketch.face({Vector3d(0, -0.06, -1.4), Vector3d(0, 0.06, -1.4), Vector3d(0, 0.04, 0), Vector3d(0, -0.04, 0)},
-              colors::grey, 0.5);
-  sketch.line({-0.35 * x_axis, hub}, colors::grey, 12);
+  sketch.turned_body(-1.4 * z_axis, origin, {{0, 0.06}, {1, 0.04}}, colors::grey);
+  sketch.turned_body(-0.35 * x_axis, hub, {{0, 0}, {0, 0.06}, {0.9, 0.08}, {1, 0.05}, {1, 0}}, colors::grey);
   sketch.line(arc(hub, 1.25, y_axis, z_axis), colors::grey, 1.2, "dt (5,4)");
   for (int k = 0; k < 3; ++k) {
     const Vector3d along = rotated(z_axis, x_axis, 0.7 + 2 * pi * k / 3), across = x_axis.cross(along);

@@ -48,9 +48,9 @@ SpaceCurve circle(const Vector3d& center, double radius, const Vector3d& first, 
   return points;
 }
 
-/// A cone with its apex at `apex`, filled, with its outline and lines that are fixed in it.
+/// A cone with its apex at `apex`, lit or such that one sees through it, with lines that are fixed in it.
 void draw_cone(Sketch& sketch, const Vector3d& apex, const Vector3d& axis, const Vector3d& first, double half_angle,
-               const char* color, const std::string& dash, int lines) {
+               const char* color, bool is_lit, int lines) {
   const Vector3d second = axis.cross(first);
   const auto rim = [&](double angle) -> Vector3d {
     return apex + std::cos(half_angle) * axis +
@@ -60,16 +60,19 @@ void draw_cone(Sketch& sketch, const Vector3d& apex, const Vector3d& axis, const
   // The outline touches the rim where the surface turns away from the reader.
   const double u = first.dot(sketch.towards()), v = second.dot(sketch.towards());
   const double turn = std::tan(half_angle) * axis.dot(sketch.towards()) / std::hypot(u, v);
-  if (std::abs(turn) < 1) {
+  if (is_lit) {
+    sketch.turned_body(apex, apex + std::cos(half_angle) * axis, {{0, 0}, {1, std::sin(half_angle)}, {1, 0}}, color);
+  } else if (std::abs(turn) < 1) {
     const double middle = std::atan2(v, u), side = std::acos(turn);
     sketch.face({apex, rim(middle - side), rim(middle + side)}, color, 0.2);
-    sketch.line({rim(middle - side), apex, rim(middle + side)}, color, 1.5, dash);
+    sketch.line({rim(middle - side), apex, rim(middle + side)}, color, 1.5);
+    sketch.face(opening, color, 0.2);
   }
-  sketch.face(opening, color, 0.2);
-  sketch.line(opening, color, 2, dash);
-  SpaceCurve star;
-  for (int i = 0; i < lines; ++i) star.insert(star.end(), {apex, rim(2 * pi * i / lines)});
-  if (lines > 0) sketch.line(star, color, 0.7);
+  sketch.line(opening, color, 2);
+  for (int i = 0; i < lines; ++i) {
+    const Vector3d edge = rim(2 * pi * i / lines) - apex, outward = edge - edge.squaredNorm() / std::cos(half_angle) * axis;
+    if (!is_lit || sketch.faces_reader(outward)) sketch.line({apex, apex + edge}, color, 0.7);
+  }
 }
 
 /// The body cone rolls on the space cone: a long top and a flattened one.
@@ -99,8 +102,9 @@ void draw_cones(const std::filesystem::path& directory) {
       };
       const Vector3d axis = leaning(top.tilt);
       const Vector3d first = Eigen::AngleAxisd(own, axis) * leaning(top.tilt - pi / 2);
-      draw_cone(sketch, at, axis, first, opening, colors::blue, "", top.lines);
-      draw_cone(sketch, at, z_axis, x_axis, std::abs(top.tilt - opening), colors::orange, "dt (6,3)", 0);
+      // That of a long top leans to the reader; in that of a flattened one is the other cone.
+      draw_cone(sketch, at, z_axis, x_axis, std::abs(top.tilt - opening), colors::orange, true, 0);
+      draw_cone(sketch, at, axis, first, opening, colors::blue, top.ratio < 1, top.lines);
       const auto name = [&](const Vector3d& direction, double length, const char* color, const char* text) {
         sketch.arrow(at, at + length * direction, color);
         sketch.text(at + (length + 0.17) * direction, text, color);
@@ -480,17 +484,20 @@ struct Flight {
 };
 
 /// The racket at one attitude, 1.7 long, its two faces in different colours.
-void draw_racket_at(Sketch& sketch, const Vector3d& center, const Matrix3d& A, double handle) {
-  const auto placed = [&](double x, double y) -> Vector3d { return center + A * Vector3d(x, y, 0); };
-  const char* color = sketch.faces_reader(A.col(2)) ? colors::sky : colors::orange;
-  // The rim has a height: what is behind comes first.
-  const double near = sketch.faces_reader(A.col(2)) ? 0.05 : -0.05;
-  for (const double height : {-near, near}) {
-    const SpaceCurve head = circle(placed(0.45, 0) + height * A.col(2), 1, 0.42 * A.col(0), 0.3 * A.col(1));
-    if (height == near) sketch.face(head, color, 0.6);
-    sketch.line(head, height == near ? colors::black : colors::grey, 3);
+void draw_racket_at(Sketch& sketch, const Vector3d& center, const Matrix3d& A) {
+  const Vector3d head = center + 0.45 * A.col(0), half = 0.05 * A.col(2);
+  const bool shows_front = sketch.faces_reader(half);
+  // What is nearer to the reader comes last.
+  for (const bool nearer : {false, true}) {
+    if (sketch.faces_reader(A.col(0)) == nearer) {
+      sketch.turned_body(head - half, head + half, {{0, 0}, {0, 0.3}, {1, 0.3}, {1, 0}}, colors::grey, 1.4 * A.col(0));
+      sketch.turned_body(head - half, head + half, {{0, 0}, {0, 0.25}, {1, 0.25}, {1, 0}},
+                         shows_front ? colors::sky : colors::orange, 1.45 * A.col(0));
+    } else {
+      sketch.lit_box(center - 0.41 * A.col(0), A * Vector3d(0.44, 0.05, 0.04).asDiagonal(),
+                     {colors::grey, colors::grey, colors::grey});
+    }
   }
-  sketch.line({placed(0.03, 0), placed(-0.85, 0)}, colors::black, handle);
 }
 
 const Vector3d towards_racket(0.45, -1, 0.35);
@@ -505,7 +512,7 @@ void draw_racket(const std::filesystem::path& directory) {
     const int column = i % 3, row = i / 3;
     const Vector3d center = 2.1 * column * right - 2.35 * row * up;
     const Matrix3d& A = motion[static_cast<std::size_t>(i)].A;
-    draw_racket_at(sketch, center, A, 6);
+    draw_racket_at(sketch, center, A);
     sketch.arrow(center, center + 0.75 * A.col(1), colors::green);
     sketch.text(center - 1.08 * up, fmt::format("{:.2f} s", flight.period / 2 * i / (views - 1)));
   }

@@ -165,7 +165,7 @@ void draw_gimbal_lock(const std::filesystem::path& directory) {
   for (const double theta : {60.0, 8.0}) {
     const Vector3d at = 3.4 * panel++ * right;
     const Matrix3d axes = triad({-20 * degree, theta * degree, 0});
-    const Vector3d &across = axes.col(0), &nodes = axes.col(1), &spin = axes.col(2);
+    const Vector3d &nodes = axes.col(1), &spin = axes.col(2);
     // Half of a ring, in front or behind; what it covers keeps a distance.
     const auto half_ring = [&](double radius, const Vector3d& axis, const char* color, bool in_front) {
       const double from = sketch.faces_reader(nodes) == in_front ? 0 : pi;
@@ -178,8 +178,7 @@ void draw_gimbal_lock(const std::filesystem::path& directory) {
       half_ring(1.1, z_axis, colors::blue, in_front);
       half_ring(0.9, spin, colors::purple, in_front);
       if (in_front) continue;
-      sketch.face(arc(at, 0.55, across, nodes), colors::purple, 0.5);
-      sketch.line(arc(at, 0.55, across, nodes), colors::purple, 2);
+      sketch.turned_body(at - 0.06 * spin, at + 0.06 * spin, {{0, 0}, {0, 0.55}, {1, 0.55}, {1, 0}}, colors::purple);
       // Bearings.
       for (const double side : {1.0, -1.0}) {
         sketch.line({at + 0.9 * side * nodes, at + 1.1 * side * nodes}, colors::green, 5);
@@ -188,7 +187,8 @@ void draw_gimbal_lock(const std::filesystem::path& directory) {
     }
     sketch.arrow(at + 1.1 * z_axis, at + 1.5 * z_axis, colors::blue, vertical_name,
                  theta > 10 ? Side::left : Side::right);
-    sketch.arrow(at + 0.9 * spin, at + 1.45 * spin, colors::purple, "{/:Bold e}_3", Side::left);
+    sketch.arrow(at + 0.9 * spin, at + 1.45 * spin, colors::purple, "{/:Bold e}_3",
+                 theta > 10 ? Side::above : Side::left);
     sketch.arrow(at + 1.1 * nodes, at + 1.5 * nodes, colors::green, "{/:Bold e}_2′", Side::right);
   }
   sketch.draw(directory, "gimbal_lock", 590);

@@ -17,7 +17,6 @@ using namespace workbook;
 
 namespace {
 
-constexpr std::array<const char*, 3> axis_colors{colors::vermilion, colors::green, colors::blue};
 constexpr std::array<const char*, 3> axis_names{"x", "y", "z"};
 
 PlaneCurve points_of(const VectorXd& x, const VectorXd& y) {

@@ -20,7 +20,7 @@ const origin = [0, 0, 0];
 const degree = Math.PI / 180;
 const axis_names = ["e₁", "e₂", "e₃"], axis_colors = ["e1", "e2", "e3"];
 /** count + 1 numbers, equally spaced. */
-const steps = (from, to, count) => Array.from({ length: count + 1 }, (_, i) => from + (to - from) * i / count);
+const steps = (from, to, count) => Array.from({ length: count + 1 }, (_, i) => from + (to - from) * i / (count || 1));
 /** Points of an ellipse with two half axes, or of a part of it. */
 const arc = (center, a, b, from = 0, to = 2 * Math.PI) =>
   steps(from, to, 72).map(angle => sum(center, times(Math.cos(angle), a), times(Math.sin(angle), b)));
@@ -409,7 +409,7 @@ class Scene {
       line([[u, y[0]], [u, y[1]]], u ? "pale" : "grey", 1);
       this.words(label, sum(place([u, y[0]]), [0, 13]));
     }
-    for (const [v, label] of labels(y, (bottom - top) / 36)) {
+    for (const [v, label] of labels(y, (bottom - top) / 27)) {
       line([[x[0], v], [x[1], v]], v ? "pale" : "grey", 1);
       this.words(label, sum(place([x[0], v]), [-6, 0]), "ink", "right");
     }

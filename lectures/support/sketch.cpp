@@ -147,11 +147,12 @@ void Sketch::lit_face(const std::vector<Vector3d>& corners, const Vector3d& norm
 }
 
 void Sketch::turned_body(const Vector3d& from, const Vector3d& to, const PlaneCurve& profile,
-                         const std::string& color) {
-  const Vector3d axis = to - from, first = axis.unitOrthogonal(), second = axis.normalized().cross(first);
+                         const std::string& color, const Vector3d& wide) {
+  const Vector3d axis = to - from, first = wide.isZero() ? axis.unitOrthogonal() : wide,
+                 second = axis.cross(first).normalized();
   constexpr int pieces = 36;
-  const auto radial = [&](double k) -> Vector3d {
-    return std::cos(2 * pi * k / pieces) * first + std::sin(2 * pi * k / pieces) * second;
+  const auto radial = [&](double k, double width = 1) -> Vector3d {
+    return std::cos(2 * pi * k / pieces) / width * first + std::sin(2 * pi * k / pieces) * second;
   };
   const auto point = [&](const std::pair<double, double>& at, int k) -> Vector3d {
     return from + at.first * axis + at.second * radial(k);
@@ -168,7 +169,7 @@ void Sketch::turned_body(const Vector3d& from, const Vector3d& to, const PlaneCu
     }
     const double rise = (end.second - start.second) / axis.norm() / (end.first - start.first);
     for (int k = 0; k < pieces; ++k) {
-      const Vector3d normal = radial(k + 0.5) - rise * axis.normalized();
+      const Vector3d normal = radial(k + 0.5, first.squaredNorm()) - rise * axis.normalized();
       if (faces_reader(normal))
         lit_face({point(start, k), point(start, k + 1), point(end, k + 1), point(end, k)}, normal, color);
     }

@@ -62,9 +62,9 @@ class Sketch {
   void on_ellipsoid(const std::vector<Eigen::Vector3d>& points, const Eigen::Matrix3d& half_axes,
                     const std::string& color, double width, const Eigen::Vector3d& center = Eigen::Vector3d::Zero());
   /// A lit convex body of revolution that hides what was added before, between two points: its radii at these parts of
-  /// the way, and discs where two parts are the same.
+  /// the way, and discs where two parts are the same. Across the vector `wide`, if any, it is as much wider as that is long.
   void turned_body(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const PlaneCurve& profile,
-                   const std::string& color);
+                   const std::string& color, const Eigen::Vector3d& wide = Eigen::Vector3d::Zero());
   /// A lit box about a centre with the half edges as columns; each colour is that of the two faces across an edge.
   void lit_box(const Eigen::Vector3d& center, const Eigen::Matrix3d& half_edges,
                const std::array<const char*, 3>& face_colors);
