@@ -226,8 +226,7 @@ void explain_deeper(Explanation& explanation, const Evidence& evidence, bool has
   if (task.judgement.verdict == Verdict::wrong_value) {
     if (const auto slip = slip_or_branch(task, evidence.toolchain, evidence.cache, is_inaccurate)) {
       std::erase_if(diagnoses, [&](const Diagnosis& each) {
-        return each.kind != DiagnosisKind::split && (each.kind != DiagnosisKind::accuracy || each.name == "near") &&
-               (slip->name == "branch" || !is_place(each));
+        return each.kind != DiagnosisKind::split && (each.kind != DiagnosisKind::accuracy || each.name == "near");
       });
       return add(explanation.findings, {*slip});
     }

@@ -122,7 +122,7 @@ Lines input_lines(const Argument& argument, const Value& value, const Page& page
                        unit.empty() ? "" : " ", unit);
   };
   const auto fits = [&](const std::string& line) {
-    return argument.kind != Kind::matrices && block_indent + display_width(line) <= page.width;
+    return (page.is_brief || argument.kind != Kind::matrices) && block_indent + display_width(line) <= page.width;
   };
   const std::string line = on_one_line("=", all_digits);
   const bool is_number = argument.kind == Kind::number || argument.kind == Kind::integer;
@@ -140,8 +140,13 @@ Lines input_lines(const Argument& argument, const Value& value, const Page& page
     for (const std::string& text : aligned_on_point(texts)) blocks.push_back({text});
     append(lines, side_by_side(blocks, block_indent, {.width = page.width}, 2));
   } else if (argument.kind == Kind::points) {
-    lines.front() += ", column by column";
     const std::size_t shown = std::min(cols, page.is_brief ? page.most_rows / 2 : page.most_rows);
+    if (shown == 1 && cols > 1) {
+      const Value first{value.rows, 1, {value.numbers.begin(), value.numbers.begin() + value.rows}};
+      return {fmt::format("{} = {} columns, the first {}{}{}", argument.name, cols, format_value(first, Kind::vector),
+                          unit.empty() ? "" : " ", unit)};
+    }
+    lines.front() += ", column by column";
     Table table;
     for (std::size_t col = 0; col < shown; ++col) {
       table.labels.push_back(std::to_string(col));

@@ -2,6 +2,7 @@
 #include "checker/report/reports.hpp"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace workbook {
@@ -10,13 +11,16 @@ namespace {
 
 constexpr std::size_t report_indent = 2;
 constexpr std::size_t label_width = 6;
+constexpr std::size_t brief_lines = 14;      // a report that is not full is shortened to these, if it can be
 constexpr std::size_t longest_printout = 6;  // lines of the student's own output that are shown unless all is asked for
 
-/// "kinetic_energy.cpp:8:3: …", or the sentence alone.
-std::string finding_line(const CheckResult& checked, const Finding& finding) {
-  if (finding.line <= 0) return finding.sentence;
-  return fmt::format("{}:{}:{}: {}", printable(checked.task.file.filename().string()), finding.line,
-                     std::max(finding.column, 1), finding.sentence);
+/// "kinetic_energy.cpp:8:3: …", "kinetic_energy.cpp:8:3, 9:3: …" for the same mistake elsewhere, or the sentence alone.
+std::string finding_line(const CheckResult& checked, const std::vector<Finding>& same) {
+  if (same.front().line <= 0) return same.front().sentence;
+  std::vector<std::string> places;
+  for (const Finding& finding : same) places.push_back(fmt::format("{}:{}", finding.line, std::max(finding.column, 1)));
+  return fmt::format("{}:{}: {}", printable(checked.task.file.filename().string()), fmt::join(places, ", "),
+                     same.front().sentence);
 }
 
 /// The text of one report, line by line.
@@ -72,9 +76,13 @@ class Report {
         judgement.verdict == Verdict::wrong_value || (!explanation.is_empty() && !checked_.observation.replies.empty());
     if (!is_said || detail_.full) text_ += console_.wrapped(judgement.message, report_indent) + "\n";
     const bool is_certain = !std::ranges::all_of(explanation.diagnoses, &Diagnosis::is_symptom);
+    std::set<std::string> told;
     for (const Finding& finding : explanation.findings) {
       if (is_remark(finding) && is_certain && !detail_.full) continue;  // a reason says it too
-      labelled("Why", finding_line(checked_, finding));
+      if (!told.insert(finding.sentence).second) continue;
+      std::vector<Finding> same = explanation.findings;
+      std::erase_if(same, [&](const Finding& other) { return other.sentence != finding.sentence; });
+      labelled("Why", finding_line(checked_, same));
       for (const std::string& line : lines_of(finding.excerpt)) text_ += "    " + fitted(line) + "\n";
       read(finding.notes);
     }
@@ -105,9 +113,16 @@ class Report {
     Page page{console_.width() - report_indent, console_.plain()};
     page.is_brief = !detail_.full;
     if (detail_.full) page.most_rows = 10000;
-    text_ += "\n";
-    for (const std::string& line : describe_case(reference, index, answers.at(index), page))
-      text_ += (line.empty() ? "" : "  ") + line + "\n";
+    std::vector<std::string> lines = describe_case(reference, index, answers.at(index), page);
+    // Two more follow: what to type to see more, and the plot.
+    const std::size_t room = brief_lines - 2 - std::min<std::size_t>(brief_lines - 2, std::ranges::count(text_, '\n'));
+    for (const std::size_t rows : {6, 3, 2})
+      if (page.is_brief && lines.size() > room) {
+        page.most_rows = rows;
+        lines = describe_case(reference, index, answers.at(index), page);
+      }
+    if (!page.is_brief || lines.size() < room) text_ += "\n";
+    for (const std::string& line : lines) text_ += (line.empty() ? "" : "  ") + line + "\n";
     if (checked_.judgement.passed()) return;
     if (checked_.explanation.is_empty() && !detail_.is_pending) {
       const std::string size = error_size(reference, checked_.judgement.failing, answers);
