@@ -45,7 +45,7 @@ void check_results_for_autograders(const fs::path& out, const std::string& slug)
 
 TEST_SUITE_BEGIN("grading" * doctest::skip(!is_open_to_all()));
 
-TEST_CASE("where a student's time for reasons is used up, verdicts are as ever") {
+TEST_CASE("where a student's time for reasons is used up, verdicts are as ever" * doctest::test_suite("thorough")) {
   if (!is_open_to_all()) return;
   const MadeUpClass of;
   of.hand_in_few_files();
@@ -370,7 +370,7 @@ TEST_CASE("points, excuses, due dates and comments by hand count, are kept, and 
   CHECK(whole("ada").at("score") == 1.5);
 }
 
-TEST_CASE("of several attempts the last or the best one counts") {
+TEST_CASE("of several attempts the last or the best one counts" * doctest::test_suite("thorough")) {
   const MadeUpClass few;
   few.energy("ada/2027-03-01T12-00-00Z", right_energy);
   few.force("ada/2027-03-01T12-00-00Z", right_force);

@@ -79,7 +79,8 @@ TEST_CASE("every variable of a function is shown at one case, line by line" * do
   CHECK(has(missing.err, "apt-get install gdb"));
 }
 
-TEST_CASE("nothing is debugged that is not started or does not compile, or without gdb") {
+TEST_CASE("nothing is debugged that is not started or does not compile, or without gdb" *
+          doctest::test_suite("thorough")) {
   const CourseCopy course;
   const Outcome untouched = course.run("debug spring_energy");
   CHECK(untouched.status == 1);

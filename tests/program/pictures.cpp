@@ -169,7 +169,7 @@ TEST_CASE("values that no picture can hold leave no half picture, and the verdic
   CHECK(course.run("check spring_energy --plot").status == 1);
 }
 
-TEST_CASE("each figure is tried on its own, and says what became of it") {
+TEST_CASE("each figure is tried on its own, and says what became of it" * doctest::test_suite("thorough")) {
   const CourseCopy course;
   give_figures(course);
   check_golden("figures", course.screens({"figures springs --out pictures --seconds 2"}));
@@ -212,7 +212,8 @@ TEST_CASE("live figures take the functions that pass, and say where one of them 
   CHECK(course.run("live springs").status == 3);
 }
 
-TEST_CASE("the program of the figures refuses a name that it does not know, and ends badly if a figure does") {
+TEST_CASE("the program of the figures refuses a name that it does not know, and ends badly if a figure does" *
+          doctest::test_suite("thorough")) {
   const CourseCopy course;
   const auto status = [&](const std::string& arguments) {
     return run_in_shell("cd '" + course.root().string() + "' && '" WORKBOOK_TEST_FIGURES "' " + arguments +

@@ -123,7 +123,7 @@ TEST_CASE("of a file that may not be included nothing is shown") {
   CHECK(output.diagnostics[0].notes.empty());
 }
 
-TEST_CASE("hostile texts do not hang the checker") {
+TEST_CASE("hostile texts do not hang the checker" * doctest::test_suite("thorough")) {
   constexpr double most_seconds = 20;  // for milliseconds; a scan in quadratic time would take hours
   const auto repeated = [](const std::string& text, std::size_t bytes) {
     std::string all;

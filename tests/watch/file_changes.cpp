@@ -112,7 +112,8 @@ TEST_CASE("a file that is deleted is reported, and again when it is back") {
   }
 }
 
-TEST_CASE("a folder may go and come back: its files are not reported for that, but for what changed in them") {
+TEST_CASE("a folder may go and come back: its files are not reported for that, but for what changed in them" *
+          doctest::test_suite("thorough")) {
   for (const bool events : {true, false}) {
     Files files(events);
     const fs::path away = files.folder.string() + ".away";

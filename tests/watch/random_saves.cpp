@@ -68,6 +68,6 @@ TEST_CASE("200 saves at random moments, and none is lost" * doctest::test_suite(
   save_at_random(200, 12, 1, {});
 }
 
-TEST_CASE("40 saves at random moments in a folder without events, and none is lost") {
+TEST_CASE("40 saves at random moments in a folder without events, and none is lost" * doctest::test_suite("thorough")) {
   save_at_random(40, 8, 2, {.environment = {"WORKBOOK_POLL=1"}});
 }

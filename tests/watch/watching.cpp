@@ -183,7 +183,7 @@ TEST_CASE("a save while another version is checked ends that check") {
   CHECK(nothing_left_running());
 }
 
-TEST_CASE("an endless loop ends at its limit") {
+TEST_CASE("an endless loop ends at its limit" * doctest::test_suite("thorough")) {
   IdleWatch watch;
   watch.answer_energy(endless);
   CHECK(watch.judges(energy, "time_limit", std::chrono::seconds(60)));
