@@ -12,6 +12,7 @@ namespace rigid {
 /// Whoever watches a thrown stick sees its axis go round a direction that stands still, that of L. The rate is that of
 /// the azimuth of axis 3 about L:
 ///
+/// <!-- φ̇ = (ω · L/L - ω₃ cos θ) / sin²θ, cos θ = I₃ ω₃ / L -->
 /// \f[ \dot\phi = \frac{\vec\omega\cdot\vec L/L - \tilde\omega_3\cos\theta}{\sin^2\theta} , \qquad
 ///     \cos\theta = \frac{I_3\tilde\omega_3}{L} \f]
 ///

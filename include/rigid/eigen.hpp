@@ -8,6 +8,7 @@ namespace rigid {
 
 /// The matrix that rotates a vector about the z axis.
 ///
+/// <!-- R = (cos α, -sin α, 0; sin α, cos α, 0; 0, 0, 1), row by row, and R x = cos α x + sin α y -->
 /// \f[ \mat R = \begin{pmatrix}
 ///   \cos\alpha & -\sin\alpha & 0 \\[2pt]
 ///   \sin\alpha & \cos\alpha & 0 \\[2pt]
@@ -21,6 +22,7 @@ Matrix3d rotation_about_z(double angle);
 
 /// The mean of points: the centre of mass of equal masses.
 ///
+/// <!-- the mean of r_p, p = 1 … n -->
 /// \f[ \bar{\vec r} = \frac1n\sum_{p=1}^n\vec r_p \f]
 ///
 /// @param r  3×n, m: a point in each column
@@ -32,6 +34,7 @@ Vector3d center_of_points(const Matrix3Xd& r);
 
 /// The volume of the tetrahedron between the origin and three points, with a sign.
 ///
+/// <!-- V = ⅙ a · (b × c) -->
 /// \f[ V = \tfrac16\,\vec a\cdot(\vec b\times\vec c) \f]
 ///
 /// @param a  the first point, m

@@ -9,13 +9,15 @@ namespace rigid {
 
 /// The rotation matrix that takes inertial components to body components.
 ///
+/// <!-- V_body = R V_inertial, R = R_ψ R_θ R_φ; row by row R_φ = (cos φ, sin φ, 0; -sin φ, cos φ, 0; 0, 0, 1),
+///      R_θ = (cos θ, 0, -sin θ; 0, 1, 0; sin θ, 0, cos θ), and R_ψ is R_φ with ψ -->
 /// \f[ \vec V_\bodyframe = \mat R\,\vec V_\inertialframe, \qquad \mat R = \mat R_\psi \mat R_\theta \mat R_\phi \f]
-/// \f[ \mat R_\phi = \begin{pmatrix} \cos\phi & \sin\phi & 0 \\[2pt] -\sin\phi & \cos\phi & 0 \\[2pt] 0 & 0 & 1
-/// \end{pmatrix},
-///   \qquad \mat R_\theta = \begin{pmatrix} \cos\theta & 0 & -\sin\theta \\[2pt] 0 & 1 & 0 \\[2pt] \sin\theta & 0 &
-///   \cos\theta \end{pmatrix}, \qquad \mat R_\psi = \begin{pmatrix} \cos\psi & \sin\psi & 0 \\[2pt] -\sin\psi &
-///   \cos\psi & 0
-///   \\[2pt] 0 & 0 & 1 \end{pmatrix} \f]
+/// \f[ \mat R_\phi = \begin{pmatrix}
+///   \cos\phi & \sin\phi & 0 \\[2pt] -\sin\phi & \cos\phi & 0 \\[2pt] 0 & 0 & 1 \end{pmatrix}, \qquad
+///   \mat R_\theta = \begin{pmatrix}
+///   \cos\theta & 0 & -\sin\theta \\[2pt] 0 & 1 & 0 \\[2pt] \sin\theta & 0 & \cos\theta \end{pmatrix}, \qquad
+///   \mat R_\psi = \begin{pmatrix}
+///   \cos\psi & \sin\psi & 0 \\[2pt] -\sin\psi & \cos\psi & 0 \\[2pt] 0 & 0 & 1 \end{pmatrix} \f]
 ///
 /// The matrices are passive: the vector does not move, the axes do. The transpose \f$\mat A = \mat R\T\f$ has the body
 /// axes as columns, in inertial components.
@@ -28,8 +30,9 @@ Matrix3d rotation_matrix(const Vector3d& angles);
 
 /// The inertial components of a vector whose body components are known.
 ///
-/// \f[ \vec V_\inertialframe = \mat R\T\,\vec V_\bodyframe = \mat R_\phi\T \mat R_\theta\T \mat R_\psi\T\,\vec
-/// V_\bodyframe \f]
+/// <!-- V_inertial = Rᵀ V_body = R_φᵀ R_θᵀ R_ψᵀ V_body -->
+/// \f[ \vec V_\inertialframe = \mat R\T\,\vec V_\bodyframe
+///   = \mat R_\phi\T \mat R_\theta\T \mat R_\psi\T\,\vec V_\bodyframe \f]
 ///
 /// @param V_body  components on the body axes, any unit
 /// @param angles  Euler angles (φ, θ, ψ) of the body, any real numbers, rad
@@ -40,6 +43,7 @@ Vector3d inertial_components(const Vector3d& V_body, const Vector3d& angles);
 
 /// Euler angles of an attitude.
 ///
+/// <!-- R₃₃ = cos θ, (R₃₁, R₃₂) = sin θ (cos φ, sin φ), (R₁₃, R₂₃) = sin θ (-cos ψ, sin ψ) -->
 /// \f[ R_{33} = \cos\theta, \qquad (R_{31}, R_{32}) = \sin\theta\,(\cos\phi, \sin\phi), \qquad
 ///   (R_{13}, R_{23}) = \sin\theta\,(-\cos\psi, \sin\psi) \f]
 ///
@@ -56,6 +60,7 @@ Vector3d euler_angles(const Matrix3d& R_body_from_inertial);
 
 /// The line of nodes ê₂′, the axis of the second rotation, in body components.
 ///
+/// <!-- e₂' = sin ψ e₁ + cos ψ e₂ -->
 /// \f[ \unit e_2' = \sin\psi\,\unit e_1 + \cos\psi\,\unit e_2 = \mat R_\psi \begin{pmatrix} 0 \\[2pt] 1 \\[2pt] 0
 /// \end{pmatrix} \f]
 ///
@@ -67,6 +72,7 @@ Vector3d line_of_nodes(double psi);
 
 /// The inertial vertical ê₃⁰, the axis of the first rotation, in body components.
 ///
+/// <!-- e₃⁰ = -sin θ cos ψ e₁ + sin θ sin ψ e₂ + cos θ e₃ -->
 /// \f[ \unit e^0_3 = -\sin\theta\cos\psi\,\unit e_1 + \sin\theta\sin\psi\,\unit e_2 + \cos\theta\,\unit e_3
 ///   = \mat R_\psi \mat R_\theta \begin{pmatrix} 0 \\[2pt] 0 \\[2pt] 1 \end{pmatrix} \f]
 ///
@@ -81,6 +87,7 @@ Vector3d vertical_in_body(double theta, double psi);
 
 /// The angular velocity in body components, from the Euler angles and their rates.
 ///
+/// <!-- ω_body = (-φ̇ sin θ cos ψ + θ̇ sin ψ, φ̇ sin θ sin ψ + θ̇ cos ψ, φ̇ cos θ + ψ̇) -->
 /// \f[ \tilde{\vec\omega} = \dot\phi\,\unit e^0_3 + \dot\theta\,\unit e_2' + \dot\psi\,\unit e_3
 ///   = \begin{pmatrix} -\dot\phi\sin\theta\cos\psi + \dot\theta\sin\psi \\[2pt]
 ///     \dot\phi\sin\theta\sin\psi + \dot\theta\cos\psi \\[2pt]
@@ -95,6 +102,7 @@ Vector3d angular_velocity_body(const Vector3d& angles, const Vector3d& rates);
 
 /// The same angular velocity in inertial components.
 ///
+/// <!-- ω_inertial = (-θ̇ sin φ + ψ̇ sin θ cos φ, θ̇ cos φ + ψ̇ sin θ sin φ, φ̇ + ψ̇ cos θ) -->
 /// \f[ \vec\omega_\inertialframe = \begin{pmatrix} -\dot\theta\sin\phi + \dot\psi\sin\theta\cos\phi \\[2pt]
 ///     \dot\theta\cos\phi + \dot\psi\sin\theta\sin\phi \\[2pt]
 ///     \dot\phi + \dot\psi\cos\theta \end{pmatrix} \f]
@@ -108,6 +116,7 @@ Vector3d angular_velocity_inertial(const Vector3d& angles, const Vector3d& rates
 
 /// The rates of the Euler angles, from the angular velocity in body components.
 ///
+/// <!-- φ̇ = (-ω₁ cos ψ + ω₂ sin ψ) / sin θ, θ̇ = ω₁ sin ψ + ω₂ cos ψ, ψ̇ = ω₃ + cot θ (ω₁ cos ψ - ω₂ sin ψ) -->
 /// \f[ \dot\phi = \frac{-\tilde\omega_1\cos\psi + \tilde\omega_2\sin\psi}{\sin\theta}, \qquad
 ///   \dot\theta = \tilde\omega_1\sin\psi + \tilde\omega_2\cos\psi, \qquad
 ///   \dot\psi = \tilde\omega_3 + \cot\theta\,(\tilde\omega_1\cos\psi - \tilde\omega_2\sin\psi) \f]
@@ -124,6 +133,7 @@ Vector3d euler_angle_rates(const Vector3d& angles, const Vector3d& omega_body);
 
 /// The angles of the other convention, z–x–z, for an attitude whose z–y–z angles are known.
 ///
+/// <!-- φ_zxz = φ + π/2, θ_zxz = θ, ψ_zxz = ψ - π/2 -->
 /// \f[ \phi_{zxz} = \phi + \tfrac\pi2, \qquad \theta_{zxz} = \theta, \qquad \psi_{zxz} = \psi - \tfrac\pi2 \f]
 ///
 /// brought into their ranges: θ in [0, π], the two others in (−π, π]. The attitude stays the same: the angles

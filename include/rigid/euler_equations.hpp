@@ -9,6 +9,7 @@ namespace rigid {
 
 /// Euler's equations, solved for the angular acceleration.
 ///
+/// <!-- I₁ ω̇₁ + ω₂ ω₃ (I₃ - I₂) = τ₁ and cyclically -->
 /// \f[ I_1 \dot{\tilde\omega}_1 + \tilde\omega_2 \tilde\omega_3 (I_3 - I_2) = \tau_1 \quad\text{and cyclically} \f]
 ///
 /// @param I       principal moments about the fixed point or the centre of mass, in any order, kg m²
@@ -22,6 +23,7 @@ Vector3d euler_equations(const Vector3d& I, const Vector3d& omega, const Vector3
 
 /// Euler's equations on any axes fixed in the body, principal or not.
 ///
+/// <!-- I · ω̇ + ω × (I · ω) = τ -->
 /// \f[ \Inertia \cdot \dot{\vec\omega} + \vec\omega \times (\Inertia \cdot \vec\omega) = \vec\tau \f]
 ///
 /// @param I       inertia tensor about the fixed point or the centre of mass, on body axes, kg m²
@@ -35,6 +37,7 @@ Vector3d euler_equations_general(const Matrix3d& I, const Vector3d& omega, const
 
 /// The torque that must act on a body for its angular velocity to stay as it is.
 ///
+/// <!-- τ = ω × (I · ω) -->
 /// \f[ \vec\tau = \vec\omega \times (\Inertia \cdot \vec\omega) \f]
 ///
 /// It is at right angles to omega, so it does no work, and it rotates with the body.
@@ -49,6 +52,7 @@ Vector3d torque_to_hold_rotation(const Matrix3d& I, const Vector3d& omega);
 
 /// The rate of change of the angular momentum in the inertial frame.
 ///
+/// <!-- (dL/dt)_inertial = I · ω̇ + ω × (I · ω) -->
 /// \f[ \ratein{\vec L}{\inertialframe} = \Inertia \cdot \dot{\vec\omega}
 ///     + \vec\omega \times (\Inertia \cdot \vec\omega) \f]
 ///
@@ -63,6 +67,7 @@ Vector3d angular_momentum_rate(const Matrix3d& I, const Vector3d& omega, const V
 
 /// What a free rotation conserves: the kinetic energy and the square of the angular momentum.
 ///
+/// <!-- T = ½ Σ_i I_i ω_i², L² = Σ_i I_i² ω_i² -->
 /// \f[ T = \tfrac12 \sum_i I_i\, \tilde\omega_i^2, \qquad L^2 = \sum_i I_i^2\, \tilde\omega_i^2 \f]
 ///
 /// @param I      principal moments, kg m²
@@ -75,6 +80,7 @@ Vector2d rotation_invariants(const Vector3d& I, const Vector3d& omega);
 
 /// The angular velocity of a symmetric satellite while a thruster acts about its axis.
 ///
+/// <!-- ω₃ = ω₃(0) + τ t / I₃, α = (I₃ - I₁)/I₁ ∫₀ᵗ ω₃ dt' -->
 /// \f[ \tilde\omega_3 = \tilde\omega_3(0) + \frac{\tau t}{I_3}, \qquad
 ///     \alpha = \frac{I_3 - I_1}{I_1} \int_0^t \tilde\omega_3\,\dd t' , \f]
 ///

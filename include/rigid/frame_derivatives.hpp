@@ -8,6 +8,7 @@ namespace rigid {
 
 /// The matrix that does what ω× does.
 ///
+/// <!-- [ω]× = (0, -ω_z, ω_y; ω_z, 0, -ω_x; -ω_y, ω_x, 0), row by row, and [ω]× V = ω × V -->
 /// \f[ [\vec\omega]_\times = \begin{pmatrix}
 ///   0 & -\omega_z & \omega_y \\[2pt]
 ///   \omega_z & 0 & -\omega_x \\[2pt]
@@ -21,6 +22,7 @@ Matrix3d cross_matrix(const Vector3d& omega);
 
 /// Rate of change of a vector in the inertial frame, from its rate in a rotating frame: the transport theorem.
 ///
+/// <!-- (dV/dt)_inertial = (dV/dt)_body + ω × V -->
 /// \f[ \ratein{\vec V}{\inertialframe} = \ratein{\vec V}{\bodyframe} + \vec\omega \times \vec V \f]
 ///
 /// All three arguments are expressed on one and the same set of axes, and so is the result; any set will do.
@@ -38,6 +40,7 @@ Vector3d inertial_rate(const Vector3d& rate_body, const Vector3d& omega, const V
 ///
 /// Every basis vector obeys \f$\dot{\unit e}_i = \vec\omega \times \unit e_i\f$. With
 /// \f$\Theta = |\vec\omega|\,\dd t\f$ and \f$\unit n = \vec\omega/|\vec\omega|\f$ the exact solution (Rodrigues) is
+/// <!-- e_i(dt) = e_i + sin Θ n × e_i + (1 - cos Θ) n × (n × e_i) -->
 /// \f[ \unit e_i(\dd t) = \unit e_i + \sin\Theta\;\unit n \times \unit e_i
 ///                  + (1 - \cos\Theta)\;\unit n \times (\unit n \times \unit e_i) . \f]
 ///
@@ -54,6 +57,7 @@ Matrix3d rotated_basis(const Matrix3d& E, const Vector3d& omega, double dt);
 
 /// The angular velocity with which a basis rotates.
 ///
+/// <!-- [ω]× = Ȧ Aᵀ and ω = ½ Σ_i e_i × ė_i -->
 /// \f[ [\vec\omega]_\times = \dot{\mat A}\,\mat A\T, \qquad
 ///     \vec\omega = \tfrac12 \sum_i \unit e_i \times \dot{\unit e}_i \f]
 ///
@@ -68,6 +72,7 @@ Vector3d angular_velocity_of_basis(const Matrix3d& E, const Matrix3d& E_rate);
 
 /// The screw that takes a body from one place to another: Chasles' theorem.
 ///
+/// <!-- c = ½ (d_⊥ + cot(Θ/2) n × d), d_∥ = n (n · d), d_⊥ = d - d_∥ -->
 /// \f[ \vec c = \tfrac12\left(\vec d_\perp + \cot\tfrac\Theta2\;\hat{\vec n}\times\vec d\right) , \qquad
 ///     \vec d_\parallel = \hat{\vec n}\,(\hat{\vec n}\cdot\vec d) , \qquad \vec d_\perp = \vec d - \vec d_\parallel \f]
 ///

@@ -9,6 +9,7 @@ namespace rigid {
 
 /// The rate at which a free symmetric top's angular velocity runs round the symmetry axis, seen from the body.
 ///
+/// <!-- Ω = ω₃ (I₃ - I₁) / I₁ -->
 /// \f[ \Omega = \tilde\omega_3\, \frac{I_3 - I_1}{I_1} \f]
 ///
 /// The rate has a sign: positive means from axis 1 towards axis 2.
@@ -24,6 +25,7 @@ double body_precession_rate(double I1, double I3, double omega3);
 
 /// The angular velocity of a free symmetric top, in body components, at time t.
 ///
+/// <!-- ω₁ = ω_⊥ cos(Ωt + δ), ω₂ = ω_⊥ sin(Ωt + δ), ω₃ constant -->
 /// \f[ \tilde\omega_1 = \omega_\perp \cos(\Omega t + \delta), \qquad
 ///     \tilde\omega_2 = \omega_\perp \sin(\Omega t + \delta), \qquad \tilde\omega_3 = \text{const} \f]
 ///
@@ -42,6 +44,7 @@ Vector3d symmetric_top(double I1, double I3, const Vector3d& omega0, double t);
 /// The rate at which the symmetry axis of a free symmetric top runs round the angular momentum, seen from the inertial
 /// frame.
 ///
+/// <!-- φ̇ = L / I₁, L = |I₁ ω₁ e₁ + I₁ ω₂ e₂ + I₃ ω₃ e₃| -->
 /// \f[ \dot\phi = \frac{L}{I_1}, \qquad L = \left| I_1 \tilde\omega_1 \unit e_1 + I_1 \tilde\omega_2 \unit e_2
 ///     + I_3 \tilde\omega_3 \unit e_3 \right| \f]
 ///
@@ -58,6 +61,7 @@ double space_precession_rate(double I1, double I3, const Vector3d& omega);
 
 /// The two rates that govern a small wobble of an asymmetric top about axis 3.
 ///
+/// <!-- Ω₁ = ω₃ (I₃ - I₂)/I₁, Ω₂ = ω₃ (I₃ - I₁)/I₂ -->
 /// \f[ \Omega_1 = \tilde\omega_3\, \frac{I_3 - I_2}{I_1}, \qquad \Omega_2 = \tilde\omega_3\, \frac{I_3 - I_1}{I_2} \f]
 ///
 /// With them \f$\dot{\tilde\omega}_1 = -\Omega_1 \tilde\omega_2\f$ and
@@ -73,6 +77,7 @@ Vector2d linearized_rates(const Vector3d& I, double omega3);
 
 /// The small wobble of an asymmetric top that spins about a stable axis 3.
 ///
+/// <!-- ω₁ = ω_⊥ cos(√(Ω₁Ω₂) t + δ), ω₂ = sgn(Ω₁) ω_⊥ √(Ω₂/Ω₁) sin(√(Ω₁Ω₂) t + δ) -->
 /// \f[ \tilde\omega_1 = \omega_\perp \cos(\sqrt{\Omega_1 \Omega_2}\, t + \delta), \qquad
 ///     \tilde\omega_2 = \operatorname{sgn}(\Omega_1)\, \omega_\perp \sqrt{\Omega_2 / \Omega_1}\,
 ///     \sin(\sqrt{\Omega_1 \Omega_2}\, t + \delta) \f]
@@ -93,6 +98,7 @@ Vector2d linearized_top(const Vector3d& I, double omega3, double amplitude, doub
 
 /// The rate at which a small disturbance of a spin about the intermediate axis grows.
 ///
+/// <!-- σ = |ω₂| √((I₂ - I₁)(I₃ - I₂) / (I₁I₃)) -->
 /// \f[ \sigma = |\tilde\omega_2| \sqrt{\frac{(I_2 - I_1)(I_3 - I_2)}{I_1 I_3}} \f]
 ///
 /// The disturbance grows as \f$e^{\sigma t}\f$ as long as it is small.
@@ -122,11 +128,13 @@ int axis_stability(const Vector3d& I, int axis);
 
 /// The time after which the angular velocity of a free top repeats itself in the body: exact, for any amplitude.
 ///
+/// <!-- P = 4 K(m) / ν, K(m) = ∫ dα / √(1 - m sin²α) from 0 to π/2 -->
 /// \f[ P = \frac{4 K(m)}{\nu}, \qquad K(m) = \int_0^{\pi/2} \frac{\dd\alpha}{\sqrt{1 - m \sin^2\alpha}} \f]
 ///
 /// where, with the kinetic energy T and the angular momentum L, for \f$L^2 > 2TI_2\f$ (the angular velocity circles
 /// axis 3)
 ///
+/// <!-- ν² = (L² - 2TI₁)(I₃ - I₂) / (I₁I₂I₃), m = k² = (2TI₃ - L²)(I₂ - I₁) / ((L² - 2TI₁)(I₃ - I₂)) -->
 /// \f[ \nu^2 = \frac{(L^2 - 2TI_1)(I_3 - I_2)}{I_1 I_2 I_3}, \qquad
 ///     m = k^2 = \frac{(2TI_3 - L^2)(I_2 - I_1)}{(L^2 - 2TI_1)(I_3 - I_2)} \f]
 ///

@@ -8,6 +8,7 @@ namespace rigid {
 
 /// Inertia tensor of point masses about the origin.
 ///
+/// <!-- I_ij = Σ_p m_p (δ_ij r_p² - r_p,i r_p,j) -->
 /// \f[ I_{ij} = \sum_p m_p \left( \delta_{ij}\, r_p^2 - r_{p,i}\, r_{p,j} \right) \f]
 ///
 /// The products of inertia (the entries off the diagonal) carry a minus sign: \f$I_{xy} = -\sum_p m_p x_p y_p\f$.
@@ -23,6 +24,7 @@ Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r);
 
 /// Kinetic energy of a body that rotates with angular velocity omega about the origin of its inertia tensor.
 ///
+/// <!-- T = ½ ω · I · ω -->
 /// \f[ T = \tfrac12\,\vec\omega \cdot \Inertia \cdot \vec\omega \f]
 ///
 /// The origin is a point of the body at rest, or T is the energy of rotation about the centre of mass.
@@ -37,6 +39,7 @@ double kinetic_energy(const Matrix3d& I, const Vector3d& omega);
 
 /// Angular momentum about the origin of the inertia tensor.
 ///
+/// <!-- L = I · ω -->
 /// \f[ \vec L = \Inertia \cdot \vec\omega \f]
 ///
 /// L is parallel to omega only if omega lies along a principal axis.
@@ -51,6 +54,7 @@ Vector3d angular_momentum(const Matrix3d& I, const Vector3d& omega);
 
 /// Moment of inertia about an axis through the origin.
 ///
+/// <!-- I_n = n · I · n of the unit vector along n -->
 /// \f[ I_n = \unit n \cdot \Inertia \cdot \unit n, \qquad \unit n = \vec n / |\vec n| \f]
 ///
 /// @param I     inertia tensor, kg m²
@@ -64,6 +68,7 @@ double moment_about_axis(const Matrix3d& I, const Vector3d& axis);
 
 /// Inertia tensor of a uniform cuboid about its corner at the origin.
 ///
+/// <!-- I = M (⅓(b² + c²), -¼ab, -¼ac; -¼ab, ⅓(a² + c²), -¼bc; -¼ac, -¼bc, ⅓(a² + b²)), row by row -->
 /// \f[ \Inertia = M \begin{pmatrix}
 ///   \tfrac13 (b^2 + c^2) & -\tfrac14 ab & -\tfrac14 ac \\[2pt]
 ///   -\tfrac14 ab & \tfrac13 (a^2 + c^2) & -\tfrac14 bc \\[2pt]
@@ -104,6 +109,7 @@ Matrix3d principal_axes(const Matrix3d& I);
 
 /// The inertia tensor of a rotated body, on axes that did not rotate.
 ///
+/// <!-- I_inertial = A I_body Aᵀ -->
 /// \f[ \Inertia_\inertialframe = \mat A\,\Inertia_\bodyframe\,\mat A\T \f]
 ///
 /// @param I_body                inertia tensor on axes fixed in the body, kg m²

@@ -12,6 +12,7 @@ namespace rigid {
 
 /// Kinetic energy of a rigid body, from its Euler angles and their rates.
 ///
+/// <!-- T = ½ I₁ (-φ̇ sin θ cos ψ + θ̇ sin ψ)² + ½ I₂ (φ̇ sin θ sin ψ + θ̇ cos ψ)² + ½ I₃ (φ̇ cos θ + ψ̇)² -->
 /// \f[ T = \tfrac12 I_1 (-\dot\phi\, s_\theta c_\psi + \dot\theta\, s_\psi)^2
 ///       + \tfrac12 I_2 (\dot\phi\, s_\theta s_\psi + \dot\theta\, c_\psi)^2
 ///       + \tfrac12 I_3 (\dot\phi\, c_\theta + \dot\psi)^2 \f]
@@ -27,6 +28,7 @@ double kinetic_energy_euler(const Vector3d& I, const Vector3d& angles, const Vec
 
 /// Kinetic energy of a symmetric body, I₁ = I₂: the angles φ and ψ drop out.
 ///
+/// <!-- T = ½ I₁ (φ̇² sin²θ + θ̇²) + ½ I₃ (φ̇ cos θ + ψ̇)² -->
 /// \f[ T = \tfrac12 I_1 (\dot\phi^2 s_\theta^2 + \dot\theta^2) + \tfrac12 I_3 (\dot\phi\, c_\theta + \dot\psi)^2 \f]
 ///
 /// @param I1     the two equal principal moments, kg m²
@@ -41,6 +43,7 @@ double kinetic_energy_symmetric(double I1, double I3, double theta, const Vector
 
 /// Canonical momenta of the Euler angles.
 ///
+/// <!-- p_φ = ∂T/∂φ̇ = L · e₃⁰, p_θ = ∂T/∂θ̇ = L · e₂', p_ψ = ∂T/∂ψ̇ = L · e₃ -->
 /// \f[ p_\phi = \frac{\partial T}{\partial \dot\phi} = \vec L \cdot \unit e^0_3, \qquad
 ///     p_\theta = \frac{\partial T}{\partial \dot\theta} = \vec L \cdot \unit e_2', \qquad
 ///     p_\psi = \frac{\partial T}{\partial \dot\psi} = \vec L \cdot \unit e_3 \f]
@@ -61,10 +64,12 @@ Vector3d canonical_momenta(const Vector3d& I, const Vector3d& angles, const Vect
 ///
 /// They solve the Euler–Lagrange equations for \f$q = (\phi, \theta, \psi)\f$,
 ///
+/// <!-- d/dt ∂T/∂q̇ = ∂T/∂q -->
 /// \f[ \frac{\dd}{\dd t} \frac{\partial T}{\partial \dot q} = \frac{\partial T}{\partial q} , \f]
 ///
 /// or, which is the same, Euler's equations with \f$\tilde{\vec\omega} = \mat B(q)\,\dot q\f$:
 ///
+/// <!-- q̈ = B⁻¹ (ω̇ - Ḃ q̇) -->
 /// \f[ \ddot q = \mat B^{-1} \left( \dot{\tilde{\vec\omega}} - \dot{\mat B}\,\dot q \right) \f]
 ///
 /// @param I       principal moments, kg m²
@@ -94,6 +99,7 @@ double hamiltonian(const Vector3d& I, const Vector3d& angles, const Vector3d& mo
 /// These components \f$\tilde L_1, \tilde L_2, \tilde L_3\f$ are functions of the Euler angles \f$q\f$ and of their
 /// momenta \f$p\f$; no moment of inertia enters. The sign of a bracket is
 ///
+/// <!-- {f, g} = Σ_k (∂f/∂q_k ∂g/∂p_k - ∂f/∂p_k ∂g/∂q_k) -->
 /// \f[ \{f, g\} = \sum_k \left( \frac{\partial f}{\partial q_k} \frac{\partial g}{\partial p_k}
 ///     - \frac{\partial f}{\partial p_k} \frac{\partial g}{\partial q_k} \right) . \f]
 ///

@@ -8,12 +8,14 @@ namespace rigid {
 
 /// The three coefficients of Euler's equations from a measured flight.
 ///
+/// <!-- ω̇_x = a ω_y ω_z, ω̇_y = b ω_z ω_x, ω̇_z = c ω_x ω_y -->
 /// \f[ \dot{\tilde\omega}_x = a\,\tilde\omega_y\tilde\omega_z , \qquad
 ///     \dot{\tilde\omega}_y = b\,\tilde\omega_z\tilde\omega_x , \qquad
 ///     \dot{\tilde\omega}_z = c\,\tilde\omega_x\tilde\omega_y \f]
 ///
 /// Integrated from the first sample on, by the trapezoidal rule between neighbouring samples,
 ///
+/// <!-- S_0 = 0, S_k = S_(k-1) + ½ (t_k - t_(k-1)) [(ω_y ω_z)_(k-1) + (ω_y ω_z)_k] -->
 /// \f[ S_0 = 0 , \qquad S_k = S_{k-1} + \frac{t_k - t_{k-1}}2\,
 ///     \bigl[(\tilde\omega_y\tilde\omega_z)_{k-1} + (\tilde\omega_y\tilde\omega_z)_k\bigr] , \f]
 ///
@@ -31,10 +33,12 @@ Vector3d euler_coefficients(const VectorXd& t, const Matrix3Xd& omega);
 
 /// Whether three measured coefficients can belong to a rigid body.
 ///
+/// <!-- D = a + b + c + abc -->
 /// \f[ D = a + b + c + abc \f]
 ///
 /// vanishes for every rigid body that is free of torque. For small independent errors
 ///
+/// <!-- (ΔD)² = (1 + bc)² (Δa)² + (1 + ca)² (Δb)² + (1 + ab)² (Δc)² -->
 /// \f[ (\Delta D)^2 = (1 + bc)^2(\Delta a)^2 + (1 + ca)^2(\Delta b)^2 + (1 + ab)^2(\Delta c)^2 . \f]
 ///
 /// @param coefficients  {a, b, c} of euler_coefficients
@@ -50,6 +54,7 @@ Vector2d rigidity_defect(const Vector3d& coefficients, const Vector3d& errors);
 /// Between two neighbouring samples the body rotates about an axis fixed in it, with the mean of the two angular
 /// velocities. With \f$\mat A_0 = \One\f$
 ///
+/// <!-- A_k = A_(k-1) exp [Θ_k]×, Θ_k = ½ (t_k - t_(k-1)) (ω_(k-1) + ω_k), body components -->
 /// \f[ \mat A_k = \mat A_{k-1}\,e^{[\vec\Theta_k]_\times} , \qquad
 ///     \vec\Theta_k = \frac{t_k - t_{k-1}}2\,(\vec\omega_{k-1} + \vec\omega_k)_\bodyframe , \f]
 ///

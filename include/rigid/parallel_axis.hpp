@@ -8,6 +8,7 @@ namespace rigid {
 
 /// Inertia tensor about a point, from the tensor about the centre of mass: the parallel-axis theorem.
 ///
+/// <!-- I = I_CM + M (d² 1 - d dᵀ) -->
 /// \f[ \Inertia = \Inertia_\CM + M \left( d^2\,\One - \vec d\,\vec d \right) \f]
 ///
 /// Both tensors are on parallel axes. The formula is even in d, so the sense of the arrow does not matter here.
@@ -24,6 +25,7 @@ Matrix3d inertia_from_center_of_mass(const Matrix3d& I_cm, double M, const Vecto
 
 /// Inertia tensor about the centre of mass, from the tensor about the origin.
 ///
+/// <!-- I_CM = I - M (r_CM² 1 - r_CM r_CMᵀ) -->
 /// \f[ \Inertia_\CM = \Inertia - M \left( r_\CM^2\,\One - \vec r_\CM\,\vec r_\CM \right) \f]
 ///
 /// @param I_origin  inertia tensor about the origin, kg m²
@@ -42,6 +44,7 @@ Matrix3d inertia_to_center_of_mass(const Matrix3d& I_origin, double M, const Vec
 /// All positions change by the same vector, \f$\vec r'_p = \vec r_p + \vec R\f$. So R points from the new origin to the
 /// old one, and the new origin lies at −R.
 ///
+/// <!-- I'_ij = I_ij + M (R² δ_ij - R_i R_j) + M (2 r_CM · R δ_ij - r_CM,i R_j - R_i r_CM,j) -->
 /// \f[ I'_{ij} = I_{ij} + M \left( R^2 \delta_{ij} - R_i R_j \right)
 ///     + M \left( 2\,\vec r_\CM \cdot \vec R\;\delta_{ij} - r_{\CM,i} R_j - R_i r_{\CM,j} \right) \f]
 ///
@@ -59,6 +62,7 @@ Matrix3d inertia_about_shifted_origin(const Matrix3d& I_origin, double M, const 
 
 /// Inertia tensor of a uniform cuboid about its centre.
 ///
+/// <!-- I = M/12 diag(b² + c², a² + c², a² + b²) -->
 /// \f[ \Inertia = \frac{M}{12} \begin{pmatrix}
 ///   b^2 + c^2 & 0 & 0 \\[2pt]
 ///   0 & a^2 + c^2 & 0 \\[2pt]
@@ -77,6 +81,7 @@ Matrix3d cuboid_about_center(double M, double a, double b, double c);
 
 /// Inertia tensor of several bodies fixed to one another, about their common centre of mass.
 ///
+/// <!-- I = Σ_k [I_k + m_k (d_k² 1 - d_k d_kᵀ)], d_k = r_k - Σ_l m_l r_l / Σ_l m_l -->
 /// \f[ \Inertia = \sum_k \left[ \Inertia_k + m_k \left( d_k^2\,\One - \vec d_k\,\vec d_k \right) \right], \qquad
 ///     \vec d_k = \vec r_k - \frac{\sum_l m_l\,\vec r_l}{\sum_l m_l} \f]
 ///

@@ -8,6 +8,7 @@ namespace rigid {
 
 /// Acceleration in the inertial frame of a point whose motion is known in a frame that rotates about the common origin.
 ///
+/// <!-- a_inertial = a_body + 2 ω × v_body + α × r + ω × (ω × r) -->
 /// \f[ \vec a_\inertialframe = \vec a_\bodyframe + 2\,\vec\omega\times\vec v_\bodyframe + \vec\alpha\times\vec r
 ///     + \vec\omega\times(\vec\omega\times\vec r) \f]
 ///
@@ -27,6 +28,7 @@ Vector3d inertial_acceleration(const Vector3d& a_body, const Vector3d& v_body, c
 
 /// The fictitious force: what must be added to the real forces for Newton's second law to hold in the rotating frame.
 ///
+/// <!-- F_fictitious = -m [2 ω × v_body + α × r + ω × (ω × r)] and m a_body = F + F_fictitious -->
 /// \f[ \vec F_\mathrm{fictitious} = -m\left[\, 2\,\vec\omega\times\vec v_\bodyframe + \vec\alpha\times\vec r
 ///     + \vec\omega\times(\vec\omega\times\vec r) \right], \qquad
 ///     m\,\vec a_\bodyframe = \vec F + \vec F_\mathrm{fictitious} \f]
@@ -47,6 +49,7 @@ Vector3d fictitious_force(double m, const Vector3d& r, const Vector3d& v_body, c
 
 /// Coriolis acceleration at a place on the Earth.
 ///
+/// <!-- a = -2 Ω × v, Ω = Ω_E (0, cos λ, sin λ) -->
 /// \f[ \vec a = -2\,\vec\Omega\times\vec v, \qquad \vec\Omega = \Omega_\mathrm E\,(0,\ \cos\lambda,\ \sin\lambda) \f]
 ///
 /// The components are those on the local axes east, north, up: the Earth's axis lies in the plane of north and up.
@@ -63,6 +66,7 @@ Vector3d coriolis_acceleration(const Vector3d& v_enu, double latitude, double ea
 
 /// How far to the east of the plumb line a body lands that is dropped from rest, to first order in the Earth's rate.
 ///
+/// <!-- d = ⅓ Ω_E g t³ cos λ, t = √(2h/g) -->
 /// \f[ d = \tfrac13\,\Omega_\mathrm E\, g\, t^3 \cos\lambda, \qquad t = \sqrt{2h/g} \f]
 ///
 /// No air; g is constant along the fall and points along the plumb line.
@@ -81,6 +85,7 @@ double eastward_deflection(double height, double latitude, double g, double eart
 
 /// Time in which the plane of swing of a Foucault pendulum rotates once round.
 ///
+/// <!-- P = P_day / sin λ -->
 /// \f[ P = \frac{P_\mathrm{day}}{\sin\lambda} \f]
 ///
 /// @param latitude      latitude λ on the northern hemisphere, rad

@@ -20,6 +20,9 @@
 /// overflows. What else must hold stands under "Precondition"; a function may return anything where it does not hold.
 /// Conditions on the entries of a matrix (symmetric, rotation matrix) hold up to rounding. What is not excluded is
 /// legal: zero vectors, zero angles, negative times, equal moments.
+///
+/// "Source" cites the five lecture decks S0 to S4 by slide (s8) or, where slides have no numbers, page (p. 8); the page
+/// References of the notes names them. Above a formula in TeX stands the same in plain text, for readers of this file.
 namespace rigid {
 
 using Eigen::Matrix3d;
