@@ -219,7 +219,7 @@ static int plot_wrong(const Course& course, const std::vector<CheckTask>& tasks,
   if (std::ranges::count(names, name) == 0)
     throw UsageError(
         fmt::format("{} has no wrong answer '{}'; it has {}.", shown.name(), printable(name), listed(names)));
-  shown.explanation.diagnoses = {{DiagnosisKind::misconception, name, "", ""}};
+  shown.reasons = {{ReasonKind::misconception, name, ""}};
   for (const fs::path& file : draw_overlay(overlay_of(shown), directory, shown.name() + "-" + name))
     fmt::print("{}\n", file.string());
   return all_passed;

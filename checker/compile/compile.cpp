@@ -176,7 +176,7 @@ class CompilationInProgress {
   [[noreturn]] void refuse_uncompiled(const FinishedProgram& compiled, const Submission& file,
                                       const std::string& unit) const {
     const CompilerOutput said = compiler_.read(compiled.output, file.shown_name);
-    std::optional<Finding> error = first_error(said.diagnostics, source_, task_.signature);
+    std::optional<Reason> error = first_error(said.diagnostics, source_, task_.signature);
     const bool has_place = error && error->line > 0;
     refuse_if_limit_reached(compiled, has_place);
     if (unit != "unit") refuse(fmt::format("Your file calls {}, and {} does not compile.", unit, file.shown_name));
@@ -186,7 +186,7 @@ class CompilationInProgress {
              {*error});
     if (!said.foreign_file.empty()) refuse_foreign_file(said.foreign_file);
     refuse_if_tools_fail();
-    refuse("Your file does not compile.", said.shown, error ? std::vector{*error} : std::vector<Finding>());
+    refuse("Your file does not compile.", said.shown, error ? std::vector{*error} : std::vector<Reason>());
   }
 
   /// Where nothing is said of the student's file: an empty one tells whether compiler, assembler and linker work.
@@ -202,13 +202,13 @@ class CompilationInProgress {
   }
 
   [[noreturn]] void refuse(const std::string& message, const std::string& details = "",
-                           const std::vector<Finding>& findings = {}, Refusal refusal = Refusal::compile_error) const {
+                           const std::vector<Reason>& errors = {}, Refusal refusal = Refusal::compile_error) const {
     throw Compilation{.processor_seconds = compiler_.processor_seconds(),
                       .linked = linked_,
                       .refusal = refusal,
                       .message = message,
                       .details = details,
-                      .findings = findings};
+                      .errors = errors};
   }
 
   [[noreturn]] void refuse_foreign_file(const std::string& name) const {
@@ -283,14 +283,14 @@ class CompilationInProgress {
   [[noreturn]] void refuse_symbol(Refusal refusal, const char* name, std::string function, const std::string& output,
                                   const std::string& message) const {
     function.erase(0, function.rfind(':') + 1);
-    std::vector<Finding> findings;
+    std::vector<Reason> errors;
     for (const Token& token : source_.tokens())
-      if (token.text == function) findings = {source_.finding(source_.place_of(token.offset), name, message)};
-    refuse(findings.empty() ? message
+      if (token.text == function) errors = {source_.reason(source_.place_of(token.offset), name, message)};
+    refuse(errors.empty() ? message
            : refusal == Refusal::missing_function
                ? "Your file does not define the function of this exercise."
-               : fmt::format("Your file cannot be linked into a program; see line {}.", findings.front().line),
-           output, findings, refusal);
+               : fmt::format("Your file cannot be linked into a program; see line {}.", errors.front().line),
+           output, errors, refusal);
   }
 
   /// Those that others could call.
@@ -392,7 +392,7 @@ Observation refused(const Compilation& compilation) {
   observation.refusal = compilation.refusal;
   observation.refusal_message = compilation.message;
   observation.refusal_details = compilation.details;
-  observation.findings = compilation.findings;
+  observation.errors = compilation.errors;
   observation.compile_seconds = compilation.seconds;
   return observation;
 }

@@ -36,9 +36,9 @@ struct Compilation {
 
   // Where there is no executable:
   Refusal refusal = Refusal::checker_error;
-  std::string message = {};            ///< one sentence
-  std::string details = {};            ///< the errors as the compiler printed them
-  std::vector<Finding> findings = {};  ///< the first error, with its line
+  std::string message = {};         ///< one sentence
+  std::string details = {};         ///< the errors as the compiler printed them
+  std::vector<Reason> errors = {};  ///< the first error, with its line
 
   /// @pre there is an executable
   Program program() const { return {*executable, opened}; }
@@ -59,12 +59,9 @@ Observation refused(const Compilation& compilation);
 /// Mistakes in a file that compiles but fails: what its text, the compiler's warnings and the check for kept
 /// expressions give away. What is certainly so and may be what is wrong, by line; a few at most. Whatever goes wrong
 /// here means only that nothing is found. Where the file says `auto`, it is compiled once more for that.
-std::vector<Finding> source_findings(const CompileTask& task, const Compilation& compilation,
-                                     const Toolchain& toolchain, const std::filesystem::path& cache_directory,
-                                     const CompileLimits& limits = {.time = limits::repair_compile_time});
-
-/// Is it only odd, and no reason why a function crashes or stops?
-bool is_remark(const Finding& finding);
+std::vector<Reason> source_findings(const CompileTask& task, const Compilation& compilation, const Toolchain& toolchain,
+                                    const std::filesystem::path& cache_directory,
+                                    const CompileLimits& limits = {.time = limits::repair_compile_time});
 
 /// A directory of entries, each a directory with an executable and all that it was made from. Entries appear and
 /// disappear at once (by renaming), so several checkers may share a cache. A damaged entry counts as absent.

@@ -52,6 +52,8 @@ struct MessageMistake {
   const char* message;
   const char* sentence;
   const char* code = "";  ///< empty: whatever the line is
+  Weight weight = Weight::cause;
+  Fix fix = Fix::none;
 };
 
 /// What clang says, in the words of GCC where the tables need them; any other text as it is.
@@ -66,13 +68,13 @@ extern const std::string_view spellings;
 
 /// The first error of a compilation. Where several concern that line, the one that is understood best. Nothing if no
 /// error has a place in the file.
-std::optional<Finding> first_error(const std::vector<Diagnostic>& found, const SourceText& source,
-                                   const std::string& signature);
+std::optional<Reason> first_error(const std::vector<Diagnostic>& found, const SourceText& source,
+                                  const std::string& signature);
 
 /// What the compiler warned of and is certainly so.
-std::vector<Finding> warned_mistakes(const std::vector<Diagnostic>& found, const SourceText& source);
+std::vector<Reason> warned_mistakes(const std::vector<Diagnostic>& found, const SourceText& source);
 
 /// What the text alone gives away.
-std::vector<Finding> text_mistakes(const SourceText& source);
+std::vector<Reason> text_mistakes(const SourceText& source);
 
 }  // namespace workbook

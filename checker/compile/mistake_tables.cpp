@@ -405,25 +405,29 @@ const std::vector<MessageMistake> error_table = {
 // What has no name is right code.
 const std::vector<MessageMistake> warning_table = {
     {"missing_return", "^-Wreturn-type: (no return statement|control reaches end)",
-     "The function can reach its end without a return; then its result is arbitrary. Return a value on every path."},
+     "The function can reach its end without a return; then its result is arbitrary. Return a value on every path.", "",
+     Weight::possible},
     // "may be used uninitialized" is a guess; this is not.
     {"uninitialized_variable", R"(^-Wuninitialized[-a-z]*: '(\w+)' is used uninitialized)",
      "`$1` is used here before it, or this part of it, was given a value."},
     {"", "^-Wfloat-conversion", "", "round|floor|ceil|trunc|rint"},
     {"narrowing",
      R"(^-Wfloat-conversion: .*from <number>.* to '(?:const )?((?:long |unsigned |short )*(?:int|long|char))')",
-     "A double is turned into a whole number ($1) here: what follows the decimal point is lost."},
-    {"float_precision", "^-Wfloat-conversion: .*to 'float'", "A float keeps only about 7 digits; use double."},
+     "A double is turned into a whole number ($1) here: what follows the decimal point is lost.", "", Weight::possible,
+     Fix::wider_type},
+    {"float_precision", "^-Wfloat-conversion: .*to 'float'", "A float keeps only about 7 digits; use double.", "",
+     Weight::possible, Fix::as_double},
     {"assignment_in_condition", "^-Wparentheses: suggest parentheses around assignment",
      "The = in this condition assigns a new value; to compare, write ==."},
     {"chained_comparison", "^-Wparentheses: .*do not have their mathematical meaning",
      "A comparison a < b < c does not compare three numbers in C++; write a < b && b < c."},
     {"comma_in_number", "^-Wunused-value: .*operand of comma operator has no effect",
      "A comma is not a decimal point: what stands before it is dropped. Write 0.5, not 0,5.",
-     R"((^|[^\w.,])\d+@?,\d|@\d+,\d)"},
+     R"((^|[^\w.,])\d+@?,\d|@\d+,\d)", Weight::cause, Fix::decimal_point},
     {"unused_value", "^-Wunused-value: ", "This, or a part of it, has no effect: what it computes is not kept."},
     {"unsigned_comparison", "^-Wtype-limits: comparison of unsigned expression in",
-     "An unsigned number is never below 0, so this comparison always gives the same; count with int."},
+     "An unsigned number is never below 0, so this comparison always gives the same; count with int.", "",
+     Weight::possible},
     {"", "^-Wmisleading-indentation", "", R"([;}]\s*$)"},  // on one line nothing is indented
     {"misleading_indentation", R"(^-Wmisleading-indentation: this '(\w+)' clause does not guard)",
      "Only the first statement after this $1 belongs to it, although more are indented; use braces."},
@@ -431,14 +435,16 @@ const std::vector<MessageMistake> warning_table = {
      "`$1` is changed twice in one statement, in no certain order, so the result is undefined: change it in one of its "
      "own."},
     {"reference_to_local", R"(^-Wreturn-local-addr: reference to local variable '(\w+)' returned)",
-     "This returns a reference to `$1`, which is gone when the function ends; return the value itself."},
-    {"integer_division_by_zero", "^-Wdiv-by-zero: ", "Here a whole number is divided by zero."},
+     "This returns a reference to `$1`, which is gone when the function ends; return the value itself.", "",
+     Weight::possible},
+    {"integer_division_by_zero", "^-Wdiv-by-zero: ", "Here a whole number is divided by zero.", "", Weight::possible},
     {"fall_through", "^-Wimplicit-fallthrough=?: ",
      "After this statement the switch runs on into the next case; write break; if it should not."},
     {"", "^-Wshadow", "", R"(\]\()"},  // a lambda's own
     {"shadowed_variable", R"(^-Wshadow\S*: declaration of '[^']*?(\w+)' shadows a (?:previous local|parameter))",
      "This is a second, new `$1`; to change the one outside of these braces, leave out the type."},
-    {"never_used", R"(^-Wunused\S*: (?:unused )?(variable|parameter) '(\w+)')", "The $1 `$2` is never used."},
+    {"never_used", R"(^-Wunused\S*: (?:unused )?(variable|parameter) '(\w+)')", "The $1 `$2` is never used.", "",
+     Weight::remark},
 };
 
 }  // namespace workbook

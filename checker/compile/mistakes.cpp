@@ -26,8 +26,8 @@ std::string whole_pattern(std::string pattern) {
 }
 
 /// The first mistake of the table that explains what was said.
-std::optional<Finding> recognized(const std::vector<MessageMistake>& table, const Diagnostic& said, Place place,
-                                  const SourceText& source, const std::string& signature) {
+std::optional<Reason> recognized(const std::vector<MessageMistake>& table, const Diagnostic& said, Place place,
+                                 const SourceText& source, const std::string& signature) {
   const auto plain = [](std::string_view text) { return cut(in_plain_words(text), longest_for_patterns); };
   const std::string message = (said.is_error ? "" : said.option + ": ") + plain(said.text) + "\nin " +
                               said.header.substr(said.header.rfind('/') + 1) + "\n" + plain(said.notes) + "\n" +
@@ -49,7 +49,7 @@ std::optional<Finding> recognized(const std::vector<MessageMistake>& table, cons
     for (const char* word : {"$right", "$member"}) boost::replace_all(sentence, word, right.substr(0, right.find(';')));
     sentence = in_code.fill(in_message.fill(sentence), '%');
     boost::replace_all(sentence, "$contract", signature);
-    return source.finding(place, mistake.name, sentence);
+    return source.reason(place, mistake.name, sentence, mistake.weight, mistake.fix);
   }
   return std::nullopt;
 }
@@ -79,15 +79,15 @@ std::size_t include_in_braces(const SourceText& source) {
 
 }  // namespace
 
-std::optional<Finding> first_error(const std::vector<Diagnostic>& found, const SourceText& source,
-                                   const std::string& signature) {
+std::optional<Reason> first_error(const std::vector<Diagnostic>& found, const SourceText& source,
+                                  const std::string& signature) {
   const auto is_placed_error = [](const Diagnostic& one) { return one.is_error && one.place.line > 0; };
   auto first = std::ranges::find_if(found, is_placed_error);
   if (first == found.end()) first = std::ranges::find_if(found, &Diagnostic::is_error);
   if (first == found.end()) return std::nullopt;
   if (const std::size_t inside = include_in_braces(source); inside != std::string::npos)
-    return source.finding(source.place_of(inside), "include_in_braces",
-                          "This #include is inside braces: write it at the top of the file, before namespace rigid {.");
+    return source.reason(source.place_of(inside), "include_in_braces",
+                         "This #include is inside braces: write it at the top of the file, before namespace rigid {.");
   // What Eigen asserts says more than what follows from it.
   for (const bool is_assertion : {true, false})
     for (auto next = first; next != found.end(); ++next)
@@ -97,15 +97,15 @@ std::optional<Finding> first_error(const std::vector<Diagnostic>& found, const S
           return finding;
   constexpr std::size_t longest = 300;
   const std::string text = in_plain_words(first->text);
-  return source.finding(first->place, "compiler_error",
-                        "The compiler says: " + cut(text, longest) + (text.size() > longest ? " …" : "."));
+  return source.reason(first->place, "compiler_error",
+                       "The compiler says: " + cut(text, longest) + (text.size() > longest ? " …" : "."));
 }
 
-std::vector<Finding> warned_mistakes(const std::vector<Diagnostic>& found, const SourceText& source) {
-  std::vector<Finding> mistakes;
+std::vector<Reason> warned_mistakes(const std::vector<Diagnostic>& found, const SourceText& source) {
+  std::vector<Reason> mistakes;
   for (std::size_t i = 0; i < std::min(found.size(), most_warnings); ++i)
     if (!found[i].is_error && found[i].header.empty() && found[i].place.line > 0)
-      if (std::optional<Finding> finding = recognized(warning_table, found[i], found[i].place, source, ""))
+      if (std::optional<Reason> finding = recognized(warning_table, found[i], found[i].place, source, ""))
         if (!finding->name.empty()) mistakes.push_back(std::move(*finding));
   return mistakes;
 }

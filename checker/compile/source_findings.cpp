@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <functional>
 #include <iterator>
 
 namespace workbook {
@@ -51,12 +52,12 @@ std::string with_types_of_lambdas(const SourceText& source) {
   return text;
 }
 
-std::vector<Finding> kept_expressions(const SourceText& source, const Compiler& compiler) {
+std::vector<Reason> kept_expressions(const SourceText& source, const Compiler& compiler) {
   const std::vector<Token>& tokens = source.tokens();
   compiler.write(with_types_of_lambdas(source), demand_of_values);
   // Other errors may be many: the demand does not fit everywhere.
   const FinishedProgram asked = compiler.run(compiler.arguments({"-fsyntax-only", "-w", "-fmax-errors=0", unit_name}));
-  std::vector<Finding> findings;
+  std::vector<Reason> findings;
   for (const Diagnostic& error : compiler.read(asked.output, "").diagnostics) {
     const bool of_result = error.text.starts_with("deduced return type does not satisfy");
     const bool is_kept = of_result || error.text.starts_with("deduced initializer does not satisfy");
@@ -68,27 +69,25 @@ std::vector<Finding> kept_expressions(const SourceText& source, const Compiler& 
     });
     if (!is_kept || !error.header.empty() || name == tokens.end() || at->text != "auto") continue;
     const bool of_lambda = of_result && std::next(name) != tokens.end() && std::next(name)->text == "=";
-    findings.push_back(source.finding(
+    findings.push_back(source.reason(
         source.place_of(at->offset), "kept_expression",
         (of_lambda ? "`" : "With auto, `") + std::string(name->text) + (of_result ? "` returns" : "` holds") +
             " no result but a formula that is computed later, at every use, from operands that may have changed or "
             "gone by then: " +
             (of_lambda ? "write its type after the parameters, as in -> Vector3d."
-                       : "write the type in place of auto.")));
+                       : "write the type in place of auto."),
+        Weight::possible, Fix::as_value));
   }
   return findings;
 }
 
 }  // namespace
 
-bool is_remark(const Finding& finding) { return finding.name == "never_used"; }
-
-std::vector<Finding> source_findings(const CompileTask& task, const Compilation& compilation,
-                                     const Toolchain& toolchain, const std::filesystem::path& cache_directory,
-                                     const CompileLimits& limits) {
+std::vector<Reason> source_findings(const CompileTask& task, const Compilation& compilation, const Toolchain& toolchain,
+                                    const std::filesystem::path& cache_directory, const CompileLimits& limits) {
   constexpr std::size_t most = 4;
-  std::vector<Finding> all;
-  const auto add = [&](std::vector<Finding> more) { std::ranges::move(more, std::back_inserter(all)); };
+  std::vector<Reason> all;
+  const auto add = [&](std::vector<Reason> more) { std::ranges::move(more, std::back_inserter(all)); };
   const SourceText source(task.submission.text);
   try {
     const Workspace workspace(BuildCache(std::filesystem::absolute(cache_directory)).directory());
@@ -98,14 +97,14 @@ std::vector<Finding> source_findings(const CompileTask& task, const Compilation&
     add(warned_mistakes(compiler.read(compilation.compiler_output, "").diagnostics, source));
   } catch (const std::exception&) {  // it is a help only; what matters has been judged
   }
-  std::stable_partition(all.begin(), all.end(), [](const Finding& finding) { return !is_remark(finding); });
-  std::vector<Finding> found;
-  for (Finding& finding : all) {
+  std::stable_partition(all.begin(), all.end(), std::not_fn(&Reason::is_remark));
+  std::vector<Reason> found;
+  for (Reason& finding : all) {
     const bool is_known = std::ranges::any_of(
-        found, [&](const Finding& other) { return other.name == finding.name && other.line == finding.line; });
+        found, [&](const Reason& other) { return other.name == finding.name && other.line == finding.line; });
     if (!is_known && found.size() < most) found.push_back(std::move(finding));
   }
-  std::ranges::stable_sort(found, {}, &Finding::line);
+  std::ranges::stable_sort(found, {}, &Reason::line);
   return found;
 }
 

@@ -57,6 +57,8 @@ struct TextMistake {
   const char* sentence;
   bool (*holds)(const Match& found) = nullptr;  ///< a further condition
   const char* unless = "";                      ///< not in a file with one of these words
+  Weight weight = Weight::cause;
+  Fix fix = Fix::none;
 };
 
 // The methods of a type of one's own may do anything.
@@ -73,13 +75,13 @@ const std::vector<TextMistake>& table() {
   static const std::vector<TextMistake> mistakes = {
       {"integer_division", R"((?:^|[^*/%).>[] )((\d{1,9}) / ([1-9]\d{0,8}))(?= |$))",
        "`$1` divides whole numbers and drops what follows the decimal point; write at least one of them as in 1.0.",
-       is_inexact},
+       is_inexact, "", Weight::cause, Fix::real_quotient},
       {"degrees_literal",
        R"((?:^|[^.>] )((sin|cos|tan) \( ((?:- )?(?:15|30|45|60|75|90|120|135|150|180|270|360)(?:\.0*)?) \)))",
        "`$1`: $2 takes radians, not degrees; multiply degrees by std::numbers::pi / 180."},
       {"degrees_argument",
        R"((?:^|[^.>] )((sin|cos|tan) \((?![^()]*/ 180)[^()]* 180(?:\.0*)? / (?:std :: numbers :: )?(pi|M_PI)\b))",
-       "$2 takes radians, but 180 / $3 turns its argument into degrees."},
+       "$2 takes radians, but 180 / $3 turns its argument into degrees.", nullptr, "", Weight::possible},
       {"xor_for_power", R"((?:^| )(\S+ \^ [2-9])(?= |$))",
        "`$1` is not a power in C++: ^ combines the bits of whole numbers. Write x * x or std::pow(x, 2)."},
       {"discarded_result",
@@ -88,15 +90,17 @@ const std::vector<TextMistake>& table() {
        "$2() changes nothing: it returns a new value, which is dropped here. Write A = A.$2(...).", nullptr, own_types},
       {"aliasing", R"(^(\w+) \. noalias \( \) [+-]?= (?:.* )?\1 (?:.* )?;$)",
        "noalias() writes into `$1` while `$1` is still read on the right: leave it out, or use another variable.",
-       nullptr, own_types},
+       nullptr, own_types, Weight::possible, Fix::no_noalias},
       {"empty_body", R"(^(?:else )?(for|if) \( )" + inside + R"(\) ;$)",
        "The ; directly after $1 (...) is all that it does: what follows does not belong to it. Leave out this ;"},
       {"always_true", R"((?:[=!]=|[<>]=?) [^ ]+ (\|\| \d[\w.]*)(?= (?:[)|&;?]|\|\|)))",
        "`$1` is always true, whatever stands before it: write the whole comparison again, as in x == 1 || x == 2."},
       {"whole_sum", R"((accumulate) \( .* , 0 \))",
        "This sum begins with the whole number 0 and drops what follows every decimal point: begin with 0.0."},
-      {"rounded_pi", R"((?:^| )(3\.14\d*)(?= |$))", "$1 is only near π; write std::numbers::pi.", is_rounded_pi},
-      {"float_precision", "(?:^| )(float) ", "A float keeps only about 7 digits; use double."},
+      {"rounded_pi", R"((?:^| )(3\.14\d*)(?= |$))", "$1 is only near π; write std::numbers::pi.", is_rounded_pi, "",
+       Weight::cause, Fix::exact_pi},
+      {"float_precision", "(?:^| )(float) ", "A float keeps only about 7 digits; use double.", nullptr, "",
+       Weight::possible, Fix::as_double},
   };
   return mistakes;
 }
@@ -127,17 +131,18 @@ bool accumulates(std::span<const Token> tokens, std::size_t declared) {
 
 }  // namespace
 
-std::vector<Finding> text_mistakes(const SourceText& source) {
+std::vector<Reason> text_mistakes(const SourceText& source) {
   constexpr std::size_t most = 20;
   const std::span tokens(source.tokens().data(), std::min(source.tokens().size(), most_tokens));
   const bool has_own_types = has_one_of(tokens, own_types);
   std::vector<const TextMistake*> possible;
   for (const TextMistake& mistake : table())
     if (!has_one_of(tokens, mistake.unless)) possible.push_back(&mistake);
-  std::vector<Finding> found;
-  const auto add = [&](std::size_t token, const char* name, Match match, const char* sentence) {
+  std::vector<Reason> found;
+  const auto add = [&](std::size_t token, const char* name, Match match, const char* sentence,
+                       Weight weight = Weight::cause, Fix fix = Fix::none) {
     for (std::string& group : match.groups) boost::erase_all(group, " ");
-    found.push_back(source.finding(source.place_of(tokens[token].offset), name, match.fill(sentence)));
+    found.push_back(source.reason(source.place_of(tokens[token].offset), name, match.fill(sentence), weight, fix));
   };
   std::string last;  // statement
   for (const Statement& statement : statements_of(tokens)) {
@@ -146,20 +151,22 @@ std::vector<Finding> text_mistakes(const SourceText& source) {
     if (const Match copied = search(before, R"(^([\w.\[\]() ,]+) = ([\w.\[\]() ,]+) ;$)");
         copied && statement.text == copied[2] + " = " + copied[1] + " ;")
       add(statement.first_token, "overwritten", copied,
-          "`$1` was given the value of `$2` just before, so this changes nothing: std::swap exchanges two values.");
+          "`$1` was given the value of `$2` just before, so this changes nothing: std::swap exchanges two values.",
+          Weight::possible);
     for (const TextMistake* mistake : possible) {
       const Match match = search(statement.text, mistake->pattern);
       if (!match || (mistake->holds != nullptr && !mistake->holds(match))) continue;
       const auto at = std::ranges::upper_bound(statement.ends, match.offsets[1]);
       add(statement.first_token + static_cast<std::size_t>(at - statement.ends.begin()), mistake->name, match,
-          mistake->sentence);
+          mistake->sentence, mistake->weight, mistake->fix);
     }
     const Match kept = search(statement.text, R"(^static (?:[\w:<>]+ )+?(\w+) (?:;|=|\(|\{))");
     if (kept) {
       const auto at = std::ranges::lower_bound(statement.ends, kept.offsets[1] + kept[1].size());
       if (accumulates(tokens, statement.first_token + static_cast<std::size_t>(at - statement.ends.begin())))
         add(statement.first_token, "static_variable", kept,
-            "`$1` is static: it keeps its value from one call to the next, so results depend on earlier calls.");
+            "`$1` is static: it keeps its value from one call to the next, so results depend on earlier calls.",
+            Weight::possible, Fix::not_static);
     }
     const Match declaration = search(statement.text, "^(Matrix[234]d|Vector[234]d) (\\w+) ;$");
     if (has_own_types || !declaration) continue;

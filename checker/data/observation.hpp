@@ -2,6 +2,7 @@
 /// What was seen when a student's function ran. The judge needs nothing else of the student.
 #pragma once
 
+#include "checker/data/reason.hpp"
 #include "checker/data/value.hpp"
 
 #include <functional>
@@ -91,22 +92,12 @@ struct UnitProbe {
 /// Why the function never ran.
 enum class Refusal { rejected_file, compile_error, missing_function, checker_error };
 
-/// Something in the student's file that is certainly so and may be what is wrong. It is a help and never a grade.
-struct Finding {
-  int line = 0;               ///< in the student's file; 0: no single line
-  std::string excerpt = {};   ///< that line as the student wrote it, and below it a caret; may be empty
-  std::string sentence = {};  ///< what is to be said of it
-  std::string name = {};      ///< of the kind of mistake, "integer_division"; the same in `check --json`
-  int column = 0;             ///< in that line, from 1; 0: none
-  std::string notes = {};     ///< anchor of the paragraph on such mistakes; may be empty
-};
-
 struct Observation {
   std::optional<Refusal> refusal;
   std::string refusal_message;  ///< one sentence
   std::string refusal_details;  ///< what the compiler printed
 
-  std::vector<Finding> findings;  ///< the first compiler error, or what a closer look at a failure brought to light
+  std::vector<Reason> errors;  ///< the first error of the compiler, with its line
 
   std::vector<Reply> replies;  ///< one per case
   std::vector<Repeat> repeats;

@@ -2,6 +2,7 @@
 
 #include "checker/base/text.hpp"
 #include "checker/compile/compile.hpp"
+#include "checker/explain/explainers.hpp"
 #include "checker/judging/run_failures.hpp"
 #include "checker/sandbox/worker_process.hpp"
 
@@ -19,6 +20,7 @@ struct KnownEvent {
   const char* name = "";      ///< of the finding
   const char* sentence = "";  ///< with $1, $2 for what the pattern finds
   bool undefined = false;     ///< the language leaves undefined what follows: wrong by itself, however the call ends
+  Weight weight = Weight::cause;
 };
 
 /// The first that fits counts.
@@ -30,7 +32,7 @@ constexpr KnownEvent known_events[] = {
     {"invalid-shift-.*", "invalid_shift", "the bits of a number cannot be shifted so far (a power is written with std::pow).", true},
     {"integer-divide-by-zero.*", "integer_division_by_zero", "a whole number is divided by zero.", true},
     {"float-cast-overflow.*", "conversion_out_of_range", "a number that no whole number of this type can hold (too large, infinite or NaN) is converted to one.", true},
-    {"missing-return.*", "missing_return", "this function comes to its end without a return.", true},
+    {"missing-return.*", "missing_return", "this function comes to its end without a return.", true, Weight::symptom},
     {"signed-integer-overflow\\|.*: (.*) cannot be represented in type '(.*)'.*", "integer_overflow", "$1 does not fit into the type $2; calculate in double.", true},
     {"out-of-bounds-index\\|.*index (-?\\d+) out of bounds for type '.*\\[(\\d+)\\]'.*", "index_out_of_range", "index $1 is outside the array of size $2; indices start at 0.", true},
     {"index\\|[^|]*\\|(-?\\d+)\\|(\\d+)", "index_out_of_range", "index $1 is outside a container of size $2; indices start at 0."},
@@ -61,8 +63,8 @@ constexpr KnownEvent known_events[] = {
     {"never_set\\|(.+)", "never_set", "`$1` gets no value here, and not all of it is set before it is used."},
     {"never_set", "never_set", "The result depends on something that was never given a value: a variable without = or {}, or a matrix or vector that is not filled."},
     {"printing\\|.*", "endless_printing", "the function was still printing here when it was stopped."},
-    {"running\\|(\\d+)\\|\\1", "endless_loop", "the function was still at work here when it was stopped."},
-    {"running\\|(\\d+)\\|(\\d+)", "endless_loop", "the function was still at work in lines $1 to $2 when it was stopped."},
+    {"running\\|(\\d+)\\|\\1", "endless_loop", "the function was still at work here when it was stopped.", false, Weight::symptom},
+    {"running\\|(\\d+)\\|(\\d+)", "endless_loop", "the function was still at work in lines $1 to $2 when it was stopped.", false, Weight::symptom},
 };
 // clang-format on
 
@@ -128,7 +130,7 @@ class DiagnosticRun {
         judged_(task.observation.replies.at(case_index)) {}
 
   /// Of one line the first finding is the cause, and the others follow from it.
-  std::vector<Finding> findings() {
+  std::vector<Reason> findings() {
     if (verdict_ == Verdict::time_limit || verdict_ == Verdict::output_limit)
       explain_long_run();
     else if (judged_.ending == Ending::returned)
@@ -154,20 +156,21 @@ class DiagnosticRun {
     return index < source_.size() ? cut(printable(source_[index]), 1000) : "";
   }
 
-  void add(int line, const std::string& name, const std::string& sentence) {
+  void add(int line, const std::string& name, const std::string& sentence, Weight weight = Weight::cause) {
     constexpr std::size_t most = 3, longest = 100;
-    const auto same_line = [&](const Finding& other) { return other.line == line; };
+    const auto same_line = [&](const Reason& other) { return other.line == line; };
     if (findings_.size() == most || std::ranges::any_of(findings_, same_line)) return;
     std::string excerpt = source_line(line);
     excerpt.erase(0, excerpt.find_first_not_of(" \t\r"));
     excerpt.erase(excerpt.find_last_not_of(" \t\r") + 1);
     if (excerpt.size() > longest) excerpt = cut(excerpt, longest) + " …";
-    findings_.push_back({.line = line, .excerpt = excerpt, .sentence = sentence, .name = name});
+    findings_.push_back({.name = name, .sentence = sentence, .weight = weight, .line = line, .excerpt = excerpt});
   }
 
   /// What is known of "NAME|FACT|…".
   void add_finding(int line, const std::string& text) {
-    if (const auto& [event, found] = known(text); found) add(line, event.name, found.fill(event.sentence));
+    if (const auto& [event, found] = known(text); found)
+      add(line, event.name, found.fill(event.sentence), event.weight);
   }
 
   void add_undefined_behavior(const Run& run) {
@@ -272,7 +275,7 @@ class DiagnosticRun {
   const std::vector<std::string> source_;
   const Case& case_;
   const Reply& judged_;  ///< what was seen of the call when it was judged
-  std::vector<Finding> findings_;
+  std::vector<Reason> findings_;
 };
 
 }  // namespace
@@ -328,8 +331,8 @@ std::string missing_for_diagnostic_runs(const Toolchain& toolchain) {
   return can_confine_files() ? "" : "Landlock and seccomp in this kernel";
 }
 
-std::vector<Finding> diagnostic_run_of(const std::filesystem::path& program, const DiagnosticTask& task,
-                                       const Toolchain& toolchain) {
+std::vector<Reason> diagnostic_run_of(const std::filesystem::path& program, const DiagnosticTask& task,
+                                      const Toolchain& toolchain) {
   const std::vector<Repeat>& repeats = task.observation.repeats;
   const std::size_t case_index = !task.judgement.failing.empty() ? task.judgement.failing.front()
                                  : repeats.empty()               ? 0
@@ -338,19 +341,43 @@ std::vector<Finding> diagnostic_run_of(const std::filesystem::path& program, con
   return DiagnosticRun(task, case_index, program, toolchain.compiler).findings();
 }
 
-std::vector<Finding> diagnostic_run(const DiagnosticTask& task, const Toolchain& toolchain,
-                                    const std::filesystem::path& scratch) {
+std::vector<Reason> diagnostic_run(const DiagnosticTask& task, const Toolchain& toolchain,
+                                   const std::filesystem::path& scratch) {
   if (!can_be_explained_by_a_run(task.judgement) || !missing_for_diagnostic_runs(toolchain).empty()) return {};
   try {
     const Workspace workspace(scratch);
     const Compilation compilation =
         compile({.submission = task.submission, .exercise = task.reference.name, .signature = task.reference.signature},
                 read_toolchain(toolchain.diagnostic), workspace.directory(), {.time = limits::diagnostic_compile_time});
-    return compilation.executable ? diagnostic_run_of(*compilation.executable, task, toolchain)
-                                  : std::vector<Finding>();
+    return compilation.executable ? diagnostic_run_of(*compilation.executable, task, toolchain) : std::vector<Reason>();
   } catch (const std::exception&) {
     return {};  // an explanation less; the verdict stands
   }
+}
+
+bool explain_failed_call(Search& search) {
+  const Evidence& evidence = search.evidence;
+  std::erase_if(search.in_code, &Reason::is_remark);
+  std::vector<Reason> met = diagnostic_run(evidence.task, evidence.toolchain, evidence.cache);
+  // Of a mistake that is known, the run may only tell what comes of it.
+  std::erase_if(met, [&](const Reason& reason) {
+    return reason.weight == Weight::symptom && std::ranges::any_of(search.in_code, [&](const Reason& known) {
+             return known.name == reason.name || known.line == reason.line;
+           });
+  });
+  search.add_code(std::move(met));
+  return true;
+}
+
+bool explain_by_sanitizers(Search& search) {
+  const Evidence& evidence = search.evidence;
+  std::vector<Reason> met = diagnostic_run(evidence.task, evidence.toolchain, evidence.cache);
+  // Where a mistake in the code is known, its consequences are none of physics.
+  const bool is_in_code = !met.empty();
+  if (is_in_code || search.has_mistake_in_code())
+    std::erase_if(search.reasons, [&](const Reason& reason) { return is_in_code || reason.kind != ReasonKind::place; });
+  search.add_code(std::move(met));
+  return is_in_code || search.has_mistake_in_code();
 }
 
 }  // namespace workbook

@@ -25,12 +25,12 @@ std::string missing_for_diagnostic_runs(const Toolchain& toolchain);
 
 /// What a run shows; nothing where it fails for whatever reason. Never throws.
 /// @param scratch  a folder to work in; nothing is left there
-std::vector<Finding> diagnostic_run(const DiagnosticTask& task, const Toolchain& toolchain,
-                                    const std::filesystem::path& scratch);
+std::vector<Reason> diagnostic_run(const DiagnosticTask& task, const Toolchain& toolchain,
+                                   const std::filesystem::path& scratch);
 
 /// The same with a program that was compiled for it. @throws LaunchError
-std::vector<Finding> diagnostic_run_of(const std::filesystem::path& program, const DiagnosticTask& task,
-                                       const Toolchain& toolchain);
+std::vector<Reason> diagnostic_run_of(const std::filesystem::path& program, const DiagnosticTask& task,
+                                      const Toolchain& toolchain);
 
 /// Something that happened in the student's process.
 struct DiagnosticEvent {

@@ -9,14 +9,6 @@
 
 namespace workbook {
 
-/// What is so in the code of a function, and what its values tell.
-struct Explanation {
-  std::vector<Finding> findings;
-  std::vector<Diagnosis> diagnoses;
-
-  bool is_empty() const { return findings.empty() && diagnoses.empty(); }
-};
-
 /// A file that was compiled, run and judged, and what it can be asked with.
 struct Evidence {
   DiagnosticTask task;
@@ -30,14 +22,13 @@ struct Evidence {
 /// True where values came back of which some are wrong.
 bool has_values(Verdict verdict);
 
-/// From the most certain reason on: a slip of C++ that repairs the values, what the values tell as a whole, a run under
-/// sanitizers, one changed token, a branch, an input without effect.
+/// The reasons, those in the code first.
 /// @throws std::exception where what it needs cannot be had
-Explanation explain(const Evidence& evidence);
+std::vector<Reason> explain(const Evidence& evidence);
 
 /// Of the reasons for a wrong answer to a problem leaves what a first try should be told, 1: where it fails, and what a
 /// limit or a unit shows; a second one, 2: which components, inputs or regions. What names a term, a mistake or the
 /// line is left for later tries. Slips of C++ stay.
-void hold_back(Explanation& explanation, int stage, const ExerciseReference& exercise, const Answers& answers);
+void hold_back(std::vector<Reason>& reasons, int stage, const ExerciseReference& exercise, const Answers& answers);
 
 }  // namespace workbook

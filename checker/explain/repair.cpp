@@ -2,6 +2,7 @@
 
 #include "checker/base/text.hpp"
 #include "checker/compile/compile.hpp"
+#include "checker/explain/explainers.hpp"
 #include "checker/judging/comparison.hpp"
 
 #include <algorithm>
@@ -15,6 +16,12 @@ namespace workbook {
 namespace {
 
 const std::string variants_name = "variants.cpp";
+
+Reason repair(const SourceText& source, Place place, std::string name, const std::string& sentence) {
+  Reason reason = source.reason(place, std::move(name), sentence);
+  reason.kind = ReasonKind::repair;
+  return reason;
+}
 
 bool has(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
 
@@ -86,7 +93,7 @@ void consider(std::optional<DecidingBranch>& best, const Variant& branch, const 
   }
 }
 
-Finding finding_of(const DecidingBranch& found, const SourceText& source, const DiagnosticTask& task) {
+Reason finding_of(const DecidingBranch& found, const SourceText& source, const DiagnosticTask& task) {
   const std::size_t failing = task.judgement.failing.size();
   const std::size_t total = task.reference.cases.size();
   const std::string condition = fmt::format("`{}` is {}", found.branch.words, found.when);
@@ -95,22 +102,26 @@ Finding finding_of(const DecidingBranch& found, const SourceText& source, const 
           ? fmt::format("{} at exactly the cases that are wrong ({} of {})", condition, failing, total)
           : fmt::format("only cases at which {} are wrong ({} of {})", condition, failing, found.cases);
   if (found.repairs) sentence += fmt::format("; were it always {}, all would be right", !found.when);
-  return source.finding(found.branch.place, "branch", sentence + ".");
+  return repair(source, found.branch.place, "branch", sentence + ".");
+}
+
+bool is_factor(const Variant& variant) {
+  return variant.kind == VariantKind::factor || variant.kind == VariantKind::steps;
 }
 
 /// How many steps, and how small something must be.
 bool is_of_accuracy(const Variant& variant) {
-  return variant.kind == "loop" || variant.kind == "number" || variant.words == "more steps";
+  return variant.kind == VariantKind::loop || variant.kind == VariantKind::number || variant.kind == VariantKind::steps;
 }
 
 /// The number, or the end of a loop, with which the error falls at every failing case that is looked at: it follows a
 /// law, so that this limits the accuracy.
-std::optional<Finding> coarse(VariantRunner& runner, const std::vector<Variant>& variants, const SourceText& source) {
+std::optional<Reason> coarse(VariantRunner& runner, const std::vector<Variant>& variants, const SourceText& source) {
   constexpr double clearly_less = 0.3, nearly_right = 0.01;
   const std::vector<double> errors = runner.errors(variants.size());
   if (errors.size() < 3 || std::ranges::max(errors) > nearly_right) return std::nullopt;
   double best = clearly_less;
-  std::optional<Finding> found;
+  std::optional<Reason> found;
   for (std::size_t k = 0; k < variants.size(); ++k) {
     if (!is_of_accuracy(variants[k])) continue;
     const std::vector<double> others = runner.errors(k);
@@ -118,27 +129,27 @@ std::optional<Finding> coarse(VariantRunner& runner, const std::vector<Variant>&
     for (std::size_t i = 0; i < others.size(); ++i) ratio = std::max(ratio, others[i] / errors[i]);
     if (ratio >= best) continue;
     best = ratio;
-    found = source.finding(variants[k].place, "slip_coarse",
-                           fmt::format("this limits the accuracy: with {} here, at most {:.0f} % of the error are left.",
-                                       variants[k].words, std::ceil(100 * ratio)));
+    found = repair(source, variants[k].place, "slip_coarse",
+                   fmt::format("this limits the accuracy: with {} here, at most {:.0f} % of the error are left.",
+                               variants[k].words, std::ceil(100 * ratio)));
   }
   return found;
 }
 
 /// Two slips in one line with which all cases are right.
-std::optional<Finding> two_slips(VariantRunner& runner, const std::vector<Variant>& variants,
-                                 const std::vector<std::size_t>& order, const SourceText& source,
-                                 const DiagnosticTask& task) {
+std::optional<Reason> two_slips(VariantRunner& runner, const std::vector<Variant>& variants,
+                                const std::vector<std::size_t>& order, const SourceText& source,
+                                const DiagnosticTask& task) {
   for (auto one = order.begin(); one != order.end(); ++one) {
     for (auto other = one + 1; other != order.end(); ++other) {
       const Variant &first = variants[*one], &second = variants[*other];
       const bool are_apart = first.edits.front().offset != second.edits.front().offset;
-      if (first.is_branch() || second.is_branch() || first.kind != second.kind || first.kind == "factor" ||
+      if (first.is_branch() || second.is_branch() || first.kind != second.kind || is_factor(first) ||
           first.place.line != second.place.line || !are_apart || !runner.is_right(*one, *other))
         continue;
-      return source.finding(first.place, "slips_" + first.kind,
-                            fmt::format("with {} here and {} in column {}, the result is right at all {} cases.",
-                                        first.words, second.words, second.place.column, task.reference.cases.size()));
+      return repair(source, first.place, "slips_" + to_string(first.kind),
+                    fmt::format("with {} here and {} in column {}, the result is right at all {} cases.", first.words,
+                                second.words, second.place.column, task.reference.cases.size()));
     }
   }
   return std::nullopt;
@@ -240,16 +251,16 @@ std::optional<std::set<std::size_t>> VariantRunner::cases_taking_branch(std::siz
   return cases;
 }
 
-CodeReasons code_reasons(const DiagnosticTask& task, const std::vector<Finding>& findings, const Toolchain& toolchain,
+CodeReasons code_reasons(const DiagnosticTask& task, const std::vector<Reason>& findings, const Toolchain& toolchain,
                          const std::filesystem::path& cache) try {
   std::vector<Variant> variants = fixed_variants(SourceText(task.submission.text), findings);
   if (variants.empty()) return {};
   VariantRunner runner(task, variants, toolchain, cache);
   const auto fixed_by = [&](const Variant& variant) {
-    std::vector<Finding> fixed;
-    for (const Finding& each : findings) {
+    std::vector<Reason> fixed;
+    for (const Reason& each : findings) {
       const bool is_meant = std::ranges::any_of(variants, [&](const Variant& other) {
-        return (variant.kind == "all" || &other == &variant) && other.kind == each.name &&
+        return (variant.kind == VariantKind::all_fixes || &other == &variant) && other.words == each.name &&
                other.place.line == each.line && other.place.column == each.column;
       });
       if (is_meant) fixed.push_back(each);
@@ -260,30 +271,30 @@ CodeReasons code_reasons(const DiagnosticTask& task, const std::vector<Finding>&
     if (runner.is_right(k)) return {fixed_by(variants[k]), true};
   CodeReasons reasons;
   for (std::size_t k = 0; k < variants.size(); ++k) {
-    if (variants[k].kind == "all" || !runner.is_other(k)) continue;
-    std::ranges::move(fixed_by(variants[k]), std::back_inserter(reasons.findings));
+    if (variants[k].kind == VariantKind::all_fixes || !runner.is_other(k)) continue;
+    std::ranges::move(fixed_by(variants[k]), std::back_inserter(reasons.reasons));
   }
   return reasons;
 } catch (const std::exception&) {  // it is a help only; what matters has been judged
   return {};
 }
 
-std::optional<Finding> slip_or_branch(const DiagnosticTask& task, const Toolchain& toolchain,
-                                      const std::filesystem::path& cache, bool is_inaccurate) try {
+std::optional<Reason> slip_or_branch(const DiagnosticTask& task, const Toolchain& toolchain,
+                                     const std::filesystem::path& cache, bool is_inaccurate) try {
   const SourceText source(task.submission.text);
   std::vector<Variant> variants = branch_variants(source);
   std::ranges::move(one_token_variants(source, task.reference), std::back_inserter(variants));
   std::erase_if(variants, [&](const Variant& each) {
-    return each.kind == "division" || (is_inaccurate && !is_of_accuracy(each));  // the former are known
+    return each.kind == VariantKind::division || (is_inaccurate && !is_of_accuracy(each));  // the former are known
   });
   VariantRunner runner(task, variants, toolchain, cache);
   if (!runner.is_as_judged()) return std::nullopt;
   std::optional<DecidingBranch> branch;
   for (std::size_t k = 0; k < variants.size(); ++k) {
-    if (variants[k].kind != "branch") continue;
+    if (variants[k].kind != VariantKind::branch) continue;
     const auto is_right_if_always = [&](bool outcome) {
       const auto forced = std::ranges::find_if(variants, [&](const Variant& other) {
-        return other.kind == (outcome ? "branch_on" : "branch_off") &&
+        return other.kind == (outcome ? VariantKind::branch_on : VariantKind::branch_off) &&
                other.edits.front().offset == variants[k].edits.front().offset;
       });
       return forced != variants.end() && runner.is_right(static_cast<std::size_t>(forced - variants.begin()));
@@ -293,25 +304,42 @@ std::optional<Finding> slip_or_branch(const DiagnosticTask& task, const Toolchai
   }
   // Another number may stand for many a mistake: it comes last, and where few cases fail it may only move rounding.
   const auto rank = [&](std::size_t k) {
-    return variants[k].kind == "guard" ? 3 : variants[k].kind == "factor" ? 2 : variants[k].kind == "number" ? 1 : 0;
+    const VariantKind kind = variants[k].kind;
+    return kind == VariantKind::guard ? 3 : is_factor(variants[k]) ? 2 : kind == VariantKind::number ? 1 : 0;
   };
   std::vector<std::size_t> order(variants.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, rank);
   for (const std::size_t k : order) {
     const Variant& each = variants[k];
-    const bool may_hold = !branch || (each.kind != "guard" && branch->may_hold(each));
+    const bool may_hold = !branch || (each.kind != VariantKind::guard && branch->may_hold(each));
     if (each.is_branch() || !may_hold || !runner.is_right(k)) continue;
-    return source.finding(
-        each.place, "slip_" + each.kind,
-        fmt::format("{}{} here, the result is right at all {} cases.", each.words.starts_with("without") ? "" : "with ",
-                    each.words, task.reference.cases.size()));
+    return repair(
+        source, each.place, "slip_" + to_string(each.kind),
+        fmt::format("with {} here, the result is right at all {} cases.", each.words, task.reference.cases.size()));
   }
   if (branch) return finding_of(*branch, source, task);
   if (const auto limit = coarse(runner, variants, source)) return limit;
   return two_slips(runner, variants, order, source, task);
 } catch (const std::exception&) {
   return std::nullopt;
+}
+
+bool explain_by_small_change(Search& search) {
+  const Evidence& evidence = search.evidence;
+  const auto is_inaccurate = [](const Reason& reason) {
+    return reason.kind == ReasonKind::accuracy && reason.weight == Weight::possible;
+  };
+  const bool are_inaccurate = std::ranges::any_of(search.reasons, is_inaccurate);
+  if (const auto found = slip_or_branch(evidence.task, evidence.toolchain, evidence.cache, are_inaccurate)) {
+    std::erase_if(search.reasons,
+                  [&](const Reason& reason) { return reason.kind != ReasonKind::split && !is_inaccurate(reason); });
+    search.add_code({*found});
+    return true;
+  }
+  // A float or a π of few digits is reason enough.
+  if (are_inaccurate && search.has_mistake_in_code()) search.reasons.clear();
+  return are_inaccurate;
 }
 
 }  // namespace workbook

@@ -12,17 +12,17 @@ namespace workbook {
 
 /// What findings about the code have to do with a wrong value.
 struct CodeReasons {
-  std::vector<Finding> findings;  ///< with them fixed, the values are others
-  bool are_all = false;           ///< with them fixed, all cases are right
+  std::vector<Reason> reasons;  ///< with them fixed, the values are others
+  bool are_all = false;         ///< with them fixed, all cases are right
 };
-CodeReasons code_reasons(const DiagnosticTask& task, const std::vector<Finding>& findings, const Toolchain& toolchain,
+CodeReasons code_reasons(const DiagnosticTask& task, const std::vector<Reason>& findings, const Toolchain& toolchain,
                          const std::filesystem::path& cache);
 
 /// The one token with which all cases are right, or two in a line: the place and its kind, not the answer; else the
 /// condition that holds at the failing cases.
 /// @param is_inaccurate  the values are nearly right: only numbers and the ends of loops may be the cause
-std::optional<Finding> slip_or_branch(const DiagnosticTask& task, const Toolchain& toolchain,
-                                      const std::filesystem::path& cache, bool is_inaccurate = false);
+std::optional<Reason> slip_or_branch(const DiagnosticTask& task, const Toolchain& toolchain,
+                                     const std::filesystem::path& cache, bool is_inaccurate = false);
 
 /// What may be spent on trying the variants of a file; as it stands, while a student waits. It is counted, so that a
 /// busy machine finds what an idle one finds; time, of a processor, only ends what would never end.

@@ -78,15 +78,36 @@ template <class A, class B> auto operator/(WorkbookLeft<A> a, const B& b) {
 enum class Form { times, step, value, call, method, product, condition, copy };
 
 Form form_of(const Variant& variant) {
-  static const std::map<std::string_view, Form> forms = {
-      {"sign", Form::times},          {"factor", Form::times},     {"loop", Form::step},
-      {"number", Form::value},        {"index", Form::value},      {"name", Form::value},
-      {"cross", Form::value},         {"guard", Form::value},      {"function", Form::call},
-      {"method", Form::method},       {"operator", Form::product}, {"order", Form::product},
-      {"transpose", Form::product},   {"branch", Form::condition}, {"branch_on", Form::condition},
-      {"branch_off", Form::condition}};
-  const auto found = forms.find(variant.kind);
-  return variant.edits.empty() || found == forms.end() ? Form::copy : found->second;
+  using enum VariantKind;
+  if (variant.edits.empty()) return Form::copy;
+  switch (variant.kind) {
+    case sign:
+    case factor:
+    case steps:
+      return Form::times;
+    case loop:
+      return Form::step;
+    case number:
+    case index:
+    case name:
+    case cross:
+    case guard:
+      return Form::value;
+    case function:
+      return Form::call;
+    case method:
+      return Form::method;
+    case operation:
+    case order:
+    case transpose:
+      return Form::product;
+    case branch:
+    case branch_off:
+    case branch_on:
+      return Form::condition;
+    default:
+      return Form::copy;
+  }
 }
 
 }  // namespace
@@ -126,7 +147,7 @@ std::vector<VariantUnit::Piece> VariantUnit::pieces_of(const SourceText& source,
     const auto [form, begin, end] = key;
     const std::size_t offset = begin;
     const std::string original(text.substr(offset, end - offset));
-    const auto number_of = [&](std::string_view kind) {
+    const auto number_of = [&](VariantKind kind) {
       const auto found =
           std::ranges::find_if(group.edits, [&](const auto& each) { return variants[each.first].kind == kind; });
       return found == group.edits.end() ? -1 : static_cast<int>(found->first);
@@ -147,7 +168,8 @@ std::vector<VariantUnit::Piece> VariantUnit::pieces_of(const SourceText& source,
     switch (form) {
       case Form::times: {
         const auto factor = [&](std::size_t k, const Edit& edit) {
-          return variants[k].kind == "sign" ? "-1.0" : edit.replacement.substr(0, edit.replacement.find('*'));
+          return variants[k].kind == VariantKind::sign ? "-1.0"
+                                                       : edit.replacement.substr(0, edit.replacement.find('*'));
         };
         piece.order = 0;
         piece.parts = {{fmt::format(" WorkbookTimes{{{}}} * ", choose_number(factor, "1.0")), group.all}};
@@ -192,18 +214,20 @@ std::vector<VariantUnit::Piece> VariantUnit::pieces_of(const SourceText& source,
         break;
       }
       case Form::product:
-        piece.parts = {{fmt::format(" {0} WorkbookProduct{{{1}, {2}, {3}}} {0} ", original, number_of("operator"),
-                                    number_of("order"), number_of("transpose")),
-                        group.all}};
+        piece.parts = {
+            {fmt::format(" {0} WorkbookProduct{{{1}, {2}, {3}}} {0} ", original, number_of(VariantKind::operation),
+                         number_of(VariantKind::order), number_of(VariantKind::transpose)),
+             group.all}};
         break;
       case Form::condition:
-        pieces.push_back({offset,
-                          0,
-                          1,
-                          end,
-                          {{fmt::format("workbook_condition({}, {}, {}, static_cast<bool>(", number_of("branch"),
-                                        number_of("branch_off"), number_of("branch_on")),
-                            group.all}}});
+        pieces.push_back(
+            {offset,
+             0,
+             1,
+             end,
+             {{fmt::format("workbook_condition({}, {}, {}, static_cast<bool>(", number_of(VariantKind::branch),
+                           number_of(VariantKind::branch_off), number_of(VariantKind::branch_on)),
+               group.all}}});
         piece = {end, 0, -1, end - offset, {{"))", {}}}};
         break;
       case Form::copy:

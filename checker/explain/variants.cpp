@@ -147,11 +147,11 @@ class SourceMutations {
     for (at_ = first_; at_ < std::min(last_, last_token_looked_at) && found_.size() < most_; ++at_) {
       if (tokens[at_].in_directive) continue;
       if (conditions_.decides(at_) && !all_bugs_) {
-        numbers("guard");
+        numbers(VariantKind::guard);
         continue;
       }
       signs();
-      numbers("number");
+      numbers(VariantKind::number);
       names();
       functions();
       divisions();
@@ -230,16 +230,16 @@ class SourceMutations {
     return {begin.offset, end.offset + end.text.size() - begin.offset, std::string(replacement)};
   }
 
-  void add(const char* kind, const char* words, std::size_t place, std::vector<Edit> edits) {
+  void add(VariantKind kind, const char* words, std::size_t place, std::vector<Edit> edits) {
     found_.push_back({kind, words, source_.place_of(source_.tokens()[place].offset), std::move(edits)});
   }
-  void add(const char* kind, const char* words, std::string_view replacement) {
+  void add(VariantKind kind, const char* words, std::string_view replacement) {
     add(kind, words, at_, {replaced(at_, at_, replacement)});
   }
-  void exchange(const char* kind, const char* words, std::size_t one, std::size_t other) {
+  void exchange(VariantKind kind, const char* words, std::size_t one, std::size_t other) {
     add(kind, words, one, {replaced(one, one, token(other)), replaced(other, other, token(one))});
   }
-  void insert_after(const char* kind, const char* words, const std::string& text) {
+  void insert_after(VariantKind kind, const char* words, const std::string& text) {
     const Token& token = source_.tokens()[at_];
     add(kind, words, at_ + 1, {{token.offset + token.text.size(), 0, " " + text}});
   }
@@ -249,13 +249,13 @@ class SourceMutations {
   }
 
   void signs() {
-    if (here() == "+") add("sign", "another sign", "-");
-    if (here() == "-") add("sign", "another sign", follows_operand() ? "+" : " ");
-    if (here() == "+=") add("sign", "another sign", "-=");
-    if (here() == "-=") add("sign", "another sign", "+=");
+    if (here() == "+") add(VariantKind::sign, "another sign", "-");
+    if (here() == "-") add(VariantKind::sign, "another sign", follows_operand() ? "+" : " ");
+    if (here() == "+=") add(VariantKind::sign, "another sign", "-=");
+    if (here() == "-=") add(VariantKind::sign, "another sign", "+=");
     if (begins_expression() && (is_identifier(after()) || is_numeral(after())) && !is_index(at_ + 1) &&
         !is_zero(at_ + 1) && !is_even())
-      insert_after("sign", "another sign", "-");
+      insert_after(VariantKind::sign, "another sign", "-");
   }
 
   /// Is what follows a value, and no declaration and no statement?
@@ -291,15 +291,15 @@ class SourceMutations {
     return token(index) == "0" || token(index) == "0.0" || (token(index + 1) == "::" && token(index + 2) == "Zero");
   }
 
-  void numbers(const char* kind) {
+  void numbers(VariantKind kind) {
     if (!is_numeral(here())) return;
-    const bool is_guard = std::string_view(kind) == "guard";
+    const bool is_guard = kind == VariantKind::guard;
     if (is_index(at_)) {
       if (is_guard) return;
       for (const char* other : {"0", "1", "2"})
-        if (here() != other) add("index", "another index", other);
+        if (here() != other) add(VariantKind::index, "another index", other);
       if (token(at_ + 1) == "," && is_index(at_ + 2) && here() != token(at_ + 2))
-        exchange("index", "the two indices the other way round", at_, at_ + 2);
+        exchange(VariantKind::index, "the two indices the other way round", at_, at_ + 2);
       return;
     }
     double value = 0;
@@ -333,7 +333,7 @@ class SourceMutations {
       if (other != here() && declared == type->second) {
         const auto scope = scopes_.find(other);
         if (scope != scopes_.end() && (at_ < scope->second.first || at_ > scope->second.second)) continue;
-        add("name", "another name", other);
+        add(VariantKind::name, "another name", other);
         places_[{std::string(here()), other}].push_back(found_.back().edits.front());
       }
     if (!all_bugs_) derived(type->second);
@@ -343,7 +343,7 @@ class SourceMutations {
   void derived(const std::string& type) {
     const std::string name(here());
     const auto put = [&](const std::string& words, const std::string& value) {
-      add("name", "", value);
+      add(VariantKind::name, "", value);
       found_.back().words = fmt::format(fmt::runtime(words), "`" + name + "`");
     };
     if (type == "double" && before() != "(") {
@@ -373,7 +373,7 @@ class SourceMutations {
   void names_everywhere() {
     for (const auto& [names, edits] : places_)
       if (edits.size() > 1 && !all_bugs_)
-        found_.push_back({"name", "another name wherever `" + names.first + "` stands",
+        found_.push_back({VariantKind::name, "another name wherever `" + names.first + "` stands",
                           source_.place_of(edits.front().offset), edits});
   }
 
@@ -404,13 +404,13 @@ class SourceMutations {
         Edit edit =
             replaced(at_ - 1, last, other.empty() ? "" : fmt::format("{}{}", other, last == at_ + 2 ? "()" : "("));
         edit.operand = source_.tokens()[operand_of(at_ - 1)].offset;
-        add("method", other.empty() ? "one call left out" : "another function", at_, {edit});
+        add(VariantKind::method, other.empty() ? "one call left out" : "another function", at_, {edit});
       }
       if (here() == "cross") negate_cross();
       return;
     }
     if (const auto found = functions.find(here()); found != functions.end() && is_called)
-      for (const char* other : found->second) add("function", "another function", other);
+      for (const char* other : found->second) add(VariantKind::function, "another function", other);
     if ((here() == "abs" || here() == "fabs") && is_called) drop("the absolute value left out");
     if (here() == "sqrt" && is_called) drop("the root left out");
   }
@@ -435,11 +435,12 @@ class SourceMutations {
   void products() {
     const bool begins_factor = is_identifier(after()) || is_numeral(after()) || after() == "(";
     if (!is_one_of(here(), {"*", "/"}) || !follows_operand() || !begins_factor || all_bugs_) return;
-    add("operator", here() == "*" ? "a quotient in place of the product" : "a product in place of the quotient",
+    add(VariantKind::operation,
+        here() == "*" ? "a quotient in place of the product" : "a product in place of the quotient",
         here() == "*" ? "/" : "*");
     if (here() == "/") return;
-    add("order", "the factors in the other order", "*");
-    add("transpose", "the transpose of the left factor", "*");
+    add(VariantKind::order, "the factors in the other order", "*");
+    add(VariantKind::transpose, "the transpose of the left factor", "*");
   }
 
   /// The end of a loop.
@@ -447,9 +448,9 @@ class SourceMutations {
     if (!conditions_.in_loop(at_) || !is_one_of(here(), {"<", "<=", ">", ">=", "!="}) || all_bugs_) return;
     if (!is_identifier(after()) && !is_numeral(after())) return;
     const std::size_t behind = source_.tokens()[at_].offset + here().size();
-    add("loop", "one step more", at_, {{behind, 0, "1"}});
-    add("loop", "one step less", at_, {{behind, 0, "-1"}});
-    add("factor", "more steps", at_, {{behind, 0, "10.0 *"}});
+    add(VariantKind::loop, "one step more", at_, {{behind, 0, "1"}});
+    add(VariantKind::loop, "one step less", at_, {{behind, 0, "-1"}});
+    add(VariantKind::steps, "more steps", at_, {{behind, 0, "10.0 *"}});
   }
 
   /// A whole number by what it is written as or declared to be.
@@ -474,20 +475,20 @@ class SourceMutations {
   void divisions() {
     if (here() != "/" || all_bugs_ || !follows_whole()) return;
     const bool is_size = token(at_ + 2) == "." && is_one_of(token(at_ + 3), {"size", "cols", "rows"});
-    if (is_whole(at_ + 1) || is_size) add("division", "", "* 1.0 /");
+    if (is_whole(at_ + 1) || is_size) add(VariantKind::division, "", "* 1.0 /");
   }
 
   /// `a.cross(b)` as `b.cross(a)`, that is with the other sign.
   void negate_cross() {
     const std::string_view operand = at_ >= 2 ? token(at_ - 2) : std::string_view();
     if (is_identifier(operand) && after() == "(" && is_identifier(token(at_ + 2)) && token(at_ + 3) == ")")
-      exchange("cross", "the other order of a cross product", at_ - 2, at_ + 2);
+      exchange(VariantKind::cross, "the other order of a cross product", at_ - 2, at_ + 2);
   }
 
   /// The function's name in front of its bracket is left out, with a std:: before it.
   void drop(const char* words) {
     const bool has_prefix = before() == "::" && at_ >= 2 && token(at_ - 2) == "std";
-    add("function", words, at_, {replaced(has_prefix ? at_ - 2 : at_, at_, "")});
+    add(VariantKind::function, words, at_, {replaced(has_prefix ? at_ - 2 : at_, at_, "")});
   }
 
   /// A factor in front of a term: after return, =, + or -.
@@ -499,8 +500,8 @@ class SourceMutations {
     if (here() == "=" && is_identifier(after()) && token(at_ + 2) == ";" && !all_bugs_) return;
     if (is_identifier(after()) && (after() == "std" || after() == "static_cast") && token(at_ + 2) != "::") return;
     for (const char* factor : {"2.0 *", "0.5 *", "3.0 *", "1.0/3 *", "4.0 *", "0.25 *", "1.5 *", "2.0/3 *"})
-      insert_after("factor", "another factor", factor);
-    insert_after("factor", "one term left out", "0.0 *");
+      insert_after(VariantKind::factor, "another factor", factor);
+    insert_after(VariantKind::factor, "one term left out", "0.0 *");
   }
 
   /// `int i = …`: half of it is none.
@@ -516,9 +517,9 @@ class SourceMutations {
         {"!=", {"=="}},     {"&&", {"||"}},      {"||", {"&&"}},      {"*", {"/"}},        {"/", {"*"}},
         {"0", {"1"}},       {"0.0", {"1.0"}},    {"true", {"false"}}, {"false", {"true"}}};
     if (const auto found = others.find(here()); found != others.end() && !is_index(at_))
-      for (const char* other : found->second) add("bug", "another operator or constant", other);
+      for (const char* other : found->second) add(VariantKind::bug, "another operator or constant", other);
     if (here() == "." && token(at_ + 2) == "(" && token(at_ + 3) == ")")
-      add("call", "one call left out", at_, {replaced(at_, at_ + 3, "")});
+      add(VariantKind::call, "one call left out", at_, {replaced(at_, at_ + 3, "")});
     if (here() == ";" || here() == "{" || here() == "}") statement_after();
   }
 
@@ -530,7 +531,7 @@ class SourceMutations {
       if (token(end) == "(") ++depth;
       if (token(end) == ")") --depth;
       if (token(end) == ";" && depth == 0)
-        return add("statement", "one statement left out", at_ + 1, {replaced(at_ + 1, end, ";")});
+        return add(VariantKind::statement, "one statement left out", at_ + 1, {replaced(at_ + 1, end, ";")});
     }
   }
 
@@ -546,7 +547,7 @@ class SourceMutations {
 };
 
 /// The first token on that line with this text, at or after the column.
-const Token* token_at(const SourceText& source, const Finding& finding, std::string_view text) {
+const Token* token_at(const SourceText& source, const Reason& finding, std::string_view text) {
   for (const Token& token : source.tokens()) {
     const Place place = source.place_of(token.offset);
     if (place.line == finding.line && place.column + static_cast<int>(token.text.size()) > finding.column &&
@@ -557,7 +558,7 @@ const Token* token_at(const SourceText& source, const Finding& finding, std::str
 }
 
 /// The type of the variable that is set on that line, as double; abs of the C library as that of C++.
-std::vector<Edit> wider_type(const SourceText& source, const Finding& finding) {
+std::vector<Edit> wider_type(const SourceText& source, const Reason& finding) {
   const std::vector<Token>& tokens = source.tokens();
   const auto is_narrow = [](std::string_view text) { return is_one_of(text, {"int", "float", "long", "unsigned"}); };
   const auto as_double = [](const Token& type) { return std::vector<Edit>{{type.offset, type.text.size(), "double"}}; };
@@ -565,7 +566,7 @@ std::vector<Edit> wider_type(const SourceText& source, const Finding& finding) {
     if (source.place_of(tokens[k].offset).line != finding.line) continue;
     const bool is_called = k + 1 < tokens.size() && tokens[k + 1].text == "(" && k > 0;
     if (tokens[k].text == "abs" && is_called && tokens[k - 1].text != "::") return {{tokens[k].offset, 0, "std::"}};
-    if (finding.name == "float_precision" && is_narrow(tokens[k].text)) return as_double(tokens[k]);
+    if (finding.fix == Fix::as_double && is_narrow(tokens[k].text)) return as_double(tokens[k]);
     if (k == 0 || !is_one_of(tokens[k].text, {"=", "+=", "-=", "*=", "/="})) continue;
     // Where is what stands to the left declared?
     for (std::size_t d = k; d-- > 1;) {
@@ -580,34 +581,42 @@ std::vector<Edit> wider_type(const SourceText& source, const Finding& finding) {
 }
 
 /// `1 / 2` as `1.0 / 2`, `0,5` as `0.5`, `3.14` as π, `int` and `float` as `double`, `auto x = a;` as a value.
-std::vector<Edit> fix_of(const SourceText& source, const Finding& finding) {
-  if (finding.name == "integer_division") {
-    if (const Token* sign = token_at(source, finding, "/")) return {{sign->offset, 1, "* 1.0 /"}};
-  }
-  if (finding.name == "comma_in_number") {
-    if (const Token* comma = token_at(source, finding, ",")) return {{comma->offset, 1, "."}};
-  }
-  if (finding.name == "narrowing" || finding.name == "float_precision") return wider_type(source, finding);
-  if (finding.name == "rounded_pi")
-    for (const Token& token : source.tokens())
-      if (token.offset == source.offset_of({finding.line, finding.column}))
-        return {{token.offset, token.text.size(), "3.14159265358979323846"}};
-  if (finding.name == "static_variable")
-    if (const Token* word = token_at(source, finding, "static")) return {{word->offset, word->text.size(), ""}};
-  if (finding.name == "aliasing") {
-    const Token* word = token_at(source, finding, "noalias");
-    if (word == nullptr) return {};
-    const std::size_t end = source.text().find(')', word->offset);
-    if (end == std::string_view::npos || word->offset == 0) return {};
-    return {{word->offset - 1, end + 1 - (word->offset - 1), ""}};
-  }
-  if (finding.name == "kept_expression") {
-    const Token* word = token_at(source, {finding.line, "", "", "", 0}, "auto");
-    if (word == nullptr) return {};
-    const std::size_t equals = source.text().find('=', word->offset);
-    const std::size_t end = source.text().find(';', word->offset);
-    if (equals == std::string_view::npos || end == std::string_view::npos || equals > end) return {};
-    return {{equals + 1, 0, " workbook_value("}, {end, 0, ")"}};
+std::vector<Edit> edits_of(const SourceText& source, const Reason& mistake) {
+  const auto in_place_of = [&](std::string_view text, const char* replacement) -> std::vector<Edit> {
+    const Token* token = token_at(source, mistake, text);
+    if (token == nullptr) return {};
+    return {{token->offset, token->text.size(), replacement}};
+  };
+  switch (mistake.fix) {
+    case Fix::none:
+      return {};
+    case Fix::real_quotient:
+      return in_place_of("/", "* 1.0 /");
+    case Fix::decimal_point:
+      return in_place_of(",", ".");
+    case Fix::not_static:
+      return in_place_of("static", "");
+    case Fix::as_double:
+    case Fix::wider_type:
+      return wider_type(source, mistake);
+    case Fix::exact_pi:
+      for (const Token& token : source.tokens())
+        if (token.offset == source.offset_of({mistake.line, mistake.column}))
+          return {{token.offset, token.text.size(), "3.14159265358979323846"}};
+      return {};
+    case Fix::no_noalias: {
+      const Token* word = token_at(source, mistake, "noalias");
+      const std::size_t end = word == nullptr ? std::string_view::npos : source.text().find(')', word->offset);
+      if (end == std::string_view::npos || word->offset == 0) return {};
+      return {{word->offset - 1, end + 1 - (word->offset - 1), ""}};
+    }
+    case Fix::as_value: {
+      const Token* word = token_at(source, {.line = mistake.line}, "auto");
+      if (word == nullptr) return {};
+      const std::size_t equals = source.text().find('=', word->offset), end = source.text().find(';', word->offset);
+      if (equals == std::string_view::npos || end == std::string_view::npos || equals > end) return {};
+      return {{equals + 1, 0, " workbook_value("}, {end, 0, ")"}};
+    }
   }
   return {};
 }
@@ -624,7 +633,7 @@ std::vector<Variant> branch_variants(const SourceText& source) {
     const auto begin_of = [&](std::size_t index) { return tokens[index].offset; };
     const auto end_of = [&](std::size_t index) { return tokens[index].offset + tokens[index].text.size(); };
     const std::size_t begin = begin_of(condition.first), end = end_of(condition.second);
-    for (const char* kind : {"branch", "branch_off", "branch_on"})
+    for (const VariantKind kind : {VariantKind::branch, VariantKind::branch_off, VariantKind::branch_on})
       found.push_back({kind,
                        std::string(source.text().substr(begin, end - begin)),
                        source.place_of(begin_of(place)),
@@ -662,14 +671,21 @@ std::vector<Variant> source_mutants(const SourceText& source, const ExerciseRefe
   return SourceMutations(source, exercise, true).all();
 }
 
-std::vector<Finding> whole_quotients(const SourceText& source, const ExerciseReference& exercise) {
-  std::vector<Finding> found;
+std::vector<Reason> whole_quotients(const SourceText& source, const ExerciseReference& exercise) {
+  std::vector<Reason> found;
   for (const Variant& each : one_token_variants(source, exercise))
-    if (each.kind == "division")
-      found.push_back(source.finding(each.place, "integer_division",
-                                     "Whole numbers are divided here, and what follows the decimal point is dropped: "
-                                     "make one of them a double."));
+    if (each.kind == VariantKind::division)
+      found.push_back(source.reason(each.place, "integer_division",
+                                    "Whole numbers are divided here, and what follows the decimal point is dropped: "
+                                    "make one of them a double.",
+                                    Weight::cause, Fix::real_quotient));
   return found;
+}
+
+std::string to_string(VariantKind kind) {
+  constexpr const char* names[] = {"sign",   "factor",   "factor", "number",    "index", "name", "function",
+                                   "method", "operator", "order",  "transpose", "cross", "loop", "guard"};
+  return names[static_cast<std::size_t>(kind)];
 }
 
 std::string edited(std::string_view text, std::vector<Edit> edits) {
@@ -684,14 +700,15 @@ std::string edited(std::string_view text, std::vector<Edit> edits) {
   return result.append(text.substr(at));
 }
 
-std::vector<Variant> fixed_variants(const SourceText& source, const std::vector<Finding>& findings) {
+std::vector<Variant> fixed_variants(const SourceText& source, const std::vector<Reason>& findings) {
   std::vector<Variant> variants;
-  for (const Finding& finding : findings) {
-    std::vector<Edit> fix = fix_of(source, finding);
-    if (!fix.empty()) variants.push_back({finding.name, "", {finding.line, finding.column}, std::move(fix)});
+  for (const Reason& finding : findings) {
+    std::vector<Edit> fix = edits_of(source, finding);
+    if (!fix.empty())
+      variants.push_back({VariantKind::fix, finding.name, {finding.line, finding.column}, std::move(fix)});
   }
   if (variants.size() < 2) return variants;
-  Variant all{"all", "", {}, {}};
+  Variant all{VariantKind::all_fixes, "", {}, {}};
   for (const Variant& each : variants)
     for (const Edit& edit : each.edits)
       if (std::ranges::find(all.edits, edit.offset, &Edit::offset) == all.edits.end()) all.edits.push_back(edit);

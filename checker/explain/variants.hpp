@@ -19,11 +19,42 @@ struct Edit {
   std::size_t operand = std::string_view::npos;  ///< of a method's call: where that begins of which it is called
 };
 
+/// What is changed.
+enum class VariantKind {
+  // slips
+  sign,
+  factor,
+  steps,  ///< of a loop, many more
+  number,
+  index,
+  name,
+  function,
+  method,
+  operation,
+  order,
+  transpose,
+  cross,
+  loop,
+  guard,
+  // the condition of a branch: throws where it is true, never is true, always is
+  branch,
+  branch_off,
+  branch_on,
+  // what needs a copy of the file
+  division,
+  bug,
+  call,
+  statement,
+  fix,
+  all_fixes
+};
+/// @pre it is a slip
+std::string to_string(VariantKind kind);
+
 struct Variant {
-  /// "sign", "factor", "number", "index", "name", "function", "method", "operator", "order", "loop"; "branch" and its
-  /// outcomes; or the name of a finding.
-  std::string kind;
-  std::string words;  ///< of what is changed, without the answer: "another sign"; the condition of a branch
+  VariantKind kind = VariantKind::fix;
+  std::string
+      words;  ///< of what is changed, without the answer: "another sign"; a condition; the name of what is fixed
   Place place;
   std::vector<Edit> edits;
   // Of a branch: what is done where its condition is true, from the one offset to the other.
@@ -46,13 +77,13 @@ std::vector<Variant> one_token_variants(const SourceText& source, const Exercise
 std::vector<Variant> source_mutants(const SourceText& source, const ExerciseReference& exercise);
 
 /// Quotients of whole numbers that have names: a mistake only where one of doubles gives another result.
-std::vector<Finding> whole_quotients(const SourceText& source, const ExerciseReference& exercise);
+std::vector<Reason> whole_quotients(const SourceText& source, const ExerciseReference& exercise);
 
 std::string edited(std::string_view text, std::vector<Edit> edits);
 
 /// Files in which a finding about the code is fixed, and last one with all of them fixed; none for findings that no
 /// small change fixes.
-std::vector<Variant> fixed_variants(const SourceText& source, const std::vector<Finding>& findings);
+std::vector<Variant> fixed_variants(const SourceText& source, const std::vector<Reason>& findings);
 
 /// One translation unit with all variants of a file, and the exercise's function that calls the one with the number
 /// `workbook_variant`; the number behind the last is the file as it stands. Slips stand in one copy of the file, where

@@ -16,8 +16,8 @@ constexpr std::size_t most_of_a_rare_output = 3;
 constexpr std::size_t most_with_one_reason = 5;
 
 bool is_unexplained(const CheckResult& checked) {
-  return checked.judgement.verdict == Verdict::wrong_value && checked.explanation.findings.empty() &&
-         std::ranges::all_of(checked.explanation.diagnoses, &Diagnosis::is_symptom);
+  return checked.judgement.verdict == Verdict::wrong_value &&
+         std::ranges::none_of(checked.reasons, [](const Reason& each) { return each.is_in_code() || each.is_cause(); });
 }
 
 /// Of passing an exercise with the points of all others; null where one of them is the same for all.
@@ -76,12 +76,11 @@ ordered_json ClassResults::add(const Student& student, const std::vector<CheckRe
       similar.add(checked.name(), student.id, student.files.at(checked.name()).where, checked.source);
     possible += checked.points();
     points += checked.score();
-    for (const Diagnosis& diagnosis : checked.explanation.diagnoses) {
-      if (diagnosis.kind == DiagnosisKind::learnt) learnt_[checked.name()].push_back(student.id);
-      if (diagnosis.kind != DiagnosisKind::misconception) continue;
-      ordered_json& known = misconceptions_[{checked.name(), diagnosis.name}];
-      if (known.is_null())
-        known = {{"exercise", checked.name()}, {"name", diagnosis.name}, {"message", diagnosis.message}};
+    for (const Reason& reason : checked.reasons) {
+      if (reason.kind == ReasonKind::learnt) learnt_[checked.name()].push_back(student.id);
+      if (reason.kind != ReasonKind::misconception) continue;
+      ordered_json& known = misconceptions_[{checked.name(), reason.name}];
+      if (known.is_null()) known = {{"exercise", checked.name()}, {"name", reason.name}, {"message", reason.sentence}};
       known["students"].push_back(student.id);
     }
     if (!is_unexplained(checked)) continue;

@@ -13,9 +13,9 @@ namespace workbook {
 
 using nlohmann::json;
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Finding, line, excerpt, sentence, name, column, notes)
+// How a mistake is fixed has been tried by then.
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Reason, kind, name, sentence, weight, notes, line, column, excerpt)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Judgement, verdict, message, next_step, failing, cases_total, waiting_for)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Explanation, findings, diagnoses)
 
 /// Between processes numbers travel bit by bit: NaN and infinity as well.
 static void to_json(json& part, const Reply& reply) {
@@ -31,8 +31,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Repeat, case_index, reply)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Observation, refusal_details, replies, repeats, sweep, measured, further,
                                    compile_seconds, run_seconds)
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CheckResult, source, observation, judgement, explanation, picture,
-                                   picture_description, weak_sandbox)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CheckResult, source, observation, judgement, reasons, picture, picture_description,
+                                   weak_sandbox)
 
 namespace {
 
@@ -89,16 +89,15 @@ void explain_failure(Judged& judged, CheckContext& context) {
   const CheckResult& checked = judged.checked;
   const ExerciseReference& reference = *checked.reference;
   const Verdict verdict = checked.judgement.verdict;
-  Explanation& explanation = judged.checked.explanation;
-  explanation.findings = checked.observation.findings;
+  std::vector<Reason>& reasons = judged.checked.reasons;
+  reasons = checked.observation.errors;
   if (!judged.runner || verdict == Verdict::passed || verdict == Verdict::not_started ||
       verdict == Verdict::checker_error)
     return;
   if (is_learnt(judged, context)) {
-    explanation.diagnoses = {{DiagnosisKind::learnt, "learnt",
-                              "Your function is right at the cases whose results are in your copy of the workbook, and "
-                              "wrong at most others: compute the result from the arguments.",
-                              checked.task.exercise.entry->notes}};
+    reasons = {{ReasonKind::learnt, "learnt",
+                "Your function is right at the cases whose results are in your copy of the workbook, and wrong at most "
+                "others: compute the result from the arguments."}};
     return;
   }
   if (!checked.task.is_explained) {
@@ -107,16 +106,14 @@ void explain_failure(Judged& judged, CheckContext& context) {
     return;
   }
   const Ask ask = [&](const std::vector<PlannedCall>& calls) { return judged.runner->evaluate(calls); };
-  explanation = explain({{judged.submission, reference, checked.observation, checked.judgement},
-                         judged.compile_task(),
-                         judged.compilation,
-                         ask,
-                         context.toolchain(),
-                         context.course().compiled()});
+  reasons = explain({{judged.submission, reference, checked.observation, checked.judgement},
+                     judged.compile_task(),
+                     judged.compilation,
+                     ask,
+                     context.toolchain(),
+                     context.course().compiled()});
   if (checked.task.stage < CheckTask::last_stage)
-    hold_back(explanation, checked.task.stage, reference, answers_of(reference, checked.observation.replies));
-  for (Diagnosis& diagnosis : explanation.diagnoses)
-    if (diagnosis.notes.empty()) diagnosis.notes = checked.task.exercise.entry->notes;
+    hold_back(reasons, checked.task.stage, reference, answers_of(reference, checked.observation.replies));
 }
 
 CheckResult missing_file(const CheckTask& task, const ExerciseReference& reference) {
@@ -213,7 +210,7 @@ std::string CheckResult::fingerprint_of_values() const {
 }
 
 std::string CheckResult::next_step() const {
-  const bool is_explained = has_values(judgement.verdict) && !explanation.is_empty();
+  const bool is_explained = has_values(judgement.verdict) && !reasons.empty();
   return is_explained ? "Fix what the reason names, and check again." : judgement.next_step;
 }
 
@@ -304,8 +301,11 @@ CheckResult check_exercise(CheckContext& context, const CheckTask& task,
     } else {
       if (judged.runner) ask_further(judged);
       explain_failure(judged, context);
-      for (Finding& finding : checked.explanation.findings)
-        finding.notes = paragraph_on_mistake(context.course(), finding.name);
+      for (Reason& reason : checked.reasons)
+        if (reason.is_in_code())
+          reason.notes = paragraph_on_mistake(context.course(), reason.name);
+        else if (reason.notes.empty())
+          reason.notes = task.exercise.entry->notes;
       if (task.draw && !checked.observation.sweep.empty()) task.draw(checked);
     }
   } catch (const std::exception&) {  // a reason less; what was judged stands

@@ -43,7 +43,7 @@ struct CheckResult {
   std::string source;  ///< the file's text as it was judged
   Observation observation;
   Judgement judgement;
-  Explanation explanation;
+  std::vector<Reason> reasons;  ///< why it failed, those in the code first
   const ExerciseReference* reference = nullptr;
   std::string picture;              ///< the plot: SVG in base64; empty: none
   std::string picture_description;  ///< what it shows, in words

@@ -45,18 +45,19 @@ ordered_json result_of(const CheckResult& checked) {
       {"diagnosis", ordered_json::array()},
       {"first_failure", first_failure(checked)},
       {"findings", ordered_json::array()}};
-  for (const Diagnosis& diagnosis : checked.explanation.diagnoses)
-    result["diagnosis"].push_back({{"kind", to_string(diagnosis.kind)},
-                                   {"name", diagnosis.name},
-                                   {"message", diagnosis.message},
-                                   {"notes", diagnosis.notes}});
-  for (const Finding& finding : checked.explanation.findings)
-    result["findings"].push_back({{"name", finding.name},
-                                  {"line", finding.line},
-                                  {"column", finding.column},
-                                  {"excerpt", finding.excerpt},
-                                  {"message", finding.sentence},
-                                  {"notes", finding.notes}});
+  for (const Reason& reason : checked.reasons)
+    if (reason.is_in_code())
+      result["findings"].push_back({{"name", reason.name},
+                                    {"line", reason.line},
+                                    {"column", reason.column},
+                                    {"excerpt", reason.excerpt},
+                                    {"message", reason.sentence},
+                                    {"notes", reason.notes}});
+    else
+      result["diagnosis"].push_back({{"kind", to_string(reason.kind)},
+                                     {"name", reason.name},
+                                     {"message", reason.sentence},
+                                     {"notes", reason.notes}});
   for (std::size_t index = 0; index < checked.observation.replies.size(); ++index)
     if (const std::string& text = checked.observation.replies[index].printed; !text.empty())
       result["printed"].push_back({{"case", index + 1}, {"text", text}});

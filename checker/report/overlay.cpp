@@ -225,9 +225,9 @@ Overlay overlay_of(const CheckResult& checked) {
     values.push_back(reply.ending == Ending::returned ? reply.value : Value{0, 0, {}});
   if (std::ranges::count(checked.observation.sweep, Ending::returned, &Reply::ending) > 0)
     overlay.student = curves_of(reference, values);
-  for (const Diagnosis& diagnosis : checked.explanation.diagnoses) {
-    const auto same = std::ranges::find(reference.misconceptions, diagnosis.name, &Misconception::name);
-    if (diagnosis.kind != DiagnosisKind::misconception || same == reference.misconceptions.end()) continue;
+  for (const Reason& reason : checked.reasons) {
+    const auto same = std::ranges::find(reference.misconceptions, reason.name, &Misconception::name);
+    if (reason.kind != ReasonKind::misconception || same == reference.misconceptions.end()) continue;
     overlay.misconception = curves_of(reference, same->sweep_outputs);
     overlay.misconception_name = same->name;
     std::ranges::replace(overlay.misconception_name, '_', ' ');

@@ -15,10 +15,10 @@ constexpr std::size_t brief_lines = 14;      // a report that is not full is sho
 constexpr std::size_t longest_printout = 6;  // lines of the student's own output that are shown unless all is asked for
 
 /// "kinetic_energy.cpp:8:3: …", "kinetic_energy.cpp:8:3, 9:3: …" for the same mistake elsewhere, or the sentence alone.
-std::string finding_line(const CheckResult& checked, const std::vector<Finding>& same) {
+std::string place_and_sentence(const CheckResult& checked, const std::vector<Reason>& same) {
   if (same.front().line <= 0) return same.front().sentence;
   std::vector<std::string> places;
-  for (const Finding& finding : same) places.push_back(fmt::format("{}:{}", finding.line, std::max(finding.column, 1)));
+  for (const Reason& reason : same) places.push_back(fmt::format("{}:{}", reason.line, std::max(reason.column, 1)));
   return fmt::format("{}:{}: {}", printable(checked.task.file.filename().string()), fmt::join(places, ", "),
                      same.front().sentence);
 }
@@ -70,27 +70,24 @@ class Report {
 
   void explain() {
     const Judgement& judgement = checked_.judgement;
-    const Explanation& explanation = checked_.explanation;
+    const std::vector<Reason>& reasons = checked_.reasons;
     // Of wrong values headline and case say as much, and of a call that failed a reason with its line.
     const bool is_said =
-        judgement.verdict == Verdict::wrong_value || (!explanation.is_empty() && !checked_.observation.replies.empty());
+        judgement.verdict == Verdict::wrong_value || (!reasons.empty() && !checked_.observation.replies.empty());
     if (!is_said || detail_.full) text_ += console_.wrapped(judgement.message, report_indent) + "\n";
-    const bool is_certain = !std::ranges::all_of(explanation.diagnoses, &Diagnosis::is_symptom);
+    const bool is_certain =
+        std::ranges::any_of(reasons, [](const Reason& reason) { return !reason.is_in_code() && reason.is_cause(); });
     std::set<std::string> told;
-    for (const Finding& finding : explanation.findings) {
-      if (is_remark(finding) && is_certain && !detail_.full) continue;  // a reason says it too
-      if (!told.insert(finding.sentence).second) continue;
-      std::vector<Finding> same = explanation.findings;
-      std::erase_if(same, [&](const Finding& other) { return other.sentence != finding.sentence; });
-      labelled("Why", finding_line(checked_, same));
-      for (const std::string& line : lines_of(finding.excerpt)) text_ += "    " + fitted(line) + "\n";
-      read(finding.notes);
+    for (const Reason& reason : reasons) {
+      if (reason.is_remark() && is_certain && !detail_.full) continue;  // another reason says it too
+      if (!told.insert(reason.sentence).second) continue;
+      std::vector<Reason> same = reasons;
+      std::erase_if(same, [&](const Reason& other) { return other.sentence != reason.sentence; });
+      labelled("Why", place_and_sentence(checked_, same));
+      for (const std::string& line : lines_of(reason.excerpt)) text_ += "    " + fitted(line) + "\n";
+      read(reason.notes);
     }
-    for (const Diagnosis& diagnosis : explanation.diagnoses) {
-      labelled("Why", diagnosis.message);
-      read(diagnosis.notes);
-    }
-    if ((explanation.is_empty() && !detail_.is_pending) || detail_.full) labelled("Next", checked_.next_step());
+    if ((reasons.empty() && !detail_.is_pending) || detail_.full) labelled("Next", checked_.next_step());
   }
 
   /// Where to read on, once; a link in one piece, so that a terminal opens it.
@@ -124,7 +121,7 @@ class Report {
     if (!page.is_brief || lines.size() < room) text_ += "\n";
     for (const std::string& line : lines) text_ += (line.empty() ? "" : "  ") + line + "\n";
     if (checked_.judgement.passed()) return;
-    if (checked_.explanation.is_empty() && !detail_.is_pending) {
+    if (checked_.reasons.empty() && !detail_.is_pending) {
       const std::string size = error_size(reference, checked_.judgement.failing, answers);
       if (!size.empty()) text_ += console_.wrapped(size, report_indent) + "\n";
     }

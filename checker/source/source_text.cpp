@@ -122,13 +122,16 @@ std::string SourceText::marked_code(Place place) const {
   return code.insert(at - line_begin, "@");
 }
 
-Finding SourceText::finding(Place place, std::string name, const std::string& sentence) const {
+Reason SourceText::reason(Place place, std::string name, const std::string& sentence, Weight weight, Fix fix) const {
   const std::string_view shown = line(place.line);
-  return {.line = place.line,
-          .excerpt = shown.data() == nullptr ? "" : excerpt(shown, place.column),
-          .sentence = printable(sentence),
+  return {.kind = ReasonKind::code,
           .name = std::move(name),
-          .column = place.column};
+          .sentence = printable(sentence),
+          .weight = weight,
+          .line = place.line,
+          .column = place.column,
+          .excerpt = shown.data() == nullptr ? "" : excerpt(shown, place.column),
+          .fix = fix};
 }
 
 bool defines_function(const SourceText& source, std::string_view name) {

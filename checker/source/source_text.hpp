@@ -2,7 +2,10 @@
 /// A student's file as text: its lines and its tokens.
 #pragma once
 
-#include "checker/data/observation.hpp"
+#include "checker/data/reason.hpp"
+
+#include <string_view>
+#include <vector>
 
 namespace workbook {
 
@@ -38,7 +41,8 @@ class SourceText {
   std::string marked_code(Place place) const;
 
   /// What is to be said of a place, with the line and a caret below it.
-  Finding finding(Place place, std::string name, const std::string& sentence) const;
+  Reason reason(Place place, std::string name, const std::string& sentence, Weight weight = Weight::cause,
+                Fix fix = Fix::none) const;
 
  private:
   std::string_view line(int number) const;

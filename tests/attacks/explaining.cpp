@@ -115,7 +115,7 @@ TEST_CASE("a function that writes the reports itself changes no verdict, and get
   const Judgement judgement = judge(reference, observation);
   CHECK(judgement.verdict == Verdict::wrong_value);
   const Submission submission = submit(text, "twice");
-  for (const Finding& finding :
+  for (const Reason& finding :
        diagnostic_run_of(diagnostic_program(text), {submission, reference, observation, judgement}, toolchain())) {
     const std::string said = finding.excerpt + finding.sentence + finding.name;
     CHECK_MESSAGE((!has(said, "secret") && !has(said, "\033") && !has(said, "<script")), said);

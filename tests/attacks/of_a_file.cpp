@@ -157,7 +157,7 @@ const Attack attacks_of_a_file[] = {
 void expect_silence(const Compilation& compilation) {
   if (!can_confine_files()) return;  // the tier minimal says so of itself
   std::string said = compilation.message + compilation.details + compilation.compiler_output;
-  for (const Finding& finding : compilation.findings) said += finding.excerpt + finding.sentence;
+  for (const Reason& finding : compilation.errors) said += finding.excerpt + finding.sentence;
   CHECK_MESSAGE(!has(said, "secret\n"), said);
 }
 

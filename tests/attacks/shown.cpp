@@ -53,7 +53,7 @@ std::string all_reports(const ExerciseReference& reference, const std::string& s
   checked.source = source;
   checked.reference = &reference;
   checked.judgement = judge(reference, observation);
-  checked.explanation.findings = observation.findings;
+  checked.reasons = observation.errors;
   checked.observation = std::move(observation);
   ReportedCourse page;
   page.exercises.push_back({checked, {}});

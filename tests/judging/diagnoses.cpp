@@ -388,9 +388,9 @@ TEST_CASE("What is said of a wrong answer has the right kind and name") {
     for (const Diagnosed& one : table()) {
       std::string names;
       text += one.about + "\n";
-      for (const Diagnosis& each : diagnose(one.exercise, all_answers(one.values), {})) {
+      for (const Reason& each : diagnose(one.exercise, all_answers(one.values), {})) {
         names += (names.empty() ? "" : ", ") + to_string(each.kind) + " " + each.name;
-        text += fmt::format("  {} {}: {} ({})\n", to_string(each.kind), each.name, each.message, each.notes);
+        text += fmt::format("  {} {}: {} ({})\n", to_string(each.kind), each.name, each.sentence, each.notes);
       }
       CHECK_MESSAGE(names == one.names, one.about << ": " << names);
     }

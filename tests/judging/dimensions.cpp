@@ -104,10 +104,10 @@ TEST_CASE("A wrong unit is named, or what shows it in each base unit, and a righ
     const Answers values = all_answers(outputs(answer.exercise, function));
     std::string bases;
     text += answer.about + "\n";
-    for (const Diagnosis& each : diagnose_dimensions(answer.exercise, values, probed(answer.exercise, function))) {
-      CHECK(each.kind == DiagnosisKind::dimension);
+    for (const Reason& each : diagnose_dimensions(answer.exercise, values, probed(answer.exercise, function))) {
+      CHECK(each.kind == ReasonKind::dimension);
       bases += each.name;
-      text += "  " + each.message + "\n";
+      text += "  " + each.sentence + "\n";
     }
     CHECK_MESSAGE(bases == answer.bases, answer.about << ": " << bases);
   }

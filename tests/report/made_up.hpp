@@ -48,9 +48,13 @@ inline void fill_with_hostile_text(MadeUpCourse& course) {
     checked.source = "// Source. " + hostile + "\r\n" + std::string(300, 'y') + "\033[31m";
     checked.judgement.message = "The function threw an exception: " + hostile;
     checked.judgement.next_step = "Next. " + hostile;
+    checked.reasons = {{.name = "made_up",
+                        .sentence = "Found. " + hostile,
+                        .line = 3,
+                        .column = 5,
+                        .excerpt = "int " + hostile + "\n    ^"}};
     if (verdict == Verdict::wrong_value)
-      checked.explanation.diagnoses = {{DiagnosisKind::term, hostile, "Diagnosed. " + hostile, hostile}};
-    checked.explanation.findings = {{3, "int " + hostile + "\n    ^", "Found. " + hostile, "made_up", 5}};
+      checked.reasons.push_back({ReasonKind::term, hostile, "Diagnosed. " + hostile, Weight::cause, hostile});
     checked.observation.replies.resize(1);
     checked.observation.replies[0].printed = "Printed. " + hostile + std::string(300, 'x');
     checked.observation.refusal_details = "Compiled. " + hostile;

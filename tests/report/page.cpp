@@ -40,12 +40,13 @@ TEST_CASE("a page with a bit of everything") {
   passed.checked.reference = &reference;
   passed.checked.observation.measured = {{Ending::returned, {1, 1, {2.4525}}}};
   ReportedExercise& wrong = course.add("01_springs", "force", Verdict::wrong_value, 3);
-  wrong.checked.explanation.diagnoses = {
-      {DiagnosisKind::misconception, "away", "A spring pulls back.", "springs_energy"}};
+  wrong.checked.reasons = {
+      {ReasonKind::misconception, "away", "A spring pulls back.", Weight::cause, "springs_energy"}};
   wrong.checked.picture = base64("<svg/>");
   wrong.checked.picture_description = "A plot.";
   ReportedExercise& refused = course.add("01_springs", "work", Verdict::compile_error);
-  refused.checked.explanation.findings = {{4, "return x^2;\n        ^", "^ is not a power.", "power", 9}};
+  refused.checked.reasons = {
+      {.name = "power", .sentence = "^ is not a power.", .line = 4, .column = 9, .excerpt = "return x^2;\n        ^"}};
   refused.checked.observation.refusal_details = "All that the compiler said.";
   refused.checked.source = "#include <cmath>\n\ndouble work(double x) {\n  return x^2;\n}\n";
   course.add("01_springs", "mass", Verdict::checker_error, 4);

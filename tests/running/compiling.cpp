@@ -46,12 +46,12 @@ bool says(const Compilation& compilation, const std::string& word) {
 TEST_CASE("the first error is told with file, line and column, and shown with them") {
   const Compilation compilation = refused_text("// a comment\ndouble rigid::twice(double x) {\n  return 2 * y;\n}\n");
   CHECK(says(compilation, "line 3"));
-  REQUIRE(compilation.findings.size() == 1);
-  CHECK(compilation.findings[0].excerpt == "  return 2 * y;\n             ^");
+  REQUIRE(compilation.errors.size() == 1);
+  CHECK(compilation.errors[0].excerpt == "  return 2 * y;\n             ^");
   CHECK(compilation.details.find("twice.cpp:3:14: error:") != std::string::npos);
   CHECK(compilation.details.find("return 2 * y;") != std::string::npos);
   CHECK(compilation.details.find("unit.cpp") == std::string::npos);
-  CHECK(refused(compilation).findings.size() == 1);
+  CHECK(refused(compilation).errors.size() == 1);
 }
 
 TEST_CASE("what is missing when the program is linked has a name, and a place if the file mentions it") {
@@ -86,9 +86,9 @@ TEST_CASE("what is missing when the program is linked has a name, and a place if
   for (const Unlinked& file : files) {
     CAPTURE(file.text);
     const Compilation compilation = refused_text(file.text, file.refusal);
-    CHECK(has(compilation.findings.empty() ? compilation.message : compilation.findings[0].sentence, file.word));
-    CHECK(compilation.findings.size() == (*file.name == '\0' ? 0 : 1));
-    for (const Finding& finding : compilation.findings) {
+    CHECK(has(compilation.errors.empty() ? compilation.message : compilation.errors[0].sentence, file.word));
+    CHECK(compilation.errors.size() == (*file.name == '\0' ? 0 : 1));
+    for (const Reason& finding : compilation.errors) {
       CHECK(finding.name == file.name);
       CHECK(finding.line == file.line);
       CHECK(finding.column == file.column);
@@ -119,7 +119,7 @@ TEST_CASE("templates and includes without end are stopped") {
   const Compilation deep = refused_text(
       "template <int n> struct Deep { static constexpr int value = Deep<n + 1>::value; };\n"
       "double rigid::twice(double) { return Deep<0>::value; }");
-  CHECK(deep.findings.size() == 1);
+  CHECK(deep.errors.size() == 1);
   CHECK(says(refused_text("#include \"unit.cpp\"\n"), "line 1"));
   CHECK(says(refused_text("#include \"/dev/zero\"\n"), "/dev/zero"));
 }
@@ -186,7 +186,7 @@ TEST_CASE("other files cannot be included, in any way, and nothing of them is sh
         "#include \"" + secret + "\"\nint x = y;\n", "#line 1 \"" + secret + "\"\nint rigid;\n"}) {
     CAPTURE(text);
     const Compilation compilation = refused_text(text);
-    for (const Finding& finding : compilation.findings)
+    for (const Reason& finding : compilation.errors)
       CHECK((finding.sentence + finding.excerpt).find("secret_w") == std::string::npos);
     CHECK((compilation.details + compilation.message).find("secret_w") == std::string::npos);
   }

@@ -179,13 +179,13 @@ std::filesystem::path diagnostic_program(const std::string& text) {
   return *compilation.executable;
 }
 
-std::vector<Finding> findings_at(double x) {
+std::vector<Reason> findings_at(double x) {
   const Judged failed = judged(many_failures, x);
   REQUIRE(can_be_explained_by_a_run(failed.judgement));
   return diagnostic_run_of(diagnostic_program(many_failures), failed.task(), toolchain());
 }
 
-std::vector<Finding> full_run(const std::string& text, double x) {
+std::vector<Reason> full_run(const std::string& text, double x) {
   return diagnostic_run(judged(text, x).task(), toolchain(), shared_cache());
 }
 
@@ -210,9 +210,9 @@ TEST_CASE("each failure is traced to its line and its kind, which the line names
   for (int x = 100; x < 180; ++x) {
     if (std::string(many_failures).find("case " + std::to_string(x) + ":") == std::string::npos || x == 169) continue;
     CAPTURE(x);
-    const std::vector<Finding> findings = findings_at(x);
+    const std::vector<Reason> findings = findings_at(x);
     REQUIRE(findings.size() == 1);
-    const Finding& finding = findings.front();
+    const Reason& finding = findings.front();
     const std::string line = line_of_failures(finding.line);
     if (finding.line > 0) {
       CHECK(line.ends_with("  // " + finding.name));
@@ -242,7 +242,7 @@ TEST_CASE("a result that is not filled is found, on the heap and on the stack") 
       "  B.topRows(2) = k * A.topRows(2);\n  return B;\n}\n",
       reference_of("scaled", twice_a_matrix, Kind::matrix3));
   for (const Judged* failed : {&counted, &scaled}) {
-    const std::vector<Finding> findings = diagnostic_run(failed->task(), toolchain(), shared_cache());
+    const std::vector<Reason> findings = diagnostic_run(failed->task(), toolchain(), shared_cache());
     REQUIRE(findings.size() == 1);
     CHECK(findings[0].name == "never_set");
     CHECK(findings[0].line == 3);  // where it is declared
@@ -310,7 +310,7 @@ TEST_CASE("a diagnostic run leaves nothing behind, and an odd file name does not
   const std::string text = "#include <fixture/contract.hpp>\ndouble rigid::twice(double) { throw 1; }\n";
   Judged failed = judged(text, 1);
   failed.submission.path = "my \"own\" answer (2): new.cpp";
-  const std::vector<Finding> findings = diagnostic_run(failed.task(), toolchain(), scratch);
+  const std::vector<Reason> findings = diagnostic_run(failed.task(), toolchain(), scratch);
   REQUIRE(findings.size() == 1);
   CHECK(findings[0].line == 2);
   CHECK(findings[0].excerpt == "double rigid::twice(double) { throw 1; }");

@@ -274,7 +274,7 @@ return a + b + mask + n + k + K(0, 0) + s + pi;)code")},
 
 struct Result {
   bool compiles = false;
-  std::vector<Finding> findings;
+  std::vector<Reason> findings;
 };
 
 Result findings_in(const std::string& text) {
@@ -284,7 +284,7 @@ Result findings_in(const std::string& text) {
   const CompileTask task{submission, exercise, signature(exercise)};
   const Compilation compilation = compile(task, toolchain(), shared_cache());
   const bool compiles = compilation.executable.has_value();
-  return {compiles, compiles ? source_findings(task, compilation, toolchain(), shared_cache()) : compilation.findings};
+  return {compiles, compiles ? source_findings(task, compilation, toolchain(), shared_cache()) : compilation.errors};
 }
 
 void on_all_processors(std::size_t count, const std::function<void(std::size_t)>& work) {
@@ -302,9 +302,9 @@ std::vector<Result> findings_in(const std::vector<Mistaken>& files) {
   return results;
 }
 
-std::string names_of(const std::vector<Finding>& findings) {
+std::string names_of(const std::vector<Reason>& findings) {
   std::string names;
-  for (const Finding& one : findings)
+  for (const Reason& one : findings)
     names += fmt::format("{}{} {}:{}", names.empty() ? "" : "; ", one.name, one.line, one.column);
   return names;
 }
@@ -373,7 +373,7 @@ ExerciseReference reference_of(const std::string& exercise) {
 struct Told {
   Verdict verdict = Verdict::passed;
   std::string sentences;
-  std::vector<Diagnosis> physics;
+  std::vector<Reason> physics;
 };
 
 Told told(const Beginner& beginner) {
@@ -386,15 +386,19 @@ Told told(const Beginner& beginner) {
   const Observation observation =
       runner ? runner->observe(plan_calls(reference.cases), plan_repeats(reference)) : refused(compilation);
   const Judgement judgement = judge(reference, observation);
-  Explanation explanation{observation.findings, {}};
+  std::vector<Reason> reasons = observation.errors;
   const Ask ask = [&](const std::vector<PlannedCall>& calls) { return runner->evaluate(calls); };
   if (runner && !judgement.passed())
-    explanation =
+    reasons =
         explain({{submission, reference, observation, judgement}, task, compilation, ask, toolchain(), shared_cache()});
-  std::string sentences = explanation.findings.empty() ? judgement.message + "\n" : "";
-  for (const Finding& finding : explanation.findings)
-    sentences += fmt::format("{} {}:{} {}\n", finding.name, finding.line, finding.column, finding.sentence);
-  return {judgement.verdict, sentences, explanation.diagnoses};
+  Told told{judgement.verdict, "", {}};
+  for (const Reason& reason : reasons)
+    if (reason.is_in_code())
+      told.sentences += fmt::format("{} {}:{} {}\n", reason.name, reason.line, reason.column, reason.sentence);
+    else
+      told.physics.push_back(reason);
+  if (told.sentences.empty()) told.sentences = judgement.message + "\n";
+  return told;
 }
 
 }  // namespace
@@ -407,7 +411,7 @@ TEST_CASE("mistakes have a name, a place and a sentence" * doctest::test_suite("
       CAPTURE((*files)[i].text);
       CHECK(results[i].compiles == (files == &files_that_compile));
       CHECK(names_of(results[i].findings) == (*files)[i].expected);
-      for (const Finding& finding : results[i].findings) {
+      for (const Reason& finding : results[i].findings) {
         CHECK(finding.sentence.size() <= 200);
         CHECK((finding.excerpt.empty() || finding.excerpt.ends_with("^")));
         const std::string sentence = finding.name + ": " + finding.sentence + "\n";
@@ -455,8 +459,8 @@ TEST_CASE("what clang says has the names that GCC's messages have") {
     REQUIRE(output.diagnostics.size() == 1);
     const std::string text = one.code + "\n";
     const SourceText source(text);
-    const std::optional<Finding> error = first_error(output.diagnostics, source, "");
-    const std::vector<Finding> warned = warned_mistakes(output.diagnostics, source);
+    const std::optional<Reason> error = first_error(output.diagnostics, source, "");
+    const std::vector<Reason> warned = warned_mistakes(output.diagnostics, source);
     CHECK((error ? error->name : warned.empty() ? std::string() : warned[0].name) == one.name);
   }
 }
@@ -476,7 +480,7 @@ TEST_CASE("each of the beginners' mistakes is told in a tutor's words, and none 
     CHECK(all[k].verdict != Verdict::passed);
     CHECK(std::ranges::any_of(
         files[k].words, [&](const std::string& words) { return all[k].sentences.find(words) != std::string::npos; }));
-    for (const Diagnosis& diagnosis : all[k].physics) CHECK(diagnosis.message == "");
+    for (const Reason& diagnosis : all[k].physics) CHECK(diagnosis.sentence == "");
     names += all[k].sentences;
   }
   CHECK(nothing_left_running());
@@ -513,7 +517,7 @@ TEST_CASE("at most four mistakes are named, in the order of the lines") {
 }
 
 TEST_CASE("a message of a template without end stays short") {
-  const std::vector<Finding> found =
+  const std::vector<Reason> found =
       findings_in(
           "template <int n, class T> struct Deep { using type = typename Deep<n - 1, std::vector<T>>::type; };\n"
           "template <class T> struct Deep<0, T> { using type = typename T::missing; };\n" +
@@ -528,7 +532,7 @@ TEST_CASE("a line that is too long, or holds control characters, is shown in par
   for (const std::string& text :
        {body("/* " + std::string(2000, 'a') + " */ return y; // " + std::string(8000, 'b')),
         body("double z = 0" + std::string(20000, ' ') + "+ y; return z;"), body("/* \x1b[31m */ return y;")}) {
-    const std::vector<Finding> found = findings_in(text).findings;
+    const std::vector<Reason> found = findings_in(text).findings;
     REQUIRE(found.size() == 1);
     CHECK(found[0].line == 3);
     CHECK(found[0].excerpt.size() < 250);

@@ -3,6 +3,7 @@
 
 #include "checker/base/text.hpp"
 #include "checker/compile/compile.hpp"
+#include "checker/explain/explain.hpp"
 #include "checker/explain/repair.hpp"
 #include "checker/explain/variants.hpp"
 #include "checker/judging/judge.hpp"
@@ -55,7 +56,7 @@ struct Attempt {
            body + "\n}\n";
   }
 
-  std::optional<Finding> slip() const {
+  std::optional<Reason> slip() const {
     return slip_or_branch({submission, reference, observation, judgement}, toolchain(), shared_cache());
   }
 };
@@ -116,7 +117,7 @@ TEST_CASE("findings are the reason if their fix makes all cases right, and a par
         code_reasons({judged.submission, judged.reference, judged.observation, judged.judgement},
                      source_findings(task, compilation, toolchain(), shared_cache()), toolchain(), shared_cache());
     std::string names = found.are_all ? "all:" : "";
-    for (const Finding& each : found.findings) names += " " + each.name;
+    for (const Reason& each : found.reasons) names += " " + each.name;
     return names;
   };
   CHECK(reasons("return 2 * n * x * (1 / 2);") == "all: integer_division");
@@ -138,7 +139,8 @@ TEST_CASE("a quotient of whole numbers with names is a reason where one of doubl
   const Quotient quotients[] = {
       {"const int one = 1, two = 2;\nreturn 2 * n * x * (one / two);", 1, true},
       {"auto ratio = [](int a, int b) { return a / b; };\nreturn 2 * n * x * ratio(1, 2);", 1, true},
-      {"const int steps = 4;\ndouble sum = 0;\nfor (int i = 0; i < steps; ++i) sum += (1 / steps) * n * x;\nreturn sum;",
+      {"const int steps = 4;\ndouble sum = 0;\nfor (int i = 0; i < steps; ++i) sum += (1 / steps) * n * x;\nreturn "
+       "sum;",
        1, true},
       {"const int k = 5;\nreturn -n * x * (k / 3);", 1, false},
       {"return x / 2 * n / 1.0;", 0, false},
@@ -160,7 +162,7 @@ TEST_CASE("a unit of variants knows its lines, and reads headers once") {
   const SourceText source(text);
   std::vector<Variant> variants = one_token_variants(source, reference);
   const std::size_t slips = variants.size();
-  for (Variant& other : fixed_variants(source, {{.line = 7, .name = "static_variable"}}))
+  for (Variant& other : fixed_variants(source, {{.line = 7, .fix = Fix::not_static}}))
     variants.push_back(std::move(other));
   REQUIRE(slips > 20);
   REQUIRE(variants.size() == slips + 1);
@@ -256,6 +258,25 @@ TEST_CASE("a whole number that no type holds becomes no other one by accident") 
   const std::string text = Attempt::text_of("return n * x * 99999999999999999999;");
   for (const Variant& variant : one_token_variants(SourceText(text), n_times_x()))
     CHECK_MESSAGE(!has(edited(text, variant.edits), "9223372036854775808"), edited(text, variant.edits));
+}
+
+TEST_CASE("what names the line to change is told at the third try of a problem, and slips of C++ at once") {
+  const ExerciseReference reference = n_times_x();
+  Answers answers;
+  for (const Case& one : reference.cases) answers.emplace_back(one.expected);
+  answers.front() = Value{1, 1, {-3}};
+  for (const int stage : {1, 2, 3}) {
+    std::vector<Reason> reasons = {{.name = "integer_division"}, {ReasonKind::repair, "slips_name"}};
+    hold_back(reasons, stage, reference, answers);
+    CHECK(reasons.size() == (stage == 3 ? 2 : 1));
+    CHECK(reasons.front().name == "integer_division");
+    for (const char* name : {"slip_sign", "slips_sign", "branch"}) {
+      reasons = {{ReasonKind::repair, name}};
+      hold_back(reasons, stage, reference, answers);
+      REQUIRE(reasons.size() == 1);
+      CHECK(reasons.front().name == (stage == 3 ? name : "where"));
+    }
+  }
 }
 
 }  // namespace workbook::testing

@@ -279,8 +279,8 @@ class Grader {
     checked->task = task;
     checked->reference = &reference;
     std::vector<std::string> misconceptions;
-    for (const Diagnosis& diagnosis : checked->explanation.diagnoses)
-      if (diagnosis.kind == DiagnosisKind::misconception) misconceptions.push_back(diagnosis.name);
+    for (const Reason& reason : checked->reasons)
+      if (reason.kind == ReasonKind::misconception) misconceptions.push_back(reason.name);
     checked->share = assignment_.share(checked->judgement, reference, misconceptions, hints_of(student, exercise));
     return *checked;
   }

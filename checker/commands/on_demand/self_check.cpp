@@ -376,7 +376,7 @@ class SelfCheck {
     if (checked.judgement.verdict != Verdict::passed)
       fault(file, "the verdict is {}, not passed: {} Correct the solution or its judging.",
             to_string(checked.judgement.verdict), checked.judgement.message);
-    else if (!checked.explanation.is_empty())
+    else if (!checked.reasons.empty())
       fault(file, "passes, and a fault is explained all the same.");
   }
 
@@ -392,7 +392,7 @@ class SelfCheck {
 
 /// "line 7, another sign: return -x"
 std::string name_of(const Variant& mutant, const std::string& text) {
-  const bool is_gone = mutant.kind == "statement";
+  const bool is_gone = mutant.kind == VariantKind::statement;
   const auto line = static_cast<std::size_t>(mutant.place.line);
   std::string changed = lines_of(is_gone ? text : edited(text, mutant.edits)).at(line - 1);
   changed.erase(0, changed.find_first_not_of(' '));

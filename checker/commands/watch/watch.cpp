@@ -21,7 +21,7 @@ std::vector<fs::path> files_of(const Course& course) {
 }
 
 /// Why an exercise is checked.
-enum class Reason {
+enum class Occasion {
   saved,    ///< a verdict is owed, come what may
   arrived,  ///< to see how the exercise stands that the watch has come to
   asked     ///< by a key, or by name: the exercise stays even if it passes
@@ -29,7 +29,7 @@ enum class Reason {
 
 struct Wanted {
   std::size_t index = 0;
-  Reason reason = Reason::saved;
+  Occasion occasion = Occasion::saved;
 };
 
 /// One loop waits for saved files, keys, signals, the running check and the plot. These two have processes of their
@@ -51,7 +51,7 @@ class Watch {
     current_ =
         static_cast<std::size_t>(std::ranges::find(exercises_, first.entry, &Exercise::entry) - exercises_.begin());
     if (is_exercise || !passed_[current_]) {
-      go_to(current_, is_exercise ? Reason::asked : Reason::arrived);
+      go_to(current_, is_exercise ? Occasion::asked : Occasion::arrived);
     } else {
       go_to_next(lecture_);
     }
@@ -159,7 +159,7 @@ class Watch {
     if (check_ && checked_.index == index) check_.reset();
     std::erase_if(waiting_, [&](const Wanted& each) { return each.index == index; });
     come_to(index);
-    waiting_.push_front({index, Reason::saved});
+    waiting_.push_front({index, Occasion::saved});
   }
 
   // --- checks and plots
@@ -203,7 +203,7 @@ class Watch {
     }
     const bool passed = checked.judgement.passed();
     const bool is_current = checked_.index == current_;
-    if (is_current && (!passed || checked_.reason == Reason::asked)) return show(std::move(checked));
+    if (is_current && (!passed || checked_.occasion == Occasion::asked)) return show(std::move(checked));
     const std::string text = terminal_report(checked, course_, console_);
     notice(passed || !on_screen_ ? text : text.substr(0, text.find('\n')));
     if (is_current) go_to_next(lecture_);
@@ -271,7 +271,7 @@ class Watch {
   }
 
   void go_to_next(const std::string& lecture) {
-    if (const auto next = next_in(lecture)) return go_to(*next, Reason::arrived);
+    if (const auto next = next_in(lecture)) return go_to(*next, Occasion::arrived);
     come_to(current_);
     const auto count =
         std::ranges::count_if(exercises_, [&](const Exercise& each) { return each.lecture().starts_with(lecture); });
@@ -282,8 +282,8 @@ class Watch {
 
   /// Before something else is looked at. A saved file keeps its right to a verdict.
   void come_to(std::size_t index) {
-    std::erase_if(waiting_, [](const Wanted& each) { return each.reason != Reason::saved; });
-    if (check_ && checked_.reason != Reason::saved) check_.reset();
+    std::erase_if(waiting_, [](const Wanted& each) { return each.occasion != Occasion::saved; });
+    if (check_ && checked_.occasion != Occasion::saved) check_.reset();
     plot_.reset();
     result_.reset();
     for (std::string* text : {&text_, &plot_text_, &panel_, &remark_}) text->clear();
@@ -292,12 +292,12 @@ class Watch {
     current_ = index;
   }
 
-  void go_to(std::size_t index, Reason reason) {
+  void go_to(std::size_t index, Occasion occasion) {
     come_to(index);
     say(text_, introduction(course_, exercises_[index], console_));
     // A stub has no verdict worth waiting for.
     const bool is_checked = check_ && checked_.index == index;
-    if (!is_checked && is_begun(course_.student_file(exercises_[index]))) waiting_.push_back({index, reason});
+    if (!is_checked && is_begun(course_.student_file(exercises_[index]))) waiting_.push_back({index, occasion});
   }
 
   // --- keys
@@ -313,7 +313,7 @@ class Watch {
   void go_back() {
     if (current_ == 0) return say(remark_, "This is the first exercise of the course.");
     notices_.clear();
-    go_to(current_ - 1, Reason::asked);
+    go_to(current_ - 1, Occasion::asked);
   }
 
   void check_again() {
@@ -322,7 +322,7 @@ class Watch {
     if (is_running) check_.reset();  // its verdict is shown; what it still does is for that one
     notices_.clear();
     come_to(current_);
-    waiting_.push_front({current_, Reason::asked});
+    waiting_.push_front({current_, Occasion::asked});
   }
 
   void show_in_full() {

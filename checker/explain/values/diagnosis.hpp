@@ -3,50 +3,21 @@
 /// sure.
 #pragma once
 
+#include "checker/data/reason.hpp"
 #include "checker/judging/comparison.hpp"
 
 #include <set>
 
 namespace workbook {
 
-enum class DiagnosisKind {
-  misconception,    ///< a named wrong answer
-  term,             ///< a wrong coefficient
-  transform,        ///< the right result, changed as a whole
-  input_transform,  ///< the right result for changed inputs
-  difference,       ///< by what a component differs
-  split,            ///< what the failing cases have in common
-  independence,     ///< an input that never changes the result
-  entry,            ///< entries that hold something else
-  place,            ///< which components are wrong, and where
-  accuracy,         ///< right to some digits only
-  learnt,           ///< the results of known cases, and no function
-  property,
-  dimension
-};
-std::string to_string(DiagnosisKind kind);
-
-/// Either true or absent.
-struct Diagnosis {
-  DiagnosisKind kind = DiagnosisKind::misconception;
-  std::string name;
-  std::string message;     ///< one sentence
-  std::string notes = {};  ///< anchor of the paragraph to read; may be empty
-
-  /// True, but a consequence of a reason that it does not name.
-  bool is_symptom() const;
-};
-void to_json(nlohmann::json& json, const Diagnosis& diagnosis);
-void from_json(const nlohmann::json& json, Diagnosis& diagnosis);
-
 /// The most telling of the diagnoses. A misconception that gives the student's answers explains them wholly, and so
 /// does a wrong coefficient or a transform of the whole: then it stands alone. Otherwise: what properties and
 /// dimensions tell. Empty where nothing certain can be said.
-std::vector<Diagnosis> diagnose(const ExerciseReference& exercise, const Answers& answers,
-                                const std::vector<UnitProbe>& probes);
+std::vector<Reason> diagnose(const ExerciseReference& exercise, const Answers& answers,
+                             const std::vector<UnitProbe>& probes);
 
 /// Looks for one kind of reason.
-using Mechanism = std::optional<Diagnosis>(const ExerciseReference& exercise, const Answers& answers);
+using Mechanism = std::optional<Reason>(const ExerciseReference& exercise, const Answers& answers);
 
 // --- recognising a whole answer at all deciding cases (whole_answer.cpp)
 
@@ -88,7 +59,7 @@ struct IndependentInput {
 std::vector<IndependentInput> independent_inputs(const ExerciseReference& exercise, const Answers& answers);
 
 /// Nothing where none of them has a name, as a column of a list.
-std::optional<Diagnosis> independence(const ExerciseReference& exercise, const std::vector<IndependentInput>& inputs);
+std::optional<Reason> independence(const ExerciseReference& exercise, const std::vector<IndependentInput>& inputs);
 
 // --- what the failing cases have in common (splits.cpp)
 
@@ -140,7 +111,7 @@ bool clearly_lacks(const ExerciseReference& exercise, const Property& property, 
 
 /// One diagnosis for each property that all expected values have and a student's value at some deciding case clearly
 /// lacks.
-std::vector<Diagnosis> diagnose_properties(const ExerciseReference& exercise, const Answers& answers);
+std::vector<Reason> diagnose_properties(const ExerciseReference& exercise, const Answers& answers);
 
 // --- the inputs as named numbers: what formulas are made of (quantities.cpp)
 
@@ -178,7 +149,7 @@ std::vector<Value> probe_inputs(const ExerciseReference& exercise, const UnitPro
 
 /// One diagnosis for each base unit in which the student's result has a clearly wrong exponent; else one that says that
 /// it has no single exponent; else none.
-std::vector<Diagnosis> diagnose_dimensions(const ExerciseReference& exercise, const Answers& answers,
-                                           const std::vector<UnitProbe>& probes);
+std::vector<Reason> diagnose_dimensions(const ExerciseReference& exercise, const Answers& answers,
+                                        const std::vector<UnitProbe>& probes);
 
 }  // namespace workbook

@@ -107,13 +107,14 @@ std::string wrong_power(const Base& base, double expected_decades, double actual
 }
 
 /// "Your result has the unit kg² m⁴, and kg m² is asked for."
-Diagnosis wrong_unit(Unit actual, const ExerciseReference& exercise) {
+Reason wrong_unit(Unit actual, const ExerciseReference& exercise) {
   const auto words = [](Unit unit) { return unit == units::none ? "no unit" : "the unit " + to_string(unit); };
   Unit expected = exercise.result_units.front();
   expected.radian = 0;
-  return {DiagnosisKind::dimension, "unit",
+  return {ReasonKind::dimension, "unit",
           fmt::format("Your result has {}, and {} is asked for.", words(actual),
-                      expected == units::none ? "a pure number" : to_string(exercise.result_units.front()))};
+                      expected == units::none ? "a pure number" : to_string(exercise.result_units.front())),
+          Weight::symptom};
 }
 
 std::string no_single_power(const Base& base, const std::string& component) {
@@ -144,10 +145,10 @@ std::vector<Value> probe_inputs(const ExerciseReference& exercise, const UnitPro
   return inputs;
 }
 
-std::vector<Diagnosis> diagnose_dimensions(const ExerciseReference& exercise, const Answers& answers,
-                                           const std::vector<UnitProbe>& probes) {
-  std::vector<Diagnosis> wrong_powers;
-  std::vector<Diagnosis> no_powers;
+std::vector<Reason> diagnose_dimensions(const ExerciseReference& exercise, const Answers& answers,
+                                        const std::vector<UnitProbe>& probes) {
+  std::vector<Reason> wrong_powers;
+  std::vector<Reason> no_powers;
   Unit actual = exercise.result_units.front();  // where every base unit has one whole power
   actual.radian = 0;
   bool has_unit = exercise.result_units.size() == 1;
@@ -172,12 +173,14 @@ std::vector<Diagnosis> diagnose_dimensions(const ExerciseReference& exercise, co
       const Value& result = exercise.cases[probe.case_indices.front()].expected;
       const std::string component = number ? entry_name(result, exercise.result_kind, *number) : "";
       if (observed.finding == UnitFinding::single_power && observed.value != expected) {
-        wrong_powers.push_back({DiagnosisKind::dimension, std::string(1, probe.base),
-                                wrong_power(base, expected * decades, observed.value * decades, component)});
+        wrong_powers.push_back({ReasonKind::dimension, std::string(1, probe.base),
+                                wrong_power(base, expected * decades, observed.value * decades, component),
+                                Weight::symptom});
         break;
       }
       if (observed.finding == UnitFinding::no_single_power) {
-        no_powers.push_back({DiagnosisKind::dimension, std::string(1, probe.base), no_single_power(base, component)});
+        no_powers.push_back(
+            {ReasonKind::dimension, std::string(1, probe.base), no_single_power(base, component), Weight::symptom});
         break;
       }
     }

@@ -217,7 +217,7 @@ Relation relation(const ExerciseReference& exercise, const Answers& answers, std
 
 }  // namespace
 
-std::optional<Diagnosis> diagnose_factor(const ExerciseReference& exercise, const Answers& answers) {
+std::optional<Reason> diagnose_factor(const ExerciseReference& exercise, const Answers& answers) {
   if (exercise.comparison != Comparison::plain || exercise.result_kind == Kind::integer) return std::nullopt;
   if (!all_deciding_cases_answered(exercise, answers)) return std::nullopt;
   const Value& shape = exercise.cases.front().expected;
@@ -236,8 +236,8 @@ std::optional<Diagnosis> diagnose_factor(const ExerciseReference& exercise, cons
   }
   if (names.empty()) return std::nullopt;
   const bool is_whole = names.size() == shape.numbers.size();
-  return Diagnosis{
-      DiagnosisKind::transform, "missing_factor",
+  return Reason{
+      ReasonKind::transform, "missing_factor",
       is_whole ? fmt::format("Your result is the expected one {} at every case.", words)
                : fmt::format("In your result {} {} the expected {} {} at every case; all else is right.", listed(names),
                              names.size() == 1 ? "is" : "are", names.size() == 1 ? "one" : "ones", words)};

@@ -96,7 +96,7 @@ std::vector<Invariant> of_tensors() {
 }
 
 /// Which of the three angles are right by themselves.
-std::optional<Diagnosis> diagnose_angles(const ExerciseReference& exercise, const Answers& answers) {
+std::optional<Reason> diagnose_angles(const ExerciseReference& exercise, const Answers& answers) {
   const char* const names[] = {"phi", "theta", "psi"};
   std::vector<std::string> right, wrong;
   for (std::size_t n = 0; n < 3; ++n) {
@@ -107,14 +107,15 @@ std::optional<Diagnosis> diagnose_angles(const ExerciseReference& exercise, cons
     (is_right ? right : wrong).emplace_back(names[n]);
   }
   if (right.empty() || wrong.empty()) return std::nullopt;
-  return Diagnosis{DiagnosisKind::place, "angles",
-                   fmt::format("At every case {} {} right, and {} {} not.", listed(right),
-                               right.size() == 1 ? "is" : "are", listed(wrong), wrong.size() == 1 ? "is" : "are")};
+  return Reason{ReasonKind::place, "angles",
+                fmt::format("At every case {} {} right, and {} {} not.", listed(right),
+                            right.size() == 1 ? "is" : "are", listed(wrong), wrong.size() == 1 ? "is" : "are"),
+                Weight::symptom};
 }
 
 }  // namespace
 
-std::optional<Diagnosis> diagnose_invariant(const ExerciseReference& exercise, const Answers& answers) {
+std::optional<Reason> diagnose_invariant(const ExerciseReference& exercise, const Answers& answers) {
   if (!all_deciding_cases_answered(exercise, answers)) return std::nullopt;
   const std::vector<std::size_t> deciding = deciding_cases(exercise);
   if (!std::ranges::all_of(deciding, [&](std::size_t i) { return answers[i]->is_finite(); })) return std::nullopt;
@@ -143,7 +144,7 @@ std::optional<Diagnosis> diagnose_invariant(const ExerciseReference& exercise, c
                               return (e.array() != 0).count() <= 1;
                             });
     if (holds && !is_trivial && common >= fewest_invariant && 2 * wrong >= common)
-      return Diagnosis{DiagnosisKind::place, each.name, each.words};
+      return Reason{ReasonKind::place, each.name, each.words, Weight::symptom};
   }
   return std::nullopt;
 }

@@ -25,7 +25,7 @@ std::set<std::size_t> wrong_entries(const ExerciseReference& exercise, const Ans
   return wrong;
 }
 
-std::optional<Diagnosis> diagnose_place(const ExerciseReference& exercise, const Answers& answers) {
+std::optional<Reason> diagnose_place(const ExerciseReference& exercise, const Answers& answers) {
   const std::set<std::size_t> wrong = wrong_entries(exercise, answers);
   const Value& shape = exercise.cases.front().expected;
   const Outcomes outcome = outcomes_of(exercise, answers);
@@ -40,12 +40,13 @@ std::optional<Diagnosis> diagnose_place(const ExerciseReference& exercise, const
                                 ? fmt::format("at all {}", plural(outcome.wrong.size(), "case"))
                                 : fmt::format("at {} of {}", outcome.wrong.size(),
                                               plural(outcome.right.size() + outcome.wrong.size(), "case"));
-  return Diagnosis{DiagnosisKind::place, "place",
-                   fmt::format("Only {} {} wrong, {}; all other numbers are right everywhere.", listed(names),
-                               wrong.size() == 1 ? "is" : "are", where)};
+  return Reason{ReasonKind::place, "place",
+                fmt::format("Only {} {} wrong, {}; all other numbers are right everywhere.", listed(names),
+                            wrong.size() == 1 ? "is" : "are", where),
+                Weight::symptom};
 }
 
-std::optional<Diagnosis> diagnose_accuracy(const ExerciseReference& exercise, const Answers& answers) {
+std::optional<Reason> diagnose_accuracy(const ExerciseReference& exercise, const Answers& answers) {
   constexpr double largest = 1e-2, single_precision = 1e-6;
   constexpr std::size_t fewest = 5;
   std::vector<std::pair<std::size_t, double>> errors;  // of the wrong cases, in natural sizes
@@ -77,14 +78,15 @@ std::optional<Diagnosis> diagnose_accuracy(const ExerciseReference& exercise, co
   else if (worst < single_precision)
     law = " A `float` has so many, and so has a constant or a step of about that accuracy.";
   else
-    return Diagnosis{DiagnosisKind::accuracy, "near",
-                     fmt::format("Your result is nearly right: it differs by less than {} % of its size at every case. "
-                                 "Either a small term is wrong or missing, or the calculation is too coarse.",
-                                 number_text(std::ceil(1000 * worst) / 10, 2))};
+    return Reason{ReasonKind::accuracy, "near",
+                  fmt::format("Your result is nearly right: it differs by less than {} % of its size at every case. "
+                              "Either a small term is wrong or missing, or the calculation is too coarse.",
+                              number_text(std::ceil(1000 * worst) / 10, 2)),
+                  Weight::symptom};
   const std::string sentence =
       fmt::format("Your result is right to about {} at every case, and more are asked for.{}",
                   plural(static_cast<std::size_t>(std::max(1.0, std::floor(-std::log10(worst)))), "digit"), law);
-  return Diagnosis{DiagnosisKind::accuracy, "accuracy", sentence};
+  return Reason{ReasonKind::accuracy, "accuracy", sentence, Weight::possible};
 }
 
 std::vector<IndependentInput> independent_inputs(const ExerciseReference& exercise, const Answers& answers) {
@@ -114,7 +116,7 @@ std::vector<IndependentInput> independent_inputs(const ExerciseReference& exerci
   return found;
 }
 
-std::optional<Diagnosis> independence(const ExerciseReference& exercise, const std::vector<IndependentInput>& inputs) {
+std::optional<Reason> independence(const ExerciseReference& exercise, const std::vector<IndependentInput>& inputs) {
   std::vector<std::string> names;
   const std::vector<Quantity> quantities = quantities_of(exercise);
   for (const Quantity& each : quantities) {
@@ -126,11 +128,11 @@ std::optional<Diagnosis> independence(const ExerciseReference& exercise, const s
     if (std::ranges::find(names, name) == names.end()) names.push_back(name);
   }
   if (names.empty()) return std::nullopt;
-  return Diagnosis{DiagnosisKind::independence, "independence",
-                   fmt::format("Your result never changes with {}; the right one does.", listed(names))};
+  return Reason{ReasonKind::independence, "independence",
+                fmt::format("Your result never changes with {}; the right one does.", listed(names)), Weight::symptom};
 }
 
-std::optional<Diagnosis> diagnose_entries(const ExerciseReference& exercise, const Answers& answers) {
+std::optional<Reason> diagnose_entries(const ExerciseReference& exercise, const Answers& answers) {
   const std::set<std::size_t> wrong = wrong_entries(exercise, answers);
   const Value& shape = exercise.cases.front().expected;
   if (wrong.empty() || wrong.size() == shape.numbers.size()) return std::nullopt;
@@ -163,11 +165,11 @@ std::optional<Diagnosis> diagnose_entries(const ExerciseReference& exercise, con
     }
   }
   if (moved.size() == wrong.size() && moved.size() <= 3)
-    return Diagnosis{DiagnosisKind::entry, "moved_entry", capitalized(listed(moved)) + "."};
+    return Reason{ReasonKind::entry, "moved_entry", capitalized(listed(moved)) + "."};
   return std::nullopt;
 }
 
-std::optional<Diagnosis> diagnose_range(const ExerciseReference& exercise, const Answers& answers) {
+std::optional<Reason> diagnose_range(const ExerciseReference& exercise, const Answers& answers) {
   struct Range {
     const char* what;
     const char* beyond;
@@ -196,13 +198,13 @@ std::optional<Diagnosis> diagnose_range(const ExerciseReference& exercise, const
     ++beyond;
   }
   if (!first) return std::nullopt;
-  return Diagnosis{DiagnosisKind::property, "range",
-                   fmt::format("Your {} at every case, but at {} {}: it is {} at the case “{}”. {}", range->what,
-                               plural(beyond, "case"), range->beyond, number_text(range->of(*answers[*first]), 4),
-                               exercise.cases[*first].name, range->advice)};
+  return Reason{ReasonKind::property, "range",
+                fmt::format("Your {} at every case, but at {} {}: it is {} at the case “{}”. {}", range->what,
+                            plural(beyond, "case"), range->beyond, number_text(range->of(*answers[*first]), 4),
+                            exercise.cases[*first].name, range->advice)};
 }
 
-std::optional<Diagnosis> diagnose_eigenvectors(const ExerciseReference& exercise, const Answers& answers) {
+std::optional<Reason> diagnose_eigenvectors(const ExerciseReference& exercise, const Answers& answers) {
   if (exercise.comparison != Comparison::eigenvectors) return std::nullopt;
   struct Fault {
     const char* name;
@@ -234,9 +236,9 @@ std::optional<Diagnosis> diagnose_eigenvectors(const ExerciseReference& exercise
     faults.push_back(fmt::format("at {} they {}", plural(fault.cases, "case"), fault.words));
   }
   if (faults.empty()) return std::nullopt;
-  return Diagnosis{DiagnosisKind::entry, name,
-                   fmt::format("Your columns are principal axes of length 1 at all {}, but {}.",
-                               plural(exercise.cases.size(), "case"), listed(faults))};
+  return Reason{ReasonKind::entry, name,
+                fmt::format("Your columns are principal axes of length 1 at all {}, but {}.",
+                            plural(exercise.cases.size(), "case"), listed(faults))};
 }
 
 }  // namespace workbook

@@ -163,8 +163,8 @@ bool clearly_lacks(const ExerciseReference& exercise, const Property& property, 
   return violation(exercise, property, case_index, value).size > clear_margin * exercise.cases.at(case_index).tolerance;
 }
 
-std::vector<Diagnosis> diagnose_properties(const ExerciseReference& exercise, const Answers& answers) {
-  std::vector<Diagnosis> diagnoses;
+std::vector<Reason> diagnose_properties(const ExerciseReference& exercise, const Answers& answers) {
+  std::vector<Reason> diagnoses;
   for (const Property& property : exercise.properties) {
     bool all_expected_have_it = true;
     for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
@@ -177,10 +177,11 @@ std::vector<Diagnosis> diagnose_properties(const ExerciseReference& exercise, co
       if (!clearly_lacks(exercise, property, i, *answers[i])) continue;
       const std::string detail = violation(exercise, property, i, *answers[i]).detail;
       diagnoses.push_back(
-          {DiagnosisKind::property, to_string(property.kind),
+          {ReasonKind::property, to_string(property.kind),
            fmt::format("{}; with yours, {} (case “{}”).", capitalized(without_full_stop(property.message)), detail,
                        exercise.cases[i].name),
-           property.notes});
+           // A wrong order is all that there is to say.
+           property.kind == PropertyKind::ascending ? Weight::cause : Weight::symptom, property.notes});
       break;
     }
   }

@@ -212,7 +212,7 @@ class Fitter {
 
 }  // namespace
 
-std::optional<Diagnosis> diagnose_difference(const ExerciseReference& exercise, const Answers& answers) {
+std::optional<Reason> diagnose_difference(const ExerciseReference& exercise, const Answers& answers) {
   if (exercise.comparison != Comparison::plain) return std::nullopt;
   const Value& shape = exercise.cases.front().expected;
   if (!std::ranges::all_of(exercise.cases, [&](const Case& one) { return one.expected.has_shape_of(shape); }))
@@ -244,7 +244,7 @@ std::optional<Diagnosis> diagnose_difference(const ExerciseReference& exercise, 
   }
   if (wrong == 0) return std::nullopt;
   if (shape.numbers.size() > wrong) sentence += "; all else is right";
-  return Diagnosis{DiagnosisKind::difference, "difference", "In your result " + sentence + "."};
+  return Reason{ReasonKind::difference, "difference", "In your result " + sentence + "."};
 }
 
 }  // namespace workbook

@@ -91,9 +91,9 @@ void check_misconceptions(const ExerciseReference& exercise, Sentences& found) {
 
     const std::vector<Value>& outputs = one->outputs;
     const auto diagnoses = diagnose(exercise, Answers(outputs.begin(), outputs.end()), {});
-    if (diagnoses.size() == 1 && diagnoses.front().message == one->message) continue;
+    if (diagnoses.size() == 1 && diagnoses.front().sentence == one->message) continue;
     found.push_back(fmt::format("The misconception {} is not named when a student has it: {}", one->name,
-                                diagnoses.empty() ? "nothing is said." : diagnoses.front().message));
+                                diagnoses.empty() ? "nothing is said." : diagnoses.front().sentence));
   }
 }
 

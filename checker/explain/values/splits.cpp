@@ -245,7 +245,7 @@ Outcomes outcomes_of(const ExerciseReference& exercise, const Answers& answers) 
   return outcome;
 }
 
-std::optional<Diagnosis> diagnose_split(const ExerciseReference& exercise, const Answers& answers) {
+std::optional<Reason> diagnose_split(const ExerciseReference& exercise, const Answers& answers) {
   const Outcomes outcome = outcomes_of(exercise, answers);
   constexpr std::size_t fewest = 2, fewest_right = 4, most_features = 2;
   if (outcome.wrong.size() < fewest || outcome.right.size() < fewest_right) return std::nullopt;
@@ -269,19 +269,19 @@ std::optional<Diagnosis> diagnose_split(const ExerciseReference& exercise, const
   const std::string there = words_of_wrong(exercise, answers, outcome.wrong);
   const std::string total = plural(outcome.right.size() + outcome.wrong.size(), "case");
   if (!exact.empty() && exact.size() <= most_features)
-    return Diagnosis{
-        DiagnosisKind::split, "split",
+    return Reason{
+        ReasonKind::split, "split",
         fmt::format("Your result is wrong exactly where {}{} ({} of {}), and right elsewhere.{}", exact.front(),
                     exact.size() > 1 ? " (in these cases the same as: " + exact.back() + ")" : "", outcome.wrong.size(),
                     total, there)};
   if (!exact.empty() || nearly.size() != 1) return std::nullopt;  // of many that fit none is certain
   const auto& [words, right] = nearly.front();
-  return Diagnosis{DiagnosisKind::split, "split",
-                   fmt::format("Your result is wrong only where {} (at {} of those {}), and right elsewhere.{}", words,
-                               outcome.wrong.size(), plural(outcome.wrong.size() + right, "case"), there)};
+  return Reason{ReasonKind::split, "split",
+                fmt::format("Your result is wrong only where {} (at {} of those {}), and right elsewhere.{}", words,
+                            outcome.wrong.size(), plural(outcome.wrong.size() + right, "case"), there)};
 }
 
-std::optional<Diagnosis> diagnose_one_side(const ExerciseReference& exercise, const Answers& answers) {
+std::optional<Reason> diagnose_one_side(const ExerciseReference& exercise, const Answers& answers) {
   const Outcomes outcome = outcomes_of(exercise, answers);
   constexpr std::size_t fewest = 4;
   if (outcome.wrong.empty()) return std::nullopt;
@@ -297,9 +297,10 @@ std::optional<Diagnosis> diagnose_one_side(const ExerciseReference& exercise, co
   if (sides.size() != 1) return std::nullopt;
   const auto& [words, right] = sides.front();
   const std::size_t elsewhere = outcome.right.size() + outcome.wrong.size() - right;
-  return Diagnosis{DiagnosisKind::split, "one_side",
-                   fmt::format("Your result is right at all {} where {}, and wrong at {} of the {} others.",
-                               plural(right, "case"), words, outcome.wrong.size(), elsewhere)};
+  return Reason{ReasonKind::split, "one_side",
+                fmt::format("Your result is right at all {} where {}, and wrong at {} of the {} others.",
+                            plural(right, "case"), words, outcome.wrong.size(), elsewhere),
+                Weight::symptom};
 }
 
 /// The kinds of cases that are wrong, by their names, where all others are right; nothing where these are most.
@@ -318,17 +319,18 @@ static std::vector<std::string> wrong_kinds(const ExerciseReference& exercise, c
   return right < fewest_right || wrong.size() > most_named ? std::vector<std::string>() : wrong;
 }
 
-std::optional<Diagnosis> diagnose_few(const ExerciseReference& exercise, const Answers& answers) {
+std::optional<Reason> diagnose_few(const ExerciseReference& exercise, const Answers& answers) {
   const Outcomes outcome = outcomes_of(exercise, answers);
   constexpr std::size_t most_named = 3;
   const std::size_t total = outcome.right.size() + outcome.wrong.size();
   if (outcome.wrong.size() > most_named)
     if (const std::vector<std::string> kinds = wrong_kinds(exercise, outcome); !kinds.empty())
-      return Diagnosis{
-          DiagnosisKind::split, "kinds",
+      return Reason{
+          ReasonKind::split, "kinds",
           fmt::format("Your result is right at {} of {} and wrong at all of {} {}: {}.{}", outcome.right.size(),
                       plural(total, "case"), kinds.size() == 1 ? "this" : "these", kinds.size() == 1 ? "kind" : "kinds",
-                      listed(kinds), words_of_wrong(exercise, answers, outcome.wrong))};
+                      listed(kinds), words_of_wrong(exercise, answers, outcome.wrong)),
+          Weight::symptom};
   if (outcome.wrong.empty() || outcome.wrong.size() * 8 > total) return std::nullopt;
   // Wrong ones that differ from a right one in one change.
   std::vector<std::pair<std::string, std::string>> changes;  // and the case that was changed
@@ -348,21 +350,23 @@ std::optional<Diagnosis> diagnose_few(const ExerciseReference& exercise, const A
   if (described.empty()) {
     const auto [change, base] = changes.front();
     const std::size_t others = changes.size() - 1;
-    return Diagnosis{
-        DiagnosisKind::split, "one_change",
+    return Reason{
+        ReasonKind::split, "one_change",
         fmt::format("Your result is right at the case {}, and wrong once this alone is changed there: {}{}.{}",
                     in_quotes(base), change,
-                    others == 0 ? "" : fmt::format(" (and {} like it)", plural(others, "change")), there)};
+                    others == 0 ? "" : fmt::format(" (and {} like it)", plural(others, "change")), there),
+        Weight::symptom};
   }
   if (described.size() + changes.size() > most_named) return std::nullopt;
   std::vector<std::string> names;
   for (const std::size_t i : outcome.wrong) names.push_back(in_quotes(exercise.cases[i].name));
-  return Diagnosis{DiagnosisKind::split, "few",
-                   fmt::format("Your result is right at {} of {}; only {} {} wrong.{}", outcome.right.size(),
-                               plural(total, "case"), listed(names), names.size() == 1 ? "is" : "are", there)};
+  return Reason{ReasonKind::split, "few",
+                fmt::format("Your result is right at {} of {}; only {} {} wrong.{}", outcome.right.size(),
+                            plural(total, "case"), listed(names), names.size() == 1 ? "is" : "are", there),
+                Weight::symptom};
 }
 
-std::optional<Diagnosis> diagnose_conditional(const ExerciseReference& exercise, const Answers& answers) {
+std::optional<Reason> diagnose_conditional(const ExerciseReference& exercise, const Answers& answers) {
   const Outcomes outcome = outcomes_of(exercise, answers);
   std::vector<std::size_t> wrong = outcome.wrong;
   std::erase_if(wrong, [&](std::size_t i) { return i >= exercise.described_cases(); });
@@ -372,7 +376,7 @@ std::optional<Diagnosis> diagnose_conditional(const ExerciseReference& exercise,
   const auto is_trivial = [&](const Value& value) {
     return !value.is_finite() || std::ranges::all_of(value.numbers, [](double number) { return number == 0; });
   };
-  std::optional<Diagnosis> named;
+  std::optional<Reason> named;
   for (const Misconception& each : exercise.misconceptions) {
     // Zeros agree with every wrong answer that happens to vanish there.
     const bool is_telling = std::ranges::all_of(each.outputs, is_trivial) ||
@@ -382,10 +386,10 @@ std::optional<Diagnosis> diagnose_conditional(const ExerciseReference& exercise,
           return !passes(exercise, i, each.outputs[i]) && is_same_answer(exercise, i, *answers[i], each.outputs[i]);
         });
     if (!fits) continue;
-    if (named && named->message != each.message) return std::nullopt;
-    named =
-        Diagnosis{DiagnosisKind::misconception, each.name,
-                  fmt::format("At the cases where your result is wrong, and only there: {}", each.message), each.notes};
+    if (named && named->sentence != each.message) return std::nullopt;
+    named = Reason{ReasonKind::misconception, each.name,
+                   fmt::format("At the cases where your result is wrong, and only there: {}", each.message),
+                   Weight::cause, each.notes};
   }
   return named;
 }

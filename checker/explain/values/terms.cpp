@@ -108,7 +108,7 @@ bool TermEquations::determine_coefficients() const {
   return NormalEquations(terms).are_independent();
 }
 
-std::optional<Diagnosis> diagnose_terms(const ExerciseReference& exercise, const Answers& answers) {
+std::optional<Reason> diagnose_terms(const ExerciseReference& exercise, const Answers& answers) {
   if (exercise.terms.empty() || exercise.comparison != Comparison::plain) return std::nullopt;
   if (!all_deciding_cases_answered(exercise, answers)) return std::nullopt;
   const TermEquations equations = term_equations(exercise, answers);
@@ -131,7 +131,7 @@ std::optional<Diagnosis> diagnose_terms(const ExerciseReference& exercise, const
   const auto error = [](const WrongCoefficient& each) { return std::abs(each.actual - each.expected); };
   const double largest = error(*std::ranges::max_element(wrong, {}, error));
   std::erase_if(wrong, [&](const WrongCoefficient& each) { return error(each) < 1e-4 * largest; });
-  return Diagnosis{DiagnosisKind::term, wrong.front().term, sentence_of(wrong)};
+  return Reason{ReasonKind::term, wrong.front().term, sentence_of(wrong)};
 }
 
 }  // namespace workbook

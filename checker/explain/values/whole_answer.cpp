@@ -34,6 +34,7 @@ struct Transform {
   std::string name;
   std::string message;
   std::function<MatrixXd(const MatrixXd&)> apply;
+  Weight weight = Weight::cause;
 };
 
 /// The factor by least squares, each number measured in its natural size.
@@ -78,7 +79,8 @@ Transform scaled(const ExerciseReference& exercise, double factor) {
             apply};
   }
   const std::string text = coefficient_text(factor);
-  if (text == "0") return {"zero", "Your result is zero everywhere, also where the expected one is not.", apply};
+  if (text == "0")
+    return {"zero", "Your result is zero everywhere, also where the expected one is not.", apply, Weight::symptom};
   return {"factor", factor_sentence(text), apply};
 }
 
@@ -126,9 +128,9 @@ std::vector<Transform> reorderings(const ExerciseReference& exercise) {
 
 }  // namespace
 
-std::optional<Diagnosis> diagnose_misconception(const ExerciseReference& exercise, const Answers& answers) {
+std::optional<Reason> diagnose_misconception(const ExerciseReference& exercise, const Answers& answers) {
   if (!all_deciding_cases_answered(exercise, answers)) return std::nullopt;
-  std::optional<Diagnosis> named;
+  std::optional<Reason> named;
   for (const Misconception& misconception : exercise.misconceptions) {
     // Where both are wrong, the agreement says something.
     const auto both_are_wrong = [&](std::size_t i) {
@@ -137,13 +139,15 @@ std::optional<Diagnosis> diagnose_misconception(const ExerciseReference& exercis
     if (!agree(exercise, answers, [&](std::size_t i) { return misconception.outputs.at(i); }) ||
         std::ranges::none_of(deciding_cases(exercise), both_are_wrong))
       continue;
-    if (named && named->message != misconception.message) return std::nullopt;
-    if (!named) named = {DiagnosisKind::misconception, misconception.name, misconception.message, misconception.notes};
+    if (named && named->sentence != misconception.message) return std::nullopt;
+    if (!named)
+      named = {ReasonKind::misconception, misconception.name, misconception.message, Weight::cause,
+               misconception.notes};
   }
   return named;
 }
 
-std::optional<Diagnosis> diagnose_transform(const ExerciseReference& exercise, const Answers& answers) {
+std::optional<Reason> diagnose_transform(const ExerciseReference& exercise, const Answers& answers) {
   if (!all_deciding_cases_answered(exercise, answers) || !is_wrong_somewhere(exercise, answers)) return std::nullopt;
   std::vector<Transform> candidates;
   const std::optional<double> factor = common_factor(exercise, answers);
@@ -156,12 +160,12 @@ std::optional<Diagnosis> diagnose_transform(const ExerciseReference& exercise, c
       return to_value(transform.apply(as_matrix(exercise.cases[i].expected)));
     };
     if (agree(exercise, answers, transformed))
-      return Diagnosis{DiagnosisKind::transform, transform.name, transform.message};
+      return Reason{ReasonKind::transform, transform.name, transform.message, transform.weight};
   }
   return std::nullopt;
 }
 
-std::optional<Diagnosis> diagnose_whole_turns(const ExerciseReference& exercise, const Answers& answers) {
+std::optional<Reason> diagnose_whole_turns(const ExerciseReference& exercise, const Answers& answers) {
   const std::set<std::size_t> wrong = wrong_entries(exercise, answers);
   const auto is_angle = [&](std::size_t n) {
     const std::vector<Unit>& of = exercise.result_units;
@@ -181,15 +185,15 @@ std::optional<Diagnosis> diagnose_whole_turns(const ExerciseReference& exercise,
       });
     });
     if (!holds || cases < telling_numbers) continue;
-    return Diagnosis{DiagnosisKind::transform, "whole_turns",
-                     fmt::format("At every case your angle is right up to a multiple of {0}; at {1} that multiple is "
-                                 "not zero. Follow the angle, or bring it into the range that is asked for.",
-                                 text, plural(cases, "case"))};
+    return Reason{ReasonKind::transform, "whole_turns",
+                  fmt::format("At every case your angle is right up to a multiple of {0}; at {1} that multiple is "
+                              "not zero. Follow the angle, or bring it into the range that is asked for.",
+                              text, plural(cases, "case"))};
   }
   return std::nullopt;
 }
 
-std::optional<Diagnosis> diagnose_wrong_part(const ExerciseReference& exercise, const Answers& answers) {
+std::optional<Reason> diagnose_wrong_part(const ExerciseReference& exercise, const Answers& answers) {
   const std::set<std::size_t> wrong = wrong_entries(exercise, answers);
   const Value& shape = exercise.cases.front().expected;
   if (wrong.empty() || wrong.size() == shape.numbers.size() || !all_deciding_cases_answered(exercise, answers))
@@ -215,22 +219,22 @@ std::optional<Diagnosis> diagnose_wrong_part(const ExerciseReference& exercise, 
   };
   for (const Misconception& each : exercise.misconceptions)
     if (agrees_there(each.outputs))
-      return Diagnosis{DiagnosisKind::misconception, each.name,
-                       fmt::format("Of {} alone: {}", listed(names), each.message), each.notes};
+      return Reason{ReasonKind::misconception, each.name, fmt::format("Of {} alone: {}", listed(names), each.message),
+                    Weight::cause, each.notes};
   for (const InputTransform& each : exercise.input_transforms)
     if (agrees_there(each.outputs))
-      return Diagnosis{DiagnosisKind::input_transform, each.name,
-                       fmt::format("At every case {} {} right for {}; all other numbers are right.", listed(names),
-                                   names.size() == 1 ? "is" : "are", each.message)};
+      return Reason{ReasonKind::input_transform, each.name,
+                    fmt::format("At every case {} {} right for {}; all other numbers are right.", listed(names),
+                                names.size() == 1 ? "is" : "are", each.message)};
   return std::nullopt;
 }
 
-std::optional<Diagnosis> diagnose_input_transform(const ExerciseReference& exercise, const Answers& answers) {
+std::optional<Reason> diagnose_input_transform(const ExerciseReference& exercise, const Answers& answers) {
   if (!all_deciding_cases_answered(exercise, answers) || !is_wrong_somewhere(exercise, answers)) return std::nullopt;
   for (const InputTransform& transform : exercise.input_transforms) {
     if (!agree(exercise, answers, [&](std::size_t i) { return transform.outputs[i]; })) continue;
-    return Diagnosis{DiagnosisKind::input_transform, transform.name,
-                     fmt::format("At every case your result is the right one for {}.", transform.message)};
+    return Reason{ReasonKind::input_transform, transform.name,
+                  fmt::format("At every case your result is the right one for {}.", transform.message)};
   }
   return std::nullopt;
 }

@@ -43,15 +43,15 @@ std::string place_of(const std::string& anchor, const ReportedExercise& exercise
 }
 
 /// "kinetic_energy.cpp:8:3", without the folders of the machine that made the page.
-std::string place_of(const Finding& finding, const CheckResult& checked) {
-  if (finding.line <= 0) return "";
-  return fmt::format("{}:{}:{}", checked.task.file.filename().string(), finding.line, std::max(finding.column, 1));
+std::string place_of(const Reason& reason, const CheckResult& checked) {
+  if (reason.line <= 0) return "";
+  return fmt::format("{}:{}:{}", checked.task.file.filename().string(), reason.line, std::max(reason.column, 1));
 }
 
-/// The file in pieces, of which those are marked that are lines with a finding.
+/// The file in pieces, of which those are marked that are lines with a reason.
 json marked_source(const CheckResult& checked) {
   std::set<int> at_fault;
-  for (const Finding& finding : checked.explanation.findings) at_fault.insert(finding.line);
+  for (const Reason& reason : checked.reasons) at_fault.insert(reason.line);
   json pieces = json::array();
   std::istringstream lines(shortened_end(checked.source));
   std::string line;
@@ -98,12 +98,12 @@ json entry_of(const ReportedExercise& exercise, const ReportedCourse& course) {
       {"picture", checked.picture.empty() ? "" : checked.name()},
       {"description", checked.picture_description}};
   for (const std::string& sentence : on_real_data(checked)) entry["measured"].push_back("The function " + sentence);
-  for (const Finding& finding : checked.explanation.findings)
-    entry["findings"].push_back(
-        {{"place", place_of(finding, checked)}, {"sentence", finding.sentence}, {"excerpt", finding.excerpt}});
-  for (const Diagnosis& diagnosis : checked.explanation.diagnoses)
-    entry["diagnoses"].push_back(
-        {{"message", diagnosis.message}, {"read", place_of(diagnosis.notes, exercise, course)}});
+  for (const Reason& reason : checked.reasons)
+    if (reason.is_in_code())
+      entry["findings"].push_back(
+          {{"place", place_of(reason, checked)}, {"sentence", reason.sentence}, {"excerpt", reason.excerpt}});
+    else
+      entry["diagnoses"].push_back({{"message", reason.sentence}, {"read", place_of(reason.notes, exercise, course)}});
   const auto failing = checked.first_failure();
   if (!failing) return entry;
   const Answers answers = answers_of(*checked.reference, checked.observation.replies);
@@ -116,14 +116,14 @@ json entry_of(const ReportedExercise& exercise, const ReportedCourse& course) {
 /// A reason says more than the general advice for its verdict.
 std::string step_of(const ReportedExercise& exercise, const ReportedCourse& course) {
   const CheckResult& checked = exercise.checked;
-  if (!checked.explanation.diagnoses.empty()) {
-    const Diagnosis& diagnosis = checked.explanation.diagnoses.front();
-    const std::string place = place_of(diagnosis.notes, exercise, course);
-    return diagnosis.message + (place.empty() ? "" : " Read " + place + ".");
+  if (checked.reasons.empty()) return checked.next_step();
+  const auto told = std::ranges::find_if_not(checked.reasons, &Reason::is_in_code);
+  if (told == checked.reasons.end()) {
+    const Reason& reason = checked.reasons.front();
+    return place_of(reason, checked) + (reason.line > 0 ? ": " : "") + reason.sentence;
   }
-  if (checked.explanation.findings.empty()) return checked.next_step();
-  const Finding& finding = checked.explanation.findings.front();
-  return place_of(finding, checked) + (finding.line > 0 ? ": " : "") + finding.sentence;
+  const std::string place = place_of(told->notes, exercise, course);
+  return told->sentence + (place.empty() ? "" : " Read " + place + ".");
 }
 
 /// What is worth doing first: fix in course order, then start what is not started.

@@ -1,0 +1,202 @@
+// What values tell, with further calls of the function where they are needed to be sure.
+#include "checker/base/text.hpp"
+#include "checker/explain/explainers.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace workbook {
+
+namespace {
+
+/// What the function returns when the same inputs are given in smaller units.
+std::vector<UnitProbe> take_probes(const Ask& ask, const ExerciseReference& reference) {
+  std::vector<UnitProbe> probes = plan_probes(reference);
+  for (UnitProbe& probe : probes) {
+    std::vector<PlannedCall> calls;
+    for (const std::size_t index : probe.case_indices) {
+      const Case& probed = reference.cases[index];
+      calls.push_back({probe_inputs(reference, probe, index), probed.expected.rows, probed.expected.cols});
+    }
+    probe.replies = ask(calls);
+  }
+  return probes;
+}
+
+/// The inputs of which further calls confirm that they never change the result: at other cases, by other amounts.
+std::vector<IndependentInput> confirmed(std::vector<IndependentInput> inputs, const Ask& ask,
+                                        const ExerciseReference& reference, const Answers& answers) {
+  constexpr std::size_t most_cases = 12;
+  std::vector<std::size_t> all(reference.described_cases());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const std::vector<std::size_t> cases = evenly_spaced(all, most_cases);
+  std::erase_if(inputs, [&](const IndependentInput& input) {
+    return std::ranges::any_of(cases, [&](std::size_t index) {
+      if (!answers[index] || !answers[index]->is_finite()) return true;
+      const Case& one = reference.cases[index];
+      if (input.entry >= one.inputs[input.argument].numbers.size()) return false;  // a shorter list
+      std::vector<PlannedCall> calls;
+      for (const double factor : {0.0, -0.6, 1e-2, 1.9, 40.0}) {
+        calls.push_back({one.inputs, one.expected.rows, one.expected.cols});
+        std::vector<double>& numbers = calls.back().inputs[input.argument].numbers;
+        const double number = numbers[input.entry], changed = number == 0 ? factor : number * factor;
+        // A symmetric matrix stays one.
+        if (const std::size_t mirror = input.entry % 3 * 3 + input.entry / 3;
+            reference.arguments[input.argument].kind == Kind::matrix3 && numbers[mirror] == number)
+          numbers[mirror] = changed;
+        numbers[input.entry] = changed;
+      }
+      return std::ranges::any_of(ask(calls), [&](const Reply& reply) {
+        return reply.ending == Ending::returned && reply.value.numbers != answers[index]->numbers;
+      });
+    });
+  });
+  return inputs;
+}
+
+/// Does what tells wrong cases from right ones also tell the points of the plot from each other? By coincidence of the
+/// cases it would not.
+bool is_confirmed(const Reason& split, const Ask& ask, ExerciseReference exercise, Answers answers) {
+  const auto claim = [](const std::string& message) { return message.substr(0, message.find(" (")); };
+  std::vector<PlannedCall> calls;
+  double size = 0;
+  for (std::size_t i = 0; i < exercise.sweep.x.size(); ++i) {
+    const Value& expected = exercise.sweep.expected[i];
+    calls.push_back({exercise.sweep.inputs[i], expected.rows, expected.cols});
+    size = std::max(size, as_matrix(expected).cwiseAbs().maxCoeff());
+  }
+  const std::vector<Reply> replies = calls.empty() ? std::vector<Reply>() : ask(calls);
+  for (std::size_t i = 0; i < replies.size(); ++i) {
+    Case point = exercise.cases.front();
+    point.inputs = exercise.sweep.inputs[i];
+    point.expected = exercise.sweep.expected[i];
+    point.scale = {size};
+    if (!has_usable_value(replies[i], point)) continue;
+    exercise.cases.push_back(point);
+    answers.push_back(replies[i].value);
+  }
+  const std::optional<Reason> again = diagnose_split(exercise, answers);
+  return again && claim(again->sentence) == claim(split.sentence);
+}
+
+/// Why finite values are wrong, where others are not finite: one cause of the former is not silenced by the latter.
+/// Empty where values that are finite are right, or too few, or where nothing is certain.
+std::vector<Reason> diagnose_finite(ExerciseReference exercise, Answers answers) {
+  std::size_t finite = 0, wrong = 0;
+  for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
+    if (answers[i] && answers[i]->is_finite()) {
+      ++finite;
+      wrong += passes(exercise, i, *answers[i]) ? 0 : 1;
+    } else {
+      exercise.cases[i].deciding = false;
+      answers[i].reset();
+    }
+  }
+  if (2 * finite < exercise.cases.size() || 4 * wrong < finite) return {};
+  std::vector<Reason> found = diagnose(exercise, answers, {});
+  if (std::ranges::none_of(found, &Reason::is_cause)) found.clear();
+  return found;
+}
+
+/// With which elements of a list the result never changes, although the right one does: further calls tell.
+std::optional<Reason> elements_without_effect(const Ask& ask, const ExerciseReference& reference,
+                                              const Answers& answers) {
+  struct Pattern {
+    const char* words;
+    bool (*has_effect)(std::size_t element, std::size_t count);
+  };
+  static constexpr Pattern patterns[] = {
+      {"any entry of {} but the first", [](std::size_t k, std::size_t) { return k == 0; }},
+      {"any entry of {} but the first two", [](std::size_t k, std::size_t) { return k < 2; }},
+      {"any entry of {} but the last", [](std::size_t k, std::size_t n) { return k + 1 == n; }},
+      {"any entry of {} but the first and the last", [](std::size_t k, std::size_t n) { return k == 0 || k + 1 == n; }},
+      {"the first entry of {}", [](std::size_t k, std::size_t) { return k > 0; }},
+      {"the last entry of {}", [](std::size_t k, std::size_t n) { return k + 1 < n; }}};
+  constexpr std::size_t fewest = 3, most = 40, most_cases = 3;
+  for (std::size_t a = 0; a < reference.arguments.size(); ++a) {
+    const auto columns = [&](std::size_t i) -> std::size_t {
+      const Value& list = reference.cases[i].inputs[a];
+      const Kind kind = reference.arguments[a].kind;
+      return kind == Kind::vector     ? list.numbers.size()
+             : kind == Kind::points   ? static_cast<std::size_t>(list.cols)
+             : kind == Kind::matrices ? static_cast<std::size_t>(list.cols) / 3
+                                      : 0;
+    };
+    std::vector<Pattern> fitting(std::begin(patterns), std::end(patterns));
+    std::size_t looked_at = 0;
+    for (std::size_t i = 0; i < reference.described_cases() && looked_at < most_cases; ++i) {
+      const Case& one = reference.cases[i];
+      const std::size_t count = columns(i), stride = count > 0 ? one.inputs[a].numbers.size() / count : 0;
+      if (count < fewest || count > most || !answers[i] || passes(reference, i, *answers[i]) ||
+          std::ranges::count(one.inputs[a].numbers, 0) > 0)  // what is 0 stays so
+        continue;
+      ++looked_at;
+      std::vector<PlannedCall> calls(count, {one.inputs, one.expected.rows, one.expected.cols});
+      for (std::size_t k = 0; k < count * stride; ++k) calls[k / stride].inputs[a].numbers[k] *= 1.01;
+      const std::vector<Reply> replies = ask(calls);
+      std::erase_if(fitting, [&](const Pattern& pattern) {
+        for (std::size_t k = 0; k < count; ++k) {
+          const bool is_same = replies[k].ending == Ending::returned && replies[k].value.numbers == answers[i]->numbers;
+          if (is_same == pattern.has_effect(k, count)) return true;
+        }
+        return false;
+      });
+    }
+    const auto right_one_changes = [&](const Case& changed) {
+      if (changed.base < 0 || changed.argument != static_cast<int>(a)) return false;
+      const auto base = static_cast<std::size_t>(changed.base);
+      return !is_same_answer(reference, base, changed.expected, reference.cases[base].expected);
+    };
+    if (looked_at > 0 && !fitting.empty() && std::ranges::any_of(reference.cases, right_one_changes))
+      return Reason{ReasonKind::independence, "elements",
+                    fmt::format("Your result never changes with {}; the right one does.",
+                                fmt::format(fmt::runtime(fitting.front().words), reference.arguments[a].name)),
+                    Weight::symptom};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool are_zero(const Answers& answers) {
+  return std::ranges::all_of(answers, [](const std::optional<Value>& answer) {
+    return answer && std::ranges::all_of(answer->numbers, [](double number) { return number == 0; });
+  });
+}
+
+bool explain_values(Search& search) {
+  const Evidence& evidence = search.evidence;
+  const ExerciseReference& reference = evidence.task.reference;
+  const bool are_finite = search.verdict() == Verdict::wrong_value;
+  search.reasons = are_finite ? diagnose(reference, search.answers, take_probes(evidence.ask, reference))
+                              : diagnose_finite(reference, search.answers);
+  std::erase_if(search.reasons, [&](const Reason& reason) {
+    return reason.kind == ReasonKind::split && reason.is_cause() &&
+           !is_confirmed(reason, evidence.ask, reference, search.answers);
+  });
+  if (!search.has_cause()) return false;
+  if (are_finite) return true;
+  std::vector<Reason> besides = diagnostic_run(evidence.task, evidence.toolchain, evidence.cache);
+  for (Reason& reason : besides) reason.sentence = "Besides, at the cases without a finite number: " + reason.sentence;
+  search.add_code(std::move(besides));
+  return true;
+}
+
+bool explain_inputs_without_effect(Search& search) {
+  if (are_zero(search.answers)) return true;
+  const ExerciseReference& reference = search.evidence.task.reference;
+  const auto inputs =
+      confirmed(independent_inputs(reference, search.answers), search.evidence.ask, reference, search.answers);
+  constexpr std::size_t most = 6;
+  if (const auto found = inputs.size() <= most ? independence(reference, inputs) : std::nullopt)
+    search.reasons.insert(search.reasons.begin(), *found);
+  return false;
+}
+
+bool explain_elements_without_effect(Search& search) {
+  if (const auto found = elements_without_effect(search.evidence.ask, search.evidence.task.reference, search.answers))
+    search.reasons.insert(search.reasons.begin(), *found);
+  return false;
+}
+
+}  // namespace workbook

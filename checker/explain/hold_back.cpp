@@ -1,0 +1,70 @@
+// How much of the reasons is told at which try of a problem.
+#include "checker/base/text.hpp"
+#include "checker/explain/explain.hpp"
+
+#include <algorithm>
+
+namespace workbook {
+
+namespace {
+
+/// The first try at which a reason of that kind is told.
+int first_stage(ReasonKind kind) {
+  using enum ReasonKind;
+  switch (kind) {
+    case code:
+    case dimension:
+    case accuracy:
+    case property:
+    case learnt:
+      return 1;
+    case split:
+    case independence:
+    case entry:
+    case place:
+      return 2;
+    default:
+      return 3;
+  }
+}
+
+/// A limit at which it fails, or else the first case; and where it is right.
+Reason where_it_fails(const ExerciseReference& exercise, const Answers& answers) {
+  constexpr std::size_t most_named = 3;
+  const Outcomes outcomes = outcomes_of(exercise, answers);
+  std::vector<std::string> right;
+  for (const std::size_t index : outcomes.right)
+    if (const std::string name = fmt::format("“{}”", exercise.cases[index].name);
+        index < exercise.described_cases() && right.size() < most_named && std::ranges::count(right, name) == 0)
+      right.push_back(name);
+  std::string sentence = fmt::format("It is wrong at {} of {}", outcomes.wrong.size(),
+                                     plural(outcomes.wrong.size() + outcomes.right.size(), "case"));
+  const auto limit = std::ranges::find_if(
+      exercise.limits, [&](const Limit& each) { return std::ranges::count(outcomes.wrong, each.case_index) > 0; });
+  if (limit != exercise.limits.end())
+    sentence += fmt::format(", the limit “{}” among them: what must come out there without any formula?",
+                            exercise.cases[limit->case_index].name);
+  else
+    sentence += right.empty() ? "." : ", and right at " + listed(right) + ".";
+  return {ReasonKind::place, "where",
+          sentence + " The reason is named at the third try with a changed file, or after a hint.", Weight::symptom};
+}
+
+}  // namespace
+
+void hold_back(std::vector<Reason>& reasons, int stage, const ExerciseReference& exercise, const Answers& answers) {
+  const auto is_told = [&](const Reason& reason) {
+    // An argument without effect is a region too.
+    return first_stage(reason.kind) <= stage && !(stage == 1 && reason.is_remark());
+  };
+  if (std::erase_if(reasons, std::not_fn(is_told)) == 0 || !std::ranges::all_of(reasons, &Reason::is_remark)) return;
+  if (stage > 1)
+    for (Mechanism* const mechanism : {&diagnose_split, &diagnose_one_side, &diagnose_place, &diagnose_few})
+      if (const auto region = mechanism(exercise, answers); region && is_told(*region)) {
+        reasons.push_back(*region);
+        return;
+      }
+  reasons.push_back(where_it_fails(exercise, answers));
+}
+
+}  // namespace workbook
