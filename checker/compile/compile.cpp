@@ -175,8 +175,13 @@ class CompilationInProgress {
 
   [[noreturn]] void refuse_uncompiled(const FinishedProgram& compiled, const Submission& file,
                                       const std::string& unit) const {
-    const CompilerOutput said = compiler_.read(compiled.output, file.shown_name);
-    std::optional<Reason> error = first_error(said.diagnostics, source_, task_.signature);
+    CompilerOutput said;
+    std::optional<Reason> error;
+    try {
+      said = compiler_.read(compiled.output, file.shown_name);
+      error = first_error(said.diagnostics, source_, task_.signature);
+    } catch (const std::exception&) {  // a student can write any message: what cannot be read costs its reason only
+    }
     const bool has_place = error && error->line > 0;
     refuse_if_limit_reached(compiled, has_place);
     if (unit != "unit") refuse(fmt::format("Your file calls {}, and {} does not compile.", unit, file.shown_name));
@@ -229,13 +234,19 @@ class CompilationInProgress {
     const FinishedProgram linked = compiler_.run(arguments);
     if (linked.succeeded()) return compiler_.workspace() / "worker";
     refuse_if_limit_reached(linked);
-    refuse_unlinked(linked.output);
+    try {
+      explain_unlinked(linked.output);
+    } catch (const std::exception&) {  // as above, of names
+    }
+    refuse_if_tools_fail();
+    refuse("Your file compiles, but cannot be linked into a program; see what the linker says.", linked.output);
   }
 
   bool is_static() const { return std::ranges::count(toolchain_.link_flags, "-static") > 0; }
 
-  /// As the symbols tell: every linker words it in its own way, and only which name it misses is taken from there.
-  [[noreturn]] void refuse_unlinked(const std::string& output) const {
+  /// Refuses as the symbols tell: every linker words it in its own way, and only which name it misses is taken from
+  /// there.
+  void explain_unlinked(const std::string& output) const {
     std::vector<std::string> objects = {"unit.o"};
     for (const std::string& own : linked_) objects.push_back(own + ".o");
     std::set<std::string> defined;
@@ -275,8 +286,6 @@ class CompilationInProgress {
                     fmt::format("Your file uses `{}`, which it does not define, nor does an earlier exercise of yours; "
                                 "write what you need into this file.",
                                 first->base_name()));
-    refuse_if_tools_fail();
-    refuse("Your file compiles, but cannot be linked into a program; see what the linker says.", output);
   }
 
   /// With the place where the file mentions the function last, for declarations come first.

@@ -23,7 +23,7 @@ struct Shape {
 /// "3×1 vector", "Matrix3d", "const RowVector3d&"
 std::optional<Shape> shape_of(const std::string& type) {
   const auto number = [](const std::string& size) { return size == "n" || size == "X" ? -1 : std::stoi(size); };
-  if (const Match noun = search(type, "(\\d+|n)×(\\d+|n) (?:row vector|vector|matrix)"))
+  if (const Match noun = search(type, "(\\d{1,6}|n)×(\\d{1,6}|n) (?:row vector|vector|matrix)"))
     return Shape{number(noun[1]), number(noun[2])};
   const Match name = search(type, "(Row)?(Vector|Matrix)([1-4X])([1-4X])?[df]");
   if (!name) return std::nullopt;

@@ -41,15 +41,19 @@ template <class T> concept PlainValue = !Kept<std::remove_cvref_t<T>>::value;
 
 /// The text with `-> auto` at every lambda that says no type, so that the demand is made of its result too.
 std::string with_types_of_lambdas(const SourceText& source) {
-  std::string text(source.text());
   const std::vector<Token>& tokens = source.tokens();
-  for (std::size_t brace = tokens.size(); brace-- > 2;) {
-    if (tokens[brace].text != "{" || tokens[brace - 1].text != ")") continue;
-    std::size_t depth = 1, at = brace - 1;
-    while (depth > 0 && at > 0) depth += tokens[--at].text == ")" ? 1 : tokens[at].text == "(" ? -1 : 0;
-    if (at > 0 && tokens[at - 1].text == "]") text.insert(tokens[brace].offset, "-> auto ");
+  const std::vector<std::size_t> matching = matching_parentheses(tokens);
+  std::string text;
+  std::size_t copied = 0;
+  for (std::size_t brace = 3; brace < tokens.size(); ++brace) {
+    const std::size_t open = matching[brace - 1];
+    if (tokens[brace].text != "{" || open == std::string::npos || open == 0 || open > brace ||
+        tokens[open - 1].text != "]")
+      continue;
+    text.append(source.text(), copied, tokens[brace].offset - copied) += "-> auto ";
+    copied = tokens[brace].offset;
   }
-  return text;
+  return text.append(source.text(), copied);
 }
 
 std::vector<Reason> kept_expressions(const SourceText& source, const Compiler& compiler) {

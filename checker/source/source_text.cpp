@@ -124,30 +124,40 @@ std::string SourceText::marked_code(Place place) const {
 
 Reason SourceText::reason(Place place, std::string name, const std::string& sentence, Weight weight, Fix fix) const {
   const std::string_view shown = line(place.line);
+  const bool is_there = shown.data() != nullptr;  // a #line can name any
   return {.kind = ReasonKind::code,
           .name = std::move(name),
           .sentence = printable(sentence),
           .weight = weight,
-          .line = place.line,
+          .line = is_there ? place.line : 0,
           .column = place.column,
-          .excerpt = shown.data() == nullptr ? "" : excerpt(shown, place.column),
+          .excerpt = is_there ? excerpt(shown, place.column) : "",
           .fix = fix};
+}
+
+std::vector<std::size_t> matching_parentheses(const std::vector<Token>& tokens) {
+  std::vector<std::size_t> matching(tokens.size(), std::string::npos), open;
+  for (std::size_t k = 0; k < tokens.size(); ++k) {
+    if (tokens[k].text == "(") open.push_back(k);
+    if (tokens[k].text != ")" || open.empty()) continue;
+    matching[k] = open.back();
+    matching[open.back()] = k;
+    open.pop_back();
+  }
+  return matching;
 }
 
 bool defines_function(const SourceText& source, std::string_view name) {
   const std::vector<Token>& tokens = source.tokens();
+  const std::vector<std::size_t> matching = matching_parentheses(tokens);
   for (std::size_t k = 1; k + 1 < tokens.size(); ++k) {
     // "Matrix3d NAME(…) {", and no call: nothing like a type or "rigid::" stands before that, or no { after it.
     const char before = tokens[k - 1].text.back();
     const bool has_type = std::isalnum(static_cast<unsigned char>(before)) != 0 ||
                           std::string_view("_>&*:").find(before) != std::string_view::npos;
     if (tokens[k].text != name || tokens[k + 1].text != "(" || !has_type || tokens[k].in_directive) continue;
-    std::size_t end = k + 1;
-    for (int depth = 0; end < tokens.size(); ++end) {
-      depth += tokens[end].text == "(" ? 1 : tokens[end].text == ")" ? -1 : 0;
-      if (depth == 0) break;
-    }
-    if (end + 1 < tokens.size() && (tokens[end + 1].text == "{" || tokens[end + 1].text == "noexcept")) return true;
+    const std::size_t after = matching[k + 1] == std::string::npos ? tokens.size() : matching[k + 1] + 1;
+    if (after < tokens.size() && (tokens[after].text == "{" || tokens[after].text == "noexcept")) return true;
   }
   return false;
 }

@@ -52,6 +52,9 @@ class SourceText {
   std::vector<std::size_t> line_starts_{0};
 };
 
+/// By the number of a token "(" that of its ")", and the other way round; npos for all other tokens.
+std::vector<std::size_t> matching_parentheses(const std::vector<Token>& tokens);
+
 /// Does the file define a function of that name, in whatever namespace?
 bool defines_function(const SourceText& source, std::string_view name);
 

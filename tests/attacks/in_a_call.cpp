@@ -44,6 +44,7 @@ const char* const beginning = R"code(
 #include <sys/uio.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <xmmintrin.h>
 
 extern "C" void* __libc_stack_end;
 
@@ -108,6 +109,10 @@ const Attack attacks[] = {
      protocol_violation, [](const Unhindered& control) { return control.value.has_value() && control.value != 42; }},
     {"forging replies", "a handler of the end", "std::atexit([] { send(fake(nonce())); }); std::exit(0);", wrong_value},
 
+    {"forging replies", "a shape of more numbers than there are",
+     "Reply r = fake(nonce()); r.status = 2; r.rows = r.cols = 2147483647; send(r, 512); for (;;) usleep(1000);",
+     wrong_shape, goes_on},
+
     // --- values
     {"values", "NaN, which fails no comparison that was turned round", "return NAN;", non_finite_value,
      [](const Unhindered& control) { return control.value && !(std::abs(*control.value - 1) > 1e-9); }},
@@ -121,6 +126,10 @@ const Attack attacks[] = {
      [](const Unhindered& control) { return control.value > 0; }},
     {"values", "another rounding mode for what follows", "fesetround(FE_UPWARD); return 2 * x;", passed,
      [](const Unhindered& control) { return control.value > 0; }},
+    {"values", "a processor that flushes, rounds and is not precise",
+     "_mm_setcsr((_mm_getcsr() & ~0x6000u) | 0xa040u); unsigned short x87 = 0x47f; asm volatile(\"fldcw %0\" : : "
+     "\"m\"(x87)); return 2 * x;",
+     passed, [](const Unhindered& control) { return control.value > 0; }},
     {"values", "a table of one seed's answers", "return x == 7 ? 14 : 42;", wrong_value},
     {"values", "traps for the one who compares", "feenableexcept(FE_ALL_EXCEPT); return 2 * x;", passed,
      [](const Unhindered& control) { return control.value > 0; }},
@@ -135,6 +144,11 @@ const Attack attacks[] = {
      [](const Unhindered& control) { return control.value.has_value(); }},
     {"random answers", "by the processor's counter", "return double(__builtin_ia32_rdtsc());", inconsistent_value,
      [](const Unhindered& control) { return control.value.has_value(); }},
+
+    {"random answers", "by code that changes itself",
+     "auto* code = reinterpret_cast<unsigned char*>(&rigid::twice); const auto page = (unsigned long)code & ~4095ul; "
+     "mprotect((void*)page, 8192, 7); memcpy(code, \"\\x0f\\x57\\xc0\\xc3\", 4); return 2 * x;",
+     wrong_value, [](const Unhindered& control) { return control.value > 200; }},
 
     // --- reading
     {"reading at run time", "a secret", "return ok(opens(\"CANARY\"));"},
@@ -260,6 +274,13 @@ const Attack attacks[] = {
     {"exceptions and signals", "an exception from a destructor", "Throws one; throw 2;", crashed, is_killed},
     {"exceptions and signals", "no exception of the language", "throw 42;", uncaught_exception,
      [](const Unhindered& control) { return !control.value; }},
+    {"exceptions and signals", "a reason that never ends",
+     "struct Deaf : std::exception { const char* what() const noexcept override { for (;;) usleep(1000); } }; throw "
+     "Deaf();",
+     time_limit, goes_on},
+    {"exceptions and signals", "a reason that is none",
+     "struct Mute : std::exception { const char* what() const noexcept override { return nullptr; } }; throw Mute();",
+     uncaught_exception, [](const Unhindered& control) { return !control.value; }},
     {"exceptions and signals", "that it was not started", "throw rigid::NotStarted{};", uncaught_exception,
      [](const Unhindered& control) { return !control.value; }},
     {"exceptions and signals", "a smashed stack",

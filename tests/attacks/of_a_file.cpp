@@ -3,6 +3,7 @@
 #include "tests/attacks/attack.hpp"
 
 #include <doctest/doctest.h>
+#include <boost/algorithm/string/replace.hpp>
 
 namespace workbook::testing {
 namespace {
@@ -16,7 +17,16 @@ using enum Verdict;
   "1, signal = 0; long detail = 0; char text[472] = {}; double value = 42; };\n"                                      \
   "static void forge() { Reply r; (void)!write(3, &r, sizeof r); }\n"
 
+/// What no expression finds an end of that looks for the three one after the other.
+std::string without_end() {
+  std::string text;
+  for (const auto& [word, count] : {std::pair{"YOU_MIXED_MATRICES", 20}, {"scalar_x_op", 40}, {"; Lhs = ", 70}})
+    for (int n = 0; n < count; ++n) text += word;
+  return text;
+}
+
 bool answers(const Unhindered& control) { return control.value.has_value(); }
+bool says_99999999999(const Unhindered& control) { return has(control.compiler.output, "99999999999"); }
 
 const Attack attacks_of_a_file[] = {
     // --- before main, and in place of what is there
@@ -46,6 +56,8 @@ const Attack attacks_of_a_file[] = {
      passed, answers},
     {"interposition", "the end", FORGERY "struct Last { ~Last() { forge(); } };\nstatic Last last;\n" RIGHT, passed,
      answers},
+    {"interposition", "an end that never ends",
+     "#include <unistd.h>\nextern \"C\" void _Exit(int) { for (;;) usleep(1000); }\n" RIGHT, passed, answers},
     {"interposition", "main", "int main() { return 0; }\n" RIGHT, compile_error, compiles},
     {"interposition", "the start of the program", "extern \"C\" void _start() { for (;;) {} }\n" RIGHT, compile_error,
      compiles},
@@ -92,6 +104,8 @@ const Attack attacks_of_a_file[] = {
      shows_secret},
     {"reading at compile time", "bytes in the assembler", "asm(\".incbin \\\"CANARY\\\"\");\n" RIGHT, compile_error,
      shows_secret},
+    {"reading at compile time", "bytes, by a macro of the assembler",
+     "asm(\".macro of a, b\\n.\\\\a\\\\b \\\"CANARY\\\"\\n.endm\\nof inc bin\");\n" RIGHT, compile_error, shows_secret},
     {"reading at compile time", "bytes that the function returns",
      "asm(\".globl s\\ns: .incbin \\\"CANARY\\\"\");\nextern \"C\" const char s[];\ndouble rigid::twice(double) { "
      "return s[0]; }\n",
@@ -109,6 +123,14 @@ const Attack attacks_of_a_file[] = {
      [](const Unhindered& control) { return !compiles(control) || shows_secret(control); }},
     {"reading at compile time", "a name that pretends", "#line 1 \"CANARY\"\nint rigid;\n", compile_error,
      [](const Unhindered& control) { return has(control.compiler.output, "canary"); }},
+
+    // --- what reads the messages
+    {"messages", "of a shape that is no number", "static_assert(false, \"Transpose<99999999999×3 vector>\");\n" RIGHT,
+     compile_error, says_99999999999},
+    {"messages", "of a line that is none", "#line 999999999 \"unit.cpp\"\nint x = y99999999999;\n" RIGHT, compile_error,
+     says_99999999999},
+    {"messages", "that no pattern is through with", "static_assert(false, \"99999999999 WITHOUT_END\");\n" RIGHT,
+     compile_error, says_99999999999},
 
     // --- the linker
     {"the linker", "another program that runs this one",
@@ -172,14 +194,15 @@ TEST_CASE("what a file tries before it runs, and in the compiler, gets it nothin
   restore_canary();
   for (const Attack& attack : attacks_of_a_file) {
     INFO(std::string(attack.kind) << ": " << std::string(attack.what));
-    const std::string text = filled_in(attack.code);
+    const std::string text = boost::replace_all_copy(filled_in(attack.code), "WITHOUT_END", without_end());
     const auto begun = std::chrono::steady_clock::now();
     const Compilation compilation =
         compile({submit(text, "twice"), "twice", signature("twice")}, toolchain(), shared_cache(), limits);
     const bool is_run = compilation.executable.has_value();
     INFO(compilation.message << compilation.details);
     const bool is_for_compiler = attack.works == compiles || attack.works == shows_secret ||
-                                 attack.works == takes_long || attack.works == says_much;
+                                 attack.works == takes_long || attack.works == says_much ||
+                                 attack.works == says_99999999999;
     const Unhindered control =
         is_run && !is_for_compiler ? run_unhindered(*compilation.executable, 7) : compile_unhindered(text);
     CHECK_MESSAGE(attack.works(control), "the control does not work: " << control.compiler.output.substr(0, 300)

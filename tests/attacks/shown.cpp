@@ -35,6 +35,8 @@ const Attack texts_of_attacks[] = {
     {"escapes", "in a message of the compiler", "static_assert(false, \"\\x1b[2J<script>alert(1)</script>\");\n" RIGHT,
      compile_error, compiler_says_it},
     {"escapes", "in an error", "#error \033[2J <script>alert(1)</script>\n" RIGHT, compile_error, compiler_says_it},
+    {"escapes", "in an error of the assembler", "asm(\".error \\\"\\\\033[2J<script>\\\"\");\n" RIGHT, compile_error,
+     compiler_says_it},
     {"escapes", "in the source", "int rigid = \"<script>alert(1)</script>\033[2J\";\n" RIGHT, compile_error,
      compiler_says_it},
     {"escapes", "in a name of the linker",

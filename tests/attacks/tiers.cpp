@@ -13,6 +13,7 @@
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -82,6 +83,13 @@ const Attempt attempts[] = {
      [] {
        ::execl("/bin/true", "true", nullptr);
        return false;
+     },
+     false, true},
+    {"become another program by a descriptor",
+     [] {
+       char name[] = "echo", nothing[] = "-n";
+       char* const words[] = {name, nothing, nullptr};
+       return ::syscall(SYS_execveat, program_descriptor, "/bin/echo", words, environ, 0) == 0;
      },
      false, true},
     {"open a connection", [] { return ::socket(AF_INET, SOCK_STREAM, 0) >= 0; }},

@@ -34,6 +34,19 @@ TEST_CASE("comments and texts become spaces, and lines keep their length") {
   CHECK(code_of("\"not closed\n1/2") == "\"          |1/2||");
 }
 
+TEST_CASE("a function is found where it is defined, in a text of any length") {
+  const auto defines = [](const std::string& text) { return defines_function(SourceText(text), "twice"); };
+  for (const char* text : {"double twice(double x) {", "double rigid::twice((a)(b)) noexcept {", "int& twice() {"})
+    CHECK(defines(text));
+  for (const char* text : {"y = twice(x) {", "double twice(double x);", "double twice(x {", "twice() {", "int twice"})
+    CHECK_FALSE(defines(text));
+  std::string hostile;
+  while (hostile.size() < std::size_t{1} << 20) hostile += "a twice(";
+  const std::clock_t begun = std::clock();
+  CHECK_FALSE(defines(hostile));
+  CHECK(std::clock() - begun < 2 * CLOCKS_PER_SEC);
+}
+
 TEST_CASE("an operator is one token, numbers keep their exponents, and lines of the preprocessor are marked") {
   const std::string code = "#define A \\\n 1/2\nx+=1.5e-3*v.y::z<<2;";
   std::string joined;
@@ -48,6 +61,7 @@ TEST_CASE("a caret stands where a terminal shows the column") {
   CHECK(excerpt("x", 0) == "x");
   CHECK(excerpt("", 1) == "\n^");
   CHECK(excerpt("x", 100) == "x\n ^");
+  CHECK(SourceText("x").finding({999999999, 1}, "", "a line that is not there").line == 0);
   CHECK(excerpt("a\x1b[0m", 1) == "a?[0m\n^");
   CHECK(excerpt("/* ä ω */ y;", 13) == "/* ä ω */ y;\n" + std::string(10, ' ') + "^");
   const std::string shown = excerpt(std::string(300, 'a') + "X" + std::string(300, 'b'), 301);
