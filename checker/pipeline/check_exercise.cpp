@@ -293,7 +293,7 @@ CheckResult check_exercise(CheckContext& context, const CheckTask& task,
   }
   CheckResult& checked = judged.checked;
   try {
-    if (on_verdict && judged.runner && !checked.judgement.passed()) on_verdict(checked);
+    if (on_verdict && !checked.judgement.passed()) on_verdict(checked);
     if (!checked.judgement.passed())
       wait_for_own_functions(context, task, judged.compilation.linked, checked.judgement);
     if (checked.judgement.verdict == Verdict::waiting) {

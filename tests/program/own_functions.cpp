@@ -90,6 +90,14 @@ TEST_CASE("an own function may not use what no earlier exercise defines") {
   CHECK(result.at("findings").at(0).at("name") == "undefined_function");
 }
 
+TEST_CASE("own functions that never end leave a file that cannot be linked its verdict") {
+  const CourseCopy course;
+  course.answer_energy("for (;;) std::rand();");
+  answer_force_by_energy(course, "nowhere()");
+  replace_in(course.exercise("spring_force"), "namespace rigid {", "extern \"C\" double nowhere();\nnamespace rigid {");
+  CHECK(course.run("check spring_force --json", "WORKBOOK_CHECK_SECONDS=4").result().at("verdict") == "compile_error");
+}
+
 TEST_CASE("a helper may be called like a function of the course, and in its file it is the one that counts") {
   const CourseCopy course;
   course.answer_energy("return 7;");  // is not asked
