@@ -15,7 +15,7 @@ enum class ReasonKind {
   input_transform,  ///< the right result for changed inputs
   difference,       ///< by what a component differs
   split,            ///< what the failing cases have in common
-  independence,     ///< an input that never changes the result
+  independence,     ///< elements of a list that never change the result
   entry,            ///< entries that hold something else
   place,            ///< which components are wrong, and where
   accuracy,         ///< right to some digits only

@@ -3,7 +3,6 @@
 #include "checker/explain/explainers.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace workbook {
 
@@ -21,37 +20,6 @@ std::vector<UnitProbe> take_probes(const Ask& ask, const ExerciseReference& refe
     probe.replies = ask(calls);
   }
   return probes;
-}
-
-/// The inputs of which further calls confirm that they never change the result: at other cases, by other amounts.
-std::vector<IndependentInput> confirmed(std::vector<IndependentInput> inputs, const Ask& ask,
-                                        const ExerciseReference& reference, const Answers& answers) {
-  constexpr std::size_t most_cases = 12;
-  std::vector<std::size_t> all(reference.described_cases());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  const std::vector<std::size_t> cases = evenly_spaced(all, most_cases);
-  std::erase_if(inputs, [&](const IndependentInput& input) {
-    return std::ranges::any_of(cases, [&](std::size_t index) {
-      if (!answers[index] || !answers[index]->is_finite()) return true;
-      const Case& one = reference.cases[index];
-      if (input.entry >= one.inputs[input.argument].numbers.size()) return false;  // a shorter list
-      std::vector<PlannedCall> calls;
-      for (const double factor : {0.0, -0.6, 1e-2, 1.9, 40.0}) {
-        calls.push_back({one.inputs, one.expected.rows, one.expected.cols});
-        std::vector<double>& numbers = calls.back().inputs[input.argument].numbers;
-        const double number = numbers[input.entry], changed = number == 0 ? factor : number * factor;
-        // A symmetric matrix stays one.
-        if (const std::size_t mirror = input.entry % 3 * 3 + input.entry / 3;
-            reference.arguments[input.argument].kind == Kind::matrix3 && numbers[mirror] == number)
-          numbers[mirror] = changed;
-        numbers[input.entry] = changed;
-      }
-      return std::ranges::any_of(ask(calls), [&](const Reply& reply) {
-        return reply.ending == Ending::returned && reply.value.numbers != answers[index]->numbers;
-      });
-    });
-  });
-  return inputs;
 }
 
 /// Does what tells wrong cases from right ones also tell the points of the plot from each other? By coincidence of the
@@ -182,18 +150,8 @@ bool explain_values(Search& search) {
   return true;
 }
 
-bool explain_inputs_without_effect(Search& search) {
-  if (are_zero(search.answers)) return true;
-  const ExerciseReference& reference = search.evidence.task.reference;
-  const auto inputs =
-      confirmed(independent_inputs(reference, search.answers), search.evidence.ask, reference, search.answers);
-  constexpr std::size_t most = 6;
-  if (const auto found = inputs.size() <= most ? independence(reference, inputs) : std::nullopt)
-    search.reasons.insert(search.reasons.begin(), *found);
-  return false;
-}
-
 bool explain_elements_without_effect(Search& search) {
+  if (are_zero(search.answers)) return true;
   if (const auto found = elements_without_effect(search.evidence.ask, search.evidence.task.reference, search.answers))
     search.reasons.insert(search.reasons.begin(), *found);
   return false;

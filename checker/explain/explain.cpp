@@ -10,6 +10,7 @@ namespace {
 enum class When { no_value, values, wrong_value };
 
 /// From the most certain reason on.
+// clang-format off
 constexpr struct {
   When when;
   Explainer* look;
@@ -21,9 +22,9 @@ constexpr struct {
     {When::values, explain_values},
     {When::wrong_value, explain_by_small_change},
     {When::values, explain_by_sanitizers},
-    {When::wrong_value, explain_inputs_without_effect},
     {When::wrong_value, explain_elements_without_effect},
 };
+// clang-format on
 
 bool is_due(When when, Verdict verdict) {
   return when == When::no_value ? !has_values(verdict)

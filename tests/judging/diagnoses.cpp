@@ -133,7 +133,6 @@ Table misconceptions() {
       {vector({1 + std::numbers::pi, std::numbers::pi - 0.5, 2 + std::numbers::pi})}, "property range");
   Exercise turned = given_results(Kind::vector3, {vector({0, 0, 2})}, Comparison::rotation_by_vector);
   add(table, "the long way round", turned, {vector({0, 0, 2 - 2 * std::numbers::pi})}, "property range");
-  add(table, "phi from another axis", angles, {vector({2.5, 0.5, 2})}, "place angles");
   return table;
 }
 
@@ -234,57 +233,6 @@ Table patterns() {
   Values once = outputs(momentum(), right_momentum);
   once[4].numbers[2] += 1;
   add(table, "one component at one case", momentum(), once, "split few");
-  // What is right of it.
-  const auto changed_by = [](const Exercise& exercise, const std::function<Eigen::MatrixXd(std::size_t)>& value_at) {
-    Values values;
-    for (std::size_t i = 0; i < exercise.cases.size(); ++i) values.push_back(to_value(value_at(i)));
-    return values;
-  };
-  Values arrows, turns, tensors;
-  for (int k = 1; k <= 8; ++k) {
-    const Eigen::Vector3d v(std::sin(k), std::cos(2 * k), std::sin(5 * k));
-    const Eigen::Matrix3d R = Eigen::AngleAxisd(0.3 * k, v.normalized()).toRotationMatrix();
-    arrows.push_back(to_value(v));
-    turns.push_back(to_value(R));
-    tensors.push_back(to_value(R * Eigen::Vector3d(1, 2, 2.5 + 0.1 * k).asDiagonal() * R.transpose()));
-  }
-  const Exercise arrow = given_results(Kind::vector3, arrows), turn = given_results(Kind::matrix3, turns),
-                 tensor = given_results(Kind::matrix3, tensors);
-  const auto given = [](const Values& values, std::size_t i) { return Eigen::MatrixXd(as_matrix(values[i])); };
-  const auto number_of = [](std::size_t i) { return 1.3 + std::sin(static_cast<double>(3 * i)); };
-  add(table, "the right direction", arrow,
-      changed_by(arrow, [&](std::size_t i) { return Eigen::MatrixXd((1 + number_of(i)) * given(arrows, i)); }),
-      "place direction");
-  add(table, "the right line", arrow,
-      changed_by(arrow,
-                 [&](std::size_t i) { return Eigen::MatrixXd((i % 2 ? -1 : 1) * number_of(i) * given(arrows, i)); }),
-      "place line");
-  add(table, "the right length", arrow,
-      changed_by(arrow,
-                 [&](std::size_t i) { return Eigen::MatrixXd(given(turns, i) * given(turns, 2) * given(arrows, i)); }),
-      "place length");
-  add(table, "the right axis", turn,
-      changed_by(turn,
-                 [&](std::size_t i) {
-                   const Eigen::AngleAxisd one(Eigen::Matrix3d(given(turns, i)));
-                   return Eigen::MatrixXd(Eigen::AngleAxisd(std::sin(one.angle()), one.axis()).toRotationMatrix());
-                 }),
-      "place axis");
-  add(table, "the right angle", turn,
-      changed_by(turn,
-                 [&](std::size_t i) {
-                   return Eigen::MatrixXd(given(turns, 2) * given(turns, i) * given(turns, 2).transpose());
-                 }),
-      "place angle");
-  add(table, "the right principal moments", tensor,
-      changed_by(tensor,
-                 [&](std::size_t i) {
-                   return Eigen::MatrixXd(given(turns, 2) * given(tensors, i) * given(turns, 2).transpose());
-                 }),
-      "place principal_values");
-  add(table, "the right principal axes", tensor,
-      changed_by(tensor, [&](std::size_t i) { return Eigen::MatrixXd(given(tensors, i) * given(tensors, i)); }),
-      "place principal_axes");
   // Zeros are not said to belong elsewhere.
   const Exercise zero = given_results(Kind::vector3, Values(4, vector({1, 0, 2})));
   add(table, "zero, as another component", zero, Values(4, vector({0, 0, 2})), "place place");
@@ -396,33 +344,6 @@ TEST_CASE("What is said of a wrong answer has the right kind and name") {
     }
   }
   compare_with_golden_file("diagnoses.txt", text);
-}
-
-TEST_CASE("An input is independent where at two cases at least it moves the right result, and never the student's") {
-  Exercise exercise = momentum();
-  const Function of_v_2_only = [](const Inputs& in) { return vector({in[0].numbers[0], in[2].numbers[1], 1}); };
-  for (int base : {1, 2}) {
-    for (int entry : {0, 1}) {
-      Value changed = exercise.cases[static_cast<std::size_t>(base)].inputs[2];
-      changed.numbers[static_cast<std::size_t>(entry)] *= 1.37;
-      add_generated(exercise, base, 2, changed, right_momentum);
-      exercise.cases.back().entry = entry;
-    }
-  }
-  const Answers answers = all_answers(outputs(exercise, of_v_2_only));
-  const auto found = independent_inputs(exercise, answers);
-  REQUIRE(found.size() == 1);
-  CHECK(found[0] == IndependentInput{2, 0});
-  CHECK(independence(exercise, found).value().message.find("v[0]") != std::string::npos);
-  CHECK(independence(exercise, {{2, 0}, {2, 1}, {2, 2}}).value().message.find("with v;") != std::string::npos);
-  Answers without_number = answers;
-  without_number[1]->numbers[0] = not_a_number;
-  CHECK(independent_inputs(exercise, without_number).empty());
-  Answers rounded = answers;
-  rounded.back()->numbers[2] += 1e-15;
-  CHECK(independent_inputs(exercise, rounded).size() == 1);
-  rounded[9]->numbers[2] += 1e-15;
-  CHECK(independent_inputs(exercise, rounded).empty());
 }
 
 TEST_CASE("Nothing is said of a right answer, nor where no value came back") {

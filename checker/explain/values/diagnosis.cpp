@@ -31,11 +31,6 @@ std::optional<Reason> diagnose_coarsely(const ExerciseReference& whole, const An
   return std::nullopt;
 }
 
-std::optional<Reason> diagnose_unchanged_or_place(const ExerciseReference& exercise, const Answers& answers) {
-  const auto invariant = diagnose_invariant(exercise, answers);
-  return invariant ? invariant : diagnose_place(exercise, answers);
-}
-
 /// What else is told beside what a mechanism finds.
 enum class Beside {
   nothing,   ///< it says all
@@ -87,7 +82,7 @@ std::vector<Reason> diagnose(const ExerciseReference& exercise, const Answers& a
     std::ranges::move(diagnose_dimensions(exercise, answers, probes), std::back_inserter(reasons));
   }
   if (beside != Beside::nothing)
-    if (const auto place = diagnose_unchanged_or_place(exercise, answers)) reasons.push_back(*place);
+    if (const auto place = diagnose_place(exercise, answers)) reasons.push_back(*place);
   return reasons;
 }
 

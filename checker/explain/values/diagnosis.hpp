@@ -35,9 +35,6 @@ Mechanism diagnose_factor;
 /// The error of every wrong component as exactly one or two products of the inputs with simple coefficients.
 Mechanism diagnose_difference;
 
-/// A direction, length, axis, angle or principal values that are right at every case. (invariants.cpp)
-Mechanism diagnose_invariant;
-
 // --- where it is wrong, and on what it depends (patterns.cpp)
 
 Mechanism diagnose_place;         ///< "Only component 3 is wrong": always true, and silent where all are
@@ -45,21 +42,6 @@ Mechanism diagnose_entries;       ///< entries that hold what belongs in others,
 Mechanism diagnose_eigenvectors;  ///< principal axes in another order, of another length or handedness
 Mechanism diagnose_accuracy;      ///< nearly right at every case; the digits where the error follows a law
 Mechanism diagnose_range;  ///< the right attitudes by numbers beyond their range: θ, the pitch, more than half a turn
-
-/// One number of an argument.
-struct IndependentInput {
-  std::size_t argument;
-  std::size_t entry;
-
-  bool operator==(const IndependentInput&) const = default;
-};
-
-/// Numbers of arguments of fixed size that at no pair of cases change the student's result, bit by bit, although they
-/// change the right one at some: to be confirmed by further calls.
-std::vector<IndependentInput> independent_inputs(const ExerciseReference& exercise, const Answers& answers);
-
-/// Nothing where none of them has a name, as a column of a list.
-std::optional<Reason> independence(const ExerciseReference& exercise, const std::vector<IndependentInput>& inputs);
 
 // --- what the failing cases have in common (splits.cpp)
 

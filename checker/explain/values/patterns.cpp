@@ -89,49 +89,6 @@ std::optional<Reason> diagnose_accuracy(const ExerciseReference& exercise, const
   return Reason{ReasonKind::accuracy, "accuracy", sentence, Weight::possible};
 }
 
-std::vector<IndependentInput> independent_inputs(const ExerciseReference& exercise, const Answers& answers) {
-  struct Change {
-    std::set<int> right_moves;  // the cases near which the right result depends on it
-    bool moves_yours = false;
-  };
-  std::map<std::pair<int, int>, Change> changes;
-  for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
-    const Case& one = exercise.cases[i];
-    if (one.base < 0 || one.argument < 0) continue;
-    const auto base = static_cast<std::size_t>(one.base);
-    const int entry = one.inputs[static_cast<std::size_t>(one.argument)].numbers.size() == 1 ? 0 : one.entry;
-    const auto has_number = [&](std::size_t k) { return answers.at(k) && answers[k]->is_finite(); };
-    Change& change = changes[{one.argument, entry}];
-    if (!has_number(i) || !has_number(base) || answers[i]->numbers != answers[base]->numbers) {
-      change.moves_yours = true;  // or not known, and so not said
-    } else if (!is_same_answer(exercise, i, one.expected, exercise.cases[base].expected)) {
-      change.right_moves.insert(one.base);
-    }
-  }
-  std::vector<IndependentInput> found;
-  for (const auto& [place, change] : changes) {
-    if (place.second >= 0 && change.right_moves.size() >= 2 && !change.moves_yours)
-      found.push_back({static_cast<std::size_t>(place.first), static_cast<std::size_t>(place.second)});
-  }
-  return found;
-}
-
-std::optional<Reason> independence(const ExerciseReference& exercise, const std::vector<IndependentInput>& inputs) {
-  std::vector<std::string> names;
-  const std::vector<Quantity> quantities = quantities_of(exercise);
-  for (const Quantity& each : quantities) {
-    const auto is_of_argument = [&](const auto& other) { return other.argument == each.argument; };
-    if (std::ranges::find(inputs, IndependentInput{each.argument, each.entry}) == inputs.end()) continue;
-    const bool is_whole =
-        std::ranges::count_if(inputs, is_of_argument) == std::ranges::count_if(quantities, is_of_argument);
-    const std::string& name = is_whole ? exercise.arguments[each.argument].name : each.name;
-    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
-  }
-  if (names.empty()) return std::nullopt;
-  return Reason{ReasonKind::independence, "independence",
-                fmt::format("Your result never changes with {}; the right one does.", listed(names)), Weight::symptom};
-}
-
 std::optional<Reason> diagnose_entries(const ExerciseReference& exercise, const Answers& answers) {
   const std::set<std::size_t> wrong = wrong_entries(exercise, answers);
   const Value& shape = exercise.cases.front().expected;
