@@ -22,12 +22,13 @@ bool is_set(const char* name) { return environment(name, "0") != "0"; }
 
 Console console_of(int descriptor) {
   const bool terminal = isatty(descriptor) != 0;
-  const bool wants_color = (terminal && environment("TERM", "dumb") != "dumb") || is_set("CLICOLOR_FORCE");
+  const bool is_smart = terminal && environment("TERM", "dumb") != "dumb";
   winsize size{};
   long width = std::strtol(environment("COLUMNS").c_str(), nullptr, 10);
   if (terminal && ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) width = size.ws_col;
   return Console(width > 0 ? std::max(static_cast<std::size_t>(width), narrowest) : 80,
-                 wants_color && environment("NO_COLOR").empty(), is_set("WORKBOOK_PLAIN"));
+                 (is_smart || is_set("CLICOLOR_FORCE")) && environment("NO_COLOR").empty(), is_set("WORKBOOK_PLAIN"),
+                 is_smart);
 }
 
 }  // namespace
@@ -43,6 +44,11 @@ std::string Console::mark(const std::string& mark, Style style) const {
 std::string Console::styled(const std::string& text, Style style) const {
   if (!color_ || style == Style::plain || text.empty()) return text;
   return codes[static_cast<int>(style)] + text + "\033[0m";
+}
+
+std::string Console::linked(const std::string& text, const std::string& address) const {
+  if (!has_links_) return address;
+  return "\033]8;;" + address + "\033\\" + text + "\033]8;;\033\\";
 }
 
 std::string Console::wrapped(const std::string& text, std::size_t indent) const {

@@ -11,11 +11,12 @@ enum class Style { plain, strong, quiet, good, bad, warning };
 /// Renders text for one terminal. Colour never carries meaning alone: every coloured word also says what it means.
 class Console {
  public:
-  explicit Console(std::size_t width = 80, bool color = false, bool plain = false)
-      : width_(width), color_(color && !plain), plain_(plain) {}
+  explicit Console(std::size_t width = 80, bool color = false, bool plain = false, bool has_links = false)
+      : width_(width), color_(color && !plain), plain_(plain), has_links_(has_links && !plain) {}
 
   /// What standard output is: colour only on a terminal that is not dumb, without NO_COLOR, or where CLICOLOR_FORCE
-  /// asks for it; the terminal's width, else the variable COLUMNS, else 80; plain if WORKBOOK_PLAIN is set.
+  /// asks for it; links on such a terminal; its width, else the variable COLUMNS, else 80; plain if WORKBOOK_PLAIN is
+  /// set.
   static Console of_standard_output();
   static Console of_standard_error();
 
@@ -30,6 +31,9 @@ class Console {
 
   std::string styled(const std::string& text, Style style) const;
 
+  /// A text to click on, on one line; where nobody clicks, the address itself, in one piece so that it can be copied.
+  std::string linked(const std::string& text, const std::string& address) const;
+
   /// Text broken between words, every line beginning with `indent` spaces. Line breaks in the text are kept.
   std::string wrapped(const std::string& text, std::size_t indent = 0) const;
 
@@ -40,6 +44,7 @@ class Console {
   std::size_t width_;
   bool color_;
   bool plain_;
+  bool has_links_;
 };
 
 /// One line on standard error that is written over and over, and gone at the end. It shows on a terminal only, and not

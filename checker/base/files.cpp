@@ -5,6 +5,7 @@
 #include <fcntl.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -89,6 +90,15 @@ bool is_newer(const fs::path& file_or_folder, const fs::path& than) {
        next.increment(problem))  // which a folder that vanishes meanwhile ends
     if (is_later(next->path())) return true;
   return false;
+}
+
+std::string file_address(const fs::path& file) {
+  std::string address = "file://";
+  for (const char letter : fs::absolute(file).string())
+    address += std::isalnum(static_cast<unsigned char>(letter)) != 0 || std::strchr("/._~-", letter) != nullptr
+                   ? std::string(1, letter)
+                   : fmt::format("%{:02X}", static_cast<unsigned char>(letter));
+  return address;
 }
 
 std::string shown_path(const fs::path& file) {

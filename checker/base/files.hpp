@@ -40,6 +40,9 @@ bool is_newer(const std::filesystem::path& file_or_folder, const std::filesystem
 /// As seen from the current folder, safe to print.
 std::string shown_path(const std::filesystem::path& file);
 
+/// Its address for browsers and terminals: "file:///a%20folder/page.html".
+std::string file_address(const std::filesystem::path& file);
+
 /// Where a program lies on PATH; "" if it is not installed.
 std::string program_on_path(const std::string& name);
 

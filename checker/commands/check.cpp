@@ -128,9 +128,8 @@ void require_pictures(const fs::path& directory) {
 
 void require_page(const fs::path& file) {
   std::error_code ignored;
-  std::string trouble = folder_trouble(fs::absolute(file).parent_path());
-  if (trouble.empty() && fs::exists(file, ignored) && !fs::is_regular_file(file, ignored))
-    trouble = "not an ordinary file";
+  const bool is_other = file.empty() || (fs::exists(file, ignored) && !fs::is_regular_file(file, ignored));
+  const std::string trouble = is_other ? "not an ordinary file" : place_trouble(file);
   if (!trouble.empty())
     throw UsageError(fmt::format("The page cannot be written to {} ({}); give --html another file.",
                                  printable(file.string()), trouble));
@@ -179,7 +178,7 @@ int check(const Course& course, const Options& options) {
       if (!remark.empty()) fmt::print("{}\n", console.wrapped(remark, 2));
       if (tasks.size() == 1 && !checked.is_started())
         fmt::print("{}\n  {}\n", console.wrapped(exercise.entry->task, 2),
-                   notes_place(course, exercise, exercise.entry->notes));
+                   notes_place(course, exercise, exercise.entry->notes, console, 2));
       if (tasks.size() == 1 && checked.judgement.passed() && checked.task.counts_as_progress())
         fmt::print("{}", after_pass(course, exercise, progress, console));
     }

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <tuple>
+
 namespace workbook {
 
 int doctor(const Course& course, const Options& options) {
@@ -60,9 +62,14 @@ int doctor(const Course& course, const Options& options) {
                               {"namespaces", !sandbox.namespaces.empty()},
                               {"control_groups", !sandbox.control_groups.empty()}});
 
-  const std::string gnuplot = program_on_path("gnuplot");
-  report(!gnuplot.empty(), "gnuplot",
-         gnuplot.empty() ? "missing: checks work, plots do not (on Debian: apt-get install gnuplot-nox)" : gnuplot);
+  for (const auto& [program, purpose, package] : {std::tuple{"gnuplot", "plots", "gnuplot-nox"},
+                                                  {"gdb", "debug and try --case", "gdb"},
+                                                  {"em++", "live figures", "emscripten"}}) {
+    const std::string path = program_on_path(program);
+    report(!path.empty(), program,
+           path.empty() ? fmt::format("missing: checks work, {} do not (on Debian: apt-get install {})", purpose, package)
+                        : path);
+  }
 
   const std::string root = course.root().string();
   const bool writable = access(root.c_str(), W_OK) == 0;

@@ -24,6 +24,7 @@ std::string inputs_text(const ExerciseReference& exercise, const Case& one) {
 }
 
 constexpr std::string_view answer_letters = "abc";
+constexpr std::size_t longest_offered = 150;  // letters of the inputs of a case to be worked out by hand
 
 struct Prediction {
   std::size_t case_index;
@@ -62,6 +63,40 @@ bool is_right(const ExerciseReference& exercise, const Prediction& prediction) {
     error = std::max(error, std::abs(expected.numbers[k] - prediction.value.numbers[k]));
   }
   return error <= 5e-3 * size;
+}
+
+bool returns(const ExerciseReference& exercise, const Misconception& wrong, std::size_t i, const Value& value) {
+  return i < wrong.outputs.size() && is_same_answer(exercise, i, wrong.outputs[i], value);
+}
+
+/// The wrong functions that would agree with all these, the most ordinary first, which are wrong nearly everywhere.
+std::vector<const Misconception*> agreeing(const ExerciseReference& exercise, const std::vector<Prediction>& right) {
+  std::vector<const Misconception*> blind;
+  for (const Misconception& wrong : exercise.misconceptions)
+    if (std::ranges::all_of(right, [&](const Prediction& one) {
+          return returns(exercise, wrong, one.case_index, exercise.cases[one.case_index].expected);
+        }))
+      blind.push_back(&wrong);
+  std::ranges::stable_sort(blind, {}, [&](const Misconception* wrong) {
+    std::size_t agrees = 0;
+    for (std::size_t i = 0; i < exercise.cases.size(); ++i)
+      agrees += returns(exercise, *wrong, i, exercise.cases[i].expected) ? 1 : 0;
+    return agrees;
+  });
+  return blind;
+}
+
+/// Of the cases that can be worked out by hand the one that shows most of these wrong, and how many.
+std::pair<std::size_t, std::size_t> most_telling_case(const ExerciseReference& exercise,
+                                                      const std::vector<const Misconception*>& wrong) {
+  std::pair<std::size_t, std::size_t> best;
+  for (std::size_t i = 0; i < exercise.described_cases(); ++i) {
+    if (inputs_text(exercise, exercise.cases[i]).size() > longest_offered) continue;
+    const auto shown = static_cast<std::size_t>(std::ranges::count_if(
+        wrong, [&](const Misconception* each) { return !returns(exercise, *each, i, exercise.cases[i].expected); }));
+    if (shown > best.second) best = {i, shown};
+  }
+  return best;
 }
 
 // --- review
@@ -158,11 +193,14 @@ int predict(const Course& course, const Options& options) {
     else
       say("\nAnd here? Work one or two out before you write the function:\n\n");
     for (std::size_t i = 0; i < reference.described_cases() && shown.size() < 8; ++i)
-      if (inputs_text(reference, reference.cases[i]).size() <= 150 && shown.insert(i).second) show(i, "");
+      if (inputs_text(reference, reference.cases[i]).size() <= longest_offered && shown.insert(i).second) show(i, "");
     say("\nThen: `{}`, with the numbers of the result, row by row.",
         command(fmt::format("predict {} '1=…' '4=…'", exercise.name())));
     return all_passed;
   }
+  CheckTask stage = check_task(course, exercise);
+  set_stage(stage, Progress(course.progress_file()));
+  const bool has_names = stage.stage == CheckTask::last_stage;
   std::vector<Prediction> right;
   for (const std::string& typed : options.predictions) {
     const Prediction prediction = read_prediction(reference, typed);
@@ -172,23 +210,31 @@ int predict(const Course& course, const Options& options) {
     const auto limit = std::ranges::find(reference.limits, prediction.case_index, &Limit::case_index);
     if (holds && limit != reference.limits.end()) fmt::print("{}\n", console.wrapped(limit->reason, 2));
     if (holds) right.push_back(prediction);
-  }
-  const auto is_blind_to = [&](const Misconception& wrong) {
-    return std::ranges::all_of(right, [&](const Prediction& prediction) {
-      const std::size_t i = prediction.case_index;
-      return i < wrong.outputs.size() && is_same_answer(reference, i, wrong.outputs[i], reference.cases[i].expected);
+    const auto mistake = std::ranges::find_if(reference.misconceptions, [&](const Misconception& wrong) {
+      return returns(reference, wrong, prediction.case_index, prediction.value);
     });
-  };
-  std::size_t told = 0;
-  for (const Misconception& wrong : reference.misconceptions) {
-    if (right.empty() || !is_blind_to(wrong)) continue;
-    if (told++ == 0) fmt::print("\nYour right predictions cannot tell the function from one of which would be said:\n");
-    fmt::print("{}\n", console.wrapped("- " + wrong.message, 2));
+    if (!holds && has_names && mistake != reference.misconceptions.end())
+      fmt::print("{}\n", console.wrapped("A function with this mistake returns it: " + mistake->message, 2));
   }
-  if (told > 0) fmt::print("Another case can: add one.\n");
-  if (!right.empty() && told == 0 && right.size() == options.predictions.size())
-    say("\nThese tell the function from all {} that are known.", plural(reference.misconceptions.size(), "wrong one"));
-  return right.size() == options.predictions.size() && told == 0 ? all_passed : something_failed;
+  const bool are_all_right = right.size() == options.predictions.size();
+  const std::vector<const Misconception*> blind = agreeing(reference, right);
+  if (right.empty()) return something_failed;
+  if (blind.empty()) {
+    if (are_all_right)
+      say("\nThese tell the function from all {} that are known.",
+          plural(reference.misconceptions.size(), "wrong one"));
+    return are_all_right ? all_passed : something_failed;
+  }
+  const std::size_t most = options.all ? blind.size() : 3;
+  say("\n{} would return the same.", plural(blind.size(), "known wrong function"));
+  for (std::size_t k = 0; has_names && k < std::min(most, blind.size()); ++k)
+    fmt::print("{}\n", console.wrapped("- " + blind[k]->message, 2));
+  if (has_names && most < blind.size()) fmt::print("  ({} more: --all)\n", blind.size() - most);
+  if (const auto [index, count] = most_telling_case(reference, blind); count > 0)
+    say("Case {} tells {} from the right one: {}.", index + 1,
+        count == blind.size() ? (count == 1 ? "it" : "them all") : fmt::format("{} of them", count),
+        inputs_text(reference, reference.cases[index]));
+  return something_failed;
 }
 
 int question(const Course& course, const Options& options) {

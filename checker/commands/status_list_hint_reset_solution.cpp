@@ -1,10 +1,12 @@
 // Where the student stands, exercise by exercise: the commands status (the one without a name), list, hint and reset.
+#include "checker/base/formulas.hpp"
 #include "checker/commands/commands.hpp"
 #include "checker/course/assignment.hpp"
 #include "checker/course/exam.hpp"
 #include "checker/course/locked_text.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace workbook {
@@ -103,11 +105,29 @@ std::string limits_text(const Course& course, const Exercise& exercise) {
   std::string text = reference.limits.empty() ? "" : "\nLimits:\n";
   for (const Limit& limit : reference.limits) {
     const Case& one = reference.cases[limit.case_index];
+    Value value = one.expected;  // without what rounding leaves of zeros
+    for (std::size_t n = 0; n < value.numbers.size(); ++n)
+      if (std::abs(value.numbers[n]) <= one.tolerance * scale_at(one, n)) value.numbers[n] = 0;
     const std::string line = fmt::format("- {}: {} = {}. {}", one.name, reference.result_name,
-                                         format_value(one.expected, reference.result_kind, 4), limit.reason);
+                                         format_value(value, reference.result_kind, 4), limit.reason);
     text += Console::of_standard_output().wrapped(line, 2) + "\n";
   }
   return text;
+}
+
+/// Code, then another route or the derivation, which a heading begins, as a terminal shows them.
+int show_solution(const Course& course, const Exercise& exercise, const std::string& text) {
+  const Console console = Console::of_standard_output();
+  const std::size_t heading = std::min(text.find("\n# "), text.size());
+  fmt::print("{}\n", text.substr(0, heading));
+  for (const std::string& line : lines_of(with_readable_formulas(text.substr(heading))))
+    fmt::print("{}\n", line.starts_with("    ") ? line
+                       : line.starts_with("# ") ? console.styled(line.substr(2), Style::strong)
+                                                : console.wrapped(line));
+  const fs::path page = course.notes_folder() / ("exercise_" + exercise.name() + ".html");
+  if (fs::exists(page)) fmt::print("Page: {}\n", console.linked(page.filename().string(), file_address(page)));
+  fmt::print("{}", limits_text(course, exercise));
+  return all_passed;
 }
 
 /// What the copy for students keeps locked, opened by the student's own function.
@@ -117,10 +137,8 @@ int unlock(const Course& course, const Exercise& exercise, const std::string& lo
   task.further = calls_of_locked(locked);
   const CheckResult checked = check_exercise(context, task);
   if (checked.judgement.passed())
-    if (const std::optional<std::string> text = unlocked_text(locked, checked.observation.further)) {
-      fmt::print("{}{}", *text, limits_text(course, exercise));
-      return all_passed;
-    }
+    if (const std::optional<std::string> text = unlocked_text(locked, checked.observation.further))
+      return show_solution(course, exercise, *text);
   return stop("Your {} does not pass yet; its solution and derivation open once it does.", exercise.name());
 }
 
@@ -168,6 +186,14 @@ int status(const Course& course, const Options& /*options*/) {
   return all_passed;
 }
 
+/// What was checked last, or else the next exercise, if that does not pass.
+static Exercise at_hand(const ProgressSummary& summary, const Progress& progress) {
+  const auto last = std::ranges::find(summary.exercises, progress.last()[0], &Exercise::name);
+  const bool is_open =
+      last != summary.exercises.end() && !summary.passed[static_cast<std::size_t>(last - summary.exercises.begin())];
+  return is_open ? *last : *summary.next();
+}
+
 int prepare(const Course& course, const Options& /*options*/) {
   struct Part {
     const char* what;
@@ -208,7 +234,7 @@ int hint(const Course& course, const Options& options) {
     say("Every exercise passes, so there is no next one. `{}` shows the hints of one.", command("hint EXERCISE"));
     return all_passed;
   }
-  const Exercise exercise = options.name.empty() ? *summary.next() : course.find_exercise(options.name);
+  const Exercise exercise = options.name.empty() ? at_hand(summary, progress) : course.find_exercise(options.name);
   refuse_in_exam(course, {exercise});
   const std::vector<std::string> hints = read_hints(course.hints_file(exercise));
   const std::size_t shown_before = progress.of(exercise.name()).hints_shown;
@@ -221,7 +247,8 @@ int hint(const Course& course, const Options& options) {
   if (last + 1 < hints.size()) {
     fmt::print("For the next hint, type the same again.\n");
   } else {
-    fmt::print("That was the last hint. Read on in\n  {}\n", notes_place(course, exercise, exercise.entry->notes));
+    fmt::print("That was the last hint. Read on in\n  {}\n",
+               notes_place(course, exercise, exercise.entry->notes, console, 2));
   }
   progress.remember_hints(exercise.name(), std::max(shown_before, last + 1));
   warn(progress);
@@ -262,15 +289,7 @@ int solution(const Course& course, const Options& options) {
   if (!options.now && !progress.passed(exercise.name(), file_fingerprint(course.student_file(exercise))))
     return stop("Your {} does not pass yet; its solution is shown once it does, or now by `{}`.", exercise.name(),
                 command("solution " + exercise.name() + " --now"));
-  fmt::print("{}\n", *code);
-  const fs::path derivation = course.derivation_file(exercise);
-  if (fs::exists(derivation)) {
-    const fs::path page = course.notes_folder() / ("exercise_" + exercise.name() + ".html");
-    fmt::print("{}: {}\n", exercise.entry->is_problem() ? "Derivation" : "Another route",
-               shown_path(fs::exists(page) ? page : derivation));
-  }
-  fmt::print("{}", limits_text(course, exercise));
-  return all_passed;
+  return show_solution(course, exercise, *code + "\n" + read_file(course.derivation_file(exercise)).value_or(""));
 }
 
 }  // namespace workbook

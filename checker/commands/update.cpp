@@ -16,7 +16,7 @@ void print_update(const Release& now, const Release& before, const UpdateResult&
 }
 
 int update(const Course& course, const Options& options) {
-  const Release before = read_release(course.root()), now = read_release(*options.out);
+  const Release now = read_release(*options.out), before = read_release(course.root());
   if (now.number < before.number)
     throw UsageError(
         fmt::format("{} is release {}; yours is {} already.", shown_path(*options.out), now.number, before.number));

@@ -265,7 +265,7 @@ class CompilationInProgress {
       }
     const auto is_missing = [&](const Symbol& symbol) { return symbol.is_used() && !defined.contains(symbol.name); };
     if (source_.tokens().empty())
-      refuse("Your file is empty, or holds nothing but comments.", output, {}, Refusal::missing_function);
+      refuse("Your file is empty, or holds nothing but comments; `reset` writes it anew.", output, {}, Refusal::missing_function);
     constexpr std::string_view space = "rigid::";
     for (const Symbol& symbol : symbols(toolchain_.worker_object(task_.exercise).string())) {
       if (!is_missing(symbol) || !symbol.shown.starts_with(space)) continue;

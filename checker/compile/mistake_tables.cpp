@@ -3,7 +3,7 @@
 namespace workbook {
 
 const std::string_view spellings =
-    ";True=true;TRUE=true;False=false;FALSE=false;None=nullptr;null=nullptr;elif=else if;retrun=return;retun=return"
+    ";.X=x;.Y=y;.Z=z;.at=v(i) or A(i, j);True=true;TRUE=true;False=false;FALSE=false;None=nullptr;null=nullptr;elif=else if;retrun=return;retun=return"
     ";Return=return;pi=std::numbers::pi;PI=std::numbers::pi;Pi=std::numbers::pi;M_PI=std::numbers::pi"
     ";M_Pi=std::numbers::pi;π=std::numbers::pi;.length=norm;.magnitude=norm;.abs=norm;.len=size;.column=col"
     ";.transposed=transpose;.T=transpose;.t=transpose;.det=determinant;.inv=inverse;.unit=normalized"
@@ -48,6 +48,12 @@ std::string in_words_of_gcc(const std::string& message) {
 }
 
 const std::vector<MessageMistake> error_table = {
+    // Whole statements of other languages, which break in many ways.
+    {"list_in_brackets", ".", "[ ] makes no vector or matrix: write Vector3d(a, b, c), or put the numbers in by <<.",
+     R"((return|=)\s*@?\[[^\[\]=&]*[,;@][^\[\]]*\]\s*@?;)"},
+    {"foreign_word", ".", "A loop over whole numbers is written for (int i = 0; i < 3; ++i).",
+     R"(^\s*@?for\s+@?\w+\s+@?in\b)"},
+
     // Sizes, which Eigen reports by the names of static assertions.
     {"row_and_column",
      R"(YOU_MIXED_MATRICES[^]*scalar_(sum|difference)_op[^]*Lhs = (?:(?:const )?(?:Vector|\S+×1 v)[^;]*; Rhs = (?:1×|RowV)|)"
@@ -123,6 +129,10 @@ const std::vector<MessageMistake> error_table = {
     {"missing_hash", ".", "A # is missing: write #include.", R"(^\s*include\s*@?[<"])"},
 
     // Brackets and calls.
+    {"unary_plus", R"(no match for 'operator\+' \(operand type)", "=+ only assigns; what adds to a variable is +=.",
+     R"(=\s*@?\+)"},
+    {"call_of_value", R"(^no match for call to '\(.*(Vector|Matrix)[^)]*\) ?\(\)')",
+     "A vector or matrix is no function: leave out the ()."},
     {"number_brackets", R"(^invalid types '(double|int|float)\[)", "This is a number, which has no entries [ ]."},
     {"xor_for_power", R"('operator\^'|used as a function)",
      "^ is not a power in C++; the square of %1(x) is std::pow(%1(x), 2).", R"(\b(sin|cos|tan)\s*@?\^)"},
@@ -146,7 +156,7 @@ const std::vector<MessageMistake> error_table = {
     {"modulo_of_double", "'.*double.*' to binary 'operator%'",
      "% is the remainder of whole numbers only; for doubles write std::fmod(a, b)."},
     {"missing_call",
-     "<unresolved overloaded function type>|did you forget the '\\(\\)'|^wrong type argument to unary minus|cannot "
+     "<unresolved overloaded function type>|cannot resolve address of overloaded function|did you forget the '\\(\\)'|^wrong type argument to unary minus|cannot "
      "resolve overloaded function|from type "
      "'.*\\(.*::\\)\\(\\)|cannot convert '\\w+ \\(\\*\\)\\(.*\\).*' to",
      "A function is named here, but not called: its parentheses are missing, as in A.transpose() or cos(x)."},
@@ -170,6 +180,8 @@ const std::vector<MessageMistake> error_table = {
      R"(\b(double|int|auto|bool|\w*Vector\w*|\w*Matrix\w*)\s+@)"},
     {"invalid_name", "expected unqualified-id before numeric constant", "A name cannot begin with a digit.",
      R"(\w\s+@\d)"},
+    {"redeclaration", R"(expected initializer before '[-+*/]=')",
+     "To change a variable write its name without its type, which declares a new one."},
     {"invalid_name", "expected initializer before '-'", "A name cannot hold a -; write _ in its place."},
     {"invalid_name", R"(expected initializer before '(\w+)')", "A name cannot hold a blank; write _ in its place.",
      R"(\b(double|int|auto|\w*Vector\w*|\w*Matrix\w*)\s+\w+\s+@\w+\s*[=;])"},
@@ -228,6 +240,9 @@ const std::vector<MessageMistake> error_table = {
     {"text_for_number", R"((convert|conversion)[^\n]*'const char)", "A text in quotation marks is no number."},
     {"list_in_parentheses", "convert|conversion", "(a, b, c) is only its last number: write Vector3d(a, b, c).",
      R"((return|=)\s*@?\([^()]*,[^()]*\)\s*;)"},
+    {"pointer_for_value", R"(^cannot convert '[^'*]*' to '[^']*\*' in init)",
+     "The * makes a pointer of this variable: leave it out, as a variable holds its value itself.",
+     R"(\w\s*\*\s*\w+\s*@?=)"},
     {"pointer_for_value", R"(^invalid operands of types [^\n]*double ?\*'[^\n]*binary)",
      "A pointer is no number: *p is the number to which it points."},
     {"list_with_equals",
@@ -241,7 +256,7 @@ const std::vector<MessageMistake> error_table = {
      "of read-only|as 'this' argument discards|raw: [^]*'operator(=|[-+*/]=|<<)'.*types are (?:'[^']*' \\{aka )?'const "
      R"((Eigen::|rigid::)?(Matrix|Block|VectorBlock|Transpose|Diagonal|Vector)[\w<])",
      "`%1` is const and cannot be changed; make a variable of your own for the result.",
-     R"((?:^|[;{}])\s*(?!for\b|if\b|while\b|else\b|return\b)(\w+)[^;{}]*@)"},
+     R"((?:^|[;{}]|\)\s)\s*(?!for\b|if\b|while\b|else\b|return\b)(\w+)(?:[^;{}()]|\([^()]*\))*@)"},
     {"changed_constant", "of read-only|passing 'const [^']*' as 'this' argument discards",
      "What is changed here is const; make a variable of your own for the result."},
     {"std_vector_as_vector", "('operator[-+*/=]'|convert|conversion).*<list>",
@@ -252,6 +267,9 @@ const std::vector<MessageMistake> error_table = {
      "A std::vector or an array is only a list: to calculate, use Vector3d or VectorXd."},
     {"auto_with_braces", "^[^\n]*std::initializer_list<",
      "auto with braces makes a list of numbers: write Vector3d v(1, 2, 3);"},
+    {"entry_for_column", "conversion from <number> to non-scalar type <matrix>",
+     "`%1(%2)` is a single number: a column of a matrix is %1.col(%2), a row %1.row(%2).",
+     R"(=\s*(\w+)\s*@?\(\s*(\w+)\s*\)\s*@?;)"},
     {"number_for_matrix",
      "(?:'operator=' .*types are <matrix> and <number>|conversion from <number> to non-scalar type "
      "<matrix>)",
@@ -267,6 +285,9 @@ const std::vector<MessageMistake> error_table = {
      "A.array() and a matrix cannot be combined: write .array() on both sides, or on neither.", R"(\.array\(\))"},
     {"one_by_one_matrix", "'(?:const )?1×1 matrix' to <number>",
      "This is a matrix with one entry, not a number: write a.dot(b) in place of a.transpose() * b."},
+    {"mean_of_all", "conver(?:t|sion)(?: '.*')?(?: from)? <number> to (?:non-scalar type )?<matrix>",
+     "`%1()` of a matrix is one number, that of all entries: A.rowwise().%1() is the one of each row.",
+     R"(\w\.(mean|sum)\(\)\s*@?[;/*]|\w\.(?=mean|sum)(\w+)@\(\))"},
     {"returned_kind", R"(conver(?:t|sion)(?: '.*')?(?: from)? <value> to (?:non-scalar type )?<value>)",
      "The function returns `$2`, but what is returned here is `$1`.", R"(\breturn\b[^;]*@)"},
     {"wrong_kind", R"(conver(?:t|sion)(?: '.*')?(?: from)? <value> to (?:non-scalar type )?<value>)",
@@ -312,6 +333,10 @@ const std::vector<MessageMistake> error_table = {
      "`std::$1$2` needs a header: write #include <ranges> at the top of your file."},
     {"missing_header", R"(^'(std::(\w+))' has not been declared|aggregate '(std::(\w+))\S* .*' has incomplete type)",
      "`$1$3` needs a header: write #include <$2$4> at the top of your file."},
+    {"missing_namespace", R"(^'((?:Vector|RowVector|Matrix)(?:[2-4]|X|3X)d|AngleAxisd|Quaterniond)' is not a member of 'std')",
+     "`$1` does not belong to std: write $1, or Eigen::$1."},
+    {"missing_namespace", R"(^'((?:MatrixX|Vector4|RowVector\w|Matrix[24])d|AngleAxisd|Quaterniond|Map|Array\w+)' (was|has|does) not)",
+     "`$1` needs its namespace: write Eigen::$1."},
     {"missing_namespace", R"(^'(Vector2d|Vector3d|VectorXd|Matrix3d|Matrix3Xd|NotStarted)' (was|has|does) not)",
      "`$1` is known in the namespace rigid only: put your function between `namespace rigid {` and its `}`."},
     {"degrees_function", "^'(a?(?:sin|cos|tan))d' was not declared",

@@ -70,6 +70,10 @@ const std::vector<TextMistake>& table() {
     const double distance = std::abs(std::stod(found[1]) - std::numbers::pi);
     return distance > 1e-15 && distance < 2e-3;
   };
+  const auto is_other_counter = [](const Match& found) { return found[2] + found[3] != found[1]; };
+  const auto is_false_at_first = [](const Match& found) {
+    return std::stol(found[2]) < std::stol(found[4]) + (found[3] == ">" ? 1 : 0);
+  };
   // Between parentheses, which may be nested twice.
   const std::string inside = R"((?:[^()]|\((?:[^()]|\([^()]*\))*\))*)";
   static const std::vector<TextMistake> mistakes = {
@@ -93,6 +97,13 @@ const std::vector<TextMistake>& table() {
        nullptr, own_types, Weight::possible, Fix::no_noalias},
       {"empty_body", R"(^(?:else )?(for|if) \( )" + inside + R"(\) ;$)",
        "The ; directly after $1 (...) is all that it does: what follows does not belong to it. Leave out this ;"},
+      {"unary_plus", R"(^(\w+)(?: \( )" + inside + R"(\))? = \+ .*;$)",
+       "=+ only assigns; what adds to `$1` is +=."},
+      {"other_counter",
+       R"(for \( (?:[\w:]+ )?(\w+) = [^;]* ; \1 [^;]* ; (?:(?:\+\+|--) (\w+)|(\w+) (?:\+\+|--)) \))",
+       "This loop runs as long as `$1` is small enough, but its head changes `$2$3`.", is_other_counter},
+      {"loop_never_runs", R"(for \( (?:[\w:]+ )?(\w+) = (\d{1,9}) ; \1 (>=?) (\d{1,9}) ;)",
+       "This loop never runs: `$1` begins at $2, where $1 $3 $4 is false.", is_false_at_first},
       {"always_true", R"((?:[=!]=|[<>]=?) [^ ]+ (\|\| \d[\w.]*)(?= (?:[)|&;?]|\|\|)))",
        "`$1` is always true, whatever stands before it: write the whole comparison again, as in x == 1 || x == 2."},
       {"whole_sum", R"((accumulate) \( .* , 0 \))",
@@ -144,9 +155,17 @@ std::vector<Reason> text_mistakes(const SourceText& source) {
     for (std::string& group : match.groups) boost::erase_all(group, " ");
     found.push_back(source.reason(source.place_of(tokens[token].offset), name, match.fill(sentence), weight, fix));
   };
-  std::string last;  // statement
+  std::string last;              // statement
+  bool is_first_turn = false;  // of a loop, without a condition so far
   for (const Statement& statement : statements_of(tokens)) {
     const std::string before = std::exchange(last, statement.text);
+    if (is_first_turn && statement.text.starts_with("return "))
+      add(statement.first_token, "return_in_loop", Match(),
+          "This return ends the loop in its first turn: it belongs behind the } of the loop.");
+    if (statement.text.ends_with("{") || statement.text.ends_with("}"))
+      is_first_turn = search(statement.text, R"(^for \( .* \) \{$)").groups.size() > 0;
+    else if (search(statement.text, R"(^(if|else|while|do|switch|for|case|break|continue)\b)"))
+      is_first_turn = false;
     if (statement.text.size() > longest_statement || found.size() > most) continue;
     if (const Match copied = search(before, R"(^([\w.\[\]() ,]+) = ([\w.\[\]() ,]+) ;$)");
         copied && statement.text == copied[2] + " = " + copied[1] + " ;")

@@ -151,6 +151,8 @@ Exercise Course::find_exercise(const std::string& name) const {
   std::vector<std::string> known;
   for (const Exercise& exercise : exercises()) {
     if (exercise.name() == name) return exercise;
+    if (is_named(*exercise.card, name))
+      throw UsageError(fmt::format("'{}' is a lecture; name one of its exercises, such as {}.", name, exercise.name()));
     known.push_back(exercise.name());
   }
   throw_unknown("exercise", name, known);

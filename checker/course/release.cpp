@@ -154,7 +154,8 @@ Release read_release(const fs::path& copy) {
   const fs::path file = copy / release_name;
   const std::optional<std::string> text = read_file(file);
   if (!text)
-    throw UsageError(fmt::format("{} is no copy that `handout` wrote: it has no {}.", shown_path(copy), release_name));
+    throw UsageError(fmt::format("{} is no copy that `handout` wrote: it has no {}.",
+                                 shown_path(copy) == "." ? "This workbook" : shown_path(copy), release_name));
   try {
     Release release = json::parse(*text).get<Release>();
     for (const auto& [name, content] : release.files)

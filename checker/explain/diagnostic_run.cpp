@@ -57,6 +57,7 @@ constexpr KnownEvent known_events[] = {
     {"FPE\\|log(2|10)?", "outside_domain", "the logarithm of 0 or of a negative number is infinite or not a number (NaN)."},
     {"FPE\\|pow", "outside_domain", "pow has no finite result here: look at a negative base with a fractional exponent, and at 0 to a negative one."},
     {"FPE\\|exp", "outside_domain", "exp of so large a number is infinite."},
+    {"FPE\\|(sin|cos|tan|atan2?|tanh|hypot)", "non_finite", "an operation here, such as 0 divided by 0, has no finite result."},
     {"FPE\\|(.+)", "outside_domain", "$1 is given a number here for which it has no finite result."},
     {"FPE\\|", "non_finite", "an operation here gives or meets a value that is infinite or not a number (NaN)."},
     {"never_set here", "never_set", "something is used here that was never given a value: a variable, or an entry of a matrix or vector."},

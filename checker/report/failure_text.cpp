@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 namespace workbook {
 
@@ -94,78 +95,44 @@ Lines matrix_lines(const Value& value, std::size_t first_col, int digits, const 
   return table.lines();
 }
 
-/// Blocks of lines below a title beside each other as long as they fit on the page, each row of blocks below the one
-/// before.
-Lines side_by_side(const std::vector<Lines>& blocks, std::size_t indent, const Page& page, std::size_t gap = 3) {
-  Lines result;
-  Lines band;  // blocks that stand beside each other
-  const auto finish_band = [&] {
-    for (const std::string& line : band) result.push_back(without_trailing_blanks(std::string(indent, ' ') + line));
-    band.clear();
-  };
+/// Blocks of lines beside each other.
+Lines side_by_side(const std::vector<Lines>& blocks) {
+  Lines band;
   for (const Lines& lines : blocks) {
-    if (page.is_linear || indent + widest(band) + gap + widest(lines) > page.width) finish_band();
-    const std::size_t start = band.empty() ? 0 : widest(band) + gap;
+    const std::size_t start = band.empty() ? 0 : widest(band) + 3;
     band.resize(std::max(band.size(), lines.size()));
     for (std::size_t row = 0; row < lines.size(); ++row) band[row] = padded(band[row], start) + lines[row];
   }
-  finish_band();
-  return result;
+  std::ranges::transform(band, band.begin(), without_trailing_blanks);
+  return band;
 }
 
 // --- what went in
 
+/// As one types it, with all digits. A brief page has one line for it, if need be with rounded numbers, or the
+/// beginning of a long list.
 Lines input_lines(const Argument& argument, const Value& value, const Page& page) {
-  const std::string unit = to_string(argument.unit);
-  const auto on_one_line = [&](const char* sign, int digits) {
-    return fmt::format("{} {} {}{}{}", argument.name, sign, format_value(value, argument.kind, digits),
-                       unit.empty() ? "" : " ", unit);
+  const std::string unit = to_string(argument.unit), ending = unit.empty() ? "" : " " + unit;
+  const std::size_t width = page.width - block_indent;
+  const auto text = [&](const char* sign, int digits) {
+    return fmt::format("{} {} {}{}", argument.name, sign, format_value(value, argument.kind, digits), ending);
   };
-  const auto fits = [&](const std::string& line) {
-    return (page.is_brief || argument.kind != Kind::matrices) && block_indent + display_width(line) <= page.width;
-  };
-  const std::string line = on_one_line("=", all_digits);
-  const bool is_number = argument.kind == Kind::number || argument.kind == Kind::integer;
-  if (fits(line) || is_number || value.cols == 0) return {line};
-  if (page.is_brief)
-    for (const int digits : {6, 4})
-      if (const std::string rounded = on_one_line("≈", digits); fits(rounded)) return {rounded};
-
-  Lines lines = {argument.name + in_brackets(unit)};
-  const auto cols = static_cast<std::size_t>(value.cols);
-  if (is_vector(argument.kind)) {
-    Lines texts;
-    for (double number : value.numbers) texts.push_back(number_text(number, all_digits));
-    std::vector<Lines> blocks;
-    for (const std::string& text : aligned_on_point(texts)) blocks.push_back({text});
-    append(lines, side_by_side(blocks, block_indent, {.width = page.width}, 2));
-  } else if (argument.kind == Kind::points) {
-    const std::size_t shown = std::min(cols, page.is_brief ? page.most_rows / 2 : page.most_rows);
-    if (shown == 1 && cols > 1) {
-      const Value first{value.rows, 1, {value.numbers.begin(), value.numbers.begin() + value.rows}};
-      return {fmt::format("{} = {} columns, the first {}{}{}", argument.name, cols, format_value(first, Kind::vector),
-                          unit.empty() ? "" : " ", unit)};
-    }
-    lines.front() += ", column by column";
-    Table table;
-    for (std::size_t col = 0; col < shown; ++col) {
-      table.labels.push_back(std::to_string(col));
-      Lines& row = table.rows.emplace_back();
-      for (int k = 0; k < value.rows; ++k) row.push_back(number_text(value.at(k, static_cast<int>(col)), all_digits));
-    }
-    append(lines, indented(table.lines()));
-    if (shown < cols) lines.push_back("  " + more(cols - shown, "column"));
-  } else if (argument.kind == Kind::matrices) {
-    std::vector<Lines> blocks;
-    for (std::size_t m = 0; m < cols / 3; ++m) {
-      blocks.push_back({fmt::format("matrix [{}]", m)});
-      append(blocks.back(), matrix_lines(value, 3 * m, all_digits));
-    }
-    append(lines, side_by_side(blocks, block_indent, page));
-  } else {
-    append(lines, indented(matrix_lines(value, 0, all_digits)));
-  }
-  return lines;
+  if (!page.is_brief && value.numbers.size() <= 9 * page.most_rows)
+    return wrapped_lines(text("=", all_digits), page.width, block_indent);
+  for (const int digits : {all_digits, 6, 4, 3})
+    if (std::string line = text(digits == all_digits ? "=" : "≈", digits);
+        display_width(line) <= width || value.numbers.size() == 1)
+      return indented({line});
+  if (argument.kind == Kind::matrix3) return wrapped_lines(text("≈", 4), page.width, block_indent);
+  const auto [kind, per_element, elements] = is_vector(argument.kind)        ? std::tuple(Kind::number, 1, "numbers")
+                                             : argument.kind == Kind::points ? std::tuple(Kind::vector, 3, "columns")
+                                                                             : std::tuple(Kind::matrix3, 9, "matrices");
+  const Value first{
+      std::min(per_element, 3), per_element == 9 ? 3 : 1, {value.numbers.begin(), value.numbers.begin() + per_element}};
+  const std::string line =
+      fmt::format("{} = {} {}, the first {}{}", argument.name, value.numbers.size() / first.numbers.size(), elements,
+                  format_value(first, kind, 4), ending);
+  return indented({shortened(line, width)});
 }
 
 // --- what came out
@@ -182,99 +149,118 @@ struct Result {
   Value expected;
   std::vector<Column> columns = {};
   std::optional<Deviation> difference = {};  ///< where entries are compared one by one
-  std::string title = {};                    ///< name and unit where they stand among the headings of columns
 
   std::size_t size() const { return expected.numbers.size(); }
   bool differs(std::size_t number) const { return difference && !difference->is_within(number); }
   bool differs_anywhere() const { return difference && !difference->is_within(); }
-  Lines row(std::size_t number) const {
-    Lines texts;
-    for (const Column& one : columns) texts.push_back(number_text(one.value.numbers[number], one.digits));
-    return texts;
+  bool has_matrices() const { return exercise.result_kind == Kind::matrix3 || exercise.result_kind == Kind::matrices; }
+
+  /// The numbers to be told one by one: those that differ, where not all can be shown or others say nothing.
+  Indices told(const Page& page) const {
+    Indices shown = first_indices(size());
+    const bool is_long = size() > page.most_rows || has_matrices() || page.is_linear;
+    if (is_long && differs_anywhere()) std::erase_if(shown, [&](std::size_t n) { return !differs(n); });
+    if (shown.size() > page.most_rows + 1) shown.resize(page.most_rows);  // a line instead of one more says less
+    return shown;
+  }
+  /// How many of the rest agree, or are too many.
+  Lines untold(const Indices& shown) const {
+    const std::size_t left = size() - shown.size();
+    const auto wrong = static_cast<std::size_t>(
+        std::ranges::count_if(first_indices(size()), [&](std::size_t n) { return differs(n); }));
+    if (left == 0) return {};
+    if (wrong > 0 && wrong == shown.size())
+      return {left == 1 ? "  (the other number agrees)" : fmt::format("  (the other {} numbers agree)", left)};
+    return {"  " + more(left, "number")};
   }
 };
 
-/// As in code: "[1]" for a component of a vector, "column 0   1" for one of a list of columns.
+/// As in code: "[1]" for a component of a vector, "(2,0)" for an entry.
 std::string component_label(Kind kind, std::size_t number) {
   if (is_vector(kind)) return fmt::format("[{}]", number);
-  if (kind != Kind::points) return "";
-  const std::size_t row = number % 3;
-  return row == 0 ? fmt::format("column {}   0", number / 3) : std::to_string(row);
+  if (kind == Kind::number || kind == Kind::integer) return "";
+  const std::string entry = fmt::format("({},{})", number % 3, number / 3 % (kind == Kind::points ? number + 1 : 3));
+  return kind == Kind::matrices ? fmt::format("[{}]{}", number / 9, entry) : entry;
 }
 
-/// Expected, yours and difference of one number after the other, only those that differ, where columns do not fit.
-Lines lines_below_each_other(const Result& result, const Page& page) {
-  Indices shown = first_indices(result.size());
-  if (result.differs_anywhere()) std::erase_if(shown, [&](std::size_t n) { return !result.differs(n); });
-  const std::size_t agreeing = result.size() - shown.size();
-  const std::size_t left = shown.size() - std::min(shown.size(), page.most_rows);
-  shown.resize(shown.size() - left);
-  Lines lines;
-  for (std::size_t n : shown) {
-    if (result.size() > 1) lines.push_back("  " + entry_name(result.expected, result.exercise.result_kind, n));
-    Table table;
-    for (const Result::Column& one : result.columns) {
-      table.labels.emplace_back(one.title);
-      table.rows.push_back({number_text(one.value.numbers[n], one.digits)});
-    }
-    table.is_marked = [&](std::size_t row, std::size_t) { return row == 1 && result.differs(n); };
-    append(lines, indented(table.lines(), result.size() > 1 ? 2 * block_indent : block_indent));
-  }
-  if (left > 0) lines.push_back("  " + more(left, "number"));
-  if (agreeing == 1) lines.emplace_back("  (the other number agrees)");
-  if (agreeing > 1) lines.push_back(fmt::format("  (the other {} numbers agree)", agreeing));
-  return lines;
-}
-
-/// Numbers, vectors and points: a line for each number; of a long list only for the columns that differ.
-Lines component_lines(const Result& result, const Page& page) {
-  Indices shown = first_indices(result.size());
-  const std::size_t rows = result.exercise.result_kind == Kind::points ? 3 : 1;
-  if (shown.size() > page.most_rows) {
-    if (result.differs_anywhere())
-      std::erase_if(shown, [&](std::size_t n) {
-        const std::size_t top = n - n % rows;
-        return std::ranges::none_of(first_indices(rows), [&](std::size_t row) { return result.differs(top + row); });
-      });
-    shown.resize(std::min(shown.size(), page.most_rows));
-  }
-  Table table{.title = result.title};
-  for (const Result::Column& one : result.columns) table.headings.emplace_back(one.title);
-  for (std::size_t n : shown) {
+/// A line for each number.
+Lines lines_of_table(const Result& result, const Page& page, const std::string& title, std::size_t columns) {
+  const Indices shown = result.told(page);
+  Table table{.title = title};
+  for (std::size_t k = 0; k < columns; ++k) table.headings.emplace_back(result.columns[k].title);
+  for (const std::size_t n : shown) {
     const std::string label = component_label(result.exercise.result_kind, n);
     if (!label.empty()) table.labels.push_back(label);
-    table.rows.push_back(result.row(n));
+    Lines& row = table.rows.emplace_back();
+    for (std::size_t k = 0; k < columns; ++k)
+      row.push_back(number_text(result.columns[k].value.numbers[n], result.columns[k].digits));
     if (result.exercise.result_units.size() > 1) table.endings.push_back(to_string(result.exercise.result_units.at(n)));
   }
   table.is_marked = [&](std::size_t row, std::size_t col) { return col == 1 && result.differs(shown[row]); };
   Lines lines = indented(table.lines());
-  if (shown.empty()) lines.emplace_back("  an empty list");
-  if (shown.size() < result.size()) lines.push_back("  " + more(result.size() - shown.size(), "number"));
+  append(lines, result.untold(shown));
   return lines;
 }
 
-/// Matrices: expected, yours and difference as blocks.
-Lines lines_beside_each_other(const Result& result, const Page& page) {
-  const Kind kind = result.exercise.result_kind;
-  if (kind != Kind::matrix3 && kind != Kind::matrices) return component_lines(result, page);
+/// Expected, yours and difference of a matrix as blocks beside each other; of several matrices of those that differ.
+Lines lines_of_blocks(const Result& result, const Page& page, const std::string& title, std::size_t columns) {
+  const bool has_several = result.exercise.result_kind == Kind::matrices;
   Lines lines;
+  std::size_t left = 0;
   for (std::size_t col = 0; col + 3 <= static_cast<std::size_t>(result.expected.cols); col += 3) {
-    if (kind == Kind::matrices) lines.push_back(fmt::format("  matrix [{}]", col / 3));
+    const bool is_right = std::ranges::none_of(first_indices(9), [&](auto n) { return result.differs(3 * col + n); });
+    if (page.is_brief && has_several && (!lines.empty() || (is_right && result.differs_anywhere()))) {
+      ++left;
+      continue;
+    }
+    if (has_several) lines.push_back(fmt::format("  matrix [{}]", col / 3));
     std::vector<Lines> blocks;
-    for (const Result::Column& one : result.columns) {
-      const bool is_expected = blocks.empty();
-      blocks.push_back(
-          {"  " + std::string(one.title) + (is_expected && !result.title.empty() ? " " + result.title : "")});
-      append(blocks.back(), matrix_lines(one.value, col, one.digits,
-                                         [&](std::size_t n) { return !is_expected && result.differs(n); }));
+    for (std::size_t k = 0; k < columns; ++k) {
+      const Result::Column& one = result.columns[k];
+      blocks.push_back({fmt::format("  {} {}", one.title, k == 0 ? title : "")});
+      append(blocks.back(),
+             matrix_lines(one.value, col, one.digits, [&](std::size_t n) { return k > 0 && result.differs(n); }));
     }
-    Lines band = side_by_side(blocks, 0, page);
-    if (page.is_brief && result.difference && band.size() > blocks.front().size()) {
-      blocks.pop_back();  // the marks tell where they differ
-      band = side_by_side(blocks, 0, page);
-    }
-    append(lines, band);
+    append(lines, side_by_side(blocks));
   }
+  if (left > 0) lines.push_back(fmt::format("  ({} not shown)", plural(left, "more matrix", "more matrices")));
+  return lines;
+}
+
+/// A sentence for each number, for screen readers and narrow terminals.
+Lines lines_of_sentences(const Result& result, const Page& page) {
+  const Indices shown = result.told(page);
+  Lines lines;
+  for (const std::size_t n : shown) {
+    Lines parts;
+    for (const Result::Column& one : result.columns)
+      parts.push_back(fmt::format("{} {}{}", one.title, parts.size() == 1 && result.differs(n) ? "≠ " : "",
+                                  number_text(one.value.numbers[n], one.digits)));
+    const std::string name =
+        result.size() > 1 ? entry_name(result.expected, result.exercise.result_kind, n) + ": " : "";
+    append(lines, wrapped_lines(fmt::format("{}{}", name, fmt::join(parts, ", ")), page.width, block_indent));
+  }
+  append(lines, result.untold(shown));
+  return lines;
+}
+
+/// In the first way that fits: as blocks or columns, without the difference on a narrow terminal, as sentences.
+Lines result_lines(const Result& result, const Page& page, const std::string& title) {
+  const std::string above = "Result " + title;
+  if (result.size() == 0) return {above, "  an empty list"};
+  std::vector ways = {&lines_of_blocks, &lines_of_table};
+  if (!result.has_matrices()) ways.erase(ways.begin());
+  if (page.is_linear) ways.clear();
+  for (const auto& way : ways)
+    for (std::size_t columns = result.columns.size(); columns >= std::min<std::size_t>(2, result.columns.size());
+         --columns)
+      for (const std::string& beside : {title, std::string()}) {
+        Lines lines = way(result, page, beside, columns);
+        if (beside.empty()) lines.insert(lines.begin(), above);
+        if (widest(lines) <= page.width) return lines;
+      }
+  Lines lines = {above};
+  append(lines, lines_of_sentences(result, page));
   return lines;
 }
 
@@ -285,39 +271,15 @@ Deviation without_rounding_errors(Deviation deviation) {
   return deviation;
 }
 
-/// What is tested of the answer as a whole, where it does not hold.
-Lines whole_deviation_lines(const Deviation& deviation, const Page& page) {
-  const bool is_sentence = deviation.meaning.ends_with('.');
-  Lines lines =
-      wrapped_lines(is_sentence ? deviation.meaning : deviation.meaning + ": zero for a right answer.", page.width);
+/// What is tested of the answer as a whole, where it does not hold, and by how much.
+std::string whole_deviation(const Deviation& deviation) {
+  if (deviation.meaning.ends_with('.')) return deviation.meaning;
   const std::vector<double>& numbers = deviation.difference.numbers;
-  const bool is_number = numbers.size() == 1;
-  if (page.is_brief && !is_sentence && (is_number || deviation.kind == Kind::matrix3) &&
-      deviation.difference.is_finite()) {
-    double largest = 0;
-    for (const double number : numbers) largest = std::max(largest, std::abs(number));
-    return wrapped_lines(
-        fmt::format("{}: zero for a right answer, here {}{}.", deviation.meaning, is_number ? "" : "up to ",
-                    number_text(is_number ? numbers.front() : largest, difference_digits)),
-        page.width);
-  }
-  if (deviation.kind == Kind::matrix3) {
-    append(lines, matrix_lines(deviation.difference, 0, difference_digits,
-                               [&](std::size_t number) { return !deviation.is_within(number); }));
-    return lines;
-  }
-  Indices beyond = first_indices(deviation.difference.numbers.size());
-  std::erase_if(beyond, [&](std::size_t number) { return deviation.is_within(number); });
-  Table table;
-  table.is_marked = [](std::size_t, std::size_t) { return true; };
-  for (std::size_t n : beyond) {
-    if (table.rows.size() == page.most_rows) break;
-    if (deviation.kind == Kind::vector) table.labels.push_back(fmt::format("column {} is off by", n));
-    table.rows.push_back({number_text(deviation.difference.numbers[n], difference_digits)});
-  }
-  append(lines, table.lines());
-  if (beyond.size() > page.most_rows) lines.push_back(more(beyond.size() - page.most_rows, "column"));
-  return lines;
+  const std::size_t worst = std::ranges::max(
+      first_indices(numbers.size()), {}, [&](std::size_t n) { return std::abs(numbers[n]) / deviation.allowed[n]; });
+  return fmt::format("{}: zero for a right answer, here {}{}{}.", deviation.meaning, numbers.size() > 1 ? "up to " : "",
+                     number_text(numbers[worst], difference_digits),
+                     deviation.kind == Kind::vector ? fmt::format(" in column {}", worst) : "");
 }
 
 Lines result_section(const ExerciseReference& exercise, std::size_t case_index, const std::optional<Value>& actual,
@@ -338,27 +300,30 @@ Lines result_section(const ExerciseReference& exercise, std::size_t case_index, 
   if (result.difference) result.columns.push_back({"difference", result.difference->difference, difference_digits});
 
   const std::string unit = exercise.result_units.size() == 1 ? to_string(exercise.result_units.front()) : "";
-  const std::string title = exercise.result_name + in_brackets(unit);
-  Lines lines = {"Result " + title};
-  if (!page.is_linear && exercise.result_kind != Kind::matrices && result.size() > 0) result.title = title;
-  Lines wide = lines_beside_each_other(result, page);
-  if (!result.title.empty() && widest(wide) <= page.width) {
-    lines = wide;
-  } else {
-    result.title.clear();
-    wide = lines_beside_each_other(result, page);
-    const bool fits = !page.is_linear && (page.width >= Page().width || widest(wide) <= page.width);
-    append(lines, fits || result.size() == 0 ? wide : lines_below_each_other(result, page));
-  }
+  Lines lines = result_lines(result, page, exercise.result_name + in_brackets(unit));
   if (!actual) lines.emplace_back("  No value of yours can be shown.");
   if (actual && exercise.comparison == Comparison::up_to_sign)
     lines.emplace_back("  Expected is this value or its negative, whichever is nearer to yours.");
   // Differing entries speak for themselves, and what follows from them is left out.
   if (result.differs_anywhere()) return lines;
   for (const Deviation& deviation : measured)
-    if (!deviation.is_entrywise && !deviation.is_within())
-      append(lines, whole_deviation_lines(without_rounding_errors(deviation), page));
+    if (!deviation.is_entrywise && !deviation.is_within() && deviation.difference.is_finite())
+      append(lines, wrapped_lines(whole_deviation(deviation), page.width));
   return lines;
+}
+
+/// Where two entries of a case hold each other's value; else "".
+std::string exchanged_entries(const ExerciseReference& exercise, std::size_t case_index, Value actual) {
+  for (std::size_t n = 0; n < actual.numbers.size(); ++n)
+    for (std::size_t m = n + 1; m < actual.numbers.size(); ++m) {
+      std::swap(actual.numbers[n], actual.numbers[m]);
+      const bool is_right = passes(exercise, case_index, actual);
+      std::swap(actual.numbers[n], actual.numbers[m]);
+      if (is_right)
+        return fmt::format("Here {} and {} hold each other's value.", entry_name(actual, exercise.result_kind, n),
+                           entry_name(actual, exercise.result_kind, m));
+    }
+  return "";
 }
 
 /// The number whose error is largest in its natural size, where entries are compared one by one.
@@ -389,18 +354,32 @@ std::size_t widest(const std::vector<std::string>& lines) {
 std::vector<std::string> describe_case(const ExerciseReference& exercise, std::size_t case_index,
                                        const std::optional<Value>& actual, const Page& page) {
   const Case& one = exercise.cases.at(case_index);
-  Lines lines = {fmt::format("Case {} “{}”", case_index + 1, one.name)};
+  Lines inputs;
   bool may_join = false;  // short inputs stand beside each other
   for (std::size_t a = 0; a < one.inputs.size(); ++a) {
-    Lines input = indented(input_lines(exercise.arguments.at(a), one.inputs[a], page));
+    Lines input = input_lines(exercise.arguments.at(a), one.inputs[a], page);
     const bool is_short = input.size() == 1 && !page.is_linear;
-    if (is_short && may_join && display_width(lines.back()) + display_width(input.front()) < page.width)
-      lines.back() += " " + input.front();
+    if (is_short && may_join && display_width(inputs.back()) + display_width(input.front()) < page.width)
+      inputs.back() += " " + input.front();
     else
-      append(lines, std::move(input));
+      append(inputs, std::move(input));
     may_join = is_short;
   }
-  append(lines, result_section(exercise, case_index, actual, page));
+  // Where there is too little room, long results give way, then inputs.
+  Lines result = result_section(exercise, case_index, actual, page);
+  Page shorter = page;
+  for (const std::size_t rows : {6, 3, 2})
+    if (1 + inputs.size() + result.size() > page.most_lines) {
+      shorter.most_rows = rows;
+      result = result_section(exercise, case_index, actual, shorter);
+    }
+  if (1 + inputs.size() + result.size() > page.most_lines) {
+    inputs.resize(page.most_lines - std::min(page.most_lines, result.size() + 2));
+    inputs.emplace_back(inputs.empty() ? "  (inputs not shown)" : "  (further inputs not shown)");
+  }
+  Lines lines = {fmt::format("Case {} “{}”", case_index + 1, one.name)};
+  append(lines, std::move(inputs));
+  append(lines, std::move(result));
   return lines;
 }
 
@@ -450,8 +429,10 @@ std::string error_size(const ExerciseReference& exercise, const std::vector<std:
   }
   if (failing.empty() || largest == 0) return "";
   // Against the numbers themselves: a small one may be lost as a whole.
-  if (largest >= 1e-2 || largest_of_itself >= 1e-2)
-    return worst_entry(exercise, failing.front(), *answers[failing.front()]);
+  if (largest >= 1e-2 || largest_of_itself >= 1e-2) {
+    const std::string exchanged = exchanged_entries(exercise, failing.front(), *answers[failing.front()]);
+    return exchanged.empty() ? worst_entry(exercise, failing.front(), *answers[failing.front()]) : exchanged;
+  }
   const std::string part = fmt::format("At every failing case the error is below 1 part in 10{} of the result",
                                        superscript(static_cast<int>(std::floor(-std::log10(largest)))));
   if (largest >= 1e-6) return part + ": too large for rounding, so look for an approximation or a rounded constant.";

@@ -31,21 +31,24 @@ std::string summary_line(const std::vector<CheckResult>& results);
 /// The failing cases by number, the first ones with their names.
 std::string failing_cases(const CheckResult& checked);
 
-/// Where a paragraph of the notes can be read: the built page if there is one, else its source and the heading.
-std::string notes_place(const Course& course, const Exercise& exercise, const std::string& anchor);
+/// Where a paragraph of the notes can be read: a link to the built page if there is one, else its source and the
+/// heading. @param indent  where it stands on its line
+std::string notes_place(const Course& course, const Exercise& exercise, const std::string& anchor,
+                        const Console& console, std::size_t indent);
 
 // --- one case in full, as plain text
 
 /// What text is laid out on.
 struct Page {
-  std::size_t width = 78;     ///< all text keeps to it where its numbers let it
+  std::size_t width = 78;     ///< all text keeps to it
   bool is_linear = false;     ///< nothing beside each other: for screen readers
   std::size_t most_rows = 8;  ///< of a long list so many are shown; the checker's JSON has them all
-  bool is_brief = false;      ///< inputs on one line, rounded if need be, and no difference below other columns
+  bool is_brief = false;      ///< inputs on one line each, rounded if need be, and one of several matrices
+  std::size_t most_lines = std::string::npos;  ///< in all, where something can give way: long results, then inputs
 };
 
-/// Inputs, expected, yours and their difference, lined up number by number, with units, and the size of the error in
-/// words. On a page too narrow for columns, or a linear one, number by number below each other.
+/// Inputs, expected, yours and their difference, lined up number by number, with units. On a page too narrow for
+/// columns, or a linear one, in sentences.
 /// @param actual  empty if no value of the expected shape came back
 std::vector<std::string> describe_case(const ExerciseReference& exercise, std::size_t case_index,
                                        const std::optional<Value>& actual, const Page& page = {});

@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::size_t report_indent = 2;
 constexpr std::size_t label_width = 6;
-constexpr std::size_t brief_lines = 14;      // a report that is not full is shortened to these, if it can be
+constexpr std::size_t brief_lines = 14, narrow_lines = 21;  // of a report that is not full: it fits on 24 rows
+constexpr std::size_t lines_of_short_case = 7;
 constexpr std::size_t longest_printout = 6;  // lines of the student's own output that are shown unless all is asked for
 
 /// "kinetic_energy.cpp:8:3: …", "kinetic_energy.cpp:8:3, 9:3: …" for the same mistake elsewhere, or the sentence alone.
@@ -77,26 +78,39 @@ class Report {
     if (!is_said || detail_.full) text_ += console_.wrapped(judgement.message, report_indent) + "\n";
     const bool is_certain =
         std::ranges::any_of(reasons, [](const Reason& reason) { return !reason.is_in_code() && reason.is_cause(); });
-    std::set<std::string> told;
-    for (const Reason& reason : reasons) {
-      if (reason.is_remark() && is_certain && !detail_.full) continue;  // another reason says it too
-      if (!told.insert(reason.sentence).second) continue;
-      std::vector<Reason> same = reasons;
-      std::erase_if(same, [&](const Reason& other) { return other.sentence != reason.sentence; });
-      labelled("Why", place_and_sentence(checked_, same));
-      for (const std::string& line : lines_of(reason.excerpt)) text_ += "    " + fitted(line) + "\n";
-      read(reason.notes);
-    }
-    if ((reasons.empty() && !detail_.is_pending) || detail_.full) labelled("Next", checked_.next_step());
+    // Beside a reason that the values confirm, a formula that auto keeps is only possible, and a remark says it again.
+    const auto is_possible = [&](const Reason& reason) {
+      return is_certain && reason.is_in_code() && (reason.is_remark() || reason.weight == Weight::possible);
+    };
+    for (const Reason& reason : reasons)
+      if (!is_possible(reason)) tell("Why", reason);
+    for (const Reason& reason : reasons)
+      if (is_possible(reason) && detail_.full) tell("Note", reason);
+    if (reasons.empty() && !detail_.is_pending) labelled("Next", checked_.next_step());
   }
 
-  /// Where to read on, once; a link in one piece, so that a terminal opens it.
+  /// The first reason is told whatever it takes; the others as long as the case fits below.
+  bool has_room() const { return detail_.full || rows() <= 2 || rows() + lines_of_short_case < most_rows(); }
+
+  /// The same mistake in several lines once.
+  void tell(const char* label, const Reason& reason) {
+    if (!has_room() || !told_.insert(reason.sentence).second) return;
+    std::vector<Reason> same = checked_.reasons;
+    std::erase_if(same, [&](const Reason& other) { return other.sentence != reason.sentence; });
+    labelled(label, place_and_sentence(checked_, same));
+    for (const std::string& line : lines_of(reason.excerpt)) text_ += "    " + fitted(line) + "\n";
+    read(reason.notes);
+  }
+
+  /// Where to read on, once.
   void read(const std::string& anchor) {
     if (anchor.empty() || std::exchange(last_anchor_, anchor) == anchor) return;
-    const std::string place = notes_place(course_, checked_.task.exercise, anchor);
-    if (!place.starts_with("file://")) return labelled("Read", place);
-    text_ += "  " + console_.styled(padded("Read", label_width), Style::strong) + " " + place + "\n";
+    text_ += "  " + console_.styled(padded("Read", label_width), Style::strong) + " " +
+             notes_place(course_, checked_.task.exercise, anchor, console_, report_indent + label_width + 1) + "\n";
   }
+
+  std::size_t most_rows() const { return console_.width() < Console().width() ? narrow_lines : brief_lines; }
+  std::size_t rows() const { return static_cast<std::size_t>(std::ranges::count(text_, '\n')); }
 
   /// The case to be shown in full, if any.
   std::optional<std::size_t> shown_case() const {
@@ -109,43 +123,43 @@ class Report {
     const Answers answers = answers_of(reference, checked_.observation.replies);
     Page page{console_.width() - report_indent, console_.plain()};
     page.is_brief = !detail_.full;
-    if (detail_.full) page.most_rows = 10000;
-    std::vector<std::string> lines = describe_case(reference, index, answers.at(index), page);
-    // Two more follow: what to type to see more, and the plot.
-    const std::size_t room = brief_lines - 2 - std::min<std::size_t>(brief_lines - 2, std::ranges::count(text_, '\n'));
-    for (const std::size_t rows : {6, 3, 2})
-      if (page.is_brief && lines.size() > room) {
-        page.most_rows = rows;
-        lines = describe_case(reference, index, answers.at(index), page);
-      }
-    if (!page.is_brief || lines.size() < room) text_ += "\n";
-    for (const std::string& line : lines) text_ += (line.empty() ? "" : "  ") + line + "\n";
-    if (checked_.judgement.passed()) return;
-    if (checked_.reasons.empty() && !detail_.is_pending) {
-      const std::string size = error_size(reference, checked_.judgement.failing, answers);
-      if (!size.empty()) text_ += console_.wrapped(size, report_indent) + "\n";
-    }
-    if (checked_.judgement.failing.size() > 1 && detail_.full) labelled("Failed", failing_cases(checked_));
+    std::string size;
+    if (checked_.reasons.empty() && !detail_.is_pending && !checked_.judgement.passed())
+      size = error_size(reference, checked_.judgement.failing, answers);
+    if (!size.empty()) size = console_.wrapped(size, report_indent) + "\n";
+    // That follows, and two lines: what to type to see more, and the plot.
+    const std::size_t taken = rows() + static_cast<std::size_t>(std::ranges::count(size, '\n')) + 2;
+    const std::size_t room = most_rows() - std::min(most_rows(), taken);
+    if (detail_.full)
+      page.most_rows = 10000;
+    else
+      page.most_lines = room;
+    const std::vector<std::string> lines = describe_case(reference, index, answers.at(index), page);
+    if (detail_.full || lines.size() < room) text_ += "\n";
+    for (const std::string& line : lines) text_ += "  " + line + "\n";
+    text_ += size;
+    if (!checked_.judgement.passed() && checked_.judgement.failing.size() > 1 && detail_.full)
+      labelled("Failed", failing_cases(checked_));
   }
 
-  /// What the student's code printed: at the shown case, or case by case where all is asked for or all is well.
+  /// What the student's code printed: at the shown case, or where it printed first; all where all is asked for.
   void printed() {
     const std::vector<Reply>& replies = checked_.observation.replies;
-    const bool shows_all = detail_.full || checked_.judgement.passed();
     std::size_t left_out = 0;
+    bool has_begun = false;
     for (std::size_t index = 0; index < replies.size(); ++index) {
       const std::vector<std::string> lines = lines_of(replies[index].printed);
-      if (lines.empty()) continue;
-      const bool is_shown = shown_case() == index;
-      const std::size_t most = shows_all || detail_.case_index == index ? lines.size()
-                               : is_shown                               ? std::min(longest_printout, lines.size())
-                                                                        : 0;
+      const bool is_shown = shown_case() ? shown_case() == index : !has_begun && !lines.empty();
+      const std::size_t most = detail_.full || detail_.case_index == index ? lines.size()
+                               : is_shown                                  ? std::min(longest_printout, lines.size())
+                                                                           : 0;
+      has_begun = has_begun || is_shown;
       if (most > 0) text_ += fmt::format("\n  Your code printed at case {}:\n", index + 1);
       for (std::size_t k = 0; k < most; ++k) text_ += "    " + fitted(lines[k]) + "\n";
       left_out += lines.size() - most;
     }
     if (left_out > 0)
-      text_ += fmt::format("  Your code printed {} ({} shows all).\n", plural(left_out, "more line", "more lines"),
+      text_ += fmt::format("  Your code printed {} ({} shows all).\n", plural(left_out, "more line"),
                            detail_.by_keys ? "c" : "--full");
   }
 
@@ -157,8 +171,10 @@ class Report {
     if (!detail_.full) again += " --full";
     if (checked_.task.is_other_seed) again += fmt::format(" --seed {}", checked_.task.seed);
     if (checked_.task.is_elsewhere) again += " --file " + shell_quoted(printable(checked_.task.file.string()));
+    // Without a name it is the hint of what was checked last.
+    const std::string hint = checked_.task.counts_as_progress() ? "" : " " + name;
     text_ += "  " + console_.styled(padded(detail_.full ? "Again" : "More", label_width), Style::strong) + " " +
-             command(again) + ", or hint " + name + "\n";
+             command(again) + ", or hint" + hint + "\n";
   }
 
   /// A heading and the text that belongs to it, side by side.
@@ -183,6 +199,7 @@ class Report {
   const Detail& detail_;
   std::string text_;
   std::string last_anchor_;
+  std::set<std::string> told_;
 };
 
 }  // namespace
@@ -273,10 +290,11 @@ std::string exercise_list(const Course& course, const Progress& progress, const 
 std::string introduction(const Course& course, const Exercise& exercise, const Console& console) {
   return fmt::format("Next: {}\n{}\n  file   {}\n  notes  {}\n", console.styled(exercise.name(), Style::strong),
                      console.wrapped(exercise.entry->task, 2), shown_path(course.student_file(exercise)),
-                     notes_place(course, exercise, ""));
+                     notes_place(course, exercise, "", console, 9));
 }
 
-std::string notes_place(const Course& course, const Exercise& exercise, const std::string& anchor) {
+std::string notes_place(const Course& course, const Exercise& exercise, const std::string& anchor,
+                        const Console& console, std::size_t indent) {
   std::map<std::string, std::string> headings = read_headings(course.notes_file(*exercise.card));
   std::string lecture = exercise.lecture();
   if (!anchor.empty() && !headings.contains(anchor))  // what C++ is about stands in another one
@@ -285,10 +303,12 @@ std::string notes_place(const Course& course, const Exercise& exercise, const st
         lecture = card.lecture;
         headings = std::move(others);
       }
+  const std::string heading = headings[anchor].empty() ? "" : ", “" + headings[anchor] + "”";
   if (const auto page = course.notes_page(lecture))
-    return "file://" + printable(fs::absolute(*page).string()) + (anchor.empty() ? "" : "#" + anchor);
-  const std::string heading = headings[anchor];
-  return "lectures/" + lecture + "/notes.md" + (heading.empty() ? "" : ", “" + heading + "”");
+    return console.linked(shortened("lecture " + lecture + heading, console.width() - indent),
+                          file_address(*page) + (anchor.empty() ? "" : "#" + anchor));
+  const std::string place = console.wrapped("lectures/" + lecture + "/notes.md" + heading, indent);
+  return place.substr(std::min(place.size(), indent));
 }
 
 std::string terminal_report(const CheckResult& checked, const Course& course, const Console& console,

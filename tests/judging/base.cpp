@@ -1,6 +1,7 @@
 // The general code below the judge: text, files, and work in a process of its own.
 #include "checker/base/child_process.hpp"
 #include "checker/base/files.hpp"
+#include "checker/base/formulas.hpp"
 #include "checker/base/text.hpp"
 #include "tests/support/files.hpp"
 
@@ -209,6 +210,28 @@ TEST_CASE("A job that gives up root still ends with its parent" * doctest::skip(
       60s);
   CHECK(job.finish().empty());
   CHECK(job.output() == "tied");
+}
+
+TEST_CASE("Formulas in TeX become text for a terminal") {
+  const auto formula = [](const std::string& tex) { return with_readable_formulas("\\f$ " + tex + " \\f$"); };
+  const std::vector<std::pair<const char*, const char*>> formulas = {
+      {R"(T = \tfrac12\,\vec\omega\cdot\Inertia\cdot\vec\omega)", "T = (1/2) ω·I·ω\n"},
+      {R"(\frac{a + b}{2c})", "(a + b)/2c\n"},
+      {R"(\frac{a}{b}\sin\theta)", "(a/b) sin θ\n"},
+      {R"(\dot{\tilde\omega}_1)", "\u03c9\u0303\u0307₁\n"},
+      {R"(n^{-1} + x_{kl}^2 - e^{-\gamma t})", "n⁻¹ + x_kl² − e^(−γ t)\n"},
+      {R"(\mat A\T\vec v\times\unit z)", "Aᵀv × ẑ\n"},
+      {R"(\begin{pmatrix} a & b \\[2pt] c & d \end{pmatrix})", "( a, b; c, d )\n"},
+      {R"(\sqrt{a^2 + b^2}\le\ell)", "√(a² + b²) ≤ ℓ\n"},
+      {R"(\ratein{\vec V}{\inertialframe})", "(dV/dt)_inertial\n"},
+      {R"(\left[\text{a b}\right\}\!c)", "[a b}c\n"}};
+  for (const auto& [tex, text] : formulas) CHECK_MESSAGE(formula(tex) == text, tex);
+  CHECK(with_readable_formulas("# One\n\nA line\nand \\ref there \"another\":\n\\f[ a \\\\ b \\f]\n- a point\n") ==
+        "# One\n\nA line and another:\n\n    a\n    b\n\n- a point\n");
+}
+
+TEST_CASE("The address of a file is one word, whatever its folders are called") {
+  CHECK(file_address("/a folder/ü#1.html") == "file:///a%20folder/%C3%BC%231.html");
 }
 
 TEST_CASE("A job hands back its bytes, however many, and changes nothing here") {

@@ -130,6 +130,27 @@ TEST_CASE("A case is shown with its inputs, the expected value, the student's an
   compare_with_golden_file("cases.txt", text);
 }
 
+TEST_CASE("Where room is short, long results give way, then inputs, and a case keeps to its lines") {
+  for (const auto& table : {every_kind(), every_comparison(), special()})
+    for (const Shown& one : table)
+      for (const std::size_t width : {44, 78}) {
+        const Page page{.width = width, .is_brief = true, .most_lines = 9};
+        const auto lines = describe_case(one.exercise, 0, one.actual, page);
+        CAPTURE(joined(lines));
+        CHECK_MESSAGE(lines.size() <= 9, one.about);
+        CHECK(widest(lines) <= width);
+      }
+  Exercise crowded = given_results(Kind::vector3, {vector({1, 2, 3})});
+  for (int k = 0; k < 12; ++k) {
+    crowded.arguments.push_back({fmt::format("a_long_name_of_an_argument_{}", k), Kind::vector3, units::metre});
+    crowded.cases[0].inputs.push_back(vector({1.0 / 3, 2.0 / 3, k / 7.0}));
+  }
+  const auto lines = describe_case(crowded, 0, vector({1, 2, 4}), {.is_brief = true, .most_lines = 10});
+  CHECK(lines.size() == 10);
+  CHECK(has(joined(lines), "(further inputs not shown)"));
+  CHECK(has(lines.back(), "[2]"));
+}
+
 TEST_CASE("Every number that differs, and no other, is marked") {
   for (const Shown& one : every_kind()) {
     const Value& expected = one.exercise.cases[0].expected;

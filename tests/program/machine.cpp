@@ -12,7 +12,7 @@ TEST_CASE("doctor names each thing that the checker needs, and how it stands") {
   const Outcome outcome = course.run("doctor", "COLUMNS=90 PATH=/nowhere");
   CHECK(outcome.status == 0);
   for (const char* line :
-       {"✓ compiler ", "✓ reference ", " sandbox ", "✗ gnuplot ", " folder ", "✗ notes ", "✓ terminal "})
+       {"✓ compiler ", "✓ reference ", " sandbox ", "✗ gnuplot ", "✗ gdb ", "✗ em++ ", " folder ", "✗ notes ", "✓ terminal "})
     CHECK_MESSAGE(has(outcome.out, line), outcome.out);
 }
 

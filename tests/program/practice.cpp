@@ -1,4 +1,5 @@
 // Predictions before a function is written, reviews of one that was, and a change that changed no value.
+#include "checker/base/formulas.hpp"
 #include "tests/program/program.hpp"
 
 #include <doctest/doctest.h>
@@ -24,13 +25,44 @@ TEST_CASE("predictions are judged, and the wrong functions that would agree are 
   CHECK(has(offered(course, "spring_energy"), "1 k = 1, x = (0, 1, 0)"));
   const Outcome right = course.run("predict spring_energy 1=0.5");
   CHECK(has(right.out, "case 1: right"));
-  CHECK(has(right.out, "cannot tell"));
+  CHECK(has(right.out, "1 known wrong function would return the same."));
+  CHECK(has(right.out, "tells it from the right one: k = "));
   CHECK(right.status == 1);
   const Outcome wrong = course.run("predict spring_energy 1=1");
   CHECK(has(wrong.out, "case 1: not what comes out"));
   CHECK(wrong.status == 1);
+  CHECK(has(wrong.out, "A function with this mistake returns it: The factor ½ is missing."));
   // With three digits, in any notation.
   CHECK(has(course.run("predict spring_force '1=(0; -1.001, 0)'").out, "case 1: right"));
+}
+
+TEST_CASE("of a problem a prediction tells no mistake by name before the third try") {
+  const CourseCopy course;
+  replace_in(course.card(), "\"points\": 2,", "\"points\": 2, \"problem\": true, \"difficulty\": 1, \"minutes\": 10,");
+  CHECK_FALSE(has(course.run("predict spring_energy 1=1").out, "½"));
+  course.run("hint spring_energy");
+  CHECK(has(course.run("predict spring_energy 1=1").out, "½"));
+}
+
+TEST_CASE("a hint without a name is that of the exercise that was checked last") {
+  const CourseCopy course;
+  write(course.exercise("spring_force"), "namespace rigid { int nothing; }\n");
+  course.run("check spring_force");
+  CHECK(has(course.run("hint").out, "Hint 1 of 3 for spring_force"));
+  course.solve("spring_force");
+  course.run("check spring_force");
+  CHECK(has(course.run("hint").out, "for spring_energy"));
+}
+
+TEST_CASE("a solution shows its derivation in words and signs, and no TeX is left in any of the course") {
+  const CourseCopy course;
+  write(course.root() / "solutions/01_springs/derivations/spring_energy.md",
+        "# By work\n\nThe work is\n\\f[ E = \\int F\\,\\dd x = \\tfrac12 k x^2 . \\f]\n");
+  const Outcome shown = course.run("solution spring_energy --now", "COLUMNS=80");
+  CHECK_MESSAGE(has(shown.out, "By work\n\nThe work is\n\n    E = ∫ F d x = (1/2) k x².\n"), shown.out);
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(fmt::format("{}/solutions", WORKBOOK_ROOT)))
+    if (entry.path().parent_path().filename() == "derivations")
+      CHECK_MESSAGE(!has(workbook::with_readable_formulas(read(entry.path())), "\\"), entry.path().string());
 }
 
 TEST_CASE("limits are asked first, and a right prediction is told the reason") {
@@ -91,6 +123,11 @@ TEST_CASE("an editor finds each reason at its line and column") {
   CHECK(found[pattern["line"].get<std::size_t>()] == "4");
   CHECK(found[pattern["column"].get<std::size_t>()] == "30");
   CHECK(has(found[pattern["message"].get<std::size_t>()].str(), "`y`"));
+  // The same mistake in two lines stands at the first one.
+  const std::string twice = "  Why    spring_energy.cpp:4:9, 5:9: A double";
+  REQUIRE(std::regex_search(twice, found, std::regex(pattern["regexp"].get<std::string>(), std::regex::multiline)));
+  CHECK(found[pattern["column"].get<std::size_t>()] == "9");
+  CHECK(found[pattern["message"].get<std::size_t>()] == "A double");
 }
 
 TEST_CASE("after a pass a function is shown on real data, with errors where they are known") {

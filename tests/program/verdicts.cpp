@@ -171,6 +171,16 @@ TEST_CASE("a copy without solutions is judged with the seed of its reference res
   CHECK(has(course.run("check spring_energy --seed 1").said(), "seed 5 only"));
 }
 
+TEST_CASE("a function that passes and prints at every case shows where it did first") {
+  const CourseCopy course;
+  course.answer_energy("std::cout << k << '\\n'; return 0.5 * k * x.squaredNorm();");
+  const Outcome passed = course.run("check spring_energy");
+  CHECK(passed.status == 0);
+  CHECK_MESSAGE(has(passed.out, "  Your code printed at case 1:\n    1\n  Your code printed "), passed.out);
+  CHECK(has(passed.out, "more lines (--full shows all).\n"));
+  CHECK(has(course.run("check spring_energy --full").out, "printed at case 2:"));
+}
+
 TEST_CASE("what the function printed is shown, and harmless to the terminal") {
   const CourseCopy course;
   course.answer_energy(

@@ -59,6 +59,17 @@ TEST_CASE("long lines are folded, and a colour goes on in the next row") {
   CHECK(folded("a\033[2Jb\rc\x7f\td", 20) == Texts{"a?[2Jb?c? d"});  // nothing steers the terminal
 }
 
+TEST_CASE("a link takes the room of its text, is closed at the end of a row and goes on in the next") {
+  const std::string text = Console(80, true, false, true).linked("notes", "file:///n.html");
+  const std::string begin = "\033]8;;file:///n.html\033\\", end = "\033]8;;\033\\";
+  CHECK(text == begin + "notes" + end);
+  CHECK(folded("a " + text + " b", 9) == Texts{"a " + text + " b"});
+  CHECK(folded(text, 3) == Texts{begin + "not" + end, begin + "es" + end});
+  CHECK(folded("\033]8;;cut", 20) == Texts{"?]8;;cut"});
+  for (const Console& console : {Console(), Console(80, true), Console(80, true, true, true)})
+    CHECK(console.linked("notes", "file:///n.html") == "file:///n.html");
+}
+
 TEST_CASE("the screen is never taller or wider than the terminal") {
   const Console console(30, true);
   for (std::size_t columns = 1; columns < 60; columns += 3) {

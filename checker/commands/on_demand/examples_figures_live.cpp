@@ -278,7 +278,7 @@ int live(const Course& course, const Options& options) {
   std::string pages;
   for (const auto& page : fs::directory_iterator(course.notes_folder()))
     if (read_file(page.path()).value_or("").find(fmt::format("data-lecture=\"{}\"", lecture)) != std::string::npos)
-      pages += fmt::format("  file://{}?yours\n", page.path().string());
+      pages += fmt::format("  {}?yours\n", file_address(page.path()));
   say("Computed with your {}:", fmt::join(own, ", "));
   fmt::print("{}", pages);
   if (!called.empty()) say("The figures also take these, once they pass: {}.", fmt::join(called, ", "));

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <csignal>
 
 namespace {
@@ -268,6 +269,8 @@ class CommandLine {
       if (name == "FILE" && !options_.case_name) require_file(*options_.file, "a program in C++ with main()");
       if (name == "--roster") require_file(*options_.roster, "a table in CSV");
       if (name == "--assignment") require_file(*options_.assignment, "what is graded, in JSON,");
+      // A program that asks for JSON gets its document.
+      if (name == "--file" && !options_.json) require_file(*options_.file, "the function of an exercise");
       if (name == "--html") require_page(options_.html);
       std::error_code ignored;
       if (name == "SUBMISSIONS" && !fs::exists(options_.submissions, ignored))
@@ -285,7 +288,7 @@ class CommandLine {
     option("NAME", "", options_.names, "exercises or lectures, by name or number; none: all");
     option("NAME of one", "", options_.name, "an exercise or a lecture");
     option("EXERCISE", "", options_.name, "its name", true);
-    option("EXERCISE or next", "", options_.name, "its name; none: the next one that does not pass");
+    option("EXERCISE or next", "", options_.name, "its name; none: the one that was checked last, or else the next one, if that does not pass");
     option("LECTURES", "", options_.name, "a lecture or a range of them, 01-03; none: the exam that is running");
     option("--minutes", "NUMBER", options_.minutes, "the time; 0: what the problems take together");
     option("--seed of problems", "NUMBER", seed_, "draw the problems by this number, to get the same ones again");
@@ -294,7 +297,7 @@ class CommandLine {
     option("FOLDER", "", options_.out, "a new folder for the copy, or an earlier copy to --update", true);
     option("--update", "", options_.update, "bring FOLDER, an earlier copy, to a new release");
     option("--message", "TEXT", options_.message, "what is new, for the change log");
-    option("KIT", "", options_.out, "the folder of the new release", true);
+    option("FOLDER of release", "", options_.out, "the folder of the new release", true);
     option("--file", "FILE", options_.file, "check this file instead of the exercise's own");
     option("--seed", "NUMBER", seed_, "draw other random cases");
     option("--case", "CASE", options_.case_name, "show this case in full, by number or name, even if it passes");
@@ -309,6 +312,7 @@ class CommandLine {
     option("--json", "", options_.json, "print one JSON document and nothing else");
     option("--plot", "", options_.plot, "draw your curve on the reference, as SVG and PNG");
     option("--all hints", "", options_.all, "show all three");
+    option("--all mistakes", "", options_.all, "name every mistake that a prediction does not show, not three");
     option("--now", "", options_.now, "even though yours does not pass yet");
     option("--all plots", "", options_.all, "all plots, and the figures of every lecture");
     option("--wrong", "NAME", options_.wrong, "this wrong answer of the judging beside the solution, for a lecture");
@@ -367,7 +371,7 @@ class CommandLine {
     add("list", students, "Show every exercise with its state", {}, {}, list);
     add("hint", students,
         "Show the next hint of an exercise\n\nEvery exercise has three hints, weakest first. Each call shows one more; "
-        "the last one stays. Without a name: the next exercise that does not pass.",
+        "the last one stays. Without a name: the exercise that was checked last, or else the next one that does not pass.",
         {"hint", "hint inertia_of_points", "hint inertia_of_points --all"}, {"EXERCISE or next", "--all hints"}, hint);
     add("solution", students,
         "Show the solution of an exercise that passes\n\nAnd where another route, or the derivation, is to be read.",
@@ -393,7 +397,9 @@ class CommandLine {
     add("figures", students,
         "Redraw the figures of a lecture with your own functions\n\nA figure that needs a function you have not "
         "started is left out, and the function is named.",
-        {"figures 03"}, {"LECTURE", "--out", "--seconds"}, figures);
+        {"figures 03"}, {"LECTURE", "--out", "--seconds"}, figures)
+        .get_option("--seconds")
+        ->check(in_range(1, 3600));
     add("live", students,
         "Build the live figures of a lecture on your own functions\n\nThe figures that move take those of your functions "
         "that pass, instead of computing the same themselves. They are compiled for the browser, which needs the package "
@@ -418,7 +424,7 @@ class CommandLine {
         "Say what a function will return before you write it\n\nWithout predictions it shows cases to choose from. "
         "Each prediction is judged, and the wrong functions that would agree with all of them are told: examples are "
         "good that can tell these from the right one.",
-        {"predict euler_equations", "predict euler_equations '1=0 0 0' '4=0.1 -0.2 0'"}, {"EXERCISE", "PREDICTION"},
+        {"predict euler_equations", "predict euler_equations '1=0 0 0' '4=0.1 -0.2 0'"}, {"EXERCISE", "PREDICTION", "--all mistakes"},
         predict);
     add("question", students,
         "Answer a question on an exercise that passes\n\nShows what another function returned, and three mistakes, one "
@@ -437,10 +443,10 @@ class CommandLine {
         .get_option("--minutes")
         ->check(in_range(0, 1440));
     add("update", students,
-        "Bring your copy of the workbook to a new release\n\nKIT is the newer copy, unpacked somewhere else. Exercises "
+        "Bring your copy of the workbook to a new release\n\nFOLDER is the newer copy, unpacked somewhere else. Exercises "
         "that you have begun and files of your own stay as they are; another file that you have changed is kept under "
         ".workbook/kept. What has changed is printed.",
-        {"update ../phy711-release-2"}, {"KIT"}, update);
+        {"update ../phy711-release-2"}, {"FOLDER of release"}, update);
     add("prepare", students,
         "Build all that is otherwise built when it is first needed\n\nReference results, the commands, the notes, and "
         "the examples and figures of all lectures: before a journey, for example. It takes minutes.",
@@ -543,10 +549,13 @@ class CommandLine {
         std::string text = help;
         if constexpr (std::is_arithmetic_v<T>) text += fmt::format(" ({} if not given)", target);
         CLI::Option* added = command.add_option(name, target, text)->type_name(type)->required(required);
-        // CLI11 takes -1 for the largest number.
+        // CLI11 takes -1, and all that is too large, for the largest number.
         if constexpr (std::is_same_v<T, std::optional<std::uint64_t>>)
           added->check([](const std::string& typed) {
-            return typed.starts_with('-') ? fmt::format("{} is below 0", printable(typed)) : "";
+            std::uint64_t number = 0;
+            const auto [end, problem] = std::from_chars(typed.data(), typed.data() + typed.size(), number);
+            const bool is_read = problem == std::errc() && end == typed.data() + typed.size();
+            return is_read ? "" : fmt::format("{} is no whole number from 0 to 2⁶⁴ − 1", printable(typed));
           });
       }
     };

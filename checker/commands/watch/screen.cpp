@@ -19,8 +19,14 @@ std::string heading(const Scene& scene, std::size_t columns, const Console& cons
   return console.styled(shortened(scene.exercise, columns), Style::strong);
 }
 
-/// Where the character, or the colour sequence, that begins there ends.
+constexpr std::string_view end_of_link = "\033]8;;\033\\";
+
+/// Where the character, the colour sequence, or the beginning or end of a link, that begins there ends.
 std::size_t end_of_character(const std::string& line, std::size_t at) {
+  if (line.compare(at, 5, end_of_link.substr(0, 5)) == 0) {
+    const std::size_t end = line.find("\033\\", at + 5);
+    if (end != std::string::npos) return end + 2;
+  }
   if (line.compare(at, 2, "\033[") == 0) {
     const std::size_t end = line.find_first_not_of("0123456789;", at + 2);
     if (end != std::string::npos && line[end] == 'm') return end + 1;
@@ -33,17 +39,25 @@ std::size_t end_of_character(const std::string& line, std::size_t at) {
 
 std::vector<std::string> folded(const std::string& text, std::size_t width) {
   std::vector<std::string> rows;
-  std::string colors;  // that are on
+  std::string colors, link;  // that are on
   for (const std::string& line : lines_of(text)) {
-    std::string row = colors;
+    std::string row = colors + link;
     std::size_t columns = 0;
-    const auto end_row = [&] { rows.push_back(std::exchange(row, colors) + (colors.empty() ? "" : "\033[0m")); };
+    const auto end_row = [&] {
+      if (!link.empty()) row += end_of_link;
+      rows.push_back(std::exchange(row, colors + link) + (colors.empty() ? "" : "\033[0m"));
+    };
     for (std::size_t at = 0, end = 0; at < line.size(); at = end) {
       end = end_of_character(line, at);
       std::string character = line.substr(at, end - at);
       if (character[0] == '\033' && character.ends_with('m')) {
         if (character == "\033[0m") colors.clear();
         if (character != "\033[0m") colors += character;
+        row += character;
+        continue;
+      }
+      if (character[0] == '\033' && character.size() > 5) {
+        link = character == end_of_link ? "" : character;
         row += character;
         continue;
       }

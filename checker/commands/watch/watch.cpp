@@ -347,10 +347,10 @@ class Watch {
       const std::size_t number = std::min(progress.of(exercise.name()).hints_shown + 1, hints.size());
       progress.remember_hints(exercise.name(), number);
       const std::string heading = fmt::format("Hint {} of {}", number, hints.size());
-      const std::string notes = notes_place(course_, exercise, exercise.entry->notes);
-      panel(fmt::format("{}\n{}\n{}\n", console_.styled(heading, Style::strong), console_.wrapped(hints[number - 1], 2),
-                        number < hints.size() ? "h shows the next one."
-                                              : console_.wrapped("That was the last hint; read on in " + notes + ".")));
+      const std::string notes = notes_place(course_, exercise, exercise.entry->notes, console_, 2);
+      panel(fmt::format(
+          "{}\n{}\n{}\n", console_.styled(heading, Style::strong), console_.wrapped(hints[number - 1], 2),
+          number < hints.size() ? "h shows the next one." : "That was the last hint; read on in\n  " + notes));
       notice(console_.wrapped(progress.warning()));
     } catch (const CourseError& problem) {
       panel(console_.wrapped(problem.what()));

@@ -142,8 +142,8 @@ struct Layout {
 /// Never more rows than the terminal has, none wider than it is. What does not fit is announced in the state's line.
 Layout lay_out(const Scene& scene, TerminalSize size, const Console& console);
 
-/// The text as rows of at most `width` columns. A colour that is on at the end of a row goes on in the next; other
-/// control characters become "?".
+/// The text as rows of at most `width` columns. A colour or a link that is on at the end of a row goes on in the next;
+/// other control characters become "?".
 std::vector<std::string> folded(const std::string& text, std::size_t width);
 
 }  // namespace workbook
