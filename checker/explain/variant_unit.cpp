@@ -46,36 +46,9 @@ template <class T> auto operator*(WorkbookTimes times, const T& x) {
     return workbook_itself(x);
   }
 }
-struct WorkbookProduct { int inverse, order, transposed; };
-template <class T> struct WorkbookLeft { const T& left; WorkbookProduct by; };
-template <class T> WorkbookLeft<T> operator*(const T& left, WorkbookProduct by) { return {left, by}; }
-template <class T> WorkbookLeft<T> operator/(const T& left, WorkbookProduct by) { return {left, by}; }
-template <class A, class B> auto operator*(WorkbookLeft<A> a, const B& b) {
-  if constexpr (std::is_arithmetic_v<B> && requires { a.left / b; }) {
-    return workbook_is(a.by.inverse) ? workbook_value(a.left / b) : workbook_value(a.left * b);
-  } else if constexpr (requires { A::RowsAtCompileTime; B::RowsAtCompileTime; }) {
-    auto value = workbook_value(a.left * b);
-    if constexpr (A::RowsAtCompileTime == 3 && A::ColsAtCompileTime == 3) {
-      if constexpr (B::RowsAtCompileTime == 3 && B::ColsAtCompileTime == 3)
-        if (workbook_is(a.by.order)) value = workbook_value(b * a.left);
-      if (workbook_is(a.by.transposed)) value = workbook_value(a.left.transpose() * b);
-    }
-    return value;
-  } else if constexpr (requires { static_cast<decltype(a.left * b)>(b * a.left); }) {
-    return workbook_is(a.by.order) ? static_cast<decltype(a.left * b)>(b * a.left) : a.left * b;
-  } else {
-    return a.left * b;
-  }
-}
-template <class A, class B> auto operator/(WorkbookLeft<A> a, const B& b) {
-  if constexpr (requires { a.left * b; })
-    return workbook_is(a.by.inverse) ? workbook_value(a.left * b) : workbook_value(a.left / b);
-  else
-    return a.left / b;
-}
 )";
 
-enum class Form { times, step, value, call, method, product, condition, copy };
+enum class Form { times, step, value, call, method, condition, copy };
 
 Form form_of(const Variant& variant) {
   using enum VariantKind;
@@ -90,17 +63,12 @@ Form form_of(const Variant& variant) {
     case number:
     case index:
     case name:
-    case cross:
     case guard:
       return Form::value;
     case function:
       return Form::call;
     case method:
       return Form::method;
-    case operation:
-    case order:
-    case transpose:
-      return Form::product;
     case branch:
     case branch_off:
     case branch_on:
@@ -213,12 +181,6 @@ std::vector<VariantUnit::Piece> VariantUnit::pieces_of(const SourceText& source,
         pieces.push_back(std::move(head));
         break;
       }
-      case Form::product:
-        piece.parts = {
-            {fmt::format(" {0} WorkbookProduct{{{1}, {2}, {3}}} {0} ", original, number_of(VariantKind::operation),
-                         number_of(VariantKind::order), number_of(VariantKind::transpose)),
-             group.all}};
-        break;
       case Form::condition:
         pieces.push_back(
             {offset,

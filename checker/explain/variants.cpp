@@ -156,7 +156,6 @@ class SourceMutations {
       functions();
       divisions();
       factors();
-      products();
       loops();
       if (all_bugs_) bugs();
     }
@@ -406,7 +405,6 @@ class SourceMutations {
         edit.operand = source_.tokens()[operand_of(at_ - 1)].offset;
         add(VariantKind::method, other.empty() ? "one call left out" : "another function", at_, {edit});
       }
-      if (here() == "cross") negate_cross();
       return;
     }
     if (const auto found = functions.find(here()); found != functions.end() && is_called)
@@ -429,18 +427,6 @@ class SourceMutations {
       --first;
     }
     return first;
-  }
-
-  /// `a * b` as `a / b`, or of matrices as `b * a` or with the transpose of a.
-  void products() {
-    const bool begins_factor = is_identifier(after()) || is_numeral(after()) || after() == "(";
-    if (!is_one_of(here(), {"*", "/"}) || !follows_operand() || !begins_factor || all_bugs_) return;
-    add(VariantKind::operation,
-        here() == "*" ? "a quotient in place of the product" : "a product in place of the quotient",
-        here() == "*" ? "/" : "*");
-    if (here() == "/") return;
-    add(VariantKind::order, "the factors in the other order", "*");
-    add(VariantKind::transpose, "the transpose of the left factor", "*");
   }
 
   /// The end of a loop.
@@ -476,13 +462,6 @@ class SourceMutations {
     if (here() != "/" || all_bugs_ || !follows_whole()) return;
     const bool is_size = token(at_ + 2) == "." && is_one_of(token(at_ + 3), {"size", "cols", "rows"});
     if (is_whole(at_ + 1) || is_size) add(VariantKind::division, "", "* 1.0 /");
-  }
-
-  /// `a.cross(b)` as `b.cross(a)`, that is with the other sign.
-  void negate_cross() {
-    const std::string_view operand = at_ >= 2 ? token(at_ - 2) : std::string_view();
-    if (is_identifier(operand) && after() == "(" && is_identifier(token(at_ + 2)) && token(at_ + 3) == ")")
-      exchange(VariantKind::cross, "the other order of a cross product", at_ - 2, at_ + 2);
   }
 
   /// The function's name in front of its bracket is left out, with a std:: before it.
@@ -683,8 +662,8 @@ std::vector<Reason> whole_quotients(const SourceText& source, const ExerciseRefe
 }
 
 std::string to_string(VariantKind kind) {
-  constexpr const char* names[] = {"sign",   "factor",   "factor", "number",    "index", "name", "function",
-                                   "method", "operator", "order",  "transpose", "cross", "loop", "guard"};
+  constexpr const char* names[] = {"sign", "factor",   "factor", "number", "index",
+                                   "name", "function", "method", "loop",   "guard"};
   return names[static_cast<std::size_t>(kind)];
 }
 
