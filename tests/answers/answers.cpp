@@ -18,6 +18,7 @@
 #include <filesystem>
 #include <iterator>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -35,6 +36,7 @@ struct Answer {
   // what the checker says
   std::string verdict, message;
   std::vector<std::string> reasons;
+  std::set<std::string> explainers;  // that gave them
 };
 
 std::string environment(const char* name, const std::string& otherwise) {
@@ -115,12 +117,16 @@ void check(Answer& answer, const fs::path& scratch) try {
   const auto result = checked.result();
   answer.verdict = result.at("verdict");
   answer.message = result.at("message");
-  for (const auto& found : result.at("findings"))
+  for (const auto& found : result.at("findings")) {
+    answer.explainers.insert(found.at("name"));
     answer.reasons.push_back(fmt::format("{} (line {}): {}", found.at("name").get<std::string>(),
                                          found.at("line").get<int>(), found.at("message").get<std::string>()));
-  for (const auto& found : result.at("diagnosis"))
+  }
+  for (const auto& found : result.at("diagnosis")) {
+    answer.explainers.insert(found.at("kind"));
     answer.reasons.push_back(fmt::format("{} {}: {}", found.at("kind").get<std::string>(),
                                          found.at("name").get<std::string>(), found.at("message").get<std::string>()));
+  }
 } catch (const std::exception& problem) {
   answer.verdict = "no_document";
   answer.message = problem.what();
@@ -143,6 +149,19 @@ void print_reasons(const std::vector<Answer>& answers) {
     fmt::print("{}: {}\n    {}: {}\n", answer.exercise, answer.title, answer.verdict, answer.message);
     for (const std::string& reason : answer.reasons) fmt::print("    - {}\n", reason);
   }
+}
+
+/// Who explains how many of the wrong answers, and how many alone: what costs more than it explains can go.
+void print_explainers(const std::vector<Answer>& answers) {
+  std::map<std::string, std::pair<int, int>> counts;
+  for (const Answer& answer : answers)
+    for (const std::string& explainer : answer.explainers) {
+      ++counts[explainer].first;
+      counts[explainer].second += answer.explainers.size() == 1;
+    }
+  fmt::print("{:<30} {:>8} {:>6}\n", "explainer", "explains", "alone");
+  for (const auto& [explainer, count] : counts)
+    fmt::print("{:<30} {:>8} {:>6}\n", explainer, count.first, count.second);
 }
 
 struct Counts {
@@ -201,6 +220,7 @@ TEST_CASE("no wrong answer passes, and every right answer passes without a word 
   REQUIRE_FALSE(answers.empty());
   check_all(answers);
   if (!environment("WORKBOOK_REASONS", "").empty()) print_reasons(answers);
+  print_explainers(answers);
   print_table(answers);
   for (const Answer& answer : answers) {
     INFO(answer.exercise, ": ", answer.title, "\n", answer.verdict, ": ", answer.message);
