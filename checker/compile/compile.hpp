@@ -5,6 +5,7 @@
 #include "checker/base/child_process.hpp"
 #include "checker/compile/diagnostics.hpp"
 #include "checker/compile/toolchain.hpp"
+#include "checker/data/observation.hpp"
 #include "checker/sandbox/sandbox.hpp"
 #include "checker/source/submission.hpp"
 

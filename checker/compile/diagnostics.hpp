@@ -6,6 +6,7 @@
 #include "checker/source/source_text.hpp"
 
 #include <functional>
+#include <optional>
 
 namespace workbook {
 
