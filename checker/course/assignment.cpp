@@ -209,8 +209,7 @@ double Assignment::earned(const Judgement& judgement, const ExerciseReference& r
     for (const std::string& key : {name, reference.name + "/" + name})
       if (misconceptions_.contains(key)) most = std::max(most, misconceptions_.at(key));
   if (partial_ == Partial::cases)
-    most = std::max(most, std::min(most_of_a_wrong_answer, static_cast<double>(judgement.cases_passed()) /
-                                                               static_cast<double>(judgement.cases_total)));
+    most = std::max(most, static_cast<double>(judgement.cases_passed()) / static_cast<double>(judgement.cases_total));
   if (partial_ == Partial::groups) {
     std::array<int, 3> all{}, wrong{};  // ordinary, special and generated
     const auto group = [&](std::size_t index) {
@@ -224,9 +223,9 @@ double Assignment::earned(const Judgement& judgement, const ExerciseReference& r
       groups += all[k] > 0 ? 1 : 0;
       right += all[k] > 0 && wrong[k] == 0 ? 1 : 0;
     }
-    if (wrong[0] == 0) most = std::max(most, right / groups);
+    if (all[0] > 0 && wrong[0] == 0) most = std::max(most, right / groups);
   }
-  return most;
+  return std::min(most, most_of_a_wrong_answer);
 }
 
 double Assignment::share(const Judgement& judgement, const ExerciseReference& reference,
