@@ -14,17 +14,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-/// With as many digits as it has, and no others.
-std::string number(const ordered_json& value) { return fmt::format("{:.10g}", value.get<double>()); }
-
 std::string text(const ordered_json& of, const char* key) { return of.value(key, ""); }
-
-bool is_excused(const ordered_json& mark) { return mark.at("points") == 0; }
-
-/// As judged, or by hand.
-bool is_right(const ordered_json& mark) {
-  return mark.at("verdict") == "passed" || (mark.at("score").is_number() && mark.at("score") >= mark.at("points"));
-}
 
 /// What the forms of other systems are filled with. Points are also in hundredths, for who takes whole numbers only.
 /// Canvas takes digits for its own number of a student. @param about  the student
@@ -39,36 +29,34 @@ nlohmann::json form_values(const ordered_json& about, const ordered_json& result
   std::map<std::string, int> counts;
   std::array<long, 2> hundredths{};
   for (const ordered_json& mark : results) {
-    const bool is_judged = mark.at("score").is_number();
-    const bool is_skipped = is_excused(mark) || (mark.at("verdict") == "not_started" && !mark.contains("by_hand"));
-    const std::string status = !is_judged ? "error" : is_right(mark) ? "pass" : "fail";
+    const bool is_judged = mark.at("score").is_number(), is_excused = mark.at("points") == 0;
+    const bool is_right = mark.at("verdict") == "passed" || (is_judged && mark.at("score") >= mark.at("points"));
+    const std::string status = !is_judged ? "error" : is_right ? "pass" : "fail";
+    const bool is_skipped = is_excused || (mark.at("verdict") == "not_started" && !mark.contains("by_hand"));
     ++counts[status];
     ++counts[is_skipped ? "skipped" : status + " of those left"];
-    const long most = std::lround(100 * mark.at("points").get<double>());
-    const long earned = is_judged ? std::lround(100 * mark.at("score").get<double>()) : 0;
     std::string message = message_of(mark);
     if (mark.contains("diagnosis") && !mark.at("diagnosis").empty())
       message += " " + printable(text(mark.at("diagnosis").front(), "message"));
-    nlohmann::json values = {{"exercise", mark.at("exercise")},
-                             {"verdict", mark.at("verdict")},
-                             {"message", message},
-                             {"points", number(mark.at("points"))},
-                             {"score", is_judged ? number(mark.at("score")) : "null"},
+    nlohmann::json values = {{"message", message},
                              {"status", status},
                              {"is_judged", is_judged},
-                             {"is_excused", is_excused(mark)},
-                             {"is_right", is_right(mark)},
+                             {"is_excused", is_excused},
+                             {"is_right", is_right},
                              {"is_skipped", is_skipped},
                              {"is_error", !is_skipped && !is_judged},
-                             {"hundredths", std::to_string(earned)},
-                             {"most_hundredths", std::to_string(most)},
-                             {"is_failure", !is_skipped && status == "fail"}};
+                             {"is_failure", !is_skipped && status == "fail"},
+                             {"hundredths", is_judged ? std::lround(100 * mark.at("score").get<double>()) : 0},
+                             {"most_hundredths", std::lround(100 * mark.at("points").get<double>())}};
+    for (const char* same : {"exercise", "verdict", "points", "score"}) values[same] = mark.at(same);
     for (nlohmann::json* list : {&all, &judged}) {
       if (list == &judged && !is_judged) continue;
       values["comma"] = list->empty() ? "" : ", ";
       list->push_back(values);
     }
-    if (is_judged) hundredths = {hundredths[0] + earned, hundredths[1] + most};
+    if (!is_judged) continue;
+    hundredths[0] += values.at("hundredths").get<long>();
+    hundredths[1] += values.at("most_hundredths").get<long>();
   }
   const std::string id = about.at("id");
   return {{"id", id},
@@ -78,11 +66,11 @@ nlohmann::json form_values(const ordered_json& about, const ordered_json& result
           {"days_late", about.at("days_late")},
           {"sandbox", sandbox},
           {"output", fmt::format("{}", fmt::join(notes, "\n"))},
-          {"score", number(about.at("score"))},
-          {"possible", number(about.at("possible"))},
+          {"score", score},
+          {"possible", possible},
           {"share", fmt::format("{:.6f}", possible > 0 ? std::min(1.0, score / possible) : 0.0)},
-          {"hundredths", std::to_string(hundredths[0])},
-          {"most_hundredths", std::to_string(hundredths[1])},
+          {"hundredths", hundredths[0]},
+          {"most_hundredths", hundredths[1]},
           {"status", counts["error"] > 0  ? "error"
                      : counts["fail"] > 0 ? "fail"
                                           : "pass"},
@@ -117,7 +105,7 @@ std::map<std::string, std::string> class_exports(const ordered_json& document) {
   const std::string title = text(document, "title");
   add({{"heading", true},
        {"title", title.empty() ? "Rigid Body Workbook" : title},
-       {"possible", number(possible)},
+       {"possible", possible},
        {"results", document.at("exercises")}});
   for (const ordered_json& student : document.at("students")) {
     nlohmann::json values = form_values(student, student.at("results"), document.at("sandbox"));

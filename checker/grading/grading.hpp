@@ -24,12 +24,16 @@ struct RosterEntry {
   std::string name;
   std::optional<std::int64_t> submitted;
   std::vector<std::string> aliases = {};  ///< other names that learning systems use: e-mail, login, number
+  std::string folder = {};                ///< where the files are, perhaps those of a group, if the table says so
 };
 
 /// A table with a heading: a column with an id is needed; name, submitted, aliases and what else names a student are
 /// read. The gradebook of Canvas, the grading worksheet of Moodle and the roster of GitHub Classroom are such tables.
-/// @throws GradingError
-std::vector<RosterEntry> read_roster(const fs::path& file);
+/// @param zone  of times that say none, as Moodle's: "Z", "+01:00". @throws GradingError
+std::vector<RosterEntry> read_roster(const fs::path& file, const std::string& zone = "Z");
+
+/// Text in other letters than UTF-8 is taken for one in those that ICU calls so.
+std::string in_utf8(const std::string& bytes, const char* letters);
 
 /// The file in an export of Gradescope that says whose each folder is; a folder may be that of several students.
 inline constexpr const char* gradescope_metadata = "submission_metadata.yml";
@@ -68,12 +72,13 @@ struct Student {
   std::string id;    ///< as it may be shown
   std::string name;  ///< of the roster; may be empty
   std::string slug;  ///< names this student's files: letters, digits, "-", "_" and "."
+  fs::path copies;   ///< the folder with copies of what was handed in
   std::optional<std::int64_t> submitted;
   std::map<std::string, HandedIn> files;  ///< by exercise
   /// By exercise, as the progress file says that was handed in; nothing: there is none that can be read.
   std::optional<std::map<std::string, std::size_t>> hints;
   std::vector<std::string> notes;   ///< what else is to be said of the submission
-  std::vector<std::string> unread;  ///< those of the notes that name what was not read, so that points may be missing
+  std::vector<std::string> unread;  ///< what was not read, so that points may be missing
   std::string entry;                ///< whose it is, as the name of the top-level entry says
   /// Another such entry names this student as well: one sentence; "": none. Then nothing is judged, for either may be
   /// somebody else's.
@@ -82,6 +87,7 @@ struct Student {
   std::map<std::string, Override> by_hand = {};  ///< by exercise; "": the whole
   std::string attempt = {};                      ///< which of several counts
   std::vector<Student> attempts = {};  ///< in their order, where they are told apart; then there is no more yet
+  std::int64_t order = 0;              ///< of an attempt
 
   Override whole() const { return by_hand.contains("") ? by_hand.at("") : Override{}; }
   bool is_missing() const { return files.empty() && dispute.empty(); }
@@ -90,6 +96,7 @@ struct Student {
 struct Intake {
   std::vector<Student> students;
   std::vector<std::string> problems;  ///< what belongs to no student, and was not read
+  std::vector<std::string> late;      ///< students whose files Canvas marks as late, and no table says when they came
 };
 
 /// Which students are taken in: those of one of several equal parts of the class, which any machine tells by their ids.
@@ -111,7 +118,7 @@ Intake take_in(const fs::path& submissions, const Course& course, const std::vec
                const fs::path& copies, const Shard& shard = {}, bool by_attempts = false);
 
 /// Makes one attempt of a student the submission. @param why  "the last one"
-void take_attempt(Student& student, std::size_t number, const std::string& why, const fs::path& copies);
+void take_attempt(Student& student, std::size_t number, const std::string& why);
 
 /// A file among the submissions, in a folder or in a zip file.
 struct Found {

@@ -2,6 +2,7 @@
 
 #include <unicode/normalizer2.h>
 #include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/erase.hpp>
 #include <boost/algorithm/string/predicate.hpp>
 #include <boost/algorithm/string/split.hpp>
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <set>
-#include <sstream>
 
 namespace workbook {
 namespace {
@@ -22,7 +22,7 @@ constexpr int deepest = 16;
 const fs::path progress_file = ".workbook/progress.json";
 const std::vector<std::string> source_endings = {".cpp", ".cc", ".cxx", ".c", ".cpp.txt"};
 const std::vector<std::string> archive_endings = {".tar", ".gz", ".tgz", ".xz", ".bz2", ".7z", ".rar"};
-constexpr std::size_t nobody = SIZE_MAX;  // who is graded here, but perhaps in another shard
+constexpr std::size_t several = SIZE_MAX;  // a name of several students names nobody
 
 bool has_ending(const std::string& name, const std::vector<std::string>& endings) {
   return std::ranges::any_of(endings, [&](const auto& each) { return boost::iends_with(name, each); });
@@ -35,19 +35,22 @@ Match by_system(const std::string& name) {
                 "_(?:\\d\\d+|assignsubmission_[a-z]+)(?:_(.*))?$");
 }
 
-/// A person's name as it is compared: in small letters, with accents in one form (a Mac writes them as signs of their
-/// own), and without what learning systems leave out of the names of files.
-std::string plain_person(const std::string& name) {
+/// The words of a person's name as they are compared: in small letters, with accents in one form (a Mac writes them as
+/// signs of their own), and without what learning systems leave out of the names of files.
+std::vector<std::string> words_of(const std::string& name) {
   UErrorCode problem = U_ZERO_ERROR;
   const icu::Normalizer2* const form = icu::Normalizer2::getNFKCCasefoldInstance(problem);
-  const icu::UnicodeString read = icu::UnicodeString::fromUTF8(name);
   std::string plain;
-  if (U_SUCCESS(problem)) form->normalize(read, problem).toUTF8String(plain);
-  if (U_FAILURE(problem) || read.indexOf(char16_t{0xFFFD}) >= 0) return boost::to_lower_copy(name);  // no UTF-8
-  for (const char* sign : {"&", "<", ">", "\"", "`", "|", "'", ":", "\\", "/", "\u2019"}) boost::erase_all(plain, sign);
-  std::ranges::replace(plain, '_', ' ');
-  return plain;
+  if (U_SUCCESS(problem)) form->normalize(icu::UnicodeString::fromUTF8(name), problem).toUTF8String(plain);
+  if (U_FAILURE(problem)) plain = boost::to_lower_copy(name);
+  plain = replaced(plain, "[&<>\"`|':\\\\/]|\u2019", "");
+  std::vector<std::string> words;
+  boost::split(words, plain, boost::is_any_of(" _,"), boost::token_compress_on);
+  std::erase(words, "");
+  return words;
 }
+
+std::string plain_name(const std::string& name) { return fmt::format("{}", fmt::join(words_of(name), " ")); }
 
 /// The folder into which Gradescope's export puts all students.
 bool is_export(const std::string& name) { return name.starts_with("assignment_") && name.ends_with("_export"); }
@@ -69,60 +72,43 @@ class Collector {
         has_roster_(!roster.empty()),
         by_attempts_(by_attempts) {
     for (const RosterEntry& entry : roster) {
-      add(entry);
-      for (const std::string& alias : entry.aliases) add_name(aliases_, alias, entry.id);
-      add_name(aliases_, entry.id, entry.id);
-      add_name(full_names_, entry.name, entry.id);
-      if (const Match turned = search(entry.name, "^([^,]+), *([^,]+)$"))
-        add_name(full_names_, turned[2] + " " + turned[1], entry.id);
+      const std::size_t student = add(entry);
+      add_name(ids_, plain_name(entry.id), student);
+      for (const std::string& alias : entry.aliases) add_name(aliases_, plain_name(alias), student);
+      if (!entry.folder.empty()) owners_[intake.students[student].entry = entry.folder].push_back(student);
+      std::vector<std::string> words = words_of(entry.name);  // with the family's name first or last
+      for (std::size_t k = 0; k < words.size(); ++k) {
+        std::ranges::rotate(words, words.begin() + 1);
+        add_name(full_names_, fmt::format("{}", fmt::join(words, " ")), student);
+        add_name(canvas_names_, replaced(fmt::format("{}", fmt::join(words, "")), "-", ""), student);
+      }
     }
   }
 
   /// What GitHub Classroom puts before the logins: beginnings up to a "-" that most of the entries have.
   void learn_assignment(const std::set<std::string>& entries) {
     std::map<std::string, std::size_t> shares;
-    std::size_t all = 0;
-    assignments_.clear();
-    has_groups_ = true;
-    for (const std::string& name : entries) {
-      if (const std::size_t moodle = name.find("_assignsubmission_"); moodle != std::string::npos)
-        has_groups_ = has_groups_ && name.find('-') < moodle;
-      all += name.find('-') != std::string::npos ? 1 : 0;
+    for (const std::string& name : entries)
       for (std::size_t dash = name.find('-'); dash != std::string::npos; dash = name.find('-', dash + 1))
         ++shares[name.substr(0, dash + 1)];
-    }
+    assignments_.clear();
     for (const auto& [beginning, count] : shares)
-      if (2 * count > all) assignments_.insert(beginning);
-  }
-
-  /// Is the only entry a folder in which a whole class lies? Where there is a roster, that is known.
-  bool is_class(const std::string& entry, const std::set<std::string>& inside) {
-    if (has_roster_ && !meant_by(entry).empty()) return false;
-    if (inside.contains(gradescope_metadata) || !has_roster_) return inside.contains(gradescope_metadata);
-    learn_assignment(inside);
-    return std::ranges::any_of(inside, [&](const std::string& name) { return !meant_by(name).empty(); });
+      if (2 * count > entries.size()) assignments_.insert(beginning);
+    has_groups_ = std::ranges::none_of(entries, [](auto& name) { return !!search(name, "^[^-]*_assignsubmission_"); });
   }
 
   Intake intake;
-
-  /// A class in a zip file. @throws GradingError
-  std::vector<Found> zipped_class(const fs::path& submissions) const {
-    try {
-      return read_zip(submissions, true);
-    } catch (const RejectedFile& reason) {
-      throw GradingError(fmt::format("{} Nothing was graded.", reason.what()));
-    }
-  }
 
   /// A class in a folder. Of what students have handed in only the files that may be read, for it can be much.
   void list(const fs::path& folder, const std::string& above, std::vector<Found>& files, int depth = 0) {
     std::error_code problem;
     std::vector<fs::path> entries;
     for (fs::directory_iterator next(folder, problem), end; !problem && next != end; next.increment(problem))
-      if (!next->path().filename().string().starts_with('.')) entries.push_back(next->path());
-    std::ranges::sort(entries);  // every run sees the same
-    if (depth == 0) is_alone_ = entries.size() == 1;
-    const bool is_above_students = depth == 0 || (depth == 1 && (is_alone_ || is_export(folder.filename().string())));
+      if (const std::string name = next->path().filename(); !name.starts_with('.') && name != "__MACOSX")
+        entries.push_back(next->path());
+    std::ranges::sort(entries);                                  // every run sees the same
+    if (depth == wrappers_ && entries.size() == 1) ++wrappers_;  // perhaps the class lies in that folder
+    const bool is_above_students = depth <= wrappers_ || (depth == 1 && is_export(folder.filename().string()));
     const auto refuse = [&](const std::string& path, const std::string& reason) {
       files.push_back({.path = path, .refusal = reason, .is_unread = true});
     };
@@ -135,7 +121,6 @@ class Collector {
       if (is_above_students) looked_at_ = 0;
       if (++looked_at_ > most_entries) return refuse(path, "comes after too many other files");
       if (type_of(entry) == fs::file_type::directory && !is_exercise(entry)) {
-        if (name == "__MACOSX") continue;
         if (depth == deepest) {
           refuse(path, "is a folder in too many others");
           continue;
@@ -151,31 +136,39 @@ class Collector {
     }
   }
 
+  /// Where all lies in one folder, or in one that is alone in it: the one in which students are told apart, if any is.
+  std::string folder_of_class(const std::vector<Found>& files) {
+    const auto entries_in = [&](const std::string& folder) {
+      std::set<std::string> entries;
+      for (const Found& each : files)
+        if (each.path.size() > folder.size())
+          entries.insert(each.path.substr(folder.size(), each.path.find('/', folder.size()) - folder.size()));
+      learn_assignment(entries);
+      return entries;
+    };
+    std::string folder;
+    for (std::set<std::string> entries = entries_in("");; entries = entries_in(folder += *entries.begin() + "/")) {
+      if (entries.contains(gradescope_metadata) ||
+          (has_roster_ && std::ranges::any_of(entries, [&](auto& name) { return !meant_by(name).empty(); })))
+        return folder;
+      if (entries.size() != 1) break;
+    }
+    entries_in("");
+    return "";
+  }
+
   /// All that a class has handed in.
   void take_class(std::vector<Found> files) {
-    std::set<std::string> top;
-    while (true) {
-      std::set<std::string> below;
-      top.clear();
-      for (const Found& each : files) {
-        const std::size_t slash = std::min(each.path.find('/'), each.path.size());
-        top.insert(each.path.substr(0, slash));
-        if (slash + 1 < each.path.size())
-          below.insert(each.path.substr(slash + 1, each.path.find('/', slash + 1) - slash - 1));
-      }
-      // Is the only entry a folder in which a whole class lies?
-      if (top.size() != 1 || !is_class(*top.begin(), below)) break;
-      for (Found& each : files) each.path.erase(0, each.path.find('/') + 1);
-      std::erase_if(files, [](const Found& each) { return each.path.empty(); });  // the folder itself
-    }
-    learn_assignment(top);
+    const std::string wrappers = folder_of_class(files);
+    for (Found& each : files) each.path.erase(0, wrappers.size());
+    std::erase_if(files, [](const Found& each) { return each.path.empty(); });  // the folder itself
     const auto metadata = std::ranges::find_if(files, [](const Found& each) {
       const fs::path path = each.path;
       return path.filename() == gradescope_metadata && (path.parent_path().empty() || is_export(path.parent_path()));
     });
     std::string above;
     if (metadata != files.end()) {
-      above = metadata->path.substr(0, metadata->path.size() - std::string_view(gradescope_metadata).size());
+      above = metadata->path.substr(0, metadata->path.rfind('/') + 1);
       if (!metadata->refusal.empty())
         throw GradingError(fmt::format("{} {}. Nothing was graded.", gradescope_metadata, metadata->refusal));
       take_metadata(metadata->file.empty() ? metadata->text
@@ -192,10 +185,10 @@ class Collector {
   void doubt_single_student() {
     if (has_roster_ || intake.students.size() != 1 || !has_second_) return;
     Student& only = intake.students.front();
-    unread(only,
-           fmt::format("'{}' holds several files for one exercise; if it is no student but a class, unpack it and "
-                       "name it as SUBMISSIONS.",
-                       only.id));
+    say(only.unread,
+        fmt::format("'{}' holds several files for one exercise; if it is no student but a class, unpack it and "
+                    "name it as SUBMISSIONS.",
+                    only.id));
   }
 
  private:
@@ -205,18 +198,16 @@ class Collector {
     for (const auto& [folder, people] : read_gradescope(text)) {
       std::vector<std::size_t>& owners = owners_[folder];
       for (const RosterEntry& person : people) {
-        std::optional<std::size_t> meant = has_roster_ ? known(person.id) : std::nullopt;
-        if (!has_roster_) {
-          if (!students_.contains(person.id)) add(person);
-          meant = students_.at(person.id);
-        }
+        if (!has_roster_ && !students_.contains(person.id)) add(person);
+        std::optional<std::size_t> meant = known(person.id);
         for (const std::string& alias : person.aliases)
           if (!meant) meant = known(alias);
-        if (!meant) meant = found_in(full_names_, person.name);
-        if (!meant)
+        if (!meant) meant = found_in(full_names_, plain_name(person.name));
+        if (!meant) {
           problem(fmt::format("{} was not read for {}: the roster has no {}, and not just one of that name.",
                               in_quotes(folder), shortened(printable(person.name), 100), in_quotes(person.id)));
-        if (!meant || *meant == nobody) continue;
+          continue;
+        }
         owners.push_back(*meant);
         Student& student = intake.students[*meant];
         if (by_attempts_) {
@@ -230,33 +221,30 @@ class Collector {
     }
   }
 
-  void add(const RosterEntry& entry) {
-    if (!shard_.has(entry.id)) {
-      students_.emplace(entry.id, nobody);
-      return;
-    }
+  using Names = std::map<std::string, std::size_t>;
+
+  std::size_t add(const RosterEntry& entry) {
     Student& student = add_student(entry.id);
     student.name = printable(entry.name);
     student.submitted = entry.submitted;
+    return students_.at(entry.id);
   }
 
-  /// Names of several students name nobody.
-  void add_name(std::map<std::string, std::string>& names, const std::string& name, const std::string& id) {
-    if (name.empty()) return;
-    const auto [known, is_new] = names.emplace(plain_person(name), id);
-    if (!is_new && known->second != id) known->second.clear();
+  static void add_name(Names& names, const std::string& name, std::size_t student) {
+    const auto [known, is_new] = names.emplace(name, student);
+    if (!is_new && known->second != student) known->second = several;
   }
 
-  std::optional<std::size_t> found_in(const std::map<std::string, std::string>& names, const std::string& name) const {
-    const auto found = names.find(plain_person(name));
-    if (found == names.end() || found->second.empty()) return std::nullopt;
-    return students_.at(found->second);
+  static std::optional<std::size_t> found_in(const Names& names, const std::string& name) {
+    const auto found = names.find(name);
+    return found == names.end() || found->second == several ? std::nullopt : std::optional(found->second);
   }
 
   /// By id or alias.
   std::optional<std::size_t> known(const std::string& name) const {
-    if (const auto student = students_.find(name); student != students_.end()) return student->second;
-    return found_in(aliases_, name);
+    if (const auto student = found_in(students_, name)) return student;
+    const auto by_id = found_in(ids_, plain_name(name));
+    return by_id ? by_id : found_in(aliases_, plain_name(name));
   }
 
   Student& add_student(const std::string& raw) {
@@ -268,11 +256,11 @@ class Collector {
     for (int number = 2; !slugs_.insert(boost::to_lower_copy(unique)).second; ++number)
       unique = fmt::format("{}-{}", slug, number);
     students_.emplace(raw, intake.students.size());
-    Student student;
+    Student& student = intake.students.emplace_back();
     student.id = shortened(replaced(printable(raw), "[\n\t]", "?"), 200);
     student.slug = unique;
-    intake.students.push_back(std::move(student));
-    return intake.students.back();
+    student.copies = copies_ / unique;
+    return student;
   }
 
   void problem(const std::string& sentence) {
@@ -280,41 +268,27 @@ class Collector {
       intake.problems.push_back(sentence);
   }
 
-  static void note(Student& student, const std::string& sentence) {
-    if (student.notes.size() < most_notes) student.notes.push_back(sentence);
+  static void say(std::vector<std::string>& to, const std::string& sentence) {
+    if (to.size() < most_notes) to.push_back(sentence);
   }
 
-  static void unread(Student& student, const std::string& sentence) {
-    note(student, sentence);
-    if (student.unread.size() < most_notes) student.unread.push_back(sentence);
-  }
+  /// In names of Moodle and Canvas the id stands between others, separated by "_", before what the student has named:
+  /// up to the first number.
+  static Match numbered(const std::string& name) { return search(name, "^(?:.*?_)??\\d+(?=_|$)"); }
 
-  static bool is_number(const std::string& field) {
-    return !field.empty() && field.find_first_not_of("0123456789") == std::string::npos;
-  }
-
-  /// Names of Moodle and Canvas hold the id between others, separated by "_", before what the student has named: up to
-  /// the first number, or else at the beginning.
-  static std::vector<std::string> leading_fields(const std::string& name) {
-    std::vector<std::string> fields;
-    boost::split(fields, name, [](char letter) { return letter == '_'; });
-    if (const auto number = std::ranges::find_if(fields, is_number); number != fields.end())
-      fields.erase(number + 1, fields.end());
-    return fields;
-  }
-
-  /// The students of the roster whose ids stand among the fields; an id may itself hold "_".
-  std::set<std::size_t> named_by(const std::vector<std::string>& fields) const {
+  /// The students of the roster whose ids stand there, or else at the beginning; an id may itself hold "_".
+  std::set<std::size_t> named_by(const std::string& name) const {
+    const Match number = numbered(name);
+    const std::string leading = number ? number[0] : name;
     std::set<std::size_t> meant;
-    const std::size_t ends = is_number(fields.back()) ? fields.size() : 1;
-    for (std::size_t begin = 0, next = 1; begin < ends; begin = next, ++next) {
-      std::optional<std::size_t> longest;
-      std::string id;
-      for (std::size_t last = begin; last < fields.size(); ++last) {
-        id += (last == begin ? "" : "_") + fields[last];
-        if (const auto student = known(id)) longest = student, next = last + 1;
-      }
-      if (longest) meant.insert(*longest);
+    for (std::size_t begin = 0, end = 0; begin < leading.size(); begin = end + 1) {
+      for (end = leading.size(); end > begin && end != std::string::npos; end = leading.rfind('_', end - 1))
+        if (const auto student = known(leading.substr(begin, end - begin))) {
+          meant.insert(*student);
+          break;
+        }
+      if (!number) break;
+      if (end <= begin || end == std::string::npos) end = std::min(leading.find('_', begin), leading.size());
     }
     return meant;
   }
@@ -331,24 +305,35 @@ class Collector {
     return std::nullopt;
   }
 
+  /// By the whole name; before it may stand that of a group.
+  std::optional<std::size_t> by_full_name(std::string person) const {
+    for (std::size_t dash = 0;; person.erase(0, dash + 1))
+      if (const auto student = found_in(full_names_, plain_name(person));
+          student || !has_groups_ || (dash = person.find('-')) == std::string::npos)
+        return student;
+  }
+
   /// Whom of the roster the name of an entry means.
   std::set<std::size_t> meant_by(const std::string& name) const {
+    if (const auto owners = owners_.find(name); owners != owners_.end())
+      return {owners->second.begin(), owners->second.end()};
     if (const auto whole = known(name)) return {*whole};
-    const std::vector<std::string> fields = leading_fields(name);
-    std::set<std::size_t> meant = named_by(fields);
-    if (meant.empty() && fields.size() == 1)
-      if (const auto student = by_login(name)) meant.insert(*student);
-    // "Ada Byron_900001_assignsubmission_file_" of Moodle, whose number is of this assignment only; where groups hand
-    // in for their members "Group-Ada Byron_900001_...".
-    if (meant.empty() && fields.size() == 2 && is_number(fields.back())) {
-      std::string person = fields.front();
-      std::optional<std::size_t> student = found_in(full_names_, person);
-      for (std::size_t dash = 0; has_groups_ && !student && (dash = person.find('-')) != std::string::npos;) {
-        person.erase(0, dash + 1);
-        student = found_in(full_names_, person);
-      }
+    const Match number = numbered(name);
+    std::set<std::size_t> meant;
+    const auto add = [&](const std::optional<std::size_t>& student) {
       if (student) meant.insert(*student);
-    }
+    };
+    // "Ada Byron_900001_assignsubmission_file_" of Moodle: its number is of this assignment only, and no id.
+    const Match moodle = search(name, "^(.+)_(\\d+)(_assignsubmission_.*)?$");
+    const bool is_of_moodle = !moodle[3].empty();
+    if (is_of_moodle) add(found_in(aliases_, moodle[2]));
+    if (moodle) add(by_full_name(moodle[1]));
+    if (meant.empty() || !is_of_moodle)
+      for (const std::size_t each : named_by(name))
+        if (!is_of_moodle || intake.students[each].name.empty()) meant.insert(each);
+    if (number) add(found_in(canvas_names_, plain_name(name.substr(0, name.find('_')))));
+    if (meant.empty()) add(by_login(name));
+    if (meant.empty()) add(by_full_name(name));
     return meant;
   }
 
@@ -356,51 +341,47 @@ class Collector {
   std::vector<Student*> students_of(const std::string& name) {
     std::vector<Student*> students;
     if (!owners_.contains(name)) owners_[name] = owners_of(name);
-    for (const std::size_t owner : owners_[name]) students.push_back(&intake.students[owner]);
+    for (const std::size_t owner : owners_[name])
+      if (shard_.has(intake.students[owner].id)) students.push_back(&intake.students[owner]);
     return students;
   }
 
   std::vector<std::size_t> owners_of(const std::string& name) {
     if (has_metadata_) {
-      problem(fmt::format("{} was not read: {} does not name it.", in_quotes(name), gradescope_metadata));
+      problem(fmt::format("{} was not read: {} names no student for it.", in_quotes(name), gradescope_metadata));
       return {};
     }
     const Match own = by_system(name);
-    std::set<std::size_t> meant = meant_by(name);
-    const std::string entry = own           ? boost::erase_last_copy(own[1], "_LATE")
-                              : has_roster_ ? fmt::format("{}", fmt::join(leading_fields(name), "_"))
-                                            : name;
-    if (!has_roster_) {  // Canvas numbers the files of a student, who may be a group or have no name
-      if (!shard_.has(entry)) return {};
-      if (!students_.contains(entry)) add_student(entry);
-      meant = {students_.at(entry)};
-    }
+    const std::string entry = own                             ? boost::erase_last_copy(own[1], "_LATE")
+                              : has_roster_ && numbered(name) ? numbered(name)[0]
+                                                              : name;
+    // Canvas numbers the files of a student, who may be a group or have no name.
+    if (!has_roster_ && !students_.contains(entry)) add_student(entry);
+    const std::set<std::size_t> meant = has_roster_ ? meant_by(name) : std::set{students_.at(entry)};
     if (meant.size() != 1) {
-      problem(fmt::format("{} was not read: {} of the roster.", in_quotes(name),
-                          meant.empty() ? "it names no id, and no name of just one student," : "it names several ids"));
+      problem(fmt::format("{} was not read: it names {} of the roster.", in_quotes(name),
+                          meant.empty() ? "no id, and no name of just one student," : "several students"));
       return {};
     }
-    if (*meant.begin() == nobody) return {};
     Student& student = intake.students[*meant.begin()];
+    if (own && !student.submitted && search(name, "(^|_)LATE_") && std::ranges::count(intake.late, student.id) == 0)
+      intake.late.push_back(student.id);
     if (student.entry.empty()) student.entry = entry;
     if (student.entry != entry) dispute(student, student.entry, entry);
     return {*meant.begin()};
   }
 
-  /// That of the name; a new one takes its place in their order.
   Student& attempt(Student& student, const std::string& name, const std::optional<std::int64_t>& submitted,
                    std::int64_t order) {
     if (const auto known = std::ranges::find(student.attempts, name, &Student::entry); known != student.attempts.end())
       return *known;
-    Student made;
+    Student& made = student.attempts.emplace_back();
     made.id = student.id;
-    made.slug = fmt::format("{}/attempts/{}", student.slug, student.attempts.size() + 1);
+    made.copies = student.copies / "attempts" / std::to_string(student.attempts.size());
     made.submitted = submitted;
     made.entry = name;
-    std::vector<std::int64_t>& orders = orders_[student.id];
-    const auto at = std::ranges::upper_bound(orders, order) - orders.begin();
-    orders.insert(orders.begin() + at, order);
-    return *student.attempts.insert(student.attempts.begin() + at, std::move(made));
+    made.order = order;
+    return made;
   }
 
   Student& attempt_of(Student& student, const std::vector<std::string>& parts) {
@@ -437,7 +418,7 @@ class Collector {
     }
     if (trouble.empty() && !found.path.ends_with('/')) return take_file(found, shown);
     for (Student* student : students_of(first))
-      if (!trouble.empty()) unread(*student, trouble);
+      if (!trouble.empty()) say(student->unread, trouble);
   }
 
   /// Whose it is, for what, and what is in it.
@@ -466,14 +447,12 @@ class Collector {
     return file.extension() == ".cpp" && std::ranges::count(exercises_, file.stem().string(), &Exercise::name) > 0;
   }
 
-  /// The exercise that somebody meant who called a file "Spring Energy-2 (1).cpp"; or none.
-  const Exercise* meant_exercise(const std::string& name) const {
-    const std::string plain = boost::to_lower_copy(replaced(name, "[- ]", "_"));
-    const Exercise* meant = nullptr;
-    for (const Exercise& exercise : exercises_)
-      if (search(plain, "^" + exercise.name() + "([^a-z]|$)"))
-        if (meant == nullptr || exercise.name().size() > meant->name().size()) meant = &exercise;
-    return meant;
+  /// Of the exercises with such names the one with the longest; or none.
+  const Exercise* longest(const std::function<bool(const std::string& name)>& is_such) const {
+    const Exercise* found = nullptr;
+    for (const Exercise& each : exercises_)
+      if (is_such(each.name()) && (found == nullptr || each.name().size() > found->name().size())) found = &each;
+    return found;
   }
 
   void take_of(Student& student, const std::string& name, const Found& found, const std::string& shown) {
@@ -484,8 +463,12 @@ class Collector {
       hand_in(student, exercise, {is_in_place ? HandedIn::in_place : HandedIn::anywhere, found.path}, found);
     } else if (has_ending(name, archive_endings)) {
       if (std::ranges::count(found.path, '/') < 2)
-        unread(student, fmt::format("'{}' was not read: it is no zip file.", shown));
-    } else if (const Exercise* meant = meant_exercise(name); meant != nullptr && has_ending(name, source_endings)) {
+        say(student.unread, fmt::format("'{}' was not read: it is no zip file.", shown));
+    } else if (has_ending(name, source_endings)) {  // somebody may call it "Spring Energy-2 (1).cpp"
+      const std::string plain = boost::to_lower_copy(replaced(name, "[- ]", "_"));
+      const Exercise* meant =
+          longest([&](auto& exercise) { return bool(search(plain, "^" + exercise + "([^a-z]|$)")); });
+      if (meant == nullptr) return;
       hand_in(student, meant->name(),
               {HandedIn::under_another_name, found.path,
                fmt::format("'{}' was not read: the file should be called {}.cpp.", shown, meant->name())},
@@ -495,7 +478,7 @@ class Collector {
 
   /// Of several the one counts, for each exercise, that tells of more hints.
   void take_progress(Student& student, const Found& found, const std::string& shown) {
-    const fs::path copy = copies_ / student.slug / "progress.json";
+    const fs::path copy = student.copies / "progress.json";
     try {
       write_or_throw(copy, text_of(found, shown));
       const Progress progress(copy);
@@ -503,9 +486,9 @@ class Collector {
       for (const Exercise& exercise : exercises_)
         if (const std::size_t hints = progress.of(exercise.name()).hints_shown; hints > 0)
           (*student.hints)[exercise.name()] = std::max((*student.hints)[exercise.name()], hints);
-      if (!progress.warning().empty()) note(student, shown + " is damaged, so it was not used.");
+      if (!progress.warning().empty()) say(student.notes, shown + " is damaged, so it was not used.");
     } catch (const RejectedFile& reason) {
-      note(student, reason.what());
+      say(student.notes, reason.what());
     }
   }
 
@@ -518,11 +501,8 @@ class Collector {
       return;
     }
     const std::string stem = last.ends_with(".cpp") ? last.substr(0, last.size() - 4) : "";
-    const Exercise* meant = nullptr;
-    for (const Exercise& exercise : exercises_)
-      if (stem.size() > exercise.name().size() + 1 && stem.ends_with("_" + exercise.name()) &&
-          (meant == nullptr || exercise.name().size() > meant->name().size()))
-        meant = &exercise;
+    const Exercise* meant =
+        longest([&](auto& exercise) { return stem.size() > exercise.size() + 1 && stem.ends_with("_" + exercise); });
     if (meant == nullptr)
       return problem(fmt::format("{} was not read: it should be a student's folder, a zip file or ID_EXERCISE.cpp.",
                                  in_quotes(name)));
@@ -531,7 +511,7 @@ class Collector {
   }
 
   void hand_in(Student& student, const std::string& exercise, HandedIn in, const Found& found) {
-    const fs::path copy = copies_ / student.slug / (exercise + ".cpp");
+    const fs::path copy = student.copies / (exercise + ".cpp");
     in.entry = in.where.substr(0, in.where.find('/'));
     in.where = shortened(printable(in.where), 200);
     const auto known = student.files.find(exercise);
@@ -571,16 +551,15 @@ class Collector {
   const std::vector<Exercise> exercises_;
   const Shard shard_;
   const bool has_roster_, by_attempts_;
-  bool has_metadata_ = false;  ///< an export of Gradescope says whose each entry is
-  bool has_groups_ = false;    ///< each of Moodle's entries may begin with the name of a group
-  std::map<std::string, std::vector<std::int64_t>> orders_;  ///< of the attempts, by student
-  std::set<std::string> assignments_;                        ///< what GitHub Classroom may put before logins
-  std::map<std::string, std::size_t> students_;              ///< by id
-  std::map<std::string, std::string> aliases_, full_names_;  ///< ids by plain_person(); "": of several students
-  std::map<std::string, std::vector<std::size_t>> owners_;   ///< by top-level entries; of a group several
+  bool has_metadata_ = false;                        ///< an export of Gradescope says whose each entry is
+  bool has_groups_ = false;                          ///< each of Moodle's entries may begin with the name of a group
+  std::set<std::string> assignments_;                ///< what GitHub Classroom may put before logins
+  Names students_;                                   ///< by id
+  Names ids_, aliases_, full_names_, canvas_names_;  ///< by plain_name(), those of Canvas in one word
+  std::map<std::string, std::vector<std::size_t>> owners_;  ///< by top-level entries; of a group several
   std::set<std::string> slugs_;
   std::size_t looked_at_ = 0;
-  bool is_alone_ = false;    ///< the folder of the class holds one entry
+  int wrappers_ = 0;         ///< folders, one in the other, with one entry each
   bool has_second_ = false;  ///< somebody has handed in different files for one exercise
 };
 
@@ -601,11 +580,9 @@ bool Shard::has(const std::string& id) const {
 }
 
 Shard read_shard(const std::string& text) {
-  Shard shard;
-  char slash = 0;
-  std::istringstream words(text);
-  words >> shard.number >> slash >> shard.count;
-  if (!words || slash != '/' || !words.eof() || shard.number < 1 || shard.number > shard.count)
+  const Match parts = search(text, "^(\\d{1,9})/(\\d{1,9})$");
+  const Shard shard = parts ? Shard{std::stoull(parts[1]), std::stoull(parts[2])} : Shard{};
+  if (!parts || shard.number < 1 || shard.number > shard.count)
     throw GradingError("--shard should say which part of how many, for example 2/8.");
   return shard;
 }
@@ -613,37 +590,42 @@ Shard read_shard(const std::string& text) {
 Intake take_in(const fs::path& submissions, const Course& course, const std::vector<RosterEntry>& roster,
                const fs::path& copies, const Shard& shard, bool by_attempts) {
   std::error_code problem;
-  const fs::file_type type = fs::status(submissions, problem).type();
-  if (type != fs::file_type::directory && !(type == fs::file_type::regular && submissions.extension() == ".zip"))
-    throw GradingError(fmt::format("{} is neither a folder nor a zip file.", shown_path(submissions)));
   Collector collector(course, roster, copies, shard, by_attempts);
   std::vector<Found> files;
-  if (type == fs::file_type::directory) fs::directory_iterator(submissions, problem);
-  if (problem) throw GradingError(fmt::format("{} cannot be read ({}).", shown_path(submissions), problem.message()));
-  if (type == fs::file_type::regular)
-    files = collector.zipped_class(submissions);
-  else
+  if (is_zip(submissions) && fs::is_regular_file(submissions, problem)) {
+    files.push_back({.path = "", .file = submissions});
+  } else {
+    fs::directory_iterator(submissions, problem);
+    if (problem)
+      throw GradingError(fmt::format("{} is no zip file, and no folder that can be read ({}).", shown_path(submissions),
+                                     problem.message()));
     collector.list(submissions, "", files);
+  }
+  if (files.size() == 1 && is_zip(files.front().file)) try {  // that of the class, or where it is in a folder perhaps
+      const Found zip = files.front();
+      files = read_zip(zip.file, true);
+      for (Found& each : files) each.path = zip.path + (zip.path.empty() ? "" : "/") + each.path;
+    } catch (const RejectedFile& reason) {
+      throw GradingError(fmt::format("{} Nothing was graded.", reason.what()));
+    }
   fs::remove_all(copies, problem);
   collector.take_class(std::move(files));
   collector.doubt_single_student();
   fs::remove(copies / ".unpacked", problem);
-  for (Student& student : collector.intake.students)
+  std::erase_if(collector.intake.students, [&](const Student& each) { return !shard.has(each.id); });
+  for (Student& student : collector.intake.students) {
+    std::ranges::stable_sort(student.attempts, {}, &Student::order);
     if (!student.attempts.empty() && !student.files.empty())
-      student.unread.push_back(student.notes.emplace_back("Files beside the folders of the attempts were not read."));
+      student.unread.push_back("Files beside the folders of the attempts were not read.");
+  }
   return std::move(collector.intake);
 }
 
-void take_attempt(Student& student, std::size_t number, const std::string& why, const fs::path& copies) {
-  Student& taken = student.attempts[number];
-  std::error_code ignored;
-  for (const auto& file : fs::directory_iterator(copies / student.slug, ignored))
-    if (file.is_regular_file()) fs::remove(file, ignored);
-  for (const auto& file : fs::directory_iterator(copies / taken.slug, ignored))
-    fs::rename(file, copies / student.slug / file.path().filename());
-  fs::remove_all(copies / student.slug / "attempts", ignored);
+void take_attempt(Student& student, std::size_t number, const std::string& why) {
+  Student taken = std::move(student.attempts[number]);
   student.files = std::move(taken.files);
   student.hints = std::move(taken.hints);
+  student.copies = taken.copies;
   student.submitted = taken.submitted;
   student.attempt = taken.entry;
   std::ranges::copy(taken.notes, std::back_inserter(student.notes));

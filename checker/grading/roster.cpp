@@ -2,6 +2,7 @@
 #include "checker/grading/grading.hpp"
 #include "checker/templates/templates.hpp"
 
+#include <unicode/smpdtfmt.h>
 #include <unicode/unistr.h>
 #include <yaml-cpp/yaml.h>
 #include <boost/algorithm/string/case_conv.hpp>
@@ -32,13 +33,19 @@ std::vector<std::string> headings_of(const Kinds& kinds) {
   return headings;
 }
 
-/// As spreadsheets save tables: in UTF-8, in UTF-16 with its mark, or in the letters of Windows in Western Europe.
-std::string in_utf8(const std::string& bytes) {
-  const bool is_wide = bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff");
-  if (!is_wide && icu::UnicodeString::fromUTF8(bytes).indexOf(char16_t{0xFFFD}) < 0) return bytes;
-  std::string text;
-  return icu::UnicodeString(bytes.data(), static_cast<std::int32_t>(bytes.size()), is_wide ? "UTF-16" : "windows-1252")
-      .toUTF8String(text);
+/// A time as Moodle's worksheet has it, "Wednesday, 3 March 2027, 2:14 PM" in any of its languages.
+std::optional<std::int64_t> time_of_moodle(const std::string& text, const std::string& zone) {
+  const icu::UnicodeString read = icu::UnicodeString::fromUTF8(text);
+  for (const std::string& each : headings_of({"forms of times"})) {
+    UErrorCode problem = U_ZERO_ERROR;
+    icu::SimpleDateFormat form(icu::UnicodeString::fromUTF8(each.substr(3)), icu::Locale(each.substr(0, 2).c_str()),
+                               problem);
+    form.adoptTimeZone(icu::TimeZone::createTimeZone(zone == "Z" ? "GMT" : ("GMT" + zone).c_str()));
+    icu::ParsePosition end(0);
+    const UDate time = form.parse(read, end);
+    if (U_SUCCESS(problem) && end.getIndex() == read.length()) return static_cast<std::int64_t>(time / 1000);
+  }
+  return std::nullopt;
 }
 
 std::string plain_heading(std::string heading) {
@@ -52,7 +59,10 @@ class NamedTable {
   explicit NamedTable(const fs::path& file) : file_(file) {
     const std::optional<std::string> bytes = read_file(file, largest_table);
     if (!bytes) throw GradingError(fmt::format("{} cannot be read; check its name.", shown_path(file)));
-    const std::string text = replaced(in_utf8(*bytes), "^(\ufeff)?(sep=.\r?\n)?", "");
+    // As spreadsheets save tables: in UTF-8, in UTF-16 with its mark, or in the letters of Windows in Western Europe.
+    const bool is_wide = bytes->starts_with("\xff\xfe") || bytes->starts_with("\xfe\xff");
+    const std::string text =
+        replaced(in_utf8(*bytes, is_wide ? "UTF-16" : "windows-1252"), "^(\ufeff)?(sep=.\r?\n)?", "");
     try {
       const std::string_view head = std::string_view(text).substr(0, text.find('\n'));
       char separator = ',';
@@ -63,9 +73,13 @@ class NamedTable {
       refuse(problem.what());
     }
     if (rows.empty()) refuse("it is empty; the first line should name the columns, one of them id");
-    for (auto& row : rows)
+    for (auto& row : rows) {
       for (std::string& field : row) boost::trim(field);
+      while (row.size() > rows.front().size() && row.back().empty()) row.pop_back();
+    }
   }
+
+  bool is_blank(std::size_t row) const { return std::ranges::all_of(rows[row], &std::string::empty); }
 
   [[noreturn]] void refuse(const std::string& reason) const {
     throw GradingError(fmt::format("{}: {}.", shown_path(file_), reason));
@@ -125,14 +139,19 @@ std::string worksheet_id(const NamedTable& table, std::size_t row) {
 
 }  // namespace
 
-std::vector<RosterEntry> read_roster(const fs::path& file) {
+std::string in_utf8(const std::string& bytes, const char* letters) {
+  if (icu::UnicodeString::fromUTF8(bytes).indexOf(char16_t{0xFFFD}) < 0) return bytes;
+  std::string text;
+  return icu::UnicodeString(bytes.data(), static_cast<std::int32_t>(bytes.size()), letters).toUTF8String(text);
+}
+
+std::vector<RosterEntry> read_roster(const fs::path& file, const std::string& zone) {
   const NamedTable table(file);
   const bool worksheet = is_worksheet(table);
   const bool is_of_canvas = table.column({"student"}) && table.column({"sisloginid", "section"});
   if (!table.column(id_columns) && !worksheet)
     table.refuse(fmt::format("the first line should name the columns, one of them id; it names '{}'",
                              shortened(printable(fmt::format("{}", fmt::join(table.rows.front(), "', '"))), 200)));
-  if (table.rows.size() == 1) table.refuse("it has columns and no row; a line for each student should follow");
   std::vector<RosterEntry> entries;
   std::set<std::string> ids;
   for (std::size_t row = 1; row < table.rows.size(); ++row) {
@@ -141,6 +160,8 @@ std::vector<RosterEntry> read_roster(const fs::path& file) {
     const std::string time = field({"time"}), role = boost::to_lower_copy(field({"role"}));
     RosterEntry entry{worksheet ? worksheet_id(table, row) : field(id_columns), field({"name"}), read_time(time), {}};
     if (entry.name.empty()) entry.name = boost::trim_copy(field({"first name"}) + " " + field({"last name"}));
+    if (worksheet && !entry.submitted) entry.submitted = time_of_moodle(time, zone);
+    if (table.is_blank(row)) continue;
     if (entry.id.empty() && is_of_canvas) continue;  // points possible, and what is posted by hand
     if (role == "instructor" || role == "ta" || role == "reader") continue;  // whom Gradescope's roster names too
     require(table.rows[row].size() <= table.rows.front().size(),
@@ -148,13 +169,16 @@ std::vector<RosterEntry> read_roster(const fs::path& file) {
                         plural(table.rows[row].size(), "cell"), table.rows.front().size()));
     require(!entry.id.empty(), "the id is missing");
     require(ids.insert(entry.id).second, fmt::format("the id {} is there twice", printable(entry.id)));
-    require(entry.submitted || time.empty(), "'submitted' should be a time like 2027-03-01T23:59:00Z");
+    require(entry.submitted || time.empty() || (worksheet && time == "-"),
+            fmt::format("'{}' should be a time like 2027-03-01T23:59:00Z", shortened(printable(time), 100)));
     boost::split(entry.aliases, field({"aliases"}), boost::is_any_of(" ;"));
     for (const std::string& heading : headings_of(id_columns)) entry.aliases.push_back(field({heading}));
-    if (worksheet) entry.aliases.push_back(participant_number(field({"participant"})));
     std::erase_if(entry.aliases, [&](const std::string& alias) { return alias.empty() || alias == entry.id; });
+    if (worksheet) entry.aliases.push_back(participant_number(field({"participant"})));
+    entry.folder = field({"folder"});
     entries.push_back(std::move(entry));
   }
+  if (entries.empty()) table.refuse("it has columns and no row; a line for each student should follow");
   return entries;
 }
 
@@ -167,6 +191,7 @@ Overrides read_overrides(const fs::path& file, const Assignment& assignment) {
       table.refuse(fmt::format("the column '{}' means nothing", shortened(printable(heading), 100)));
   Overrides overrides;
   for (std::size_t row = 1; row < table.rows.size(); ++row) {
+    if (table.is_blank(row)) continue;
     const auto require = table.requirement(row);
     const std::string id = table.field(row, whose), name = table.field(row, {"exercise"});
     require(!id.empty(), "the student is missing");
@@ -207,16 +232,20 @@ Overrides read_overrides(const fs::path& file, const Assignment& assignment) {
 
 std::map<std::string, std::vector<RosterEntry>> read_gradescope(const std::string& text) {
   std::map<std::string, std::vector<RosterEntry>> submitters;
-  const auto at = [](const YAML::Node& node, const char* key) {
-    return node.IsMap() && node[key] && node[key].IsScalar() ? node[key].Scalar() : "";
+  // Its keys are symbols of Ruby, ":name".
+  const auto part = [](const YAML::Node& node, const std::string& key) {
+    return node[":" + key] ? node[":" + key] : node[key];
+  };
+  const auto at = [&](const YAML::Node& node, const char* key) -> std::string {
+    const YAML::Node value = part(node, key);
+    if (value && value.IsMap() && value["utc"]) return value["utc"].Scalar();  // a time may be an object of Ruby
+    return value && value.IsScalar() ? value.Scalar() : "";
   };
   try {
-    // Its keys are symbols of Ruby, ":name".
-    for (const auto& submission : YAML::Load(replaced(text, "(^|\n)([- ]*):", "$1$2"))) {
-      const YAML::Node& about = submission.second;
-      for (const YAML::Node& person : about["submitters"]) {
+    for (const auto& submission : YAML::Load(text)) {
+      for (const YAML::Node& person : part(submission.second, "submitters")) {
         const std::string email = at(person, "email"), name = at(person, "name");
-        RosterEntry entry{at(person, "sid"), name, read_time(at(about, "created_at")), {email}};
+        RosterEntry entry{at(person, "sid"), name, read_time(at(submission.second, "created_at")), {email}};
         for (const std::string& other : {email, name})
           if (entry.id.empty()) entry.id = other;
         if (!entry.id.empty()) submitters[submission.first.Scalar()].push_back(std::move(entry));

@@ -30,20 +30,20 @@ constexpr std::size_t most_memory = 0;  // its runtime reserves terabytes of add
 constexpr std::size_t most_memory = std::size_t{1} << 30;
 #endif
 
-/// What was read, of one student or of all. Bytes that are unpacked stand for time, and are the same on any machine.
+/// What was read, of one student or of all. Entries and bytes that are unpacked stand for time, and are the same on any
+/// machine.
 struct Amount {
-  std::size_t entries = 0, kept = 0, unpacked = 0;
+  std::size_t kept = 0, work = 0;
 
   /// "" or what is too much.
   std::string excess_over(const Amount& most) const {
-    if (entries > most.entries) return "holds too many files";
     if (kept > most.kept) return fmt::format("holds more than {} MiB of source files", most.kept >> 20);
-    if (unpacked > most.unpacked) return "takes too long to unpack";
-    return "";
+    return work > most.work ? "takes too long to unpack" : "";
   }
 };
-constexpr Amount most_of_all = {2'000'000, std::size_t{128} << 20, std::size_t{16} << 30};
-constexpr Amount most_of_a_student = {200'000, std::size_t{32} << 20, std::size_t{256} << 20};
+constexpr std::size_t work_of_an_entry = 1024;
+constexpr Amount most_of_all = {std::size_t{128} << 20, std::size_t{16} << 30};
+constexpr Amount most_of_a_student = {std::size_t{32} << 20, std::size_t{256} << 20};
 
 /// Of a student, whose other files are not read either.
 struct TooMuch : std::runtime_error {
@@ -65,11 +65,13 @@ class Reader {
     for (int status = 0; (status = archive_read_next_header(opened, &entry)) != ARCHIVE_EOF;) {
       if (status < ARCHIVE_WARN) throw std::runtime_error("is damaged or no zip file");
       const char* const stored = archive_entry_pathname(entry);
-      const std::string path = prefix + (stored == nullptr ? "" : stored);
+      // Windows writes names in the letters of MS-DOS where it can, and some programs there "\\" between folders.
+      std::string path = prefix + (stored == nullptr ? "" : in_utf8(stored, "ibm-437"));
+      std::ranges::replace(path, '\\', '/');
       const std::string student = is_class_ ? student_of(path) : "";
       if (too_much_.contains(student)) continue;
       try {
-        count(student, {.entries = 1});
+        count(student, {.work = work_of_an_entry});
         if (stored != nullptr) read_entry(opened, entry, path, student, depth);
       } catch (const TooMuch& problem) {
         if (depth > 0 || !is_class_) throw;
@@ -102,14 +104,13 @@ class Reader {
     }
     if (is_archive && depth > 0) return add_unread(path, "is a zip file in a zip file in a zip file");
     const bool is_file = archive_entry_filetype(entry) == AE_IFREG && archive_entry_hardlink(entry) == nullptr;
+    const std::size_t limit = is_archive                    ? largest_inner
+                              : name == gradescope_metadata ? largest_metadata
+                                                            : largest_source;
     std::string text;
-    const std::string refusal = !is_file ? "is not an ordinary file; put the file itself there"
-                                         : bytes_of(opened,
-                                                    is_archive                    ? largest_inner
-                                                    : name == gradescope_metadata ? largest_metadata
-                                                                                  : largest_source,
-                                                    text);
-    count(student, {.unpacked = text.size()});
+    const std::string refusal =
+        is_file ? bytes_of(opened, limit, text) : "is not an ordinary file; put the file itself there";
+    count(student, {.work = text.size()});
     if (is_archive && refusal.empty()) return read_inner(text, path, student);
     if (is_archive) return add_unread(path, refusal);
     count(student, {.kept = text.size() + path.size()});
@@ -123,24 +124,23 @@ class Reader {
     const std::unique_ptr<archive, decltype(&archive_read_free)> inner(archive_read_new(), archive_read_free);
     archive_read_support_format_zip(inner.get());
     const std::size_t before = found.size();
-    const Amount all = all_, of_student = students_[student];
+    const std::size_t all = all_.kept, of_student = students_[student].kept;
     try {
       if (archive_read_open_memory(inner.get(), bytes.data(), bytes.size()) != ARCHIVE_OK)
         throw std::runtime_error("is damaged or no zip file");
       read(inner.get(), path.substr(0, path.size() - 4) + "/", 1);
     } catch (const std::runtime_error& problem) {
       found.erase(found.begin() + static_cast<std::ptrdiff_t>(before), found.end());
-      all_ = {all.entries, all.kept, all_.unpacked};
-      students_[student] = {of_student.entries, of_student.kept, students_[student].unpacked};
+      all_.kept = all;
+      students_[student].kept = of_student;
       add_unread(path, problem.what());
     }
   }
 
   void count(const std::string& student, const Amount& more) {
     for (Amount* amount : {&students_[student], &all_}) {
-      amount->entries += more.entries;
       amount->kept += more.kept;
-      amount->unpacked += more.unpacked;
+      amount->work += more.work;
     }
     if (const std::string excess = students_[student].excess_over(most_of_a_student); !excess.empty())
       throw TooMuch(excess);

@@ -31,7 +31,7 @@ data for_template(const json& value) {
     return list;
   }
   if (value.is_null()) return data(false);
-  if (value.is_number()) return data(fmt::format("{:g}", value.get<double>()));
+  if (value.is_number()) return data(fmt::format("{:.10g}", value.get<double>()));
   std::string text = value.get<std::string>();
   std::erase(text, '\r');
   return text.empty() ? data(false) : data(printable(text));

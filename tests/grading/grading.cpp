@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <random>
+#include <set>
 
 using namespace workbook::testing;
 
@@ -17,6 +18,20 @@ namespace fs = std::filesystem;
 /// What autograders of four systems would have said of a student who passes the first exercise only.
 void check_results_for_autograders(const fs::path& out, const std::string& slug) {
   const auto of = [&](const char* folder) { return nlohmann::json::parse(read(out / folder / (slug + ".json"))); };
+  // By their documents, these keys and no others mean something.
+  const auto has_only = [](const nlohmann::json& object, const std::set<std::string>& known) {
+    for (const auto& [key, unused] : object.items()) CHECK_MESSAGE(known.contains(key), key);
+  };
+  has_only(of("gradescope"), {"score", "execution_time", "output", "output_format", "test_output_format", "visibility",
+                              "stdout_visibility", "extra_data", "tests", "leaderboard"});
+  has_only(of("prairielearn"), {"gradable", "score", "message", "output", "images", "tests", "format_errors"});
+  for (const auto& test : of("gradescope").at("tests"))
+    has_only(test, {"score", "max_score", "status", "name", "name_format", "number", "output", "output_format", "tags",
+                    "visibility", "extra_data"});
+  for (const auto& test : of("prairielearn").at("tests")) {
+    has_only(test, {"name", "description", "points", "max_points", "message", "output", "images"});
+    CHECK(test.at("points").get<double>() <= test.at("max_points").get<double>());
+  }
   CHECK(of("gradescope").at("score") == 2);
   CHECK(of("gradescope").at("tests").at(1).at("status") == "failed");
   CHECK(has(of("gradescope").at("tests").at(1).at("output").get<std::string>(), "value is wrong"));
@@ -213,7 +228,8 @@ TEST_CASE("a roster is read as spreadsheets write it, or refused as a whole") {
                                                                    {"id,name\nann,\"A\nbob,B\ncleo,C\n", "row 2"},
                                                                    {"id,name\rann,A\rbob,B\r", "row 1"},
                                                                    {"id,name\n101,Byron, Ada\n", "row 2"},
-                                                                   {"id\n \n", "row 2"},
+                                                                   {"id,name\n,Ada\n", "row 2"},
+                                                                   {"id\n \n", "no row"},
                                                                    {"id\n7\n 7\n", "twice"},
                                                                    {"id,submitted\n7,2027-04-31T12:00:00Z\n", "row 2"}};
   for (const auto& [text, said] : broken) {
@@ -291,6 +307,58 @@ TEST_CASE("hints cost points, and values that are right at some cases earn some,
   CHECK(has(again.out, " 0 different files"));
   CHECK(has(again.out, "ben: 1.6 of 3 points, before 1 of 3: spring_energy earns another part of its points"));
   CHECK(few.student("ada").at("results").at(1).at("score") == 0);
+}
+
+TEST_CASE(
+    "what a wrong answer earns, by table: never more than three quarters, and by groups nothing without the ordinary") {
+  const MadeUpClass few;
+  const workbook::Course course(few.root() / "course.json");
+  const auto rules = [&](const std::string& text) {
+    return workbook::Assignment(course, write(few.root() / "assignment.json", text));
+  };
+  const workbook::Assignment none = rules("{}"), cases = rules(R"({"partial": true, "hint_cost": 0.25})"),
+                             groups =
+                                 rules(R"({"partial": "groups", "misconceptions": {"away": 0.5, "spring/no": 0.7}})");
+  workbook::ExerciseReference reference;
+  reference.name = "spring";
+  using enum workbook::Group;
+  for (const workbook::Group group : {worked, random, special, special, generated, generated})
+    reference.cases.emplace_back().group = group;
+  workbook::Judgement judged;
+  judged.cases_total = reference.cases.size();
+  for (unsigned failing = 1; failing < 64; ++failing) {
+    CAPTURE(failing);
+    judged.verdict = workbook::Verdict::wrong_value;
+    judged.failing.clear();
+    for (std::size_t k = 0; k < 6; ++k)
+      if ((failing >> k) % 2 == 1) judged.failing.push_back(k);
+    CHECK(none.share(judged, reference, {"away"}, 0) == 0);
+    const double right = 1 - static_cast<double>(judged.failing.size()) / 6;
+    CHECK(cases.share(judged, reference, {}, 1) == doctest::Approx(0.75 * std::min(0.75, right)));
+    const bool is_ordinary = failing % 4 == 0, is_special = failing / 4 % 4 == 0, is_generated = failing / 16 == 0;
+    const double by_groups = is_ordinary ? (is_special || is_generated ? 2.0 / 3 : 1.0 / 3) : 0.0;
+    CHECK(groups.share(judged, reference, {"other"}, 0) == doctest::Approx(by_groups));
+    CHECK(groups.share(judged, reference, {"away", "other"}, 0) == doctest::Approx(std::max(0.5, by_groups)));
+    CHECK(groups.share(judged, reference, {"away", "no"}, 0) == doctest::Approx(0.7));
+  }
+  judged.failing = {5};
+  for (int number = 0; number <= static_cast<int>(workbook::Verdict::checker_error); ++number) {
+    judged.verdict = static_cast<workbook::Verdict>(number);
+    CAPTURE(workbook::to_string(judged.verdict));
+    const bool has_values =
+        judged.verdict == workbook::Verdict::wrong_value || judged.verdict == workbook::Verdict::non_finite_value;
+    CHECK(cases.share(judged, reference, {}, 5) == 0);  // no hint costs more than all
+    CHECK(cases.share(judged, reference, {"away"}, 0) == (judged.passed() ? 1 : has_values ? 0.75 : 0));
+    CHECK(groups.share(judged, reference, {"no"}, 0) == doctest::Approx(judged.passed() ? 1 : has_values ? 0.7 : 0));
+  }
+  // A group that an exercise does not have earns nothing.
+  reference.cases.resize(4);
+  judged.verdict = workbook::Verdict::wrong_value;
+  judged.failing = {2};
+  judged.cases_total = 4;
+  CHECK(groups.share(judged, reference, {}, 0) == 0.5);
+  for (auto& each : reference.cases) each.group = special;
+  CHECK(groups.share(judged, reference, {}, 0) == 0);
 }
 
 TEST_CASE("points, excuses, due dates and comments by hand count, are kept, and are shown wherever marks are") {
@@ -390,7 +458,7 @@ TEST_CASE("of several attempts the last or the best one counts" * doctest::test_
   CHECK(score("ben") == 2);
   CHECK(score("cleo") == 1);
   CHECK(has(few.student("ada").dump(), "Of 2 attempts '2027-03-01T12-00-00Z' counts, the best one."));
-  CHECK(has(read(few.root() / "out/submissions/ada/spring_force.cpp"), right_force));
+  CHECK(has(read(few.root() / "out/submissions/ada/attempts/1/spring_force.cpp"), right_force));
   const Outcome last = few.grade("out", options + "last");
   REQUIRE_MESSAGE(last.status == 0, last.said());
   CHECK(has(last.out, " 0 different files"));

@@ -25,7 +25,7 @@ class Taken {
 
   /// @param roster  as a table
   static Taken with_table(const MadeUpClass& of, const std::string& submissions, const std::string& roster) {
-    return Taken(of, submissions, workbook::read_roster(write(of.root() / "roster.csv", roster)));
+    return Taken(of, submissions, workbook::read_roster(write(of.root() / "roster.csv", roster), "+01:00"));
   }
 
   Taken(const MadeUpClass& of, const std::string& submissions, const std::vector<workbook::RosterEntry>& entries)
@@ -725,6 +725,190 @@ TEST_CASE("clones of GitHub Classroom may lie in its own folder, and no login is
               "\"b\",\"octo\",\"2\",\"\"\r\n\"c\",\"cat\",\"3\",\"\"\r\n\"d\",\"main\",\"4\",\"\"\r\n",
               {"a: a", "b: b", "c: ", "d: d",
                "'week-3-cat-1' was not read: it names no id, and no name of just one student, of the roster."});
+}
+
+TEST_CASE("Moodle's number is no id: the worksheet says whose it is, or else the name, and no field within the name") {
+  check_class({{"Ada Byron_34_assignsubmission_file_/spring_energy.cpp", of("ada")},
+               {"Ben Ohm_35_assignsubmission_file_/spring_energy.cpp", of("ben")},
+               {"Stranger_36_assignsubmission_file_/spring_energy.cpp", of("nobody")}},
+              "id,name\n34,Ben Ohm\n35,Ada Byron\n36,Zed Zero\n",
+              {"34: ben", "35: ada", "36: ",
+               "'Stranger_36_assignsubmission_file_' was not read: it names no id, and no name of just one student, of "
+               "the roster."});
+  // Unpacked by a program that writes "_" for a space; the other student's login is a part of the name.
+  check_class({{"Saajida_Khan_657717_assignsubmission_file_/spring_energy.cpp", of("s1")},
+               {"Khan_657718_assignsubmission_file_/spring_energy.cpp", of("s2")}},
+              "Identifier,Full name,ID number,Username,Status,Grade,Maximum grade\n"
+              "Participant 657717,Saajida Khan,s1,sk,x,,10\nParticipant 657718,Khan,s2,khan,x,,10\n",
+              {"s1: s1", "s2: s2"});
+  check_class({{"John Smith_21_assignsubmission_file_/spring_energy.cpp", of("3")},
+               {"Ada Byron_23_assignsubmission_file_/spring_energy.cpp", of("nobody")}},
+              "Identifier,Full name,ID number,Status,Grade,Maximum grade\nParticipant 21,John Smith,3,x,,10\n"
+              "Participant 22,John Smith,4,x,,10\nParticipant 23,Emil,5,x,,10\nParticipant 24,Ada Byron,6,x,,10\n",
+              {"3: 3", "4: ", "5: ", "6: ",
+               "'Ada Byron_23_assignsubmission_file_' was not read: it names several students of the roster."});
+}
+
+TEST_CASE("the family's name may come first or last, in any script, and blanks do not count") {
+  check_class({{"Byron Ada_901_assignsubmission_file_/spring_energy.cpp", of("1")},
+               {"de la Tour, Jean-Luc_902_assignsubmission_file_/spring_energy.cpp", of("2")},
+               {"محمد علي_903_assignsubmission_file_/spring_energy.cpp", of("3")},
+               {"\u200fדוד כהן_904_assignsubmission_file_/spring_energy.cpp", of("4")},
+               {"I\u0307pek Is\u0327\u0131k_905_assignsubmission_file_/spring_energy.cpp", of("5")},
+               {"D’Arcy Ó Súilleabháin/spring_energy.cpp", of("6")},
+               {"王小明_907_assignsubmission_file_/spring_energy.cpp", of("7")}},
+              "ID;First name;Last name\n1;Ada;Byron\n2;Jean-Luc;de la Tour\n3;محمد;علي\n4;דוד;כהן\n5;İpek;Işık\n"
+              "6;D'Arcy ;Ó  Súilleabháin\n7;;王小明\n8;Byron;Lord\n",
+              {"1: 1", "2: 2", "3: 3", "4: 4", "5: 5", "6: 6", "7: 7", "8: "});
+  // Who is called like the other, turned round, is named by neither.
+  check_class({{"James John_901_assignsubmission_file_/spring_energy.cpp", of("nobody")}},
+              "id,name\n1,John James\n2,James John\n",
+              {"1: ", "2: ",
+               "'James John_901_assignsubmission_file_' was not read: it names no id, and no name of just one student, "
+               "of the roster."});
+}
+
+TEST_CASE("where Canvas' number and name are of two students nobody is guessed, and a name alone will do") {
+  check_class({{"byronada_34_501_spring_energy.cpp", of("nobody")},
+               {"delacruzanamaría_LATE_900_502_spring_energy.cpp", of("36")},
+               {"studenttest_37_503_spring_energy-2.cpp", of("37")},
+               {"maryann_38_504_spring_energy.cpp", of("38")}},
+              "id,name\n34,Ben Ohm\n35,Ada Byron\n36,Ana María de la Cruz\n37,\"Student, Test\"\n38,Mary Ann\n",
+              {"34: ", "35: ", "36: 36", "37: 37", "38: 38",
+               "'byronada_34_501_spring_energy.cpp' was not read: it names several students of the roster."});
+}
+
+TEST_CASE("who is late by Canvas, which says no time, is named; times of the roster count") {
+  const MadeUpClass all;
+  write(all.submissions() / "byronada_LATE_34_501_spring_energy.cpp", right);
+  write(all.submissions() / "ohmben_LATE_35_502_spring_energy.cpp", right);
+  write(all.root() / "roster.csv", "id,name,submitted\n34,Ada Byron,\n35,Ben Ohm,2027-03-02T12:00:00Z\n");
+  write(all.root() / "assignment.json",
+        R"({"exercises": ["spring_energy"], "due": "2027-03-01T23:59:00Z", "late": {"per_day": 0.25, "days": 3}})");
+  const Outcome graded = all.grade("out", "--roster roster.csv --assignment assignment.json");
+  CHECK(graded.status == 0);
+  CHECK(has(graded.out, "Canvas marks files as late of 34; with"));
+  CHECK(has(read(all.root() / "out/grades.csv"), "34,Ada Byron,2,2,0,2,\r\n35,Ben Ohm,1.5,2,1,2,"));
+}
+
+/// Of every student of a roster.
+std::string times(const std::string& roster) {
+  const MadeUpClass all;
+  std::string said;
+  for (const auto& entry : workbook::read_roster(write(all.root() / "roster.csv", roster), "+01:00"))
+    said += fmt::format("{} ", entry.submitted.value_or(0) - *workbook::read_time("2027-03-03T14:14:00+01:00"));
+  return said;
+}
+
+TEST_CASE("times of Moodle's worksheet are read in its languages, in the zone in which the assignment is due") {
+  const std::string other = "Grade,Maximum grade,",
+                    never = fmt::format("{} ", -*workbook::read_time("2027-03-03T13:14:00Z"));
+  CHECK(times("Identifier," + other +
+              "Last modified (submission)\nParticipant 1,,10,\"Wednesday, 3 March 2027, 2:14 PM\"\n"
+              "Participant 2,,10,-\nParticipant 3,,10,\"Wednesday, March 3, 2027, 2:15 PM\"\n") ==
+        "0 " + never + "60 ");
+  CHECK(
+      times("ID;Bewertung;Bestwertung;Zuletzt geändert (Abgabe)\nTeilnehmer/in1;;10;Mittwoch, 3. März 2027, 14:14\n") ==
+      "0 ");
+  CHECK(times("Identifiant,Note,Note maximale,Dernière modification (travail remis)\n"
+              "Participant 1,,10,\"mercredi 3 mars 2027, 14:14\"\n") == "0 ");
+  CHECK(times("Identificador,Calificación,Calificación máxima,Última modificación (entrega)\n"
+              "Participante 1,,10,\"miércoles, 3 de marzo de 2027, 14:14\"\n") == "0 ");
+  CHECK_THROWS_AS(times("Identifier," + other + "Last modified (submission)\nParticipant 1,,10,tomorrow\n"),
+                  workbook::GradingError);
+  const MadeUpClass all;
+  write(all.submissions() / "Ada_1_assignsubmission_file_/spring_energy.cpp", right);
+  write(all.root() / "sheet.csv", "Identifier,Full name,Status," + other +
+                                      "Last modified (submission)\n"
+                                      "Participant 1,Ada,Submitted,,10,\"Tuesday, 2 March 2027, 12:30 AM\"\n");
+  write(all.root() / "assignment.json",
+        R"({"exercises": ["spring_energy"], "due": "2027-03-01T23:59:00-05:00", "late": {"per_day": 0.5, "days": 3}})");
+  CHECK(all.grade("out", "--roster sheet.csv --assignment assignment.json").status == 0);
+  CHECK(has(read(all.root() / "out/moodle_worksheet.csv"), "Participant 1,Ada,Submitted,5.00,10,"));
+}
+
+TEST_CASE("what Gradescope says of the past, in its times and in printouts names nobody") {
+  const std::string yaml = R"(---
+submission_1:
+  :submitters:
+  - :name: 'O''Brien, Miles'
+    :sid: 0034
+    :email: m@x.org
+  - {:name: "Zoë \"Z\" Müller", :sid: '007'}
+  :created_at: !ruby/object:ActiveSupport::TimeWithZone
+    utc: 2027-03-01 18:46:33.342312000 Z
+    zone: &1 !ruby/object:ActiveSupport::TimeZone
+      name: America/New_York
+    time: 2027-03-01 13:46:33.342312000 Z
+  :results:
+    output: |
+      submission_2:
+        :submitters:
+        - :name: evil
+  :history:
+  - :id: 5
+    :created_at: 2027-02-01 18:46:33 Z
+    :submitters:
+    - :name: evil
+submission_3:
+  :submitters: []
+)";
+  const Files files = {{"submission_metadata.yml", yaml},
+                       {"submission_1/spring_energy.cpp", of("1")},
+                       {"submission_3/spring_energy.cpp", of("nobody")}};
+  const std::string unnamed = "'submission_3' was not read: submission_metadata.yml names no student for it.";
+  check_class(files,
+              "First Name,Last Name,SID,Email,Sections,Status,Submission Time\nMiles,O'Brien,34,M@x.org,\"A, B\",,\n"
+              "Zoë,Müller,007,z@x.org,A,Missing,\n,,,,,,\n",
+              {"007: 1", "34: 1", unnamed});
+  const MadeUpClass all;
+  for (const auto& [path, text] : files) write(all.submissions() / path, *text);
+  const Taken taken(all);
+  CHECK(summary(taken) == std::vector<std::string>{"0034: 1", "007: 1", unnamed});
+  CHECK(taken.student("007").submitted == workbook::read_time("2027-03-01T18:46:33Z"));
+}
+
+TEST_CASE("a repository of a team is that of all whom GitHub Classroom's table of grades names") {
+  const std::string heading =
+      "assignment_name,assignment_url,github_username,roster_identifier,student_repository_name,submission_timestamp,"
+      "group_name\n";
+  check_class(
+      {{"w-submissions/w-the-quarks" + in_place, of("quarks")}, {"w-submissions/w-solo" + in_place, of("solo")}},
+      heading +
+          "w,u,ada,a@x.org,w-the-quarks,2027-03-01 12:00:00 UTC,The Quarks\n"
+          "w,u,ben,b@x.org,w-the-quarks,2027-03-01 12:00:00 UTC,The Quarks\nw,u,cleo,c@x.org,w-solo,,solo\n"
+          "w,u,dora,,w-gone,,gone\n",
+      {"a@x.org: quarks", "b@x.org: quarks", "c@x.org: solo", "dora: "});
+}
+
+TEST_CASE("rosters may have empty rows, empty cells at the end, and ids that begin with zeros") {
+  check_class({{"0034/spring_energy.cpp", of("0034")}, {"34_spring_energy.cpp", of("34")}},
+              "sep=;\r\nid;name;submitted;;\r\n0034;\"M\xfcller; Zo\xeb\";2027-03-01T23:59:00+01:00;;;\r\n;;;;\r\n"
+              "34;Ben;;;;\r\n\r\n;;;;\r\n",
+              {"0034: 0034", "34: 34"});
+}
+
+TEST_CASE(
+    "zip files of Windows have its letters and its separators, and a class may lie in several folders or a zip file") {
+  const MadeUpClass all;
+  const std::string of_windows = zipped(all, {{"\x9a"
+                                               "bung\\Woche 3\\spring_energy.cpp",
+                                               of("ada")}});  // Übung, CP437
+  const Files inside = {{"ada.zip", of_windows}, {"Ben\\a b\\spring_energy.cpp", of("ben")}};
+  const std::string roster = "id,name\nada,Ada\nben,Ben\n";
+  const std::vector<std::string> expected = {"ada: ada", "ben: ben"};
+  write(all.submissions() / "export.zip", zipped(all, inside));
+  CHECK(summary(Taken::with_table(all, "submissions", roster)) == expected);
+  check_class({{"outer/.DS_Store", "x"},
+               {"outer/inner/ada.zip", of_windows},
+               {"outer/inner/ben/x/spring_energy.cpp", of("ben")},
+               {"__MACOSX/outer/._inner", of_a_mac}},
+              roster, expected);
+  check_class({{"ada.zip", of_windows}}, roster, {"ada: ada", "ben: "});
+  write_zip(all.root() / "moodle.zip", {{"Zo\x89 M\x81ller_901_assignsubmission_file_/spring_energy.cpp", of("1")},
+                                        {"x_2/spring_energy.cpp", of("2")}});
+  CHECK(summary(Taken::with_table(all, "moodle.zip", "id,name\n1,Zoë Müller\n2,\n")) ==
+        std::vector<std::string>{"1: 1", "2: 2"});
 }
 
 TEST_SUITE_END();

@@ -196,7 +196,7 @@ class Grader {
         points *= assignment_.late_factor(assignment_.days_late(attempt.submitted, student.whole().due));
         best = std::max(best, {points, k});
       }
-      if (!student.attempts.empty()) take_attempt(student, best.second, "the best one", out_ / "submissions");
+      if (!student.attempts.empty()) take_attempt(student, best.second, "the best one");
     }
   }
 
@@ -218,6 +218,7 @@ class Grader {
     for (const char* folder : {"students", "gradescope", "autolab", "github_classroom", "classroom50", "prairielearn"})
       fs::remove_all(out_ / folder, ignored);
     for (Student student : intake.students) {
+      std::ranges::copy(student.unread, std::back_inserter(student.notes));
       std::ranges::copy(assignment_.rules(student.hints.has_value()), std::back_inserter(student.notes));
       std::vector<CheckResult> checked;
       std::vector<std::string> made_from(assignment_.exercises().size());
@@ -296,8 +297,8 @@ class Grader {
     return checked;
   }
 
-  fs::path copy(const Student& student, const Exercise& exercise) const {
-    return out_ / "submissions" / student.slug / (exercise.name() + ".cpp");
+  static fs::path copy(const Student& student, const Exercise& exercise) {
+    return student.copies / (exercise.name() + ".cpp");
   }
   fs::path stub(const Exercise& exercise) const { return out_ / "work" / "stubs" / (exercise.name() + ".cpp"); }
   fs::path folder(std::size_t number) const { return out_ / "work" / "judging" / std::to_string(number); }
@@ -470,6 +471,9 @@ bool print_intake(const Intake& intake, const ordered_json& document, const Opti
   for (const std::string& sentence : problems) fmt::print("  {}\n", sentence);
   if (!missing.empty())
     fmt::print("  Nothing was found of {}.\n", shortened(fmt::format("{}", fmt::join(missing, ", ")), 1000));
+  if (!intake.late.empty())
+    fmt::print("Canvas marks files as late of {}; with their times in a column 'submitted' of the roster it counts.\n",
+               shortened(fmt::format("{}", fmt::join(intake.late, ", ")), 1000));
   return is_all;
 }
 
@@ -530,7 +534,9 @@ int grade(const Course& given, const Options& options) {
     const std::optional<std::uint64_t> of_references = use_references(course, options.references);
     const std::uint64_t handed_out = options.copy ? read_release(*options.copy).seed : course.seed();
     const Assignment assignment(course, options.assignment);
-    const std::vector<RosterEntry> roster = options.roster ? read_roster(*options.roster) : std::vector<RosterEntry>{};
+    const Match zone = search(assignment.due_text(), "[+-]\\d\\d:?\\d\\d$");
+    const std::vector<RosterEntry> roster =
+        options.roster ? read_roster(*options.roster, zone ? zone[0] : "Z") : std::vector<RosterEntry>{};
     const fs::path kept_overrides = out / "overrides.csv";
     const std::optional<fs::path> overrides_file = options.overrides            ? options.overrides
                                                    : fs::exists(kept_overrides) ? std::optional(kept_overrides)
@@ -574,8 +580,7 @@ int grade(const Course& given, const Options& options) {
         Intake taken = take_in(submissions, course, roster, out / "submissions", shard, !options.attempts.empty());
         if (options.attempts == "last")
           for (Student& student : taken.students)
-            if (!student.attempts.empty())
-              take_attempt(student, student.attempts.size() - 1, "the last one", out / "submissions");
+            if (!student.attempts.empty()) take_attempt(student, student.attempts.size() - 1, "the last one");
         if (!options.shard.empty()) return taken;
         require_known(overrides, taken.students);
         for (Student& student : taken.students)
