@@ -60,8 +60,9 @@ Unhindered run_unhindered(const std::filesystem::path& program, double x, bool w
 FinishedProgram compiler_unhindered(const std::vector<std::string>& arguments, const std::filesystem::path& directory,
                                     std::chrono::seconds limit = std::chrono::seconds(60));
 
-/// Compiles a file in this way, for at most two seconds. @param name  of the file
-Unhindered compile_unhindered(const std::string& text, const std::string& name = "unit.cpp");
+/// Compiles a file in this way. @param name  of the file
+Unhindered compile_unhindered(const std::string& text, const std::string& name = "unit.cpp",
+                              std::chrono::seconds limit = std::chrono::seconds(60));
 
 /// What compiles `twice`, at 1, x and 2.
 ExerciseReference reference_at(double x);

