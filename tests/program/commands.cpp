@@ -179,7 +179,7 @@ TEST_CASE("no line is wider than the terminal, except for what is typed or opene
   const CourseCopy course;
   course.answer_energy("return k * x.squaredNorm();");
   for (const char* width : {"80", "44"}) {
-    for (const char* command : {"--help", "check --help", "plot --help", "", "list", "hint", "hint spring_energy"}) {
+    for (const char* command : {"", "list", "hint", "hint spring_energy"}) {
       for (const std::string& line : workbook::lines_of(course.run(command, std::string("COLUMNS=") + width).out)) {
         const bool is_typed_or_opened = has(line, "checker ") || has(line, "/");
         CHECK_MESSAGE((is_typed_or_opened || workbook::display_width(line) <= std::stoul(width)), line);
@@ -216,12 +216,4 @@ TEST_CASE("what cannot be used is refused by the first program, before the one w
                               "self-check 99", "grade lectures --out g --roster no.csv"})
     CHECK_MESSAGE(status(refused) == 2, refused);
   CHECK(status("examples 01") == 3);  // there is no such program here
-}
-
-TEST_CASE("doctor names what is missing") {
-  const CourseCopy course;
-  const Outcome outcome = course.run("doctor", without_programs);
-  CHECK(outcome.status == 0);
-  for (const char* part : {"compiler", "reference", "sandbox", "gnuplot", "notes", "terminal"})
-    CHECK_MESSAGE(has(outcome.out, part), part);
 }

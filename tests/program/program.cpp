@@ -1,7 +1,9 @@
 #include "tests/program/program.hpp"
 
+#include "checker/base/text.hpp"
 #include "tests/support/golden.hpp"
 
+#include <doctest/doctest.h>
 #include <fmt/format.h>
 
 #include <pty.h>
@@ -14,6 +16,14 @@
 namespace workbook::testing {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+fs::path golden_file(const std::string& name) {
+  return fs::path(WORKBOOK_TEST_COURSE).parent_path() / "golden" / (name + ".txt");
+}
+
+}  // namespace
 
 CourseCopy::CourseCopy() {
   static std::atomic<int> number{0};
@@ -79,6 +89,28 @@ std::string CourseCopy::screens(const std::vector<std::string>& commands, const 
     const Outcome outcome = run(command, environment);
     text += fmt::format("$ checker {}\n{}{}[{}]\n\n", command, outcome.out, outcome.err, outcome.status);
   }
+  return without_place(text);
+}
+
+std::string CourseCopy::check_story(const std::string& name, const std::string& environment) const {
+  const std::string to_checker = "checker ";
+  std::string text;
+  for (const std::string& line : lines_of(read(golden_file(name)))) {
+    if (!line.starts_with("$ ")) continue;
+    const std::string command = line.substr(2);
+    if (command.starts_with(to_checker)) {
+      text += screens({command.substr(to_checker.size())}, environment);
+    } else {
+      REQUIRE_MESSAGE(run_in_shell(fmt::format("cd '{}' && {}", root_.string(), command)) == 0, command);
+      text += line + "\n\n";
+    }
+  }
+  REQUIRE(!text.empty());
+  check_golden(name, text);
+  return text;
+}
+
+std::string CourseCopy::without_place(std::string text) const {
   for (std::size_t at = 0; (at = text.find(root_.string(), at)) != std::string::npos;)
     text.replace(at, root_.string().size(), "COURSE");
   return text;
@@ -100,8 +132,6 @@ void CourseCopy::stand_in(const std::string& program, const std::string& script)
   fs::permissions(root_ / program, fs::perms::owner_all);
 }
 
-void check_golden(const std::string& name, const std::string& text) {
-  compare_with_golden(fs::path(WORKBOOK_TEST_COURSE).parent_path() / "golden" / (name + ".txt"), text);
-}
+void check_golden(const std::string& name, const std::string& text) { compare_with_golden(golden_file(name), text); }
 
 }  // namespace workbook::testing
