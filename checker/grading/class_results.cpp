@@ -174,7 +174,7 @@ std::vector<std::string> compare_with(const ordered_json& before, ordered_json& 
   for (ordered_json& student : now.at("students")) {
     const std::string id = student.at("id");
     if (!known.contains(id)) {
-      lines.push_back(fmt::format("{}: {:g} points; new.", id, number(student, "score")));
+      by_reason["new"].push_back(fmt::format("{}: {:g} points", id, number(student, "score")));
       continue;
     }
     const ordered_json& old = *known.extract(id).mapped();
@@ -218,13 +218,13 @@ std::vector<std::string> compare_with(const ordered_json& before, ordered_json& 
         fmt::format("{}: {:g} of {:g} points, before {:g} of {:g}", id, number(student, "score"),
                     number(student, "possible"), number(old, "score"), number(old, "possible")));
   }
+  for (const auto& [id, unused] : known) by_reason["no longer in the class"].push_back(id);
   for (const auto& [reason, marks] : by_reason) {
     if (marks.size() > most_with_one_reason)
       lines.push_back(fmt::format("{}: {}. The first: {}.", plural(marks.size(), "student"), reason, marks.front()));
     else
       for (const std::string& mark : marks) lines.push_back(fmt::format("{}: {}.", mark, reason));
   }
-  for (const auto& [id, unused] : known) lines.push_back(fmt::format("{}: no longer in the class.", id));
   if (!lines.empty()) now["changes"] = lines;
   for (const auto& [student, old] : in_both)
     if (lines.empty() ? old.contains("before") : old.at("score") != student.at("score"))

@@ -179,16 +179,11 @@ class Collector {
       each.path.erase(0, above.size());
       take(each);
     }
-  }
-
-  /// The one folder of a class in which all lie looks like that of one student who has handed in everything twice.
-  void doubt_single_student() {
     if (has_roster_ || intake.students.size() != 1 || !has_second_) return;
-    Student& only = intake.students.front();
-    say(only.unread,
-        fmt::format("'{}' holds several files for one exercise; if it is no student but a class, unpack it and "
-                    "name it as SUBMISSIONS.",
-                    only.id));
+    Student& only = intake.students.front();  // or the one folder in which a class lies
+    say(only.unread, fmt::format("'{}' holds several files for one exercise; if it is no student but a class, unpack "
+                                 "it and name it as SUBMISSIONS.",
+                                 only.id));
   }
 
  private:
@@ -464,15 +459,17 @@ class Collector {
     } else if (has_ending(name, archive_endings)) {
       if (std::ranges::count(found.path, '/') < 2)
         say(student.unread, fmt::format("'{}' was not read: it is no zip file.", shown));
-    } else if (has_ending(name, source_endings)) {  // somebody may call it "Spring Energy-2 (1).cpp"
-      const std::string plain = boost::to_lower_copy(replaced(name, "[- ]", "_"));
+    } else if (has_ending(name, source_endings)) {  // somebody may call it "3 - SpringEnergy (1).cpp"
+      const auto letters = [](const auto& text) { return boost::to_lower_copy(replaced(text, "[^A-Za-z0-9]", "")); };
       const Exercise* meant =
-          longest([&](auto& exercise) { return bool(search(plain, "^" + exercise + "([^a-z]|$)")); });
-      if (meant == nullptr) return;
-      hand_in(student, meant->name(),
-              {HandedIn::under_another_name, found.path,
-               fmt::format("'{}' was not read: the file should be called {}.cpp.", shown, meant->name())},
-              found);
+          longest([&](auto& exercise) { return boost::contains(letters(name), letters(exercise)); });
+      if (meant != nullptr)
+        hand_in(student, meant->name(),
+                {HandedIn::under_another_name, found.path,
+                 fmt::format("'{}' was not read: the file should be called {}.cpp.", shown, meant->name())},
+                found);
+      else if (std::ranges::count(found.path, '/') < 2)
+        say(student.notes, fmt::format("'{}' was not read: no exercise is called so.", shown));
     }
   }
 
@@ -610,7 +607,6 @@ Intake take_in(const fs::path& submissions, const Course& course, const std::vec
     }
   fs::remove_all(copies, problem);
   collector.take_class(std::move(files));
-  collector.doubt_single_student();
   fs::remove(copies / ".unpacked", problem);
   std::erase_if(collector.intake.students, [&](const Student& each) { return !shard.has(each.id); });
   for (Student& student : collector.intake.students) {

@@ -486,8 +486,13 @@ TEST_CASE("files of other kinds are named where they may be an exercise") {
   write(all.submissions() / "cleo/work.tar.gz", "no zip file");
   write(all.submissions() / "dora/clone/data/table.gz", "not hers to hand in");
   write_zip(all.submissions() / "emil.zip", {{"work.7z", "no zip file"}, {"spring_energy.cxx", right}});
+  write(all.submissions() / "fritz/week 1 - SpringEnergy (2).cpp", right);
+  write(all.submissions() / "fritz/main.cpp", right);
+  write(all.submissions() / "fritz/clone/src/main.cpp", right);
   const Taken taken(all);
-  for (const char* id : {"ada", "ben", "emil"})
+  CHECK(taken.student("fritz").notes ==
+        std::vector<std::string>{"'fritz/main.cpp' was not read: no exercise is called so."});
+  for (const char* id : {"ada", "ben", "emil", "fritz"})
     CHECK_MESSAGE(has(taken.student(id).files.at("spring_energy").refusal, "should be called spring_energy.cpp"), id);
   for (const char* id : {"cleo", "emil"}) CHECK_MESSAGE(taken.student(id).unread.size() == 1, id);
   CHECK(taken.student("dora").unread.empty());
