@@ -454,8 +454,9 @@ std::uint64_t own_seed(const Course& course, const Options& options, const Journ
 void require_known(const Overrides& overrides, const auto& students) {
   for (const auto& one : overrides)
     if (std::ranges::none_of(students, [&](const auto& each) { return each.id == one.first; }))
-      throw GradingError(fmt::format("The overrides are of '{}', who is not in the class. Nothing was graded.",
-                                     shortened(printable(one.first), 100)));
+      throw GradingError(
+          fmt::format("The overrides are of '{}', and no student of the class has that id. Nothing was graded.",
+                      shortened(printable(one.first), 100)));
 }
 
 /// Says how many have handed in, and what was not read. Returns whether that is all.
