@@ -12,6 +12,7 @@ const number_of = id => String(pages[id] ?? "000");
 // ---- Chapters: a lecture with its parts and its exercises.
 
 all(".lecture-card, .neighbours, .toc, .contents-of-page, .permalink, .live, .live-caption, figure > p").forEach(part => part.remove());
+all(".passage").forEach(passage => passage.replaceWith(...passage.childNodes));
 const chapters = all("section.chapter");
 let chapter = null;
 for (const section of all("section")) {

@@ -12,24 +12,26 @@ const plain = text => text.replace(/&(#?\w+);/g, (entity, name) => entities[name
 
 const css = fs.readFileSync(path.join(folder, "katex.min.css"), "utf8");
 const styled = new Set(css.match(/(?<=\.)[a-z][\w-]*/g));
-// The same few styles stand a hundred thousand times: as classes they take half of the room.
-const styles = new Map();
-function short(style) {
-  if (!styles.has(style)) styles.set(style, "k" + styles.size.toString(36));
-  return styles.get(style);
-}
+// The same few styles and classes stand a hundred thousand times: with short names, and tags, they take a third of the room.
+const names = new Map();
+const short = long => /^katex/.test(long) ? long : names.get(long) ?? names.set(long, "k" + names.size.toString(36)).get(long);
 
 const known = new Map(); // most formulas stand in many places
 function formula(page, tex, displayMode) {
+  // On narrow screens a line may end between formulas that stand in one.
+  const parts = tex.split("\\qquad");
+  if (displayMode && parts.length > 1 && parts.every(part => !/\\(begin|left)/.test(part) && part.split("{").length === part.split("}").length))
+    return `<span class=katex-display>${parts.map(part => formula(page, part, true).slice(26, -7)).join(" ")}</span>`;
   const key = displayMode + tex;
   if (!known.has(key)) {
     try {
       known.set(key, katex.renderToString(plain(tex), { displayMode, macros, strict: "error", throwOnError: true })
         .replace(/ xmlns="[^"]*"|<annotation.*?<\/annotation>|<\/?semantics>/gs, "")
-        .replace(/<span(?: class="([^"]*)")?(?: style="([^"]*)")?/g, (_, names = "", style) => {
-          const kept = [...names.split(" ").filter(name => styled.has(name)), ...style ? [short(style)] : []];
-          return kept.length ? `<span class="${kept.join(" ")}"` : "<span";
-        }));
+        .replace(/<span(?: class="([^"]*)")?(?: style="([^"]*)")?/g, (_, classes = "", style) => {
+          const kept = [...classes.split(" ").filter(name => styled.has(name)), ...style ? [style] : []].map(short).join(" ");
+          return `<span${kept && ` class=${/[ =]/.test(kept) ? `"${kept}"` : kept}`}`;
+        }).replace(/(?<=aria-hidden="true">).*(?=(<\/span>){2,}$)/s, seen => seen.slice(0, displayMode ? -7 : undefined)
+          .replace(/span(?=[ >])/g, "i") + seen.slice(displayMode ? -7 : seen.length)));
     } catch (error) {
       console.error(`${page}: the formula “${plain(tex).trim()}” cannot be set: ${error.message}`);
       process.exit(1);
@@ -57,13 +59,13 @@ for (const page of pages) {
     .replace(/<div class="toc">.*?<\/div>/s, toc => `${toc}<details class="contents-of-page"><summary>On this page</summary>${toc}</details>`)
     .replace(/(<(h[1-4])[^>]*><a class="anchor" id="(?!autotoc)([^"]*)">.*?)(?=<\/\2>)/gs,
       '$1<a class="permalink" href="#$3" aria-label="Link to this paragraph" tabindex="-1">#</a>');
-  // Code has no formulas.
+  // Code has no formulas. What lies between two headings of a lecture is laid out when it comes near the screen.
   fs.writeFileSync(file, html.split(/(<div class="fragment">[^]*?<!-- fragment -->|<(?:code|pre)\b[^]*?<\/(?:code|pre)>)/)
     .map((part, i) => i % 2 ? part.startsWith("<div") ? code(page, part) : part : part
       .replace(/\\\[(.*?)\\\]/gs, (_, tex) => formula(page, tex, true))
       .replace(/([(“[]?)\\\((.*?)\\\)([.,;:!?)”\]’]*)/gs, (_, before, tex, after) =>
         before + joined(before) + formula(page, tex, false) + joined(after) + after))
-    .join(""));
+    .join("").replace(/(?<=<\/h[12]>).*?(?=<h[12][ >])/gs, text => page.startsWith("lecture_") && text.length > 3000 ? `<div class="passage">${text}</div>` : text));
 }
 
 // The letters that most pages need stand in the style sheet: as files they would come after the text, and everything would move.
@@ -71,8 +73,10 @@ const fonts = path.join(folder, "fonts");
 const data = file => `url(data:font/woff2;base64,${fs.readFileSync(path.join(fonts, file), "base64")})`;
 fs.mkdirSync(path.join(site, "katex", "fonts"), { recursive: true });
 fs.writeFileSync(path.join(site, "katex", "katex.css"),
-  css.replace(/src:url\(fonts\/(KaTeX_(?:(?:Main|SansSerif|Size[12])-Regular|Math-\w+)\.woff2)\)[^;}]*/g, (_, file) => `src:${data(file)}`)
+  css.replace(/(?<=\.)[a-z][\w-]*(?=[^{}]*{)/g, short).replace(/\bspan\b(?=[^{}]*{)/g, "i")
+    .replace(/src:url\(fonts\/(KaTeX_(?:(?:Main|SansSerif|Size[12])-Regular|Math-\w+)\.woff2)\)[^;}]*/g, (_, file) => `src:${data(file)}`)
     .replace(/,url\([^)]*\.(?:woff|ttf)\) format\('\w+'\)/g, "") +
-  [...styles].map(([style, name]) => `.katex .${name}{${style.replace(/;/g, "!important;")}}\n`).join(""));
+  "\n.katex-html i{font-style:inherit}\n" + [...names].filter(([style]) => style.includes(":"))
+    .map(([style, name]) => `.katex .${name}{${style.replace(/;/g, "!important;")}}\n`).join(""));
 for (const font of fs.readdirSync(fonts).filter(name => /(AMS|Caligraphic|Main-[BI]|SansSerif-[BI]|Size[34]|Typewriter).*2$/.test(name)))
   fs.copyFileSync(path.join(fonts, font), path.join(site, "katex", "fonts", font));

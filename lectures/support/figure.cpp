@@ -78,7 +78,8 @@ void run_gnuplot(const fs::path& file, const std::string& terminal,
 
 /// gnuplot's colours as variables of the page's style sheet, each with its light value for readers without one.
 std::string with_variables(const std::string& svg) {
-  static const std::regex color(R"(rgb\( *(\d+), *(\d+), *(\d+)\)|((?:color|stroke|fill) *= *)(["'])(white|black)["'])");
+  static const std::regex color(
+      R"(rgb\( *(\d+), *(\d+), *(\d+)\)|((?:color|stroke|fill) *= *)(["'])(white|black)["'])");
   std::string result;
   auto copied = svg.begin();
   for (std::sregex_iterator match(svg.begin(), svg.end(), color), end; match != end; ++match) {
@@ -136,13 +137,34 @@ std::string typeset(const std::string& svg) {
   return result.append(copied, svg.end());
 }
 
+/// Without the marks and filters that gnuplot defines in every picture and this one does not use; a later one may use
+/// one before it.
+std::string without_unused_names(std::string svg) {
+  for (std::size_t at = svg.find("</defs>"); (at = svg.rfind(" id='", at)) != std::string::npos;) {
+    const std::string name = svg.substr(at + 5, svg.find('\'', at + 5) - at - 5);
+    const std::size_t start = svg.rfind('<', at);
+    const std::string end = svg.compare(start, 7, "<filter") == 0 ? "</filter>\n" : "/>\n";
+    at = start;
+    if (svg.find("#" + name + "'") == std::string::npos && svg.find("#" + name + ")") == std::string::npos)
+      svg.erase(start, svg.find(end, start) + end.size() - start);
+  }
+  return svg;
+}
+
 /// The picture without what only a file of its own needs, and with names that no other picture of the page has.
 std::string for_a_page(std::string svg, const std::string& name, FigureSize size) {
   svg.erase(0, svg.find("<svg"));
-  const std::array<std::pair<const char*, std::string>, 7> changes{{
+  const std::array<std::pair<const char*, std::string>, 11> changes{{
       {R"(<title>[^<]*</title>(\s*<desc>[^<]*</desc>)?)", ""},
       {R"( stroke-linecap="butt" stroke-linejoin="miter")", ""},
       {R"(<g [^>]*>\s*</g>)", ""},
+      {R"re(<g id="[^"]*_plot_[^"]*" >)re", "<g>"},
+      // A small filled face with a border of its colour is one shape.
+      {R"(<g stroke='none'[^>]*>\s*<polygon fill = ('[^']*') (points = '[^']{1,150}'/>)\s*</g>\s*<path stroke=\1 [^>]*/>)",
+       "<polygon fill=$1 stroke=$1 $2"},
+      // Tenths of a pixel suffice.
+      {R"((\.\d)\d(?=[ ,']))", "$1"},
+      {R"( L(?=[-\d]))", " "},
       {R"( font-family="[^"]*")", ""},
       {R"((id=['"]|href=['"]#|url\(#)(gp|textbox|greybox|gnuplot))", "$1" + name + "-$2"},
       {"^<svg",
@@ -152,6 +174,7 @@ std::string for_a_page(std::string svg, const std::string& name, FigureSize size
       {R"(\n\s*)", "\n"},
   }};
   for (const auto& [pattern, text] : changes) svg = std::regex_replace(svg, std::regex(pattern), text);
+  svg = without_unused_names(std::move(svg));
   return with_variables(typeset(svg));
 }
 

@@ -109,12 +109,18 @@ void Inspection::fault(const std::string& page, const std::string& sentence) {
 
 void Inspection::open(const std::string& page) { browser_.open(url(page)); }
 
+void Inspection::open_whole(const std::string& page) {
+  open(page);
+  browser_.evaluate(R"js(document.head.insertAdjacentHTML("beforeend",
+    "<style>.passage { content-visibility: visible !important }</style>"))js");
+}
+
 void Inspection::look_at(const std::string& page, const std::string& axe, Widths widths) {
   ++counts_.pages;
   resize(browser_, settings.front().width);
   prefer(browser_, settings.front().colors);
   browser_.take_events();
-  open(page);
+  open_whole(page);
   static const std::string look = script("look.js"), fit = script("fit.js");
   judge_look(page, browser_.evaluate(look));
   if (!axe.empty()) judge_accessibility(page, axe);
@@ -368,7 +374,7 @@ Shares Inspection::measure_shares() {
 
 void Inspection::photograph(const std::string& page, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
-  open(page);
+  open_whole(page);
   for (const Setting& setting : settings) {
     resize(browser_, setting.width);
     prefer(browser_, setting.colors);

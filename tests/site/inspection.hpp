@@ -80,6 +80,8 @@ class Inspection {
 
   std::string url(const std::string& page) const;
   void open(const std::string& page);
+  /// Laid out to its end, which readers get part by part.
+  void open_whole(const std::string& page);
   void judge_happenings(const std::string& page);
   void judge_look(const std::string& page, const nlohmann::json& look);
   void judge_accessibility(const std::string& page, const std::string& axe);
