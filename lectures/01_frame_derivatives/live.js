@@ -11,6 +11,9 @@ live("two_sources", {
     };
     return { w, at, path: steps(0, 5, 120).map(time => at(time).V) };
   },
+  // The place of the child at the start.
+  handle: m => m.path[0],
+  drag: (pixels, scene) => ({ start: norm(scene.point_at(pixels).slice(0, 2)) }),
   draw: [(scene, m, time) => {
     const { E, V, rate_body, carried, rate } = m.at(time);
     scene.floor(-0.2, 1.3);

@@ -1,8 +1,5 @@
 // The free body.
 
-const moments = v => [v.I1, v.I2, v.I3];
-const spin = v => [v.w1, v.w2, v.w3];
-
 /** The period of ω in the body. */
 function period_of(I, omega) {
   const period = time_of_return(I, omega), order = [0, 1, 2].sort((i, j) => I[i] - I[j]);
@@ -14,7 +11,7 @@ const polhode_of = (I, omega, count = 160) =>
   motion(I, omega, undefined, Math.min(period_of(I, omega), 60), count, yours.free_rotation).map(now => now.omega);
 
 function prepare_free_body(values) {
-  const I = moments(values), omega0 = spin(values);
+  const I = [values.I1, values.I2, values.I3], omega0 = [values.w1, values.w2, values.w3];
   const momentum = omega => scaled(I, omega), L_body = momentum(omega0);
   const [T, L2] = yours.rotation_invariants?.(I, omega0) ?? [dot(omega0, L_body) / 2, dot(L_body, L_body)];
   const L = Math.sqrt(L2), period = period_of(I, omega0), seconds = Math.max(12, Math.min(2.5 * period, 40));
@@ -119,6 +116,8 @@ live("rolling_cones", free_body);
 live("t_handle", {
   prepare: ({ spin, error }) => prepare_free_body({ I1: 1, I2: 2.2, I3: 2.9, w1: 0, w2: spin * Math.cos(error * degree),
     w3: spin * Math.sin(error * degree) }),
+  handle: m => times(m.size, m.omega0),
+  drag: (pixels, scene) => ({ error: angle_between(y_axis, scene.point_at(pixels, 1)) / degree }),
   draw: [(scene, m, time) => draw_in_space(scene, m, time, { picture: 3 }), draw_in_body, ({ curves }) => ({ curves })],
   numbers: (m, time) => [...m.at(time).omega, m.period / 2, m.period / 2 * m.L / m.I[1] / 2 / Math.PI],
 });
@@ -164,6 +163,8 @@ live("friction", {
     const samples = history(state => step(step(state)), [L0, ...transposed(upright(L0)).slice(0, 2)], 1200);
     return { samples, energies: samples.map(([L]) => energy(L)), landscape: on_ball(energy) };
   },
+  handle: m => unit(m.samples[0][0]),  // L at the start
+  drag: (pixels, scene) => ({ angle: angle_between(x_axis, scene.point_at(pixels, 1)) / degree }),
   draw: [(scene, m, time) => {
     const momenta = m.samples.slice(0, 1 + Math.round(20 * time)).map(([L]) => unit(L));
     scene.painted_ball(m.landscape, "sky");

@@ -24,6 +24,8 @@ live("angles_and_momenta", {
       : motion(I, omega0, A0, seconds, 300).map(({ omega, A }) => state_of(I, angles_of(A), rates_of(angles_of(A), omega, A)));
     return { samples, curves: over_time(moments, (_, k) => samples[k].momenta) };
   },
+  handle: m => m.samples[0].tip,
+  drag: (pixels, scene) => ({ theta: inclination(scene.point_at(pixels, 1)) / degree }),
   draw: [(scene, m, time) => {
     const k = Math.round(25 * time), { A } = m.samples[k];
     scene.floor(-1.15, 1.3);

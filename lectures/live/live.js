@@ -53,24 +53,6 @@ function live(name, definition) {
 }
 const texts = {};
 
-const form = `
-<div class="views"></div>
-<div class="question"></div>
-<fieldset disabled>
-  <div class="time">
-    <button class="play"></button>
-    <button title="A step back" aria-label="A step back">‹</button>
-    <button title="A step on" aria-label="A step on">›</button>
-    <input type="range" min="0" step="any" aria-label="Time">
-    <output></output>
-    <select aria-label="Speed"><option value="0.125">× ⅛<option value="0.25">× ¼<option value="0.5">× ½<option value="1" selected>× 1<option value="2">× 2</select>
-    <button title="As at the beginning">Reset</button>
-    <button title="Put this state into the address">Link</button>
-  </div>
-  <div class="settings"></div>
-</fieldset>
-<div class="numbers" hidden><dl></dl><p class="spoken" role="status"></p><p class="own"></p></div>`;
-
 class LiveFigure {
   part(name) { return this.place.querySelector("." + name); }
 
@@ -157,10 +139,11 @@ class LiveFigure {
 
   /** What will happen? Only an answer lets the motion begin, and shows numbers and caption. */
   make_question() {
-    const { question, choices, answer } = this.definition, box = this.part("question");
+    const { question, choices, answer, tries } = this.definition, box = this.part("question");
     box.append(text("p", question), ...Object.entries(choices).map(([expected, why], number) => element("button", {
       onclick: () => {
-        this.explanation = element("details", {}, text("summary", "What happens"), text("p", why), text("p", answer));
+        this.explanation = element("details", {}, text("summary", "What happens"), text("p", why), text("p", answer),
+          element("ul", {}, ...tries.map(one => text("li", one))));
         box.replaceChildren(text("p", `You expect: ${expected}.`), this.explanation);
         this.settings.disabled = this.part("numbers").hidden = false;
         this.place.closest("figure").classList.add("is-released");
@@ -182,6 +165,11 @@ class LiveFigure {
     back.onclick = () => this.step(-1);
     on.onclick = () => this.step(1);
     reset.onclick = () => this.begin_with();
+    // A number lights the arrows and curves that its name tells.
+    this.list.onpointerover = this.list.onpointerleave = ({ type, target }) => {
+      for (const { scene } of this.scenes) scene.lit = type === "pointerover" && target.closest("div")?.firstChild.name || "";
+      this.draw(this.rested);
+    };
     link.onclick = () => {
       history.replaceState(null, "", this.address());
       navigator.clipboard?.writeText(location.href).catch(() => {});

@@ -39,6 +39,7 @@ const turns_of = points => points.slice(1).map(([x, y], k) => {
   const [a, b] = points[k];
   return Math.atan2(a * y - b * x, a * x + b * y);
 });
+const angle_between = (a, b) => Math.atan2(norm(cross(a, b)), Math.abs(dot(a, b)));  // of lines
 const inclination = ([x, y, z]) => Math.atan2(Math.hypot(x, y), z);
 /** For a plot: the curve of each component that samples have, which are times or have one. */
 function over_time(samples, components_of) {
@@ -277,14 +278,14 @@ const lights = {
 
 const italic = (letter, accent = "") => element("i", { className: `symbol ${accent}` }, letter);
 const bold = (letter, accent = "") => element("b", { className: `symbol ${accent}` }, letter);
-/** Words with their symbols as they stand in a page. In sentences "a" and "A" are words. */
+/** Words with their symbols as they stand in a page. In sentences "a" and "A" are words, and "s" is a unit. */
 const typeset = (words, is_sentence) => words.split(/([\s,.:;?()]+)/).flatMap((token, i, all) => {
   const rate = token.match(/^d(.)\/dt$/), [, bar, letter, tilde, index = "", power, end] =
     token.match(/^(\|?)([A-Za-zα-ωΓΔΘΨΩ])(\u0303?)([₀-₉]+|_[a-zφθψ]+)?(²?)(\|?)$/u) ?? [];
   if (rate) return ["d", italic(rate[1]), "/d", italic("t")];
   if (token === "dL") return ["d", bold("L")];
   if (token === "Mg") return [italic("M"), bold("g")];
-  if (!letter || is_sentence && /^[aAI]$/.test(token) || token === "a" && i + 1 < all.length) return [token];
+  if (!letter || is_sentence && (/^[aAI]$/.test(token) || token === "s" && /\d$/.test(all[i - 2])) || token === "a" && i + 1 < all.length) return [token];
   const is_vector = /^(V|L|ω|Ω|e[₁₂₃])$/.test(letter + index) && !tilde && !power;
   const digits = index.replace("_", "").replace(/[₀-₉]/g, digit => "₀₁₂₃₄₅₆₇₈₉".indexOf(digit));
   return [bar, is_vector ? bold(letter, index && "hat") : italic(letter, tilde && "tilde"),
@@ -300,7 +301,7 @@ class Scene {
    *  it one looks from above, and cannot turn it. */
   constructor(canvas, { half, towards }) {
     // What is to be predicted must not be seen before it is released; `expected` is the number of the choice that was made.
-    Object.assign(this, { canvas, half, flat: !towards, context: canvas.getContext("2d"), released: false, expected: undefined, names: [] });
+    Object.assign(this, { canvas, half, flat: !towards, context: canvas.getContext("2d"), released: false, expected: undefined, names: [], lit: "" });
     const [x, y, z] = towards ?? [0, -1e-9, 1];  // x to the right, y up
     this.azimuth = Math.atan2(y, x);
     this.height = Math.PI / 2 - inclination([x, y, z]);
@@ -375,7 +376,7 @@ class Scene {
       const box_at = ([dx, dy]) => {
         const x = Math.max(2, Math.min(this.width - width - 2, label.x - left + dx));
         const y = Math.max(9, Math.min(this.high - 9, label.y + dy));
-        return { x, y, free: !taken.some(box => Math.abs(y - box.y) < 16 && x < box.x + box.width && box.x < x + width) };
+        return { x, y, free: !taken.some(box => Math.abs(y - box.y) < 16 && x < box.x + box.width + 3 && box.x < x + width + 3) };
       };
       const ways = [[0, 0], ...[18, 30, 44].flatMap(far =>
         [[0, -1], [1, -0.6], [-1, -0.6], [0, 1], [1, 0.6], [-1, 0.6]].map(way => times(far, way)))];
@@ -420,10 +421,10 @@ class Scene {
     for (const value of expected) line([[x[0], value], [x[1], value]], "grey", 2, [7, 6]);
     if (expected.length) this.words("expected", sum(place([x[1], expected[0]]), [-4, 9]), "grey", "right");
     // Before the reader has predicted, only what has happened.
-    lines.forEach(([, color, style], i) => {
+    lines.forEach(([name, color, style], i) => {
       const seen = this.released || mark ? curves[i] : curves[i].filter(([u]) => u <= now);
       if (style === "dots") for (const point of seen) dot(point, color, 2.5);
-      else line(seen, color, 2.2, style === "dashed" ? [6, 4] : []);
+      else line(seen, color, name && this.lit === name ? 4.5 : 2.2, style === "dashed" ? [6, 4] : []);
     });
     if (mark) dot(mark, "ink", 5); else line([[now, y[0]], [now, y[1]]], "ink", 1.4);
     c.restore();
@@ -538,6 +539,7 @@ class Space extends Scene {
 
   /** With a head, and a name beyond its tip or beside it. */
   arrow(from, to, color, name = "", { width = 3, beside = false } = {}) {
+    if (name && this.lit.includes(name)) width *= 1.8;
     const [a, b] = [this.at(from), this.at(to)];
     const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
     const along = length > 0 ? [(b[0] - a[0]) / length, (b[1] - a[1]) / length] : [0, 0];

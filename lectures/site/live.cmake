@@ -2,11 +2,11 @@
 #   cmake -D scene=FOLDER -D output=FILE -P live.cmake
 #   cmake -D lecture=FOLDER -D output=FILE -P live.cmake
 if(scene)
-  # With its shaders.
-  foreach(part vert frag js)
+  # With its shaders, and what surrounds the pictures of a figure.
+  foreach(part vert frag html js)
     file(READ ${scene}/scene.${part} ${part})
   endforeach()
-  file(WRITE ${output} "const shaders = { vert: `${vert}`, frag: `${frag}` };\n${js}")
+  file(WRITE ${output} "const shaders = { vert: `${vert}`, frag: `${frag}` }, form = `${html}`;\n${js}")
   return()
 endif()
 # Of a lecture what its figures say and offer, live.json, before live.js.

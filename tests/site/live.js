@@ -11,6 +11,14 @@ async function open_figure(number) {
   return places[number].live.started;
 }
 
+/** Is a figure, in sight, as wide as its place? It is drawn anew when it comes into sight. */
+async function fits(number) {
+  const place = places[number], is_wide = () => place.scrollWidth > place.clientWidth;
+  place.scrollIntoView({ block: "start", behavior: "instant" });
+  for (let tries = 0; tries < 100 && is_wide(); ++tries) await wait(20);
+  return !is_wide();
+}
+
 /** Where a canvas is, in sight. */
 function box_of(canvas) {
   canvas.scrollIntoView({ block: "center", behavior: "instant" });
@@ -27,12 +35,13 @@ const pictures = live => live.scenes.reduce((total, { scene: { canvas, context }
 function faults_of_words(number) {
   const figure = places[number].closest("figure"), { definition } = places[number].live;
   const caption = figure.querySelector("figcaption > .live-caption")?.textContent.trim().replace(/\\\(.*?\\\)/gs, "formula") ?? "";
-  const { question, choices, answer, about, views } = definition, reasons = Object.values(choices);
+  const { question, choices, answer, tries, about, views } = definition, reasons = Object.values(choices);
   const foreign = new RegExp("\\b(blue|vermilion|red|green|purple|violet|orange|brown|yellow|grey|black|white|" +
     "dashe[ds]|dott?ed|dots?|thick|thin|heavy part|Left|Right|left-hand|right-hand|[Oo]n the (left|right))\\b");
-  const named = [caption, question, ...Object.keys(choices), ...reasons, answer, about, ...views.map(({ title }) => title)]
+  const named = [caption, question, ...Object.keys(choices), ...reasons, answer, ...tries, about, ...views.map(({ title }) => title)]
     .map(text => text.match(foreign)).filter(Boolean);
   const faults = named.map(([word]) => `says “${word}”`);
+  if (!tries.length || !tries.every(one => /^[A-Z].*[.?]$/.test(one))) faults.push("has nothing to try");
   if (!caption) faults.push("has no caption of its own");
   const right = reasons.filter(reason => reason.startsWith("Yes: ")).length;
   if (right !== 1 || !reasons.every(reason => /^(Yes|No): [^.]+(\.\d[^.]*)*\.$/.test(reason)))

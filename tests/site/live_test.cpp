@@ -358,7 +358,7 @@ TEST_CASE("every live figure starts, runs, rests, obeys, and shows what the func
     }
     resize(390);
     for (int figure = 0; figure < count; ++figure) {
-      CHECK(evaluate_in(figure, "place.scrollWidth <= place.clientWidth") == true);
+      CHECK(browser().evaluate(fmt::format("fits({})", figure)) == true);
       // Who sets the figure sees its first picture.
       evaluate_in(figure, "place.querySelector('.settings').scrollIntoView({ block: 'end', behavior: 'instant' })");
       CHECK(evaluate_in(figure, "place.querySelector('canvas').getBoundingClientRect().top > 0") == true);
