@@ -1,19 +1,11 @@
 // Worked values of the problems of lecture 01, computed elsewhere in 34 digits by two routes each.
-#include "lectures/support/agrees.hpp"
+#include "tests/cases/problems.hpp"
 
 #include <rigid/frame_derivatives.hpp>
 
-#include <numbers>
+namespace problems_01 {
 
-using namespace rigid;
-using workbook::agrees;
-
-namespace {
-
-constexpr double digits = 5e-12;  // of the values below
 const Vector3d zero = Vector3d::Zero(), omega(0.3, -0.2, 0.5);
-
-}  // namespace
 
 TEST_CASE("composed_angular_acceleration") {
   const Vector3d rotation(0.2, 0.5, -0.3), alpha(0.05, 0.1, -0.04), spin(2, -1, 4), spin_rate(0.1, -0.3, 0.2);
@@ -75,3 +67,5 @@ TEST_CASE("screw_of_displacement: points of the line go along it") {
     CHECK(screw.col(1).cross(n).norm() < 1e-15);
   }
 }
+
+}  // namespace problems_01

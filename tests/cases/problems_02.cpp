@@ -1,19 +1,11 @@
 // Worked values of the problems of lecture 02, computed elsewhere in 34 digits by two routes each.
-#include "lectures/support/agrees.hpp"
+#include "tests/cases/problems.hpp"
 
 #include <rigid/rotating_frames.hpp>
 
-#include <numbers>
+namespace problems_02 {
 
-using namespace rigid;
-using workbook::agrees;
-
-namespace {
-
-constexpr double digits = 5e-12;  // of the values below
-constexpr double pi = std::numbers::pi, degree = pi / 180, rate = 7.292115e-5;
-
-}  // namespace
+constexpr double rate = 7.292115e-5;
 
 TEST_CASE("apparent_gravity") {
   const double R = 6.371e6, g0 = 9.83;
@@ -58,3 +50,5 @@ TEST_CASE("tide: the root of the exact potential, and of its series in 34 digits
   CHECK(agrees(tide(332946, 6.371e6, 1.496e11, 0.5), 0.189270388813548, 1e-10));
   CHECK(agrees(tide(0.12, 1.2e6, 6e6, 2.2), 651.228904366942, 1e-12));
 }
+
+}  // namespace problems_02

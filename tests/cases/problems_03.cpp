@@ -1,19 +1,14 @@
 // Worked values of the problems of lecture 03, computed elsewhere in 34 digits by two routes each.
-#include "lectures/support/agrees.hpp"
+#include "tests/cases/problems.hpp"
 
 #include <rigid/inertia_tensor.hpp>
 
 #include <bit>
-#include <cmath>
-#include <numbers>
 #include <vector>
 
-using namespace rigid;
-using workbook::agrees;
+namespace problems_03 {
 
 namespace {
-
-constexpr double digits = 5e-12;  // of the values below
 
 Matrix3d about(const Vector3d& axis, double angle) { return Eigen::AngleAxisd(angle, axis).toRotationMatrix(); }
 
@@ -103,3 +98,5 @@ TEST_CASE("inertia_rate") {
                digits));
   CHECK(agrees(inertia_rate(Vector3d(2, 2, 3).asDiagonal(), {0, 0, 2}), Matrix3d::Zero(), digits, 1));
 }
+
+}  // namespace problems_03

@@ -1,12 +1,9 @@
 // Worked values of the problems of lecture 04, computed elsewhere in 34 digits by two routes each.
-#include "lectures/support/agrees.hpp"
+#include "tests/cases/problems.hpp"
 
 #include <rigid/parallel_axis.hpp>
 
-using namespace rigid;
-using workbook::agrees;
-
-constexpr double digits = 5e-12;  // of the values below
+namespace problems_04 {
 
 TEST_CASE("block_with_hole") {
   CHECK(agrees(block_with_hole(800, {0.4, 0.3, 0.2}, {0.05, -0.04, 0.02}, 0.07),
@@ -50,3 +47,5 @@ TEST_CASE("velocity_after_blow") {
   CHECK(
       agrees(velocity_after_blow(0.9, bat, {0, 0, 0}, {0, 3, 0}, {-0.4, 0, 0}), Vector3d(0, 3.33333333333, 0), digits));
 }
+
+}  // namespace problems_04

@@ -1,13 +1,10 @@
 // Values of the problems of lecture 05 and of `spin_up`, from computations in 34 digits by two ways that share no
 // formula.
-#include "lectures/support/agrees.hpp"
+#include "tests/cases/problems.hpp"
 
 #include <rigid/euler_equations.hpp>
 
-#include <cmath>
-
-using namespace rigid;
-using workbook::agrees;
+namespace problems_05 {
 
 TEST_CASE("free_attitude: elliptic integrals, and a quaternion by collocation") {
   const Vector3d I(1.2, 2, 2.7), omega0(0.4, -0.9, 0.6);
@@ -90,3 +87,5 @@ TEST_CASE("reorientation: a product of exponentials, and the torques of motors t
                         {-0.21226188756054, -0.34114199293917, 0.91573305703285}},
                1e-12));
 }
+
+}  // namespace problems_05

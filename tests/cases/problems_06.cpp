@@ -1,10 +1,9 @@
 // Values of the problems of lecture 06, from computations in 34 digits by two ways that share no formula.
-#include "lectures/support/agrees.hpp"
+#include "tests/cases/problems.hpp"
 
 #include <rigid/free_tops.hpp>
 
-using namespace rigid;
-using workbook::agrees;
+namespace problems_06 {
 
 TEST_CASE("largest_rates: two invariants, and the motion integrated") {
   const Vector3d I(1.2, 2, 2.7);
@@ -35,3 +34,5 @@ TEST_CASE("first_flip: elliptic integrals, and a root of the integrated motion")
   CHECK(agrees(first_flip({1.2, 1.7, 2.6}, {-0.3, -1.5, 0.05}), 5.83450102219, 2e-12));
   CHECK(agrees(first_flip({1, 2, 3}, {0, 1, 0.1}), 5.41053058614, 2e-12));
 }
+
+}  // namespace problems_06

@@ -1,17 +1,12 @@
 // The problems of lecture 07 at inputs whose answers were computed elsewhere, in 34 digits.
-#include "lectures/support/agrees.hpp"
+#include "tests/cases/problems.hpp"
 
 #include <rigid/euler_angles.hpp>
 
-#include <cmath>
-#include <numbers>
-
-using namespace rigid;
-using workbook::agrees;
+namespace problems_07 {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr double last_digit = 2e-12;  // the values below have twelve digits
 const Vector3d lecture(0.3, 0.7, 1.1), other_quadrants(2.8, -0.4, 5.1);
 
@@ -89,3 +84,5 @@ TEST_CASE("to_zxz: three turns about z, x and z reach the attitude of three abou
   }
   CHECK(to_zxz({0.4, pi, 1.9})[2] == 0);
 }
+
+}  // namespace problems_07

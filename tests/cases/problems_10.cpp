@@ -1,18 +1,11 @@
 // Values of the problems of lecture 10, from computations in 34 digits by two ways that share no formula.
-#include "lectures/support/agrees.hpp"
+#include "tests/cases/problems.hpp"
 
 #include <rigid/attitude_of_a_free_body.hpp>
 
-#include <cmath>
-
-using namespace rigid;
-using workbook::agrees;
-
-namespace {
+namespace problems_10 {
 
 const Vector3d body(1.2, 2, 2.7), round_3(0.4, -0.9, 0.6), round_1(0.9, -0.5, 0.2);
-
-}  // namespace
 
 TEST_CASE("poinsot: the gradient of the energy, and the tangent plane by differences") {
   CHECK(agrees(poinsot(body, round_3), Vector2d(1.12768940859, 0.241488297347), 1e-11));
@@ -86,3 +79,5 @@ TEST_CASE("exact_attitude: elliptic integrals, and the attitude of one period by
                         {0.90455277853, -0.368991390259, 0.213610919124}},
                tolerance));
 }
+
+}  // namespace problems_10

@@ -1,10 +1,9 @@
 // Values of the problems of lecture 11, from computations in 30 digits by other ways than those of the solutions.
-#include "lectures/support/agrees.hpp"
+#include "tests/cases/problems.hpp"
 
 #include <rigid/measured.hpp>
 
-using namespace rigid;
-using workbook::agrees;
+namespace problems_11 {
 
 TEST_CASE("moment_ratios: coefficients made from moments") {
   CHECK(agrees(moment_ratios(-0.923076923076923077, 0.315789473684210526), Vector2d(0.538461538462, 1.46153846154),
@@ -29,3 +28,5 @@ TEST_CASE("damped_rotation: L with the torque, by Taylor series") {
   CHECK(agrees(damped_rotation({2.7, 1.2, 2}, {-0.4, 0.5, 0.3}, 0.3, 4),
                Vector3d(-0.131461671349, 0.167712871477, -0.0340571791086), 1e-10));
 }
+
+}  // namespace problems_11

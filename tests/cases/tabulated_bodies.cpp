@@ -1,5 +1,5 @@
 // Inertia tensors of bodies that tables list, by quadrature and the functions that change the origin.
-#include "lectures/support/agrees.hpp"
+#include "tests/cases/problems.hpp"
 
 #include <rigid/inertia_tensor.hpp>
 #include <rigid/parallel_axis.hpp>
@@ -7,13 +7,10 @@
 #include <boost/math/quadrature/gauss.hpp>
 
 #include <array>
-#include <cmath>
-#include <numbers>
 #include <utility>
 #include <vector>
 
-using namespace rigid;
-using workbook::agrees;
+namespace tabulated_bodies {
 
 namespace {
 
@@ -156,3 +153,5 @@ TEST_CASE("a point mass, and a shift within the x-y plane: tests of SymPy") {
       {2 + m * b * b, -m * a * b, 0}, {-m * a * b, 3 + m * a * a, 0}, {0, 0, 4 + m * (a * a + b * b)}};
   CHECK(agrees(inertia_from_center_of_mass(diagonal(2, 3, 4), m, Vector3d(a, b, 0)), shifted, 1e-14));
 }
+
+}  // namespace tabulated_bodies
