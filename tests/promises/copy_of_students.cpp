@@ -13,6 +13,7 @@
 #include <cctype>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -426,7 +427,21 @@ TEST_CASE("what is exported for another system grades there, with the marks of g
   const fs::path question = folder / "prairielearn/questions/week3";
   const auto info = nlohmann::json::parse(read(question / "info.json"));
   CHECK(info.at("title") == "Week \"3\"");
-  CHECK(info.at("uuid").get<std::string>().size() == 36);
+  // What PrairieLearn's schema of questions knows, and needs.
+  CHECK(workbook::search(info.at("uuid").get<std::string>(), "^[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}$"));
+  const std::set<std::string> of_a_question = {"uuid",          "type",
+                                               "title",         "topic",
+                                               "tags",          "gradingMethod",
+                                               "singleVariant", "showCorrectAnswer",
+                                               "partialCredit", "externalGradingOptions"},
+                              of_grading = {"enabled",           "image",   "entrypoint",
+                                            "serverFilesCourse", "timeout", "enableNetworking",
+                                            "environment"};
+  for (const auto& [key, unused] : info.items()) CHECK_MESSAGE(of_a_question.contains(key), key);
+  for (const auto& [key, unused] : info.at("externalGradingOptions").items())
+    CHECK_MESSAGE(of_grading.contains(key), key);
+  CHECK(info.at("type") == "v3");
+  CHECK(info.at("gradingMethod") == "External");
   const std::string grade = (workbook / "checker/grading/containers/grade.sh").string();
   const Outcome prairielearn =
       run(fmt::format("'{}' prairielearn '{}' '{}' '{}'", grade, student.string(), (question / "tests/cases").string(),
