@@ -124,8 +124,7 @@ constexpr rlim_t most_memory = rlim_t{4} << 30;  // a check needs some 100 MB; a
 
 void write_all(int descriptor, std::string_view bytes) {
   while (!bytes.empty()) {
-    const ssize_t put = ::write(descriptor, bytes.data(), bytes.size());
-    if (put < 0 && errno == EINTR) continue;
+    const ssize_t put = TEMP_FAILURE_RETRY(::write(descriptor, bytes.data(), bytes.size()));
     if (put <= 0) ::_exit(1);
     bytes.remove_prefix(static_cast<std::size_t>(put));
   }
@@ -249,9 +248,7 @@ std::optional<ProcessReport> ChildProcess::receive_report() {
   message.msg_iovlen = 1;
   message.msg_control = control.data();
   message.msg_controllen = control.size();
-  ssize_t got = 0;
-  do got = ::recvmsg(reports_.number(), &message, MSG_WAITALL | MSG_CMSG_CLOEXEC);
-  while (got < 0 && errno == EINTR);
+  const ssize_t got = TEMP_FAILURE_RETRY(::recvmsg(reports_.number(), &message, MSG_WAITALL | MSG_CMSG_CLOEXEC));
   if (got >= 0) errno = 0;
   if (got != sizeof report) return std::nullopt;
   report.step[sizeof report.step - 1] = '\0';
@@ -295,9 +292,7 @@ ProcessEnd ChildProcess::reap() {
   if (!ends_others_) ::kill(-process_, SIGKILL);
   int status = SIGKILL;
   rusage usage{};
-  pid_t waited = 0;
-  do waited = ::wait4(process_, &status, 0, &usage);
-  while (waited < 0 && errno == EINTR);
+  const pid_t waited = TEMP_FAILURE_RETRY(::wait4(process_, &status, 0, &usage));
   double processor_seconds = seconds(usage);
   if (in_namespaces_) {
     status = SIGKILL;  // unless the process above the program still could tell
@@ -411,7 +406,7 @@ std::string ForkedJob::finish() {
     return "it ran for too long";
   }
   int status = 0;
-  while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) continue;
+  TEMP_FAILURE_RETRY(::waitpid(process_, &status, 0));
   process_ = -1;
   if (WIFSIGNALED(status)) return fmt::format("signal {} ({})", WTERMSIG(status), ::strsignal(WTERMSIG(status)));
   return WEXITSTATUS(status) == 0 ? "" : "it failed";

@@ -1,6 +1,7 @@
 #include "checker/data/value.hpp"
 
-#include <fmt/format.h>
+#include "checker/base/text.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -39,13 +40,9 @@ constexpr int largest_denominator = 12;
 /// Entries of the columns [first, first + cols), row by row: "26 -3; -3 20".
 std::string rows_text(const Value& value, int first, int cols, int digits) {
   std::string text = "[";
-  for (int row = 0; row < value.rows; ++row) {
-    if (row > 0) text += "; ";
-    for (int col = first; col < first + cols; ++col) {
-      if (col > first) text += ' ';
-      text += number_text(value.at(row, col), digits);
-    }
-  }
+  for (int row = 0; row < value.rows; ++row)
+    for (int col = first; col < first + cols; ++col)
+      text += (col > first ? " " : row > 0 ? "; " : "") + number_text(value.at(row, col), digits);
   return text + "]";
 }
 
@@ -152,63 +149,38 @@ std::string coefficient_text(double coefficient) {
 }
 
 std::string format_value(const Value& value, Kind kind, int digits) {
-  switch (kind) {
-    case Kind::number:
-    case Kind::integer:
-      return value.numbers.empty() ? "nothing" : number_text(value.numbers.front(), digits);
-    case Kind::vector2:
-    case Kind::vector3:
-    case Kind::vector: {
-      std::vector<std::string> texts;
-      for (double number : value.numbers) texts.push_back(number_text(number, digits));
-      return fmt::format("({})", fmt::join(texts, ", "));
-    }
-    case Kind::matrix3:
-    case Kind::points:
-      return value.cols == 0 ? "[]" : rows_text(value, 0, value.cols, digits);
-    case Kind::matrices: {
-      std::vector<std::string> texts;
-      for (int col = 0; col + 3 <= value.cols; col += 3) texts.push_back(rows_text(value, col, 3, digits));
-      return fmt::format("{{{}}}", fmt::join(texts, ", "));
-    }
+  std::vector<std::string> texts;
+  if (is_vector(kind)) {
+    for (const double number : value.numbers) texts.push_back(number_text(number, digits));
+    return fmt::format("({})", fmt::join(texts, ", "));
   }
-  return "";
+  if (kind == Kind::matrices) {
+    for (int col = 0; col + 3 <= value.cols; col += 3) texts.push_back(rows_text(value, col, 3, digits));
+    return fmt::format("{{{}}}", fmt::join(texts, ", "));
+  }
+  if (kind == Kind::matrix3 || kind == Kind::points)
+    return value.cols == 0 ? "[]" : rows_text(value, 0, value.cols, digits);
+  return value.numbers.empty() ? "nothing" : number_text(value.numbers.front(), digits);
 }
 
 std::string entry_name(const Value& value, Kind kind, std::size_t number) {
   const auto rows = static_cast<std::size_t>(std::max(value.rows, 1));
-  const std::size_t row = number % rows;
-  const std::size_t col = number / rows;
-  switch (kind) {
-    case Kind::number:
-    case Kind::integer:
-      return "the result";
-    case Kind::vector2:
-    case Kind::vector3:
-    case Kind::vector:
-      return fmt::format("component [{}]", row);
-    case Kind::matrix3:
-    case Kind::points:
-      return fmt::format("entry ({},{})", row, col);
-    case Kind::matrices:
-      return fmt::format("entry ({},{}) of matrix [{}]", row, col % 3, col / 3);
-  }
-  return "";
+  const std::size_t row = number % rows, col = number / rows;
+  if (is_vector(kind)) return fmt::format("component [{}]", row);
+  if (kind == Kind::matrix3 || kind == Kind::points) return fmt::format("entry ({},{})", row, col);
+  if (kind == Kind::matrices) return fmt::format("entry ({},{}) of matrix [{}]", row, col % 3, col / 3);
+  return "the result";
 }
 
 std::vector<std::string> aligned_on_point(const std::vector<std::string>& numbers) {
-  std::size_t before = 0;
-  std::size_t after = 0;
+  std::size_t before = 0, after = 0;
   for (const std::string& number : numbers) {
     before = std::max(before, point_position(number));
     after = std::max(after, number.size() - point_position(number));
   }
   std::vector<std::string> aligned;
-  for (const std::string& number : numbers) {
-    const std::size_t position = point_position(number);
-    aligned.push_back(std::string(before - position, ' ') + number +
-                      std::string(after - (number.size() - position), ' '));
-  }
+  for (const std::string& number : numbers)
+    aligned.push_back(padded(padded("", before - point_position(number)) + number, before + after));
   return aligned;
 }
 

@@ -171,12 +171,13 @@ std::string unpacked(int file, bool is_class) {
   Reader reader(is_class);
   try {
     ::setlocale(LC_CTYPE, "C.UTF-8");
-    const Sandbox sandbox({.calls = SandboxProfile::Calls::build,
-                           .processor_seconds = static_cast<unsigned>(longest.count()),
-                           .memory_bytes = most_memory,
-                           .open_files = 256,  // this program may have inherited some
-                           .filter = system_call_filter(SandboxProfile::Calls::build)});
-    if (const char* failed = sandbox.enter()) throw std::runtime_error(std::string("cannot be read safely: ") + failed);
+    const SandboxProfile profile{.calls = SandboxProfile::Calls::build,
+                                 .processor_seconds = static_cast<unsigned>(longest.count()),
+                                 .memory_bytes = most_memory,
+                                 .open_files = 256,  // this program may have inherited some
+                                 .filter = system_call_filter(SandboxProfile::Calls::build)};
+    if (const char* failed = enter_sandbox(profile, what_the_kernel_offers().landlock))
+      throw std::runtime_error(std::string("cannot be read safely: ") + failed);
     archive_read_support_format_zip(opened.get());
     if (archive_read_open_fd(opened.get(), file, 65536) != ARCHIVE_OK)
       throw std::runtime_error("is damaged or no zip file");

@@ -3,8 +3,6 @@
 #include "checker/base/child_process.hpp"
 #include "checker/base/text.hpp"
 
-#include <boost/algorithm/string/split.hpp>
-
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/stat.h>
@@ -15,7 +13,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <sstream>
 #include <thread>
 
 namespace workbook {
@@ -36,36 +33,21 @@ bool put(const std::string& file, std::string_view text) noexcept {
   return done;
 }
 
-/// In "rw,memory", or in "cpu memory pids".
-bool has_word(const std::string& text, const std::string& word) {
-  std::vector<std::string> words;
-  boost::split(words, text, [](char letter) { return letter == ',' || letter == ' '; });
-  return std::ranges::count(words, word) > 0;
-}
-
 /// The group of this program.
 /// @param controller  of version 1; "" for version 2. @returns "" if there is none
 std::string own_group(const std::string& controller) {
-  std::string group;
-  std::ifstream groups("/proc/self/cgroup");
-  for (std::string line; std::getline(groups, line);) {  // "4:memory:/a/b", "0::/a/b"
-    const std::size_t first = line.find(':'), second = line.find(':', first + 1);
-    const std::string controllers = line.substr(first + 1, second - first - 1);
-    if (controller.empty() ? controllers.empty() : has_word(controllers, controller)) group = line.substr(second + 1);
-  }
-  std::ifstream mounts("/proc/self/mountinfo");
-  for (std::string line;
-       !group.empty() && std::getline(mounts, line);) {  // "32 31 0:29 ROOT PLACE rw - TYPE NAME rw,memory"
-    std::istringstream before(line.substr(0, line.find(" - "))), after(line.substr(line.find(" - ") + 3));
-    std::string unused, root, place, type, name, options;
-    before >> unused >> unused >> unused >> root >> place;
-    after >> type >> name >> options;
-    if (type != (controller.empty() ? "cgroup2" : "cgroup") || (!controller.empty() && !has_word(options, controller)))
-      continue;
-    if (root != "/" && group.starts_with(root)) group.erase(0, root.size());
-    return place + (group == "/" ? "" : group);
-  }
-  return "";
+  const auto line_of = [](const char* file, const std::string& pattern) {
+    return search(read_file(file).value_or(""), "(?:^|\n)" + pattern);
+  };
+  const std::string name = controller.empty() ? "" : "(?:[^:\n]*,)?" + controller + "(?:,[^:\n]*)?";
+  const std::string type = controller.empty() ? "cgroup2 " : "cgroup \\S+ (?:\\S+,)?" + controller + "[,\n]";
+  const Match own = line_of("/proc/self/cgroup", "\\d+:" + name + ":([^\n]*)");  // "4:memory:/a/b", "0::/a/b"
+  // "32 31 0:29 ROOT PLACE rw - TYPE NAME rw,memory"
+  const Match mount = line_of("/proc/self/mountinfo", "\\S+ \\S+ \\S+ (\\S+) (\\S+) [^\n]*- " + type);
+  if (!own || !mount) return "";
+  std::string group = own[1];
+  if (mount[1] != "/" && group.starts_with(mount[1])) group.erase(0, mount[1].size());
+  return mount[2] + (group == "/" ? "" : group);
 }
 
 bool give_to(uid_t user, std::initializer_list<std::string> files) {
@@ -90,9 +72,8 @@ void remove_groups_below(const std::string& folder) {
 std::string unified_group_for(uid_t user) {
   std::string group = own_group("");
   if (group.ends_with(own_name)) return fs::path(group).parent_path().string();
-  std::string controllers;
-  std::getline(std::ifstream(group + "/cgroup.controllers"), controllers);
-  if (group.empty() || !has_word(controllers, "memory") || !has_word(controllers, "pids"))
+  const std::string controllers = read_file(group + "/cgroup.controllers").value_or("");
+  if (group.empty() || !search(controllers, "\\bmemory\\b") || !search(controllers, "\\bpids\\b"))
     throw LaunchError("no control group with the controllers memory and pids is handed over to this program");
   const std::string own = group + "/" + own_name, pid = std::to_string(::getpid());
   const bool moved = (::mkdir(own.c_str(), 0755) == 0 || errno == EEXIST) && put(own + members, pid);

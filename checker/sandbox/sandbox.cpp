@@ -58,6 +58,62 @@ bool allow(int ruleset, const std::string& path, std::uint64_t access) {
 
 }  // namespace landlock
 
+const char* limit_resources(const SandboxProfile& profile) noexcept {
+  const rlim_t memory = profile.memory_bytes == 0 ? RLIM_INFINITY : profile.memory_bytes;
+  const rlim_t processes = profile.calls == SandboxProfile::Calls::build ? RLIM_INFINITY : 0;
+  const struct {
+    decltype(RLIMIT_CPU) resource;
+    rlim_t soft;
+    const char* step;
+    rlim_t added = 0;  // to the hard limit
+  } limits[] = {       // Not 0, with which a system that hands core dumps to a collector would still start it.
+                {RLIMIT_CORE, 1, "limit core dumps"},
+                // The hard limit ends a program that ignores the signal of the soft one.
+                {RLIMIT_CPU, profile.processor_seconds, "limit its processor time", 1},
+                {RLIMIT_AS, memory, "limit its memory"},
+                {RLIMIT_STACK, profile.stack_bytes, "limit its stack"},
+                {RLIMIT_FSIZE, profile.file_bytes, "limit the size of its files"},
+                {RLIMIT_NPROC, processes, "limit its processes"},
+                {RLIMIT_NOFILE, profile.open_files, "limit its open files"}};
+  for (const auto& limit : limits) {
+    rlimit now{};
+    if (::getrlimit(limit.resource, &now) != 0) return limit.step;
+    const rlimit wanted{std::min(limit.soft, now.rlim_max), std::min(limit.soft + limit.added, now.rlim_max)};
+    if (::setrlimit(limit.resource, &wanted) != 0) return limit.step;
+  }
+  // Sanitizers of GCC 12 find no room for their tables where newer kernels scatter addresses widely.
+  if (profile.calls == SandboxProfile::Calls::compute_and_read) ::personality(ADDR_NO_RANDOMIZE);
+  return nullptr;
+}
+
+const char* restrict_files(const SandboxProfile& profile, int version) noexcept {
+  if (version == 0) return nullptr;
+  // All that a version knows: 13 kinds of access, and one more with versions 2, 3 and 5; network from 4, scopes from 6.
+  const std::uint64_t all = (std::uint64_t{1} << (13 + (version >= 2) + (version >= 3) + (version >= 5))) - 1;
+  const landlock::Ruleset rules{all, version >= 4 ? 3U : 0U, version >= 6 ? 3U : 0U};
+  const int ruleset = static_cast<int>(::syscall(landlock::create_ruleset, &rules, sizeof rules, 0));
+  bool done = ruleset >= 0;
+  if (profile.calls != SandboxProfile::Calls::build && ::fcntl(program_descriptor, F_GETFD) >= 0)
+    done = done && landlock::allow(ruleset, program_descriptor, landlock::reading);
+  for (const std::string& path : profile.readable) done = done && landlock::allow(ruleset, path, landlock::reading);
+  for (const std::string& path : profile.writable) done = done && landlock::allow(ruleset, path, all);
+  done = done && ::syscall(landlock::restrict_self, ruleset, 0) == 0;
+  if (ruleset >= 0) ::close(ruleset);
+  return done ? nullptr : "restrict its files";
+}
+
+const char* filter_system_calls(const std::vector<std::uint64_t>& filter) noexcept {
+  std::array<sock_filter, 1024> code;  // between fork and exec nothing may be allocated
+  const std::size_t size = filter.size();
+  if (size == 0) return nullptr;  // a kernel without: confine() says so in its tier
+  if (size > code.size()) return "find its filter of system calls";
+  std::memcpy(code.data(), filter.data(), size * sizeof(sock_filter));
+  for (std::size_t k = 0; k < size; ++k)
+    if (code[k].k == own_process) code[k].k = static_cast<std::uint32_t>(::getpid());
+  const sock_fprog program{static_cast<unsigned short>(size), code.data()};
+  return ::syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, 0, &program) == 0 ? nullptr : "filter its system calls";
+}
+
 }  // namespace
 
 SandboxStrength what_the_kernel_offers() {
@@ -100,68 +156,11 @@ SandboxProfile read_profile(char**& words) {
   return profile;
 }
 
-const char* Sandbox::enter() const noexcept {
-  if (const char* failed = limit_resources()) return failed;
+const char* enter_sandbox(const SandboxProfile& profile, int landlock) noexcept {
+  if (const char* failed = limit_resources(profile)) return failed;
   if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return "give up privileges";
-  if (const char* failed = restrict_files()) return failed;
-  return filter_system_calls();
-}
-
-const char* Sandbox::limit_resources() const noexcept {
-  const rlim_t memory = profile_.memory_bytes == 0 ? RLIM_INFINITY : profile_.memory_bytes;
-  const rlim_t processes = profile_.calls == SandboxProfile::Calls::build ? RLIM_INFINITY : 0;
-  const struct {
-    decltype(RLIMIT_CPU) resource;
-    rlim_t soft;
-    const char* step;
-    rlim_t added = 0;  // to the hard limit
-  } limits[] = {       // Not 0, with which a system that hands core dumps to a collector would still start it.
-                {RLIMIT_CORE, 1, "limit core dumps"},
-                // The hard limit ends a program that ignores the signal of the soft one.
-                {RLIMIT_CPU, profile_.processor_seconds, "limit its processor time", 1},
-                {RLIMIT_AS, memory, "limit its memory"},
-                {RLIMIT_STACK, profile_.stack_bytes, "limit its stack"},
-                {RLIMIT_FSIZE, profile_.file_bytes, "limit the size of its files"},
-                {RLIMIT_NPROC, processes, "limit its processes"},
-                {RLIMIT_NOFILE, profile_.open_files, "limit its open files"}};
-  for (const auto& limit : limits) {
-    rlimit now{};
-    if (::getrlimit(limit.resource, &now) != 0) return limit.step;
-    const rlimit wanted{std::min(limit.soft, now.rlim_max), std::min(limit.soft + limit.added, now.rlim_max)};
-    if (::setrlimit(limit.resource, &wanted) != 0) return limit.step;
-  }
-  // Sanitizers of GCC 12 find no room for their tables where newer kernels scatter addresses widely.
-  if (profile_.calls == SandboxProfile::Calls::compute_and_read) ::personality(ADDR_NO_RANDOMIZE);
-  return nullptr;
-}
-
-const char* Sandbox::restrict_files() const noexcept {
-  const int version = landlock_;
-  if (version == 0) return nullptr;
-  // All that a version knows: 13 kinds of access, and one more with versions 2, 3 and 5; network from 4, scopes from 6.
-  const std::uint64_t all = (std::uint64_t{1} << (13 + (version >= 2) + (version >= 3) + (version >= 5))) - 1;
-  const landlock::Ruleset rules{all, version >= 4 ? 3U : 0U, version >= 6 ? 3U : 0U};
-  const int ruleset = static_cast<int>(::syscall(landlock::create_ruleset, &rules, sizeof rules, 0));
-  bool done = ruleset >= 0;
-  if (profile_.calls != SandboxProfile::Calls::build && ::fcntl(program_descriptor, F_GETFD) >= 0)
-    done = done && landlock::allow(ruleset, program_descriptor, landlock::reading);
-  for (const std::string& path : profile_.readable) done = done && landlock::allow(ruleset, path, landlock::reading);
-  for (const std::string& path : profile_.writable) done = done && landlock::allow(ruleset, path, all);
-  done = done && ::syscall(landlock::restrict_self, ruleset, 0) == 0;
-  if (ruleset >= 0) ::close(ruleset);
-  return done ? nullptr : "restrict its files";
-}
-
-const char* Sandbox::filter_system_calls() const noexcept {
-  if (!filters_) return nullptr;
-  std::array<sock_filter, 1024> code;  // between fork and exec nothing may be allocated
-  const std::size_t size = profile_.filter.size();
-  if (size == 0 || size > code.size()) return "find its filter of system calls";
-  std::memcpy(code.data(), profile_.filter.data(), size * sizeof(sock_filter));
-  for (std::size_t k = 0; k < size; ++k)
-    if (code[k].k == own_process) code[k].k = static_cast<std::uint32_t>(::getpid());
-  const sock_fprog program{static_cast<unsigned short>(size), code.data()};
-  return ::syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, 0, &program) == 0 ? nullptr : "filter its system calls";
+  if (const char* failed = restrict_files(profile, landlock)) return failed;
+  return filter_system_calls(profile.filter);
 }
 
 }  // namespace workbook

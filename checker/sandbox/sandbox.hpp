@@ -111,22 +111,8 @@ SandboxProfile read_profile(char**& words);
 /// Starts it in a sandbox of the tier in use.
 void confine(Launch& launch, const SandboxProfile& profile);
 
-class Sandbox {
- public:
-  explicit Sandbox(SandboxProfile profile, const SandboxStrength& strength = what_the_kernel_offers())
-      : profile_(std::move(profile)), filters_(strength.filters_system_calls), landlock_(strength.landlock) {}
-
-  /// For Launch::prepare. Makes system calls only. Returns the step that failed, or nullptr.
-  const char* enter() const noexcept;
-
- private:
-  const char* limit_resources() const noexcept;
-  const char* restrict_files() const noexcept;
-  const char* filter_system_calls() const noexcept;
-
-  SandboxProfile profile_;
-  bool filters_;
-  int landlock_;
-};
+/// For Launch::prepare: sets up limits, rules and filter in the new process. Makes system calls only.
+/// @param landlock  its version; 0: there are no rules for files. @returns the step that failed, or nullptr
+const char* enter_sandbox(const SandboxProfile& profile, int landlock) noexcept;
 
 }  // namespace workbook

@@ -28,9 +28,9 @@ void confine_to(const SandboxStrength& strength, Launch& launch, SandboxProfile 
   if (strength.namespaces.empty() || ::geteuid() == 0) {
     // As a user of its own no function reaches another one's process, even if a rule had a hole.
     const bool is_function = profile.calls == Calls::compute;
-    launch.prepare = [is_function, sandbox = Sandbox(std::move(profile), strength)] {
+    launch.prepare = [is_function, profile = std::move(profile), landlock = strength.landlock] {
       const char* const failed = is_function ? become_unique_user() : nullptr;
-      return failed ? failed : sandbox.enter();
+      return failed ? failed : enter_sandbox(profile, landlock);
     };
     return;
   }
@@ -174,11 +174,6 @@ std::optional<SandboxStrength>& chosen() {
   return strength;
 }
 
-const SandboxStrength& in_use() {
-  if (!chosen()) chosen() = without_namespaces();
-  return *chosen();
-}
-
 /// What a result of trying depends on.
 std::string circumstances(const SandboxStrength& offered) {
   utsname system{};
@@ -215,16 +210,19 @@ void try_sandbox_once(const std::filesystem::path& known) {
   const std::string now = circumstances(offered);
   if (offered.filters_system_calls && read_file(known) == now) {
     chosen() = offered;
-  } else if (in_use().holes.empty() && in_use().filters_system_calls) {
+  } else if (sandbox_in_use().holes.empty() && sandbox_in_use().filters_system_calls) {
     write_file(known, now);  // else it is tried again
   }
 }
 
-const SandboxStrength& sandbox_in_use() { return in_use(); }
+const SandboxStrength& sandbox_in_use() {
+  if (!chosen()) chosen() = without_namespaces();
+  return *chosen();
+}
 
-bool can_confine_files() { return in_use().tier() >= SandboxTier::reduced; }
+bool can_confine_files() { return sandbox_in_use().tier() >= SandboxTier::reduced; }
 
-void confine(Launch& launch, const SandboxProfile& profile) { confine_to(in_use(), launch, profile); }
+void confine(Launch& launch, const SandboxProfile& profile) { confine_to(sandbox_in_use(), launch, profile); }
 
 SandboxTier SandboxStrength::tier() const {
   if (!filters_system_calls || !holes.empty()) return SandboxTier::none;

@@ -62,8 +62,7 @@ Submission read_submission(const std::filesystem::path& path, const std::string&
   text.resize(largest_source + 1);
   std::size_t size = 0;
   for (ssize_t got = 1; got != 0 && size < text.size(); size += static_cast<std::size_t>(got)) {
-    do got = ::read(file.number(), text.data() + size, text.size() - size);
-    while (got < 0 && errno == EINTR);
+    got = TEMP_FAILURE_RETRY(::read(file.number(), text.data() + size, text.size() - size));
     if (got < 0) reject_unreadable();
   }
   text.resize(size);

@@ -150,9 +150,13 @@ function(workbook_worker_link_flags result)
   set(${result} ${flags} PARENT_SCOPE)
 endfunction()
 
-# The compiler's sanitizers of memory and of undefined behaviour. Where their libraries are missing there are no
-# diagnostic runs.
+# GCC's sanitizers of memory and of undefined behaviour. Where their libraries are missing there are no diagnostic runs;
+# nor with clang, whose sanitizers start another program to name a line, and no sandbox lets them.
 function(workbook_worker_sanitizers result)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    set(${result} "" PARENT_SCOPE)
+    return()
+  endif()
   set(CMAKE_CXX_FLAGS "")
   set(CMAKE_EXE_LINKER_FLAGS "")
   set(flags -fsanitize=address,signed-integer-overflow,integer-divide-by-zero,float-divide-by-zero,float-cast-overflow

@@ -105,7 +105,7 @@ bool happens(const Attempt& attempt, const SandboxProfile* profile) {
     if (profile != nullptr) {
       SandboxProfile filtered = *profile;
       filtered.filter = system_call_filter(profile->calls);
-      if (Sandbox(filtered).enter() != nullptr) return false;
+      if (enter_sandbox(filtered, what_the_kernel_offers().landlock) != nullptr) return false;
     }
     return attempt.succeeds();
   });

@@ -30,10 +30,10 @@ void say(ProcessReport report, const char* step = "") {
   [[maybe_unused]] const ssize_t unused = ::write(report_descriptor, &report, sizeof report);
 }
 
-[[noreturn]] void exec_program(char** program, const Sandbox& sandbox) {
+[[noreturn]] void exec_program(char** program, const SandboxProfile& profile, int landlock) {
   say({ProcessReport::begun});
   const bool has_descriptor = ::fcntl(program_descriptor, F_GETFD) >= 0;  // else it is started by its path
-  const char* failed = sandbox.enter();
+  const char* failed = enter_sandbox(profile, landlock);
   if (!failed) {
     if (has_descriptor)
       ::syscall(SYS_execveat, program_descriptor, "", program, environ, AT_EMPTY_PATH);
@@ -61,7 +61,8 @@ void watch(pid_t program, const sigset_t& usual_signals) {
 }
 
 int start(char** words) {
-  const Sandbox sandbox(read_profile(words));
+  const SandboxProfile profile = read_profile(words);
+  const int landlock = what_the_kernel_offers().landlock;
   ::unsetenv("PWD");            // set by bubblewrap
   ::prctl(PR_SET_DUMPABLE, 0);  // to nobody in these namespaces
   for (const int descriptor : {report_descriptor, program_descriptor}) ::fcntl(descriptor, F_SETFD, FD_CLOEXEC);
@@ -80,7 +81,7 @@ int start(char** words) {
   if (program == 0) {
     ::signal(SIGCHLD, SIG_DFL);
     ::sigprocmask(SIG_SETMASK, &usual_signals, nullptr);
-    exec_program(words, sandbox);
+    exec_program(words, profile, landlock);
   }
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO, channel_descriptor, program_descriptor})
     ::close(descriptor);  // so that the checker sees when the program closes them
@@ -92,6 +93,6 @@ int start(char** words) {
 }  // namespace
 }  // namespace workbook
 
-int main(int count, char** words) { 
+int main(int count, char** words) {
   return count == 2 ? workbook::attempts[std::atoi(words[1])].succeeds() : workbook::start(words + 1);
 }
