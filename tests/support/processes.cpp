@@ -18,7 +18,7 @@ const int adopts_orphans = ::prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0);
 
 bool nothing_left_running() {
   // What was killed a moment ago may still be dying; how many have died does not matter.
-  const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(15);
   while (adopts_orphans == 0 && std::chrono::steady_clock::now() < deadline) {
     const pid_t ended = ::waitpid(-1, nullptr, WNOHANG);
     if (ended == -1) return errno == ECHILD;
