@@ -70,6 +70,10 @@ class Reader {
       std::ranges::replace(path, '\\', '/');
       const std::string student = is_class_ ? student_of(path) : "";
       if (too_much_.contains(student)) continue;
+      // Who has handed in nothing that is graded is of the class too.
+      if (!student.empty() && student[0] != '.' && student != "__MACOSX" && path.starts_with(student + "/") &&
+          !students_.contains(student))
+        found.push_back({student + "/"});
       try {
         count(student, {.work = work_of_an_entry});
         if (stored != nullptr) read_entry(opened, entry, path, student, depth);

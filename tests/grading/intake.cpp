@@ -886,6 +886,22 @@ TEST_CASE("a repository of a team is that of all whom GitHub Classroom's table o
       {"a@x.org: quarks", "b@x.org: quarks", "c@x.org: solo", "dora: "});
 }
 
+TEST_CASE("who has handed in nothing that is graded is of the class, in a folder and in a zip file") {
+  const MadeUpClass all;
+  const Files files = {{"ada/spring_energy.cpp", of("ada")},
+                       {"kim/readme.txt", "x"},
+                       {".git/x.txt", "x"},
+                       {"__MACOSX/lea/._readme.txt", of_a_mac}};
+  for (const auto& [path, text] : files) write(all.submissions() / path, *text);
+  write_zip(all.root() / "class.zip", files);
+  const std::vector<std::string> expected = {"ada: ada", "kim: "};
+  for (const char* submissions : {"submissions", "class.zip"})
+    CHECK_MESSAGE(summary(Taken(all, submissions)) == expected, submissions);
+  check_class(
+      files, "id\nada\nlea\n",
+      {"ada: ada", "lea: ", "'kim' was not read: it names no id, and no name of just one student, of the roster."});
+}
+
 TEST_CASE("rosters may have empty rows, empty cells at the end, and ids that begin with zeros") {
   check_class({{"0034/spring_energy.cpp", of("0034")}, {"34_spring_energy.cpp", of("34")}},
               "sep=;\r\nid;name;submitted;;\r\n0034;\"M\xfcller; Zo\xeb\";2027-03-01T23:59:00+01:00;;;\r\n;;;;\r\n"
