@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <array>
+#include <functional>
 #include <set>
 
 namespace workbook {
