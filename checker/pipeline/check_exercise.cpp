@@ -293,7 +293,9 @@ CheckResult check_exercise(CheckContext& context, const CheckTask& task,
   }
   CheckResult& checked = judged.checked;
   try {
-    if (on_verdict && !checked.judgement.passed()) on_verdict(checked);
+    // What follows may take all the time of the check: reasons, and own functions.
+    const bool takes_long = judged.runner || !judged.compilation.linked.empty();
+    if (on_verdict && takes_long && !checked.judgement.passed()) on_verdict(checked);
     if (!checked.judgement.passed())
       wait_for_own_functions(context, task, judged.compilation.linked, checked.judgement);
     if (checked.judgement.verdict == Verdict::waiting) {

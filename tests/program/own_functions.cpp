@@ -1,4 +1,5 @@
 // A function that calls one of an earlier exercise is linked with the student's own, and waits for it where that fails.
+#include "checker/pipeline/check_exercise.hpp"
 #include "tests/program/program.hpp"
 
 #include <doctest/doctest.h>
@@ -90,12 +91,19 @@ TEST_CASE("an own function may not use what no earlier exercise defines") {
   CHECK(result.at("findings").at(0).at("name") == "undefined_function");
 }
 
-TEST_CASE("own functions that never end leave a file that cannot be linked its verdict") {
-  const CourseCopy course;
-  course.answer_energy("for (;;) std::rand();");
-  answer_force_by_energy(course, "nowhere()");
-  replace_in(course.exercise("spring_force"), "namespace rigid {", "extern \"C\" double nowhere();\nnamespace rigid {");
-  CHECK(course.run("check spring_force --json", "WORKBOOK_CHECK_SECONDS=4").result().at("verdict") == "compile_error");
+TEST_CASE("the verdict on a file that cannot be linked is told before its own functions are waited for") {
+  const CourseCopy copy;
+  copy.answer_energy("return 7;");
+  answer_force_by_energy(copy, "nowhere()");
+  replace_in(copy.exercise("spring_force"), "namespace rigid {", "extern \"C\" double nowhere();\nnamespace rigid {");
+  const workbook::Course course(copy.root() / "course.json");
+  workbook::CheckContext context(course);
+  std::vector<workbook::Verdict> told;
+  const workbook::CheckResult last =
+      workbook::check_exercise(context, workbook::check_task(course, course.find_exercise("spring_force")),
+                               [&](const workbook::CheckResult& judged) { told.push_back(judged.judgement.verdict); });
+  CHECK(told == std::vector{workbook::Verdict::compile_error});  // where the check reaches its limit, this one stays
+  CHECK(last.judgement.verdict == workbook::Verdict::waiting);
 }
 
 TEST_CASE("a helper may be called like a function of the course, and in its file it is the one that counts") {
