@@ -36,7 +36,7 @@ struct Answer {
   // what the checker says
   std::string verdict, message;
   std::vector<std::string> reasons;
-  std::set<std::string> explainers;  // that gave them
+  std::set<std::string> explainers = {};  // that gave them
 };
 
 std::string environment(const char* name, const std::string& otherwise) {
