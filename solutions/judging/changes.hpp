@@ -4,6 +4,7 @@
 
 #include "solutions/judging/algebra.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -39,7 +40,7 @@ inline auto exchange(int i, int j) {
 inline constexpr auto complement = [](double angle) { return std::numbers::pi / 2 - angle; };
 inline constexpr auto negated = [](auto& value) { value = -value; };
 inline constexpr auto transposed = [](auto& matrix) { matrix.transposeInPlace(); };
-inline constexpr auto reversed = [](auto& vector) { vector.reverseInPlace(); };
+inline constexpr auto reversed = [](auto& vector) { std::reverse(vector.data(), vector.data() + vector.size()); };
 inline constexpr auto first_two_exchanged = [](auto& first, auto& other, auto&...) { std::swap(first, other); };
 inline constexpr auto without_sign = [](double& number) { number = std::abs(number); };
 

@@ -65,7 +65,10 @@ double largest(const Value& value) { return as_matrix(value).lpNorm<Eigen::Infin
 /// Finite, and neither products nor quotients of such numbers overflow or underflow.
 bool has_ordinary_size(double number) { return number == 0 || (std::abs(number) > 1e-100 && std::abs(number) < 1e100); }
 
-void append(std::string& reasons, const std::string& reason) { reasons += (reasons.empty() ? "" : " ") + reason; }
+void append(std::string& reasons, std::string_view reason) {
+  if (!reasons.empty()) reasons += ' ';
+  reasons += reason;
+}
 
 /// The outputs of the functions at these inputs, each to its part.
 template <class Part>
@@ -76,8 +79,8 @@ void add_outputs(std::vector<Part>& parts, const std::vector<OnValues<Value>>& f
 
 }  // namespace
 
-void AnyExercise::set_signature(const std::vector<Named>& arguments, const std::vector<std::string>& kinds,
-                                const Named& result, const std::string& result_kind) {
+void AnyExercise::set_signature(const std::vector<Named>& arguments, const std::vector<const char*>& kinds,
+                                const Named& result, const char* result_kind) {
   if (arguments.size() != kinds.size())
     throw std::logic_error(result_.name + ": every parameter of the contract needs a name and a unit");
   for (std::size_t i = 0; i < kinds.size(); ++i) {
@@ -103,20 +106,24 @@ AnyExercise::Function AnyExercise::remembering(Function function) {
   };
 }
 
-void AnyExercise::tolerance(double relative, const std::string& reason) {
+void AnyExercise::survivor(std::string_view bug, std::string_view reason) {
+  result_.survivor_reasons[std::string(bug)] = reason;
+}
+
+void AnyExercise::tolerance(double relative, std::string_view reason) {
   for (Batch& batch : batches_) batch.prototype.tolerance = relative;
   append(result_.tolerance_reason, reason);
 }
 
-void AnyExercise::tolerance_of_last_case(double relative, const std::string& reason) {
+void AnyExercise::tolerance_of_last_case(double relative, std::string_view reason) {
   batches_.back().prototype.tolerance = relative;
   append(result_.tolerance_reason, reason);
 }
 
-void AnyExercise::wrong_terms(Sentence says, std::string name, const Doubles& coefficients) {
+void AnyExercise::wrong_terms(Sentence says, std::string_view name, const Doubles& coefficients) {
   if (coefficients.size() != terms_.size())
-    throw std::logic_error(result_.name + ", " + name + ": give one coefficient for every term declared");
-  add_wrong(std::move(says), std::move(name), [terms = terms_, coefficients](const Values& inputs) {
+    throw std::logic_error(fmt::format("{}, {}: give one coefficient for every term declared", result_.name, name));
+  add_wrong(says, name, [terms = terms_, coefficients](const Values& inputs) {
     Eigen::MatrixXd sum = coefficients[0] * as_matrix(terms[0](inputs));
     for (std::size_t k = 1; k < terms.size(); ++k) sum += coefficients[k] * as_matrix(terms[k](inputs));
     return to_value(sum);
@@ -124,7 +131,7 @@ void AnyExercise::wrong_terms(Sentence says, std::string name, const Doubles& co
 }
 
 void AnyExercise::property(PropertyKind kind, Sentence says, int argument) {
-  result_.properties.push_back({kind, std::move(says.text), std::move(says.notes), argument, {}});
+  result_.properties.push_back({kind, says.text, says.notes, argument, {}});
   weights_.emplace_back();
 }
 
@@ -134,30 +141,45 @@ void AnyExercise::is_inertia_tensor(const char* symmetry_notes, const char* ener
            {"An inertia tensor has no negative eigenvalue: no rotation has negative energy.", energy_notes});
 }
 
-void AnyExercise::add_batch(std::string name, Group group, int count, std::function<Values(Random&)> draw) {
+void AnyExercise::add_batch(std::string_view name, Group group, int count, std::function<Values(Random&)> draw) {
   Case prototype;
-  prototype.name = std::move(name);
+  prototype.name = name;
   prototype.group = group;
   prototype.deciding = group != Group::special;
   batches_.push_back({std::move(prototype), count, std::move(draw)});
 }
 
-void AnyExercise::add_wrong(Sentence says, std::string name, Function wrong) {
-  result_.misconceptions.push_back({std::move(name), std::move(says.text), std::move(says.notes), {}, {}});
+void AnyExercise::add_fixed(std::string_view name, Group group, Values inputs) {
+  if (first_case_.empty()) first_case_ = inputs;
+  add_batch(name, group, 1, [inputs = std::move(inputs)](Random&) { return inputs; });
+}
+
+void AnyExercise::add_limit(std::string_view of_case, Value expected, std::string_view reason) {
+  limits_.push_back({std::string(of_case), std::move(expected), std::string(reason)});
+}
+
+void AnyExercise::add_wrong(Sentence says, std::string_view name, Function wrong) {
+  result_.misconceptions.push_back({std::string(name), says.text, says.notes, {}, {}});
   misconceptions_.push_back(std::move(wrong));
 }
 
-void AnyExercise::add_term(std::string name, double coefficient, Function summand) {
-  result_.terms.push_back({std::move(name), coefficient, {}});
+void AnyExercise::add_term(std::string_view name, double coefficient, Function summand) {
+  result_.terms.push_back({std::string(name), coefficient, {}});
   terms_.push_back(std::move(summand));
 }
 
-void AnyExercise::add_route(std::string name, Function other) {
-  result_.routes.push_back({std::move(name), {}});
+void AnyExercise::add_route(std::string_view name, Function other) {
+  result_.routes.push_back({std::string(name), {}});
   routes_.push_back(std::move(other));
 }
 
-void AnyExercise::add_measured(Measured real) { result_.measured.push_back(std::move(real)); }
+void AnyExercise::add_measured(std::string_view name, Doubles errors, Values inputs) {
+  result_.measured.push_back({std::string(name), std::move(inputs), std::move(errors)});
+}
+
+void AnyExercise::set_scale(double size) {
+  scale_ = [size](const Values&) { return Doubles{size}; };
+}
 
 void AnyExercise::set_sweep(const SweepLabels& labels, const std::vector<Drawn>& components, SweepRange range,
                             std::function<Values(double)> inputs_at) {
@@ -242,7 +264,7 @@ void AnyExercise::add_sweep(ExerciseReference& out) const {
   }
 }
 
-void AnyExercise::add_limit(const Foreseen& limit, ExerciseReference& out) const {
+void AnyExercise::check_limit(const Foreseen& limit, ExerciseReference& out) const {
   const std::string place = fmt::format("{}, limit '{}': ", out.name, limit.of_case);
   const auto found = std::ranges::find(out.cases, limit.of_case, &Case::name);
   if (found == out.cases.end()) throw std::logic_error(place + "there is no such case");
@@ -302,7 +324,7 @@ ExerciseReference AnyExercise::evaluate(std::uint64_t seed, const Adequacy& reco
     for (const Case& one : out.cases) out.properties[k].weights.push_back(weights_[k](one.inputs));
   }
   add_sweep(out);
-  for (const Foreseen& limit : limits_) add_limit(limit, out);
+  for (const Foreseen& limit : limits_) check_limit(limit, out);
   for (const Measured& real : out.measured)
     if (!is_legal(real.inputs) || !reference_(real.inputs).is_finite())
       throw std::logic_error(out.name + ": " + real.name + " lies outside the domain of the contract");

@@ -9,7 +9,7 @@
 
 #include <map>
 #include <memory>
-#include <optional>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -25,28 +25,28 @@ using OnValues = std::function<Result(const Values&)>;
 
 /// What a student reads, and the anchor of the paragraph to read next where it is not the one on the exercise's card.
 struct Sentence {
-  Sentence(const char* says, const char* anchor = "") : text(says), notes(anchor) {}
-  std::string text;
-  std::string notes;
+  constexpr Sentence(const char* says, const char* anchor = "") : text(says), notes(anchor) {}
+  const char* text;
+  const char* notes;
 };
 
 /// A parameter or a result.
 struct Named {
-  std::string name;
+  const char* name;
   Sort sort;
 };
 
 struct SweepLabels {
-  std::string title;
-  std::string x;
-  std::string y;
+  const char* title;
+  const char* x;
+  const char* y;
   double y_unit = 1;  ///< of the labels, in that of the result
 };
 
 /// A number of the result; without a row, the one whose place in the list of components it has.
 struct Drawn {
-  Drawn(const char* label, int in_row = -1, int in_col = 0) : name(label), row(in_row), col(in_col) {}
-  std::string name;
+  constexpr Drawn(const char* label, int in_row = -1, int in_col = 0) : name(label), row(in_row), col(in_col) {}
+  const char* name;
   int row;
   int col;
 };
@@ -70,7 +70,7 @@ Doubles doubles(const T& values) {
   if constexpr (std::is_arithmetic_v<T>) {
     return {static_cast<double>(values)};
   } else {
-    return Doubles(values.begin(), values.end());
+    return Doubles(values.data(), values.data() + values.size());
   }
 }
 
@@ -81,16 +81,38 @@ constexpr void require_value() {
                 "name the lambda's result type (-> Vector3d): an Eigen expression refers to temporaries");
 }
 
-/// Lets `change` return another value, or change the one that it is given.
-template <class Change, class T, class... Others>
-void apply_change(const Change& change, T& value, const Others&... others) {
-  using Returned = std::invoke_result_t<const Change&, T&, const Others&...>;
+/// A function without the type of a lambda. What captures nothing becomes a plain pointer, of which all further code is
+/// compiled once.
+template <class Result, class... Parameters, class F>
+auto function(const F& f) {
+  using Pointer = Result (*)(Parameters...);
+  if constexpr (requires { static_cast<Pointer>(f); }) {
+    return static_cast<Pointer>(f);
+  } else {
+    return std::function<Result(Parameters...)>(f);
+  }
+}
+
+/// A change of a value, of a lambda that changes the one that it is given, or returns another.
+template <class T, class F>
+std::function<void(T&)> change_of(const F& change) {
+  using Returned = decltype(change(std::declval<T&>()));
   if constexpr (std::is_void_v<Returned>) {
-    change(value, others...);
+    return function<void, T&>(change);
   } else {
     require_value<Returned, T>();
-    value = change(value, others...);
+    return [change = function<Returned, T&>(change)](T& value) { value = change(value); };
   }
+}
+
+/// What a draw for a random case makes.
+template <class T>
+T drawn(T (Random::*draw)(), Random& random) {
+  return (random.*draw)();
+}
+template <class Draw>
+auto drawn(const Draw& draw, Random& random) {
+  return draw(random);
 }
 
 }  // namespace detail
@@ -98,7 +120,7 @@ void apply_change(const Change& change, T& value, const Others&... others) {
 /// All about an exercise that does not need its types.
 class AnyExercise {
  public:
-  explicit AnyExercise(std::string name) { result_.name = std::move(name); }
+  explicit AnyExercise(std::string_view name) { result_.name = name; }
   virtual ~AnyExercise() = default;
 
   /// The units of the numbers of a result that has several.
@@ -107,24 +129,22 @@ class AnyExercise {
   void compare(Comparison comparison) { result_.comparison = comparison; }
 
   /// Another tolerance than 1e-9 of the natural scale, for all cases declared so far, and why.
-  void tolerance(double relative, const std::string& reason);
+  void tolerance(double relative, std::string_view reason);
 
   /// A bug that no case can show, by the name that self-check gives it, and why that is right.
-  void survivor(const std::string& bug, const std::string& reason) { result_.survivor_reasons[bug] = reason; }
+  void survivor(std::string_view bug, std::string_view reason);
 
   /// Another tolerance for the last case declared, and why.
-  void tolerance_of_last_case(double relative, const std::string& reason = "");
+  void tolerance_of_last_case(double relative, std::string_view reason = "");
 
   /// A sum of the terms, all of them declared before, with other coefficients.
-  void wrong_terms(Sentence says, std::string name, const Doubles& coefficients);
+  void wrong_terms(Sentence says, std::string_view name, const Doubles& coefficients);
 
   /// What every right result has, and how the lecture says it.
   void property(PropertyKind kind, Sentence says, int argument = -1);
 
   /// The result is perpendicular to parameter number `argument` (counted from 0).
-  void perpendicular_to(int argument, Sentence says) {
-    property(Is::orthogonal_to_argument, std::move(says), argument);
-  }
+  void perpendicular_to(int argument, Sentence says) { property(Is::orthogonal_to_argument, says, argument); }
 
   /// The result is symmetric and has no negative eigenvalue.
   void is_inertia_tensor(const char* symmetry_notes = "", const char* energy_notes = "");
@@ -147,13 +167,16 @@ class AnyExercise {
  protected:
   using Function = OnValues<Value>;
 
-  void set_signature(const std::vector<Named>& arguments, const std::vector<std::string>& kinds, const Named& result,
-                     const std::string& result_kind);
-  void add_batch(std::string name, Group group, int count, std::function<Values(Random&)> draw);
-  void add_wrong(Sentence says, std::string name, Function wrong);
-  void add_term(std::string name, double coefficient, Function summand);
-  void add_route(std::string name, Function other);
-  void add_measured(Measured real);
+  void set_signature(const std::vector<Named>& arguments, const std::vector<const char*>& kinds, const Named& result,
+                     const char* result_kind);
+  void add_batch(std::string_view name, Group group, int count, std::function<Values(Random&)> draw);
+  void add_fixed(std::string_view name, Group group, Values inputs);
+  void add_limit(std::string_view of_case, Value expected, std::string_view reason);
+  void add_wrong(Sentence says, std::string_view name, Function wrong);
+  void add_term(std::string_view name, double coefficient, Function summand);
+  void add_route(std::string_view name, Function other);
+  void add_measured(std::string_view name, Doubles errors, Values inputs);
+  void set_scale(double size);
   void set_sweep(const SweepLabels& labels, const std::vector<Drawn>& components, SweepRange range,
                  std::function<Values(double)> inputs_at);
   /// The same function, which evaluates each input once: some integrate for a long time, and a proof asks again and
@@ -161,14 +184,8 @@ class AnyExercise {
   static Function remembering(Function function);
   bool is_angle(std::size_t argument) const { return result_.arguments[argument].unit == units::radian; }
 
-  struct Foreseen {
-    std::string of_case;
-    Value expected;
-    std::string reason;
-  };
-
-  std::vector<Foreseen> limits_;
   Function reference_;
+  Values first_case_;
   OnValues<bool> domain_, moderate_;
   OnValues<Doubles> scale_;
   std::vector<OnValues<Doubles>> weights_;  // one per property; empty where the property has none
@@ -180,6 +197,12 @@ class AnyExercise {
     std::function<Values(Random&)> draw;
   };
 
+  struct Foreseen {
+    std::string of_case;
+    Value expected;
+    std::string reason;
+  };
+
   ExerciseReference described(std::uint64_t seed) const;
   Case case_at(Case judged) const;
   bool is_legal(const Values& inputs) const;
@@ -187,11 +210,12 @@ class AnyExercise {
   void add_cases(const Batch& batch, std::uint64_t seed, ExerciseReference& out) const;
   Subject subject_of(const ExerciseReference& out) const;
   void add_sweep(ExerciseReference& out) const;
-  void add_limit(const Foreseen& limit, ExerciseReference& out) const;
+  void check_limit(const Foreseen& limit, ExerciseReference& out) const;
 
   ExerciseReference result_;  // everything but what depends on the seed
   std::vector<Sort> sorts_;   // of the arguments
   std::vector<Batch> batches_;
+  std::vector<Foreseen> limits_;
   std::vector<Function> misconceptions_, terms_, routes_;
   std::function<Values(double)> sweep_inputs_;
   SweepRange sweep_range_{0, 1};
@@ -203,11 +227,10 @@ class AnyExercise {
 template <class Result, class... Inputs>
 class Exercise : public AnyExercise {
  public:
-  using Tuple = std::tuple<Inputs...>;
   using Solution = std::function<Result(const Inputs&...)>;
 
-  Exercise(std::string name, Solution solution, const std::vector<Named>& arguments, const Named& result)
-      : AnyExercise(std::move(name)) {
+  Exercise(std::string_view name, Solution solution, const std::vector<Named>& arguments, const Named& result)
+      : AnyExercise(name) {
     set_signature(arguments, {KindOf<Inputs>::name...}, result, KindOf<Result>::name);
     judge_by(std::move(solution));
   }
@@ -224,42 +247,46 @@ class Exercise : public AnyExercise {
   /// finite, and zero or of ordinary size.
   template <class Predicate>
   void domain(const Predicate& legal) {
-    domain_ = on_values<bool>(legal);
+    domain_ = on_values<bool>(function<bool>(legal));
   }
 
   /// Which of the legal inputs cases are generated from, where extreme ones are beyond right answers.
   template <class Predicate>
   void generated(const Predicate& moderate) {
-    moderate_ = on_values<bool>(moderate);
+    moderate_ = on_values<bool>(function<bool>(moderate));
   }
 
   /// An input from the lecture.
-  void worked(std::string name, const Inputs&... inputs) { fixed_case(std::move(name), Group::worked, inputs...); }
+  void worked(std::string_view name, const Inputs&... inputs) { add_fixed(name, Group::worked, values(inputs...)); }
 
   /// A hard or degenerate input: the right answer must be right here, wrong answers may be right too.
-  void special(std::string name, const Inputs&... inputs) { fixed_case(std::move(name), Group::special, inputs...); }
+  void special(std::string_view name, const Inputs&... inputs) { add_fixed(name, Group::special, values(inputs...)); }
 
   /// What comes out at the special or worked case of this name, known without computing, and why: a sentence that
   /// predict shows with a right prediction. It must not be taken from the solution, which it checks.
-  void limit(std::string of_case, const Result& expected, std::string reason) {
-    limits_.push_back({std::move(of_case), detail::to_value(expected), std::move(reason)});
+  void limit(std::string_view of_case, const Result& expected, std::string_view reason) {
+    add_limit(of_case, detail::to_value(expected), reason);
   }
 
   /// Real data, at which a function that passes is shown: "your function on throw 3: …".
   /// @param errors  of the numbers of the result; none where they are not known
-  void measured(std::string name, Doubles errors, const Inputs&... inputs) {
-    add_measured({std::move(name), values(Tuple(inputs...)), std::move(errors)});
+  void measured(std::string_view name, Doubles errors, const Inputs&... inputs) {
+    add_measured(name, std::move(errors), values(inputs...));
   }
 
   /// `count` generic inputs, away from those at which wrong answers are right. Each draw from Random makes a parameter
   /// (&Random::rotation, any::vector(2)), or a tuple of several; they are made in this order.
   template <class... Draws>
-  void random(std::string name, int count, const Draws&... draws) {
-    add_batch(std::move(name), Group::random, count, [draws...](Random& random) {
-      // std::tuple(…) leaves a tuple as it is, and makes a tuple of one of anything else.
-      const std::tuple<decltype(std::tuple(std::invoke(draws, random)))...> drawn{
-          std::tuple(std::invoke(draws, random))...};
-      return values(Tuple(std::apply([](const auto&... each) { return std::tuple_cat(each...); }, drawn)));
+  void random(std::string_view name, int count, const Draws&... draws) {
+    add_batch(name, Group::random, count, [draws...](Random& random) {
+      if constexpr (sizeof...(Draws) == sizeof...(Inputs)) {
+        return Values{detail::to_value<Inputs>(detail::drawn(draws, random))...};
+      } else {
+        // std::tuple(…) leaves a tuple as it is, and makes a tuple of one of anything else.
+        const std::tuple<decltype(std::tuple(detail::drawn(draws, random)))...> drawn{
+            std::tuple(detail::drawn(draws, random))...};
+        return values_of(std::apply([](const auto&... each) { return std::tuple_cat(each...); }, drawn));
+      }
     });
   }
 
@@ -268,9 +295,9 @@ class Exercise : public AnyExercise {
   template <class Size>
   void scale(const Size& size) {
     if constexpr (std::is_arithmetic_v<Size>) {
-      scale_ = [size](const Values&) { return detail::doubles(size); };
+      set_scale(size);
     } else {
-      scale_ = on_values<Doubles>([size](const Inputs&... inputs) { return detail::doubles(size(inputs...)); });
+      scale_ = numbers(size);
     }
   }
 
@@ -279,16 +306,16 @@ class Exercise : public AnyExercise {
   template <class InputsAt>
   void sweep(const SweepLabels& labels, const std::vector<Drawn>& components, SweepRange range,
              const InputsAt& inputs_at) {
-    set_sweep(labels, components, range, [inputs_at](double x) { return values(Tuple(inputs_at(x))); });
+    set_sweep(labels, components, range, [inputs_at](double x) { return values_of(inputs_at(x)); });
   }
 
   /// The same where only input number `index` varies; the others stay as in the first case.
   template <std::size_t index, class InputAt = std::identity>
   void sweep(const SweepLabels& labels, const std::vector<Drawn>& components, SweepRange range,
              const InputAt& input_at = {}) {
-    sweep(labels, components, range, [first = first_case_.value(), input_at](double x) {
-      Tuple inputs = first;
-      std::get<index>(inputs) = input_at(x);
+    set_sweep(labels, components, range, [first = first_case_, input_at](double x) {
+      Values inputs = first;
+      inputs.at(index) = detail::to_value<Input<index>>(input_at(x));
       return inputs;
     });
   }
@@ -297,39 +324,35 @@ class Exercise : public AnyExercise {
 
   /// A plausible wrong answer, and the sentence that it reveals.
   template <class Wrong>
-  void wrong(Sentence says, std::string name, const Wrong& wrong) {
-    add_wrong(std::move(says), std::move(name), on_values<Value>(function(wrong)));
+  void wrong(Sentence says, std::string_view name, const Wrong& wrong) {
+    add_wrong(says, name, on_values<Value>(result(wrong)));
   }
 
   /// The right answer to a question with other inputs; `change` takes all of them and changes what it likes.
   template <class Change>
-  void wrong_inputs(Sentence says, std::string name, Change change) {
-    wrong(std::move(says), std::move(name), [right = right_, change](const Inputs&... inputs) -> Result {
-      Tuple changed(inputs...);
-      std::apply(change, changed);
-      return std::apply(right, changed);
-    });
+  void wrong_inputs(Sentence says, std::string_view name, const Change& change) {
+    changed_inputs(says, name, detail::function<void, Inputs&...>(change));
   }
 
   /// The right answer to a question with another input number `index`.
   template <std::size_t index, class Change>
-  void wrong_input(Sentence says, std::string name, Change change) {
-    wrong_inputs(std::move(says), std::move(name),
-                 [change](Inputs&... inputs) { detail::apply_change(change, std::get<index>(std::tie(inputs...))); });
+  void wrong_input(Sentence says, std::string_view name, const Change& change) {
+    changed_input<index>(says, name, detail::change_of<Input<index>>(change));
   }
 
   /// The right answer, spoilt afterwards; `change` takes the result, and the inputs too if it wants them.
   template <class Change>
-  void wrong_output(Sentence says, std::string name, Change change) {
-    wrong(std::move(says), std::move(name), [right = right_, change](const Inputs&... inputs) -> Result {
-      Result result = right(inputs...);
-      if constexpr (std::is_invocable_v<const Change&, Result&>) {
-        detail::apply_change(change, result);
-      } else {
-        detail::apply_change(change, result, inputs...);
-      }
-      return result;
-    });
+  void wrong_output(Sentence says, std::string_view name, const Change& change) {
+    if constexpr (requires { change(std::declval<Result&>()); }) {
+      changed_output(says, name, detail::change_of<Result>(change));
+    } else if constexpr (std::is_void_v<decltype(change(std::declval<Result&>(), std::declval<const Inputs&>()...))>) {
+      changed_output(says, name, detail::function<void, Result&, const Inputs&...>(change));
+    } else {
+      wrong(says, name, [right = right_, change](const Inputs&... inputs) {
+        Result result = right(inputs...);
+        return change(result, inputs...);
+      });
+    }
   }
 
   /// The right answer to a question whose angles are in degrees.
@@ -343,62 +366,93 @@ class Exercise : public AnyExercise {
 
   /// One summand of the formula, without its coefficient, and the right coefficient.
   template <class Summand>
-  void term(std::string name, double coefficient, const Summand& summand) {
-    add_term(std::move(name), coefficient, on_values<Value>(function(summand)));
+  void term(std::string_view name, double coefficient, const Summand& summand) {
+    add_term(name, coefficient, on_values<Value>(result(summand)));
   }
 
   /// Σ weightᵢ yᵢ² is the same in every column of the result.
   template <class Weights>
   void conserves(Sentence says, const Weights& weights) {
-    property(Is::constant_weighted_square, std::move(says));
-    weights_.back() =
-        on_values<Doubles>([weights](const Inputs&... inputs) { return detail::doubles(weights(inputs...)); });
+    property(Is::constant_weighted_square, says);
+    weights_.back() = numbers(weights);
   }
 
   /// The right answer by another route.
   template <class Route>
-  void route(std::string name, const Route& other) {
-    add_route(std::move(name), on_values<Value>(function(other)));
+  void route(std::string_view name, const Route& other) {
+    add_route(name, on_values<Value>(result(other)));
   }
 
  private:
-  using Pointer = Result (*)(const Inputs&...);
+  template <std::size_t index>
+  using Input = std::tuple_element_t<index, std::tuple<Inputs...>>;
 
-  static Values values(const Tuple& inputs) {
-    return std::apply([](const auto&... each) { return Values{detail::to_value(each)...}; }, inputs);
+  static Values values(const Inputs&... inputs) { return {detail::to_value(inputs)...}; }
+  static Values values_of(const std::tuple<Inputs...>& inputs) { return std::apply(values, inputs); }
+
+  template <class To, class F>
+  static auto function(const F& f) {
+    return detail::function<To, const Inputs&...>(f);
   }
 
-  /// A function with the contract's types. What captures nothing becomes a plain pointer, which costs no instantiation.
+  /// A function with the contract's types.
   template <class F>
-  static Solution function(const F& f) {
-    detail::require_value<std::invoke_result_t<const F&, const Inputs&...>, Result>();
-    if constexpr (std::is_convertible_v<F, Pointer>) {
-      return static_cast<Pointer>(f);
-    } else {
-      return f;
-    }
+  static auto result(const F& f) {
+    detail::require_value<decltype(f(std::declval<const Inputs&>()...)), Result>();
+    return function<Result>(f);
+  }
+
+  template <class F>
+  static OnValues<Doubles> numbers(const F& f) {
+    return on_values<Doubles>(function<decltype(f(std::declval<const Inputs&>()...))>(f));
   }
 
   template <class To, class F>
-  static OnValues<To> on_values(const F& f) {
-    return [f](const Values& inputs) {
-      auto input = inputs.begin();
-      const Tuple typed{detail::from_value<Inputs>(*input++)...};
-      if constexpr (std::is_same_v<To, Value>) {
-        return detail::to_value<Result>(std::apply(f, typed));
-      } else {
-        return std::apply(f, typed);
-      }
-    };
+  static OnValues<To> on_values(F f) {
+    return [f = std::move(f)](const Values& inputs) { return at<To>(f, inputs, std::index_sequence_for<Inputs...>{}); };
   }
 
-  void fixed_case(std::string name, Group group, const Inputs&... inputs) {
-    if (!first_case_) first_case_ = Tuple(inputs...);
-    add_batch(std::move(name), group, 1, [fixed = values(Tuple(inputs...))](Random&) { return fixed; });
+  template <class To, class F, std::size_t... index>
+  static To at(const F& f, const Values& inputs, std::index_sequence<index...>) {
+    if constexpr (std::is_same_v<To, Value>) {
+      return detail::to_value<Result>(f(detail::from_value<Inputs>(inputs[index])...));
+    } else if constexpr (std::is_same_v<To, Doubles>) {
+      return detail::doubles(f(detail::from_value<Inputs>(inputs[index])...));
+    } else {
+      return f(detail::from_value<Inputs>(inputs[index])...);
+    }
+  }
+
+  void changed_inputs(Sentence says, std::string_view name, std::function<void(Inputs&...)> change) {
+    wrong(says, name, [right = right_, change = std::move(change)](Inputs... inputs) -> Result {
+      change(inputs...);
+      return right(inputs...);
+    });
+  }
+
+  template <std::size_t index>
+  void changed_input(Sentence says, std::string_view name, std::function<void(Input<index>&)> change) {
+    changed_inputs(says, name,
+                   [change = std::move(change)](Inputs&... inputs) { change(std::get<index>(std::tie(inputs...))); });
+  }
+
+  void changed_output(Sentence says, std::string_view name, std::function<void(Result&)> change) {
+    wrong(says, name, [right = right_, change = std::move(change)](const Inputs&... inputs) {
+      Result result = right(inputs...);
+      change(result);
+      return result;
+    });
+  }
+
+  void changed_output(Sentence says, std::string_view name, std::function<void(Result&, const Inputs&...)> change) {
+    wrong(says, name, [right = right_, change = std::move(change)](const Inputs&... inputs) {
+      Result result = right(inputs...);
+      change(result, inputs...);
+      return result;
+    });
   }
 
   Solution right_;
-  std::optional<Tuple> first_case_;
 };
 
 /// The exercises of one lecture.
@@ -414,11 +468,9 @@ class Lecture {
   /// its result.
   template <class Result, class... Parameters>
   auto& exercise(Result (*solution)(Parameters...), const std::vector<Named>& arguments, const Named& result) {
-    using Added = Exercise<Result, std::remove_cvref_t<Parameters>...>;
-    auto added = std::make_unique<Added>(name_, solution, arguments, result);
-    Added& handle = *added;
-    exercises_.push_back(std::move(added));
-    return handle;
+    auto* added = new Exercise<Result, std::remove_cvref_t<Parameters>...>(name_, solution, arguments, result);
+    exercises_.push_back(std::unique_ptr<AnyExercise>(added));
+    return *added;
   }
 
   LectureReference evaluate(std::string name, std::uint64_t seed,

@@ -23,6 +23,8 @@ double twice_T(const Vector3d& I, const Vector3d& w) { return I.dot(w.cwiseAbs2(
 
 Vector3d free_rate(const Vector3d& I, const Vector3d& w) { return cross(L_of(I, w), w).cwiseQuotient(I); }
 
+Vector3d solution_of(const Matrix3d& A, const Vector3d& b) { return A.fullPivLu().solve(b); }
+
 Matrix3d dyad(const Vector3d& r) { return r * r.transpose(); }
 
 Matrix3d turn(const Vector3d& axis, double angle) {

@@ -42,6 +42,9 @@ Vector3d L_of(const Vector3d& I, const Vector3d& w);
 double twice_T(const Vector3d& I, const Vector3d& w);
 Vector3d free_rate(const Vector3d& I, const Vector3d& w);
 
+/// x in A x = b.
+Vector3d solution_of(const Matrix3d& A, const Vector3d& b);
+
 /// r r, the matrix with entries rᵢ rⱼ.
 Matrix3d dyad(const Vector3d& r);
 

@@ -53,6 +53,6 @@ void judge_euler_equations_general(Lecture& lecture) {
     return rate;
   });
   e.route("by a pivoted decomposition", [](auto& I, auto& w, auto& tau) -> Vector3d {
-    return I.fullPivLu().solve(tau) - I.fullPivLu().solve(cross(w, I * w));
+    return solution_of(I, tau) - solution_of(I, cross(w, I * w));
   });
 }

@@ -59,8 +59,7 @@ void judge_reorientation(Lecture& lecture) {
       &reorientation, {{"I", regular_tensor}, {"J", positive(kg_m2)}, {"wheel1", rad}, {"wheel2", rad}}, {"A", none});
   e.domain([](auto& I, auto& J, auto& wheel1, auto& wheel2) {
     return wheel1.size() > 0 && wheel1.size() == wheel2.size() &&
-           Matrix3d(I - tensor_of_wheels(J)).llt().info() == Eigen::Success &&
-           turned_by_wheels(I, J, wheel1, wheel2) <= 8;
+           PrincipalFrame(I - tensor_of_wheels(J)).moments[0] > 0 && turned_by_wheels(I, J, wheel1, wheel2) <= 8;
   });
   e.generated([](auto& I, auto& J, auto& wheel1, auto& wheel2) { return turned_by_wheels(I, J, wheel1, wheel2) <= 4; });
   const VectorXd on_1{{0, 60, 60, 0, 0}}, on_2{{0, 0, 80, 80, 0}};

@@ -69,7 +69,7 @@ void judge_hamiltonian(Lecture& lecture) {
   e.property(Is::nonnegative, "A kinetic energy is never negative.");
   e.route("Legendre transformation with the matrix of the energy by differences", [](auto& I, auto& q, auto& p) {
     const auto T = [&](const Vector3d& rates) { return kinetic_energy_euler(I, q, rates); };
-    const Vector3d rates = (2 * from_quadratic_form(T)).fullPivLu().solve(p);
+    const Vector3d rates = solution_of(2 * from_quadratic_form(T), p);
     return p.dot(rates) - T(rates);
   });
   e.route("L in space, seen from the body", [](auto& I, auto& q, auto& p) {

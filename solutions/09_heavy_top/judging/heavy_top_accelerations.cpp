@@ -51,8 +51,8 @@ void mistakes_of_heavy_top_accelerations(Exercise& e) {
           "about_vertical", [](auto& I, auto mgl, auto& q, auto& v) {
             return weightless(I, q, v) + by_torque(I, q, mgl * sin(q[1]) * x_axis);
           });
-  e.template wrong_input<0>(exchanged_moments.text.c_str(), "zxz", exchange(0, 1));
-  e.template wrong_input<2>(phi_for_psi.text.c_str(), "phi_for_psi", exchange(0, 2));
+  e.template wrong_input<0>(exchanged_moments.text, "zxz", exchange(0, 1));
+  e.template wrong_input<2>(phi_for_psi.text, "phi_for_psi", exchange(0, 2));
 }
 
 }  // namespace
