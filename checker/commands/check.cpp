@@ -162,6 +162,7 @@ int check(const Course& course, const Options& options) {
   std::vector<CheckResult> results;
   ProgressBar progress_bar(!options.json);
   std::size_t done = 0;
+  bool has_room = true;  // for one more line
   const auto show_progress = [&] {
     if (done < tasks.size()) progress_bar.show(done, tasks.size(), tasks[done].exercise.name());
   };
@@ -174,7 +175,9 @@ int check(const Course& course, const Options& options) {
     if (options.started && !checked.is_started()) return;
     if (!options.json) {
       const Exercise& exercise = checked.task.exercise;
-      fmt::print("{}", terminal_report(checked, course, console, detail));
+      const std::string text = terminal_report(checked, course, console, detail);
+      has_room = std::ranges::count(text, '\n') < static_cast<std::ptrdiff_t>(brief_lines);
+      fmt::print("{}", text);
       if (!remark.empty()) fmt::print("{}\n", console.wrapped(remark, 2));
       if (tasks.size() == 1 && !checked.is_started())
         fmt::print("{}\n  {}\n", console.wrapped(exercise.entry->task, 2),
@@ -184,7 +187,7 @@ int check(const Course& course, const Options& options) {
     }
     if (options.plot) {
       draw(course, checked, picture, console, !options.json);
-    } else if (!options.json && tasks.size() == 1) {
+    } else if (!options.json && tasks.size() == 1 && has_room) {
       draw_unasked(course, checked, console);
     }
     std::fflush(stdout);

@@ -70,7 +70,6 @@ const std::vector<TextMistake>& table() {
     const double distance = std::abs(std::stod(found[1]) - std::numbers::pi);
     return distance > 1e-15 && distance < 2e-3;
   };
-  const auto is_other_counter = [](const Match& found) { return found[2] + found[3] != found[1]; };
   const auto is_false_at_first = [](const Match& found) {
     return std::stol(found[2]) < std::stol(found[4]) + (found[3] == ">" ? 1 : 0);
   };
@@ -97,11 +96,9 @@ const std::vector<TextMistake>& table() {
        nullptr, own_types, Weight::possible, Fix::no_noalias},
       {"empty_body", R"(^(?:else )?(for|if) \( )" + inside + R"(\) ;$)",
        "The ; directly after $1 (...) is all that it does: what follows does not belong to it. Leave out this ;"},
-      {"unary_plus", R"(^(\w+)(?: \( )" + inside + R"(\))? = \+ .*;$)",
-       "=+ only assigns; what adds to `$1` is +=."},
       {"other_counter",
-       R"(for \( (?:[\w:]+ )?(\w+) = [^;]* ; \1 [^;]* ; (?:(?:\+\+|--) (\w+)|(\w+) (?:\+\+|--)) \))",
-       "This loop runs as long as `$1` is small enough, but its head changes `$2$3`.", is_other_counter},
+       R"(for \( (?:[\w:]+ )?(\w+) = [^;]* ; \1 [^;]* ; (?:(?:\+\+|--) (?!\1\b)(\w+)|(?!\1\b)(\w+) (?:\+\+|--)) \))",
+       "This loop runs as long as `$1` is small enough, but its head changes `$2$3`."},
       {"loop_never_runs", R"(for \( (?:[\w:]+ )?(\w+) = (\d{1,9}) ; \1 (>=?) (\d{1,9}) ;)",
        "This loop never runs: `$1` begins at $2, where $1 $3 $4 is false.", is_false_at_first},
       {"always_true", R"((?:[=!]=|[<>]=?) [^ ]+ (\|\| \d[\w.]*)(?= (?:[)|&;?]|\|\|)))",
@@ -161,7 +158,7 @@ std::vector<Reason> text_mistakes(const SourceText& source) {
     const std::string before = std::exchange(last, statement.text);
     if (is_first_turn && statement.text.starts_with("return "))
       add(statement.first_token, "return_in_loop", Match(),
-          "This return ends the loop in its first turn: it belongs behind the } of the loop.");
+          "This return ends the loop in its first turn: it belongs after the } of the loop.");
     if (statement.text.ends_with("{") || statement.text.ends_with("}"))
       is_first_turn = search(statement.text, R"(^for \( .* \) \{$)").groups.size() > 0;
     else if (search(statement.text, R"(^(if|else|while|do|switch|for|case|break|continue)\b)"))

@@ -278,7 +278,7 @@ std::string whole_deviation(const Deviation& deviation) {
   const std::size_t worst = std::ranges::max(
       first_indices(numbers.size()), {}, [&](std::size_t n) { return std::abs(numbers[n]) / deviation.allowed[n]; });
   return fmt::format("{}: zero for a right answer, here {}{}{}.", deviation.meaning, numbers.size() > 1 ? "up to " : "",
-                     number_text(numbers[worst], difference_digits),
+                     number_text(numbers.size() > 1 ? std::abs(numbers[worst]) : numbers[worst], difference_digits),
                      deviation.kind == Kind::vector ? fmt::format(" in column {}", worst) : "");
 }
 
@@ -303,7 +303,8 @@ Lines result_section(const ExerciseReference& exercise, std::size_t case_index, 
   Lines lines = result_lines(result, page, exercise.result_name + in_brackets(unit));
   if (!actual) lines.emplace_back("  No value of yours can be shown.");
   if (actual && exercise.comparison == Comparison::up_to_sign)
-    lines.emplace_back("  Expected is this value or its negative, whichever is nearer to yours.");
+    append(lines, wrapped_lines("Expected is this value or its negative, whichever is nearer to yours.", page.width,
+                                block_indent));
   // Differing entries speak for themselves, and what follows from them is left out.
   if (result.differs_anywhere()) return lines;
   for (const Deviation& deviation : measured)
@@ -368,7 +369,7 @@ std::vector<std::string> describe_case(const ExerciseReference& exercise, std::s
   // Where there is too little room, long results give way, then inputs.
   Lines result = result_section(exercise, case_index, actual, page);
   Page shorter = page;
-  for (const std::size_t rows : {6, 3, 2})
+  for (const std::size_t rows : {6, 3})
     if (1 + inputs.size() + result.size() > page.most_lines) {
       shorter.most_rows = rows;
       result = result_section(exercise, case_index, actual, shorter);

@@ -20,6 +20,9 @@ struct Detail {
   bool is_pending = false;                ///< the reason may still come: no advice takes its place
 };
 
+/// A failure is told on that many lines of 80 columns, unless all is asked for.
+inline constexpr std::size_t brief_lines = 14;
+
 /// One line for what passed or was not started; for the rest why, or what to do next, and the first failing case in
 /// numbers.
 std::string terminal_report(const CheckResult& checked, const Course& course, const Console& console,

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t report_indent = 2;
 constexpr std::size_t label_width = 6;
-constexpr std::size_t brief_lines = 14, narrow_lines = 21;  // of a report that is not full: it fits on 24 rows
+constexpr std::size_t narrow_lines = 21;  // of a report that is not full: it fits on 24 rows
 constexpr std::size_t lines_of_short_case = 7;
 constexpr std::size_t longest_printout = 6;  // lines of the student's own output that are shown unless all is asked for
 
@@ -127,8 +127,8 @@ class Report {
     if (checked_.reasons.empty() && !detail_.is_pending && !checked_.judgement.passed())
       size = error_size(reference, checked_.judgement.failing, answers);
     if (!size.empty()) size = console_.wrapped(size, report_indent) + "\n";
-    // That follows, and two lines: what to type to see more, and the plot.
-    const std::size_t taken = rows() + static_cast<std::size_t>(std::ranges::count(size, '\n')) + 2;
+    // That follows, and a line that says what to type to see more.
+    const std::size_t taken = rows() + static_cast<std::size_t>(std::ranges::count(size, '\n')) + 1;
     const std::size_t room = most_rows() - std::min(most_rows(), taken);
     if (detail_.full)
       page.most_rows = 10000;

@@ -220,7 +220,7 @@ TEST_CASE("Formulas in TeX become text for a terminal") {
       {R"(\frac{a}{b}\sin\theta)", "(a/b) sin θ\n"},
       {R"(\dot{\tilde\omega}_1)", "\u03c9\u0303\u0307₁\n"},
       {R"(n^{-1} + x_{kl}^2 - e^{-\gamma t})", "n⁻¹ + x_kl² − e^(−γ t)\n"},
-      {R"(\mat A\T\vec v\times\unit z)", "Aᵀv × ẑ\n"},
+      {R"(\mat A\T\vec v\times\unit z)", "Aᵀv × z\u0302\n"},
       {R"(\begin{pmatrix} a & b \\[2pt] c & d \end{pmatrix})", "( a, b; c, d )\n"},
       {R"(\sqrt{a^2 + b^2}\le\ell)", "√(a² + b²) ≤ ℓ\n"},
       {R"(\ratein{\vec V}{\inertialframe})", "(dV/dt)_inertial\n"},

@@ -148,7 +148,7 @@ TEST_CASE("Where room is short, long results give way, then inputs, and a case k
   const auto lines = describe_case(crowded, 0, vector({1, 2, 4}), {.is_brief = true, .most_lines = 10});
   CHECK(lines.size() == 10);
   CHECK(has(joined(lines), "(further inputs not shown)"));
-  CHECK(has(lines.back(), "[2]"));
+  CHECK(has(lines.back(), "[2]   3        ≠ 4"));
 }
 
 TEST_CASE("Every number that differs, and no other, is marked") {

@@ -90,7 +90,7 @@ TEST_CASE("the solution is shown after a pass, or when it is asked for all the s
   course.run("check spring_energy");
   const Outcome shown = course.run("solution spring_energy");
   CHECK(shown.status == 0);
-  CHECK(has(shown.out, "spring_energy.md"));
+  CHECK(has(shown.out, "The energy of a spring\n"));
   CHECK(has(course.run("solution spring_force --now").out,
             "Limits:\n  - at rest: F = (0, 0, 0). Nothing is stretched.\n  - a very soft spring: F = (-1e-09,"));
   fs::remove_all(course.root() / "solutions");

@@ -495,6 +495,17 @@ TEST_CASE("each of the beginners' mistakes is told in a tutor's words, and none 
     }
 }
 
+TEST_CASE("a return that ends a loop in its first turn is told, and not one behind a condition") {
+  const auto names = [](const std::string& text) {
+    std::string all;
+    for (const auto& found : text_mistakes(SourceText(body(text)))) all += found.name + " ";
+    return all;
+  };
+  CHECK(names("for (int i = 0; i < 2; ++i) {\nx += 1;\nreturn x;\n}\nreturn x;") == "return_in_loop ");
+  CHECK(names("for (int i = 0; i < 2; ++i) {\nif (x > 1) return x;\nx += 1;\n}\nreturn x;").empty());
+  CHECK(names("for (int i = 0; i < 2; ++i) {\nif (x > 1) {\nreturn x;\n}\nx += 1;\n}\nreturn x;").empty());
+}
+
 // Students' copies of the workbook have no solutions.
 TEST_CASE("no solution of the course has a mistake in its text" * doctest::skip(!fs::exists(WORKBOOK_TEST_SOLUTIONS))) {
   std::size_t solutions = 0;
