@@ -8,13 +8,15 @@
 
 namespace workbook {
 
-int doctor(const Course& course, const Options& options) {
+namespace {
+
+int doctor(const Course& course, const bool& is_json) {
   const Console console = Console::of_standard_output();
   bool can_check = true;
   nlohmann::json document = {{"format", 1}};
   const auto report = [&](bool good, const std::string& what, const std::string& detail) {
     document[what] = {{"good", good}, {"detail", detail}};
-    if (options.json) return;
+    if (is_json) return;
     const std::string mark = console.plain() ? (good ? "good: " : "not good: ")
                                              : console.mark(good ? "✓" : "✗", good ? Style::good : Style::bad);
     fmt::print("{}{} {}\n", mark, padded(what, 12), detail);
@@ -67,8 +69,9 @@ int doctor(const Course& course, const Options& options) {
                                                   {"em++", "live figures", "emscripten"}}) {
     const std::string path = program_on_path(program);
     report(!path.empty(), program,
-           path.empty() ? fmt::format("missing: checks work, {} do not (on Debian: apt-get install {})", purpose, package)
-                        : path);
+           path.empty()
+               ? fmt::format("missing: checks work, {} do not (on Debian: apt-get install {})", purpose, package)
+               : path);
   }
 
   const std::string root = course.root().string();
@@ -83,8 +86,20 @@ int doctor(const Course& course, const Options& options) {
 
   report(true, "terminal", fmt::format("{} columns, {}", console.width(), console.color() ? "colour" : "no colour"));
   document["can_check"] = can_check;
-  if (options.json) fmt::print("{}\n", document.dump(1));
+  if (is_json) fmt::print("{}\n", document.dump(1));
   return can_check ? all_passed : checker_failed;
+}
+
+}  // namespace
+
+Command doctor_command() {
+  const auto options = std::make_shared<bool>();
+  return {"doctor",
+          students,
+          "Check what is installed and writable on this machine",
+          {},
+          {{"--json", "", options.get(), "print one JSON document and nothing else"}},
+          with_options(options, &doctor)};
 }
 
 }  // namespace workbook

@@ -78,18 +78,23 @@ int finish(const Course& course, const Exam& exam) {
   return points == all_points ? all_passed : something_failed;
 }
 
-}  // namespace
+struct ExamOptions {
+  std::string lectures;
+  int minutes = 0;  ///< that it may take; 0: what its problems take together
+  bool finish = false;
+  std::optional<std::uint64_t> seed;
+};
 
-int exam(const Course& course, const Options& options) {
+int exam(const Course& course, const ExamOptions& options) {
   const std::optional<Exam> running = running_exam(course);
-  if (options.finish && !options.name.empty())
+  if (options.finish && !options.lectures.empty())
     throw UsageError("--finish grades the exam that is running; leave out the lectures.");
-  if (running && !options.name.empty())
+  if (running && !options.lectures.empty())
     throw UsageError(fmt::format("An exam is running already; `{}` grades it.", command("exam --finish")));
   if (running && options.minutes > 0)
     throw UsageError(fmt::format("The exam that is running has {}; --minutes is for a new one.",
                                  hours_and_minutes(std::chrono::minutes(running->minutes))));
-  if (!running && options.name.empty())
+  if (!running && options.lectures.empty())
     throw UsageError(fmt::format("No exam is running; `{}` draws one from these lectures.", command("exam 01-03")));
   if (options.finish) return finish(course, *running);
   if (running) {
@@ -97,10 +102,10 @@ int exam(const Course& course, const Options& options) {
     return all_passed;
   }
   Exam drawn;
-  drawn.seed = options.is_seed_given ? options.seed : std::random_device{}();
+  drawn.seed = options.seed.value_or(std::random_device{}());
   const Progress progress(course.progress_file());
   int minutes = 0;
-  for (const Exercise& problem : drawn_problems(course, progress, options.name, drawn.seed)) {
+  for (const Exercise& problem : drawn_problems(course, progress, options.lectures, drawn.seed)) {
     drawn.problems.push_back(problem.name());
     minutes += problem.entry->minutes;
   }
@@ -110,6 +115,24 @@ int exam(const Course& course, const Options& options) {
   show(course, drawn);
   warn(progress);
   return all_passed;
+}
+
+}  // namespace
+
+Command exam_command() {
+  const auto options = std::make_shared<ExamOptions>();
+  return {
+      "exam",
+      students,
+      "Draw an exam of six problems that you have not seen, and grade it\n\nThe problems come from the lectures that "
+      "you name. Until they are graded there are no hints, checks, plots or solutions of them. Without an argument it "
+      "shows the problems and the time that is left; --finish grades what is written by then.",
+      {"exam 01-03", "exam 09 --minutes 90", "exam", "exam --finish"},
+      {{"LECTURES", "", &options->lectures, "a lecture or a range of them, 01-03; none: the exam that is running"},
+       {"--minutes", "NUMBER", &options->minutes, "the time; 0: what the problems take together", false, {}, {0, 1440}},
+       {"--finish", "", &options->finish, "grade the exam and end it"},
+       {"--seed", "NUMBER", &options->seed, "draw the problems by this number, to get the same ones again"}},
+      with_options(options, &exam)};
 }
 
 }  // namespace workbook

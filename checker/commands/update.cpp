@@ -15,13 +15,31 @@ void print_update(const Release& now, const Release& before, const UpdateResult&
                command("reset " + fs::path(file).stem().string()));
 }
 
-int update(const Course& course, const Options& options) {
-  const Release now = read_release(*options.out), before = read_release(course.root());
+namespace {
+
+int update(const Course& course, const std::optional<fs::path>& newer) {
+  const Release now = read_release(*newer), before = read_release(course.root());
   if (now.number < before.number)
     throw UsageError(
-        fmt::format("{} is release {}; yours is {} already.", shown_path(*options.out), now.number, before.number));
-  print_update(now, before, update_copy(*options.out, now, course.root(), before));
+        fmt::format("{} is release {}; yours is {} already.", shown_path(*newer), now.number, before.number));
+  print_update(now, before, update_copy(*newer, now, course.root(), before));
   return all_passed;
+}
+
+}  // namespace
+
+Command update_command() {
+  const auto options = std::make_shared<std::optional<fs::path>>();
+  return {
+      "update",
+      students,
+      "Bring your copy of the workbook to a new release\n\nFOLDER is the newer copy, unpacked somewhere else. "
+      "Exercises "
+      "that you have begun and files of your own stay as they are; another file that you have changed is kept under "
+      ".workbook/kept. What has changed is printed.",
+      {"update ../phy711-release-2"},
+      {place_parameter("FOLDER", "", *options, "the folder of the new release", true)},
+      with_options(options, &update)};
 }
 
 }  // namespace workbook

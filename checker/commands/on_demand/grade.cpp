@@ -1,5 +1,5 @@
 // A class graded: take in → judge what was not judged yet → write results. Whatever happens, what is judged is kept.
-#include "checker/commands/commands.hpp"
+#include "checker/commands/on_demand/options.hpp"
 #include "checker/compile/compile.hpp"
 #include "checker/explain/diagnostic_run.hpp"
 #include "checker/grading/grading.hpp"
@@ -426,7 +426,7 @@ std::optional<std::uint64_t> use_references(Course& course, const std::vector<fs
 }
 
 /// That of the runs before, here or in the folders that are joined; else one that nobody knows.
-std::uint64_t own_seed(const Course& course, const Options& options, const Journal& journal,
+std::uint64_t own_seed(const Course& course, const GradeOptions& options, const Journal& journal,
                        const std::vector<Journal>& merged) {
   std::set<std::uint64_t> known;
   for (const Journal& each : merged)
@@ -460,7 +460,7 @@ void require_known(const Overrides& overrides, const auto& students) {
 }
 
 /// Says how many have handed in, and what was not read. Returns whether that is all.
-bool print_intake(const Intake& intake, const ordered_json& document, const Options& options) {
+bool print_intake(const Intake& intake, const ordered_json& document, const GradeOptions& options) {
   const std::vector<std::string> problems = document.at("problems"), missing = document.at("missing");
   fmt::print("{} of {}{} handed in", intake.students.size() - missing.size(), plural(intake.students.size(), "student"),
              options.roster ? " of the roster" : "");
@@ -490,7 +490,7 @@ void compare_with_last_run(const fs::path& class_file, ordered_json& document) {
   }
 }
 
-int print_who(const Course& course, const Options& options) {
+int print_who(const Course& course, const GradeOptions& options) {
   const fs::path submissions = fs::absolute(options.submissions);
   const std::vector<RosterEntry> roster = options.roster ? read_roster(*options.roster) : std::vector<RosterEntry>{};
   const Workspace copies(fs::temp_directory_path());
@@ -522,7 +522,7 @@ int print_who(const Course& course, const Options& options) {
 
 }  // namespace
 
-int grade(const Course& given, const Options& options) {
+int grade(const Course& given, const GradeOptions& options) {
   try {
     if (options.who) return print_who(given, options);
     if (!options.out) throw GradingError("Say with --out FOLDER where the results go, or only --who handed in what.");
@@ -555,9 +555,9 @@ int grade(const Course& given, const Options& options) {
     Journal journal(out / journal_name);
     if (!forgotten.empty()) journal.forget(forgotten);
     const std::vector<Journal> merged = journals_in(options.merged, out);
-    const std::uint64_t seed = of_references           ? *of_references
-                               : options.is_seed_given ? options.seed
-                                                       : own_seed(course, options, journal, merged);
+    const std::uint64_t seed = of_references  ? *of_references
+                               : options.seed ? *options.seed
+                                              : own_seed(course, options, journal, merged);
     if (!of_references) journal.remember_seed(seed);
     for (const Journal& each : merged) journal.merge(each);
     if (journal.damaged() > 0) fmt::print("{} of the journal are damaged.\n", plural(journal.damaged(), "line"));

@@ -1,4 +1,4 @@
-#include "checker/commands/commands.hpp"
+#include "checker/commands/on_demand/options.hpp"
 #include "checker/course/assignment.hpp"
 #include "checker/course/locked_text.hpp"
 #include "checker/grading/grading.hpp"
@@ -168,7 +168,7 @@ constexpr std::array recipes = {Recipe{"gradescope", "cases", "workbook"},
                                 Recipe{"classroom50", "autograders/NAME/cases", nullptr}};
 
 /// What the templates are filled with. @param name  of letters and digits
-json recipe_values(const Assignment& assignment, const Options& options, const std::string& name) {
+json recipe_values(const Assignment& assignment, const ExportOptions& options, const std::string& name) {
   json exercises = json::array();
   double possible = 0;
   std::vector<std::string> files;
@@ -193,7 +193,7 @@ json recipe_values(const Assignment& assignment, const Options& options, const s
 }
 
 /// The folder of an earlier release if it is to be updated, or one that is to be filled. @throws UsageError
-fs::path target_of(const Options& options) {
+fs::path target_of(const HandoutOptions& options) {
   const fs::path directory = fs::absolute(*options.out).lexically_normal();
   std::error_code problem;
   const fs::file_status there = fs::status(directory, problem);
@@ -235,7 +235,7 @@ void write_archive(const fs::path& folder, const fs::path& file) {
 
 }  // namespace
 
-int handout(const Course& course, const Options& options) {
+int handout(const Course& course, const HandoutOptions& options) {
   require_solutions_for_copies(course);
   const fs::path whole = target_of(options);
   std::optional<Release> before;
@@ -252,7 +252,7 @@ int handout(const Course& course, const Options& options) {
         "\nNothing was handed out, because the reference results, figures and numbers of the notes could "
         "not be made; fix what the lines above name.");
   // An update keeps the cases of the copy, unless others are asked for.
-  const std::uint64_t seed = before && !options.is_seed_given ? before->seed : options.seed;
+  const std::uint64_t seed = options.seed.value_or(before ? before->seed : course.seed());
   std::vector<LectureReference> references;
   for (const Card& card : course.cards()) references.push_back(course.reference(card.lecture, seed));
   // Under another name first, so that there is a whole copy or none.
@@ -297,12 +297,12 @@ int handout(const Course& course, const Options& options) {
   return all_passed;
 }
 
-int export_recipe(const Course& course, const Options& options) {
-  const auto recipe = std::ranges::find(recipes, options.name, &Recipe::system);
+int export_recipe(const Course& course, const ExportOptions& options) {
+  const auto recipe = std::ranges::find(recipes, options.system, &Recipe::system);
   if (recipe == recipes.end())
     throw UsageError(
         fmt::format("There is no system '{}'; there are gradescope, autolab, prairielearn and classroom50.",
-                    printable(options.name)));
+                    printable(options.system)));
   require_solutions_for_copies(course);
   try {
     const Assignment assignment(course, options.assignment);
@@ -312,7 +312,7 @@ int export_recipe(const Course& course, const Options& options) {
     if (name.empty() || std::isalpha(static_cast<unsigned char>(name[0])) == 0) name = "week" + name;
     std::ranges::transform(name, name.begin(), [](unsigned char letter) { return std::tolower(letter); });
     std::random_device random;
-    const std::uint64_t seed = options.is_seed_given ? options.seed : (std::uint64_t{random()} << 20) ^ random();
+    const std::uint64_t seed = options.seed ? *options.seed : (std::uint64_t{random()} << 20) ^ random();
     const json values = recipe_values(assignment, options, name);
     const auto named = [&](std::string path) { return boost::replace_all_copy(path, "NAME", name); };
     const Workspace made(fs::temp_directory_path());

@@ -1,6 +1,6 @@
 /// @file
 /// Skeletons for authors: what is written here builds at once, and `self-check` names what remains to be done.
-#include "checker/commands/commands.hpp"
+#include "checker/commands/on_demand/options.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -109,8 +109,8 @@ void require_solutions(const Course& course) {
 
 }  // namespace
 
-int new_lecture(const Course& course, const Options& options) {
-  const std::string& folder = options.new_name;
+int new_lecture(const Course& course, const NewOptions& options) {
+  const std::string& folder = options.name;
   require_solutions(course);
   if (!search(folder, R"(^\d\d_[a-z][a-z0-9_]*$)"))
     throw UsageError(fmt::format("'{}' should read NN_topic, two digits and a name in small letters.", folder));
@@ -129,10 +129,10 @@ int new_lecture(const Course& course, const Options& options) {
   return all_passed;
 }
 
-int new_exercise(const Course& course, const Options& options) {
+int new_exercise(const Course& course, const NewOptions& options) {
   require_solutions(course);
-  const std::string& name = options.new_name;
-  const Card& card = course.find_lecture(options.new_lecture);
+  const std::string& name = options.name;
+  const Card& card = course.find_lecture(options.lecture);
   const Signature signature = parsed_signature(options.signature, name);
   const CardExercise entry{name, 1, card.contract + "_" + name, ""};
   const Exercise exercise{&card, &entry};

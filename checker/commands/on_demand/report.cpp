@@ -1,4 +1,4 @@
-#include "checker/commands/commands.hpp"
+#include "checker/commands/on_demand/options.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -24,7 +24,7 @@ bool is_untouched(const Course& course, const CheckTask& task) {
 
 }  // namespace
 
-int report(const Course& course, const Options& options) {
+int report(const Course& course, const ReportOptions& options) {
   const std::vector<CheckTask> tasks = tasks_of(course, options, true);
   std::set<std::string> begun;
   for (const CheckTask& task : tasks)
@@ -36,7 +36,7 @@ int report(const Course& course, const Options& options) {
   ReportedCourse reported;
   reported.student = options.student;
   reported.date = current_day();
-  reported.seed = options.seed;
+  reported.seed = options.seed.value_or(course.seed());
   const bool has_gnuplot = !program_on_path("gnuplot").empty();
   if (!has_gnuplot) reported.picture_trouble = gnuplot_is_missing;
   for (const Card& card : course.cards()) reported.headings.merge(read_headings(course.notes_file(card)));

@@ -1,5 +1,5 @@
-#include "checker/commands/commands.hpp"
 #include "checker/commands/on_demand/given_away.hpp"
+#include "checker/commands/on_demand/options.hpp"
 #include "checker/explain/question.hpp"
 #include "checker/explain/repair.hpp"
 #include "checker/explain/values/soundness.hpp"
@@ -594,7 +594,7 @@ int self_check_record(const Course& course, const std::vector<Exercise>& exercis
 
 }  // namespace
 
-int self_check(const Course& course, const Options& options) {
+int self_check(const Course& course, const SelfCheckOptions& options) {
   if (options.mutants || options.prove || options.record) {
     if (!course.has_solutions())
       throw UsageError("Bugs are made in solutions, and this copy of the workbook has none.");

@@ -2,15 +2,13 @@
 /// The command line of the checker.
 #include "checker/base/console.hpp"
 #include "checker/base/text.hpp"
-#include "checker/commands/commands.hpp"
-#include "checker/course/exam.hpp"
+#include "checker/commands/command.hpp"
 
 #include <CLI/CLI.hpp>
 
 #include <fcntl.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <charconv>
 #include <csignal>
@@ -45,10 +43,6 @@ Files:
   build/workbook/scratch/            plots and compiled exercises; disposable
 
 )";
-
-constexpr const char* students = "For students";
-constexpr const char* instructors = "For instructors";
-constexpr const char* authors = "For authors";
 
 std::vector<const CLI::App*> commands_of(const CLI::App& app) {
   return app.get_subcommands([](const CLI::App*) { return true; });
@@ -159,25 +153,6 @@ std::string usage_sentence(const CLI::App& app, const CLI::ParseError& problem, 
                      meant.empty() ? "" : fmt::format("Did you mean '{}'? ", meant), help);
 }
 
-/// The name for what was typed, which may be the path of an exercise's own file or of a lecture's folder. All else as
-/// it is. @throws UsageError for a file that is no exercise's own
-std::string known_name(const Course& course, const fs::path& typed) {
-  if (typed.extension() != ".cpp") return (typed.has_filename() ? typed : typed.parent_path()).filename();
-  const bool is_there = fs::exists(typed);
-  if (!is_there && !typed.has_parent_path()) return typed.stem();
-  if (!is_there) throw UsageError(fmt::format("There is no file {}.", printable(typed.string())));
-  std::string named = "EXERCISE";
-  for (const Exercise& exercise : course.exercises()) {
-    if (exercise.name() != typed.stem()) continue;
-    named = exercise.name();
-    std::error_code ignored;
-    if (fs::equivalent(typed, course.student_file(exercise), ignored)) return named;
-  }
-  const std::string file = printable(typed.string());
-  throw UsageError(fmt::format("{} is not an exercise's own file. To check it: `{}`.", file,
-                               command("check " + named + " --file " + shell_quoted(file))));
-}
-
 /// CLI11's own, whose sentence is another one in each version.
 auto in_range(int least, int most) {
   return [range = CLI::Range(least, most), least, most](std::string typed) {
@@ -185,18 +160,18 @@ auto in_range(int least, int most) {
   };
 }
 
-fs::path running_program(const char* argv0) {
-  std::error_code problem;
-  const fs::path program = fs::read_symlink("/proc/self/exe", problem);
-  return problem ? fs::canonical(argv0, problem) : program;
+/// CLI11 takes -1, and all that is too large, for the largest number.
+std::string trouble_of_number(const std::string& typed) {
+  std::uint64_t number = 0;
+  const auto [end, problem] = std::from_chars(typed.data(), typed.data() + typed.size(), number);
+  const bool is_read = problem == std::errc() && end == typed.data() + typed.size();
+  return is_read ? "" : fmt::format("{} is no whole number from 0 to 2⁶⁴ − 1", printable(typed));
 }
 
 class CommandLine {
  public:
-  CommandLine(int argc, char** argv) : argc_(argc), argv_(argv) {
-    options_.program = running_program(argv[0]);
-    options_.typed.assign(argv + 1, argv + argc);
-    course_file_ = options_.program.parent_path() / "course.json";  // where the build writes it
+  CommandLine() {
+    course_file_ = fs::read_symlink("/proc/self/exe").parent_path() / "course.json";  // where the build writes it
     app_.name(command("").substr(0, command("").size() - 1));
     app_.description(program_description);
     app_.footer(program_footer + fmt::format("More about one command: {}", command("COMMAND --help")));
@@ -208,301 +183,25 @@ class CommandLine {
     app_.add_option("--course", course_file_, "another course.json than the one that was built")
         ->type_name("FILE")
         ->group("For tests of the checker");
-    declare_options();
-    add_commands_of_the_exercises();
-    add_commands_of_the_course();
-    add_commands_of_instructors();
-    add_new();
-  }
-
-  int run() {
-    try {
-      app_.parse(argc_, argv_);
-    } catch (const CLI::ParseError& problem) {
-      if (problem.get_exit_code() != 0) throw UsageError(usage_sentence(app_, problem, course_file_));
-      return app_.exit(problem);  // --help
-    }
-    const Course course(course_file_);
-    options_.seed = seed_.value_or(course.seed());
-    options_.is_seed_given = seed_.has_value();
-    for (std::string& name : options_.names) name = known_name(course, name);
-    for (const CLI::App* typed : app_.get_subcommands())
-      if (!options_.name.empty() && typed->get_name() != "exam") options_.name = known_name(course, options_.name);
-    for (const CLI::App* typed : app_.get_subcommands()) {
-      require_usable(course, *typed);
-      require_no_exam(course, typed->get_name());
-    }
-    return job_(course, options_);
-  }
-
- private:
-  using Job = std::function<int(const Course&, const Options&)>;
-
-  /// What would help with a problem of an exam is refused while it runs. @throws UsageError
-  void require_no_exam(const Course& course, const std::string& command) {
-    constexpr std::array helping = {"check",  "watch",   "hint",     "solution", "plot",
-                                    "report", "predict", "question", "debug"};
-    if (std::ranges::count(helping, command) == 0) return;
-    // watch checks whatever is saved, and a hint without a name is that of the next exercise.
-    const bool is_any = command == "watch" || (options_.name.empty() && command != "hint");
-    if (is_any) refuse_in_exam(course, course.choose(command == "watch" ? std::vector<std::string>() : options_.names));
-    if (!options_.name.empty()) refuse_in_exam(course, course.find(options_.name));
-  }
-
-  /// What a command could not use is refused before anything is built for it. @throws UsageError
-  void require_usable(const Course& course, const CLI::App& command) {
-    if (command.get_name() == "try" && options_.case_name) {
-      if (!options_.file) throw UsageError(fmt::format("--case needs an exercise: `{}`.", workbook::command("try --case 3 EXERCISE")));
-      options_.name = course.find_exercise(known_name(course, *options_.file)).name();
-    }
-    const auto require_file = [](const fs::path& file, const char* what) {
-      std::error_code ignored;
-      if (fs::exists(file, ignored) && !fs::is_directory(file, ignored)) return;
-      throw UsageError(fmt::format("{} is no file: {} is meant.", printable(file.string()), what));
-    };
-    for (const CLI::Option* option : command.get_options()) {
-      const std::string name = option->get_name();
-      if (option->count() == 0) continue;
-      if (name == "NAME") course.choose(options_.names.empty() ? std::vector{options_.name} : options_.names);
-      if (name == "EXERCISE") course.find_exercise(options_.name);
-      if (name == "LECTURE") options_.name = course.find(options_.name).front().lecture();
-      if (name == "FILE" && !options_.case_name) require_file(*options_.file, "a program in C++ with main()");
-      if (name == "--roster") require_file(*options_.roster, "a table in CSV");
-      if (name == "--assignment") require_file(*options_.assignment, "what is graded, in JSON,");
-      // A program that asks for JSON gets its document.
-      if (name == "--file" && !options_.json) require_file(*options_.file, "the function of an exercise");
-      if (name == "--html") require_page(options_.html);
-      std::error_code ignored;
-      if (name == "SUBMISSIONS" && !fs::exists(options_.submissions, ignored))
-        throw UsageError(fmt::format("There is no {}.", printable(options_.submissions.string())));
-      if (name == "FOLDER" || name == "--out")
-        if (const std::string trouble = place_trouble(*options_.out); !trouble.empty())
-          throw UsageError(fmt::format("{} cannot be written ({}); name a place that is writable.",
-                                       printable(options_.out->string()), trouble));
-    }
-  }
-
-  /// Every option and argument once; a command names those that it takes. Words after the first one tell apart
-  /// options of one name.
-  void declare_options() {
-    option("NAME", "", options_.names, "exercises or lectures, by name or number; none: all");
-    option("NAME of one", "", options_.name, "an exercise or a lecture");
-    option("EXERCISE", "", options_.name, "its name", true);
-    option("EXERCISE or next", "", options_.name, "its name; none: the one that was checked last, or else the next one, if that does not pass");
-    option("LECTURES", "", options_.name, "a lecture or a range of them, 01-03; none: the exam that is running");
-    option("--minutes", "NUMBER", options_.minutes, "the time; 0: what the problems take together");
-    option("--seed of problems", "NUMBER", seed_, "draw the problems by this number, to get the same ones again");
-    option("--finish", "", options_.finish, "grade the exam and end it");
-    option("LECTURE", "", options_.name, "its name, number or topic", true);
-    option("FOLDER", "", options_.out, "a new folder for the copy, or an earlier copy to --update", true);
-    option("--update", "", options_.update, "bring FOLDER, an earlier copy, to a new release");
-    option("--message", "TEXT", options_.message, "what is new, for the change log");
-    option("FOLDER of release", "", options_.out, "the folder of the new release", true);
-    option("--file", "FILE", options_.file, "check this file instead of the exercise's own");
-    option("--seed", "NUMBER", seed_, "draw other random cases");
-    option("--case", "CASE", options_.case_name, "show this case in full, by number or name, even if it passes");
-    option("FILE or EXERCISE", "", options_.file, "a program with main(), in C++; with --case an exercise");
-    option("--case try", "CASE", options_.case_name, "every variable of your function at this case, by number or name");
-    option("--case debug", "CASE", options_.case_name, "stop at this case, by number or name");
-    option("--build-only", "", options_.build_only, "only build the program, for an editor's debugger");
-    option("PREDICTION", "", options_.predictions, "a case and the numbers of its result: '4=0 0 1.5'");
-    option("ANSWER", "", options_.answer, "a, b or c; none: show the question");
-    option("--started", "", options_.started, "leave out what is not started");
-    option("--full", "", options_.full, "show everything: all failing cases, long lists, all compiler messages");
-    option("--json", "", options_.json, "print one JSON document and nothing else");
-    option("--plot", "", options_.plot, "draw your curve on the reference, as SVG and PNG");
-    option("--all hints", "", options_.all, "show all three");
-    option("--all mistakes", "", options_.all, "name every mistake that a prediction does not show, not three");
-    option("--now", "", options_.now, "even though yours does not pass yet");
-    option("--all plots", "", options_.all, "all plots, and the figures of every lecture");
-    option("--wrong", "NAME", options_.wrong, "this wrong answer of the judging beside the solution, for a lecture");
-    option("--out", "FOLDER", options_.out, "the folder for the pictures");
-    option("--seconds", "NUMBER", options_.seconds_per_figure, "time limit of one figure");
-    option("--html", "FILE", options_.html, "the page to write; an older one is replaced", true);
-    option("--name", "TEXT", options_.student, "whose page it is");
-    option("SYSTEM", "", options_.name, "gradescope, autolab, prairielearn or classroom50", true);
-    option("--out archive", "FILE", options_.out, "the file to write: zip or tar, as its name ends", true);
-    option("--image", "NAME", options_.image, "the image with the workbook, where a system takes one");
-    option("SUBMISSIONS", "", options_.submissions, "what was handed in: a folder or a zip file", true);
-    option("--out class", "FOLDER", options_.out, "the folder for all results; the next run goes on in it");
-    option("--who", "", options_.who, "only say who has handed in what: nothing is judged or written");
-    option("--roster", "FILE", options_.roster, "CSV with the column id, or the table of a learning system");
-    option("--assignment", "FILE", options_.assignment, "JSON: what is graded and what it is worth");
-    option("--overrides", "FILE", options_.overrides, "CSV: points, excuses, due dates and comments by hand");
-    option("--attempts", "WHICH", options_.attempts, "last or best: each folder in a student's is an attempt");
-    option("--reference", "FILE", options_.references, "judge by these reference results, made before, of one seed");
-    option("--only", "VERDICT", options_.only, "judge once more what had this verdict, wrong_value for example");
-    option("--shard", "K/N", options_.shard, "only judge the K-th of N parts of the class; --merge joins them");
-    option("--merge", "FOLDER", options_.merged, "take over what was judged in these folders, of parts for example");
-    option("--copy", "FOLDER", options_.copy, "the copy that students have, if it was drawn with a seed of its own");
-    option("--with-missing", "", options_.with_missing, "rows of all students in the tables, whatever was not read");
-    option("--explain-minutes", "NUMBER", options_.explain_minutes,
-           "of each student's submission, for the reasons of failures");
-    option("--allow-reduced", "", options_.allow_reduced, "be content with the sandbox that `doctor` calls reduced");
-    option("--seeds", "NUMBER", options_.seeds, "how many seeds to try, from 1 on, at most 1000");
-    option("--mutants", "", options_.mutants, "try small bugs in the solutions instead: do the cases find all?");
-    option("--prove", "", options_.prove, "try typical bugs anew at all cases and compare with the record");
-    option("--record", "", options_.record, "try them and write the record, judging/adequacy.json");
-    declared_["--picture"] = [this](CLI::App& command) {
-      static const std::map<std::string, PictureKind> kinds = {{"auto", PictureKind::automatic},
-                                                               {"text", PictureKind::text},
-                                                               {"none", PictureKind::none}};
-      command.add_option("--picture", options_.picture, "the plot on the terminal: auto (if not given), text or none")
-          ->transform(CLI::Transformer(kinds).description(""))
-          ->transform(CLI::IsMember(kinds).description(""))
-          ->type_name("KIND");
-    };
-  }
-
-  void add_commands_of_the_exercises() {
-    add("check", students,
-        "Grade exercises and explain what is wrong\n\nCompiles each exercise, runs it in a process of its own on the "
-        "cases of the reference results, and compares. A failure is explained as far as the reason is certain, with "
-        "where to read; then come the inputs, the expected value and yours for the first failing case. Verdicts on "
-        "the exercise's own file without --seed are saved as your progress.",
-        {"check inertia_of_points", "check 3", "check 03 --started", "check inertia_of_points --case 2",
-         "check inertia_of_points --file draft.cpp --plot", "check --seed 7 --json"},
-        {"NAME", "--file", "--seed", "--case", "--started", "--full", "--json", "--plot", "--picture"}, check);
-    add("watch", students,
-        "Check every file as you save it\n\nStarts at the next exercise, or at the one that is named, and waits. Each "
-        "time an exercise file is saved, its verdict replaces the one before; when it passes, the next exercise is "
-        "shown. Keys: h hint, l list, p plot, n next, c all compiler messages, r check again, q quit.",
-        {"watch", "watch 03", "watch inertia_of_points"}, {"NAME of one"}, watch);
-    add("list", students, "Show every exercise with its state", {}, {}, list);
-    add("hint", students,
-        "Show the next hint of an exercise\n\nEvery exercise has three hints, weakest first. Each call shows one more; "
-        "the last one stays. Without a name: the exercise that was checked last, or else the next one that does not pass.",
-        {"hint", "hint inertia_of_points", "hint inertia_of_points --all"}, {"EXERCISE or next", "--all hints"}, hint);
-    add("solution", students,
-        "Show the solution of an exercise that passes\n\nAnd where another route, or the derivation, is to be read.",
-        {"solution inertia_of_points"}, {"EXERCISE", "--now"}, solution);
-    add("plot", students,
-        "Draw your curve on the reference\n\nWrites an SVG and a PNG with your curve on the reference and the "
-        "difference below, and shows the picture in the terminal: as graphics where chafa is installed and the "
-        "terminal can show them, else as text. For instructors: --all --out DIR draws every exercise and copies every figure of the "
-        "lectures, and --wrong draws a wrong answer, by its name in judging/, beside the solution.",
-        {"plot inertia_of_points", "plot 03", "plot inertia_of_points --wrong plus_dyad", "plot --all --out pictures"},
-        {"NAME", "--all plots", "--wrong", "--file", "--out", "--seed", "--picture"}, plot);
-    add("report", students,
-        "Write one page about your work, to hand in or to read\n\nThe page needs no other file: verdicts, reasons, "
-        "plots, your files, and what to read next.",
-        {"report --html report.html", "report --html inertia.html 03 --name 'YOUR NAME'"},
-        {"NAME", "--html", "--name", "--file", "--seed"}, report);
-    add("reset", students,
-        "Put an exercise back to the beginning\n\nYour version is kept in the folder .workbook/kept.",
-        {"reset inertia_of_points"}, {"EXERCISE"}, reset);
-  }
-
-  void add_commands_of_the_course() {
-    add("figures", students,
-        "Redraw the figures of a lecture with your own functions\n\nA figure that needs a function you have not "
-        "started is left out, and the function is named.",
-        {"figures 03"}, {"LECTURE", "--out", "--seconds"}, figures)
-        .get_option("--seconds")
-        ->check(in_range(1, 3600));
-    add("live", students,
-        "Build the live figures of a lecture on your own functions\n\nThe figures that move take those of your functions "
-        "that pass, instead of computing the same themselves. They are compiled for the browser, which needs the package "
-        "emscripten; then open one of the pages that are named.",
-        {"live 06"}, {"LECTURE"}, live);
-    add("examples", students,
-        "Run the worked examples of a lecture on your own functions\n\nShows which of them hold, which need a function "
-        "that is not started, and for the others the check that failed, with both numbers.",
-        {"examples 03"}, {"LECTURE"}, examples);
-    add("try", students,
-        "Run a program of your own that calls your functions\n\nWithout a file it is lectures/try.cpp, which the first "
-        "time is written for you. Only the functions that it names are compiled with it. With --case it shows every "
-        "variable of your function at this case, line by line, and the result beside the expected one; that needs gdb.",
-        {"try", "try drafts/spin.cpp", "try --case 3 euler_equations"}, {"FILE or EXERCISE", "--case try"}, try_out);
-    add("debug", students,
-        "Step through your function with gdb\n\nStops where your function begins, at the first case that fails, or at "
-        "the given one. Vectors and matrices are shown as numbers, and computed with as in C++: `info args`, `next`, `print 2*I*omega`, "
-        "`print I(0,1)`, `print omega.dot(L)`. At the end of the case stand the expected result and yours.",
-        {"debug euler_equations", "debug euler_equations --case 4"}, {"EXERCISE", "--case debug", "--build-only"},
-        debug);
-    add("predict", students,
-        "Say what a function will return before you write it\n\nWithout predictions it shows cases to choose from. "
-        "Each prediction is judged, and the wrong functions that would agree with all of them are told: examples are "
-        "good that can tell these from the right one.",
-        {"predict euler_equations", "predict euler_equations '1=0 0 0' '4=0.1 -0.2 0'"}, {"EXERCISE", "PREDICTION", "--all mistakes"},
-        predict);
-    add("question", students,
-        "Answer a question on an exercise that passes\n\nShows what another function returned, and three mistakes, one "
-        "of which it made. Your first answer is kept for the report page.",
-        {"question euler_equations", "question euler_equations b"}, {"EXERCISE", "ANSWER"}, question);
-    add("review", students,
-        "Write an exercise of an earlier lecture once more\n\nOne that is due: after 1, 3, 7, 21 and 60 days. It comes "
-        "with an empty file and other cases; `review` again checks it. The first verdict is kept beside the others.",
-        {"review"}, {}, review);
-    add("exam", students,
-        "Draw an exam of six problems that you have not seen, and grade it\n\nThe problems come from the lectures that "
-        "you name. Until they are graded there are no hints, checks, plots or solutions of them. Without an argument it "
-        "shows the problems and the time that is left; --finish grades what is written by then.",
-        {"exam 01-03", "exam 09 --minutes 90", "exam", "exam --finish"},
-        {"LECTURES", "--minutes", "--finish", "--seed of problems"}, exam)
-        .get_option("--minutes")
-        ->check(in_range(0, 1440));
-    add("update", students,
-        "Bring your copy of the workbook to a new release\n\nFOLDER is the newer copy, unpacked somewhere else. Exercises "
-        "that you have begun and files of your own stay as they are; another file that you have changed is kept under "
-        ".workbook/kept. What has changed is printed.",
-        {"update ../phy711-release-2"}, {"FOLDER of release"}, update);
-    add("prepare", students,
-        "Build all that is otherwise built when it is first needed\n\nReference results, the commands, the notes, and "
-        "the examples and figures of all lectures: before a journey, for example. It takes minutes.",
-        {"prepare"}, {}, prepare);
-    add("doctor", students, "Check what is installed and writable on this machine", {}, {"--json"}, doctor);
-    add("completion", students, "Print a script that lets bash complete commands, options and names", {}, {},
-        [this](const Course& course, const Options&) {
-          fmt::print("{}", completion_script(app_, course));
-          return static_cast<int>(all_passed);
-        })
-        .footer(fmt::format("Put this line into ~/.bashrc, with the path of your workbook:\n  source <({})",
-                            command("completion")));
-  }
-
-  void add_commands_of_instructors() {
-    add("handout", instructors,
-        "Write the copy of the workbook that students get\n\nThe copy has no solutions: reference results, printed "
-        "numbers and figures are data, and every exercise is back at the beginning. Students type the same commands "
-        "in it. With --seed all random cases are others, this year's for example. With --update an earlier copy "
-        "becomes the next release, with a change log; students get it by `update`.",
-        {"handout ../phy711-students", "handout ../phy711-2027 --seed 2027 --assignment week3.json",
-         "handout ../phy711-2027 --update --message 'Hints of lecture 03 corrected'"},
-        {"FOLDER", "--update", "--message", "--seed", "--assignment"}, handout);
-    add("grade", instructors,
-        "Grade a class\n\nSUBMISSIONS is what Gradescope, Moodle, Canvas or GitHub Classroom export, or holds a folder or "
-        "a zip file per student, or files called ID_EXERCISE.cpp. Only files with the names of exercises are read. The "
-        "roster may be a table of your own, Moodle's grading worksheet, which is written back with marks and comments, "
-        "or the gradebook of Canvas. FOLDER gets class.html, class.json, tables for spreadsheets, Moodle and Canvas, and "
-        "for every student a page, JSON, and results for other autograders. What is judged is kept there: a run that was stopped goes on, and of a class that was "
-        "graded before only what is new is judged; whose mark has changed, and why, is printed. The first run draws "
-        "cases that nobody knows, unless --seed says which; FOLDER keeps them for the next.",
-        {"grade submissions --out grades", "grade submissions --who --roster class.csv", "grade week3.zip --out week3 --roster class.csv --assignment week3.json",
-         "grade submissions --out part1 --shard 1/2 --seed 740296",
-         "grade submissions --out grades --merge part1 part2"},
-        {"SUBMISSIONS", "--out class", "--who", "--roster", "--assignment", "--overrides", "--attempts", "--seed", "--copy", "--reference", "--only",
-         "--with-missing", "--shard", "--merge", "--explain-minutes", "--allow-reduced"},
-        grade)
-        .get_option("--reference")
-        ->excludes("--seed");
-    add("export", instructors,
-        "Write what another system needs to grade an assignment itself\n\nFor Gradescope an autograder, for Autolab an "
-        "assessment, for PrairieLearn a question, for Classroom 50 an autograder: with cases of their own, which are "
-        "drawn anew unless --seed says which, and no solutions. What to do with it is printed.",
-        {"export gradescope --assignment week3.json --out week3.zip",
-         "export autolab --assignment week3.json --out week3.tar --image registry.example.org/workbook"},
-        {"SYSTEM", "--out archive", "--assignment", "--seed", "--image"}, export_recipe);
-    add("self-check", authors,
-        "Check the workbook itself\n\nTries every stub, solution, right route, wrong answer, hint and pointer of the "
-        "course, and names the file and the fix for everything that is wrong.",
-        {"self-check --seeds 20", "self-check 03", "self-check --mutants 03", "self-check --record slow_precession"},
-        {"NAME", "--seeds", "--mutants", "--prove", "--record"}, self_check)
-        .get_option("--seeds")
-        ->check(in_range(1, 1000));
-  }
-
-  void add_new() {
+    Command completion{"completion",
+                       students,
+                       "Print a script that lets bash complete commands, options and names\n\nPut this line into "
+                       "~/.bashrc, with the path of your workbook:\n  source <(" +
+                           command("completion") + ")",
+                       {},
+                       {},
+                       [this](const Course& course) {
+                         fmt::print("{}", completion_script(app_, course));
+                         return static_cast<int>(all_passed);
+                       }};
+    // In the order of the help.
+    for (const Command& each :
+         {check_command(),    watch_command(),   list_command(),   hint_command(),    solution_command(),
+          plot_command(),     report_command(),  reset_command(),  figures_command(), live_command(),
+          examples_command(), try_command(),     debug_command(),  predict_command(), question_command(),
+          review_command(),   exam_command(),    update_command(), prepare_command(), doctor_command(),
+          completion,         handout_command(), grade_command(),  export_command(),  self_check_command()})
+      add(app_, each, each.name).group(each.group);
     CLI::App& added = *app_.add_subcommand("new", "Write the skeleton of a lecture or of an exercise")->group(authors);
     added.require_subcommand(1)->fallthrough();
     added.footer(
@@ -511,64 +210,63 @@ class CommandLine {
                     command("self-check NAME"), command("new lecture 09_gyroscopes"),
                     command("new exercise precession_rate --lecture 09 --signature "
                             "'double precession_rate(const Vector3d& L, double torque)'")));
-    const auto required = [](CLI::App* to, const char* name, const char* type, std::string& target, const char* help) {
-      to->add_option(name, target, help)->required()->type_name(type);
-    };
-    CLI::App* lecture = added.add_subcommand("lecture", "Write the skeleton of a lecture");
-    required(lecture, "folder", "FOLDER", options_.new_name, "NN_topic; the number says where in the course it stands");
-    lecture->callback([this] { job_ = new_lecture; });
-    CLI::App* exercise = added.add_subcommand("exercise", "Write the skeleton of an exercise");
-    required(exercise, "name", "NAME", options_.new_name, "the name of its function");
-    required(exercise, "--lecture", "LECTURE", options_.new_lecture, "its lecture");
-    required(exercise, "--signature", "TEXT", options_.signature,
-             "its declaration: 'Vector3d f(const Matrix3d& I, double t)'");
-    exercise->callback([this] { job_ = new_exercise; });
+    add(added, new_lecture_command(), "lecture");
+    add(added, new_exercise_command(), "exercise");
   }
 
-  /// @param help  its first line stands in the list of commands, the rest below the options
-  CLI::App& add(const std::string& name, const char* group, const std::string& help,
-                const std::vector<std::string>& examples, const std::vector<std::string>& options, const Job& job) {
-    const std::size_t first_line = std::min(help.find('\n'), help.size());
-    CLI::App& added = *app_.add_subcommand(name, help.substr(0, first_line))->group(group);
-    added.fallthrough();  // --plain may follow the command
-    std::string footer = help.substr(std::min(first_line + 2, help.size())) + (examples.empty() ? "" : "\n\nExamples:");
-    for (const std::string& example : examples) footer += "\n  " + command(example);
-    added.footer(footer);
-    for (const std::string& option : options) declared_.at(option)(added);
-    added.callback([this, job] { job_ = job; });
-    return added;
+  int run(int argc, char** argv) {
+    try {
+      app_.parse(argc, argv);
+    } catch (const CLI::ParseError& problem) {
+      if (problem.get_exit_code() != 0) throw UsageError(usage_sentence(app_, problem, course_file_));
+      return app_.exit(problem);  // --help
+    }
+    const Course course(course_file_);
+    for (const auto& [option, require] : requirements_)
+      if (option->count() > 0) require(course);
+    if (typed_.require) typed_.require(course);
+    return typed_.run(course);
   }
 
-  template <class T>
-  void option(const std::string& key, const char* type, T& target, const char* help, bool required = false) {
-    declared_[key] = [=, &target, name = key.substr(0, key.find(' '))](CLI::App& command) {
-      if constexpr (std::is_same_v<T, bool>) {
-        command.add_flag(name, target, help);
-      } else {
-        // The versions of CLI11 write defaults in different ways.
-        std::string text = help;
-        if constexpr (std::is_arithmetic_v<T>) text += fmt::format(" ({} if not given)", target);
-        CLI::Option* added = command.add_option(name, target, text)->type_name(type)->required(required);
-        // CLI11 takes -1, and all that is too large, for the largest number.
-        if constexpr (std::is_same_v<T, std::optional<std::uint64_t>>)
-          added->check([](const std::string& typed) {
-            std::uint64_t number = 0;
-            const auto [end, problem] = std::from_chars(typed.data(), typed.data() + typed.size(), number);
-            const bool is_read = problem == std::errc() && end == typed.data() + typed.size();
-            return is_read ? "" : fmt::format("{} is no whole number from 0 to 2⁶⁴ − 1", printable(typed));
-          });
-      }
-    };
+ private:
+  CLI::App& add(CLI::App& to, const Command& added, const std::string& name) {
+    const std::size_t first_line = std::min(added.help.find('\n'), added.help.size());
+    CLI::App& app = *to.add_subcommand(name, added.help.substr(0, first_line));
+    app.fallthrough();  // --plain may follow the command
+    std::string footer = added.help.substr(std::min(first_line + 2, added.help.size()));
+    if (!added.examples.empty()) footer += "\n\nExamples:";
+    for (const std::string& example : added.examples) footer += "\n  " + command(example);
+    app.footer(footer);
+    for (const Parameter& parameter : added.parameters) add(app, parameter);
+    app.callback([this, added] { typed_ = added; });
+    return app;
   }
 
-  int argc_;
-  char** argv_;
+  void add(CLI::App& to, const Parameter& parameter) {
+    CLI::Option* const option = std::visit(
+        [&]<class T>(T* target) {
+          if constexpr (std::is_same_v<T, bool>) {
+            return to.add_flag(parameter.name, *target, parameter.help);
+          } else {
+            // The versions of CLI11 write defaults in different ways.
+            std::string help = parameter.help;
+            if constexpr (std::is_arithmetic_v<T>) help += fmt::format(" ({} if not given)", *target);
+            CLI::Option* const added = to.add_option(parameter.name, *target, help)->type_name(parameter.type);
+            if constexpr (std::is_same_v<T, std::optional<std::uint64_t>>) added->check(trouble_of_number);
+            return added;
+          }
+        },
+        parameter.target);
+    option->required(parameter.is_required);
+    if (const auto [least, most] = parameter.range; least < most) option->check(in_range(least, most));
+    if (*parameter.excludes != '\0') option->excludes(parameter.excludes);
+    if (parameter.require) requirements_.emplace_back(option, parameter.require);
+  }
+
   CLI::App app_;
   fs::path course_file_;
-  Options options_;
-  std::optional<std::uint64_t> seed_;
-  std::map<std::string, std::function<void(CLI::App&)>> declared_;
-  Job job_ = status;
+  std::vector<std::pair<const CLI::Option*, Requirement>> requirements_;
+  Command typed_{.name = "", .group = students, .help = "", .examples = {}, .parameters = {}, .run = status};
 };
 
 /// A standard stream that is closed would lend its number to the next file or worker, which would then get what is
@@ -587,7 +285,7 @@ int run(int argc, char** argv) {
     return status;
   };
   try {
-    return CommandLine(argc, argv).run();
+    return CommandLine().run(argc, argv);
   } catch (const UsageError& problem) {
     return fail(problem, wrong_usage);
   } catch (const std::exception& problem) {

@@ -2,6 +2,7 @@
 /// The watch: whatever exercise is saved is checked, and the verdict is shown in place.
 #include "checker/commands/watch/watch.hpp"
 #include "checker/commands/commands.hpp"
+#include "checker/course/exam.hpp"
 
 #include <poll.h>
 #include <signal.h>
@@ -463,15 +464,29 @@ class Watch {
   bool over_ = false;
 };
 
-}  // namespace
-
-int watch(const Course& course, const Options& options) {
+int watch(const Course& course, const std::string& name) {
   if (course.exercises().empty()) {
     fmt::print(stderr, "This course has no exercises, so there is nothing to watch.\n");
     return checker_failed;
   }
-  Watch(course, options.name).run();
+  Watch(course, name).run();
   return all_passed;
+}
+
+}  // namespace
+
+Command watch_command() {
+  const auto options = std::make_shared<std::string>();
+  return {
+      "watch",
+      students,
+      "Check every file as you save it\n\nStarts at the next exercise, or at the one that is named, and waits. Each "
+      "time an exercise file is saved, its verdict replaces the one before; when it passes, the next exercise is "
+      "shown. Keys: h hint, l list, p plot, n next, c all compiler messages, r check again, q quit.",
+      {"watch", "watch 03", "watch inertia_of_points"},
+      {name_parameter(*options)},
+      with_options(options, &watch),
+      [](const Course& course) { refuse_in_exam(course, course.exercises()); }};
 }
 
 }  // namespace workbook
