@@ -495,7 +495,7 @@ TEST_CASE("each of the beginners' mistakes is told in a tutor's words, and none 
     }
 }
 
-TEST_CASE("a return that ends a loop in its first turn is told, and not one behind a condition") {
+TEST_CASE("a return that ends a loop in its first turn is told, not one behind a condition; so is a wrong counter") {
   const auto names = [](const std::string& text) {
     std::string all;
     for (const auto& found : text_mistakes(SourceText(body(text)))) all += found.name + " ";
@@ -503,6 +503,7 @@ TEST_CASE("a return that ends a loop in its first turn is told, and not one behi
   };
   CHECK(names("for (int i = 0; i < 2; ++i) {\nx += 1;\nreturn x;\n}\nreturn x;") == "return_in_loop ");
   CHECK(names("for (int i = 0; i < 2; ++i) {\nif (x > 1) return x;\nx += 1;\n}\nreturn x;").empty());
+  CHECK(names("for (int i = 0; i < 3; i++)\nfor (int j = 0; j < 3; i++) x += 1;\nreturn x;") == "other_counter ");
   CHECK(names("for (int i = 0; i < 2; ++i) {\nif (x > 1) {\nreturn x;\n}\nx += 1;\n}\nreturn x;").empty());
 }
 
