@@ -117,7 +117,7 @@ bool is_of_accuracy(const Variant& variant) {
 /// The number, or the end of a loop, with which the error falls at every failing case that is looked at: it follows a
 /// law, so that this limits the accuracy.
 std::optional<Reason> coarse(VariantRunner& runner, const std::vector<Variant>& variants, const SourceText& source) {
-  constexpr double clearly_less = 0.3, nearly_right = 0.01;
+  constexpr double clearly_less = 0.3, nearly_right = 0.1;
   const std::vector<double> errors = runner.errors(variants.size());
   if (errors.size() < 3 || std::ranges::max(errors) > nearly_right) return std::nullopt;
   double best = clearly_less;
@@ -136,6 +136,35 @@ std::optional<Reason> coarse(VariantRunner& runner, const std::vector<Variant>& 
   return found;
 }
 
+/// With the change some wrong components are right, or one known mistake is left: there are two.
+std::optional<Reason> first_of_two(const VariantRunner::Gain& gain, const Variant& variant, const SourceText& source,
+                                   const DiagnosticTask& task) {
+  // Another name, number or factor, or a term left out, may only turn another mistake into a known one.
+  using enum VariantKind;
+  constexpr VariantKind exact[] = {sign, index, function, method, order, transpose, cross, loop, brackets};
+  const bool is_exact = std::ranges::count(exact, variant.kind) > 0;
+  std::string left;
+  if (gain.misconception != nullptr && is_exact) {
+    left = "one mistake is left: " + gain.misconception->message;
+  } else if (!gain.right_entries.empty() && variant.kind != guard) {
+    const Value& shape = task.reference.cases.front().expected;
+    std::vector<std::string> names;
+    for (const std::size_t entry : gain.right_entries)
+      names.push_back(entry_name(shape, task.reference.result_kind, entry));
+    left = fmt::format("{} {} right at all {} cases; something else is wrong in the rest.", listed(names),
+                       names.size() == 1 ? "is" : "are", task.reference.cases.size());
+  } else {
+    return std::nullopt;
+  }
+  return repair(source, variant.place, "slip_first", fmt::format("with {} here, {}", variant.words, left));
+}
+
+/// Another factor may stand for many a mistake, and what needs a copy of the file cannot be switched on.
+bool can_be_beside(const Variant& variant) {
+  return !variant.is_branch() && !is_factor(variant) && variant.kind != VariantKind::brackets &&
+         variant.kind != VariantKind::overwritten;
+}
+
 /// Two slips in one line with which all cases are right.
 std::optional<Reason> two_slips(VariantRunner& runner, const std::vector<Variant>& variants,
                                 const std::vector<std::size_t>& order, const SourceText& source,
@@ -144,8 +173,8 @@ std::optional<Reason> two_slips(VariantRunner& runner, const std::vector<Variant
     for (auto other = one + 1; other != order.end(); ++other) {
       const Variant &first = variants[*one], &second = variants[*other];
       const bool are_apart = first.edits.front().offset != second.edits.front().offset;
-      if (first.is_branch() || second.is_branch() || first.kind != second.kind || is_factor(first) ||
-          first.place.line != second.place.line || !are_apart || !runner.is_right(*one, *other))
+      if (first.place.line != second.place.line || !are_apart || !can_be_beside(first) || !can_be_beside(second) ||
+          !runner.is_right(*one, *other))
         continue;
       return repair(source, first.place, "slips_" + to_string(first.kind),
                     fmt::format("with {} here and {} in column {}, the result is right at all {} cases.", first.words,
@@ -169,6 +198,7 @@ VariantRunner::VariantRunner(const DiagnosticTask& task, std::vector<Variant>& v
   std::stable_partition(order_.begin(), order_.end(), [&](std::size_t index) {
     return std::ranges::find(task.judgement.failing, index) != task.judgement.failing.end();
   });
+  wrong_ = wrong_entries(task.reference, answers_of(task.reference, task.observation.replies));
 }
 
 Reply VariantRunner::call(std::size_t variant, std::size_t case_index) {
@@ -213,6 +243,35 @@ bool VariantRunner::is_right(std::size_t variant, std::optional<std::size_t> bes
     const Reply reply = call(variant, index);
     return has_usable_value(reply, task_.reference.cases[index]) && passes(task_.reference, index, reply.value);
   });
+}
+
+VariantRunner::Gain VariantRunner::gain(std::size_t variant) {
+  constexpr std::size_t fewest = 3;
+  const ExerciseReference& reference = task_.reference;
+  Gain gain{.is_right = true, .right_entries = wrong_};
+  std::vector<const Misconception*> alike;
+  for (const Misconception& each : reference.misconceptions) alike.push_back(&each);
+  std::size_t telling = 0;  // cases at which misconceptions are compared, and wrong
+  for (const std::size_t index : order_) {
+    const Reply reply = call(variant, index);
+    const Case& one = reference.cases[index];
+    if (!has_usable_value(reply, one)) return {};
+    const bool is_right = passes(reference, index, reply.value);
+    gain.is_right = gain.is_right && is_right;
+    if (!gain.right_entries.empty() && !is_right) {
+      const Deviation deviation = deviations(reference, index, reply.value).front();
+      std::erase_if(gain.right_entries, [&](std::size_t entry) { return !deviation.is_within(entry); });
+    }
+    telling += one.deciding && index < reference.described_cases() && !is_right ? 1 : 0;
+    std::erase_if(alike, [&](const Misconception* each) {
+      if (!one.deciding || index >= each->outputs.size() || index >= reference.described_cases()) return false;
+      return !is_same_answer(reference, index, reply.value, each->outputs[index]);
+    });
+    if (!gain.is_right && gain.right_entries.empty() && alike.empty()) return {};
+  }
+  if (!alike.empty() && telling >= fewest) gain.misconception = alike.front();
+  if (gain.is_right) gain.right_entries.clear();
+  return gain;
 }
 
 bool VariantRunner::is_as_judged() { return !is_other(unchanged_); }
@@ -310,23 +369,32 @@ std::optional<Reason> slip_or_branch(const DiagnosticTask& task, const Toolchain
   std::vector<std::size_t> order(variants.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, rank);
+  std::optional<Reason> one_of_two;
   for (const std::size_t k : order) {
     const Variant& each = variants[k];
     const bool may_hold = !branch || (each.kind != VariantKind::guard && branch->may_hold(each));
-    if (each.is_branch() || !may_hold || !runner.is_right(k)) continue;
-    return repair(
-        source, each.place, "slip_" + to_string(each.kind),
-        fmt::format("with {} here, the result is right at all {} cases.", each.words, task.reference.cases.size()));
+    if (each.is_branch() || !may_hold) continue;
+    const VariantRunner::Gain gain = runner.gain(k);
+    if (gain.is_right)
+      return repair(
+          source, each.place, "slip_" + to_string(each.kind),
+          fmt::format("with {} here, the result is right at all {} cases.", each.words, task.reference.cases.size()));
+    if (!one_of_two) one_of_two = first_of_two(gain, each, source, task);
   }
   if (branch) return finding_of(*branch, source, task);
   if (const auto limit = coarse(runner, variants, source)) return limit;
-  return two_slips(runner, variants, order, source, task);
+  if (const auto both = two_slips(runner, variants, order, source, task)) return both;
+  return one_of_two;
 } catch (const std::exception&) {
   return std::nullopt;
 }
 
 bool explain_by_small_change(Search& search) {
   const Evidence& evidence = search.evidence;
+  // What is right but for a few divisions by zero has no slip.
+  const auto is_finite_and_wrong = [&](std::size_t i) { return search.answers[i] && search.answers[i]->is_finite(); };
+  const std::vector<std::size_t>& failing = evidence.task.judgement.failing;
+  if (2 * static_cast<std::size_t>(std::ranges::count_if(failing, is_finite_and_wrong)) < failing.size()) return false;
   const auto is_inaccurate = [](const Reason& reason) {
     return reason.kind == ReasonKind::accuracy && reason.weight == Weight::possible;
   };

@@ -46,6 +46,13 @@ class VariantRunner {
   bool is_as_judged();
   /// At every case? Two of one copy may be asked for together.
   bool is_right(std::size_t variant, std::optional<std::size_t> beside = {});
+  /// What is better with a variant, at every case.
+  struct Gain {
+    bool is_right = false;
+    std::set<std::size_t> right_entries = {};      ///< wrong ones that are right now, where not all are
+    const Misconception* misconception = nullptr;  ///< the one mistake that is left
+  };
+  Gain gain(std::size_t variant);
   /// Does it differ from what was judged at a failing case?
   bool is_other(std::size_t variant);
   /// By how much it is wrong at some failing cases, in natural sizes; nothing where it has no value at one.
@@ -64,6 +71,7 @@ class VariantRunner {
   const TrialLimits limits_;
   const std::size_t unchanged_;  ///< the number of the file as it stands
   std::vector<std::size_t> order_;
+  std::set<std::size_t> wrong_;  ///< entries
   std::optional<long> calls_left_;
   int slow_ = 0;
   std::optional<std::size_t> running_;

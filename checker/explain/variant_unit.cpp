@@ -19,6 +19,11 @@ inline bool workbook_is(int variant) {
   if (--workbook_work < 0) throw 0;
   return variant >= 0 && ((workbook_variant & 4095) == variant || (workbook_variant >> 12) == variant + 1);
 }
+inline bool workbook_is_among(int first, int last) {
+  if (--workbook_work < 0) throw 0;
+  const int one = workbook_variant & 4095, other = (workbook_variant >> 12) - 1;
+  return (one >= first && one <= last) || (other >= first && other <= last);
+}
 inline bool workbook_reached() { throw 0; }
 inline bool workbook_condition(int thrown, int never, int always, bool is_so) {
   return workbook_is(never) ? false : workbook_is(always) ? true : is_so && workbook_is(thrown) ? workbook_reached() : is_so;
@@ -121,14 +126,18 @@ std::vector<VariantUnit::Piece> VariantUnit::pieces_of(const SourceText& source,
       return found == group.edits.end() ? -1 : static_cast<int>(found->first);
     };
     Piece piece{offset, end - offset, 2, end, {}};
-    const auto choose = [&](const std::string& before, const auto& words_of, const std::string& otherwise) {
+    // Mostly none of them is asked for.
+    const auto none = fmt::format("!workbook_is_among({}, {}) ? ", *group.all.begin(), *group.all.rbegin());
+    const auto choose = [&](const std::string& before, const auto& words_of, const std::string& otherwise,
+                            const char* behind) {
       piece.parts.emplace_back(before, std::set<std::size_t>{});
+      piece.parts.emplace_back(none + otherwise + " :", group.all);
       for (const auto& [k, edit] : group.edits)
         piece.parts.emplace_back(fmt::format("workbook_is({}) ? {} :", k, words_of(*edit)), std::set{k});
-      piece.parts.emplace_back(otherwise, group.all);
+      piece.parts.emplace_back(otherwise + behind, group.all);
     };
     const auto choose_number = [&](const auto& number_of_edit, const char* otherwise) {
-      std::string chain;
+      std::string chain = fmt::format("{}{} : ", none, otherwise);
       for (const auto& [k, edit] : group.edits)
         chain += fmt::format("workbook_is({}) ? {} : ", k, number_of_edit(k, *edit));
       return chain + otherwise;
@@ -151,19 +160,19 @@ std::vector<VariantUnit::Piece> VariantUnit::pieces_of(const SourceText& source,
         break;
       case Form::value:
         choose(
-            "(", [](const Edit& edit) { return edit.replacement; }, original + ")");
+            "(", [](const Edit& edit) { return edit.replacement; }, original, ")");
         break;
       case Form::call: {
         const bool has_prefix = original.starts_with("std::");
         choose(
             "[](const auto&... x) { return ",
             [&](const Edit& edit) {
-              const bool is_whole =
-                  edit.replacement.empty() || edit.replacement.starts_with("std::") || edit.offset == offset;
+              const bool is_whole = edit.replacement.empty() || edit.replacement.starts_with("std::") ||
+                                    edit.replacement.starts_with("[") || edit.offset == offset;
               return fmt::format("{}{}(x...)", is_whole || !has_prefix ? "" : "std::",
                                  edit.replacement.empty() ? "workbook_itself" : edit.replacement);
             },
-            original + "(x...); }");
+            original + "(x...)", "; }");
         break;
       }
       case Form::method: {
@@ -175,7 +184,7 @@ std::vector<VariantUnit::Piece> VariantUnit::pieces_of(const SourceText& source,
               const std::string method = edit.replacement.substr(0, edit.replacement.find('('));
               return fmt::format("workbook_value(value{})", method.empty() ? "" : method + "(x...)");
             },
-            fmt::format("workbook_value(value{}(x...)); }}(", original.substr(0, original.find('('))));
+            fmt::format("workbook_value(value{}(x...))", original.substr(0, original.find('('))), "; }(");
         std::swap(head.parts, piece.parts);
         piece.parts = {{original.ends_with(')') ? ")" : ", ", {}}};
         pieces.push_back(std::move(head));

@@ -1,5 +1,7 @@
 #include "checker/explain/variants.hpp"
 
+#include "checker/explain/values/diagnosis.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -138,7 +140,14 @@ class SourceMutations {
     constexpr const char* types[] = {"double",   "int",      "Vector2d",  "Vector3d",  // in the order of Kind
                                      "VectorXd", "Matrix3d", "Matrix3Xd", "vector"};
     for (const Argument& argument : exercise.arguments) types_[argument.name] = types[static_cast<int>(argument.kind)];
+    find_functions(exercise.name);
     find_locals();
+    for (const Argument& argument : exercise.arguments) {
+      if (argument.kind != Kind::number && argument.kind != Kind::vector3) continue;
+      const bool is_angle = argument.unit == units::radian;
+      for (int n = 0; n < (argument.kind == Kind::number ? 1 : 3); ++n)
+        if (is_angle) angles_.push_back({argument.name, argument.name + entry_suffix(argument.kind, n)});
+    }
   }
 
   std::vector<Variant> all() {
@@ -157,6 +166,8 @@ class SourceMutations {
       divisions();
       factors();
       loops();
+      brackets();
+      overwritten();
       if (all_bugs_) bugs();
     }
     names_everywhere();
@@ -179,6 +190,30 @@ class SourceMutations {
     for (first_ = 0; first_ < tokens.size(); ++first_) {
       if (tokens[first_].text == ")" && token(first_ + 1) == "{") break;
     }
+  }
+
+  /// The body of the exercise's function, and the lambdas that see no names of what is around them.
+  void find_functions(const std::string& name) {
+    for (std::size_t k = 1; k < std::min(source_.tokens().size(), last_token_looked_at); ++k) {
+      if (token(k) == name && token(k + 1) == "(") {
+        const std::size_t close = conditions_.closing(k + 1);
+        if (token(close + 1) == "{") body_ = {close + 1, conditions_.closing(close + 1)};
+      }
+      if (token(k - 1) == "[" && token(k) == "]" && token(k + 1) == "(") {
+        std::size_t open = conditions_.closing(k + 1);
+        while (open < last_token_looked_at && !is_one_of(token(open), {"{", ";", ""})) ++open;
+        if (token(open) == "{") closed_.emplace_back(k - 1, conditions_.closing(open));
+      }
+    }
+  }
+
+  /// Can the name be used here?
+  bool is_visible(const std::string& name) const {
+    const auto found = scopes_.find(name);
+    const auto [begin, end] = found == scopes_.end() ? body_ : found->second;
+    return at_ > begin && at_ <= end && std::ranges::none_of(closed_, [&, first = begin](const auto& lambda) {
+             return at_ > lambda.first && at_ <= lambda.second && first < lambda.first;
+           });
   }
 
   /// "double a = 1, b = 2;" and "int i = 0" in a loop: names of one type may have been mixed up.
@@ -330,8 +365,7 @@ class SourceMutations {
     if (is_one_of(after(), {"=", "+=", "-=", "*=", "/=", "{"})) return;
     for (const auto& [other, declared] : types_)
       if (other != here() && declared == type->second) {
-        const auto scope = scopes_.find(other);
-        if (scope != scopes_.end() && (at_ < scope->second.first || at_ > scope->second.second)) continue;
+        if (!is_visible(other)) continue;
         add(VariantKind::name, "another name", other);
         places_[{std::string(here()), other}].push_back(found_.back().edits.front());
       }
@@ -355,8 +389,7 @@ class SourceMutations {
     if (type == "Vector3d" && after() != "[" && after() != "(") {
       put("the unit vector of {}", "Vector3d(" + name + ".normalized())");
       for (const auto& [matrix, other_type] : types_) {
-        const auto scope = scopes_.find(matrix);
-        if (scope != scopes_.end() && (at_ < scope->second.first || at_ > scope->second.second)) continue;
+        if (!is_visible(matrix)) continue;
         if (other_type == "Matrix3d") {
           put("a matrix before {}", "Vector3d(" + matrix + " * " + name + ")");
           put("a matrix before {}", "Vector3d(" + matrix + ".transpose() * " + name + ")");
@@ -409,6 +442,11 @@ class SourceMutations {
     }
     if (const auto found = functions.find(here()); found != functions.end() && is_called)
       for (const char* other : found->second) add(VariantKind::function, "another function", other);
+    if (is_called && !all_bugs_ && is_one_of(here(), {"sin", "cos", "tan", "exp", "sinh", "cosh", "tanh"}))
+      for (const char* factor : {"2", "0.5"}) {
+        const std::string of_more = fmt::format("[](const auto& v) {{ return std::{}({} * v); }}", here(), factor);
+        add(VariantKind::function, "another factor in the argument", of_more);
+      }
     if ((here() == "abs" || here() == "fabs") && is_called) drop("the absolute value left out");
     if (here() == "sqrt" && is_called) drop("the root left out");
   }
@@ -481,6 +519,84 @@ class SourceMutations {
     for (const char* factor : {"2.0 *", "0.5 *", "3.0 *", "1.0/3 *", "4.0 *", "0.25 *", "1.5 *", "2.0/3 *"})
       insert_after(VariantKind::factor, "another factor", factor);
     insert_after(VariantKind::factor, "one term left out", "0.0 *");
+    if (all_bugs_) return;
+    const auto put = [&](const std::string& words, const std::string& factor) {
+      insert_after(VariantKind::factor, "", factor + " *");
+      found_.back().words = words;
+    };
+    for (const auto& [name, type] : types_) {
+      if (type != "double" || name == after() || !is_visible(name)) continue;
+      put("one factor more", name);
+      put("one divisor more", "1 / " + name);
+    }
+    for (const auto& [argument, angle] : angles_) {
+      if (!is_visible(argument)) continue;
+      put("one factor more", "std::cos(" + angle + ")");
+      put("one factor more", "std::sin(" + angle + ")");
+    }
+  }
+
+  /// `a * b - c / d` as `a * (b - c) / d`.
+  void brackets() {
+    constexpr std::ptrdiff_t most = 8;
+    if (!is_one_of(here(), {"+", "-"}) || !follows_operand() || all_bugs_ || conditions_.in_loop(at_)) return;
+    std::size_t first = at_ - 1;
+    if (closes(token(first))) first = conditions_.opening(first);
+    if (is_one_of(token(first), {"(", "["}) && is_identifier(token(first - 1)) && token(first - 1) != "return") --first;
+    while (first > 2 && is_one_of(token(first - 1), {".", "::"}) && is_identifier(token(first - 2))) first -= 2;
+    std::size_t last = at_ + 1;
+    if (!is_identifier(after()) && !is_numeral(after()) && after() != "(") return;
+    while (is_one_of(token(last + 1), {".", "::"}) && is_identifier(token(last + 2))) last += 2;
+    if (token(last) == "(") last = conditions_.closing(last);
+    while (is_one_of(token(last + 1), {"(", "["})) last = conditions_.closing(last + 1);
+    if (!is_one_of(token(first - 1), {"*", "/"}) && !is_one_of(token(last + 1), {"*", "/"})) return;
+    if (std::ranges::count(found_, VariantKind::brackets, &Variant::kind) >= most) return;
+    const Token& end = source_.tokens()[last];
+    add(VariantKind::brackets, "brackets around the sum (* and / come before + and −)", at_,
+        {{source_.tokens()[first].offset, 0, "("}, {end.offset + end.text.size(), 0, ")"}});
+  }
+
+  /// `x = c * x - s * y; y = s * x + c * y;` with the x from before.
+  void overwritten() {
+    constexpr std::size_t most = 6;
+    if (!is_one_of(here(), {";", "{", "}"}) || !is_identifier(after()) || is_identifier(token(at_ + 2)) || all_bugs_)
+      return;
+    std::size_t equals = at_ + 2;
+    while (is_one_of(token(equals), {"[", "(", ".", "::"}) || is_identifier(token(equals)))
+      equals = opens(token(equals)) ? conditions_.closing(equals) + 1 : equals + 1;
+    if (!is_one_of(token(equals), {"=", "+=", "-=", "*=", "/="})) return;
+    const std::size_t length = equals - at_ - 1, end = end_of_statement(equals);
+    const auto stands_at = [&](std::size_t index) {
+      for (std::size_t k = 0; k < length; ++k)
+        if (token(index + k) != token(at_ + 1 + k)) return false;
+      return !is_one_of(token(index - 1), {".", "->", "::"});
+    };
+    Variant variant{VariantKind::overwritten, "", {}, {}};
+    const Token& target = source_.tokens()[at_ + 1];
+    const std::string text(source_.text().substr(
+        target.offset, source_.tokens()[equals - 1].offset + source_.tokens()[equals - 1].text.size() - target.offset));
+    const std::string old = fmt::format("workbook_old_{}", at_);
+    variant.edits.push_back({target.offset, 0, fmt::format("const auto {} = workbook_value({}); ", old, text)});
+    std::size_t statement = end + 1;
+    for (std::size_t count = 0; count < most && statement < last_ && is_identifier(token(statement)); ++count) {
+      const std::size_t stop = end_of_statement(statement);
+      if (stands_at(statement) || token(statement) == "return") break;
+      for (std::size_t k = statement + 1; k < stop; ++k) {
+        if (!stands_at(k)) continue;
+        if (variant.edits.size() == 1) variant.place = source_.place_of(source_.tokens()[k].offset);
+        variant.edits.push_back(replaced(k, k + length - 1, old));
+      }
+      statement = stop + 1;
+    }
+    if (variant.edits.size() == 1) return;
+    variant.words = "the value of `" + text + "` from before the line that changes it";
+    found_.push_back(std::move(variant));
+  }
+
+  std::size_t end_of_statement(std::size_t index) const {
+    while (index < last_ && token(index) != ";")
+      index = opens(token(index)) ? conditions_.closing(index) + 1 : index + 1;
+    return index;
   }
 
   /// `int i = …`: half of it is none.
@@ -521,6 +637,9 @@ class SourceMutations {
   std::map<std::string, std::string> types_;                                 ///< of arguments and local variables
   std::map<std::string, std::pair<std::size_t, std::size_t>> scopes_;        ///< of the latter
   std::map<std::pair<std::string, std::string>, std::vector<Edit>> places_;  ///< of one name in place of another
+  std::pair<std::size_t, std::size_t> body_ = {0, last_token_looked_at};     ///< of the exercise's function
+  std::vector<std::pair<std::size_t, std::size_t>> closed_;                  ///< lambdas without captures
+  std::vector<std::pair<std::string, std::string>> angles_;                  ///< an argument, and the angle in it
   std::vector<Variant> found_;
   std::size_t at_ = 0, first_ = 0, last_ = 0;
 };
@@ -662,8 +781,8 @@ std::vector<Reason> whole_quotients(const SourceText& source, const ExerciseRefe
 }
 
 std::string to_string(VariantKind kind) {
-  constexpr const char* names[] = {"sign", "factor",   "factor", "number", "index",
-                                   "name", "function", "method", "loop",   "guard"};
+  constexpr const char* names[] = {"sign",     "factor", "factor", "number", "index",    "name",
+                                   "function", "method", "loop",   "guard",  "brackets", "overwritten"};
   return names[static_cast<std::size_t>(kind)];
 }
 

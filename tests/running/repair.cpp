@@ -190,6 +190,14 @@ TEST_CASE("two slips in one line, a bound in a condition and a name with somethi
       {"const Vector3d v(x, n, 0), w(1, x, 3);\nreturn v[2] * w[0];", "slips_name", 8},
       {"return (x < -1 ? -1 : 1) * n * std::sqrt(x * x);", "slip_guard", 7},
       {"double sum = 0;\nfor (int i = 0; i + 1 < n; ++i) sum += x;\nreturn sum;", "slip_loop", 8},
+      {"return n + n / 2.0 * x;", "slip_brackets", 7},
+      {"double a = x, b = n;
+a = b;
+b = a;
+return a * b;", "slip_overwritten", 9},
+      {"return n * std::sin(std::asin(x / 100) / 2) * 100;", "slip_function", 7},
+      {"const double half = 0.5;
+return (n + n) * x;", "slip_factor", 8},
       {"const Vector3d v(x, 2, 1);\nreturn n * v.y();", "slip_method", 8},
   };
   for (const Slip& slip : slips) {
@@ -199,6 +207,19 @@ TEST_CASE("two slips in one line, a bound in a condition and a name with somethi
     CHECK(found->name == slip.name);
     CHECK(found->line == slip.line);
   }
+}
+
+TEST_CASE("of two mistakes the one is named that leaves a known one") {
+  Attempt attempt("return -(n + n) * x;");
+  CHECK(!attempt.slip().has_value());
+  Misconception twice{"twice", "This is twice the product.", "", {}, {}};
+  for (const Case& one : attempt.reference.cases) twice.outputs.push_back(Value{1, 1, {2 * one.expected.numbers[0]}});
+  attempt.reference.misconceptions = {twice};
+  const auto found = attempt.slip();
+  REQUIRE(found.has_value());
+  CHECK(found->name == "slip_first");
+  CHECK(found->line == 7);
+  CHECK(found->sentence.ends_with("with another sign here, one mistake is left: This is twice the product."));
 }
 
 TEST_CASE("the branch that the failing cases take is named with its condition, and whether all is right without it") {
