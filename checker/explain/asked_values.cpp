@@ -3,6 +3,7 @@
 #include "checker/explain/explainers.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace workbook {
 
@@ -138,6 +139,10 @@ bool explain_values(Search& search) {
   const bool are_finite = search.verdict() == Verdict::wrong_value;
   search.reasons = are_finite ? diagnose(reference, search.answers, take_probes(evidence.ask, reference))
                               : diagnose_finite(reference, search.answers);
+  if (!are_finite && search.reasons.empty())
+    for (const auto& mechanism : {diagnose_split, diagnose_threshold})
+      if (const auto found = mechanism(reference, search.answers); found && search.reasons.empty())
+        search.reasons = {*found};
   std::erase_if(search.reasons, [&](const Reason& reason) {
     return reason.kind == ReasonKind::split && reason.is_cause() &&
            !is_confirmed(reason, evidence.ask, reference, search.answers);
@@ -147,6 +152,49 @@ bool explain_values(Search& search) {
   std::vector<Reason> besides = diagnostic_run(evidence.task, evidence.toolchain, evidence.cache);
   for (Reason& reason : besides) reason.sentence = "Besides, at the cases without a finite number: " + reason.sentence;
   search.add_code(std::move(besides));
+  return true;
+}
+
+bool explain_lost_digits(Search& search) {
+  constexpr double nearly_right = 1e-5, telling_part = 0.1;
+  constexpr std::size_t most_cases = 6, tries = 8;
+  const ExerciseReference& reference = search.evidence.task.reference;
+  const Outcomes outcome = outcomes_of(reference, search.answers);
+  const auto error_of = [&](std::size_t index, const Value& value) {
+    double error = 0;
+    for (const Deviation& each : deviations(reference, index, value)) error = std::max(error, each.relative_size());
+    return error;
+  };
+  for (const std::size_t index : outcome.wrong)
+    if (!(error_of(index, *search.answers[index]) <= nearly_right)) return false;
+  const std::vector<std::size_t> looked_at = evenly_spaced(outcome.wrong, most_cases);
+  std::size_t jumping = 0;
+  for (const std::size_t index : looked_at) {
+    const Case& one = reference.cases[index];
+    std::vector<PlannedCall> calls(tries, {one.inputs, one.expected.rows, one.expected.cols});
+    std::size_t count = 0;  // each number is moved otherwise
+    for (std::size_t k = 0; k < calls.size(); ++k)
+      for (std::size_t a = 0; a < one.inputs.size(); ++a) {
+        if (reference.arguments[a].kind == Kind::integer) continue;
+        for (double& number : calls[k].inputs[a].numbers)
+          number *= 1 + (static_cast<double>((++count * (2 * k + 3)) % 5) - 2) * std::numeric_limits<double>::epsilon();
+      }
+    double least = error_of(index, *search.answers[index]), most = least;
+    for (const Reply& reply : search.evidence.ask(calls)) {
+      if (!has_usable_value(reply, one) || !reply.value.is_finite()) return false;
+      least = std::min(least, error_of(index, reply.value));
+      most = std::max(most, error_of(index, reply.value));
+    }
+    jumping += most - least > one.tolerance && most - least > telling_part * most ? 1 : 0;
+  }
+  if (jumping == 0 || 2 * jumping < looked_at.size()) return false;
+  search.reasons = {
+      {ReasonKind::accuracy, "lost_digits",
+       fmt::format(
+           "At the {} of {} where your result is wrong it is nearly right, but its last digits are chance: they "
+           "change when an input changes in its 16th digit. Digits are lost in a difference of nearly equal "
+           "numbers, or in acos and asin near ±1, where atan2 keeps them.",
+           outcome.wrong.size(), plural(outcome.right.size() + outcome.wrong.size(), "case"))}};
   return true;
 }
 

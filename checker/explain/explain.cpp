@@ -20,6 +20,7 @@ constexpr struct {
     {When::values, explain_whole_quotients},
     {When::values, explain_spoilt_statement},
     {When::values, explain_values},
+    {When::wrong_value, explain_lost_digits},
     {When::values, explain_by_small_change},
     {When::values, explain_by_sanitizers},
     {When::wrong_value, explain_elements_without_effect},

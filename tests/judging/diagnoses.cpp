@@ -76,7 +76,7 @@ Table misconceptions() {
   add(table, "to six digits", without_terms, mixed, "misconception no_two");
   mixed = outputs(sound, right_momentum);
   for (std::size_t i = 0; i < mixed.size(); ++i) mixed[i].numbers[1] = wrong[i].numbers[1];
-  add(table, "in one component", sound, mixed, "misconception no_two");
+  add(table, "in one component", sound, mixed, "difference difference");
   Exercise unnamed = sound;
   unnamed.misconceptions.clear();
   add(table, "in one component, without a name", unnamed, mixed, "difference difference");
@@ -240,7 +240,7 @@ Table patterns() {
   Exercise moved = momentum();
   for (int base : {1, 2}) add_generated(moved, base, 2, vector({7, 8, 9}), right_momentum);
   const Function without_v = [](const Inputs& in) { return vector({0, in[0].numbers[0], 1}); };
-  add(table, "v is not used", moved, outputs(moved, without_v));
+  add(table, "v is not used", moved, outputs(moved, without_v), "difference difference");
 
   // A case that differs from a right one in one change only.
   Values changed = outputs(moved, right_momentum);
@@ -270,6 +270,69 @@ Table patterns() {
   still.cases[8].expected = right_momentum(still.cases[8].inputs);
   at_rest[8] = still.cases[8].expected;
   add(table, "zero where u is, and only there", still, at_rest, "split split");
+  return table;
+}
+
+/// A number that follows from two others.
+Exercise of_two(const Argument& one, const Argument& other, Unit unit, const std::function<double(double, double)>& f) {
+  Exercise exercise;
+  exercise.arguments = {one, other};
+  exercise.result_kind = Kind::number;
+  exercise.result_units = {unit};
+  for (int k = 1; k <= 20; ++k)
+    add_case(exercise, fmt::format("pair {}", k), {number(0.1 * k), number(0.5 + (7 * k) % 20 / 10.0)},
+             [&](const Inputs& in) { return number(f(in[0].numbers[0], in[1].numbers[0])); });
+  return exercise;
+}
+
+Values of(const Exercise& exercise, const std::function<double(double, double)>& f) {
+  return outputs(exercise, [&](const Inputs& in) { return number(f(in[0].numbers[0], in[1].numbers[0])); });
+}
+
+/// What an error is a function of, and where it is.
+Table laws() {
+  Table table;
+  const Argument a{"a", Kind::number, units::metre}, b{"b", Kind::number, units::metre};
+  const Exercise root = of_two(a, b, units::metre, [](double x, double y) { return std::sqrt(x * x + 2 * x * y); });
+  add(table, "a term missing under a root", root,
+      of(root, [](double x, double y) { return std::sqrt(x * x + 2 * x * y + y * y / 4); }), "difference difference");
+  const Exercise inverse = of_two(a, b, units::metre, [](double x, double y) { return 1 / (1 / x + 1 / y); });
+  add(table, "twice a term in a denominator", inverse,
+      of(inverse, [](double x, double y) { return 1 / (1 / x + 2 / y); }), "difference difference");
+
+  const Argument rate{"rate", Kind::number, units::none / units::second}, t{"t", Kind::number, units::second};
+  const Exercise decay = of_two(rate, t, units::none, [](double r, double s) { return std::exp(-r * s); });
+  add(table, "a series that is cut", decay, of(decay, [](double r, double s) { return 1 - r * s + r * r * s * s / 2; }),
+      "difference small_argument");
+  add(table, "a factor that no power is", decay,
+      of(decay, [](double r, double s) { return std::exp(-r * s) * (1 + std::sin(9 * r) / 4); }));
+  add(table, "wrong beyond a time", decay,
+      of(decay, [](double r, double s) { return s < 1.25 ? std::exp(-r * s) : std::sin(7 * r + 3 * s); }),
+      "split threshold");
+
+  Exercise signs = of_two(a, b, units::none, [](double x, double y) { return x < y ? -1 : x < 1.5 ? 0 : 1; });
+  signs.result_kind = Kind::integer;
+  add(table, "one whole number for another", signs,
+      of(signs, [](double x, double y) { return x < y         ? -1
+                                                : x * y < 1.1 ? 0
+                                                              : 1; }), "split confusion");
+
+  const Exercise pair = momentum();
+  Values part = outputs(pair, right_momentum);
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    part[i].numbers[0] += pair.cases[i].inputs[0].numbers[0] * pair.cases[i].inputs[1].numbers[1];
+    part[i].numbers[2] = std::cos(5 * static_cast<double>(i * i));
+  }
+  add(table, "one component by a product, another by nothing", pair, part, "difference difference");
+
+  Exercise many = momentum();
+  for (int k = 1; k <= 12; ++k)
+    add_case(many, fmt::format("another {}", k),
+             {number(1 + 0.1 * k), vector({2.0 - k, k * k / 9.0, 1.0 + k % 4}), vector({k % 3 + 0.5, 2, 1.0 * k})},
+             right_momentum);
+  Values exchanged = outputs(many, right_momentum);
+  for (std::size_t i = 0; i < exchanged.size(); i += 2) std::swap(exchanged[i].numbers[0], exchanged[i].numbers[1]);
+  add(table, "exchanged at every other case", many, exchanged, "transform permuted, place place");
   return table;
 }
 
@@ -332,7 +395,7 @@ Table properties() {
 
 TEST_CASE("What is said of a wrong answer has the right kind and name") {
   std::string text;
-  for (const auto& table : {misconceptions, terms, transforms, patterns, properties}) {
+  for (const auto& table : {misconceptions, terms, transforms, patterns, laws, properties}) {
     for (const Diagnosed& one : table()) {
       std::string names;
       text += one.about + "\n";

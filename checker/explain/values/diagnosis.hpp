@@ -32,8 +32,20 @@ Mechanism diagnose_wrong_part;       ///< a misconception, or changed inputs, in
 /// The right result, or some of its components, times powers of the inputs. (factors.cpp)
 Mechanism diagnose_factor;
 
-/// The error of every wrong component as exactly one or two products of the inputs with simple coefficients.
+/// The error of every wrong component as exactly one product of the inputs with a simple coefficient.
+Mechanism diagnose_one_term;
+
+/// As exactly one or two of them; or the error of its square, or of one over it or its square, as one.
 Mechanism diagnose_difference;
+
+/// What explains one wrong number of several by itself. (entries.cpp)
+Mechanism diagnose_one_entry;
+
+/// The relative error as a function of one number that vanishes with it: a series that is cut. (laws.cpp)
+Mechanism diagnose_small_argument;
+
+/// "1", "−2/3", "√2", "4·π"; empty for what no formula is likely to have. (factors.cpp)
+std::string simple_number(double number);
 
 // --- where it is wrong, and on what it depends (patterns.cpp)
 
@@ -56,7 +68,9 @@ Outcomes outcomes_of(const ExerciseReference& exercise, const Answers& answers);
 Mechanism diagnose_split;
 Mechanism diagnose_one_side;     ///< the feature with which all is right, and without which almost all is wrong
 Mechanism diagnose_few;          ///< the few wrong cases by name, or the one change that makes a right case wrong
-Mechanism diagnose_conditional;  ///< the one misconception that fits all failing cases, where others are right
+Mechanism diagnose_conditional;  ///< the one misconception, or change of the right result, that fits all failing cases
+Mechanism diagnose_threshold;    ///< the size of one quantity that tells wrong cases from right ones
+Mechanism diagnose_confusion;    ///< which whole number stands for which
 
 // --- wrong coefficients (terms.cpp)
 

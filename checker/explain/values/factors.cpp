@@ -41,22 +41,29 @@ std::string text_of(const InputPower& power) {
   return fmt::format("{}^({})", power.name, coefficient_text(size));
 }
 
-/// "1", "−2/3", "√2", "4π"; empty for what no formula is likely to have.
+}  // namespace
+
 std::string simple_number(double number) {
   const auto fraction = [](double value) -> std::string {
     const std::string text = coefficient_text(value);
-    return text.find_first_of(".e") == std::string::npos && text != "0" ? text : "";
+    const bool is_exact = text.find_first_of(".e") == std::string::npos && std::abs(value) < 1000;
+    return is_exact && text != "0" ? text : "";
   };
   if (const std::string plain = fraction(number); !plain.empty()) return plain;
   const std::string sign = number < 0 ? "−" : "";
   if (const std::string square = fraction(number * number); !square.empty())
     return sign + "√" + (square.find('/') == std::string::npos ? square : "(" + square + ")");
-  for (const double factor : {std::numbers::pi, 1 / std::numbers::pi}) {
-    const std::string multiple = fraction(std::abs(number) / factor);
-    if (!multiple.empty()) return fmt::format("{}{}·{}", sign, multiple, factor > 1 ? "π" : "1/π");
+  if (const std::string multiple = fraction(std::abs(number) / std::numbers::pi); !multiple.empty())
+    return sign + (multiple == "1" ? "π" : multiple + "·π");
+  if (const std::string over = fraction(std::abs(number) * std::numbers::pi); !over.empty()) {
+    const std::size_t slash = over.find('/');
+    return slash == std::string::npos ? fmt::format("{}{}/π", sign, over)
+                                      : fmt::format("{}{}/({}π)", sign, over.substr(0, slash), over.substr(slash + 1));
   }
   return "";
 }
+
+namespace {
 
 /// "times 2·m/(r²·g)" or "divided by r²"
 std::string factor_text(const std::string& coefficient, const std::vector<InputPower>& powers) {
@@ -72,9 +79,10 @@ std::string factor_text(const std::string& coefficient, const std::vector<InputP
                                         : "/" + divisor);
 }
 
-/// The quantities, their sines and cosines, lengths of vectors, sums and differences of what has the same unit: those
-/// that vary and are nowhere zero at the cases, the simplest first.
-std::vector<Column> columns_at(const ExerciseReference& exercise, const std::vector<std::size_t>& rows) {
+/// The quantities, their sines and cosines, the components of the result that are right, lengths of vectors, sums and
+/// differences of what has the same unit: those that vary and are nowhere zero at the cases, the simplest first.
+std::vector<Column> columns_at(const ExerciseReference& exercise, const std::set<std::size_t>& wrong,
+                               const std::vector<std::size_t>& rows) {
   std::vector<Column> columns;
   const auto add = [&](const std::string& name, const std::function<double(std::size_t)>& value_at) {
     VectorXd column(static_cast<Index>(rows.size()));
@@ -93,6 +101,18 @@ std::vector<Column> columns_at(const ExerciseReference& exercise, const std::vec
     }
     add("sin(" + each.name + ")", [&](std::size_t i) { return std::sin(each.values[i]); });
     add("cos(" + each.name + ")", [&](std::size_t i) { return std::cos(each.values[i]); });
+  }
+  const Value& shape = exercise.cases.front().expected;
+  for (std::size_t n = 0; n < shape.numbers.size() && shape.numbers.size() <= 3; ++n) {
+    if (wrong.contains(n)) continue;
+    const std::string name = entry_name(shape, exercise.result_kind, n);
+    const auto number = [&, n](std::size_t i) { return exercise.cases[i].expected.numbers[n]; };
+    if (exercise.result_units[exercise.result_units.size() == 1 ? 0 : n] == units::radian) {
+      add("sin(" + name + ")", [&](std::size_t i) { return std::sin(number(i)); });
+      add("cos(" + name + ")", [&](std::size_t i) { return std::cos(number(i)); });
+    } else {
+      add(name, number);
+    }
   }
   for (std::size_t a = 0; a < exercise.arguments.size(); ++a) {
     const Argument& argument = exercise.arguments[a];
@@ -144,6 +164,10 @@ double to_exponent(double number) { return std::round(2 * number) / 2; }
 /// The logarithms as those of c·q^k or c·q^k·p^l; empty where none fits exactly.
 std::string fitted(const VectorXd& target, double sign, const std::vector<Column>& columns) {
   if (target.size() < 2 + spare_cases) return "";
+  if ((target.array() - target.mean()).abs().maxCoeff() <= logarithm_exactness) {
+    const std::string number = simple_number(sign * std::exp(target.mean()));
+    return number == "−1" ? "with the other sign" : number.empty() || number == "1" ? "" : "times " + number;
+  }
   const auto checked = [&](std::vector<InputPower> powers, const std::vector<const Column*>& used) -> std::string {
     VectorXd rest = target;
     for (std::size_t k = 0; k < used.size(); ++k) {
@@ -185,7 +209,8 @@ struct Relation {
   std::string words = {};
 };
 
-Relation relation(const ExerciseReference& exercise, const Answers& answers, std::size_t number) {
+Relation relation(const ExerciseReference& exercise, const Answers& answers, const std::set<std::size_t>& wrong,
+                  std::size_t number) {
   constexpr double telling = 1e-5;  // of the natural size
   std::vector<std::size_t> rows;
   std::vector<double> yours, right;
@@ -207,7 +232,7 @@ Relation relation(const ExerciseReference& exercise, const Answers& answers, std
   if (!found.is_wrong) return found;
   const bool has_one_sign = positive == 0 || positive == static_cast<int>(rows.size());
   if (!has_one_sign || rows.empty()) return {true};
-  const std::vector<Column> columns = columns_at(exercise, rows);
+  const std::vector<Column> columns = columns_at(exercise, wrong, rows);
   const auto size = static_cast<Index>(rows.size());
   const VectorXd y = Eigen::Map<const VectorXd>(yours.data(), size).cwiseAbs().array().log();
   const VectorXd e = Eigen::Map<const VectorXd>(right.data(), size).cwiseAbs().array().log();
@@ -225,10 +250,11 @@ std::optional<Reason> diagnose_factor(const ExerciseReference& exercise, const A
         return answers[i]->is_finite() && exercise.cases[i].expected.has_shape_of(shape);
       }))
     return std::nullopt;
+  const std::set<std::size_t> wrong = wrong_entries(exercise, answers);
   std::vector<std::string> names;
   std::string words;
   for (std::size_t n = 0; n < shape.numbers.size(); ++n) {
-    const Relation found = relation(exercise, answers, n);
+    const Relation found = relation(exercise, answers, wrong, n);
     if (!found.is_wrong) continue;
     if (found.words.empty() || (!words.empty() && words != found.words)) return std::nullopt;
     words = found.words;

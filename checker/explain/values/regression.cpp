@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace workbook {
 
@@ -124,7 +125,7 @@ bool is_simple(double coefficient) {
 }
 
 /// The error as exactly one, or else exactly two of the products; empty if none, or more than one choice, fits.
-std::vector<FittedProduct> fit(const VectorXd& error, const std::vector<Product>& products) {
+std::vector<FittedProduct> fit(const VectorXd& error, const std::vector<Product>& products, int most_terms) {
   const Index rows = error.size();
   std::vector<std::vector<FittedProduct>> fits;
   const auto is_exact = [&](const VectorXd& rest) { return rest.cwiseAbs().maxCoeff() <= exactness; };
@@ -135,7 +136,7 @@ std::vector<FittedProduct> fit(const VectorXd& error, const std::vector<Product>
       fits.push_back({{coefficient, &product}});
   }
   if (!fits.empty()) return fits.size() == 1 ? fits.front() : std::vector<FittedProduct>{};
-  if (products.size() > most_products_in_pairs || rows < 2 + spare_equations) return {};
+  if (most_terms < 2 || products.size() > most_products_in_pairs || rows < 2 + spare_equations) return {};
   for (std::size_t a = 0; a < products.size(); ++a) {
     const VectorXd direction = products[a].values.normalized();
     const VectorXd rest = error - direction.dot(error) * direction;
@@ -174,8 +175,8 @@ std::string difference(const std::vector<FittedProduct>& terms) {
 /// Fits errors by products, and if need be by products over one of the quantities.
 class Fitter {
  public:
-  Fitter(const std::vector<Quantity>& quantities, const std::vector<std::size_t>& rows)
-      : quantities_(quantities), rows_(rows), products_(quantities, rows) {}
+  Fitter(const std::vector<Quantity>& quantities, const std::vector<std::size_t>& rows, int most_terms)
+      : quantities_(quantities), rows_(rows), most_terms_(most_terms), products_(quantities, rows) {}
 
   /// "is too small by omega[0]·omega[1]"; empty where nothing fits.
   std::string words(const VectorXd& error, const VectorXd& scale, Unit unit) {
@@ -199,20 +200,27 @@ class Fitter {
     const VectorXd below = divisor == nullptr ? scale : scale.cwiseProduct(at_rows(divisor->values, rows_)).eval();
     for (Product& product : candidates) {
       product.values = product.values.cwiseQuotient(below);
-      if (divisor != nullptr) product.name += "/" + divisor->name;
+      if (divisor != nullptr) product.name = (product.name.empty() ? "1" : product.name) + "/" + divisor->name;
     }
-    return difference(fit(error, candidates));
+    return difference(fit(error, candidates, most_terms_));
   }
 
   const std::vector<Quantity>& quantities_;
   const std::vector<std::size_t>& rows_;
+  const int most_terms_;
   Products products_;
   std::map<std::string, std::vector<Product>> known_;
 };
 
-}  // namespace
+/// What is compared of a number of the result.
+struct ComparedPower {
+  int exponent;
+  const char* of;  ///< to stand before its name
+};
 
-std::optional<Reason> diagnose_difference(const ExerciseReference& exercise, const Answers& answers) {
+/// The differences of all wrong numbers, or of their powers; nothing where one of them is not explained.
+std::optional<Reason> differences(const ExerciseReference& exercise, const Answers& answers, const ComparedPower& power,
+                                  int most_terms) {
   if (exercise.comparison != Comparison::plain) return std::nullopt;
   const Value& shape = exercise.cases.front().expected;
   if (!std::ranges::all_of(exercise.cases, [&](const Case& one) { return one.expected.has_shape_of(shape); }))
@@ -221,30 +229,50 @@ std::optional<Reason> diagnose_difference(const ExerciseReference& exercise, con
   const std::vector<Quantity> quantities = quantities_of(exercise);
   if (quantities.empty() || rows.size() < 1 + spare_equations) return std::nullopt;
 
-  Fitter fitter(quantities, rows);
+  Fitter fitter(quantities, rows, most_terms);
   std::string sentence;
   std::size_t wrong = 0;
   for (std::size_t n = 0; n < shape.numbers.size(); ++n) {
     VectorXd error(static_cast<Index>(rows.size()));
     VectorXd scale(error.size());
-    bool is_wrong = false;
+    bool is_wrong = false, is_positive = true;
     for (std::size_t k = 0; k < rows.size(); ++k) {
       const Case& one = exercise.cases[rows[k]];
       const auto row = static_cast<Index>(k);
-      scale[row] = scale_at(one, n);
-      error[row] = (answers[rows[k]]->numbers[n] - one.expected.numbers[n]) / scale[row];
-      is_wrong = is_wrong || !(std::abs(error[row]) <= one.tolerance);
+      const double yours = answers[rows[k]]->numbers[n], right = one.expected.numbers[n];
+      is_wrong = is_wrong || !(std::abs(yours - right) <= one.tolerance * scale_at(one, n));
+      is_positive = is_positive && yours > 0 && right > 0;
+      scale[row] = power.exponent == 1 ? scale_at(one, n) : std::pow(right, power.exponent);
+      error[row] = (std::pow(yours, power.exponent) - std::pow(right, power.exponent)) / scale[row];
     }
     if (!is_wrong) continue;
-    if (++wrong > most_components_named) return std::nullopt;
-    const std::string words =
-        fitter.words(error, scale, exercise.result_units[exercise.result_units.size() == 1 ? 0 : n]);
+    if (++wrong > most_components_named || (power.exponent != 1 && !is_positive)) return std::nullopt;
+    const Unit of_result = exercise.result_units[exercise.result_units.size() == 1 ? 0 : n];
+    Unit unit;
+    for (int k = 0; k < std::abs(power.exponent); ++k) unit = power.exponent > 0 ? unit * of_result : unit / of_result;
+    const std::string words = fitter.words(error, scale, unit);
     if (words.empty()) return std::nullopt;
-    sentence += (sentence.empty() ? "" : "; ") + entry_name(shape, exercise.result_kind, n) + " " + words;
+    const bool is_whole = shape.numbers.size() == 1;
+    const std::string name = is_whole ? "your result" : entry_name(shape, exercise.result_kind, n);
+    sentence += (sentence.empty() ? is_whole ? "" : "in your result " : "; ") + (power.of + name) + " " + words;
   }
   if (wrong == 0) return std::nullopt;
   if (shape.numbers.size() > wrong) sentence += "; all else is right";
-  return Reason{ReasonKind::difference, "difference", "In your result " + sentence + "."};
+  return Reason{ReasonKind::difference, "difference", capitalized(sentence) + "."};
+}
+
+}  // namespace
+
+std::optional<Reason> diagnose_one_term(const ExerciseReference& exercise, const Answers& answers) {
+  return differences(exercise, answers, {1, ""}, 1);
+}
+
+std::optional<Reason> diagnose_difference(const ExerciseReference& exercise, const Answers& answers) {
+  constexpr ComparedPower powers[] = {{2, "the square of "}, {-1, "one over "}, {-2, "one over the square of "}};
+  if (const auto found = differences(exercise, answers, {1, ""}, 2)) return found;
+  for (const ComparedPower& power : powers)
+    if (const auto found = differences(exercise, answers, power, 1)) return found;
+  return std::nullopt;
 }
 
 }  // namespace workbook

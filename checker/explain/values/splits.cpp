@@ -40,6 +40,7 @@ class Features {
     of_pairs();
     of_groups();
     of_two_vectors();
+    of_free_bodies();
     return std::move(found_);
   }
 
@@ -198,6 +199,25 @@ class Features {
           const Eigen::Vector3d u = input(i, a), v = input(i, b);
           return size(i) > 0 && std::abs(u.dot(v)) <= same * size(i);
         });
+      }
+    }
+  }
+
+  /// Round which axis a free body's angular velocity goes.
+  void of_free_bodies() {
+    for (std::size_t a = 0; a < exercise_.arguments.size(); ++a) {
+      for (std::size_t b = 0; b < exercise_.arguments.size(); ++b) {
+        const Argument &I = exercise_.arguments[a], &omega = exercise_.arguments[b];
+        if (I.kind != Kind::vector3 || omega.kind != Kind::vector3 || !(I.unit == units::moment_of_inertia) ||
+            !(omega.unit == units::radian_per_second))
+          continue;
+        const auto excess = [&](std::size_t i) {  // L² − 2TI₂
+          const Eigen::Vector3d moments = input(i, a), rates = input(i, b), L = moments.cwiseProduct(rates);
+          return L.squaredNorm() - L.dot(rates) * (moments.sum() - moments.minCoeff() - moments.maxCoeff());
+        };
+        const std::string words = omega.name + " goes round the axis of the ";
+        add(words + "smallest moment (L² < 2TI₂)", [&](std::size_t i) { return excess(i) < 0; });
+        add(words + "largest moment (L² > 2TI₂)", [&](std::size_t i) { return excess(i) > 0; });
       }
     }
   }
@@ -366,6 +386,25 @@ std::optional<Reason> diagnose_few(const ExerciseReference& exercise, const Answ
                 Weight::symptom};
 }
 
+/// What the right results become at all failing cases, where the others are right.
+static std::optional<Reason> changed_where_wrong(const ExerciseReference& whole, const Answers& answers,
+                                                 const Outcomes& outcome) {
+  constexpr std::size_t fewest = 5;
+  ExerciseReference exercise = whole;
+  for (const std::size_t i : outcome.right) exercise.cases[i].deciding = false;
+  const std::size_t deciding = deciding_cases(exercise).size();
+  if (deciding < fewest || deciding == deciding_cases(whole).size()) return std::nullopt;
+  for (const auto& mechanism : {diagnose_transform, diagnose_factor}) {
+    std::optional<Reason> found = mechanism(exercise, answers);
+    if (!found) continue;
+    found->sentence = fmt::format("At the {} of {} where your result is wrong: {}", outcome.wrong.size(),
+                                  plural(outcome.right.size() + outcome.wrong.size(), "case"),
+                                  replaced(found->sentence, " at every case", " at each of them"));
+    return found;
+  }
+  return std::nullopt;
+}
+
 std::optional<Reason> diagnose_conditional(const ExerciseReference& exercise, const Answers& answers) {
   const Outcomes outcome = outcomes_of(exercise, answers);
   std::vector<std::size_t> wrong = outcome.wrong;
@@ -373,6 +412,7 @@ std::optional<Reason> diagnose_conditional(const ExerciseReference& exercise, co
   constexpr std::size_t fewest = 3;
   // Where many values are one answer, as angles of one attitude are, few cases agree by accident.
   if (exercise.comparison != Comparison::plain || wrong.size() < fewest || outcome.right.empty()) return std::nullopt;
+  if (const auto changed = changed_where_wrong(exercise, answers, outcome)) return changed;
   const auto is_trivial = [&](const Value& value) {
     return !value.is_finite() || std::ranges::all_of(value.numbers, [](double number) { return number == 0; });
   };
@@ -392,6 +432,49 @@ std::optional<Reason> diagnose_conditional(const ExerciseReference& exercise, co
                    Weight::cause, each.notes};
   }
   return named;
+}
+
+std::optional<Reason> diagnose_threshold(const ExerciseReference& exercise, const Answers& answers) {
+  const Outcomes outcome = outcomes_of(exercise, answers);
+  constexpr std::size_t fewest = 4;
+  if (outcome.wrong.size() < fewest || outcome.right.size() < fewest) return std::nullopt;
+  std::optional<Reason> found;
+  for (const Quantity& each : quantities_of(exercise)) {
+    if (exercise.arguments[each.argument].kind == Kind::integer) continue;
+    const auto size = [&](std::size_t i) { return std::abs(each.values[i]); };
+    const auto [right_least, right_most] = std::ranges::minmax(outcome.right, {}, size);
+    const auto [wrong_least, wrong_most] = std::ranges::minmax(outcome.wrong, {}, size);
+    const bool is_above = size(right_most)<size(wrong_least), is_below = size(right_least)> size(wrong_most);
+    if (!is_above && !is_below) continue;
+    if (found) return std::nullopt;  // of two none is certain
+    found = Reason{ReasonKind::split, "threshold",
+                   fmt::format("Your result is right at all {} where |{}| is at {} {}, and wrong at all {} where it is "
+                               "at {} {}.",
+                               plural(outcome.right.size(), "case"), each.name, is_above ? "most" : "least",
+                               number_text(size(is_above ? right_most : right_least), 4), outcome.wrong.size(),
+                               is_above ? "least" : "most", number_text(size(is_above ? wrong_least : wrong_most), 4)),
+                   Weight::symptom};
+  }
+  return found;
+}
+
+std::optional<Reason> diagnose_confusion(const ExerciseReference& exercise, const Answers& answers) {
+  if (exercise.result_kind != Kind::integer) return std::nullopt;
+  constexpr std::size_t most = 3;
+  std::map<double, std::size_t> all;  // right results, and at how many cases
+  std::map<std::pair<double, double>, std::size_t> wrong;
+  for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
+    const double right = exercise.cases[i].expected.numbers.front();
+    ++all[right];
+    if (!answers[i]) return std::nullopt;
+    if (!passes(exercise, i, *answers[i])) ++wrong[{right, answers[i]->numbers.front()}];
+  }
+  if (wrong.empty() || wrong.size() > most) return std::nullopt;
+  std::vector<std::string> parts;
+  for (const auto& [pair, count] : wrong)
+    parts.push_back(fmt::format("at {} of the {} where {} is right it is {}", count, plural(all[pair.first], "case"),
+                                number_text(pair.first, 3), number_text(pair.second, 3)));
+  return Reason{ReasonKind::split, "confusion", "Your result is wrong: " + listed(parts) + ".", Weight::symptom};
 }
 
 }  // namespace workbook

@@ -81,7 +81,8 @@ Transform scaled(const ExerciseReference& exercise, double factor) {
   const std::string text = coefficient_text(factor);
   if (text == "0")
     return {"zero", "Your result is zero everywhere, also where the expected one is not.", apply, Weight::symptom};
-  return {"factor", factor_sentence(text), apply};
+  const std::string simple = simple_number(factor);
+  return {"factor", factor_sentence(simple.empty() ? text : simple), apply};
 }
 
 /// Every other order of the rows: of the components of a vector, or of every column of a list of points.
