@@ -308,12 +308,10 @@ class Neighbours {
       } else if (argument.kind == Kind::matrix3) {
         // Small turns and what lacks little of half a turn: where a guard or a series may reach too far.
         const Vector3d oblique = Vector3d(1, 2, 2) / 3;
-        const std::pair<const char*, Matrix3d> turns[] = {{"the unit matrix", Matrix3d::Identity()},
-                                                          {"a quarter turn about x", turn(x_axis, pi / 2)},
-                                                          {"half a turn about z", turn(z_axis, pi)},
-                                                          {"a turn by 0.003", turn(oblique, 0.003)},
-                                                          {"a turn by 0.05", turn(oblique, 0.05)},
-                                                          {"half a turn less 0.05", turn(oblique, pi - 0.05)}};
+        const std::pair<const char*, Matrix3d> turns[] = {
+            {"the unit matrix", Matrix3d::Identity()}, {"a quarter turn about x", turn(x_axis, pi / 2)},
+            {"half a turn about z", turn(z_axis, pi)}, {"a turn by 0.003", turn(oblique, 0.003)},
+            {"a turn by 0.05", turn(oblique, 0.05)},   {"half a turn less 0.05", turn(oblique, pi - 0.05)}};
         for (const auto& [name, A] : turns) {
           changed[a] = to_value(A);
           add(name_of(a) + " " + name, changed);

@@ -74,6 +74,9 @@ void judge_angular_velocity_from_three_points(Lecture& lecture) {
           "mean_of_edges", [](auto& r, auto& v) {
             return (across_side(r, v, 0, 1) + across_side(r, v, 1, 2) + across_side(r, v, 2, 0)) / 3;
           });
+  e.wrong("This is the mean of what two sides show; each lacks its own part of ω, and so does the mean.",
+          "mean_of_two_edges",
+          [](auto& r, auto& v) { return (across_side(r, v, 0, 1) + across_side(r, v, 0, 2)) / 2; });
   e.wrong("This is the rate at which the first point goes round the origin, as if the body rotated about the origin.",
           "translation_kept", [](auto& r, auto& v) { return cross(r.col(0), v.col(0)) / r.col(0).squaredNorm(); });
   e.wrong_output("Your ω has the wrong sign: a line from one point of the body to another turns in the sense of ω.",

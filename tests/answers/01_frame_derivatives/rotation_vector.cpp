@@ -22,3 +22,14 @@ Vector3d rotation_vector(const Matrix3d& E) {
   double n = s.norm();
   if (n == 0) return Vector3d::Zero();
   return std::asin(std::min(n, 1.0)) / n * s;
+//! wrong: to first order below a hundredth
+  const Vector3d vee(E(2, 1) - E(1, 2), E(0, 2) - E(2, 0), E(1, 0) - E(0, 1));
+  const double s = vee.norm() / 2;
+  const double c = (E.trace() - 1) / 2;
+  const double angle = std::atan2(s, c);
+  if (angle < 0.01) return vee / 2;
+  if (s > 1e-7) return vee / (2 * s) * angle;
+  int k = 0;
+  E.diagonal().maxCoeff(&k);
+  Vector3d n = E.col(k) + Vector3d::Unit(k);
+  return n.normalized() * angle;

@@ -24,3 +24,7 @@ Vector2d bead_on_hoop(double radius, double g, double rate) {
   const double w2 = rate * rate, k = g / radius;
   if (w2 <= k) return {0, k - w2};
   return {std::acos(k / w2), w2 - k * k / w2};
+//! wrong: frequency without the sine
+  const double q = g / (radius * rate * rate);
+  if (q >= 1) return {0, std::sqrt(g / radius - rate * rate)};
+  return {std::acos(q), std::abs(rate)};

@@ -40,3 +40,5 @@ Vector3d fictitious_force(double m, const Vector3d& v_body, const Vector3d& r, c
 //! wrong: nothing for a mass at rest in the frame
   if (v_body.isZero()) return -m * omega.cross(omega.cross(r));
   return -m * (2 * omega.cross(v_body) + alpha.cross(r) + omega.cross(omega.cross(r)));
+//! wrong: mass forgotten in one term
+  return -2 * m * omega.cross(v_body) - alpha.cross(r) - m * omega.cross(omega.cross(r));

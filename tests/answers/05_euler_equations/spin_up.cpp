@@ -28,3 +28,12 @@ Vector3d spin_up(double I1, double I3, const Vector3d& omega0, double torque, do
   const double angle = (I3 - I1) / I1 * (omega0[2] * t + 0.5 * torque * t * t);
   const double c = std::cos(angle), s = std::sin(angle);
   return {c * omega0[0] - s * omega0[1], s * omega0[0] + c * omega0[1], omega0[2] + torque * t};
+//! wrong: brackets forgotten
+  const double w3 = omega0[2] + torque * t / I3;
+  const double a = (I3 - I1 / I1) * (omega0[2] * t + torque * t * t / (2 * I3));
+  return {std::cos(a) * omega0[0] - std::sin(a) * omega0[1], std::sin(a) * omega0[0] + std::cos(a) * omega0[1], w3};
+//! wrong: torque over the other moment, twice
+  const double k = (I3 - I1) / I1;
+  const double w3 = omega0[2] + torque * t / I1;
+  const double a = k * (omega0[2] * t + torque * t * t / (2 * I1));
+  return {std::cos(a) * omega0[0] - std::sin(a) * omega0[1], std::sin(a) * omega0[0] + std::cos(a) * omega0[1], w3};

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <rigid/euler_equations.hpp>
 //! right: five turns about the axes
@@ -25,3 +27,32 @@ Vector3d splitting_step(const Vector3d& I, const Vector3d& omega, double h) {
 //! wrong: middle stage halved
 -  go(2, h);
 +  go(2, h / 2);
+//! wrong: first component overwritten before it is used
+  Vector3d L = I.cwiseProduct(omega);
+  const std::array<double, 5> part{0.5, 0.5, 1, 0.5, 0.5};
+  const std::array<int, 5> axis{0, 1, 2, 1, 0};
+  for (int s = 0; s < 5; ++s) {
+    const int i = axis[s], j = (i + 1) % 3, k = (i + 2) % 3;
+    const double a = -part[s] * h * L[i] / I[i];
+    L[j] = std::cos(a) * L[j] - std::sin(a) * L[k];
+    L[k] = std::sin(a) * L[j] + std::cos(a) * L[k];
+  }
+  return L.cwiseQuotient(I);
+//! right: recursion with complex numbers
+static void stage(Vector3d& L, const Vector3d& I, double h, int i) {
+  std::complex<double> z(L[(i + 1) % 3], L[(i + 2) % 3]);
+  z *= std::exp(std::complex<double>(0, -h * L[i] / I[i]));
+  L[(i + 1) % 3] = z.real();
+  L[(i + 2) % 3] = z.imag();
+}
+static void strang(Vector3d& L, const Vector3d& I, double h, int i) {
+  if (i == 2) return stage(L, I, h, 2);
+  stage(L, I, h / 2, i);
+  strang(L, I, h, i + 1);
+  stage(L, I, h / 2, i);
+}
+Vector3d splitting_step(const Vector3d& I, const Vector3d& omega, double h) {
+  Vector3d L = I.array() * omega.array();
+  strang(L, I, h, 0);
+  return L.array() / I.array();
+}

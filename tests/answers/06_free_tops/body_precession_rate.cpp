@@ -24,3 +24,5 @@ double body_precession_rate(double I3, double I1, double omega3) { return omega3
 //! wrong: a sphere turns with its spin
   if (I1 == I3) return omega3;
   return omega3 * (I3 - I1) / I1;
+//! wrong: brackets forgotten
+  return omega3 * I3 - I1 / I1;

@@ -36,3 +36,15 @@ Vector3d inertial_components(const Vector3d& angles, const Vector3d& V_body) {
   return AngleAxisd(angles[0], Vector3d::UnitZ()) *
          (AngleAxisd(angles[1], Vector3d::UnitY()) * (AngleAxisd(angles[2], Vector3d::UnitZ()) * V_body));
 }
+//! wrong: one sign in the matrix
+static Matrix3d rot(const Vector3d& a) {
+  const double cf = std::cos(a[0]), sf = std::sin(a[0]), ct = std::cos(a[1]), st = std::sin(a[1]), cp = std::cos(a[2]), sp = std::sin(a[2]);
+  Matrix3d R;
+  R << cp * ct * cf - sp * sf, cp * ct * sf + sp * cf, cp * st,
+       -sp * ct * cf - cp * sf, -sp * ct * sf + cp * cf, sp * st,
+       st * cf, st * sf, ct;
+  return R;
+}
+Vector3d inertial_components(const Vector3d& V_body, const Vector3d& angles) {
+  return rot(angles).transpose() * V_body;
+}

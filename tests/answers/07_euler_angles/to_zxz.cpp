@@ -48,3 +48,11 @@ Vector3d to_zxz(const Vector3d& angles) {
   if (q[1] < 0) q = Vector3d(q[0] + pi, -q[1], q[2] + pi);
   if (std::sin(q[1]) < 1e-9) q = Vector3d(q[0] + q[2], q[1], 0);
   return {std::remainder(q[0], 2 * pi), q[1], std::remainder(q[2], 2 * pi)};
+//! right: by the matrix
+  using A = Eigen::AngleAxisd;
+  const Vector3d x = Vector3d::UnitX(), z = Vector3d::UnitZ();
+  const Matrix3d m = (A(angles[0], z) * A(angles[1], Vector3d::UnitY()) * A(angles[2], z)).toRotationMatrix();
+  (void)x;
+  const double s = std::hypot(m(0, 2), m(1, 2));
+  if (s < 1e-9) return {std::atan2(m(1, 0), m(0, 0)), m(2, 2) > 0 ? 0.0 : std::numbers::pi, 0.0};
+  return {std::atan2(m(0, 2), -m(1, 2)), std::atan2(s, m(2, 2)), std::atan2(m(2, 0), m(2, 1))};

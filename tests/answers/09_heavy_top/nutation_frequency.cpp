@@ -28,3 +28,8 @@ double nutation_frequency(double I1, double mgl, double theta, double rate) {
 //! wrong: sine for cosine
   const double w = mgl / I1;
   return std::sqrt(std::abs(rate * rate - 2 * w * std::sin(theta) + w * w / (rate * rate)));
+//! wrong: a term under the root forgotten
+  const double s = std::sin(theta), c = std::cos(theta);
+  (void)s;
+  const double a = mgl / (I1 * rate);
+  return std::sqrt(a * a - 2 * c * mgl / I1);

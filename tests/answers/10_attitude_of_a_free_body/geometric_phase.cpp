@@ -115,3 +115,22 @@ double geometric_phase(const Vector3d& I, const Vector3d& omega0) {
   const Vector3d n = I.cwiseProduct(omega0).normalized();
   const bool round_3 = I.cwiseProduct(omega0).squaredNorm() > I[1] * I.dot(omega0.cwiseAbs2());
   return 2 * M_PI * (1 - std::abs(round_3 ? n[2] : n[0]));
+//! wrong: round axis 3 always
+  auto f = [&](const Vector3d& x) -> Vector3d { return I.cwiseProduct(x).cross(x).cwiseQuotient(I); };
+  const double T2 = I.dot(omega0.cwiseAbs2()), L2 = I.cwiseProduct(omega0).squaredNorm();
+  double a = I[0], b = I[1], c = I[2];
+  if (L2 < T2 * b) std::swap(a, c);
+  const double nu = std::sqrt((L2 - T2 * a) * (c - b) / (a * b * c));
+  const double m = (T2 * c - L2) * (b - a) / ((L2 - T2 * a) * (c - b));
+  const double P = 4 * std::comp_ellint_1(std::sqrt(std::max(m, 0.0))) / nu;
+  const int n = 20000;
+  const double h = P / n;
+  Vector3d w = omega0;
+  double sum = 0;
+  for (int i = 0; i < n; ++i) {
+    const Vector3d v = I.cwiseProduct(w), dv = I.cwiseProduct(f(w));
+    sum += h * (1 - std::abs(v[2]) / v.norm()) * (v[0] * dv[1] - v[1] * dv[0]) / (v[0] * v[0] + v[1] * v[1]);
+    const Vector3d k1 = f(w), k2 = f(w + h / 2 * k1), k3 = f(w + h / 2 * k2), k4 = f(w + h * k3);
+    w += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+  }
+  return std::abs(sum);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <rigid/attitude_of_a_free_body.hpp>
@@ -101,3 +102,22 @@ double turn_per_period(const Vector3d& I, const Vector3d& omega0) {
 -  return I.cwiseProduct(omega0).norm() / I[0] * period(I, omega0);
 +  const Vector3d L = I.cwiseProduct(omega0);
 +  return omega0.dot(L) / L.norm() * period(I, omega0);
+//! right: trapezoidal rule over a period
+  const double T2 = I.dot(omega0.cwiseAbs2()), L2 = I.cwiseProduct(omega0).squaredNorm();
+  double a = I[0], b = I[1], c = I[2];
+  if (L2 < T2 * b) std::swap(a, c);
+  const double nu = std::sqrt((L2 - T2 * a) * (c - b) / (a * b * c));
+  const double m = (T2 * c - L2) * (b - a) / ((L2 - T2 * a) * (c - b));
+  const double P = 4 * std::comp_ellint_1(std::sqrt(std::max(m, 0.0))) / nu;
+  auto f = [&](const Vector3d& x) -> Vector3d { return I.cwiseProduct(x).cross(x).cwiseQuotient(I); };
+  const int n = 40000;
+  const double h = P / n;
+  Vector3d w = omega0;
+  double sum = 0;
+  for (int i = 0; i < n; ++i) {
+    const double x = I[0] * w[0], y = I[1] * w[1];
+    sum += (x * w[0] + y * w[1]) / (x * x + y * y);
+    const Vector3d k1 = f(w), k2 = f(w + h / 2 * k1), k3 = f(w + h / 2 * k2), k4 = f(w + h * k3);
+    w += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+  }
+  return std::sqrt(L2) * sum * h;

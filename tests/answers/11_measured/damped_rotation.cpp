@@ -32,3 +32,15 @@ Vector3d damped_rotation(const Vector3d& I, const Vector3d& omega0, double gamma
   const int steps = 1 + static_cast<int>(t / 0.001);
   for (int k = 0; k < steps; ++k) w += t / steps * (Vector3d(-w.cross(I.cwiseProduct(w)).cwiseQuotient(I)) - gamma * w);
   return w;
+//! wrong: series of the exponential
+  auto f = [&](const Vector3d& x) -> Vector3d { return I.cwiseProduct(x).cross(x).cwiseQuotient(I); };
+  Vector3d w = omega0;
+  const double s = gamma == 0 ? t : (1 - std::exp(-gamma * t)) / gamma;
+  const int n = 20000;
+  const double h = s / n;
+  for (int i = 0; i < n; ++i) {
+    const Vector3d a = f(w), b = f(w + h / 2 * a), c = f(w + h / 2 * b), d = f(w + h * c);
+    w += h / 6 * (a + 2 * b + 2 * c + d);
+  }
+  const double x = gamma * t;
+  return w * (1 - x + x * x / 2 - x * x * x / 6);

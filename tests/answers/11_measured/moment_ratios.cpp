@@ -13,3 +13,6 @@ Vector2d moment_ratios(double a, double c) {
 //! wrong: third equation with I_y - I_x
   const double s = (1 - a) / (1 - c);
   return {s + a, s};
+//! wrong: sign of c
+  const double y = (1 + a * c) / (1 - c);
+  return {y, y + a};

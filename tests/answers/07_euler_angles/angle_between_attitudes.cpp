@@ -1,0 +1,16 @@
+#include <algorithm>
+#include <cmath>
+#include <rigid/euler_angles.hpp>
+double angle_between_attitudes(const Vector3d& angles1, const Vector3d& angles2) {
+//! wrong: arccosine of the trace
+  using A = Eigen::AngleAxisd;
+  auto m = [](const Vector3d& a) -> Matrix3d { return (A(a[0], Vector3d::UnitZ()) * A(a[1], Vector3d::UnitY()) * A(a[2], Vector3d::UnitZ())).toRotationMatrix(); };
+  const double c = ((m(angles1).transpose() * m(angles2)).trace() - 1) / 2;
+  return std::acos(std::clamp(c, -1.0, 1.0));
+//! right: sine and cosine from both matrices
+  using A = Eigen::AngleAxisd;
+  auto m = [](const Vector3d& a) -> Matrix3d { return (A(a[0], Vector3d::UnitZ()) * A(a[1], Vector3d::UnitY()) * A(a[2], Vector3d::UnitZ())).toRotationMatrix(); };
+  const Matrix3d a = m(angles1), b = m(angles2);
+  const Matrix3d D = a.transpose() * b;
+  const double sine = Vector3d(D(2, 1) - D(1, 2), D(0, 2) - D(2, 0), D(1, 0) - D(0, 1)).norm() / 2;
+  return std::atan2(sine, (D.trace() - 1) / 2);
