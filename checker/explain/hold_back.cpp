@@ -11,21 +11,9 @@ namespace {
 /// The first try at which a reason of that kind is told.
 int first_stage(ReasonKind kind) {
   using enum ReasonKind;
-  switch (kind) {
-    case code:
-    case dimension:
-    case accuracy:
-    case property:
-    case learnt:
-      return 1;
-    case split:
-    case independence:
-    case entry:
-    case place:
-      return 2;
-    default:
-      return 3;
-  }
+  constexpr ReasonKind at_once[] = {code, dimension, accuracy, property, learnt};
+  constexpr ReasonKind second[] = {split, independence, entry, place};
+  return std::ranges::count(at_once, kind) > 0 ? 1 : std::ranges::count(second, kind) > 0 ? 2 : 3;
 }
 
 /// A limit at which it fails, or else the first case; and where it is right.

@@ -55,35 +55,24 @@ template <class T> auto operator*(WorkbookTimes times, const T& x) {
 
 enum class Form { times, step, value, call, method, condition, copy };
 
+/// In the order of VariantKind: slips, then branches.
+constexpr struct {
+  const char* name;
+  Form form;
+} named_kinds[] = {{"sign", Form::times},       {"factor", Form::times},         {"factor", Form::times},
+                   {"number", Form::value},     {"index", Form::value},          {"name", Form::value},
+                   {"function", Form::call},    {"method", Form::method},        {"loop", Form::step},
+                   {"guard", Form::value},      {"brackets", Form::copy},        {"overwritten", Form::copy},
+                   {"branch", Form::condition}, {"branch_off", Form::condition}, {"branch_on", Form::condition}};
+
 Form form_of(const Variant& variant) {
-  using enum VariantKind;
-  if (variant.edits.empty()) return Form::copy;
-  switch (variant.kind) {
-    case sign:
-    case factor:
-    case steps:
-      return Form::times;
-    case loop:
-      return Form::step;
-    case number:
-    case index:
-    case name:
-    case guard:
-      return Form::value;
-    case function:
-      return Form::call;
-    case method:
-      return Form::method;
-    case branch:
-    case branch_off:
-    case branch_on:
-      return Form::condition;
-    default:
-      return Form::copy;
-  }
+  const auto number = static_cast<std::size_t>(variant.kind);
+  return variant.edits.empty() || number >= std::size(named_kinds) ? Form::copy : named_kinds[number].form;
 }
 
 }  // namespace
+
+std::string to_string(VariantKind kind) { return named_kinds[static_cast<std::size_t>(kind)].name; }
 
 /// Text in place of some of the file's, in parts that stand on lines of their own where they belong to variants.
 struct VariantUnit::Piece {

@@ -780,12 +780,6 @@ std::vector<Reason> whole_quotients(const SourceText& source, const ExerciseRefe
   return found;
 }
 
-std::string to_string(VariantKind kind) {
-  constexpr const char* names[] = {"sign",     "factor", "factor", "number", "index",    "name",
-                                   "function", "method", "loop",   "guard",  "brackets", "overwritten"};
-  return names[static_cast<std::size_t>(kind)];
-}
-
 std::string edited(std::string_view text, std::vector<Edit> edits) {
   std::ranges::sort(edits, {}, &Edit::offset);
   std::string result;

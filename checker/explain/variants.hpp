@@ -19,12 +19,12 @@ struct Edit {
   std::size_t operand = std::string_view::npos;  ///< of a method's call: where that begins of which it is called
 };
 
-/// What is changed.
+/// What is changed: slips (`steps` are many more steps of a loop); the condition of a branch, which throws where it is
+/// true, never is true or always is; what needs a copy of the file.
 enum class VariantKind {
-  // slips
   sign,
   factor,
-  steps,  ///< of a loop, many more
+  steps,
   number,
   index,
   name,
@@ -34,11 +34,9 @@ enum class VariantKind {
   guard,
   brackets,     ///< around a sum
   overwritten,  ///< the value from before the line above
-  // the condition of a branch: throws where it is true, never is true, always is
   branch,
   branch_off,
   branch_on,
-  // what needs a copy of the file
   division,
   bug,
   call,
