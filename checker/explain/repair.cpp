@@ -141,7 +141,7 @@ std::optional<Reason> first_of_two(const VariantRunner::Gain& gain, const Varian
                                    const DiagnosticTask& task) {
   // Another name, number or factor, or a term left out, may only turn another mistake into a known one.
   using enum VariantKind;
-  constexpr VariantKind exact[] = {sign, index, function, method, order, transpose, cross, loop, brackets};
+  constexpr VariantKind exact[] = {sign, index, function, method, loop, brackets};
   const bool is_exact = std::ranges::count(exact, variant.kind) > 0;
   std::string left;
   if (gain.misconception != nullptr && is_exact) {
