@@ -55,24 +55,24 @@ template <class T> auto operator*(WorkbookTimes times, const T& x) {
 
 enum class Form { times, step, value, call, method, condition, copy };
 
-/// In the order of VariantKind: slips, then branches.
+/// In the order of VariantKind, up to those that need a copy.
 constexpr struct {
   const char* name;
   Form form;
-} named_kinds[] = {{"sign", Form::times},       {"factor", Form::times},         {"factor", Form::times},
-                   {"number", Form::value},     {"index", Form::value},          {"name", Form::value},
-                   {"function", Form::call},    {"method", Form::method},        {"loop", Form::step},
-                   {"guard", Form::value},      {"brackets", Form::copy},        {"overwritten", Form::copy},
-                   {"branch", Form::condition}, {"branch_off", Form::condition}, {"branch_on", Form::condition}};
+} switched_kinds[] = {{"sign", Form::times},       {"factor", Form::times},         {"factor", Form::times},
+                      {"number", Form::value},     {"index", Form::value},          {"name", Form::value},
+                      {"function", Form::call},    {"method", Form::method},        {"loop", Form::step},
+                      {"guard", Form::value},      {"brackets", Form::copy},        {"overwritten", Form::copy},
+                      {"branch", Form::condition}, {"branch_off", Form::condition}, {"branch_on", Form::condition}};
 
 Form form_of(const Variant& variant) {
   const auto number = static_cast<std::size_t>(variant.kind);
-  return variant.edits.empty() || number >= std::size(named_kinds) ? Form::copy : named_kinds[number].form;
+  return variant.edits.empty() || number >= std::size(switched_kinds) ? Form::copy : switched_kinds[number].form;
 }
 
 }  // namespace
 
-std::string to_string(VariantKind kind) { return named_kinds[static_cast<std::size_t>(kind)].name; }
+std::string to_string(VariantKind kind) { return switched_kinds[static_cast<std::size_t>(kind)].name; }
 
 /// Text in place of some of the file's, in parts that stand on lines of their own where they belong to variants.
 struct VariantUnit::Piece {

@@ -20,7 +20,8 @@ struct Edit {
 };
 
 /// What is changed: slips (`steps` are many more steps of a loop); the condition of a branch, which throws where it is
-/// true, never is true or always is; what needs a copy of the file.
+/// true, never is true or always is; what needs a copy of the file. `brackets` stand around a sum, and `overwritten` is
+/// a value that the line above has changed.
 enum class VariantKind {
   sign,
   factor,
@@ -32,8 +33,8 @@ enum class VariantKind {
   method,
   loop,
   guard,
-  brackets,     ///< around a sum
-  overwritten,  ///< the value from before the line above
+  brackets,
+  overwritten,
   branch,
   branch_off,
   branch_on,
@@ -64,8 +65,9 @@ struct Variant {
 std::vector<Variant> branch_variants(const SourceText& source);
 
 /// Slips of one place: signs, indices, names of one type, functions, numbers, a lost or surplus factor, a surplus abs,
-/// transpose or static, the end of a loop, brackets around a sum, a value that is changed too early. All of them keep the
-/// types as they are, so that most compile. Conditions stay as they are: to change one may only switch a wrong branch off.
+/// transpose or static, the end of a loop, brackets around a sum, a value that is changed too early. All of them keep
+/// the types as they are, so that most compile. Conditions stay as they are: to change one may only switch a wrong
+/// branch off.
 std::vector<Variant> one_token_variants(const SourceText& source, const ExerciseReference& exercise);
 
 /// Bugs in a file: all slips of one token, and those that are hardly slips: another comparison, a call such as

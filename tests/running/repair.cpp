@@ -191,13 +191,9 @@ TEST_CASE("two slips in one line, a bound in a condition and a name with somethi
       {"return (x < -1 ? -1 : 1) * n * std::sqrt(x * x);", "slip_guard", 7},
       {"double sum = 0;\nfor (int i = 0; i + 1 < n; ++i) sum += x;\nreturn sum;", "slip_loop", 8},
       {"return n + n / 2.0 * x;", "slip_brackets", 7},
-      {"double a = x, b = n;
-a = b;
-b = a;
-return a * b;", "slip_overwritten", 9},
+      {"double a = x, b = n;\na = b;\nb = a;\nreturn a * b;", "slip_overwritten", 9},
       {"return n * std::sin(std::asin(x / 100) / 2) * 100;", "slip_function", 7},
-      {"const double half = 0.5;
-return (n + n) * x;", "slip_factor", 8},
+      {"const double half = 0.5;\nreturn (n + n) * x;", "slip_factor", 8},
       {"const Vector3d v(x, 2, 1);\nreturn n * v.y();", "slip_method", 8},
   };
   for (const Slip& slip : slips) {
