@@ -400,8 +400,10 @@ bool explain_by_small_change(Search& search) {
   };
   const bool are_inaccurate = std::ranges::any_of(search.reasons, is_inaccurate);
   if (const auto found = slip_or_branch(evidence.task, evidence.toolchain, evidence.cache, are_inaccurate)) {
-    std::erase_if(search.reasons,
-                  [&](const Reason& reason) { return reason.kind != ReasonKind::split && !is_inaccurate(reason); });
+    // The change says which values of an input decide; a split that is a symptom only says it again.
+    std::erase_if(search.reasons, [&](const Reason& reason) {
+      return (reason.kind != ReasonKind::split || reason.weight == Weight::symptom) && !is_inaccurate(reason);
+    });
     search.add_code({*found});
     return true;
   }

@@ -61,7 +61,7 @@ TEST_CASE("a caret stands where a terminal shows the column") {
   CHECK(excerpt("x", 0) == "x");
   CHECK(excerpt("", 1) == "\n^");
   CHECK(excerpt("x", 100) == "x\n ^");
-  CHECK(SourceText("x").finding({999999999, 1}, "", "a line that is not there").line == 0);
+  CHECK(SourceText("x").reason({999999999, 1}, "", "a line that is not there").line == 0);
   CHECK(excerpt("a\x1b[0m", 1) == "a?[0m\n^");
   CHECK(excerpt("/* ä ω */ y;", 13) == "/* ä ω */ y;\n" + std::string(10, ' ') + "^");
   const std::string shown = excerpt(std::string(300, 'a') + "X" + std::string(300, 'b'), 301);

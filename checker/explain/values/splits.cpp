@@ -412,7 +412,6 @@ std::optional<Reason> diagnose_conditional(const ExerciseReference& exercise, co
   constexpr std::size_t fewest = 3;
   // Where many values are one answer, as angles of one attitude are, few cases agree by accident.
   if (exercise.comparison != Comparison::plain || wrong.size() < fewest || outcome.right.empty()) return std::nullopt;
-  if (const auto changed = changed_where_wrong(exercise, answers, outcome)) return changed;
   const auto is_trivial = [&](const Value& value) {
     return !value.is_finite() || std::ranges::all_of(value.numbers, [](double number) { return number == 0; });
   };
@@ -426,12 +425,12 @@ std::optional<Reason> diagnose_conditional(const ExerciseReference& exercise, co
           return !passes(exercise, i, each.outputs[i]) && is_same_answer(exercise, i, *answers[i], each.outputs[i]);
         });
     if (!fits) continue;
-    if (named && named->sentence != each.message) return std::nullopt;
-    named = Reason{ReasonKind::misconception, each.name,
-                   fmt::format("At the cases where your result is wrong, and only there: {}", each.message),
-                   Weight::cause, each.notes};
+    const std::string sentence =
+        fmt::format("At the cases where your result is wrong, and only there: {}", each.message);
+    if (named && named->sentence != sentence) return changed_where_wrong(exercise, answers, outcome);
+    named = Reason{ReasonKind::misconception, each.name, sentence, Weight::cause, each.notes};
   }
-  return named;
+  return named ? named : changed_where_wrong(exercise, answers, outcome);
 }
 
 std::optional<Reason> diagnose_threshold(const ExerciseReference& exercise, const Answers& answers) {
