@@ -255,12 +255,15 @@ VariantRunner::Gain VariantRunner::gain(std::size_t variant) {
   for (const std::size_t index : order_) {
     const Reply reply = call(variant, index);
     const Case& one = reference.cases[index];
-    if (!has_usable_value(reply, one)) return {};
+    if (!has_usable_value(reply, one) || !reply.value.is_finite()) return {};
     const bool is_right = passes(reference, index, reply.value);
     gain.is_right = gain.is_right && is_right;
     if (!gain.right_entries.empty() && !is_right) {
+      // What makes right numbers wrong only moves the mistake.
       const Deviation deviation = deviations(reference, index, reply.value).front();
       std::erase_if(gain.right_entries, [&](std::size_t entry) { return !deviation.is_within(entry); });
+      for (std::size_t entry = 0; entry < reply.value.numbers.size(); ++entry)
+        if (!wrong_.contains(entry) && !deviation.is_within(entry)) gain.right_entries.clear();
     }
     telling += one.deciding && index < reference.described_cases() && !is_right ? 1 : 0;
     std::erase_if(alike, [&](const Misconception* each) {
