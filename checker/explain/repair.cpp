@@ -139,9 +139,9 @@ std::optional<Reason> coarse(VariantRunner& runner, const std::vector<Variant>& 
 /// With the change some wrong components are right, or one known mistake is left: there are two.
 std::optional<Reason> first_of_two(const VariantRunner::Gain& gain, const Variant& variant, const SourceText& source,
                                    const DiagnosticTask& task) {
-  // Another name, number or factor, or a term left out, may only turn another mistake into a known one.
+  // Another name, index, number or factor, or a term left out, may only turn another mistake into a known one.
   using enum VariantKind;
-  constexpr VariantKind exact[] = {sign, index, function, method, loop, brackets};
+  constexpr VariantKind exact[] = {sign, function, method, loop, brackets};
   const bool is_exact = std::ranges::count(exact, variant.kind) > 0;
   std::string left;
   if (gain.misconception != nullptr && is_exact) {
@@ -251,7 +251,7 @@ VariantRunner::Gain VariantRunner::gain(std::size_t variant) {
   Gain gain{.is_right = true, .right_entries = wrong_};
   std::vector<const Misconception*> alike;
   for (const Misconception& each : reference.misconceptions) alike.push_back(&each);
-  std::size_t telling = 0;  // cases at which misconceptions are compared, and wrong
+  std::size_t wrong = 0, telling = 0;  // cases; at which misconceptions are compared too
   for (const std::size_t index : order_) {
     const Reply reply = call(variant, index);
     const Case& one = reference.cases[index];
@@ -265,6 +265,7 @@ VariantRunner::Gain VariantRunner::gain(std::size_t variant) {
       for (std::size_t entry = 0; entry < reply.value.numbers.size(); ++entry)
         if (!wrong_.contains(entry) && !deviation.is_within(entry)) gain.right_entries.clear();
     }
+    wrong += is_right ? 0 : 1;
     telling += one.deciding && index < reference.described_cases() && !is_right ? 1 : 0;
     std::erase_if(alike, [&](const Misconception* each) {
       if (!one.deciding || index >= each->outputs.size() || index >= reference.described_cases()) return false;
@@ -272,7 +273,9 @@ VariantRunner::Gain VariantRunner::gain(std::size_t variant) {
     });
     if (!gain.is_right && gain.right_entries.empty() && alike.empty()) return {};
   }
-  if (!alike.empty() && telling >= fewest) gain.misconception = alike.front();
+  // What makes more cases wrong is no progress.
+  if (!alike.empty() && telling >= fewest && wrong <= task_.judgement.failing.size())
+    gain.misconception = alike.front();
   if (gain.is_right) gain.right_entries.clear();
   return gain;
 }

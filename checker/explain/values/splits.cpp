@@ -436,6 +436,7 @@ std::optional<Reason> diagnose_conditional(const ExerciseReference& exercise, co
 std::optional<Reason> diagnose_threshold(const ExerciseReference& exercise, const Answers& answers) {
   const Outcomes outcome = outcomes_of(exercise, answers);
   constexpr std::size_t fewest = 4;
+  constexpr double zero = 1e-3;  // of the largest: so small is as good as none
   if (outcome.wrong.size() < fewest || outcome.right.size() < fewest) return std::nullopt;
   std::optional<Reason> found;
   for (const Quantity& each : quantities_of(exercise)) {
@@ -445,6 +446,7 @@ std::optional<Reason> diagnose_threshold(const ExerciseReference& exercise, cons
     const auto [wrong_least, wrong_most] = std::ranges::minmax(outcome.wrong, {}, size);
     const bool is_above = size(right_most)<size(wrong_least), is_below = size(right_least)> size(wrong_most);
     if (!is_above && !is_below) continue;
+    if (size(is_above ? right_most : wrong_most) <= zero * size(is_above ? wrong_most : right_most)) continue;
     if (found) return std::nullopt;  // of two none is certain
     found = Reason{ReasonKind::split, "threshold",
                    fmt::format("Your result is right at all {} where |{}| is at {} {}, and wrong at all {} where it is "
