@@ -32,7 +32,7 @@ class CourseCopy {
   /// Commands with what they print and how they end, for a golden file.
   std::string screens(const std::vector<std::string>& commands, const std::string& environment = "COLUMNS=80") const;
 
-  /// Types what stands behind each "$ " of tests/program/golden/NAME.txt, and compares all screens with that file. What
+  /// Types what follows each "$ " of tests/program/golden/NAME.txt, and compares all screens with that file. What
   /// is no call of the checker is one of the shell. Returns the screens.
   std::string check_story(const std::string& name, const std::string& environment = "COLUMNS=80") const;
 
