@@ -320,7 +320,8 @@ TEST_CASE("Solutions and derivations are locked in a copy, and a right function 
   const Outcome after = checker("solution inertia_rate");
   CHECK_MESSAGE(after.status == 0, after.said());
   const std::string derivation = read(project / "solutions/03_inertia_tensor/derivations/inertia_rate.md");
-  CHECK(has(squeezed(after.out), squeezed(workbook::with_readable_formulas(derivation))));
+  // Without the mark of its heading.
+  CHECK(has(squeezed(after.out), squeezed(workbook::with_readable_formulas(derivation)).substr(1)));
   CHECK(checker("reset inertia_rate").status == 0);
 }
 
