@@ -149,12 +149,14 @@ std::vector<Exercise> Course::choose(const std::vector<std::string>& names) cons
 
 Exercise Course::find_exercise(const std::string& name) const {
   std::vector<std::string> known;
+  std::string in_lecture;
   for (const Exercise& exercise : exercises()) {
-    if (exercise.name() == name) return exercise;
-    if (is_named(*exercise.card, name))
-      throw UsageError(fmt::format("'{}' is a lecture; name one of its exercises, such as {}.", name, exercise.name()));
+    if (exercise.name() == name) return exercise;  // as in find, before a lecture
+    if (in_lecture.empty() && is_named(*exercise.card, name)) in_lecture = exercise.name();
     known.push_back(exercise.name());
   }
+  if (!in_lecture.empty())
+    throw UsageError(fmt::format("'{}' is a lecture; name one of its exercises, such as {}.", name, in_lecture));
   throw_unknown("exercise", name, known);
 }
 
