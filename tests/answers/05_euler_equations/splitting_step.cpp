@@ -28,6 +28,7 @@ Vector3d splitting_step(const Vector3d& I, const Vector3d& omega, double h) {
 -  go(2, h);
 +  go(2, h / 2);
 //! wrong: first component overwritten before it is used
+Vector3d splitting_step(const Vector3d& I, const Vector3d& omega, double h) {
   Vector3d L = I.cwiseProduct(omega);
   const std::array<double, 5> part{0.5, 0.5, 1, 0.5, 0.5};
   const std::array<int, 5> axis{0, 1, 2, 1, 0};
@@ -38,6 +39,7 @@ Vector3d splitting_step(const Vector3d& I, const Vector3d& omega, double h) {
     L[k] = std::sin(a) * L[j] + std::cos(a) * L[k];
   }
   return L.cwiseQuotient(I);
+}
 //! right: recursion with complex numbers
 static void stage(Vector3d& L, const Vector3d& I, double h, int i) {
   std::complex<double> z(L[(i + 1) % 3], L[(i + 2) % 3]);

@@ -103,6 +103,7 @@ double turn_per_period(const Vector3d& I, const Vector3d& omega0) {
 +  const Vector3d L = I.cwiseProduct(omega0);
 +  return omega0.dot(L) / L.norm() * period(I, omega0);
 //! right: trapezoidal rule over a period
+double turn_per_period(const Vector3d& I, const Vector3d& omega0) {
   const double T2 = I.dot(omega0.cwiseAbs2()), L2 = I.cwiseProduct(omega0).squaredNorm();
   double a = I[0], b = I[1], c = I[2];
   if (L2 < T2 * b) std::swap(a, c);
@@ -121,3 +122,4 @@ double turn_per_period(const Vector3d& I, const Vector3d& omega0) {
     w += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
   }
   return std::sqrt(L2) * sum * h;
+}
