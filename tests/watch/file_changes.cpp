@@ -3,6 +3,9 @@
 #include "tests/watch/saving.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <unistd.h>
 
 #include <optional>
 #include <set>
@@ -39,7 +42,8 @@ struct Files {
   std::set<std::size_t> reports_in_one_look() { return reports(milliseconds(events ? 1200 : 500), false); }
 
   bool events;
-  fs::path folder = fs::path(WORKBOOK_TEST_SCRATCH) / "changes" / "exercises";
+  /// Of this process, since watch and watch_thorough may run at the same time.
+  fs::path folder = fs::path(WORKBOOK_TEST_SCRATCH) / fmt::format("changes-{}", getpid()) / "exercises";
   fs::path one = folder / "one.cpp";
   fs::path two = folder / "two.cpp";
   std::optional<FileChanges> changes;
