@@ -17,6 +17,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <thread>
 
 namespace workbook {
@@ -61,14 +62,15 @@ class NewProcess {
   char* const* environment;
   const char* directory;  ///< or nullptr
   pid_t checker;
-  int input, output, channel, report;
+  int input, output, lifeline, report;
+  int channel;  ///< or that of the lifeline
   int program;  ///< or -1
 
   [[noreturn]] void become_program() noexcept {
     for (int signal = 1; signal < NSIG; ++signal) ::signal(signal, SIG_DFL);
     unblock_signals();
-    const char* failed = place_descriptors();
-    if (!failed) failed = tie_to_checker();
+    const char* failed = tie_to_checker();
+    if (!failed) failed = place_descriptors();
     if (!failed && directory && ::chdir(directory) != 0) failed = "enter its directory";
     if (!failed && launch.prepare) failed = launch.prepare();
     if (!failed) {
@@ -107,13 +109,28 @@ class NewProcess {
   const char* tie_to_checker() const noexcept {
     if (::setsid() < 0) return "open its own session";
     if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) return "tie its life to the checker";
-    if (!launch.with_channel && !launch.ends_others) {
-      ::fcntl(channel_descriptor, F_SETOWN, -::getpid());
-      ::fcntl(channel_descriptor, F_SETSIG, SIGKILL);
-      ::fcntl(channel_descriptor, F_SETFL, O_ASYNC);
+    if (!launch.namespaces.empty()) {
+      const pid_t guard = ::fork();
+      if (guard < 0) return "start its guard";
+      if (guard == 0) watch_lifeline();
+    } else if (!launch.with_channel && !launch.ends_others) {
+      ::fcntl(lifeline, F_SETOWN, -::getpid());
+      ::fcntl(lifeline, F_SETSIG, SIGKILL);
+      ::fcntl(lifeline, F_SETFL, O_ASYNC);
     }
     if (::getppid() != checker) ::_exit(127);  // the checker is gone already
     return nullptr;
+  }
+
+  /// Kills the group when the checker is gone. The first process of a namespace ignores the signal of a lifeline, and if
+  /// bubblewrap is killed before it has set up the namespace, that process would wait for it for ever.
+  [[noreturn]] void watch_lifeline() const noexcept {
+    ::dup2(lifeline, STDIN_FILENO);
+    ::closefrom(STDIN_FILENO + 1);
+    char byte;
+    [[maybe_unused]] const ssize_t closed = TEMP_FAILURE_RETRY(::read(STDIN_FILENO, &byte, 1));
+    ::kill(0, SIGKILL);
+    ::_exit(0);
   }
 
   /// By the program itself: what makes namespaces for it hands these descriptors on.
@@ -182,8 +199,9 @@ int milliseconds_until(Clock::time_point deadline) {
 ChildProcess::ChildProcess(const Launch& launch)
     : in_namespaces_(!launch.namespaces.empty()), ends_others_(launch.ends_others), held_(launch.held) {
   const Ends input;  // closed at once: there is nothing to read
-  Ends output, report(true);
-  Ends channel(launch.with_channel);
+  Ends output, lifeline, report(true);
+  std::optional<Ends> channel;
+  if (launch.with_channel) channel.emplace(true);
   const bool is_open = launch.opened && *launch.opened;
   const std::shared_ptr<const Descriptor> program = is_open ? launch.opened : Program(launch.program).opened;
   if (launch.with_channel && !*program) throw LaunchError("start the program", errno);
@@ -204,15 +222,17 @@ ChildProcess::ChildProcess(const Launch& launch)
                    ::getpid(),
                    input.first.number(),
                    output.second.number(),
-                   channel.first.number(),
+                   lifeline.first.number(),
                    report.second.number(),
+                   (channel ? channel->first : lifeline.first).number(),
                    launch.with_channel ? program->number() : -1};
   process_ = program_ = ::fork();
   if (process_ < 0) throw LaunchError("start a process", errno);
   if (process_ == 0) child.become_program();
 
   output_ = std::move(output.first);
-  (launch.with_channel ? channel_ : lifeline_) = std::move(channel.second);
+  lifeline_ = std::move(lifeline.second);
+  if (channel) channel_ = std::move(channel->second);
   reports_ = std::move(report.first);
   for (const Descriptor& ours : {std::cref(output_), std::cref(channel_)}) ::fcntl(ours.number(), F_SETFL, O_NONBLOCK);
   output.second.close();
@@ -264,6 +284,14 @@ std::optional<ProcessReport> ChildProcess::receive_report() {
 ChildProcess::~ChildProcess() { kill(); }
 
 void ChildProcess::close_write() { ::shutdown(channel_.number(), SHUT_WR); }
+
+bool ChildProcess::is_running() const {
+  std::ifstream statistics("/proc/" + std::to_string(program_) + "/stat");
+  std::string line;
+  std::getline(statistics, line);
+  const auto name_ends = line.rfind(") ");
+  return name_ends != std::string::npos && !std::strchr("ZX", line.at(name_ends + 2));
+}
 
 std::optional<ProcessEnd> ChildProcess::wait_until(Clock::time_point deadline) {
   while (!end_) {

@@ -90,6 +90,9 @@ class ChildProcess {
   /// Closes our sending direction of the channel.
   void close_write();
 
+  /// False as soon as the program has ended, even if what started it in its namespaces still clears up.
+  bool is_running() const;
+
   /// How the process ended, or nothing if it still runs at that time.
   std::optional<ProcessEnd> wait_until(Clock::time_point deadline);
 

@@ -17,6 +17,7 @@ inline constexpr std::size_t run_output = 64 * KiB, run_memory = 512 * MiB, run_
 inline constexpr unsigned run_files = 8;
 inline constexpr unsigned run_processes = 16;         // in a control group; bubblewrap's own are among them
 inline constexpr std::chrono::milliseconds end{500};  // for a worker to end after its last call
+inline constexpr std::chrono::seconds clearing_up{10};  // for bubblewrap after the worker has ended, on a busy machine
 
 // The compiler, for all that it runs: of a processor; on a busy machine it may last five times as long.
 inline constexpr Seconds compile_time{60};

@@ -250,7 +250,8 @@ Reply Worker::stopped(Ending reason) {
     end_process();
     return {.ending = reason};
   }
-  if (!process_.wait_until(std::min(budget_.deadline, Clock::now() + limits::end)))
+  const auto ends_within = [&](Clock::duration time) { return process_.wait_until(Clock::now() + time).has_value(); };
+  if (!ends_within(limits::end) && (process_.is_running() || !ends_within(limits::clearing_up)))
     return violated(ProtocolViolation::closed_channel);
   const ProcessEnd end = end_process();
   if (collect_prints() == Ending::output_limit) return {.ending = Ending::output_limit};
