@@ -3,10 +3,12 @@
 #include "checker/base/text.hpp"
 
 #include <fcntl.h>
+#include <signal.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <sstream>
@@ -40,6 +42,16 @@ std::string write_file(const fs::path& file, std::string_view content) {
   std::error_code ignored;
   if (problem) fs::remove(unfinished, ignored);
   return problem ? problem.message() : "";
+}
+
+void remove_unfinished(const fs::path& folder) {
+  std::error_code problem;
+  for (const auto& entry : fs::recursive_directory_iterator(folder, problem)) {
+    if (entry.path().extension() != ".unfinished") continue;
+    const std::string writer = entry.path().stem().extension().string();  // .NUMBER
+    const pid_t number = writer.empty() ? 0 : std::atoi(writer.c_str() + 1);
+    if (number > 0 && ::kill(number, 0) != 0 && errno == ESRCH) fs::remove(entry.path(), problem);
+  }
 }
 
 void write_or_throw(const fs::path& file, std::string_view content) {

@@ -22,6 +22,9 @@ std::string write_file(const std::filesystem::path& file, std::string_view conte
 /// The same where nothing can go on without it. @throws std::runtime_error naming file and reason
 void write_or_throw(const std::filesystem::path& file, std::string_view content);
 
+/// Removes what programs that were killed while they wrote have left in a folder and below.
+void remove_unfinished(const std::filesystem::path& folder);
+
 /// The fingerprint of a file's content; "" if it cannot be read.
 std::string file_fingerprint(const std::filesystem::path& file);
 

@@ -46,6 +46,7 @@ void prepare_folder(const fs::path& out, const fs::path& submissions) {
   };
   if (is_below(out, submissions) || is_below(submissions, out))
     throw GradingError("The submissions and --out must not lie in each other.");
+  remove_unfinished(out);
   if (fs::exists(out, problem) && !(fs::is_directory(out, problem) &&
                                     (fs::is_empty(out, problem) || fs::is_regular_file(out / journal_name, problem))))
     throw GradingError(
