@@ -102,6 +102,7 @@ bool happens(const Attempt& attempt, const SandboxProfile* profile) {
   write(workspace().string() + ".copy", "secret\n");
   return in_another_process([&] {
     if (::setsid() < 0) return false;
+    ::closefrom(STDERR_FILENO + 1);  // a descriptor of the test must not be taken for that of the program
     if (profile != nullptr) {
       SandboxProfile filtered = *profile;
       filtered.filter = system_call_filter(profile->calls);
