@@ -37,6 +37,38 @@ std::string adequacy_text(const Exercise& exercise, const ExerciseReference& jud
   return text;
 }
 
+/// Works on the exercises in processes of their own, several at once: `work` gives a JSON document, which `use` takes.
+/// What goes wrong is a fault of that exercise.
+/// @param limit for one exercise
+void for_each_exercise(const std::vector<Exercise>& exercises, std::chrono::minutes limit,
+                       const std::function<nlohmann::json(const Exercise&)>& work,
+                       const std::function<void(std::size_t, const nlohmann::json&)>& use,
+                       std::vector<std::string>& faults) {
+  const auto begin = [&](std::size_t k) {
+    const auto guarded = [&work, &exercise = exercises[k]] {
+      try {
+        return work(exercise).dump();
+      } catch (const std::exception& problem) {
+        return nlohmann::json{{"problem", problem.what()}}.dump();
+      }
+    };
+    return std::make_unique<ForkedJob>(guarded, limit);
+  };
+  ProgressBar progress_bar;
+  std::size_t done = 0;
+  run_jobs(exercises.size(), begin, [&](std::size_t k, ForkedJob& job) {
+    progress_bar.show(++done, exercises.size(), exercises[k].name());
+    std::string trouble = job.finish();
+    const auto found = nlohmann::json::parse(job.output(), nullptr, false);
+    if (trouble.empty()) trouble = found.value("problem", "");
+    if (trouble.empty())
+      use(k, found);
+    else
+      faults[k] = without_full_stop(trouble);
+  });
+  progress_bar.clear();
+}
+
 /// Collects what is wrong, each sentence once and with the fix, and counts what was looked at.
 class SelfCheck {
  public:
@@ -65,6 +97,8 @@ class SelfCheck {
       }
     }
     progress_bar.clear();
+    for (const std::uint64_t seed : seeds_)
+      if (course_.has_solutions()) require_passes(seed);
     if (!adequacy_.empty())
       fmt::print(
           "Bugs are small mistakes in the solution, such as a lost sign. One is found if some case fails with it, and "
@@ -242,8 +276,7 @@ class SelfCheck {
           fault(course_.judging_file(exercise),
                 "no case tells three of its wrong answers apart, as the question after a pass needs; add one.");
       }
-      if (!course_.has_solutions()) continue;
-      require_pass(exercise, seed);
+      judged_[seed].push_back(exercise);
     }
   }
 
@@ -369,6 +402,27 @@ class SelfCheck {
     require_words(reference.properties, &Property::message);
   }
 
+  /// Every solution passes. Several are compiled at once.
+  void require_passes(std::uint64_t seed) {
+    const std::vector<Exercise>& exercises = judged_[seed];
+    for (const Exercise& exercise : exercises) context_.reference(check_task(course_, exercise, seed));
+    std::vector<std::string> trouble(exercises.size());
+    for_each_exercise(
+        exercises, std::chrono::minutes(10),
+        [&](const Exercise& exercise) -> nlohmann::json {
+          faults_.clear();  // those of this process
+          require_pass(exercise, seed);
+          return {{"faults", faults_}};
+        },
+        [&](std::size_t, const nlohmann::json& found) {
+          for (const auto& sentence : found.at("faults")) add(sentence);
+        },
+        trouble);
+    for (std::size_t k = 0; k < exercises.size(); ++k)
+      if (!trouble[k].empty())
+        fault(course_.solution_file(exercises[k]), "the solution could not be checked: {}.", trouble[k]);
+  }
+
   /// The solution passes, and nothing is explained.
   void require_pass(const Exercise& exercise, std::uint64_t seed) {
     const fs::path file = course_.solution_file(exercise);
@@ -384,6 +438,7 @@ class SelfCheck {
   CheckContext context_;
   const std::vector<Exercise> exercises_;
   const std::vector<std::uint64_t> seeds_;
+  std::map<std::uint64_t, std::vector<Exercise>> judged_;  ///< by seed: those whose reference results are sound
   std::string adequacy_;
   std::vector<std::string> faults_;
   std::size_t routes_ = 0;
@@ -429,38 +484,6 @@ nlohmann::json try_mutants(const Course& course, const Toolchain& toolchain, con
       if (runner.is_right(k)) survivors.push_back(name_of(mutants[k], solution.text));
   }
   return {{"made", made}, {"survivors", survivors}};
-}
-
-/// Works on the exercises in processes of their own, several at once: `work` gives a JSON document, which `use` takes.
-/// What goes wrong is a fault of that exercise.
-/// @param limit for one exercise
-void for_each_exercise(const std::vector<Exercise>& exercises, std::chrono::minutes limit,
-                       const std::function<nlohmann::json(const Exercise&)>& work,
-                       const std::function<void(std::size_t, const nlohmann::json&)>& use,
-                       std::vector<std::string>& faults) {
-  const auto begin = [&](std::size_t k) {
-    const auto guarded = [&work, &exercise = exercises[k]] {
-      try {
-        return work(exercise).dump();
-      } catch (const std::exception& problem) {
-        return nlohmann::json{{"problem", problem.what()}}.dump();
-      }
-    };
-    return std::make_unique<ForkedJob>(guarded, limit);
-  };
-  ProgressBar progress_bar;
-  std::size_t done = 0;
-  run_jobs(exercises.size(), begin, [&](std::size_t k, ForkedJob& job) {
-    progress_bar.show(++done, exercises.size(), exercises[k].name());
-    std::string trouble = job.finish();
-    const auto found = nlohmann::json::parse(job.output(), nullptr, false);
-    if (trouble.empty()) trouble = found.value("problem", "");
-    if (trouble.empty())
-      use(k, found);
-    else
-      faults[k] = without_full_stop(trouble);
-  });
-  progress_bar.clear();
 }
 
 /// Do the cases of these exercises find every small bug in their solutions?
