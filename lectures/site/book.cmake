@@ -18,10 +18,9 @@ function(add_page page kind)
   string(REGEX REPLACE "href=\"(slides|errata|index|exercises|practice|marks|authors)\\.html[^\"]*\"" "" html "${html}")
   string(REGEX REPLACE "href=\"[a-z0-9_]+\\.html#" "href=\"#" html "${html}")
   string(REGEX REPLACE "href=\"([A-Za-z0-9_]+)\\.html\"" "href=\"#\\1\"" html "${html}")
-  # Of an exercise, how to check it and its derivation are left out.
-  string(FIND "${html}" "<h1><a class=\"anchor\" id=\"exercise_" end)
-  if(NOT end EQUAL -1)
-    string(SUBSTRING "${html}" 0 ${end} html)
+  # Of an exercise, the figure of its section, how to check it and its derivation are left out.
+  if(kind STREQUAL "exercise")
+    string(REGEX REPLACE "(<figure>|<h1><a class=\"anchor\" id=\"exercise_).*" "" html "${html}")
     string(APPEND html "</div>")
   endif()
   set(chapters "${chapters}<section class=\"${kind}\" id=\"${page}\" data-title=\"${title}\">${html}</section>\n" PARENT_SCOPE)

@@ -77,6 +77,7 @@ foreach(lecture IN LISTS lectures)
   read_card(summary summary)
   read_card(contract contract)
   file(READ ${source}/include/rigid/${contract}.hpp declarations)
+  file(READ ${source}/lectures/${lecture}/notes.md notes)
   string(JSON count LENGTH "${card}" exercises)
   math(EXPR last "${count} - 1")
 
@@ -121,6 +122,14 @@ foreach(lecture IN LISTS lectures)
     if(worth EQUAL 1)
       set(points "point")
     endif()
+    # The first figure of the section to read, outside of what is folded.
+    string(FIND "${notes}" "{#${anchor}}\n" start)
+    string(SUBSTRING "${notes}" ${start} -1 section)
+    string(REGEX REPLACE "(\n##|\\\\(folded|solved|answer)).*" "" section "${section}")
+    set(figure)
+    if(section MATCHES "\\\\figure{([^}]+)}\n([^\\]+)")
+      set(figure "\n\\figure{${CMAKE_MATCH_1}}\n${CMAKE_MATCH_2}\\caption\nFrom \\ref ${anchor}.\n\\endfigure\n")
+    endif()
     string(APPEND list "- \\ref exercise_${name} \"${phrase}\"<br>`${name}` ${mark}${worth} ${points}\n")
     string(CONFIGURE [[# @phrase@ {#exercise_@name@}
 
@@ -131,7 +140,7 @@ foreach(lecture IN LISTS lectures)
 ```
 
 \copydetails rigid::@name@
-
+@figure@
 ## Check yours {#exercise_@name@_check}
 
 Write it in `lectures/@lecture@/exercises/@name@.cpp`, then
@@ -181,7 +190,6 @@ When you are stuck, `./checker/run hint @name@` gives a hint, and a further one 
   file(WRITE ${output}/parts/${lecture}.exercises.md "<div class=\"exercise-table\">\n\n${list}\n</div>\n")
   list(LENGTH names count)
   # A minute for 120 words and half of one for each formula of a line of its own, to five minutes.
-  file(READ ${source}/lectures/${lecture}/notes.md notes)
   string(REGEX MATCHALL "[A-Za-z]+[ ,.:\n]" words "${notes}")
   string(REGEX MATCHALL "f\\[" formulas "${notes}")
   list(LENGTH words words)
