@@ -26,15 +26,16 @@ nlohmann::json form_values(const ordered_json& about, const ordered_json& result
     notes.push_back(fmt::format("Handed in {} late.", plural(about.at("days_late"), "day")));
   const double score = about.at("score"), possible = about.at("possible");
   nlohmann::json all = nlohmann::json::array(), judged = all;
-  std::map<std::string, int> counts;
-  std::array<long, 2> hundredths{};
+  std::map<std::string, int> statuses, outcomes;  // for GitHub and JUnit, which knows what is skipped
+  long hundredths = 0, most_hundredths = 0;
   for (const ordered_json& mark : results) {
     const bool is_judged = mark.at("score").is_number(), is_excused = mark.at("points") == 0;
     const bool is_right = mark.at("verdict") == "passed" || (is_judged && mark.at("score") >= mark.at("points"));
     const std::string status = !is_judged ? "error" : is_right ? "pass" : "fail";
     const bool is_skipped = is_excused || (mark.at("verdict") == "not_started" && !mark.contains("by_hand"));
-    ++counts[status];
-    ++counts[is_skipped ? "skipped" : status + " of those left"];
+    const std::string outcome = is_skipped ? "skipped" : status;
+    ++statuses[status];
+    ++outcomes[outcome];
     std::string message = message_of(mark);
     if (mark.contains("diagnosis") && !mark.at("diagnosis").empty())
       message += " " + printable(text(mark.at("diagnosis").front(), "message"));
@@ -43,9 +44,7 @@ nlohmann::json form_values(const ordered_json& about, const ordered_json& result
                              {"is_judged", is_judged},
                              {"is_excused", is_excused},
                              {"is_right", is_right},
-                             {"is_skipped", is_skipped},
-                             {"is_error", !is_skipped && !is_judged},
-                             {"is_failure", !is_skipped && status == "fail"},
+                             {"outcome_" + outcome, true},
                              {"hundredths", is_judged ? std::lround(100 * mark.at("score").get<double>()) : 0},
                              {"most_hundredths", std::lround(100 * mark.at("points").get<double>())}};
     for (const char* same : {"exercise", "verdict", "points", "score"}) values[same] = mark.at(same);
@@ -55,31 +54,28 @@ nlohmann::json form_values(const ordered_json& about, const ordered_json& result
       list->push_back(values);
     }
     if (!is_judged) continue;
-    hundredths[0] += values.at("hundredths").get<long>();
-    hundredths[1] += values.at("most_hundredths").get<long>();
+    hundredths += values.at("hundredths").get<long>();
+    most_hundredths += values.at("most_hundredths").get<long>();
   }
   const std::string id = about.at("id");
-  return {{"id", id},
-          {"is_number", id.find_first_not_of("0123456789") == std::string::npos},
-          {"name", about.at("name")},
-          {"decided", about.contains("results") ? decided_by_hand(about) : ""},
-          {"days_late", about.at("days_late")},
-          {"sandbox", sandbox},
-          {"output", fmt::format("{}", fmt::join(notes, "\n"))},
-          {"score", score},
-          {"possible", possible},
-          {"share", fmt::format("{:.6f}", possible > 0 ? std::min(1.0, score / possible) : 0.0)},
-          {"hundredths", hundredths[0]},
-          {"most_hundredths", hundredths[1]},
-          {"status", counts["error"] > 0  ? "error"
-                     : counts["fail"] > 0 ? "fail"
-                                          : "pass"},
-          {"tests", results.size()},
-          {"skipped", counts["skipped"]},
-          {"errors", counts["error of those left"]},
-          {"failures", counts["fail of those left"]},
-          {"results", all},
-          {"judged", judged}};
+  nlohmann::json values = about;
+  values.update({{"is_number", id.find_first_not_of("0123456789") == std::string::npos},
+                 {"decided", about.contains("results") ? decided_by_hand(about) : ""},
+                 {"sandbox", sandbox},
+                 {"output", fmt::format("{}", fmt::join(notes, "\n"))},
+                 {"share", fmt::format("{:.6f}", possible > 0 ? std::min(1.0, score / possible) : 0.0)},
+                 {"hundredths", hundredths},
+                 {"most_hundredths", most_hundredths},
+                 {"status", statuses["error"] > 0  ? "error"
+                            : statuses["fail"] > 0 ? "fail"
+                                                   : "pass"},
+                 {"tests", results.size()},
+                 {"skipped", outcomes["skipped"]},
+                 {"errors", outcomes["error"]},
+                 {"failures", outcomes["fail"]},
+                 {"results", all},
+                 {"judged", judged}});
+  return values;
 }
 
 }  // namespace
@@ -110,7 +106,6 @@ std::map<std::string, std::string> class_exports(const ordered_json& document) {
   for (const ordered_json& student : document.at("students")) {
     nlohmann::json values = form_values(student, student.at("results"), document.at("sandbox"));
     values["in_class"] = true;
-    for (const char* list : {"in_tables", "in_gradebooks"}) values[list] = student.at(list);
     add(values);
   }
   add({{"end", true}});

@@ -21,8 +21,8 @@ namespace workbook {
 /// One student, as a roster or a learning system names them.
 struct RosterEntry {
   std::string id;
-  std::string name;
-  std::optional<std::int64_t> submitted;
+  std::string name = {};
+  std::optional<std::int64_t> submitted = {};
   std::vector<std::string> aliases = {};  ///< other names that learning systems use: e-mail, login, number
   std::string folder = {};                ///< where the files are, perhaps those of a group, if the table says so
 };
@@ -32,11 +32,16 @@ struct RosterEntry {
 /// @param zone  of times that say none, as Moodle's: "Z", "+01:00". @throws GradingError
 std::vector<RosterEntry> read_roster(const fs::path& file, const std::string& zone = "Z");
 
+/// A name of somebody else's choice, in a sentence.
+std::string in_quotes(const std::string& name);
+
 /// Text in other letters than UTF-8 is taken for one in those that ICU calls so.
 std::string in_utf8(const std::string& bytes, const char* letters);
 
 /// The file in an export of Gradescope that says whose each folder is; a folder may be that of several students.
 inline constexpr const char* gradescope_metadata = "submission_metadata.yml";
+/// The folder into which that export puts all students.
+bool is_export(const std::string& folder);
 /// By folder. @throws GradingError
 std::map<std::string, std::vector<RosterEntry>> read_gradescope(const std::string& text);
 
@@ -65,25 +70,23 @@ struct HandedIn {
   Place place = anywhere;
   std::string where;         ///< in the submissions, as it may be shown
   std::string refusal = {};  ///< one sentence; "": it was copied
-  std::string entry = {};    ///< the top-level entry that it lies in
 };
 
 struct Student {
-  std::string id;    ///< as it may be shown
-  std::string name;  ///< of the roster; may be empty
-  std::string slug;  ///< names this student's files: letters, digits, "-", "_" and "."
-  fs::path copies;   ///< the folder with copies of what was handed in
-  std::optional<std::int64_t> submitted;
-  std::map<std::string, HandedIn> files;  ///< by exercise
+  std::string id = {};    ///< as it may be shown
+  std::string name = {};  ///< of the roster; may be empty
+  std::string slug = {};  ///< names this student's files: letters, digits, "-", "_" and "."
+  fs::path copies = {};   ///< the folder with copies of what was handed in
+  std::optional<std::int64_t> submitted = {};
+  std::map<std::string, HandedIn> files = {};  ///< by exercise
   /// By exercise, as the progress file says that was handed in; nothing: there is none that can be read.
-  std::optional<std::map<std::string, std::size_t>> hints;
-  std::vector<std::string> notes;   ///< what else is to be said of the submission
-  std::vector<std::string> unread;  ///< what was not read, so that points may be missing
-  std::string entry;                ///< whose it is, as the name of the top-level entry says
+  std::optional<std::map<std::string, std::size_t>> hints = {};
+  std::vector<std::string> notes = {};   ///< what else is to be said of the submission
+  std::vector<std::string> unread = {};  ///< what was not read, so that points may be missing
+  std::string entry = {};                ///< whose it is, as the name of the top-level entry says
   /// Another such entry names this student as well: one sentence; "": none. Then nothing is judged, for either may be
   /// somebody else's.
-  std::string dispute;
-
+  std::string dispute = {};
   std::map<std::string, Override> by_hand = {};  ///< by exercise; "": the whole
   std::string attempt = {};                      ///< which of several counts
   std::vector<Student> attempts = {};  ///< in their order, where they are told apart; then there is no more yet
@@ -100,14 +103,16 @@ struct Intake {
 };
 
 /// Which students are taken in: those of one of several equal parts of the class, which any machine tells by their ids.
-struct Shard {
-  std::uint64_t number = 1, count = 1;
+class Shard {
+ public:
+  /// "2/8". @throws GradingError
+  explicit Shard(const std::string& text = "1/1");
 
   bool has(const std::string& id) const;
-};
 
-/// "2/8". @throws GradingError
-Shard read_shard(const std::string& text);
+ private:
+  std::uint64_t number_ = 0, count_ = 0;
+};
 
 /// Takes in a folder per student, files called ID_EXERCISE.cpp, and zip files of both.
 /// @param copies  DIR/SLUG/EXERCISE.cpp is written there, but nothing if the submissions cannot be read
@@ -115,7 +120,7 @@ Shard read_shard(const std::string& text);
 ///                     attempt each; in an export of Gradescope, so does every submission
 /// @throws GradingError, std::runtime_error
 Intake take_in(const fs::path& submissions, const Course& course, const std::vector<RosterEntry>& roster,
-               const fs::path& copies, const Shard& shard = {}, bool by_attempts = false);
+               const fs::path& copies, const Shard& shard = Shard(), bool by_attempts = false);
 
 /// Makes one attempt of a student the submission. @param why  "the last one"
 void take_attempt(Student& student, std::size_t number, const std::string& why);

@@ -16,13 +16,12 @@
 namespace workbook {
 namespace {
 
-constexpr std::size_t most_notes = 20;
+constexpr std::size_t most_sentences = 1000;
 constexpr std::size_t most_entries = 20'000;  // looked at in one student's folder
 constexpr int deepest = 16;
 const fs::path progress_file = ".workbook/progress.json";
 const std::vector<std::string> source_endings = {".cpp", ".cc", ".cxx", ".c", ".cpp.txt"};
 const std::vector<std::string> archive_endings = {".tar", ".gz", ".tgz", ".xz", ".bz2", ".7z", ".rar"};
-constexpr std::size_t several = SIZE_MAX;  // a name of several students names nobody
 
 bool has_ending(const std::string& name, const std::vector<std::string>& endings) {
   return std::ranges::any_of(endings, [&](const auto& each) { return boost::iends_with(name, each); });
@@ -52,10 +51,14 @@ std::vector<std::string> words_of(const std::string& name) {
 
 std::string plain_name(const std::string& name) { return fmt::format("{}", fmt::join(words_of(name), " ")); }
 
-/// The folder into which Gradescope's export puts all students.
-bool is_export(const std::string& name) { return name.starts_with("assignment_") && name.ends_with("_export"); }
+/// A name in one word, as Canvas writes it.
+std::string one_word(const std::string& name) {
+  return replaced(fmt::format("{}", fmt::join(words_of(name), "")), "-", "");
+}
 
-std::string in_quotes(const std::string& name) { return fmt::format("'{}'", shortened(printable(name), 100)); }
+std::string unread(const std::string& shown, const std::string& reason) {
+  return fmt::format("{} was not read: {}.", in_quotes(shown), reason);
+}
 
 fs::file_type type_of(const fs::path& file) {
   std::error_code ignored;
@@ -73,14 +76,15 @@ class Collector {
         by_attempts_(by_attempts) {
     for (const RosterEntry& entry : roster) {
       const std::size_t student = add(entry);
-      add_name(ids_, plain_name(entry.id), student);
-      for (const std::string& alias : entry.aliases) add_name(aliases_, plain_name(alias), student);
+      names_[{Kind::id, plain_name(entry.id)}].insert(student);
+      for (const std::string& alias : entry.aliases) names_[{Kind::alias, plain_name(alias)}].insert(student);
       if (!entry.folder.empty()) owners_[intake.students[student].entry = entry.folder].push_back(student);
       std::vector<std::string> words = words_of(entry.name);  // with the family's name first or last
       for (std::size_t k = 0; k < words.size(); ++k) {
         std::ranges::rotate(words, words.begin() + 1);
-        add_name(full_names_, fmt::format("{}", fmt::join(words, " ")), student);
-        add_name(canvas_names_, replaced(fmt::format("{}", fmt::join(words, "")), "-", ""), student);
+        const std::string name = fmt::format("{}", fmt::join(words, " "));
+        names_[{Kind::full_name, name}].insert(student);
+        names_[{Kind::in_one_word, one_word(name)}].insert(student);
       }
     }
   }
@@ -104,7 +108,8 @@ class Collector {
     std::error_code problem;
     std::vector<fs::path> entries;
     for (fs::directory_iterator next(folder, problem), end; !problem && next != end; next.increment(problem))
-      if (const std::string name = next->path().filename(); !name.starts_with('.') && name != "__MACOSX")
+      if (const fs::path name = next->path().filename();
+          name == progress_file.parent_path() || (!name.string().starts_with('.') && name != "__MACOSX"))
         entries.push_back(next->path());
     std::ranges::sort(entries);                                  // every run sees the same
     if (depth == wrappers_ && entries.size() == 1) ++wrappers_;  // perhaps the class lies in that folder
@@ -113,9 +118,6 @@ class Collector {
       files.push_back({.path = path, .refusal = reason, .is_unread = true});
     };
     if (problem) refuse(above, fmt::format("is a folder that cannot be read ({})", problem.message()));
-    if (depth > 0 && type_of(folder / progress_file.parent_path()) == fs::file_type::directory &&
-        type_of(folder / progress_file) != fs::file_type::not_found)
-      files.push_back({.path = above + progress_file.string(), .file = folder / progress_file});
     for (const fs::path& entry : entries) {
       const std::string name = entry.filename().string(), path = above + name;
       if (is_above_students) looked_at_ = 0;
@@ -137,6 +139,7 @@ class Collector {
   }
 
   /// Where all lies in one folder, or in one that is alone in it: the one in which students are told apart, if any is.
+  /// Beside the folder of an export of Gradescope other things may lie.
   std::string folder_of_class(const std::vector<Found>& files) {
     const auto entries_in = [&](const std::string& folder) {
       std::set<std::string> entries;
@@ -148,6 +151,9 @@ class Collector {
     };
     std::string folder;
     for (std::set<std::string> entries = entries_in("");; entries = entries_in(folder += *entries.begin() + "/")) {
+      for (const std::string& name : entries)
+        if (is_export(name) && std::ranges::count(files, folder + name + "/" + gradescope_metadata, &Found::path) > 0)
+          return folder + name + "/";
       if (entries.contains(gradescope_metadata) ||
           (has_roster_ && std::ranges::any_of(entries, [&](auto& name) { return !meant_by(name).empty(); })))
         return folder;
@@ -159,26 +165,15 @@ class Collector {
 
   /// All that a class has handed in.
   void take_class(std::vector<Found> files) {
-    const std::string wrappers = folder_of_class(files);
-    for (Found& each : files) each.path.erase(0, wrappers.size());
-    std::erase_if(files, [](const Found& each) { return each.path.empty(); });  // the folder itself
-    const auto metadata = std::ranges::find_if(files, [](const Found& each) {
-      const fs::path path = each.path;
-      return path.filename() == gradescope_metadata && (path.parent_path().empty() || is_export(path.parent_path()));
-    });
-    std::string above;
+    const std::string above = folder_of_class(files);
+    std::erase_if(files, [&](const Found& each) { return !each.path.starts_with(above) || each.path == above; });
+    for (Found& each : files) each.path.erase(0, above.size());
+    const auto metadata = std::ranges::find(files, gradescope_metadata, &Found::path);
     if (metadata != files.end()) {
-      above = metadata->path.substr(0, metadata->path.rfind('/') + 1);
-      if (!metadata->refusal.empty())
-        throw GradingError(fmt::format("{} {}. Nothing was graded.", gradescope_metadata, metadata->refusal));
-      take_metadata(metadata->file.empty() ? metadata->text
-                                           : read_file(metadata->file, std::size_t{64} << 20).value_or(""));
+      take_metadata(*metadata);
+      files.erase(metadata);
     }
-    for (Found& each : files) {
-      if (!each.path.starts_with(above) || each.path == above + gradescope_metadata) continue;
-      each.path.erase(0, above.size());
-      take(each);
-    }
+    for (Found& each : files) take(each);
     if (has_roster_ || intake.students.size() != 1 || !has_second_) return;
     Student& only = intake.students.front();  // or the one folder in which a class lies
     say(only.unread, fmt::format("'{}' holds several files for one exercise; if it is no student but a class, unpack "
@@ -187,20 +182,27 @@ class Collector {
   }
 
  private:
+  enum class Kind { exact, id, alias, full_name, in_one_word };  ///< of a name; exact: an id, letter by letter
+
   /// An export of Gradescope: whose its folders are.
-  void take_metadata(const std::string& text) {
+  void take_metadata(const Found& file) {
+    if (!file.refusal.empty())
+      throw GradingError(fmt::format("{} {}. Nothing was graded.", gradescope_metadata, file.refusal));
     has_metadata_ = true;
-    for (const auto& [folder, people] : read_gradescope(text)) {
+    const std::size_t limit = std::size_t{64} << 20;
+    for (const auto& [folder, people] :
+         read_gradescope(file.file.empty() ? file.text : read_file(file.file, limit).value_or(""))) {
       std::vector<std::size_t>& owners = owners_[folder];
       for (const RosterEntry& person : people) {
-        if (!has_roster_ && !students_.contains(person.id)) add(person);
+        if (!has_roster_ && !the_one(Kind::exact, person.id)) add(person);
         std::optional<std::size_t> meant = known(person.id);
         for (const std::string& alias : person.aliases)
           if (!meant) meant = known(alias);
-        if (!meant) meant = found_in(full_names_, plain_name(person.name));
+        if (!meant) meant = the_one(Kind::full_name, person.name);
         if (!meant) {
-          problem(fmt::format("{} was not read for {}: the roster has no {}, and not just one of that name.",
-                              in_quotes(folder), shortened(printable(person.name), 100), in_quotes(person.id)));
+          say(intake.problems,
+              fmt::format("{} was not read for {}: the roster has no {}, and not just one of that name.",
+                          in_quotes(folder), shortened(printable(person.name), 100), in_quotes(person.id)));
           continue;
         }
         owners.push_back(*meant);
@@ -216,55 +218,38 @@ class Collector {
     }
   }
 
-  using Names = std::map<std::string, std::size_t>;
-
   std::size_t add(const RosterEntry& entry) {
-    Student& student = add_student(entry.id);
-    student.name = printable(entry.name);
-    student.submitted = entry.submitted;
-    return students_.at(entry.id);
-  }
-
-  static void add_name(Names& names, const std::string& name, std::size_t student) {
-    const auto [known, is_new] = names.emplace(name, student);
-    if (!is_new && known->second != student) known->second = several;
-  }
-
-  static std::optional<std::size_t> found_in(const Names& names, const std::string& name) {
-    const auto found = names.find(name);
-    return found == names.end() || found->second == several ? std::nullopt : std::optional(found->second);
-  }
-
-  /// By id or alias.
-  std::optional<std::size_t> known(const std::string& name) const {
-    if (const auto student = found_in(students_, name)) return student;
-    const auto by_id = found_in(ids_, plain_name(name));
-    return by_id ? by_id : found_in(aliases_, plain_name(name));
-  }
-
-  Student& add_student(const std::string& raw) {
     // Names of files that differ in case only are one file on some systems.
-    std::string slug = replaced(cut(raw, 60), "[^A-Za-z0-9_.]", "-");
+    std::string slug = replaced(cut(entry.id, 60), "[^A-Za-z0-9_.]", "-");
     slug.erase(0, slug.find_first_not_of(".-"));
     if (slug.empty()) slug = "student";
     std::string unique = slug;
     for (int number = 2; !slugs_.insert(boost::to_lower_copy(unique)).second; ++number)
       unique = fmt::format("{}-{}", slug, number);
-    students_.emplace(raw, intake.students.size());
-    Student& student = intake.students.emplace_back();
-    student.id = shortened(replaced(printable(raw), "[\n\t]", "?"), 200);
-    student.slug = unique;
-    student.copies = copies_ / unique;
+    const std::size_t student = intake.students.size();
+    names_[{Kind::exact, entry.id}].insert(student);
+    intake.students.push_back({.id = shortened(replaced(printable(entry.id), "[\n\t]", "?"), 200),
+                               .name = printable(entry.name),
+                               .slug = unique,
+                               .copies = copies_ / unique,
+                               .submitted = entry.submitted});
     return student;
   }
 
-  void problem(const std::string& sentence) {
-    if (std::ranges::count(intake.problems, sentence) == 0 && intake.problems.size() < 1000)
-      intake.problems.push_back(sentence);
+  /// A name of several students names nobody.
+  std::optional<std::size_t> the_one(Kind kind, const std::string& name) const {
+    const auto found = names_.find({kind, kind == Kind::exact ? name : plain_name(name)});
+    return found == names_.end() || found->second.size() > 1 ? std::nullopt : std::optional(*found->second.begin());
+  }
+
+  std::optional<std::size_t> known(const std::string& name) const {
+    for (const Kind kind : {Kind::exact, Kind::id, Kind::alias})
+      if (const auto student = the_one(kind, name)) return student;
+    return std::nullopt;
   }
 
   static void say(std::vector<std::string>& to, const std::string& sentence) {
-    if (to.size() < most_notes) to.push_back(sentence);
+    if (to.size() < most_sentences && std::ranges::count(to, sentence) == 0) to.push_back(sentence);
   }
 
   /// In names of Moodle and Canvas the id stands between others, separated by "_", before what the student has named:
@@ -303,7 +288,7 @@ class Collector {
   /// By the whole name; before it may stand that of a group.
   std::optional<std::size_t> by_full_name(std::string person) const {
     for (std::size_t dash = 0;; person.erase(0, dash + 1))
-      if (const auto student = found_in(full_names_, plain_name(person));
+      if (const auto student = the_one(Kind::full_name, person);
           student || !has_groups_ || (dash = person.find('-')) == std::string::npos)
         return student;
   }
@@ -321,12 +306,12 @@ class Collector {
     // "Ada Byron_900001_assignsubmission_file_" of Moodle: its number is of this assignment only, and no id.
     const Match moodle = search(name, "^(.+)_(\\d+)(_assignsubmission_.*)?$");
     const bool is_of_moodle = !moodle[3].empty();
-    if (is_of_moodle) add(found_in(aliases_, moodle[2]));
+    if (is_of_moodle) add(the_one(Kind::alias, moodle[2]));
     if (moodle) add(by_full_name(moodle[1]));
     if (meant.empty() || !is_of_moodle)
       for (const std::size_t each : named_by(name))
         if (!is_of_moodle || intake.students[each].name.empty()) meant.insert(each);
-    if (number) add(found_in(canvas_names_, plain_name(name.substr(0, name.find('_')))));
+    if (number) add(the_one(Kind::in_one_word, name.substr(0, name.find('_'))));
     if (meant.empty()) add(by_login(name));
     if (meant.empty()) add(by_full_name(name));
     return meant;
@@ -343,7 +328,7 @@ class Collector {
 
   std::vector<std::size_t> owners_of(const std::string& name) {
     if (has_metadata_) {
-      problem(fmt::format("{} was not read: {} names no student for it.", in_quotes(name), gradescope_metadata));
+      say(intake.problems, unread(name, fmt::format("{} names no student for it", gradescope_metadata)));
       return {};
     }
     const Match own = by_system(name);
@@ -351,11 +336,11 @@ class Collector {
                               : has_roster_ && numbered(name) ? numbered(name)[0]
                                                               : name;
     // Canvas numbers the files of a student, who may be a group or have no name.
-    if (!has_roster_ && !students_.contains(entry)) add_student(entry);
-    const std::set<std::size_t> meant = has_roster_ ? meant_by(name) : std::set{students_.at(entry)};
+    if (!has_roster_ && !the_one(Kind::exact, entry)) add({.id = entry});
+    const std::set<std::size_t> meant = has_roster_ ? meant_by(name) : std::set{*the_one(Kind::exact, entry)};
     if (meant.size() != 1) {
-      problem(fmt::format("{} was not read: it names {} of the roster.", in_quotes(name),
-                          meant.empty() ? "no id, and no name of just one student," : "several students"));
+      const char* whom = meant.empty() ? "no id, and no name of just one student," : "several students";
+      say(intake.problems, unread(name, fmt::format("it names {} of the roster", whom)));
       return {};
     }
     Student& student = intake.students[*meant.begin()];
@@ -370,13 +355,13 @@ class Collector {
                    std::int64_t order) {
     if (const auto known = std::ranges::find(student.attempts, name, &Student::entry); known != student.attempts.end())
       return *known;
-    Student& made = student.attempts.emplace_back();
-    made.id = student.id;
-    made.copies = student.copies / "attempts" / std::to_string(student.attempts.size());
-    made.submitted = submitted;
-    made.entry = name;
-    made.order = order;
-    return made;
+    const std::string number = std::to_string(student.attempts.size() + 1);
+    student.attempts.push_back({.id = student.id,
+                                .copies = student.copies / "attempts" / number,
+                                .submitted = submitted,
+                                .entry = name,
+                                .order = order});
+    return student.attempts.back();
   }
 
   Student& attempt_of(Student& student, const std::vector<std::string>& parts) {
@@ -398,7 +383,7 @@ class Collector {
   void take(Found& found) {
     const std::string shown = shortened(printable(found.path), 200);
     std::string first = found.path.substr(0, found.path.find('/'));
-    std::string trouble = found.is_unread ? fmt::format("'{}' was not read: it {}.", shown, found.refusal) : "";
+    std::string trouble = found.is_unread ? unread(shown, "it " + found.refusal) : "";
     if (first == found.path && is_zip(first)) first.resize(first.size() - 4);
     if (is_zip(found.file)) {
       try {
@@ -424,7 +409,7 @@ class Collector {
     const bool is_progress = parts.size() > 2 && fs::path(parts[parts.size() - 2]) / parts.back() == progress_file;
     if (is_progress) parts.resize(parts.size() - 2);
     if (parts.empty() || std::ranges::any_of(parts, [](const auto& part) { return part.starts_with('.'); })) {
-      if (std::ranges::count(parts, "..") > 0) problem(fmt::format("'{}' was not read: its path leads away.", shown));
+      if (std::ranges::count(parts, "..") > 0) say(intake.problems, unread(shown, "its path leads away"));
     } else if (parts.size() == 1 && !is_progress) {
       take_flat(parts.front(), found, shown);
     } else {
@@ -457,8 +442,7 @@ class Collector {
       const bool is_in_place = found.path.ends_with(fmt::format("/lectures/{}/exercises/{}", lecture, name));
       hand_in(student, exercise, {is_in_place ? HandedIn::in_place : HandedIn::anywhere, found.path}, found);
     } else if (has_ending(name, archive_endings)) {
-      if (std::ranges::count(found.path, '/') < 2)
-        say(student.unread, fmt::format("'{}' was not read: it is no zip file.", shown));
+      if (std::ranges::count(found.path, '/') < 2) say(student.unread, unread(shown, "it is no zip file"));
     } else if (has_ending(name, source_endings)) {  // somebody may call it "3 - SpringEnergy (1).cpp"
       const auto letters = [](const auto& text) { return boost::to_lower_copy(replaced(text, "[^A-Za-z0-9]", "")); };
       const Exercise* meant =
@@ -466,10 +450,10 @@ class Collector {
       if (meant != nullptr)
         hand_in(student, meant->name(),
                 {HandedIn::under_another_name, found.path,
-                 fmt::format("'{}' was not read: the file should be called {}.cpp.", shown, meant->name())},
+                 unread(shown, fmt::format("the file should be called {}.cpp", meant->name()))},
                 found);
       else if (std::ranges::count(found.path, '/') < 2)
-        say(student.notes, fmt::format("'{}' was not read: no exercise is called so.", shown));
+        say(student.notes, unread(shown, "no exercise is called so"));
     }
   }
 
@@ -501,15 +485,13 @@ class Collector {
     const Exercise* meant =
         longest([&](auto& exercise) { return stem.size() > exercise.size() + 1 && stem.ends_with("_" + exercise); });
     if (meant == nullptr)
-      return problem(fmt::format("{} was not read: it should be a student's folder, a zip file or ID_EXERCISE.cpp.",
-                                 in_quotes(name)));
+      return say(intake.problems, unread(name, "it should be a student's folder, a zip file or ID_EXERCISE.cpp"));
     for (Student* student : students_of(stem.substr(0, stem.size() - meant->name().size() - 1)))
       hand_in(*student, meant->name(), {HandedIn::anywhere, name}, found);
   }
 
   void hand_in(Student& student, const std::string& exercise, HandedIn in, const Found& found) {
     const fs::path copy = student.copies / (exercise + ".cpp");
-    in.entry = in.where.substr(0, in.where.find('/'));
     in.where = shortened(printable(in.where), 200);
     const auto known = student.files.find(exercise);
     const bool is_second = known != student.files.end();
@@ -522,7 +504,6 @@ class Collector {
     }
     if (is_second && known->second.place == in.place) {
       if (known->second.refusal.empty() && in.refusal.empty() && read_file(copy) == text) return;
-      if (known->second.entry != in.entry) dispute(student, known->second.entry, in.entry);
       has_second_ = has_second_ || in.place != HandedIn::under_another_name;
       in.refusal =
           fmt::format("{}.cpp is there twice: '{}' and '{}'; hand in one.", exercise, known->second.where, in.where);
@@ -548,12 +529,11 @@ class Collector {
   const std::vector<Exercise> exercises_;
   const Shard shard_;
   const bool has_roster_, by_attempts_;
-  bool has_metadata_ = false;                        ///< an export of Gradescope says whose each entry is
-  bool has_groups_ = false;                          ///< each of Moodle's entries may begin with the name of a group
-  std::set<std::string> assignments_;                ///< what GitHub Classroom may put before logins
-  Names students_;                                   ///< by id
-  Names ids_, aliases_, full_names_, canvas_names_;  ///< by plain_name(), those of Canvas in one word
-  std::map<std::string, std::vector<std::size_t>> owners_;  ///< by top-level entries; of a group several
+  bool has_metadata_ = false;          ///< an export of Gradescope says whose each entry is
+  bool has_groups_ = false;            ///< each of Moodle's entries may begin with the name of a group
+  std::set<std::string> assignments_;  ///< what GitHub Classroom may put before logins
+  std::map<std::pair<Kind, std::string>, std::set<std::size_t>> names_;  ///< of students, as plain_name() has them
+  std::map<std::string, std::vector<std::size_t>> owners_;               ///< by top-level entries; of a group several
   std::set<std::string> slugs_;
   std::size_t looked_at_ = 0;
   int wrappers_ = 0;         ///< folders, one in the other, with one entry each
@@ -562,6 +542,8 @@ class Collector {
 
 }  // namespace
 
+bool is_export(const std::string& folder) { return folder.starts_with("assignment_") && folder.ends_with("_export"); }
+
 bool is_zip(const fs::path& file) { return boost::iequals(file.extension().string(), ".zip"); }
 
 bool is_handed_in(const std::string& name) {
@@ -569,19 +551,18 @@ bool is_handed_in(const std::string& name) {
          name == progress_file.filename();
 }
 
-bool Shard::has(const std::string& id) const {
-  // The low bits of the fingerprint tell parities of the letters only: the digits of ids are often so chosen.
-  std::uint64_t hash = std::stoull(fingerprint(id), nullptr, 16);
-  hash = (hash ^ (hash >> 33)) * 0xff51afd7ed558ccdULL;
-  return (hash >> 32) % count == number - 1;
+Shard::Shard(const std::string& text) {
+  if (const Match parts = search(text, "^(\\d{1,9})/(\\d{1,9})$")) {
+    number_ = std::stoull(parts[1]);
+    count_ = std::stoull(parts[2]);
+  }
+  if (number_ < 1 || number_ > count_)
+    throw GradingError("--shard should say which part of how many, for example 2/8.");
 }
 
-Shard read_shard(const std::string& text) {
-  const Match parts = search(text, "^(\\d{1,9})/(\\d{1,9})$");
-  const Shard shard = parts ? Shard{std::stoull(parts[1]), std::stoull(parts[2])} : Shard{};
-  if (!parts || shard.number < 1 || shard.number > shard.count)
-    throw GradingError("--shard should say which part of how many, for example 2/8.");
-  return shard;
+bool Shard::has(const std::string& id) const {
+  // Twice, for the low bits of the fingerprint tell parities of the letters only: digits of ids are often so chosen.
+  return std::stoull(fingerprint(fingerprint(id)), nullptr, 16) % count_ == number_ - 1;
 }
 
 Intake take_in(const fs::path& submissions, const Course& course, const std::vector<RosterEntry>& roster,

@@ -1,4 +1,3 @@
-
 #include "checker/grading/grading.hpp"
 
 #include <fcntl.h>

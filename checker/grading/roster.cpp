@@ -139,6 +139,8 @@ std::string worksheet_id(const NamedTable& table, std::size_t row) {
 
 }  // namespace
 
+std::string in_quotes(const std::string& name) { return fmt::format("'{}'", shortened(printable(name), 200)); }
+
 std::string in_utf8(const std::string& bytes, const char* letters) {
   if (icu::UnicodeString::fromUTF8(bytes).indexOf(char16_t{0xFFFD}) < 0) return bytes;
   std::string text;
@@ -170,7 +172,7 @@ std::vector<RosterEntry> read_roster(const fs::path& file, const std::string& zo
     require(!entry.id.empty(), "the id is missing");
     require(ids.insert(entry.id).second, fmt::format("the id {} is there twice", printable(entry.id)));
     require(entry.submitted || time.empty() || (worksheet && time == "-"),
-            fmt::format("'{}' should be a time like 2027-03-01T23:59:00Z", shortened(printable(time), 100)));
+            in_quotes(time) + " should be a time like 2027-03-01T23:59:00Z");
     boost::split(entry.aliases, field({"aliases"}), boost::is_any_of(" ;"));
     for (const std::string& heading : headings_of(id_columns)) entry.aliases.push_back(field({heading}));
     std::erase_if(entry.aliases, [&](const std::string& alias) { return alias.empty() || alias == entry.id; });
@@ -188,7 +190,7 @@ Overrides read_overrides(const fs::path& file, const Assignment& assignment) {
   if (!table.column(whose)) table.refuse("the first line should name the columns, one of them student");
   for (const std::string& heading : table.rows.front())
     if (std::ranges::count(whose, plain_heading(heading)) + std::ranges::count(others, plain_heading(heading)) == 0)
-      table.refuse(fmt::format("the column '{}' means nothing", shortened(printable(heading), 100)));
+      table.refuse(fmt::format("the column {} means nothing", in_quotes(heading)));
   Overrides overrides;
   for (std::size_t row = 1; row < table.rows.size(); ++row) {
     if (table.is_blank(row)) continue;
@@ -198,7 +200,7 @@ Overrides read_overrides(const fs::path& file, const Assignment& assignment) {
     double most = 0;
     for (const Exercise& each : assignment.exercises())
       if (name.empty() || each.name() == name) most += each.entry->points;
-    require(most > 0, fmt::format("no exercise that is graded is called '{}'", shortened(printable(name), 100)));
+    require(most > 0, "no exercise that is graded is called " + in_quotes(name));
     Override by_hand;
     std::vector<std::string> parts;
     if (std::string text = table.field(row, {"points"}); !text.empty()) {

@@ -21,8 +21,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t largest_archive = std::size_t{1} << 30;  // as it is stored
-constexpr std::size_t largest_inner = std::size_t{32} << 20;
-constexpr std::size_t largest_metadata = std::size_t{16} << 20;
+constexpr std::size_t largest_inner = std::size_t{32} << 20;   // a zip file, or Gradescope's metadata
 constexpr std::chrono::seconds longest{600};
 #ifdef __SANITIZE_ADDRESS__
 constexpr std::size_t most_memory = 0;  // its runtime reserves terabytes of addresses
@@ -30,20 +29,15 @@ constexpr std::size_t most_memory = 0;  // its runtime reserves terabytes of add
 constexpr std::size_t most_memory = std::size_t{1} << 30;
 #endif
 
-/// What was read, of one student or of all. Entries and bytes that are unpacked stand for time, and are the same on any
-/// machine.
+// Of source files, in bytes.
+constexpr std::size_t most_of_a_student = std::size_t{32} << 20, most_of_all = std::size_t{128} << 20;
+// Entries and bytes that are unpacked stand for time, and are the same on any machine.
+constexpr std::size_t work_of_an_entry = 1024, most_work_of_a_student = std::size_t{256} << 20;
+
+/// What was read of a student.
 struct Amount {
   std::size_t kept = 0, work = 0;
-
-  /// "" or what is too much.
-  std::string excess_over(const Amount& most) const {
-    if (kept > most.kept) return fmt::format("holds more than {} MiB of source files", most.kept >> 20);
-    return work > most.work ? "takes too long to unpack" : "";
-  }
 };
-constexpr std::size_t work_of_an_entry = 1024;
-constexpr Amount most_of_all = {std::size_t{128} << 20, std::size_t{16} << 30};
-constexpr Amount most_of_a_student = {std::size_t{32} << 20, std::size_t{256} << 20};
 
 /// Of a student, whose other files are not read either.
 struct TooMuch : std::runtime_error {
@@ -75,7 +69,7 @@ class Reader {
           !students_.contains(student))
         found.push_back({student + "/"});
       try {
-        count(student, {.work = work_of_an_entry});
+        count(student, 0, work_of_an_entry);
         if (stored != nullptr) read_entry(opened, entry, path, student, depth);
       } catch (const TooMuch& problem) {
         if (depth > 0 || !is_class_) throw;
@@ -87,11 +81,9 @@ class Reader {
 
  private:
   static std::string student_of(std::string path) {
-    // In an export of Gradescope all students are in one folder.
-    const std::size_t above = path.find("_export/");
-    if (path.starts_with("assignment_") && above != std::string::npos && above < path.find('/'))
-      path.erase(0, path.find('/') + 1);
-    const std::size_t slash = path.find('/');
+    std::size_t slash = path.find('/');
+    if (slash != std::string::npos && is_export(path.substr(0, slash))) path.erase(0, slash + 1);
+    slash = path.find('/');
     const bool is_archive = slash == std::string::npos && is_zip(path);
     return path.substr(0, is_archive ? path.size() - 4 : slash);
   }
@@ -108,16 +100,14 @@ class Reader {
     }
     if (is_archive && depth > 0) return add_unread(path, "is a zip file in a zip file in a zip file");
     const bool is_file = archive_entry_filetype(entry) == AE_IFREG && archive_entry_hardlink(entry) == nullptr;
-    const std::size_t limit = is_archive                    ? largest_inner
-                              : name == gradescope_metadata ? largest_metadata
-                                                            : largest_source;
+    const std::size_t limit = is_archive || name == gradescope_metadata ? largest_inner : largest_source;
     std::string text;
     const std::string refusal =
         is_file ? bytes_of(opened, limit, text) : "is not an ordinary file; put the file itself there";
-    count(student, {.work = text.size()});
+    count(student, 0, text.size());
     if (is_archive && refusal.empty()) return read_inner(text, path, student);
     if (is_archive) return add_unread(path, refusal);
-    count(student, {.kept = text.size() + path.size()});
+    count(student, text.size() + path.size(), 0);
     found.push_back({path, refusal.empty() ? text : "", refusal});
   }
 
@@ -128,28 +118,30 @@ class Reader {
     const std::unique_ptr<archive, decltype(&archive_read_free)> inner(archive_read_new(), archive_read_free);
     archive_read_support_format_zip(inner.get());
     const std::size_t before = found.size();
-    const std::size_t all = all_.kept, of_student = students_[student].kept;
+    const std::size_t kept = students_[student].kept;
     try {
       if (archive_read_open_memory(inner.get(), bytes.data(), bytes.size()) != ARCHIVE_OK)
         throw std::runtime_error("is damaged or no zip file");
       read(inner.get(), path.substr(0, path.size() - 4) + "/", 1);
     } catch (const std::runtime_error& problem) {
       found.erase(found.begin() + static_cast<std::ptrdiff_t>(before), found.end());
-      all_.kept = all;
-      students_[student].kept = of_student;
+      kept_ -= students_[student].kept - kept;
+      students_[student].kept = kept;
       add_unread(path, problem.what());
     }
   }
 
-  void count(const std::string& student, const Amount& more) {
-    for (Amount* amount : {&students_[student], &all_}) {
-      amount->kept += more.kept;
-      amount->work += more.work;
-    }
-    if (const std::string excess = students_[student].excess_over(most_of_a_student); !excess.empty())
-      throw TooMuch(excess);
-    if (const std::string excess = all_.excess_over(most_of_all); !excess.empty())
-      throw TooMuchInAll(excess + "; unpack it yourself");
+  void count(const std::string& student, std::size_t kept, std::size_t work) {
+    Amount& own = students_[student];
+    own.kept += kept;
+    own.work += work;
+    kept_ += kept;
+    const auto too_much = [](std::size_t most) {
+      return fmt::format("holds more than {} MiB of source files", most >> 20);
+    };
+    if (own.kept > most_of_a_student) throw TooMuch(too_much(most_of_a_student));
+    if (own.work > most_work_of_a_student) throw TooMuch("takes too long to unpack");
+    if (kept_ > most_of_all) throw TooMuchInAll(too_much(most_of_all) + "; unpack it yourself");
   }
 
   static std::string bytes_of(archive* opened, std::size_t limit, std::string& bytes) {
@@ -164,7 +156,7 @@ class Reader {
   }
 
   const bool is_class_;
-  Amount all_;
+  std::size_t kept_ = 0;
   std::map<std::string, Amount> students_;
   std::set<std::string> too_much_;
 };

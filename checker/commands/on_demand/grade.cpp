@@ -549,7 +549,7 @@ int grade(const Course& given, const GradeOptions& options) {
     if (!options.attempts.empty() && options.attempts != "last" && options.attempts != "best")
       throw GradingError("--attempts should be last or best.");
     const std::string forgotten = options.only.empty() ? "" : known_verdict(options.only);
-    const Shard shard = options.shard.empty() ? Shard{} : read_shard(options.shard);
+    const Shard shard = options.shard.empty() ? Shard() : Shard(options.shard);
     const mode_t usual = ::umask(0077);  // results are nobody else's
     const bool is_new = !fs::exists(out / journal_name);
     prepare_folder(out, submissions);
