@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace workbook {
 
@@ -12,13 +13,8 @@ using nlohmann::ordered_json;
 
 namespace {
 
-constexpr std::size_t most_of_a_rare_output = 3;
+constexpr const char* outputs = "identical_wrong_outputs";
 constexpr std::size_t most_with_one_reason = 5;
-
-bool is_unexplained(const CheckResult& checked) {
-  return checked.judgement.verdict == Verdict::wrong_value &&
-         std::ranges::none_of(checked.reasons, [](const Reason& each) { return each.is_in_code() || each.is_cause(); });
-}
 
 /// Of passing an exercise with the points of all others; null where one of them is the same for all.
 ordered_json correlation(const std::vector<double>& passed, const std::vector<double>& rest) {
@@ -35,15 +31,17 @@ double rounded(double points) { return std::round(points * 10000) / 10000; }
 ClassResults::ClassResults(const Assignment& assignment, std::uint64_t seed, const std::string& sandbox,
                            const Intake& intake, bool with_missing)
     : assignment_(assignment), with_missing_(with_missing) {
-  std::vector<std::string> problems = intake.problems, missing;
+  document_ = {{"format", 1}, {"title", assignment.title()}, {"seed", seed}, {"sandbox", sandbox}};
+  for (const char* list : {"problems", "missing", "exercises", "misconceptions", outputs, "learnt_by_heart",
+                           "not_judged", "changes", "students"})
+    document_[list] = ordered_json::array();
+  ordered_json& problems = document_["problems"] = intake.problems;
   for (const Student& student : intake.students) {
     if (student.whole().decides()) continue;
     for (const std::string& sentence : student.unread) problems.push_back(student.id + ": " + sentence);
     if (!student.dispute.empty()) problems.push_back(fmt::format("{} is not judged: {}", student.id, student.dispute));
-    if (student.is_missing()) missing.push_back(student.id);
+    if (student.is_missing()) document_["missing"].push_back(student.id);
   }
-  head_ = {{"format", 1},        {"title", assignment.title()}, {"seed", seed},
-           {"sandbox", sandbox}, {"problems", problems},        {"missing", missing}};
 }
 
 ordered_json ClassResults::add(const Student& student, const std::vector<CheckResult>& results,
@@ -52,7 +50,7 @@ ordered_json ClassResults::add(const Student& student, const std::vector<CheckRe
   const int days_late = assignment_.days_late(student.submitted, whole.due);
   const double factor = assignment_.late_factor(days_late);
   double points = 0, possible = 0;
-  ordered_json document = ordered_json::parse(json_report(results, head_.at("seed")));
+  ordered_json document = ordered_json::parse(json_report(results, document_.at("seed")));
   document.erase("seed");
   ordered_json marks = ordered_json::array();
   for (std::size_t i = 0; i < results.size(); ++i) {
@@ -68,7 +66,7 @@ ordered_json ClassResults::add(const Student& student, const std::vector<CheckRe
     if (!checked.by_hand.empty()) marks.back()["by_hand"] = checked.by_hand;
     if (!checked.is_judged()) {
       if (student.dispute.empty())
-        not_judged_.push_back(
+        document_["not_judged"].push_back(
             fmt::format("{}: {}: {}", student.id, checked.name(), printable(checked.judgement.message)));
       continue;
     }
@@ -76,18 +74,21 @@ ordered_json ClassResults::add(const Student& student, const std::vector<CheckRe
       similar.add(checked.name(), student.id, student.files.at(checked.name()).where, checked.source);
     possible += checked.points();
     points += checked.score();
+    const auto among = [&](const char* list, const std::string& name) -> ordered_json& {
+      ordered_json& group = groups_[list][{checked.name(), name}];
+      group["exercise"] = checked.name();
+      group["students"].push_back(student.id);
+      return group;
+    };
     for (const Reason& reason : checked.reasons) {
-      if (reason.kind == ReasonKind::learnt) learnt_[checked.name()].push_back(student.id);
-      if (reason.kind != ReasonKind::misconception) continue;
-      ordered_json& known = misconceptions_[{checked.name(), reason.name}];
-      if (known.is_null()) known = {{"exercise", checked.name()}, {"name", reason.name}, {"message", reason.sentence}};
-      known["students"].push_back(student.id);
+      if (reason.kind == ReasonKind::learnt) among("learnt_by_heart", "");
+      if (reason.kind == ReasonKind::misconception)
+        among("misconceptions", reason.name).update({{"name", reason.name}, {"message", reason.sentence}});
     }
-    if (!is_unexplained(checked)) continue;
-    ordered_json& same = outputs_[{checked.name(), checked.fingerprint_of_values()}];
-    same["exercise"] = checked.name();
-    same["first_failure"] = result["first_failure"];
-    same["students"].push_back(student.id);
+    const bool is_explained =
+        std::ranges::any_of(checked.reasons, [](const Reason& each) { return each.is_in_code() || each.is_cause(); });
+    if (checked.judgement.verdict == Verdict::wrong_value && !is_explained)
+      among(outputs, checked.fingerprint_of_values())["first_failure"] = result["first_failure"];
   }
   const double score = rounded(whole.points.value_or(points * factor));
   ordered_json entry = {{"id", student.id},      {"name", student.name},  {"slug", student.slug},
@@ -96,7 +97,7 @@ ordered_json ClassResults::add(const Student& student, const std::vector<CheckRe
   if (possible > 0) ++distribution_.at(static_cast<std::size_t>(std::min(9.0, 10 * score / possible)));
   if (!whole.sentence.empty()) entry["by_hand"] = whole.sentence;
   document["student"] = entry;
-  document["sandbox"] = head_["sandbox"];
+  document["sandbox"] = document_["sandbox"];
   const bool is_complete = !student.is_missing() && student.unread.empty() && student.dispute.empty();
   entry["in_tables"] = !whole.is_excused && (is_complete || with_missing_ || whole.points);
   // A part of the marks would count as the whole.
@@ -104,60 +105,49 @@ ordered_json ClassResults::add(const Student& student, const std::vector<CheckRe
   entry["in_gradebooks"] = entry["in_tables"] && (whole.points || std::ranges::all_of(marks, is_judged));
   if (!student.attempt.empty()) entry["attempt"] = student.attempt;
   entry["results"] = marks;
-  students_.push_back(std::move(entry));
+  document_["students"].push_back(std::move(entry));
   return document;
 }
 
 ordered_json ClassResults::exercise_entry(std::size_t number) const {
-  int judged = 0, started = 0, passed = 0;
+  int started = 0;
   std::vector<double> passes, rests;
-  for (const ordered_json& student : students_) {
+  for (const ordered_json& student : document_.at("students")) {
     double rest = 0;
     for (const ordered_json& mark : student.at("results"))
       if (mark.at("score").is_number()) rest += mark.at("score").get<double>();
     const ordered_json& mark = student.at("results").at(number);
     if (mark.at("score").is_null()) continue;
-    const bool has_passed = mark.at("verdict") == "passed";
-    ++judged;
     started += mark.at("verdict") != "not_started" ? 1 : 0;
-    passed += has_passed ? 1 : 0;
-    passes.push_back(has_passed ? 1.0 : 0.0);
+    passes.push_back(mark.at("verdict") == "passed" ? 1.0 : 0.0);
     rests.push_back(rest - mark.at("score").get<double>());
   }
   const Exercise& exercise = assignment_.exercises()[number];
+  const double passed = std::accumulate(passes.begin(), passes.end(), 0.0);
   return {{"exercise", exercise.name()},
           {"lecture", exercise.lecture()},
           {"points", exercise.entry->points},
-          {"judged", judged},
+          {"judged", passes.size()},
           {"started", started},
-          {"passed", passed},
-          {"difficulty", judged > 0 ? ordered_json(rounded(1.0 - static_cast<double>(passed) / judged)) : nullptr},
+          {"passed", static_cast<int>(passed)},
+          {"difficulty",
+           passes.empty() ? nullptr : ordered_json(rounded(1.0 - passed / static_cast<double>(passes.size())))},
           {"discrimination", correlation(passes, rests)}};
 }
 
 ordered_json ClassResults::document() {
-  ordered_json document = head_;
-  document["exercises"] = ordered_json::array();
-  for (std::size_t i = 0; i < assignment_.exercises().size(); ++i) document["exercises"].push_back(exercise_entry(i));
-  document["distribution"] = distribution_;
-  std::vector<ordered_json> misconceptions, outputs;
-  for (const auto& [unused, each] : misconceptions_) misconceptions.push_back(each);
+  for (std::size_t i = 0; i < assignment_.exercises().size(); ++i) document_["exercises"].push_back(exercise_entry(i));
+  document_["distribution"] = distribution_;
   const auto students = [](const ordered_json& each) { return each["students"].size(); };
-  std::ranges::stable_sort(misconceptions, std::greater<>(), students);
-  document["misconceptions"] = misconceptions;
-  for (const auto& [unused, each] : outputs_)
-    if (students(each) > 1) outputs.push_back(each);
-  std::ranges::stable_sort(outputs, std::greater<>(), students);
-  for (ordered_json& each : outputs) each["is_rare"] = students(each) <= most_of_a_rare_output;
-  document["identical_wrong_outputs"] = outputs;
-  document["learnt_by_heart"] = ordered_json::array();
-  for (const auto& [exercise, ids] : learnt_)
-    document["learnt_by_heart"].push_back({{"exercise", exercise}, {"students", ids}});
-  document["similar"] = similar.pairs();
-  document["not_judged"] = not_judged_;
-  document["changes"] = ordered_json::array();
-  document["students"] = std::move(students_);
-  return document;
+  for (auto& [list, groups] : groups_) {
+    std::vector<ordered_json> largest_first;
+    for (auto& [unused, group] : groups)
+      if (list != outputs || students(group) > 1) largest_first.push_back(std::move(group));
+    std::ranges::stable_sort(largest_first, std::greater<>(), students);
+    document_[list] = largest_first;
+  }
+  document_["similar"] = similar.pairs();
+  return std::move(document_);
 }
 
 std::vector<std::string> compare_with(const ordered_json& before, ordered_json& now) {
@@ -166,7 +156,9 @@ std::vector<std::string> compare_with(const ordered_json& before, ordered_json& 
   std::map<std::string, const ordered_json*> known;
   std::vector<std::pair<ordered_json&, const ordered_json&>> in_both;
   const auto name_of_mark = [](const ordered_json& mark) { return mark.at("exercise").get<std::string>(); };
-  const auto number = [](const ordered_json& student, const char* key) { return student.at(key).get<double>(); };
+  const auto points = [](const ordered_json& student) {
+    return fmt::format("{:g} of {:g}", student.at("score").get<double>(), student.at("possible").get<double>());
+  };
   const auto is_unjudged = [](const ordered_json& mark) { return mark.at("verdict") == "checker_error"; };
   const bool is_other_seed = before.at("seed") != now.at("seed");
   std::map<std::string, std::vector<std::string>> by_reason;  // what many have in common is said once
@@ -174,7 +166,7 @@ std::vector<std::string> compare_with(const ordered_json& before, ordered_json& 
   for (ordered_json& student : now.at("students")) {
     const std::string id = student.at("id");
     if (!known.contains(id)) {
-      by_reason["new"].push_back(fmt::format("{}: {:g} points", id, number(student, "score")));
+      by_reason["new"].push_back(fmt::format("{}: {} points", id, points(student)));
       continue;
     }
     const ordered_json& old = *known.extract(id).mapped();
@@ -215,8 +207,7 @@ std::vector<std::string> compare_with(const ordered_json& before, ordered_json& 
     }
     if (reasons.empty()) reasons.emplace_back("other exercises in the assignment");
     by_reason[fmt::format("{}", fmt::join(reasons, "; "))].push_back(
-        fmt::format("{}: {:g} of {:g} points, before {:g} of {:g}", id, number(student, "score"),
-                    number(student, "possible"), number(old, "score"), number(old, "possible")));
+        fmt::format("{}: {} points, before {}", id, points(student), points(old)));
   }
   for (const auto& [id, unused] : known) by_reason["no longer in the class"].push_back(id);
   for (const auto& [reason, marks] : by_reason) {

@@ -48,12 +48,9 @@ nlohmann::json form_values(const ordered_json& about, const ordered_json& result
                              {"hundredths", is_judged ? std::lround(100 * mark.at("score").get<double>()) : 0},
                              {"most_hundredths", std::lround(100 * mark.at("points").get<double>())}};
     for (const char* same : {"exercise", "verdict", "points", "score"}) values[same] = mark.at(same);
-    for (nlohmann::json* list : {&all, &judged}) {
-      if (list == &judged && !is_judged) continue;
-      values["comma"] = list->empty() ? "" : ", ";
-      list->push_back(values);
-    }
+    all.push_back(values);
     if (!is_judged) continue;
+    judged.push_back(values);
     hundredths += values.at("hundredths").get<long>();
     most_hundredths += values.at("most_hundredths").get<long>();
   }

@@ -10,6 +10,7 @@
 #include <sys/types.h>
 
 #include <array>
+#include <functional>
 #include <map>
 #include <set>
 
@@ -17,37 +18,6 @@ namespace workbook {
 
 // --- what a class has handed in: whatever lies there, only files with the names of exercises are read, each for one
 // student, and copied to fixed names
-
-/// One student, as a roster or a learning system names them.
-struct RosterEntry {
-  std::string id;
-  std::string name = {};
-  std::optional<std::int64_t> submitted = {};
-  std::vector<std::string> aliases = {};  ///< other names that learning systems use: e-mail, login, number
-  std::string folder = {};                ///< where the files are, perhaps those of a group, if the table says so
-};
-
-/// A table with a heading: a column with an id is needed; name, submitted, aliases and what else names a student are
-/// read. The gradebook of Canvas, the grading worksheet of Moodle and the roster of GitHub Classroom are such tables.
-/// @param zone  of times that say none, as Moodle's: "Z", "+01:00". @throws GradingError
-std::vector<RosterEntry> read_roster(const fs::path& file, const std::string& zone = "Z");
-
-/// A name of somebody else's choice, in a sentence.
-std::string in_quotes(const std::string& name);
-
-/// Text in other letters than UTF-8 is taken for one in those that ICU calls so.
-std::string in_utf8(const std::string& bytes, const char* letters);
-
-/// The file in an export of Gradescope that says whose each folder is; a folder may be that of several students.
-inline constexpr const char* gradescope_metadata = "submission_metadata.yml";
-/// The folder into which that export puts all students.
-bool is_export(const std::string& folder);
-/// By folder. @throws GradingError
-std::map<std::string, std::vector<RosterEntry>> read_gradescope(const std::string& text);
-
-/// The roster with marks and comments, if it is a grading worksheet of Moodle: it takes them back. Marks are scaled to
-/// its maximum grade.
-std::optional<std::string> filled_worksheet(const fs::path& roster, const nlohmann::ordered_json& document);
 
 /// What a person has decided about one exercise of a student, or about the whole. A row of overrides.csv.
 struct Override {
@@ -59,10 +29,6 @@ struct Override {
   bool decides() const { return points || is_excused; }
 };
 
-/// By student and exercise; "": the whole. @throws GradingError
-using Overrides = std::map<std::string, std::map<std::string, Override>>;
-Overrides read_overrides(const fs::path& file, const Assignment& assignment);
-
 /// What was found for one exercise. Of files in several of these places those in the last one count.
 struct HandedIn {
   enum Place { under_another_name, anywhere, in_place };  ///< in place: where the workbook has it
@@ -72,18 +38,21 @@ struct HandedIn {
   std::string refusal = {};  ///< one sentence; "": it was copied
 };
 
+/// As a roster or a learning system names them, and what they have handed in.
 struct Student {
-  std::string id = {};    ///< as it may be shown
+  std::string id = {};    ///< once taken in, as it may be shown
   std::string name = {};  ///< of the roster; may be empty
   std::string slug = {};  ///< names this student's files: letters, digits, "-", "_" and "."
   fs::path copies = {};   ///< the folder with copies of what was handed in
   std::optional<std::int64_t> submitted = {};
+  std::vector<std::string> aliases = {};       ///< other names that learning systems use: e-mail, login, number
   std::map<std::string, HandedIn> files = {};  ///< by exercise
   /// By exercise, as the progress file says that was handed in; nothing: there is none that can be read.
   std::optional<std::map<std::string, std::size_t>> hints = {};
   std::vector<std::string> notes = {};   ///< what else is to be said of the submission
   std::vector<std::string> unread = {};  ///< what was not read, so that points may be missing
-  std::string entry = {};                ///< whose it is, as the name of the top-level entry says
+  std::string group = {};                ///< that hands in together
+  std::string entry = {};                ///< the top-level entry that is theirs, perhaps with others; a table may say
   /// Another such entry names this student as well: one sentence; "": none. Then nothing is judged, for either may be
   /// somebody else's.
   std::string dispute = {};
@@ -96,31 +65,47 @@ struct Student {
   bool is_missing() const { return files.empty() && dispute.empty(); }
 };
 
+/// A table with a heading: a column with an id is needed; name, submitted, aliases and what else names a student are
+/// read. The gradebook of Canvas, the grading worksheet of Moodle and the roster of GitHub Classroom are such tables.
+/// @param zone  of times that say none, as Moodle's: "Z", "+01:00". @throws GradingError
+std::vector<Student> read_roster(const fs::path& file, const std::string& zone = "Z");
+
+/// A name of somebody else's choice, in a sentence.
+std::string in_quotes(const std::string& name);
+
+/// Text in other letters than UTF-8 is taken for one in those that ICU calls so.
+std::string in_utf8(const std::string& bytes, const char* letters);
+
+/// The file in an export of Gradescope that says whose each folder is; a folder may be that of several students.
+inline constexpr const char* gradescope_metadata = "submission_metadata.yml";
+/// By folder. @throws GradingError
+std::map<std::string, std::vector<Student>> read_gradescope(const std::string& text);
+
+/// The roster with marks and comments, if it is a grading worksheet of Moodle: it takes them back. Marks are scaled to
+/// its maximum grade.
+std::optional<std::string> filled_worksheet(const fs::path& roster, const nlohmann::ordered_json& document);
+
+/// By student and exercise; "": the whole. @throws GradingError
+using Overrides = std::map<std::string, std::map<std::string, Override>>;
+Overrides read_overrides(const fs::path& file, const Assignment& assignment);
+
 struct Intake {
   std::vector<Student> students;
   std::vector<std::string> problems;  ///< what belongs to no student, and was not read
   std::vector<std::string> late;      ///< students whose files Canvas marks as late, and no table says when they came
 };
 
-/// Which students are taken in: those of one of several equal parts of the class, which any machine tells by their ids.
-class Shard {
- public:
-  /// "2/8". @throws GradingError
-  explicit Shard(const std::string& text = "1/1");
-
-  bool has(const std::string& id) const;
-
- private:
-  std::uint64_t number_ = 0, count_ = 0;
-};
+/// Is the student of that id in one of several equal parts of the class, "2/8"? Any machine tells it by the id.
+/// @throws GradingError where that is no part
+bool is_in_part(const std::string& id, const std::string& part);
 
 /// Takes in a folder per student, files called ID_EXERCISE.cpp, and zip files of both.
 /// @param copies  DIR/SLUG/EXERCISE.cpp is written there, but nothing if the submissions cannot be read
 /// @param by_attempts  in a student's folder, folders called as a time ("2027-03-01T12-00-00Z") or "attempt 2" hold an
 ///                     attempt each; in an export of Gradescope, so does every submission
 /// @throws GradingError, std::runtime_error
-Intake take_in(const fs::path& submissions, const Course& course, const std::vector<RosterEntry>& roster,
-               const fs::path& copies, const Shard& shard = Shard(), bool by_attempts = false);
+Intake take_in(const fs::path& submissions, const Course& course, const std::vector<Student>& roster,
+               const fs::path& copies, const std::string& part = "1/1", bool by_attempts = false);
 
 /// Makes one attempt of a student the submission. @param why  "the last one"
 void take_attempt(Student& student, std::size_t number, const std::string& why);
@@ -134,6 +119,8 @@ struct Found {
   fs::path file = {};        ///< where it lies, if that is no zip file
 };
 
+/// Is the text of a file of that name read? Others may have to be named.
+using NeedsText = std::function<bool(const std::string& name)>;
 /// By the name, whatever the letters.
 bool is_zip(const fs::path& file);
 /// Is a file of that name read or, where it cannot be right, named?
@@ -142,7 +129,7 @@ bool is_handed_in(const std::string& name);
 /// Reads, in a process of its own and in a sandbox, what is handed in; what is zipped once more as well.
 /// @param is_class  the first part of a path is a student, and what is too much of one student costs no other
 /// @throws RejectedFile
-std::vector<Found> read_zip(const fs::path& file, bool is_class);
+std::vector<Found> read_zip(const fs::path& file, bool is_class, const NeedsText& needs_text);
 
 // --- what has been judged, in a file that only grows: a program that is killed loses nothing but what it was doing
 
@@ -151,8 +138,9 @@ class Journal {
   enum class Access { write, read };
 
   /// To write, opens the file for this program alone, and drops what was written by halves.
+  /// @param forgotten  results with this verdict are left out
   /// @throws GradingError if another one grades there, std::runtime_error
-  explicit Journal(fs::path file, Access access = Access::write);
+  explicit Journal(fs::path file, Access access = Access::write, const std::string& forgotten = "");
 
   bool has(const std::string& key) const { return places_.contains(key); }
 
@@ -161,7 +149,7 @@ class Journal {
 
   /// Safe from the end of this program at once, and from that of the machine a second later or after sync(): waiting
   /// for the disk after each result would keep processors idle. @throws std::runtime_error
-  void append(const std::string& key, const std::string& content, CheckResult checked);
+  void append(const std::string& key, const std::string& content, const CheckResult& checked);
 
   /// That of the cases of the last run; nothing if it is not known.
   std::optional<std::uint64_t> seed() const;
@@ -173,9 +161,6 @@ class Journal {
 
   /// All is on disk when it returns. @throws std::runtime_error
   void sync();
-
-  /// Leaves out the results with this verdict from now on.
-  void forget(const std::string& verdict);
 
   std::size_t damaged() const { return damaged_; }
 
@@ -198,16 +183,14 @@ class Journal {
 
 // --- what came of a class: one document, from which every table and page is made
 
-/// Right answers to an exercise that have more in common than those of people who think alike: a reason to look at both
-/// texts, and no proof.
+/// Right answers that have more in common than those of people who think alike: a reason to read both, and no proof.
 class SimilarAnswers {
  public:
   /// What everybody has, and is nobody's: the stub, and code of the course.
   void take_off(const std::string& exercise, const std::string& text);
   /// @param place  of what was handed in: several students may have handed in one file together
   void add(const std::string& exercise, const std::string& student, const std::string& place, const std::string& text);
-  /// Each with the share of the shorter answer that both have, and for both the students and the text; the most similar
-  /// first.
+  /// The most similar first, each with the share of the shorter answer that both have, both students and both texts.
   nlohmann::ordered_json pairs() const;
 
  private:
@@ -242,13 +225,10 @@ class ClassResults {
 
   const Assignment& assignment_;
   const bool with_missing_;
-  nlohmann::ordered_json head_;
-  nlohmann::ordered_json students_ = nlohmann::ordered_json::array();
-  std::map<std::pair<std::string, std::string>, nlohmann::ordered_json> misconceptions_;  ///< by exercise and name
-  /// Students who gave the same wrong values for the same unknown reason: by exercise and fingerprint of these.
-  std::map<std::pair<std::string, std::string>, nlohmann::ordered_json> outputs_;
-  std::map<std::string, std::vector<std::string>> learnt_;  ///< students by exercise
-  std::vector<std::string> not_judged_;
+  nlohmann::ordered_json document_;
+  /// Students with the same misconception, or with the same wrong values for the same unknown reason, or with results
+  /// learnt by heart: by the name of the list, the exercise and what they have in common.
+  std::map<std::string, std::map<std::pair<std::string, std::string>, nlohmann::ordered_json>> groups_;
   std::array<int, 10> distribution_{};
 };
 
@@ -265,8 +245,7 @@ std::string indented(const nlohmann::ordered_json& document);
 // --- in the forms that other programs read
 /// Texts by the names of their files.
 std::map<std::string, std::string> class_exports(const nlohmann::ordered_json& document);
-/// What systems with an autograder read of one student, by "gradescope/SLUG.json". @param student  the document about
-/// one
+/// What systems with an autograder read of the student whom a document is about, by "gradescope/SLUG.json".
 std::map<std::string, std::string> student_exports(const nlohmann::ordered_json& student);
 
 // --- no student's code is run by an administrator

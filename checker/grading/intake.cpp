@@ -2,10 +2,8 @@
 
 #include <unicode/normalizer2.h>
 #include <boost/algorithm/string/case_conv.hpp>
-#include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/erase.hpp>
 #include <boost/algorithm/string/predicate.hpp>
-#include <boost/algorithm/string/split.hpp>
 
 #include <sys/stat.h>
 
@@ -20,17 +18,13 @@ constexpr std::size_t most_sentences = 1000;
 constexpr std::size_t most_entries = 20'000;  // looked at in one student's folder
 constexpr int deepest = 16;
 const fs::path progress_file = ".workbook/progress.json";
-const std::vector<std::string> source_endings = {".cpp", ".cc", ".cxx", ".c", ".cpp.txt"};
-const std::vector<std::string> archive_endings = {".tar", ".gz", ".tgz", ".xz", ".bz2", ".7z", ".rar"};
-
-bool has_ending(const std::string& name, const std::vector<std::string>& endings) {
-  return std::ranges::any_of(endings, [&](const auto& each) { return boost::iends_with(name, each); });
-}
+constexpr const char* source_file = "(?i)\\.(cpp|cc|cxx|c|cpp\\.txt)$";
+constexpr const char* archive_file = "(?i)\\.(tar|gz|tgz|xz|bz2|7z|rar)$";
 
 /// Canvas and Moodle write before the name of what was handed in whose it is, and numbers of their own.
 Match by_system(const std::string& name) {
   return search(name,
-                "^(?:LATE_)?(anon_[A-Za-z0-9]+|[^A-Z_ -]+(?:_LATE)?_\\d+|.+_\\d+(?=_assignsubmission_))"
+                "^(?:LATE_)?(anon_[A-Za-z0-9]+|[^A-Z_ -]+(?:_LATE)?_\\d+|.+(?=_assignsubmission_))"
                 "_(?:\\d\\d+|assignsubmission_[a-z]+)(?:_(.*))?$");
 }
 
@@ -39,13 +33,12 @@ Match by_system(const std::string& name) {
 std::vector<std::string> words_of(const std::string& name) {
   UErrorCode problem = U_ZERO_ERROR;
   const icu::Normalizer2* const form = icu::Normalizer2::getNFKCCasefoldInstance(problem);
+  if (U_FAILURE(problem)) throw std::runtime_error(fmt::format("ICU cannot compare names ({}).", u_errorName(problem)));
   std::string plain;
-  if (U_SUCCESS(problem)) form->normalize(icu::UnicodeString::fromUTF8(name), problem).toUTF8String(plain);
-  if (U_FAILURE(problem)) plain = boost::to_lower_copy(name);
-  plain = replaced(plain, "[&<>\"`|':\\\\/]|\u2019", "");
+  form->normalize(icu::UnicodeString::fromUTF8(name), problem).toUTF8String(plain);
   std::vector<std::string> words;
-  boost::split(words, plain, boost::is_any_of(" _,"), boost::token_compress_on);
-  std::erase(words, "");
+  for (const Match& word : search_all(replaced(plain, "[&<>\"`|':\\\\/]|\u2019", ""), "[^ _,]+"))
+    words.push_back(word[0]);
   return words;
 }
 
@@ -56,30 +49,29 @@ std::string one_word(const std::string& name) {
   return replaced(fmt::format("{}", fmt::join(words_of(name), "")), "-", "");
 }
 
+/// The folder into which Gradescope's export puts all students.
+bool is_export(const std::string& folder) { return folder.starts_with("assignment_") && folder.ends_with("_export"); }
+
 std::string unread(const std::string& shown, const std::string& reason) {
   return fmt::format("{} was not read: {}.", in_quotes(shown), reason);
 }
 
-fs::file_type type_of(const fs::path& file) {
-  std::error_code ignored;
-  return fs::symlink_status(file, ignored).type();
-}
-
 class Collector {
  public:
-  Collector(const Course& course, const std::vector<RosterEntry>& roster, fs::path copies, const Shard& shard,
+  Collector(const Course& course, const std::vector<Student>& roster, fs::path copies, std::string part,
             bool by_attempts)
       : copies_(std::move(copies)),
         exercises_(course.exercises()),
-        shard_(shard),
+        part_(std::move(part)),
         has_roster_(!roster.empty()),
         by_attempts_(by_attempts) {
-    for (const RosterEntry& entry : roster) {
-      const std::size_t student = add(entry);
-      names_[{Kind::id, plain_name(entry.id)}].insert(student);
-      for (const std::string& alias : entry.aliases) names_[{Kind::alias, plain_name(alias)}].insert(student);
-      if (!entry.folder.empty()) owners_[intake.students[student].entry = entry.folder].push_back(student);
-      std::vector<std::string> words = words_of(entry.name);  // with the family's name first or last
+    for (const Student& listed : roster) {
+      const std::size_t student = add(listed);
+      names_[{Kind::id, plain_name(listed.id)}].insert(student);
+      for (const std::string& alias : listed.aliases) names_[{Kind::alias, plain_name(alias)}].insert(student);
+      if (!listed.group.empty()) names_[{Kind::group, one_word(listed.group)}].insert(student);
+      if (!listed.entry.empty()) owners_[listed.entry].push_back(student);
+      std::vector<std::string> words = words_of(listed.name);  // with the family's name first or last
       for (std::size_t k = 0; k < words.size(); ++k) {
         std::ranges::rotate(words, words.begin() + 1);
         const std::string name = fmt::format("{}", fmt::join(words, " "));
@@ -122,11 +114,11 @@ class Collector {
       const std::string name = entry.filename().string(), path = above + name;
       if (is_above_students) looked_at_ = 0;
       if (++looked_at_ > most_entries) return refuse(path, "comes after too many other files");
-      if (type_of(entry) == fs::file_type::directory && !is_exercise(entry)) {
-        if (depth == deepest) {
-          refuse(path, "is a folder in too many others");
-          continue;
-        }
+      const bool is_folder =
+          fs::symlink_status(entry, problem).type() == fs::file_type::directory && !is_exercise(entry);
+      if (is_folder && depth == deepest) {
+        refuse(path, "is a folder in too many others");
+      } else if (is_folder) {
         if (is_above_students) files.push_back({.path = path + "/"});  // also whose folder is empty is of the class
         list(entry, path + "/", files, depth + 1);
       } else if (is_zip(entry)) {
@@ -163,6 +155,12 @@ class Collector {
     return "";
   }
 
+  /// Tells files whose text is read by their names; all others may only have to be named.
+  bool needs_text(const std::string& name) const {
+    return (search(name, source_file) && similar(name) != nullptr) || name == gradescope_metadata ||
+           name == progress_file.filename();
+  }
+
   /// All that a class has handed in.
   void take_class(std::vector<Found> files) {
     const std::string above = folder_of_class(files);
@@ -174,30 +172,27 @@ class Collector {
       files.erase(metadata);
     }
     for (Found& each : files) take(each);
-    if (has_roster_ || intake.students.size() != 1 || !has_second_) return;
-    Student& only = intake.students.front();  // or the one folder in which a class lies
-    say(only.unread, fmt::format("'{}' holds several files for one exercise; if it is no student but a class, unpack "
-                                 "it and name it as SUBMISSIONS.",
-                                 only.id));
+    if (!has_roster_ && intake.students.size() == 1 && has_second_)  // or the one folder in which a class lies
+      say(intake.students.front().unread, in_quotes(intake.students.front().id) +
+                                              " holds several files for one exercise; if it is no student but a "
+                                              "class, unpack it and name it as SUBMISSIONS.");
   }
 
  private:
-  enum class Kind { exact, id, alias, full_name, in_one_word };  ///< of a name; exact: an id, letter by letter
+  enum class Kind { exact, id, alias, full_name, in_one_word, group };  ///< of a name; exact: an id, letter by letter
 
   /// An export of Gradescope: whose its folders are.
   void take_metadata(const Found& file) {
     if (!file.refusal.empty())
       throw GradingError(fmt::format("{} {}. Nothing was graded.", gradescope_metadata, file.refusal));
     has_metadata_ = true;
-    const std::size_t limit = std::size_t{64} << 20;
-    for (const auto& [folder, people] :
-         read_gradescope(file.file.empty() ? file.text : read_file(file.file, limit).value_or(""))) {
+    const std::string text = file.file.empty() ? file.text : read_file(file.file).value_or("");
+    for (const auto& [folder, people] : read_gradescope(text)) {
       std::vector<std::size_t>& owners = owners_[folder];
-      for (const RosterEntry& person : people) {
+      for (const Student& person : people) {
         if (!has_roster_ && !the_one(Kind::exact, person.id)) add(person);
         std::optional<std::size_t> meant = known(person.id);
-        for (const std::string& alias : person.aliases)
-          if (!meant) meant = known(alias);
+        if (!meant) meant = known(person.aliases.front());
         if (!meant) meant = the_one(Kind::full_name, person.name);
         if (!meant) {
           say(intake.problems,
@@ -212,28 +207,25 @@ class Collector {
           continue;
         }
         if (!student.submitted) student.submitted = person.submitted;
-        if (!student.entry.empty() && student.entry != folder) dispute(student, student.entry, folder);
-        student.entry = folder;
+        claim(student, folder);
       }
     }
   }
 
-  std::size_t add(const RosterEntry& entry) {
+  std::size_t add(Student student) {
     // Names of files that differ in case only are one file on some systems.
-    std::string slug = replaced(cut(entry.id, 60), "[^A-Za-z0-9_.]", "-");
-    slug.erase(0, slug.find_first_not_of(".-"));
-    if (slug.empty()) slug = "student";
-    std::string unique = slug;
-    for (int number = 2; !slugs_.insert(boost::to_lower_copy(unique)).second; ++number)
-      unique = fmt::format("{}-{}", slug, number);
-    const std::size_t student = intake.students.size();
-    names_[{Kind::exact, entry.id}].insert(student);
-    intake.students.push_back({.id = shortened(replaced(printable(entry.id), "[\n\t]", "?"), 200),
-                               .name = printable(entry.name),
-                               .slug = unique,
-                               .copies = copies_ / unique,
-                               .submitted = entry.submitted});
-    return student;
+    student.slug = replaced(cut(student.id, 60), "[^A-Za-z0-9_.]", "-");
+    student.slug.erase(0, student.slug.find_first_not_of(".-"));
+    if (student.slug.empty()) student.slug = "student";
+    const std::string first = student.slug;
+    for (int number = 2; !slugs_.insert(boost::to_lower_copy(student.slug)).second; ++number)
+      student.slug = fmt::format("{}-{}", first, number);
+    names_[{Kind::exact, student.id}].insert(intake.students.size());
+    student.id = shortened(replaced(printable(student.id), "[\n\t]", "?"), 200);
+    student.name = printable(student.name);
+    student.copies = copies_ / student.slug;
+    intake.students.push_back(std::move(student));
+    return intake.students.size() - 1;
   }
 
   /// A name of several students names nobody.
@@ -278,9 +270,8 @@ class Collector {
     for (const std::string& beginning : assignments_) {
       if (!name.starts_with(beginning)) continue;
       const std::string login = name.substr(beginning.size());
-      if (const auto student = known(login)) return student;
-      if (const Match branch = search(login, "^(.*)-(main|master)$"))
-        if (const auto student = known(branch[1])) return student;
+      for (const std::string& each : {login, replaced(login, "-(main|master)$", "")})
+        if (const auto student = known(each)) return student;
     }
     return std::nullopt;
   }
@@ -293,12 +284,19 @@ class Collector {
         return student;
   }
 
+  /// Who hands in together, as Moodle and Canvas name a group: "Group 1_17", "group1_34"; or nobody.
+  std::set<std::size_t> group_of(const std::string& name) const {
+    const Match own = by_system(name);
+    const auto group = names_.find({Kind::group, one_word(replaced(own[1], "(_LATE)?_\\d+$", ""))});
+    return own && group != names_.end() ? group->second : std::set<std::size_t>();
+  }
+
   /// Whom of the roster the name of an entry means.
   std::set<std::size_t> meant_by(const std::string& name) const {
     if (const auto owners = owners_.find(name); owners != owners_.end())
       return {owners->second.begin(), owners->second.end()};
     if (const auto whole = known(name)) return {*whole};
-    const Match number = numbered(name);
+    if (const auto group = group_of(name); !group.empty()) return group;
     std::set<std::size_t> meant;
     const auto add = [&](const std::optional<std::size_t>& student) {
       if (student) meant.insert(*student);
@@ -311,7 +309,7 @@ class Collector {
     if (meant.empty() || !is_of_moodle)
       for (const std::size_t each : named_by(name))
         if (!is_of_moodle || intake.students[each].name.empty()) meant.insert(each);
-    if (number) add(the_one(Kind::in_one_word, name.substr(0, name.find('_'))));
+    if (numbered(name)) add(the_one(Kind::in_one_word, name.substr(0, name.find('_'))));
     if (meant.empty()) add(by_login(name));
     if (meant.empty()) add(by_full_name(name));
     return meant;
@@ -322,7 +320,7 @@ class Collector {
     std::vector<Student*> students;
     if (!owners_.contains(name)) owners_[name] = owners_of(name);
     for (const std::size_t owner : owners_[name])
-      if (shard_.has(intake.students[owner].id)) students.push_back(&intake.students[owner]);
+      if (is_in_part(intake.students[owner].id, part_)) students.push_back(&intake.students[owner]);
     return students;
   }
 
@@ -338,26 +336,25 @@ class Collector {
     // Canvas numbers the files of a student, who may be a group or have no name.
     if (!has_roster_ && !the_one(Kind::exact, entry)) add({.id = entry});
     const std::set<std::size_t> meant = has_roster_ ? meant_by(name) : std::set{*the_one(Kind::exact, entry)};
-    if (meant.size() != 1) {
+    if (meant.empty() || (meant.size() > 1 && meant != group_of(name))) {
       const char* whom = meant.empty() ? "no id, and no name of just one student," : "several students";
       say(intake.problems, unread(name, fmt::format("it names {} of the roster", whom)));
       return {};
     }
-    Student& student = intake.students[*meant.begin()];
-    if (own && !student.submitted && search(name, "(^|_)LATE_") && std::ranges::count(intake.late, student.id) == 0)
-      intake.late.push_back(student.id);
-    if (student.entry.empty()) student.entry = entry;
-    if (student.entry != entry) dispute(student, student.entry, entry);
-    return {*meant.begin()};
+    for (const std::size_t each : meant) {
+      Student& student = intake.students[each];
+      if (own && !student.submitted && search(name, "(^|_)LATE_")) say(intake.late, student.id);
+      claim(student, entry);
+    }
+    return {meant.begin(), meant.end()};
   }
 
   Student& attempt(Student& student, const std::string& name, const std::optional<std::int64_t>& submitted,
                    std::int64_t order) {
     if (const auto known = std::ranges::find(student.attempts, name, &Student::entry); known != student.attempts.end())
       return *known;
-    const std::string number = std::to_string(student.attempts.size() + 1);
     student.attempts.push_back({.id = student.id,
-                                .copies = student.copies / "attempts" / number,
+                                .copies = student.copies / "attempts" / std::to_string(student.attempts.size() + 1),
                                 .submitted = submitted,
                                 .entry = name,
                                 .order = order});
@@ -374,10 +371,12 @@ class Collector {
     return numbered ? attempt(student, parts[1], student.submitted, std::stoi(numbered[1])) : student;
   }
 
-  static void dispute(Student& student, const std::string& one, const std::string& other) {
-    if (student.dispute.empty())
-      student.dispute =
-          fmt::format("{} and {} both name this student; leave only what is theirs.", in_quotes(one), in_quotes(other));
+  /// An entry is this student's.
+  static void claim(Student& student, const std::string& entry) {
+    if (student.entry.empty()) student.entry = entry;
+    if (student.entry != entry && student.dispute.empty())
+      student.dispute = fmt::format("{} and {} both name this student; leave only what is theirs.",
+                                    in_quotes(student.entry), in_quotes(entry));
   }
 
   void take(Found& found) {
@@ -387,7 +386,7 @@ class Collector {
     if (first == found.path && is_zip(first)) first.resize(first.size() - 4);
     if (is_zip(found.file)) {
       try {
-        for (Found& each : read_zip(found.file, false)) {
+        for (Found& each : read_zip(found.file, false, [&](auto& name) { return needs_text(name); })) {
           each.path = found.path + "/" + each.path;
           take(each);
         }
@@ -435,21 +434,26 @@ class Collector {
     return found;
   }
 
+  const Exercise* similar(const std::string& name) const {
+    const auto letters = [](std::string text) {
+      std::erase_if(text, [](unsigned char letter) { return std::isalnum(letter) == 0; });
+      return boost::to_lower_copy(text);
+    };
+    return longest([&, plain = letters(name)](auto& exercise) { return boost::contains(plain, letters(exercise)); });
+  }
+
   void take_of(Student& student, const std::string& name, const Found& found, const std::string& shown) {
     if (is_exercise(name)) {
       const std::string exercise = fs::path(name).stem().string();
       const std::string lecture = std::ranges::find(exercises_, exercise, &Exercise::name)->lecture();
       const bool is_in_place = found.path.ends_with(fmt::format("/lectures/{}/exercises/{}", lecture, name));
-      hand_in(student, exercise, {is_in_place ? HandedIn::in_place : HandedIn::anywhere, found.path}, found);
-    } else if (has_ending(name, archive_endings)) {
+      hand_in(student, exercise, {is_in_place ? HandedIn::in_place : HandedIn::anywhere, shown}, found);
+    } else if (search(name, archive_file)) {
       if (std::ranges::count(found.path, '/') < 2) say(student.unread, unread(shown, "it is no zip file"));
-    } else if (has_ending(name, source_endings)) {  // somebody may call it "3 - SpringEnergy (1).cpp"
-      const auto letters = [](const auto& text) { return boost::to_lower_copy(replaced(text, "[^A-Za-z0-9]", "")); };
-      const Exercise* meant =
-          longest([&](auto& exercise) { return boost::contains(letters(name), letters(exercise)); });
-      if (meant != nullptr)
+    } else if (search(name, source_file)) {  // somebody may call it "3 - SpringEnergy (1).cpp"
+      if (const Exercise* meant = similar(name))
         hand_in(student, meant->name(),
-                {HandedIn::under_another_name, found.path,
+                {HandedIn::under_another_name, shown,
                  unread(shown, fmt::format("the file should be called {}.cpp", meant->name()))},
                 found);
       else if (std::ranges::count(found.path, '/') < 2)
@@ -463,11 +467,11 @@ class Collector {
     try {
       write_or_throw(copy, text_of(found, shown));
       const Progress progress(copy);
-      if (progress.warning().empty() && !student.hints) student.hints.emplace();
+      if (!progress.warning().empty()) throw RejectedFile(shown + " is damaged, so it was not used.");
+      if (!student.hints) student.hints.emplace();
       for (const Exercise& exercise : exercises_)
         if (const std::size_t hints = progress.of(exercise.name()).hints_shown; hints > 0)
           (*student.hints)[exercise.name()] = std::max((*student.hints)[exercise.name()], hints);
-      if (!progress.warning().empty()) say(student.notes, shown + " is damaged, so it was not used.");
     } catch (const RejectedFile& reason) {
       say(student.notes, reason.what());
     }
@@ -487,12 +491,11 @@ class Collector {
     if (meant == nullptr)
       return say(intake.problems, unread(name, "it should be a student's folder, a zip file or ID_EXERCISE.cpp"));
     for (Student* student : students_of(stem.substr(0, stem.size() - meant->name().size() - 1)))
-      hand_in(*student, meant->name(), {HandedIn::anywhere, name}, found);
+      hand_in(*student, meant->name(), {HandedIn::anywhere, shown}, found);
   }
 
   void hand_in(Student& student, const std::string& exercise, HandedIn in, const Found& found) {
     const fs::path copy = student.copies / (exercise + ".cpp");
-    in.where = shortened(printable(in.where), 200);
     const auto known = student.files.find(exercise);
     const bool is_second = known != student.files.end();
     if (is_second && known->second.place > in.place) return;
@@ -504,7 +507,7 @@ class Collector {
     }
     if (is_second && known->second.place == in.place) {
       if (known->second.refusal.empty() && in.refusal.empty() && read_file(copy) == text) return;
-      has_second_ = has_second_ || in.place != HandedIn::under_another_name;
+      has_second_ |= in.place != HandedIn::under_another_name;
       in.refusal =
           fmt::format("{}.cpp is there twice: '{}' and '{}'; hand in one.", exercise, known->second.where, in.where);
     }
@@ -527,7 +530,7 @@ class Collector {
 
   const fs::path copies_;
   const std::vector<Exercise> exercises_;
-  const Shard shard_;
+  const std::string part_;
   const bool has_roster_, by_attempts_;
   bool has_metadata_ = false;          ///< an export of Gradescope says whose each entry is
   bool has_groups_ = false;            ///< each of Moodle's entries may begin with the name of a group
@@ -542,33 +545,25 @@ class Collector {
 
 }  // namespace
 
-bool is_export(const std::string& folder) { return folder.starts_with("assignment_") && folder.ends_with("_export"); }
-
 bool is_zip(const fs::path& file) { return boost::iequals(file.extension().string(), ".zip"); }
 
 bool is_handed_in(const std::string& name) {
-  return has_ending(name, source_endings) || has_ending(name, archive_endings) || name == gradescope_metadata ||
+  return search(name, source_file) || search(name, archive_file) || name == gradescope_metadata ||
          name == progress_file.filename();
 }
 
-Shard::Shard(const std::string& text) {
-  if (const Match parts = search(text, "^(\\d{1,9})/(\\d{1,9})$")) {
-    number_ = std::stoull(parts[1]);
-    count_ = std::stoull(parts[2]);
-  }
-  if (number_ < 1 || number_ > count_)
+bool is_in_part(const std::string& id, const std::string& part) {
+  const Match parts = search(part, "^([1-9]\\d{0,8})/([1-9]\\d{0,8})$");
+  if (!parts || std::stoull(parts[1]) > std::stoull(parts[2]))
     throw GradingError("--shard should say which part of how many, for example 2/8.");
-}
-
-bool Shard::has(const std::string& id) const {
   // Twice, for the low bits of the fingerprint tell parities of the letters only: digits of ids are often so chosen.
-  return std::stoull(fingerprint(fingerprint(id)), nullptr, 16) % count_ == number_ - 1;
+  return std::stoull(fingerprint(fingerprint(id)), nullptr, 16) % std::stoull(parts[2]) == std::stoull(parts[1]) - 1;
 }
 
-Intake take_in(const fs::path& submissions, const Course& course, const std::vector<RosterEntry>& roster,
-               const fs::path& copies, const Shard& shard, bool by_attempts) {
+Intake take_in(const fs::path& submissions, const Course& course, const std::vector<Student>& roster,
+               const fs::path& copies, const std::string& part, bool by_attempts) {
   std::error_code problem;
-  Collector collector(course, roster, copies, shard, by_attempts);
+  Collector collector(course, roster, copies, part, by_attempts);
   std::vector<Found> files;
   if (is_zip(submissions) && fs::is_regular_file(submissions, problem)) {
     files.push_back({.path = "", .file = submissions});
@@ -581,7 +576,7 @@ Intake take_in(const fs::path& submissions, const Course& course, const std::vec
   }
   if (files.size() == 1 && is_zip(files.front().file)) try {  // that of the class, or where it is in a folder perhaps
       const Found zip = files.front();
-      files = read_zip(zip.file, true);
+      files = read_zip(zip.file, true, [&](auto& name) { return collector.needs_text(name); });
       for (Found& each : files) each.path = zip.path + (zip.path.empty() ? "" : "/") + each.path;
     } catch (const RejectedFile& reason) {
       throw GradingError(fmt::format("{} Nothing was graded.", reason.what()));
@@ -589,7 +584,7 @@ Intake take_in(const fs::path& submissions, const Course& course, const std::vec
   fs::remove_all(copies, problem);
   collector.take_class(std::move(files));
   fs::remove(copies / ".unpacked", problem);
-  std::erase_if(collector.intake.students, [&](const Student& each) { return !shard.has(each.id); });
+  std::erase_if(collector.intake.students, [&](const Student& each) { return !is_in_part(each.id, part); });
   for (Student& student : collector.intake.students) {
     std::ranges::stable_sort(student.attempts, {}, &Student::order);
     if (!student.attempts.empty() && !student.files.empty())

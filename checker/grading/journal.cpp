@@ -14,8 +14,7 @@ namespace {
 using nlohmann::ordered_json;
 
 // {"sum":"0123456789abcdef","entry":{"key":"0123456789abcdef", …}}, and the end of the line.
-constexpr std::string_view before_sum = R"({"sum":")", before_entry = R"(","entry":)", before_key = R"({"key":")",
-                           before_picture = R"(,"picture":")";
+constexpr std::string_view before_sum = R"({"sum":")", before_entry = R"(","entry":)", before_key = R"({"key":")";
 constexpr const char* seed_key = "seed_of_the_case";  // as long as a hash, and none
 constexpr std::size_t hash_size = 16, entry_at = before_sum.size() + hash_size + before_entry.size();
 
@@ -36,7 +35,7 @@ std::string line_of(const ordered_json& entry) {
 
 }  // namespace
 
-Journal::Journal(fs::path file, Access access) : file_(std::move(file)) {
+Journal::Journal(fs::path file, Access access, const std::string& forgotten) : file_(std::move(file)) {
   const int flags = access == Access::write ? O_RDWR | O_CREAT | O_APPEND : O_RDONLY;
   descriptor_ = Descriptor(::open(file_.c_str(), flags | O_CLOEXEC | O_NOFOLLOW, 0600));
   if (!descriptor_) fail(file_, "opened");
@@ -49,12 +48,13 @@ Journal::Journal(fs::path file, Access access) : file_(std::move(file)) {
     throw GradingError(fmt::format("Another `grade` is at work in {}.", shown_path(file_.parent_path())));
   // The file is not opened once more to be read: to close it would end the lock.
   namespace io = boost::iostreams;
+  const std::string mark = fmt::format(R"("verdict":"{}","content":)", forgotten);  // after names of our own only
   io::stream<io::file_descriptor_source> lines(descriptor_.number(), io::never_close_handle);
   for (std::string line; std::getline(lines, line) && !lines.eof();) {
     const std::string_view entry = entry_of(line);
     if (entry.empty())
       ++damaged_;
-    else
+    else if (entry.find(mark) == std::string_view::npos)
       places_[std::string(entry.substr(before_key.size(), hash_size))] = {end_, line.size()};
     end_ += static_cast<std::int64_t>(line.size()) + 1;
   }
@@ -73,28 +73,21 @@ std::optional<CheckResult> Journal::find(const std::string& key, const std::stri
   if (place == places_.end()) return std::nullopt;
   try {
     const std::string line = line_at(place->second);
-    const std::string_view text = entry_of(line);
-    const std::size_t picture = text.find(before_picture);  // large, and nothing in it needs to be read
-    const auto entry = nlohmann::json::parse(std::string(text.substr(0, picture)) + "}");
+    const auto entry = nlohmann::json::parse(entry_of(line));
     // The key is a short hash, for which somebody may have made two files.
     if (entry.at("content").get<std::string>() != base64(content)) return std::nullopt;
-    CheckResult checked = read_result(from_base64(entry.at("result").get<std::string>()));
-    checked.picture = text.substr(picture + before_picture.size());
-    checked.picture.resize(checked.picture.size() - 2);  // "}
-    return checked;
+    return read_result(from_base64(entry.at("result").get<std::string>()));
   } catch (const std::exception&) {  // of another version, or damaged: it is judged again
     return std::nullopt;
   }
 }
 
-void Journal::append(const std::string& key, const std::string& content, CheckResult checked) {
-  const std::string picture = std::exchange(checked.picture, "");
+void Journal::append(const std::string& key, const std::string& content, const CheckResult& checked) {
   const ordered_json entry = {{"key", key},
                               {"exercise", checked.name()},
                               {"verdict", to_string(checked.judgement.verdict)},
                               {"content", base64(content)},
-                              {"result", base64(written_result(checked))},
-                              {"picture", picture}};
+                              {"result", base64(written_result(checked))}};
   write(key, line_of(entry));
   if (Clock::now() - synced_ > std::chrono::seconds(1)) sync();
 }
@@ -115,12 +108,6 @@ void Journal::merge(const Journal& other) {
   for (const auto& [key, place] : other.places_)
     if (const std::string line = has(key) ? "" : other.line_at(place); !line.empty()) write(key, line);
   damaged_ += other.damaged_;
-}
-
-void Journal::forget(const std::string& verdict) {
-  // What comes before it in an entry are names of our own.
-  const std::string mark = fmt::format(R"("verdict":"{}","content":)", verdict);
-  std::erase_if(places_, [&](const auto& each) { return line_at(each.second).find(mark) != std::string::npos; });
 }
 
 void Journal::write(const std::string& key, const std::string& line) {

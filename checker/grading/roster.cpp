@@ -11,7 +11,6 @@
 #include <boost/algorithm/string/trim.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdlib>
 #include <set>
 
@@ -48,10 +47,7 @@ std::optional<std::int64_t> time_of_moodle(const std::string& text, const std::s
   return std::nullopt;
 }
 
-std::string plain_heading(std::string heading) {
-  std::erase_if(heading, [](char letter) { return std::string_view(" _-").find(letter) != std::string_view::npos; });
-  return boost::to_lower_copy(heading);
-}
+std::string plain_heading(const std::string& heading) { return boost::to_lower_copy(replaced(heading, "[ _-]", "")); }
 
 /// A table whose first row names the columns.
 class NamedTable {
@@ -72,14 +68,14 @@ class NamedTable {
     } catch (const GradingError& problem) {
       refuse(problem.what());
     }
-    if (rows.empty()) refuse("it is empty; the first line should name the columns, one of them id");
     for (auto& row : rows) {
       for (std::string& field : row) boost::trim(field);
       while (row.size() > rows.front().size() && row.back().empty()) row.pop_back();
     }
+    std::erase_if(rows, [](const auto& row) { return std::ranges::all_of(row, &std::string::empty); });
+    if (rows.empty()) refuse("it is empty; the first line should name the columns, one of them id");
+    std::ranges::transform(rows.front(), std::back_inserter(headings_), plain_heading);
   }
-
-  bool is_blank(std::size_t row) const { return std::ranges::all_of(rows[row], &std::string::empty); }
 
   [[noreturn]] void refuse(const std::string& reason) const {
     throw GradingError(fmt::format("{}: {}.", shown_path(file_), reason));
@@ -88,8 +84,8 @@ class NamedTable {
   /// The first that is there.
   std::optional<std::size_t> column(const Kinds& kinds) const {
     for (const std::string& heading : headings_of(kinds))
-      for (std::size_t at = 0; at < rows.front().size(); ++at)
-        if (plain_heading(rows.front()[at]) == heading) return at;
+      for (std::size_t at = 0; at < headings_.size(); ++at)
+        if (headings_[at] == heading) return at;
     return std::nullopt;
   }
 
@@ -102,16 +98,15 @@ class NamedTable {
   }
 
   /// Refuses the table, naming the row, where something is not so.
-  auto requirement(std::size_t row) const {
-    return [this, row](bool is_so, const std::string& reason) {
-      if (!is_so) refuse(fmt::format("row {}: {}", row + 1, reason));
-    };
+  void require(std::size_t row, bool is_so, const std::string& reason) const {
+    if (!is_so) refuse(fmt::format("row {}: {}", row + 1, reason));
   }
 
   Table rows;
 
  private:
   const fs::path file_;
+  std::vector<std::string> headings_;
 };
 
 /// "Participant 900001", as Moodle's worksheet has it, in any language.
@@ -121,14 +116,8 @@ std::string participant_number(const std::string& identifier) {
 
 /// Without names where the students are not to be known.
 bool is_worksheet(const NamedTable& table) {
-  const auto participant = table.column({"participant"});
-  if (!participant || !table.column({"grade"})) return false;
-  // In German its numbers are below "ID", as in anybody's own roster.
-  const bool is_marked = table.column({"maximum", "scale"}).has_value();
-  if (!is_marked && (participant == table.column({"id"}) || !table.column({"status"}))) return false;
-  const std::string first = table.rows.size() > 1 ? table.field(1, {"participant"}) : "";
-  const std::string number = participant_number(first);
-  return !number.empty() && number.size() < first.size();
+  return table.column({"participant"}) && table.column({"grade"}) && table.column({"maximum", "scale"}) &&
+         table.rows.size() > 1 && search(table.field(1, {"participant"}), "\\D\\d+$");
 }
 
 /// The id under which a row of the worksheet is graded.
@@ -147,37 +136,38 @@ std::string in_utf8(const std::string& bytes, const char* letters) {
   return icu::UnicodeString(bytes.data(), static_cast<std::int32_t>(bytes.size()), letters).toUTF8String(text);
 }
 
-std::vector<RosterEntry> read_roster(const fs::path& file, const std::string& zone) {
+std::vector<Student> read_roster(const fs::path& file, const std::string& zone) {
   const NamedTable table(file);
   const bool worksheet = is_worksheet(table);
-  const bool is_of_canvas = table.column({"student"}) && table.column({"sisloginid", "section"});
+  const bool is_of_canvas = table.column({"sisloginid"}).has_value();
   if (!table.column(id_columns) && !worksheet)
     table.refuse(fmt::format("the first line should name the columns, one of them id; it names '{}'",
                              shortened(printable(fmt::format("{}", fmt::join(table.rows.front(), "', '"))), 200)));
-  std::vector<RosterEntry> entries;
+  std::vector<Student> entries;
   std::set<std::string> ids;
   for (std::size_t row = 1; row < table.rows.size(); ++row) {
-    const auto require = table.requirement(row);
     const auto field = [&](const Kinds& kinds) { return table.field(row, kinds); };
     const std::string time = field({"time"}), role = boost::to_lower_copy(field({"role"}));
-    RosterEntry entry{worksheet ? worksheet_id(table, row) : field(id_columns), field({"name"}), read_time(time), {}};
+    Student entry{.id = worksheet ? worksheet_id(table, row) : field(id_columns),
+                  .name = field({"name"}),
+                  .submitted = read_time(time),
+                  .group = field({"group"}),
+                  .entry = field({"folder"})};
     if (entry.name.empty()) entry.name = boost::trim_copy(field({"first name"}) + " " + field({"last name"}));
     if (worksheet && !entry.submitted) entry.submitted = time_of_moodle(time, zone);
-    if (table.is_blank(row)) continue;
     if (entry.id.empty() && is_of_canvas) continue;  // points possible, and what is posted by hand
     if (role == "instructor" || role == "ta" || role == "reader") continue;  // whom Gradescope's roster names too
-    require(table.rows[row].size() <= table.rows.front().size(),
-            fmt::format("it has {}, and the first line only {}; put quotation marks around a cell with commas",
-                        plural(table.rows[row].size(), "cell"), table.rows.front().size()));
-    require(!entry.id.empty(), "the id is missing");
-    require(ids.insert(entry.id).second, fmt::format("the id {} is there twice", printable(entry.id)));
-    require(entry.submitted || time.empty() || (worksheet && time == "-"),
-            in_quotes(time) + " should be a time like 2027-03-01T23:59:00Z");
+    table.require(row, table.rows[row].size() <= table.rows.front().size(),
+                  fmt::format("it has {}, and the first line only {}; put quotation marks around a cell with commas",
+                              plural(table.rows[row].size(), "cell"), table.rows.front().size()));
+    table.require(row, !entry.id.empty(), "the id is missing");
+    table.require(row, ids.insert(entry.id).second, fmt::format("the id {} is there twice", printable(entry.id)));
+    table.require(row, entry.submitted || time.empty() || (worksheet && time == "-"),
+                  in_quotes(time) + " should be a time like 2027-03-01T23:59:00Z");
     boost::split(entry.aliases, field({"aliases"}), boost::is_any_of(" ;"));
     for (const std::string& heading : headings_of(id_columns)) entry.aliases.push_back(field({heading}));
     std::erase_if(entry.aliases, [&](const std::string& alias) { return alias.empty() || alias == entry.id; });
     if (worksheet) entry.aliases.push_back(participant_number(field({"participant"})));
-    entry.folder = field({"folder"});
     entries.push_back(std::move(entry));
   }
   if (entries.empty()) table.refuse("it has columns and no row; a line for each student should follow");
@@ -193,47 +183,43 @@ Overrides read_overrides(const fs::path& file, const Assignment& assignment) {
       table.refuse(fmt::format("the column {} means nothing", in_quotes(heading)));
   Overrides overrides;
   for (std::size_t row = 1; row < table.rows.size(); ++row) {
-    if (table.is_blank(row)) continue;
-    const auto require = table.requirement(row);
     const std::string id = table.field(row, whose), name = table.field(row, {"exercise"});
-    require(!id.empty(), "the student is missing");
+    table.require(row, !id.empty(), "the student is missing");
     double most = 0;
     for (const Exercise& each : assignment.exercises())
       if (name.empty() || each.name() == name) most += each.entry->points;
-    require(most > 0, "no exercise that is graded is called " + in_quotes(name));
+    table.require(row, most > 0, "no exercise that is graded is called " + in_quotes(name));
     Override by_hand;
     std::vector<std::string> parts;
-    if (std::string text = table.field(row, {"points"}); !text.empty()) {
-      std::ranges::replace(text, ',', '.');
-      double number = -1;
-      const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
-      require(problem == std::errc() && end == text.data() + text.size() && number >= 0 && number <= most,
-              fmt::format("'points' should be a number from 0 to {:g}", most));
-      by_hand.points = number;
-      parts.push_back(fmt::format("{:g} {}", number, number == 1 ? "point" : "points"));
+    std::string points = table.field(row, {"points"});
+    std::ranges::replace(points, ',', '.');
+    table.require(row, search(points, "^(\\d+(\\.\\d+)?)?$") && std::atof(points.c_str()) <= most,
+                  fmt::format("'points' should be a number from 0 to {:g}", most));
+    if (!points.empty()) {
+      by_hand.points = std::atof(points.c_str());
+      parts.push_back(fmt::format("{:g} {}", *by_hand.points, by_hand.points == 1 ? "point" : "points"));
     }
     const std::string excused = boost::to_lower_copy(table.field(row, {"excuse"})), time = table.field(row, {"due"});
-    by_hand.is_excused = excused == "yes" || excused == "x" || excused == "true" || excused == "1";
-    require(by_hand.is_excused || excused.empty() || excused == "no" || excused == "false" || excused == "0",
-            "'excuse' should be yes or no");
-    require(!by_hand.is_excused || !by_hand.points, "who is excused gets no points");
+    by_hand.is_excused = !!search(excused, "^(yes|x|true|1)$");
+    table.require(row, by_hand.is_excused || search(excused, "^(no|false|0)?$"), "'excuse' should be yes or no");
+    table.require(row, !by_hand.is_excused || !by_hand.points, "who is excused gets no points");
     if (by_hand.is_excused) parts.emplace_back("excused");
     by_hand.due = read_time(time);
-    require(time.empty() || by_hand.due, "'due' should be a time like 2027-03-01T23:59:00Z");
-    require(time.empty() || name.empty(), "'due' is of the whole: leave the exercise empty");
+    table.require(row, time.empty() || by_hand.due, "'due' should be a time like 2027-03-01T23:59:00Z");
+    table.require(row, time.empty() || name.empty(), "'due' is of the whole: leave the exercise empty");
     if (by_hand.due) parts.push_back("due " + time);
     by_hand.sentence = fmt::format("{}", fmt::join(parts, ", "));
     if (const std::string said = table.field(row, {"comment"}); !said.empty())
       by_hand.sentence += (parts.empty() ? "" : ": ") + shortened(printable(said), 1000);
-    require(!by_hand.sentence.empty(), "it says nothing");
-    require(overrides[id].emplace(name, by_hand).second,
-            fmt::format("{}{} is there twice", printable(id), name.empty() ? "" : ", " + name + ","));
+    table.require(row, !by_hand.sentence.empty(), "it says nothing");
+    table.require(row, overrides[id].emplace(name, by_hand).second,
+                  fmt::format("{}{} is there twice", printable(id), name.empty() ? "" : ", " + name + ","));
   }
   return overrides;
 }
 
-std::map<std::string, std::vector<RosterEntry>> read_gradescope(const std::string& text) {
-  std::map<std::string, std::vector<RosterEntry>> submitters;
+std::map<std::string, std::vector<Student>> read_gradescope(const std::string& text) {
+  std::map<std::string, std::vector<Student>> submitters;
   // Its keys are symbols of Ruby, ":name".
   const auto part = [](const YAML::Node& node, const std::string& key) {
     return node[":" + key] ? node[":" + key] : node[key];
@@ -247,7 +233,10 @@ std::map<std::string, std::vector<RosterEntry>> read_gradescope(const std::strin
     for (const auto& submission : YAML::Load(text)) {
       for (const YAML::Node& person : part(submission.second, "submitters")) {
         const std::string email = at(person, "email"), name = at(person, "name");
-        RosterEntry entry{at(person, "sid"), name, read_time(at(submission.second, "created_at")), {email}};
+        Student entry{.id = at(person, "sid"),
+                      .name = name,
+                      .submitted = read_time(at(submission.second, "created_at")),
+                      .aliases = {email}};
         for (const std::string& other : {email, name})
           if (entry.id.empty()) entry.id = other;
         if (!entry.id.empty()) submitters[submission.first.Scalar()].push_back(std::move(entry));
@@ -274,12 +263,11 @@ std::optional<std::string> filled_worksheet(const fs::path& roster, const nlohma
     std::string maximum = table.field(row, {"maximum"});
     const bool is_comma = maximum.find(',') != std::string::npos;
     std::ranges::replace(maximum, ',', '.');
-    const double possible = found->at("possible"), most = std::atof(maximum.c_str());
+    const double possible = found->at("possible"), score = found->at("score"), most = std::atof(maximum.c_str());
     const double scale = most > 0 && possible > 0 ? most / possible : 1;
     table.rows[row].resize(table.rows.front().size());
     if (!table.column({"scale"})) {  // whose words are the lecturer's
-      std::string& cell = table.rows[row][*grade] =
-          fmt::format("{:.2f}", scale * found->at("score").template get<double>());
+      std::string& cell = table.rows[row][*grade] = fmt::format("{:.2f}", scale * score);
       if (is_comma) std::ranges::replace(cell, '.', ',');
     }
     std::vector<std::string> said;

@@ -39,18 +39,9 @@ struct Amount {
   std::size_t kept = 0, work = 0;
 };
 
-/// Of a student, whose other files are not read either.
-struct TooMuch : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-/// Of all: it is no std::runtime_error, so that no zip file in this one is skipped for it.
-struct TooMuchInAll : std::length_error {
-  using std::length_error::length_error;
-};
-
 class Reader {
  public:
-  explicit Reader(bool is_class) : is_class_(is_class) {}
+  Reader(bool is_class, const NeedsText& needs_text) : is_class_(is_class), needs_text_(needs_text) {}
 
   std::vector<Found> found;
 
@@ -71,7 +62,7 @@ class Reader {
       try {
         count(student, 0, work_of_an_entry);
         if (stored != nullptr) read_entry(opened, entry, path, student, depth);
-      } catch (const TooMuch& problem) {
+      } catch (const std::runtime_error& problem) {  // too much of this student, whose other files are not read either
         if (depth > 0 || !is_class_) throw;
         too_much_.insert(student);
         add_unread(student, problem.what());
@@ -80,12 +71,9 @@ class Reader {
   }
 
  private:
-  static std::string student_of(std::string path) {
-    std::size_t slash = path.find('/');
-    if (slash != std::string::npos && is_export(path.substr(0, slash))) path.erase(0, slash + 1);
-    slash = path.find('/');
-    const bool is_archive = slash == std::string::npos && is_zip(path);
-    return path.substr(0, is_archive ? path.size() - 4 : slash);
+  /// In an export of Gradescope all students are in one folder.
+  static std::string student_of(const std::string& path) {
+    return search(path, "^(?:assignment_[^/]*_export/)?([^/]*?)(?:(?i:\\.zip)$|/|$)")[1];
   }
 
   void read_entry(archive* opened, archive_entry* entry, const std::string& path, const std::string& student,
@@ -93,11 +81,10 @@ class Reader {
     const std::string name = path.substr(path.rfind('/') + 1);
     const bool is_archive = is_zip(name);
     if (name.starts_with('.') || path.find("__MACOSX/") != std::string::npos) return;
-    if (!is_archive && !is_handed_in(name)) {
-      if (is_class_ && name == path && !name.empty())
-        found.push_back({path});  // nothing beside the students is passed over
-      return;
-    }
+    // Nothing beside the students is passed over.
+    const bool is_named = is_handed_in(name) || (is_class_ && name == path && !name.empty());
+    if (!is_archive && !is_named) return;
+    if (!is_archive && !needs_text_(name)) return found.push_back({path});
     if (is_archive && depth > 0) return add_unread(path, "is a zip file in a zip file in a zip file");
     const bool is_file = archive_entry_filetype(entry) == AE_IFREG && archive_entry_hardlink(entry) == nullptr;
     const std::size_t limit = is_archive || name == gradescope_metadata ? largest_inner : largest_source;
@@ -139,9 +126,10 @@ class Reader {
     const auto too_much = [](std::size_t most) {
       return fmt::format("holds more than {} MiB of source files", most >> 20);
     };
-    if (own.kept > most_of_a_student) throw TooMuch(too_much(most_of_a_student));
-    if (own.work > most_work_of_a_student) throw TooMuch("takes too long to unpack");
-    if (kept_ > most_of_all) throw TooMuchInAll(too_much(most_of_all) + "; unpack it yourself");
+    if (own.kept > most_of_a_student) throw std::runtime_error(too_much(most_of_a_student));
+    if (own.work > most_work_of_a_student) throw std::runtime_error("takes too long to unpack");
+    // It is no std::runtime_error, so that nobody's file is skipped for it.
+    if (kept_ > most_of_all) throw std::length_error(too_much(most_of_all) + "; unpack it yourself");
   }
 
   static std::string bytes_of(archive* opened, std::size_t limit, std::string& bytes) {
@@ -156,15 +144,16 @@ class Reader {
   }
 
   const bool is_class_;
+  const NeedsText& needs_text_;
   std::size_t kept_ = 0;
   std::map<std::string, Amount> students_;
   std::set<std::string> too_much_;
 };
 
-std::string unpacked(int file, bool is_class) {
+std::string unpacked(int file, bool is_class, const NeedsText& needs_text) {
   std::string trouble;
   const std::unique_ptr<archive, decltype(&archive_read_free)> opened(archive_read_new(), archive_read_free);
-  Reader reader(is_class);
+  Reader reader(is_class, needs_text);
   try {
     ::setlocale(LC_CTYPE, "C.UTF-8");
     const SandboxProfile profile{.calls = SandboxProfile::Calls::build,
@@ -181,14 +170,13 @@ std::string unpacked(int file, bool is_class) {
   } catch (const std::exception& problem) {
     trouble = problem.what();
   }
-  const std::vector<std::uint8_t> bytes =
-      json::to_cbor(std::pair(trouble, trouble.empty() ? reader.found : std::vector<Found>()));
+  const std::vector<std::uint8_t> bytes = json::to_cbor(std::pair(trouble, reader.found));
   return {bytes.begin(), bytes.end()};
 }
 
 }  // namespace
 
-std::vector<Found> read_zip(const fs::path& file, bool is_class) {
+std::vector<Found> read_zip(const fs::path& file, bool is_class, const NeedsText& needs_text) {
   const auto reject = [&](const std::string& reason) {
     throw RejectedFile(fmt::format("{} {}.", printable(file.filename().string()), reason));
   };
@@ -197,18 +185,16 @@ std::vector<Found> read_zip(const fs::path& file, bool is_class) {
   if (!opened || ::fstat(opened.number(), &status) != 0) reject("cannot be opened, or is a symbolic link");
   if (!S_ISREG(status.st_mode)) reject("is not an ordinary file");
   if (static_cast<std::size_t>(status.st_size) > largest_archive) reject("is larger than 1 GiB");
-  ForkedJob job([&] { return unpacked(opened.number(), is_class); }, longest);
-  std::vector<Found> files;
+  ForkedJob job([&] { return unpacked(opened.number(), is_class, needs_text); }, longest);
+  std::pair<std::string, std::vector<Found>> read;  // what is wrong, and the files
   try {
-    if (const std::string trouble = job.finish(); !trouble.empty())
-      throw std::runtime_error("cannot be read: " + trouble);
-    std::string problem;
-    std::tie(problem, files) = json::from_cbor(job.output()).get<std::pair<std::string, std::vector<Found>>>();
-    if (!problem.empty()) throw std::runtime_error(problem);
-  } catch (const std::exception& problem) {
-    reject(printable(problem.what()));
+    if (const std::string trouble = job.finish(); !trouble.empty()) reject("cannot be read: " + trouble);
+    read = json::from_cbor(job.output()).get<decltype(read)>();
+  } catch (const json::exception& problem) {
+    read.first = problem.what();
   }
-  return files;
+  if (!read.first.empty()) reject(printable(read.first));
+  return read.second;
 }
 
 }  // namespace workbook

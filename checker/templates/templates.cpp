@@ -17,7 +17,7 @@ using kainjow::mustache::data;
 using nlohmann::json;
 
 /// Everything that goes into the template passes here: valid text without control characters. The template escapes it.
-/// What is empty opens no section.
+/// What is empty opens no section. Each object of a list but the first has a "comma".
 data for_template(const json& value) {
   if (value.is_object()) {
     data object;
@@ -27,7 +27,11 @@ data for_template(const json& value) {
   if (value.is_boolean()) return data(value.get<bool>());
   if (value.is_array()) {
     data list{data::type::list};
-    for (const json& part : value) list << for_template(part);
+    for (const json& part : value) {
+      data entry = for_template(part);
+      if (part.is_object() && list.is_non_empty_list()) entry.set("comma", ", ");
+      list << entry;
+    }
     return list;
   }
   if (value.is_null()) return data(false);

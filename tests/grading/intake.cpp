@@ -28,7 +28,7 @@ class Taken {
     return Taken(of, submissions, workbook::read_roster(write(of.root() / "roster.csv", roster), "+01:00"));
   }
 
-  Taken(const MadeUpClass& of, const std::string& submissions, const std::vector<workbook::RosterEntry>& entries)
+  Taken(const MadeUpClass& of, const std::string& submissions, const std::vector<workbook::Student>& entries)
       : copies_(of.root() / "copies") {
     const workbook::Course course(of.root() / "course.json");
     intake = workbook::take_in(of.root() / submissions, course, entries, copies_);
@@ -52,9 +52,9 @@ class Taken {
   }
 
  private:
-  static std::vector<workbook::RosterEntry> entries_of(const std::vector<std::string>& ids) {
-    std::vector<workbook::RosterEntry> entries;
-    for (const std::string& id : ids) entries.push_back({id, "", {}, {}});
+  static std::vector<workbook::Student> entries_of(const std::vector<std::string>& ids) {
+    std::vector<workbook::Student> entries;
+    for (const std::string& id : ids) entries.push_back({.id = id});
     return entries;
   }
 
@@ -72,9 +72,43 @@ std::string zipped(const MadeUpClass& of,
 std::vector<std::pair<std::string, std::optional<std::string>>> too_much(const std::string& folder) {
   std::vector<std::pair<std::string, std::optional<std::string>>> files;
   for (int k = 0; k < 40; ++k)
-    files.emplace_back(fmt::format("{}{}/x.cpp", folder, k), std::string((std::size_t{1} << 20) - 100, ' '));
+    files.emplace_back(fmt::format("{}{}/spring_energy.cpp", folder, k),
+                       std::string((std::size_t{1} << 20) - 100, ' '));
   return files;
 }
+
+/// Whose text is judged for each, or why none is; then what belongs to nobody. Each text ends by saying whose it is.
+std::vector<std::string> summary(const Taken& taken) {
+  std::vector<std::string> lines;
+  for (const workbook::Student& each : taken.intake.students) {
+    const std::string text = taken.energy(each.id);
+    std::string said = text.empty() ? "" : text.substr(text.rfind("// ") + 3);
+    for (const auto& [unused, file] : each.files) said += file.refusal;
+    for (const std::string& sentence : each.unread) said += sentence;
+    lines.push_back(each.id + ": " + said + each.dispute);
+  }
+  std::ranges::sort(lines);
+  lines.insert(lines.end(), taken.intake.problems.begin(), taken.intake.problems.end());
+  return lines;
+}
+
+using Files = std::vector<std::pair<std::string, std::optional<std::string>>>;
+
+/// The same in a folder and in a zip file, by a roster in the given bytes.
+void check_class(const Files& files, const std::string& roster, const std::vector<std::string>& expected) {
+  const MadeUpClass all;
+  for (const auto& [path, text] : files) write(all.submissions() / path, *text);
+  write_zip(all.root() / "class.zip", files);
+  for (const std::string submissions : {"submissions", "class.zip"}) {
+    CAPTURE(submissions);
+    CHECK(fmt::format("{}", fmt::join(summary(Taken::with_table(all, submissions, roster)), "\n")) ==
+          fmt::format("{}", fmt::join(expected, "\n")));
+  }
+}
+
+std::string of(const std::string& whose) { return right + "// " + whose; }
+
+const std::string in_place = "/lectures/01_springs/exercises/spring_energy.cpp", of_a_mac("\0\5\x16\7", 4);
 
 }  // namespace
 
@@ -110,13 +144,27 @@ TEST_CASE("time is shared out as well: what a student's zip files take to unpack
   const MadeUpClass all;
   std::vector<std::pair<std::string, std::optional<std::string>>> files;
   const std::string bomb((std::size_t{1} << 20) + 100, ' ');
-  for (int k = 0; k < 300; ++k) files.emplace_back(fmt::format("ada/{}/x.cpp", k), bomb);
+  for (int k = 0; k < 300; ++k) files.emplace_back(fmt::format("ada/{}/spring_energy.cpp", k), bomb);
   files.emplace_back("ada/spring_energy.cpp", right);
   files.emplace_back("ben/spring_energy.cpp", right);
   write_zip(all.root() / "class.zip", files);
   const Taken taken(all, "class.zip");
   CHECK(taken.student("ada").unread.size() == 1);
   CHECK(taken.energy("ben") == right);
+}
+
+TEST_CASE("a class in one folder of a zip file may hold much code that is no exercise: clones do") {
+  const MadeUpClass all;
+  Files files;
+  for (const char* id : {"ada", "ben"}) {
+    files.emplace_back(fmt::format("week-3-submissions/week-3-{}{}", id, in_place), of(id));
+    for (int k = 0; k < 20; ++k)
+      files.emplace_back(fmt::format("week-3-submissions/week-3-{}/checker/{}.cpp", id, k),
+                         std::string((std::size_t{1} << 20) - 100, ' '));
+  }
+  write_zip(all.root() / "class.zip", files);
+  CHECK(summary(Taken(all, "class.zip", std::vector<std::string>{"ada", "ben"})) ==
+        std::vector<std::string>{"ada: ada", "ben: ben"});
 }
 
 TEST_CASE("submissions that cannot be read as a whole are wrong usage, and nothing is written") {
@@ -577,42 +625,12 @@ TEST_CASE("parts of a class are of a size, whatever ids have in common") {
     for (int k = 0; k < 800; ++k) {
       const std::string id = fmt::format("{:04}{:04}", k, k);  // each digit twice: the letters' parities are even
       for (std::uint64_t part = 1; part <= count; ++part)
-        sizes[part - 1] += workbook::Shard(fmt::format("{}/{}", part, count)).has(id) ? 1 : 0;
+        sizes[part - 1] += workbook::is_in_part(id, fmt::format("{}/{}", part, count)) ? 1 : 0;
     }
     CHECK(std::accumulate(sizes.begin(), sizes.end(), 0) == 800);
     for (const int size : sizes) CHECK(size > 800 / static_cast<int>(count) / 2);
   }
 }
-
-/// Whose text is judged for each, or why none is; then what belongs to nobody. Each text ends by saying whose it is.
-std::vector<std::string> summary(const Taken& taken) {
-  std::vector<std::string> lines;
-  for (const workbook::Student& each : taken.intake.students) {
-    const std::string text = taken.energy(each.id);
-    std::string said = text.empty() ? "" : text.substr(text.rfind("// ") + 3);
-    for (const auto& [unused, file] : each.files) said += file.refusal;
-    for (const std::string& sentence : each.unread) said += sentence;
-    lines.push_back(each.id + ": " + said + each.dispute);
-  }
-  std::ranges::sort(lines);
-  lines.insert(lines.end(), taken.intake.problems.begin(), taken.intake.problems.end());
-  return lines;
-}
-
-using Files = std::vector<std::pair<std::string, std::optional<std::string>>>;
-
-/// The same in a folder and in a zip file, by a roster in the given bytes.
-void check_class(const Files& files, const std::string& roster, const std::vector<std::string>& expected) {
-  const MadeUpClass all;
-  for (const auto& [path, text] : files) write(all.submissions() / path, *text);
-  write_zip(all.root() / "class.zip", files);
-  for (const char* submissions : {"submissions", "class.zip"})
-    CHECK_MESSAGE(summary(Taken::with_table(all, submissions, roster)) == expected, submissions);
-}
-
-std::string of(const std::string& whose) { return right + "// " + whose; }
-
-const std::string in_place = "/lectures/01_springs/exercises/spring_energy.cpp", of_a_mac("\0\5\x16\7", 4);
 
 TEST_CASE("files of Canvas are found, or named on their student's page, as students call them") {
   const MadeUpClass all;
@@ -781,6 +799,42 @@ TEST_CASE("where Canvas' number and name are of two students nobody is guessed, 
               "id,name\n34,Ben Ohm\n35,Ada Byron\n36,Ana María de la Cruz\n37,\"Student, Test\"\n38,Mary Ann\n",
               {"34: ", "35: ", "36: 36", "37: 37", "38: 38",
                "'byronada_34_501_spring_energy.cpp' was not read: it names several students of the roster."});
+}
+
+TEST_CASE("groups of Moodle and Canvas hand in together: all of a group get what lies under its name") {
+  // From version 4.1 on, Moodle names no student of a group; who is in none is in the one by default.
+  check_class({{"Die Quarks_17_assignsubmission_file/spring_energy.cpp", of("quarks")},
+               {"Gruppe 1_21_assignsubmission_file/" + in_place.substr(1), of("one")},
+               {"Standardgruppe_assignsubmission_file/spring_energy.cpp", of("the others")},
+               {"Gruppe 2_22_assignsubmission_file/spring_energy.cpp", of("nobody")}},
+              "ID;Vollständiger Name;Status;Gruppe;Bewertung;Bestwertung\nTeilnehmer/in17;Ada;x;Gruppe 1;;10\n"
+              "Teilnehmer/in18;Ben;x;Die Quarks;;10\nTeilnehmer/in19;Cleo;x;Die Quarks;;10\n"
+              "Teilnehmer/in20;Dora;x;Standardgruppe;;10\nTeilnehmer/in21;Emil;x;Standardgruppe;;10\n",
+              {"17: one", "18: quarks", "19: quarks", "20: the others", "21: the others",
+               "'Gruppe 2_22_assignsubmission_file' was not read: it names no id, and no name of just one student, of "
+               "the roster."});
+  // Canvas writes the number of one of them; its table of groups says who they are.
+  check_class(
+      {{"thequarks_LATE_34_501_spring_energy-1.cpp", of("quarks")}, {"solosue_36_503_spring_energy.cpp", of("36")}},
+      "name,canvas_user_id,user_id,login_id,sections,group_name,canvas_group_id,group_id\n"
+      "Ada Byron,34,s34,ada,A,The Quarks,7,\nBen Ohm,35,s35,ben,A,The Quarks,7,\nSue Solo,36,s36,sue,A,,,\n",
+      {"34: quarks", "35: quarks", "36: 36"});
+  // Who lies in a folder of his own as well is not guessed.
+  check_class({{"Ben_2_assignsubmission_file/spring_energy.cpp", of("ben")},
+               {"The Quarks_17_assignsubmission_file/spring_energy.cpp", of("quarks")}},
+              "id,name,group\n1,Ada,The Quarks\n2,Ben,The Quarks\n",
+              {"1: quarks",
+               "2: spring_energy.cpp is there twice: 'Ben_2_assignsubmission_file/spring_energy.cpp' and 'The "
+               "Quarks_17_assignsubmission_file/spring_energy.cpp'; hand in one.'Ben_2' and 'The Quarks_17' both name "
+               "this student; leave only what is theirs."});
+}
+
+TEST_CASE("Canvas' gradebook may have the names in two columns, and columns of the course's own") {
+  check_class({{"delacruzana_34_501_spring_energy.cpp", of("34")}, {"ohmben_35_502_spring_energy.cpp", of("35")}},
+              "LastName,FirstName,ID,SIS Login ID,Integration ID,Root Account,Section,Notes,Week 3 (7),Final Score\n"
+              ",,,,,,,,Manual Posting,\n    Points Possible,,,,,,,(read only),10,(read only)\n"
+              "de la Cruz,Ana,34,ana,,x.org,A and B,,,\nOhm,Ben,35,ben,,x.org,A,,9,\n",
+              {"34: 34", "35: 35"});
 }
 
 TEST_CASE("who is late by Canvas, which says no time, is named; times of the roster count") {

@@ -493,7 +493,7 @@ void compare_with_last_run(const fs::path& class_file, ordered_json& document) {
 
 int print_who(const Course& course, const GradeOptions& options) {
   const fs::path submissions = fs::absolute(options.submissions);
-  const std::vector<RosterEntry> roster = options.roster ? read_roster(*options.roster) : std::vector<RosterEntry>{};
+  const std::vector<Student> roster = options.roster ? read_roster(*options.roster) : std::vector<Student>{};
   const Workspace copies(fs::temp_directory_path());
   const Intake intake = take_in(submissions, course, roster, copies.directory());
   std::vector<std::string> missing;
@@ -537,8 +537,8 @@ int grade(const Course& given, const GradeOptions& options) {
     const std::uint64_t handed_out = options.copy ? read_release(*options.copy).seed : course.seed();
     const Assignment assignment(course, options.assignment);
     const Match zone = search(assignment.due_text(), "[+-]\\d\\d:?\\d\\d$");
-    const std::vector<RosterEntry> roster =
-        options.roster ? read_roster(*options.roster, zone ? zone[0] : "Z") : std::vector<RosterEntry>{};
+    const std::vector<Student> roster =
+        options.roster ? read_roster(*options.roster, zone ? zone[0] : "Z") : std::vector<Student>{};
     const fs::path kept_overrides = out / "overrides.csv";
     const std::optional<fs::path> overrides_file = options.overrides            ? options.overrides
                                                    : fs::exists(kept_overrides) ? std::optional(kept_overrides)
@@ -549,12 +549,12 @@ int grade(const Course& given, const GradeOptions& options) {
     if (!options.attempts.empty() && options.attempts != "last" && options.attempts != "best")
       throw GradingError("--attempts should be last or best.");
     const std::string forgotten = options.only.empty() ? "" : known_verdict(options.only);
-    const Shard shard = options.shard.empty() ? Shard() : Shard(options.shard);
+    const std::string part = options.shard.empty() ? "1/1" : options.shard;
+    is_in_part("", part);                // so that a wrong one is refused now
     const mode_t usual = ::umask(0077);  // results are nobody else's
     const bool is_new = !fs::exists(out / journal_name);
     prepare_folder(out, submissions);
-    Journal journal(out / journal_name);
-    if (!forgotten.empty()) journal.forget(forgotten);
+    Journal journal(out / journal_name, Journal::Access::write, forgotten);
     const std::vector<Journal> merged = journals_in(options.merged, out);
     const std::uint64_t seed = of_references  ? *of_references
                                : options.seed ? *options.seed
@@ -579,7 +579,7 @@ int grade(const Course& given, const GradeOptions& options) {
     Intake intake = [&] {
       try {
         grader.require_misconceptions();
-        Intake taken = take_in(submissions, course, roster, out / "submissions", shard, !options.attempts.empty());
+        Intake taken = take_in(submissions, course, roster, out / "submissions", part, !options.attempts.empty());
         if (options.attempts == "last")
           for (Student& student : taken.students)
             if (!student.attempts.empty()) take_attempt(student, student.attempts.size() - 1, "the last one");
