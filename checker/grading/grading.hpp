@@ -53,8 +53,7 @@ struct Student {
   std::vector<std::string> unread = {};  ///< what was not read, so that points may be missing
   std::string group = {};                ///< that hands in together
   std::string entry = {};                ///< the top-level entry that is theirs, perhaps with others; a table may say
-  /// Another such entry names this student as well: one sentence; "": none. Then nothing is judged, for either may be
-  /// somebody else's.
+  /// Another such entry names this student as well: one sentence. Nothing is judged then: one may be somebody else's.
   std::string dispute = {};
   std::map<std::string, Override> by_hand = {};  ///< by exercise; "": the whole
   std::string attempt = {};                      ///< which of several counts
@@ -81,8 +80,7 @@ inline constexpr const char* gradescope_metadata = "submission_metadata.yml";
 /// By folder. @throws GradingError
 std::map<std::string, std::vector<Student>> read_gradescope(const std::string& text);
 
-/// The roster with marks and comments, if it is a grading worksheet of Moodle: it takes them back. Marks are scaled to
-/// its maximum grade.
+/// A grading worksheet of Moodle with marks, in parts of its maximum grade, and comments; nothing for other rosters.
 std::optional<std::string> filled_worksheet(const fs::path& roster, const nlohmann::ordered_json& document);
 
 /// By student and exercise; "": the whole. @throws GradingError
@@ -232,8 +230,7 @@ class ClassResults {
   std::array<int, 10> distribution_{};
 };
 
-/// Whose mark is another one than before, and why, a line each; the document notes these, or those of the last run that
-/// had any.
+/// Whose mark is another one than before, and why; the document notes these lines, or those of the last run with any.
 std::vector<std::string> compare_with(const nlohmann::ordered_json& before, nlohmann::ordered_json& now);
 
 /// What a learning system tells the student of one result: nothing of one that passed, but what was decided by hand.

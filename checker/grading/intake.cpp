@@ -52,6 +52,9 @@ std::string one_word(const std::string& name) {
 /// The folder into which Gradescope's export puts all students.
 bool is_export(const std::string& folder) { return folder.starts_with("assignment_") && folder.ends_with("_export"); }
 
+/// The top-level entry in which a file lies.
+std::string top_entry(const std::string& path) { return path.substr(0, path.find('/')); }
+
 std::string unread(const std::string& shown, const std::string& reason) {
   return fmt::format("{} was not read: {}.", in_quotes(shown), reason);
 }
@@ -381,7 +384,7 @@ class Collector {
 
   void take(Found& found) {
     const std::string shown = shortened(printable(found.path), 200);
-    std::string first = found.path.substr(0, found.path.find('/'));
+    std::string first = top_entry(found.path);
     std::string trouble = found.is_unread ? unread(shown, "it " + found.refusal) : "";
     if (first == found.path && is_zip(first)) first.resize(first.size() - 4);
     if (is_zip(found.file)) {
@@ -507,6 +510,7 @@ class Collector {
     }
     if (is_second && known->second.place == in.place) {
       if (known->second.refusal.empty() && in.refusal.empty() && read_file(copy) == text) return;
+      if (top_entry(known->second.where) != top_entry(in.where)) claim(student, top_entry(in.where));
       has_second_ |= in.place != HandedIn::under_another_name;
       in.refusal =
           fmt::format("{}.cpp is there twice: '{}' and '{}'; hand in one.", exercise, known->second.where, in.where);

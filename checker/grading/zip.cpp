@@ -104,8 +104,7 @@ class Reader {
   void read_inner(const std::string& bytes, const std::string& path, const std::string& student) {
     const std::unique_ptr<archive, decltype(&archive_read_free)> inner(archive_read_new(), archive_read_free);
     archive_read_support_format_zip(inner.get());
-    const std::size_t before = found.size();
-    const std::size_t kept = students_[student].kept;
+    const std::size_t before = found.size(), kept = students_[student].kept;
     try {
       if (archive_read_open_memory(inner.get(), bytes.data(), bytes.size()) != ARCHIVE_OK)
         throw std::runtime_error("is damaged or no zip file");
