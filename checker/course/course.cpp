@@ -148,16 +148,10 @@ std::vector<Exercise> Course::choose(const std::vector<std::string>& names) cons
 }
 
 Exercise Course::find_exercise(const std::string& name) const {
-  std::vector<std::string> known;
-  std::string in_lecture;
-  for (const Exercise& exercise : exercises()) {
-    if (exercise.name() == name) return exercise;  // as in find, before a lecture
-    if (in_lecture.empty() && is_named(*exercise.card, name)) in_lecture = exercise.name();
-    known.push_back(exercise.name());
-  }
-  if (!in_lecture.empty())
-    throw UsageError(fmt::format("'{}' is a lecture; name one of its exercises, such as {}.", name, in_lecture));
-  throw_unknown("exercise", name, known);
+  const Exercise found = find(name).front();
+  if (found.name() != name)
+    throw UsageError(fmt::format("'{}' is a lecture; name one of its exercises, such as {}.", name, found.name()));
+  return found;
 }
 
 std::optional<fs::path> Course::notes_page(const std::string& lecture) const {

@@ -27,17 +27,7 @@ bool is_sign_free(const ExerciseReference& reference) {
 
 /// "omega_1" as the axes have it: "ω₁".
 std::string as_symbol(std::string name) {
-  constexpr std::array<std::array<const char*, 2>, 11> letters = {{{"omega", "ω"},
-                                                                   {"Omega", "Ω"},
-                                                                   {"sigma", "σ"},
-                                                                   {"theta", "θ"},
-                                                                   {"phi", "φ"},
-                                                                   {"psi", "ψ"},
-                                                                   {"lambda", "λ"},
-                                                                   {"alpha", "α"},
-                                                                   {"beta", "β"},
-                                                                   {"gamma", "γ"},
-                                                                   {"tau", "τ"}}};
+  constexpr std::array<std::array<const char*, 2>, 3> letters = {{{"omega", "ω"}, {"Omega", "Ω"}, {"sigma", "σ"}}};
   for (const auto& [word, letter] : letters) name = replaced(name, fmt::format("\\b{}(?![a-zA-Z])", word), letter);
   constexpr std::array digits = {"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉"};
   for (std::size_t digit = 0; digit < digits.size(); ++digit)

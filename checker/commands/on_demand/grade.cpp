@@ -461,22 +461,18 @@ void require_known(const Overrides& overrides, const auto& students) {
 }
 
 /// Says how many have handed in, and what was not read. Returns whether that is all.
-bool print_intake(const Intake& intake, const ordered_json& document, const GradeOptions& options) {
-  const std::vector<std::string> problems = document.at("problems"), missing = document.at("missing");
-  fmt::print("{} of {}{} handed in", intake.students.size() - missing.size(), plural(intake.students.size(), "student"),
-             options.roster ? " of the roster" : "");
-  if (!problems.empty()) fmt::print("; {} not read or not judged", problems.size());
-  const bool is_all = problems.empty() && missing.empty() && !intake.students.empty();
-  fmt::print("{}\n", is_all || options.with_missing
-                         ? "."
-                         : ". The tables have no rows of whom this concerns; --with-missing adds them.");
+/// @param remark  goes on after how many
+bool print_intake(const Intake& intake, const std::vector<std::string>& problems,
+                  const std::vector<std::string>& missing, const GradeOptions& options, const std::string& remark) {
+  fmt::print("{} of {}{} handed in{}.\n", intake.students.size() - missing.size(),
+             plural(intake.students.size(), "student"), options.roster ? " of the roster" : "", remark);
   for (const std::string& sentence : problems) fmt::print("  {}\n", sentence);
   if (!missing.empty())
     fmt::print("  Nothing was found of {}.\n", shortened(fmt::format("{}", fmt::join(missing, ", ")), 1000));
   if (!intake.late.empty())
     fmt::print("Canvas marks files as late of {}; with their times in a column 'submitted' of the roster it counts.\n",
                shortened(fmt::format("{}", fmt::join(intake.late, ", ")), 1000));
-  return is_all;
+  return problems.empty() && missing.empty() && !intake.students.empty();
 }
 
 void compare_with_last_run(const fs::path& class_file, ordered_json& document) {
@@ -513,12 +509,7 @@ int print_who(const Course& course, const GradeOptions& options) {
                                         : listed(files));
     for (const std::string& sentence : student.unread) fmt::print("  {}\n", sentence);
   }
-  fmt::print("{} of {}{} handed in.\n", intake.students.size() - missing.size(),
-             plural(intake.students.size(), "student"), options.roster ? " of the roster" : "");
-  for (const std::string& sentence : intake.problems) fmt::print("  {}\n", sentence);
-  if (!missing.empty())
-    fmt::print("  Nothing was found of {}.\n", shortened(fmt::format("{}", fmt::join(missing, ", ")), 1000));
-  return intake.problems.empty() && missing.empty() ? all_passed : something_failed;
+  return print_intake(intake, intake.problems, missing, options, "") ? all_passed : something_failed;
 }
 
 }  // namespace
@@ -615,7 +606,12 @@ int grade(const Course& given, const GradeOptions& options) {
       if (const auto worksheet = filled_worksheet(*options.roster, document))
         write_or_fail(out / "moodle_worksheet.csv", *worksheet);
     fs::remove_all(out / "work", ignored);
-    const bool is_all = print_intake(intake, document, options);
+    const std::vector<std::string> problems = document.at("problems"), missing = document.at("missing");
+    const std::string left_out = problems.empty() ? "" : fmt::format("; {} not read or not judged", problems.size());
+    const bool is_complete = options.with_missing || (problems.empty() && missing.empty());
+    const bool is_all = print_intake(
+        intake, problems, missing, options,
+        left_out + (is_complete ? "" : ". The tables have no rows of whom this concerns; --with-missing adds them"));
     for (const ordered_json& each : document.at("learnt_by_heart"))
       fmt::print("Learnt by heart: {}: {}.\n", each.at("exercise").get<std::string>(),
                  listed(each.at("students").get<std::vector<std::string>>()));
