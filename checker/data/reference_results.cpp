@@ -49,12 +49,13 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Route, name, outputs)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PlotComponent, name, row, col)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Sweep, title, x_label, y_label, x, inputs, expected, components, y_unit)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Limit, case_index, reason)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Region, words, holds)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Measured, name, inputs, errors)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Adequacy, made, killed, equal, survivors, neighbours, fingerprint)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ExerciseReference, name, signature, arguments, result_kind, result_name,
                                    result_units, comparison, tolerance_reason, cases, misconceptions, input_transforms,
-                                   terms, properties, routes, sweep, limits, measured, adequacy, has_current_adequacy,
-                                   survivor_reasons)
+                                   terms, properties, routes, sweep, limits, regions, measured, adequacy,
+                                   has_current_adequacy, survivor_reasons)
 
 namespace {
 
@@ -162,6 +163,9 @@ void require_sound(const ExerciseReference& exercise) {
   }
   for (const Limit& each : exercise.limits)
     require(each.case_index < expected.size() && !each.reason.empty(), "a limit has no case or no reason");
+  for (const Region& each : exercise.regions)
+    require(each.holds.size() == exercise.cases.size() + exercise.sweep.x.size(),
+            "the region where " + each.words + " is not told of each case and each point of the sweep");
   for (const Measured& each : exercise.measured)
     require(each.inputs.size() == exercise.arguments.size() &&
                 (each.errors.empty() || each.errors.size() == expected.front().numbers.size()),

@@ -146,6 +146,14 @@ struct Limit {
   bool operator==(const Limit&) const = default;
 };
 
+/// A part of the inputs at which formulas may be others, in the words of the lecture.
+struct Region {
+  std::string words;        ///< to follow "where": "omega0 goes round the axis of the smallest moment"
+  std::vector<bool> holds;  ///< per case, then per point of the sweep
+
+  bool operator==(const Region&) const = default;
+};
+
 /// Real data: what a function that passes makes of it is told beside its verdict. Its result is not judged.
 struct Measured {
   std::string name;  ///< "throw 3 of the racket"
@@ -186,6 +194,7 @@ struct ExerciseReference {
   std::vector<Route> routes;
   Sweep sweep;
   std::vector<Limit> limits;
+  std::vector<Region> regions;
   std::vector<Measured> measured;
   Adequacy adequacy;
   bool has_current_adequacy = true;  ///< false where the record was made for other cases, or there is none
@@ -199,7 +208,7 @@ struct ExerciseReference {
 };
 
 struct LectureReference {
-  static constexpr int format = 8;  ///< of the file
+  static constexpr int format = 9;  ///< of the file
   std::uint64_t seed = 1;
   std::string lecture;
   std::vector<ExerciseReference> exercises;

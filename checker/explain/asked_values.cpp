@@ -28,6 +28,7 @@ std::vector<UnitProbe> take_probes(const Ask& ask, const ExerciseReference& refe
 bool is_confirmed(const Reason& split, const Ask& ask, ExerciseReference exercise, Answers answers) {
   const auto claim = [](const std::string& message) { return message.substr(0, message.find(" (")); };
   std::vector<PlannedCall> calls;
+  const std::size_t judged = exercise.cases.size();
   double size = 0;
   for (std::size_t i = 0; i < exercise.sweep.x.size(); ++i) {
     const Value& expected = exercise.sweep.expected[i];
@@ -41,6 +42,7 @@ bool is_confirmed(const Reason& split, const Ask& ask, ExerciseReference exercis
     point.expected = exercise.sweep.expected[i];
     point.scale = {size};
     if (!has_usable_value(replies[i], point)) continue;
+    for (Region& each : exercise.regions) each.holds[exercise.cases.size()] = each.holds[judged + i];
     exercise.cases.push_back(point);
     answers.push_back(replies[i].value);
   }

@@ -8,11 +8,6 @@
 
 inline const Vector3d lecture_body(1.2, 2, 2.7), round_3(0.4, -0.9, 0.6), round_1(0.9, -0.5, 0.2);
 
-/// (L² − 2T I₂)/L²: positive for motion round axis 3, negative round axis 1.
-inline double side_of_separatrix(const Vector3d& I, const Vector3d& w) {
-  const double excess = I[2] * (I[2] - I[1]) * w[2] * w[2] - I[0] * (I[1] - I[0]) * w[0] * w[0];
-  return excess / L_of(I, w).squaredNorm();
-}
 inline bool is_round_3(const Vector3d& I, const Vector3d& w) { return side_of_separatrix(I, w) > 0; }
 
 /// The domain of the motions with three different moments: how far, at least, from the separatrix and from a pure spin.

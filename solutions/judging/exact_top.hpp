@@ -2,9 +2,26 @@
 /// The exact torque-free motion of a rigid body: a judge of integrators, itself free of them.
 #pragma once
 
+#include "solutions/judging/mechanics.hpp"
+
 #include <Eigen/Dense>
 
 namespace workbook::judging {
+
+/// (L² − 2T I₂)/L² for ascending moments: positive for motion round axis 3, negative round axis 1.
+inline double side_of_separatrix(const Vector3d& I, const Vector3d& w) {
+  const double excess = I[2] * (I[2] - I[1]) * w[2] * w[2] - I[0] * (I[1] - I[0]) * w[0] * w[0];
+  return excess / L_of(I, w).squaredNorm();
+}
+
+/// Formulas may hold for one of the two kinds of motion only.
+template <class Exercise>
+void either_side_of_separatrix(Exercise& e) {
+  e.region("omega0 goes round the axis of the smallest moment (L² < 2TI₂)",
+           [](auto& I, auto& w, auto...) { return side_of_separatrix(I, w) < 0; });
+  e.region("omega0 goes round the axis of the largest moment (L² > 2TI₂)",
+           [](auto& I, auto& w, auto...) { return side_of_separatrix(I, w) > 0; });
+}
 
 /// Torque-free rotation of a body with principal moments I, exact for every body and every start.
 ///

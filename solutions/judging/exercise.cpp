@@ -158,6 +158,11 @@ void AnyExercise::add_limit(std::string_view of_case, Value expected, std::strin
   limits_.push_back({std::string(of_case), std::move(expected), std::string(reason)});
 }
 
+void AnyExercise::add_region(const char* words, OnValues<bool> holds) {
+  result_.regions.push_back({words, {}});
+  regions_.push_back(std::move(holds));
+}
+
 void AnyExercise::add_wrong(Sentence says, std::string_view name, Function wrong) {
   result_.misconceptions.push_back({std::string(name), says.text, says.notes, {}, {}});
   misconceptions_.push_back(std::move(wrong));
@@ -324,6 +329,10 @@ ExerciseReference AnyExercise::evaluate(std::uint64_t seed, const Adequacy& reco
     for (const Case& one : out.cases) out.properties[k].weights.push_back(weights_[k](one.inputs));
   }
   add_sweep(out);
+  for (std::size_t k = 0; k < regions_.size(); ++k) {
+    for (const Case& one : out.cases) out.regions[k].holds.push_back(regions_[k](one.inputs));
+    for (const Values& inputs : out.sweep.inputs) out.regions[k].holds.push_back(regions_[k](inputs));
+  }
   for (const Foreseen& limit : limits_) check_limit(limit, out);
   for (const Measured& real : out.measured)
     if (!is_legal(real.inputs) || !reference_(real.inputs).is_finite())

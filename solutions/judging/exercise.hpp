@@ -171,6 +171,7 @@ class AnyExercise {
                      const char* result_kind);
   void add_batch(std::string_view name, Group group, int count, std::function<Values(Random&)> draw);
   void add_fixed(std::string_view name, Group group, Values inputs);
+  void add_region(const char* words, OnValues<bool> holds);
   void add_limit(std::string_view of_case, Value expected, std::string_view reason);
   void add_wrong(Sentence says, std::string_view name, Function wrong);
   void add_term(std::string_view name, double coefficient, Function summand);
@@ -216,6 +217,7 @@ class AnyExercise {
   std::vector<Sort> sorts_;   // of the arguments
   std::vector<Batch> batches_;
   std::vector<Foreseen> limits_;
+  std::vector<OnValues<bool>> regions_;  // one per region of the result
   std::vector<Function> misconceptions_, terms_, routes_;
   std::function<Values(double)> sweep_inputs_;
   SweepRange sweep_range_{0, 1};
@@ -248,6 +250,12 @@ class Exercise : public AnyExercise {
   template <class Predicate>
   void domain(const Predicate& legal) {
     domain_ = on_values<bool>(function<bool>(legal));
+  }
+
+  /// Where formulas may be others: what a reason says of wrong cases that are just those.
+  template <class Predicate>
+  void region(const char* words, const Predicate& holds) {
+    add_region(words, on_values<bool>(function<bool>(holds)));
   }
 
   /// Which of the legal inputs cases are generated from, where extreme ones are beyond right answers.

@@ -40,7 +40,7 @@ class Features {
     of_pairs();
     of_groups();
     of_two_vectors();
-    of_free_bodies();
+    for (const Region& each : exercise_.regions) found_.push_back({each.words, each.holds});
     return std::move(found_);
   }
 
@@ -199,25 +199,6 @@ class Features {
           const Eigen::Vector3d u = input(i, a), v = input(i, b);
           return size(i) > 0 && std::abs(u.dot(v)) <= same * size(i);
         });
-      }
-    }
-  }
-
-  /// Round which axis a free body's angular velocity goes.
-  void of_free_bodies() {
-    for (std::size_t a = 0; a < exercise_.arguments.size(); ++a) {
-      for (std::size_t b = 0; b < exercise_.arguments.size(); ++b) {
-        const Argument &I = exercise_.arguments[a], &omega = exercise_.arguments[b];
-        if (I.kind != Kind::vector3 || omega.kind != Kind::vector3 || !(I.unit == units::moment_of_inertia) ||
-            !(omega.unit == units::radian_per_second))
-          continue;
-        const auto excess = [&](std::size_t i) {  // L² − 2TI₂
-          const Eigen::Vector3d moments = input(i, a), rates = input(i, b), L = moments.cwiseProduct(rates);
-          return L.squaredNorm() - L.dot(rates) * (moments.sum() - moments.minCoeff() - moments.maxCoeff());
-        };
-        const std::string words = omega.name + " goes round the axis of the ";
-        add(words + "smallest moment (L² < 2TI₂)", [&](std::size_t i) { return excess(i) < 0; });
-        add(words + "largest moment (L² > 2TI₂)", [&](std::size_t i) { return excess(i) > 0; });
       }
     }
   }

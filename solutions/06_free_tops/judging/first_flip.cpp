@@ -51,6 +51,7 @@ double integrated_flip(const Vector3d& I, const Vector3d& start) {
 
 void judge_first_flip(Lecture& lecture) {
   auto& e = lecture.exercise(&first_flip, {{"I", ascending_moments}, {"omega0", rad_per_s}}, {"time", second});
+  either_side_of_separatrix(e);
   e.domain([](auto& I, auto& w) {
     const double excess = I[0] * (I[0] - I[1]) * w[0] * w[0] + I[2] * (I[2] - I[1]) * w[2] * w[2];
     return min(I[1] - I[0], I[2] - I[1]) >= 0.05 * I[2] && w[1] != 0 && hypot(w[0], w[2]) > 0 &&

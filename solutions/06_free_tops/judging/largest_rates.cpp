@@ -41,6 +41,7 @@ Vector3d largest_along_the_motion(const Vector3d& I, const Vector3d& start) {
 
 void judge_largest_rates(Lecture& lecture) {
   auto& e = lecture.exercise(&largest_rates, {{"I", ascending_moments}, {"omega0", rad_per_s}}, {"largest", rad_per_s});
+  either_side_of_separatrix(e);
   e.domain([](auto& I, auto& w) {
     return I[0] < I[2] && w.norm() > 0 && abs(beyond_separatrix(I, w)) >= 1e-3 * squared_L(I, w);
   });

@@ -32,6 +32,7 @@ static auto with_K(const Integral& K) {
 
 void judge_tumbling_period(Lecture& lecture) {
   auto& e = lecture.exercise(&tumbling_period, {{"I", ascending_moments}, {"omega0", rad_per_s}}, {"period", second});
+  either_side_of_separatrix(e);
   e.domain([](auto& I, auto& w) { return EllipticMotion(I, w).complement > 1e-9; });
   e.worked("a flip: moments 1, 2, 3, spin about axis 2, disturbed", {1, 2, 3}, {0.1, 1, 0.1});
   e.worked("round axis 1", {1, 2, 3}, {1, 0.5, 0.25});

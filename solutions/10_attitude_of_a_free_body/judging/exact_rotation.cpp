@@ -80,6 +80,7 @@ void mistakes_of_exact_rotation(Exercise& e) {
 void judge_exact_rotation(Lecture& lecture) {
   auto& e = lecture.exercise(&exact_rotation, {{"I", ascending_moments}, {"omega0", rad_per_s}, {"t", second}},
                              {"omega", rad_per_s});
+  either_side_of_separatrix(e);
   e.domain([](auto& I, auto& w, auto t) { return tumbles(I, w, 0.01) && abs(t) <= 1e6; });
   e.worked("round axis 3, after eight days", lecture_body, round_3, 700000);
   e.worked("round axis 1, after eight days", lecture_body, round_1, 700000);

@@ -36,6 +36,7 @@ double area(const Vector3d& I, const Vector3d& w) {
 
 void judge_geometric_phase(Lecture& lecture) {
   auto& e = lecture.exercise(&geometric_phase, {{"I", ascending_moments}, {"omega0", rad_per_s}}, {"S", rad});
+  either_side_of_separatrix(e);
   e.worked("round axis 1 in the other sense", lecture_body, {-0.9, -0.5, 0.2});
   e.special("round axis 3 in the other sense", lecture_body, {0.3, 0.02, -1});
   cases_of_a_period(e);

@@ -101,6 +101,7 @@ void mistakes_of_herpolhode_radii(Exercise& e) {
 void judge_herpolhode_radii(Lecture& lecture) {
   auto& e = lecture.exercise(&herpolhode_radii, {{"I", ascending_moments}, {"omega0", nonzero(rad_per_s)}},
                              {"radii", rad_per_s});
+  either_side_of_separatrix(e);
   e.domain([](auto& I, auto& w) { return I[0] < I[2] && abs(side_of_separatrix(I, w)) >= 1e-3; });
   e.worked("round axis 3", lecture_body, round_3);
   e.worked("round axis 1", lecture_body, round_1);

@@ -51,6 +51,7 @@ void mistakes_of_turn_per_period(Exercise& e) {
 
 void judge_turn_per_period(Lecture& lecture) {
   auto& e = lecture.exercise(&turn_per_period, {{"I", ascending_moments}, {"omega0", rad_per_s}}, {"angle", rad});
+  either_side_of_separatrix(e);
   e.worked("backwards about axis 3", lecture_body, {0.3, 0.02, -1});
   e.special("starting with ω₁ = 0", lecture_body, {0, -0.7, 0.8});
   cases_of_a_period(e);
