@@ -142,9 +142,7 @@ bool explain_values(Search& search) {
   search.reasons = are_finite ? diagnose(reference, search.answers, take_probes(evidence.ask, reference))
                               : diagnose_finite(reference, search.answers);
   if (!are_finite && search.reasons.empty())
-    for (const auto& mechanism : {diagnose_split, diagnose_threshold})
-      if (const auto found = mechanism(reference, search.answers); found && search.reasons.empty())
-        search.reasons = {*found};
+    if (const auto split = diagnose_split(reference, search.answers)) search.reasons = {*split};
   std::erase_if(search.reasons, [&](const Reason& reason) {
     return reason.kind == ReasonKind::split && reason.is_cause() &&
            !is_confirmed(reason, evidence.ask, reference, search.answers);
@@ -161,14 +159,16 @@ bool explain_lost_digits(Search& search) {
   constexpr double nearly_right = 1e-5, telling_part = 0.1;
   constexpr std::size_t most_cases = 6, tries = 8;
   const ExerciseReference& reference = search.evidence.task.reference;
-  const Outcomes outcome = outcomes_of(reference, search.answers);
+  Outcomes outcome = outcomes_of(reference, search.answers);
   const auto error_of = [&](std::size_t index, const Value& value) {
     double error = 0;
     for (const Deviation& each : deviations(reference, index, value)) error = std::max(error, each.relative_size());
     return error;
   };
-  for (const std::size_t index : outcome.wrong)
-    if (!(error_of(index, *search.answers[index]) <= nearly_right)) return false;
+  const std::size_t wrong = outcome.wrong.size();
+  std::erase_if(outcome.wrong,
+                [&](std::size_t index) { return !(error_of(index, *search.answers[index]) <= nearly_right); });
+  if (outcome.wrong.empty() || 2 * outcome.wrong.size() < wrong) return false;
   const std::vector<std::size_t> looked_at = evenly_spaced(outcome.wrong, most_cases);
   std::size_t jumping = 0;
   for (const std::size_t index : looked_at) {
@@ -193,10 +193,10 @@ bool explain_lost_digits(Search& search) {
   search.reasons = {
       {ReasonKind::accuracy, "lost_digits",
        fmt::format(
-           "At the {} of {} where your result is wrong it is nearly right, but its last digits are chance: they "
+           "At {} of the {} where your result is wrong it is nearly right, but its last digits are chance: they "
            "change when an input changes in its 16th digit. Digits are lost in a difference of nearly equal "
            "numbers, or in acos and asin near ±1, where atan2 keeps them.",
-           outcome.wrong.size(), plural(outcome.right.size() + outcome.wrong.size(), "case"))}};
+           outcome.wrong.size(), plural(wrong, "case"))}};
   return true;
 }
 

@@ -47,7 +47,7 @@ void hold_back(std::vector<Reason>& reasons, int stage, const ExerciseReference&
   };
   if (std::erase_if(reasons, std::not_fn(is_told)) == 0 || !std::ranges::all_of(reasons, &Reason::is_remark)) return;
   if (stage > 1)
-    for (Mechanism* const mechanism : {&diagnose_split, &diagnose_one_side, &diagnose_place, &diagnose_few})
+    for (Mechanism* const mechanism : {&diagnose_split, &diagnose_one_side, &diagnose_place, &diagnose_kinds})
       if (const auto region = mechanism(exercise, answers); region && is_told(*region)) {
         reasons.push_back(*region);
         return;

@@ -47,6 +47,7 @@ constexpr struct {
     {diagnose_misconception, Beside::nothing},
     {diagnose_terms, Beside::nothing},
     {diagnose_transform, Beside::nothing},
+    {diagnose_number, Beside::nothing},
     {diagnose_input_transform, Beside::nothing},
     {diagnose_factor, Beside::nothing},
     {diagnose_whole_turns, Beside::nothing},
@@ -57,13 +58,11 @@ constexpr struct {
     {diagnose_eigenvectors, Beside::nothing},
     {diagnose_difference, Beside::nothing},
     {diagnose_small_argument, Beside::nothing},
+    {diagnose_two_mistakes, Beside::nothing},
     {diagnose_split, Beside::place},
     {diagnose_conditional, Beside::place},
-    {diagnose_entries, Beside::nothing},
     {diagnose_one_entry, Beside::nothing},
-    {diagnose_confusion, Beside::nothing},
-    {diagnose_few, Beside::place},
-    {diagnose_threshold, Beside::symptoms},
+    {diagnose_kinds, Beside::place},
     {diagnose_one_side, Beside::symptoms},
 };
 

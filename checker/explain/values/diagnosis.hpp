@@ -26,10 +26,12 @@ Mechanism diagnose_transform;        ///< a common factor, a transposed matrix, 
 Mechanism diagnose_input_transform;  ///< the right result for changed inputs
 Mechanism diagnose_whole_turns;      ///< angles that differ by multiples of 2π or π
 Mechanism diagnose_wrong_part;       ///< a misconception, or changed inputs, in the wrong components alone
+Mechanism diagnose_two_mistakes;     ///< a misconception times a factor
 
 // --- by what a wrong component differs (regression.cpp)
 
-/// The right result, or some of its components, times powers of the inputs. (factors.cpp)
+/// The right result, or some of its components, times one number, or powers of the inputs. (factors.cpp)
+Mechanism diagnose_number;
 Mechanism diagnose_factor;
 
 /// The error of every wrong component as exactly one product of the inputs with a simple coefficient.
@@ -50,7 +52,6 @@ std::string simple_number(double number);
 // --- where it is wrong, and on what it depends (patterns.cpp)
 
 Mechanism diagnose_place;         ///< "Only component 3 is wrong": always true, and silent where all are
-Mechanism diagnose_entries;       ///< entries that hold what belongs in others, while the rest is right
 Mechanism diagnose_eigenvectors;  ///< principal axes in another order, of another length or handedness
 Mechanism diagnose_accuracy;      ///< nearly right at every case; the digits where the error follows a law
 Mechanism diagnose_range;  ///< the right attitudes by numbers beyond their range: θ, the pitch, more than half a turn
@@ -67,10 +68,8 @@ Outcomes outcomes_of(const ExerciseReference& exercise, const Answers& answers);
 /// The feature of the inputs (a sign, a zero, an equality, an order, a count) that tells wrong cases from right ones.
 Mechanism diagnose_split;
 Mechanism diagnose_one_side;     ///< the feature with which all is right, and without which almost all is wrong
-Mechanism diagnose_few;          ///< the few wrong cases by name, or the one change that makes a right case wrong
+Mechanism diagnose_kinds;        ///< the kinds of cases that are all wrong, by their names
 Mechanism diagnose_conditional;  ///< the one misconception, or change of the right result, that fits all failing cases
-Mechanism diagnose_threshold;    ///< the size of one quantity that tells wrong cases from right ones
-Mechanism diagnose_confusion;    ///< which whole number stands for which
 
 // --- wrong coefficients (terms.cpp)
 

@@ -21,11 +21,16 @@ constexpr double logarithm_exactness = 1e-7;  // of a logarithm
 constexpr double largest_exponent = 4;
 constexpr std::size_t most_columns = 150;
 
-/// What a formula may be multiplied by, as its logarithm at the cases.
+/// What a formula may be multiplied by at the cases: size and sign, or what becomes of a result.
 struct Column {
   std::string name;
   VectorXd logarithm;
+  VectorXd sign;
 };
+
+Column column_of(const std::string& name, const VectorXd& values) {
+  return {name, values.cwiseAbs().array().log(), values.cwiseSign()};
+}
 
 /// name^exponent
 struct InputPower {
@@ -68,15 +73,14 @@ namespace {
 /// "times 2·m/(r²·g)" or "divided by r²"
 std::string factor_text(const std::string& coefficient, const std::vector<InputPower>& powers) {
   std::vector<std::string> above, below;
-  const bool is_one_over = std::ranges::all_of(powers, [](const InputPower& each) { return each.exponent < 0; });
-  if (coefficient != "1" || is_one_over) above.push_back(coefficient);
+  const bool is_fraction = coefficient.find_first_not_of("−0123456789/") == std::string::npos;
+  const std::size_t slash = is_fraction ? coefficient.find('/') : std::string::npos;
+  if (const std::string number = coefficient.substr(0, slash); number != "1") above.push_back(number);
+  if (slash != std::string::npos) below.push_back(coefficient.substr(slash + 1));
   for (const InputPower& each : powers) (each.exponent > 0 ? above : below).push_back(text_of(each));
-  const std::string divisor = fmt::format("{}", fmt::join(below, "·"));
-  if (is_one_over && coefficient == "1") return "divided by " + divisor;
-  return fmt::format("times {}{}", fmt::join(above, "·"),
-                     below.empty()      ? ""
-                     : below.size() > 1 ? "/(" + divisor + ")"
-                                        : "/" + divisor);
+  const std::string divisor = fmt::format(fmt::runtime(below.size() > 1 ? "({})" : "{}"), fmt::join(below, "·"));
+  if (above.empty()) return "divided by " + divisor;
+  return fmt::format("times {}{}", fmt::join(above, "·"), below.empty() ? "" : "/" + divisor);
 }
 
 /// The quantities, their sines and cosines, the components of the result that are right, lengths of vectors, sums and
@@ -85,13 +89,15 @@ std::vector<Column> columns_at(const ExerciseReference& exercise, const std::set
                                const std::vector<std::size_t>& rows) {
   std::vector<Column> columns;
   const auto add = [&](const std::string& name, const std::function<double(std::size_t)>& value_at) {
-    VectorXd column(static_cast<Index>(rows.size()));
-    for (std::size_t k = 0; k < rows.size(); ++k) column[static_cast<Index>(k)] = std::log(std::abs(value_at(rows[k])));
-    if (!column.allFinite() || column.maxCoeff() - column.minCoeff() < 1e-3) return;
+    VectorXd values(static_cast<Index>(rows.size()));
+    for (std::size_t k = 0; k < rows.size(); ++k) values[static_cast<Index>(k)] = value_at(rows[k]);
+    Column column = column_of(name, values);
+    const VectorXd& size = column.logarithm;
+    if (!size.allFinite() || size.maxCoeff() - size.minCoeff() < 1e-3) return;
     const bool is_known = std::ranges::any_of(columns, [&](const Column& other) {
-      return (other.logarithm - column).cwiseAbs().maxCoeff() < logarithm_exactness;
+      return (other.logarithm - size).cwiseAbs().maxCoeff() < logarithm_exactness;
     });
-    if (!is_known && columns.size() < most_columns) columns.push_back({name, std::move(column)});
+    if (!is_known && columns.size() < most_columns) columns.push_back(std::move(column));
   };
   const std::vector<Quantity> quantities = quantities_of(exercise);
   for (const Quantity& each : quantities) {
@@ -161,23 +167,31 @@ bool is_simple_exponent(double number) {
 }
 double to_exponent(double number) { return std::round(2 * number) / 2; }
 
-/// The logarithms as those of c·q^k or c·q^k·p^l; empty where none fits exactly.
-std::string fitted(const VectorXd& target, double sign, const std::vector<Column>& columns) {
+/// The number that all rows are; 0 where they differ.
+double common_number(const VectorXd& logarithm, const VectorXd& sign) {
+  const double mean = logarithm.mean();
+  const bool is_common =
+      (logarithm.array() - mean).abs().maxCoeff() <= logarithm_exactness && (sign.array() == sign[0]).all();
+  return is_common ? sign[0] * std::exp(mean) : 0;
+}
+
+/// What is c·q^k or c·q^k·p^l; empty where none fits exactly.
+std::string fitted(const Column& factor, const std::vector<Column>& columns) {
+  const VectorXd& target = factor.logarithm;
   if (target.size() < 2 + spare_cases) return "";
-  if ((target.array() - target.mean()).abs().maxCoeff() <= logarithm_exactness) {
-    const std::string number = simple_number(sign * std::exp(target.mean()));
+  if (const double common = common_number(target, factor.sign); common != 0) {
+    const std::string number = simple_number(common);
     return number == "−1" ? "with the other sign" : number.empty() || number == "1" ? "" : "times " + number;
   }
   const auto checked = [&](std::vector<InputPower> powers, const std::vector<const Column*>& used) -> std::string {
-    VectorXd rest = target;
+    VectorXd rest = target, sign = factor.sign;
     for (std::size_t k = 0; k < used.size(); ++k) {
       powers[k].exponent = to_exponent(powers[k].exponent);
       if (!is_simple_exponent(powers[k].exponent)) return "";
       rest -= powers[k].exponent * used[k]->logarithm;
+      if (std::fmod(std::abs(powers[k].exponent), 2) == 1) sign = sign.cwiseProduct(used[k]->sign);
     }
-    const double mean = rest.mean();
-    if ((rest.array() - mean).abs().maxCoeff() > logarithm_exactness) return "";
-    const std::string coefficient = simple_number(sign * std::exp(mean));
+    const std::string coefficient = simple_number(common_number(rest, sign));
     return coefficient.empty() ? "" : factor_text(coefficient, powers);
   };
   std::vector<VectorXd> centred;
@@ -210,39 +224,28 @@ struct Relation {
 };
 
 Relation relation(const ExerciseReference& exercise, const Answers& answers, const std::set<std::size_t>& wrong,
-                  std::size_t number) {
+                  std::size_t number, bool by_inputs) {
   constexpr double telling = 1e-5;  // of the natural size
   std::vector<std::size_t> rows;
-  std::vector<double> yours, right;
+  std::vector<double> factors;
   Relation found;
-  int positive = 0;
   for (const std::size_t i : deciding_cases(exercise)) {
     const Case& one = exercise.cases[i];
     const double scale = scale_at(one, number), y = answers[i]->numbers[number], e = one.expected.numbers[number];
     found.is_wrong = found.is_wrong || !(std::abs(y - e) <= one.tolerance * scale);
-    if (std::abs(e) <= telling * scale || std::abs(y) <= telling * scale) {
-      if (std::abs(e) <= telling * scale && std::abs(y) <= telling * scale) continue;
-      return {true};
-    }
+    if (std::abs(e) <= telling * scale && std::abs(y) <= telling * scale) continue;
+    if (std::abs(e) <= telling * scale || y == 0) return {true};
     rows.push_back(i);
-    yours.push_back(y);
-    right.push_back(e);
-    positive += y * e > 0 ? 1 : 0;
+    factors.push_back(y / e);
   }
   if (!found.is_wrong) return found;
-  const bool has_one_sign = positive == 0 || positive == static_cast<int>(rows.size());
-  if (!has_one_sign || rows.empty()) return {true};
-  const std::vector<Column> columns = columns_at(exercise, wrong, rows);
-  const auto size = static_cast<Index>(rows.size());
-  const VectorXd y = Eigen::Map<const VectorXd>(yours.data(), size).cwiseAbs().array().log();
-  const VectorXd e = Eigen::Map<const VectorXd>(right.data(), size).cwiseAbs().array().log();
-  found.words = fitted(y - e, positive == 0 ? -1 : 1, columns);
+  if (rows.empty()) return {true};
+  const VectorXd all = Eigen::Map<const VectorXd>(factors.data(), static_cast<Index>(factors.size()));
+  found.words = fitted(column_of("", all), by_inputs ? columns_at(exercise, wrong, rows) : std::vector<Column>());
   return found;
 }
 
-}  // namespace
-
-std::optional<Reason> diagnose_factor(const ExerciseReference& exercise, const Answers& answers) {
+std::optional<Reason> factor_of(const ExerciseReference& exercise, const Answers& answers, bool by_inputs) {
   if (exercise.comparison != Comparison::plain || exercise.result_kind == Kind::integer) return std::nullopt;
   if (!all_deciding_cases_answered(exercise, answers)) return std::nullopt;
   const Value& shape = exercise.cases.front().expected;
@@ -254,7 +257,7 @@ std::optional<Reason> diagnose_factor(const ExerciseReference& exercise, const A
   std::vector<std::string> names;
   std::string words;
   for (std::size_t n = 0; n < shape.numbers.size(); ++n) {
-    const Relation found = relation(exercise, answers, wrong, n);
+    const Relation found = relation(exercise, answers, wrong, n, by_inputs);
     if (!found.is_wrong) continue;
     if (found.words.empty() || (!words.empty() && words != found.words)) return std::nullopt;
     words = found.words;
@@ -267,6 +270,16 @@ std::optional<Reason> diagnose_factor(const ExerciseReference& exercise, const A
       is_whole ? fmt::format("Your result is the expected one {} at every case.", words)
                : fmt::format("In your result {} {} the expected {} {} at every case; all else is right.", listed(names),
                              names.size() == 1 ? "is" : "are", names.size() == 1 ? "one" : "ones", words)};
+}
+
+}  // namespace
+
+std::optional<Reason> diagnose_number(const ExerciseReference& exercise, const Answers& answers) {
+  return factor_of(exercise, answers, false);
+}
+
+std::optional<Reason> diagnose_factor(const ExerciseReference& exercise, const Answers& answers) {
+  return factor_of(exercise, answers, true);
 }
 
 }  // namespace workbook

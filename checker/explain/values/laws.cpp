@@ -54,7 +54,7 @@ std::vector<Candidate> candidates(const ExerciseReference& exercise) {
 
 std::optional<Reason> diagnose_small_argument(const ExerciseReference& exercise, const Answers& answers) {
   constexpr std::size_t fewest = 12;
-  constexpr double least = 1e-8, range = 8, rise = 30, same_argument = 1e-6, same_error = 1e-3;
+  constexpr double least = 1e-8, large = 0.3, range = 8, rise = 30, same_argument = 1e-6, same_error = 1e-3;
   if (exercise.comparison != Comparison::plain || exercise.result_kind == Kind::integer) return std::nullopt;
   std::vector<std::pair<std::size_t, double>> errors;  // relative
   for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
@@ -75,20 +75,21 @@ std::optional<Reason> diagnose_small_argument(const ExerciseReference& exercise,
         ordered.back().second < rise * ordered.front().second)
       continue;
     std::size_t steps = 0;
-    bool is_law = true;
+    bool is_law = true, rises = true;  // until little is right any more
     for (std::size_t k = 1; k < ordered.size() && is_law; ++k) {
       const double x = argument(ordered[k - 1]), y = argument(ordered[k]);
       const double one = ordered[k - 1].second, other = ordered[k].second;
       const bool is_same = y - x <= same_argument * y;
-      steps += is_same ? 0 : 1;
-      is_law = is_same ? std::abs(other - one) <= same_error * other : other >= one;
+      rises = rises && (is_same || other >= one);
+      steps += rises && !is_same ? 1 : 0;
+      is_law = is_same ? std::abs(other - one) <= same_error * other : other >= one || one > large;
     }
     if (!is_law || steps + 1 < fewest) continue;
     if (found) return std::nullopt;  // of two laws none is certain
     found =
         Reason{ReasonKind::difference, "small_argument",
                fmt::format("Your relative error is a function of {0} alone, from {1} at {0} = {2} to {3} at {0} = {4}: "
-                           "the formula holds where {0} is small, as a series that is cut.",
+                           "your formula holds only where {0} is small.",
                            each.name, number_text(ordered.front().second, 2), number_text(first, 2),
                            number_text(ordered.back().second, 2), number_text(last, 2))};
   }

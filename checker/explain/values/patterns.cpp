@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 namespace workbook {
@@ -89,61 +90,36 @@ std::optional<Reason> diagnose_accuracy(const ExerciseReference& exercise, const
   return Reason{ReasonKind::accuracy, "accuracy", sentence, Weight::possible};
 }
 
-std::optional<Reason> diagnose_entries(const ExerciseReference& exercise, const Answers& answers) {
-  const std::set<std::size_t> wrong = wrong_entries(exercise, answers);
-  const Value& shape = exercise.cases.front().expected;
-  if (wrong.empty() || wrong.size() == shape.numbers.size()) return std::nullopt;
-  const std::vector<std::size_t> deciding = deciding_cases(exercise);
-  if (!all_deciding_cases_answered(exercise, answers) || deciding.size() < 3) return std::nullopt;
-  const auto is_entry = [&](std::size_t i, std::size_t n, double value) {
-    const Case& one = exercise.cases[i];
-    return std::abs(answers[i]->numbers[n] - value) <= one.tolerance * std::max(scale_at(one, n), std::abs(value));
-  };
-  // What is right, or zero, where it decides explains nothing.
-  const auto is_wrong_where_it_decides = [&](std::size_t n) {
-    return std::ranges::any_of(deciding,
-                               [&](std::size_t i) { return !is_entry(i, n, exercise.cases[i].expected.numbers[n]); });
-  };
-  if (!std::ranges::all_of(wrong, is_wrong_where_it_decides)) return std::nullopt;
-  const auto is_zero = [&](std::size_t n) {
-    return std::ranges::all_of(deciding, [&](std::size_t i) { return exercise.cases[i].expected.numbers[n] == 0; });
-  };
-  // An entry that holds what belongs in another one.
-  std::vector<std::string> moved;
-  for (const std::size_t n : wrong) {
-    for (std::size_t from = 0; from < shape.numbers.size(); ++from) {
-      if (from == n || is_zero(from) || !std::ranges::all_of(deciding, [&](std::size_t i) {
-            return is_entry(i, n, exercise.cases[i].expected.numbers[from]);
-          }))
-        continue;
-      moved.push_back(fmt::format("{} holds what belongs in {}", entry_name(shape, exercise.result_kind, n),
-                                  entry_name(shape, exercise.result_kind, from)));
-      break;
-    }
-  }
-  if (moved.size() == wrong.size() && moved.size() <= 3)
-    return Reason{ReasonKind::entry, "moved_entry", capitalized(listed(moved)) + "."};
-  return std::nullopt;
-}
-
 std::optional<Reason> diagnose_range(const ExerciseReference& exercise, const Answers& answers) {
   struct Range {
     const char* what;
     const char* beyond;
     const char* advice;
+    double least, most;
     std::function<double(const Value&)> of;
   };
+  constexpr double pi = std::numbers::pi;
   std::optional<Range> range;
   if (exercise.comparison == Comparison::attitude_by_angles)
-    range = {"angles give the right attitude", "θ is not in [0, π]", "(φ + π, −θ, ψ + π) is the same attitude.",
+    range = {"angles give the right attitude",
+             "θ is not in [0, π]",
+             "(φ + π, −θ, ψ + π) is the same attitude.",
+             0,
+             pi,
              [](const Value& value) { return value.numbers[1]; }};
   if (exercise.comparison == Comparison::attitude_by_yaw_pitch_roll)
-    range = {"angles give the right attitude", "the pitch is not in [−π/2, π/2]",
+    range = {"angles give the right attitude",
+             "the pitch is not in [−π/2, π/2]",
              "(yaw + π, π − pitch, roll + π) is the same attitude.",
+             -pi / 2,
+             pi / 2,
              [](const Value& value) { return value.numbers[1]; }};
   if (exercise.comparison == Comparison::rotation_by_vector)
-    range = {"vector gives the right rotation", "its angle is more than half a turn",
+    range = {"vector gives the right rotation",
+             "its angle is more than half a turn",
              "The same rotation goes the other way round by 2π less.",
+             0,
+             pi,
              [](const Value& value) { return as_matrix(value).norm(); }};
   if (!range) return std::nullopt;
   std::optional<std::size_t> first;
@@ -151,6 +127,8 @@ std::optional<Reason> diagnose_range(const ExerciseReference& exercise, const An
   for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
     if (!answers[i] || !deviations(exercise, i, *answers[i]).front().is_within()) return std::nullopt;
     if (passes(exercise, i, *answers[i])) continue;
+    const double number = range->of(*answers[i]);
+    if (number >= range->least && number <= range->most) return std::nullopt;
     if (!first) first = i;
     ++beyond;
   }

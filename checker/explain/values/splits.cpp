@@ -6,7 +6,6 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
-#include <set>
 
 namespace workbook {
 
@@ -233,8 +232,6 @@ std::string words_of_wrong(const ExerciseReference& exercise, const Answers& ans
   return "";
 }
 
-std::string in_quotes(const std::string& name) { return "“" + name + "”"; }
-
 }  // namespace
 
 Outcomes outcomes_of(const ExerciseReference& exercise, const Answers& answers) {
@@ -292,10 +289,14 @@ std::optional<Reason> diagnose_one_side(const ExerciseReference& exercise, const
     if (std::ranges::any_of(outcome.wrong, holds)) continue;
     const auto right = static_cast<std::size_t>(std::ranges::count_if(outcome.right, holds));
     const std::size_t right_elsewhere = outcome.right.size() - right;
-    if (right < fewest || right_elsewhere * 10 > outcome.wrong.size() || right_elsewhere > right) continue;
+    // Of few answers a wrong one is often right.
+    const std::size_t telling = exercise.result_kind == Kind::integer ? 1 : 10;
+    if (right < fewest || right_elsewhere * telling > outcome.wrong.size() || right_elsewhere > right) continue;
     sides.emplace_back(each.words, right);
   }
-  if (sides.size() != 1) return std::nullopt;
+  // Of two that tell as much none is certain.
+  std::ranges::stable_sort(sides, std::greater(), &std::pair<std::string, std::size_t>::second);
+  if (sides.empty() || (sides.size() > 1 && sides[0].second == sides[1].second)) return std::nullopt;
   const auto& [words, right] = sides.front();
   const std::size_t elsewhere = outcome.right.size() + outcome.wrong.size() - right;
   return Reason{ReasonKind::split, "one_side",
@@ -309,7 +310,7 @@ static std::vector<std::string> wrong_kinds(const ExerciseReference& exercise, c
   constexpr std::size_t most_named = 6, fewest_right = 5;
   std::vector<std::string> wrong;
   std::size_t right = 0;
-  const auto kind = [&](std::size_t i) { return in_quotes(replaced(exercise.cases[i].name, " [0-9]+$", "")); };
+  const auto kind = [&](std::size_t i) { return "“" + replaced(exercise.cases[i].name, " [0-9]+$", "") + "”"; };
   for (const std::size_t i : outcome.wrong)
     if (i < exercise.described_cases() && std::ranges::count(wrong, kind(i)) == 0) wrong.push_back(kind(i));
   for (const std::size_t i : outcome.right) {
@@ -320,50 +321,16 @@ static std::vector<std::string> wrong_kinds(const ExerciseReference& exercise, c
   return right < fewest_right || wrong.size() > most_named ? std::vector<std::string>() : wrong;
 }
 
-std::optional<Reason> diagnose_few(const ExerciseReference& exercise, const Answers& answers) {
+std::optional<Reason> diagnose_kinds(const ExerciseReference& exercise, const Answers& answers) {
   const Outcomes outcome = outcomes_of(exercise, answers);
-  constexpr std::size_t most_named = 3;
-  const std::size_t total = outcome.right.size() + outcome.wrong.size();
-  if (outcome.wrong.size() > most_named)
-    if (const std::vector<std::string> kinds = wrong_kinds(exercise, outcome); !kinds.empty())
-      return Reason{
-          ReasonKind::split, "kinds",
-          fmt::format("Your result is right at {} of {} and wrong at all of {} {}: {}.{}", outcome.right.size(),
-                      plural(total, "case"), kinds.size() == 1 ? "this" : "these", kinds.size() == 1 ? "kind" : "kinds",
-                      listed(kinds), words_of_wrong(exercise, answers, outcome.wrong)),
-          Weight::symptom};
-  if (outcome.wrong.empty() || outcome.wrong.size() * 8 > total) return std::nullopt;
-  // Wrong ones that differ from a right one in one change.
-  std::vector<std::pair<std::string, std::string>> changes;  // and the case that was changed
-  std::set<std::string> described;
-  for (const std::size_t i : outcome.wrong) {
-    const Case& one = exercise.cases[i];
-    const auto base = static_cast<std::size_t>(std::max(one.base, 0));
-    const std::string suffix = one.base < 0 ? "" : " (" + exercise.cases[base].name + ")";
-    const bool is_change =
-        one.base >= 0 && one.name.ends_with(suffix) && std::ranges::find(outcome.right, base) != outcome.right.end();
-    if (is_change)
-      changes.emplace_back(one.name.substr(0, one.name.size() - suffix.size()), exercise.cases[base].name);
-    else
-      described.insert(one.name);
-  }
-  const std::string there = words_of_wrong(exercise, answers, outcome.wrong);
-  if (described.empty()) {
-    const auto [change, base] = changes.front();
-    const std::size_t others = changes.size() - 1;
-    return Reason{
-        ReasonKind::split, "one_change",
-        fmt::format("Your result is right at the case {}, and wrong once this alone is changed there: {}{}.{}",
-                    in_quotes(base), change,
-                    others == 0 ? "" : fmt::format(" (and {} like it)", plural(others, "change")), there),
-        Weight::symptom};
-  }
-  if (described.size() + changes.size() > most_named) return std::nullopt;
-  std::vector<std::string> names;
-  for (const std::size_t i : outcome.wrong) names.push_back(in_quotes(exercise.cases[i].name));
-  return Reason{ReasonKind::split, "few",
-                fmt::format("Your result is right at {} of {}; only {} {} wrong.{}", outcome.right.size(),
-                            plural(total, "case"), listed(names), names.size() == 1 ? "is" : "are", there),
+  constexpr std::size_t fewest = 4;
+  const std::vector<std::string> kinds = wrong_kinds(exercise, outcome);
+  if (kinds.empty() || outcome.wrong.size() < fewest) return std::nullopt;
+  return Reason{ReasonKind::split, "kinds",
+                fmt::format("Your result is right at {} of {} and wrong at all of {} {}: {}.{}", outcome.right.size(),
+                            plural(outcome.right.size() + outcome.wrong.size(), "case"),
+                            kinds.size() == 1 ? "this" : "these", kinds.size() == 1 ? "kind" : "kinds", listed(kinds),
+                            words_of_wrong(exercise, answers, outcome.wrong)),
                 Weight::symptom};
 }
 
@@ -377,7 +344,7 @@ static std::optional<Reason> changed_where_wrong(const ExerciseReference& whole,
   if (deciding < fewest || deciding == deciding_cases(whole).size()) return std::nullopt;
   for (const auto& mechanism : {diagnose_transform, diagnose_factor}) {
     std::optional<Reason> found = mechanism(exercise, answers);
-    if (!found) continue;
+    if (!found || !found->is_cause()) continue;
     found->sentence = fmt::format("At the {} of {} where your result is wrong: {}", outcome.wrong.size(),
                                   plural(outcome.right.size() + outcome.wrong.size(), "case"),
                                   replaced(found->sentence, " at every case", " at each of them"));
@@ -391,8 +358,10 @@ std::optional<Reason> diagnose_conditional(const ExerciseReference& exercise, co
   std::vector<std::size_t> wrong = outcome.wrong;
   std::erase_if(wrong, [&](std::size_t i) { return i >= exercise.described_cases(); });
   constexpr std::size_t fewest = 3;
-  // Where many values are one answer, as angles of one attitude are, few cases agree by accident.
-  if (exercise.comparison != Comparison::plain || wrong.size() < fewest || outcome.right.empty()) return std::nullopt;
+  // Where many values are one answer, as angles of one attitude are, or there are few, cases agree by accident.
+  if (exercise.comparison != Comparison::plain || exercise.result_kind == Kind::integer || wrong.size() < fewest ||
+      outcome.right.empty())
+    return std::nullopt;
   const auto is_trivial = [&](const Value& value) {
     return !value.is_finite() || std::ranges::all_of(value.numbers, [](double number) { return number == 0; });
   };
@@ -412,51 +381,6 @@ std::optional<Reason> diagnose_conditional(const ExerciseReference& exercise, co
     named = Reason{ReasonKind::misconception, each.name, sentence, Weight::cause, each.notes};
   }
   return named ? named : changed_where_wrong(exercise, answers, outcome);
-}
-
-std::optional<Reason> diagnose_threshold(const ExerciseReference& exercise, const Answers& answers) {
-  const Outcomes outcome = outcomes_of(exercise, answers);
-  constexpr std::size_t fewest = 4;
-  constexpr double zero = 1e-3;  // of the largest: so small is as good as none
-  if (outcome.wrong.size() < fewest || outcome.right.size() < fewest) return std::nullopt;
-  std::optional<Reason> found;
-  for (const Quantity& each : quantities_of(exercise)) {
-    if (exercise.arguments[each.argument].kind == Kind::integer) continue;
-    const auto size = [&](std::size_t i) { return std::abs(each.values[i]); };
-    const auto [right_least, right_most] = std::ranges::minmax(outcome.right, {}, size);
-    const auto [wrong_least, wrong_most] = std::ranges::minmax(outcome.wrong, {}, size);
-    const bool is_above = size(right_most)<size(wrong_least), is_below = size(right_least)> size(wrong_most);
-    if (!is_above && !is_below) continue;
-    if (size(is_above ? right_most : wrong_most) <= zero * size(is_above ? wrong_most : right_most)) continue;
-    if (found) return std::nullopt;  // of two none is certain
-    found = Reason{ReasonKind::split, "threshold",
-                   fmt::format("Your result is right at all {} where |{}| is at {} {}, and wrong at all {} where it is "
-                               "at {} {}.",
-                               plural(outcome.right.size(), "case"), each.name, is_above ? "most" : "least",
-                               number_text(size(is_above ? right_most : right_least), 4), outcome.wrong.size(),
-                               is_above ? "least" : "most", number_text(size(is_above ? wrong_least : wrong_most), 4)),
-                   Weight::symptom};
-  }
-  return found;
-}
-
-std::optional<Reason> diagnose_confusion(const ExerciseReference& exercise, const Answers& answers) {
-  if (exercise.result_kind != Kind::integer) return std::nullopt;
-  constexpr std::size_t most = 3;
-  std::map<double, std::size_t> all;  // right results, and at how many cases
-  std::map<std::pair<double, double>, std::size_t> wrong;
-  for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
-    const double right = exercise.cases[i].expected.numbers.front();
-    ++all[right];
-    if (!answers[i]) return std::nullopt;
-    if (!passes(exercise, i, *answers[i])) ++wrong[{right, answers[i]->numbers.front()}];
-  }
-  if (wrong.empty() || wrong.size() > most) return std::nullopt;
-  std::vector<std::string> parts;
-  for (const auto& [pair, count] : wrong)
-    parts.push_back(fmt::format("at {} of the {} where {} is right it is {}", count, plural(all[pair.first], "case"),
-                                number_text(pair.first, 3), number_text(pair.second, 3)));
-  return Reason{ReasonKind::split, "confusion", "Your result is wrong: " + listed(parts) + ".", Weight::symptom};
 }
 
 }  // namespace workbook

@@ -152,8 +152,13 @@ std::optional<Reason> diagnose_transform(const ExerciseReference& exercise, cons
   if (!all_deciding_cases_answered(exercise, answers) || !is_wrong_somewhere(exercise, answers)) return std::nullopt;
   std::vector<Transform> candidates;
   const std::optional<double> factor = common_factor(exercise, answers);
+  // Beside the right result, all that is small enough is the product with a small factor.
+  const auto is_product = [&](std::size_t i) {
+    return *factor == 0 || passes(exercise, i, to_value(as_matrix(*answers[i]) / *factor));
+  };
   // One that is written as 1 would say that the answer is right; it is inaccurate.
-  if (factor && coefficient_text(*factor) != "1") candidates.push_back(scaled(exercise, *factor));
+  if (factor && coefficient_text(*factor) != "1" && std::ranges::all_of(deciding_cases(exercise), is_product))
+    candidates.push_back(scaled(exercise, *factor));
   std::ranges::move(reorderings(exercise), std::back_inserter(candidates));
 
   for (const Transform& transform : candidates) {
@@ -177,19 +182,29 @@ std::optional<Reason> diagnose_whole_turns(const ExerciseReference& exercise, co
   for (const auto& [size, text] : {std::pair(2 * std::numbers::pi, "2π"), std::pair(std::numbers::pi, "π")}) {
     const double period = size;  // clang 14 lets no lambda capture a name of a structured binding
     std::size_t cases = 0;
-    const bool holds = std::ranges::all_of(deciding_cases(exercise), [&](std::size_t i) {
+    bool are_turns = true, are_complements = true;  // as those of an obtuse angle, or of the long way round
+    for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
+      if (!answers[i]) continue;
       const Deviation deviation = deviations(exercise, i, *answers[i]).front();
       cases += deviation.is_within() ? 0 : 1;
-      return std::ranges::all_of(wrong, [&](std::size_t n) {
-        const double rest = std::remainder(deviation.difference.numbers[n], period);
-        return std::abs(rest) <= std::max(deviation.allowed[n], deviation.tolerance * period);
-      });
-    });
-    if (!holds || cases < telling_numbers) continue;
-    return Reason{ReasonKind::transform, "whole_turns",
-                  fmt::format("At every case your angle is right up to a multiple of {0}; at {1} that multiple is "
-                              "not zero. Follow the angle, or bring it into the range that is asked for.",
-                              text, plural(cases, "case"))};
+      for (const std::size_t n : wrong) {
+        const double most = std::max(deviation.allowed[n], deviation.tolerance * period);
+        const double sum = answers[i]->numbers[n] + exercise.cases[i].expected.numbers[n];
+        are_turns = are_turns && std::abs(std::remainder(deviation.difference.numbers[n], period)) <= most;
+        are_complements = are_complements && (deviation.is_within(n) || std::abs(sum - period) <= most);
+      }
+    }
+    if (cases < telling_numbers) continue;
+    if (are_turns)
+      return Reason{ReasonKind::transform, "whole_turns",
+                    fmt::format("At every case your angle is right up to a multiple of {0}; at {1} that multiple is "
+                                "not zero. Follow the angle, or bring it into the range that is asked for.",
+                                text, plural(cases, "case"))};
+    if (are_complements)
+      return Reason{ReasonKind::transform, "complement",
+                    fmt::format("At the {} where your result is wrong it is {} less the right angle: which of the two "
+                                "do your functions return?",
+                                plural(cases, "case"), text)};
   }
   return std::nullopt;
 }
@@ -220,13 +235,32 @@ std::optional<Reason> diagnose_wrong_part(const ExerciseReference& exercise, con
   };
   for (const Misconception& each : exercise.misconceptions)
     if (agrees_there(each.outputs))
-      return Reason{ReasonKind::misconception, each.name, fmt::format("Of {} alone: {}", listed(names), each.message),
+      return Reason{ReasonKind::misconception, each.name,
+                    fmt::format("In {}, and nowhere else, your result is what this mistake gives: {}", listed(names),
+                                each.message),
                     Weight::cause, each.notes};
   for (const InputTransform& each : exercise.input_transforms)
     if (agrees_there(each.outputs))
       return Reason{ReasonKind::input_transform, each.name,
                     fmt::format("At every case {} {} right for {}; all other numbers are right.", listed(names),
                                 names.size() == 1 ? "is" : "are", each.message)};
+  return std::nullopt;
+}
+
+std::optional<Reason> diagnose_two_mistakes(const ExerciseReference& exercise, const Answers& answers) {
+  ExerciseReference changed = exercise;
+  changed.cases.resize(exercise.described_cases());
+  for (const Misconception& each : exercise.misconceptions) {
+    for (std::size_t i = 0; i < changed.cases.size(); ++i) changed.cases[i].expected = each.outputs[i];
+    if (!std::ranges::all_of(each.outputs, &Value::is_finite)) continue;
+    const auto found = diagnose_factor(changed, answers);
+    if (!found) continue;
+    const std::string beside = replaced(found->sentence, "the expected ones?", "that of a mistake");
+    return Reason{ReasonKind::misconception, each.name,
+                  fmt::format("{} The mistake: {}", replaced(beside, "all else is right", "all else is that of it"),
+                              each.message),
+                  Weight::cause, each.notes};
+  }
   return std::nullopt;
 }
 
