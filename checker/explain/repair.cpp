@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <iterator>
 #include <numeric>
+#include <utility>
 
 namespace workbook {
 
@@ -109,6 +110,13 @@ bool is_factor(const Variant& variant) {
   return variant.kind == VariantKind::factor || variant.kind == VariantKind::steps;
 }
 
+/// There are few of its kind.
+bool is_exact(const Variant& variant) {
+  using enum VariantKind;
+  constexpr VariantKind exact[] = {sign, function, method, loop, brackets};
+  return std::ranges::count(exact, variant.kind) > 0;
+}
+
 /// How many steps, and how small something must be.
 bool is_of_accuracy(const Variant& variant) {
   return variant.kind == VariantKind::loop || variant.kind == VariantKind::number || variant.kind == VariantKind::steps;
@@ -117,10 +125,10 @@ bool is_of_accuracy(const Variant& variant) {
 /// The number, or the end of a loop, with which the error falls at every failing case that is looked at: it follows a
 /// law, so that this limits the accuracy.
 std::optional<Reason> coarse(VariantRunner& runner, const std::vector<Variant>& variants, const SourceText& source) {
-  constexpr double clearly_less = 0.3, nearly_right = 0.1;
+  constexpr double clearly_less = 0.3, much_less = 0.15, nearly_right = 0.1, known = 0.7;
   const std::vector<double> errors = runner.errors(variants.size());
-  if (errors.size() < 3 || std::ranges::max(errors) > nearly_right) return std::nullopt;
-  double best = clearly_less;
+  if (errors.size() < 3 || !(std::ranges::max(errors) < known)) return std::nullopt;
+  double best = std::ranges::max(errors) > nearly_right ? much_less : clearly_less;
   std::optional<Reason> found;
   for (std::size_t k = 0; k < variants.size(); ++k) {
     if (!is_of_accuracy(variants[k])) continue;
@@ -136,17 +144,31 @@ std::optional<Reason> coarse(VariantRunner& runner, const std::vector<Variant>& 
   return found;
 }
 
-/// With the change some wrong components are right, or one known mistake is left: there are two.
-std::optional<Reason> first_of_two(const VariantRunner::Gain& gain, const Variant& variant, const SourceText& source,
-                                   const DiagnosticTask& task) {
+/// What values tell of the file with the change, where no more cases are wrong than without.
+std::optional<Reason> mistake_left(VariantRunner& runner, std::size_t variant, const DiagnosticTask& task) {
+  constexpr std::size_t fewest = 3;
+  ExerciseReference described = task.reference;
+  described.cases.resize(described.described_cases());
+  const std::optional<Answers> answers = runner.answers(variant);
+  if (!answers) return std::nullopt;
+  const std::size_t wrong = outcomes_of(described, *answers).wrong.size();
+  const auto is_described = [&](std::size_t index) { return index < described.cases.size(); };
+  if (wrong < fewest || std::cmp_greater(wrong, std::ranges::count_if(task.judgement.failing, is_described)))
+    return std::nullopt;
+  for (Mechanism* const mechanism : {&diagnose_misconception, &diagnose_terms, &diagnose_transform, &diagnose_number})
+    if (const auto found = mechanism(described, *answers); found && found->is_cause()) return found;
+  return std::nullopt;
+}
+
+/// With the change some wrong components are right, or one mistake is left that values tell: there are two.
+std::optional<Reason> first_of_two(VariantRunner& runner, const VariantRunner::Gain& gain, std::size_t position,
+                                   const Variant& variant, const SourceText& source, const DiagnosticTask& task) {
   // Another name, index, number or factor, or a term left out, may only turn another mistake into a known one.
-  using enum VariantKind;
-  constexpr VariantKind exact[] = {sign, function, method, loop, brackets};
-  const bool is_exact = std::ranges::count(exact, variant.kind) > 0;
+  const auto mistake = is_exact(variant) ? mistake_left(runner, position, task) : std::nullopt;
   std::string left;
-  if (gain.misconception != nullptr && is_exact) {
-    left = "one mistake is left: " + gain.misconception->message;
-  } else if (!gain.right_entries.empty() && variant.kind != guard) {
+  if (mistake) {
+    left = "one mistake is left: " + mistake->sentence;
+  } else if (!gain.right_entries.empty() && variant.kind != VariantKind::guard) {
     const Value& shape = task.reference.cases.front().expected;
     std::vector<std::string> names;
     for (const std::size_t entry : gain.right_entries)
@@ -165,7 +187,7 @@ bool can_be_beside(const Variant& variant) {
          variant.kind != VariantKind::overwritten;
 }
 
-/// Two slips in one line with which all cases are right.
+/// Two slips with which all cases are right; in two lines only those of which there are few.
 std::optional<Reason> two_slips(VariantRunner& runner, const std::vector<Variant>& variants,
                                 const std::vector<std::size_t>& order, const SourceText& source,
                                 const DiagnosticTask& task) {
@@ -173,12 +195,13 @@ std::optional<Reason> two_slips(VariantRunner& runner, const std::vector<Variant
     for (auto other = one + 1; other != order.end(); ++other) {
       const Variant &first = variants[*one], &second = variants[*other];
       const bool are_apart = first.edits.front().offset != second.edits.front().offset;
-      if (first.place.line != second.place.line || !are_apart || !can_be_beside(first) || !can_be_beside(second) ||
-          !runner.is_right(*one, *other))
+      const bool are_near = first.place.line == second.place.line || (is_exact(first) && is_exact(second));
+      if (!are_near || !are_apart || !can_be_beside(first) || !can_be_beside(second) || !runner.is_right(*one, *other))
         continue;
-      return repair(source, first.place, "slips_" + to_string(first.kind),
-                    fmt::format("with {} here and {} in column {}, the result is right at all {} cases.", first.words,
-                                second.words, second.place.column, task.reference.cases.size()));
+      return repair(
+          source, first.place, "slips_" + to_string(first.kind),
+          fmt::format("with {} here and {} in line {}, column {}, the result is right at all {} cases.", first.words,
+                      second.words, second.place.line, second.place.column, task.reference.cases.size()));
     }
   }
   return std::nullopt;
@@ -229,7 +252,7 @@ Reply VariantRunner::answer(std::size_t variant, std::size_t case_index) {
 
 long VariantRunner::affordable_calls() {
   constexpr std::size_t looked_at = 3;
-  constexpr long fewest = 200;
+  constexpr long fewest = 60;
   int exponent = 3;
   for (const std::size_t index : evenly_spaced(order_, looked_at))
     while (exponent < 7 && answer(VariantUnit::limited(unchanged_, exponent), index).ending == Ending::exception)
@@ -246,16 +269,11 @@ bool VariantRunner::is_right(std::size_t variant, std::optional<std::size_t> bes
 }
 
 VariantRunner::Gain VariantRunner::gain(std::size_t variant) {
-  constexpr std::size_t fewest = 3;
   const ExerciseReference& reference = task_.reference;
   Gain gain{.is_right = true, .right_entries = wrong_};
-  std::vector<const Misconception*> alike;
-  for (const Misconception& each : reference.misconceptions) alike.push_back(&each);
-  std::size_t wrong = 0, telling = 0;  // cases; at which misconceptions are compared too
   for (const std::size_t index : order_) {
     const Reply reply = call(variant, index);
-    const Case& one = reference.cases[index];
-    if (!has_usable_value(reply, one) || !reply.value.is_finite()) return {};
+    if (!has_usable_value(reply, reference.cases[index]) || !reply.value.is_finite()) return {};
     const bool is_right = passes(reference, index, reply.value);
     gain.is_right = gain.is_right && is_right;
     if (!gain.right_entries.empty() && !is_right) {
@@ -265,31 +283,42 @@ VariantRunner::Gain VariantRunner::gain(std::size_t variant) {
       for (std::size_t entry = 0; entry < reply.value.numbers.size(); ++entry)
         if (!wrong_.contains(entry) && !deviation.is_within(entry)) gain.right_entries.clear();
     }
-    wrong += is_right ? 0 : 1;
-    telling += one.deciding && index < reference.described_cases() && !is_right ? 1 : 0;
-    std::erase_if(alike, [&](const Misconception* each) {
-      if (!one.deciding || index >= each->outputs.size() || index >= reference.described_cases()) return false;
-      return !is_same_answer(reference, index, reply.value, each->outputs[index]);
-    });
-    if (!gain.is_right && gain.right_entries.empty() && alike.empty()) return {};
+    if (!gain.is_right && gain.right_entries.empty()) return {};
   }
-  // What makes more cases wrong is no progress.
-  if (!alike.empty() && telling >= fewest && wrong <= task_.judgement.failing.size())
-    gain.misconception = alike.front();
   if (gain.is_right) gain.right_entries.clear();
   return gain;
 }
 
-bool VariantRunner::is_as_judged() { return !is_other(unchanged_); }
+std::optional<Answers> VariantRunner::answers(std::size_t variant) {
+  Answers answers(task_.reference.described_cases());
+  for (std::size_t index = 0; index < answers.size(); ++index) {
+    const Case& one = task_.reference.cases[index];
+    if (!one.deciding) continue;
+    const Reply reply = call(variant, index);
+    if (!has_usable_value(reply, one) || !reply.value.is_finite()) return std::nullopt;
+    answers[index] = reply.value;
+  }
+  return answers;
+}
+
+bool VariantRunner::is_as_judged() {
+  // Numbers that are wrong without bounds may have lost all digits that the compiler's options leave.
+  constexpr std::size_t most = 10;
+  const std::vector<std::size_t>& failing = task_.judgement.failing;
+  const auto differs = [&](std::size_t index) { return is_other(unchanged_, index); };
+  return most * static_cast<std::size_t>(std::ranges::count_if(failing, differs)) <= failing.size();
+}
+
+bool VariantRunner::is_other(std::size_t variant, std::size_t index) {
+  const Reply reply = call(variant, index);
+  const Reply& judged = task_.observation.replies.at(index);
+  const Case& one = task_.reference.cases[index];
+  if (!has_usable_value(reply, one) || !has_usable_value(judged, one)) return reply.ending != judged.ending;
+  return !is_same_answer(task_.reference, index, reply.value, judged.value);
+}
 
 bool VariantRunner::is_other(std::size_t variant) {
-  return std::ranges::any_of(task_.judgement.failing, [&](std::size_t index) {
-    const Reply reply = call(variant, index);
-    const Reply& judged = task_.observation.replies.at(index);
-    const Case& one = task_.reference.cases[index];
-    if (!has_usable_value(reply, one) || !has_usable_value(judged, one)) return reply.ending != judged.ending;
-    return !is_same_answer(task_.reference, index, reply.value, judged.value);
-  });
+  return std::ranges::any_of(task_.judgement.failing, [&](std::size_t index) { return is_other(variant, index); });
 }
 
 std::vector<double> VariantRunner::errors(std::size_t variant) {
@@ -385,7 +414,7 @@ std::optional<Reason> slip_or_branch(const DiagnosticTask& task, const Toolchain
       return repair(
           source, each.place, "slip_" + to_string(each.kind),
           fmt::format("with {} here, the result is right at all {} cases.", each.words, task.reference.cases.size()));
-    if (!one_of_two) one_of_two = first_of_two(gain, each, source, task);
+    if (!one_of_two) one_of_two = first_of_two(runner, gain, k, each, source, task);
   }
   if (branch) return finding_of(*branch, source, task);
   if (const auto limit = coarse(runner, variants, source)) return limit;

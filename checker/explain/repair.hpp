@@ -3,6 +3,7 @@
 #pragma once
 
 #include "checker/explain/diagnostic_run.hpp"
+#include "checker/explain/values/diagnosis.hpp"
 #include "checker/explain/variants.hpp"
 #include "checker/sandbox/worker_process.hpp"
 
@@ -42,19 +43,21 @@ class VariantRunner {
   VariantRunner(const DiagnosticTask& task, std::vector<Variant>& variants, const Toolchain& toolchain,
                 const std::filesystem::path& cache, const TrialLimits& limits = {});
 
-  /// Does the file as it stands, among its variants, give what was judged?
+  /// Does the file as it stands, among its variants, give what was judged, at nearly all failing cases?
   bool is_as_judged();
   /// At every case? Two of one copy may be asked for together.
   bool is_right(std::size_t variant, std::optional<std::size_t> beside = {});
   /// What is better with a variant, at every case.
   struct Gain {
     bool is_right = false;
-    std::set<std::size_t> right_entries = {};      ///< wrong ones that are right now, where not all are
-    const Misconception* misconception = nullptr;  ///< the one mistake that is left
+    std::set<std::size_t> right_entries = {};  ///< wrong ones that are right now, where not all are
   };
   Gain gain(std::size_t variant);
-  /// Does it differ from what was judged at a failing case?
+  /// At the deciding cases that are described; nothing where one of them has no finite value.
+  std::optional<Answers> answers(std::size_t variant);
+  /// Does it differ from what was judged at a failing case? At this one?
   bool is_other(std::size_t variant);
+  bool is_other(std::size_t variant, std::size_t case_index);
   /// By how much it is wrong at some failing cases, in natural sizes; nothing where it has no value at one.
   std::vector<double> errors(std::size_t variant);
   /// The cases at which the condition of a branch is true; nothing where that is not certain.

@@ -41,7 +41,11 @@ struct WorkbookTimes {
   WorkbookTimes operator+() const { return *this; }
 };
 template <class T> auto operator*(WorkbookTimes times, const T& x) {
-  if constexpr (requires { typename T::PlainObject; }) {
+  if constexpr (requires { typename T::DiagonalVectorType; }) {
+    typename T::PlainObject value = x;
+    value.diagonal() *= times.factor;
+    return value;
+  } else if constexpr (requires { typename T::PlainObject; }) {
     typename T::PlainObject value = x;
     value *= static_cast<typename T::Scalar>(times.factor);
     return value;

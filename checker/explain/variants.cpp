@@ -170,7 +170,7 @@ class SourceMutations {
       overwritten();
       if (all_bugs_) bugs();
     }
-    names_everywhere();
+    everywhere();
     if (found_.size() > most_) found_.resize(most_);
     return std::move(found_);
   }
@@ -354,6 +354,8 @@ class SourceMutations {
                           : std::abs(other) <= 0.01 * std::abs(value) && value != 0 ? "a smaller number"
                                                                                     : "another number";
       add(kind, words, is_whole ? fmt::format("{:.0f}", other) : fmt::format("{:.17g}", other));
+      if (!is_guard && other == 10 * value)
+        places_[{std::string(here()), found_.back().edits.front().replacement}].push_back(found_.back().edits.front());
     }
   }
 
@@ -369,7 +371,23 @@ class SourceMutations {
         add(VariantKind::name, "another name", other);
         places_[{std::string(here()), other}].push_back(found_.back().edits.front());
       }
-    if (!all_bugs_) derived(type->second);
+    // A value in place of a variable that is filled here would leave that one empty.
+    if (!all_bugs_ && !is_one_of(token(end_of_target(at_)), {"=", "+=", "-=", "*=", "/=", "<<"})) derived(type->second);
+  }
+
+  /// Behind `x`, `x[0]`, `M.col(k)` or `v.head<2>()`, which may be assigned to.
+  std::size_t end_of_target(std::size_t first) const {
+    std::size_t end = first + 1;
+    while (true) {
+      if (is_one_of(token(end), {"[", "("}))
+        end = conditions_.closing(end) + 1;
+      else if (is_one_of(token(end), {".", "::"}) || is_identifier(token(end)))
+        ++end;
+      else if (token(end) == "<" && conditions_.is_of_template(end))
+        while (token(end++) != ">") continue;
+      else
+        return end;
+    }
   }
 
   /// What is easily left out of a name: a square, a root, a length of 1, a matrix before a vector.
@@ -401,12 +419,16 @@ class SourceMutations {
     if (type == "Matrix3d" && after() != "(") put("the transpose of {}", "Matrix3d(" + name + ".transpose())");
   }
 
-  /// One name in place of another wherever that stands.
-  void names_everywhere() {
-    for (const auto& [names, edits] : places_)
+  /// One name, or a larger number, in place of another wherever that stands.
+  void everywhere() {
+    for (const auto& [texts, edits] : places_) {
+      const bool is_number = is_numeral(texts.first);
       if (edits.size() > 1 && !all_bugs_)
-        found_.push_back({VariantKind::name, "another name wherever `" + names.first + "` stands",
-                          source_.place_of(edits.front().offset), edits});
+        found_.push_back(
+            {is_number ? VariantKind::number : VariantKind::name,
+             fmt::format("{} wherever `{}` stands", is_number ? "a larger number" : "another name", texts.first),
+             source_.place_of(edits.front().offset), edits});
+    }
   }
 
   void functions() {
@@ -423,6 +445,7 @@ class SourceMutations {
                                    {"z", {".x", ".y"}},
                                    {"transpose", {"", ".inverse"}},
                                    {"inverse", {"", ".transpose"}},
+                                   {"cwiseInverse", {".inverse"}},
                                    {"normalized", {""}},
                                    {"maxCoeff", {".minCoeff"}},
                                    {"minCoeff", {".maxCoeff"}}};
@@ -561,9 +584,7 @@ class SourceMutations {
     constexpr std::size_t most = 6;
     if (!is_one_of(here(), {";", "{", "}"}) || !is_identifier(after()) || is_identifier(token(at_ + 2)) || all_bugs_)
       return;
-    std::size_t equals = at_ + 2;
-    while (is_one_of(token(equals), {"[", "(", ".", "::"}) || is_identifier(token(equals)))
-      equals = opens(token(equals)) ? conditions_.closing(equals) + 1 : equals + 1;
+    const std::size_t equals = end_of_target(at_ + 1);
     if (!is_one_of(token(equals), {"=", "+=", "-=", "*=", "/="})) return;
     const std::size_t length = equals - at_ - 1, end = end_of_statement(equals);
     const auto stands_at = [&](std::size_t index) {
@@ -636,7 +657,7 @@ class SourceMutations {
   const std::size_t most_;
   std::map<std::string, std::string> types_;                                 ///< of arguments and local variables
   std::map<std::string, std::pair<std::size_t, std::size_t>> scopes_;        ///< of the latter
-  std::map<std::pair<std::string, std::string>, std::vector<Edit>> places_;  ///< of one name in place of another
+  std::map<std::pair<std::string, std::string>, std::vector<Edit>> places_;  ///< of one text in place of another
   std::pair<std::size_t, std::size_t> body_ = {0, last_token_looked_at};     ///< of the exercise's function
   std::vector<std::pair<std::size_t, std::size_t>> closed_;                  ///< lambdas without captures
   std::vector<std::pair<std::string, std::string>> angles_;                  ///< an argument, and the angle in it

@@ -180,7 +180,7 @@ TEST_CASE("a unit of variants knows its lines, and reads headers once") {
   CHECK(seen.size() == variants.size());
 }
 
-TEST_CASE("two slips in one line, a bound in a condition and a name with something left out are found") {
+TEST_CASE("two slips, a bound in a condition and a name with something left out are found") {
   struct Slip {
     const char* body;
     const char* name;
@@ -195,6 +195,13 @@ TEST_CASE("two slips in one line, a bound in a condition and a name with somethi
       {"return n * std::sin(std::asin(x / 100) / 2) * 100;", "slip_function", 7},
       {"const double half = 0.5;\nreturn (n + n) * x;", "slip_factor", 8},
       {"const Vector3d v(x, 2, 1);\nreturn n * v.y();", "slip_method", 8},
+      {"const Matrix3d M{{2, 1, 0}, {1, 1, 0}, {0, 0, 1}};\nreturn n * x * M.cwiseInverse()(0, 0);", "slip_method", 8},
+      {"const double y = 100 * std::cos(std::asin(x / 100));\nreturn n * y * 2 * std::cos(std::asin(0.5));",
+       "slips_function", 7},
+      {"Matrix3d K;\nK << x, 1, 2, 3, 4, 5, 6, 7, 8;\nreturn -n * K(0, 0);", "slip_sign", 8},
+      {"const Matrix3d D = Vector3d(x, 1, 2).asDiagonal();\nreturn -n * D(0, 0);", "slip_sign", 7},
+      {"double s = 0;\nfor (int i = 0; i < 400; ++i) s += 3.0 * i * i / 400 / 400 / 400;\nreturn n * x * s;",
+       "slip_coarse", 8},
   };
   for (const Slip& slip : slips) {
     CAPTURE(std::string(slip.body));
@@ -205,9 +212,11 @@ TEST_CASE("two slips in one line, a bound in a condition and a name with somethi
   }
 }
 
-TEST_CASE("of two mistakes the one is named that leaves a known one") {
+TEST_CASE("of two mistakes the one is named that leaves one that values tell") {
   Attempt attempt("return -(n + n) * x;");
-  CHECK(!attempt.slip().has_value());
+  const auto factor = attempt.slip();
+  REQUIRE(factor.has_value());
+  CHECK(factor->sentence.ends_with("one mistake is left: Your result is 2 times the expected one at every case."));
   Misconception twice{"twice", "This is twice the product.", "", {}, {}};
   for (const Case& one : attempt.reference.cases) twice.outputs.push_back(Value{1, 1, {2 * one.expected.numbers[0]}});
   attempt.reference.misconceptions = {twice};
