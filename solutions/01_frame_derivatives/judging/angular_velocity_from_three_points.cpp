@@ -79,6 +79,17 @@ void judge_angular_velocity_from_three_points(Lecture& lecture) {
           [](auto& r, auto& v) { return (across_side(r, v, 0, 1) + across_side(r, v, 0, 2)) / 2; });
   e.wrong("This is the rate at which the first point goes round the origin, as if the body rotated about the origin.",
           "translation_kept", [](auto& r, auto& v) { return cross(r.col(0), v.col(0)) / r.col(0).squaredNorm(); });
+  e.wrong(
+      "Positions and velocities themselves are taken, as if the origin were a point of the body at rest; ω shows in "
+      "their differences from point to point.",
+      "origin_at_rest", [](auto& r, auto& v) { return axial_part(v * r.inverse()); });
+  e.wrong("The angular momentum of three equal masses is divided by a number here; what takes ω to it is a tensor.",
+          "momentum_over_squares", [](auto& r, auto& v) -> Vector3d {
+            const Matrix3d x = r.colwise() - r.rowwise().mean(), u = v.colwise() - v.rowwise().mean();
+            Vector3d sum = zero;
+            for (int k = 0; k < 3; ++k) sum += cross(x.col(k), u.col(k));
+            return sum / x.squaredNorm();
+          });
   e.wrong_output("Your ω has the wrong sign: a line from one point of the body to another turns in the sense of ω.",
                  "sign", negated);
   e.wrong("This is a quotient whose two parts vanish when ω lies in the plane of the triangle.", "quotient",

@@ -20,6 +20,10 @@ static void add_turns(auto& e) {
   e.special("no turn", Matrix3d::Identity());
   e.special("hardly a turn", a_turn(1e-13 * Vector3d(2, -1, 2)));
   e.special("half a turn about y", Matrix3d{{-1, 0, 0}, {0, 1, 0}, {0, 0, -1}});
+  // Where the sine, and a series of one term, are no longer the angle.
+  e.special("a turn by 0.0003", a_turn(1e-4 * Vector3d(2, -1, 2)));
+  e.special("a turn by 0.003", a_turn(1e-3 * Vector3d(2, -1, 2)));
+  e.special("a turn by 0.03", a_turn(1e-2 * Vector3d(2, -1, 2)));
   e.special("a quarter turn about z", Matrix3d{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}});
   e.special("a third of a turn", Matrix3d{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}});
   e.special("just short of half a turn", turn(axis, pi - 1e-8));

@@ -23,7 +23,7 @@ void judge_eastward_deflection(Lecture& lecture) {
 
   e.term("Ω g t³ cos λ", 1. / 3, [](auto&... inputs) { return 3 * eastward_deflection(inputs...); });
   e.wrong_input<1>("The latitude enters with its sine; across the fall it is Ω cos λ.", "sine", complement);
-  e.wrong_output("This is half of the deflection: the 2 of the Coriolis term is missing.", "no_two", times(0.5));
+  e.wrong_output("This is half of the deflection: a 2 is missing, as that of the Coriolis term.", "no_two", times(0.5));
   e.wrong_output({"This is 3/2 of it: ½ Ω g t³ cos λ, where two integrations of 2 Ω g t cos λ give ⅓ Ω g t³ cos λ.",
                   "rotating_frames_inertial_view"},
                  "excess_speed_kept", times(1.5));

@@ -92,6 +92,9 @@ void judge_tide(Lecture& lecture) {
           "two_equal_bulges", level_of([](double x, double c) { return legendre_series(2)(x, c); }));
   e.wrong("The height is that of a distant moon, to lowest order; this moon is near.", "lowest_order",
           [](auto ratio, auto R, auto d, auto angle) { return first_order(ratio, R, d) * cos(angle) * cos(angle); });
+  e.wrong("Your water is high below the moon only; on the far side it lags behind the planet, and is high as well.",
+          "one_high_water",
+          [](auto ratio, auto R, auto d, auto angle) { return first_order(ratio, R, d) * cos(angle); });
   e.wrong(
       "Heights are counted from the mean level, and to lowest order; asked for are those above a quarter round, "
       "exactly.",

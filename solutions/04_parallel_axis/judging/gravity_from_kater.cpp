@@ -51,6 +51,9 @@ void judge_gravity_from_kater(Lecture& lecture) {
            two_periods},
           "sum_and_mean",
           [](auto h1, auto T1, auto h2, auto T2) { return 16 * pi * pi * (h1 + h2) / pow(T1 + T2, 2); });
+  e.wrong("This is the mean of what two simple pendulums would show; neither is one, and their errors do not cancel.",
+          "mean_of_two",
+          [](auto h1, auto T1, auto h2, auto T2) { return 2 * pi * pi * (h1 / (T1 * T1) + h2 / (T2 * T2)); });
   e.wrong_inputs("Each period stands with the distance of the other edge.", "periods_crossed",
                  [](auto, auto& T1, auto, auto& T2) { swap(T1, T2); });
   e.wrong("Two equations are added where one is to be subtracted from the other; the unknown moment stays in.",

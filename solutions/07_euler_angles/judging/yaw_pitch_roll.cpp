@@ -48,6 +48,8 @@ void judge_yaw_pitch_roll(Lecture& lecture) {
           [](auto& q) { return -yaw_pitch_roll_of(turned_triad(q)); });
   e.wrong_output("Your pitch has the wrong sign: a positive turn about axis 2 takes axis 1 towards −ê₃⁰.", "pitch_sign",
                  negate(1));
+  e.wrong_output("Your pitch is never negative: an arccosine does not tell its sign, an arcsine does.", "pitch_size",
+                 [](auto& a) { a[1] = abs(a[1]); });
   e.wrong_output("Your yaw has the wrong sign: a positive yaw takes axis 1 towards ê₂⁰.", "yaw_sign", negate(0));
   e.wrong_output("Your roll has the wrong sign: a positive roll takes axis 2 towards axis 3.", "roll_sign", negate(2));
   e.wrong_output("The angles come as (roll, pitch, yaw); asked for is (yaw, pitch, roll).", "order_of_result",

@@ -37,6 +37,11 @@ void judge_azimuth_rate(Lecture& lecture) {
             const Vector3d L = L_of(I, w);
             return (L[0] * w[0] + L[1] * w[1]) / L.norm();
           });
+  e.wrong("The third term of ω · L is counted too; a rotation about axis 3 does not carry axis 3 round L.", "all_terms",
+          [](auto& I, auto& w) {
+            const Vector3d L = L_of(I, w);
+            return L.norm() * w.dot(L) / (L[0] * L[0] + L[1] * L[1]);
+          });
   e.wrong("This is how fast axis 1 goes round L; asked for is axis 3.", "axis_1",
           [](auto& I, auto& w) { return rate_about_L(I, w, 0); });
   e.wrong(

@@ -116,6 +116,8 @@ void mistakes_of_exact_attitude(Exercise& e) {
             "round_axis_3_always" + counting,
             with_turn([](auto& I, auto& w) { return dynamical_phase(I, w) - geometric_phase(I, w); }, whole_of));
   }
+  e.wrong("The body only turns about L here, at the rate of ω along L; it also moves against L.", "turn_about_L",
+          [](auto& I, auto& w, auto t) { return about_L(I, w, twice_T(I, w) / L_of(I, w).norm() * t); });
   e.wrong("ω keeps its components on the axes of the body here; they change, unless it lies along a principal axis.",
           "constant_omega", [](auto&, auto& w, auto t) { return turn(w, std::fmod(w.norm() * t, 2 * pi)); });
 }
@@ -125,6 +127,7 @@ void mistakes_of_exact_attitude(Exercise& e) {
 void judge_exact_attitude(Lecture& lecture) {
   auto& e =
       lecture.exercise(&exact_attitude, {{"I", ascending_moments}, {"omega0", rad_per_s}, {"t", second}}, {"A", none});
+  either_side_of_separatrix(e);
   e.domain([](auto& I, auto& w, auto t) { return tumbles(I, w, 0.01, 0.2) && abs(t) <= 1e6; });
   e.worked("round axis 3, after eight days", lecture_body, round_3, 700000);
   e.worked("round axis 1, after eight days", lecture_body, round_1, 700000);
