@@ -15,3 +15,25 @@ Vector3d angular_velocity_from_three_points(const Matrix3d& r, const Matrix3d& v
   Eigen::Matrix<double, 6, 1> rhs;
   rhs << v.col(1) - v.col(0), v.col(2) - v.col(0);
   return m.colPivHouseholderQr().solve(rhs);
+//! wrong: as if the origin were at rest
+  const Matrix3d W = v * r.inverse();
+  return Vector3d(W(2, 1) - W(1, 2), W(0, 2) - W(2, 0), W(1, 0) - W(0, 1)) / 2;
+//! wrong: momentum over the sum of the squares
+  const Vector3d c = r.rowwise().mean(), u = v.rowwise().mean();
+  Vector3d L = Vector3d::Zero();
+  double s = 0;
+  for (int k = 0; k < 3; ++k) {
+    const Vector3d x = r.col(k) - c;
+    L += x.cross(v.col(k) - u);
+    s += x.squaredNorm();
+  }
+  return L / s;
+//! right: singular value decomposition over the three sides
+  Eigen::Matrix<double, 9, 3> A;
+  Eigen::Matrix<double, 9, 1> b;
+  for (int k = 0; k < 3; ++k) {
+    const Vector3d d = r.col((k + 1) % 3) - r.col(k), u = v.col((k + 1) % 3) - v.col(k);
+    A.block<3, 3>(3 * k, 0) << 0, d[2], -d[1], -d[2], 0, d[0], d[1], -d[0], 0;
+    b.segment<3>(3 * k) = u;
+  }
+  return A.jacobiSvd(Eigen::ComputeFullU | Eigen::ComputeFullV).solve(b);

@@ -50,3 +50,23 @@ Matrix3d rotated_basis(const Matrix3d& E, const Vector3d& omega, double dt) {
   const double angle = omega.norm() * std::abs(dt);
   if (angle == 0) return E;
   return Eigen::AngleAxisd(angle, omega.normalized()).toRotationMatrix() * E;
+//! wrong: half steps before and behind, without the tangent
+  Matrix3d W;
+  W << 0, -omega[2], omega[1], omega[2], 0, -omega[0], -omega[1], omega[0], 0;
+  const Matrix3d one = Matrix3d::Identity();
+  return (one - dt / 2 * W).inverse() * (one + dt / 2 * W) * E;
+//! right: matrix exponential by scaling and squaring
+  Eigen::Matrix<long double, 3, 3> W, X = Eigen::Matrix<long double, 3, 3>::Identity(), T = X;
+  W << 0, -omega[2], omega[1], omega[2], 0, -omega[0], -omega[1], omega[0], 0;
+  W *= static_cast<long double>(dt);
+  int s = 0;
+  while (W.cwiseAbs().maxCoeff() > 0.125L) {
+    W /= 2;
+    ++s;
+  }
+  for (int k = 1; k < 20; ++k) {
+    T = T * W / static_cast<long double>(k);
+    X += T;
+  }
+  for (int k = 0; k < s; ++k) X = X * X;
+  return X.cast<double>() * E;

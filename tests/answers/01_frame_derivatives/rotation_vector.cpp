@@ -33,3 +33,13 @@ Vector3d rotation_vector(const Matrix3d& E) {
   E.diagonal().maxCoeff(&k);
   Vector3d n = E.col(k) + Vector3d::Unit(k);
   return n.normalized() * angle;
+//! wrong: arc cosine and the antisymmetric part
+  const double angle = std::acos(std::clamp((E.trace() - 1) / 2, -1.0, 1.0));
+  const Vector3d v(E(2, 1) - E(1, 2), E(0, 2) - E(2, 0), E(1, 0) - E(0, 1));
+  if (v.norm() == 0) return Vector3d::Zero();
+  return angle * v.normalized();
+//! wrong: small angles to first order below a thousandth
+  const Vector3d v(E(2, 1) - E(1, 2), E(0, 2) - E(2, 0), E(1, 0) - E(0, 1));
+  if (v.norm() < 2e-3 && E.trace() > 0) return v / 2;
+  const Eigen::AngleAxisd a(E);
+  return a.angle() * a.axis();

@@ -28,3 +28,8 @@ Vector2d bead_on_hoop(double radius, double g, double rate) {
   const double q = g / (radius * rate * rate);
   if (q >= 1) return {0, std::sqrt(g / radius - rate * rate)};
   return {std::acos(q), std::abs(rate)};
+//! wrong: rate not squared in the cosine
+  if (rate * rate <= g / radius) return {0, std::sqrt(g / radius - rate * rate)};
+  const double c = g / (radius * std::abs(rate));
+  const double a = std::acos(std::min(c, 1.0));
+  return {a, std::abs(rate) * std::sin(a)};

@@ -50,3 +50,6 @@ double tide(double mass_ratio, double radius, double distance, double angle) {
 //! wrong: two terms of the series
   const double c = std::cos(angle), x = radius / distance;
   return mass_ratio * x * x * x * radius * (1.5 * c * c + x * (2.5 * c * c * c - 1.5 * c));
+//! wrong: one high water only
+  const double u = radius / distance;
+  return mass_ratio * radius * u * u * u * 1.5 * std::cos(angle);

@@ -19,3 +19,16 @@ Matrix3d inertia_rate(const Matrix3d& I, const Vector3d& omega) {
 //! wrong: angular momentum rate on the diagonal
   const Vector3d d = omega.cross(I * omega);
   return d.asDiagonal();
+//! right: difference quotients of rotated tensors, extrapolated
+  const double w = omega.norm();
+  if (w == 0) return Matrix3d::Zero();
+  const auto at = [&](double t) {
+    const Matrix3d A = Eigen::AngleAxisd(w * t, omega / w).toRotationMatrix();
+    return Matrix3d(A * I * A.transpose());
+  };
+  const double h = 2e-2 / w;
+  const auto d = [&](double s) { return Matrix3d((at(s) - at(-s)) / (2 * s)); };
+  const Matrix3d a = d(h), b = d(h / 2), c = d(h / 4), e = d(h / 8);
+  const Matrix3d p = (4 * b - a) / 3, q = (4 * c - b) / 3, r = (4 * e - c) / 3;
+  const Matrix3d x = (16 * q - p) / 15, y = (16 * r - q) / 15;
+  return (64 * y - x) / 63;

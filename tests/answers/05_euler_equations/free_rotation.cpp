@@ -153,3 +153,16 @@ Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorX
   }
   return result;
 }
+//! wrong: a hundred midpoint steps for every time
+  Matrix3Xd out(3, times.size());
+  for (int k = 0; k < times.size(); ++k) {
+    Vector3d w = omega0;
+    const double h = times[k] / 100;
+    for (int i = 0; i < 100; ++i) {
+      const Vector3d a = I.cwiseProduct(w).cross(w).cwiseQuotient(I);
+      const Vector3d mid = w + a * h / 2;
+      w += h * I.cwiseProduct(mid).cross(mid).cwiseQuotient(I);
+    }
+    out.col(k) = w;
+  }
+  return out;

@@ -47,3 +47,20 @@ Matrix3d reorientation(const Matrix3d& I, const Vector2d& J, const VectorXd& whe
 //! wrong: the wheels are back, so the body is back
   (void)I, (void)J, (void)wheel1, (void)wheel2;
   return Matrix3d::Identity();
+//! wrong: inverse of every entry
+  Matrix3d A = Matrix3d::Identity();
+  const Matrix3d inverse = I.cwiseInverse();
+  for (int k = 1; k < wheel1.size(); ++k) {
+    const Vector3d u(J[0] * (wheel1[k] - wheel1[k - 1]), J[1] * (wheel2[k] - wheel2[k - 1]), 0);
+    const Vector3d turn = -inverse * u;
+    if (turn.norm() > 0) A = A * Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
+  }
+  return A;
+//! wrong: angles of the corner in place of their change
+  Matrix3d A = Matrix3d::Identity();
+  for (int k = 1; k < wheel1.size(); ++k) {
+    const Vector3d u(J[0] * wheel1[k], J[1] * wheel2[k], 0);
+    const Vector3d turn = -I.inverse() * u;
+    if (turn.norm() > 0) A = A * Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
+  }
+  return A;

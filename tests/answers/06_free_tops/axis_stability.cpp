@@ -48,3 +48,6 @@ int axis_stability(const Vector3d& I, int axis) {
   const double a = I[axis], b = I[(axis + 1) % 3], c = I[(axis + 2) % 3];
   if (std::abs(a - b) < 0.001 * a || std::abs(a - c) < 0.001 * a) return 0;
   return (a > b) == (a > c) ? 1 : -1;
+//! wrong: compares with axes 0 and 1 only
+  const double p = (I[axis] - I[0]) * (I[axis] - I[1]);
+  return p > 0 ? 1 : p < 0 ? -1 : 0;

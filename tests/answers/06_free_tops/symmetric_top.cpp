@@ -48,3 +48,6 @@ Vector3d symmetric_top(double I1, double I3, const Vector3d& omega0, double t) {
   if (t < 0) return omega0;
   const double angle = omega0[2] * (I3 - I1) / I1 * t;
   return Eigen::AngleAxisd(angle, Vector3d::UnitZ()) * omega0;
+//! wrong: amplitude of the wobble from all of omega
+  const double rate = omega0[2] * (I3 - I1) / I1, A = omega0.norm(), d = std::atan2(omega0[1], omega0[0]);
+  return {A * std::cos(rate * t + d), A * std::sin(rate * t + d), omega0[2]};

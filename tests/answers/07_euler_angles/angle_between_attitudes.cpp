@@ -14,3 +14,11 @@ double angle_between_attitudes(const Vector3d& angles1, const Vector3d& angles2)
   const Matrix3d D = a.transpose() * b;
   const double sine = Vector3d(D(2, 1) - D(1, 2), D(0, 2) - D(2, 0), D(1, 0) - D(0, 1)).norm() / 2;
   return std::atan2(sine, (D.trace() - 1) / 2);
+//! wrong: arc sine of the antisymmetric part
+  const auto q = [](const Vector3d& a) {
+    return Eigen::AngleAxisd(a[0], Vector3d::UnitZ()) * Eigen::AngleAxisd(a[1], Vector3d::UnitY()) *
+           Eigen::AngleAxisd(a[2], Vector3d::UnitZ());
+  };
+  const Matrix3d D = (q(angles1).conjugate() * q(angles2)).toRotationMatrix();
+  const Vector3d v(D(2, 1) - D(1, 2), D(0, 2) - D(2, 0), D(1, 0) - D(0, 1));
+  return std::asin(std::min(1.0, v.norm() / 2));

@@ -18,3 +18,10 @@ Matrix3d shortest_rotation(const Vector3d& a, const Vector3d& b) {
   Matrix3d V;
   V << 0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0;
   return Matrix3d::Identity() + V + V * V / (1 + a.dot(b));
+//! wrong: one minus cosine in the denominator
+  const Vector3d u = a.normalized(), w = b.normalized(), n = u.cross(w);
+  const double c = u.dot(w);
+  Matrix3d K;
+  K << 0, -n[2], n[1], n[2], 0, -n[0], -n[1], n[0], 0;
+  if (n.norm() == 0) return Matrix3d::Identity();
+  return Matrix3d::Identity() + K + K * K / (1 - c);

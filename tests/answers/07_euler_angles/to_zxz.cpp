@@ -56,3 +56,16 @@ Vector3d to_zxz(const Vector3d& angles) {
   const double s = std::hypot(m(0, 2), m(1, 2));
   if (s < 1e-9) return {std::atan2(m(1, 0), m(0, 0)), m(2, 2) > 0 ? 0.0 : std::numbers::pi, 0.0};
   return {std::atan2(m(0, 2), -m(1, 2)), std::atan2(s, m(2, 2)), std::atan2(m(2, 0), m(2, 1))};
+//! wrong: brought into range by fmod, which keeps the sign
+  const double pi = std::numbers::pi;
+  double f = angles[0] + pi / 2, th = std::remainder(angles[1], 2 * pi), p = angles[2] - pi / 2;
+  if (th < 0) {
+    th = -th;
+    f += pi;
+    p += pi;
+  }
+  if (std::abs(std::sin(th)) < 1e-9) {
+    f += std::cos(th) > 0 ? p : -p;
+    p = 0;
+  }
+  return {std::fmod(f + pi, 2 * pi) - pi, th, std::fmod(p + pi, 2 * pi) - pi};

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <complex>
 #include <rigid/kinetic_energy.hpp>
 Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, const Vector3d& rates) {
 //! right: on axes that follow the line of nodes
@@ -66,3 +67,15 @@ Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, co
   const Vector3d a = w_rate - turning;
   const double phi = (-a[0] * cp + a[1] * sp) / s;
   return {phi, a[0] * sp + a[1] * cp, a[2] - c * phi};
+//! right: rate of the matrix by a complex step
+  using C = std::complex<double>;
+  const auto B = [](C th, C ps) {
+    Eigen::Matrix3cd m;
+    m << -std::sin(th) * std::cos(ps), std::sin(ps), 0, std::sin(th) * std::sin(ps), std::cos(ps), 0, std::cos(th), 0, 1;
+    return m;
+  };
+  const double h = 1e-150;
+  const Eigen::Matrix3cd now = B(angles[1], angles[2]), later = B(C(angles[1], h * rates[1]), C(angles[2], h * rates[2]));
+  const Matrix3d b = now.real(), db = later.imag() / h;
+  const Vector3d w = b * rates, a = I.cwiseProduct(w).cross(w).cwiseQuotient(I);
+  return b.partialPivLu().solve(a - db * rates);

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <complex>
 #include <rigid/heavy_top.hpp>
 double nutation_frequency(double I1, double mgl, double theta, double rate) {
 //! right: two squares
@@ -33,3 +34,12 @@ double nutation_frequency(double I1, double mgl, double theta, double rate) {
   (void)s;
   const double a = mgl / (I1 * rate);
   return std::sqrt(a * a - 2 * c * mgl / I1);
+//! right: slope of the effective potential by a complex step
+  const double c = std::cos(theta), s = std::sin(theta);
+  const double ppsi_over = (mgl / rate + I1 * rate * c), pphi = I1 * rate * s * s + ppsi_over * c;
+  const auto slope = [&](std::complex<double> x) {
+    const std::complex<double> k = std::cos(x), q = std::sin(x), d = pphi - ppsi_over * k;
+    return d * ppsi_over / (I1 * q) - d * d * k / (I1 * q * q * q) - mgl * q;
+  };
+  const double h = 1e-30;
+  return std::sqrt(slope({theta, h}).imag() / h / I1);

@@ -25,3 +25,12 @@ int path_type(double I1, double I3, double mgl, double theta, double phi_rate, d
 //! wrong: the sign of the push
   (void)I1, (void)I3, (void)mgl, (void)theta, (void)omega3;
   return phi_rate > 0 ? 1 : phi_rate < 0 ? -1 : 0;
+//! wrong: sense of the spin ignored
+  const double limit = mgl / (I3 * omega3) ;
+  const double w = I3 * std::abs(omega3), c = std::cos(theta);
+  (void)limit;
+  if (phi_rate == 0) return 0;
+  if (phi_rate < 0) return -1;
+  const double top = 2 * mgl / w;
+  (void)c;
+  return phi_rate > top ? -1 : 1;

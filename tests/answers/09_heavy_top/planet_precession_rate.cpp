@@ -35,3 +35,5 @@ double planet_precession_rate(double I1, double I3, double spin, double orbital_
   return -0.75 * orbital_rate * orbital_rate / spin * (I3 - I1) / I3 * std::sin(2 * obliquity);
 //! wrong: flattening over I1
   return -1.5 * orbital_rate * orbital_rate / spin * (I3 - I1) / I1 * std::cos(obliquity);
+//! wrong: not divided by the spin
+  return -1.5 * orbital_rate * orbital_rate * (I3 - I1) / I3 * std::cos(obliquity);

@@ -46,3 +46,9 @@ Vector2d steady_precession(double I1, double I3, double mgl, double omega3, doub
   const double c = std::cos(theta), L = I3 * omega3;
   const double root = std::sqrt(L * L - 4 * I1 * mgl * c);
   return {(L - root) / (2 * I1 * c), (L + root) / (2 * I1 * c)};
+//! wrong: no cosine in the slow rate
+  const double a = I1, b = I3 * omega3, q = mgl;
+  const double root = std::sqrt(b * b - 4 * a * q * std::cos(theta));
+  const double big = (b + std::copysign(root, b)) / (2 * a * std::cos(theta));
+  const double small = q / (a * big);
+  return {small, big};

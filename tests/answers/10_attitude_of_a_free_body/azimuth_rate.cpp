@@ -22,3 +22,6 @@ double azimuth_rate(const Vector3d& I, const Vector3d& omega) {
 //! wrong: moments not squared below
   const Vector3d L = I.cwiseProduct(omega);
   return L.norm() * (L[0] * omega[0] + L[1] * omega[1]) / (I[0] * omega[0] * omega[0] + I[1] * omega[1] * omega[1]);
+//! wrong: all terms of the energy above
+  const Vector3d L = I.cwiseProduct(omega);
+  return L.norm() * omega.dot(L) / (L[0] * L[0] + L[1] * L[1]);

@@ -124,3 +124,7 @@ Matrix3d exact_attitude(const Vector3d& I, const Vector3d& omega0, double t) {
 Matrix3d exact_attitude(const Vector3d&, const Vector3d& omega0, double t) {
   return Eigen::AngleAxisd(omega0.norm() * t, omega0.normalized()).toRotationMatrix();
 }
+//! wrong: a steady turn about L
+  const Vector3d L = I.cwiseProduct(omega0);
+  const double rate = omega0.dot(L) / L.norm();
+  return Eigen::AngleAxisd(rate * t, L.normalized()).toRotationMatrix();
