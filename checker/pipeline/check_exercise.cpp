@@ -209,10 +209,7 @@ std::string CheckResult::fingerprint_of_values() const {
   return fingerprint(bytes);
 }
 
-std::string CheckResult::next_step() const {
-  const bool is_explained = has_values(judgement.verdict) && !reasons.empty();
-  return is_explained ? "Fix what the reason names, and check again." : judgement.next_step;
-}
+std::string CheckResult::next_step() const { return reasons.empty() ? judgement.next_step : ""; }
 
 std::vector<std::string> own_names(const std::string& text, const std::vector<Exercise>& exercises,
                                    const std::string& exercise) {

@@ -62,7 +62,7 @@ struct CheckResult {
   std::optional<std::size_t> first_failure() const;
   /// The same where two functions returned the same values at all cases.
   std::string fingerprint_of_values() const;
-  /// What to do: the explanation's own advice where there is one.
+  /// What to do; "" where there are reasons, which say more.
   std::string next_step() const;
 };
 

@@ -41,7 +41,6 @@ ordered_json result_of(const CheckResult& checked) {
       {"points", checked.points()},
       {"cases", {{"passed", judgement.cases_passed()}, {"total", judgement.cases_total}, {"failing", failing}}},
       {"message", judgement.message},
-      {"next", checked.next_step()},
       {"diagnosis", ordered_json::array()},
       {"first_failure", first_failure(checked)},
       {"findings", ordered_json::array()}};
@@ -70,6 +69,7 @@ ordered_json result_of(const CheckResult& checked) {
          {"result", has_result ? json_of(reply.value, checked.reference->result_kind) : nlohmann::json(nullptr)},
          {"errors", real.errors}});
   }
+  if (const std::string next = checked.next_step(); !next.empty()) result["next"] = next;
   if (checked.task.exercise.entry->is_problem()) result["stage"] = checked.task.stage;
   if (!checked.by_hand.empty()) result["by_hand"] = checked.by_hand;
   if (!checked.weak_sandbox.empty()) result["sandbox"] = checked.weak_sandbox;

@@ -89,7 +89,8 @@ std::string told(const std::vector<Answer>& all) {
     sentences += fmt::format("{}\n  {}\n", answer.about, result.at("message").get<std::string>());
     for (const auto& reason : diagnoses)
       sentences += fmt::format("  why: {}\n", reason.at("message").get<std::string>());
-    sentences += fmt::format("  next: {}\n\n", result.at("next").get<std::string>());
+    CHECK(result.contains("next") == (diagnoses.empty() && findings.empty()));
+    sentences += result.contains("next") ? fmt::format("  next: {}\n\n", result.at("next").get<std::string>()) : "\n";
   }
   return sentences;
 }
