@@ -265,7 +265,8 @@ class CompilationInProgress {
       }
     const auto is_missing = [&](const Symbol& symbol) { return symbol.is_used() && !defined.contains(symbol.name); };
     if (source_.tokens().empty())
-      refuse("Your file is empty, or holds nothing but comments; `reset` writes it anew.", output, {}, Refusal::missing_function);
+      refuse("Your file is empty, or holds nothing but comments; `reset` writes it anew.", output, {},
+             Refusal::missing_function);
     constexpr std::string_view space = "rigid::";
     for (const Symbol& symbol : symbols(toolchain_.worker_object(task_.exercise).string())) {
       if (!is_missing(symbol) || !symbol.shown.starts_with(space)) continue;
@@ -273,9 +274,9 @@ class CompilationInProgress {
         refuse_symbol(Refusal::missing_function, "missing_namespace", symbol.base_name(), output,
                       "Your function stands outside of the namespace: put it between `namespace rigid {` and its `}`.");
       refuse_symbol(Refusal::missing_function, "missing_function", symbol.base_name(), output,
-                    fmt::format("Your file does not define `{}`: it defines {}. Keep namespace, name and parameters of "
-                                "the contract, without inline, static or template.",
-                                in_plain_words(symbol.shown), defined_functions()));
+                    fmt::format("Your file does not define `{}`: it defines {}. Its head is `{}`, in namespace "
+                                "rigid, without inline, static or template.",
+                                in_plain_words(symbol.shown), defined_functions(), task_.signature));
     }
     std::erase_if(used, [&](const Symbol& symbol) {
       return !is_missing(symbol) || symbol.base_name().empty() || output.find(symbol.shown) == std::string::npos;

@@ -47,7 +47,7 @@ std::string in_plain_words(std::string_view text);
 /// as it came; in it <number>, <matrix>, <value> (one of both), <list> and <type> stand for a quoted type. `code`
 /// matches the student's line without comments, where @ marks the column. In the sentence $1 is what `message` matched,
 /// %1 what `code` matched, $right the right spelling of $1, $member the one of a member $1, $contract the signature of
-/// the exercise.
+/// the exercise, $elsewhere where else the name $1 is declared; without such a place it is another mistake.
 struct MessageMistake {
   const char* name;
   const char* message;
@@ -57,7 +57,8 @@ struct MessageMistake {
   Fix fix = Fix::none;
 };
 
-/// What clang says, in the words of GCC where the tables need them; any other text as it is.
+/// What clang says, in the words of GCC where the tables need them; any other text as it is. For the token at the place
+/// of the error stands @token or @sign.
 std::string in_words_of_gcc(const std::string& message);
 
 // The first that fits counts.
@@ -69,7 +70,7 @@ extern const std::string_view spellings;
 
 /// The first error of a compilation. Where several concern that line, the one that is understood best. Nothing if no
 /// error has a place in the file.
-std::optional<Reason> first_error(const std::vector<Diagnostic>& found, const SourceText& source,
+std::optional<Reason> first_error(std::vector<Diagnostic> found, const SourceText& source,
                                   const std::string& signature);
 
 /// What the compiler warned of and is certainly so.

@@ -25,6 +25,21 @@ std::string whole_pattern(std::string pattern) {
   return pattern;
 }
 
+/// Where else the file declares a name that is not known at a place; "" if nowhere.
+std::string elsewhere(const SourceText& source, Place place, const std::string& name) {
+  const std::vector<Token>& tokens = source.tokens();
+  for (std::size_t k = 1; k + 1 < tokens.size(); ++k) {
+    const int line = source.place_of(tokens[k].offset).line;
+    const std::string around = fmt::format("{} {}", tokens[k - 1].text, tokens[k + 1].text);
+    if (tokens[k].text != name || line == place.line) continue;
+    if (search(around, R"(^(?!return|else|case|throw|new|goto|and|or|not)[A-Za-z_]\w* [(=;,{)]$)"))
+      return line > place.line
+                 ? fmt::format("it is declared below, in line {}; move that up.", line)
+                 : fmt::format("it was declared in line {}, in a block, loop or function that has ended.", line);
+  }
+  return "";
+}
+
 /// The first mistake of the table that explains what was said.
 std::optional<Reason> recognized(const std::vector<MessageMistake>& table, const Diagnostic& said, Place place,
                                  const SourceText& source, const std::string& signature) {
@@ -49,6 +64,11 @@ std::optional<Reason> recognized(const std::vector<MessageMistake>& table, const
     for (const char* word : {"$right", "$member"}) boost::replace_all(sentence, word, right.substr(0, right.find(';')));
     sentence = in_code.fill(in_message.fill(sentence), '%');
     boost::replace_all(sentence, "$contract", signature);
+    if (sentence.ends_with("$elsewhere")) {
+      const std::string there = elsewhere(source, place, in_message[1]);
+      if (there.empty()) continue;
+      boost::replace_all(sentence, "$elsewhere", there);
+    }
     return source.reason(place, mistake.name, sentence, mistake.weight, mistake.fix);
   }
   return std::nullopt;
@@ -79,8 +99,15 @@ std::size_t include_in_braces(const SourceText& source) {
 
 }  // namespace
 
-std::optional<Reason> first_error(const std::vector<Diagnostic>& found, const SourceText& source,
+std::optional<Reason> first_error(std::vector<Diagnostic> found, const SourceText& source,
                                   const std::string& signature) {
+  for (Diagnostic& one : found) {  // clang does not say which token it met
+    const auto met = std::ranges::lower_bound(source.tokens(), source.offset_of(one.place), {}, &Token::offset);
+    const bool is_end = met == source.tokens().end();
+    boost::replace_all(one.text, "before @token",
+                       is_end ? "at end of input" : fmt::format("before '{}' token", met->text));
+    if (!is_end) boost::replace_all(one.text, "@sign", met->text);
+  }
   const auto is_placed_error = [](const Diagnostic& one) { return one.is_error && one.place.line > 0; };
   auto first = std::ranges::find_if(found, is_placed_error);
   if (first == found.end()) first = std::ranges::find_if(found, &Diagnostic::is_error);
@@ -88,11 +115,12 @@ std::optional<Reason> first_error(const std::vector<Diagnostic>& found, const So
   if (const std::size_t inside = include_in_braces(source); inside != std::string::npos)
     return source.reason(source.place_of(inside), "include_in_braces",
                          "This #include is inside braces: write it at the top of the file, before namespace rigid {.");
-  // What Eigen asserts says more than what follows from it.
-  for (const bool is_assertion : {true, false})
+  // What Eigen asserts says more than what follows from it, and a name that is not known more than what clang misses
+  // behind it.
+  const bool is_behind = first->text.starts_with("expected ';'");
+  for (const char* kind : {"^static assertion", is_behind ? "was not declared" : "^static assertion", ""})
     for (auto next = first; next != found.end(); ++next)
-      if (is_placed_error(*next) && next->place.line == first->place.line &&
-          next->text.starts_with("static assertion") == is_assertion)
+      if (is_placed_error(*next) && next->place.line == first->place.line && search(next->text, kind))
         if (auto finding = recognized(error_table, *next, place_to_show(*next, source), source, signature))
           return finding;
   constexpr std::size_t longest = 300;

@@ -107,6 +107,16 @@ const std::vector<TextMistake>& table() {
        "This sum begins with the whole number 0 and drops what follows every decimal point: begin with 0.0."},
       {"rounded_pi", R"((?:^| )(3\.14\d*)(?= |$))", "$1 is only near π; write std::numbers::pi.", is_rounded_pi, "",
        Weight::cause, Fix::exact_pi},
+      {"size_for_length", R"((?:^| )(\w+) / \1 \. size \( \))",
+       "`$1.size()` is the number of components: the length of a vector is `$1.norm()`."},
+      {"rows_first", R"((Matrix3Xd) \w+ \( (?!3 ,)[^,]+ , 3 \))",
+       "Rows come first, and a $1 has 3 of them: write $1 name(3, n).", nullptr, "", Weight::possible},
+      {"unsigned_difference",
+       R"(for \( (?:std :: )?(?:unsigned|size_t)(?: int| long)? (\w+) = [^;]* ; \1 <=? ([^;]* - \d+) ;)",
+       "`$2` is never negative but huge, for it has no sign: count with int.", nullptr, "", Weight::possible},
+      {"exact_end", R"(^(?:while|for) \( (?:[^;()]*;)? ?(\w+ != \d*\.\d*)(?= [;)]))",
+       "Rounded steps hardly ever hit a number, so that `$1` is never false: compare by <.", nullptr, "",
+       Weight::possible},
       {"float_precision", "(?:^| )(float) ", "A float keeps only about 7 digits; use double.", nullptr, "",
        Weight::possible, Fix::as_double},
   };
@@ -152,7 +162,8 @@ std::vector<Reason> text_mistakes(const SourceText& source) {
     for (std::string& group : match.groups) boost::erase_all(group, " ");
     found.push_back(source.reason(source.place_of(tokens[token].offset), name, match.fill(sentence), weight, fix));
   };
-  std::string last;              // statement
+  std::string last;            // statement
+  int depth = 0;               // of braces that no namespace opens
   bool is_first_turn = false;  // of a loop, without a condition so far
   for (const Statement& statement : statements_of(tokens)) {
     const std::string before = std::exchange(last, statement.text);
@@ -176,12 +187,16 @@ std::vector<Reason> text_mistakes(const SourceText& source) {
       add(statement.first_token + static_cast<std::size_t>(at - statement.ends.begin()), mistake->name, match,
           mistake->sentence, mistake->weight, mistake->fix);
     }
-    const Match kept = search(statement.text, R"(^static (?:[\w:<>]+ )+?(\w+) (?:;|=|\(|\{))");
-    if (kept) {
-      const auto at = std::ranges::lower_bound(statement.ends, kept.offsets[1] + kept[1].size());
+    const bool is_outside = depth == 0;
+    if (statement.text.ends_with("{") && !statement.text.starts_with("namespace")) ++depth;
+    if (statement.text.ends_with("}") && depth > 0) --depth;
+    const Match kept = search(statement.text, R"(^(static )?(?:[\w:<>]+ )+?(\w+) (?:;|=|\(|\{))");
+    if (kept && (is_outside || !kept[1].empty())) {
+      const auto at = std::ranges::lower_bound(statement.ends, kept.offsets[2] + kept[2].size());
       if (accumulates(tokens, statement.first_token + static_cast<std::size_t>(at - statement.ends.begin())))
         add(statement.first_token, "static_variable", kept,
-            "`$1` is static: it keeps its value from one call to the next, so results depend on earlier calls.",
+            "`$2` keeps its value from one call to the next, and results depend on earlier ones: define it in the "
+            "function.",
             Weight::possible, Fix::not_static);
     }
     const Match declaration = search(statement.text, "^(Matrix[234]d|Vector[234]d) (\\w+) ;$");

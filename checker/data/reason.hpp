@@ -37,6 +37,7 @@ enum class Weight {
 enum class Fix {
   none,
   real_quotient,
+  divisor,
   decimal_point,
   exact_pi,
   as_double,

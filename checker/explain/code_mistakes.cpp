@@ -27,6 +27,7 @@ bool explain_whole_quotients(Search& search) {
   const DiagnosticTask& task = search.evidence.task;
   CodeReasons found = reasons_of(search, whole_quotients(SourceText(task.submission.text), task.reference));
   // Many a quotient of whole numbers is meant so: it is a mistake where all is right without it, or all zero with it.
+  if (!found.are_all) std::erase_if(found.reasons, [](const Reason& reason) { return reason.fix == Fix::divisor; });
   return (found.are_all || are_zero(search.answers)) && tell(search, std::move(found));
 }
 

@@ -21,6 +21,7 @@ struct KnownEvent {
   const char* sentence = "";  ///< with $1, $2 for what the pattern finds
   bool undefined = false;     ///< the language leaves undefined what follows: wrong by itself, however the call ends
   Weight weight = Weight::cause;
+  const char* code = "";  ///< of the line in which it happened, with %1 for what it finds; empty: any
 };
 
 /// The first that fits counts.
@@ -37,6 +38,8 @@ constexpr KnownEvent known_events[] = {
     {"out-of-bounds-index\\|.*index (-?\\d+) out of bounds for type '.*\\[(\\d+)\\]'.*", "index_out_of_range", "index $1 is outside the array of size $2; indices start at 0.", true},
     {"index\\|[^|]*\\|(-?\\d+)\\|(\\d+)", "index_out_of_range", "index $1 is outside a container of size $2; indices start at 0."},
     {"exception\\|(\\w+)::.*\\(which is (\\d+)\\) >= .*\\(which is (\\d+)\\).*", "index_out_of_range", "index $2 is outside the $1 of size $3; indices start at 0."},
+    {"eigen\\|\\(i>=0\\).*", "index_out_of_range", "there is no `%1.%2(%3)`: `%1` has those from 0 to %1.%2s() - 1, and none before it is given a size (%1.size() counts all entries).", false, Weight::cause, "\\b(\\w+)\\.(row|col)\\(([^()]*)\\)"},
+    {"eigen\\|.*RowsAtCompileTime.*", "size_mismatch", "`%2.row(...)` has as many entries as `%2` has columns, which need not be those of a %1: a column is `%2.col(...)`.", false, Weight::cause, "(Vector\\w+)\\s+\\w+\\s*=\\s*(\\w+)\\.row\\("},
     {"exception\\|(.+)", "exception", "the exception “$1” is thrown here."},
     {"exception\\|", "exception", "the exception is thrown here."},
     {"uncaught\\|(.*)", "exception_not_caught", "the exception “$1” is thrown here and cannot be caught on its way out: it meets a destructor or noexcept."},
@@ -60,6 +63,7 @@ constexpr KnownEvent known_events[] = {
     {"FPE\\|(sin|cos|tan|atan2?|tanh|hypot)", "non_finite", "an operation here, such as 0 divided by 0, has no finite result."},
     {"FPE\\|(.+)", "outside_domain", "$1 is given a number here for which it has no finite result."},
     {"FPE\\|", "non_finite", "an operation here gives or meets a value that is infinite or not a number (NaN)."},
+    {"never_set here", "never_set", "`%1` has no value yet when this adds to it: give it one where it is declared, such as 0.", false, Weight::cause, "\\b(\\w+)\\s*[-+]="},
     {"never_set here", "never_set", "something is used here that was never given a value: a variable, or an entry of a matrix or vector."},
     {"never_set\\|(.+)", "never_set", "`$1` gets no value here, and not all of it is set before it is used."},
     {"never_set", "never_set", "The result depends on something that was never given a value: a variable without = or {}, or a matrix or vector that is not filled."},
@@ -69,13 +73,14 @@ constexpr KnownEvent known_events[] = {
 };
 // clang-format on
 
-std::pair<KnownEvent, Match> known(const std::string& text) {
+std::tuple<KnownEvent, Match, Match> known(const std::string& text, const std::string& line = "") {
   for (const KnownEvent& event : known_events)
-    if (const Match found = search(text, fmt::format("^(?:{})$", event.pattern))) return {event, found};
+    if (const Match found = search(text, fmt::format("^(?:{})$", event.pattern)))
+      if (const Match code = search(line, event.code)) return {event, found, code};
   return {};
 }
 
-bool is_undefined_behavior(const DiagnosticEvent& event) { return known(event.text).first.undefined; }
+bool is_undefined_behavior(const DiagnosticEvent& event) { return std::get<KnownEvent>(known(event.text)).undefined; }
 
 /// The line from which the student's function calls itself, if the chain of calls shows that it does so without end.
 int recursion_line(const DiagnosticEvent& event) {
@@ -169,9 +174,10 @@ class DiagnosticRun {
   }
 
   /// What is known of "NAME|FACT|…".
-  void add_finding(int line, const std::string& text) {
-    if (const auto& [event, found] = known(text); found)
-      add(line, event.name, found.fill(event.sentence), event.weight);
+  bool add_finding(int line, const std::string& text) {
+    const auto& [event, in_text, in_code] = known(text, source_line(line));
+    if (in_text) add(line, event.name, in_code.fill(in_text.fill(event.sentence), '%'), event.weight);
+    return bool{in_text};
   }
 
   void add_undefined_behavior(const Run& run) {
@@ -195,6 +201,7 @@ class DiagnosticRun {
     // An exception is placed only if it is the one that was seen when the function was judged.
     const bool is_same = run.reply.ending == judged_.ending && run.reply.text == judged_.text;
     if (last->is("eigen") && judged_.eigen && is_same) {
+      if (add_finding(line, "eigen|" + judged_.eigen->condition)) return;
       EigenAssertion assertion = *judged_.eigen;
       std::istringstream numbers(last->text.substr(std::min(last->text.size(), 6 + assertion.condition.size())));
       for (char bar = 0; numbers >> bar;) numbers >> assertion.compared.emplace_back();
@@ -245,7 +252,7 @@ class DiagnosticRun {
     // NaN trap where they are first used; with zeros nothing must happen there.
     const int line = run(protocol::fill_with_nan | protocol::trap_invalid).trap_line();
     const bool is_certain = line > 0 && run(protocol::trap_invalid).trap_line() == 0;
-    if (is_certain) return add_finding(line, "never_set here");
+    if (is_certain && add_finding(line, "never_set here")) return;
     const auto [declared, name] = declaration_without_value(source_);
     add_finding(declared, declared > 0 ? "never_set|" + name : "never_set");
   }
@@ -366,6 +373,12 @@ bool explain_failed_call(Search& search) {
              return known.name == reason.name || known.line == reason.line;
            });
   });
+  // What may end a call stands before the end that it came to; what has another fix changes values.
+  for (const Reason& known : search.in_code) {
+    const bool is_there = std::ranges::find(met, known.line, &Reason::line) != met.end();
+    if (known.weight == Weight::possible && (known.fix == Fix::none || (known.fix == Fix::wider_type && is_there)))
+      search.reasons.push_back(known);
+  }
   search.add_code(std::move(met));
   return true;
 }

@@ -518,8 +518,16 @@ class SourceMutations {
     return true;
   }
 
-  /// A quotient of whole numbers: of variables, of a size.
+  /// `a / b` or `a / b * c`, in which c is no part of the divisor, before the token here?
+  bool follows_quotient() const {
+    std::size_t sign = at_;
+    while (token(sign) == "*") sign = std::max(operand_of(sign), std::size_t{1}) - 1;
+    return token(sign) == "/";
+  }
+
+  /// A quotient of whole numbers: of variables, of a size. What follows a quotient as its factor.
   void divisions() {
+    if (here() == "*" && !all_bugs_ && follows_quotient()) add(VariantKind::division, "divisor", "/");
     if (here() != "/" || all_bugs_ || !follows_whole()) return;
     const bool is_size = token(at_ + 2) == "." && is_one_of(token(at_ + 3), {"size", "cols", "rows"});
     if (is_whole(at_ + 1) || is_size) add(VariantKind::division, "", "* 1.0 /");
@@ -711,6 +719,8 @@ std::vector<Edit> edits_of(const SourceText& source, const Reason& mistake) {
       return {};
     case Fix::real_quotient:
       return in_place_of("/", "* 1.0 /");
+    case Fix::divisor:
+      return in_place_of("*", "/");
     case Fix::decimal_point:
       return in_place_of(",", ".");
     case Fix::not_static:
@@ -793,11 +803,15 @@ std::vector<Variant> source_mutants(const SourceText& source, const ExerciseRefe
 std::vector<Reason> whole_quotients(const SourceText& source, const ExerciseReference& exercise) {
   std::vector<Reason> found;
   for (const Variant& each : one_token_variants(source, exercise))
-    if (each.kind == VariantKind::division)
+    if (each.kind == VariantKind::division && each.words.empty())
       found.push_back(source.reason(each.place, "integer_division",
                                     "Whole numbers are divided here, and what follows the decimal point is dropped: "
                                     "make one of them a double.",
                                     Weight::cause, Fix::real_quotient));
+    else if (each.kind == VariantKind::division)
+      found.push_back(source.reason(each.place, "divisor",
+                                    "a / b * c is (a / b) * c: to divide by the product, write a / (b * c).",
+                                    Weight::cause, Fix::divisor));
   return found;
 }
 

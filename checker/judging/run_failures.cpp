@@ -30,7 +30,7 @@ constexpr EigenRule eigen_rules[] = {
     {{"Cannot comma-initialize"}, "comma_initializer", "<< puts numbers into a matrix or vector without entries; give it a size first"},
     {{"m_currentBlockRows"}, "comma_initializer", "the parts joined by << do not have the same number of rows"},
     {{"invalid matrix product"}, "size_mismatch", "in a matrix product the left factor must have as many columns as the right one has rows",
-     "in a matrix product the left factor has {0} columns and the right one {1} rows; they must be as many"},
+     "a matrix product needs as many columns on its left as rows on its right; here these are {0} and {1}"},
     {{"aliasing detected during transposition"}, "aliasing", "A = A.transpose() overwrites A while reading it; use A.transposeInPlace() or A.transpose().eval()"},
     {{"Aliasing problem detected in inverse"}, "aliasing", "A = A.inverse() overwrites A while reading it; use A.inverse().eval()"},
     {{"you are using an empty matrix"}, "empty_matrix", "an empty matrix or vector has no largest, smallest or mean entry"},
@@ -40,7 +40,7 @@ constexpr EigenRule eigen_rules[] = {
     {{"index >= 0 && index < size()"}, "index_out_of_range", "an index lies outside its vector; a vector of size n has the indices 0 to n - 1",
      "index {2} is outside the vector of size {3}; indices start at 0"},
     {{"row >= 0 && row < rows()"}, "index_out_of_range", "a row or column index lies outside its matrix; indices start at 0",
-     "entry ({0}, {2}) is outside its matrix, which has {3} columns; indices start at 0"},
+     "entry ({0}, {2}) is outside its matrix; indices start at 0"},
     {{"(i>=0) && ("}, "index_out_of_range", "row(i) or col(i) is asked for an i that the matrix does not have; of n there are those from 0 to n - 1"},
     {{"startRow >= 0", "RowsAtCompileTime==blockRows"}, "index_out_of_range", "a block, segment, head or tail reaches beyond its matrix or vector"},
     {{"a_index <= m_matrix.cols()"}, "index_out_of_range", "diagonal(i) is asked for a diagonal that the matrix does not have"},
@@ -154,7 +154,7 @@ std::string sentence(const EigenAssertion& assertion) {
   if (rule == nullptr) return "this does not hold: " + quoted(assertion.condition);
   std::vector<long> numbers = assertion.compared;
   const bool is_of_two =
-      rule->with_numbers != nullptr && std::string_view(rule->with_numbers).find("{3}") == std::string_view::npos;
+      rule->with_numbers != nullptr && std::string_view(rule->with_numbers).find("{2}") == std::string_view::npos;
   if (rule->with_numbers == nullptr || numbers.size() != (is_of_two ? 2 : 4)) return rule->sentence;
   numbers.resize(4);
   return fmt::format(fmt::runtime(rule->with_numbers), numbers[0], numbers[1], numbers[2], numbers[3]);

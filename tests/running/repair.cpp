@@ -142,7 +142,8 @@ TEST_CASE("a quotient of whole numbers with names is a reason where one of doubl
        "sum;",
        1, true},
       {"const int k = 5;\nreturn -n * x * (k / 3);", 1, false},
-      {"return x / 2 * n / 1.0;", 0, false},
+      {"return x / 2 * n / 1.0;", 1, false},
+      {"return 4 * n * x / 2 * 2;", 1, true},  // the divisor
   };
   for (const Quotient& each : quotients) {
     CAPTURE(std::string(each.body));
