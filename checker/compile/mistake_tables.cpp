@@ -354,7 +354,7 @@ const std::vector<MessageMistake> error_table = {
      "Left of = must stand a variable that can be changed; to compare two values, write ==."},
 
     // Names and types.
-    {"undeclared_name", "^'(\\w+)' (?:was|has|does) not", "`$1` is not known here: $elsewhere"},
+    {"undeclared_name", "^'(\\w+)' (?:was|has|does) not", "`$1` is not declared here: $elsewhere"},
     {"const_behind_parameters", "non-member function '.*' cannot have cv-qualifier",
      "The const after the parentheses is for methods of a class only; leave it out."},
     {"missing_parameter_type", "redeclared as different kind of entity",
@@ -433,7 +433,7 @@ const std::vector<MessageMistake> error_table = {
      "`$1` is not declared: where it gets its first value, its type stands before it, as in double $1 = 2;",
      R"((?:^|[;{}])\s*@\w+\s*=[^=])"},
     {"undeclared_name", "^'([^' ]+)' (was|has|does) not (been declared|declared|name a type)",
-     "`$1` is not known here: is it spelt as where it was declared? The head is `$contract`."},
+     "`$1` is not declared here: check its spelling. The function is `$contract`."},
     {"missing_header", R"(^'(\w+)' is not a member of '(std|Eigen)'[^]*(?:forget to|by adding) '#include (<[\w./]+>)')",
      "`$2::$1` needs a header: write #include $3 at the top of your file."},
     {"undeclared_name", R"(^'(\w+)' is not a member of '(std|Eigen)'; did you mean '([^']+)')",
