@@ -95,9 +95,8 @@ std::map<std::string, std::string> class_exports(const ordered_json& document) {
   };
   double possible = 0;
   for (const ordered_json& exercise : document.at("exercises")) possible += exercise.at("points").get<double>();
-  const std::string title = text(document, "title");
   add({{"heading", true},
-       {"title", title.empty() ? "Rigid Body Workbook" : title},
+       {"title", document.at("title")},
        {"possible", possible},
        {"results", document.at("exercises")}});
   for (const ordered_json& student : document.at("students")) {

@@ -7,8 +7,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <sys/types.h>
-
 #include <array>
 #include <functional>
 #include <map>
@@ -147,7 +145,7 @@ class Journal {
 
   /// Safe from the end of this program at once, and from that of the machine a second later or after sync(): waiting
   /// for the disk after each result would keep processors idle. @throws std::runtime_error
-  void append(const std::string& key, const std::string& content, const CheckResult& checked);
+  void append(const std::string& key, const std::string& content, CheckResult checked);
 
   /// That of the cases of the last run; nothing if it is not known.
   std::optional<std::uint64_t> seed() const;

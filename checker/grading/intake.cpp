@@ -5,10 +5,7 @@
 #include <boost/algorithm/string/erase.hpp>
 #include <boost/algorithm/string/predicate.hpp>
 
-#include <sys/stat.h>
-
 #include <algorithm>
-#include <functional>
 #include <set>
 
 namespace workbook {
@@ -52,7 +49,6 @@ std::string one_word(const std::string& name) {
 /// The folder into which Gradescope's export puts all students.
 bool is_export(const std::string& folder) { return folder.starts_with("assignment_") && folder.ends_with("_export"); }
 
-/// The top-level entry in which a file lies.
 std::string top_entry(const std::string& path) { return path.substr(0, path.find('/')); }
 
 std::string unread(const std::string& shown, const std::string& reason) {
@@ -374,7 +370,6 @@ class Collector {
     return numbered ? attempt(student, parts[1], student.submitted, std::stoi(numbered[1])) : student;
   }
 
-  /// An entry is this student's.
   static void claim(Student& student, const std::string& entry) {
     if (student.entry.empty()) student.entry = entry;
     if (student.entry != entry && student.dispute.empty())
@@ -515,8 +510,7 @@ class Collector {
       in.refusal =
           fmt::format("{}.cpp is there twice: '{}' and '{}'; hand in one.", exercise, known->second.where, in.where);
     }
-    std::error_code ignored;
-    fs::remove(copy, ignored);
+    fs::remove(copy);
     if (in.refusal.empty()) write_or_throw(copy, text);
     student.files[exercise] = std::move(in);
   }
@@ -524,8 +518,8 @@ class Collector {
   /// @throws RejectedFile
   std::string text_of(const Found& found, const std::string& shown) const {
     if (!found.refusal.empty()) throw RejectedFile(fmt::format("{} {}.", shown, found.refusal));
-    struct stat status {};
-    if (::lstat(found.file.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_nlink > 1)
+    std::error_code ignored;
+    if (fs::is_regular_file(fs::symlink_status(found.file, ignored)) && fs::hard_link_count(found.file, ignored) > 1)
       throw RejectedFile(shown + " is a hard link, so it may be somebody else's; hand in a file of its own.");
     const fs::path unpacked = copies_ / ".unpacked";  // what was in a zip file is judged like all others
     if (found.file.empty()) write_or_throw(unpacked, found.text);

@@ -14,7 +14,8 @@ namespace {
 using nlohmann::ordered_json;
 
 // {"sum":"0123456789abcdef","entry":{"key":"0123456789abcdef", …}}, and the end of the line.
-constexpr std::string_view before_sum = R"({"sum":")", before_entry = R"(","entry":)", before_key = R"({"key":")";
+constexpr std::string_view before_sum = R"({"sum":")", before_entry = R"(","entry":)", before_key = R"({"key":")",
+                           before_picture = R"(,"picture":")";
 constexpr const char* seed_key = "seed_of_the_case";  // as long as a hash, and none
 constexpr std::size_t hash_size = 16, entry_at = before_sum.size() + hash_size + before_entry.size();
 
@@ -73,21 +74,28 @@ std::optional<CheckResult> Journal::find(const std::string& key, const std::stri
   if (place == places_.end()) return std::nullopt;
   try {
     const std::string line = line_at(place->second);
-    const auto entry = nlohmann::json::parse(entry_of(line));
+    const std::string_view text = entry_of(line);
+    const std::size_t picture = text.find(before_picture);  // large, and nothing in it needs to be read
+    const auto entry = nlohmann::json::parse(std::string(text.substr(0, picture)) + "}");
     // The key is a short hash, for which somebody may have made two files.
     if (entry.at("content").get<std::string>() != base64(content)) return std::nullopt;
-    return read_result(from_base64(entry.at("result").get<std::string>()));
+    CheckResult checked = read_result(from_base64(entry.at("result").get<std::string>()));
+    checked.picture = text.substr(picture + before_picture.size());
+    checked.picture.resize(checked.picture.size() - 2);  // "}
+    return checked;
   } catch (const std::exception&) {  // of another version, or damaged: it is judged again
     return std::nullopt;
   }
 }
 
-void Journal::append(const std::string& key, const std::string& content, const CheckResult& checked) {
+void Journal::append(const std::string& key, const std::string& content, CheckResult checked) {
+  const std::string picture = std::exchange(checked.picture, "");
   const ordered_json entry = {{"key", key},
                               {"exercise", checked.name()},
                               {"verdict", to_string(checked.judgement.verdict)},
                               {"content", base64(content)},
-                              {"result", base64(written_result(checked))}};
+                              {"result", base64(written_result(checked))},
+                              {"picture", picture}};
   write(key, line_of(entry));
   if (Clock::now() - synced_ > std::chrono::seconds(1)) sync();
 }
