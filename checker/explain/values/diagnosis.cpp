@@ -58,10 +58,10 @@ constexpr struct {
     {diagnose_eigenvectors, Beside::nothing},
     {diagnose_difference, Beside::nothing},
     {diagnose_small_argument, Beside::nothing},
-    {diagnose_two_mistakes, Beside::nothing},
     {diagnose_split, Beside::place},
     {diagnose_conditional, Beside::place},
     {diagnose_one_entry, Beside::nothing},
+    {diagnose_two_mistakes, Beside::nothing},
     {diagnose_kinds, Beside::place},
     {diagnose_one_side, Beside::symptoms},
 };

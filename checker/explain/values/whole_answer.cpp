@@ -252,14 +252,19 @@ std::optional<Reason> diagnose_two_mistakes(const ExerciseReference& exercise, c
   changed.cases.resize(exercise.described_cases());
   for (const Misconception& each : exercise.misconceptions) {
     for (std::size_t i = 0; i < changed.cases.size(); ++i) changed.cases[i].expected = each.outputs[i];
-    if (!std::ranges::all_of(each.outputs, &Value::is_finite)) continue;
+    // Where the answer is right, it is no mistake times something.
+    const auto is_right = [&](std::size_t i) {
+      return answers[i] && passes(exercise, i, *answers[i]) && !passes(exercise, i, each.outputs[i]);
+    };
+    if (!std::ranges::all_of(each.outputs, &Value::is_finite) || std::ranges::any_of(deciding_cases(changed), is_right))
+      continue;
     const auto found = diagnose_factor(changed, answers);
     if (!found) continue;
     const std::string beside = replaced(found->sentence, "the expected ones?", "that of a mistake");
     return Reason{ReasonKind::misconception, each.name,
                   fmt::format("{} The mistake: {}", replaced(beside, "all else is right", "all else is that of it"),
                               each.message),
-                  Weight::cause, each.notes};
+                  Weight::possible, each.notes};
   }
   return std::nullopt;
 }
