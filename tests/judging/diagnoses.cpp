@@ -311,6 +311,14 @@ Table laws() {
   area.misconceptions = {{"cosine", "The sine is a cosine here.", "", of(area, cosine), {}}};
   add(table, "a known mistake and a factor", area, of(area, [&](double x, double y) { return 2 / x * cosine(x, y); }),
       "misconception cosine");
+  area.misconceptions = {{"negative", "The sign is wrong.", "", times(area, -1), {}}};
+  area.cases[3].deciding = false;
+  Values nearly = times(area, 1);
+  nearly[3].numbers[0] += 1;
+  add(table, "right where it decides: no mistake with the other sign", area, nearly);
+  area.misconceptions.clear();
+  add(table, "a factor and the other sign", area,
+      of(area, [](double x, double y) { return -x * x * std::sin(y) * std::cos(y); }), "transform missing_factor");
   Exercise obtuse = of_two(a, angle, units::radian, [](double x, double y) { return x + y / 5; });
   add(table, "an angle by its sine", obtuse,
       of(obtuse, [](double x, double y) { return std::asin(std::sin(x + y / 5)); }), "transform complement");

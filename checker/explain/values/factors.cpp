@@ -80,6 +80,10 @@ std::string factor_text(const std::string& coefficient, const std::vector<InputP
   for (const InputPower& each : powers) (each.exponent > 0 ? above : below).push_back(text_of(each));
   const std::string divisor = fmt::format(fmt::runtime(below.size() > 1 ? "({})" : "{}"), fmt::join(below, "·"));
   if (above.empty()) return "divided by " + divisor;
+  if (above.size() > 1 && above.front() == "−1") {
+    above.erase(above.begin());
+    above.front().insert(0, "−");
+  }
   return fmt::format("times {}{}", fmt::join(above, "·"), below.empty() ? "" : "/" + divisor);
 }
 
