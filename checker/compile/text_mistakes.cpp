@@ -109,6 +109,8 @@ const std::vector<TextMistake>& table() {
        Weight::cause, Fix::exact_pi},
       {"size_for_length", R"((?:^| )(\w+) / \1 \. size \( \))",
        "`$1.size()` is the number of components: the length of a vector is `$1.norm()`."},
+      {"size_in_bytes", R"(< (sizeof \( (\w+) \)))", "`$1` counts bytes: how many elements there are is `$2.size()`.",
+       nullptr, "", Weight::possible},
       {"rows_first", R"((Matrix3Xd) \w+ \( (?!3 ,)[^,]+ , 3 \))",
        "Rows come first, and a $1 has 3 of them: write $1 name(3, n).", nullptr, "", Weight::possible},
       {"unsigned_difference",
