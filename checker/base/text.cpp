@@ -1,9 +1,7 @@
 #include "checker/base/text.hpp"
 
+#include <sodium.h>
 #include <boost/algorithm/string/replace.hpp>
-#include <boost/archive/iterators/base64_from_binary.hpp>
-#include <boost/archive/iterators/binary_from_base64.hpp>
-#include <boost/archive/iterators/transform_width.hpp>
 #include <boost/locale/utf.hpp>
 #include <boost/regex.hpp>
 
@@ -15,6 +13,7 @@
 #include <map>
 #include <numeric>
 #include <sstream>
+#include <stdexcept>
 #include <utility>
 
 namespace workbook {
@@ -199,22 +198,21 @@ std::string replaced(std::string_view text, std::string_view pattern, const std:
 }
 
 std::string base64(std::string_view bytes) {
-  using namespace boost::archive::iterators;
-  using Digits = base64_from_binary<transform_width<std::string_view::const_iterator, 6, 8>>;
-  std::string text(Digits(bytes.begin()), Digits(bytes.end()));
-  text.append((3 - bytes.size() % 3) % 3, '=');
+  constexpr int variant = sodium_base64_VARIANT_ORIGINAL;
+  std::string text(sodium_base64_encoded_len(bytes.size(), variant), '\0');
+  sodium_bin2base64(text.data(), text.size(), reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(),
+                    variant);
+  text.pop_back();  // the null at its end
   return text;
 }
 
 std::string from_base64(std::string_view text) {
-  using namespace boost::archive::iterators;
-  while (text.ends_with('=')) text.remove_suffix(1);
-  using Bytes = transform_width<binary_from_base64<std::string_view::const_iterator>, 8, 6>;
-  std::string bytes;
-  bytes.reserve(text.size() * 3 / 4);
-  // By number: the iterators would step over the end.
-  auto next = Bytes(text.begin());
-  for (std::size_t left = text.size() * 3 / 4; left > 0; --left) bytes += *next++;
+  std::string bytes(text.size() / 4 * 3, '\0');
+  std::size_t size = 0;
+  if (sodium_base642bin(reinterpret_cast<unsigned char*>(bytes.data()), bytes.size(), text.data(), text.size(), nullptr,
+                        &size, nullptr, sodium_base64_VARIANT_ORIGINAL) != 0)
+    throw std::invalid_argument("This is not base64.");
+  bytes.resize(size);
   return bytes;
 }
 
