@@ -68,6 +68,9 @@ const std::vector<MessageMistake> error_table = {
     {"foreign_word", ".", "A loop over whole numbers is written for (int i = 0; i < 3; ++i).",
      R"(^\s*@?for\s+@?\w+\s+@?in\b)"},
 
+    {"missing_type", ".", "catch needs a type: catch (const std::exception& e).", R"(\bcatch\s*\(\s*@?\w+@?\s*\))"},
+    {"component_by_name", ".", "A component is v[0], not v.0.", R"(\b[A-Za-z_]\w*@?\.\d)"},
+
     // Sizes, which Eigen reports by the names of static assertions.
     {"row_and_column",
      R"(YOU_MIXED_MATRICES[^]*scalar_(sum|difference)_op[^]*Lhs = (?:(?:const )?(?:Vector|\S+×1 v)[^;]*; Rhs = (?:1×|RowV)|)"
@@ -116,8 +119,8 @@ const std::vector<MessageMistake> error_table = {
      R"(\bfor\s*\([^;()]*[^:]:\s*@?(\w+)\s*\))"},
     {"vector_method_on_matrix", "CALLING_A_VECTOR_METHOD_ON_A_MATRIX",
      "This works with vectors only, but is given a matrix; an entry is A(i, j), a column A.col(j)."},
-    {"call_of_method", "unresolved overloaded|invalid use of member|^invalid types '",
-     "`%1` is called with parentheses: %1(...).", R"(\.\s*(\w+)\s*@?\[)"},
+    {"call_of_method", R"(unresolved overloaded|invalid use of member|^invalid types '[^']*\()",
+     "A function is called with parentheses ( ), not with [ ].", R"(\w\s*@?\[)"},
     {"matrix_brackets", "THE_BRACKET_OPERATOR_IS_ONLY_FOR_VECTORS",
      "[ ] works with vectors only: an entry of a matrix is A(i, j), with parentheses, a column A.col(j)."},
     {"component_beyond", "OUT_OF_RANGE_ACCESS", "This vector has no %1(): it is too short.",

@@ -48,7 +48,7 @@ constexpr EigenRule eigen_rules[] = {
     {{"other.rows() == 1 || other.cols() == 1"}, "size_mismatch", "a matrix of several rows and columns is assigned to a vector"},
     {{"aLhs.rows() == aRhs.rows()"}, "size_mismatch", "two operands of a sum or difference have different sizes",
      "operands of the sizes {0}×{2} and {1}×{3} cannot be combined entry by entry"},
-    {{"AtCompileTime == rows", "rows==RowsAtCompileTime", "SizeAtCompileTime == ", "rows >= 0 && cols >= 0", "vecSize >= 0"}, "size_mismatch", "a matrix or vector is given a size that is negative or that its type does not allow"},
+    {{"AtCompileTime == rows", "rows==RowsAtCompileTime", "SizeAtCompileTime == ", "rows >= 0 && cols >= 0", "vecSize >= 0"}, "size_mismatch", "a matrix or vector is given a size that its type does not allow, such as two numbers for a Vector3d, or a negative one"},
     {{"dst.rows() ==", "dst.rows()==", "does not actually allow one to resize", "rows() == other.rows()", "rows()==other.rows()"}, "size_mismatch", "two operands of a sum, difference or assignment have different sizes",
      "a value of size {1}×{3} is assigned to, added to or subtracted from one of size {0}×{2}"},
     {{"size() == other.size()"}, "size_mismatch", "dot() needs two vectors of the same size",
