@@ -29,6 +29,7 @@ bool is_confirmed(const Reason& split, const Ask& ask, ExerciseReference exercis
   const auto claim = [](const std::string& message) { return message.substr(0, message.find(" (")); };
   std::vector<PlannedCall> calls;
   const std::size_t judged = exercise.cases.size();
+  exercise.properties.clear();  // whose weights are those of cases
   double size = 0;
   for (std::size_t i = 0; i < exercise.sweep.x.size(); ++i) {
     const Value& expected = exercise.sweep.expected[i];
