@@ -297,7 +297,8 @@ void AnyExercise::add_cases(const Batch& batch, std::uint64_t seed, ExerciseRefe
 
 ExerciseReference AnyExercise::random_cases(std::uint64_t seed) const {
   ExerciseReference out = result_;
-  out.properties.clear();  // they are judged at all cases
+  out.properties.clear();  // they are told of all cases, as regions are
+  out.regions.clear();
   for (const Batch& batch : batches_)
     if (batch.prototype.group == Group::random) add_cases(batch, seed, out);
   return out;
