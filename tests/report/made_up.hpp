@@ -53,6 +53,7 @@ inline void fill_with_hostile_text(MadeUpCourse& course) {
                         .line = 3,
                         .column = 5,
                         .excerpt = "int " + hostile + "\n    ^"}};
+    if (verdict == Verdict::checker_error) checked.reasons.clear();  // then the next step is told
     if (verdict == Verdict::wrong_value)
       checked.reasons.push_back({ReasonKind::term, hostile, "Diagnosed. " + hostile, Weight::cause, hostile});
     checked.observation.replies.resize(1);
