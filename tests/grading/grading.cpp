@@ -18,30 +18,31 @@ namespace fs = std::filesystem;
 /// What autograders of four systems would have said of a student who passes the first exercise only.
 void check_results_for_autograders(const fs::path& out, const std::string& slug) {
   const auto of = [&](const char* folder) { return nlohmann::json::parse(read(out / folder / (slug + ".json"))); };
+  const nlohmann::json of_gradescope = of("gradescope"), of_prairielearn = of("prairielearn");
   // By their documents, these keys and no others mean something.
   const auto has_only = [](const nlohmann::json& object, const std::set<std::string>& known) {
     for (const auto& [key, unused] : object.items()) CHECK_MESSAGE(known.contains(key), key);
   };
-  has_only(of("gradescope"), {"score", "execution_time", "output", "output_format", "test_output_format", "visibility",
-                              "stdout_visibility", "extra_data", "tests", "leaderboard"});
-  has_only(of("prairielearn"), {"gradable", "score", "message", "output", "images", "tests", "format_errors"});
-  for (const auto& test : of("gradescope").at("tests"))
+  has_only(of_gradescope, {"score", "execution_time", "output", "output_format", "test_output_format", "visibility",
+                           "stdout_visibility", "extra_data", "tests", "leaderboard"});
+  has_only(of_prairielearn, {"gradable", "score", "message", "output", "images", "tests", "format_errors"});
+  for (const auto& test : of_gradescope.at("tests"))
     has_only(test, {"score", "max_score", "status", "name", "name_format", "number", "output", "output_format", "tags",
                     "visibility", "extra_data"});
-  for (const auto& test : of("prairielearn").at("tests")) {
+  for (const auto& test : of_prairielearn.at("tests")) {
     has_only(test, {"name", "description", "points", "max_points", "message", "output", "images"});
     CHECK(test.at("points").get<double>() <= test.at("max_points").get<double>());
   }
-  CHECK(of("gradescope").at("score") == 2);
-  CHECK(of("gradescope").at("tests").at(1).at("status") == "failed");
-  CHECK(has(of("gradescope").at("tests").at(1).at("output").get<std::string>(), "value is wrong"));
+  CHECK(of_gradescope.at("score") == 2);
+  CHECK(of_gradescope.at("tests").at(1).at("status") == "failed");
+  CHECK(has(of_gradescope.at("tests").at(1).at("output").get<std::string>(), "value is wrong"));
   // Autolab reads the last two lines.
   const auto lines = workbook::lines_of(read(out / "autolab" / (slug + ".txt")));
   REQUIRE(lines.size() == 2);
   CHECK(nlohmann::json::parse(lines[0]).at("Exercises").at("spring_force").at("passed") == false);
   CHECK(nlohmann::json::parse(lines[1]) ==
         nlohmann::json::parse(R"({"scores": {"spring_energy": 2.0, "spring_force": 0.0}})"));
-  CHECK(of("prairielearn").at("score").get<double>() == doctest::Approx(2.0 / 3));
+  CHECK(of_prairielearn.at("score").get<double>() == doctest::Approx(2.0 / 3));
   const auto github = of("github_classroom");
   CHECK(github.at("status") == "fail");
   CHECK(github.at("max_score") == 3);
