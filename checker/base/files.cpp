@@ -45,12 +45,15 @@ std::string write_file(const fs::path& file, std::string_view content) {
 }
 
 void remove_unfinished(const fs::path& folder) {
-  std::error_code problem;
-  for (const auto& entry : fs::recursive_directory_iterator(folder, problem)) {
-    if (entry.path().extension() != ".unfinished") continue;
-    const std::string writer = entry.path().stem().extension().string();  // .NUMBER
+  std::error_code problem, ignored;
+  constexpr auto options = fs::directory_options::skip_permission_denied;
+  for (fs::recursive_directory_iterator next(folder, options, problem), end; !problem && next != end;
+       next.increment(problem)) {
+    const fs::path& file = next->path();
+    if (file.extension() != ".unfinished") continue;
+    const std::string writer = file.stem().extension().string();  // .NUMBER
     const pid_t number = writer.empty() ? 0 : std::atoi(writer.c_str() + 1);
-    if (number > 0 && ::kill(number, 0) != 0 && errno == ESRCH) fs::remove(entry.path(), problem);
+    if (number > 0 && ::kill(number, 0) != 0 && errno == ESRCH) fs::remove(file, ignored);
   }
 }
 

@@ -74,7 +74,8 @@ std::vector<Variant> one_token_variants(const SourceText& source, const Exercise
 /// .normalized() or a statement left out.
 std::vector<Variant> source_mutants(const SourceText& source, const ExerciseReference& exercise);
 
-/// Quotients of whole numbers that have names: a mistake only where one of doubles gives another result.
+/// Quotients of whole numbers that have names, and quotients with a factor after them that was perhaps meant for the
+/// divisor: mistakes only where the other reading gives another result.
 std::vector<Reason> whole_quotients(const SourceText& source, const ExerciseReference& exercise);
 
 std::string edited(std::string_view text, std::vector<Edit> edits);

@@ -144,6 +144,20 @@ TEST_CASE("A file that cannot be written keeps its old content, and the reason i
   }
 }
 
+TEST_CASE("A half-written file is removed when its writer is gone, and what looks alike stays") {
+  const fs::path folder = scratch();
+  const pid_t gone = ::fork();
+  if (gone == 0) ::_exit(0);
+  REQUIRE(::waitpid(gone, nullptr, 0) == gone);
+  const auto named = [&](const auto& writer) { return folder / "below" / fmt::format("page.{}.unfinished", writer); };
+  for (const fs::path& file : {named(gone), named(::getpid()), named("no number"), folder / "x.unfinished"})
+    write(file, "half");
+  remove_unfinished(folder);
+  remove_unfinished(folder / "nowhere");
+  CHECK(!fs::exists(named(gone)));
+  for (const fs::path& file : {named(::getpid()), named("no number"), folder / "x.unfinished"}) CHECK(fs::exists(file));
+}
+
 TEST_CASE("Only regular files up to the limit are read") {
   const fs::path folder = scratch();
   write(folder / "ten", "0123456789");

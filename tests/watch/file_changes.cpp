@@ -21,12 +21,16 @@ namespace {
 /// Two files in a folder of their own, that are watched.
 struct Files {
   explicit Files(bool with_events) : events(with_events) {
-    fs::remove_all(folder.parent_path());
+    fs::remove_all(root);
     write(one, "first");
     write(two, "second");
     changes.emplace(std::vector{one, two}, events);
     CHECK(changes->events_missing().empty() == events);
   }
+
+  Files(const Files&) = delete;
+  Files& operator=(const Files&) = delete;
+  ~Files() { fs::remove_all(root); }
 
   /// What is reported first within that time, or all of it. Counted in looks, since a busy machine may leave out any
   /// length of time.
@@ -43,7 +47,8 @@ struct Files {
 
   bool events;
   /// Of this process, since watch and watch_thorough may run at the same time.
-  fs::path folder = fs::path(WORKBOOK_TEST_SCRATCH) / fmt::format("changes-{}", getpid()) / "exercises";
+  fs::path root = fs::path(WORKBOOK_TEST_SCRATCH) / fmt::format("changes-{}", getpid());
+  fs::path folder = root / "lecture" / "exercises";
   fs::path one = folder / "one.cpp";
   fs::path two = folder / "two.cpp";
   std::optional<FileChanges> changes;
@@ -141,7 +146,6 @@ TEST_CASE("a folder may go and come back: its files are not reported for that, b
 TEST_CASE("a folder above the files may be moved away and another put in its place") {
   Files files(true);
   const fs::path above = files.folder.parent_path();
-  fs::remove_all(above.string() + ".away");
   fs::rename(above, above.string() + ".away");
   CHECK(files.reports_in_one_look() == nothing);
   write(files.one, "in the new place");
