@@ -141,7 +141,7 @@ class Journal {
   bool has(const std::string& key) const { return places_.contains(key); }
 
   /// The result under the key, if it was made from exactly this content.
-  std::optional<CheckResult> find(const std::string& key, const std::string& content) const;
+  std::optional<CheckResult> find(const std::string& key, const std::string& content);
 
   /// Safe from the end of this program at once, and from that of the machine a second later or after sync(): waiting
   /// for the disk after each result would keep processors idle. @throws std::runtime_error
@@ -172,6 +172,7 @@ class Journal {
   fs::path file_;
   Descriptor descriptor_;
   std::map<std::string, Place> places_;
+  std::map<std::string, std::pair<std::string, CheckResult>> passed_;  ///< read once: many hand in the same
   std::int64_t end_ = 0;
   Clock::time_point synced_ = Clock::now();
   std::size_t damaged_ = 0;

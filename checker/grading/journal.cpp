@@ -69,7 +69,9 @@ std::string Journal::line_at(const Place& place) const {
   return got == static_cast<ssize_t>(line.size()) ? line : "";
 }
 
-std::optional<CheckResult> Journal::find(const std::string& key, const std::string& content) const {
+std::optional<CheckResult> Journal::find(const std::string& key, const std::string& content) {
+  if (const auto read = passed_.find(key); read != passed_.end() && read->second.first == content)
+    return read->second.second;
   const auto place = places_.find(key);
   if (place == places_.end()) return std::nullopt;
   try {
@@ -82,6 +84,7 @@ std::optional<CheckResult> Journal::find(const std::string& key, const std::stri
     CheckResult checked = read_result(from_base64(entry.at("result").get<std::string>()));
     checked.picture = text.substr(picture + before_picture.size());
     checked.picture.resize(checked.picture.size() - 2);  // "}
+    if (checked.judgement.verdict == Verdict::passed) passed_.insert_or_assign(key, std::pair(content, checked));
     return checked;
   } catch (const std::exception&) {  // of another version, or damaged: it is judged again
     return std::nullopt;

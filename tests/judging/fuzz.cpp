@@ -220,7 +220,7 @@ TEST_CASE("Damaged journals: a result is the one that was judged, or it is judge
     const std::string damaged = damaged_text(text, random);
     replace(file, damaged);
     if (seed % 2 == 0) Journal(file, Journal::Access::write, "passed");
-    const auto check = [&](const Journal& journal) {
+    const auto check = [&](Journal journal) {
       for (const auto& [content, bytes] : right) {
         const auto known = journal.find(fingerprint(content), content);
         known ? ++found : ++lost;
@@ -233,7 +233,7 @@ TEST_CASE("Damaged journals: a result is the one that was judged, or it is judge
     fs::remove(merged);
     Journal joined(merged);
     joined.merge(Journal(file, Journal::Access::read));
-    check(joined);
+    check(std::move(joined));
   }
   CHECK(found > damaged_journals);
   CHECK(lost > damaged_journals);
