@@ -349,8 +349,8 @@ class CompilationInProgress {
              program.output);
     if (has_reason) return;
     if (says({"out of memory", "memory exhausted", "Killed signal terminated program", "Cannot allocate memory"}))
-      refuse("Compiling your file takes too much memory; look for a template or an #include that never ends.",
-             program.output);
+      // The compiler's own words differ from run to run: they tell in which allocation it met the limit.
+      refuse("Compiling your file takes too much memory; look for a template or an #include that never ends.");
     if (says({"File too large", "File size limit exceeded"}) || program.end.signal == SIGXFSZ)
       refuse("Your file makes a program that is too large; look for a huge array.", program.output);
   }
