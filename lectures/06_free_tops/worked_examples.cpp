@@ -269,8 +269,8 @@ TEST_CASE("rates: Near axis 3, Euler's first two equations become linear") {
   CHECK(agrees(-(omega_rate({0, 1, 5}) - omega_rate({0, -1, 5}))[0] / 2, rates[0], 1e-14));
   CHECK(agrees((omega_rate({1, 0, 5}) - omega_rate({-1, 0, 5}))[1] / 2, rates[1], 1e-14));
 
-  result(R"((\Omega_1, \Omega_2))", rates, "rad/s", "both negative", 5);
-  result(R"(\sqrt{\Omega_1\Omega_2})", frequency, "rad/s", "of the oscillation below", 5);
+  result(R"((\Omega_1, \Omega_2))", rates, "rad/s", "both negative", 4);
+  result(R"(\sqrt{\Omega_1\Omega_2})", frequency, "rad/s", "of the oscillation below", 4);
 }
 //! [rates]
 
@@ -600,8 +600,8 @@ TEST_CASE("period: In closed form, by watching the motion, and with the modulus 
   CHECK(agrees(std::comp_ellint_1(std::sqrt(0.35)), by_definition, 1e-13));
   CHECK(agrees(boost::math::ellint_1(std::sqrt(0.35)), by_definition, 1e-13));
 
-  result("P", P, "s", R"(as \(4K(k)/\nu\) gives with the library's function)", 7);
-  result(R"(P_{\mathrm{wrong}})", wrong, "s", R"(with \(k^2\) where the library wants \(k\))", 7);
+  result("P", P, "s", R"(as \(4K(k)/\nu\) gives with the library's function)", 4);
+  result(R"(P_{\mathrm{wrong}})", wrong, "s", R"(with \(k^2\) where the library wants \(k\))", 4);
 }
 //! [period]
 
@@ -659,7 +659,7 @@ TEST_CASE("law: Ten times less disturbance delays the first flip by a fixed time
 
   result_table({R"(\(\tilde\omega_3(0)\) / (rad/s))", "first flip / s", "interval / s",
                 R"(\(\tfrac1\sigma\ln\tfrac{16}{1-k^2}\) / s)"},
-               table, 6);
+               table, 4);
   result(R"(\ln 10/\sigma)", std::log(10.0) / sigma, "s", "the delay of the first flip per decade");
 }
 //! [law]
