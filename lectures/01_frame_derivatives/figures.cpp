@@ -37,14 +37,14 @@ void draw_two_sources(const std::filesystem::path& directory) {
   for (int k = 0; k <= 60; ++k) path.push_back(place(4.4 * k / 60));
   sketch.line(path, colors::grey, 2);
   sketch.text(place(0.9), "path", colors::grey, Side::right);
-  sketch.arrow(origin, 0.8 * basis.col(0), colors::vermilion, "{/:Bold e}_1", Side::right);
+  sketch.arrow(origin, 0.8 * basis.col(0), colors::orange, "{/:Bold e}_1", Side::right);
   sketch.arrow(origin, 0.8 * basis.col(1), colors::green, "{/:Bold e}_2", Side::below);
   sketch.line({origin, V}, colors::black, 2);
   sketch.text(0.72 * V, "{/:Bold V}", colors::black, Side::right);
   sketch.line({V + seen, V + sum}, colors::pale, 1.5);
   sketch.line({V + added, V + sum}, colors::pale, 1.5);
   sketch.arrow(V, V + seen, colors::blue, "(d{/:Bold V}/dt)_{body}", Side::right);
-  sketch.arrow(V, V + added, colors::orange, "{/:Bold ω} × {/:Bold V}", Side::below);
+  sketch.arrow(V, V + added, colors::vermilion, "{/:Bold ω} × {/:Bold V}", Side::below);
   sketch.arrow(V, V + sum, colors::purple, "(d{/:Bold V}/dt)_{inertial}", Side::above);
   sketch.dot(V, colors::black, 0.9);
   sketch.draw(directory, "two_sources_of_change", 440);
@@ -84,7 +84,7 @@ void draw_turbine(const std::filesystem::path& directory) {
   for (int k = 0; k < 3; ++k) {
     const Vector3d along = rotated(z_axis, x_axis, 0.7 + 2 * pi * k / 3), across = x_axis.cross(along);
     sketch.face({hub - 0.04 * across, hub + 1.25 * along, hub + 0.3 * along + 0.12 * across, hub + 0.04 * across},
-                colors::black, 0.65);
+                colors::grey, 1);
   }
   const Vector3d spin = 1.35 * x_axis, yaw = 0.75 * z_axis;
   sketch.arrow(hub, hub + spin, colors::blue);
@@ -143,39 +143,24 @@ void draw_leaving_the_circle(const std::filesystem::path& directory) {
   sketch.draw(directory, "leaving_the_circle", 480);
 }
 
-/// The faces of a box that are seen, with a title on its cover, so that its attitude can be told.
+/// A box with a spine, and a title on its cover, so that its attitude can be told.
 void draw_book(Sketch& sketch, const Vector3d& center, const Matrix3d& attitude) {
   const Vector3d half(0.38, 0.55, 0.11);
   const auto at = [&](double x, double y, double z) -> Vector3d {
     return center + attitude * Vector3d(x * half[0], y * half[1], z * half[2]);
   };
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const double side : {1.0, -1.0}) {
-      if (!sketch.faces_reader(side * attitude.col(axis))) continue;
-      SpaceCurve face;
-      for (const auto& [a, b] : {std::pair{1.0, 1.0}, {-1.0, 1.0}, {-1.0, -1.0}, {1.0, -1.0}}) {
-        Vector3d corner;
-        corner[axis] = side;
-        corner[(axis + 1) % 3] = a;
-        corner[(axis + 2) % 3] = b;
-        face.push_back(at(corner[0], corner[1], corner[2]));
-      }
-      const bool is_cover = axis == 2, is_spine = axis == 0 && side < 0;
-      sketch.face(face, is_cover || is_spine ? colors::blue : colors::pale, is_spine ? 0.75 : is_cover ? 0.4 : 0.9);
-      face.push_back(face.front());
-      sketch.line(face, colors::black, 1.5);
-      if (is_cover && side > 0) {
-        sketch.face({at(-0.6, 0.3, 1), at(0.6, 0.3, 1), at(0.6, 0.65, 1), at(-0.6, 0.65, 1)}, colors::black, 0.9);
-        sketch.line({at(-0.6, -0.55, 1), at(0.2, -0.55, 1)}, colors::black, 2);
-      }
-    }
-  }
+  sketch.solid_box(center, attitude * half.asDiagonal(), {colors::pale, colors::pale, colors::sky});
+  const double above = 1.02;
+  sketch.face({at(-above, 1, 1), at(-above, 1, -1), at(-above, -1, -1), at(-above, -1, 1)}, colors::blue, 1);
+  sketch.face({at(-0.6, 0.3, above), at(0.6, 0.3, above), at(0.6, 0.65, above), at(-0.6, 0.65, above)}, colors::black,
+              1);
+  sketch.line({at(-0.6, -0.55, above), at(0.2, -0.55, above)}, colors::black, 2);
 }
 
 /// Two quarter rotations of a book, in both orders.
 void draw_book_orders(const std::filesystem::path& directory) {
   Sketch sketch({0.75, -1.0, 0.75});
-  const Vector3d right = z_axis.cross(sketch.towards()).normalized(), up = sketch.towards().cross(right);
+  const Vector3d right = sketch.right(), up = sketch.up();
   for (int row = 0; row < 2; ++row) {
     Matrix3d attitude = Matrix3d::Identity();
     for (int step = 0; step < 3; ++step) {

@@ -95,23 +95,22 @@ void draw_globe(const std::filesystem::path& directory) {
   const Vector3d meridian(std::cos(longitude), std::sin(longitude), 0);
   const Vector3d up = std::cos(latitude) * meridian + std::sin(latitude) * z_axis;
   const Vector3d east = z_axis.cross(meridian), north = up.cross(east);
-  const Matrix3d ball = Matrix3d::Identity();
-  sketch.ellipsoid(ball, colors::sky);
+  sketch.ellipsoid(Matrix3d::Identity(), colors::sky);
   for (int k = -2; k <= 2; ++k) {
     const double there = 30 * k * degree;
-    sketch.on_ellipsoid(arc(std::sin(there) * z_axis, std::cos(there), x_axis, y_axis), ball, colors::grey,
-                        k == 0 ? 2 : 0.8);
+    sketch.line(arc(std::sin(there) * z_axis, std::cos(there), x_axis, y_axis), colors::grey, k == 0 ? 2 : 0.8);
   }
   for (int k = 0; k < 6; ++k)
-    sketch.on_ellipsoid(arc(origin, 1, z_axis, rotated(meridian, z_axis, pi / 6 * (k + 0.5))), ball, colors::grey, 0.8);
-  sketch.on_ellipsoid(arc(origin, 1, meridian, z_axis, -pi / 2, pi / 2), ball, colors::black, 1.5);
-  sketch.line({-1.25 * z_axis, -1.0 * z_axis}, colors::blue, 2);
-  sketch.line({origin, z_axis}, colors::blue, 2, "dt (4,4)");
-  sketch.arrow(z_axis, 1.6 * z_axis, colors::blue, "{/:Bold Ω}", Side::right);
-  sketch.line({meridian, origin, up}, colors::grey, 1.5, "dt (4,4)");
-  sketch.line(arc(origin, 0.45, meridian, z_axis, 0, latitude), colors::black, 2);
+    sketch.line(arc(origin, 1, z_axis, rotated(meridian, z_axis, pi / 6 * (k + 0.5))), colors::grey, 0.8);
+  sketch.line(arc(origin, 1, meridian, z_axis, -pi / 2, pi / 2), colors::black, 1.5);
+  sketch.line({-1.25 * z_axis, -1.0 * z_axis}, colors::vermilion, 2);
+  sketch.line({origin, z_axis}, colors::vermilion, 2, "dt (4,4)");
+  sketch.arrow(z_axis, 1.6 * z_axis, colors::vermilion, "{/:Bold Ω}", Side::right);
+  const Vector3d in_front = 2 * sketch.towards();
+  sketch.line({meridian + in_front, in_front, up + in_front}, colors::grey, 1.5, "dt (4,4)");
+  sketch.line(arc(in_front, 0.45, meridian, z_axis, 0, latitude), colors::black, 2);
   sketch.text(0.56 * (std::cos(latitude / 2) * meridian + std::sin(latitude / 2) * z_axis), "λ");
-  sketch.arrow(up, up + 0.6 * east, colors::vermilion, "east", Side::right);
+  sketch.arrow(up, up + 0.6 * east, colors::orange, "east", Side::right);
   sketch.arrow(up, up + 0.6 * north, colors::green, "north", Side::above);
   sketch.arrow(up, up + 0.6 * up, colors::purple, "up", Side::right);
   sketch.dot(up, colors::black, 0.9);
@@ -124,15 +123,15 @@ void draw_plumb_line(const std::filesystem::path& directory) {
   const double latitude = 45 * degree;
   const Vector3d place(std::cos(latitude), std::sin(latitude), 0);
   sketch.line(arc(origin, 1, x_axis, y_axis, -0.15, pi + 0.15), colors::grey, 1.5);
-  sketch.line({-0.15 * y_axis, 1.0 * y_axis}, colors::blue, 1.5, "dt (4,4)");
-  sketch.arrow(y_axis, 1.3 * y_axis, colors::blue, "{/:Bold Ω}", Side::left);
+  sketch.line({-0.15 * y_axis, 1.0 * y_axis}, colors::vermilion, 1.5, "dt (4,4)");
+  sketch.arrow(y_axis, 1.3 * y_axis, colors::vermilion, "{/:Bold Ω}", Side::left);
   sketch.line({place.y() * y_axis, place}, colors::pale, 1.5);
   sketch.line({origin, place}, colors::pale, 1.5);
   const Vector3d attraction = -0.62 * place, centrifugal = 0.2 * x_axis;
   sketch.arrow(place, place + attraction, colors::black);
   sketch.text(place + 0.6 * attraction, "{/:Bold g}", colors::black, Side::left);
-  sketch.arrow(place, place + centrifugal, colors::vermilion, "−{/:Bold Ω} × ({/:Bold Ω} × {/:Bold r})", Side::right);
-  sketch.line({place + attraction, place + attraction + centrifugal}, colors::vermilion, 1.5, "dt (4,4)");
+  sketch.arrow(place, place + centrifugal, colors::orange, "−{/:Bold Ω} × ({/:Bold Ω} × {/:Bold r})", Side::right);
+  sketch.line({place + attraction, place + attraction + centrifugal}, colors::orange, 1.5, "dt (4,4)");
   sketch.arrow(place, place + attraction + centrifugal, colors::green, "{/:Bold g}_{eff}", Side::right);
   sketch.dot(place, colors::black, 0.9);
   sketch.dot(origin, colors::grey, 0.7);

@@ -73,7 +73,7 @@ void draw_cube_axes(const std::filesystem::path& directory) {
   }
   sketch.text(-0.9 * (std::cos(0.35 + pi / 3) * across + std::sin(0.35 + pi / 3) * other),
               "I_2 = I_3 = {/*0.85 11/12} Ma^2", colors::blue, Side::left);
-  sketch.arrow(origin, 2.15 * diagonal, colors::vermilion, "I_1 = {/*0.85 1/6} Ma^2", Side::right);
+  sketch.arrow(origin, 2.15 * diagonal, colors::orange, "I_1 = {/*0.85 1/6} Ma^2", Side::right);
   sketch.dot(origin, colors::black, 0.7);
   sketch.draw(directory, "cube_axes", 590);
 }
@@ -89,20 +89,19 @@ struct Box {
 void draw_inertia_ellipsoid(const std::filesystem::path& directory) {
   const Box box;
   Sketch sketch({0.75, -1.0, 0.75});
-  const Matrix3d edges = box.axes * box.edges.asDiagonal();
-  sketch.box(-0.5 * edges.rowwise().sum(), edges, true);
-  // The side of the ellipsoid that faces the reader, in circles about its long axis and in meridians.
+  sketch.solid_box(origin, box.axes * Matrix3d((0.5 * box.edges).asDiagonal()),
+                   {colors::grey, colors::grey, colors::grey});
+  // The ellipsoid in circles about its long axis and in meridians.
   const Vector3d half_axes = box.moments.cwiseSqrt().cwiseInverse();
   const auto point = [&](double polar, double azimuth) -> Vector3d {
     const Vector3d n(std::cos(polar), std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth));
     return box.axes * n.cwiseProduct(half_axes);
   };
-  const Matrix3d shape = box.axes * half_axes.asDiagonal();
-  sketch.ellipsoid(shape, colors::sky);
+  sketch.ellipsoid(box.axes * half_axes.asDiagonal(), colors::sky, origin, 0.3);
   const auto draw = [&](const auto& at) {
     SpaceCurve curve;
     for (int i = 0; i <= 72; ++i) curve.push_back(at(i / 72.0));
-    sketch.on_ellipsoid(curve, shape, colors::sky, 1.2);
+    sketch.line(curve, colors::blue, 0.8);
   };
   for (int k = 1; k < 8; ++k) draw([&](double s) { return point(pi * k / 8, 2 * pi * s + 1); });
   for (int k = 0; k < 12; ++k) draw([&](double s) { return point(pi * s, 2 * pi * k / 12); });
@@ -147,7 +146,7 @@ void draw_energy_on_sphere(const std::filesystem::path& directory) {
     };
     const auto draw = [&](SpaceCurve curve, const char* color, double width) {
       for (Vector3d& n : curve) n = place(n);
-      sketch.on_ellipsoid(curve, Matrix3d::Identity(), color, width, center);
+      sketch.line(curve, color, width);
     };
     sketch.ellipsoid(Matrix3d::Identity(), colors::sky, center);
     for (const double sign : {1.0, -1.0}) {
@@ -164,7 +163,7 @@ void draw_energy_on_sphere(const std::filesystem::path& directory) {
       const char* color = axis_colors[static_cast<std::size_t>(i)];
       sketch.arrow(place(n), place(1.25 * n), color);
       sketch.text(place(1.25 * n), fmt::format("{}{{/:Bold e}}_{}", side > 0 ? "" : "−", i + 1), color,
-                  i == 0 ? Side::below : Side::right);
+                  i == 0 ? Side::left : Side::right);
     }
   }
   sketch.draw(directory, "energy_on_sphere", 590);

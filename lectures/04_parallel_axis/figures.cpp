@@ -153,7 +153,7 @@ void draw_ellipsoid(Sketch& sketch, const Matrix3d& I, const Vector3d& center, c
   }
   sketch.ellipsoid(axes * half_axes.asDiagonal(), color, center);
   for (int i = 0; i < 3; ++i) {
-    const Vector3d tip = half_axes[i] * axes.col(i);
+    const Vector3d tip = (half_axes[i] + 0.9) * axes.col(i);
     sketch.line({center - tip, center + tip}, color, 2.5);
     sketch.text(center + tip, fmt::format("I_{} = {:.3g}", i + 1, moments[i]), color,
                 sides[static_cast<std::size_t>(i)]);
@@ -165,16 +165,16 @@ void draw_corner_and_center(const std::filesystem::path& directory) {
   const Block block;
   Sketch sketch({1.0, 0.62, 0.5});
   // Side by side.
-  const Vector3d aside = 4.4 * z_axis.cross(sketch.towards()).normalized();
+  const Vector3d aside = 4.4 * sketch.right();
   for (const Vector3d& corner : {origin, aside}) {
     sketch.box(corner, block.edges.asDiagonal());
     sketch.text(corner + Vector3d(0.5, 2, 0), "a", colors::black, Side::right);
     sketch.text(corner + Vector3d(1, 1, 0), "b", colors::black, Side::below);
     sketch.text(corner + Vector3d(1, 0, 1.5), "c", colors::black, Side::left);
   }
-  draw_ellipsoid(sketch, block.at_center(), block.edges / 2, colors::blue, {Side::above, Side::above, Side::left},
+  draw_ellipsoid(sketch, block.at_center(), block.edges / 2, colors::blue, {Side::above, Side::right, Side::left},
                  {1, 1, 1});
-  draw_ellipsoid(sketch, block.at_corner(), aside, colors::vermilion, {Side::above, Side::right, Side::below},
+  draw_ellipsoid(sketch, block.at_corner(), aside, colors::vermilion, {Side::above, Side::right, Side::left},
                  {1, 1, 1});
   sketch.draw(directory, "corner_and_center", 590);
 }
@@ -190,7 +190,7 @@ void draw_wedge(const std::filesystem::path& directory) {
   sketch.line(corners, colors::black);
   const Vector3d center(a / 3, b / 3, 0), first(std::cos(tilt), std::sin(tilt), 0), second(-first.y(), first.x(), 0);
   sketch.line({center - 4.6 * x_axis, center + 8.6 * x_axis}, colors::grey, 1, "dt (4,4)");
-  sketch.arrow(center - 2.9 * first, center + 8.6 * first, colors::vermilion, "{/:Bold e}_1", Side::right);
+  sketch.arrow(center - 2.9 * first, center + 8.6 * first, colors::orange, "{/:Bold e}_1", Side::right);
   sketch.arrow(center - 2.2 * second, center + 3.4 * second, colors::green, "{/:Bold e}_2", Side::right);
   sketch.line(arc(center, 6, x_axis, y_axis, tilt, 0), colors::black, 1.5);
   sketch.text(center + 6.45 * Vector3d(std::cos(tilt / 2), std::sin(tilt / 2), 0), "α");
@@ -204,12 +204,12 @@ void draw_wedge(const std::filesystem::path& directory) {
 void draw_handle(const std::filesystem::path& directory) {
   Sketch sketch({0.45, -0.3, 1.0}, y_axis);
   const auto part = [&](const Vector3d& center, const Vector3d& edges) {
-    sketch.box(center - edges / 2, edges.asDiagonal(), true);
+    sketch.solid_box(center, (edges / 2).asDiagonal(), {colors::grey, colors::grey, colors::grey});
   };
   part({0, -3.1, 0}, {1.2, 5, 1.2});
   part({0, 0, 0}, {10, 1.2, 1.2});
   const Vector3d center(0, -1.04, 0);
-  sketch.arrow(center, center + 6.6 * x_axis, colors::vermilion, "I_1", Side::right);
+  sketch.arrow(center, center + 6.6 * x_axis, colors::orange, "I_1", Side::right);
   sketch.arrow(center, center + 3.6 * y_axis, colors::green, "I_2", Side::right);
   sketch.arrow(center, center + 8.5 * z_axis, colors::purple, "I_3", Side::left);
   sketch.dot(center, colors::black);

@@ -30,8 +30,8 @@ void draw_gyroscope(const std::filesystem::path& directory) {
     const double at = 0.2 + spoke * pi / 4;
     sketch.line({center, center + 0.7 * (std::cos(at) * y_axis + std::sin(at) * z_axis)}, colors::grey, 1);
   }
-  sketch.line(arc(center, 0.7, y_axis, z_axis), colors::grey, 6);
-  sketch.line({origin, center + 0.2 * x_axis}, colors::grey, 8);
+  sketch.ring(center, x_axis, 0.7, 0.05, colors::grey);
+  sketch.turned_body(origin, center + 0.2 * x_axis, {{0, 0}, {0, 0.03}, {1, 0.03}, {1, 0}}, colors::grey);
   const std::vector<Vector3d> spin = arc(center, 0.84, y_axis, z_axis, 0.6, 1.5);
   sketch.line({spin.begin(), spin.end() - 14}, colors::black, 2);
   sketch.arrow(*(spin.end() - 15), spin.back(), colors::black, "spin", Side::left, 2);
@@ -198,7 +198,7 @@ void draw_integrators(const std::filesystem::path& directory) {
 void draw_tumbling(const std::filesystem::path& directory) {
   const double step = 1.5;
   Sketch sketch({1.0, -0.75, 0.6});
-  const Vector3d right = z_axis.cross(sketch.towards()).normalized(), up = sketch.towards().cross(right);
+  const Vector3d right = sketch.right(), up = sketch.up();
   const Vector3d L = tumbling_body.cwiseProduct(tumbling_start).normalized();
   std::array<bool, 3> is_named{};
   for (int i = 0; i < 8; ++i) {
@@ -207,18 +207,19 @@ void draw_tumbling(const std::filesystem::path& directory) {
     const Matrix3d A = integrated(tumbling_body, {tumbling_start}, step * i).A;
     const Vector3d half(0.72, 0.5, 0.09);
     sketch.line({center - 1.05 * L, center}, colors::blue, 2, "dt (5,4)");
-    sketch.lit_box(center, A * half.asDiagonal(),
-                   {colors::grey, colors::grey, sketch.faces_reader(A.col(2)) ? colors::sky : colors::orange});
+    const auto faces_reader = [&](int axis) { return A.col(axis).dot(sketch.towards()) > 0; };
+    sketch.solid_box(center, A * half.asDiagonal(),
+                     {colors::grey, colors::grey, faces_reader(2) ? colors::sky : colors::orange});
     // Axes begin at the faces that the reader sees; each has its name once.
     for (int axis = 0; axis < 3; ++axis) {
-      if (!sketch.faces_reader(A.col(axis))) continue;
+      if (!faces_reader(axis)) continue;
       const auto k = static_cast<std::size_t>(axis);
       const Vector3d from = center + half[axis] * A.col(axis);
       sketch.arrow(from, from + 0.42 * A.col(axis), axis_colors[k], "", Side::right, 2);
       if (!std::exchange(is_named[k], true))
         sketch.text(from + 0.62 * A.col(axis), fmt::format("{{/:Bold e}}_{}", axis + 1), axis_colors[k]);
     }
-    sketch.arrow(center + 0.2 * L, center + 1.1 * L, colors::blue, i == 0 ? "{/:Bold L}" : "", Side::above, 3);
+    sketch.arrow(center, center + 1.1 * L, colors::blue, i == 0 ? "{/:Bold L}" : "", Side::above, 3);
     sketch.text(center - 1.12 * up, fmt::format("{:.1f} s", step * i));
   }
   sketch.draw(directory, "tumbling", 600);

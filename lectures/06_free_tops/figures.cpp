@@ -40,39 +40,18 @@ Plot component(const std::vector<Motion>& motion, double duration, int index, do
 
 // ---- the symmetric top
 
-/// As arc(), with fewer points: moving pictures hold many.
-SpaceCurve circle(const Vector3d& center, double radius, const Vector3d& first, const Vector3d& second) {
-  SpaceCurve points;
-  for (int i = 0; i <= 36; ++i)
-    points.emplace_back(center + radius * (std::cos(i * pi / 18) * first + std::sin(i * pi / 18) * second));
-  return points;
-}
-
-/// A cone with its apex at `apex`, lit or such that one sees through it, with lines that are fixed in it.
+/// A cone with its apex at `apex`, with lines that are fixed in it; one sees through it where its opacity is below 1.
 void draw_cone(Sketch& sketch, const Vector3d& apex, const Vector3d& axis, const Vector3d& first, double half_angle,
-               const char* color, bool is_lit, int lines) {
+               const char* color, double opacity, int lines) {
   const Vector3d second = axis.cross(first);
   const auto rim = [&](double angle) -> Vector3d {
     return apex + std::cos(half_angle) * axis +
            std::sin(half_angle) * (std::cos(angle) * first + std::sin(angle) * second);
   };
-  const SpaceCurve opening = circle(apex + std::cos(half_angle) * axis, std::sin(half_angle), first, second);
-  // The outline touches the rim where the surface turns away from the reader.
-  const double u = first.dot(sketch.towards()), v = second.dot(sketch.towards());
-  const double turn = std::tan(half_angle) * axis.dot(sketch.towards()) / std::hypot(u, v);
-  if (is_lit) {
-    sketch.turned_body(apex, apex + std::cos(half_angle) * axis, {{0, 0}, {1, std::sin(half_angle)}, {1, 0}}, color);
-  } else if (std::abs(turn) < 1) {
-    const double middle = std::atan2(v, u), side = std::acos(turn);
-    sketch.face({apex, rim(middle - side), rim(middle + side)}, color, 0.2);
-    sketch.line({rim(middle - side), apex, rim(middle + side)}, color, 1.5);
-    sketch.face(opening, color, 0.2);
-  }
-  sketch.line(opening, color, 2);
-  for (int i = 0; i < lines; ++i) {
-    const Vector3d edge = rim(2 * pi * i / lines) - apex, outward = edge - edge.squaredNorm() / std::cos(half_angle) * axis;
-    if (!is_lit || sketch.faces_reader(outward)) sketch.line({apex, apex + edge}, color, 0.7);
-  }
+  const Vector3d center = apex + std::cos(half_angle) * axis;
+  sketch.turned_body(apex, center, {{0, 0}, {1, std::sin(half_angle)}}, color, origin, opacity);
+  sketch.line(arc(center, std::sin(half_angle), first, second), color, 2);
+  for (int i = 0; i < lines; ++i) sketch.line({apex, rim(2 * pi * i / lines)}, color, 0.7);
 }
 
 /// The body cone rolls on the space cone: a long top and a flattened one.
@@ -102,9 +81,8 @@ void draw_cones(const std::filesystem::path& directory) {
       };
       const Vector3d axis = leaning(top.tilt);
       const Vector3d first = Eigen::AngleAxisd(own, axis) * leaning(top.tilt - pi / 2);
-      // That of a long top leans to the reader; in that of a flattened one is the other cone.
-      draw_cone(sketch, at, z_axis, x_axis, std::abs(top.tilt - opening), colors::orange, true, 0);
-      draw_cone(sketch, at, axis, first, opening, colors::blue, top.ratio < 1, top.lines);
+      draw_cone(sketch, at, z_axis, x_axis, std::abs(top.tilt - opening), colors::orange, 1, 0);
+      draw_cone(sketch, at, axis, first, opening, colors::blue, top.ratio < 1 ? 1 : 0.3, top.lines);
       const auto name = [&](const Vector3d& direction, double length, const char* color, const char* text) {
         sketch.arrow(at, at + length * direction, color);
         sketch.text(at + (length + 0.17) * direction, text, color);
@@ -155,7 +133,7 @@ void draw_cylinders(const std::filesystem::path& directory) {
 void draw_plate(const std::filesystem::path& directory) {
   const double tilt = 20 * degree, radius = 0.95;
   Sketch sketch({0, -1, 0.55});
-  const Vector3d right = x_axis, up = sketch.towards().cross(x_axis);
+  const Vector3d right = sketch.right(), up = sketch.up();
   const std::array<const char*, 8> parts{"", "1/8", "1/4", "3/8", "1/2", "5/8", "3/4", "7/8"};
   for (int i = 0; i < 8; ++i) {
     // The emblem goes round by φ + ψ, and the tilt by φ, with dψ/dt = −½ cos θ dφ/dt.
@@ -174,7 +152,7 @@ void draw_plate(const std::filesystem::path& directory) {
     const double thick = 0.06;
     sketch.turned_body(center - thick * e3, center + thick * e3, {{0, 0}, {0, 0.8 * radius}, {1, radius}, {1, 0}},
                        colors::sky);
-    const Vector3d rim = center + thick * e3, emblem_at = rim - 0.8 * radius * e2;
+    const Vector3d rim = center + 1.2 * thick * e3, emblem_at = rim - 0.8 * radius * e2;
     sketch.line(arc(rim, 0.6 * radius, e1, e2), colors::blue, 1);
     sketch.face(arc(emblem_at, 0.13, e1, e2), colors::vermilion, 1);
     sketch.arrow(rim, rim + 0.75 * z_axis, colors::blue, i == 0 ? "{/:Bold L}" : "", Side::left, 2);
@@ -347,28 +325,26 @@ SpaceCurve separatrix_curve(const Vector3d& e, const Vector3d& f, double side) {
 void draw_surface(Sketch& sketch, const Vector3d& e, const Vector3d& f,
                   const std::array<std::vector<double>, 2>& levels,
                   const std::function<Vector3d(const Vector3d&)>& rate) {
-  const auto normal = [&](const Vector3d& x) -> Vector3d { return e.cwiseProduct(x); };
   const Vector3d root = e.cwiseSqrt();
-  const Matrix3d half_axes = root.cwiseInverse().asDiagonal();
-  sketch.ellipsoid(half_axes, colors::sky);
+  sketch.ellipsoid(root.cwiseInverse().asDiagonal(), colors::sky);
   const auto mark = [&](const SpaceCurve& curve, std::size_t index, const char* color) {
     const Vector3d& x = curve[index];
     const Vector3d step = 0.04 / root.minCoeff() * rate(x).normalized();
-    if (sketch.faces_reader(normal(x))) sketch.arrow(x - step, x + step, color, "", Side::right, 2);
+    if (e.cwiseProduct(x).dot(sketch.towards()) > 0) sketch.arrow(x - step, x + step, color, "", Side::right, 2);
   };
   for (int family = 0; family < 2; ++family) {
     const int axis = 2 * family;
     for (std::size_t i = 0; i < levels[static_cast<std::size_t>(family)].size(); ++i) {
       for (const double side : {1.0, -1.0}) {
         const SpaceCurve curve = level_curve(e, f, levels[static_cast<std::size_t>(family)][i], axis, side);
-        sketch.on_ellipsoid(curve, half_axes, axis_colors[static_cast<std::size_t>(axis)], 2);
+        sketch.line(curve, axis_colors[static_cast<std::size_t>(axis)], 2);
         if (side > 0 && i % 2 == 0) mark(curve, 45, axis_colors[static_cast<std::size_t>(axis)]);
       }
     }
   }
   for (const double side : {1.0, -1.0}) {
     const SpaceCurve curve = separatrix_curve(e, f, side);
-    sketch.on_ellipsoid(curve, half_axes, colors::black, 3);
+    sketch.line(curve, colors::black, 3);
     for (const std::size_t index : {9U, 27U}) mark(curve, index, colors::black);
   }
 }
@@ -409,7 +385,7 @@ void draw_momentum_sphere(const std::filesystem::path& directory) {
     const double h = 0.005;
     L = (L + h * slope(L + h / 2 * slope(L))).normalized();
   }
-  sketch.on_ellipsoid(path, Matrix3d::Identity(), colors::blue, 3.5);
+  sketch.line(path, colors::blue, 3.5);
   const std::array<const char*, 3> names{"{/:Bold e}_1, T highest", "{/:Bold e}_2", "{/:Bold e}_3, T lowest"};
   for (int i = 0; i < 3; ++i) {
     sketch.arrow(Vector3d::Unit(i), (i == 0 ? 1.5 : 1.3) * Vector3d::Unit(i), axis_colors[static_cast<std::size_t>(i)],
@@ -486,18 +462,13 @@ struct Flight {
 /// The racket at one attitude, 1.7 long, its two faces in different colours.
 void draw_racket_at(Sketch& sketch, const Vector3d& center, const Matrix3d& A) {
   const Vector3d head = center + 0.45 * A.col(0), half = 0.05 * A.col(2);
-  const bool shows_front = sketch.faces_reader(half);
-  // What is nearer to the reader comes last.
-  for (const bool nearer : {false, true}) {
-    if (sketch.faces_reader(A.col(0)) == nearer) {
-      sketch.turned_body(head - half, head + half, {{0, 0}, {0, 0.3}, {1, 0.3}, {1, 0}}, colors::grey, 1.4 * A.col(0));
-      sketch.turned_body(head - half, head + half, {{0, 0}, {0, 0.25}, {1, 0.25}, {1, 0}},
-                         shows_front ? colors::sky : colors::orange, 1.45 * A.col(0));
-    } else {
-      sketch.lit_box(center - 0.41 * A.col(0), A * Vector3d(0.44, 0.05, 0.04).asDiagonal(),
-                     {colors::grey, colors::grey, colors::grey});
-    }
-  }
+  sketch.turned_body(head - half, head + half, {{0, 0.25}, {0, 0.3}, {1, 0.3}, {1, 0.25}, {0, 0.25}}, colors::grey,
+                     1.4 * A.col(0));
+  for (const double side : {1.0, -1.0})
+    sketch.turned_body(head, head + 0.3 * side * half, {{1, 0}, {1, 0.25}}, side > 0 ? colors::sky : colors::orange,
+                       1.4 * A.col(0));
+  sketch.solid_box(center - 0.41 * A.col(0), A * Vector3d(0.44, 0.05, 0.04).asDiagonal(),
+                   {colors::grey, colors::grey, colors::grey});
 }
 
 const Vector3d towards_racket(0.45, -1, 0.35);
@@ -507,7 +478,7 @@ void draw_racket(const std::filesystem::path& directory) {
   constexpr int views = 6;
   const auto motion = history(flight.I, flight.start, flight.period / 2, views);
   Sketch sketch(towards_racket);
-  const Vector3d right = z_axis.cross(sketch.towards()).normalized(), up = sketch.towards().cross(right);
+  const Vector3d right = sketch.right(), up = sketch.up();
   for (int i = 0; i < views; ++i) {
     const int column = i % 3, row = i / 3;
     const Vector3d center = 2.1 * column * right - 2.35 * row * up;

@@ -26,11 +26,9 @@ Matrix3d triad(const Vector3d& angles) { return rotation_matrix(angles).transpos
 /// Sketches side by side in one: a panel is an offset in the plane of the picture.
 class Panels {
  public:
-  Panels() : right_(z_axis.cross(sketch_.towards()).normalized()), up_(sketch_.towards().cross(right_)) {}
-
   /// What follows is drawn in the panel with its origin here.
-  void move_to(double right, double up) { offset_ = right * right_ + up * up_; }
-  void title(const std::string& text, double up) { sketch_.text(offset_ + up * up_, text); }
+  void move_to(double right, double up) { offset_ = right * sketch_.right() + up * sketch_.up(); }
+  void title(const std::string& text, double up) { sketch_.text(offset_ + up * sketch_.up(), text); }
   void disc(const Vector3d& first, const Vector3d& second, const char* color) {
     sketch_.face(arc(offset_, 1, first, second), color, 0.15);
     sketch_.line(arc(offset_, 1, first, second), color, 1.2);
@@ -57,7 +55,7 @@ class Panels {
 
  private:
   Sketch sketch_{{-0.1, 1.0, 0.5}};
-  Vector3d right_, up_, offset_ = origin;
+  Vector3d offset_ = origin;
 };
 
 void draw_three_turns(const std::filesystem::path& directory) {
@@ -74,7 +72,7 @@ void draw_three_turns(const std::filesystem::path& directory) {
   panels.disc(x_axis, y_axis, colors::grey);
   panels.old_axis(x_axis, "{/:Bold e}@^0_1", Side::left);
   panels.old_axis(y_axis, "{/:Bold e}@^0_2", Side::below);
-  panels.axis(first.col(0), colors::vermilion, "", Side::below);
+  panels.axis(first.col(0), colors::orange, "", Side::below);
   panels.axis(nodes, colors::green, "{/:Bold e}_2′", Side::right);
   panels.axis(z_axis, colors::blue, vertical_name, Side::right, 5);
   panels.angle(x_axis, first.col(0), "φ");
@@ -84,7 +82,7 @@ void draw_three_turns(const std::filesystem::path& directory) {
   panels.disc(z_axis, first.col(0), colors::green);
   panels.old_axis(first.col(0), "", Side::left);
   panels.old_axis(z_axis, vertical_name, Side::right);
-  panels.axis(second.col(0), colors::vermilion, "{/:Bold e}_1′", Side::below);
+  panels.axis(second.col(0), colors::orange, "{/:Bold e}_1′", Side::below);
   panels.axis(second.col(2), colors::purple, "{/:Bold e}_3", Side::left);
   panels.axis(nodes, colors::green, "{/:Bold e}_2′", Side::right, 5);
   panels.angle(first.col(0), second.col(0), "θ");
@@ -94,7 +92,7 @@ void draw_three_turns(const std::filesystem::path& directory) {
   panels.disc(second.col(0), nodes, colors::purple);
   panels.old_axis(second.col(0), "{/:Bold e}_1′", Side::below);
   panels.old_axis(nodes, "{/:Bold e}_2′", Side::right);
-  panels.axis(third.col(0), colors::vermilion, "{/:Bold e}_1", Side::below);
+  panels.axis(third.col(0), colors::orange, "{/:Bold e}_1", Side::below);
   panels.axis(third.col(1), colors::green, "{/:Bold e}_2", Side::right);
   panels.axis(third.col(2), colors::purple, "{/:Bold e}_3", Side::left, 5);
   panels.angle(second.col(0), third.col(0), "ψ");
@@ -125,8 +123,8 @@ void draw_two_planes(const std::filesystem::path& directory) {
   };
   // Left: seen along the line of nodes, which points away from the reader.
   const Vector3d e3 = ray(pi / 2 - theta), e1 = ray(-theta);
-  sketch.line({-0.75 * e1, origin}, colors::vermilion, 1, "dt (5,4)");
-  sketch.arrow(origin, 1.25 * e1, colors::vermilion, "{/:Bold e}_1′", Side::right);
+  sketch.line({-0.75 * e1, origin}, colors::orange, 1, "dt (5,4)");
+  sketch.arrow(origin, 1.25 * e1, colors::orange, "{/:Bold e}_1′", Side::right);
   sketch.arrow(origin, 1.25 * e3, colors::purple, "{/:Bold e}_3", Side::right);
   sketch.arrow(origin, y_axis, colors::blue, vertical_name, Side::above);
   sketch.line(arc(origin, 0.5, x_axis, y_axis, pi / 2 - theta, pi / 2), colors::black, 1.5);
@@ -134,12 +132,12 @@ void draw_two_planes(const std::filesystem::path& directory) {
   projection(y_axis, std::cos(theta) * e3);
   projection(y_axis, -std::sin(theta) * e1);
   sketch.text(0.62 * std::cos(theta) * e3, "cos θ", colors::purple, Side::right);
-  sketch.text(-0.5 * std::sin(theta) * e1, "−sin θ", colors::vermilion, Side::left);
+  sketch.text(-0.5 * std::sin(theta) * e1, "−sin θ", colors::orange, Side::left);
   sketch.dot(origin, colors::green, 0.9);
   sketch.text({-0.1, -0.2, 0}, "{/:Bold e}_2′, into the page", colors::green, Side::left);
   // Right: seen from the tip of the body's third axis.
   const Vector3d at(3.2, 0, 0), first = ray(psi), second = ray(psi + pi / 2);
-  sketch.arrow(at, at + 1.25 * first, colors::vermilion, "{/:Bold e}_1", Side::right);
+  sketch.arrow(at, at + 1.25 * first, colors::orange, "{/:Bold e}_1", Side::right);
   sketch.arrow(at, at + 1.25 * second, colors::black, "{/:Bold e}_2", Side::left);
   sketch.arrow(at, at + 1.1 * x_axis, colors::grey, "{/:Bold e}_1′", Side::right, 1.5);
   sketch.arrow(at, at + y_axis, colors::green, "{/:Bold e}_2′", Side::above);
@@ -148,7 +146,7 @@ void draw_two_planes(const std::filesystem::path& directory) {
   projection(at + y_axis, at + std::cos(psi) * second);
   projection(at + y_axis, at + std::sin(psi) * first);
   sketch.text(at + 0.55 * std::cos(psi) * second, "cos ψ", colors::black, Side::left);
-  sketch.text(at + 0.62 * std::sin(psi) * first + Vector3d(0.12, -0.02, 0), "sin ψ", colors::vermilion, Side::right);
+  sketch.text(at + 0.62 * std::sin(psi) * first + Vector3d(0.12, -0.02, 0), "sin ψ", colors::orange, Side::right);
   sketch.dot(at, colors::purple, 0.9);
   sketch.text(at, "{/:Bold e}_3, out of the page", colors::purple, Side::below);
   sketch.draw(directory, "two_planes", 590);
@@ -158,37 +156,24 @@ void draw_two_planes(const std::filesystem::path& directory) {
 
 /// A rotor in two rings, and the axes of the three rates, for three inclinations.
 void draw_gimbal_lock(const std::filesystem::path& directory) {
-  const Vector3d towards(1.0, 0.3, 0.3);
-  Sketch sketch(towards);
-  const Vector3d right = z_axis.cross(towards).normalized(), up = sketch.towards().cross(right);
+  Sketch sketch({1.0, 0.3, 0.3});
   int panel = 0;
   for (const double theta : {60.0, 8.0}) {
-    const Vector3d at = 3.4 * panel++ * right;
+    const Vector3d at = 3.4 * panel++ * sketch.right();
     const Matrix3d axes = triad({-20 * degree, theta * degree, 0});
     const Vector3d &nodes = axes.col(1), &spin = axes.col(2);
-    // Half of a ring, in front or behind; what it covers keeps a distance.
-    const auto half_ring = [&](double radius, const Vector3d& axis, const char* color, bool in_front) {
-      const double from = sketch.faces_reader(nodes) == in_front ? 0 : pi;
-      const SpaceCurve half = arc(at, radius, axis, nodes, from, from + pi);
-      if (in_front) sketch.line(half, "#FFFFFF", 11);
-      sketch.line(half, color, 6);
+    sketch.text(at - 1.45 * sketch.up(), fmt::format("θ = {}°", theta));
+    sketch.ring(at, z_axis.cross(nodes), 1.1, 0.05, colors::blue);
+    sketch.ring(at, spin.cross(nodes), 0.9, 0.05, colors::green);
+    const auto rod = [&](const Vector3d& from, const Vector3d& to, double radius, const char* color) {
+      sketch.turned_body(at + from, at + to, {{0, 0}, {0, radius}, {1, radius}, {1, 0}}, color);
     };
-    sketch.text(at - 1.45 * up, fmt::format("θ = {}°", theta));
-    for (const bool in_front : {false, true}) {
-      half_ring(1.1, z_axis, colors::blue, in_front);
-      half_ring(0.9, spin, colors::purple, in_front);
-      if (in_front) continue;
-      sketch.turned_body(at - 0.06 * spin, at + 0.06 * spin, {{0, 0}, {0, 0.55}, {1, 0.55}, {1, 0}}, colors::purple);
-      // Bearings.
-      for (const double side : {1.0, -1.0}) {
-        sketch.line({at + 0.9 * side * nodes, at + 1.1 * side * nodes}, colors::green, 5);
-        sketch.line({at, at + 0.9 * side * spin}, colors::purple, 3);
-      }
-    }
+    rod(-0.06 * spin, 0.06 * spin, 0.55, colors::purple);
+    rod(-0.9 * spin, 0.9 * spin, 0.03, colors::purple);
+    for (const double side : {1.0, -1.0}) rod(0.9 * side * nodes, 1.1 * side * nodes, 0.03, colors::green);
     sketch.arrow(at + 1.1 * z_axis, at + 1.5 * z_axis, colors::blue, vertical_name,
                  theta > 10 ? Side::left : Side::right);
-    sketch.arrow(at + 0.9 * spin, at + 1.45 * spin, colors::purple, "{/:Bold e}_3",
-                 theta > 10 ? Side::above : Side::left);
+    sketch.arrow(at + 0.9 * spin, at + 1.7 * spin, colors::purple, "{/:Bold e}_3", Side::left);
     sketch.arrow(at + 1.1 * nodes, at + 1.5 * nodes, colors::green, "{/:Bold e}_2′", Side::right);
   }
   sketch.draw(directory, "gimbal_lock", 590);

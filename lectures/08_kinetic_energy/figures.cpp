@@ -70,14 +70,14 @@ void draw_projections(const std::filesystem::path& directory) {
   struct Axis {
     Vector3d direction;
     const char *color, *name, *momentum;
-    Side side;
+    Side name_side, side;
   };
-  for (const Axis& axis : {Axis{z_axis, colors::black, vertical_name, "p_φ", Side::right},
-                           Axis{nodes, colors::green, "{/:Bold e}_2′", "p_θ", Side::below},
-                           Axis{spin, colors::purple, "{/:Bold e}_3", "p_ψ", Side::below}}) {
+  for (const Axis& axis : {Axis{z_axis, colors::black, vertical_name, "p_φ", Side::left, Side::left},
+                           Axis{nodes, colors::green, "{/:Bold e}_2′", "p_θ", Side::below, Side::below},
+                           Axis{spin, colors::purple, "{/:Bold e}_3", "p_ψ", Side::left, Side::below}}) {
     const Vector3d foot = L.dot(axis.direction) * axis.direction;
     sketch.line({L, foot}, colors::grey, 1.2, "dt (4,4)");
-    sketch.arrow(origin, 1.75 * axis.direction, axis.color, axis.name, Side::left, 1.5);
+    sketch.arrow(origin, 1.75 * axis.direction, axis.color, axis.name, axis.name_side, 1.5);
     sketch.line({origin, foot}, axis.color, 5);
     sketch.dot(foot, axis.color, 0.8);
     sketch.text(0.5 * foot, axis.momentum, axis.color, axis.side);
@@ -99,20 +99,19 @@ void draw_free_top(const std::filesystem::path& directory) {
                 [&](const Vector3d& q, const Vector3d& v) { return euler_angle_accelerations(I, q, v); }));
   };
   Sketch sketch({0.3, -1.0, 1.15});
-  const Matrix3d ball = Matrix3d::Identity();
-  sketch.ellipsoid(ball, colors::sky);
+  sketch.ellipsoid(Matrix3d::Identity(), colors::sky);
   for (int polar = 15; polar <= 60; polar += 15) {
     const double z = std::cos(polar * degree), radius = std::sin(polar * degree);
-    sketch.on_ellipsoid(arc(z * z_axis, radius, x_axis, y_axis), ball, colors::grey, 1);
+    sketch.line(arc(z * z_axis, radius, x_axis, y_axis), colors::grey, 1);
     sketch.text(z * z_axis + radius * Vector3d(0.5, -0.866, 0), fmt::format("{}°", polar), colors::grey);
   }
   // Two bodies whose third axis starts at the same inclination.
   const SpaceCurve asymmetric = track(Vector3d(1, 1.8, 2.2), Vector3d(0.8, 0, 1.2), 11.5);
   const SpaceCurve symmetric = track(Vector3d(1.4, 1.4, 2.2), Vector3d(0.8 / 1.4, 0, 1.2), 3.2);
-  sketch.on_ellipsoid(asymmetric, ball, colors::blue, 2.5);
-  sketch.on_ellipsoid(symmetric, ball, colors::vermilion, 3.5);
+  sketch.line(asymmetric, colors::purple, 2.5);
+  sketch.line(symmetric, colors::green, 3.5);
   sketch.dot(asymmetric.front(), colors::black, 0.9);
-  sketch.arrow(z_axis, 1.5 * z_axis, colors::black, "{/:Bold L}", Side::right);
+  sketch.arrow(origin, 1.75 * z_axis, colors::blue, "{/:Bold L}", Side::right);
   sketch.draw(directory, "free_top", 480);
 }
 

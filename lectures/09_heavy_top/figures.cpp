@@ -33,9 +33,11 @@ std::vector<AngleMotion> moved(double theta, double precession, double omega3, d
                  });
 }
 
-/// A toy top: a cone on its tip.
+/// A toy top, as in the live figure: a foot, a disc and a stem.
 void add_top(Sketch& sketch, const Vector3d& tip, const Vector3d& axis) {
-  sketch.turned_body(tip, tip + 0.6 * axis, {{0, 0.02}, {1, 0.36}, {1, 0}}, colors::purple);
+  sketch.turned_body(tip, tip + 0.5 * axis, {{0, 0}, {1, 0.14}}, colors::orange);
+  sketch.turned_body(tip + 0.5 * axis, tip + 0.64 * axis, {{0, 0}, {0, 0.42}, {1, 0.42}, {1, 0}}, colors::sky);
+  sketch.turned_body(tip + 0.64 * axis, tip + 0.9 * axis, {{0, 0.04}, {1, 0.04}, {1, 0}}, colors::orange);
 }
 
 void draw_heavy_top(const std::filesystem::path& directory) {
@@ -46,22 +48,23 @@ void draw_heavy_top(const std::filesystem::path& directory) {
   sketch.line(arc({0, 0, 1.15 * std::cos(theta)}, 1.15 * std::sin(theta), x_axis, y_axis), colors::grey, 1.2,
               "dt (5,4)");
   const Vector3d across = axis.unitOrthogonal();
-  SpaceCurve shadow = arc(center, 0.36, across, axis.cross(across));
+  SpaceCurve shadow = arc(center, 0.42, across, axis.cross(across));
   for (Vector3d& point : shadow) point.z() = 0;
   sketch.face(shadow, colors::grey, 0.25);
   add_top(sketch, origin, axis);
-  sketch.line({origin, 0.6 * axis}, colors::black, 1.2, "dt (5,4)");
+  const Vector3d in_front = sketch.towards();
+  sketch.line({in_front, center + in_front}, colors::black, 1.2, "dt (5,4)");
   sketch.arrow(origin, 1.45 * z_axis, colors::black, vertical_name, Side::left, 1.8);
-  sketch.arrow(0.6 * axis, 1.45 * axis, colors::purple, "{/:Bold e}_3", Side::right, 2.5);
-  sketch.arrow(center, center - 0.55 * z_axis, colors::vermilion, "M{/:Bold g}", Side::right, 3);
-  sketch.dot(center, colors::black, 0.9);
+  sketch.arrow(0.9 * axis, 1.45 * axis, colors::purple, "{/:Bold e}_3", Side::right, 2.5);
+  sketch.arrow(center + in_front, center + in_front - 0.55 * z_axis, colors::black, "M{/:Bold g}", Side::right, 3);
+  sketch.dot(center + in_front, colors::black, 0.9);
   sketch.text(0.33 * axis - Vector3d(0.06, 0, 0), "ℓ", colors::black, Side::left);
   sketch.line(arc(origin, 0.95, z_axis, (axis - axis.z() * z_axis).normalized(), 0, theta), colors::black, 1.5);
   sketch.text(1.06 * (z_axis + axis).normalized(), "θ");
   const double height = 1.15 * std::cos(theta), radius = 1.15 * std::sin(theta);
   const SpaceCurve turn = arc({0, 0, height}, radius, x_axis, y_axis, azimuth, azimuth + 0.8);
-  sketch.line(turn, colors::green, 3);
-  sketch.arrow(turn[turn.size() - 8], turn.back(), colors::green, "φ", Side::above, 3);
+  sketch.line(turn, colors::blue, 3);
+  sketch.arrow(turn[turn.size() - 8], turn.back(), colors::blue, "φ", Side::above, 3);
   sketch.dot(origin, colors::black, 0.6);
   sketch.text(origin, "tip", colors::black, Side::below);
   sketch.draw(directory, "heavy_top", 400);
@@ -182,17 +185,16 @@ void draw_nutation(const std::filesystem::path& directory) {
       return curve;
     };
     // On the sphere about the tip.
-    const Matrix3d ball = Matrix3d::Identity();
-    sketch.ellipsoid(ball, colors::pale, tip);
+    sketch.ellipsoid(Matrix3d::Identity(), colors::sky, tip, 0.3);
     for (const double z : {std::cos(theta0), low})
-      sketch.on_ellipsoid(moved(arc(z * z_axis, std::sqrt(1 - z * z), x_axis, y_axis)), ball, colors::grey, 1, tip);
-    sketch.on_ellipsoid(moved(path), ball, colors::sky, 1.5, tip);
+      sketch.line(moved(arc(z * z_axis, std::sqrt(1 - z * z), x_axis, y_axis)), colors::grey, 1);
+    sketch.line(moved(path), colors::purple, 1);
     constexpr std::ptrdiff_t now = 150;
-    sketch.on_ellipsoid(moved({path.begin(), path.begin() + now + 1}), ball, colors::blue, 3, tip);
+    sketch.line(moved({path.begin(), path.begin() + now + 1}), colors::purple, 3.5);
     const Vector3d& axis = path[static_cast<std::size_t>(now)];
     add_top(sketch, tip, axis);
-    sketch.arrow(tip, tip + 1.15 * z_axis, colors::black, vertical_name, Side::left, 1.5);
-    sketch.arrow(tip + 0.6 * axis, tip + axis, colors::purple, "{/:Bold e}_3", Side::above, 2.5);
+    sketch.arrow(tip, tip + 1.3 * z_axis, colors::black, vertical_name, Side::left, 1.5);
+    sketch.arrow(tip + 0.9 * axis, tip + 1.25 * axis, colors::purple, "{/:Bold e}_3", Side::right, 2.5);
     sketch.send(gnuplot, size, 1.25);
   });
 }
@@ -222,9 +224,9 @@ void draw_paths(const std::filesystem::path& directory) {
     }
     for (const double radius : {inner, outer})
       sketch.line(arc(at, radius, x_axis, y_axis), colors::grey, 1, "dt (4,4)");
-    sketch.line(path, colors::blue, 2.2);
+    sketch.line(path, colors::purple, 2.2);
     sketch.dot(path.front(), colors::black, 0.8);
-    sketch.arrow(path[release.arrow], path[release.arrow + 12], colors::blue, "", Side::right, 2.2);
+    sketch.arrow(path[release.arrow], path[release.arrow + 12], colors::purple, "", Side::right, 2.2);
     sketch.dot(at, colors::grey, 0.6);
     sketch.text(at - 0.95 * y_axis, release.name);
   }
@@ -236,10 +238,8 @@ void draw_planet(const std::filesystem::path& directory) {
   Sketch sketch({0.45, -1.0, 0.4});
   const double tilt = 28 * degree;
   const Vector3d axis(std::sin(tilt), 0, std::cos(tilt)), near(std::cos(tilt), 0, -std::sin(tilt));
-  // A spheroid: its outline is where its normal is at right angles to the sight.
-  Matrix3d stretch = Matrix3d::Identity() - 0.25 * axis * axis.transpose();
-  sketch.ellipsoid(stretch, colors::sky);
-  sketch.on_ellipsoid(arc(origin, 1, near, axis.cross(near)), stretch, colors::blue, 3);
+  sketch.ellipsoid(Matrix3d::Identity() - 0.25 * axis * axis.transpose(), colors::sky);
+  sketch.line(arc(origin, 1, near, axis.cross(near)), colors::grey, 2.5);
   sketch.line(arc(origin, 1.75, x_axis, y_axis), colors::grey, 1, "dt (4,4)");
   sketch.arrow(1.75 * x_axis, 2.4 * x_axis, colors::orange, "sun", Side::right, 2.5);
   for (const double side : {1.0, -1.0}) {
@@ -250,7 +250,7 @@ void draw_planet(const std::filesystem::path& directory) {
   // The axis, the normal of the orbit, and the circle between them.
   const double length = 1.9, height = length * std::cos(tilt), radius = length * std::sin(tilt);
   sketch.arrow(origin, 2.15 * z_axis, colors::black, "{/:Bold N}", Side::left, 1.5);
-  sketch.arrow(origin, length * axis, colors::purple, "{/:Bold L}", Side::right, 3);
+  sketch.arrow(origin, length * axis, colors::blue, "{/:Bold L}", Side::right, 3);
   sketch.line(arc({0, 0, height}, radius, x_axis, y_axis), colors::grey, 1.2, "dt (5,4)");
   const SpaceCurve turn = arc({0, 0, height}, radius, x_axis, Vector3d(-y_axis), 0, 0.9);
   sketch.line(turn, colors::green, 3);

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -50,18 +51,18 @@ void draw_poinsot(const std::filesystem::path& directory) {
     sketch.line(arc(foot, radius, x_axis, y_axis), colors::grey, 1.5, "dt (5,4)");
   SpaceCurve herpolhode;
   for (const Motion& each : motion) herpolhode.emplace_back(each.A * each.omega);
-  sketch.line(herpolhode, colors::blue, 1.5);
+  sketch.line(herpolhode, colors::vermilion, 1.5);
 
   const Matrix3d shape = now.A * half_axes.asDiagonal();
   sketch.ellipsoid(shape, colors::sky);
   for (int axis = 0; axis < 3; ++axis) {
     SpaceCurve circle = arc(origin, 1, Vector3d::Unit((axis + 1) % 3), Vector3d::Unit((axis + 2) % 3));
     for (Vector3d& point : circle) point = shape * point;
-    sketch.on_ellipsoid(circle, shape, colors::grey, 1);
+    sketch.line(circle, colors::grey, 1);
   }
   SpaceCurve polhode;
   for (int i = 0; i <= 240; ++i) polhode.emplace_back(now.A * motion[static_cast<std::size_t>(i)].omega);
-  sketch.on_ellipsoid(polhode, shape, colors::vermilion, 3.5);
+  sketch.line(polhode, colors::blue, 3.5);
 
   const Vector3d contact = now.A * now.omega;
   sketch.line({foot, contact}, colors::black, 2);
@@ -118,17 +119,16 @@ void draw_track(const std::filesystem::path& directory) {
   const Eigen::AngleAxisd to_the_left(-2.6 - std::atan2(start[1], start[0]), z_axis);
   SpaceCurve track;
   for (const Motion& each : motion) track.emplace_back(to_the_left * each.A.col(2));
-  const Matrix3d ball = Matrix3d::Identity();
-  sketch.ellipsoid(ball, colors::sky);
+  sketch.ellipsoid(Matrix3d::Identity(), colors::sky);
   const auto is_lower = [](const Vector3d& one, const Vector3d& other) { return one[2] < other[2]; };
   const auto [lowest, highest] = std::minmax_element(track.begin(), track.end(), is_lower);
   for (const double height : {(*lowest)[2], (*highest)[2]}) {
     const SpaceCurve circle = arc(height * z_axis, std::sqrt(1 - height * height), x_axis, y_axis);
-    sketch.on_ellipsoid(circle, ball, colors::grey, 1.5);
+    sketch.line(circle, colors::grey, 1.5);
   }
   const SpaceCurve later(track.begin() + 400, track.end()), first(track.begin(), track.begin() + 401);
-  sketch.on_ellipsoid(later, ball, colors::blue, 1);
-  sketch.on_ellipsoid(first, ball, colors::purple, 3.5);
+  sketch.line(later, colors::purple, 1);
+  sketch.line(first, colors::purple, 3.5);
   sketch.arrow(origin, 1.6 * z_axis, colors::blue, "{/:Bold L}", Side::right);
   sketch.arrow(origin, 1.2 * track[0], colors::purple, "{/:Bold e}_3", Side::left, 2.5);
   sketch.dot(track[0], colors::black, 0.9);
@@ -147,12 +147,18 @@ SpaceCurve path_of_L(const Vector3d& I, const Vector3d& omega0) {
 /// Two solid angles on the sphere of the directions of L in the body.
 void draw_solid_angle(const std::filesystem::path& directory) {
   Sketch sketch({1.0, 0.9, 0.85});
-  const Matrix3d ball = Matrix3d::Identity();
-  sketch.ellipsoid(ball, colors::sky);
+  sketch.ellipsoid(Matrix3d::Identity(), colors::sky);
   const auto draw_path = [&](const Vector3d& omega0, const char* color) {
     const SpaceCurve path = path_of_L(crate, omega0);
-    sketch.face(path, color, 0.35);
-    sketch.on_ellipsoid(path, ball, color, 3.5);
+    // The part of the sphere within, in rings.
+    const Vector3d middle = std::accumulate(path.begin(), path.end(), origin).normalized();
+    const auto inside = [&](std::size_t i, int ring) -> Vector3d {
+      return 1.003 * (ring * path[i] + (8 - ring) * middle).normalized();
+    };
+    for (int ring = 0; ring < 8; ++ring)
+      for (std::size_t i = 0; i < 240; i += 5)
+        sketch.face({inside(i, ring), inside(i, ring + 1), inside(i + 5, ring + 1), inside(i + 5, ring)}, color, 0.35);
+    sketch.line(path, color, 3.5);
     for (const std::size_t at : {30U, 150U}) sketch.arrow(path[at - 3], path[at + 3], color, "", Side::right, 2.5);
   };
   draw_path({0.45, 0.2, 0.9}, colors::purple);

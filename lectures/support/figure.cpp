@@ -24,7 +24,7 @@ namespace {
 
 /// What all figures share: quiet axes, a light grid, lines that stay visible in print.
 constexpr const char* common_style =
-    "set encoding utf8\n"
+    "set encoding utf8\nset minussign\n"
     "set border lc rgb '#444444'\n"
     "set grid lc rgb '#CFD8DD' lt 1\n"
     "set key opaque box lc rgb '#CFD8DD'\n"
@@ -154,14 +154,11 @@ std::string without_unused_names(std::string svg) {
 /// The picture without what only a file of its own needs, and with names that no other picture of the page has.
 std::string for_a_page(std::string svg, const std::string& name, FigureSize size) {
   svg.erase(0, svg.find("<svg"));
-  const std::array<std::pair<const char*, std::string>, 11> changes{{
+  const std::array<std::pair<const char*, std::string>, 10> changes{{
       {R"(<title>[^<]*</title>(\s*<desc>[^<]*</desc>)?)", ""},
       {R"( stroke-linecap="butt" stroke-linejoin="miter")", ""},
       {R"(<g [^>]*>\s*</g>)", ""},
       {R"re(<g id="[^"]*_plot_[^"]*" >)re", "<g>"},
-      // A small filled face with a border of its colour is one shape.
-      {R"(<g stroke='none'[^>]*>\s*<polygon fill = ('[^']*') (points = '[^']{1,150}'/>)\s*</g>\s*<path stroke=\1 [^>]*/>)",
-       "<polygon fill=$1 stroke=$1 $2"},
       // Tenths of a pixel suffice.
       {R"((\.\d)\d(?=[ ,']))", "$1"},
       {R"( L(?=[-\d]))", " "},

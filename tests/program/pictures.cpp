@@ -176,6 +176,13 @@ TEST_CASE("each figure is tried on its own, and says what became of it" * doctes
   CHECK(read(course.root() / "pictures/sound.png").substr(1, 3) == "PNG");
   CHECK_FALSE(fs::exists(course.root() / "pictures/not_finite.svg"));
   CHECK_FALSE(fs::exists(course.root() / "pictures/sound.svg.complete"));
+  // Of two lines the ball hides the middle of one.
+  const std::string ball = read(course.root() / "pictures/ball.svg");
+  CHECK(has(ball, "data:image/png;base64,"));
+  std::smatch faint;
+  REQUIRE(std::regex_search(ball, faint, std::regex("opacity='0.3'  d='M([\\d.]+),[\\d.]+ ([\\d.]+),[\\d.]+ *'")));
+  CHECK(std::stod(faint[1]) == doctest::Approx(160 - 76).epsilon(0.01));
+  CHECK(std::stod(faint[2]) == doctest::Approx(160 + 76).epsilon(0.01));
 }
 
 TEST_CASE("figures that cannot be built or listed say why") {

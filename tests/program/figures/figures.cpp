@@ -62,5 +62,11 @@ int main(int argc, char** argv) {
                                     for (volatile bool looping = true; looping;) {
                                     }
                                   }},
-                                 {"last", [](const Directory& directory) { draw_values(directory, "last", 2.0); }}});
+                                 {"ball", [](const Directory& directory) {
+                                    workbook::Sketch sketch;  // its scale: 76 pixels
+                                    sketch.ellipsoid(Eigen::Matrix3d::Identity(), workbook::colors::sky);
+                                    for (const double z : {-2.0, 2.0})
+                                      sketch.line({{-2, 0, z}, {2, 0, z}}, workbook::colors::blue);
+                                    sketch.draw(directory, "ball", 320);
+                                  }}});
 }
