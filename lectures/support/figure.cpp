@@ -159,8 +159,8 @@ std::string for_a_page(std::string svg, const std::string& name, FigureSize size
       {R"( stroke-linecap="butt" stroke-linejoin="miter")", ""},
       {R"(<g [^>]*>\s*</g>)", ""},
       {R"re(<g id="[^"]*_plot_[^"]*" >)re", "<g>"},
-      // Tenths of a pixel suffice.
-      {R"((\.\d)\d(?=[ ,']))", "$1"},
+      // Tenths of a pixel suffice; texts keep all their digits.
+      {R"((>[^<]*<)|(\.\d)\d(?=[ ,']))", "$1$2"},
       {R"( L(?=[-\d]))", " "},
       {R"( font-family="[^"]*")", ""},
       {R"((id=['"]|href=['"]#|url\(#)(gp|textbox|greybox|gnuplot))", "$1" + name + "-$2"},

@@ -178,6 +178,7 @@ TEST_CASE("each figure is tried on its own, and says what became of it" * doctes
   CHECK_FALSE(fs::exists(course.root() / "pictures/sound.svg.complete"));
   // Of two lines the ball hides the middle of one.
   const std::string ball = read(course.root() / "pictures/ball.svg");
+  CHECK(has(ball, ">1.234 m<"));
   CHECK(has(ball, "data:image/png;base64,"));
   std::smatch faint;
   REQUIRE(std::regex_search(ball, faint, std::regex("opacity='0.3'  d='M([\\d.]+),[\\d.]+ ([\\d.]+),[\\d.]+ *'")));

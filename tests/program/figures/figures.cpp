@@ -65,6 +65,7 @@ int main(int argc, char** argv) {
                                  {"ball", [](const Directory& directory) {
                                     workbook::Sketch sketch;  // its scale: 76 pixels
                                     sketch.ellipsoid(Eigen::Matrix3d::Identity(), workbook::colors::sky);
+                                    sketch.text({0, 1.5, 0}, "1.234 m");
                                     for (const double z : {-2.0, 2.0})
                                       sketch.line({{-2, 0, z}, {2, 0, z}}, workbook::colors::blue);
                                     sketch.draw(directory, "ball", 320);
