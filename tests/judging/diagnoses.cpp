@@ -242,6 +242,22 @@ Table patterns() {
   const Function without_v = [](const Inputs& in) { return vector({0, in[0].numbers[0], 1}); };
   add(table, "v is not used", moved, outputs(moved, without_v), "difference difference");
 
+  for (int base : {3, 4, 5}) add_generated(moved, base, 2, vector({4, 1, -3}), right_momentum);
+  const Function of_m = [](const Inputs& in) { return vector({std::sin(9 * in[0].numbers[0]), 7, 0.3}); };
+  add(table, "v never has an effect, and what is returned is nothing known", moved, outputs(moved, of_m),
+      "independence no_effect");
+
+  Values signs = outputs(momentum(), right_momentum), longer = signs, turned = signs;
+  for (std::size_t i = 0; i < signs.size(); ++i) {
+    if (i % 2 == 0) signs[i].numbers[1] *= -1;
+    for (double& number : longer[i].numbers) number *= 1.3 + std::sin(static_cast<double>(i * i));
+    const Eigen::AngleAxisd turn(0.2 + static_cast<double>(i * i), Eigen::Vector3d(1, 2, 2) / 3);
+    turned[i] = to_value(turn * Eigen::Vector3d(as_matrix(turned[i])));
+  }
+  add(table, "a sign is wrong at every other case", momentum(), signs, "transform signs");
+  add(table, "vectors of other lengths", momentum(), longer, "property direction");
+  add(table, "vectors of other directions", momentum(), turned, "property length");
+
   // Cases whose names are all that they have in common.
   Exercise named = momentum();
   for (int k : {1, 2, 3, 4, 5})
@@ -311,6 +327,8 @@ Table laws() {
   area.misconceptions = {{"cosine", "The sine is a cosine here.", "", of(area, cosine), {}}};
   add(table, "a known mistake and a factor", area, of(area, [&](double x, double y) { return 2 / x * cosine(x, y); }),
       "misconception cosine");
+  add(table, "a known mistake without its sign", area,
+      of(area, [&](double x, double y) { return std::abs(cosine(x, y)); }), "misconception cosine");
   area.misconceptions = {{"negative", "The sign is wrong.", "", times(area, -1), {}}};
   area.cases[3].deciding = false;
   Values nearly = times(area, 1);
@@ -345,6 +363,9 @@ Table laws() {
   Values exchanged = outputs(many, right_momentum);
   for (std::size_t i = 0; i < exchanged.size(); i += 2) std::swap(exchanged[i].numbers[0], exchanged[i].numbers[1]);
   add(table, "exchanged at every other case", many, exchanged, "transform permuted, place place");
+  for (std::size_t i = 1; i < exchanged.size(); i += 4) exchanged[i].numbers[0] *= 1 + 1e-7;
+  add(table, "exchanged at some cases, and without the last digits at others", many, exchanged,
+      "transform permuted, place place");
   return table;
 }
 

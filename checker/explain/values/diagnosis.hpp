@@ -25,6 +25,7 @@ Mechanism diagnose_misconception;    ///< none if two with different messages fi
 Mechanism diagnose_transform;        ///< a common factor, a transposed matrix, or components in another order
 Mechanism diagnose_input_transform;  ///< the right result for changed inputs
 Mechanism diagnose_whole_turns;      ///< angles that differ by multiples of 2π or π
+Mechanism diagnose_signs;             ///< of some numbers, at some cases, of the right result or of a misconception
 Mechanism diagnose_wrong_part;       ///< a misconception, or changed inputs, in the wrong components alone
 Mechanism diagnose_two_mistakes;     ///< a misconception times a factor
 
@@ -33,6 +34,9 @@ Mechanism diagnose_two_mistakes;     ///< a misconception times a factor
 /// The right result, or some of its components, times one number, or powers of the inputs. (factors.cpp)
 Mechanism diagnose_number;
 Mechanism diagnose_factor;
+
+/// The same of an exercise whose expected results are those of a mistake.
+Mechanism factor_of_mistake;
 
 /// The error of every wrong component as exactly one product of the inputs with a simple coefficient.
 Mechanism diagnose_one_term;
@@ -54,6 +58,8 @@ std::string simple_number(double number);
 Mechanism diagnose_place;         ///< "Only component 3 is wrong": always true, and silent where all are
 Mechanism diagnose_eigenvectors;  ///< principal axes in another order, of another length or handedness
 Mechanism diagnose_accuracy;      ///< nearly right at every case; the digits where the error follows a law
+Mechanism diagnose_no_effect;     ///< arguments that alone never change the answer, but the right result
+Mechanism diagnose_direction;      ///< a vector of the right direction, or of the right length
 Mechanism diagnose_range;  ///< the right attitudes by numbers beyond their range: θ, the pitch, more than half a turn
 
 // --- what the failing cases have in common (splits.cpp)

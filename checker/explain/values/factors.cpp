@@ -249,7 +249,15 @@ Relation relation(const ExerciseReference& exercise, const Answers& answers, con
   return found;
 }
 
-std::optional<Reason> factor_of(const ExerciseReference& exercise, const Answers& answers, bool by_inputs) {
+/// What an answer is compared with.
+struct Compared {
+  const char* one;   ///< number of it, or all of it
+  const char* many;  ///< numbers
+  const char* rest;  ///< what the other numbers are
+};
+
+std::optional<Reason> factor_of(const ExerciseReference& exercise, const Answers& answers, bool by_inputs,
+                                const Compared& with = {"the expected one", "the expected ones", "right"}) {
   if (exercise.comparison != Comparison::plain || exercise.result_kind == Kind::integer) return std::nullopt;
   if (!all_deciding_cases_answered(exercise, answers)) return std::nullopt;
   const Value& shape = exercise.cases.front().expected;
@@ -269,11 +277,12 @@ std::optional<Reason> factor_of(const ExerciseReference& exercise, const Answers
   }
   if (names.empty()) return std::nullopt;
   const bool is_whole = names.size() == shape.numbers.size();
-  return Reason{
-      ReasonKind::transform, "missing_factor",
-      is_whole ? fmt::format("Your result is the expected one {} at every case.", words)
-               : fmt::format("In your result {} {} the expected {} {} at every case; all else is right.", listed(names),
-                             names.size() == 1 ? "is" : "are", names.size() == 1 ? "one" : "ones", words)};
+  return Reason{ReasonKind::transform, "missing_factor",
+                is_whole
+                    ? fmt::format("Your result is {} {} at every case.", with.one, words)
+                    : fmt::format("In your result {} {} {} at every case; all else is {}.", listed(names),
+                                  names.size() == 1 ? fmt::format("is {}", with.one) : fmt::format("are {}", with.many),
+                                  words, with.rest)};
 }
 
 }  // namespace
@@ -284,6 +293,10 @@ std::optional<Reason> diagnose_number(const ExerciseReference& exercise, const A
 
 std::optional<Reason> diagnose_factor(const ExerciseReference& exercise, const Answers& answers) {
   return factor_of(exercise, answers, true);
+}
+
+std::optional<Reason> factor_of_mistake(const ExerciseReference& mistake, const Answers& answers) {
+  return factor_of(mistake, answers, true, {"that of a mistake", "those of a mistake", "as with that mistake"});
 }
 
 }  // namespace workbook

@@ -47,6 +47,57 @@ std::optional<Reason> diagnose_place(const ExerciseReference& exercise, const An
                 Weight::symptom};
 }
 
+std::optional<Reason> diagnose_no_effect(const ExerciseReference& exercise, const Answers& answers) {
+  constexpr std::size_t fewest = 3;
+  const bool has_few_results = exercise.result_kind == Kind::integer;  // of which many changes leave the right one
+  std::vector<std::string> names;
+  std::size_t all = 0;
+  for (std::size_t a = 0; a < exercise.arguments.size(); ++a) {
+    std::size_t pairs = 0, changes = 0;
+    bool has_effect = false;
+    for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
+      const auto base = static_cast<std::size_t>(exercise.cases[i].base);
+      if (exercise.cases[i].argument != static_cast<int>(a) || exercise.cases[i].base < 0) continue;
+      if (!answers[i] || !answers[base]) return std::nullopt;
+      has_effect = has_effect || answers[i]->numbers != answers[base]->numbers;
+      changes += is_same_answer(exercise, base, exercise.cases[i].expected, exercise.cases[base].expected) ? 0 : 1;
+      ++pairs;
+    }
+    if (has_effect || changes < fewest || (has_few_results && 2 * changes < pairs)) continue;
+    names.push_back(exercise.arguments[a].name);
+    all += pairs;
+  }
+  if (names.empty()) return std::nullopt;
+  return Reason{ReasonKind::independence, "no_effect",
+                fmt::format("Your result never changes with {} (at {} where nothing else changes); the right one does.",
+                            listed(names), plural(all, "pair of cases", "pairs of cases")),
+                Weight::symptom};
+}
+
+std::optional<Reason> diagnose_direction(const ExerciseReference& exercise, const Answers& answers) {
+  constexpr std::size_t fewest = 5;
+  if (exercise.result_kind != Kind::vector3 || exercise.result_units.size() > 1 ||
+      !(exercise.comparison == Comparison::plain || exercise.comparison == Comparison::rotation_by_vector))
+    return std::nullopt;
+  std::size_t wrong = 0;
+  bool has_direction = true, has_length = true;
+  for (const std::size_t i : deciding_cases(exercise)) {
+    if (!answers[i] || !answers[i]->is_finite()) return std::nullopt;
+    const Eigen::Vector3d yours = as_matrix(*answers[i]), right = as_matrix(exercise.cases[i].expected);
+    const double allowed = clear_margin * exercise.cases[i].tolerance;
+    has_direction = has_direction && yours.cross(right).norm() <= allowed * yours.norm() * right.norm() &&
+                    (yours.dot(right) > 0 || right.norm() == 0);
+    has_length = has_length && std::abs(yours.norm() - right.norm()) <= allowed * right.norm();
+    wrong += passes(exercise, i, *answers[i]) ? 0 : 1;
+  }
+  if (has_direction == has_length || wrong < fewest) return std::nullopt;
+  return Reason{ReasonKind::property, has_direction ? "direction" : "length",
+                has_direction ? "At every case your vector has the right direction, but not the right length."
+                              : "At every case your vector has the right length, but another direction: are its "
+                                "components those on the axes that are asked for?",
+                Weight::symptom};
+}
+
 std::optional<Reason> diagnose_accuracy(const ExerciseReference& exercise, const Answers& answers) {
   constexpr double largest = 1e-2, single_precision = 1e-6;
   constexpr std::size_t fewest = 5;

@@ -334,19 +334,29 @@ std::optional<Reason> diagnose_kinds(const ExerciseReference& exercise, const An
                 Weight::symptom};
 }
 
-/// What the right results become at all failing cases, where the others are right.
+/// What the right results become at all failing cases, but for those where only digits are lost.
 static std::optional<Reason> changed_where_wrong(const ExerciseReference& whole, const Answers& answers,
                                                  const Outcomes& outcome) {
   constexpr std::size_t fewest = 5;
+  constexpr double nearly_right = 1e-5;
   ExerciseReference exercise = whole;
+  std::size_t clearly_wrong = outcome.wrong.size();
   for (const std::size_t i : outcome.right) exercise.cases[i].deciding = false;
+  for (const std::size_t i : outcome.wrong) {
+    const std::vector<Deviation> of_case = deviations(exercise, i, *answers[i]);
+    if (std::ranges::any_of(of_case, [](const Deviation& each) { return !(each.relative_size() <= nearly_right); }))
+      continue;
+    exercise.cases[i].deciding = false;
+    --clearly_wrong;
+  }
   const std::size_t deciding = deciding_cases(exercise).size();
   if (deciding < fewest || deciding == deciding_cases(whole).size()) return std::nullopt;
   for (const auto& mechanism : {diagnose_transform, diagnose_factor}) {
     std::optional<Reason> found = mechanism(exercise, answers);
     if (!found || !found->is_cause()) continue;
-    found->sentence = fmt::format("At the {} of {} where your result is wrong: {}", outcome.wrong.size(),
+    found->sentence = fmt::format("At the {} of {} where your result is {}wrong: {}", clearly_wrong,
                                   plural(outcome.right.size() + outcome.wrong.size(), "case"),
+                                  clearly_wrong < outcome.wrong.size() ? "clearly " : "",
                                   replaced(found->sentence, " at every case", " at each of them"));
     return found;
   }

@@ -209,6 +209,38 @@ std::optional<Reason> diagnose_whole_turns(const ExerciseReference& exercise, co
   return std::nullopt;
 }
 
+/// Where numbers have the right size, or that which a mistake gives, but at some cases another sign.
+std::optional<Reason> diagnose_signs(const ExerciseReference& exercise, const Answers& answers) {
+  if (exercise.comparison != Comparison::plain || exercise.result_kind == Kind::integer ||
+      !all_deciding_cases_answered(exercise, answers) || !is_wrong_somewhere(exercise, answers))
+    return std::nullopt;
+  std::size_t others = 0;  // cases with another sign
+  const auto have_size = [&](const auto& value_at) {
+    others = 0;
+    return agree(exercise, answers, [&](std::size_t i) {
+      Value value = value_at(i);
+      bool differs = false;
+      if (!value.has_shape_of(*answers[i])) return value;
+      for (std::size_t n = 0; n < value.numbers.size(); ++n) {
+        const bool is_other = std::signbit(value.numbers[n]) != std::signbit(answers[i]->numbers[n]);
+        differs = differs || (is_other && std::abs(value.numbers[n]) > 1e-3 * scale_at(exercise.cases[i], n));
+        value.numbers[n] = std::copysign(value.numbers[n], answers[i]->numbers[n]);
+      }
+      others += differs ? 1 : 0;
+      return value;
+    });
+  };
+  if (have_size([&](std::size_t i) { return exercise.cases[i].expected; }) && others >= telling_numbers)
+    return Reason{ReasonKind::transform, "signs",
+                  fmt::format("At every case your numbers have the right size; at {} of the {} cases that were looked "
+                              "at, a sign is wrong.",
+                              others, deciding_cases(exercise).size())};
+  for (const Misconception& each : exercise.misconceptions)
+    if (have_size([&](std::size_t i) { return each.outputs[i]; }) && others >= 1)
+      return Reason{ReasonKind::misconception, each.name, "But for a sign: " + each.message, Weight::cause, each.notes};
+  return std::nullopt;
+}
+
 std::optional<Reason> diagnose_wrong_part(const ExerciseReference& exercise, const Answers& answers) {
   const std::set<std::size_t> wrong = wrong_entries(exercise, answers);
   const Value& shape = exercise.cases.front().expected;
@@ -258,13 +290,9 @@ std::optional<Reason> diagnose_two_mistakes(const ExerciseReference& exercise, c
     };
     if (!std::ranges::all_of(each.outputs, &Value::is_finite) || std::ranges::any_of(deciding_cases(changed), is_right))
       continue;
-    const auto found = diagnose_factor(changed, answers);
-    if (!found) continue;
-    const std::string beside = replaced(found->sentence, "the expected ones?", "that of a mistake");
-    return Reason{ReasonKind::misconception, each.name,
-                  fmt::format("{} The mistake: {}", replaced(beside, "all else is right", "all else is that of it"),
-                              each.message),
-                  Weight::possible, each.notes};
+    if (const auto found = factor_of_mistake(changed, answers))
+      return Reason{ReasonKind::misconception, each.name,
+                    fmt::format("{} The mistake: {}", found->sentence, each.message), Weight::possible, each.notes};
   }
   return std::nullopt;
 }
