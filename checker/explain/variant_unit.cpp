@@ -271,7 +271,7 @@ VariantUnit::VariantUnit(const SourceText& source, const std::vector<Variant>& v
   for (const Argument& argument : exercise.arguments) names += (names.empty() ? "" : ", ") + argument.name;
   append(
       fmt::format("namespace rigid {{\n{} {{\n  static constexpr decltype(&::rigid::{}) variants[] = {{{}}};\n"
-                  "  workbook_work = workbook_variant >> 12 < {} ? {} : std::pow(10, (workbook_variant >> 12) - {});\n"
+                  "  workbook_work = workbook_variant >> 12 < {} ? {} : 1L << ((workbook_variant >> 12) - {});\n"
                   "  return variants[workbook_variant & 4095]({});\n}}\n}}\n",
                   exercise.signature, exercise.name, table, first_limit, most_work, first_limit, names));
 }

@@ -97,6 +97,16 @@ class Conditions {
     }
   }
 
+  /// The bracket that is open at the index.
+  std::size_t opening_of(std::size_t index) const {
+    int depth = 0;
+    for (std::size_t k = index; k-- > 0;) {
+      depth += closes(text(k)) ? 1 : opens(text(k)) ? -1 : 0;
+      if (depth < 0) return k;
+    }
+    return 0;
+  }
+
   std::size_t begin_of_operand(std::size_t index) const {
     int depth = 0;
     for (std::size_t k = index; k-- > 0;) {
@@ -139,7 +149,10 @@ class SourceMutations {
       : source_(source), conditions_(source), all_bugs_(all_bugs), most_(all_bugs ? std::string::npos : most_variants) {
     constexpr const char* types[] = {"double",   "int",      "Vector2d",  "Vector3d",  // in the order of Kind
                                      "VectorXd", "Matrix3d", "Matrix3Xd", "vector"};
-    for (const Argument& argument : exercise.arguments) types_[argument.name] = types[static_cast<int>(argument.kind)];
+    for (const Argument& argument : exercise.arguments) {
+      types_[argument.name] = types[static_cast<int>(argument.kind)];
+      constants_.insert(argument.name);
+    }
     find_functions(exercise.name);
     find_locals();
     for (const Argument& argument : exercise.arguments) {
@@ -219,7 +232,8 @@ class SourceMutations {
   /// "double a = 1, b = 2;" and "int i = 0" in a loop: names of one type may have been mixed up.
   void find_locals() {
     std::string type;  // of the declaration that we are in
-    int depth = 0;     // of brackets in it
+    bool is_constant = false;
+    int depth = 0;  // of brackets in it
     for (std::size_t k = 1; k < std::min(source_.tokens().size(), last_token_looked_at); ++k) {
       const std::string_view left = token(k - 1), here = token(k), right = token(k + 1);
       const bool is_named = is_one_of(right, {"=", ";", ",", "(", ")", "{", ":"});
@@ -236,12 +250,15 @@ class SourceMutations {
       if (is_type && type.empty()) {
         type = word == "auto" ? fmt::format("auto {}", here) : std::string(word);  // nobody else's
         depth = 0;
-        types_.emplace(here, type);
-        scopes_[std::string(here)] = {k, end_of_block(k)};
-      } else if (left == "," && depth == 0 && !type.empty() && right != ";" && right != ",") {
-        types_.emplace(here, type);
-        scopes_[std::string(here)] = {k, end_of_block(k)};
+        std::size_t word_at = left == "&" ? k - 2 : k - 1;
+        while (word_at > 1 && token(word_at - 1) == "::") word_at -= 2;
+        is_constant = word_at > 0 && token(word_at - 1) == "const";
+      } else if (left != "," || depth != 0 || type.empty() || right == ";" || right == ",") {
+        continue;
       }
+      types_.emplace(here, type);
+      scopes_[std::string(here)] = {k, end_of_block(k)};
+      if (is_constant) constants_.insert(std::string(here));
     }
   }
 
@@ -251,8 +268,11 @@ class SourceMutations {
     for (std::size_t k = index; k < source_.tokens().size(); ++k) {
       if (opens(token(k))) ++depth;
       if (closes(token(k)) && --depth < 0 && token(k) == "}") return k;
-      if (depth == -1 && token(k) == ")")
-        return token(k + 1) == "{" ? conditions_.closing(k + 1) : source_.tokens().size();
+      if (depth != -1 || token(k) != ")") continue;
+      std::size_t begin = k + 1;  // of the block, or the end of the only statement
+      while (begin < source_.tokens().size() && token(begin) != "{" && token(begin) != ";")
+        begin = opens(token(begin)) ? conditions_.closing(begin) + 1 : begin + 1;
+      return token(begin) == "{" ? conditions_.closing(begin) : begin;
     }
     return source_.tokens().size();
   }
@@ -288,7 +308,7 @@ class SourceMutations {
     if (here() == "+=") add(VariantKind::sign, "another sign", "-=");
     if (here() == "-=") add(VariantKind::sign, "another sign", "+=");
     if (begins_expression() && (is_identifier(after()) || is_numeral(after())) && !is_index(at_ + 1) &&
-        !is_zero(at_ + 1) && !is_even())
+        !is_zero(at_ + 1) && !is_even() && !is_bound())
       insert_after(VariantKind::sign, "another sign", "-");
   }
 
@@ -308,6 +328,13 @@ class SourceMutations {
   bool is_even() const {
     const bool ends = token(at_ + 2) == ")" || (token(at_ + 2) == "[" && token(at_ + 5) == ")");
     return here() == "(" && ends && is_one_of(before(), {"cos", "cosh", "abs"});
+  }
+
+  /// The `1` of `min(1.0, s)`, whose other sign would make all of s the bound.
+  bool is_bound() const {
+    if (!is_numeral(after())) return false;
+    const std::size_t open = here() == "," ? conditions_.opening_of(at_) : at_;
+    return open > 0 && token(open) == "(" && is_one_of(token(open - 1), {"min", "max", "clamp"});
   }
 
   /// Is the number an index, as in `I(0, 2)`, `r[1]` or `row(2)`?
@@ -334,6 +361,13 @@ class SourceMutations {
         if (here() != other) add(VariantKind::index, "another index", other);
       if (token(at_ + 1) == "," && is_index(at_ + 2) && here() != token(at_ + 2))
         exchange(VariantKind::index, "the two indices the other way round", at_, at_ + 2);
+      // `I[1] * I[1]`
+      if (before() == "[" && after() == "]" && token(at_ + 2) == "*" && token(at_ + 3) == token(at_ - 2) &&
+          token(at_ + 4) == "[" && token(at_ + 5) == here())
+        for (const char* other : {"0", "1", "2"})
+          if (here() != other)
+            add(VariantKind::index, "another index in both factors", at_,
+                {replaced(at_, at_, other), replaced(at_ + 5, at_ + 5, other)});
       return;
     }
     double value = 0;
@@ -342,7 +376,7 @@ class SourceMutations {
     const bool is_whole = here().find_first_of(".e") == std::string_view::npos;
     std::vector<double> others;
     if (value != 0)
-      for (const double factor : {2.0, 0.5, 4.0, 0.25, 3.0, 1.0 / 3, 1.5, 2.0 / 3, -1.0, 10.0, 100.0, 0.01, 1e-6})
+      for (const double factor : {2.0, 0.5, 4.0, 0.25, 3.0, 1.0 / 3, 1.5, 2.0 / 3, -1.0, 10.0, 100.0, 0.1, 0.01, 1e-6})
         others.push_back(value * factor);
     if (is_whole) others.insert(others.end(), {value + 1, value - 1});
     for (const double other : others) {
@@ -361,18 +395,35 @@ class SourceMutations {
 
   void names() {
     const auto type = types_.find(std::string(here()));
+    // `A(k, i)` of two whole numbers
+    if (type != types_.end() && is_whole(at_) && before() == "(" && after() == "," && token(at_ + 3) == ")" &&
+        is_identifier(token(at_ + 2)) && is_whole(at_ + 2) && types_.contains(std::string(token(at_ - 2))))
+      exchange(VariantKind::index, "the two indices the other way round", at_, at_ + 2);
     if (type == types_.end() || is_one_of(before(), {".", "::", "->", "&"}) || before() == type->second) return;
     const auto own_scope = scopes_.find(std::string(here()));
     if (own_scope != scopes_.end() && own_scope->second.first == at_) return;  // it is declared here
     if (is_one_of(after(), {"=", "+=", "-=", "*=", "/=", "{"})) return;
+    const bool is_filled = is_target();
     for (const auto& [other, declared] : types_)
       if (other != here() && declared == type->second) {
-        if (!is_visible(other)) continue;
+        if (!is_visible(other) || (is_filled && constants_.contains(other))) continue;
         add(VariantKind::name, "another name", other);
         places_[{std::string(here()), other}].push_back(found_.back().edits.front());
       }
     // A value in place of a variable that is filled here would leave that one empty.
-    if (!all_bugs_ && !is_one_of(token(end_of_target(at_)), {"=", "+=", "-=", "*=", "/=", "<<"})) derived(type->second);
+    if (!all_bugs_ && !is_filled) derived(type->second);
+  }
+
+  /// Is the variable here filled, as in `J(i, j) += x`, `(x < 0 ? low : high) = x` or `sort(s.data(), s.data() + 3)`?
+  bool is_target() const {
+    const auto assigns = [&](std::size_t index) {
+      return is_one_of(token(index), {"=", "+=", "-=", "*=", "/=", "<<"});
+    };
+    const std::size_t open = conditions_.opening_of(at_);
+    const bool is_chosen =
+        token(open) == "(" && open > 0 && !is_identifier(token(open - 1)) && assigns(conditions_.closing(open) + 1);
+    return assigns(end_of_target(at_)) || is_chosen ||
+           (after() == "." && is_one_of(token(at_ + 2), {"data", "begin", "end"}));
   }
 
   /// Behind `x`, `x[0]`, `M.col(k)` or `v.head<2>()`, which may be assigned to.
@@ -463,6 +514,9 @@ class SourceMutations {
       }
       return;
     }
+    if (here() == "Ones" && before() == "::" && token(at_ - 2) == "Matrix3d" && token(at_ + 2) == ")")
+      add(VariantKind::name, "the unit matrix in place of that of ones", at_,
+          {replaced(at_ - 2, at_ + 2, "Matrix3d(Matrix3d::Identity())")});
     if (const auto found = functions.find(here()); found != functions.end() && is_called)
       for (const char* other : found->second) add(VariantKind::function, "another function", other);
     if (is_called && !all_bugs_ && is_one_of(here(), {"sin", "cos", "tan", "exp", "sinh", "cosh", "tanh"}))
@@ -664,7 +718,8 @@ class SourceMutations {
   const bool all_bugs_;
   const std::size_t most_;
   std::map<std::string, std::string> types_;                                 ///< of arguments and local variables
-  std::map<std::string, std::pair<std::size_t, std::size_t>> scopes_;        ///< of the latter
+  std::set<std::string> constants_;                                          ///< of these
+  std::map<std::string, std::pair<std::size_t, std::size_t>> scopes_;        ///< of local variables
   std::map<std::pair<std::string, std::string>, std::vector<Edit>> places_;  ///< of one text in place of another
   std::pair<std::size_t, std::size_t> body_ = {0, last_token_looked_at};     ///< of the exercise's function
   std::vector<std::pair<std::size_t, std::size_t>> closed_;                  ///< lambdas without captures

@@ -92,7 +92,7 @@ class VariantUnit {
  public:
   /// The number for a second slip beside the first.
   static constexpr std::size_t both(std::size_t one, std::size_t other) { return one + ((other + 1) << 12); }
-  /// The number for a variant that may do work of 10^exponent switches only, and throws where it needs more.
+  /// The number for a variant that may do work of 2^exponent switches only, and throws where it needs more.
   static constexpr std::size_t limited(std::size_t variant, int exponent) {
     return variant + (static_cast<std::size_t>(first_limit + exponent) << 12);
   }
