@@ -79,6 +79,8 @@ void judge_rotation_vector(Lecture& lecture) {
       "The antisymmetric part of E holds the axis with the sine of the angle as a factor; the sine is still in your "
       "axis.",
       "not_divided_by_sine", [](auto& v) -> Vector3d { return sin(v.norm()) * v; });
+  e.wrong_output("The vector part of a quaternion is taken for the unit vector along the axis here; it is shorter.",
+                 "vector_part", [](auto& v) -> Vector3d { return sin(v.norm() / 2) * v; });
   e.wrong_output("The angle is in degrees.", "degrees", times(1 / degree));
   e.route("by Eigen", [](auto& E) {
     const Eigen::AngleAxisd turned(E);

@@ -43,6 +43,10 @@ void judge_largest_angle_between_L_and_omega(Lecture& lecture) {
     const Vector3d moments(z + x, x + y, y + z);  // middle, smallest, largest
     return random.sign() > 0 ? moments : moments.reverse();
   });
+  e.random("a body with the middle moment in the middle", 3, [](Random& random) -> Vector3d {
+    const double x = random.uniform(0.02, 0.2), y = random.uniform(0.4, 1.3), z = random.uniform(1.6, 2.2);
+    return {x + y, z + x, y + z};
+  });
   e.sweep({"From a rod to a disc: moments x, 1, 1 kg m²", "moment about the axis of symmetry, x (kg m²)",
            "largest angle between L and ω (rad)"},
           {"angle"}, {0.02, 2}, [](auto x) -> Vector3d {
@@ -51,6 +55,8 @@ void judge_largest_angle_between_L_and_omega(Lecture& lecture) {
 
   e.wrong("This is the angle for ω midway between the axes of the extreme moments; there are axes with a larger one.",
           "halfway", [](auto& I) { return atan2(I.maxCoeff() - I.minCoeff(), I.maxCoeff() + I.minCoeff()); });
+  e.wrong("This is where ω lies when the angle is largest, its angle with an axis; asked for is that between L and ω.",
+          "direction_of_omega", [](auto& I) { return atan(sqrt(I.minCoeff() / I.maxCoeff())); });
   e.wrong_output("This is the sine of the largest angle; the angle is asked for.", "sine_not_inverted",
                  [](auto angle) { return sin(angle); });
   e.wrong_input<0>("The second moment does not enter; the moments come in any order.", "not_sorted",

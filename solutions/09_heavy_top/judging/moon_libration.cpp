@@ -114,13 +114,27 @@ void judge_moon_libration(Lecture& lecture) {
               return -1.5 * asymmetry * sin(2 * (theta - mean)) / pow(r, 3);
             });
           });
+  e.wrong("The planet stands in your sky at the eccentric anomaly, which is counted at the centre of the ellipse.",
+          "eccentric_anomaly", [](auto asymmetry, auto eccentricity, auto n, auto theta0, auto rate0, auto t) {
+            return over_time(n, theta0, rate0, t, [&](double theta, double mean) {
+              const double E = eccentric_anomaly(mean, eccentricity);
+              return -1.5 * asymmetry * sin(2 * (theta - E)) / pow(place(E, eccentricity)[1], 3);
+            });
+          });
+  e.wrong("Both the direction and the distance of the planet take the mean anomaly here: Kepler's equation is missing.",
+          "no_kepler", [](auto asymmetry, auto eccentricity, auto n, auto theta0, auto rate0, auto t) {
+            return over_time(n, theta0, rate0, t, [&](double theta, double mean) {
+              return -1.5 * asymmetry * sin(2 * (theta - mean)) / pow(1 - eccentricity * cos(mean), 3);
+            });
+          });
   e.wrong("The torque is as strong at every distance here; it falls with the cube of the distance.", "no_distance",
           [](auto... inputs) { return with_torque(inputs..., 1.5, 0, 2); });
   e.wrong("The torque falls with the square of the distance here; the difference of two pulls falls with the cube.",
           "square_of_distance", [](auto... inputs) { return with_torque(inputs..., 1.5, 2, 2); });
-  e.wrong(
-      "Your torque tells the two ends of the long axis apart, like that on a compass needle; both are pulled alike.",
-      "needle", [](auto... inputs) { return with_torque(inputs..., 3, 3, 1); });
+  for (const auto& [name, factor] : {std::pair("needle", 3.0), std::pair("needle_half", 1.5)})
+    e.wrong(
+        "Your torque tells the two ends of the long axis apart, like that on a compass needle; both are pulled alike.",
+        name, [factor = factor](auto... inputs) { return with_torque(inputs..., factor, 3, 1); });
   e.wrong_input<0>("Your torque is twice too strong: sine times cosine is half of the sine of the double angle.",
                    "no_half", [](double asymmetry) { return 2 * asymmetry; });
   e.wrong("Only small angles from the planet are right here; the torque goes with the sine.", "small_angle",

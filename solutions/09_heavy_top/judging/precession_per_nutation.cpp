@@ -36,6 +36,11 @@ void mistakes_of_precession_per_nutation(Exercise& e) {
           [](auto I1, auto I3, auto mgl, auto theta, auto& rates) {
             return mgl / (I3 * (rates[0] * cos(theta) + rates[2])) * nutation_period(I1, I3, mgl, theta, rates);
           });
+  e.wrong("Rate and period are both those of a fast top, which yours is not.", "fast_top",
+          [](auto I1, auto I3, auto mgl, auto theta, auto& rates) {
+            const double spin = I3 * (rates[0] * cos(theta) + rates[2]);
+            return mgl / spin * 2 * pi * I1 / abs(spin);
+          });
   e.wrong_output("This is the angle from one limit to the other; on the way back it is as large.", "half", times(0.5));
   e.wrong("The rate of the steady precession at the inclination of the start stands for φ̇ here; φ̇ changes with θ.",
           "steady_rate", [](auto I1, auto I3, auto mgl, auto theta, auto& rates) {
