@@ -117,8 +117,9 @@ std::optional<Reason> first_error(std::vector<Diagnostic> found, const SourceTex
                          "This #include is inside braces: write it at the top of the file, before namespace rigid {.");
   // What Eigen asserts says more than what follows from it, and a name that is not known more than what clang misses
   // behind it.
-  const bool is_behind = first->text.starts_with("expected ';'");
-  for (const char* kind : {"^static assertion", is_behind ? "was not declared" : "^static assertion", ""})
+  std::vector<const char*> kinds = {"^static assertion", ""};
+  if (first->text.starts_with("expected ';'")) kinds.insert(kinds.begin() + 1, "was not declared");
+  for (const char* kind : kinds)
     for (auto next = first; next != found.end(); ++next)
       if (is_placed_error(*next) && next->place.line == first->place.line && search(next->text, kind))
         if (auto finding = recognized(error_table, *next, place_to_show(*next, source), source, signature))
