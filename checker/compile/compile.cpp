@@ -20,6 +20,7 @@ std::vector<std::string> arguments_for(const Submission& submission, const std::
   return {"-Wreturn-type", "-Wuninitialized", "-Wfloat-conversion", "-Wparentheses", "-Wunused-value", "-Wtype-limits",
           "-Wunused-variable", "-Wunused-parameter", "-Wunused-but-set-variable", "-Wreturn-local-addr",
           "-Wimplicit-fallthrough", "-Wmisleading-indentation", "-Wshadow=local", "-Wdiv-by-zero", "-Wsequence-point",
+          "-Wlogical-not-parentheses",
           // The student's own name of the file in assertions, and in what debuggers read.
           fmt::format("-fmacro-prefix-map={}={}", source, name),
           fmt::format("-fdebug-prefix-map={}=shown/{}", source, name),
@@ -275,7 +276,7 @@ class CompilationInProgress {
                       "Your function stands outside of the namespace: put it between `namespace rigid {` and its `}`.");
       refuse_symbol(Refusal::missing_function, "missing_function", symbol.base_name(), output,
                     fmt::format("Your file does not define `{}`: it defines {}. Its head is `{}`, in namespace "
-                                "rigid, without inline, static or template.",
+                                "rigid and no class, without inline, static or template.",
                                 in_plain_words(symbol.shown), defined_functions(), task_.signature));
     }
     std::erase_if(used, [&](const Symbol& symbol) {

@@ -77,8 +77,11 @@ std::optional<Reason> recognized(const std::vector<MessageMistake>& table, const
 /// What is missing before a token belongs after the one before it, which may stand on an earlier line.
 Place place_to_show(const Diagnostic& error, const SourceText& source) {
   const auto next = std::ranges::lower_bound(source.tokens(), source.offset_of(error.place), {}, &Token::offset);
-  const bool noticed_late = error.text.find("before") != std::string::npos &&
-                            (error.text.find(';') < 20 || error.text.starts_with("expected initializer"));
+  const bool is_unfinished =
+      next != source.tokens().begin() && search(std::prev(next)->text, "^[-+*/=(,]$").groups.size() > 0;
+  const bool noticed_late =
+      is_unfinished || (error.text.find("before") != std::string::npos &&
+                        (error.text.find(';') < 20 || error.text.starts_with("expected initializer")));
   if (!noticed_late || next == source.tokens().begin()) return error.place;
   const Place after = source.place_of((next - 1)->offset + (next - 1)->text.size());
   return after.line < error.place.line ? after : error.place;
@@ -117,8 +120,8 @@ std::optional<Reason> first_error(std::vector<Diagnostic> found, const SourceTex
                          "This #include is inside braces: write it at the top of the file, before namespace rigid {.");
   // What Eigen asserts says more than what follows from it, and a name that is not known more than what clang misses
   // behind it.
-  std::vector<const char*> kinds = {"^static assertion", ""};
-  if (first->text.starts_with("expected ';'")) kinds.insert(kinds.begin() + 1, "was not declared");
+  std::vector<const char*> kinds = {"^stray", "^static assertion", ""};
+  if (first->text.starts_with("expected ';'")) kinds.insert(kinds.end() - 1, "was not declared");
   for (const char* kind : kinds)
     for (auto next = first; next != found.end(); ++next)
       if (is_placed_error(*next) && next->place.line == first->place.line && search(next->text, kind))

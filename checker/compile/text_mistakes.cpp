@@ -19,8 +19,12 @@ constexpr std::size_t longest_statement = 500;  // in letters
 /// A statement, or the head of a block: its tokens with one space between them, the mark that ends it among them.
 struct Statement {
   std::string text;
-  std::vector<std::size_t> ends;  ///< of each token in the text
-  std::size_t first_token = 0;
+  std::vector<std::size_t> ends;    ///< of each token in the text
+  std::vector<std::size_t> tokens;  ///< the number of each
+
+  std::size_t token_at(std::size_t offset) const {
+    return tokens.at(static_cast<std::size_t>(std::ranges::upper_bound(ends, offset) - ends.begin()));
+  }
 };
 
 std::vector<Statement> statements_of(std::span<const Token> tokens) {
@@ -30,15 +34,27 @@ std::vector<Statement> statements_of(std::span<const Token> tokens) {
     if (tokens[i].in_directive) continue;
     Statement& statement = statements.back();
     const std::string token(tokens[i].is_literal() ? "\"\"" : tokens[i].text);
-    if (statement.ends.empty()) statement.first_token = i;
     statement.text += (statement.ends.empty() ? "" : " ") + token;
     statement.ends.push_back(statement.text.size());
+    statement.tokens.push_back(i);
     levels.back() += token == "(" || token == "[" ? 1 : token == ")" || token == "]" ? -1 : 0;
     if (token == "{") levels.push_back(0);
     if (token == "}" && levels.size() > 1) levels.pop_back();
     if (token == "{" || token == "}" || (token == ";" && levels.back() <= 0)) statements.emplace_back();
   }
   return statements;
+}
+
+/// Statements that follow each other, a line each.
+Statement joined(std::span<const Statement> statements) {
+  Statement all;
+  for (const Statement& one : statements) {
+    if (!all.text.empty()) all.text += "\n";
+    for (const std::size_t end : one.ends) all.ends.push_back(all.text.size() + end);
+    all.tokens.insert(all.tokens.end(), one.tokens.begin(), one.tokens.end());
+    all.text += one.text;
+  }
+  return all;
 }
 
 /// " = += " for one of two tokens
@@ -50,7 +66,7 @@ bool has_one_of(std::span<const Token> tokens, std::string_view texts) {
   return std::ranges::any_of(tokens, [&](const Token& token) { return is_one_of({&token, 1}, 0, texts); });
 }
 
-/// A mistake that a statement gives away. The caret stands at what $1 stands for.
+/// A mistake that a statement gives away, or several that follow each other. The caret stands at what $1 stands for.
 struct TextMistake {
   const char* name;
   std::string pattern;
@@ -59,6 +75,7 @@ struct TextMistake {
   const char* unless = "";                      ///< not in a file with one of these words
   Weight weight = Weight::cause;
   Fix fix = Fix::none;
+  std::size_t statements = 1;  ///< at most; the pattern ends in the last of them, and "\n" stands between them
 };
 
 // The methods of a type of one's own may do anything.
@@ -85,12 +102,19 @@ const std::vector<TextMistake>& table() {
       {"degrees_argument",
        R"((?:^|[^.>] )((sin|cos|tan) \((?![^()]*/ 180)[^()]* 180(?:\.0*)? / (?:std :: numbers :: )?(pi|M_PI)\b))",
        "$2 takes radians, but 180 / $3 turns its argument into degrees.", nullptr, "", Weight::possible},
-      {"xor_for_power", R"((?:^| )(\S+ \^ [2-9])(?= |$))",
+      {"degrees_argument",
+       R"((\w+) = [^\n]* 180(?:\.0*)? / (?:std :: numbers :: )?(?:pi|M_PI|3\.14\d*) ;\n(?:[^\n]*\n)*?[^\n]*(sin|cos|tan) \( \1 \)[^\n]*$)",
+       "$2 takes radians, but 180 / π has turned `$1` into degrees.", nullptr, "", Weight::possible, Fix::none, 4},
+      {"xor_for_power", R"((?:^| )(10 \^ (?:- )?\d+)(?= |$))",
+       "`$1` is not a power in C++: ^ combines the bits of whole numbers. A power of ten is written 1e6 or 1e-6."},
+      {"xor_for_power", R"((?:^| )((?!10 )\S+ \^ [2-9])(?= |$))",
        "`$1` is not a power in C++: ^ combines the bits of whole numbers. Write x * x or std::pow(x, 2)."},
       {"discarded_result",
        R"(^(\w+)(?: \. \w+ \( )" + inside + R"(\))*? \. (transpose|normalized|inverse|adjoint|cross|dot|norm|)" +
            R"(squaredNorm|sum|trace|determinant|eval|cwise\w+) \( )" + inside + R"(\) ;$)",
        "$2() changes nothing: it returns a new value, which is dropped here. Write A = A.$2(...).", nullptr, own_types},
+      {"discarded_result", R"(^(\w+) \. (Zero|Identity|Ones) \( [^()]*\) ;$)",
+       "$2() makes a new matrix or vector, which is dropped here: `$1.set$2()` changes `$1`.", nullptr, own_types},
       {"aliasing", R"(^(\w+) \. noalias \( \) [+-]?= (?:.* )?\1 (?:.* )?;$)",
        "noalias() writes into `$1` while `$1` is still read on the right: leave it out, or use another variable.",
        nullptr, own_types, Weight::possible, Fix::no_noalias},
@@ -103,6 +127,9 @@ const std::vector<TextMistake>& table() {
       {"other_counter",
        R"(for \( (?:[\w:]+ )?(\w+) = [^;]* ; \1 [^;]* ; (?:(?:\+\+|--) (?!\1\b)(\w+)|(?!\1\b)(\w+) (?:\+\+|--)) \))",
        "This loop runs as long as `$1` is small enough, but its head changes `$2$3`."},
+      {"wrong_direction",
+       R"(for \( (?:int |long )?(\w+) = [^;]* ; \1 (?:<=? [^;]* ; (?:-- \1|\1 --)|>=? [^;]* ; (?:\+\+ \1|\1 \+\+)) \))",
+       "This loop counts `$1` away from its end."},
       {"loop_never_runs", R"(for \( (?:[\w:]+ )?(\w+) = (\d{1,9}) ; \1 (>=?) (\d{1,9}) ;)",
        "This loop never runs: `$1` begins at $2, where $1 $3 $4 is false.", is_false_at_first},
       {"always_true", R"((?:[=!]=|[<>]=?) [^ ]+ (\|\| \d[\w.]*)(?= (?:[)|&;?]|\|\|)))",
@@ -110,7 +137,7 @@ const std::vector<TextMistake>& table() {
       {"whole_sum", R"((accumulate) \( .* , 0 \))",
        "This sum begins with the whole number 0 and drops what follows every decimal point: begin with 0.0."},
       {"rounded_pi", R"((?:^| )(3\.14\d*)(?= |$))", "$1 is only near π; write std::numbers::pi.", is_rounded_pi, "",
-       Weight::cause, Fix::exact_pi},
+       Weight::possible, Fix::exact_pi},
       {"size_for_length", R"((?:^| )(\w+) / \1 \. size \( \))",
        "`$1.size()` is the number of components: the length of a vector is `$1.norm()`."},
       {"size_in_bytes", R"(< (sizeof \( (\w+) \)))", "`$1` counts bytes: how many elements there are is `$2.size()`.",
@@ -123,8 +150,38 @@ const std::vector<TextMistake>& table() {
       {"exact_end", R"(^(?:while|for) \( (?:[^;()]*;)? ?(\w+ != \d*\.\d*)(?= [;)]))",
        "Rounded steps hardly ever hit a number, so that `$1` is never false: compare by <.", nullptr, "",
        Weight::possible},
-      {"float_precision", "(?:^| )(float) ", "A float keeps only about 7 digits; use double.", nullptr, "",
-       Weight::possible, Fix::as_double},
+      {"float_precision", R"((?:^| )(float|(?:Matrix|Vector)\w+f)\b)", "A float keeps only about 7 digits; use double.",
+       nullptr, "", Weight::possible, Fix::as_double},
+      // Several statements.
+      {"left_from_stub",
+       R"((?|^[^\n]*[;}]\n(throw) NotStarted \{\n\}\n;$|(throw) NotStarted \{\n\}\n;\n(?!\})[^\n]+$))",
+       "This line of the empty exercise is still there: remove it.", nullptr, "", Weight::cause, Fix::none, 4},
+      {"overwritten", R"(^([\w.\[\]() ,]+) = ([\w.\[\]() ,]+) ;\n\2 = \1 ;$)",
+       "`$2` gets back here what it has just given to `$1`, so this changes nothing: std::swap exchanges two values.",
+       nullptr, "", Weight::possible, Fix::none, 2},
+      {"return_in_loop",
+       R"(^for \( .* \) \{(?:\n(?!if|else|while|do|switch|for|case|break|continue)[^\n]* ;)*\n(return) [^\n]*$)",
+       "This return ends the loop in its first turn: it belongs after the } of the loop.", nullptr, "", Weight::cause,
+       Fix::none, 6},
+      {"printed_value", R"((cout) << [^\n]* ;\nreturn 0(?:\.0*)? ;\n\}$)",
+       "What is printed is no result: return it in place of the 0.", nullptr, " if ", Weight::cause, Fix::none, 3},
+      {"copied_element", R"(for \( [^\n&]*\b(\w+) : [^\n]*\) (?:\{\n(?=[^\n]*\n\}$))?\1 [-+*/]?= [^\n]* ;(?:\n\})?$)",
+       "`$1` is a copy of the element: to change the list itself, write & behind the type.", nullptr, "", Weight::cause,
+       Fix::none, 3},
+      {"restarted_sum",
+       R"(^(?:for|while) \( .* \) \{\n(\w+) (?:= 0(?:\.0*)?|\. setZero \( \)) ;\n\1 [-+]= [^\n]* ;\n\}$)",
+       "`$1` begins at 0 again in every turn of the loop: give it this value before the loop.", nullptr, "",
+       Weight::cause, Fix::none, 4},
+      {"last_turn_only",
+       R"(for \( (?:[\w:]+ )+?(\w+) = (?:(?! (?:if|while) )[^\n])*\) (?:\{\n(?=[^\n]*\n\}$))?(\w+) = (?![^\n]*\b\2\b)[^\n]*)"
+       R"(\b\1\b[^\n]* ;(?:\n\})?$)",
+       "`$2` is given a new value in every turn, and only that of the last turn is left: to add up, write +=.", nullptr,
+       "", Weight::cause, Fix::none, 3},
+      {"resize_in_loop", R"(^(?:for|while) \( .* \) \{\n(\w+) \. resize \( [^\n]*;$)",
+       "resize() drops what `$1` held so far: give it its size once, before the loop.", nullptr, "", Weight::cause,
+       Fix::none, 2},
+      {"divided_in_loop", R"(^for \( .* \) \{\n(\w+) \+= [^\n]* ;\n\1 /= [^\n]*(?:size|cols|rows) \( \) ;\n\}$)",
+       "Every turn divides all of `$1` again: divide once, after the loop.", nullptr, "", Weight::cause, Fix::none, 4},
   };
   return mistakes;
 }
@@ -142,6 +199,30 @@ std::size_t sum_without_start(std::span<const Token> tokens, std::size_t declare
     if (is_one_of(tokens, k - 1, " ( , ") && is_one_of(tokens, k + 1, " ) , ")) return 0;
   }
   return sum;
+}
+
+/// while (p < n) { … } @returns does its block, which begins at a token, neither change p nor end the loop?
+bool never_changes(std::span<const Token> tokens, std::size_t brace, const std::string& name) {
+  int depth = 0;
+  for (std::size_t k = brace; k < tokens.size(); ++k) {
+    depth += tokens[k].text == "{" ? 1 : tokens[k].text == "}" ? -1 : 0;
+    if (depth == 0) return true;
+    if (is_one_of(tokens, k, " break return throw goto ")) return false;
+    if (tokens[k].text == name &&
+        (is_one_of(tokens, k + 1, " = += -= *= /= ++ -- << . [ ") || is_one_of(tokens, k - 1, " ++ -- & >> ")))
+      return false;
+  }
+  return false;
+}
+
+/// double w[3]; … w[3] @returns the token with an index that the array does not have, or 0
+std::size_t index_beyond(std::span<const Token> tokens, std::size_t declared, long size) {
+  for (std::size_t k = declared + 1; k + 3 < tokens.size(); ++k) {
+    if (tokens[k].text != tokens[declared].text || tokens[k + 1].text != "[" || tokens[k + 3].text != "]") continue;
+    if (search(tokens[k - 1].text, R"(^(?!return)[A-Za-z_]\w*$)")) return 0;  // declared once more
+    if (search(tokens[k + 2].text, R"(^\d{1,9}$)") && std::stol(std::string(tokens[k + 2].text)) >= size) return k + 2;
+  }
+  return 0;
 }
 
 /// static double s = 0; … s += x; @returns does it keep what calls before have added
@@ -168,46 +249,43 @@ std::vector<Reason> text_mistakes(const SourceText& source) {
     for (std::string& group : match.groups) boost::erase_all(group, " ");
     found.push_back(source.reason(source.place_of(tokens[token].offset), name, match.fill(sentence), weight, fix));
   };
-  std::string last;            // statement
-  int depth = 0;               // of braces that no namespace opens
-  bool is_first_turn = false;  // of a loop, without a condition so far
-  for (const Statement& statement : statements_of(tokens)) {
-    const std::string before = std::exchange(last, statement.text);
-    if (is_first_turn && statement.text.starts_with("return "))
-      add(statement.first_token, "return_in_loop", Match(),
-          "This return ends the loop in its first turn: it belongs after the } of the loop.");
-    if (statement.text.ends_with("{") || statement.text.ends_with("}"))
-      is_first_turn = search(statement.text, R"(^for \( .* \) \{$)").groups.size() > 0;
-    else if (search(statement.text, R"(^(if|else|while|do|switch|for|case|break|continue)\b)"))
-      is_first_turn = false;
+  int depth = 0;  // of braces that no namespace opens
+  const std::vector<Statement> statements = statements_of(tokens);
+  for (std::size_t last = 0; last < statements.size(); ++last) {
+    const Statement& statement = statements[last];
     if (statement.text.size() > longest_statement || found.size() > most) continue;
-    if (const Match copied = search(before, R"(^([\w.\[\]() ,]+) = ([\w.\[\]() ,]+) ;$)");
-        copied && statement.text == copied[2] + " = " + copied[1] + " ;")
-      add(statement.first_token, "overwritten", copied,
-          "`$1` was given the value of `$2` just before, so this changes nothing: std::swap exchanges two values.",
-          Weight::possible);
     for (const TextMistake* mistake : possible) {
-      const Match match = search(statement.text, mistake->pattern);
-      if (!match || (mistake->holds != nullptr && !mistake->holds(match))) continue;
-      const auto at = std::ranges::upper_bound(statement.ends, match.offsets[1]);
-      add(statement.first_token + static_cast<std::size_t>(at - statement.ends.begin()), mistake->name, match,
-          mistake->sentence, mistake->weight, mistake->fix);
+      for (std::size_t count = mistake->statements; count > 0; --count) {
+        if (count > last + 1) continue;
+        const Statement part = joined(std::span(statements).subspan(last + 1 - count, count));
+        const Match match = part.text.size() > longest_statement ? Match() : search(part.text, mistake->pattern);
+        if (!match || (mistake->holds != nullptr && !mistake->holds(match))) continue;
+        add(part.token_at(match.offsets[1]), mistake->name, match, mistake->sentence, mistake->weight, mistake->fix);
+        break;
+      }
     }
     const bool is_outside = depth == 0;
     if (statement.text.ends_with("{") && !statement.text.starts_with("namespace")) ++depth;
     if (statement.text.ends_with("}") && depth > 0) --depth;
+    const Match waiting = search(statement.text, R"(^while \( (\w+) (?:[<>]=?|!=) [^;]*\) \{$)");
+    if (waiting && never_changes(tokens, statement.tokens.back(), waiting[1]))
+      add(statement.token_at(waiting.offsets[1]), "endless_loop", waiting,
+          "Nothing in this loop changes `$1`, so it never ends.", Weight::possible);
     const Match kept = search(statement.text, R"(^(static )?(?:[\w:<>]+ )+?(\w+) (?:;|=|\(|\{))");
-    if (kept && (is_outside || !kept[1].empty())) {
-      const auto at = std::ranges::lower_bound(statement.ends, kept.offsets[2] + kept[2].size());
-      if (accumulates(tokens, statement.first_token + static_cast<std::size_t>(at - statement.ends.begin())))
-        add(statement.first_token, "static_variable", kept,
-            "`$2` keeps its value from one call to the next, and results depend on earlier ones: define it in the "
-            "function.",
-            Weight::possible, Fix::not_static);
-    }
+    if (kept && (is_outside || !kept[1].empty()) && accumulates(tokens, statement.token_at(kept.offsets[2])))
+      add(statement.tokens.front(), "static_variable", kept,
+          "`$2` keeps its value from one call to the next, and results depend on earlier ones: define it in the "
+          "function.",
+          Weight::possible, Fix::not_static);
+    const Match array =
+        search(statement.text, R"(^(?:const )?(?:double|int|float|Vector\w+|Matrix\w+) (\w+) \[ (\d{1,9}) \])");
+    if (array)
+      if (const std::size_t index = index_beyond(tokens, statement.token_at(array.offsets[1]), std::stol(array[2]));
+          index > 0)
+        add(index, "index_out_of_range", array, "`$1` has $2 elements, and indices start at 0: this one is not there.");
     const Match declaration = search(statement.text, "^(Matrix[234]d|Vector[234]d) (\\w+) ;$");
     if (has_own_types || !declaration) continue;
-    if (const std::size_t sum = sum_without_start(tokens, statement.first_token + 1); sum > 0)
+    if (const std::size_t sum = sum_without_start(tokens, statement.token_at(declaration.offsets[2])); sum > 0)
       add(sum, "uninitialized_variable", declaration, "`$2` has no value yet here: begin with $1 $2 = $1::Zero();");
   }
   return found;

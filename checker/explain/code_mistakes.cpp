@@ -21,7 +21,12 @@ bool tell(Search& search, CodeReasons found) {
 
 }  // namespace
 
-bool explain_fixed_mistakes(Search& search) { return tell(search, reasons_of(search, search.in_code)); }
+bool explain_fixed_mistakes(Search& search) {
+  CodeReasons found = reasons_of(search, search.in_code);
+  // A rounded π is the reason only where nothing else is wrong.
+  if (!found.are_all) std::erase_if(found.reasons, [](const Reason& reason) { return reason.fix == Fix::exact_pi; });
+  return tell(search, std::move(found));
+}
 
 bool explain_whole_quotients(Search& search) {
   const DiagnosticTask& task = search.evidence.task;

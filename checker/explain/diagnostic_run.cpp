@@ -208,7 +208,7 @@ class DiagnosticRun {
       add(line, kind_of(assertion), sentence(assertion) + ".");
     } else if (last->is("thrown") && judged_.ending == Ending::exception) {
       if (is_same) add_finding(line, "exception|" + quoted(judged_.text));
-    } else if (last->is("thrown")) {
+    } else if (last->is("thrown") && judged_.ending != Ending::not_started) {
       add_finding(line, "uncaught|" + quoted(judged_.text));
     } else if (last->is("forbidden")) {
       if (judged_.system_call >= 0) add_finding(line, "forbidden|" + forbidden_operation(judged_.system_call));
@@ -231,15 +231,15 @@ class DiagnosticRun {
   }
 
   /// What gave no finite number: a division, as the sanitizer saw it, or the only function of <cmath> that the line
-  /// calls.
+  /// calls; a root is no call but an instruction, like a division.
   std::string operation_at(const Run& trapped) const {
     if (trapped.events.size() >= 2 && trapped.events.rbegin()[1].is("float-divide-by-zero") &&
         trapped.events.rbegin()[1].line() == trapped.trap_line())
       return "division";
-    if (!trapped.events.back().in_c_library) return "";
+    const std::string line = source_line(trapped.trap_line());
+    if (!trapped.events.back().in_c_library) return search(line, R"(^[^/%]*\bsqrt\s*\([^/%]*$)") ? "sqrt" : "";
     std::set<std::string> functions;
-    for (const Match& call : search_all(source_line(trapped.trap_line()),
-                                        "\\b(sqrt|a?cosh?|a?sinh?|a?tanh?|log(?:2|10)?|pow|exp|fmod)\\s*\\("))
+    for (const Match& call : search_all(line, "\\b(sqrt|a?cosh?|a?sinh?|a?tanh?|log(?:2|10)?|pow|exp|fmod)\\s*\\("))
       functions.insert(call[1]);
     return functions.size() == 1 ? *functions.begin() : "";
   }

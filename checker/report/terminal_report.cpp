@@ -35,9 +35,12 @@ class Report {
     const Judgement& judgement = checked_.judgement;
     if (judgement.verdict == Verdict::not_started) {
       if (checked_.source.empty()) text_ += console_.wrapped(judgement.next_step, report_indent) + "\n";  // no file
+      for (const Reason& reason : checked_.reasons) tell("Why", reason);
       return text_;
     }
     if (!judgement.passed()) explain();
+    for (const Reason& reason : checked_.reasons)
+      if (judgement.passed()) tell("Note", reason);
     for (const std::string& sentence : on_real_data(checked_))
       text_ += console_.wrapped("Your function " + sentence, report_indent) + "\n";
     if (shown_case()) add_case(*shown_case());

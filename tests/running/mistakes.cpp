@@ -268,7 +268,7 @@ return a + b + mask + n + k + K(0, 0) + s + pi;)code")},
     {"", body("auto fill = [](Matrix3d& A) { A.setZero(); };\nMatrix3d I;\nfill(I); I += Matrix3d::Identity(); return "
               "x * I.trace();")},
     {"static_variable 3:1", body("static Matrix3d I;\nI += Matrix3d::Identity(); return x * I(0, 0);")},
-    {"overwritten 5:1", body("double a = x, b = 2;\na = b;\nb = a; return a * b;")},
+    {"overwritten 4:1", body("double a = x, b = 2;\na = b;\nb = a; return a * b;")},
     {"", "struct Frame { void transpose() {} };\n" + body("Frame f;\nf.transpose(); return x;")},
 };
 
