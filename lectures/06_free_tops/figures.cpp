@@ -111,7 +111,7 @@ void draw_cylinders(const std::filesystem::path& directory) {
                                     {"tin of food", 2.97, 0.15, 0.09}}};
   draw_figure(directory, "cylinders", {560, 340}, [&](Gnuplot& gnuplot) {
     gnuplot << "unset key; set xlabel 'height / radius of the cylinder'; set ylabel 'Ω / ω̃_3'\n"
-               "set xrange [0:6.4]; set yrange [-1.1:1.15]; set ytics 0.5\n"
+               "set xrange [0:6.4]; set yrange [-1.1:1.3]; set ytics 0.5\n"
             << fmt::format("set label 'pencil →' at 6.2,-0.68 right front tc rgb '{}'\n", colors::black)
             << fmt::format("set xzeroaxis lt 1 lw 1 lc rgb '{}'\n", colors::grey);
     Plot dots;
@@ -265,7 +265,7 @@ void draw_growth_rates(const std::filesystem::path& directory) {
             << fmt::format("set label \"no body here:\\nI_1 + I_2 < I_3\" at 0.53,0.88 left front tc rgb '{}'\n",
                            colors::grey)
             << fmt::format(
-                   "set label 'flat bodies: I_1 + I_2 = I_3' at 0.745,0.775 left rotate by 25 front tc rgb '{}'\n",
+                   "set label 'flat bodies: I_1 + I_2 = I_3' at 0.685,0.69 left rotate by 23 front tc rgb '{}'\n",
                    colors::vermilion)
             << fmt::format("set label '(1, 2, 3)' at 0.655,0.62 right front tc rgb '{}'\n", colors::black)
             << fmt::format("set label '' at {:.6f},{:.6f} point pt 7 ps 0.7 lc rgb '{}' front\n", 2.0 / 3,
