@@ -105,9 +105,9 @@ const std::vector<TextMistake>& table() {
       {"degrees_argument",
        R"((\w+) = [^\n]* 180(?:\.0*)? / (?:std :: numbers :: )?(?:pi|M_PI|3\.14\d*) ;\n(?:[^\n]*\n)*?[^\n]*(sin|cos|tan) \( \1 \)[^\n]*$)",
        "$2 takes radians, but 180 / π has turned `$1` into degrees.", nullptr, "", Weight::possible, Fix::none, 4},
-      {"xor_for_power", R"((?:^| )(10 \^ (?:- )?\d+)(?= |$))",
+      {"xor_for_power_of_ten", R"((?:^| )(10 \^ (?:- )?\d+)(?= |$))",
        "`$1` is not a power in C++: ^ combines the bits of whole numbers. A power of ten is written 1e6 or 1e-6."},
-      {"xor_for_power", R"((?:^| )((?!10 )\S+ \^ [2-9])(?= |$))",
+      {"xor_for_power", R"((?:^| )(?<!\^ )((?!10 )\S+ \^ [2-9])(?= |$))",
        "`$1` is not a power in C++: ^ combines the bits of whole numbers. Write x * x or std::pow(x, 2)."},
       {"discarded_result",
        R"(^(\w+)(?: \. \w+ \( )" + inside + R"(\))*? \. (transpose|normalized|inverse|adjoint|cross|dot|norm|)" +
