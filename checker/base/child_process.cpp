@@ -122,8 +122,8 @@ class NewProcess {
     return nullptr;
   }
 
-  /// Kills the group when the checker is gone. The first process of a namespace ignores the signal of a lifeline, and if
-  /// bubblewrap is killed before it has set up the namespace, that process would wait for it for ever.
+  /// Kills the group when the checker is gone. The first process of a namespace ignores the signal of a lifeline, and
+  /// if bubblewrap is killed before it has set up the namespace, that process would wait for it for ever.
   [[noreturn]] void watch_lifeline() const noexcept {
     ::dup2(lifeline, STDIN_FILENO);
     ::closefrom(STDIN_FILENO + 1);
