@@ -374,6 +374,8 @@ class SourceMutations {
     const auto [end, problem] = std::from_chars(here().data(), here().data() + here().size(), value);
     if (problem != std::errc() || end != here().data() + here().size() || (before() == "<" && after() == ">")) return;
     const bool is_whole = here().find_first_of(".e") == std::string_view::npos;
+    if (!is_guard && after() == "/" && is_numeral(token(at_ + 2)) && here() != token(at_ + 2))
+      exchange(VariantKind::number, "this fraction the other way up", at_, at_ + 2);
     std::vector<double> others;
     if (value != 0)
       for (const double factor : {2.0, 0.5, 4.0, 0.25, 3.0, 1.0 / 3, 1.5, 2.0 / 3, -1.0, 10.0, 100.0, 0.1, 0.01, 1e-6})

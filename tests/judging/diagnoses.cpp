@@ -8,6 +8,7 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -257,6 +258,10 @@ Table patterns() {
   add(table, "a sign is wrong at every other case", momentum(), signs, "transform signs");
   add(table, "vectors of other lengths", momentum(), longer, "property direction");
   add(table, "vectors of other directions", momentum(), turned, "property length");
+  Values mixed = outputs(momentum(), right_momentum);
+  for (std::size_t i = 0; i < mixed.size(); ++i)
+    std::rotate(mixed[i].numbers.begin(), mixed[i].numbers.begin() + static_cast<long>(i % 3), mixed[i].numbers.end());
+  add(table, "components in an order that changes", momentum(), mixed);
 
   // Cases whose names are all that they have in common.
   Exercise named = momentum();
