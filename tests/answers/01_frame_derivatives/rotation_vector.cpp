@@ -43,3 +43,29 @@ Vector3d rotation_vector(const Matrix3d& E) {
   if (v.norm() < 2e-3 && E.trace() > 0) return v / 2;
   const Eigen::AngleAxisd a(E);
   return a.angle() * a.axis();
+//! right: quaternion by the largest of its numbers
+  const double t = E.trace();
+  const double d[4] = {t, E(0, 0), E(1, 1), E(2, 2)};
+  const int k = static_cast<int>(std::max_element(d, d + 4) - d);
+  double q[4];
+  if (k == 0) {
+    q[0] = 1 + t;
+    q[1] = E(2, 1) - E(1, 2);
+    q[2] = E(0, 2) - E(2, 0);
+    q[3] = E(1, 0) - E(0, 1);
+  } else {
+    const int i = k - 1, j = (i + 1) % 3, l = (i + 2) % 3;
+    q[0] = E(l, j) - E(j, l);
+    q[1 + i] = 1 + 2 * E(i, i) - t;
+    q[1 + j] = E(j, i) + E(i, j);
+    q[1 + l] = E(l, i) + E(i, l);
+  }
+  Vector3d v(q[1], q[2], q[3]);
+  double w = q[0];
+  if (w < 0) {
+    w = -w;
+    v = -v;
+  }
+  const double n = v.norm();
+  if (n == 0) return Vector3d::Zero();
+  return v * (2 * std::atan2(n, w) / n);

@@ -40,3 +40,5 @@ Vector3d inertial_acceleration(const Vector3d& a_body, const Vector3d& r, const 
                                const Vector3d& alpha) {
   return a_body + 2 * omega.cross(v_body) + alpha.cross(r) + omega.cross(omega.cross(r));
 }
+//! wrong: Coriolis term reversed, velocity in the Euler term
+  return a_body - 2 * omega.cross(v_body) + alpha.cross(v_body) + omega.cross(omega.cross(r));

@@ -32,3 +32,9 @@ Matrix3d inertia_rate(const Matrix3d& I, const Vector3d& omega) {
   const Matrix3d p = (4 * b - a) / 3, q = (4 * c - b) / 3, r = (4 * e - c) / 3;
   const Matrix3d x = (16 * q - p) / 15, y = (16 * r - q) / 15;
   return (64 * y - x) / 63;
+//! wrong: forward difference of a rotation to first order
+  Matrix3d W;
+  W << 0, -omega[2], omega[1], omega[2], 0, -omega[0], -omega[1], omega[0], 0;
+  const double h = 1e-4;
+  const Matrix3d A = Matrix3d::Identity() + h * W;
+  return (A * I * A.transpose() - I) / h;

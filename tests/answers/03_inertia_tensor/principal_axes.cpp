@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <rigid/inertia_tensor.hpp>
 Matrix3d principal_axes(const Matrix3d& I) {
 //! right: third axis from the two others
@@ -39,3 +42,23 @@ Matrix3d principal_axes(const Matrix3d& I) { return Eigen::SelfAdjointEigenSolve
   Matrix3d axes = Eigen::EigenSolver<Matrix3d>(I).eigenvectors().real();
   if (axes.determinant() < 0) axes.col(2) = -axes.col(2);
   return axes;
+//! right: rotations of Jacobi
+  Matrix3d A = I, V = Matrix3d::Identity();
+  for (int sweep = 0; sweep < 60; ++sweep)
+    for (int p = 0; p < 2; ++p)
+      for (int q = p + 1; q < 3; ++q) {
+        if (A(p, q) == 0) continue;
+        const double th = 0.5 * std::atan2(2 * A(p, q), A(q, q) - A(p, p));
+        Matrix3d G = Matrix3d::Identity();
+        G(p, p) = G(q, q) = std::cos(th);
+        G(p, q) = std::sin(th);
+        G(q, p) = -std::sin(th);
+        A = (G.transpose() * A * G).eval();
+        V = (V * G).eval();
+      }
+  std::array<int, 3> o{0, 1, 2};
+  std::sort(o.begin(), o.end(), [&](int a, int b) { return A(a, a) < A(b, b); });
+  Matrix3d U;
+  for (int k = 0; k < 3; ++k) U.col(k) = V.col(o[static_cast<std::size_t>(k)]);
+  if (U.determinant() < 0) U.col(2) *= -1;
+  return U;

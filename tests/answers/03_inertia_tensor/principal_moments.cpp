@@ -47,3 +47,8 @@ Vector3d principal_moments(const Matrix3d& I) { return Eigen::EigenSolver<Matrix
 //! wrong: single precision
   const Eigen::Matrix3f single = I.cast<float>();
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f>(single).eigenvalues().cast<double>();
+//! wrong: general solver, in any order
+  return Eigen::EigenSolver<Matrix3d>(I).eigenvalues().real();
+//! right: singular values in reverse order
+  const Eigen::JacobiSVD<Matrix3d> svd(I);
+  return svd.singularValues().reverse();

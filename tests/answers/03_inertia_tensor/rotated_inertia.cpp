@@ -39,3 +39,11 @@ Matrix3d rotated_inertia(const Matrix3d& I_body, const Matrix3d& A_inertial_from
   I.noalias() = A_inertial_from_body * I;
   I.noalias() = I * A_inertial_from_body.transpose();
   return I;
+//! wrong: indices of the first factor exchanged
+  Matrix3d J = Matrix3d::Zero();
+  const Matrix3d& A = A_inertial_from_body;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      for (int k = 0; k < 3; ++k)
+        for (int l = 0; l < 3; ++l) J(i, j) += A(k, i) * I_body(k, l) * A(j, l);
+  return J;

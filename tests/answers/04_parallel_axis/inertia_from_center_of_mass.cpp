@@ -31,3 +31,5 @@ Matrix3d inertia_from_center_of_mass(const Matrix3d& I_cm, double M, const Vecto
   Matrix3d I = I_cm;
   for (int i = 0; i < 3; ++i) I(i, i) += M * (d.squaredNorm() - d[i] * d[i]);
   return I;
+//! wrong: matrix of ones for the unit matrix
+  return I_cm + M * (d.squaredNorm() * Matrix3d::Ones() - d * d.transpose());

@@ -26,3 +26,5 @@ Vector3d velocity_after_blow(double M, const Matrix3d& I_cm, const Vector3d& r, 
 //! wrong: auto keeps an expression
 -  const Vector3d w = I_cm.inverse() * r.cross(impulse);
 +  auto w = I_cm.inverse() * r.cross(impulse).eval().normalized();
+//! wrong: impulse before its lever, and no mass
+  return impulse + (I_cm.inverse() * impulse.cross(r)).cross(p);

@@ -166,3 +166,36 @@ Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorX
     out.col(k) = w;
   }
   return out;
+//! right: steps halved until two rules agree
+struct Stepper {
+  Vector3d I;
+  Vector3d rate(const Vector3d& w) const { return I.cwiseProduct(w).cross(w).cwiseQuotient(I); }
+  Vector3d rk4(const Vector3d& w, double h) const {
+    const Vector3d a = rate(w), b = rate(w + h / 2 * a), c = rate(w + h / 2 * b), d = rate(w + h * c);
+    return w + h / 6 * (a + 2 * b + 2 * c + d);
+  }
+  Vector3d to(Vector3d w, double t) const {
+    double done = 0, h = t / 64;
+    const double tol = 1e-13 * w.norm();
+    int guard = 0;
+    while (std::abs(done) < std::abs(t) && ++guard < 2000000) {
+      if (std::abs(h) > std::abs(t - done)) h = t - done;
+      const Vector3d one = rk4(w, h), two = rk4(rk4(w, h / 2), h / 2);
+      const double e = (one - two).norm();
+      if (e <= tol || std::abs(h) < 1e-9 * std::abs(t)) {
+        done += h;
+        w = two + (two - one) / 15;
+        if (e < tol / 64) h *= 1.9;
+      } else {
+        h /= 2;
+      }
+    }
+    return w;
+  }
+};
+Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
+  Matrix3Xd out(3, times.size());
+  const Stepper s{I};
+  for (Eigen::Index k = 0; k < times.size(); ++k) out.col(k) = times[k] == 0 ? omega0 : s.to(omega0, times[k]);
+  return out;
+}

@@ -17,3 +17,6 @@ Vector3d gyroscopic_torque(double I1, double I3, double spin, const Vector3d& tu
 //! wrong: total omega crossed
   const Vector3d w(turn[0], turn[1], turn[2] + spin);
   return w.cross(Vector3d(I1 * w[0], I1 * w[1], I3 * w[2]));
+//! wrong: cross product reversed, and the spin for all of the rate
+  const Vector3d L(I1 * turn[0], I1 * turn[1], I3 * spin);
+  return L.cross(turn);

@@ -79,3 +79,15 @@ Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, co
   const Matrix3d b = now.real(), db = later.imag() / h;
   const Vector3d w = b * rates, a = I.cwiseProduct(w).cross(w).cwiseQuotient(I);
   return b.partialPivLu().solve(a - db * rates);
+//! wrong: forward differences for the rates of the axes
+  const auto B = [](const Vector3d& q) {
+    const double st = std::sin(q[1]), ct = std::cos(q[1]), sp = std::sin(q[2]), cp = std::cos(q[2]);
+    Matrix3d m;
+    m << -st * cp, sp, 0, st * sp, cp, 0, ct, 0, 1;
+    return m;
+  };
+  const double h = 1e-6;
+  const Matrix3d D = (B(angles + h * rates) - B(angles)) / h;
+  const Vector3d w = B(angles) * rates;
+  const Vector3d a = -w.cross(I.cwiseProduct(w)).cwiseQuotient(I);
+  return B(angles).inverse() * (a - D * rates);

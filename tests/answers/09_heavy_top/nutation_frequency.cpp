@@ -43,3 +43,5 @@ double nutation_frequency(double I1, double mgl, double theta, double rate) {
   };
   const double h = 1e-30;
   return std::sqrt(slope({theta, h}).imag() / h / I1);
+//! wrong: frequency of a fast top, with the sign of the rate
+  return (I1 * std::cos(theta) * rate + mgl / rate) / I1;

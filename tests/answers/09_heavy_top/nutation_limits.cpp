@@ -85,3 +85,13 @@ Vector2d nutation_limits(double I1, double I3, double mgl, double theta, const V
   while (low > 0 && U(low) <= E) low -= 1e-3;
   while (high < std::numbers::pi && U(high) <= E) high += 1e-3;
   return {low, high};
+//! wrong: limits on a grid
+  const double s = std::sin(theta), c = std::cos(theta), w3 = rates[0] * c + rates[2];
+  const double pf = I1 * s * s * rates[0] + I3 * w3 * c, pp = I3 * w3;
+  const double E = 0.5 * I1 * (s * s * rates[0] * rates[0] + rates[1] * rates[1]) + mgl * c;
+  const auto V = [&](double x) { return std::pow(pf - pp * std::cos(x), 2) / (2 * I1 * std::pow(std::sin(x), 2)) + mgl * std::cos(x); };
+  double lo = theta, hi = theta;
+  const double h = std::numbers::pi / 1000;
+  while (lo > h && V(lo - h) < E) lo -= h;
+  while (hi < std::numbers::pi - h && V(hi + h) < E) hi += h;
+  return {lo, hi};

@@ -94,3 +94,22 @@ double nutation_period(double I1, double I3, double mgl, double theta, const Vec
 double nutation_period(double I1, double, double mgl, double, const Vector3d&) {
   return 2 * std::numbers::pi * std::sqrt(I1 / mgl);
 }
+//! wrong: midpoints over the cosine: too few pieces
+  const double s = std::sin(theta), c = std::cos(theta), w3 = rates[0] * c + rates[2];
+  const double pf = I1 * s * s * rates[0] + I3 * w3 * c, pp = I3 * w3;
+  const double E = 0.5 * I1 * (s * s * rates[0] * rates[0] + rates[1] * rates[1]) + mgl * c;
+  const auto f = [&](double u) { return (E - mgl * u) * 2 * I1 * (1 - u * u) - (pf - pp * u) * (pf - pp * u); };
+  double lo = -1, hi = c, lo2 = c, hi2 = 1;
+  for (int i = 0; i < 100; ++i) {
+    const double m = (lo + hi) / 2;
+    (f(m) < 0 ? lo : hi) = m;
+    const double m2 = (lo2 + hi2) / 2;
+    (f(m2) < 0 ? hi2 : lo2) = m2;
+  }
+  double P = 0;
+  const int n = 1000;
+  for (int i = 0; i < n; ++i) {
+    const double u = hi + (lo2 - hi) * (i + 0.5) / n;
+    P += 2 * (lo2 - hi) / n * I1 / std::sqrt(f(u));
+  }
+  return P;

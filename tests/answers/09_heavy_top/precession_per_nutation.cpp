@@ -86,3 +86,7 @@ double precession_per_nutation(double I1, double I3, double mgl, double theta, c
 +  const double P = std::comp_ellint_3(std::sqrt(m), (high - low) / (1 - u1));
 +  const double Q = std::comp_ellint_3(std::sqrt(m), -(high - low) / (1 + u1));
 +  return 2 / std::sqrt(beta * (third - low)) * (upper / (1 - u1) * P + lower / (1 + u1) * Q);
+//! wrong: rate and period of a fast top
+  const double s = std::sin(theta), c = std::cos(theta), w3 = rates[0] * c + rates[2];
+  const double P = 2 * std::numbers::pi * I1 / std::abs(I3 * w3);
+  return mgl / (I3 * w3) * P + 0 * s;

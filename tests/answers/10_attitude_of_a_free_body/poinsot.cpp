@@ -38,3 +38,6 @@ Vector2d poinsot(const Vector3d& I, const Vector3d& omega) {
   const Vector3d L = I.cwiseProduct(omega);
   const double root = std::sqrt(omega.dot(L));
   return {root / L.norm(), omega.cross(L).norm() / L.norm() / root};
+//! wrong: foot of the perpendicular on omega
+  const Vector3d L = I.cwiseProduct(omega);
+  return {omega.dot(L) / omega.norm(), omega.cross(L).norm() / omega.norm()};

@@ -123,3 +123,21 @@ double turn_per_period(const Vector3d& I, const Vector3d& omega0) {
   }
   return std::sqrt(L2) * sum * h;
 }
+//! wrong: another index in both factors of a square
+  const double T2 = I.dot(omega0.cwiseAbs2()), L2 = I.cwiseProduct(omega0).squaredNorm();
+  double a = I[0], b = I[1], c = I[2];
+  if (L2 < T2 * b) std::swap(a, c);
+  const double nu = std::sqrt((L2 - T2 * a) * (c - b) / I.prod());
+  const double m = (T2 * c - L2) * (b - a) / ((L2 - T2 * a) * (c - b));
+  const double P = 4 * std::comp_ellint_1(std::sqrt(m)) / nu;
+  const auto f = [&](const Vector3d& w) -> Vector3d { return -w.cross(I.cwiseProduct(w)).cwiseQuotient(I); };
+  const int n = 4000;
+  const double h = P / n, L = std::sqrt(L2);
+  Vector3d w = omega0;
+  double phi = 0;
+  for (int i = 0; i < n; ++i) {
+    phi += h * L * (I[0] * w[0] * w[0] + I[1] * w[1] * w[1]) / (I[0] * I[0] * w[0] * w[0] + I[2] * I[2] * w[1] * w[1]);
+    const Vector3d k1 = f(w), k2 = f(w + h / 2 * k1), k3 = f(w + h / 2 * k2), k4 = f(w + h * k3);
+    w += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+  }
+  return phi;

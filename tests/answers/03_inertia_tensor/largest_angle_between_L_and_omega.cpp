@@ -1,0 +1,21 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <rigid/inertia_tensor.hpp>
+double largest_angle_between_L_and_omega(const Vector3d& I) {
+//! wrong: middle moment for the smallest
+  Vector3d s = I;
+  std::sort(s.data(), s.data() + 3);
+  return std::asin((s[2] - s[1]) / (s[2] + s[1]));
+//! right: search over the tilt
+  const double a = I.minCoeff(), c = I.maxCoeff();
+  const auto f = [&](double x) {
+    const Vector2d w(std::cos(x), std::sin(x)), L(a * w[0], c * w[1]);
+    return std::atan2(std::abs(w[0] * L[1] - w[1] * L[0]), w.dot(L));
+  };
+  double lo = 0, hi = std::numbers::pi / 2;
+  for (int i = 0; i < 200; ++i) {
+    const double m1 = lo + (hi - lo) / 3, m2 = hi - (hi - lo) / 3;
+    (f(m1) < f(m2) ? lo : hi) = f(m1) < f(m2) ? m1 : m2;
+  }
+  return f((lo + hi) / 2);

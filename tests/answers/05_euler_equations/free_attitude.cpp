@@ -1,0 +1,22 @@
+#include <rigid/euler_equations.hpp>
+Matrix3d free_attitude(const Vector3d& I, const Vector3d& omega0, double t) {
+//! right: composed splitting steps of fourth order
+  const double l0 = 1 / (2 - std::cbrt(2.0)), l1 = 1 - 2 * l0;
+  const int n = 12000;
+  Vector3d L = I.cwiseProduct(omega0);
+  Matrix3d A = Matrix3d::Identity();
+  const auto turn = [&](int i, double dt) {
+    const double a = dt * L[i] / I[i];
+    L = Eigen::AngleAxisd(-a, Vector3d::Unit(i)) * L;
+    A = A * Eigen::AngleAxisd(a, Vector3d::Unit(i)).toRotationMatrix();
+  };
+  for (int k = 0; k < n; ++k)
+    for (const double c : {l0, l1, l0}) {
+      const double h = c * t / n;
+      turn(0, h / 2);
+      turn(1, h / 2);
+      turn(2, h);
+      turn(1, h / 2);
+      turn(0, h / 2);
+    }
+  return A;
