@@ -44,8 +44,6 @@ int question(const Course& course, const QuestionOptions& options) {
     return all_passed;
   }
   const std::size_t choice = answer_letters.find(options.answer);
-  if (options.answer.size() != 1 || choice == std::string_view::npos)
-    throw UsageError(fmt::format("An answer is a, b or c, not '{}'.", printable(options.answer)));
   progress.remember_answer(exercise.name(), choice == asked->right);
   if (choice == asked->right) {
     fmt::print("{}Right.\n", console.mark("✓", Style::good));
@@ -67,7 +65,12 @@ Command question_command() {
       "Answer a question on an exercise that passes\n\nShows what another function returned, and three mistakes, one "
       "of which it made. Your first answer is kept for the report page.",
       {"question euler_equations", "question euler_equations b"},
-      {exercise_parameter(options->name), {"ANSWER", "", &options->answer, "a, b or c; none: show the question"}},
+      {exercise_parameter(options->name),
+       {"ANSWER", "", &options->answer, "a, b or c; none: show the question", false,
+        [options](const Course&) {
+          if (options->answer.size() != 1 || answer_letters.find(options->answer) == std::string_view::npos)
+            throw UsageError(fmt::format("An answer is a, b or c, not '{}'.", printable(options->answer)));
+        }}},
       with_options(options, &question),
       no_help_in_exam(options->name)};
 }

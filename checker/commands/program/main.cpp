@@ -215,6 +215,8 @@ class CommandLine {
   }
 
   int run(int argc, char** argv) {
+    if (std::any_of(argv + 1, argv + argc, [](const char* typed) { return *typed == '\0'; }))
+      throw UsageError(fmt::format("An argument is empty. `{}` shows what there is.", command("--help")));
     try {
       app_.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {
