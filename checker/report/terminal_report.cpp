@@ -81,9 +81,11 @@ class Report {
     if (!is_said || detail_.full) text_ += console_.wrapped(judgement.message, report_indent) + "\n";
     const bool is_certain =
         std::ranges::any_of(reasons, [](const Reason& reason) { return !reason.is_in_code() && reason.is_cause(); });
-    // Beside a reason that the values confirm, a formula that auto keeps is only possible, and a remark says it again.
+    // Beside a reason that the values confirm, a formula that auto keeps is only possible; beside any cause, a remark
+    // says it again, and takes the place of the case.
+    const bool has_cause = std::ranges::any_of(reasons, &Reason::is_cause);
     const auto is_possible = [&](const Reason& reason) {
-      return is_certain && reason.is_in_code() && (reason.is_remark() || reason.weight == Weight::possible);
+      return reason.is_in_code() && (reason.is_remark() ? has_cause : is_certain && reason.weight == Weight::possible);
     };
     for (const Reason& reason : reasons)
       if (!is_possible(reason)) tell("Why", reason);
