@@ -66,7 +66,8 @@ bool has_one_of(std::span<const Token> tokens, std::string_view texts) {
   return std::ranges::any_of(tokens, [&](const Token& token) { return is_one_of({&token, 1}, 0, texts); });
 }
 
-/// A mistake that a statement gives away, or several that follow each other. The caret stands at what $1 stands for.
+/// A mistake that a statement gives away, or several that follow each other, with "\n" between them; the pattern then
+/// ends in the last one. The caret stands at what $1 stands for.
 struct TextMistake {
   const char* name;
   std::string pattern;
@@ -75,7 +76,6 @@ struct TextMistake {
   const char* unless = "";                      ///< not in a file with one of these words
   Weight weight = Weight::cause;
   Fix fix = Fix::none;
-  std::size_t statements = 1;  ///< at most; the pattern ends in the last of them, and "\n" stands between them
 };
 
 // The methods of a type of one's own may do anything.
@@ -104,7 +104,7 @@ const std::vector<TextMistake>& table() {
        "$2 takes radians, but 180 / $3 turns its argument into degrees.", nullptr, "", Weight::possible},
       {"degrees_argument",
        R"((\w+) = [^\n]* 180(?:\.0*)? / (?:std :: numbers :: )?(?:pi|M_PI|3\.14\d*) ;\n(?:[^\n]*\n)*?[^\n]*(sin|cos|tan) \( \1 \)[^\n]*$)",
-       "$2 takes radians, but 180 / π has turned `$1` into degrees.", nullptr, "", Weight::possible, Fix::none, 4},
+       "$2 takes radians, but 180 / π has turned `$1` into degrees.", nullptr, "", Weight::possible},
       {"xor_for_power_of_ten", R"((?:^| )(10 \^ (?:- )?\d+)(?= |$))",
        "`$1` is not a power in C++: ^ combines the bits of whole numbers. A power of ten is written 1e6 or 1e-6."},
       {"xor_for_power", R"((?:^| )(?<!\^ )((?!10 )\S+ \^ [2-9])(?= |$))",
@@ -155,33 +155,28 @@ const std::vector<TextMistake>& table() {
       // Several statements.
       {"left_from_stub",
        R"((?|^[^\n]*[;}]\n(throw) NotStarted \{\n\}\n;$|(throw) NotStarted \{\n\}\n;\n(?!\})[^\n]+$))",
-       "This line of the empty exercise is still there: remove it.", nullptr, "", Weight::cause, Fix::none, 4},
+       "This line of the empty exercise is still there: remove it."},
       {"overwritten", R"(^([\w.\[\]() ,]+) = ([\w.\[\]() ,]+) ;\n\2 = \1 ;$)",
        "`$2` gets back here what it has just given to `$1`, so this changes nothing: std::swap exchanges two values.",
-       nullptr, "", Weight::possible, Fix::none, 2},
+       nullptr, "", Weight::possible},
       {"return_in_loop",
        R"(^for \( .* \) \{(?:\n(?!if|else|while|do|switch|for|case|break|continue)[^\n]* ;)*\n(return) [^\n]*$)",
-       "This return ends the loop in its first turn: it belongs after the } of the loop.", nullptr, "", Weight::cause,
-       Fix::none, 6},
+       "This return ends the loop in its first turn: it belongs after the } of the loop."},
       {"printed_value", R"((cout) << [^\n]* ;\nreturn 0(?:\.0*)? ;\n\}$)",
-       "What is printed is no result: return it in place of the 0.", nullptr, " if ", Weight::cause, Fix::none, 3},
+       "What is printed is no result: return it in place of the 0.", nullptr, " if "},
       {"copied_element", R"(for \( [^\n&]*\b(\w+) : [^\n]*\) (?:\{\n(?=[^\n]*\n\}$))?\1 [-+*/]?= [^\n]* ;(?:\n\})?$)",
-       "`$1` is a copy of the element: to change the list itself, write & behind the type.", nullptr, "", Weight::cause,
-       Fix::none, 3},
+       "`$1` is a copy of the element: to change the list itself, write & behind the type."},
       {"restarted_sum",
        R"(^(?:for|while) \( .* \) \{\n(\w+) (?:= 0(?:\.0*)?|\. setZero \( \)) ;\n\1 [-+]= [^\n]* ;\n\}$)",
-       "`$1` begins at 0 again in every turn of the loop: give it this value before the loop.", nullptr, "",
-       Weight::cause, Fix::none, 4},
+       "`$1` begins at 0 again in every turn of the loop: give it this value before the loop."},
       {"last_turn_only",
        R"(for \( (?:[\w:]+ )+?(\w+) = (?:(?! (?:if|while) )[^\n])*\) (?:\{\n(?=[^\n]*\n\}$))?(\w+) = (?![^\n]*\b\2\b)[^\n]*)"
        R"(\b\1\b[^\n]* ;(?:\n\})?$)",
-       "`$2` is given a new value in every turn, and only that of the last turn is left: to add up, write +=.", nullptr,
-       "", Weight::cause, Fix::none, 3},
+       "`$2` is given a new value in every turn, and only that of the last turn is left: to add up, write +=."},
       {"resize_in_loop", R"(^(?:for|while) \( .* \) \{\n(\w+) \. resize \( [^\n]*;$)",
-       "resize() drops what `$1` held so far: give it its size once, before the loop.", nullptr, "", Weight::cause,
-       Fix::none, 2},
+       "resize() drops what `$1` held so far: give it its size once, before the loop."},
       {"divided_in_loop", R"(^for \( .* \) \{\n(\w+) \+= [^\n]* ;\n\1 /= [^\n]*(?:size|cols|rows) \( \) ;\n\}$)",
-       "Every turn divides all of `$1` again: divide once, after the loop.", nullptr, "", Weight::cause, Fix::none, 4},
+       "Every turn divides all of `$1` again: divide once, after the loop."},
   };
   return mistakes;
 }
@@ -255,8 +250,8 @@ std::vector<Reason> text_mistakes(const SourceText& source) {
     const Statement& statement = statements[last];
     if (statement.text.size() > longest_statement || found.size() > most) continue;
     for (const TextMistake* mistake : possible) {
-      for (std::size_t count = mistake->statements; count > 0; --count) {
-        if (count > last + 1) continue;
+      const std::size_t most_joined = mistake->pattern.find("\\n") == std::string::npos ? 1 : 6;
+      for (std::size_t count = std::min(most_joined, last + 1); count > 0; --count) {
         const Statement part = joined(std::span(statements).subspan(last + 1 - count, count));
         const Match match = part.text.size() > longest_statement ? Match() : search(part.text, mistake->pattern);
         if (!match || (mistake->holds != nullptr && !mistake->holds(match))) continue;
