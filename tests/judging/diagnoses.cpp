@@ -248,20 +248,9 @@ Table patterns() {
   add(table, "v never has an effect, and what is returned is nothing known", moved, outputs(moved, of_m),
       "independence no_effect");
 
-  Values signs = outputs(momentum(), right_momentum), longer = signs, turned = signs;
-  for (std::size_t i = 0; i < signs.size(); ++i) {
-    if (i % 2 == 0) signs[i].numbers[1] *= -1;
-    for (double& number : longer[i].numbers) number *= 1.3 + std::sin(static_cast<double>(i * i));
-    const Eigen::AngleAxisd turn(0.2 + static_cast<double>(i * i), Eigen::Vector3d(1, 2, 2) / 3);
-    turned[i] = to_value(turn * Eigen::Vector3d(as_matrix(turned[i])));
-  }
+  Values signs = outputs(momentum(), right_momentum);
+  for (std::size_t i = 0; i < signs.size(); i += 2) signs[i].numbers[1] *= -1;
   add(table, "a sign is wrong at every other case", momentum(), signs, "transform signs");
-  add(table, "vectors of other lengths", momentum(), longer, "property direction");
-  add(table, "vectors of other directions", momentum(), turned, "property length");
-  Values mixed = outputs(momentum(), right_momentum);
-  for (std::size_t i = 0; i < mixed.size(); ++i)
-    std::rotate(mixed[i].numbers.begin(), mixed[i].numbers.begin() + static_cast<long>(i % 3), mixed[i].numbers.end());
-  add(table, "components in an order that changes", momentum(), mixed);
 
   // Cases whose names are all that they have in common.
   Exercise named = momentum();

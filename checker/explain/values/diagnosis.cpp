@@ -65,7 +65,6 @@ constexpr struct {
     {diagnose_one_entry, Beside::nothing},
     {diagnose_two_mistakes, Beside::nothing},
     {diagnose_kinds, Beside::place},
-    {diagnose_direction, Beside::nothing},
     {diagnose_no_effect, Beside::nothing},
     {diagnose_one_side, Beside::symptoms},
 };

@@ -25,7 +25,7 @@ Mechanism diagnose_misconception;    ///< none if two with different messages fi
 Mechanism diagnose_transform;        ///< a common factor, a transposed matrix, or components in another order
 Mechanism diagnose_input_transform;  ///< the right result for changed inputs
 Mechanism diagnose_whole_turns;      ///< angles that differ by multiples of 2π or π
-Mechanism diagnose_signs;             ///< of some numbers, at some cases, of the right result or of a misconception
+Mechanism diagnose_signs;            ///< of some numbers, at some cases, of the right result or of a misconception
 Mechanism diagnose_wrong_part;       ///< a misconception, or changed inputs, in the wrong components alone
 Mechanism diagnose_two_mistakes;     ///< a misconception times a factor
 
@@ -59,7 +59,6 @@ Mechanism diagnose_place;         ///< "Only component 3 is wrong": always true,
 Mechanism diagnose_eigenvectors;  ///< principal axes in another order, of another length or handedness
 Mechanism diagnose_accuracy;      ///< nearly right at every case; the digits where the error follows a law
 Mechanism diagnose_no_effect;     ///< arguments that alone never change the answer, but the right result
-Mechanism diagnose_direction;      ///< a vector of the right direction, or of the right length
 Mechanism diagnose_range;  ///< the right attitudes by numbers beyond their range: θ, the pitch, more than half a turn
 
 // --- what the failing cases have in common (splits.cpp)

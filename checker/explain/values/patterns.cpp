@@ -74,35 +74,6 @@ std::optional<Reason> diagnose_no_effect(const ExerciseReference& exercise, cons
                 Weight::symptom};
 }
 
-std::optional<Reason> diagnose_direction(const ExerciseReference& exercise, const Answers& answers) {
-  constexpr std::size_t fewest = 5;
-  if (exercise.result_kind != Kind::vector3 || exercise.result_units.size() > 1 ||
-      !(exercise.comparison == Comparison::plain || exercise.comparison == Comparison::rotation_by_vector))
-    return std::nullopt;
-  std::size_t wrong = 0;
-  bool has_direction = true, has_length = true, is_order = true;
-  const auto sorted = [](Eigen::Vector3d vector) {
-    std::sort(vector.begin(), vector.end());
-    return vector;
-  };
-  for (const std::size_t i : deciding_cases(exercise)) {
-    if (!answers[i] || !answers[i]->is_finite()) return std::nullopt;
-    const Eigen::Vector3d yours = as_matrix(*answers[i]), right = as_matrix(exercise.cases[i].expected);
-    const double allowed = clear_margin * exercise.cases[i].tolerance;
-    has_direction = has_direction && yours.cross(right).norm() <= allowed * yours.norm() * right.norm() &&
-                    (yours.dot(right) > 0 || right.norm() == 0);
-    has_length = has_length && std::abs(yours.norm() - right.norm()) <= allowed * right.norm();
-    is_order = is_order && sorted(yours).isApprox(sorted(right), allowed);
-    wrong += passes(exercise, i, *answers[i]) ? 0 : 1;
-  }
-  if (has_direction == has_length || is_order || wrong < fewest) return std::nullopt;
-  return Reason{ReasonKind::property, has_direction ? "direction" : "length",
-                has_direction ? "At every case your vector has the right direction, but not the right length."
-                              : "At every case your vector has the right length, but another direction: are its "
-                                "components those on the axes that are asked for?",
-                Weight::symptom};
-}
-
 std::optional<Reason> diagnose_accuracy(const ExerciseReference& exercise, const Answers& answers) {
   constexpr double largest = 1e-2, single_precision = 1e-6;
   constexpr std::size_t fewest = 5;
