@@ -49,7 +49,7 @@ const std::vector<Answer> answers = {
     {"returns NaN", "return std::nan(\"\");", "non_finite_value"},
     {"remembers earlier calls", "static int calls = 0; return 0.5 * k * x.squaredNorm() + 1e-3 * calls++;",
      "inconsistent_value"},
-    {"learnt by heart", "static int call = 0; ++call; return 9.0;", "wrong_value", "unit"},
+    {"learnt by heart", "static int call = 0; ++call; return 9.0;", "wrong_value", "no_effect"},
     {"opens a file", "std::ifstream(\"/etc/passwd\"); return 0.5 * k * x.squaredNorm();", "forbidden_operation", "", 0,
      "#include <fstream>\n"},
     {"not started", "throw NotStarted{};", "not_started"},

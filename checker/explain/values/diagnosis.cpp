@@ -39,7 +39,6 @@ enum class Beside {
 };
 
 /// A new mechanism is a line here. The first that finds something is the reason.
-// clang-format off
 constexpr struct {
   Mechanism* look;
   Beside beside;
@@ -52,7 +51,6 @@ constexpr struct {
     {diagnose_input_transform, Beside::nothing},
     {diagnose_factor, Beside::nothing},
     {diagnose_whole_turns, Beside::nothing},
-    {diagnose_signs, Beside::nothing},
     {diagnose_one_term, Beside::nothing},
     {diagnose_wrong_part, Beside::nothing},
     {diagnose_nearly_right, Beside::nothing},
@@ -62,13 +60,13 @@ constexpr struct {
     {diagnose_small_argument, Beside::nothing},
     {diagnose_split, Beside::place},
     {diagnose_conditional, Beside::place},
+    {diagnose_signs, Beside::nothing},
     {diagnose_one_entry, Beside::nothing},
     {diagnose_two_mistakes, Beside::nothing},
     {diagnose_kinds, Beside::place},
     {diagnose_no_effect, Beside::nothing},
     {diagnose_one_side, Beside::symptoms},
 };
-// clang-format on
 
 }  // namespace
 

@@ -230,11 +230,13 @@ std::optional<Reason> diagnose_signs(const ExerciseReference& exercise, const An
       return value;
     });
   };
-  if (have_size([&](std::size_t i) { return exercise.cases[i].expected; }) && others >= telling_numbers)
+  if (have_size([&](std::size_t i) { return exercise.cases[i].expected; })) {
+    if (others < telling_numbers) return std::nullopt;
     return Reason{ReasonKind::transform, "signs",
                   fmt::format("At every case your numbers have the right size; at {} of the {} cases that were looked "
                               "at, a sign is wrong.",
                               others, deciding_cases(exercise).size())};
+  }
   for (const Misconception& each : exercise.misconceptions)
     if (have_size([&](std::size_t i) { return each.outputs[i]; }) && others >= 1)
       return Reason{ReasonKind::misconception, each.name, "But for a sign: " + each.message, Weight::cause, each.notes};
