@@ -152,6 +152,10 @@ const std::vector<TextMistake>& table() {
        Weight::possible},
       {"float_precision", R"((?:^| )(float|(?:Matrix|Vector)\w+f)\b)", "A float keeps only about 7 digits; use double.",
        nullptr, "", Weight::possible, Fix::as_double},
+      // A number of steps or an index may be made so.
+      {"whole_cast",
+       R"(^(?!(?:const )?(?:int|long|auto|unsigned|for|while|(?:std :: )?size_t)\b)[^\[\n]*?(?:^| )(?|static_cast < (int|long) > \(|\( (int|long) \)|(int|long) \()(?= [^\n;]*(?:/|\d\.\d|sqrt|sin|cos|pow|norm))(?! (?:std :: )?(?:round|floor|ceil|trunc)\b))",
+       "$1 keeps only what stands before the decimal point.", nullptr, "", Weight::possible, Fix::as_double},
       // Several statements.
       {"left_from_stub",
        R"((?|^[^\n]*[;}]\n(throw) NotStarted \{\n\}\n;$|(throw) NotStarted \{\n\}\n;\n(?!\})[^\n]+$))",
