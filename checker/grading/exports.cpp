@@ -14,14 +14,12 @@ using nlohmann::ordered_json;
 
 namespace {
 
-std::string text(const ordered_json& of, const char* key) { return of.value(key, ""); }
-
 /// What the forms of other systems are filled with. Points are also in hundredths, for who takes whole numbers only.
 /// Canvas takes digits for its own number of a student. @param about  the student
 nlohmann::json form_values(const ordered_json& about, const ordered_json& results, const ordered_json& sandbox) {
   std::vector<std::string> notes = about.value("notes", std::vector<std::string>());
   notes.insert(notes.begin(), "Sandbox: " + sandbox.get<std::string>());
-  if (about.contains("by_hand")) notes.push_back("By hand: " + text(about, "by_hand"));
+  if (about.contains("by_hand")) notes.push_back("By hand: " + about.value("by_hand", ""));
   if (about.at("days_late") > 0)
     notes.push_back(fmt::format("Handed in {} late.", plural(about.at("days_late"), "day")));
   const double score = about.at("score"), possible = about.at("possible");
@@ -38,7 +36,7 @@ nlohmann::json form_values(const ordered_json& about, const ordered_json& result
     ++outcomes[outcome];
     std::string message = message_of(mark);
     if (mark.contains("diagnosis") && !mark.at("diagnosis").empty())
-      message += " " + printable(text(mark.at("diagnosis").front(), "message"));
+      message += " " + printable(mark.at("diagnosis").front().value("message", ""));
     nlohmann::json values = {{"message", message},
                              {"status", status},
                              {"is_judged", is_judged},
@@ -78,9 +76,9 @@ nlohmann::json form_values(const ordered_json& about, const ordered_json& result
 }  // namespace
 
 std::string message_of(const ordered_json& mark) {
-  const std::string message = mark.at("verdict") == "passed" ? "" : printable(text(mark, "message"));
+  const std::string message = mark.at("verdict") == "passed" ? "" : printable(mark.value("message", ""));
   if (!mark.contains("by_hand")) return message;
-  return fmt::format("{}{}By hand: {}", message, message.empty() ? "" : " ", text(mark, "by_hand"));
+  return fmt::format("{}{}By hand: {}", message, message.empty() ? "" : " ", mark.value("by_hand", ""));
 }
 
 std::string indented(const ordered_json& document) {
@@ -121,7 +119,7 @@ std::map<std::string, std::string> student_exports(const ordered_json& student) 
        {"gradescope.json", "autolab.txt", "github_classroom.json", "classroom50.json", "prairielearn.json"}) {
     const fs::path name = form;
     if (name.stem() == "classroom50" && environment("CLASSROOM").empty()) continue;
-    texts[name.stem() / (text(about, "slug") + name.extension().string())] =
+    texts[name.stem() / (about.value("slug", "") + name.extension().string())] =
         filled_text(page_template(form), name, values);
   }
   return texts;

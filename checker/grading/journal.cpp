@@ -82,8 +82,7 @@ std::optional<CheckResult> Journal::find(const std::string& key, const std::stri
     // The key is a short hash, for which somebody may have made two files.
     if (entry.at("content").get<std::string>() != base64(content)) return std::nullopt;
     CheckResult checked = read_result(from_base64(entry.at("result").get<std::string>()));
-    checked.picture = text.substr(picture + before_picture.size());
-    checked.picture.resize(checked.picture.size() - 2);  // "}
+    checked.picture = text.substr(0, text.size() - 2).substr(picture + before_picture.size());  // without "}
     if (checked.judgement.verdict == Verdict::passed) passed_.insert_or_assign(key, std::pair(content, checked));
     return checked;
   } catch (const std::exception&) {  // of another version, or damaged: it is judged again
