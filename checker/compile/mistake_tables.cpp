@@ -77,7 +77,7 @@ const std::vector<MessageMistake> error_table = {
      R"((?:return|=|\w)\s*\{[^(){};=]*;\s*(?!return)\w[^(){};=]*\})"},
     {"foreign_word", ".", "A loop over whole numbers is written for (int i = 0; i < 3; ++i).",
      R"(^\s*@?(?:for\s+@?\(?\s*@?\w+\s+@?in\b|(?:for|do)\s+@?\w+\s*@?=))"},
-    {"foreign_word", ".", "No : stands behind if, else, for or while: braces { } hold together what belongs to them.",
+    {"foreign_word", ".", "No : follows if, else, for or while: braces { } hold together what belongs to them.",
      R"(^\s*@?\}?\s*@?(?:(?:if|while)\b.*|for\b.*\)|else)\s*@?:\s*@?$)"},
     {"missing_operand", "^expected", "The statement is not finished here: a value or a ; is missing.",
      R"([-+*/=(,]@\s*$)"},
