@@ -13,7 +13,7 @@
 namespace workbook {
 namespace {
 
-constexpr std::size_t most_tokens = 20000;      // no exercise is longer; of a longer file the beginning is read
+constexpr std::size_t most_tokens = 6000;       // no exercise is longer; of a longer file the beginning is read
 constexpr std::size_t longest_statement = 500;  // in letters
 
 /// A statement, or the head of a block: its tokens with one space between them, the mark that ends it among them.
@@ -236,7 +236,7 @@ bool accumulates(std::span<const Token> tokens, std::size_t declared) {
 }  // namespace
 
 std::vector<Reason> text_mistakes(const SourceText& source) {
-  constexpr std::size_t most = 20;
+  constexpr std::size_t most = 20, most_joined = 6;
   const std::span tokens(source.tokens().data(), std::min(source.tokens().size(), most_tokens));
   const bool has_own_types = has_one_of(tokens, own_types);
   std::vector<const TextMistake*> possible;
@@ -253,10 +253,15 @@ std::vector<Reason> text_mistakes(const SourceText& source) {
   for (std::size_t last = 0; last < statements.size(); ++last) {
     const Statement& statement = statements[last];
     if (statement.text.size() > longest_statement || found.size() > most) continue;
+    std::vector<Statement> parts;  // this one alone, and with those before it
+    for (std::size_t count = 1; count <= std::min(most_joined, last + 1); ++count) {
+      parts.push_back(joined(std::span(statements).subspan(last + 1 - count, count)));
+      if (parts.back().text.size() > longest_statement) break;
+    }
+    std::ranges::reverse(parts);
     for (const TextMistake* mistake : possible) {
-      const std::size_t most_joined = mistake->pattern.find("\\n") == std::string::npos ? 1 : 6;
-      for (std::size_t count = std::min(most_joined, last + 1); count > 0; --count) {
-        const Statement part = joined(std::span(statements).subspan(last + 1 - count, count));
+      const bool is_of_many = mistake->pattern.find("\\n") != std::string::npos;
+      for (const Statement& part : is_of_many ? std::span(parts) : std::span(parts).last(1)) {
         const Match match = part.text.size() > longest_statement ? Match() : search(part.text, mistake->pattern);
         if (!match || (mistake->holds != nullptr && !mistake->holds(match))) continue;
         add(part.token_at(match.offsets[1]), mistake->name, match, mistake->sentence, mistake->weight, mistake->fix);
