@@ -214,11 +214,15 @@ bool never_changes(std::span<const Token> tokens, std::size_t brace, const std::
   return false;
 }
 
-/// double w[3]; … w[3] @returns the token with an index that the array does not have, or 0
+/// double w[3]; … w[3] @returns the token with an index that the array does not have, or 0; in its block, as long as
+/// nothing else there is called like it
 std::size_t index_beyond(std::span<const Token> tokens, std::size_t declared, long size) {
-  for (std::size_t k = declared + 1; k + 3 < tokens.size(); ++k) {
-    if (tokens[k].text != tokens[declared].text || tokens[k + 1].text != "[" || tokens[k + 3].text != "]") continue;
-    if (search(tokens[k - 1].text, R"(^(?!return)[A-Za-z_]\w*$)")) return 0;  // declared once more
+  int depth = 0;
+  for (std::size_t k = declared + 1; k + 3 < tokens.size() && depth >= 0; ++k) {
+    depth += tokens[k].text == "{" ? 1 : tokens[k].text == "}" ? -1 : 0;
+    if (tokens[k].text != tokens[declared].text) continue;
+    if (search(tokens[k - 1].text, R"(^(?:(?!return)[A-Za-z_]\w*|[&>])$)")) return 0;
+    if (tokens[k + 1].text != "[" || tokens[k + 3].text != "]") continue;
     if (search(tokens[k + 2].text, R"(^\d{1,9}$)") && std::stol(std::string(tokens[k + 2].text)) >= size) return k + 2;
   }
   return 0;

@@ -38,9 +38,10 @@ class Report {
       for (const Reason& reason : checked_.reasons) tell("Why", reason);
       return text_;
     }
-    if (!judgement.passed()) explain();
-    for (const Reason& reason : checked_.reasons)
-      if (judgement.passed()) tell("Note", reason);
+    if (!judgement.passed())
+      explain();
+    else
+      for (const Reason& reason : checked_.reasons) tell("Note", reason);
     for (const std::string& sentence : on_real_data(checked_))
       text_ += console_.wrapped("Your function " + sentence, report_indent) + "\n";
     if (shown_case()) add_case(*shown_case());

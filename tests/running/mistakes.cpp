@@ -514,6 +514,20 @@ TEST_CASE("each of the beginners' mistakes is told in a tutor's words, and none 
     }
 }
 
+TEST_CASE("an index behind an array is told in the array's block, and not of another variable of that name") {
+  const auto names = [](const std::string& text) {
+    std::string all;
+    for (const auto& found : text_mistakes(SourceText(body(text)))) all += found.name + " ";
+    return all;
+  };
+  CHECK(names("double w[3] = {x, x, x};\nfor (int i = 0; i < 3; ++i) {\n  w[i] += x;\n}\nreturn w[3];") ==
+        "index_out_of_range ");
+  CHECK(names("{\n  double w[2] = {x, x};\n  x += w[1];\n}\nVector3d w(x, x, x);\nreturn w[2];").empty());
+  CHECK(names("double w[2] = {x, x};\nconst auto last = [](const Vector3d& w) { return w[2]; };\n"
+              "return last(Vector3d(w[0], w[1], x));")
+            .empty());
+}
+
 TEST_CASE("a return that ends a loop in its first turn is told, not one behind a condition; so is a wrong counter") {
   const auto names = [](const std::string& text) {
     std::string all;
