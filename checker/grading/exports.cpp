@@ -81,15 +81,11 @@ std::string message_of(const ordered_json& mark) {
   return fmt::format("{}{}By hand: {}", message, message.empty() ? "" : " ", mark.value("by_hand", ""));
 }
 
-std::string indented(const ordered_json& document) {
-  return document.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
-}
-
 std::map<std::string, std::string> class_exports(const ordered_json& document) {
   std::map<std::string, std::string> texts;
   const auto add = [&](const nlohmann::json& values) {
-    for (const char* form : {"grades.csv", "moodle.csv", "canvas.csv", "junit.xml"})
-      texts[form] += filled_text(page_template(form), form, values);
+    for (const auto& [form, text] : filled_forms({"grades.csv", "moodle.csv", "canvas.csv", "junit.xml"}, values))
+      texts[form] += text;
   };
   double possible = 0;
   for (const ordered_json& exercise : document.at("exercises")) possible += exercise.at("points").get<double>();
@@ -114,14 +110,11 @@ std::map<std::string, std::string> student_exports(const ordered_json& student) 
                            "RELEASE_URL", "REVIEW_URL"})
     values[name] = environment(name);
   values["now"] = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+  std::vector<const char*> forms = {"gradescope.json", "autolab.txt", "github_classroom.json", "prairielearn.json"};
+  if (!environment("CLASSROOM").empty()) forms.push_back("classroom50.json");
   std::map<std::string, std::string> texts;
-  for (const char* form :
-       {"gradescope.json", "autolab.txt", "github_classroom.json", "classroom50.json", "prairielearn.json"}) {
-    const fs::path name = form;
-    if (name.stem() == "classroom50" && environment("CLASSROOM").empty()) continue;
-    texts[name.stem() / (about.value("slug", "") + name.extension().string())] =
-        filled_text(page_template(form), name, values);
-  }
+  for (const auto& [form, text] : filled_forms(forms, values))
+    texts[form.stem() / (about.value("slug", "") + form.extension().string())] = text;
   return texts;
 }
 

@@ -235,9 +235,6 @@ std::vector<std::string> compare_with(const nlohmann::ordered_json& before, nloh
 /// What a learning system tells the student of one result: nothing of one that passed, but what was decided by hand.
 std::string message_of(const nlohmann::ordered_json& mark);
 
-/// A document as it is written to a file.
-std::string indented(const nlohmann::ordered_json& document);
-
 // --- in the forms that other programs read
 /// Texts by the names of their files.
 std::map<std::string, std::string> class_exports(const nlohmann::ordered_json& document);

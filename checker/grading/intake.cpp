@@ -60,6 +60,7 @@ class Collector {
   Collector(const Course& course, const std::vector<Student>& roster, fs::path copies, std::string part,
             bool by_attempts)
       : copies_(std::move(copies)),
+        before_(copies_.string() + ".before"),
         exercises_(course.exercises()),
         part_(std::move(part)),
         has_roster_(!roster.empty()),
@@ -162,6 +163,9 @@ class Collector {
 
   /// All that a class has handed in.
   void take_class(std::vector<Found> files) {
+    std::error_code ignored;
+    fs::remove_all(before_, ignored);
+    fs::rename(copies_, before_, ignored);
     const std::string above = folder_of_class(files);
     std::erase_if(files, [&](const Found& each) { return !each.path.starts_with(above) || each.path == above; });
     for (Found& each : files) each.path.erase(0, above.size());
@@ -171,6 +175,7 @@ class Collector {
       files.erase(metadata);
     }
     for (Found& each : files) take(each);
+    fs::remove_all(before_, ignored);
     if (!has_roster_ && intake.students.size() == 1 && has_second_)  // or the one folder in which a class lies
       say(intake.students.front().unread, in_quotes(intake.students.front().id) +
                                               " holds several files for one exercise; if it is no student but a "
@@ -510,8 +515,15 @@ class Collector {
       in.refusal =
           fmt::format("{}.cpp is there twice: '{}' and '{}'; hand in one.", exercise, known->second.where, in.where);
     }
-    fs::remove(copy);
-    if (in.refusal.empty()) write_or_throw(copy, text);
+    const fs::path before = before_ / copy.lexically_relative(copies_);
+    if (!in.refusal.empty()) {
+      fs::remove(copy);
+    } else if (read_file(before) == text) {  // which takes far less time than a new file
+      fs::create_directories(copy.parent_path());
+      fs::rename(before, copy);
+    } else {
+      write_or_throw(copy, text);
+    }
     student.files[exercise] = std::move(in);
   }
 
@@ -521,12 +533,12 @@ class Collector {
     std::error_code ignored;
     if (fs::is_regular_file(fs::symlink_status(found.file, ignored)) && fs::hard_link_count(found.file, ignored) > 1)
       throw RejectedFile(shown + " is a hard link, so it may be somebody else's; hand in a file of its own.");
-    const fs::path unpacked = copies_ / ".unpacked";  // what was in a zip file is judged like all others
+    const fs::path unpacked = before_ / ".unpacked";  // what was in a zip file is judged like all others
     if (found.file.empty()) write_or_throw(unpacked, found.text);
     return read_submission(found.file.empty() ? unpacked : found.file, shown).text;
   }
 
-  const fs::path copies_;
+  const fs::path copies_, before_;  ///< copies of this and of the last run
   const std::vector<Exercise> exercises_;
   const std::string part_;
   const bool has_roster_, by_attempts_;
@@ -579,9 +591,7 @@ Intake take_in(const fs::path& submissions, const Course& course, const std::vec
     } catch (const RejectedFile& reason) {
       throw GradingError(fmt::format("{} Nothing was graded.", reason.what()));
     }
-  fs::remove_all(copies, problem);
   collector.take_class(std::move(files));
-  fs::remove(copies / ".unpacked", problem);
   std::erase_if(collector.intake.students, [&](const Student& each) { return !is_in_part(each.id, part); });
   for (Student& student : collector.intake.students) {
     std::ranges::stable_sort(student.attempts, {}, &Student::order);

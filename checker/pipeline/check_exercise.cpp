@@ -248,8 +248,9 @@ std::vector<Submission> own_functions(const std::string& text, const std::vector
   std::vector<Submission> files;
   // From the last to the first: each may name those before it.
   for (auto exercise = exercises.rbegin(); exercise != exercises.rend(); ++exercise) {
+    if (!words.contains(exercise->name())) continue;
     const fs::path file = file_of(*exercise);
-    if (!words.contains(exercise->name()) || !fs::exists(file)) continue;
+    if (!fs::exists(file)) continue;
     files.push_back(read_submission(file));
     files.back().own_names = own_names(files.back().text, exercises, exercise->name());
     add_words(files.back().text);

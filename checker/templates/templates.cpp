@@ -41,7 +41,7 @@ data for_template(const json& value) {
   return text.empty() ? data(false) : data(printable(text));
 }
 
-std::string rendered(kainjow::mustache::mustache form, data values) {
+std::string rendered(kainjow::mustache::mustache& form, const data& values) {
   std::string text = form.render(values);
   if (!form.is_valid()) throw std::logic_error("the page has no usable template: " + form.error_message());
   return text;
@@ -53,27 +53,40 @@ std::string rendered_page(const std::string& page_template, const json& document
                           const std::map<std::string, std::string>& raw) {
   data values = for_template(document);
   for (const auto& [name, text] : raw) values.set(name, text);
-  return rendered(kainjow::mustache::mustache(page_template), std::move(values));
+  kainjow::mustache::mustache form(page_template);
+  return rendered(form, values);
 }
 
-std::string filled_text(const std::string& file_template, const std::filesystem::path& name, const json& values) {
-  kainjow::mustache::mustache form(file_template);
-  const bool is_table = name.extension() == ".csv";
-  if (is_table)
-    form.set_custom_escape([](const std::string& text) {
-      const std::string row = write_csv({{text}});
-      return row.substr(0, row.size() - 2);
-    });
-  else if (name.extension() != ".xml" && name.extension() != ".html")
-    form.set_custom_escape([](const std::string& text) {
-      const std::string quoted = json(text).dump();
-      return quoted.substr(1, quoted.size() - 2);
-    });
-  const std::string text = rendered(std::move(form), for_template(values));
-  if (!is_table) return text;
-  std::string rows;  // the template leaves empty lines
-  for (const std::string& line : lines_of(text)) rows += line.empty() ? "" : line + "\r\n";
-  return rows;
+std::map<std::filesystem::path, std::string> filled_texts(const std::map<std::filesystem::path, std::string>& templates,
+                                                          const json& values) {
+  const data filled_in = for_template(values);
+  std::map<std::filesystem::path, std::string> texts;
+  for (const auto& [name, file_template] : templates) {
+    kainjow::mustache::mustache form(file_template);
+    const bool is_table = name.extension() == ".csv";
+    if (is_table)
+      form.set_custom_escape([](const std::string& text) {
+        const std::string row = write_csv({{text}});
+        return row.substr(0, row.size() - 2);
+      });
+    else if (name.extension() != ".xml" && name.extension() != ".html")
+      form.set_custom_escape([](const std::string& text) {
+        const std::string quoted = json(text).dump();
+        return quoted.substr(1, quoted.size() - 2);
+      });
+    std::string& text = texts[name] = rendered(form, filled_in);
+    if (!is_table) continue;
+    std::string rows;  // the template leaves empty lines
+    for (const std::string& line : lines_of(text)) rows += line.empty() ? "" : line + "\r\n";
+    text = rows;
+  }
+  return texts;
+}
+
+std::map<std::filesystem::path, std::string> filled_forms(const std::vector<const char*>& names, const json& values) {
+  std::map<std::filesystem::path, std::string> templates;
+  for (const char* name : names) templates[name] = page_template(name);
+  return filled_texts(templates, values);
 }
 
 }  // namespace workbook

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace workbook {
 
@@ -19,7 +20,11 @@ const std::string& page_template(const std::string& name);
 std::string rendered_page(const std::string& page_template, const nlohmann::json& document,
                           const std::map<std::string, std::string>& raw = {});
 /// The same for other files: text is escaped as JSON has it in strings, but for XML where the file's name says so.
-std::string filled_text(const std::string& file_template, const std::filesystem::path& name,
-                        const nlohmann::json& values);
+/// @param templates  by the names of the files
+std::map<std::filesystem::path, std::string> filled_texts(const std::map<std::filesystem::path, std::string>& templates,
+                                                          const nlohmann::json& values);
+/// Those of page_template() with these names.
+std::map<std::filesystem::path, std::string> filled_forms(const std::vector<const char*>& names,
+                                                          const nlohmann::json& values);
 
 }  // namespace workbook

@@ -86,6 +86,10 @@ std::string tools_fingerprint(const Course& course, const Toolchain& toolchain) 
   return fingerprint(text);
 }
 
+std::string indented(const ordered_json& document) {
+  return document.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
 /// What of one student is judged for one exercise.
 struct Content {
   std::vector<std::pair<std::string, std::string>> files;  ///< name and text: the exercise's, then those it may call

@@ -318,17 +318,15 @@ int export_recipe(const Course& course, const ExportOptions& options) {
     const Workspace made(fs::temp_directory_path());
     const fs::path root = made.directory() / "made",
                    templates = course.root() / "checker/grading/containers" / recipe->system;
-    std::string next;
-    for (const auto& entry : fs::recursive_directory_iterator(templates)) {
-      if (!entry.is_regular_file()) continue;
-      const std::string text = filled_text(read_file(entry.path()).value(), entry.path().filename().string(), values);
-      if (entry.path().filename() == "next.txt") {
-        next = text;
-        continue;
-      }
-      const fs::path target = root / named(entry.path().lexically_relative(templates).string());
+    std::map<fs::path, std::string> texts;
+    for (const auto& entry : fs::recursive_directory_iterator(templates))
+      if (entry.is_regular_file()) texts[entry.path()] = read_file(entry.path()).value();
+    texts = filled_texts(texts, values);
+    const std::string next = texts.extract(templates / "next.txt").mapped();
+    for (const auto& [form, text] : texts) {
+      const fs::path target = root / named(form.lexically_relative(templates).string());
       write_or_throw(target, text);
-      fs::permissions(target, entry.status().permissions());
+      fs::permissions(target, fs::status(form).permissions());
     }
     const fs::path cases = root / named(recipe->cases);
     write_or_throw(cases / "assignment.json", options.assignment ? read_file(*options.assignment).value() : "{}\n");
