@@ -167,6 +167,24 @@ TEST_CASE("a class in one folder of a zip file may hold much code that is no exe
         std::vector<std::string>{"ada: ada", "ben: ben"});
 }
 
+TEST_CASE("of a class that is taken in again unchanged copies are kept, changed ones written and others removed") {
+  const MadeUpClass all;
+  for (const char* id : {"same", "changed", "taken_back", "spoilt"}) all.energy(id, right_energy);
+  const fs::path of_same = all.root() / "copies/same/spring_energy.cpp";
+  Taken{all};
+  const fs::path second_name = all.root() / "link";  // of the same file, unless a new one is written
+  fs::create_hard_link(of_same, second_name);
+  all.energy("changed", "return 0;");
+  fs::remove(all.submissions() / "taken_back/spring_energy.cpp");
+  write(all.submissions() / "spoilt/spring_energy.cpp", std::string(1, '\0'));
+  const Taken again(all);
+  CHECK(again.energy("same") == right);
+  CHECK(fs::equivalent(of_same, second_name));
+  CHECK(again.energy("changed") == wrong);
+  for (const char* gone : {"copies/taken_back/spring_energy.cpp", "copies/spoilt/spring_energy.cpp", "copies.before"})
+    CHECK_FALSE(fs::exists(all.root() / gone));
+}
+
 TEST_CASE("submissions that cannot be read as a whole are wrong usage, and nothing is written") {
   const MadeUpClass few;
   few.energy("ada", "throw NotStarted{};");
