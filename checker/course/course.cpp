@@ -19,6 +19,12 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Card, title, summary, slides, builds_on, cont
 
 namespace {
 
+/// "(/exercises/0/points) type must be …", without the name of the exception in brackets.
+std::string json_reason(const nlohmann::json::exception& problem) {
+  const std::string reason = problem.what();
+  return reason.substr(reason.find(']') + 2);
+}
+
 Card read_card(const fs::path& lecture) {
   const fs::path file = lecture / "card.json";
   const auto refuse = [&](const std::string& reason) {
@@ -30,8 +36,7 @@ Card read_card(const fs::path& lecture) {
   try {
     card = nlohmann::json::parse(*text).get<Card>();
   } catch (const nlohmann::json::exception& problem) {
-    const std::string reason = problem.what();  // "[json.exception.…] (/exercises/0/points) type must be …"
-    refuse(reason.substr(reason.find(']') + 2));
+    refuse(json_reason(problem));
   }
   card.lecture = lecture.filename().string();
   std::set<std::string> names;
@@ -80,7 +85,8 @@ bool is_named(const Card& card, const std::string& name) {
 
 Course::Course(const fs::path& course_file) {
   const std::optional<std::string> text = read_file(course_file);
-  if (!text) throw CourseError(fmt::format("{}: missing; build the workbook again.", course_file.string()));
+  if (!text)
+    throw CourseFileError(fmt::format("{}: missing, or no file; build the workbook again.", course_file.string()));
   try {
     const auto document = nlohmann::json::parse(*text);
     const auto path = [&](const char* key) { return fs::path(document.at(key).get<std::string>()); };
@@ -91,8 +97,8 @@ Course::Course(const fs::path& course_file) {
     notes_ = path("notes");
     build_ = {document.value("setup", ""), path("build")};
   } catch (const nlohmann::json::exception& problem) {
-    throw CourseError(
-        fmt::format("{}: not usable ({}); build the workbook again.", course_file.string(), problem.what()));
+    throw CourseFileError(
+        fmt::format("{}: not usable ({}); build the workbook again.", course_file.string(), json_reason(problem)));
   }
   std::error_code problem;
   for (const auto& entry : fs::directory_iterator(lectures(), problem))

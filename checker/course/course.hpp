@@ -41,6 +41,11 @@ struct CourseError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// So the file that says where everything is.
+struct CourseFileError : CourseError {
+  using CourseError::CourseError;
+};
+
 /// What was typed means nothing; the sentence says what to type, or what was perhaps meant.
 struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -59,7 +64,7 @@ struct Exercise {
 /// lecture, in the order of their names.
 class Course {
  public:
-  /// @throws CourseError
+  /// @throws CourseFileError, CourseError
   explicit Course(const fs::path& course_file);
 
   const std::vector<Card>& cards() const { return cards_; }

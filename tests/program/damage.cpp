@@ -2,6 +2,7 @@
 #include "tests/program/program.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -90,12 +91,26 @@ TEST_CASE("seeds need the solutions, and the checker says so where there are non
   require_checker_error(course, "seed", " --seed 7");
 }
 
-TEST_CASE("a course file that is damaged or missing is named") {
+TEST_CASE("a course file that is damaged or missing is named: as wrong usage where it was typed") {
   const CourseCopy course;
-  write(course.root() / "course.json", "{");
-  require_failure(course, "list", "course.json");
-  fs::remove(course.root() / "course.json");
-  require_failure(course, "list", "course.json");
+  const fs::path file = course.root() / "course.json", alone = course.root() / "alone";
+  fs::create_directories(alone);
+  fs::copy_file(WORKBOOK_TEST_CHECKER, alone / "checker");
+  const auto require = [&](const Outcome& outcome, int status) {
+    CHECK(outcome.status == status);
+    CHECK_MESSAGE(has(outcome.err, "course.json"), outcome.err);
+    CHECK_MESSAGE(std::ranges::count(outcome.err, '\n') == 1, outcome.err);
+  };
+  for (const char* damaged : {"{", "{}", "[1]", ""}) {
+    write(file, damaged);
+    require(course.run("list"), 2);
+    write(alone / "course.json", damaged);
+    require(run_command(fmt::format("'{}' list", (alone / "checker").string()), course.root()), 3);
+  }
+  fs::remove(file);
+  require(course.run("list"), 2);
+  fs::create_directory(file);
+  require(course.run("list"), 2);
 }
 
 TEST_CASE("a damaged progress file is set aside in one sentence, byte for byte, and work goes on") {

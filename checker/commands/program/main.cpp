@@ -223,7 +223,7 @@ class CommandLine {
       if (problem.get_exit_code() != 0) throw UsageError(usage_sentence(app_, problem, course_file_));
       return app_.exit(problem);  // --help
     }
-    const Course course(course_file_);
+    const Course course = read_course();
     for (const auto& [option, require] : requirements_)
       if (option->count() > 0) require(course);
     if (typed_.require) typed_.require(course);
@@ -231,6 +231,16 @@ class CommandLine {
   }
 
  private:
+  /// @throws UsageError where --course names a file that describes none: the built one is ours, that one is not
+  Course read_course() const {
+    try {
+      return Course(course_file_);
+    } catch (const CourseFileError& problem) {
+      if (app_.count("--course") == 0) throw;
+      throw UsageError(problem.what());
+    }
+  }
+
   CLI::App& add(CLI::App& to, const Command& added, const std::string& name) {
     const std::size_t first_line = std::min(added.help.find('\n'), added.help.size());
     CLI::App& app = *to.add_subcommand(name, added.help.substr(0, first_line));
