@@ -82,7 +82,10 @@ const SandboxTier tier = [] {
 
 SandboxTier sandbox_tier() { return tier; }
 
-fs::path scratch() { return fs::path(WORKBOOK_TEST_SCRATCH) / environment(wanted_tier, "strongest"); }
+fs::path scratch() {
+  const std::string part = environment("WORKBOOK_TEST_PART", "strongest");
+  return fs::path(WORKBOOK_TEST_SCRATCH) / environment(wanted_tier, part.c_str());
+}
 
 const Toolchain& toolchain() {
   static const Toolchain read = read_toolchain(WORKBOOK_TEST_TOOLCHAIN);
