@@ -4,13 +4,15 @@ namespace workbook {
 
 const std::string_view spellings =
     ";.X=x;.Y=y;.Z=z;.at=v(i) or A(i, "
-    "j);True=true;TRUE=true;False=false;FALSE=false;None=nullptr;null=nullptr;elif=else if;retrun=return;retun=return"
+    "j);True=true;TRUE=true;False=false;FALSE=false;None=nullptr;null=nullptr;elif=else if;elseif=else "
+    "if;retrun=return;retun=return"
     ";Return=return;pi=std::numbers::pi;PI=std::numbers::pi;Pi=std::numbers::pi;M_PI=std::numbers::pi"
     ";M_Pi=std::numbers::pi;π=std::numbers::pi;.length=norm;.magnitude=norm;.abs=norm;.len=size;.column=col"
     ";.transposed=transpose;.T=transpose;.t=transpose;.shape=cols;.crossproduct=cross;.crossProduct=cross;.dotproduct="
     "dot;.dotProduct=dot;.det=determinant;.inv=inverse;.unit=normalized"
     ";.normalised=normalized;.tr=trace;.diag=diagonal;.identity=Identity;.zero=setZero;.norm2=squaredNorm"
-    ";ln=std::log;arcsin=std::asin;arccos=std::acos;arctan=std::atan;arctan2=std::atan2;sqr=x * x;square=x * x"
+    ";ln=std::log;arcsin=std::asin;arccos=std::acos;arctan=std::atan;arctan2=std::atan2;cosinus=std::cos;sinus=std::"
+    "sin;sqr=x * x;square=x * x"
     ";len=v.size();sign=x < 0 ? -1 : 1;sgn=x < 0 ? -1 : 1;cot=1 / tan(x);eig=Eigen::SelfAdjointEigenSolver<Matrix3d>"
     ";det=A.determinant();inv=A.inverse();diag=v.asDiagonal();boolean=bool;String=std::string;power=std::pow(x, y)"
     ";Double=double;Integer=int;real=double;fix=std::trunc;mod=std::fmod(x, y);AND=&&;OR=||"
@@ -73,6 +75,12 @@ const std::vector<MessageMistake> error_table = {
     // Whole statements of other languages, which break in many ways.
     {"list_in_brackets", ".", "[ ] makes no vector or matrix: write Vector3d(a, b, c), or put the numbers in by <<.",
      R"((return|=)\s*(?:[\w:]*(?:Vector|Matrix)\w*)?\s*@?\[[^\[\]=&]*[,;@][^\[\]]*\]\s*@?;)"},
+    {"brackets_for_parentheses", ".", "A part of a formula stands in ( ), not in [ ] or { }.",
+     R"((?:[-+*/]|\breturn)\s*@?\[[^\[\]]*\](?!\s*@?[({])|[-+*/]\s*@?\{)"},
+    {"foreign_operator", ".", "An absolute value is std::abs(x), the length of a vector v.norm().",
+     R"((?:return|[-+*/=(,])\s*@?\|@?\s*\w[\w.()\[\]]*\s*@?\|(?!\|))"},
+    {"foreign_operator", ".", "A value is given by =, not by <-.", R"((?:int|double|auto)\s+\w+\s*@?<@?-)"},
+    {"foreign_operator", ".", "There is no √ in C++: write std::sqrt(x).", "√"},
     {"missing_comma", ".", "In a list stands a comma, not a ;",
      R"((?:return|=|\w)\s*\{[^(){};=]*;\s*(?!return)\w[^(){};=]*\})"},
     {"foreign_word", ".", "A loop over whole numbers is written for (int i = 0; i < 3; ++i).",
@@ -128,6 +136,8 @@ const std::vector<MessageMistake> error_table = {
      "In the parentheses of a VectorXd stands its size; the values follow: VectorXd v(4); v << a, b, c, d;"},
     {"matrix_constructor", "expected initializer before '<<'",
      "First define it, then fill it: Matrix3d A; A << 1, 2, 3, ...;"},
+    {"comma_in_number", "VECTORS_OF_A_SPECIFIC_SIZE", "A comma is not a decimal point: write 0.5, not 0,5.",
+     R"(\b\d,\d+\s*,\s+\d,\d)"},
     {"component_count", R"(VECTORS_OF_A_SPECIFIC_SIZE[^]*_Rows = (\d+); int _Cols = 1)",
      "The number of values in the parentheses or braces does not fit a vector with $1 components."},
     {"size_not_whole", R"(FLOATING_POINT_ARGUMENT_PASSED[^]*Derived = \w*X)",
@@ -136,6 +146,9 @@ const std::vector<MessageMistake> error_table = {
      "The number of values in the parentheses or braces does not fit $1."},
     {"matrix_constructor", R"(CALLING_A_VECTOR_METHOD_ON_A_MATRIX[^]*in PlainObjectBase.h[^]*Derived = (\w+))",
      "One number does not make a $1: write $1::Zero(), $1::Identity() or $1::Constant(number)."},
+    {"decomposition", "no match for call|cannot be used as a function",
+     "`%1()` takes a matrix apart: A.%1().solve(b) is x in A x = b.",
+     R"(\.((?:fullPiv|partialPiv|colPiv)?(?:[lL][uU]|llt|ldlt|HouseholderQr))\(\)\s*@?\()"},
     {"missing_multiplication", "CALLING_A_VECTOR_METHOD|no match for call|cannot be used as a function",
      "A * is missing between ) and (.", R"(\.\w+\(\)\s*@?\s*\()"},
     {"size_of_type", "CALLING_A_VECTOR_METHOD", "A %1 needs rows and columns: %1::%2(3, n).",
@@ -148,7 +161,8 @@ const std::vector<MessageMistake> error_table = {
     {"vector_method_on_matrix", "CALLING_A_VECTOR_METHOD_ON_A_MATRIX",
      "This works with vectors only, but is given a matrix; an entry is A(i, j), a column A.col(j)."},
     {"call_of_method", R"(unresolved overloaded|invalid use of member|^invalid types '[^']*\()",
-     "A function is called with parentheses ( ), not with [ ].", R"(\w\s*@?\[)"},
+     "A function is called with parentheses ( ), not with [ ].",
+     R"(\.\s*\w+\s*@?\[|\b(?:a?(?:sin|cos|tan)|sqrt|exp|log|abs|pow)\s*@?\[)"},
     {"matrix_brackets", "THE_BRACKET_OPERATOR_IS_ONLY_FOR_VECTORS",
      "[ ] works with vectors only: an entry of a matrix is A(i, j), with parentheses, a column A.col(j)."},
     {"component_beyond", "OUT_OF_RANGE_ACCESS", "This vector has no %1(): it is too short.",
@@ -170,7 +184,7 @@ const std::vector<MessageMistake> error_table = {
     {"xor_for_power", ".", "%1 is not a power in C++; write x * x or std::pow(x, 2).", "(²|³|⁻¹)"},
     {"invalid_character", ".",
      "Invalid character, perhaps copied from a document: type operators and quotation marks on the keyboard.",
-     "(·|×|−|–|—|“|”|‘|’|；|，|：|（|）|＝|＋|≤|≥|≠|÷|°|√|…)"},
+     "(·|×|−|–|—|“|”|‘|’|；|，|：|（|）|＝|＋|≤|≥|≠|÷|°|…)"},
     {"unterminated_comment", "^unterminated comment", "The comment that begins here has no end: */ is missing."},
     {"apostrophe_for_transpose", "missing terminating ' character",
      "An apostrophe does not transpose in C++; write A.transpose().", R"(\w')"},
@@ -230,7 +244,7 @@ const std::vector<MessageMistake> error_table = {
      "\\(\\*\\)\\(|^invalid use of non-static member|did you forget the "
      "'\\(\\)'|^wrong type argument to unary minus|cannot "
      "resolve overloaded function|from type "
-     "'.*\\(.*::\\)\\(\\)|cannot convert '\\w+ \\(\\*\\)\\(.*\\).*' to",
+     "'.*\\(.*::\\)\\(\\)|call to [^\n]*\\(&\\)\\(\\)|cannot convert '\\w+ \\(\\*\\)\\(.*\\).*' to",
      "A function is named here, but not called: its parentheses are missing, as in A.transpose() or cos(x)."},
     {"for_with_commas", "expected", "The parts of for are separated by ; as in for (int i = 0; i < 3; ++i)",
      R"(\bfor\s*\([^;:()]*,[^;:()]*\))"},
@@ -337,6 +351,10 @@ const std::vector<MessageMistake> error_table = {
      "This is complex. Of a symmetric matrix, Eigen::SelfAdjointEigenSolver<Matrix3d> has real eigenvalues."},
     {"taken_apart", "^cannot decompose",
      "auto [a, b, c] does not take a vector of Eigen apart: write double a = v[0], b = v[1];"},
+    {"missing_call", R"(conver[^\n]*<lambda\()", "`%1` is a function, which is not called here: write %1(...).",
+     R"((?:return|=)\s*@?(\w+)\s*@?;)"},
+    {"rotation_as_matrix", "conver[^\n]*Rotation2D",
+     "Rotation2Dd is for vectors of two components; in space it is Eigen::AngleAxisd(angle, axis)."},
     {"axis_and_angle", "call to '[^']*AngleAxis",
      "First comes the angle, then the axis, whose length is 1: Eigen::AngleAxisd(angle, axis)."},
     {"list_of_vectors", "^array must be init", "An array [ ] is not made from a vector: write Vector3d w = v;"},
@@ -382,6 +400,9 @@ const std::vector<MessageMistake> error_table = {
      "Braces do not turn `$1` into `$2`: declare it as $2, or write parentheses in place of the braces."},
     {"nested_braces", "call to '[^\n]*Matrix[^\n]*\\(<brace-enclosed",
      "The rows stand in one more pair of braces, without parentheses: Matrix3d R{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}};"},
+    {"matrix_constructor",
+     R"(raw: no matching function for call to 'Eigen::Matrix<double, (?!\d+, 1>)[^>]*>::Matrix\([^'\n]*,)",
+     "Columns do not go into the parentheses of a matrix: define it, then write A << a, b, c;"},
     {"entry_for_column", "conversion from <number> to non-scalar type <matrix>",
      "`%1(%2)` is a single number: a column of a matrix is %1.col(%2), a row %1.row(%2).",
      R"(=\s*(\w+)\s*@?\(\s*(\w+)\s*\)\s*@?;)"},
@@ -419,8 +440,10 @@ const std::vector<MessageMistake> error_table = {
     {"number_for_vector", R"(no matching function for call to '.*::(cross|dot)\((?:const )?(?:double|int|float)&*\)')",
      "`$1` needs a vector in its parentheses, not a number."},
     {"begin_and_end",
-     R"(call to '(?:std::)?(sort|reverse|accumulate|m(?:ax|in)_element)\((?:const )?(?:Vec|Mat|std::[va])[^:]*[,)])",
+     R"(call to '(?:std::)?(sort|reverse|accumulate|m(?:ax|in)_element)\((?:(?:const )?(?:Vec|Mat|std::[va])[^:]*[,)]|[^,\n]*\)'|[^,\n]*\*, [^*\n]*\)'))",
      "`std::$1` is told where to begin and to end: std::$1(v.begin(), v.end())."},
+    {"branch_types", "^inconsistent types .* deduced for lambda",
+     "The returns of this lambda have different types: name one behind its parameters, as in -> Matrix3d."},
     {"branch_types", R"(operands to '\?:' have different types)",
      "The two results of ? : have different types: name the type on both sides, as in Matrix3d(A)."},
     {"no_operator", R"(no match for 'operator(\S+)' \(operand types are '([^']*)' and '([^']*)'\))",
@@ -437,6 +460,8 @@ const std::vector<MessageMistake> error_table = {
      "A function inside a function is a lambda: auto f = [&](double x) { return x * x; };"},
     {"foreign_word", "^'\\w+' was not declared", "Arguments have no names in C++: give the values alone.",
      R"(\b(?!for\b|if\b|while\b)\w+\s*\((?:[^;{}]*,)?\s*@\w+\s*=(?!=))"},
+    {"missing_parameter_type", "^'\\w+' (?:was|has) not",
+     "The type of a parameter is missing, as the double in [](double x) { ... }.", R"(\[[&=]?\]\s*\(\s*@?\w+\s*[,)])"},
     {"undeclared_name", "^'(\\w+)' (?:was|has|does) not", "`$1` is not declared here: $elsewhere"},
     {"const_behind_parameters", "non-member function '.*' cannot have cv-qualifier",
      "The const after the parentheses is for methods of a class only; leave it out."},
@@ -491,7 +516,7 @@ const std::vector<MessageMistake> error_table = {
      "`$1` belongs to another language: in C++ functions of numbers are std::sqrt(x), std::sin(x) and the like."},
     {"foreign_word", "^'(def|function|func|fn|var|let|import|from|lambda)' (does|was|has) not",
      "`$1` belongs to another language: in C++ the type comes first, as in double y = 2; or $contract"},
-    {"foreign_word", "^'(then|end|endif|elseif|begin|fi|done|pass)' (was|has) not",
+    {"foreign_word", "^'(then|end|endif|begin|fi|done|pass)' (was|has) not",
      "`$1` is no word of C++: braces { } hold together what belongs to if, else or for."},
     {"undeclared_name", "^'([^' ]+)' (was not|has not|is not a member of 'std')",
      "There is no `$1` in C++; write `$right`."},
@@ -563,6 +588,8 @@ const std::vector<MessageMistake> error_table = {
      "There is a ) too many, or its ( is missing."},
     {"missing_semicolon", "expected ((',' or )?';'|initializer) (before|at end)",
      "A ; is missing at the end of the statement.", R"(@\s*($|\}))"},
+    {"missing_parenthesis", "expected (?:',' or )?';' before '\\{'", "A ) is missing: this condition is still open.",
+     R"(\b(?:if|while|for|switch)\s*(?!(\((?:[^()]|(?1))*\))\s*@?\{)@?\(.*\{)"},
     {"missing_operator", "expected (',' or )?';' before",
      "Something is missing before this, such as an operator (a * is never left out), a comma or a ;"},
     {"missing_brace", R"(expected '\}' at end of input)",
@@ -575,7 +602,8 @@ const std::vector<MessageMistake> error_table = {
      "A function begins inside another one: is a closing brace } missing above this line?"},
     {"else_without_if", "'else' without a previous 'if'|before 'else'",
      "This else belongs to no if: before it stands one statement, or several in braces { }; a ; alone is one too."},
-    {"std_vector_parentheses", R"(no match for call to '\(std::vector)", "An element of a std::vector is v[i]."},
+    {"std_vector_parentheses", R"(no match for call to '\((?:const )?std::vector)",
+     "An element of a std::vector is v[i]."},
 };
 
 // What has no name is right code.
@@ -602,6 +630,11 @@ const std::vector<MessageMistake> warning_table = {
     {"comma_in_number", "^-Wunused-value: .*operand of comma operator has no effect",
      "A comma is not a decimal point: what stands before it is dropped. Write 0.5, not 0,5.",
      R"((^|[^\w.,])\d+@?,\d|@\d+,\d)", Weight::cause, Fix::decimal_point},
+    {"comma_operator", "^-Wunused-value: (?:.*operand of comma operator|value computed)",
+     "Of values separated by commas only the last one is kept: join conditions by &&, and numbers by an operator.",
+     R"(@(?:[^(),;]|(\((?:[^()]|(?1))*\)))*,)"},
+    {"text_for_number", "^-Wmultichar|character constant too long",
+     "A word between ' ' is an odd whole number, and no text: return the number that is meant."},
     {"unused_value", "^-Wunused-value: ", "== compares, and what it finds is not kept: a value is given by =.",
      R"(^\s*[\w()]+\s*@?==)"},
     {"unused_value", "^-Wunused-value: ", "This, or a part of it, has no effect: what it computes is not kept."},

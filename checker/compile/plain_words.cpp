@@ -93,6 +93,7 @@ std::string in_plain_words(std::string_view text) {
   std::ranges::replace(plain, open_mark, '<');
   std::ranges::replace(plain, close_mark, '>');
   std::ranges::replace(plain, comma_mark, ',');
+  plain = replaced(plain, R"((?:Eigen::)?MatrixBase<…>::cross_product_return_type<…>::type)", "3×1 vector");
   return replaced(plain, R"(\bEigen::(?=(Row)?(Vector|Matrix)[234X]+[df]\b))", "");
 }
 

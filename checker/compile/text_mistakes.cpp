@@ -76,6 +76,7 @@ struct TextMistake {
   const char* unless = "";                      ///< not in a file with one of these words
   Weight weight = Weight::cause;
   Fix fix = Fix::none;
+  bool needs_failure = true;
 };
 
 // The methods of a type of one's own may do anything.
@@ -106,7 +107,8 @@ const std::vector<TextMistake>& table() {
        R"((\w+) = [^\n]* 180(?:\.0*)? / (?:std :: numbers :: )?(?:pi|M_PI|3\.14\d*) ;\n(?:[^\n]*\n)*?[^\n]*(sin|cos|tan) \( \1 \)[^\n]*$)",
        "$2 takes radians, but 180 / π has turned `$1` into degrees.", nullptr, "", Weight::possible},
       {"xor_for_power_of_ten", R"((?:^| )(10 \^ (?:- )?\d+)(?= |$))",
-       "`$1` is not a power in C++: ^ combines the bits of whole numbers. A power of ten is written 1e6 or 1e-6."},
+       "`$1` is not a power in C++: ^ combines the bits of whole numbers. A power of ten is written 1e6 or 1e-6.",
+       nullptr, "", Weight::cause, Fix::none, false},
       {"xor_for_power", R"((?:^| )(?<!\^ )((?!10 )\S+ \^ [2-9])(?= |$))",
        "`$1` is not a power in C++: ^ combines the bits of whole numbers. Write x * x or std::pow(x, 2)."},
       {"discarded_result",
@@ -120,6 +122,8 @@ const std::vector<TextMistake>& table() {
        nullptr, own_types, Weight::possible, Fix::no_noalias},
       {"empty_body", R"(^(?:else )?(for|if) \( )" + inside + R"(\) ;$)",
        "The ; directly after $1 (...) is all that it does: what follows does not belong to it. Leave out this ;"},
+      {"empty_body", "^(else) ;$",
+       "The ; directly after else is all that it does: what follows does not belong to it."},
       {"empty_body", R"(^(while) \( )" + inside + R"(\) ;$)",
        "The ; directly after $1 (...) is all that it does: what follows does not belong to it. Leave out this ;",
        nullptr, " do "},
@@ -134,6 +138,8 @@ const std::vector<TextMistake>& table() {
        "This loop never runs: `$1` begins at $2, where $1 $3 $4 is false.", is_false_at_first},
       {"always_true", R"((?:[=!]=|[<>]=?) [^ ]+ (\|\| \d[\w.]*)(?= (?:[)|&;?]|\|\|)))",
        "`$1` is always true, whatever stands before it: write the whole comparison again, as in x == 1 || x == 2."},
+      {"chained_comparison", R"( (==) (?:(?![&|?:;,()=!<>])[^ \n]+ )+== )",
+       "A comparison a == b == c does not compare three numbers in C++; write a == b && b == c."},
       {"whole_sum", R"((accumulate) \( .* , 0 \))",
        "This sum begins with the whole number 0 and drops what follows every decimal point: begin with 0.0."},
       {"rounded_pi", R"((?:^| )(3\.14\d*)(?= |$))", "$1 is only near π; write std::numbers::pi.", is_rounded_pi, "",
@@ -142,6 +148,16 @@ const std::vector<TextMistake>& table() {
        "`$1.size()` is the number of components: the length of a vector is `$1.norm()`."},
       {"size_in_bytes", R"(< (sizeof \( (\w+) \)))", "`$1` counts bytes: how many elements there are is `$2.size()`.",
        nullptr, "", Weight::possible},
+      {"colwise", R"(^(?:return|(?:const )?Vector3d \w+ =) \w+ \. (colwise) \( \) \. (sum|mean) \( \))",
+       "$1().$2() has one number for each column: the $2 of all columns is rowwise().$2().", nullptr, "",
+       Weight::possible},
+      {"unused_value",
+       R"(^(?:(?:for|if|while) \( )" + inside + R"(\) )?(?!(?:return|for|if|while|switch)\b)[\w.]+(?: \( )" + inside +
+           R"(\)| \[ [^\[\]]* \])* (==) [^\n]* ;$)",
+       "== compares, and what it finds is not kept: a value is given by =."},
+      {"matrix_constructor", R"(^(Vector[234]d|Matrix[234]d) \w+ \( \d[\d.]* \) ;$)",
+       "A single number in these parentheses is taken for a size: write $1::Zero() or $1::Constant(number).", nullptr,
+       "", Weight::possible},
       {"rows_first", R"((Matrix3Xd) \w+ \( (?!3 ,)[^,]+ , 3 \))",
        "Rows come first, and a $1 has 3 of them: write $1 name(3, n).", nullptr, "", Weight::possible},
       {"unsigned_difference",
@@ -157,9 +173,23 @@ const std::vector<TextMistake>& table() {
        R"(^(?!(?:const )?(?:int|long|auto|unsigned|for|while|(?:std :: )?size_t)\b)[^\[\n]*?(?:^| )(?|static_cast < (int|long) > \(|\( (int|long) \)|(int|long) \()(?= [^\n;]*(?:/|\d\.\d|sqrt|sin|cos|pow|norm))(?! (?:std :: )?(?:round|floor|ceil|trunc)\b))",
        "$1 keeps only what stands before the decimal point.", nullptr, "", Weight::possible, Fix::as_double},
       // Several statements.
+      {"uninitialized_variable",
+       R"(^(Matrix[234]d|Vector[234]d) (\w+) ;\n(?:(?!(?:if|else|switch|while|do)\b|[^\n]*\b\2\b)[^\n]*\n)*(?:for \( [^\n]*\) )?\2 [-+]= [^\n]*$)",
+       "`$2` begins with no value, but is added to below: write $1 $2 = $1::Zero();", nullptr, own_types},
+      {"uninitialized_variable",
+       R"(^(?:double|int|Vector\w+|Matrix\w+) (\w+) ;\nif \( (?:(?!\b\1\b)[^\n])* \) (?:\{\n)?\1 = [^\n]* ;(?:\n\})?\nreturn [^\n]*\b\1\b[^\n]*$)",
+       "`$1` has a value only where the condition below it holds: give it one here."},
+      {"size_for_columns", R"(\b(\w+) \. (?:col|rowwise) \( [^\n]*(?:\n[^\n]*)*/ \1 \. size \( \)(?! / 3)[^\n]*$)",
+       "`$1.size()` counts all entries: the number of columns is `$1.cols()`."},
+      {"kept_view",
+       R"(^(?:const )?auto (\w+) = ([^\n]*\. (?:col|row|head|tail|segment|block|diagonal)\b[^\n]*) ;\n\2 = [^\n]* ;\n[^\n]* = \1 ;$)",
+       "With auto, `$1` is no copy but `$2` itself, which has changed before it is used: write its type."},
+      {"changed_copy",
+       R"((?:\]|void \w+) \( (?:[^()]*, )?(?:(?:Matrix|Vector)\w+|double|int|auto) (\w+)[^()]*\) \{\n(?:(?!return|if|for|while)[^\n]* ;\n)*?\1 [-+*/]?= [^\n]* ;\n\}(?: ;)?$)",
+       "`$1` is a copy of what the function is called with, and nothing is returned: write & behind its type."},
       {"left_from_stub",
        R"((?|^[^\n]*[;}]\n(throw) NotStarted \{\n\}\n;$|(throw) NotStarted \{\n\}\n;\n(?!\})[^\n]+$))",
-       "This line of the empty exercise is still there: remove it."},
+       "This line of the empty exercise is still there: remove it.", nullptr, "", Weight::cause, Fix::none, false},
       {"overwritten", R"(^([\w.\[\]() ,]+) = ([\w.\[\]() ,]+) ;\n\2 = \1 ;$)",
        "`$2` gets back here what it has just given to `$1`, so this changes nothing: std::swap exchanges two values.",
        nullptr, "", Weight::possible},
@@ -183,21 +213,6 @@ const std::vector<TextMistake>& table() {
        "Every turn divides all of `$1` again: divide once, after the loop."},
   };
   return mistakes;
-}
-
-/// Matrix3d I; for (...) I += ...; where nothing can have given I a value before. @returns the second I or 0
-std::size_t sum_without_start(std::span<const Token> tokens, std::size_t declared) {
-  std::size_t sum = 0;
-  for (std::size_t k = declared + 1; k < std::min(tokens.size(), declared + 1000); ++k) {
-    if (tokens[k].text != tokens[declared].text) continue;
-    if (sum == 0 && !is_one_of(tokens, k + 1, " += -= ")) return 0;
-    if (sum == 0) sum = k;
-    if (is_one_of(tokens, k + 2, " transpose norm trace dot cross ")) continue;
-    // Anything that may give it a value, on whatever way through the function.
-    if (is_one_of(tokens, k + 1, " = << . ( [ -> ") || is_one_of(tokens, k - 1, " & = [ ")) return 0;
-    if (is_one_of(tokens, k - 1, " ( , ") && is_one_of(tokens, k + 1, " ) , ")) return 0;
-  }
-  return sum;
 }
 
 /// while (p < n) { … } @returns does its block, which begins at a token, neither change p nor end the loop?
@@ -242,15 +257,15 @@ bool accumulates(std::span<const Token> tokens, std::size_t declared) {
 std::vector<Reason> text_mistakes(const SourceText& source) {
   constexpr std::size_t most = 20, most_joined = 6;
   const std::span tokens(source.tokens().data(), std::min(source.tokens().size(), most_tokens));
-  const bool has_own_types = has_one_of(tokens, own_types);
   std::vector<const TextMistake*> possible;
   for (const TextMistake& mistake : table())
     if (!has_one_of(tokens, mistake.unless)) possible.push_back(&mistake);
   std::vector<Reason> found;
   const auto add = [&](std::size_t token, const char* name, Match match, const char* sentence,
-                       Weight weight = Weight::cause, Fix fix = Fix::none) {
+                       Weight weight = Weight::cause, Fix fix = Fix::none, bool needs_failure = true) {
     for (std::string& group : match.groups) boost::erase_all(group, " ");
     found.push_back(source.reason(source.place_of(tokens[token].offset), name, match.fill(sentence), weight, fix));
+    found.back().needs_failure = needs_failure;
   };
   int depth = 0;  // of braces that no namespace opens
   const std::vector<Statement> statements = statements_of(tokens);
@@ -268,7 +283,8 @@ std::vector<Reason> text_mistakes(const SourceText& source) {
       for (const Statement& part : is_of_many ? std::span(parts) : std::span(parts).last(1)) {
         const Match match = part.text.size() > longest_statement ? Match() : search(part.text, mistake->pattern);
         if (!match || (mistake->holds != nullptr && !mistake->holds(match))) continue;
-        add(part.token_at(match.offsets[1]), mistake->name, match, mistake->sentence, mistake->weight, mistake->fix);
+        add(part.token_at(match.offsets[1]), mistake->name, match, mistake->sentence, mistake->weight, mistake->fix,
+            mistake->needs_failure);
         break;
       }
     }
@@ -290,11 +306,8 @@ std::vector<Reason> text_mistakes(const SourceText& source) {
     if (array)
       if (const std::size_t index = index_beyond(tokens, statement.token_at(array.offsets[1]), std::stol(array[2]));
           index > 0)
-        add(index, "index_out_of_range", array, "`$1` has $2 elements, and indices start at 0: this one is not there.");
-    const Match declaration = search(statement.text, "^(Matrix[234]d|Vector[234]d) (\\w+) ;$");
-    if (has_own_types || !declaration) continue;
-    if (const std::size_t sum = sum_without_start(tokens, statement.token_at(declaration.offsets[2])); sum > 0)
-      add(sum, "uninitialized_variable", declaration, "`$2` has no value yet here: begin with $1 $2 = $1::Zero();");
+        add(index, "index_out_of_range", array, "`$1` has $2 elements, and indices start at 0: this one is not there.",
+            Weight::cause, Fix::none, false);
   }
   return found;
 }

@@ -60,6 +60,7 @@ struct Reason {
   int column = 0;            ///< in that line, from 1; 0: none
   std::string excerpt = {};  ///< that line as the student wrote it, and below it a caret; may be empty
   Fix fix = Fix::none;
+  bool needs_failure = true;  ///< of a function that passes, or is not started, it is not told
 
   bool is_in_code() const { return kind == ReasonKind::code || kind == ReasonKind::repair; }
   bool is_cause() const { return weight == Weight::cause; }

@@ -85,16 +85,6 @@ bool is_learnt(Judged& judged, CheckContext& context) {
          judge(known, judged.runner->observe(plan_calls(known.cases), plan_repeats(known))).passed();
 }
 
-/// Mistakes that need no failing case: what is left of the empty exercise, and what the cases do not show.
-std::vector<Reason> mistakes_at_any_verdict(const SourceText& source) {
-  std::vector<Reason> found = text_mistakes(source);
-  std::erase_if(found, [](const Reason& reason) {
-    return reason.name != "left_from_stub" && reason.name != "xor_for_power_of_ten" &&
-           reason.name != "index_out_of_range";
-  });
-  return found;
-}
-
 void explain_failure(Judged& judged, CheckContext& context) {
   const CheckResult& checked = judged.checked;
   const ExerciseReference& reference = *checked.reference;
@@ -103,7 +93,8 @@ void explain_failure(Judged& judged, CheckContext& context) {
   reasons = checked.observation.errors;
   if (!judged.runner || verdict == Verdict::checker_error) return;
   if (verdict == Verdict::passed || verdict == Verdict::not_started) {
-    reasons = mistakes_at_any_verdict(SourceText(judged.submission.text));
+    reasons = text_mistakes(SourceText(judged.submission.text));
+    std::erase_if(reasons, std::mem_fn(&Reason::needs_failure));
     return;
   }
   if (is_learnt(judged, context)) {

@@ -203,7 +203,7 @@ const std::vector<Mistaken> files_that_compile = {
     {"xor_for_power 4:13", body("int n = 3;\nreturn x * (n^2);")},
     {"discarded_result 4:1", body("Matrix3d A = x * Matrix3d::Identity();\nA.transpose(); return A(0, 1);")},
     {"empty_body 3:1", body("for (int i = 0; i < 3; ++i);\nx += 1; return x;")},
-    {"uninitialized_variable 4:29",
+    {"uninitialized_variable 3:1",
      body("Matrix3d I;\nfor (int i = 0; i < 3; ++i) I += x * Matrix3d::Identity();\nreturn I.trace();")},
     {"rounded_pi 3:8", body("return 3.1416 * x;")},
     {"float_precision 3:1", body("float y = 2;\nreturn y * x;")},
