@@ -106,7 +106,7 @@ void draw_inertia_ellipsoid(const std::filesystem::path& directory) {
   for (int k = 1; k < 8; ++k) draw([&](double s) { return point(pi * k / 8, 2 * pi * s + 1); });
   for (int k = 0; k < 12; ++k) draw([&](double s) { return point(pi * s, 2 * pi * k / 12); });
   for (int i = 0; i < 3; ++i) {
-    sketch.arrow(origin, box.axes.col(i) * (half_axes[i] + (i == 0 ? 0.5 : 0.9)),
+    sketch.arrow(origin, box.axes.col(i) * (half_axes[i] + (i == 0 ? 0.5 : 1.2)),
                  axis_colors[static_cast<std::size_t>(i)], fmt::format("I_{} = {:.2f} kg m²", i + 1, box.moments[i]),
                  i == 0   ? Side::left
                  : i == 1 ? Side::below
@@ -163,7 +163,7 @@ void draw_energy_on_sphere(const std::filesystem::path& directory) {
       const char* color = axis_colors[static_cast<std::size_t>(i)];
       sketch.arrow(place(n), place(1.25 * n), color);
       sketch.text(place(1.25 * n), fmt::format("{}{{/:Bold e}}_{}", side > 0 ? "" : "−", i + 1), color,
-                  i == 0 ? Side::left : Side::right);
+                  i == 0 ? Side::left : Side::right, i == 1 ? Vector2d(0.32, -0.45 * side) : Vector2d(0, 0));
     }
   }
   sketch.draw(directory, "energy_on_sphere", 590);

@@ -141,7 +141,8 @@ void draw_along_the_diagonal(const std::filesystem::path& directory) {
 
 /// The inertia ellipsoid about a point, with its axes and moments.
 void draw_ellipsoid(Sketch& sketch, const Matrix3d& I, const Vector3d& center, const char* color,
-                    const std::array<Side, 3>& sides, const Vector3d& signs) {
+                    const std::array<Side, 3>& sides, const Vector3d& signs,
+                    const Eigen::Matrix<double, 2, 3>& away = Eigen::Matrix<double, 2, 3>::Zero()) {
   const double size = 2.6;
   const Vector3d moments = principal_moments(I), half_axes = size * moments.cwiseSqrt().cwiseInverse();
   Matrix3d axes = principal_axes(I);
@@ -156,7 +157,7 @@ void draw_ellipsoid(Sketch& sketch, const Matrix3d& I, const Vector3d& center, c
     const Vector3d tip = (half_axes[i] + 0.9) * axes.col(i);
     sketch.line({center - tip, center + tip}, color, 2.5);
     sketch.text(center + tip, fmt::format("I_{} = {:.3g}", i + 1, moments[i]), color,
-                sides[static_cast<std::size_t>(i)]);
+                sides[static_cast<std::size_t>(i)], away.col(i));
   }
   sketch.dot(center, color, 0.9);
 }
@@ -172,10 +173,13 @@ void draw_corner_and_center(const std::filesystem::path& directory) {
     sketch.text(corner + Vector3d(1, 1, 0), "b", colors::black, Side::below);
     sketch.text(corner + Vector3d(1, 0, 1.5), "c", colors::black, Side::left);
   }
+  Eigen::Matrix<double, 2, 3> of_center, of_corner;  // to where the labels stand outside of the block
+  of_center << 0, 0, -0.3, 0, 0, -0.6;
+  of_corner << -1.5, 0, 0, 0.5, 0, 0;
   draw_ellipsoid(sketch, block.at_center(), block.edges / 2, colors::blue, {Side::above, Side::right, Side::left},
-                 {1, 1, 1});
-  draw_ellipsoid(sketch, block.at_corner(), aside, colors::vermilion, {Side::above, Side::right, Side::left},
-                 {1, 1, 1});
+                 {1, 1, 1}, of_center);
+  draw_ellipsoid(sketch, block.at_corner(), aside, colors::vermilion, {Side::left, Side::right, Side::left}, {1, 1, 1},
+                 of_corner);
   sketch.draw(directory, "corner_and_center", 590);
 }
 

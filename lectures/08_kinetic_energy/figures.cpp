@@ -72,7 +72,7 @@ void draw_projections(const std::filesystem::path& directory) {
     const char *color, *name, *momentum;
     Side name_side, side;
   };
-  for (const Axis& axis : {Axis{z_axis, colors::black, vertical_name, "p_φ", Side::left, Side::left},
+  for (const Axis& axis : {Axis{z_axis, colors::black, vertical_name, "p_φ", Side::left, Side::right},
                            Axis{nodes, colors::green, "{/:Bold e}_2′", "p_θ", Side::below, Side::below},
                            Axis{spin, colors::purple, "{/:Bold e}_3", "p_ψ", Side::left, Side::below}}) {
     const Vector3d foot = L.dot(axis.direction) * axis.direction;
@@ -80,7 +80,7 @@ void draw_projections(const std::filesystem::path& directory) {
     sketch.arrow(origin, 1.75 * axis.direction, axis.color, axis.name, axis.name_side, 1.5);
     sketch.line({origin, foot}, axis.color, 5);
     sketch.dot(foot, axis.color, 0.8);
-    sketch.text(0.5 * foot, axis.momentum, axis.color, axis.side);
+    sketch.text(0.4 * foot, axis.momentum, axis.color, axis.side);
   }
   sketch.arrow(origin, L, colors::blue, "{/:Bold L}", Side::above, 4);
   sketch.line(arc(origin, 0.35, z_axis, (spin - spin.z() * z_axis).normalized(), 0, theta), colors::black, 1.5);
@@ -103,7 +103,8 @@ void draw_free_top(const std::filesystem::path& directory) {
   for (int polar = 15; polar <= 60; polar += 15) {
     const double z = std::cos(polar * degree), radius = std::sin(polar * degree);
     sketch.line(arc(z * z_axis, radius, x_axis, y_axis), colors::grey, 1);
-    sketch.text(z * z_axis + radius * Vector3d(0.5, -0.866, 0), fmt::format("{}°", polar), colors::grey);
+    const Vector3d at = z * z_axis + radius * Vector3d(0.9, -0.43, 0);
+    sketch.text(at, fmt::format("{}°", polar), colors::grey, Side::right, {1.02 - at.dot(sketch.right()), 0.12});
   }
   // Two bodies whose third axis starts at the same inclination.
   const SpaceCurve asymmetric = track(Vector3d(1, 1.8, 2.2), Vector3d(0.8, 0, 1.2), 11.5);

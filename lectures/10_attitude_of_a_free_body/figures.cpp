@@ -102,7 +102,9 @@ void draw_herpolhode(const std::filesystem::path& directory) {
     sketch.line({curve[300], center, curve[0]}, colors::black, 1);
     sketch.dot(center, colors::black, 0.5);
     sketch.dot(curve[0], colors::black, 0.9);
-    sketch.dot(curve[300], colors::vermilion, 0.9);
+    sketch.dot(curve[300], colors::black, 0.9);
+    sketch.text(center + 0.55 * (curve[0] - center), "0", colors::black, Side::below);
+    sketch.text(center + 0.55 * (curve[300] - center), "P", colors::black, Side::left);
     const double turn = std::fmod(turn_per_period(crate, panel.omega0), 2 * pi);
     sketch.text(center - 1.13 * y_axis, panel.name);
     sketch.text(center - 1.3 * y_axis, fmt::format("one period turns it by {:.1f}°", turn / degree));
@@ -132,7 +134,9 @@ void draw_track(const std::filesystem::path& directory) {
   sketch.arrow(origin, 1.6 * z_axis, colors::blue, "{/:Bold L}", Side::right);
   sketch.arrow(origin, 1.2 * track[0], colors::purple, "{/:Bold e}_3", Side::left, 2.5);
   sketch.dot(track[0], colors::black, 0.9);
-  sketch.dot(track[400], colors::vermilion, 0.9);
+  sketch.dot(track[400], colors::black, 0.9);
+  sketch.text(track[0], "0", colors::black, Side::below);
+  sketch.text(track[400], "P", colors::black, Side::right);
   sketch.draw(directory, "track", 480);
 }
 
@@ -172,52 +176,66 @@ void draw_solid_angle(const std::filesystem::path& directory) {
   sketch.draw(directory, "solid_angle", 480);
 }
 
-/// What becomes of a throw: the same face, the other one, or nearly half a turn.
-std::size_t outcome(double x, double y) {
+/// How far a racket twists in one round, in degrees; thrown with ω so many degrees off axis 2, towards the handle and
+/// the normal.
+double twist(const Vector2d& off) {
   const Vector3d racket(1.21e-3, 16.38e-3, 17.48e-3);  // kg m²
-  const double twist = std::abs(racket_twist(racket, {std::tan(x * degree), 1, std::tan(y * degree)}));
-  return std::cos(twist) > 0 ? 0 : std::abs(twist - pi) > pi / 6 ? 1 : 2;
+  return std::abs(racket_twist(racket, {std::tan(off.x() * degree), 1, std::tan(off.y() * degree)})) / degree;
 }
 
+/// The first place on the way from a place on the map at which the twist leaves a range, or the map ends.
+Vector2d edge(const Vector2d& from, const Vector2d& way, double least, double most) {
+  const auto is_inside = [&](double length) {
+    const Vector2d place = from + length * way;
+    return place.cwiseAbs().maxCoeff() < 20 && twist(place) > least && twist(place) < most;
+  };
+  double inside = 0, outside = 0.5;
+  for (; is_inside(outside); outside += 0.5) inside = outside;
+  for (int halving = 0; halving < 12; ++halving) {
+    const double middle = (inside + outside) / 2;
+    (is_inside(middle) ? inside : outside) = middle;
+  }
+  return from + outside * way;
+}
+
+/// The regions of the map by their edges: each is seen whole from a place within, or lies along the rising diagonal.
 void draw_twist_map(const std::filesystem::path& directory) {
-  constexpr int rows = 80, columns = 160;
-  const double step = 40.0 / columns, height = 40.0 / rows;
-  std::array<std::vector<std::array<double, 6>>, 3> boxes;  // x, y and the box around: one for each run of a row
-  for (int row = 0; row <= rows; ++row) {
-    const double y = -20 + row * height;
-    double from = -20 - step / 2;
-    std::size_t now = outcome(-20, y);
-    for (int column = 0; column <= columns; ++column) {
-      const double x = -20 + column * step;
-      const std::size_t next = column == columns ? 3 : outcome(x + step, y);
-      if (next == now) continue;
-      boxes[now].push_back({from, y, from, x + step / 2, y - 0.52 * height, y + 0.52 * height});
-      from = x + step / 2;
-      now = next;
+  PlaneCurve half_turn, same_face;
+  const Vector2d within(-14, 4), corner(-20, 20), diagonal = Vector2d(1, -1).normalized();
+  const double first = std::atan2((corner - within).y(), (corner - within).x());
+  for (int k = 0; k < 240; ++k) {
+    const double angle = first + 2 * pi * k / 240;
+    const Vector2d place = edge(within, {std::cos(angle), std::sin(angle)}, 150, 210);
+    half_turn.emplace_back(place.x(), place.y());
+  }
+  for (const double side : {1.0, -1.0}) {
+    for (int k = -50; k <= 50; ++k) {
+      const Vector2d on_diagonal = Vector2d::Constant(19.999 * side * k / 50);
+      const Vector2d place = edge(on_diagonal, side * diagonal, -1, 90);
+      same_face.emplace_back(place.x(), place.y());
     }
   }
+  PlaneCurve opposite;  // half a turn about axis 2 reverses both angles
+  for (const auto& [x, y] : half_turn) opposite.emplace_back(-x, -y);
   draw_figure(directory, "twist_map", {540, 500}, [&](Gnuplot& gnuplot) {
-    gnuplot << "unset key; set size ratio -1; set xrange [-20.125:20.125]; set yrange [-20.25:20.25]\n"
-               "set xtics 10; set ytics 10; set tics out; unset grid; set style fill solid 1 noborder\n"
+    gnuplot << "unset key; set size ratio -1; set xrange [-20:20]; set yrange [-20:20]\n"
+               "set xtics 10; set ytics 10; set tics out; unset grid; set style fill solid 1\n"
                "set xlabel 'ω off axis 2, towards the handle (°)'\n"
                "set ylabel 'ω off axis 2, towards the normal (°)'\n"
             << fmt::format(
+                   "set object rectangle from -20,-20 to 20,20 behind fc rgb '{1}' fs noborder\n"
                    "set label 'half a turn, ±30°' at -6,8.5 center front tc rgb '{0}'\n"
                    "set label 'half a turn, ±30°' at 6,-8.5 center front tc rgb '{0}'\n"
                    "set label 'other face up' at -4,17.2 center front tc rgb '{0}'\n"
                    "set label 'other face up' at 4,-17.2 center front tc rgb '{0}'\n"
                    "set label 'same face up' at 8.4,1.2 left front tc rgb '{0}'\n"
                    "set arrow from 8,1.6 to 3.5,3.2 head filled size 1,18 front lc rgb '{0}'\n",
-                   colors::black);
+                   colors::black, colors::shade);
     std::string plot = "plot ";
-    for (const char* color : {colors::orange, colors::pale, colors::sky})
-      plot += fmt::format("'-' with boxxyerror fc rgb '{}', ", color);
+    for (const char* color : {colors::sky, colors::sky, colors::orange})
+      plot += fmt::format("'-' with filledcurves closed fc rgb '{}', ", color);
     gnuplot << plot.substr(0, plot.size() - 2) << "\n";
-    for (const auto& each : boxes) {
-      for (const auto& box : each)
-        gnuplot << fmt::format("{} {} {} {} {} {}\n", box[0], box[1], box[2], box[3], box[4], box[5]);
-      gnuplot << "e\n";
-    }
+    for (const PlaneCurve& region : {half_turn, opposite, same_face}) gnuplot.send1d(region);
   });
 }
 

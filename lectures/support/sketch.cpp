@@ -320,8 +320,12 @@ void Sketch::dot(const Vector3d& at, const std::string& color, double size) {
   dots_.push_back({{seen(at)}, color, size, ""});
 }
 
-void Sketch::text(const Vector3d& at, const std::string& text, const std::string& color, Side side) {
-  texts_.push_back({seen(at), text, color, side});
+void Sketch::text(const Vector3d& at, const std::string& text, const std::string& color, Side side,
+                  const Vector2d& away) {
+  const Vector3d place = at + away.x() * right() + away.y() * up();
+  texts_.push_back({seen(place), text, color, side});
+  const Vector3d nearer = 1e3 * towards();  // so that nothing hides the line
+  if (!away.isZero()) line({at + nearer, place + nearer}, color, 0.8);
 }
 
 // ---- The drawing.

@@ -71,8 +71,9 @@ class Sketch {
   void ring(const Eigen::Vector3d& center, const Eigen::Vector3d& axis, double radius, double thickness,
             const std::string& color);
   void dot(const Eigen::Vector3d& at, const std::string& color, double size = 0.8);
+  /// Where others stand already, as far away on the page, to the right and up, with a thin line from there.
   void text(const Eigen::Vector3d& at, const std::string& text, const std::string& color = colors::black,
-            Side side = Side::centre);
+            Side side = Side::centre, const Eigen::Vector2d& away = Eigen::Vector2d::Zero());
 
   /// On the page, to the right and up, and towards the reader. What is moved towards the reader stays where it is on
   /// the page, and nothing hides it.
