@@ -27,31 +27,27 @@ live("puck", {
     // On the table it starts with the velocity that the rider sees.
     const seen = minus(v, cross(w, r)), path = ridden((p, u) => laws[law](p, u, w), r, seen, 4, 160);
     const straight = steps(0, 4, 160).map(time => sum(r, times(time, v)));
-    const back = straight.map((p, i) => turned(yours.rotated_basis?.(identity, w, -i / 40) ?? rotation(times(-i / 40, w)), p));
+    const back = straight.map((p, i) => turned(rotated(identity, w, -i / 40), p));
     // Straight on, and the mirror image of what the rider sees, from the velocity that the rider sees at first.
     const along = norm(seen) ? unit(seen) : x_axis;
     const expected = [steps(0, 4, 160).map(time => sum(r, times(time, seen))),
       back.map(p => sum(r, minus(times(2 * dot(minus(p, r), along), along), minus(p, r))))];
-    return { w, v, path, straight, back, law, expected };
+    return { w, v, path, ridden_path: path.map(([p]) => p), straight, back, law, expected };
   },
   // The tip of the velocity at the start.
-  handle: m => sum(m.straight[0], m.v),
-  drag(pixels, scene, values, m) {
-    const [x, y] = minus(scene.point_at(pixels), m.straight[0]);
-    return { speed: Math.hypot(x, y), heading: Math.atan2(y, x) / degree };
-  },
+  handle: ({ speed, heading, start }) => [start + speed * Math.cos(heading * degree), speed * Math.sin(heading * degree), 0],
   draw: [(scene, m, time) => {
     const k = Math.floor(40 * time);
     draw_table(scene, m.w[2] * time);
     scene.arrow(m.straight[0], sum(m.straight[0], m.v), "green", "v", { width: 2.2, beside: true });
-    scene.line(m.straight.slice(0, k + 1), "blue", 3);
+    scene.trail(m.straight, k + 1, "blue", 3);
     scene.dot(m.straight[k], "ink", 6);
   }, (scene, m, time) => {
     const k = Math.floor(40 * time), [r, v] = m.path[k];
     draw_table(scene, 0);
     if (scene.released) scene.line(m.back, "ink", 1.5, { dash: [1, 6] });
     scene.expect(m.expected[scene.expected]?.slice(0, k + 1));
-    scene.line(m.path.slice(0, k + 1).map(([p]) => p), "blue", 3);
+    scene.trail(m.ridden_path, k + 1, "blue", 3);
     const force = (law, factor, color, name) => scene.arrow(r, sum(r, times(factor, laws[law](r, v, m.w))), color, name);
     if (scene.released && m.law !== 1) force(2, 0.4, "green", "centrifugal");
     if (scene.released && m.law !== 2) force(1, m.law === 3 ? 0.2 : 0.4, "purple", "Coriolis");
@@ -76,20 +72,20 @@ live("foucault", {
     // The law on the floor for g/ℓ = 1/s²; the rotation of the frame in which the swing is plane decides the second start.
     const law = (r, v) => sum(times(-1, r), [...coriolis(v, lambda).slice(0, 2), 0]);
     const sideways = [release ? planet_rate * Math.sin(lambda) : 0, 0, 0];
-    return { lambda, seconds, path: ridden(law, [0, 1, 0], sideways, seconds, 1000),
+    const path = ridden(law, [0, 1, 0], sideways, seconds, 1000);
+    return { lambda, seconds, path, passed: path.map(([r]) => r),
       // In the south in the same time, the other way round.
       period: lambda ? yours.foucault_period?.(Math.abs(lambda), sidereal_day) ?? sidereal_day / Math.sin(Math.abs(lambda)) : NaN,
       turning: lambda ? `${lambda > 0 ? "" : "anti"}clockwise in` : "no turn" };
   },
   // The place of the pendulum.
-  handle: ({ lambda }) => [Math.cos(lambda), 0, Math.sin(lambda)],
-  drag: (pixels, scene) => ({ latitude: Math.asin(unit(scene.point_at(pixels, 1))[2]) / degree }),
+  handle: ({ latitude }) => [Math.cos(latitude * degree), 0, Math.sin(latitude * degree)],
   draw: [(scene, m, time) => {
     const k = Math.round(1000 * time / m.seconds), bob = m.path[k][0];
     scene.floor(0, 1.12);
     ["N", "E", "S", "W"].forEach((name, i) =>
       scene.words(name, scene.at(times(1.25, [Math.sin(i * 90 * degree), Math.cos(i * 90 * degree), 0])), "ink", "center", name => [name]));
-    scene.line(m.path.slice(0, k + 1).map(([r]) => r), "blue", 2);
+    scene.trail(m.passed, k + 1, "blue", 2);
     const hung = sum(bob, [0, 0, 0.12 + 0.2 * (bob[0] ** 2 + bob[1] ** 2)]);
     scene.line([[0, 0, 3.4], hung], "ink", 1.5);
     scene.solid("ball", hung, diagonal(0.09, 0.09, 0.09), "orange");
@@ -103,10 +99,7 @@ live("foucault", {
     const up = [Math.cos(lambda), 0, Math.sin(lambda)], north = [-up[2], 0, up[0]];
     scene.ellipsoid(origin, identity, "blue");
     for (const latitude of [0, lambda]) scene.line(parallel(latitude), latitude ? "green" : "grey", 2);
-    for (const length of steps(0, 150, 5)) {
-      const [c, s] = [Math.cos(length * degree), Math.sin(length * degree)];
-      scene.line(arc(origin, z_axis, [c, s, 0]), "pale", 1);
-    }
+    for (const length of steps(0, 150, 5)) scene.line(circles[2], "pale", 1, { axes: rotation([0, 0, length * degree]) });
     scene.line([times(-1.4, z_axis), times(1.4, z_axis)], "grey", 2, { dash: [6, 5] });
     scene.line([sum(up, times(-0.2, north)), sum(up, times(0.2, north))], "ink", 3);
     scene.arrow(up, sum(up, [0, 0, 0.6]), "omega", "Ω");

@@ -2,7 +2,6 @@
 
 const moment_about = (I, n) => yours.moment_about_axis?.(I, n) ?? dot(n, turned(I, n));
 const momentum_of = (I, omega) => yours.angular_momentum?.(I, omega) ?? turned(I, omega);
-const rotated_by = (omega, time) => yours.rotated_basis?.(identity, omega, time) ?? rotation(times(time, omega));
 const direction = ({ polar, azimuth }) => [Math.sin(polar * degree) * Math.cos(azimuth * degree),
   Math.sin(polar * degree) * Math.sin(azimuth * degree), Math.cos(polar * degree)];
 
@@ -14,21 +13,17 @@ live("held_spin", {
     const moments = I.map((column, i) => column[i]);
     const L = momentum_of(I, omega), scale = 1.25 / Math.max(...moments) / values.rate;
     const around = steps(0, 2 * Math.PI / values.rate, 72).map(time =>
-      times(scale, turned(rotated_by(omega, time), L)));
+      times(scale, turned(rotated(identity, omega, time), L)));
     // The ellipsoid x I x = 1, drawn with the longest half axis of the box at 0.85.
     const size = 1.7 / Math.max(...edges);
     return { I, n, omega, scale, around, moments, size, edges, L,
       energies: on_ball(direction => moment_about(I, direction)), energy: yours.kinetic_energy?.(I, omega) ?? dot(omega, L) / 2,
       moment: moment_about(I, n), torque: yours.torque_to_hold_rotation?.(I, omega) ?? cross(omega, L) };
   },
-  // The tip of ω, on a ball with the radius that is drawn.
-  handle: (m, time, values, radius) => times(radius, m.n),
-  drag(pixels, scene, values, m, time, radius) {
-    const [x, y, z] = unit(scene.point_at(pixels, radius));
-    return { polar: Math.acos(z) / degree, azimuth: (Math.atan2(y, x) / degree + 360) % 360 };
-  },
+  // The tip of ω.
+  handle: values => times(1.3, direction(values)),
   draw: [(scene, m, time) => {
-    const A = rotated_by(m.omega, time);
+    const A = rotated(identity, m.omega, time);
     const I = yours.rotated_inertia?.(m.I, A) ?? product(A, product(m.I, transposed(A)));
     scene.round("rod", times(-1.15, m.n), times(1.15, m.n), 0.025, "grey");
     for (const side of [-1, 1]) scene.round("rod", times(0.98 * side, m.n), times(1.1 * side, m.n), 0.09, "grey");
@@ -45,8 +40,7 @@ live("held_spin", {
   }, (scene, m) => {
     scene.painted_ball(m.energies, "purple");
     scene.arrows(axis_arrows(identity, [1, 1, 1]));
-    scene.dot(m.n, "omega", 6);
-    scene.words("ω", sum(scene.at(m.n), [18, -10]), "omega");
+    scene.arrow(origin, times(1.3, m.n), "omega", "ω");
   }],
   numbers: m => [m.moment, m.energy, norm(m.L), norm(m.torque), ...m.moments],
 });

@@ -29,12 +29,7 @@ live("moving_point", {
     const entries = I => [I[0][0], I[1][1], I[2][2], I[2][1]];
     return { end, about, curves: over_time(steps(0, 1, 60), part => entries(about(times(part, end)))) };
   },
-  handle: m => from_center(m.end),
-  drag(pixels, scene, values, m) {
-    const depth = dot(from_center(m.end), scene.towards);
-    const [x, y, z] = sum(center, times(2, sum(scene.point_at(pixels), times(depth, scene.towards))));
-    return { x, y, z };
-  },
+  handle: ({ x, y, z }) => from_center([x, y, z]),
   draw: [(scene, m, time) => {
     const P = times(time / 6, m.end), at = from_center(P), { moments, axes } = principal(m.about(P));
     scene.box(origin, edges.map((edge, i) => times(edge / 4, identity[i])), ["grey", "grey", "grey"], 0.15);

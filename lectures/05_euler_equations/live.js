@@ -8,9 +8,8 @@ live("wheel", {
     const moment = wheel_mass * 0.3 ** 2, torque = wheel_mass * 9.81 * arm, L = moment * spin;
     return { arm, spin, L, torque, rate: torque / L };
   },
-  // The hub.
-  handle: (m, time) => sum([0, 0, 0.1], times(m.arm, [Math.cos(m.rate * time), Math.sin(m.rate * time), 0])),
-  drag: (pixels, scene) => ({ arm: norm(scene.point_at(pixels).slice(0, 2)) }),
+  // The hub at the start.
+  handle: ({ arm }) => [arm, 0, 0.1],
   draw: [(scene, m, time) => {
     const turn = m.rate * time, axle = [Math.cos(turn), Math.sin(turn), 0], side = [-axle[1], axle[0], 0];
     const top = [0, 0, 0.1], on = part => sum(top, times(part, axle)), hub = on(m.arm), roll = 0.3 * m.spin * time;
@@ -26,7 +25,7 @@ live("wheel", {
     if (scene.released) {
       scene.arrow(hub, tip, "L", "L");
       scene.arrow(tip, sum(tip, times(0.18, side)), "green", "dL", { width: 2.2 });
-      scene.line(arc(top, times(m.arm + 0.1, x_axis), times(m.arm + 0.1, y_axis), 0, turn), "grey", 1.5, { dash: [4, 4] });
+      scene.trail(arc(top, times(m.arm + 0.1, x_axis), times(m.arm + 0.1, y_axis), 0, turn), 73, "grey", 1.5, { dash: [4, 4] });
     }
     const expected = [-1, undefined, 1][scene.expected], long = m.arm + 0.1;
     if (expected) scene.expect(arc(top, times(long, x_axis), times(expected * long, z_axis), 0, 1.3));
@@ -51,15 +50,18 @@ live("integrators", {
     const exact = motion(I, start, undefined, seconds, 400, yours.free_rotation), [T, L2] = constants(I, start);
     const drift = omega => constants(I, omega).map((now, i) => Math.log10(Math.max(Math.abs(now / [T, L2][i] - 1), 1e-17)));
     const moments = steps(0, h * count, count);
-    return { I, h, computed, exact, size: 1 / Math.sqrt(2 * T), axes: I.map(moment => 1 / Math.sqrt(moment)), seconds,
+    const size = 1 / Math.sqrt(2 * T), drawn = omega => times(size, omega);
+    return { I, h, computed, exact, size, path: computed.map(drawn), true_path: exact.map(({ omega }) => drawn(omega)), axes: I.map(moment => 1 / Math.sqrt(moment)), seconds,
       drifts: over_time(moments, (_, k) => drift(computed[k])),
       curves: [...over_time(exact, ({ omega }) => omega), ...over_time(moments, (_, k) => computed[k])] };
   },
+  // The start of ω.
+  handle: ({ w1, w2, w3 }) => on_ellipsoid([1, 2, 3], [w1, w2, w3]),
   draw: [(scene, m, time) => {
     const k = Math.floor(time / m.h);
     scene.ellipsoid(origin, diagonal(...m.axes), "sky");
-    if (scene.released) scene.line(m.exact.map(({ omega }) => times(m.size, omega)), "ink", 1.5);
-    scene.line(m.computed.slice(Math.max(0, k - 400), k + 1).map(omega => times(m.size, omega)), "vermilion", 2.2);
+    if (scene.released) scene.line(m.true_path, "ink", 1.5);
+    scene.trail(m.path, k + 1, "vermilion", 2.2);
     scene.arrow(origin, times(m.size, m.computed[k]), "omega", "ω");
     scene.arrows(axis_arrows(identity, m.axes));
   }, m => ({ curves: m.drifts }), m => ({ curves: m.curves })],

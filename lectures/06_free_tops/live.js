@@ -28,31 +28,25 @@ function prepare_free_body(values) {
     const curve = polhode_of(I, from, 80);
     return [curve, curve.map(omega => times(-1, omega))];
   }));
+  // On the ellipsoid of energy stands ω, on the sphere L.
+  const size = 1 / Math.max(...axes), place = values.surface ? omega => unit(momentum(omega)) : omega => times(size, omega);
+  const polhode = polhode_of(I, omega0);
   // Half edges of a uniform box with these moments.
   const [a, b, c] = I, edges = [b + c - a, c + a - b, a + b - c].map(square => Math.sqrt(Math.max(square, 0.003)));
-  return { I, omega0, samples, edges: times(0.85 / norm(edges), edges), T, L2, L, period, seconds, herpolhode, axes, others, momentum,
-    space_cone: herpolhode.slice(0, full < 0 ? undefined : full + 2), polhode: polhode_of(I, omega0),
-    size: 1 / Math.max(...axes), curves: over_time(samples, ({ omega }) => omega),
+  return { I, omega0, samples, edges: times(0.85 / norm(edges), edges), T, L2, L, period, seconds, herpolhode, axes, momentum, place, size,
+    polhode, on_surface: polhode.map(place), others: others.flatMap(curve => [...curve.map(place), null]),
+    space_cone: herpolhode.slice(0, full < 0 ? undefined : full + 2), curves: over_time(samples, ({ omega }) => omega),
     at: time => moved_on(I, samples, time, yours.free_rotation, yours.free_attitude) };
 }
 
 function draw_in_body(scene, m, time, { surface = 0 }) {
   const { omega } = m.at(time);
-  // On the ellipsoid of energy stands ω, on the sphere L.
-  const place = surface === 0 ? w => times(m.size, w) : w => unit(m.momentum(w));
   scene.ellipsoid(origin, surface === 0 ? diagonal(...times(m.size, m.axes)) : identity, "sky");
-  for (const curve of m.others) scene.line(curve.map(place), "grey", 1.2);
-  if (scene.released) scene.line(m.polhode.map(place), surface === 0 ? "omega" : "L", 3.5);
+  scene.line(m.others, "grey", 1.2);
+  if (scene.released) scene.line(m.on_surface, surface === 0 ? "omega" : "L", 3.5);
   scene.arrows(axis_arrows(identity, surface === 0 ? times(m.size, m.axes) : [1, 1, 1]));
   scene.arrow(origin, times(surface === 0 ? 1.25 : 1.02, unit(m.momentum(omega))), "L", "L");
-  if (surface === 0) scene.arrow(origin, place(omega), "omega", "ω", { beside: true });
-}
-
-/** A cone over a curve, with some of its lines, which show how it turns. */
-function draw_cone(scene, apex, curve, color) {
-  scene.fan(apex, curve, color, 0.6);
-  curve.filter((_, k) => k % 16 === 0).forEach(point => scene.line([apex, point], color, 1));
-  scene.line(curve, color, 2);
+  if (surface === 0) scene.arrow(origin, m.place(omega), "omega", "ω", { beside: true });
 }
 
 function draw_in_space(scene, m, time, { picture }) {
@@ -67,17 +61,21 @@ function draw_in_space(scene, m, time, { picture }) {
       scene.round("rod", times(from, A[i]), times(to, A[i]), radius, axis_colors[i]);
     scene.arrows(axis_arrows(A, m.edges));
     // Where the tip of e₂ has been, as far as two seconds ago.
-    const tips = m.samples.filter(sample => sample.time > time - 2 && sample.time <= time);
-    scene.line(tips.map(({ A }) => times(m.edges[1] + 0.3, A[1])), "e2", 2.5);
+    const tips = m.samples.filter(sample => sample.time > time - 2 && sample.time <= time).map(({ A }) => times(m.edges[1] + 0.3, A[1]));
+    scene.trail(tips, tips.length, "e2", 2.5);
   } else if (picture === 1) {
-    draw_cone(scene, center, m.space_cone.map(drawn), "grey");
-    draw_cone(scene, center, m.polhode.map(in_body), "blue");
+    // Some of the lines of each cone show how it turns.
+    for (const [curve, color] of [[m.space_cone.map(drawn), "grey"], [m.polhode.map(in_body), "blue"]]) {
+      scene.fan(center, curve, color, 0.6);
+      scene.line(curve.flatMap((point, k) => k % 16 ? [] : [center, point, null]), color, 1);
+      scene.line(curve, color, 2);
+    }
     scene.arrow(center, sum(center, times(1.6, A[2])), "e3", "e₃");
   } else {
     scene.rolling_ellipsoid(origin, A.map((axis, i) => times(size * m.axes[i], axis)));
-    scene.line(m.polhode.map(in_body), "blue", 2.5);
+    scene.line(m.polhode, "blue", 2.5, { axes: A.map(axis => times(size, axis)) });
     scene.face(arc([0, 0, size * 2 * m.T / m.L], times(1.15, x_axis), times(1.15, y_axis)), "grey", 0.15, 1);
-    scene.line(until(time / m.seconds, m.herpolhode).map(drawn), "omega", 2.5);
+    scene.trail(m.herpolhode, 1 + Math.floor(480 * time / m.seconds), "omega", 2.5, { axes: diagonal(size, size, size) });
     scene.dot(drawn(omega), "ink");
   }
   scene.arrow(center, sum(center, [0, 0, picture === 1 ? 1.7 : 1.25]), "L", "L");
@@ -98,13 +96,9 @@ const free_body = {
     values[changed] = Math.min(Math.max(values[changed], Math.abs(a - b)), a + b);
   },
   prepare: prepare_free_body,
-  // The start of ω, on its ellipsoid or as the direction of L; T stays.
-  handle: (m, time, { surface }) => surface === 0 ? times(m.size, m.omega0) : unit(m.momentum(m.omega0)),
-  drag(pixels, scene, { surface }, m) {
-    const point = scene.point_at(pixels, 1), n = surface === 0 ? point : point.map((part, i) => part / m.I[i]);
-    const [w1, w2, w3] = times(Math.sqrt(2 * m.T / dot(n, m.momentum(n))), n.map(Math.abs));
-    return { w1, w2, w3 };
-  },
+  // The start of ω, on its ellipsoid or as the direction of L.
+  handle: ({ surface, I1, I2, I3, w1, w2, w3 }) =>
+    surface === 0 ? on_ellipsoid([I1, I2, I3], [w1, w2, w3]) : unit([I1 * w1, I2 * w2, I3 * w3]),
   draw: [draw_in_body, draw_in_space, ({ curves }) => ({ curves })],
   numbers: (m, time) => [...m.at(time).omega, m.T, m.L2, m.period],
 };
@@ -113,11 +107,11 @@ live("rolling_cones", free_body);
 
 // ---- The T-handle: a bar along e₁, with a stem along e₂ at its middle.
 
+const handle_values = ({ spin, error }) =>
+  ({ surface: 0, I1: 1, I2: 2.2, I3: 2.9, w1: 0, w2: spin * Math.cos(error * degree), w3: spin * Math.sin(error * degree) });
 live("t_handle", {
-  prepare: ({ spin, error }) => prepare_free_body({ I1: 1, I2: 2.2, I3: 2.9, w1: 0, w2: spin * Math.cos(error * degree),
-    w3: spin * Math.sin(error * degree) }),
-  handle: m => times(m.size, m.omega0),
-  drag: (pixels, scene) => ({ error: angle_between(y_axis, scene.point_at(pixels, 1)) / degree }),
+  prepare: values => prepare_free_body(handle_values(values)),
+  handle: values => free_body.handle(handle_values(values)),
   draw: [(scene, m, time) => draw_in_space(scene, m, time, { picture: 3 }), draw_in_body, ({ curves }) => ({ curves })],
   numbers: (m, time) => [...m.at(time).omega, m.period / 2, m.period / 2 * m.L / m.I[1] / 2 / Math.PI],
 });
@@ -132,8 +126,8 @@ live("plate", {
     return { theta, ratio, wobble, round, spin, seconds: 4 * 2 * Math.PI / round,
       at: time => attitude([wobble * time, theta, (round - wobble) * time]) };
   },
-  handle: (m, time) => times(0.95, m.at(time)[2]),
-  drag: (pixels, scene) => ({ tilt: inclination(scene.point_at(pixels, 0.95)) / degree }),
+  // The axis at the start.
+  handle: ({ tilt }) => times(0.95, [Math.sin(tilt * degree), 0, Math.cos(tilt * degree)]),
   draw: [(scene, m, time) => {
     const A = m.at(time), [c, s] = [Math.cos(m.theta), Math.sin(m.theta)], thick = 0.05 + 0.6 * (2 - m.ratio);
     scene.floor(-0.9, 1.2);
@@ -151,9 +145,10 @@ live("plate", {
 
 // ---- A satellite with antennas that bend.
 
+const start_of_L = ({ angle }) => [Math.cos(angle * degree), 0.6 * Math.sin(angle * degree), 0.8 * Math.sin(angle * degree)];
 live("friction", {
   prepare({ I1, kappa, angle }) {
-    const I = [I1, 2, 2.4], L0 = times(3, [Math.cos(angle * degree), 0.6 * Math.sin(angle * degree), 0.8 * Math.sin(angle * degree)]);
+    const I = [I1, 2, 2.4], L0 = times(3, start_of_L({ angle }));
     const omega_of = L => L.map((part, i) => part / I[i]), energy = L => dot(L, omega_of(L)) / 2;
     // L on the axes of the body, and with it two axes of space, which turn backwards there.
     const step = runge_kutta(([L, ...axes]) => {
@@ -161,16 +156,15 @@ live("friction", {
       return [sum(across, times(kappa / norm(L), cross(L, across))), ...axes.map(axis => cross(axis, omega))];
     }, 0.025);
     const samples = history(state => step(step(state)), [L0, ...transposed(upright(L0)).slice(0, 2)], 1200);
-    return { samples, energies: samples.map(([L]) => energy(L)), landscape: on_ball(energy) };
+    return { samples, momenta: samples.map(([L]) => unit(L)), energies: samples.map(([L]) => energy(L)), landscape: on_ball(energy) };
   },
-  handle: m => unit(m.samples[0][0]),  // L at the start
-  drag: (pixels, scene) => ({ angle: angle_between(x_axis, scene.point_at(pixels, 1)) / degree }),
+  handle: values => start_of_L(values),
   draw: [(scene, m, time) => {
-    const momenta = m.samples.slice(0, 1 + Math.round(20 * time)).map(([L]) => unit(L));
+    const k = Math.round(20 * time);
     scene.painted_ball(m.landscape, "sky");
     scene.arrows(axis_arrows(identity, [1, 1, 1]));
-    scene.line(momenta, "L", 2.5);
-    scene.arrow(origin, times(1.05, momenta.at(-1)), "L", "L");
+    scene.trail(m.momenta, k + 1, "L", 2.5);
+    scene.arrow(origin, times(1.05, m.momenta[k]), "L", "L");
     if (scene.expected === 1) scene.expect([origin, times(1.3, x_axis)]);
   }, (scene, m, time) => {
     const [L, , y] = m.samples[Math.round(20 * time)], A = transposed([unit(cross(y, L)), y, unit(L)]);

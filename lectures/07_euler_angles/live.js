@@ -1,6 +1,5 @@
 // Three turns in three conventions, and a passage near the vertical.
 
-const rotated = (E, omega, time) => yours.rotated_basis?.(E, omega, time) ?? product(rotation(times(time, omega)), E);
 const angles_at = A => yours.euler_angles?.(transposed(A)) ?? angles_of(A);
 
 // The axes of the body about which each convention turns it, one after the other.
@@ -8,22 +7,22 @@ const conventions = [[2, 1, 2], [2, 0, 2], [2, 1, 0]];
 const turn_names = [["φ", "θ", "ψ"], ["φ", "θ", "ψ"], ["yaw", "pitch", "roll"]];
 const turn_colors = ["phi", "theta", "psi"];
 
-function draw_axes(scene, E, names = axis_names) {
-  E.forEach((axis, i) => scene.arrow(origin, axis, axis_colors[i], names[i]));
-}
+/** Before, between and after the turns. */
+const attitudes_of = ({ convention, phi, theta, psi }) => conventions[convention].reduce((before, axis, k) =>
+  [...before, rotated(before[k], times([phi, theta, psi][k] * degree, before[k][axis]), 1)], [identity]);
 
 live("three_turns", {
   prepare({ convention, phi, theta, psi }) {
     const angles = times(degree, [phi, theta, psi]), axes = conventions[convention];
-    // Before, between and after the turns.
-    const attitudes = [identity];
-    axes.forEach((axis, k) => attitudes.push(rotated(attitudes[k], times(angles[k], attitudes[k][axis]), 1)));
+    const attitudes = attitudes_of({ convention, phi, theta, psi });
     return { angles, axes, attitudes, names: turn_names[convention], ours: angles_at(attitudes[3]) };
   },
+  // e₃ in the end.
+  handle: values => times(1.1, attitudes_of(values)[3][2]),
   draw: [(scene, m, time) => {
     const turn = Math.min(2, Math.floor(time)), part = time - turn;
     const E = rotated(m.attitudes[turn], times(m.angles[turn], m.attitudes[turn][m.axes[turn]]), part);
-    draw_axes(scene, identity.map(axis => times(0.6, axis)), ["", "", ""]);
+    scene.arrows(axis_arrows(identity, origin, 0.6).map(([from, to, color]) => [from, to, color]));
     for (let k = 0; k <= turn; ++k) {
       const kept = m.axes[k], [u, v] = [1, 2].map(i => m.attitudes[k][(kept + i) % 3]);
       scene.face(arc(origin, u, v), turn_colors[k], 0.12, 1);
@@ -33,7 +32,7 @@ live("three_turns", {
       if (Math.abs(angle) > 0.2) scene.text(times(1.25, swept[36]), m.names[k], turn_colors[k]);
     }
     scene.box(origin, E.map((axis, i) => times([0.34, 0.22, 0.08][i], axis)), axis_colors);
-    draw_axes(scene, E.map(axis => times(1.1, axis)));
+    scene.arrows(axis_arrows(E, origin, 1.1));
   }],
   numbers: m => [...m.ours, ...m.attitudes[3][2]],
 });
@@ -52,6 +51,8 @@ live("gimbal_passage", {
     const moments = steps(0, Math.PI, 240), curves = over_time(moments, time => at(time).rates);
     return { at, curves, seconds: Math.PI, most: 1.1 * Math.max(...curves.flat().map(([, rate]) => Math.abs(rate))) };
   },
+  // Where the axis passes the vertical.
+  handle: ({ distance }) => times(1.1, [0, -Math.sin(distance * degree), Math.cos(distance * degree)]),
   draw: [(scene, m, time) => {
     const { A, angles: [phi] } = m.at(time), nodes = [-Math.sin(phi), Math.cos(phi), 0];
     const across = [Math.cos(phi), Math.sin(phi), 0];

@@ -22,16 +22,16 @@ live("angles_and_momenta", {
       ? history(runge_kutta(([q, v]) => [v, own(I, q, v)], seconds / 2400), [angles, rates_of(angles, omega0, A0)], 2400)
         .filter((_, k) => k % 8 === 0).map(([q, v]) => state_of(I, q, v))
       : motion(I, omega0, A0, seconds, 300).map(({ omega, A }) => state_of(I, angles_of(A), rates_of(angles_of(A), omega, A)));
-    return { samples, curves: over_time(moments, (_, k) => samples[k].momenta) };
+    return { samples, tips: samples.map(({ tip }) => tip), curves: over_time(moments, (_, k) => samples[k].momenta) };
   },
-  handle: m => m.samples[0].tip,
-  drag: (pixels, scene) => ({ theta: inclination(scene.point_at(pixels, 1)) / degree }),
+  // e₃ at the start.
+  handle: ({ theta }) => [Math.sin(theta * degree), 0, Math.cos(theta * degree)],
   draw: [(scene, m, time) => {
     const k = Math.round(25 * time), { A } = m.samples[k];
     scene.floor(-1.15, 1.3);
     scene.ellipsoid(origin, identity, "sky", 0.25);
     for (const latitude of [0, 30, 60]) scene.line(parallel(latitude * degree), "grey", 1.2);
-    scene.line(m.samples.slice(0, k + 1).map(({ tip }) => tip), "e3", 3);
+    scene.trail(m.tips, k + 1, "e3", 3);
     scene.box(origin, A.map((axis, i) => times([0.34, 0.22, 0.1][i], axis)), axis_colors);
     scene.arrow(origin, A[2], "e3", "e₃");
     scene.arrow(origin, [0, 0, 1.25], "L", "L");

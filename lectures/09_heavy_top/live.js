@@ -48,11 +48,10 @@ live("heavy_top", {
     const top = [I1, I3, mgl, tilt, rates];
     const nutation = isNaN(seen[0]) ? seen : [...yours.nutation_limits?.(...top) ?? seen.slice(0, 2),
       yours.nutation_period?.(...top) ?? seen[2], yours.precession_per_nutation?.(...top) ?? seen[3]];
-    return { samples, well, energy: 1000 * potential(tilt), nutation, slow: precession[0] ?? NaN };
+    return { samples, tips: samples.map(([, , axis]) => on_sphere(axis)), well, energy: 1000 * potential(tilt), nutation, slow: precession[0] ?? NaN };
   },
   // The axis at the start.
-  handle: m => on_sphere(m.samples[0][2]),
-  drag: (pixels, scene) => ({ theta: inclination(minus(scene.point_at(pixels), foot)) / degree }),
+  handle: ({ theta }) => on_sphere([Math.sin(theta * degree), 0, Math.cos(theta * degree)]),
   draw: [(scene, m, time) => {
     const k = Math.round(250 * time), [x, , axis] = m.samples[k], on_axis = part => sum(foot, times(part, axis));
     scene.floor(-0.5, 1.2);
@@ -67,7 +66,7 @@ live("heavy_top", {
     scene.expect([steps(Math.acos(up), Math.PI / 2, 24).map(fallen),
       arc(on_sphere([0, 0, up]), times(1.35 * level, x_axis), times(1.35 * level, y_axis))][scene.expected]);
     scene.ellipsoid(foot, identity.map(axis => times(1.34, axis)), "grey", 0.07);
-    scene.line(m.samples.slice(0, k + 1).map(sample => on_sphere(sample[2])), "e3", 3);
+    scene.trail(m.tips, k + 1, "e3", 3);
     scene.arrow(on_axis(0.9), on_axis(1.35), "e3", "e₃");
   }, (m, time) => {
     const theta = inclination(m.samples[Math.round(250 * time)][2]) / degree;

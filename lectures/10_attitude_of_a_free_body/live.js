@@ -21,18 +21,20 @@ live("herpolhode", {
     // L looks down: what goes round it to the right goes round the vertical to the left.
     const gone = -turns_of(in_period.map(({ A }) => A[2])).reduce((total, turn) => total + turn);
     const axes = crate.map(moment => Math.sqrt(2 * T / moment));
-    return { height: -contacts[0][2], period, seconds, samples, contacts, axes, size: 1 / Math.max(...axes), widest: Math.max(...distances),
+    return { height: -contacts[0][2], period, seconds, samples, contacts, polhode: in_period.map(({ omega }) => omega), axes, size: 1 / Math.max(...axes), widest: Math.max(...distances),
       radii: is_far ? yours.herpolhode_radii?.(crate, omega0) ?? [Math.min(...distances), Math.max(...distances)] : [],
       turn: is_far ? yours.turn_per_period?.(crate, omega0) ?? gone : NaN,
       angle: is_far ? yours.geometric_phase?.(crate, omega0) ?? Math.abs(enclosed) : NaN };
   },
+  // The point of contact at the start.
+  handle: ({ w1, w2, w3 }) => sum(turned(upright([-crate[0] * w1, -crate[1] * w2, -crate[2] * w3]), on_ellipsoid(crate, [w1, w2, w3])), [0, 0, 0.3]),
   draw: [(scene, m, time) => {
     const k = Math.floor(3 * once * time / m.seconds), { A } = m.samples[k], drawn = p => sum(times(m.size, p), [0, 0, 0.3]);
     const foot = drawn([0, 0, -m.height]);
     scene.floor(foot[2], 1.25);
-    scene.line(m.contacts.slice(0, k + 1).map(drawn), "omega", 2.5);
+    scene.trail(m.contacts, k + 1, "omega", 2.5, { axes: diagonal(m.size, m.size, m.size), center: drawn(origin) });
     scene.rolling_ellipsoid(drawn(origin), A.map((axis, i) => times(m.size * m.axes[i], axis)));
-    scene.line(m.samples.slice(0, 1 + once).map(({ omega }) => drawn(turned(A, omega))), "blue", 3);
+    scene.line(m.polhode, "blue", 3, { axes: A.map(axis => times(m.size, axis)), center: drawn(origin) });
     scene.arrow(drawn(origin), sum(foot, [0, 0, -0.25]), "L", "L");
     scene.arrow(drawn(origin), drawn(m.contacts[k]), "omega", "ω", { beside: true });
     scene.dot(drawn(m.contacts[k]), "ink");
@@ -41,7 +43,7 @@ live("herpolhode", {
     if (scene.expected === 0) scene.expect([drawn(m.contacts[0])], "P expected");
     for (const radius of scene.released ? times(1 / m.widest, m.radii) : [])
       scene.line(arc(origin, times(radius, x_axis), times(radius, y_axis)), "grey", 1.2, { dash: [5, 5] });
-    scene.line(m.contacts.slice(0, k + 1).map(drawn), "vermilion", 2.2);
+    scene.trail(m.contacts, k + 1, "vermilion", 2.2, { axes: diagonal(1 / m.widest, 1 / m.widest, 0) });
     for (let turns = 0; once * turns <= k; ++turns) {
       const place = drawn(m.contacts[once * turns]);
       scene.line([origin, place], "grey", 1.2);

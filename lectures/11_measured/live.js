@@ -6,39 +6,15 @@ const racket_throws = [6, 3].map(number => {
   return { step: (rows.at(-1)[1] - rows[0][1]) / (rows.length - 1), samples: rows.map(row => row.slice(2)) };
 });
 
-const square = vectors => vectors.reduce((total, vector) => total + dot(vector, vector), 0);
-
-/** Fits starts of a motion, which gives ω at all samples, by Gauss and Newton with Marquardt's damping. */
-function fitted(motion_from, samples) {
-  const deviations = from => motion_from(from).map((omega, k) => minus(omega, samples[k]));
-  let start = samples[0], left = deviations(start), damping = 1e-3;
-  for (let round = 0; round < 25 && damping < 1e6; ++round) {
-    const h = 1e-5, slopes = identity.map(axis =>
-      deviations(sum(start, times(h, axis))).map((moved, k) => times(1 / h, minus(moved, left[k]))));
-    const together = (a, b) => a.reduce((total, vector, k) => total + dot(vector, b[k]), 0);
-    const [u, v, w] = slopes.map((a, i) => slopes.map((b, j) => together(a, b) * (i === j ? 1 + damping : 1)));
-    const right = slopes.map(slope => together(slope, left)), determinant = dot(u, cross(v, w));
-    const change = times(-1 / determinant, sum(times(right[0], cross(v, w)), times(right[1], cross(w, u)), times(right[2], cross(u, v))));
-    const then = deviations(sum(start, change));
-    if (square(then) < square(left)) {
-      start = sum(start, change);
-      left = then;
-      damping /= 10;
-      if (norm(change) < 1e-4) break;
-    } else damping *= 10;
-  }
-  return { start, left };
-}
-
 live("replayed_throw", {
   prepare({ which, Iy, Iz, gamma }) {
     const { step, samples } = racket_throws[which], I = [1, Iy, Iz];
     const moved = runge_kutta(now => minus(free_rate(I)(now), times(gamma, now)), step / 2);
     const motion_from = from => history(now => moved(moved(now)), from, samples.length - 1);
-    const { start, left } = fitted(motion_from, samples);
+    const { start, left } = fitted(from => motion_from(from).flatMap((omega, k) => minus(omega, samples[k])), samples[0]);
     const computed = motion_from(start).map((now, k) => yours.damped_rotation?.(I, start, gamma, k * step) ?? now);
     const momenta = samples.map(now => scaled(I, now)), over_L = now => times(1 / norm(scaled(I, now)), now);
-    const size_of = now => dot(now, scaled(I, now)) / square([scaled(I, now)]);
+    const size_of = now => dot(now, scaled(I, now)) / norm(scaled(I, now)) ** 2;
     const mean = samples.reduce((total, now) => total + size_of(now), 0) / samples.length;
     const axes = I.map(moment => Math.sqrt(mean / moment)), attitudes = [upright(momenta[0])];
     for (let k = 1; k < samples.length; ++k) {
@@ -48,8 +24,10 @@ live("replayed_throw", {
     }
     const curves = [samples, computed].flatMap(rows => over_time(steps(0, step * (samples.length - 1), samples.length - 1), (_, k) => rows[k]));
     return { step, samples, curves, momenta, attitudes, axes, size: 1 / Math.max(...axes), seconds: step * (samples.length - 1),
-      measured_points: samples.map(over_L), curve: computed.map(over_L), left_over: Math.sqrt(square(left) / (3 * left.length)) };
+      measured_points: samples.map(over_L), curve: computed.map(over_L), left_over: norm(left) / Math.sqrt(left.length) };
   },
+  // The tip of the x axis of the ellipsoid.
+  handle: ({ Iy }) => [Math.sqrt(Iy), 0, 0],
   draw: [(scene, m, time) => {
     const k = Math.floor(time / m.step + 1e-6), place = p => times(m.size, p);
     scene.ellipsoid(origin, diagonal(...times(m.size, m.axes)), "sky");

@@ -45,57 +45,76 @@ function live(name, definition) {
   const said = { ...texts[texts[name].like], ...texts[name] };
   const controls = said.controls.map(([name, label, from, to, step, value, unit = ""]) =>
     Array.isArray(from) ? { name, label, options: from, value: 0 } : { name, label, from, to, step, value, unit });
-  const { handle, drag, draw, numbers: numbers_at, ...computed } = definition;
-  // What a view lets one drag has a radius there, where it is on a ball.
-  const views = Object.entries(said.views).map(([title, view], i) => ({ title, ...view, draw: draw[i],
-    ...view.handle && { handle: (...now) => handle(...now, view.handle), drag: (...now) => drag(...now, view.handle) } }));
+  const { draw, numbers: numbers_at, ...computed } = definition;
+  const views = Object.entries(said.views).map(([title, view], i) => ({ title, ...view, draw: draw[i] }));
   definitions[name] = { ...computed, ...said, controls, views, numbers_at };
 }
 const texts = {};
 
 class LiveFigure {
-  part(name) { return this.place.querySelector("." + name); }
-
   constructor(place, definition) {
-    Object.assign(this, { place, definition, time: 0, speed: 1, playing: false, in_sight: true, frames: 0, used: new Set() });
+    Object.assign(this, { place, definition, time: 0, playing: false, in_sight: true, frames: 0, used: new Set() });
     this.first = Object.fromEntries(definition.controls.map(control => [control.name, control.value]));
     Object.assign(this.first, Object.values(definition.starts ?? {})[0]);
     this.values = { ...this.first };
     place.innerHTML = form;
+    for (const part of place.querySelectorAll("[data-part]")) this[part.dataset.part] = part;
     this.make_views();
     this.make_question();
     this.make_settings();
     this.play(false);
     const [, name, state] = decodeURIComponent(location.hash).match(/^#live=(\w+)&(.*)/) ?? [];
-    const { t, ...given } = name === place.dataset.figure ? Object.fromEntries(new URLSearchParams(state)) : {};
+    const { t, speed, again, view, ...given } = name === place.dataset.figure ? Object.fromEntries(new URLSearchParams(state)) : {};
     this.set(Object.fromEntries(Object.entries(given).filter(([, value]) => isFinite(value)).map(([name, value]) => [name, +value])));
     if (t > 0) this.move_to(+t);
-    this.turn_visible();
+    view?.split(",").forEach((angle, i) => Object.assign(this.scenes[i >> 1]?.scene ?? {}, { [["azimuth", "height"][i % 2]]: +angle || 0 }));
+    this.run(speed ?? 1, again > 0);
+    // It stands in the place of the still picture and its texts, and rests while it is out of sight.
+    place.closest("figure").classList.add("is-live");
+    new IntersectionObserver(entries => {
+      this.in_sight = entries.at(-1).isIntersecting;
+      this.last = undefined;
+      this.next_frame();
+    }).observe(place);
+    new ResizeObserver(() => this.draw(this.rested)).observe(place);
+    new MutationObserver(() => (colors = {}, this.draw(this.rested))).observe(document.documentElement, { attributeFilter: ["class"] });
+    this.draw();
   }
 
   /** The page with this figure as it is, to be sent. */
   address() {
-    const state = new URLSearchParams({ ...this.values, t: this.time.toFixed(2) });
+    const view = this.scenes.flatMap(({ scene }) => [scene.azimuth, scene.height]).map(angle => angle.toFixed(2));
+    const state = new URLSearchParams({ ...this.values, t: this.time.toFixed(2), speed: this.speed, again: +this.again, view });
     return `${location.href.split("#")[0]}#live=${this.place.dataset.figure}&${state}`;
   }
 
   make_views() {
     this.scenes = this.definition.views.map(view => {
-      const { title, towards, aspect, drag } = view, canvas = element("canvas", { tabIndex: 0, role: "img" });
-      canvas.ariaLabel = `${title}. ${this.definition.about}${towards ? " The arrow keys turn it." : ""}`;
-      canvas.style.aspectRatio = aspect ?? 1.2;
-      const hint = towards ? drag ? "⟲ drag to turn, or the ring" : "⟲ drag to turn" : drag ? "drag the ring" : "";
-      this.part("views").append(element("div", { className: aspect > 1.5 ? "wide" : "" }, canvas,
+      const { title, towards, aspect, handle, lines, x } = view, canvas = element("canvas", { tabIndex: 0, role: "img" });
+      canvas.ariaLabel = `${title}. ${this.definition.about}${towards ? " The arrow keys turn it." : ""}` +
+        (handle ? " With Shift they move the ring." : "");
+      Object.assign(canvas.style, { aspectRatio: aspect ?? 1.2, cursor: towards ? "grab" : lines && !x ? "ew-resize" : "default" });
+      const hint = towards ? handle ? "⟲ drag to turn, or the ring" : "⟲ drag to turn" : handle ? "drag the ring" : "";
+      this.pictures.append(element("div", { className: aspect > 1.5 ? "wide" : "" }, canvas,
         element("div", { className: "names", ariaHidden: true }), text("span", title),
         ...hint ? [element("span", { className: "hint", textContent: hint })] : []));
-      const scene = new (view.lines ? Scene : Space)(canvas, view);
+      const scene = new (lines ? Scene : Space)(canvas, view);
       this.offer_turning(scene, view);
       return { view, scene };
     });
   }
 
+  /** Sets what the ring of a view shows so that it comes nearest to these pixels. */
+  reach(view, scene, pixels) {
+    const controls = this.definition.controls.filter(({ name }) => view.handle.includes(name));
+    const values_at = parts => ({ ...this.values, ...Object.fromEntries(controls.map(({ name, from, to }, i) => [name, from + parts[i] * (to - from)])) });
+    const now = [0, 1, 2].map(i => controls[i] ? (this.values[controls[i].name] - controls[i].from) / (controls[i].to - controls[i].from) : 0);
+    const { start } = fitted(parts => minus(scene.at(this.definition.handle(values_at(parts))), pixels), now);
+    this.set(values_at(start), "handle");
+  }
+
   /** With the pointer: turns the picture, moves what has a ring, or the time in a plot. With the arrow keys: turns it or
-   *  moves the time; Space plays. A finger that moves up or down scrolls the page. */
+   *  moves the time, or with Shift the ring; Space plays. A finger that moves up or down scrolls the page. */
   offer_turning(scene, view) {
     const { canvas } = scene;
     let held = null;
@@ -104,30 +123,31 @@ class LiveFigure {
       canvas.setPointerCapture(event.pointerId);
       if (held) canvas.parentElement.classList.add("touched");
     };
-    const scrub = x => {
-      const [left, right, from, to] = scene.times;
-      this.play(false);
-      this.move_to(Math.max(0, (from + (to - from) * (x - left) / (right - left)) * this.end / to));
-    };
-    // Of what lies above the picture only the ring takes a pointer.
-    canvas.nextElementSibling.onpointerdown = event => hold(event, "handle");
-    canvas.onpointerdown = event => {
-      hold(event, !scene.flat ? "view" : scene.times && scene.released ? "time" : null);
-      if (held === "time") scrub(event.offsetX);
-    };
-    canvas.onpointermove = event => {
-      canvas.style.cursor = !scene.flat ? "grab" : scene.times ? "ew-resize" : "default";
-      if (held === "time") scrub(event.offsetX);
-      if (held === "handle") this.set(view.drag([event.offsetX, event.offsetY], scene, this.values, this.model, this.time), "handle");
+    const follow = event => {
+      if (held === "handle") this.reach(view, scene, [event.offsetX, event.offsetY]);
+      if (held === "time") {
+        const [left, right, from, to] = scene.times;
+        this.play(false);
+        this.move_to(Math.max(0, (from + (to - from) * (event.offsetX - left) / (right - left)) * this.end / to));
+      }
       if (held !== "view") return;
       scene.turn(event.movementX / 120, event.movementY / 120);
       this.draw();
       this.speak();
     };
+    // Of what lies above the picture only the ring takes a pointer.
+    canvas.nextElementSibling.onpointerdown = event => hold(event, "handle");
+    canvas.onpointerdown = event => {
+      hold(event, !scene.flat ? "view" : scene.times && scene.released ? "time" : null);
+      follow(event);
+    };
+    canvas.onpointermove = follow;
     canvas.onpointerup = canvas.onpointercancel = () => held = null;
     canvas.onkeydown = event => {
       const way = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] }[event.key];
       if (event.key === " " && scene.released) this.play(!this.playing);
+      else if (way && event.shiftKey && view.handle && scene.released)
+        this.reach(view, scene, sum(scene.at(this.definition.handle(this.values)), times(100, way)));
       else if (way && !scene.flat) {
         scene.turn(...way);
         this.draw();
@@ -139,13 +159,13 @@ class LiveFigure {
 
   /** What will happen? Only an answer lets the motion begin, and shows numbers and caption. */
   make_question() {
-    const { question, choices, answer, tries } = this.definition, box = this.part("question");
+    const { question, choices, answer, tries } = this.definition, box = this.question;
     box.append(text("p", question), ...Object.entries(choices).map(([expected, why], number) => element("button", {
       onclick: () => {
         this.explanation = element("details", {}, text("summary", "What happens"), text("p", why), text("p", answer),
           element("ul", {}, ...tries.map(one => text("li", one))));
         box.replaceChildren(text("p", `You expect: ${expected}.`), this.explanation);
-        this.settings.disabled = this.part("numbers").hidden = false;
+        this.settings.disabled = this.numbers_box.hidden = false;
         this.place.closest("figure").classList.add("is-released");
         for (const { scene } of this.scenes) Object.assign(scene, { released: true, expected: number });
         this.play_button.focus();
@@ -157,24 +177,25 @@ class LiveFigure {
   }
 
   make_settings() {
-    const [play, back, on, reset, link] = this.place.querySelectorAll(".time > button"), speed = this.place.querySelector(".time select");
-    const { controls, starts } = this.definition;
-    Object.assign(this, { play_button: play, time_slider: this.place.querySelector(".time input"), clock: this.place.querySelector("output"),
-      settings: this.place.querySelector("fieldset"), list: this.place.querySelector("dl"), spoken: this.part("spoken"), own: this.part("own") });
-    play.onclick = () => this.play(!this.playing);
-    back.onclick = () => this.step(-1);
-    on.onclick = () => this.step(1);
-    reset.onclick = () => this.begin_with();
+    const { controls, starts, numbers } = this.definition;
+    this.play_button.onclick = () => this.play(!this.playing);
+    this.back_button.onclick = () => this.step(-1);
+    this.on_button.onclick = () => this.step(1);
+    this.speeds.onchange = () => this.run(this.speeds.value, this.again);
+    this.again_button.onclick = () => this.run(this.speed, !this.again);
+    this.screen_button.onclick = () => document.fullscreenElement ? document.exitFullscreen() : this.place.closest("figure").requestFullscreen();
+    this.screen_button.hidden = !document.fullscreenEnabled;
+    this.reset_button.onclick = () => this.begin_with();
+    this.list.append(...numbers.map(() => element("div", {}, element("dt"), element("dd"))));
     // A number lights the arrows and curves that its name tells.
     this.list.onpointerover = this.list.onpointerleave = ({ type, target }) => {
       for (const { scene } of this.scenes) scene.lit = type === "pointerover" && target.closest("div")?.firstChild.name || "";
       this.draw(this.rested);
     };
-    link.onclick = () => {
+    this.link_button.onclick = () => {
       history.replaceState(null, "", this.address());
       navigator.clipboard?.writeText(location.href).catch(() => {});
     };
-    speed.onchange = () => this.speed = +speed.value;
     this.time_slider.oninput = () => {
       this.play(false);
       this.move_to(+this.time_slider.value);
@@ -182,9 +203,16 @@ class LiveFigure {
     if (starts) {
       this.start_box = element("select", { onchange: () => this.begin_with(this.start_box.value) },
         ...[...Object.keys(starts), "your own"].map(title => text("option", title)));
-      this.part("settings").append(element("label", {}, text("span", "Start"), this.start_box));
+      this.sliders.append(element("label", {}, text("span", "Start"), this.start_box));
     }
-    this.part("settings").append(...controls.map(control => this.make_control(control)));
+    this.sliders.append(...controls.map(control => this.make_control(control)));
+  }
+
+  /** How fast it runs, and whether it begins anew at its end. */
+  run(speed, again) {
+    this.speeds.value = speed;
+    Object.assign(this, { speed: +this.speeds.value || 1, again });
+    this.again_button.ariaPressed = again;
   }
 
   /** A hundredth of the motion, or as many. */
@@ -221,12 +249,15 @@ class LiveFigure {
   }
 
   /** Changes values: one by its name, that of the handle, or several. After another choice the time goes on, else the
-   *  motion begins anew. What is outside the range of a control becomes its nearest value. */
+   *  motion begins anew. What is outside the range of a control becomes its nearest value, or has whole turns less. */
   set(values, changed) {
     // The prediction was for other values.
     if (Object.keys(values).length) for (const { scene } of this.scenes) scene.expected = undefined;
-    for (const { name, options, from = 0, to = options.length - 1, step = 1 } of this.definition.controls)
-      if (name in values) this.values[name] = +(from + step * Math.round((Math.max(from, Math.min(to, values[name])) - from) / step)).toFixed(6);
+    for (const { name, unit, options, from = 0, to = options.length - 1, step = 1 } of this.definition.controls) if (name in values) {
+      const turns = unit === "°" && to - from === 360 && values[name] !== to ? Math.floor((values[name] - from) / 360) : 0;
+      const nearest = Math.max(from, Math.min(to, values[name] - 360 * turns));
+      this.values[name] = +(from + step * Math.round((nearest - from) / step)).toFixed(6);
+    }
     this.definition.legal?.(this.values, changed);
     for (const control of this.definition.controls) control.show(this.values[control.name]);
     used = this.used;
@@ -247,7 +278,7 @@ class LiveFigure {
     if (playing && this.time >= this.end) this.time = 0;
     this.playing = playing;
     this.play_button.textContent = playing ? "Pause" : "Play";
-    Object.assign(this, { last: undefined, interval: 16, pixels: 1 });
+    this.last = undefined;
     if (playing) this.next_frame();
     else if (this.model) this.move_to(this.time), this.speak();
   }
@@ -257,9 +288,10 @@ class LiveFigure {
     if (this.playing && this.in_sight) this.frame = requestAnimationFrame(now => {
       const passed = now - (this.last ?? now);
       this.last = now;
-      this.adapt(passed);
+      ++this.frames;
       this.move_to(this.time + Math.min(passed, 100) / 1000 * (this.definition.pace ?? 1) * this.speed);
-      if (this.time >= this.end) {
+      if (this.time >= this.end && this.again) this.time = 0;
+      else if (this.time >= this.end) {
         this.play(false);
         this.explanation.open = true;
       }
@@ -267,24 +299,17 @@ class LiveFigure {
     });
   }
 
-  /** Fewer pixels where there are less than fifty frames in a second, until it stands still. */
-  adapt(passed) {
-    this.interval += 0.05 * (Math.min(passed, 200) - this.interval);
-    if (++this.frames % 60 || this.interval < 20) return;
-    this.pixels = Math.max(0.7 * this.pixels, 0.5 / devicePixelRatio);
-  }
-
   draw(rested = false) {
     used = this.used;
     this.rested = rested;
-    const part = rested ? lights.finest : this.pixels;
+    const part = rested ? lights.finest : lights.moving;
     // What is copied is the whole canvas of the lights: no larger than need be.
     if (part !== lights.part) Object.assign(lights, { part }).canvas.width = lights.canvas.height = 1;
     for (const { view, scene } of this.scenes) {
       scene.begin(part);
       if (view.lines) scene.plot({ x: [0, this.end], now: this.time, ...view, ...view.draw(this.model, this.time, scene) });
       else view.draw(scene, this.model, this.time, this.values);
-      if (scene.released && view.handle) scene.grip(view.handle(this.model, this.time, this.values));
+      if (scene.released && view.handle) scene.grip(this.definition.handle(this.values));
       scene.finish();
     }
     const values = this.definition.numbers_at(this.model, this.time);
@@ -294,8 +319,6 @@ class LiveFigure {
     this.time_slider.value = this.time;
     this.clock.textContent = `${this.time.toFixed(2)} s`;
     this.time_slider.setAttribute("aria-valuetext", this.clock.textContent);
-    if (this.list.childElementCount !== this.numbers.length)
-      this.list.replaceChildren(...this.numbers.map(() => element("div", {}, element("dt"), element("dd"))));
     this.numbers.forEach(([name, value], i) => {
       const [term, text] = this.list.children[i].children;
       if (term.name !== name) Object.assign(term, { name }).replaceChildren(...typeset(name));
@@ -312,19 +335,6 @@ class LiveFigure {
       const numbers = this.numbers.map(([name, value]) => `${name.replace("_", " ")} ${value}`).join(", ");
       this.spoken.textContent = `At ${this.time.toFixed(2)} seconds: ${numbers}.`;
     }, 300);
-  }
-
-  /** Shows the figure in the place of the still picture and its texts; it rests while it is out of sight. */
-  turn_visible() {
-    this.place.closest("figure").classList.add("is-live");
-    new IntersectionObserver(entries => {
-      this.in_sight = entries.at(-1).isIntersecting;
-      this.last = undefined;
-      this.next_frame();
-    }).observe(this.place);
-    new ResizeObserver(() => this.draw(this.rested)).observe(this.place);
-    new MutationObserver(() => (colors = {}, this.draw(this.rested))).observe(document.documentElement, { attributeFilter: ["class"] });
-    this.draw();
   }
 }
 

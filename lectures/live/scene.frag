@@ -3,12 +3,12 @@ precision highp float;
 in vec3 n;
 in float along;
 in vec4 color;
-uniform float width, gloss;
+uniform float width, gloss, fade;
 uniform vec2 dash;
 uniform vec3 light, mirror;
 out vec4 seen;
 void main() {
-  seen = vec4(color.rgb, 1) * color.a;
+  seen = vec4(color.rgb, 1) * color.a * (fade > 0.0 ? 0.2 + 0.8 * along / fade : 1.0);
   // Not discarded: that would make every hidden pixel be computed.
   if (dash.x > 0.0 && mod(along, dash.x + dash.y) > dash.x) seen *= 0.0;
   vec3 m = n;

@@ -32,14 +32,11 @@ const parallel = latitude =>
 const axis_arrows = (A, begin, length = 0.3) => A.map((axis, i) =>
   [times(begin[i], axis), times(begin[i] + length, axis), axis_colors[i], axis_names[i], { width: 2.2 }]);
 
-/** The points of a path that have been passed when a part of the time is over. */
-const until = (part, points) => points.slice(0, 1 + Math.floor(part * (points.length - 1) + 1e-9));
 /** From point to point, the angle by which it goes on round the vertical. */
 const turns_of = points => points.slice(1).map(([x, y], k) => {
   const [a, b] = points[k];
   return Math.atan2(a * y - b * x, a * x + b * y);
 });
-const angle_between = (a, b) => Math.atan2(norm(cross(a, b)), Math.abs(dot(a, b)));  // of lines
 const inclination = ([x, y, z]) => Math.atan2(Math.hypot(x, y), z);
 /** For a plot: the curve of each component that samples have, which are times or have one. */
 function over_time(samples, components_of) {
@@ -57,6 +54,30 @@ const moved = (state, time, rates) => state.map ? state.map((part, i) => moved(p
 /** The state at the beginning and after each of so many steps. */
 const history = (step, state, count) => Array.from({ length: count + 1 }, (_, k) => state = k ? step(state) : state);
 
+/** From a start of three numbers, those with the least squares of deviations, by Gauss and Newton with Marquardt's damping. Numbers
+ *  that change nothing stay. */
+function fitted(deviations, start) {
+  let left = deviations(start), damping = 1e-3;
+  for (let round = 0; round < 25 && damping < 1e6; ++round) {
+    const h = 1e-5, slopes = identity.map(axis => times(1 / h, minus(deviations(sum(start, times(h, axis))), left)));
+    const least = 1e-9 * slopes.reduce((total, slope) => total + dot(slope, slope), 0);
+    const [u, v, w] = slopes.map((a, i) => slopes.map((b, j) => i === j ? (1 + damping) * dot(a, a) + least : dot(a, b)));
+    const right = slopes.map(slope => dot(slope, left)), determinant = dot(u, cross(v, w));
+    const change = times(-1 / determinant, sum(times(right[0], cross(v, w)), times(right[1], cross(w, u)), times(right[2], cross(u, v))));
+    const then = deviations(sum(start, change));
+    if (dot(then, then) < dot(left, left)) {
+      start = sum(start, change);
+      left = then;
+      damping /= 10;
+      if (norm(change) < 1e-4) break;
+    } else damping *= 10;
+  }
+  return { start, left };
+}
+
+/** A basis that has rotated about ω for a time. */
+const rotated = (E, omega, time) => yours.rotated_basis?.(E, omega, time) ?? product(rotation(times(time, omega)), E);
+
 /** The rotation about a vector by its length. */
 function rotation(vector) {
   const angle = norm(vector), n = angle ? times(1 / angle, vector) : z_axis;
@@ -67,6 +88,8 @@ function rotation(vector) {
 // ---- Bodies. I is the list of the principal moments; ω is on the axes of the body, the columns of A are these axes.
 
 const scaled = (factors, vector) => vector.map((component, i) => factors[i] * component);
+/** ω on the ellipsoid of its energy, whose longest half axis is drawn as 1. */
+const on_ellipsoid = (I, omega) => times(Math.sqrt(Math.min(...I) / dot(scaled(I, omega), omega)), omega);
 /** The rate of ω where no torque acts. */
 const free_rate = I => omega => cross(scaled(I, omega), omega).map((torque, i) => torque / I[i]);
 const largest_turn = 0.05;  // rad in a step of integration: enough for the digits that figures show
@@ -130,7 +153,7 @@ function lathe(profile, count = 48) {
   profile.slice(1).forEach(([point, normal], i) => angles.slice(1).forEach((angle, k) => {
     const [before, normal_before] = profile[i];
     const corners = [[before, normal_before, angles[k]], [before, normal_before, angle], [point, normal, angle], [point, normal, angles[k]]];
-    for (const c of [0, 1, 2, 0, 2, 3]) vertices.push(...at(corners[c][0], corners[c][2]), ...at(corners[c][1], corners[c][2]));
+    for (const c of [0, 1, 2, 0, 2, 3]) vertices.push(...at(corners[c][0], corners[c][2]), ...at(corners[c][1], corners[c][2]), 0, 0);
   }));
   return new Float32Array(vertices);
 }
@@ -150,30 +173,47 @@ const meshes = {
   cone: lathe(edged([[0, -1], [1, -1], [0, 0]])),  // its tip at the origin
   ring: lathe(around(1, 0.035, 0, 2 * Math.PI, 12), 72),
   disc: lathe(edged([[1, 0], [0, 0]])),
-  square: new Float32Array([[-1, -1], [1, -1], [1, 1], [-1, -1], [1, 1], [-1, 1]].flatMap(corner => [...corner, 0, 0, 0, 1])),
 };
 
-/** What a function has on the unit ball, as parts of its range, for painted_ball(). */
+/** The unit ball, strong in colour where a function has large values, for painted_ball(). */
 function on_ball(value_of) {
-  const values = steps(0, meshes.ball.length / 6 - 1, meshes.ball.length / 6 - 1).map(k => value_of(Array.from(meshes.ball.subarray(6 * k, 6 * k + 3))));
+  const ball = meshes.ball.slice(), last = ball.length / 8 - 1;
+  const values = steps(0, last, last).map(k => value_of(Array.from(ball.subarray(8 * k, 8 * k + 3))));
   const [least, most] = [Math.min(...values), Math.max(...values)];
-  return values.map(value => (value - least) / (most - least || 1));
+  values.forEach((value, k) => ball[8 * k + 6] = (value - least) / (most - least || 1));
+  return ball;
 }
+
+const circles = identity.map((axis, i) => arc(origin, axis, identity[(i + 1) % 3]));
+
+/** Vertices of both sides of a line, made once for each list of points; a null among them is a gap, where it has no area. */
+function strip(points) {
+  if (strips.has(points)) return strips.get(points);
+  const vertices = new Float32Array(16 * points.length);
+  let along = 0;
+  points.forEach((point, i) => {
+    if (!point) return;
+    const before = points[i - 1] ?? point, way = minus(points[i + 1] ?? point, before);
+    along += norm(minus(point, before));
+    for (const [k, side] of [1, -1].entries()) vertices.set([...point, ...way, side, along], 16 * i + 8 * k);
+  });
+  points.forEach((point, i) => point ?? vertices.set([...vertices.slice(16 * i - 8, 16 * i), ...vertices.slice(16 * i + 16, 16 * i + 24)], 16 * i));
+  strips.set(points, vertices);
+  return vertices;
+}
+const strips = new WeakMap();
 
 const lights = {
   /** Makes the canvas, once; false where there is no WebGL2. */
   begin() {
     if (this.gl !== undefined) return this.gl;
-    // Without a graphics card smooth edges would take three times as long; there pictures that rest have smaller pixels.
-    const context = properties => {
-      this.canvas = document.createElement("canvas");
-      return this.canvas.getContext("webgl2", { stencil: true, ...properties });
-    };
-    const first = context({ antialias: false }), facts = first?.getExtension("WEBGL_debug_renderer_info");
-    const is_slow = /SwiftShader|llvmpipe|Software|Basic Render/i.test(facts ? first.getParameter(facts.UNMASKED_RENDERER_WEBGL) : "");
-    const gl = this.gl = is_slow || !first ? first : context({ antialias: true });
+    this.canvas = document.createElement("canvas");
+    const gl = this.gl = this.canvas.getContext("webgl2", { stencil: true, antialias: false });
     if (!gl) return false;
-    this.finest = is_slow ? 2 : 1;
+    // Edges are smooth because pixels are small; without a graphics card only those of pictures that rest.
+    const facts = gl.getExtension("WEBGL_debug_renderer_info"), renderer = facts ? gl.getParameter(facts.UNMASKED_RENDERER_WEBGL) : "";
+    this.finest = Math.max(1, 2 / devicePixelRatio);
+    this.moving = /SwiftShader|llvmpipe|Software|Basic Render/i.test(renderer) ? 1 : this.finest;
     const program = gl.createProgram();
     for (const [kind, source] of [[gl.VERTEX_SHADER, shaders.vert], [gl.FRAGMENT_SHADER, shaders.frag]]) {
       const shader = gl.createShader(kind);
@@ -183,67 +223,60 @@ const lights = {
     }
     gl.linkProgram(program);
     gl.useProgram(program);
-    this.at = Object.fromEntries(["axes", "normals", "center", "scale", "width", "gloss", "dash", "light", "mirror"]
-      .map(name => [name, gl.getUniformLocation(program, name)]));
-    this.arrays = Object.fromEntries(Object.entries(meshes).map(([name, vertices]) => [name, this.array(vertices)]));
-    this.loose = this.array(new Float32Array(6));
+    this.at = Object.fromEntries(["view", "axes", "normals", "center", "scale", "tint", "strong", "width", "gloss", "fade", "dash", "light",
+      "mirror"].map(name => [name, gl.getUniformLocation(program, name)]));
+    Object.assign(this, { kept: new WeakMap(), pictures: 0, loose: this.array(new Float32Array(8)) });
     gl.clearStencil(255);
-    gl.enable(gl.BLEND);
+    for (const kind of [gl.BLEND, gl.SCISSOR_TEST, gl.DEPTH_TEST, gl.STENCIL_TEST]) gl.enable(kind);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     return gl;
   },
-  /** Vertices for the shader: place and normal, and where there are paints, in their own colours. */
+  /** Vertices for the shader, eight numbers each. */
   array(vertices) {
-    const { gl } = this, array = { object: gl.createVertexArray(), buffer: gl.createBuffer(), paints: gl.createBuffer() };
+    const { gl } = this, array = { object: gl.createVertexArray(), buffer: gl.createBuffer() };
     gl.bindVertexArray(array.object);
-    gl.bindBuffer(gl.ARRAY_BUFFER, array.paints);
-    gl.vertexAttribPointer(2, 4, gl.FLOAT, false, 0, 0);
     gl.bindBuffer(gl.ARRAY_BUFFER, array.buffer);
     gl.bufferData(gl.ARRAY_BUFFER, vertices, gl.STATIC_DRAW);
-    for (const place of [0, 1]) {
+    for (const [place, size, from] of [[0, 3, 0], [1, 3, 12], [2, 2, 24]]) {
       gl.enableVertexAttribArray(place);
-      gl.vertexAttribPointer(place, 3, gl.FLOAT, false, 24, 12 * place);
+      gl.vertexAttribPointer(place, size, gl.FLOAT, false, 32, from);
     }
     return array;
   },
-  /** One thing; `change` maps it, as onto its shadow. */
-  draw({ layer, mesh, vertices, axes = identity, center = origin, color, paints, width = 0, dash = [0, 0], gloss = 1 }, change, shadow) {
-    const { gl, at } = this, array = this.arrays[mesh] ?? this.loose;
-    gl.bindVertexArray(array.object);
-    if (vertices) {
-      gl.bindBuffer(gl.ARRAY_BUFFER, array.buffer);
+  /** One thing; `change` maps it, as onto its shadow. Vertices that come again in another picture than the first stay in an array. */
+  draw({ layer, vertices, count, axes = identity, center = origin, tint, strong = tint, width = 0, fade = 0, dash = [0, 0], gloss = 1 }, change, shadow) {
+    const { gl, at } = this;
+    let array = this.kept.get(vertices) ?? this.pictures;
+    if (array < this.pictures) array = this.array(vertices);
+    this.kept.set(vertices, array);
+    gl.bindVertexArray(array.object ?? this.loose.object);
+    if (!array.object) {
+      gl.bindBuffer(gl.ARRAY_BUFFER, this.loose.buffer);
       gl.bufferData(gl.ARRAY_BUFFER, vertices, gl.STREAM_DRAW);
     }
-    if (paints && !shadow) {
-      gl.bindBuffer(gl.ARRAY_BUFFER, array.paints);
-      gl.bufferData(gl.ARRAY_BUFFER, paints, gl.STREAM_DRAW);
-      gl.enableVertexAttribArray(2);
-    } else gl.disableVertexAttribArray(2);
-    gl.vertexAttrib4fv(2, shadow ?? color);
+    gl.uniform4fv(at.tint, shadow ?? tint);
+    gl.uniform4fv(at.strong, shadow ?? strong);
     const [a, b, c] = axes;
-    // Of a closed body half of its faces do, those towards the reader; a shadow may be that of either half.
-    const sides = [cross(b, c), cross(c, a), cross(a, b)], is_closed = /ball|bead|head|rod|cone|ring/.test(mesh);
-    if (is_closed && layer !== "clear") gl.cullFace(dot(a, sides[0]) > 0 ? gl.BACK : gl.FRONT);
-    (is_closed || layer === "clear" && !shadow ? gl.enable : gl.disable).call(gl, gl.CULL_FACE);
-    gl.uniformMatrix3fv(at.normals, false, sides.flat());
+    (layer === "clear" && !shadow ? gl.enable : gl.disable).call(gl, gl.CULL_FACE);
+    gl.uniformMatrix3fv(at.normals, false, [cross(b, c), cross(c, a), cross(a, b)].flat());
     gl.uniformMatrix3fv(at.axes, false, (change ? axes.map(change.axis) : axes).flat());
     gl.uniform3fv(at.center, change ? change.point(center) : center);
     gl.uniform1f(at.width, width);
     gl.uniform1f(at.gloss, shadow ? 0 : gloss);
+    gl.uniform1f(at.fade, fade);
     gl.uniform2fv(at.dash, dash);
-    gl.drawArrays(width ? gl.TRIANGLE_STRIP : gl.TRIANGLES, 0, (vertices ?? meshes[mesh]).length / 6);
+    gl.drawArrays(width ? gl.TRIANGLE_STRIP : gl.TRIANGLES, 0, count ?? vertices.length / 8);
   },
-  /** All things of a picture, in coordinates to the right, up, and towards the reader. */
-  render(things, ground, light, [width, height], scale) {
+  /** All things of a picture. A view is what is to the right, up, and towards the reader; so is the light. */
+  render(things, ground, view, light, [width, height], scale) {
     const { gl, canvas } = this;
+    ++this.pictures;
     for (const [side, length] of [["width", width], ["height", height]]) if (canvas[side] < length) canvas[side] = length;
     gl.viewport(0, canvas.height - height, width, height);
     gl.scissor(0, canvas.height - height, width, height);
-    gl.enable(gl.SCISSOR_TEST);
-    gl.enable(gl.DEPTH_TEST);
-    gl.enable(gl.STENCIL_TEST);
     gl.depthMask(true);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT);
+    gl.uniformMatrix3fv(this.at.view, false, transposed(view).flat());
     gl.uniform3fv(this.at.scale, scale);
     gl.uniform3fv(this.at.light, light);
     gl.uniform3fv(this.at.mirror, unit(sum(light, z_axis)));
@@ -258,13 +291,13 @@ const lights = {
     if (ground) {
       pass([ground], gl.LEQUAL, true, [gl.ALWAYS, 1]);
       // Along the light onto the ground, once wherever that is.
-      const n = ground.axes[2], slope = dot(n, light), axis = v => minus(v, times(dot(n, v) / slope, light));
-      const change = { axis, point: p => sum(ground.center, axis(minus(p, ground.center)), times(0.004, n)) };
-      const opaque = slope > 0.1 ? [...solids, ...marks, ...clear].filter(({ color }) => color[3] > 0.3) : [];
+      const way = turned(view, light), axis = v => minus(v, times(v[2] / way[2], way));
+      const change = { axis, point: p => sum(ground.center, axis(minus(p, ground.center)), [0, 0, 0.004]) };
+      const opaque = way[2] > 0.1 ? [...solids, ...marks, ...clear].filter(({ tint }) => tint[3] > 0.3) : [];
       pass(opaque, gl.ALWAYS, false, [gl.GREATER, 2], () => [change, [0, 0, 0, 0.2]]);
     }
     pass(solids, gl.LEQUAL, true, [gl.ALWAYS, 0]);
-    if (solids.length) pass(marks, gl.GREATER, false, [gl.NOTEQUAL, 9], ({ color }) => [undefined, [...color.slice(0, 3), 0.3 * color[3]]]);
+    if (solids.length) pass(marks, gl.GREATER, false, [gl.NOTEQUAL, 9], ({ tint }) => [undefined, [...tint.slice(0, 3), 0.3 * tint[3]]]);
     pass(marks, gl.LEQUAL, true, [gl.ALWAYS, 0]);
     for (const thing of clear.sort((a, b) => a.far - b.far)) for (const side of [gl.FRONT, gl.BACK]) {
       gl.cullFace(side);
@@ -325,20 +358,9 @@ class Scene {
 
   color(name) { return colors[name] ??= getComputedStyle(this.canvas).getPropertyValue("--figure-" + name) || name; }
 
-  /** A vector to the right, up, and towards the reader. */
-  seen([x, y, z]) { return [this.right, this.up, this.towards].map(axis => x * axis[0] + y * axis[1] + z * axis[2]); }
-
   /** Pixels of a point. */
   at(point) {
     return [this.width / 2 + this.scale * dot(point, this.right), this.high / 2 - this.scale * dot(point, this.up)];
-  }
-
-  /** The point at some pixels, on the ball about the origin that has this radius and in front; 0 for a flat view. */
-  point_at([x, y], radius = 0) {
-    const [r, u] = [(x - this.width / 2) / this.scale, (this.high / 2 - y) / this.scale];
-    const far = Math.max(1, Math.hypot(r, u) / (radius || Infinity));
-    const depth = Math.sqrt(Math.max(0, radius ** 2 - (r * r + u * u) / far ** 2));
-    return sum(times(r / far, this.right), times(u / far, this.up), times(depth, this.towards));
   }
 
   /** A line on the paper, through pixels. */
@@ -439,7 +461,6 @@ class Scene {
 /** A picture in space, or of a plane from above: bodies with light and shadows, lines and arrows faint where a body hides them. */
 class Space extends Scene {
   turn(right, up) {
-    if (this.flat) return;
     this.azimuth -= right;
     this.height = Math.max(-1.5, Math.min(1.5, this.height + up));
   }
@@ -451,10 +472,10 @@ class Space extends Scene {
 
   finish() {
     // The light comes from above, from the left, and from behind the reader.
-    const light = unit([-0.35, 0.2, 0.55].map((part, i) => part + 0.9 * this.seen(z_axis)[i]));
+    const view = [this.right, this.up, this.towards], light = unit([-0.35, 0.2, 0.55].map((part, i) => part + 0.9 * view[i][2]));
     const [width, height] = [this.width, this.high].map(length => Math.max(1, Math.round(length * this.ratio)));
     const scale = [2 * this.scale / this.width, 2 * this.scale / this.high, -0.2 / this.half];
-    const picture = lights.render(this.things, this.ground, light, [width, height], scale);
+    const picture = lights.render(this.things, this.ground, view, light, [width, height], scale);
     this.context.globalCompositeOperation = "destination-over";
     this.context.drawImage(picture, 0, 0, width, height, 0, 0, this.width, this.high);
     this.context.globalCompositeOperation = "source-over";
@@ -462,22 +483,19 @@ class Space extends Scene {
   }
 
   /** A body: one of the meshes with three half axes; those that one sees through have an opacity. */
-  solid(mesh, center, axes, color, { opacity = 1, whiteness = 0.35, paints, layer = opacity < 1 ? "clear" : "solid" } = {}) {
-    this.things.push({ layer, mesh, center: this.seen(center), axes: axes.map(axis => this.seen(axis)),
-      color: this.rgb(color, opacity, whiteness), paints, far: dot(center, this.towards) });
+  solid(mesh, center, axes, color, { opacity = 1, whiteness = 0.35, layer = opacity < 1 ? "clear" : "solid", ...more } = {}) {
+    this.things.push({ layer, vertices: meshes[mesh], center, axes, tint: this.rgb(color, opacity, whiteness),
+      far: dot(center, this.towards), ...more });
   }
   ellipsoid(center, axes, color, opacity = 1) { this.solid("ball", center, axes, color, { opacity, whiteness: 0.5 }); }
   /** With circles that show how it turns. */
   rolling_ellipsoid(center, axes) {
     this.ellipsoid(center, axes, "sky");
-    axes.forEach((axis, i) => this.line(arc(center, axis, axes[(i + 1) % 3]), "grey", 1.2));
+    for (const circle of circles) this.line(circle, "grey", 1.2, { axes, center });
   }
 
-  /** The unit ball, strong in colour where the values are large. */
-  painted_ball(values, color) {
-    const [strong, weak] = [this.rgb(color), this.rgb(color, 1, 0.92)];
-    const paints = new Float32Array(values.flatMap(value => strong.map((part, i) => value * part + (1 - value) * weak[i])));
-    this.solid("ball", origin, identity, color, { paints });
+  painted_ball(vertices, color) {
+    this.solid("ball", origin, identity, color, { vertices, whiteness: 0.92, strong: this.rgb(color) });
   }
 
   /** A mesh of revolution from one point to another. */
@@ -488,61 +506,47 @@ class Space extends Scene {
 
   /** The ground below, where shadows fall: a disc at a height. */
   floor(height, radius, color = "shade") {
-    const axes = [times(radius, x_axis), times(radius, y_axis), z_axis].map(axis => this.seen(axis));
-    this.ground = { mesh: "disc", center: this.seen([0, 0, height]), axes, color: this.rgb(color), gloss: 0 };
+    this.ground = { vertices: meshes.disc, center: [0, 0, height], axes: diagonal(radius, radius, 1), tint: this.rgb(color), gloss: 0 };
   }
 
-  line(points, color, width = 2, { dash = [0, 0], opacity = 1, layer = "mark" } = {}) {
-    if (points.length < 2) return;
-    const seen = points.map(point => this.seen(point)), vertices = new Float32Array(12 * points.length);
-    let along = 0, across = [0, 1];
-    seen.forEach((point, i) => {
-      const before = seen[Math.max(i - 1, 0)], after = seen[Math.min(i + 1, seen.length - 1)];
-      const [x, y] = minus(after, before), length = Math.hypot(x, y);
-      if (length > 1e-9) across = [-y / length, x / length];
-      along += this.scale * Math.hypot(point[0] - before[0], point[1] - before[1]);
-      for (const [k, side] of [1, -1].entries()) vertices.set([...point, ...times(side, across), along], 12 * i + 6 * k);
-    });
-    this.things.push({ layer, vertices, width: (width + 0.6) / 2 / this.scale, dash, color: this.rgb(color, opacity), gloss: 0.5, far: seen[0][2] });
+  /** Through points, or the first of them, which `axes` and `center` may move. */
+  line(points, color, width = 2, { count = points.length, dash = [0, 0], opacity = 1, layer = "mark", fades = false, ...place } = {}) {
+    if (count < 2) return;
+    const vertices = strip(points);
+    this.things.push({ layer, vertices, count: 2 * count, width: (width + 0.6) / 2 / this.scale, fade: fades ? vertices[16 * count - 1] : 0,
+      dash: dash.map(length => length / this.scale), tint: this.rgb(color, opacity), gloss: 0.5, far: dot(points[0], this.towards), ...place });
   }
+  /** Where something has been, fainter the longer ago. */
+  trail(points, count, color, width, properties) { this.line(points, color, width, { ...properties, count, fades: true }); }
 
   /** Triangles with the first corner in common, as a flat face or a cone. */
-  fan(apex, curve, color, opacity = 0.2) {
-    const [a, ...points] = [apex, ...curve].map(point => this.seen(point)), vertices = [];
-    points.slice(1).forEach((point, i) => {
-      const normal = cross(minus(points[i], a), minus(point, a));
-      for (const corner of [a, points[i], point]) vertices.push(...corner, ...normal);
+  fan(apex, curve, color, opacity = 0.2, whiteness = 0) {
+    const vertices = curve.slice(1).flatMap((point, i) => {
+      const normal = cross(minus(curve[i], apex), minus(point, apex));
+      return [apex, curve[i], point].flatMap(corner => [...corner, ...normal, 0, 0]);
     });
-    const center = times(1 / points.length, sum(...points));
-    this.things.push({ layer: opacity < 1 ? "clear" : "solid", vertices: new Float32Array(vertices), color: this.rgb(color, opacity),
-      far: center[2] });
+    this.things.push({ layer: opacity < 1 ? "clear" : "solid", vertices: new Float32Array(vertices), tint: this.rgb(color, opacity, whiteness),
+      far: dot(sum(...curve), this.towards) / curve.length });
   }
 
-  face(corners, color, opacity = 0.2, edge = 0) {
-    this.fan(corners[0], corners.slice(1), color, opacity);
+  face(corners, color, opacity = 0.2, edge = 0, whiteness = 0) {
+    this.fan(corners[0], corners.slice(1), color, opacity, whiteness);
     if (edge) this.line([...corners, corners[0]], "ink", edge, { layer: opacity < 1 ? "mark" : "solid" });
   }
 
   /** `axes` are the half edges, `colors` those of the faces along each; that at the other end is paler. */
   box(center, axes, colors, opacity = 1) {
-    const [at, corner] = [axes.map(axis => this.seen(axis)), signs => sum(center, ...axes.map((axis, i) => times(signs[i], axis)))];
-    axes.forEach((axis, i) => {
-      const [u, v] = [axes[(i + 1) % 3], axes[(i + 2) % 3]];
-      for (const side of [1, -1]) this.solid("square", sum(center, times(side, axis)), [u, v, times(side, axis)], colors[i],
-        { opacity, whiteness: side > 0 ? 0.3 : 0.65 });
-      for (const [p, q] of [[1, 1], [1, -1], [-1, -1], [-1, 1]]) {
-        const signs = [0, 0, 0].map((_, k) => k === i ? 1 : k === (i + 1) % 3 ? p : q);
-        this.line([corner(signs), corner(signs.map((sign, k) => k === i ? -1 : sign))], "ink", 1.2, { layer: opacity < 1 ? "mark" : "solid" });
-      }
-    });
+    axes.forEach((axis, i) => [1, -1].forEach(side => {
+      const corners = [[1, 1], [-1, 1], [-1, -1], [1, -1]].map(([p, q]) =>
+        sum(center, times(side, axis), times(p, axes[(i + 1) % 3]), times(q, axes[(i + 2) % 3])));
+      this.face(corners, colors[i], opacity, 1.2, side > 0 ? 0.3 : 0.65);
+    }));
   }
 
   /** With a head, and a name beyond its tip or beside it. */
   arrow(from, to, color, name = "", { width = 3, beside = false } = {}) {
     if (name && this.lit.includes(name)) width *= 1.8;
-    const [a, b] = [this.at(from), this.at(to)];
-    const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
-    const along = length > 0 ? [(b[0] - a[0]) / length, (b[1] - a[1]) / length] : [0, 0];
+    const b = this.at(to), seen = minus(b, this.at(from)), length = norm(seen), along = times(1 / (length || 1), seen);
     const way = minus(to, from), size = norm(way), head = Math.min(4 * width / this.scale, size);
     if (size < 1e-6) return;
     const foot = sum(from, times(1 - head / size, way)), properties = { layer: "mark", whiteness: 0 };
@@ -555,16 +559,12 @@ class Space extends Scene {
 
   arrows(list) { for (const arrow of list) this.arrow(...arrow); }
 
-  /** What the reader expects, as far as it is in the picture; nothing if there are no points. */
+  /** What the reader expects; nothing if there are no points. */
   expect(points = [], name = "expected") {
-    const outside = points.findIndex(point => Math.max(...[this.right, this.up].map(axis => Math.abs(dot(point, axis)))) > this.half);
-    const seen = outside < 0 ? points : points.slice(0, Math.max(outside, 1));
-    if (!seen.length) return;
-    this.line(seen, "grey", 2.5, { dash: [7, 6] });
-    this.dot(seen.at(-1), "grey", 4);
-    const [from, to] = seen.slice(-2).map(point => this.at(point)), [x, y] = to ? minus(to, from) : [1, 0];
-    if (Math.abs(y) > Math.abs(x)) this.words(name, sum(to, [-9, 0]), "grey", "right");
-    else this.words(name, sum(to ?? from, [0, to ? -13 : 14]), "grey");
+    if (!points.length) return;
+    this.line(points, "grey", 2.5, { dash: [7, 6] });
+    this.dot(points.at(-1), "grey", 4);
+    this.words(name, sum(this.at(points.at(-1)), [0, -14]), "grey");
   }
 
   dot(point, color, radius = 4) {

@@ -18,9 +18,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <string_view>
+#include <tuple>
 
 using namespace workbook::site;
 using nlohmann::json;
@@ -276,13 +278,16 @@ void check_numbers(int figure, const std::string& name) {
   CHECK(compared >= 5);
 }
 
-/// Keys turn a scene and move a slider; so does the pointer.
+/// Keys turn a scene, move a slider and the ring; so does the pointer, and the ring follows it.
 void check_input(int figure) {
-  const auto key = [](const char* name, int code) {
+  constexpr int shift = 8;
+  const auto key = [](const char* name, int code, int modifiers = 0) {
     for (const char* type : {"rawKeyDown", "keyUp"})
-      browser().call("Input.dispatchKeyEvent",
-                     {{"type", type}, {"key", name}, {"code", name}, {"windowsVirtualKeyCode", code}});
+      browser().call(
+          "Input.dispatchKeyEvent",
+          {{"type", type}, {"key", name}, {"code", name}, {"windowsVirtualKeyCode", code}, {"modifiers", modifiers}});
   };
+  evaluate_in(figure, "live.begin_with()");
   const auto changes = [&](const std::string& what, const std::function<void()>& act) {
     const json before = evaluate_in(figure, what);
     act();
@@ -293,21 +298,42 @@ void check_input(int figure) {
     const bool is_last = evaluate_in(figure, "document.activeElement.value === document.activeElement.max");
     is_last ? key("ArrowLeft", 37) : key("ArrowRight", 39);
   });
-  const auto drag = [&](const json& at) {
-    for (const auto& [type, moved] : {std::pair{"mousePressed", 0}, {"mouseMoved", 40}, {"mouseReleased", 40}})
+  const auto drag = [&](const json& at, double right, double down) {
+    for (const auto& [type, part] : {std::pair{"mousePressed", 0}, {"mouseMoved", 1}, {"mouseReleased", 1}})
       browser().call("Input.dispatchMouseEvent", {{"type", type},
-                                                  {"x", at[0].get<double>() - moved},
-                                                  {"y", at[1].get<double>() + moved},
+                                                  {"x", at[0].get<double>() + part * right},
+                                                  {"y", at[1].get<double>() + part * down},
                                                   {"button", "left"},
                                                   {"clickCount", 1}});
   };
-  if (evaluate_in(figure, "live.scenes.some(({view}) => view.handle)"))
-    changes("live.values", [&] {
-      drag(evaluate_in(figure,
-                       "(({view, scene}) => { const box = box_of(scene.canvas);"
-                       " const [x, y] = scene.at(view.handle(live.model, live.time, live.values));"
-                       " return [box.x + x, box.y + y]; })(live.scenes.find(({view}) => view.handle))"));
-    });
+  const auto ring = [&] {
+    return evaluate_in(figure,
+                       "(({scene}) => { const box = box_of(scene.canvas);"
+                       " const [x, y] = scene.at(live.definition.handle(live.values));"
+                       " return [box.x + x, box.y + y]; })(live.scenes.find(({view}) => view.handle))");
+  };
+  // One value may move the ring along a line only, and it may stand at the end of its range.
+  double nearest = 1;
+  bool keys_move_it = false;
+  for (const auto& [right, down, name, code] : {std::tuple{40, 40, "ArrowRight", 39},
+                                                {-40, 40, "ArrowLeft", 37},
+                                                {-40, -40, "ArrowUp", 38},
+                                                {40, -40, "ArrowDown", 40}}) {
+    evaluate_in(figure, "live.begin_with()");
+    const json from = ring();
+    drag(from, right, down);
+    const json to = ring();
+    nearest = std::min(nearest, std::hypot(to[0].get<double>() - from[0].get<double>() - right,
+                                           to[1].get<double>() - from[1].get<double>() - down) /
+                                    std::hypot(right, down));
+    evaluate_in(figure, "live.begin_with()");
+    const json before = evaluate_in(figure, "live.values");
+    evaluate_in(figure, "live.scenes.find(({view}) => view.handle).scene.canvas.focus()");
+    key(name, code, shift);
+    keys_move_it = keys_move_it || before != evaluate_in(figure, "live.values");
+  }
+  CHECK(nearest < 0.95);
+  CHECK(keys_move_it);
   if (!evaluate_in(figure, "live.scenes.some(({scene}) => !scene.flat)")) return;
   const std::string canvas = "live.scenes.find(({scene}) => !scene.flat).scene.canvas";
   changes("pictures(live)", [&] {
@@ -315,7 +341,7 @@ void check_input(int figure) {
     key("ArrowRight", 39);
   });
   changes("pictures(live)",
-          [&] { drag(evaluate_in(figure, "(box => [box.x + 50, box.y + 10])(box_of(" + canvas + "))")); });
+          [&] { drag(evaluate_in(figure, "(box => [box.x + 50, box.y + 10])(box_of(" + canvas + "))"), -40, 40); });
 }
 
 /// axe-core finds no fault with open figures; in the dark only the colours differ.
@@ -407,7 +433,7 @@ TEST_CASE(
 }
 
 TEST_CASE("nothing moves on a page once it is seen") {
-  for (const std::string page : {"index.html", "lecture_04_parallel_axis.html"})
+  for (const std::string page : {"index.html", "lecture_04_parallel_axis.html", "lecture_06_free_tops_exact.html"})
     for (const int width : {1280, 390}) {
       open_page(page);
       resize(width);
@@ -464,18 +490,39 @@ TEST_CASE("the time is moved in a plot and in steps, values go back, and an addr
   evaluate_in(0, "live.move_to(0), live.step(3)");
   CHECK(part_of_time() == doctest::Approx(0.03));
   CHECK(evaluate_in(0, "(live.set({ w1: 1.5 }, 'w1'), live.values.w1)") == 1.5);
-  evaluate_in(0, "live.move_to(2)");
+  evaluate_in(0, "live.move_to(2), live.scenes[1].scene.turn(0.5, 0)");
+  const json direction = evaluate_in(0, "live.scenes[1].scene.azimuth.toFixed(2)");
   const std::string address = evaluate_in(0, "live.address()");
   evaluate_in(0, "place.querySelectorAll('.settings input[type=range]')[3].dispatchEvent(new Event('dblclick'))");
   CHECK(evaluate_in(0, "live.values.w1") == 0);
   evaluate_in(0, "(live.set({ I1: 2 }, 'I1'), place.querySelector('[title^=\"As at\"]').click())");
   CHECK(evaluate_in(0, "live.values.I1") == 1);
+  // At its end the motion stops, or begins anew where that was asked for.
+  const auto runs_on = [] {
+    return evaluate_in(0,
+                       "(async () => { live.move_to(live.end - 0.001); live.play(true); for (let k = 0; k < 100; ++k) {"
+                       " await wait(20); if (!live.playing || live.time < live.end / 2) break; }"
+                       " return live.playing; })()");
+  };
+  CHECK(runs_on() == false);
+  CHECK(evaluate_in(0, "live.again_button.ariaPressed") == "false");
+  evaluate_in(0, "live.again_button.click()");
+  CHECK(evaluate_in(0, "live.again_button.ariaPressed") == "true");
+  CHECK(runs_on() == true);
+  CHECK(evaluate_in(0, "(live.play(false), live.speeds.value = 0.5, live.speeds.onchange(), live.address())")
+            .get<std::string>()
+            .find("&speed=0.5&again=1&view=") != std::string::npos);
   // Another page first: an address that differs only behind the # loads nothing.
   open_page("index.html");
-  open_page(page + address.substr(address.find('#')) + "&w2=99");
+  open_page(page + address.substr(address.find('#')) + "&w2=99&speed=0.25&again=1");
   browser().evaluate("open_figure(0)");
-  CHECK(evaluate_in(0, "[live.values.w1, live.values.w2, live.time, live.scenes[0].scene.released]") ==
-        json({1.5, 4, 2, false}));
+  CHECK(evaluate_in(0,
+                    "[live.values.w1, live.values.w2, live.time, live.speed, live.again,"
+                    " live.scenes[0].scene.released]") == json({1.5, 4, 2, 0.25, true, false}));
+  CHECK(evaluate_in(0, "live.scenes[1].scene.azimuth.toFixed(2)") == direction);
+  open_page("lecture_02_rotating_frames.html#live=puck&heading=190&speed=99");
+  browser().evaluate("open_figure(0)");
+  CHECK(evaluate_in(0, "[live.values.heading, live.speed]") == json({-170, 1}));
 }
 
 TEST_CASE("words of a sentence set the figure they speak of, also before it is in sight") {
