@@ -1,4 +1,4 @@
-// A child on a merry-go-round.
+// A child on a merry-go-round, and a book that is rotated twice.
 
 live("two_sources", {
   prepare({ omega, walk, start, lift }) {
@@ -40,4 +40,32 @@ live("two_sources", {
     const E_rate = yours.cross_matrix ? product(yours.cross_matrix(m.w), E) : E.map(axis => cross(m.w, axis));
     return [norm(carried), norm(rate), rate[0], rate[1], (yours.angular_velocity_of_basis?.(E, E_rate) ?? m.w)[2]];
   },
+});
+
+const book_places = [[-0.72, -0.54, 0], [0.72, 0.54, 0]];
+
+live("book", {
+  prepare({ x, z }) {
+    const turns = [[x * degree, 0, 0], [0, 0, z * degree]];
+    const books = [turns, turns.toReversed()].map(order => time =>
+      order.reduce((E, turn, k) => rotated(E, turn, Math.max(0, Math.min(1, time - k))), identity));
+    // The columns of attitudes that a rotation by Θ joins differ by √8 sin Θ/2 in all.
+    const apart = 2 * Math.asin(norm(minus(...books.map(at => at(2).flat()))) / Math.sqrt(8));
+    return { books, apart, ratio: apart / Math.abs(x * z * degree ** 2) };
+  },
+  // The upper edge of the first book after its rotation about x.
+  handle: ({ x }) => sum(book_places[0], [0, 0.55 * Math.cos(x * degree), 0.55 * Math.sin(x * degree)]),
+  draw: [(scene, m, time) => {
+    scene.floor(-0.62, 1.4);
+    m.books.forEach((at, i) => {
+      const E = at(time), place = book_places[i], on = (...part) => sum(place, turned(E, part));
+      scene.box(place, [0.38, 0.55, 0.11].map((half, k) => times(half, E[k])), ["pale", "pale", "sky"]);
+      for (const [y, right, width] of [[0.25, 0.22, 8], [-0.3, 0.05, 4]]) scene.line([on(-0.22, y, 0.12), on(right, y, 0.12)], "ink", width);
+      scene.line([on(-0.39, -0.55, 0), on(-0.39, 0.55, 0)], "blue", 10);
+      for (const [axis, name] of [[x_axis, "x"], [z_axis, "z"]]) scene.arrow(place, sum(place, times(0.85, axis)), "omega", name, { width: 2 });
+      scene.words(["x, then z", "z, then x"][i], sum(scene.at(sum(place, [0, 0, -0.62])), [0, 32]));
+    });
+    if (scene.expected === 0) scene.expect([book_places[1], sum(book_places[1], times(0.75, m.books[0](time)[1]))]);
+  }],
+  numbers: m => [m.apart, m.ratio],
 });

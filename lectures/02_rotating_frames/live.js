@@ -95,13 +95,18 @@ live("foucault", {
     scene.words("once a day", scene.at(times(1.08, day)), "grey", "center", name => [name]);
     const turn = planet_rate * time * [NaN, 1, NaN, -Math.sin(m.lambda)][scene.expected];
     if (!isNaN(turn)) scene.expect([origin, [Math.sin(turn), Math.cos(turn), 0]]);
-  }, (scene, { lambda }) => {
+  }, (scene, { lambda }, time) => {
     const up = [Math.cos(lambda), 0, Math.sin(lambda)], north = [-up[2], 0, up[0]];
     scene.ellipsoid(origin, identity, "blue");
     for (const latitude of [0, lambda]) scene.line(parallel(latitude), latitude ? "green" : "grey", 2);
     for (const length of steps(0, 150, 5)) scene.line(circles[2], "pale", 1, { axes: rotation([0, 0, length * degree]) });
+    // The line of swing where the place has been, hour by hour.
+    for (let hour = 0; scene.released && hour * 15 * degree <= planet_rate * time; ++hour) {
+      const A = rotation([0, 0, hour * 15 * degree]), bearing = hour * 15 * degree * Math.sin(lambda), at = turned(A, up);
+      const way = turned(A, sum(times(0.13 * Math.cos(bearing), north), [0, 0.13 * Math.sin(bearing), 0]));
+      scene.line([minus(at, way), sum(at, way)], "ink", 2.5);
+    }
     scene.line([times(-1.4, z_axis), times(1.4, z_axis)], "grey", 2, { dash: [6, 5] });
-    scene.line([sum(up, times(-0.2, north)), sum(up, times(0.2, north))], "ink", 3);
     scene.arrow(up, sum(up, [0, 0, 0.6]), "omega", "Ω");
     if (scene.released) scene.arrow(up, sum(up, times(0.6 * up[2], up)), "purple", "Ω sin λ", { beside: true });
   }],

@@ -109,6 +109,14 @@ const std::map<std::string, std::function<Numbers(const Values&, double)>> numbe
        const Vector3d rate = walk * along + omega * out * across;
        return {std::abs(omega * out), rate.norm(), rate[0], rate[1], omega};
      }},
+    {"book",
+     [](const Values& v, double) -> Numbers {
+       const double x = v.at("x") * degree, z = v.at("z") * degree;
+       const Eigen::Quaterniond about_x(Eigen::AngleAxisd(x, Vector3d::UnitX())),
+           about_z(Eigen::AngleAxisd(z, Vector3d::UnitZ()));
+       const double apart = (about_z * about_x).angularDistance(about_x * about_z);
+       return {apart, apart / std::abs(x * z)};
+     }},
     {"puck",
      [](const Values& v, double time) -> Numbers {
        if (v.at("law") != 0) return {};  // no motion that there is
