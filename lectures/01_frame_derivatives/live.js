@@ -4,7 +4,7 @@ live("two_sources", {
   prepare({ omega, walk, start, lift }) {
     const w = [0, 0, omega];
     const at = time => {
-      const E = rotated(identity, w, time);
+      const E = rotated(yours.rotated_basis, identity, w, time);
       const V = turned(E, [start + walk * time, 0, lift]), rate_body = times(walk, E[0]);
       const changed = rate => yours.inertial_rate?.(rate, w, V) ?? sum(rate, cross(w, V));
       return { E, V, rate_body, carried: changed(origin), rate: changed(rate_body) };
@@ -48,7 +48,7 @@ live("book", {
   prepare({ x, z }) {
     const turns = [[x * degree, 0, 0], [0, 0, z * degree]];
     const books = [turns, turns.toReversed()].map(order => time =>
-      order.reduce((E, turn, k) => rotated(E, turn, Math.max(0, Math.min(1, time - k))), identity));
+      order.reduce((E, turn, k) => rotated(yours.rotated_basis, E, turn, Math.max(0, Math.min(1, time - k))), identity));
     // The columns of attitudes that a rotation by Θ joins differ by √8 sin Θ/2 in all.
     const apart = 2 * Math.asin(norm(minus(...books.map(at => at(2).flat()))) / Math.sqrt(8));
     return { books, apart, ratio: apart / Math.abs(x * z * degree ** 2) };

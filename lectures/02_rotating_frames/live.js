@@ -27,7 +27,7 @@ live("puck", {
     // On the table it starts with the velocity that the rider sees.
     const seen = minus(v, cross(w, r)), path = ridden((p, u) => laws[law](p, u, w), r, seen, 4, 160);
     const straight = steps(0, 4, 160).map(time => sum(r, times(time, v)));
-    const back = straight.map((p, i) => turned(rotated(identity, w, -i / 40), p));
+    const back = straight.map((p, i) => turned(rotated(yours.rotated_basis, identity, w, -i / 40), p));
     // Straight on, and the mirror image of what the rider sees, from the velocity that the rider sees at first.
     const along = norm(seen) ? unit(seen) : x_axis;
     const expected = [steps(0, 4, 160).map(time => sum(r, times(time, seen))),

@@ -13,7 +13,7 @@ live("held_spin", {
     const moments = I.map((column, i) => column[i]);
     const L = momentum_of(I, omega), scale = 1.25 / Math.max(...moments) / values.rate;
     const around = steps(0, 2 * Math.PI / values.rate, 72).map(time =>
-      times(scale, turned(rotated(identity, omega, time), L)));
+      times(scale, turned(rotated(yours.rotated_basis, identity, omega, time), L)));
     // The ellipsoid x I x = 1, drawn with the longest half axis of the box at 0.85.
     const size = 1.7 / Math.max(...edges);
     return { I, n, omega, scale, around, moments, size, edges, L,
@@ -23,7 +23,7 @@ live("held_spin", {
   // The tip of ω.
   handle: values => times(1.3, direction(values)),
   draw: [(scene, m, time) => {
-    const A = rotated(identity, m.omega, time);
+    const A = rotated(yours.rotated_basis, identity, m.omega, time);
     const I = yours.rotated_inertia?.(m.I, A) ?? product(A, product(m.I, transposed(A)));
     scene.round("rod", times(-1.15, m.n), times(1.15, m.n), 0.025, "grey");
     for (const side of [-1, 1]) scene.round("rod", times(0.98 * side, m.n), times(1.1 * side, m.n), 0.09, "grey");

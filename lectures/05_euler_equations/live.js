@@ -51,7 +51,8 @@ live("integrators", {
     const drift = omega => constants(I, omega).map((now, i) => Math.log10(Math.max(Math.abs(now / [T, L2][i] - 1), 1e-17)));
     const moments = steps(0, h * count, count);
     const size = 1 / Math.sqrt(2 * T), drawn = omega => times(size, omega);
-    return { I, h, computed, exact, size, path: computed.map(drawn), true_path: exact.map(({ omega }) => drawn(omega)), axes: I.map(moment => 1 / Math.sqrt(moment)), seconds,
+    return { I, h, computed, exact, size, path: computed.map(drawn), true_path: exact.map(({ omega }) => drawn(omega)),
+      axes: I.map(moment => 1 / Math.sqrt(moment)), seconds,
       drifts: over_time(moments, (_, k) => drift(computed[k])),
       curves: [...over_time(exact, ({ omega }) => omega), ...over_time(moments, (_, k) => computed[k])] };
   },

@@ -9,7 +9,7 @@ const turn_colors = ["phi", "theta", "psi"];
 
 /** Before, between and after the turns. */
 const attitudes_of = ({ convention, phi, theta, psi }) => conventions[convention].reduce((before, axis, k) =>
-  [...before, rotated(before[k], times([phi, theta, psi][k] * degree, before[k][axis]), 1)], [identity]);
+  [...before, rotated(yours.rotated_basis, before[k], times([phi, theta, psi][k] * degree, before[k][axis]), 1)], [identity]);
 
 live("three_turns", {
   prepare({ convention, phi, theta, psi }) {
@@ -21,7 +21,7 @@ live("three_turns", {
   handle: values => times(1.1, attitudes_of(values)[3][2]),
   draw: [(scene, m, time) => {
     const turn = Math.min(2, Math.floor(time)), part = time - turn;
-    const E = rotated(m.attitudes[turn], times(m.angles[turn], m.attitudes[turn][m.axes[turn]]), part);
+    const E = rotated(yours.rotated_basis, m.attitudes[turn], times(m.angles[turn], m.attitudes[turn][m.axes[turn]]), part);
     scene.arrows(axis_arrows(identity, origin, 0.6).map(([from, to, color]) => [from, to, color]));
     for (let k = 0; k <= turn; ++k) {
       const kept = m.axes[k], [u, v] = [1, 2].map(i => m.attitudes[k][(kept + i) % 3]);
@@ -43,7 +43,7 @@ live("gimbal_passage", {
     const omega = [0, Math.cos(distance * degree), Math.sin(distance * degree)];
     const start = rotation([distance * degree, 0, 0]);
     const at = time => {
-      const carried = rotated(start, omega, time - Math.PI / 2), A = rotated(carried, times(spin, carried[2]), time);
+      const carried = rotated(yours.rotated_basis, start, omega, time - Math.PI / 2), A = rotated(yours.rotated_basis, carried, times(spin, carried[2]), time);
       const omega_now = sum(omega, times(spin, A[2])), angles = angles_at(A);
       const own = yours.euler_angle_rates?.(angles, turned(transposed(A), omega_now));
       return { A, angles, rates: own ?? angle_rates(angles, omega_now) };

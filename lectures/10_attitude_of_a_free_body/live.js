@@ -21,7 +21,8 @@ live("herpolhode", {
     // L looks down: what goes round it to the right goes round the vertical to the left.
     const gone = -turns_of(in_period.map(({ A }) => A[2])).reduce((total, turn) => total + turn);
     const axes = crate.map(moment => Math.sqrt(2 * T / moment));
-    return { height: -contacts[0][2], period, seconds, samples, contacts, polhode: in_period.map(({ omega }) => omega), axes, size: 1 / Math.max(...axes), widest: Math.max(...distances),
+    return { height: -contacts[0][2], period, seconds, samples, contacts, polhode: in_period.map(({ omega }) => omega), axes,
+      size: 1 / Math.max(...axes), widest: Math.max(...distances),
       radii: is_far ? yours.herpolhode_radii?.(crate, omega0) ?? [Math.min(...distances), Math.max(...distances)] : [],
       turn: is_far ? yours.turn_per_period?.(crate, omega0) ?? gone : NaN,
       angle: is_far ? yours.geometric_phase?.(crate, omega0) ?? Math.abs(enclosed) : NaN };

@@ -78,7 +78,6 @@ class LiveFigure {
     }).observe(place);
     new ResizeObserver(() => this.draw(this.rested)).observe(place);
     new MutationObserver(() => (colors = {}, this.draw(this.rested))).observe(document.documentElement, { attributeFilter: ["class"] });
-    this.draw();
   }
 
   /** The page with this figure as it is, to be sent. */

@@ -75,8 +75,8 @@ function fitted(deviations, start) {
   return { start, left };
 }
 
-/** A basis that has rotated about ω for a time. */
-const rotated = (E, omega, time) => yours.rotated_basis?.(E, omega, time) ?? product(rotation(times(time, omega)), E);
+/** A basis that has rotated about ω for a time, by the reader's own function if there is one. */
+const rotated = (own, E, omega, time) => own?.(E, omega, time) ?? product(rotation(times(time, omega)), E);
 
 /** The rotation about a vector by its length. */
 function rotation(vector) {
@@ -348,7 +348,7 @@ class Scene {
     if (canvas.width !== w || canvas.height !== h) Object.assign(canvas, { width: w, height: h });
     c.setTransform(devicePixelRatio, 0, 0, devicePixelRatio, 0, 0);
     c.clearRect(0, 0, width, high);
-    Object.assign(c, { lineJoin: "round", lineCap: "round", textBaseline: "middle" });
+    Object.assign(c, { lineJoin: "bevel", lineCap: "round" });
     Object.assign(this, { width, high, things: [], labels: [], ground: undefined, scale: Math.min(width, high) / 2 / this.half });
     const level = [Math.cos(this.azimuth), Math.sin(this.azimuth), 0];
     this.towards = sum(times(Math.cos(this.height), level), [0, 0, Math.sin(this.height)]);
