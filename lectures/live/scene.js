@@ -47,9 +47,10 @@ function over_time(samples, components_of) {
 /** The step of the classical rule for a state, which is a vector or a list of vectors. */
 const runge_kutta = (rate, h) => state => {
   const a = rate(state), b = rate(moved(state, h / 2, a)), c = rate(moved(state, h / 2, b)), d = rate(moved(state, h, c));
-  return [[h / 6, a], [h / 3, b], [h / 3, c], [h / 6, d]].reduce((total, [time, rates]) => moved(total, time, rates), state);
+  return mixed(h / 6, state, a, b, c, d);
 };
 const moved = (state, time, rates) => state.map ? state.map((part, i) => moved(part, time, rates[i])) : state + time * rates;
+const mixed = (time, state, a, b, c, d) => state.map ? state.map((part, i) => mixed(time, part, a[i], b[i], c[i], d[i])) : state + time * (a + 2 * (b + c) + d);
 
 /** The state at the beginning and after each of so many steps. */
 const history = (step, state, count) => Array.from({ length: count + 1 }, (_, k) => state = k ? step(state) : state);
@@ -148,14 +149,13 @@ const upright = vector => transposed(basis_along(vector));
 
 /** Triangles of a surface round z: through points [radius, height], with a normal in each. */
 function lathe(profile, count = 48) {
-  const at = ([r, z], angle) => [r * Math.cos(angle), r * Math.sin(angle), z], vertices = [];
-  const angles = steps(0, 2 * Math.PI, count);
-  profile.slice(1).forEach(([point, normal], i) => angles.slice(1).forEach((angle, k) => {
-    const [before, normal_before] = profile[i];
-    const corners = [[before, normal_before, angles[k]], [before, normal_before, angle], [point, normal, angle], [point, normal, angles[k]]];
-    for (const c of [0, 1, 2, 0, 2, 3]) vertices.push(...at(corners[c][0], corners[c][2]), ...at(corners[c][1], corners[c][2]), 0, 0);
-  }));
-  return new Float32Array(vertices);
+  const at = ([r, z], angle) => [r * Math.cos(angle), r * Math.sin(angle), z], angles = steps(0, 2 * Math.PI, count);
+  const rows = profile.map(([point, normal]) => angles.map(angle => [...at(point, angle), ...at(normal, angle), 0, 0]));
+  const corners = rows.slice(1).flatMap((row, i) => row.slice(1).flatMap((corner, k) =>
+    [rows[i][k], rows[i][k + 1], corner, rows[i][k], corner, row[k]]));
+  const vertices = new Float32Array(8 * corners.length);
+  corners.forEach((corner, i) => vertices.set(corner, 8 * i));
+  return vertices;
 }
 /** Edges stay sharp: each piece of the profile has its own normal. */
 const edged = points => points.slice(1).flatMap((point, i) => {
