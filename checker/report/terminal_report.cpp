@@ -95,17 +95,25 @@ class Report {
     if (reasons.empty() && !detail_.is_pending) labelled("Next", checked_.next_step());
   }
 
-  /// The first reason is told whatever it takes; the others as long as the case fits below.
-  bool has_room() const { return detail_.full || rows() <= 2 || rows() + lines_of_short_case < most_rows(); }
+  /// Does a short case still fit below, and what to type to see more, with so many lines before them?
+  bool has_room(std::size_t lines) const {
+    return detail_.full || rows() + lines + (shown_case() ? lines_of_short_case : 1) <= most_rows();
+  }
 
-  /// The same mistake in several lines once.
+  /// The same mistake in several lines once. The first reason is told whatever it takes, the others, and where to read
+  /// on, as long as the case fits below.
   void tell(const char* label, const Reason& reason) {
-    if (!has_room() || !told_.insert(reason.sentence).second) return;
+    const std::string before = text_;
+    const bool is_first = told_.empty();
+    if (!told_.insert(reason.sentence).second) return;
     std::vector<Reason> same = checked_.reasons;
     std::erase_if(same, [&](const Reason& other) { return other.sentence != reason.sentence; });
     labelled(label, place_and_sentence(checked_, same));
     for (const std::string& line : lines_of(reason.excerpt)) text_ += "    " + fitted(line) + "\n";
-    read(reason.notes);
+    if (!is_first && !has_room(0))
+      text_ = before;
+    else if (has_room(1))
+      read(reason.notes);
   }
 
   /// Where to read on, once.
