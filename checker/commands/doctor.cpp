@@ -19,7 +19,8 @@ int doctor(const Course& course, const bool& is_json) {
     if (is_json) return;
     const std::string mark = console.plain() ? (good ? "good: " : "not good: ")
                                              : console.mark(good ? "✓" : "✗", good ? Style::good : Style::bad);
-    fmt::print("{}{} {}\n", mark, padded(what, 12), detail);
+    constexpr std::size_t indent = 15;
+    fmt::print("{}{} {}\n", mark, padded(what, 12), console.wrapped(detail, indent).substr(indent));
   };
 
   try {
