@@ -439,7 +439,7 @@ class Watch {
   Console console_ = Console::of_standard_output();
   const bool on_screen_ = Terminal::can_be_drawn_on() && !console_.plain();
   Terminal terminal_;
-  const std::string keys_ = terminal_.has_keyboard() ? "h:hint l:list p:plot n:next b:back c:compiler r:again q:quit"
+  const std::string keys_ = terminal_.has_keyboard() ? "h:hint l:list p:plot n:next b:back c:complete r:again q:quit"
                                                      : "Ctrl-C ends the watch.";
   FileChanges changes_;
 
