@@ -44,7 +44,7 @@ TEST_CASE("gdb stops in the function at the first failing case, and shows and mu
   const CourseCopy course;
   course.answer_energy("const Vector3d twice = 2 * x;\nreturn k * twice.norm();");
   write(course.root() / "typed",
-        "info args\nnext\ninfo locals\nprint 2*x - x\nprint x(1) + twice.norm()\nprint x*twice\ncontinue\nquit\n");
+        "info args\nnext\ninfo locals\nprint 2*x - x\nprint x(1) + twice.norm()\nprint x*twice\nprint nothing\ncontinue\nquit\n");
   const std::string typing = R"(sh -c 'cat typed | "$0" "$@"')";
   const Outcome stepped = course.run("debug spring_energy", typing);
   CHECK_MESSAGE(has(stepped.out, "x = (0, 1, 0)"), stepped.said());
@@ -52,6 +52,8 @@ TEST_CASE("gdb stops in the function at the first failing case, and shows and mu
   CHECK(has(stepped.out, "2*x - x = (0, 1, 0)"));
   CHECK(has(stepped.out, "x(1) + twice.norm() = 3"));
   CHECK(has(stepped.err, "a.dot(b)"));
+  CHECK(has(stepped.err, "No symbol \"nothing\""));
+  CHECK_FALSE(has(stepped.said(), "Python"));
   CHECK(has(stepped.out, "expected = 0.5\nyours = 2\n"));
   const Outcome other = course.run("debug spring_energy --case 2", typing);
   CHECK(has(other.out, "Case 2 "));

@@ -177,7 +177,10 @@ class Print(gdb.Command):
         except (SyntaxError, gdb.error):
             known = {}
         if not any(isinstance(value, (Matrix, list)) for value in known.values()):
-            return gdb.execute("call " + argument, from_tty)  # gdb knows all else
+            try:
+                return gdb.execute("call " + argument, from_tty)  # gdb knows all else
+            except gdb.error as problem:
+                raise gdb.GdbError(str(problem))  # its own words, and no name of an exception of Python
         try:
             result = eval(compile(tree, "print", "eval"), {"__builtins__": {}}, values | known)
         except (TypeError, AttributeError, IndexError, ValueError, ZeroDivisionError) as problem:
