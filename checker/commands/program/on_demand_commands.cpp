@@ -9,7 +9,8 @@ namespace {
 void require_page(const fs::path& file) {
   std::error_code ignored;
   const bool is_other = file.empty() || (fs::exists(file, ignored) && !fs::is_regular_file(file, ignored));
-  const std::string trouble = is_other ? "not an ordinary file" : place_trouble(file);
+  // An older page is replaced by a file that is written beside it.
+  const std::string trouble = is_other ? "not an ordinary file" : place_trouble(free_name(file));
   if (!trouble.empty())
     throw UsageError(fmt::format("The page cannot be written to {} ({}); give --html another file.",
                                  shell_quoted(printable(file.string())), trouble));
