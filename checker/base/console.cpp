@@ -23,12 +23,15 @@ bool is_set(const char* name) { return environment(name, "0") != "0"; }
 Console console_of(int descriptor) {
   const bool terminal = isatty(descriptor) != 0;
   const bool is_smart = terminal && environment("TERM", "dumb") != "dumb";
+  // These drop links, and would leave words without an address.
+  const bool drops_links =
+      !environment("TMUX").empty() || !environment("STY").empty() || environment("TERM") == "linux";
   winsize size{};
   long width = std::strtol(environment("COLUMNS").c_str(), nullptr, 10);
   if (terminal && ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) width = size.ws_col;
   return Console(width > 0 ? std::max(static_cast<std::size_t>(width), narrowest) : 80,
                  (is_smart || is_set("CLICOLOR_FORCE")) && environment("NO_COLOR").empty(), is_set("WORKBOOK_PLAIN"),
-                 is_smart);
+                 is_smart && !drops_links);
 }
 
 }  // namespace

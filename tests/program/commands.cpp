@@ -201,6 +201,19 @@ TEST_CASE("colour comes on request, NO_COLOR wins, and the plain mode has words 
   CHECK(has(course.run("list", "CLICOLOR_FORCE=1").out, "\033["));
 }
 
+TEST_CASE("a page of the notes is a link on terminals that have links, and an address where they would be dropped") {
+  const CourseCopy course;
+  write(course.root() / "html/lecture_01_springs.html", "");
+  const auto shown = [&](const std::string& environment) {
+    return course.run_on_terminal("", 80, 24, environment).shown;
+  };
+  CHECK(has(shown("TERM=xterm"), "\033]8;;file://"));
+  for (const char* dropping : {"TERM=xterm TMUX=x", "TERM=xterm STY=x", "TERM=linux"}) {
+    CHECK_FALSE(has(shown(dropping), "\033]8;;"));
+    CHECK(has(shown(dropping), "lecture_01_springs.html"));
+  }
+}
+
 TEST_CASE("what cannot be used is refused by the first program, before the one with all commands is made") {
   const CourseCopy course;
   fs::create_directories(course.root() / "alone");
