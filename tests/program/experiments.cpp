@@ -44,7 +44,8 @@ TEST_CASE("gdb stops in the function at the first failing case, and shows and mu
   const CourseCopy course;
   course.answer_energy("const Vector3d twice = 2 * x;\nreturn k * twice.norm();");
   write(course.root() / "typed",
-        "info args\nnext\ninfo locals\nprint 2*x - x\nprint x(1) + twice.norm()\nprint x*twice\nprint nothing\ncontinue\nquit\n");
+        "info args\nnext\ninfo locals\nprint 2*x - x\nprint x(1) + twice.norm()\nprint x*twice\nprint "
+        "nothing\ncontinue\nquit\n");
   const std::string typing = R"(sh -c 'cat typed | "$0" "$@"')";
   const Outcome stepped = course.run("debug spring_energy", typing);
   CHECK_MESSAGE(has(stepped.out, "x = (0, 1, 0)"), stepped.said());
