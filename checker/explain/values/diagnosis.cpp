@@ -1,5 +1,7 @@
 #include "checker/explain/values/diagnosis.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 
@@ -14,19 +16,25 @@ std::optional<Reason> diagnose_nearly_right(const ExerciseReference& exercise, c
   return difference ? difference : accuracy;
 }
 
-/// What is wrong beside numbers that are right to four digits only, as those of an integration in large steps.
+/// What is wrong beside numbers that are right to a few digits only, as those of an integration in large steps.
 std::optional<Reason> diagnose_coarsely(const ExerciseReference& whole, const Answers& answers) {
-  ExerciseReference exercise = whole;
-  constexpr double coarse = 1e-4;
+  constexpr std::pair<double, const char*> accuracies[] = {{1e-4, "four"}, {1e-3, "three"}, {1e-2, "two"}};
   constexpr std::size_t fewest = 5;
-  for (Case& one : exercise.cases) one.tolerance = std::max(one.tolerance, coarse);
-  if (outcomes_of(exercise, answers).wrong.size() < fewest) return std::nullopt;
-  for (const auto& mechanism :
-       {diagnose_misconception, diagnose_transform, diagnose_input_transform, diagnose_whole_turns}) {
-    std::optional<Reason> found = mechanism(exercise, answers);
-    if (!found) continue;
-    found->sentence += " (As far as your numbers show it, which is to about four digits; more are asked for.)";
-    return found;
+  ExerciseReference exercise = whole;
+  for (const auto& [coarse, digits] : accuracies) {
+    // What is nearly right has no other mistake.
+    for (Case& one : exercise.cases) one.tolerance = std::max(one.tolerance, clear_margin * coarse);
+    if (outcomes_of(exercise, answers).wrong.size() < fewest) return std::nullopt;
+    for (std::size_t i = 0; i < exercise.cases.size(); ++i)
+      exercise.cases[i].tolerance = std::max(whole.cases[i].tolerance, coarse);
+    for (const auto& mechanism :
+         {diagnose_misconception, diagnose_transform, diagnose_input_transform, diagnose_whole_turns}) {
+      std::optional<Reason> found = mechanism(exercise, answers);
+      if (!found) continue;
+      found->sentence +=
+          fmt::format(" (As far as your numbers show it, which is to about {} digits; more are asked for.)", digits);
+      return found;
+    }
   }
   return std::nullopt;
 }
@@ -57,12 +65,13 @@ constexpr struct {
     {diagnose_coarsely, Beside::nothing},
     {diagnose_eigenvectors, Beside::nothing},
     {diagnose_difference, Beside::nothing},
-    {diagnose_small_argument, Beside::nothing},
     {diagnose_split, Beside::place},
     {diagnose_conditional, Beside::place},
+    {diagnose_both_mistakes, Beside::nothing},
     {diagnose_signs, Beside::nothing},
+    {diagnose_some_part, Beside::nothing},
     {diagnose_one_entry, Beside::nothing},
-    {diagnose_two_mistakes, Beside::nothing},
+    {diagnose_changed_mistake, Beside::nothing},
     {diagnose_kinds, Beside::place},
     {diagnose_no_effect, Beside::nothing},
     {diagnose_one_side, Beside::symptoms},

@@ -26,17 +26,16 @@ Mechanism diagnose_transform;        ///< a common factor, a transposed matrix, 
 Mechanism diagnose_input_transform;  ///< the right result for changed inputs
 Mechanism diagnose_whole_turns;      ///< angles that differ by multiples of 2π or π
 Mechanism diagnose_signs;            ///< of some numbers, at some cases, of the right result or of a misconception
-Mechanism diagnose_wrong_part;       ///< a misconception, or changed inputs, in the wrong components alone
-Mechanism diagnose_two_mistakes;     ///< a misconception times a factor
+Mechanism diagnose_wrong_part;       ///< a misconception, or changed inputs, in the wrong components alone, or two
+Mechanism diagnose_some_part;        ///< in some of the wrong components
+Mechanism diagnose_both_mistakes;    ///< two of these, by what each adds or by its factor
+Mechanism diagnose_changed_mistake;  ///< one of these, times a factor, transposed or in another order
 
 // --- by what a wrong component differs (regression.cpp)
 
 /// The right result, or some of its components, times one number, or powers of the inputs. (factors.cpp)
 Mechanism diagnose_number;
 Mechanism diagnose_factor;
-
-/// The same of an exercise whose expected results are those of a mistake.
-Mechanism factor_of_mistake;
 
 /// The error of every wrong component as exactly one product of the inputs with a simple coefficient.
 Mechanism diagnose_one_term;
@@ -46,9 +45,6 @@ Mechanism diagnose_difference;
 
 /// What explains one wrong number of several by itself. (entries.cpp)
 Mechanism diagnose_one_entry;
-
-/// The relative error as a function of one number that vanishes with it: a series that is cut. (laws.cpp)
-Mechanism diagnose_small_argument;
 
 /// "1", "−2/3", "√2", "4·π"; empty for what no formula is likely to have. (factors.cpp)
 std::string simple_number(double number);

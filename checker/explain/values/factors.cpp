@@ -249,15 +249,7 @@ Relation relation(const ExerciseReference& exercise, const Answers& answers, con
   return found;
 }
 
-/// What an answer is compared with.
-struct Compared {
-  const char* one;   ///< number of it, or all of it
-  const char* many;  ///< numbers
-  const char* rest;  ///< what the other numbers are
-};
-
-std::optional<Reason> factor_of(const ExerciseReference& exercise, const Answers& answers, bool by_inputs,
-                                const Compared& with = {"the expected one", "the expected ones", "right"}) {
+std::optional<Reason> factor_of(const ExerciseReference& exercise, const Answers& answers, bool by_inputs) {
   if (exercise.comparison != Comparison::plain || exercise.result_kind == Kind::integer) return std::nullopt;
   if (!all_deciding_cases_answered(exercise, answers)) return std::nullopt;
   const Value& shape = exercise.cases.front().expected;
@@ -278,11 +270,9 @@ std::optional<Reason> factor_of(const ExerciseReference& exercise, const Answers
   if (names.empty()) return std::nullopt;
   const bool is_whole = names.size() == shape.numbers.size();
   return Reason{ReasonKind::transform, "missing_factor",
-                is_whole
-                    ? fmt::format("Your result is {} {} at every case.", with.one, words)
-                    : fmt::format("In your result {} {} {} at every case; all else is {}.", listed(names),
-                                  names.size() == 1 ? fmt::format("is {}", with.one) : fmt::format("are {}", with.many),
-                                  words, with.rest)};
+                is_whole ? fmt::format("Your result is the expected one {} at every case.", words)
+                         : fmt::format("In your result {} {} {} at every case; all else is right.", listed(names),
+                                       names.size() == 1 ? "is the expected one" : "are the expected ones", words)};
 }
 
 }  // namespace
@@ -293,10 +283,6 @@ std::optional<Reason> diagnose_number(const ExerciseReference& exercise, const A
 
 std::optional<Reason> diagnose_factor(const ExerciseReference& exercise, const Answers& answers) {
   return factor_of(exercise, answers, true);
-}
-
-std::optional<Reason> factor_of_mistake(const ExerciseReference& mistake, const Answers& answers) {
-  return factor_of(mistake, answers, true, {"that of a mistake", "those of a mistake", "as with that mistake"});
 }
 
 }  // namespace workbook

@@ -194,10 +194,13 @@ class Features {
           const Eigen::Vector3d u = input(i, a), v = input(i, b);
           return size(i) > 0 && u.cross(v).norm() <= same * size(i);
         });
-        add(one.name + " and " + other.name + " are perpendicular", [&](std::size_t i) {
-          const Eigen::Vector3d u = input(i, a), v = input(i, b);
-          return size(i) > 0 && std::abs(u.dot(v)) <= same * size(i);
-        });
+        const auto cosine = [&](std::size_t i) {
+          return size(i) > 0 ? Eigen::Vector3d(input(i, a)).dot(Eigen::Vector3d(input(i, b))) / size(i) : 1;
+        };
+        add(one.name + " and " + other.name + " are perpendicular",
+            [&](std::size_t i) { return std::abs(cosine(i)) <= same; });
+        add("the angle from " + one.name + " to " + other.name + " is obtuse",
+            [&](std::size_t i) { return cosine(i) < -same; });
       }
     }
   }

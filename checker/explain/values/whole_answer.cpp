@@ -99,6 +99,80 @@ std::vector<Transform> permutations(int rows) {
   return found;
 }
 
+/// A misconception, or changed inputs.
+struct KnownMistake {
+  ReasonKind kind;
+  std::string name, message, notes;
+  const std::vector<Value>* outputs;
+};
+
+/// Each with results of its own.
+std::vector<KnownMistake> known_mistakes(const ExerciseReference& exercise) {
+  std::vector<KnownMistake> known;
+  const auto add = [&](KnownMistake mistake) {
+    const auto is_same = [&](const KnownMistake& other) {
+      return std::ranges::all_of(deciding_cases(exercise), [&](std::size_t i) {
+        return is_same_answer(exercise, i, mistake.outputs->at(i), other.outputs->at(i));
+      });
+    };
+    if (std::ranges::none_of(known, is_same)) known.push_back(std::move(mistake));
+  };
+  for (const Misconception& each : exercise.misconceptions)
+    add({ReasonKind::misconception, each.name, each.message, each.notes, &each.outputs});
+  for (const InputTransform& each : exercise.input_transforms)
+    add({ReasonKind::input_transform, each.name, fmt::format("This is the right result for {}.", each.message), "",
+         &each.outputs});
+  return known;
+}
+
+/// Some wrong numbers of a result, and the mistake that gives them.
+struct Part {
+  KnownMistake mistake;
+  std::set<std::size_t> entries = {};
+
+  std::string names(const ExerciseReference& exercise) const {
+    std::vector<std::string> all;
+    for (const std::size_t entry : entries)
+      all.push_back(entry_name(exercise.cases.front().expected, exercise.result_kind, entry));
+    return listed(all);
+  }
+};
+
+/// The mistake that gives most of the wrong numbers, and that which gives most of the others.
+std::vector<Part> parts_of(const ExerciseReference& exercise, const Answers& answers, std::set<std::size_t> wrong) {
+  const std::vector<std::size_t> deciding = deciding_cases(exercise);
+  const auto gives = [&](const KnownMistake& mistake, std::size_t entry) {
+    return agree(exercise, answers, [&](std::size_t i) {
+      Value value = *answers[i];
+      value.numbers[entry] = mistake.outputs->at(i).numbers[entry];
+      return value;
+    });
+  };
+  std::vector<Part> parts;
+  for (int k = 0; k < 2; ++k) {
+    Part best;
+    for (const KnownMistake& mistake : known_mistakes(exercise)) {
+      Part part{mistake};
+      for (const std::size_t entry : wrong)
+        if (gives(mistake, entry)) part.entries.insert(entry);
+      // Zeros agree with every mistake in which something vanishes.
+      const auto is_telling = [&](std::size_t i) {
+        const Deviation deviation = deviations(exercise, i, *answers[i]).front();
+        return std::ranges::any_of(part.entries, [&](std::size_t entry) {
+          return answers[i]->numbers[entry] != 0 && !deviation.is_within(entry);
+        });
+      };
+      if (part.entries.size() > best.entries.size() &&
+          std::cmp_greater_equal(std::ranges::count_if(deciding, is_telling), telling_numbers))
+        best = part;
+    }
+    if (best.entries.empty()) break;
+    for (const std::size_t entry : best.entries) wrong.erase(entry);
+    parts.push_back(std::move(best));
+  }
+  return parts;
+}
+
 std::vector<Transform> reorderings(const ExerciseReference& exercise) {
   switch (exercise.result_kind) {
     case Kind::vector2:
@@ -243,58 +317,90 @@ std::optional<Reason> diagnose_signs(const ExerciseReference& exercise, const An
   return std::nullopt;
 }
 
-std::optional<Reason> diagnose_wrong_part(const ExerciseReference& exercise, const Answers& answers) {
+/// @param must_be_all  of the wrong numbers
+static std::optional<Reason> known_parts(const ExerciseReference& exercise, const Answers& answers, bool must_be_all) {
   const std::set<std::size_t> wrong = wrong_entries(exercise, answers);
-  const Value& shape = exercise.cases.front().expected;
-  if (wrong.empty() || wrong.size() == shape.numbers.size() || !all_deciding_cases_answered(exercise, answers))
+  if (wrong.empty() || exercise.cases.front().expected.numbers.size() == 1 ||
+      !all_deciding_cases_answered(exercise, answers))
     return std::nullopt;
-  // Zeros agree with every mistake in which something vanishes.
-  const auto has_number = [&](std::size_t i) {
-    return std::ranges::any_of(wrong, [&](std::size_t n) { return answers[i]->numbers[n] != 0; });
-  };
-  if (std::ranges::none_of(deciding_cases(exercise), has_number)) return std::nullopt;
-  std::vector<std::string> names;
-  for (const std::size_t n : wrong) names.push_back(entry_name(shape, exercise.result_kind, n));
-  // A candidate is compared where the answer is wrong; that the rest is right is known.
-  const auto agrees_there = [&](const std::vector<Value>& outputs) {
-    std::size_t telling = 0;
-    const bool agrees_everywhere = agree(exercise, answers, [&](std::size_t i) {
-      Value value = *answers[i];
-      if (outputs.at(i).has_shape_of(value))
-        for (const std::size_t n : wrong) value.numbers[n] = outputs[i].numbers[n];
-      telling += passes(exercise, i, value) ? 0 : 1;
-      return value;
-    });
-    return agrees_everywhere && telling >= telling_numbers;
-  };
-  for (const Misconception& each : exercise.misconceptions)
-    if (agrees_there(each.outputs))
-      return Reason{ReasonKind::misconception, each.name,
-                    fmt::format("In {}, and nowhere else, your result is what this mistake gives: {}", listed(names),
-                                each.message),
-                    Weight::cause, each.notes};
-  for (const InputTransform& each : exercise.input_transforms)
-    if (agrees_there(each.outputs))
-      return Reason{ReasonKind::input_transform, each.name,
-                    fmt::format("At every case {} {} right for {}; all other numbers are right.", listed(names),
-                                names.size() == 1 ? "is" : "are", each.message)};
-  return std::nullopt;
+  const std::vector<Part> parts = parts_of(exercise, answers, wrong);
+  std::size_t given = 0;
+  for (const Part& part : parts) given += part.entries.size();
+  if (parts.empty() || (must_be_all && given < wrong.size())) return std::nullopt;
+  const KnownMistake& first = parts.front().mistake;
+  const bool is_one = parts.size() == 1 && given == wrong.size();
+  // Changed inputs that have no name, and explain a part only, may be a coincidence.
+  const bool has_name = first.kind == ReasonKind::misconception;
+  if (!has_name && given < wrong.size()) return std::nullopt;
+  std::string sentence = fmt::format("In {}{} your result is what this mistake gives: {}",
+                                     parts.front().names(exercise), is_one ? ", and nowhere else," : "", first.message);
+  if (parts.size() == 2)
+    sentence +=
+        fmt::format(" In {} it is what another one gives: {}", parts[1].names(exercise), parts[1].mistake.message);
+  if (given < wrong.size()) sentence += " Something else is wrong in the rest.";
+  return Reason{first.kind, first.name, sentence, is_one || has_name ? Weight::cause : Weight::possible, first.notes};
 }
 
-std::optional<Reason> diagnose_two_mistakes(const ExerciseReference& exercise, const Answers& answers) {
+std::optional<Reason> diagnose_wrong_part(const ExerciseReference& exercise, const Answers& answers) {
+  return known_parts(exercise, answers, true);
+}
+
+std::optional<Reason> diagnose_some_part(const ExerciseReference& exercise, const Answers& answers) {
+  return known_parts(exercise, answers, false);
+}
+
+std::optional<Reason> diagnose_both_mistakes(const ExerciseReference& exercise, const Answers& answers) {
+  if (exercise.comparison != Comparison::plain || exercise.result_kind == Kind::integer ||
+      !all_deciding_cases_answered(exercise, answers))
+    return std::nullopt;
+  const std::vector<KnownMistake> known = known_mistakes(exercise);
+  std::optional<Reason> found;
+  for (auto one = known.begin(); one != known.end(); ++one) {
+    for (auto other = one + 1; other != known.end(); ++other) {
+      for (const bool are_added : {true, false}) {
+        const auto together = [&](std::size_t i) {
+          Value value = exercise.cases[i].expected;
+          for (std::size_t n = 0; n < value.numbers.size(); ++n) {
+            double& number = value.numbers[n];
+            const double first = one->outputs->at(i).numbers[n], second = other->outputs->at(i).numbers[n];
+            number = are_added || number == 0 ? first + second - number : first * second / number;
+          }
+          return value;
+        };
+        if (!agree(exercise, answers, together)) continue;
+        if (found) return std::nullopt;  // of several none is certain
+        // A single slip in the code, which other explainers look for, may give the same.
+        found = {
+            one->kind, one->name,
+            fmt::format("Two mistakes together give your result. One: {} The other: {}", one->message, other->message),
+            Weight::possible, one->notes};
+        break;
+      }
+    }
+  }
+  return found;
+}
+
+std::optional<Reason> diagnose_changed_mistake(const ExerciseReference& exercise, const Answers& answers) {
   ExerciseReference changed = exercise;
   changed.cases.resize(exercise.described_cases());
-  for (const Misconception& each : exercise.misconceptions) {
-    for (std::size_t i = 0; i < changed.cases.size(); ++i) changed.cases[i].expected = each.outputs[i];
+  for (const KnownMistake& each : known_mistakes(exercise)) {
+    for (std::size_t i = 0; i < changed.cases.size(); ++i) changed.cases[i].expected = each.outputs->at(i);
     // Where the answer is right, it is no mistake times something.
     const auto is_right = [&](std::size_t i) {
-      return answers[i] && passes(exercise, i, *answers[i]) && !passes(exercise, i, each.outputs[i]);
+      return answers[i] && passes(exercise, i, *answers[i]) && !passes(exercise, i, each.outputs->at(i));
     };
-    if (!std::ranges::all_of(each.outputs, &Value::is_finite) || std::ranges::any_of(deciding_cases(changed), is_right))
+    if (!std::ranges::all_of(*each.outputs, &Value::is_finite) ||
+        std::ranges::any_of(deciding_cases(changed), is_right))
       continue;
-    if (const auto found = factor_of_mistake(changed, answers))
-      return Reason{ReasonKind::misconception, each.name,
-                    fmt::format("{} The mistake: {}", found->sentence, each.message), Weight::possible, each.notes};
+    for (const auto& mechanism : {diagnose_transform, diagnose_number}) {
+      const auto found = mechanism(changed, answers);
+      if (!found || !found->is_cause()) continue;
+      const std::string sentence = replaced(replaced(found->sentence, "the expected ones?", "what a mistake gives"),
+                                            "all else is right", "all else is as with that mistake");
+      return Reason{each.kind, each.name, fmt::format("{} The mistake: {}", sentence, each.message), Weight::possible,
+                    each.notes};
+    }
   }
   return std::nullopt;
 }
