@@ -122,15 +122,16 @@ bool is_exact(const Variant& variant) {
   return std::ranges::count(exact, variant.kind) > 0;
 }
 
-/// How many steps, and how small something must be.
+/// How many steps, and how small something is. Another number of about that size may be that of another formula.
 bool is_of_accuracy(const Variant& variant) {
-  return variant.kind == VariantKind::loop || variant.kind == VariantKind::number || variant.kind == VariantKind::steps;
+  return variant.kind == VariantKind::loop || variant.kind == VariantKind::steps ||
+         (variant.kind == VariantKind::number && variant.words != "another number");
 }
 
 /// The number, or the end of a loop, with which the error falls, of some failing cases taken together: it follows a
 /// law, so that this limits the accuracy.
 std::optional<Reason> coarse(VariantRunner& runner, const std::vector<Variant>& variants, const SourceText& source) {
-  constexpr double clearly_less = 0.3, much_less = 0.15, nearly_right = 0.1, known = 0.7;
+  constexpr double clearly_less = 0.35, much_less = 0.15, nearly_right = 0.1, known = 0.7;
   const std::vector<double> errors = runner.errors(variants.size());
   if (errors.size() < 3 || !(std::ranges::max(errors) < known)) return std::nullopt;
   const auto sum = [](const std::vector<double>& all) { return std::accumulate(all.begin(), all.end(), 0.0); };
@@ -156,20 +157,26 @@ std::optional<Reason> mistake_left(VariantRunner& runner, std::size_t variant, c
   described.cases.resize(described.described_cases());
   const std::optional<Answers> answers = runner.answers(variant);
   if (!answers) return std::nullopt;
+  // A result that no input changes is what many a mistake gives.
+  std::set<std::vector<double>> results;
+  for (const std::optional<Value>& answer : *answers)
+    if (answer) results.insert(answer->numbers);
+  if (results.size() < 2) return std::nullopt;
   const std::size_t wrong = outcomes_of(described, *answers).wrong.size();
   const auto is_described = [&](std::size_t index) { return index < described.cases.size(); };
   if (wrong < fewest || std::cmp_greater(wrong, std::ranges::count_if(task.judgement.failing, is_described)))
     return std::nullopt;
-  for (Mechanism* const mechanism : {&diagnose_misconception, &diagnose_terms, &diagnose_transform, &diagnose_number})
+  for (Mechanism* const mechanism : {&diagnose_misconception, &diagnose_transform, &diagnose_number})
     if (const auto found = mechanism(described, *answers); found && found->is_cause()) return found;
   return std::nullopt;
 }
 
 /// With the change some wrong components are right, or one mistake is left that values tell: there are two.
+/// @param is_likely  it helps by itself, or there are few of its kind: others may only turn a mistake into a known one
 std::optional<Reason> first_of_two(VariantRunner& runner, const VariantRunner::Gain& gain, std::size_t position,
-                                   const Variant& variant, const SourceText& source, const DiagnosticTask& task) {
-  // Another name, index, number or factor, or a term left out, may only turn another mistake into a known one.
-  const auto mistake = is_exact(variant) ? mistake_left(runner, position, task) : std::nullopt;
+                                   const Variant& variant, bool is_likely, const SourceText& source,
+                                   const DiagnosticTask& task) {
+  const auto mistake = is_likely ? mistake_left(runner, position, task) : std::nullopt;
   std::string left;
   if (mistake) {
     left = "one mistake is left: " + mistake->sentence;
@@ -192,15 +199,17 @@ bool can_be_beside(const Variant& variant) {
          variant.kind != VariantKind::overwritten;
 }
 
-/// Two slips with which all cases are right; in two lines only those of which there are few.
+/// Two slips with which all cases are right; in two lines only those of which there are few, or where one of the two
+/// helps by itself.
 std::optional<Reason> two_slips(VariantRunner& runner, const std::vector<Variant>& variants,
-                                const std::vector<std::size_t>& order, const SourceText& source,
-                                const DiagnosticTask& task) {
+                                const std::vector<std::size_t>& order, const std::set<std::size_t>& helpful,
+                                const SourceText& source, const DiagnosticTask& task) {
   for (auto one = order.begin(); one != order.end(); ++one) {
     for (auto other = one + 1; other != order.end(); ++other) {
       const Variant &first = variants[*one], &second = variants[*other];
       const bool are_apart = first.edits.front().offset != second.edits.front().offset;
-      const bool are_near = first.place.line == second.place.line || (is_exact(first) && is_exact(second));
+      const bool are_near = first.place.line == second.place.line || (is_exact(first) && is_exact(second)) ||
+                            helpful.contains(*one) || helpful.contains(*other);
       if (!are_near || !are_apart || !can_be_beside(first) || !can_be_beside(second) || !runner.is_right(*one, *other))
         continue;
       return repair(
@@ -268,10 +277,12 @@ long VariantRunner::affordable_calls() {
 
 bool VariantRunner::is_right(std::size_t variant, std::optional<std::size_t> beside) {
   if (beside) variant = VariantUnit::both(variant, *beside);
-  return std::ranges::all_of(order_, [&](std::size_t index) {
-    const Reply reply = call(variant, index);
-    return has_usable_value(reply, task_.reference.cases[index]) && passes(task_.reference, index, reply.value);
-  });
+  return std::ranges::all_of(order_, [&](std::size_t index) { return is_right_at(variant, index); });
+}
+
+bool VariantRunner::is_right_at(std::size_t variant, std::size_t index) {
+  const Reply reply = call(variant, index);
+  return has_usable_value(reply, task_.reference.cases[index]) && passes(task_.reference, index, reply.value);
 }
 
 VariantRunner::Gain VariantRunner::gain(std::size_t variant) {
@@ -293,6 +304,21 @@ VariantRunner::Gain VariantRunner::gain(std::size_t variant) {
   }
   if (gain.is_right) gain.right_entries.clear();
   return gain;
+}
+
+bool VariantRunner::helps(std::size_t variant) {
+  constexpr std::size_t looked_at = 6;
+  if (simplest_.empty()) {
+    // Where much is zero, one of two mistakes may not show.
+    simplest_ = task_.judgement.failing;
+    std::ranges::stable_sort(simplest_, std::greater(), [&](std::size_t index) {
+      std::ptrdiff_t zeros = 0;
+      for (const Value& input : task_.reference.cases[index].inputs) zeros += std::ranges::count(input.numbers, 0);
+      return zeros;
+    });
+    simplest_.resize(std::min(simplest_.size(), looked_at));
+  }
+  return std::ranges::any_of(simplest_, [&](std::size_t index) { return is_right_at(variant, index); });
 }
 
 std::optional<Answers> VariantRunner::answers(std::size_t variant) {
@@ -372,9 +398,14 @@ CodeReasons code_reasons(const DiagnosticTask& task, const std::vector<Reason>& 
   };
   for (std::size_t k = 0; k < variants.size(); ++k)
     if (runner.is_right(k)) return {fixed_by(variants[k]), true};
+  // What moves an error by a little, as another number of steps does, is not its reason.
+  const std::vector<double> errors = runner.errors(variants.size());
+  const auto is_alike = [](double one, double other) { return std::abs(one - other) <= 0.01 * other; };
   CodeReasons reasons;
   for (std::size_t k = 0; k < variants.size(); ++k) {
-    if (variants[k].kind == VariantKind::all_fixes || !runner.is_other(k)) continue;
+    if (variants[k].kind == VariantKind::all_fixes || !runner.is_other(k) ||
+        (!errors.empty() && std::ranges::equal(runner.errors(k), errors, is_alike)))
+      continue;
     std::ranges::move(fixed_by(variants[k]), std::back_inserter(reasons.reasons));
   }
   return reasons;
@@ -408,12 +439,14 @@ std::optional<Reason> slip_or_branch(const DiagnosticTask& task, const Toolchain
   // Another number may stand for many a mistake: it comes last, and where few cases fail it may only move rounding.
   const auto rank = [&](std::size_t k) {
     const VariantKind kind = variants[k].kind;
-    return kind == VariantKind::guard ? 3 : is_factor(variants[k]) ? 2 : kind == VariantKind::number ? 1 : 0;
+    // Nobody takes the tangent for a sine.
+    const bool is_tangent = kind == VariantKind::function && variants[k].edits.front().replacement == "std::tan";
+    return kind == VariantKind::guard ? 3 : is_factor(variants[k]) ? 2 : kind == VariantKind::number || is_tangent;
   };
   std::vector<std::size_t> order(variants.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, rank);
-  std::vector<std::pair<std::size_t, VariantRunner::Gain>> candidates;  // for the first of two
+  std::vector<std::pair<std::size_t, VariantRunner::Gain>> gains;
   for (const std::size_t k : order) {
     const Variant& each = variants[k];
     const bool may_hold = !branch || (each.kind != VariantKind::guard && branch->may_hold(each));
@@ -423,14 +456,21 @@ std::optional<Reason> slip_or_branch(const DiagnosticTask& task, const Toolchain
       return repair(
           source, each.place, "slip_" + to_string(each.kind),
           fmt::format("with {} here, the result is right at all {} cases.", each.words, task.reference.cases.size()));
-    if (is_exact(each) || !gain.right_entries.empty()) candidates.emplace_back(k, gain);
+    gains.emplace_back(k, gain);
   }
   if (branch) return finding_of(*branch, source, task);
   if (const auto limit = coarse(runner, variants, source)) return limit;
+  std::set<std::size_t> helpful;
+  for (const auto& [k, gain] : gains)
+    if (runner.helps(k)) helpful.insert(k);
   std::optional<Reason> one_of_two;
-  for (auto one = candidates.begin(); one != candidates.end() && !one_of_two; ++one)
-    one_of_two = first_of_two(runner, one->second, one->first, variants[one->first], source, task);
-  if (const auto both = two_slips(runner, variants, order, source, task)) return both;
+  for (auto one = gains.begin(); one != gains.end() && !one_of_two; ++one) {
+    const auto& [k, gain] = *one;
+    const bool is_likely = is_exact(variants[k]) || (helpful.contains(k) && !is_factor(variants[k]));
+    one_of_two = first_of_two(runner, gain, k, variants[k], is_likely, source, task);
+  }
+  std::ranges::stable_partition(order, [&](std::size_t k) { return helpful.contains(k); });
+  if (const auto both = two_slips(runner, variants, order, helpful, source, task)) return both;
   return one_of_two;
 } catch (const std::exception&) {
   return std::nullopt;

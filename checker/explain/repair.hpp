@@ -47,6 +47,8 @@ class VariantRunner {
   bool is_as_judged();
   /// At every case? Two of one copy may be asked for together.
   bool is_right(std::size_t variant, std::optional<std::size_t> beside = {});
+  /// At some of the failing cases with the most zeros?
+  bool helps(std::size_t variant);
   /// What is better with a variant, at every case.
   struct Gain {
     bool is_right = false;
@@ -66,6 +68,7 @@ class VariantRunner {
  private:
   Reply call(std::size_t variant, std::size_t case_index);
   Reply answer(std::size_t variant, std::size_t case_index);
+  bool is_right_at(std::size_t variant, std::size_t case_index);
   /// How many calls are as much work as all may be.
   long affordable_calls();
 
@@ -73,7 +76,7 @@ class VariantRunner {
   const Program program_;
   const TrialLimits limits_;
   const std::size_t unchanged_;  ///< the number of the file as it stands
-  std::vector<std::size_t> order_;
+  std::vector<std::size_t> order_, simplest_;
   std::set<std::size_t> wrong_;  ///< entries
   std::optional<long> calls_left_;
   int slow_ = 0;

@@ -401,6 +401,7 @@ class SourceMutations {
     if (type != types_.end() && is_whole(at_) && before() == "(" && after() == "," && token(at_ + 3) == ")" &&
         is_identifier(token(at_ + 2)) && is_whole(at_ + 2) && types_.contains(std::string(token(at_ - 2))))
       exchange(VariantKind::index, "the two indices the other way round", at_, at_ + 2);
+    const bool is_square = after() == "*" && token(at_ + 2) == here() && before() != ".";
     if (type == types_.end() || is_one_of(before(), {".", "::", "->", "&"}) || before() == type->second) return;
     const auto own_scope = scopes_.find(std::string(here()));
     if (own_scope != scopes_.end() && own_scope->second.first == at_) return;  // it is declared here
@@ -409,6 +410,9 @@ class SourceMutations {
     for (const auto& [other, declared] : types_)
       if (other != here() && declared == type->second) {
         if (!is_visible(other) || (is_filled && constants_.contains(other))) continue;
+        if (is_square)
+          add(VariantKind::name, "another name in both factors", at_,
+              {replaced(at_, at_, other), replaced(at_ + 2, at_ + 2, other)});
         add(VariantKind::name, "another name", other);
         places_[{std::string(here()), other}].push_back(found_.back().edits.front());
       }

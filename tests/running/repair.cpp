@@ -124,9 +124,10 @@ TEST_CASE("findings are the reason if their fix makes all cases right, and a par
         "all: integer_division integer_division");
   CHECK(reasons("int half = x / 2;\nreturn 2 * n * half;") == "all: narrowing");
   CHECK(reasons("int sum = 0;\nfor (int i = 0; i < 2; ++i) sum += n * x / 2;\nreturn sum;") == "all: narrowing");
-  CHECK(reasons("return n * x * (1 / 3);") == " integer_division");  // another mistake besides
-  CHECK(reasons("return -n * x + 0 * (1 / 3);") == "");              // it changes nothing
-  CHECK(reasons("return -n * x;") == "");                            // nothing found
+  CHECK(reasons("return n * x * (1 / 3);") == " integer_division");                 // another mistake besides
+  CHECK(reasons("return -n * x + 0 * (1 / 3);") == "");                             // it changes nothing
+  CHECK(reasons("return -n * x;") == "");                                           // nothing found
+  CHECK(reasons("int steps = 1000 * x;\nreturn n * n * x + 1e-4 * steps;") == "");  // it changes next to nothing
 }
 
 TEST_CASE("a quotient of whole numbers with names is a reason where one of doubles is right") {
@@ -192,6 +193,7 @@ TEST_CASE("two slips, a bound in a condition and a name with something left out 
       {"return (x < -1 ? -1 : 1) * n * std::sqrt(x * x);", "slip_guard", 7},
       {"double sum = 0;\nfor (int i = 0; i + 1 < n; ++i) sum += x;\nreturn sum;", "slip_loop", 8},
       {"return n + n / 2.0 * x;", "slip_brackets", 7},
+      {"double a = std::sqrt(std::abs(x)), b = 2;\nreturn n * (b * b) * (x < 0 ? -1 : 1);", "slip_name", 8},
       {"double a = x, b = n;\na = b;\nb = a;\nreturn a * b;", "slip_overwritten", 9},
       {"return n * std::sin(std::asin(x / 100) / 2) * 100;", "slip_function", 7},
       {"const double half = 0.5;\nreturn (n + n) * x;", "slip_factor", 8},
@@ -226,6 +228,17 @@ TEST_CASE("of two mistakes the one is named that leaves one that values tell") {
   CHECK(found->name == "slip_first");
   CHECK(found->line == 7);
   CHECK(found->sentence.ends_with("with another sign here, one mistake is left: This is twice the product."));
+  // What gives the same everywhere with the change tells nothing of what is left.
+  Attempt bounded("return std::max(-7.0, std::min(7.0, 1e9 * (n - 2 * x)));");
+  bounded.reference.misconceptions = {{"seven", "This is seven.", "", std::vector<Value>(4, Value{1, 1, {7}}), {}}};
+  CHECK_FALSE(bounded.slip().has_value());
+}
+
+TEST_CASE("two slips of many kinds are found in two lines where one of them helps at some case") {
+  const auto found = Attempt("const Vector3d v(x, 1, n);\nconst double a = v[1];\nreturn v[1] * a;").slip();
+  REQUIRE(found.has_value());
+  CHECK(found->name == "slips_index");
+  CHECK(found->line == 8);
 }
 
 TEST_CASE("the branch that the failing cases take is named with its condition, and whether all is right without it") {
