@@ -106,6 +106,13 @@ void judge_block_with_hole(Lecture& lecture) {
           "step_back_added", [](auto density, auto& box, auto& place, auto radius) {
             return about_the_middle(density, box, place, radius) + last_step(density, box, place, radius);
           });
+  e.wrong({"The last step, to the centre of mass, is taken with the mass of the whole block; what is left is lighter.",
+           "parallel_axis_back"},
+          "mass_of_the_block", [](auto density, auto& box, auto& place, auto radius) {
+            const auto [block, ball] = block_and_ball(density, box, radius);
+            return about_the_middle(density, box, place, radius) -
+                   block / (block - ball) * last_step(density, box, place, radius);
+          });
   e.is_inertia_tensor(theorem_notes, theorem_notes);
   e.route("points, some of negative mass", by_points);
   e.route("discs", by_discs);

@@ -39,6 +39,12 @@ void judge_flat_spin(Lecture& lecture) {
           [](auto& I, auto& w) { return ending_with(I.minCoeff(), I, w); });
   e.wrong("This ends about axis 3, whichever moment it has; the moments come in any order.", "third_axis",
           [](auto& I, auto& w) { return ending_with(I[2], I, w); });
+  e.wrong("The component about the axis of the largest moment is kept here, and the others stop; what stays is L.",
+          "component_kept", [](auto& I, auto& w) {
+            int axis = 0;
+            const double largest = I.maxCoeff(&axis);
+            return Vector2d((I.dot(w.cwiseAbs2()) - largest * w[axis] * w[axis]) / 2, abs(w[axis]));
+          });
   e.wrong_output("Your first number is the energy that is left; asked for is the heat.", "left_over",
                  [](auto& both, auto& I, auto& w) { both[0] = I.dot(w.cwiseAbs2()) / 2 - both[0]; });
   e.property(Is::nonnegative, "Friction takes energy from the rotation: the heat is not negative, and no rate is.");

@@ -42,6 +42,12 @@ void judge_azimuth_rate(Lecture& lecture) {
             const Vector3d L = L_of(I, w);
             return L.norm() * w.dot(L) / (L[0] * L[0] + L[1] * L[1]);
           });
+  e.wrong("The angle of axis 3 is that from ω here, cos θ = ω₃/|ω|; it is that from L, cos θ = I₃ω₃/L.",
+          "angle_from_omega", [](auto& I, auto& w) {
+            const Vector3d L = L_of(I, w);
+            const double squared_sine = w.template head<2>().squaredNorm() / w.squaredNorm();
+            return (w.dot(L) / L.norm() - w[2] * w[2] / w.norm()) / squared_sine;
+          });
   e.wrong("This is how fast axis 1 goes round L; asked for is axis 3.", "axis_1",
           [](auto& I, auto& w) { return rate_about_L(I, w, 0); });
   e.wrong(
