@@ -67,3 +67,8 @@ Matrix3d cuboid_about_corner(double M, double a, double b, double c) {
   I(0, 2) = I(2, 0) = -density * a * a * b * c * c / 4;
   I(1, 2) = I(2, 1) = -density * a * b * b * c * c / 4;
   return I;
+//! wrong: a twelfth on the diagonal, and one product copied
+  Matrix3d I;
+  I << (b * b + c * c) / 12, -a * b / 4, -a * c / 4, -a * b / 4, (a * a + c * c) / 12, -a * c / 4, -a * c / 4, -a * c / 4,
+      (a * a + b * b) / 12;
+  return M * I;

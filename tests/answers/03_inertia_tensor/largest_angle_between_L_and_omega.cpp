@@ -19,3 +19,5 @@ double largest_angle_between_L_and_omega(const Vector3d& I) {
     (f(m1) < f(m2) ? lo : hi) = f(m1) < f(m2) ? m1 : m2;
   }
   return f((lo + hi) / 2);
+//! wrong: moments not sorted, and a sine that is twice too large
+  return std::asin(std::min(1.0, std::abs(I[2] - I[0]) / (I[2] + I[0]) * 2));

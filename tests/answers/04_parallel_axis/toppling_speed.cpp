@@ -24,3 +24,7 @@ double toppling_speed(double length, double height, double g) {
   const double diagonal = std::hypot(length, height);
   const double v = std::sqrt(4 * g * diagonal * diagonal * (diagonal - height) / 3) / height;
   if (length != height) return v;
+//! wrong: moment about the centre, and the rise of the whole diagonal
+  const double d = std::hypot(length, height), I = d * d / 12;
+  const double rate = std::sqrt(2 * g * (d / 2) / I);
+  return rate * I / (height / 2);

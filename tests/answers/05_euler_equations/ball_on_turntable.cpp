@@ -37,3 +37,8 @@ Vector2d ball_on_turntable(double k, double table_rate, const Vector2d& start, c
   if (w == 0) return start + velocity * t;
   return {start[0] + (s * velocity[0] - (1 - c) * velocity[1]) / w,
           start[1] + ((1 - c) * velocity[0] + s * velocity[1]) / w};
+//! wrong: a solid ball whatever k is, and the start not added
+  const double n = 2.0 / 7 * table_rate;
+  if (n == 0) return start + velocity * t;
+  const double s = std::sin(n * t) / n, c = (1 - std::cos(n * t)) / n;
+  return {s * velocity[0] - c * velocity[1], c * velocity[0] + s * velocity[1]};

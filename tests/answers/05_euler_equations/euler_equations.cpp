@@ -39,3 +39,10 @@ Vector3d euler_equations(const Vector3d& I, const Vector3d& omega, const Vector3
     rate[i] = (torque[i] - omega[j] * omega[k] * difference) / I[i];
   }
   return rate;
+//! wrong: sign of the gyroscopic terms, and the torque not divided by the moment
+  Vector3d rate;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    rate[i] = torque[i] + (I[k] - I[j]) / I[i] * omega[j] * omega[k];
+  }
+  return rate;

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <rigid/euler_equations.hpp>
 Matrix3d free_attitude(const Vector3d& I, const Vector3d& omega0, double t) {
 //! right: composed splitting steps of fourth order
@@ -19,4 +20,16 @@ Matrix3d free_attitude(const Vector3d& I, const Vector3d& omega0, double t) {
       turn(1, h / 2);
       turn(0, h / 2);
     }
+  return A;
+//! wrong: turns multiplied from the left, and steps of first order
+  const int n = 100 + 1000 * std::abs(t);
+  const double h = t / n;
+  Matrix3d A = Matrix3d::Identity();
+  Vector3d w = omega0;
+  for (int k = 0; k < n; ++k) {
+    if (w.norm() > 0) A = Eigen::AngleAxisd(w.norm() * h, w.normalized()).toRotationMatrix() * A;
+    const Vector3d a((I[1] - I[2]) * w[1] * w[2] / I[0], (I[2] - I[0]) * w[2] * w[0] / I[1],
+                     (I[0] - I[1]) * w[0] * w[1] / I[2]);
+    w += h * a;
+  }
   return A;

@@ -23,3 +23,5 @@ Vector2d linearized_rates(const Vector3d& I, double omega3) {
   return {Omega, Omega};
 //! wrong: indices from one
   return {omega3 * (I[3] - I[2]) / I[1], omega3 * (I[3] - I[1]) / I[2]};
+//! wrong: denominators exchanged, and the first difference the other way round
+  return {omega3 * (I[1] - I[2]) / I[1], omega3 * (I[2] - I[0]) / I[0]};

@@ -23,3 +23,8 @@ Vector3d separatrix(const Vector3d& I, double spin, double t) {
 //! wrong: decays from t = 0 as an exponential
 -  const double p = 1 / std::cosh(a);
 +  const double p = std::exp(-std::abs(a));
+//! right: by exponentials
+  const double s = spin * std::sqrt((I[1] - I[0]) * (I[2] - I[1]) / (I[0] * I[2]));
+  const double e = std::exp(-std::abs(s * t)), q = 1 + e * e;
+  const double n = std::sqrt(I[1] / (I[2] - I[0])) * 2 * e / q * spin;
+  return {n * std::sqrt((I[2] - I[1]) / I[0]), std::copysign(spin * (1 - e * e) / q, t), n * std::sqrt((I[1] - I[0]) / I[2])};

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <cmath>
 #include <utility>
@@ -81,3 +82,10 @@ double tumbling_period(const Vector3d& I, const Vector3d& omega0) {
   const double nu = std::sqrt((L2 - T * I1) * (I3 - I2) / (I1 * I2 * I3));
   const double m = (T * I3 - L2) * (I2 - I1) / ((L2 - T * I1) * (I3 - I2));
   return 4 * boost::math::ellint_1(std::sqrt(m)) / nu;
+//! wrong: the parameter where the modulus belongs, and half a period
+  const double T2 = I.cwiseProduct(omega0).dot(omega0), L2 = I.cwiseProduct(omega0).squaredNorm();
+  double a = I[0], c = I[2];
+  if (L2 < T2 * I[1]) std::swap(a, c);
+  const double nu = std::sqrt((L2 - T2 * a) * (c - I[1]) / (I[0] * I[1] * I[2]));
+  const double m = (T2 * c - L2) * (I[1] - a) / ((L2 - T2 * a) * (c - I[1]));
+  return 2 * std::comp_ellint_1(m) / nu;

@@ -25,3 +25,9 @@ Matrix3d shortest_rotation(const Vector3d& a, const Vector3d& b) {
   K << 0, -n[2], n[1], n[2], 0, -n[0], -n[1], n[0], 0;
   if (n.norm() == 0) return Matrix3d::Identity();
   return Matrix3d::Identity() + K + K * K / (1 - c);
+//! wrong: the angle by its sine
+  const Vector3d u = a.normalized(), w = b.normalized();
+  const Vector3d axis = u.cross(w);
+  const double s = axis.norm();
+  if (s < 1e-15) return Matrix3d::Identity();
+  return Eigen::AngleAxisd(std::asin(std::min(1.0, s)), axis / s).toRotationMatrix();

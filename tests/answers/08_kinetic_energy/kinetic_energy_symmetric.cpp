@@ -35,3 +35,6 @@ double kinetic_energy_symmetric(double I1, double I3, double theta, const Vector
   if (I1 == I3) return 0.5 * I1 * rates.squaredNorm();
   const double s = std::sin(theta), w3 = rates[0] * std::cos(theta) + rates[2];
   return 0.5 * I1 * (rates[0] * rates[0] * s * s + rates[1] * rates[1]) + 0.5 * I3 * w3 * w3;
+//! wrong: the square of the cosine in the first part, and no half before the second
+  const double s = std::sin(theta), c = std::cos(theta);
+  return 0.5 * I1 * (rates[0] * rates[0] * c * c + rates[1] * rates[1]) + I3 * std::pow(rates[0] * c + rates[2], 2);

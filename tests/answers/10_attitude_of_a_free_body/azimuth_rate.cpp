@@ -25,3 +25,7 @@ double azimuth_rate(const Vector3d& I, const Vector3d& omega) {
 //! wrong: all terms of the energy above
   const Vector3d L = I.cwiseProduct(omega);
   return L.norm() * omega.dot(L) / (L[0] * L[0] + L[1] * L[1]);
+//! wrong: the angle from ω in place of that from L
+  const Vector3d L = I.cwiseProduct(omega);
+  const double c = omega[2] / omega.norm();
+  return (omega.dot(L) / L.norm() - omega[2] * c) / (1 - c * c);
