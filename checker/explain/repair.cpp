@@ -172,11 +172,10 @@ std::optional<Reason> mistake_left(VariantRunner& runner, std::size_t variant, c
 }
 
 /// With the change some wrong components are right, or one mistake is left that values tell: there are two.
-/// @param is_likely  it helps by itself, or there are few of its kind: others may only turn a mistake into a known one
 std::optional<Reason> first_of_two(VariantRunner& runner, const VariantRunner::Gain& gain, std::size_t position,
-                                   const Variant& variant, bool is_likely, const SourceText& source,
-                                   const DiagnosticTask& task) {
-  const auto mistake = is_likely ? mistake_left(runner, position, task) : std::nullopt;
+                                   const Variant& variant, const SourceText& source, const DiagnosticTask& task) {
+  // Another name, index, number or factor, or a term left out, may only turn another mistake into a known one.
+  const auto mistake = is_exact(variant) ? mistake_left(runner, position, task) : std::nullopt;
   std::string left;
   if (mistake) {
     left = "one mistake is left: " + mistake->sentence;
@@ -414,12 +413,13 @@ CodeReasons code_reasons(const DiagnosticTask& task, const std::vector<Reason>& 
 }
 
 std::optional<Reason> slip_or_branch(const DiagnosticTask& task, const Toolchain& toolchain,
-                                     const std::filesystem::path& cache, bool is_inaccurate) try {
+                                     const std::filesystem::path& cache, Sought sought) try {
   const SourceText source(task.submission.text);
   std::vector<Variant> variants = branch_variants(source);
   std::ranges::move(one_token_variants(source, task.reference), std::back_inserter(variants));
   std::erase_if(variants, [&](const Variant& each) {
-    return each.kind == VariantKind::division || (is_inaccurate && !is_of_accuracy(each));  // the former are known
+    return each.kind == VariantKind::division ||
+           (sought == Sought::accuracy && !is_of_accuracy(each));  // the former are known
   });
   VariantRunner runner(task, variants, toolchain, cache);
   if (!runner.is_as_judged()) return std::nullopt;
@@ -458,17 +458,17 @@ std::optional<Reason> slip_or_branch(const DiagnosticTask& task, const Toolchain
           fmt::format("with {} here, the result is right at all {} cases.", each.words, task.reference.cases.size()));
     gains.emplace_back(k, gain);
   }
+  if (sought == Sought::one_slip) return std::nullopt;
   if (branch) return finding_of(*branch, source, task);
   if (const auto limit = coarse(runner, variants, source)) return limit;
-  std::set<std::size_t> helpful;
-  for (const auto& [k, gain] : gains)
-    if (runner.helps(k)) helpful.insert(k);
   std::optional<Reason> one_of_two;
   for (auto one = gains.begin(); one != gains.end() && !one_of_two; ++one) {
     const auto& [k, gain] = *one;
-    const bool is_likely = is_exact(variants[k]) || (helpful.contains(k) && !is_factor(variants[k]));
-    one_of_two = first_of_two(runner, gain, k, variants[k], is_likely, source, task);
+    one_of_two = first_of_two(runner, gain, k, variants[k], source, task);
   }
+  std::set<std::size_t> helpful;
+  for (const auto& [k, gain] : gains)
+    if (runner.helps(k)) helpful.insert(k);
   std::ranges::stable_partition(order, [&](std::size_t k) { return helpful.contains(k); });
   if (const auto both = two_slips(runner, variants, order, helpful, source, task)) return both;
   return one_of_two;
@@ -486,7 +486,11 @@ bool explain_by_small_change(Search& search) {
     return reason.kind == ReasonKind::accuracy && reason.weight == Weight::possible;
   };
   const bool are_inaccurate = std::ranges::any_of(search.reasons, is_inaccurate);
-  if (const auto found = slip_or_branch(evidence.task, evidence.toolchain, evidence.cache, are_inaccurate)) {
+  const bool are_explained = std::ranges::any_of(search.reasons, [](const Reason& reason) {
+    return reason.kind == ReasonKind::misconception && reason.weight == Weight::possible;
+  });
+  const Sought sought = are_inaccurate ? Sought::accuracy : are_explained ? Sought::one_slip : Sought::all;
+  if (const auto found = slip_or_branch(evidence.task, evidence.toolchain, evidence.cache, sought)) {
     // The change says which values of an input decide; a split that is a symptom only says it again.
     std::erase_if(search.reasons, [&](const Reason& reason) {
       return (reason.kind != ReasonKind::split || reason.weight == Weight::symptom) && !is_inaccurate(reason);
@@ -496,7 +500,7 @@ bool explain_by_small_change(Search& search) {
   }
   // A float or a π of few digits is reason enough.
   if (are_inaccurate && search.has_mistake_in_code()) search.reasons.clear();
-  return are_inaccurate;
+  return are_inaccurate || are_explained;
 }
 
 }  // namespace workbook

@@ -19,11 +19,14 @@ struct CodeReasons {
 CodeReasons code_reasons(const DiagnosticTask& task, const std::vector<Reason>& findings, const Toolchain& toolchain,
                          const std::filesystem::path& cache);
 
+/// What may be the cause: of values that are nearly right, only numbers and the ends of loops; of those that are
+/// explained otherwise, only a single slip.
+enum class Sought { all, accuracy, one_slip };
+
 /// The one token with which all cases are right, or two in a line: the place and its kind, not the answer; else the
 /// condition that holds at the failing cases.
-/// @param is_inaccurate  the values are nearly right: only numbers and the ends of loops may be the cause
 std::optional<Reason> slip_or_branch(const DiagnosticTask& task, const Toolchain& toolchain,
-                                     const std::filesystem::path& cache, bool is_inaccurate = false);
+                                     const std::filesystem::path& cache, Sought sought = Sought::all);
 
 /// What may be spent on trying the variants of a file; as it stands, while a student waits. It is counted, so that a
 /// busy machine finds what an idle one finds; time, of a processor, only ends what would never end.

@@ -56,8 +56,8 @@ struct Attempt {
            body + "\n}\n";
   }
 
-  std::optional<Reason> slip() const {
-    return slip_or_branch({submission, reference, observation, judgement}, toolchain(), shared_cache());
+  std::optional<Reason> slip(Sought sought = Sought::all) const {
+    return slip_or_branch({submission, reference, observation, judgement}, toolchain(), shared_cache(), sought);
   }
 };
 
@@ -235,8 +235,11 @@ TEST_CASE("of two mistakes the one is named that leaves one that values tell") {
 }
 
 TEST_CASE("two slips of many kinds are found in two lines where one of them helps at some case") {
-  const auto found = Attempt("const Vector3d v(x, 1, n);\nconst double a = v[1];\nreturn v[1] * a;").slip();
+  const Attempt two("const Vector3d v(x, 1, n);\nconst double a = v[1];\nreturn v[1] * a;");
+  const auto found = two.slip();
   REQUIRE(found.has_value());
+  CHECK_FALSE(two.slip(Sought::one_slip).has_value());
+  CHECK(Attempt("return -n * x;").slip(Sought::one_slip).has_value());
   CHECK(found->name == "slips_index");
   CHECK(found->line == 8);
 }
