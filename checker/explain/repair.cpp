@@ -157,11 +157,18 @@ std::optional<Reason> mistake_left(VariantRunner& runner, std::size_t variant, c
   described.cases.resize(described.described_cases());
   const std::optional<Answers> answers = runner.answers(variant);
   if (!answers) return std::nullopt;
-  // A result that no input changes is what many a mistake gives.
+  // An input itself, or a result that no input changes, is what many a mistake gives.
+  const std::vector<std::size_t> deciding = deciding_cases(described);
   std::set<std::vector<double>> results;
-  for (const std::optional<Value>& answer : *answers)
-    if (answer) results.insert(answer->numbers);
-  if (results.size() < 2) return std::nullopt;
+  for (const std::size_t i : deciding) results.insert((*answers)[i]->numbers);
+  const auto is_input = [&](std::size_t argument) {
+    return std::ranges::all_of(deciding, [&](std::size_t i) {
+      const Value &input = described.cases[i].inputs[argument], &answer = *(*answers)[i];
+      return input.has_shape_of(answer) && is_same_answer(described, i, answer, input);
+    });
+  };
+  for (std::size_t a = 0; a < described.arguments.size(); ++a)
+    if (results.size() < 2 || is_input(a)) return std::nullopt;
   const std::size_t wrong = outcomes_of(described, *answers).wrong.size();
   const auto is_described = [&](std::size_t index) { return index < described.cases.size(); };
   if (wrong < fewest || std::cmp_greater(wrong, std::ranges::count_if(task.judgement.failing, is_described)))
@@ -439,7 +446,6 @@ std::optional<Reason> slip_or_branch(const DiagnosticTask& task, const Toolchain
   // Another number may stand for many a mistake: it comes last, and where few cases fail it may only move rounding.
   const auto rank = [&](std::size_t k) {
     const VariantKind kind = variants[k].kind;
-    // Nobody takes the tangent for a sine.
     const bool is_tangent = kind == VariantKind::function && variants[k].edits.front().replacement == "std::tan";
     return kind == VariantKind::guard ? 3 : is_factor(variants[k]) ? 2 : kind == VariantKind::number || is_tangent;
   };

@@ -19,8 +19,7 @@ struct CodeReasons {
 CodeReasons code_reasons(const DiagnosticTask& task, const std::vector<Reason>& findings, const Toolchain& toolchain,
                          const std::filesystem::path& cache);
 
-/// What may be the cause: of values that are nearly right, only numbers and the ends of loops; of those that are
-/// explained otherwise, only a single slip.
+/// Of values that are nearly right only numbers and the ends of loops, of what is explained only a single slip.
 enum class Sought { all, accuracy, one_slip };
 
 /// The one token with which all cases are right, or two in a line: the place and its kind, not the answer; else the

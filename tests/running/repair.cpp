@@ -232,6 +232,10 @@ TEST_CASE("of two mistakes the one is named that leaves one that values tell") {
   Attempt bounded("return std::max(-7.0, std::min(7.0, 1e9 * (n - 2 * x)));");
   bounded.reference.misconceptions = {{"seven", "This is seven.", "", std::vector<Value>(4, Value{1, 1, {7}}), {}}};
   CHECK_FALSE(bounded.slip().has_value());
+  Attempt input("const double y = n;\nreturn x + y * y + y * y;");
+  input.reference.misconceptions = {{"factor_lost", "This is x alone.", "", {}, {}}};
+  for (const Case& one : input.reference.cases) input.reference.misconceptions[0].outputs.push_back(one.inputs[1]);
+  CHECK_FALSE(input.slip().has_value());
 }
 
 TEST_CASE("two slips of many kinds are found in two lines where one of them helps at some case") {
