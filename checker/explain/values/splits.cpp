@@ -250,6 +250,8 @@ std::optional<Reason> diagnose_split(const ExerciseReference& exercise, const An
   const Outcomes outcome = outcomes_of(exercise, answers);
   constexpr std::size_t fewest = 2, fewest_right = 4, most_features = 2;
   if (outcome.wrong.size() < fewest || outcome.right.size() < fewest_right) return std::nullopt;
+  // Where the function ended without a value it is not right.
+  if (outcome.wrong.size() + outcome.right.size() < exercise.cases.size()) return std::nullopt;
   std::vector<std::string> exact;
   std::vector<std::pair<std::string, std::size_t>> nearly;  // with how many right ones there
   for (const Feature& each : Features(exercise).all()) {

@@ -396,10 +396,11 @@ std::optional<Reason> diagnose_changed_mistake(const ExerciseReference& exercise
     for (const auto& mechanism : {diagnose_transform, diagnose_number}) {
       const auto found = mechanism(changed, answers);
       if (!found || !found->is_cause()) continue;
-      const std::string sentence = replaced(replaced(found->sentence, "the expected ones?", "what a mistake gives"),
-                                            "all else is right", "all else is as with that mistake");
-      return Reason{each.kind, each.name, fmt::format("{} The mistake: {}", sentence, each.message), Weight::possible,
-                    each.notes};
+      return Reason{
+          each.kind, each.name,
+          fmt::format("Two mistakes together. One: {} The other, with what that one gives taken as expected: {}",
+                      each.message, found->sentence),
+          Weight::possible, each.notes};
     }
   }
   return std::nullopt;
