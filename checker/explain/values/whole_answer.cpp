@@ -148,10 +148,11 @@ std::vector<Part> parts_of(const ExerciseReference& exercise, const Answers& ans
       return value;
     });
   };
+  const std::vector<KnownMistake> known = known_mistakes(exercise);
   std::vector<Part> parts;
   for (int k = 0; k < 2; ++k) {
     Part best;
-    for (const KnownMistake& mistake : known_mistakes(exercise)) {
+    for (const KnownMistake& mistake : known) {
       Part part{mistake};
       for (const std::size_t entry : wrong)
         if (gives(mistake, entry)) part.entries.insert(entry);
