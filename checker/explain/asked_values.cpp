@@ -193,11 +193,12 @@ bool explain_lost_digits(Search& search) {
   if (jumping == 0 || 2 * jumping < looked_at.size()) return false;
   search.reasons = {
       {ReasonKind::accuracy, "lost_digits",
-       fmt::format(
-           "At {} of the {} where your result is wrong it is nearly right, but its last digits are chance: they "
-           "change when an input changes in its 16th digit. Digits are lost in a difference of nearly equal "
-           "numbers, or in acos and asin near ±1, where atan2 keeps them.",
-           outcome.wrong.size(), plural(wrong, "case"))}};
+       fmt::format("{} your result is wrong it is nearly right, but its last digits are chance: they "
+                   "change when an input changes in its 16th digit. Digits are lost in a difference of nearly equal "
+                   "numbers, or in acos and asin near ±1, where atan2 keeps them.",
+                   std::cmp_equal(outcome.wrong.size(), wrong)
+                       ? "Where"
+                       : fmt::format("At {} of the {} where", outcome.wrong.size(), plural(wrong, "case")))}};
   return true;
 }
 
