@@ -633,7 +633,7 @@ const std::vector<MessageMistake> warning_table = {
     {"comma_operator", "^-Wunused-value: (?:.*operand of comma operator|value computed)",
      "Of values separated by commas only the last one is kept: join conditions by &&, and numbers by an operator.",
      R"(@(?:[^(),;]|(\((?:[^()]|(?1))*\)))*,)"},
-    {"text_for_number", "^-Wmultichar|character constant too long",
+    {"text_for_number", "^-Wmultichar|character constant too long|multi-character literal",
      "A word between ' ' is an odd whole number, and no text: return the number that is meant."},
     {"unused_value", "^-Wunused-value: ", "== compares, and what it finds is not kept: a value is given by =.",
      R"(^\s*[\w()]+\s*@?==)"},
