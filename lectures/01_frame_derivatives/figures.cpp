@@ -178,7 +178,7 @@ void draw_book_orders(const std::filesystem::path& directory) {
   sketch.arrow(corner, corner + 0.5 * x_axis, colors::vermilion, "x", Side::right, 2);
   sketch.arrow(corner, corner + 0.5 * y_axis, colors::grey, "y", Side::right, 2);
   sketch.arrow(corner, corner + 0.5 * z_axis, colors::vermilion, "z", Side::left, 2);
-  sketch.draw(directory, "book", 600);
+  sketch.draw(directory, "book", 600, false);
 }
 
 }  // namespace

@@ -11,8 +11,7 @@ live("two_sources", {
     };
     return { w, at, path: steps(0, 5, 120).map(time => at(time).V) };
   },
-  // The place of the child at the start.
-  handle: ({ start, lift }) => [start, 0, lift],
+  handle: ({ start, lift }) => [start, 0, lift],  // the place of the child at the start
   draw: [(scene, m, time) => {
     const { E, V, rate_body, carried, rate } = m.at(time);
     scene.floor(-0.2, 1.3);
@@ -23,16 +22,14 @@ live("two_sources", {
     scene.arrows(axis_arrows(E, [0.8, 0.8]).slice(0, 2));
     scene.arrow(origin, times(0.6, unit([0, 0, m.w[2] || 1])), "omega", "ω");
     scene.arrow(origin, V, "ink", "V", { width: 2 });
-    // The velocities, at a length that one can see.
-    const tip = vector => sum(V, times(1.4, vector));
+    const tip = vector => sum(V, times(1.4, vector));  // the velocities, at a length that one can see
     scene.line([tip(rate_body), tip(rate), tip(carried)], "grey", 1, { dash: [4, 4] });
     scene.arrow(V, tip(rate_body), "blue", "walk");
     scene.arrow(V, tip(carried), "green", "ω × V");
     if (scene.released) scene.arrow(V, tip(rate), "purple", "sum");
     const expected = [V, cross(m.w, V)][scene.expected];
     if (expected && norm(expected)) scene.expect([V, tip(times(norm(rate), unit(expected)))]);
-    // The child.
-    scene.round("rod", V, sum(V, [0, 0, 0.16]), 0.04, "ink");
+    scene.round("rod", V, sum(V, [0, 0, 0.16]), 0.04, "ink");  // the child
     scene.dot(sum(V, [0, 0, 0.2]), "ink", 0.055 * scene.scale);
   }],
   numbers(m, time) {

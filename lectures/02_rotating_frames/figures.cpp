@@ -106,9 +106,10 @@ void draw_globe(const std::filesystem::path& directory) {
   sketch.line({-1.25 * z_axis, -1.0 * z_axis}, colors::vermilion, 2);
   sketch.line({origin, z_axis}, colors::vermilion, 2, "dt (4,4)");
   sketch.arrow(z_axis, 1.6 * z_axis, colors::vermilion, "{/:Bold Ω}", Side::right);
-  const Vector3d in_front = 2 * sketch.towards();
-  sketch.line({meridian + in_front, in_front, up + in_front}, colors::grey, 1.5, "dt (4,4)");
-  sketch.line(arc(in_front, 0.45, meridian, z_axis, 0, latitude), colors::black, 2);
+  sketch.in_front(true);
+  sketch.line({meridian, origin, up}, colors::grey, 1.5, "dt (4,4)");
+  sketch.line(arc(origin, 0.45, meridian, z_axis, 0, latitude), colors::black, 2);
+  sketch.in_front(false);
   sketch.text(0.56 * (std::cos(latitude / 2) * meridian + std::sin(latitude / 2) * z_axis), "λ");
   sketch.arrow(up, up + 0.6 * east, colors::orange, "east", Side::right);
   sketch.arrow(up, up + 0.6 * north, colors::green, "north", Side::above);

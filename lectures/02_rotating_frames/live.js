@@ -78,8 +78,7 @@ live("foucault", {
       period: lambda ? yours.foucault_period?.(Math.abs(lambda), sidereal_day) ?? sidereal_day / Math.sin(Math.abs(lambda)) : NaN,
       turning: lambda ? `${lambda > 0 ? "" : "anti"}clockwise in` : "no turn" };
   },
-  // The place of the pendulum.
-  handle: ({ latitude }) => [Math.cos(latitude * degree), 0, Math.sin(latitude * degree)],
+  handle: ({ latitude }) => [Math.cos(latitude * degree), 0, Math.sin(latitude * degree)],  // the place of the pendulum
   draw: [(scene, m, time) => {
     const k = Math.round(1000 * time / m.seconds), bob = m.path[k][0];
     scene.floor(0, 1.12);

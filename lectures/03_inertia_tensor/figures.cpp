@@ -112,7 +112,7 @@ void draw_inertia_ellipsoid(const std::filesystem::path& directory) {
                  : i == 1 ? Side::below
                           : Side::above);
   }
-  sketch.draw(directory, "inertia_ellipsoid", 590);
+  sketch.draw(directory, "inertia_ellipsoid", 590, false);
 }
 
 /// One level line of the energy on the unit sphere of directions, round ±e₁ or ±e₃, on principal axes.

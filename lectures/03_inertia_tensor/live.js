@@ -20,8 +20,7 @@ live("held_spin", {
       energies: on_ball(direction => moment_about(I, direction)), energy: yours.kinetic_energy?.(I, omega) ?? dot(omega, L) / 2,
       moment: moment_about(I, n), torque: yours.torque_to_hold_rotation?.(I, omega) ?? cross(omega, L) };
   },
-  // The tip of ω.
-  handle: values => times(1.3, direction(values)),
+  handle: values => times(1.3, direction(values)),  // the tip of ω
   draw: [(scene, m, time) => {
     const A = rotated(yours.rotated_basis, identity, m.omega, time);
     const I = yours.rotated_inertia?.(m.I, A) ?? product(A, product(m.I, transposed(A)));

@@ -180,7 +180,7 @@ void draw_corner_and_center(const std::filesystem::path& directory) {
                  {1, 1, 1}, of_center);
   draw_ellipsoid(sketch, block.at_corner(), aside, colors::vermilion, {Side::left, Side::right, Side::left}, {1, 1, 1},
                  of_corner);
-  sketch.draw(directory, "corner_and_center", 590);
+  sketch.draw(directory, "corner_and_center", 590, false);
 }
 
 /// The door wedge of the worked example, with its principal axes; lengths in centimetres.

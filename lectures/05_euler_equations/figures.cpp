@@ -44,7 +44,7 @@ void draw_gyroscope(const std::filesystem::path& directory) {
   sketch.text(0.7 * z_axis, "rope", colors::black, Side::right);
   sketch.text(origin, "O", colors::black, Side::left);
   sketch.dot(origin, colors::black, 0.7);
-  sketch.draw(directory, "gyroscope", 560);
+  sketch.draw(directory, "gyroscope", 560, false);
 }
 
 /// A wheel and a dumbbell, each tilted on an upright axle: where L points, and the torque that the axle must supply.
@@ -222,7 +222,7 @@ void draw_tumbling(const std::filesystem::path& directory) {
     sketch.arrow(center, center + 1.1 * L, colors::blue, i == 0 ? "{/:Bold L}" : "", Side::above, 3);
     sketch.text(center - 1.12 * up, fmt::format("{:.1f} s", step * i));
   }
-  sketch.draw(directory, "tumbling", 600);
+  sketch.draw(directory, "tumbling", 600, false);
 }
 
 }  // namespace

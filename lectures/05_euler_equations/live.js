@@ -4,12 +4,10 @@ live("wheel", {
   // A wheel that hardly spins does not stay level.
   legal(values) { if (Math.abs(values.spin) < 8) values.spin = values.spin < 0 ? -8 : 8; },
   prepare({ spin, arm, wheel_mass }) {
-    // All mass in a rim of 0.3 m.
-    const moment = wheel_mass * 0.3 ** 2, torque = wheel_mass * 9.81 * arm, L = moment * spin;
+    const moment = wheel_mass * 0.3 ** 2, torque = wheel_mass * 9.81 * arm, L = moment * spin;  // all mass in a rim of 0.3 m
     return { arm, spin, L, torque, rate: torque / L };
   },
-  // The hub at the start.
-  handle: ({ arm }) => [arm, 0, 0.1],
+  handle: ({ arm }) => [arm, 0, 0.1],  // the hub at the start
   draw: [(scene, m, time) => {
     const turn = m.rate * time, axle = [Math.cos(turn), Math.sin(turn), 0], side = [-axle[1], axle[0], 0];
     const top = [0, 0, 0.1], on = part => sum(top, times(part, axle)), hub = on(m.arm), roll = 0.3 * m.spin * time;
@@ -56,8 +54,7 @@ live("integrators", {
       drifts: over_time(moments, (_, k) => drift(computed[k])),
       curves: [...over_time(exact, ({ omega }) => omega), ...over_time(moments, (_, k) => computed[k])] };
   },
-  // The start of ω.
-  handle: ({ w1, w2, w3 }) => on_ellipsoid([1, 2, 3], [w1, w2, w3]),
+  handle: ({ w1, w2, w3 }) => on_ellipsoid([1, 2, 3], [w1, w2, w3]),  // the start of ω
   draw: [(scene, m, time) => {
     const k = Math.floor(time / m.h);
     scene.ellipsoid(origin, diagonal(...m.axes), "sky");

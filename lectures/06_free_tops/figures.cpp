@@ -159,7 +159,7 @@ void draw_plate(const std::filesystem::path& directory) {
     sketch.arrow(rim, rim + 0.75 * e3, colors::purple, i == 0 ? "{/:Bold e}_3" : "", Side::right, 2.5);
     sketch.text(center - 1.38 * up, i == 0 ? "start" : fmt::format("{} turn", parts[static_cast<std::size_t>(i)]));
   }
-  sketch.draw(directory, "plate", 600);
+  sketch.draw(directory, "plate", 600, false);
 }
 
 // ---- near an axis
@@ -366,7 +366,7 @@ void draw_polhodes(const std::filesystem::path& directory) {
                  i == 2 ? Side::right : Side::below, 2.5);
   }
   sketch.text({-0.55, 0.1, 0.55}, "separatrix", colors::black, Side::right);
-  sketch.draw(directory, "polhodes", 600);
+  sketch.draw(directory, "polhodes", 600, false);
 }
 
 /// All motions with one L, and what friction does: on the sphere of L in the body, with level curves of the energy.
@@ -391,7 +391,7 @@ void draw_momentum_sphere(const std::filesystem::path& directory) {
     sketch.arrow(Vector3d::Unit(i), (i == 0 ? 1.5 : 1.3) * Vector3d::Unit(i), axis_colors[static_cast<std::size_t>(i)],
                  names[static_cast<std::size_t>(i)], i == 0 ? Side::left : Side::right, 2.5);
   }
-  sketch.draw(directory, "momentum_sphere", 500);
+  sketch.draw(directory, "momentum_sphere", 500, false);
 }
 
 void draw_flip(const std::filesystem::path& directory) {
@@ -491,7 +491,7 @@ void draw_racket(const std::filesystem::path& directory) {
                Side::right);
   sketch.arrow(1.2 * up + 2.6 * right, 1.2 * up + 3.1 * right, colors::green, "{/:Bold e}_2 of the racket",
                Side::right);
-  sketch.draw(directory, "racket", 600);
+  sketch.draw(directory, "racket", 600, false);
 }
 
 }  // namespace

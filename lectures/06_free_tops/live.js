@@ -15,11 +15,9 @@ function prepare_free_body(values) {
   const momentum = omega => scaled(I, omega), L_body = momentum(omega0);
   const [T, L2] = yours.rotation_invariants?.(I, omega0) ?? [dot(omega0, L_body) / 2, dot(L_body, L_body)];
   const L = Math.sqrt(L2), period = period_of(I, omega0), seconds = Math.max(12, Math.min(2.5 * period, 40));
-  // In space L is upright.
-  const samples = motion(I, omega0, upright(L_body), seconds, 480, yours.free_rotation, yours.free_attitude);
+  const samples = motion(I, omega0, upright(L_body), seconds, 480, yours.free_rotation, yours.free_attitude);  // in space L is upright
   const herpolhode = samples.map(({ omega, A }) => turned(A, omega));
-  // Until ω has gone once round L.
-  let round = 0;
+  let round = 0;  // until ω has gone once round L
   const full = turns_of(herpolhode).findIndex(turn => (round += Math.abs(turn)) >= 2 * Math.PI);
   // Other motions with this energy, from the plane of each pair of neighbouring axes.
   const axes = I.map(moment => Math.sqrt(2 * T / moment));
@@ -51,8 +49,7 @@ function draw_in_body(scene, m, time, { surface = 0 }) {
 
 function draw_in_space(scene, m, time, { picture }) {
   const now = m.at(time), { A } = now, omega = turned(A, now.omega);
-  // Cones stand on their tip.
-  const [center, size] = picture === 1 ? [[0, 0, -0.7], 1.5 * m.size] : [origin, m.size];
+  const [center, size] = picture === 1 ? [[0, 0, -0.7], 1.5 * m.size] : [origin, m.size];  // cones stand on their tip
   const drawn = vector => sum(center, times(size, vector)), in_body = vector => drawn(turned(A, vector));
   if (picture === 0 || picture === 3) {
     scene.floor(-1.15, 1.25);
@@ -126,8 +123,7 @@ live("plate", {
     return { theta, ratio, wobble, round, spin, seconds: 4 * 2 * Math.PI / round,
       at: time => attitude([wobble * time, theta, (round - wobble) * time]) };
   },
-  // The axis at the start.
-  handle: ({ tilt }) => times(0.95, [Math.sin(tilt * degree), 0, Math.cos(tilt * degree)]),
+  handle: ({ tilt }) => times(0.95, [Math.sin(tilt * degree), 0, Math.cos(tilt * degree)]),  // the axis at the start
   draw: [(scene, m, time) => {
     const A = m.at(time), [c, s] = [Math.cos(m.theta), Math.sin(m.theta)], thick = 0.05 + 0.6 * (2 - m.ratio);
     scene.floor(-0.9, 1.2);

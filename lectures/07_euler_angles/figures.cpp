@@ -50,7 +50,7 @@ class Panels {
     sketch_.line({offset_ + from, offset_ + to}, color, 2, "dt (8,5)");
   }
   void draw(const std::filesystem::path& directory, const std::string& name, int width) const {
-    sketch_.draw(directory, name, width);
+    sketch_.draw(directory, name, width, false);
   }
 
  private:
@@ -176,7 +176,7 @@ void draw_gimbal_lock(const std::filesystem::path& directory) {
     sketch.arrow(at + 0.9 * spin, at + 1.7 * spin, colors::purple, "{/:Bold e}_3", Side::left);
     sketch.arrow(at + 1.1 * nodes, at + 1.5 * nodes, colors::green, "{/:Bold e}_2′", Side::right);
   }
-  sketch.draw(directory, "gimbal_lock", 590);
+  sketch.draw(directory, "gimbal_lock", 590, false);
 }
 
 /// A body that rotates steadily about an axis near the horizontal: its third axis passes close to the vertical.

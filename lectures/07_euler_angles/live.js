@@ -2,8 +2,7 @@
 
 const angles_at = A => yours.euler_angles?.(transposed(A)) ?? angles_of(A);
 
-// The axes of the body about which each convention turns it, one after the other.
-const conventions = [[2, 1, 2], [2, 0, 2], [2, 1, 0]];
+const conventions = [[2, 1, 2], [2, 0, 2], [2, 1, 0]];  // the axes of the body about which each turns it, in order
 const turn_names = [["φ", "θ", "ψ"], ["φ", "θ", "ψ"], ["yaw", "pitch", "roll"]];
 const turn_colors = ["phi", "theta", "psi"];
 
@@ -17,8 +16,7 @@ live("three_turns", {
     const attitudes = attitudes_of({ convention, phi, theta, psi });
     return { angles, axes, attitudes, names: turn_names[convention], ours: angles_at(attitudes[3]) };
   },
-  // e₃ in the end.
-  handle: values => times(1.1, attitudes_of(values)[3][2]),
+  handle: values => times(1.1, attitudes_of(values)[3][2]),  // e₃ in the end
   draw: [(scene, m, time) => {
     const turn = Math.min(2, Math.floor(time)), part = time - turn;
     const E = rotated(yours.rotated_basis, m.attitudes[turn], times(m.angles[turn], m.attitudes[turn][m.axes[turn]]), part);

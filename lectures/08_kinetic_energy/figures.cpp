@@ -113,7 +113,7 @@ void draw_free_top(const std::filesystem::path& directory) {
   sketch.line(symmetric, colors::green, 3.5);
   sketch.dot(asymmetric.front(), colors::black, 0.9);
   sketch.arrow(origin, 1.75 * z_axis, colors::blue, "{/:Bold L}", Side::right);
-  sketch.draw(directory, "free_top", 480);
+  sketch.draw(directory, "free_top", 480, false);
 }
 
 }  // namespace

@@ -24,8 +24,7 @@ live("angles_and_momenta", {
       : motion(I, omega0, A0, seconds, 300).map(({ omega, A }) => state_of(I, angles_of(A), rates_of(angles_of(A), omega, A)));
     return { samples, tips: samples.map(({ tip }) => tip), curves: over_time(moments, (_, k) => samples[k].momenta) };
   },
-  // e₃ at the start.
-  handle: ({ theta }) => [Math.sin(theta * degree), 0, Math.cos(theta * degree)],
+  handle: ({ theta }) => [Math.sin(theta * degree), 0, Math.cos(theta * degree)],  // e₃ at the start
   draw: [(scene, m, time) => {
     const k = Math.round(25 * time), { A } = m.samples[k];
     scene.floor(-1.15, 1.3);

@@ -52,12 +52,13 @@ void draw_heavy_top(const std::filesystem::path& directory) {
   for (Vector3d& point : shadow) point.z() = 0;
   sketch.face(shadow, colors::grey, 0.25);
   add_top(sketch, origin, axis);
-  const Vector3d in_front = sketch.towards();
-  sketch.line({in_front, center + in_front}, colors::black, 1.2, "dt (5,4)");
   sketch.arrow(origin, 1.45 * z_axis, colors::black, vertical_name, Side::left, 1.8);
   sketch.arrow(0.9 * axis, 1.45 * axis, colors::purple, "{/:Bold e}_3", Side::right, 2.5);
-  sketch.arrow(center + in_front, center + in_front - 0.55 * z_axis, colors::black, "M{/:Bold g}", Side::right, 3);
-  sketch.dot(center + in_front, colors::black, 0.9);
+  sketch.in_front(true);
+  sketch.line({origin, center}, colors::black, 1.2, "dt (5,4)");
+  sketch.arrow(center, center - 0.55 * z_axis, colors::black, "M{/:Bold g}", Side::right, 3);
+  sketch.dot(center, colors::black, 0.9);
+  sketch.in_front(false);
   sketch.text(0.33 * axis - Vector3d(0.06, 0, 0), "ℓ", colors::black, Side::left);
   sketch.line(arc(origin, 0.95, z_axis, (axis - axis.z() * z_axis).normalized(), 0, theta), colors::black, 1.5);
   sketch.text(1.06 * (z_axis + axis).normalized(), "θ");

@@ -50,8 +50,7 @@ live("heavy_top", {
       yours.nutation_period?.(...top) ?? seen[2], yours.precession_per_nutation?.(...top) ?? seen[3]];
     return { samples, tips: samples.map(([, , axis]) => on_sphere(axis)), well, energy: 1000 * potential(tilt), nutation, slow: precession[0] ?? NaN };
   },
-  // The axis at the start.
-  handle: ({ theta }) => on_sphere([Math.sin(theta * degree), 0, Math.cos(theta * degree)]),
+  handle: ({ theta }) => on_sphere([Math.sin(theta * degree), 0, Math.cos(theta * degree)]),  // the axis at the start
   draw: [(scene, m, time) => {
     const k = Math.round(250 * time), [x, , axis] = m.samples[k], on_axis = part => sum(foot, times(part, axis));
     scene.floor(-0.5, 1.2);

@@ -157,11 +157,11 @@ void draw_solid_angle(const std::filesystem::path& directory) {
     // The part of the sphere within, in rings.
     const Vector3d middle = std::accumulate(path.begin(), path.end(), origin).normalized();
     const auto inside = [&](std::size_t i, int ring) -> Vector3d {
-      return 1.003 * (ring * path[i] + (8 - ring) * middle).normalized();
+      return 1.01 * (ring * path[i] + (4 - ring) * middle).normalized();
     };
-    for (int ring = 0; ring < 8; ++ring)
-      for (std::size_t i = 0; i < 240; i += 5)
-        sketch.face({inside(i, ring), inside(i, ring + 1), inside(i + 5, ring + 1), inside(i + 5, ring)}, color, 0.35);
+    for (int ring = 0; ring < 4; ++ring)
+      for (std::size_t i = 0; i < 240; i += 8)
+        sketch.face({inside(i, ring), inside(i, ring + 1), inside(i + 8, ring + 1), inside(i + 8, ring)}, color, 0.35);
     sketch.line(path, color, 3.5);
     for (const std::size_t at : {30U, 150U}) sketch.arrow(path[at - 3], path[at + 3], color, "", Side::right, 2.5);
   };

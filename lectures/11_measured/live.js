@@ -26,8 +26,7 @@ live("replayed_throw", {
     return { step, samples, curves, momenta, attitudes, axes, size: 1 / Math.max(...axes), seconds: step * (samples.length - 1),
       measured_points: samples.map(over_L), curve: computed.map(over_L), left_over: norm(left) / Math.sqrt(left.length) };
   },
-  // The tip of the x axis of the ellipsoid.
-  handle: ({ Iy }) => [Math.sqrt(Iy), 0, 0],
+  handle: ({ Iy }) => [Math.sqrt(Iy), 0, 0],  // the tip of the x axis of the ellipsoid
   draw: [(scene, m, time) => {
     const k = Math.floor(time / m.step + 1e-6), place = p => times(m.size, p);
     scene.ellipsoid(origin, diagonal(...times(m.size, m.axes)), "sky");

@@ -22,8 +22,6 @@ async function load_yours() {
   });
 }
 
-// ---- Numbers as one reads them.
-
 /** Four digits, as one reads them. */
 function shown(value) {
   if (!Number.isFinite(value)) return "–";
@@ -35,8 +33,6 @@ function shown(value) {
 
 /** A number with its unit, which may be so many of the SI unit. */
 const measured = (value, [, unit = "", size = unit === "°" ? degree : 1]) => `${shown(value / size)} ${unit}`;
-
-// ---- A figure: its definition, then the figure on the page.
 
 const definitions = {};
 
@@ -250,8 +246,7 @@ class LiveFigure {
   /** Changes values: one by its name, that of the handle, or several. After another choice the time goes on, else the
    *  motion begins anew. What is outside the range of a control becomes its nearest value, or has whole turns less. */
   set(values, changed) {
-    // The prediction was for other values.
-    if (Object.keys(values).length) for (const { scene } of this.scenes) scene.expected = undefined;
+    if (Object.keys(values).length) for (const { scene } of this.scenes) scene.expected = undefined;  // the prediction was for other values
     for (const { name, unit, options, from = 0, to = options.length - 1, step = 1 } of this.definition.controls) if (name in values) {
       const turns = unit === "°" && to - from === 360 && values[name] !== to ? Math.floor((values[name] - from) / 360) : 0;
       const nearest = Math.max(from, Math.min(to, values[name] - 360 * turns));

@@ -93,10 +93,9 @@ const scaled = (factors, vector) => vector.map((component, i) => factors[i] * co
 const on_ellipsoid = (I, omega) => times(Math.sqrt(Math.min(...I) / dot(scaled(I, omega), omega)), omega);
 /** The rate of ω where no torque acts. */
 const free_rate = I => omega => cross(scaled(I, omega), omega).map((torque, i) => torque / I[i]);
-const largest_turn = 0.05;  // rad in a step of integration: enough for the digits that figures show
+const largest_turn = 0.1;  // rad in a step of integration: leaves errors of 1e-5, less than figures show
 
-/** A free body at count + 1 equally spaced times: time, ω and A, which it has only with an A0. The last two are the reader's own
- *  functions, if any. */
+/** A free body at count + 1 times: time, ω and, with an A0, A. The last two parameters are the reader's own functions, if any. */
 function motion(I, omega0, A0, seconds, count, own_omegas, own_turn) {
   const h = seconds / count, parts = Math.max(1, Math.ceil(norm(omega0) * h / largest_turn)), times = steps(0, seconds, count);
   // As the body sees them, the axes of space turn backwards.
@@ -114,8 +113,7 @@ function moved_on(I, samples, time, own_omegas, own_turn) {
   return motion(I, omega, A, time - before, 1, own_omegas, own_turn)[1];
 }
 
-/** The time after which ω comes back, twice that between zeros of its part along the axis of the intermediate moment;
- *  infinite where it takes longer than some twenty turns of the body. */
+/** Twice the time between zeros of the middle component of ω; infinite where it takes longer than some twenty turns. */
 function time_of_return(I, omega0) {
   const middle = [0, 1, 2].sort((i, j) => I[i] - I[j])[1], h = largest_turn / norm(omega0), zeros = [];
   const step = runge_kutta(free_rate(I), h);
@@ -144,8 +142,7 @@ function basis_along(vector) {
 }
 const upright = vector => transposed(basis_along(vector));
 
-// ---- Light and depth: WebGL2 on one canvas for all pictures of a page, which takes each picture in its turn. The shaders are
-// scene.vert and scene.frag.
+// ---- Light and depth: WebGL2 on one canvas, which takes each picture of a page in its turn, with scene.vert and scene.frag.
 
 /** Triangles of a surface round z: through points [radius, height], with a normal in each. */
 function lathe(profile, count = 48) {
@@ -225,35 +222,21 @@ const lights = {
     gl.useProgram(program);
     this.at = Object.fromEntries(["view", "axes", "normals", "center", "scale", "tint", "strong", "width", "gloss", "fade", "dash", "light",
       "mirror"].map(name => [name, gl.getUniformLocation(program, name)]));
-    Object.assign(this, { kept: new WeakMap(), pictures: 0, loose: this.array(new Float32Array(8)) });
+    // Vertices for the shader, eight numbers each.
+    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+    for (const [place, size, from] of [[0, 3, 0], [1, 3, 12], [2, 2, 24]]) {
+      gl.enableVertexAttribArray(place);
+      gl.vertexAttribPointer(place, size, gl.FLOAT, false, 32, from);
+    }
     gl.clearStencil(255);
     for (const kind of [gl.BLEND, gl.SCISSOR_TEST, gl.DEPTH_TEST, gl.STENCIL_TEST]) gl.enable(kind);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     return gl;
   },
-  /** Vertices for the shader, eight numbers each. */
-  array(vertices) {
-    const { gl } = this, array = { object: gl.createVertexArray(), buffer: gl.createBuffer() };
-    gl.bindVertexArray(array.object);
-    gl.bindBuffer(gl.ARRAY_BUFFER, array.buffer);
-    gl.bufferData(gl.ARRAY_BUFFER, vertices, gl.STATIC_DRAW);
-    for (const [place, size, from] of [[0, 3, 0], [1, 3, 12], [2, 2, 24]]) {
-      gl.enableVertexAttribArray(place);
-      gl.vertexAttribPointer(place, size, gl.FLOAT, false, 32, from);
-    }
-    return array;
-  },
-  /** One thing; `change` maps it, as onto its shadow. Vertices that come again in another picture than the first stay in an array. */
+  /** One thing; `change` maps it, as onto its shadow. */
   draw({ layer, vertices, count, axes = identity, center = origin, tint, strong = tint, width = 0, fade = 0, dash = [0, 0], gloss = 1 }, change, shadow) {
     const { gl, at } = this;
-    let array = this.kept.get(vertices) ?? this.pictures;
-    if (array < this.pictures) array = this.array(vertices);
-    this.kept.set(vertices, array);
-    gl.bindVertexArray(array.object ?? this.loose.object);
-    if (!array.object) {
-      gl.bindBuffer(gl.ARRAY_BUFFER, this.loose.buffer);
-      gl.bufferData(gl.ARRAY_BUFFER, vertices, gl.STREAM_DRAW);
-    }
+    gl.bufferData(gl.ARRAY_BUFFER, vertices, gl.STREAM_DRAW);
     gl.uniform4fv(at.tint, shadow ?? tint);
     gl.uniform4fv(at.strong, shadow ?? strong);
     const [a, b, c] = axes;
@@ -270,7 +253,6 @@ const lights = {
   /** All things of a picture. A view is what is to the right, up, and towards the reader; so is the light. */
   render(things, ground, view, light, [width, height], scale) {
     const { gl, canvas } = this;
-    ++this.pictures;
     for (const [side, length] of [["width", width], ["height", height]]) if (canvas[side] < length) canvas[side] = length;
     gl.viewport(0, canvas.height - height, width, height);
     gl.scissor(0, canvas.height - height, width, height);
@@ -287,7 +269,7 @@ const lights = {
       gl.stencilOp(gl.KEEP, gl.KEEP, test === gl.ALWAYS && !value ? gl.KEEP : gl.REPLACE);
       layer.forEach(thing => this.draw(thing, ...extra?.(thing) ?? []));
     };
-    const [solids, marks, clear] = ["solid", "mark", "clear"].map(name => things.filter(({ layer }) => layer === name));
+    const [solids, marks, clear, front] = ["solid", "mark", "clear", "front"].map(name => things.filter(({ layer }) => layer === name));
     if (ground) {
       pass([ground], gl.LEQUAL, true, [gl.ALWAYS, 1]);
       // Along the light onto the ground, once wherever that is.
@@ -303,6 +285,7 @@ const lights = {
       gl.cullFace(side);
       pass([thing], gl.LEQUAL, false, [gl.ALWAYS, 0]);
     }
+    pass(front, gl.ALWAYS, false, [gl.ALWAYS, 0]);
     return canvas;
   },
 };
@@ -420,8 +403,7 @@ class Scene {
     const place = ([u, v]) => [left + (right - left) * (u - x[0]) / (x[1] - x[0]),
       bottom - (bottom - top) * (v - y[0]) / (y[1] - y[0])];
     const line = (points, ...style) => this.stroke(points.map(place), ...style);
-    // A dot is a line without length.
-    const dot = (point, color, radius) => line([point, point], color, 2 * radius);
+    const dot = (point, color, radius) => line([point, point], color, 2 * radius);  // a dot is a line without length
     const labels = ([from, to], most) => {
       const rough = (to - from) / most, power = 10 ** Math.floor(Math.log10(rough));
       const step = [1, 2, 5, 10].map(k => k * power).find(k => k >= rough);
@@ -569,5 +551,29 @@ class Space extends Scene {
 
   dot(point, color, radius = 4) {
     this.solid("bead", point, identity.map(axis => times(radius / this.scale, axis)), color, { layer: "mark", whiteness: 0 });
+  }
+}
+
+/** A still figure that a reader has taken hold of: what its picture describes, in this light, and its texts where they belong. */
+class Still extends Space {
+  constructor(picture) {
+    const { half, towards, calls, texts } = JSON.parse(picture.querySelector("metadata").textContent);
+    const { width, height } = picture.viewBox.baseVal, room = 40, size = [width, height].map(length => length + 2 * room);
+    const labels = [...picture.querySelectorAll("text")].filter(label => label.textContent);
+    picture.insertAdjacentHTML("afterbegin", `<foreignObject x="${-room}" y="${-room}" width="${size[0]}" height="${size[1]}"><canvas></canvas><i></i></foreignObject>`);
+    super(picture.querySelector("canvas"), { half: half * Math.min(...size) / Math.min(width, height), towards });
+    for (const part of calls.flat()) if (part.profile) part.vertices = lathe(part.profile);
+    this.begin(1);
+    Object.assign(this, { calls, texts: texts.map((point, i) => ({ point, label: labels[i], first: this.at(point) })) });
+    picture.classList.add("turned");
+    new MutationObserver(() => (colors = {}, this.draw())).observe(document.documentElement, { attributeFilter: ["class"] });
+  }
+
+  draw(part = lights.finest) {
+    this.begin(part);
+    for (const [kind, ...values] of this.calls) this[kind](...values);
+    this.finish();
+    for (const { point, label, first } of this.texts)
+      label.style.transform = `translate(${minus(this.at(point), first).map(length => length + "px")})`;
   }
 }

@@ -199,7 +199,7 @@ When you are stuck, `./checker/run hint @name@` gives a hint, and a further one 
   if(picture)
     # On the first page it is small: without texts, in whole pixels.
     file(READ ${figures}/${lecture}/${picture}.svg picture)
-    string(REGEX REPLACE "<text>[^\n]*</text>" "" picture "${picture}")
+    string(REGEX REPLACE "<(text|metadata)>[^\n]*</(text|metadata)>" "" picture "${picture}")
     string(REGEX REPLACE "([0-9][0-9])\\.[0-9]+" "\\1" picture "${picture}")
   endif()
   string(APPEND course "<div class=\"lecture\"><div class=\"picture\">${picture}</div><p><a href=\"lecture_${lecture}.html\">${title}</a><br>${summary} "

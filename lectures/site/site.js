@@ -34,8 +34,7 @@ const nearly = word => word.length < 5 ? word : [...word].slice(1).flatMap((lett
   return [`${before}\\p{L}?${after}`, `${before}\\p{L}${letter}${after}`, `${before}${after[0] ?? ""}${letter}${after.slice(1)}`];
 }).join("|");
 
-/** The pages that have paragraphs with all words of a question, best first, each with its best paragraphs: first the exercise of
- *  that name, then lectures; in the title, as a phrase, often. */
+/** Pages with all words of a question, each with its best paragraphs: exercises of that name, lectures, titles, phrases first. */
 function search(question, pattern = word => word) {
   const words = words_of(question), phrase = words.join(" ");
   if (!words.length) return [];
@@ -149,6 +148,22 @@ function offer_live_figure(place) {
   if (location.hash.startsWith(`#live=${name}&`)) figure.scrollIntoView();
 }
 
+/** A still figure in space describes itself: who takes hold of it turns it. */
+function offer_turning(picture) {
+  let still;
+  picture.classList.add("turns");
+  picture.onpointerdown = ({ pointerId }) => picture.setPointerCapture(pointerId);
+  picture.onpointermove = async ({ buttons, movementX, movementY }) => {
+    if (!buttons) return;
+    await load("live/scene.js");
+    if (!lights.begin()) return;
+    still ??= new Still(picture);
+    still.turn(movementX / 120, movementY / 120);
+    still.draw(lights.moving);
+  };
+  picture.onpointerup = () => still?.draw();
+}
+
 /** What a link within the notes leads to, while the pointer rests on it: that page at that place, in a frame. */
 function offer_previews() {
   const frame = element("iframe", { className: "preview", tabIndex: -1, title: "Preview", ariaHidden: true });
@@ -185,6 +200,7 @@ if (previewed) {
   offer_search();
   find_paragraph();
   document.querySelectorAll("figure > .live").forEach(offer_live_figure);
+  document.querySelectorAll("figure > svg:has(metadata)").forEach(offer_turning);
   const menu = document.querySelector("#menu");
   menu.onclick = () => menu.setAttribute("aria-expanded", document.querySelector("#course").classList.toggle("open"));
 }

@@ -57,7 +57,9 @@ Agreement agrees(const Actual& actual, const Expected& expected, double toleranc
     return {false, fmt::format("{}×{} where {}×{} is expected", a.rows(), a.cols(), e.rows(), e.cols())};
   }
   if (scale == 0.0) scale = e.size() > 0 ? e.cwiseAbs().maxCoeff() : 1.0;
-  if (scale == 0.0) throw std::invalid_argument("the expected value, which should not be zero, is zero, so nothing can be compared with it");
+  if (scale == 0.0)
+    throw std::invalid_argument(
+        "the expected value, which should not be zero, is zero, so nothing can be compared with it");
   bool holds = true;
   double largest = 0.0;
   for (Eigen::Index k = 0; k < a.size(); ++k) {

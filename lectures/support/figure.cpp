@@ -235,9 +235,13 @@ int draw_figures(int argc, char** argv, const std::vector<Figure>& figures) {
   return worst;
 }
 
+const std::string& name_of_color(const std::string& color) { return names_of_colors.at(color.substr(1)); }
+
 void draw_figure(const fs::path& directory, const std::string& name, FigureSize size,
-                 const std::function<void(gnuplotio::Gnuplot&)>& draw) {
-  write_text(directory / (name + ".svg"), svg_for_page(directory, name, size, draw));
+                 const std::function<void(gnuplotio::Gnuplot&)>& draw, const std::string& description) {
+  std::string svg = svg_for_page(directory, name, size, draw);
+  if (!description.empty()) svg.insert(svg.find('>') + 1, "<metadata>" + description + "</metadata>");
+  write_text(directory / (name + ".svg"), svg);
   draw_png(directory, name, size, draw);
 }
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <regex>
 #include <stdexcept>
+#include <utility>
 
 namespace workbook {
 
@@ -36,6 +37,14 @@ struct Piece {
   SpaceCurve points;
   bool is_hidden;
 };
+
+/// As JSON, with so many decimal places.
+std::string json(const Vector3d& vector, int places) {
+  return fmt::format("[{:.{}f},{:.{}f},{:.{}f}]", vector.x(), places, vector.y(), places, vector.z(), places);
+}
+
+/// A description has whole numbers: so many over the shorter side of a picture, about a third of a pixel.
+constexpr int units_of_description = 1000;
 
 /// As gnuplot names it: what is hidden shows three tenths of its colour.
 std::string shown_color(const std::string& color, bool is_hidden) {
@@ -192,6 +201,9 @@ Sketch::Sketch(const Vector3d& towards, const Vector3d& up) {
   view_.row(2) = towards.normalized();
   view_.row(0) = vertical.cross(towards).normalized();
   view_.row(1) = this->towards().cross(right());
+  upright_.row(2) = up;
+  upright_.row(1) = up.cross(towards).normalized();  // zero where one looks from above
+  upright_.row(0) = upright_.row(1).cross(upright_.row(2));
   // The light comes from above, from the left, and from behind the reader.
   light_ = (Vector3d(-0.35, 0.2, 0.55) + 0.9 * view_ * up).normalized();
 }
@@ -199,7 +211,7 @@ Sketch::Sketch(const Vector3d& towards, const Vector3d& up) {
 Vector3d Sketch::seen(const Vector3d& point) {
   const Vector3d place = view_ * point;
   range_.extend(Vector2d(place.head<2>()));
-  return place;
+  return place + forward_ * Vector3d::UnitZ();
 }
 
 SpaceCurve Sketch::seen(SpaceCurve points) {
@@ -209,15 +221,22 @@ SpaceCurve Sketch::seen(SpaceCurve points) {
 
 void Sketch::line(const SpaceCurve& points, const std::string& color, double width, const std::string& style) {
   lines_.push_back({seen(points), color, width, style});
+  std::smatch dash;
+  std::regex_search(style, dash, std::regex(R"(\(([\d.]+,[\d.]+)\))"));
+  describe("\"line\",[", points,
+           fmt::format("],\"{}\",{:.3g},{{{}\"dash\":[{}]}}", name_of_color(color), width,
+                       forward_ > 0 ? "\"layer\":\"front\"," : "", dash.empty() ? "0,0" : dash.str(1)));
 }
 
 void Sketch::face(const SpaceCurve& corners, const std::string& color, double opacity) {
   lines_.push_back({seen(corners), color, opacity, "", true});
+  describe("\"face\",[", corners, fmt::format("],\"{}\",{:.3g}", name_of_color(color), opacity));
 }
 
 void Sketch::arrow(const Vector3d& from, const Vector3d& to, const std::string& color, const std::string& label,
                    Side side, double width) {
   arrows_.push_back({{seen(from), seen(to)}, color, width, ""});
+  describe("\"arrow\",", {from, to}, fmt::format(",\"{}\",\"\",{{\"width\":{:.3g}}}", name_of_color(color), width));
   if (label.empty()) return;
   text(to, label, color, side);
   std::smatch parts;
@@ -239,7 +258,10 @@ void Sketch::box(const Vector3d& corner, const Matrix3d& edges) {
       // An edge is at the back when both of its faces look away.
       const bool at_back =
           (i & 1 ? -1 : 1) * one.dot(towards()) > 0 && (i >> 1 & 1 ? -1 : 1) * other.dot(towards()) > 0;
-      line({start, start + along}, at_back ? colors::grey : colors::black, at_back ? 1 : 2, at_back ? "dt (4,4)" : "");
+      const SpaceCurve edge{start, start + along};
+      lines_.push_back(
+          {seen(edge), at_back ? colors::grey : colors::black, at_back ? 1.0 : 2.0, at_back ? "dt (4,4)" : ""});
+      describe("\"line\",[", edge, "],\"ink\",1.5");
     }
   }
 }
@@ -257,15 +279,18 @@ void Sketch::solid_box(const Vector3d& center, const Matrix3d& half_edges,
       const Vector3d outward = side * half_edges.col(axis), middle = center + outward;
       SpaceCurve corners{middle + one + other, middle - one + other, middle - one - other, middle + one - other};
       piece(corners, SpaceCurve(4, outward), rgb_of(face_colors.at(static_cast<std::size_t>(axis)), 0.3), 1);
+      describe("\"face\",[", corners,
+               fmt::format("],\"{}\",1,1,0.3", name_of_color(face_colors.at(static_cast<std::size_t>(axis)))));
       if (outward.dot(towards()) < 0) continue;
       corners.push_back(corners.front());
-      line(corners, colors::black, 1);
+      lines_.push_back({seen(corners), colors::black, 1, ""});
     }
   }
 }
 
-void Sketch::turned(const PlaneCurve& profile, const Matrix3d& axes, const Vector3d& center, const Vector3d& rgb,
-                    double opacity) {
+void Sketch::turned(const PlaneCurve& profile, const Matrix3d& axes, const Vector3d& center, const std::string& color,
+                    double whiteness, double opacity) {
+  const Vector3d rgb = rgb_of(color, whiteness);
   constexpr int pieces = 60;
   const Matrix3d turn_normal = axes.inverse().transpose();
   const double length = axes.col(2).norm();
@@ -276,11 +301,16 @@ void Sketch::turned(const PlaneCurve& profile, const Matrix3d& axes, const Vecto
   const auto around = [](int k, double radius, double along) -> Vector3d {
     return {radius * std::cos(2 * pi * k / pieces), radius * std::sin(2 * pi * k / pieces), along};
   };
+  std::string described;
   for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
     std::array<Vector2d, 2> across{slope(i), slope(i)};
     // Round, unless there is an edge.
     if (i > 0 && slope(i - 1).dot(slope(i)) > 0.8) across[0] += slope(i - 1);
     if (i + 2 < profile.size() && slope(i + 1).dot(slope(i)) > 0.8) across[1] += slope(i + 1);
+    for (const std::size_t end : {0U, 1U})
+      described +=
+          fmt::format("{}[[{:.4g},{:.4g}],[{:.3g},{:.3g}]]", described.empty() ? "" : ",", profile[i + end].second,
+                      profile[i + end].first, across.at(end).y(), length * across.at(end).x());
     for (int k = 0; k < pieces; ++k) {
       SpaceCurve corners, normals;
       for (const auto& [end, turn] : {std::pair(0U, k), {1U, k}, {1U, k + 1}, {0U, k + 1}}) {
@@ -291,12 +321,16 @@ void Sketch::turned(const PlaneCurve& profile, const Matrix3d& axes, const Vecto
       piece(corners, normals, rgb, opacity);
     }
   }
+  describe("\"solid\",\"ball\",", {center},
+           fmt::format(",\"{}\",{{\"profile\":[{}],\"whiteness\":{},\"opacity\":{}}}", name_of_color(color), described,
+                       whiteness, opacity));
+  calls_.back().axes = upright_ * axes;
 }
 
 void Sketch::ellipsoid(const Matrix3d& half_axes, const std::string& color, const Vector3d& center, double opacity) {
   PlaneCurve profile;
   for (int i = -15; i <= 15; ++i) profile.emplace_back(std::sin(i * pi / 30), std::cos(i * pi / 30));
-  turned(profile, half_axes, center, rgb_of(color, 0.5), opacity);
+  turned(profile, half_axes, center, color, 0.5, opacity);
 }
 
 void Sketch::turned_body(const Vector3d& from, const Vector3d& to, const PlaneCurve& profile, const std::string& color,
@@ -305,7 +339,7 @@ void Sketch::turned_body(const Vector3d& from, const Vector3d& to, const PlaneCu
   axes.col(2) = to - from;
   axes.col(0) = wide.isZero() ? axes.col(2).unitOrthogonal() : wide;
   axes.col(1) = axes.col(2).cross(axes.col(0)).normalized();
-  turned(profile, axes, from, rgb_of(color, 0.35), opacity);
+  turned(profile, axes, from, color, 0.35, opacity);
 }
 
 void Sketch::ring(const Vector3d& center, const Vector3d& axis, double radius, double thickness,
@@ -318,19 +352,54 @@ void Sketch::ring(const Vector3d& center, const Vector3d& axis, double radius, d
 
 void Sketch::dot(const Vector3d& at, const std::string& color, double size) {
   dots_.push_back({{seen(at)}, color, size, ""});
+  describe("\"dot\",", {at}, fmt::format(",\"{}\",{:.3g}", name_of_color(color), 5 * size));
 }
 
 void Sketch::text(const Vector3d& at, const std::string& text, const std::string& color, Side side,
                   const Vector2d& away) {
   const Vector3d place = at + away.x() * right() + away.y() * up();
   texts_.push_back({seen(place), text, color, side});
-  const Vector3d nearer = 1e3 * towards();  // so that nothing hides the line
-  if (!away.isZero()) line({at + nearer, place + nearer}, color, 0.8);
+  places_of_texts_.emplace_back(upright_ * place);
+  if (away.isZero()) return;
+  const double forward = std::exchange(forward_, 1e3);
+  line({at, place}, color, 0.8);
+  forward_ = forward;
+}
+
+void Sketch::describe(const std::string& before, const SpaceCurve& points, const std::string& after) {
+  calls_.push_back({before, {}, Matrix3d::Zero(), after});
+  for (const Vector3d& point : points) calls_.back().points.emplace_back(upright_ * point);
+}
+
+std::string Sketch::description(const Range& range) const {
+  // It turns about the middle of the picture and of its depth.
+  Eigen::AlignedBox3d box;
+  for (const Call& call : calls_)
+    for (const Vector3d& point : call.points) box.extend(point);
+  const Matrix3d to_view = view_ * upright_.transpose();
+  const Vector3d depth = to_view * box.center(),
+                 middle = to_view.transpose() * Vector3d(range.center().x(), range.center().y(), depth.z());
+  const double scale = units_of_description / range.sizes().minCoeff();
+  const auto list = [&](const SpaceCurve& points) {
+    std::string text;
+    for (const Vector3d& point : points) text += (text.empty() ? "" : ",") + json(scale * (point - middle), 0);
+    return text;
+  };
+  std::string calls;
+  for (const auto& [before, points, axes, after] : calls_) {
+    calls += (calls.empty() ? "[" : ",[") + before + list(points);
+    if (!axes.isZero())
+      calls += fmt::format(",[{},{},{}]", json(scale * axes.col(0), 1), json(scale * axes.col(1), 1),
+                           json(scale * axes.col(2), 1));
+    calls += after + "]";
+  }
+  return fmt::format("{{\"half\":{},\"towards\":{},\"calls\":[{}],\"texts\":[{}]}}", units_of_description / 2,
+                     json(to_view.row(2), 4), calls, list(places_of_texts_));
 }
 
 // ---- The drawing.
 
-void Sketch::draw(const std::filesystem::path& directory, const std::string& name, int width) const {
+void Sketch::draw(const std::filesystem::path& directory, const std::string& name, int width, bool turns) const {
   Range range = range_;
   double scale = 0;
   // Texts keep their size in pixels: how much room they take in units of the sketch follows step by step.
@@ -348,7 +417,9 @@ void Sketch::draw(const std::filesystem::path& directory, const std::string& nam
   const Vector2d margin = Vector2d::Constant(8 * scale);
   const Range all(range.min() - margin, range.max() + margin);
   const Picture picture(*this, all, width);
-  draw_figure(directory, name, size, [&](gnuplotio::Gnuplot& gnuplot) { send(gnuplot, all, picture); });
+  draw_figure(
+      directory, name, size, [&](gnuplotio::Gnuplot& gnuplot) { send(gnuplot, all, picture); },
+      turns && !upright_.row(1).isZero() ? description(all) : "");
 }
 
 void Sketch::send(gnuplotio::Gnuplot& gnuplot, FigureSize size, double half_width) const {

@@ -75,14 +75,18 @@ class Sketch {
   void text(const Eigen::Vector3d& at, const std::string& text, const std::string& color = colors::black,
             Side side = Side::centre, const Eigen::Vector2d& away = Eigen::Vector2d::Zero());
 
-  /// On the page, to the right and up, and towards the reader. What is moved towards the reader stays where it is on
-  /// the page, and nothing hides it.
+  /// Whether from now on nothing hides what is drawn.
+  void in_front(bool is_in_front) { forward_ = is_in_front ? 1e3 : 0; }
+
+  /// On the page, to the right and up, and towards the reader.
   Eigen::Vector3d right() const { return view_.row(0); }
   Eigen::Vector3d up() const { return view_.row(1); }
   Eigen::Vector3d towards() const { return view_.row(2); }
 
-  /// Everything at the same scale in both directions; the height follows from the width in pixels.
-  void draw(const std::filesystem::path& directory, const std::string& name, int width) const;
+  /// Everything at the same scale in both directions; the height follows from the width in pixels. What is in space is
+  /// described in the picture too, so that on a page one can turn it (live/scene.js): not where several pictures stand
+  /// in a row, or a live figure in its place.
+  void draw(const std::filesystem::path& directory, const std::string& name, int width, bool turns = true) const;
   /// The same as a part of something else; the scale follows from `half_width` in units of the sketch around its
   /// origin.
   void send(gnuplotio::Gnuplot& gnuplot, FigureSize size, double half_width) const;
@@ -98,10 +102,15 @@ class Sketch {
   void piece(const SpaceCurve& corners, const SpaceCurve& normals, const Eigen::Vector3d& rgb, double opacity);
   /// Round the third of these axes, with places along it and radii.
   void turned(const PlaneCurve& profile, const Eigen::Matrix3d& axes, const Eigen::Vector3d& center,
-              const Eigen::Vector3d& rgb, double opacity);
+              const std::string& color, double whiteness, double opacity);
   void send(gnuplotio::Gnuplot& gnuplot, const Range& range, const Picture& picture) const;
+  /// For the description: a call of live/scene.js with these points between its other words.
+  void describe(const std::string& before, const SpaceCurve& points, const std::string& after);
+  std::string description(const Range& range) const;
 
   Eigen::Matrix3d view_;
+  Eigen::Matrix3d upright_;  ///< to coordinates whose third axis points up and whose first is level, towards the reader
+  double forward_ = 0;
   Eigen::Vector3d light_;
   Range range_;
   struct Facet {
@@ -126,6 +135,14 @@ class Sketch {
     Side side;
   };
   std::vector<Text> texts_;
+  struct Call {
+    std::string before;
+    SpaceCurve points;
+    Eigen::Matrix3d axes;  ///< after the points; zero for none
+    std::string after;
+  };
+  std::vector<Call> calls_;
+  SpaceCurve places_of_texts_;
 };
 
 /// Points of a circle about `center` in the plane of two unit vectors; angles in radians.

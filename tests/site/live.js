@@ -111,6 +111,36 @@ async function run_figure(number, thoroughly) {
   return { faults, rate };
 }
 
+/** A still figure in space before and after it is turned: which part of its bodies the description draws at the same place, and
+ *  how far its texts move, in pixels. */
+async function turned_still(picture) {
+  const wait = time => new Promise(done => setTimeout(done, time));
+  const turn = movementX => picture.dispatchEvent(new PointerEvent("pointermove", { buttons: 1, movementX }));
+  const alphas = (source, ...place) => {
+    const { width, height } = picture.viewBox.baseVal, canvas = element("canvas", { width, height }), context = canvas.getContext("2d");
+    context.drawImage(source, ...place);
+    return context.getImageData(0, 0, width, height).data.filter((_, i) => i % 4 === 3);
+  };
+  const moves = () => [...picture.querySelectorAll("text")].map(({ style }) => Math.hypot(...(style.transform.match(/[-\d.]+(?=px)/g) ?? [0, 0])));
+  turn(0);
+  for (let tries = 0; tries < 100 && !picture.matches(".turned"); ++tries) await wait(30);
+  await wait(50);
+  const drawn = picture.querySelector("canvas"), image = picture.querySelector("image"), first = Math.max(...moves());
+  // The canvas has forty pixels more on each side.
+  const now = alphas(drawn, -40, -40, drawn.clientWidth, drawn.clientHeight);
+  let covered = 1;
+  if (image) {
+    const still = Object.assign(new Image(), { src: image.href.baseVal });
+    await still.decode();
+    const before = alphas(still, ...["x", "y", "width", "height"].map(side => image[side].baseVal.value));
+    const body = before.reduce((total, alpha) => total + (alpha > 250), 0);
+    covered = before.reduce((total, alpha, i) => total + (alpha > 250 && now[i] > 0), 0) / body;
+  }
+  turn(60);
+  await wait(50);
+  return { covered, is_drawn: now.some(alpha => alpha > 0), first, then: Math.max(...moves()) };
+}
+
 /** The numbers of a figure at ten settings. */
 function settings_of(number) {
   const { live } = places[number], { definition } = live;

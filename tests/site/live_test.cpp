@@ -457,6 +457,26 @@ TEST_CASE("nothing moves on a page once it is seen") {
     }
 }
 
+TEST_CASE("a still figure in space turns with its texts, from where the still picture shows it") {
+  int figures = 0;
+  for (const std::string& page : pages_of(SITE_NOTES)) {
+    if (read_text(std::filesystem::path(SITE_NOTES) / page).find("<metadata>") == std::string::npos) continue;
+    open_page(page);
+    const int count = browser().evaluate("document.querySelectorAll('svg.turns').length");
+    for (int i = 0; i < count; ++i, ++figures) {
+      const json seen = browser().evaluate(fmt::format("turned_still(document.querySelectorAll('svg.turns')[{}])", i));
+      CAPTURE(page);
+      CAPTURE(seen.dump());
+      CHECK(seen["is_drawn"] == true);
+      CHECK(seen["covered"] > 0.97);
+      CHECK(seen["first"] < 0.01);
+      CHECK(seen["then"] > 5);
+    }
+    check_events();
+  }
+  CHECK(figures > 20);
+}
+
 TEST_CASE("on paper, and without JavaScript, the still picture stays with its caption") {
   const std::string page = pages_with_figures().front();
   const std::string still_height = "document.querySelector('figure:has(> .live) > svg').getBoundingClientRect().height";
