@@ -11,8 +11,6 @@ namespace {
 
 using Lines = std::vector<std::string>;
 using Indices = std::vector<std::size_t>;
-/// True for a number of a value that is to be marked.
-using NumberTest = std::function<bool(std::size_t number)>;
 
 constexpr std::size_t block_indent = 2;
 constexpr int difference_digits = 3;
@@ -39,72 +37,6 @@ void append(Lines& lines, Lines more) { std::ranges::move(more, std::back_insert
 Lines indented(Lines lines, std::size_t depth = block_indent) {
   for (std::string& line : lines) line.insert(0, depth, ' ');
   return lines;
-}
-
-// --- numbers in aligned columns
-
-/// Numbers in rows and columns, those outside the tolerance with a mark in front.
-struct Table {
-  std::string title = {};        ///< above the labels
-  Lines headings = {};           ///< one per column of numbers, or none
-  Lines labels = {};             ///< one per row, or none
-  std::vector<Lines> rows = {};  ///< numbers, aligned on the decimal point column by column
-  Lines endings = {};            ///< one per row, or none: units
-  std::function<bool(std::size_t row, std::size_t col)> is_marked = {};  ///< without it there is no room for marks
-
-  /// Every entry below its column's heading; no line ends with a blank.
-  Lines lines() const {
-    if (rows.empty()) return {};
-    const std::size_t heading = headings.empty() ? 0 : 1;
-    const std::size_t label_width = std::max(widest(labels), display_width(title));
-    Lines text(rows.size() + heading, std::string(label_width, ' '));
-    if (heading > 0) text.front() = padded(title, label_width);
-    for (std::size_t row = 0; row < labels.size(); ++row) text[row + heading] = padded_left(labels[row], label_width);
-    for (std::size_t col = 0; col < rows.front().size(); ++col) {
-      const Lines cells = column(col);
-      const char* const gap = col == 0 && label_width == 0 ? "" : is_marked ? " " : "  ";  // a mark is a gap too
-      for (std::size_t row = 0; row < text.size(); ++row) text[row] += gap + cells[row];
-    }
-    for (std::size_t row = 0; row < endings.size(); ++row) text[row + heading] += " " + endings[row];
-    std::ranges::transform(text, text.begin(), without_trailing_blanks);
-    return text;
-  }
-
- private:
-  /// One column of numbers with its heading on top, all of one width.
-  Lines column(std::size_t col) const {
-    Lines cells;
-    for (const Lines& row : rows) cells.push_back(row.at(col));
-    cells = aligned_on_point(cells);
-    for (std::size_t row = 0; is_marked && row < cells.size(); ++row)
-      cells[row].insert(0, is_marked(row, col) ? "≠ " : "  ");
-    if (!headings.empty()) cells.insert(cells.begin(), (is_marked ? "  " : "") + headings.at(col));
-    for (std::string& cell : cells) cell = padded(cell, widest(cells));
-    return cells;
-  }
-};
-
-/// The columns [first_col, first_col + 3) of a value of three rows.
-Lines matrix_lines(const Value& value, std::size_t first_col, int digits, const NumberTest& is_marked = {}) {
-  Table table{.rows = std::vector(3, Lines(3))};
-  const auto number_at = [first_col](std::size_t row, std::size_t col) { return 3 * (first_col + col) + row; };
-  for (std::size_t row = 0; row < 3; ++row)
-    for (std::size_t col = 0; col < 3; ++col)
-      table.rows[row][col] = number_text(value.numbers.at(number_at(row, col)), digits);
-  if (is_marked) table.is_marked = [&](std::size_t row, std::size_t col) { return is_marked(number_at(row, col)); };
-  return table.lines();
-}
-
-/// Blocks of lines beside each other.
-Lines side_by_side(const std::vector<Lines>& blocks) {
-  Lines band;
-  for (const Lines& lines : blocks) {
-    const std::size_t start = band.empty() ? 0 : widest(band) + 3;
-    band.resize(std::max(band.size(), lines.size()));
-    for (std::size_t row = 0; row < lines.size(); ++row) band[row] = padded(band[row], start) + lines[row];
-  }
-  std::ranges::transform(band, band.begin(), without_trailing_blanks);
-  return band;
 }
 
 // --- what went in
@@ -153,12 +85,12 @@ struct Result {
   std::size_t size() const { return expected.numbers.size(); }
   bool differs(std::size_t number) const { return difference && !difference->is_within(number); }
   bool differs_anywhere() const { return difference && !difference->is_within(); }
-  bool has_matrices() const { return exercise.result_kind == Kind::matrix3 || exercise.result_kind == Kind::matrices; }
 
   /// The numbers to be told one by one: those that differ, where not all can be shown or others say nothing.
   Indices told(const Page& page) const {
     Indices shown = first_indices(size());
-    const bool is_long = size() > page.most_rows || has_matrices() || page.is_linear;
+    const bool is_matrix = exercise.result_kind == Kind::matrix3 || exercise.result_kind == Kind::matrices;
+    const bool is_long = size() > page.most_rows || is_matrix || page.is_linear;
     if (is_long && differs_anywhere()) std::erase_if(shown, [&](std::size_t n) { return !differs(n); });
     if (shown.size() > page.most_rows + 1) shown.resize(page.most_rows);  // a line instead of one more says less
     return shown;
@@ -183,47 +115,31 @@ std::string component_label(Kind kind, std::size_t number) {
   return kind == Kind::matrices ? fmt::format("[{}]{}", number / 9, entry) : entry;
 }
 
-/// A line for each number.
+/// A line for each number, its digits below each other and a mark in front of what differs.
 Lines lines_of_table(const Result& result, const Page& page, const std::string& title, std::size_t columns) {
   const Indices shown = result.told(page);
-  Table table{.title = title};
-  for (std::size_t k = 0; k < columns; ++k) table.headings.emplace_back(result.columns[k].title);
-  for (const std::size_t n : shown) {
-    const std::string label = component_label(result.exercise.result_kind, n);
-    if (!label.empty()) table.labels.push_back(label);
-    Lines& row = table.rows.emplace_back();
-    for (std::size_t k = 0; k < columns; ++k)
-      row.push_back(number_text(result.columns[k].value.numbers[n], result.columns[k].digits));
-    if (result.exercise.result_units.size() > 1) table.endings.push_back(to_string(result.exercise.result_units.at(n)));
+  Lines labels;
+  for (const std::size_t n : shown) labels.push_back(component_label(result.exercise.result_kind, n));
+  const std::size_t label_width = std::max(widest(labels), display_width(title));
+  Lines lines = {padded(title, label_width)};
+  for (const std::string& label : labels) lines.push_back(padded_left(label, label_width));
+  for (std::size_t k = 0; k < columns; ++k) {
+    const Result::Column& column = result.columns[k];
+    Lines cells;
+    for (const std::size_t n : shown) cells.push_back(number_text(column.value.numbers[n], column.digits));
+    cells = aligned_on_point(cells);
+    for (std::size_t row = 0; row < shown.size(); ++row)
+      cells[row].insert(0, k == 1 && result.differs(shown[row]) ? "≠ " : "  ");
+    cells.insert(cells.begin(), fmt::format("  {}", column.title));
+    const std::size_t width = widest(cells);
+    for (std::size_t row = 0; row < lines.size(); ++row)
+      lines[row] += (k == 0 && label_width == 0 ? "" : " ") + padded(cells[row], width);
   }
-  table.is_marked = [&](std::size_t row, std::size_t col) { return col == 1 && result.differs(shown[row]); };
-  Lines lines = indented(table.lines());
+  for (std::size_t row = 0; row < shown.size() && result.exercise.result_units.size() > 1; ++row)
+    lines[row + 1] += " " + to_string(result.exercise.result_units.at(shown[row]));
+  std::ranges::transform(lines, lines.begin(), without_trailing_blanks);
+  lines = indented(lines);
   append(lines, result.untold(shown));
-  return lines;
-}
-
-/// Expected, yours and difference of a matrix as blocks beside each other; of several matrices of those that differ.
-Lines lines_of_blocks(const Result& result, const Page& page, const std::string& title, std::size_t columns) {
-  const bool has_several = result.exercise.result_kind == Kind::matrices;
-  Lines lines;
-  std::size_t left = 0;
-  for (std::size_t col = 0; col + 3 <= static_cast<std::size_t>(result.expected.cols); col += 3) {
-    const bool is_right = std::ranges::none_of(first_indices(9), [&](auto n) { return result.differs(3 * col + n); });
-    if (page.is_brief && has_several && (!lines.empty() || (is_right && result.differs_anywhere()))) {
-      ++left;
-      continue;
-    }
-    if (has_several) lines.push_back(fmt::format("  matrix [{}]", col / 3));
-    std::vector<Lines> blocks;
-    for (std::size_t k = 0; k < columns; ++k) {
-      const Result::Column& one = result.columns[k];
-      blocks.push_back({fmt::format("  {} {}", one.title, k == 0 ? title : "")});
-      append(blocks.back(),
-             matrix_lines(one.value, col, one.digits, [&](std::size_t n) { return k > 0 && result.differs(n); }));
-    }
-    append(lines, side_by_side(blocks));
-  }
-  if (left > 0) lines.push_back(fmt::format("  ({} not shown)", plural(left, "more matrix", "more matrices")));
   return lines;
 }
 
@@ -244,21 +160,17 @@ Lines lines_of_sentences(const Result& result, const Page& page) {
   return lines;
 }
 
-/// In the first way that fits: as blocks or columns, without the difference on a narrow terminal, as sentences.
+/// In the first way that fits: in columns, without the difference on a narrow terminal, as sentences.
 Lines result_lines(const Result& result, const Page& page, const std::string& title) {
   const std::string above = "Result " + title;
   if (result.size() == 0) return {above, "  an empty list"};
-  std::vector ways = {&lines_of_blocks, &lines_of_table};
-  if (!result.has_matrices()) ways.erase(ways.begin());
-  if (page.is_linear) ways.clear();
-  for (const auto& way : ways)
-    for (std::size_t columns = result.columns.size(); columns >= std::min<std::size_t>(2, result.columns.size());
-         --columns)
-      for (const std::string& beside : {title, std::string()}) {
-        Lines lines = way(result, page, beside, columns);
-        if (beside.empty()) lines.insert(lines.begin(), above);
-        if (widest(lines) <= page.width) return lines;
-      }
+  const std::size_t fewest = std::min<std::size_t>(2, result.columns.size());
+  for (std::size_t columns = result.columns.size(); columns >= fewest && !page.is_linear; --columns)
+    for (const std::string& beside : {title, std::string()}) {
+      Lines lines = lines_of_table(result, page, beside, columns);
+      if (beside.empty()) lines.insert(lines.begin(), above);
+      if (widest(lines) <= page.width) return lines;
+    }
   Lines lines = {above};
   append(lines, lines_of_sentences(result, page));
   return lines;
@@ -369,8 +281,8 @@ std::vector<std::string> describe_case(const ExerciseReference& exercise, std::s
   // Where there is too little room, long results give way, then inputs.
   Lines result = result_section(exercise, case_index, actual, page);
   Page shorter = page;
-  for (const std::size_t rows : {6, 3})
-    if (1 + inputs.size() + result.size() > page.most_lines) {
+  for (const std::size_t rows : {6, 3, 1})
+    if ((rows > 1 ? 1 + inputs.size() : 2) + result.size() > page.most_lines) {
       shorter.most_rows = rows;
       result = result_section(exercise, case_index, actual, shorter);
     }
