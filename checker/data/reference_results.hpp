@@ -29,8 +29,6 @@ struct Argument {
   std::string name;
   Kind kind = Kind::number;
   Unit unit;
-
-  bool operator==(const Argument&) const = default;
 };
 
 /// One input at which an exercise is judged.
@@ -48,8 +46,6 @@ struct Case {
   int base = -1;      ///< the other case
   int argument = -1;  ///< which argument
   int entry = -1;     ///< which of its numbers; -1: all of it
-
-  bool operator==(const Case&) const = default;
 };
 
 /// A named, plausible wrong answer.
@@ -59,8 +55,6 @@ struct Misconception {
   std::string notes;                 ///< anchor of the paragraph to read
   std::vector<Value> outputs;        ///< per case that is not generated
   std::vector<Value> sweep_outputs;  ///< per point of the sweep
-
-  bool operator==(const Misconception&) const = default;
 };
 
 /// The right result for changed inputs: "ψ = 0", "the transposed A".
@@ -68,8 +62,6 @@ struct InputTransform {
   std::string name;            ///< "psi_zero"
   std::string message;         ///< to follow "yours is the right result for"
   std::vector<Value> outputs;  ///< per case that is not generated
-
-  bool operator==(const InputTransform&) const = default;
 };
 
 /// One summand of the formula.
@@ -77,8 +69,6 @@ struct Term {
   std::string name;
   double coefficient = 1.0;    ///< the right one
   std::vector<Value> outputs;  ///< per case that is not generated
-
-  bool operator==(const Term&) const = default;
 };
 
 /// What every right result has.
@@ -102,16 +92,12 @@ struct Property {
   std::string notes;
   int argument = -1;                         ///< for orthogonal_to_argument: which one
   std::vector<std::vector<double>> weights;  ///< for constant_weighted_square: per case, one weight per row
-
-  bool operator==(const Property&) const = default;
 };
 
 /// A right answer by another route; self-check demands that it passes without a diagnosis.
 struct Route {
   std::string name;
   std::vector<Value> outputs;  ///< per case that is not generated
-
-  bool operator==(const Route&) const = default;
 };
 
 /// One component of the result in the plot.
@@ -119,8 +105,6 @@ struct PlotComponent {
   std::string name;  ///< "I_xx"
   int row = 0;
   int col = 0;
-
-  bool operator==(const PlotComponent&) const = default;
 };
 
 /// How the exercise is plotted: the result over one varying quantity. Where points of the even spacing are left out,
@@ -134,24 +118,18 @@ struct Sweep {
   std::vector<Value> expected;
   std::vector<PlotComponent> components;
   double y_unit = 1;  ///< what is drawn is the result divided by it
-
-  bool operator==(const Sweep&) const = default;
 };
 
 /// A case whose result is known before anything is computed: predict asks for it first.
 struct Limit {
   std::size_t case_index = 0;
   std::string reason;  ///< why the result is what it is, in one sentence
-
-  bool operator==(const Limit&) const = default;
 };
 
 /// A part of the inputs at which formulas may be others, in the words of the lecture.
 struct Region {
   std::string words;        ///< to follow "where": "omega0 goes round the axis of the smallest moment"
   std::vector<bool> holds;  ///< per case, then per point of the sweep
-
-  bool operator==(const Region&) const = default;
 };
 
 /// Real data: what a function that passes makes of it is told beside its verdict. Its result is not judged.
@@ -159,8 +137,6 @@ struct Measured {
   std::string name;  ///< "throw 3 of the racket"
   std::vector<Value> inputs;
   std::vector<double> errors;  ///< standard errors of the numbers of the result; empty where none are known
-
-  bool operator==(const Measured&) const = default;
 };
 
 /// What a proof found with typical bugs made in the reference solution of an exercise: a threshold, a missing sign,
@@ -173,8 +149,6 @@ struct Adequacy {
   std::vector<std::string> survivors;   ///< differ somewhere in the domain where no case can be made of it
   std::vector<std::string> neighbours;  ///< the points of the dense sample that must be cases, by name
   std::string fingerprint;              ///< of all this and of what was judged when it was recorded
-
-  bool operator==(const Adequacy&) const = default;
 };
 
 struct ExerciseReference {
@@ -204,7 +178,6 @@ struct ExerciseReference {
   std::string survivor_reason(const std::string& bug) const;
   /// How many cases come before the generated ones.
   std::size_t described_cases() const;
-  bool operator==(const ExerciseReference&) const = default;
 };
 
 struct LectureReference {
@@ -212,8 +185,6 @@ struct LectureReference {
   std::uint64_t seed = 1;
   std::string lecture;
   std::vector<ExerciseReference> exercises;
-
-  bool operator==(const LectureReference&) const = default;
   /// @throws ReferenceError if the lecture has no such exercise.
   const ExerciseReference& exercise(const std::string& name) const;
 };

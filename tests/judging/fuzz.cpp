@@ -166,7 +166,7 @@ TEST_CASE("Damaged reference results: a sentence, or such that nothing wrong pas
     }
     try {
       const LectureReference again = read_reference_results(file);
-      if (!has_right_checksum) CHECK(again == written);
+      if (!has_right_checksum) CHECK(as_written(again) == whole);
       for (const ExerciseReference& exercise : again.exercises) {
         CHECK(!judge(exercise, {}).passed());
         const std::vector<Value> nothing(exercise.cases.size(), number(not_a_number));

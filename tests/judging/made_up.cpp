@@ -1,5 +1,6 @@
 #include "tests/judging/made_up.hpp"
 
+#include "tests/support/files.hpp"
 #include "tests/support/golden.hpp"
 
 #include <fmt/format.h>
@@ -153,6 +154,12 @@ Observation observed(const std::vector<Value>& values) {
 }
 
 Answers all_answers(const std::vector<Value>& values) { return {values.begin(), values.end()}; }
+
+std::string as_written(const LectureReference& results) {
+  const std::filesystem::path file = std::filesystem::path(WORKBOOK_TEST_SCRATCH) / "written.json";
+  write_reference_results(results, file);
+  return read(file);
+}
 
 std::string joined(const std::vector<std::string>& lines) {
   std::string text;

@@ -61,6 +61,9 @@ Reply ending(Ending how, const std::string& text = "");
 Observation observed(const std::vector<Value>& values);
 Answers all_answers(const std::vector<Value>& values);
 
+/// The file in which these results would be kept: the same for equal ones.
+std::string as_written(const LectureReference& results);
+
 /// The lines as one text.
 std::string joined(const std::vector<std::string>& lines);
 

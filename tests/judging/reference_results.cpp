@@ -132,9 +132,11 @@ TEST_CASE("Reference results are read back as they were written; of wrong answer
   const fs::path file = scratch_file("round_trip.json");
   write_reference_results(written, file);
   const LectureReference again = read_reference_results(file);
-  CHECK(again == written);
-  CHECK(again.exercise("momentum0") == written.exercises[0]);
-  CHECK(read_reference_results(file, "momentum0").exercises == std::vector<Exercise>{written.exercises[0]});
+  CHECK(as_written(again) == read(file));
+  CHECK(&again.exercise("momentum0") == again.exercises.data());
+  LectureReference one = written;
+  one.exercises.resize(1);
+  CHECK(as_written(read_reference_results(file, "momentum0")) == as_written(one));
   check_refused({"99_made_up", "energy"}, [&] { again.exercise("energy"); });
 
   written.exercises[0].misconceptions[0].outputs[0] = vector({not_a_number, infinity, 2});
