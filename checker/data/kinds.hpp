@@ -41,35 +41,23 @@ struct KindOf<int> : NumberKind<int> {
 };
 
 /// Every Eigen matrix of the contracts, fixed or free in size.
-template <class Matrix>
-struct EigenKind {
+template <int Rows, int Cols>
+struct KindOf<Eigen::Matrix<double, Rows, Cols>> {
+  using Matrix = Eigen::Matrix<double, Rows, Cols>;
+  static constexpr bool is_list = Rows == Eigen::Dynamic || Cols == Eigen::Dynamic;
+  static constexpr const char* name = Cols == 1 && Rows == 2   ? "vector2"
+                                      : Cols == 1 && Rows == 3 ? "vector3"
+                                      : Cols == 1 && is_list   ? "vector"
+                                      : Rows == 3 && Cols == 3 ? "matrix3"
+                                      : Rows == 3 && is_list   ? "points"
+                                                               : nullptr;
+  static_assert(name != nullptr, "no contract has matrices of this size");
   static Matrix read(NumbersView view) { return Eigen::Map<const Eigen::MatrixXd>(view.numbers, view.rows, view.cols); }
   static int rows(const Matrix& value) { return static_cast<int>(value.rows()); }
   static int cols(const Matrix& value) { return static_cast<int>(value.cols()); }
   static void write(const Matrix& value, double* out) {
     Eigen::Map<Eigen::MatrixXd>(out, value.rows(), value.cols()) = value;
   }
-};
-
-template <>
-struct KindOf<Eigen::Vector2d> : EigenKind<Eigen::Vector2d> {
-  static constexpr const char* name = "vector2";
-};
-template <>
-struct KindOf<Eigen::Vector3d> : EigenKind<Eigen::Vector3d> {
-  static constexpr const char* name = "vector3";
-};
-template <>
-struct KindOf<Eigen::VectorXd> : EigenKind<Eigen::VectorXd> {
-  static constexpr const char* name = "vector";
-};
-template <>
-struct KindOf<Eigen::Matrix3d> : EigenKind<Eigen::Matrix3d> {
-  static constexpr const char* name = "matrix3";
-};
-template <>
-struct KindOf<Eigen::Matrix3Xd> : EigenKind<Eigen::Matrix3Xd> {
-  static constexpr const char* name = "points";
 };
 
 template <>
