@@ -10,8 +10,8 @@
 namespace workbook {
 
 /// A file of the instructor's cannot be used: file, place and reason in one sentence.
-struct GradingError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct GradingError : UsageError {
+  using UsageError::UsageError;
 };
 
 using Table = std::vector<std::vector<std::string>>;

@@ -519,114 +519,110 @@ int print_who(const Course& course, const GradeOptions& options) {
 }  // namespace
 
 int grade(const Course& given, const GradeOptions& options) {
-  try {
-    if (options.who) return print_who(given, options);
-    if (!options.out) throw GradingError("Say with --out FOLDER where the results go, or only --who handed in what.");
-    const fs::path out = fs::absolute(*options.out).lexically_normal();
-    const SandboxStrength sandbox = strong_sandbox(options.allow_reduced, out);
-    fmt::print("Sandbox: {}.\n", sandbox.sentence());
-    const fs::path submissions = fs::absolute(options.submissions);
-    Course course = given;
-    course.use_scratch(out / "work");
-    const std::optional<std::uint64_t> of_references = use_references(course, options.references);
-    const std::uint64_t handed_out = options.copy ? read_release(*options.copy).seed : course.seed();
-    const Assignment assignment(course, options.assignment);
-    const Match zone = search(assignment.due_text(), "[+-]\\d\\d:?\\d\\d$");
-    const std::vector<Student> roster =
-        options.roster ? read_roster(*options.roster, zone ? zone[0] : "Z") : std::vector<Student>{};
-    const fs::path kept_overrides = out / "overrides.csv";
-    const std::optional<fs::path> overrides_file = options.overrides            ? options.overrides
-                                                   : fs::exists(kept_overrides) ? std::optional(kept_overrides)
-                                                                                : std::nullopt;
-    const Overrides overrides = overrides_file ? read_overrides(*overrides_file, assignment) : Overrides{};
-    if (options.roster) require_known(overrides, roster);
-    const std::string overrides_text = overrides_file ? read_file(*overrides_file).value_or("") : "";
-    if (!options.attempts.empty() && options.attempts != "last" && options.attempts != "best")
-      throw GradingError("--attempts should be last or best.");
-    const std::string forgotten = options.only.empty() ? "" : known_verdict(options.only);
-    const std::string part = options.shard.empty() ? "1/1" : options.shard;
-    is_in_part("", part);                // so that a wrong one is refused now
-    const mode_t usual = ::umask(0077);  // results are nobody else's
-    const bool is_new = !fs::exists(out / journal_name);
-    prepare_folder(out, submissions);
-    Journal journal(out / journal_name, Journal::Access::write, forgotten);
-    const std::vector<Journal> merged = journals_in(options.merged, out);
-    const std::uint64_t seed = of_references  ? *of_references
-                               : options.seed ? *options.seed
-                                              : own_seed(course, options, journal, merged);
-    if (!of_references) journal.remember_seed(seed);
-    for (const Journal& each : merged) journal.merge(each);
-    if (journal.damaged() > 0) fmt::print("{} of the journal are damaged.\n", plural(journal.damaged(), "line"));
-    const bool is_known = seed == handed_out;
-    if (is_known)
-      fmt::print("Students may have the results of these cases (seed {}), so answers learnt by heart pass.\n", seed);
-    Grader grader(course, assignment, seed,
-                  is_known || of_references || !course.has_solutions() ? std::nullopt : std::optional(handed_out),
-                  options.explain_minutes, out, journal);
-    ::umask(usual);  // the build is everybody's
-    grader.build_all(sandbox.tier());
-    ::umask(0077);
-    std::vector<fs::path> needed = options.references;
-    needed.insert(needed.end(), {submissions, course.lectures(), course.toolchain_file()});
-    give_up_root(out, needed, sandbox.tier() < SandboxTier::full);
-    use_sandbox(sandbox);
-    std::error_code ignored;
-    Intake intake = [&] {
-      try {
-        grader.require_misconceptions();
-        Intake taken = take_in(submissions, course, roster, out / "submissions", part, !options.attempts.empty());
-        if (options.attempts == "last")
-          for (Student& student : taken.students)
-            if (!student.attempts.empty()) take_attempt(student, student.attempts.size() - 1, "the last one");
-        if (!options.shard.empty()) return taken;
-        require_known(overrides, taken.students);
+  if (options.who) return print_who(given, options);
+  if (!options.out) throw GradingError("Say with --out FOLDER where the results go, or only --who handed in what.");
+  const fs::path out = fs::absolute(*options.out).lexically_normal();
+  const SandboxStrength sandbox = strong_sandbox(options.allow_reduced, out);
+  fmt::print("Sandbox: {}.\n", sandbox.sentence());
+  const fs::path submissions = fs::absolute(options.submissions);
+  Course course = given;
+  course.use_scratch(out / "work");
+  const std::optional<std::uint64_t> of_references = use_references(course, options.references);
+  const std::uint64_t handed_out = options.copy ? read_release(*options.copy).seed : course.seed();
+  const Assignment assignment(course, options.assignment);
+  const Match zone = search(assignment.due_text(), "[+-]\\d\\d:?\\d\\d$");
+  const std::vector<Student> roster =
+      options.roster ? read_roster(*options.roster, zone ? zone[0] : "Z") : std::vector<Student>{};
+  const fs::path kept_overrides = out / "overrides.csv";
+  const std::optional<fs::path> overrides_file = options.overrides            ? options.overrides
+                                                 : fs::exists(kept_overrides) ? std::optional(kept_overrides)
+                                                                              : std::nullopt;
+  const Overrides overrides = overrides_file ? read_overrides(*overrides_file, assignment) : Overrides{};
+  if (options.roster) require_known(overrides, roster);
+  const std::string overrides_text = overrides_file ? read_file(*overrides_file).value_or("") : "";
+  if (!options.attempts.empty() && options.attempts != "last" && options.attempts != "best")
+    throw GradingError("--attempts should be last or best.");
+  const std::string forgotten = options.only.empty() ? "" : known_verdict(options.only);
+  const std::string part = options.shard.empty() ? "1/1" : options.shard;
+  is_in_part("", part);                // so that a wrong one is refused now
+  const mode_t usual = ::umask(0077);  // results are nobody else's
+  const bool is_new = !fs::exists(out / journal_name);
+  prepare_folder(out, submissions);
+  Journal journal(out / journal_name, Journal::Access::write, forgotten);
+  const std::vector<Journal> merged = journals_in(options.merged, out);
+  const std::uint64_t seed = of_references  ? *of_references
+                             : options.seed ? *options.seed
+                                            : own_seed(course, options, journal, merged);
+  if (!of_references) journal.remember_seed(seed);
+  for (const Journal& each : merged) journal.merge(each);
+  if (journal.damaged() > 0) fmt::print("{} of the journal are damaged.\n", plural(journal.damaged(), "line"));
+  const bool is_known = seed == handed_out;
+  if (is_known)
+    fmt::print("Students may have the results of these cases (seed {}), so answers learnt by heart pass.\n", seed);
+  Grader grader(course, assignment, seed,
+                is_known || of_references || !course.has_solutions() ? std::nullopt : std::optional(handed_out),
+                options.explain_minutes, out, journal);
+  ::umask(usual);  // the build is everybody's
+  grader.build_all(sandbox.tier());
+  ::umask(0077);
+  std::vector<fs::path> needed = options.references;
+  needed.insert(needed.end(), {submissions, course.lectures(), course.toolchain_file()});
+  give_up_root(out, needed, sandbox.tier() < SandboxTier::full);
+  use_sandbox(sandbox);
+  std::error_code ignored;
+  Intake intake = [&] {
+    try {
+      grader.require_misconceptions();
+      Intake taken = take_in(submissions, course, roster, out / "submissions", part, !options.attempts.empty());
+      if (options.attempts == "last")
         for (Student& student : taken.students)
-          if (overrides.contains(student.id)) student.by_hand = overrides.at(student.id);
-        return taken;
-      } catch (const GradingError&) {
-        fs::remove_all(is_new ? out : out / "work", ignored);
-        throw;
-      }
-    }();
-    grader.begin(intake);
-    fmt::print("{}, {}: {} to judge.\n", plural(intake.students.size(), "student"),
-               plural(assignment.exercises().size(), "exercise"), plural(grader.left_to_judge(), "different file"));
-    std::fflush(stdout);
-    grader.judge_all();
-    if (!options.shard.empty()) {
-      for (const char* folder : {"work", "submissions"}) fs::remove_all(out / folder, ignored);
-      fmt::print("Part {} is judged; `{}` joins the parts.\n", options.shard,
-                 command("grade SUBMISSIONS --out FOLDER --merge " + shell_quoted(options.out->string())));
-      return grader.failed() == 0 ? all_passed : checker_failed;
+          if (!student.attempts.empty()) take_attempt(student, student.attempts.size() - 1, "the last one");
+      if (!options.shard.empty()) return taken;
+      require_known(overrides, taken.students);
+      for (Student& student : taken.students)
+        if (overrides.contains(student.id)) student.by_hand = overrides.at(student.id);
+      return taken;
+    } catch (const GradingError&) {
+      fs::remove_all(is_new ? out : out / "work", ignored);
+      throw;
     }
-    grader.take_best_attempts(intake);
-    ordered_json document = grader.write_results(intake, sandbox.sentence(), options.with_missing);
-    compare_with_last_run(out / "class.json", document);
-    for (const auto& [name, text] : class_exports(document)) write_or_fail(out / name, text);
-    write_or_fail(out / "class.html", class_page(document, current_day()));
-    write_or_fail(out / "class.json", indented(document));  // the last: it is what the next run compares with
-    if (overrides_file) write_or_fail(kept_overrides, overrides_text);
-    if (options.roster)
-      if (const auto worksheet = filled_worksheet(*options.roster, document))
-        write_or_fail(out / "moodle_worksheet.csv", *worksheet);
-    fs::remove_all(out / "work", ignored);
-    const std::vector<std::string> problems = document.at("problems"), missing = document.at("missing");
-    const std::string left_out = problems.empty() ? "" : fmt::format("; {} not read or not judged", problems.size());
-    const bool is_complete = options.with_missing || (problems.empty() && missing.empty());
-    const bool is_all = print_intake(
-        intake, problems, missing, options,
-        left_out + (is_complete ? "" : ". The tables have no rows of whom this concerns; --with-missing adds them"));
-    for (const ordered_json& each : document.at("learnt_by_heart"))
-      fmt::print("Learnt by heart: {}: {}.\n", each.at("exercise").get<std::string>(),
-                 listed(each.at("students").get<std::vector<std::string>>()));
-    for (const std::string sentence : document.at("not_judged")) fmt::print("Not judged: {}\n", sentence);
-    fmt::print("The page of the class is {}; grades.csv and a page for every student are beside it.\n",
-               shown_path(out / "class.html"));
-    if (!document.at("not_judged").empty()) return checker_failed;
-    return is_all ? all_passed : something_failed;
-  } catch (const GradingError& problem) {
-    throw UsageError(problem.what());
+  }();
+  grader.begin(intake);
+  fmt::print("{}, {}: {} to judge.\n", plural(intake.students.size(), "student"),
+             plural(assignment.exercises().size(), "exercise"), plural(grader.left_to_judge(), "different file"));
+  std::fflush(stdout);
+  grader.judge_all();
+  if (!options.shard.empty()) {
+    for (const char* folder : {"work", "submissions"}) fs::remove_all(out / folder, ignored);
+    fmt::print("Part {} is judged; `{}` joins the parts.\n", options.shard,
+               command("grade SUBMISSIONS --out FOLDER --merge " + shell_quoted(options.out->string())));
+    return grader.failed() == 0 ? all_passed : checker_failed;
   }
+  grader.take_best_attempts(intake);
+  ordered_json document = grader.write_results(intake, sandbox.sentence(), options.with_missing);
+  compare_with_last_run(out / "class.json", document);
+  for (const auto& [name, text] : class_exports(document)) write_or_fail(out / name, text);
+  write_or_fail(out / "class.html", class_page(document, current_day()));
+  write_or_fail(out / "class.json", indented(document));  // the last: it is what the next run compares with
+  if (overrides_file) write_or_fail(kept_overrides, overrides_text);
+  if (options.roster)
+    if (const auto worksheet = filled_worksheet(*options.roster, document))
+      write_or_fail(out / "moodle_worksheet.csv", *worksheet);
+  fs::remove_all(out / "work", ignored);
+  const std::vector<std::string> problems = document.at("problems"), missing = document.at("missing");
+  const std::string left_out = problems.empty() ? "" : fmt::format("; {} not read or not judged", problems.size());
+  const bool is_complete = options.with_missing || (problems.empty() && missing.empty());
+  const bool is_all = print_intake(
+      intake, problems, missing, options,
+      left_out + (is_complete ? "" : ". The tables have no rows of whom this concerns; --with-missing adds them"));
+  for (const ordered_json& each : document.at("learnt_by_heart"))
+    fmt::print("Learnt by heart: {}: {}.\n", each.at("exercise").get<std::string>(),
+               listed(each.at("students").get<std::vector<std::string>>()));
+  for (const std::string sentence : document.at("not_judged")) fmt::print("Not judged: {}\n", sentence);
+  fmt::print("The page of the class is {}; grades.csv and a page for every student are beside it.\n",
+             shown_path(out / "class.html"));
+  if (!document.at("not_judged").empty()) return checker_failed;
+  return is_all ? all_passed : something_failed;
 }
 
 }  // namespace workbook

@@ -240,11 +240,7 @@ int handout(const Course& course, const HandoutOptions& options) {
   const fs::path whole = target_of(options);
   std::optional<Release> before;
   if (options.update) before = read_release(whole);
-  try {
-    Assignment(course, options.assignment);
-  } catch (const GradingError& problem) {
-    throw UsageError(problem.what());
-  }
+  Assignment(course, options.assignment);  // so that a wrong one is refused now
   const FinishedProgram built = make(course.build(), {"handed_out"});
   if (!built.succeeded())
     throw std::runtime_error(
@@ -304,49 +300,45 @@ int export_recipe(const Course& course, const ExportOptions& options) {
         fmt::format("There is no system '{}'; there are gradescope, autolab, prairielearn and classroom50.",
                     printable(options.system)));
   require_solutions_for_copies(course);
-  try {
-    const Assignment assignment(course, options.assignment);
-    const fs::path file = fs::absolute(*options.out);
-    std::string name = options.assignment ? options.assignment->stem().string() : "workbook";
-    std::erase_if(name, [](unsigned char letter) { return std::isalnum(letter) == 0; });
-    if (name.empty() || std::isalpha(static_cast<unsigned char>(name[0])) == 0) name = "week" + name;
-    std::ranges::transform(name, name.begin(), [](unsigned char letter) { return std::tolower(letter); });
-    std::random_device random;
-    const std::uint64_t seed = options.seed ? *options.seed : (std::uint64_t{random()} << 20) ^ random();
-    const json values = recipe_values(assignment, options, name);
-    const auto named = [&](std::string path) { return boost::replace_all_copy(path, "NAME", name); };
-    const Workspace made(fs::temp_directory_path());
-    const fs::path root = made.directory() / "made",
-                   templates = course.root() / "checker/grading/containers" / recipe->system;
-    std::map<fs::path, std::string> texts;
-    for (const auto& entry : fs::recursive_directory_iterator(templates))
-      if (entry.is_regular_file()) texts[entry.path()] = read_file(entry.path()).value();
-    texts = filled_texts(texts, values);
-    const std::string next = texts.extract(templates / "next.txt").mapped();
-    for (const auto& [form, text] : texts) {
-      const fs::path target = root / named(form.lexically_relative(templates).string());
-      write_or_throw(target, text);
-      fs::permissions(target, fs::status(form).permissions());
-    }
-    const fs::path cases = root / named(recipe->cases);
-    write_or_throw(cases / "assignment.json", options.assignment ? read_file(*options.assignment).value() : "{}\n");
-    for (const Card& card : course.cards()) {
-      write_reference_results(without_secrets(course.reference(card.lecture, seed)), cases / (card.lecture + ".json"));
-      if (card.lecture == assignment.exercises().back().lecture()) break;  // functions of earlier ones may be called
-    }
-    if (recipe->workbook != nullptr) copy_sources(course, root / recipe->workbook);
-    if (const fs::path inner = cases.parent_path(); inner.extension() == ".tar") {
-      write_archive(inner, made.directory() / "inner.tar");
-      fs::remove_all(inner);
-      fs::rename(made.directory() / "inner.tar", inner);
-    }
-    write_archive(root, file);
-    fmt::print("{} holds {} for {}, with cases of seed {}. {}", shown_path(file),
-               plural(assignment.exercises().size(), "exercise"), recipe->system, seed, next);
-    return all_passed;
-  } catch (const GradingError& problem) {
-    throw UsageError(problem.what());
+  const Assignment assignment(course, options.assignment);
+  const fs::path file = fs::absolute(*options.out);
+  std::string name = options.assignment ? options.assignment->stem().string() : "workbook";
+  std::erase_if(name, [](unsigned char letter) { return std::isalnum(letter) == 0; });
+  if (name.empty() || std::isalpha(static_cast<unsigned char>(name[0])) == 0) name = "week" + name;
+  std::ranges::transform(name, name.begin(), [](unsigned char letter) { return std::tolower(letter); });
+  std::random_device random;
+  const std::uint64_t seed = options.seed ? *options.seed : (std::uint64_t{random()} << 20) ^ random();
+  const json values = recipe_values(assignment, options, name);
+  const auto named = [&](std::string path) { return boost::replace_all_copy(path, "NAME", name); };
+  const Workspace made(fs::temp_directory_path());
+  const fs::path root = made.directory() / "made",
+                 templates = course.root() / "checker/grading/containers" / recipe->system;
+  std::map<fs::path, std::string> texts;
+  for (const auto& entry : fs::recursive_directory_iterator(templates))
+    if (entry.is_regular_file()) texts[entry.path()] = read_file(entry.path()).value();
+  texts = filled_texts(texts, values);
+  const std::string next = texts.extract(templates / "next.txt").mapped();
+  for (const auto& [form, text] : texts) {
+    const fs::path target = root / named(form.lexically_relative(templates).string());
+    write_or_throw(target, text);
+    fs::permissions(target, fs::status(form).permissions());
   }
+  const fs::path cases = root / named(recipe->cases);
+  write_or_throw(cases / "assignment.json", options.assignment ? read_file(*options.assignment).value() : "{}\n");
+  for (const Card& card : course.cards()) {
+    write_reference_results(without_secrets(course.reference(card.lecture, seed)), cases / (card.lecture + ".json"));
+    if (card.lecture == assignment.exercises().back().lecture()) break;  // functions of earlier ones may be called
+  }
+  if (recipe->workbook != nullptr) copy_sources(course, root / recipe->workbook);
+  if (const fs::path inner = cases.parent_path(); inner.extension() == ".tar") {
+    write_archive(inner, made.directory() / "inner.tar");
+    fs::remove_all(inner);
+    fs::rename(made.directory() / "inner.tar", inner);
+  }
+  write_archive(root, file);
+  fmt::print("{} holds {} for {}, with cases of seed {}. {}", shown_path(file),
+             plural(assignment.exercises().size(), "exercise"), recipe->system, seed, next);
+  return all_passed;
 }
 
 }  // namespace workbook
