@@ -29,7 +29,7 @@ std::optional<std::string> read_file(const fs::path& file, std::size_t limit) {
   return content;
 }
 
-std::string write_file(const fs::path& file, std::string_view content) {
+std::string write_file(const fs::path& file, std::string_view content, std::optional<fs::perms> mode) {
   std::error_code problem;
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), problem);
   const fs::path unfinished = fmt::format("{}.{}.unfinished", file.string(), ::getpid());
@@ -38,6 +38,7 @@ std::string write_file(const fs::path& file, std::string_view content) {
   out << content;
   out.close();
   problem = out ? std::error_code() : std::error_code(errno == 0 ? EIO : errno, std::generic_category());
+  if (!problem && mode) fs::permissions(unfinished, *mode, problem);
   if (!problem) fs::rename(unfinished, file, problem);
   std::error_code ignored;
   if (problem) fs::remove(unfinished, ignored);

@@ -16,8 +16,9 @@ namespace workbook {
 std::optional<std::string> read_file(const std::filesystem::path& file, std::size_t limit = std::size_t{1} << 30);
 
 /// Written under another name and renamed, so that nobody reads half a file. Makes the folder if need be.
-/// @returns "" or the system's reason
-std::string write_file(const std::filesystem::path& file, std::string_view content);
+/// @param mode  its permissions; none: those of any new file. @returns "" or the system's reason
+std::string write_file(const std::filesystem::path& file, std::string_view content,
+                       std::optional<std::filesystem::perms> mode = {});
 
 /// The same where nothing can go on without it. @throws std::runtime_error naming file and reason
 void write_or_throw(const std::filesystem::path& file, std::string_view content);
@@ -34,7 +35,8 @@ std::filesystem::path free_name(const std::filesystem::path& file);
 /// "" or why nothing can be written into a folder, which is made if need be: found out before the long work begins.
 std::string folder_trouble(const std::filesystem::path& folder);
 
-/// Why no file or folder can be made there, with the folders that it lies in; empty: it can, or is there. Leaves nothing.
+/// Why no file or folder can be made there, with the folders that it lies in; empty: it can, or is there. Leaves
+/// nothing.
 std::string place_trouble(const std::filesystem::path& file);
 
 /// Is a file, or anything in a folder, newer than that file, or is that file missing?

@@ -9,7 +9,6 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <set>
 
 namespace workbook {
@@ -117,37 +116,16 @@ std::vector<Planned> planned_update(const fs::path& from, const Release& now, co
   return plan;
 }
 
-/// Under another name first, so that there is never half a file; always the same one, so that an update that was killed
-/// leaves nothing that the next one does not replace. @throws UsageError
-void write_with_mode(const fs::path& file, const Found& content) {
-  const fs::path unfinished = file.string() + ".unfinished";
-  std::error_code problem;
-  fs::create_directories(file.parent_path(), problem);
-  errno = 0;
-  std::ofstream out(unfinished, std::ios::binary);
-  out << content.text;
-  out.close();
-  std::string trouble = out ? "" : std::generic_category().message(errno == 0 ? EIO : errno);
-  if (trouble.empty()) {
-    fs::permissions(unfinished, static_cast<fs::perms>(content.mode), problem);
-    if (!problem) fs::rename(unfinished, file, problem);
-    if (problem) trouble = problem.message();
-  }
-  if (trouble.empty()) return;
-  fs::remove(unfinished, problem);
-  throw UsageError(fmt::format("{} cannot be written ({}).", shown_path(file), trouble));
+/// @throws UsageError
+void write_found(const fs::path& file, const Found& content) {
+  const std::string trouble = write_file(file, content.text, static_cast<fs::perms>(content.mode));
+  if (!trouble.empty()) throw UsageError(fmt::format("{} cannot be written ({}).", shown_path(file), trouble));
 }
 
 }  // namespace
 
 void place_file(const fs::path& from, const fs::path& to) {
-  std::error_code problem;
-  fs::create_directories(to.parent_path(), problem);
-  // Under another name first, so that there is never half a file.
-  const fs::path unfinished = to.string() + ".unfinished";
-  fs::copy_file(from, unfinished, fs::copy_options::overwrite_existing, problem);
-  if (!problem) fs::rename(unfinished, to, problem);
-  if (problem) throw UsageError(fmt::format("{} cannot be written ({}).", shown_path(to), problem.message()));
+  write_found(to, read_inside(fs::absolute(from).parent_path(), from.filename()));
 }
 
 Release read_release(const fs::path& copy) {
@@ -188,6 +166,7 @@ Release write_release(const fs::path& copy, std::uint64_t seed, const std::strin
 }
 
 UpdateResult update_copy(const fs::path& from, const Release& now, const fs::path& copy, const Release& before) {
+  remove_unfinished(copy);  // by an update that was killed
   UpdateResult result;
   const std::vector<Planned> plan = planned_update(from, now, copy, before, result);
   try {
@@ -197,14 +176,14 @@ UpdateResult update_copy(const fs::path& from, const Release& now, const fs::pat
         place_file(copy / each.file, kept);
         result.kept.push_back(kept.lexically_relative(copy).string());
       }
-      write_with_mode(copy / each.file, each.content);
+      write_found(copy / each.file, each.content);
       ++result.written;
     }
     std::error_code ignored;
     for (const auto& [file, content] : before.files)
       if (!now.files.contains(file) && link_on_the_way(copy, file).empty() && file_fingerprint(copy / file) == content)
         fs::remove(copy / file, ignored);
-    write_with_mode(copy / release_name, {text_of(now), 0644});
+    write_found(copy / release_name, {text_of(now), 0644});
   } catch (const UsageError& problem) {
     throw UsageError(fmt::format("{} {} of {} are new already, the rest is as it was; the same command goes on.",
                                  problem.what(), result.written, plural(plan.size(), "file")));

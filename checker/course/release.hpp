@@ -21,7 +21,7 @@ struct Release {
   std::vector<ReleaseChange> changes;        ///< since the first release, oldest first
 };
 
-/// Copies a file, for which it makes the folder: the whole of it or nothing. @throws UsageError
+/// Copies a file, not a symbolic link, and makes its folder: the whole of it or nothing. @throws UsageError
 void place_file(const fs::path& from, const fs::path& to);
 
 /// @throws UsageError

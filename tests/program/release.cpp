@@ -135,19 +135,19 @@ TEST_CASE("nothing is written through a link of the copy") {
 
 TEST_CASE("an update that cannot go on says what it has done, and goes on later") {
   const fs::path copy = made("copy", first), next = made("next", second, copy);
-  fs::create_directories(copy / "lectures/01/notes.md.unfinished/in the way");
+  fs::create_directories(copy / "lectures/01/new.md/in the way");
   try {
     updated(next, copy);
     FAIL_CHECK("not refused");
   } catch (const UsageError& problem) {
-    CHECK_MESSAGE(has(problem.what(), "notes.md cannot be written"), problem.what());
-    CHECK_MESSAGE(has(problem.what(), "3 of 4 files"), problem.what());
+    CHECK_MESSAGE(has(problem.what(), "new.md cannot be written"), problem.what());
+    CHECK_MESSAGE(has(problem.what(), "2 of 4 files"), problem.what());
   }
-  CHECK(read(copy / "lectures/01/new.md") == "two");
+  CHECK(read(copy / "lectures/01/exercises/fresh.cpp") == "stub of two");
   CHECK(read(copy / "lectures/01/notes.md") == "one");
   CHECK(read_release(copy).number == 1);
-  fs::remove_all(copy / "lectures/01/notes.md.unfinished");
-  CHECK(updated(next, copy).written == 1);
+  fs::remove_all(copy / "lectures/01/new.md");
+  CHECK(updated(next, copy).written == 2);
   CHECK(read(copy / "lectures/01/notes.md") == "two");
 }
 
@@ -182,7 +182,9 @@ TEST_CASE("the next release of a copy keeps its assignment, and what is locked a
 
   // It stops half-way, which is not to have handed out nothing.
   write(course.root() / "lectures/01_springs/hints/spring_energy.md", "One.\n\n---\n\nTwo.\n\n---\n\nThree.\n");
-  fs::create_directories(copy / "lectures/01_springs/hints/spring_energy.md.unfinished/in the way");
+  const fs::path hints = copy / "lectures/01_springs/hints/spring_energy.md";
+  fs::remove(hints);
+  fs::create_directories(hints / "in the way");
   const Outcome stopped = handout("--update");
   CHECK(stopped.status == 3);
   CHECK_MESSAGE((has(stopped.err, "0 of 1 file") && !has(stopped.err, "nothing was handed out")), stopped.said());
