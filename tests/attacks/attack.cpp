@@ -1,26 +1,27 @@
 #include "tests/attacks/attack.hpp"
 
+#include "checker/base/text.hpp"
 #include "checker/pipeline/check_exercise.hpp"
 #include "checker/worker/protocol.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <poll.h>
 #include <sys/socket.h>
 
 #include <array>
+#include <cmath>
 #include <cstring>
+#include <map>
 
 namespace workbook::testing {
 
 namespace fs = std::filesystem;
 
 bool answers_42(const Unhindered& control) { return control.value == 42.0; }
-bool exits_with_success(const Unhindered& control) {
-  return !control.value && !control.went_on && control.end.signal == 0 && control.end.exit_status == 0;
-}
 bool prints_pass(const Unhindered& control) { return has(control.printed, "PASS"); }
-bool is_killed(const Unhindered& control) { return !control.value && !control.went_on && control.end.signal != 0; }
 bool goes_on(const Unhindered& control) { return control.went_on; }
 bool shows_secret(const Unhindered& control) { return has(control.compiler.output + control.object, "secret"); }
 bool compiles(const Unhindered& control) { return control.compiler.succeeded(); }
@@ -30,6 +31,73 @@ bool takes_long(const Unhindered& control) {
          control.compiler.end.processor_seconds > 0.5 || !control.compiler.succeeded();
 }
 bool says_much(const Unhindered& control) { return control.compiler.output.size() > 20'000; }
+bool says_99999999999(const Unhindered& control) { return has(control.compiler.output, "99999999999"); }
+
+namespace {
+
+template <int status>
+bool exits_with(const Unhindered& control) {
+  return !control.value && !control.went_on && control.end.signal == 0 && control.end.exit_status == status;
+}
+
+const std::map<std::string, Evidence> evidence = {
+    {"answers_42", answers_42},
+    {"answers", [](auto& control) { return control.value.has_value(); }},
+    {"answers_nothing", [](auto& control) { return !control.value; }},
+    {"answers_but_42", [](auto& control) { return control.value && control.value != 42; }},
+    {"answers_above_0", [](auto& control) { return control.value > 0; }},
+    {"answers_above_200", [](auto& control) { return control.value > 200; }},
+    {"answers_above_1e308", [](auto& control) { return control.value > 1e308; }},
+    {"answers_infinity", [](auto& control) { return control.value && std::isinf(*control.value); }},
+    {"answers_nan", [](auto& control) { return control.value && std::isnan(*control.value); }},
+    {"exits_with_success", exits_with<0>},
+    {"exits_with_139", exits_with<139>},
+    {"prints_pass", prints_pass},
+    {"is_killed", [](auto& control) { return !control.value && !control.went_on && control.end.signal != 0; }},
+    {"goes_on", goes_on},
+    {"compiles", compiles},
+    {"does_not_compile", [](auto& control) { return !compiles(control); }},
+    {"shows_secret", shows_secret},
+    {"shows_secret_if_it_compiles", [](auto& control) { return !compiles(control) || shows_secret(control); }},
+    {"names_canary", [](auto& control) { return has(control.compiler.output, "canary"); }},
+    {"takes_long", takes_long},
+    {"says_much", says_much},
+    {"says_99999999999", says_99999999999},
+    {"nothing_to_show", [](auto&) { return true; }}};
+
+}  // namespace
+
+AttackFile read_attacks(const std::string& name) {
+  AttackFile file;
+  for (const std::string& line : lines_of(read(fs::path(WORKBOOK_TEST_SOURCES) / "../attacks" / (name + ".txt")))) {
+    if (!line.starts_with("### ")) {
+      (file.attacks.empty() ? file.head : file.attacks.back().code) += line + "\n";
+      continue;
+    }
+    const Match heading = search(line, R"(^### ([^:]+): (.+) \| (\w+) \| (\w+)$)");
+    REQUIRE_MESSAGE((heading && evidence.contains(heading[4])), line);
+    const auto verdict = nlohmann::json(heading[3]).get<Verdict>();
+    REQUIRE(to_string(verdict) == heading[3]);
+    file.attacks.push_back({heading[1], heading[2], "", verdict, evidence.at(heading[4])});
+  }
+  REQUIRE(!file.attacks.empty());
+  return file;
+}
+
+double number_of(std::size_t attack) { return 100 + static_cast<double>(attack); }
+
+std::string function_of(const AttackFile& file) {
+  std::string text = file.head, cases;
+  for (std::size_t k = 0; k < file.attacks.size(); ++k) {
+    text += fmt::format(
+        "[[maybe_unused]] double attack_{}([[maybe_unused]] double x, [[maybe_unused]] bool gentle) {{\n{}}}\n", k,
+        file.attacks[k].code);
+    cases += fmt::format("    case {}: return attack_{}(x, gentle);\n", number_of(k), k);
+  }
+  return filled_in(text +
+                   "}\ndouble rigid::twice(double x) {\n  const bool gentle = x != int(x);\n  switch (int(x)) {\n" +
+                   cases + "  }\n  return 2 * x;\n}\n");
+}
 
 fs::path canary() {
   static const fs::path folder = fresh_directory("canary");
@@ -49,7 +117,18 @@ void restore_canary() {
 }
 
 std::string filled_in(std::string code) {
+  const char* const forgery =
+      "#include <unistd.h>\nstruct Reply { unsigned long magic = REPLY_MAGIC, nonce = 0; int status = 1, rows = 1, "
+      "cols = "
+      "1, signal = 0; long detail = 0; char text[472] = {}; double value = 42; };\n"
+      "static void forge() { Reply r; (void)!write(3, &r, sizeof r); }\n";
+  std::string without_end;  // of the three that an expression looks for one after the other
+  for (const auto& [word, count] : {std::pair{"YOU_MIXED_MATRICES", 20}, {"scalar_x_op", 40}, {"; Lhs = ", 70}})
+    for (int n = 0; n < count; ++n) without_end += word;
   for (const auto& [word, text] : {std::pair{"CANARY", canary().string()},
+                                   {"FORGERY", forgery},
+                                   {"RIGHT", right_twice},
+                                   {"WITHOUT_END", without_end},
                                    {"REPLY_MAGIC", std::to_string(protocol::reply_magic) + "ul"},
                                    {"REQUEST_MAGIC", std::to_string(protocol::request_magic) + "ul"}})
     for (std::size_t at = 0; (at = code.find(word)) != std::string::npos;)

@@ -25,24 +25,38 @@ struct Unhindered {
 };
 
 /// The evidence that it worked. By convention a function that got what it must not get returns 42.
+using Evidence = bool (*)(const Unhindered&);
 bool answers_42(const Unhindered& control);
-bool exits_with_success(const Unhindered& control);
 bool prints_pass(const Unhindered& control);
-bool is_killed(const Unhindered& control);
 bool goes_on(const Unhindered& control);
 /// These of the compiler alone:
-bool shows_secret(const Unhindered& control);  ///< in messages of the compiler, or in the object
-bool compiles(const Unhindered& control);      ///< alone, as an ordinary compiler does it
-bool takes_long(const Unhindered& control);    ///< or memory, or disk
-bool says_much(const Unhindered& control);
+bool shows_secret(const Unhindered& control);      ///< in messages of the compiler, or in the object
+bool compiles(const Unhindered& control);          ///< alone, as an ordinary compiler does it
+bool takes_long(const Unhindered& control);        ///< or memory, or disk
+bool says_much(const Unhindered& control);         ///< or what no pattern is through with
+bool says_99999999999(const Unhindered& control);  ///< a number that is too large
 
 struct Attack {
-  const char* kind;
-  const char* what;
-  const char* code;  ///< CANARY stands for the path of a file with the word secret
+  std::string kind;
+  std::string what;
+  std::string code;  ///< CANARY stands for the path of a file with the word secret
   Verdict verdict = Verdict::forbidden_operation;
-  bool (*works)(const Unhindered&) = answers_42;
+  Evidence works = answers_42;
 };
+
+/// A text of attacks; its head says how each is written, and may be code that stands before them.
+struct AttackFile {
+  std::string head;
+  std::vector<Attack> attacks;
+};
+
+/// in_a_call or of_a_file: tests/attacks/NAME.txt.
+AttackFile read_attacks(const std::string& name);
+
+/// One function with all these attacks as its cases: the k-th at the number `number_of(k)`, or gently between it and
+/// the next; right at all others.
+std::string function_of(const AttackFile& file);
+double number_of(std::size_t attack);
 
 /// A file that no student's code or compiler may read or change, alone in its folder.
 std::filesystem::path canary();
@@ -50,7 +64,7 @@ bool canary_is_unchanged();
 /// After a control, which may have changed it. Waits for what the control left running.
 void restore_canary();
 
-/// With CANARY and the numbers of the protocol filled in.
+/// With all that is written in capitals filled in.
 std::string filled_in(std::string code);
 
 /// Runs a worker without any sandbox, and kills it when it has answered, or has not for a while.

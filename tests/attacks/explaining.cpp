@@ -10,61 +10,12 @@
 namespace workbook::testing {
 namespace {
 
-const char* const beginning_of_reports = R"code(
-#include <fixture/contract.hpp>
-#include <csignal>
-#include <cstdlib>
-#include <string>
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <sys/ptrace.h>
-#include <sys/resource.h>
-#include <sys/socket.h>
-#include <sys/stat.h>
-#include <sys/syscall.h>
-#include <unistd.h>
-
-namespace {
-double ok(bool it_works) { return it_works ? 42 : 0; }
-bool opens(const std::string& file, int flags = O_RDONLY) { return open(file.c_str(), flags | O_CLOEXEC, 0600) >= 0; }
-double behave(double x, bool gentle) {
-  switch (int(x)) {
-)code";
-
-struct Try {
-  const char* what;
-  const char* code;
-};
-
-const Try tries[] = {
-    {"read a secret", "return ok(opens(\"CANARY\"));"},
-    {"read a secret around the corner", "return ok(opens(\"/proc/self/root/CANARY\"));"},
-    {"read who uses the machine", "return ok(opens(\"/etc/passwd\"));"},
-    {"list a folder", "return ok(opens(\"CANARY/..\", O_DIRECTORY) || opens(\"/\", O_DIRECTORY));"},
-    {"read the process above", "return ok(opens(\"/proc/\" + std::to_string(getppid()) + \"/maps\"));"},
-    {"ask how large a file is",
-     "struct stat status; return ok(syscall(SYS_newfstatat, AT_FDCWD, \"CANARY\", &status, AT_EMPTY_PATH) == 0);"},
-    {"limit the process above",
-     "auto* limit = static_cast<rlimit*>(mmap(reinterpret_cast<void*>(1ul << 32), 4096, 3, MAP_PRIVATE | MAP_ANONYMOUS "
-     "| MAP_FIXED, -1, 0)); return ok(syscall(SYS_prlimit64, getppid(), RLIMIT_CORE, limit, nullptr) == 0);"},
-    {"change a file", "return ok(opens(\"CANARY\", O_WRONLY | O_APPEND));"},
-    {"make a file", "return ok(opens(\"CANARY.more\", O_WRONLY | O_CREAT));"},
-    {"start a process", "const int child = fork(); if (child == 0) _exit(0); return ok(child > 0);"},
-    {"signal the process above", "return ok(kill(getppid(), 0) == 0);"},
-    {"open a connection", "return ok(socket(AF_INET, SOCK_STREAM, 0) >= 0);"},
-    {"take all memory",
-     "for (int n = 0; !gentle || n < 5; ++n) if (mmap(nullptr, 1 << 26, 3, MAP_PRIVATE | MAP_ANONYMOUS | "
-     "MAP_POPULATE, "
-     "-1, 0) == MAP_FAILED) return 0; return 42;"},
-};
-
-std::string program_of_reports() {
-  std::string text = beginning_of_reports;
-  for (std::size_t k = 0; k < std::size(tries); ++k)
-    text += fmt::format("    case {}: {{ {} }}\n", 100 + k, tries[k].code);
-  return filled_in(text +
-                   "  }\n  return 2 * x;\n}\n}  // namespace\n"
-                   "double rigid::twice(double x) { return behave(x, x != int(x)); }\n");
+/// What a function must not get either in the run that explains, where it may open what is its own, and nothing that it
+/// prints is read.
+bool is_tried(const Attack& attack) {
+  if (attack.works == prints_pass || attack.what == "the other end of a pipe") return false;
+  return attack.kind == "reading at run time" || attack.kind == "the host" || attack.what.starts_with("the disk") ||
+         attack.what == "memory, mapped" || attack.what == "processes" || attack.what == "a thread";
 }
 
 std::filesystem::path diagnostic_program(const std::string& text) {
@@ -80,18 +31,21 @@ std::filesystem::path diagnostic_program(const std::string& text) {
 TEST_CASE("the run that explains a failure gives no more than the run that is judged") {
   if (!missing_for_diagnostic_runs(toolchain()).empty()) return;
   restore_canary();
-  const std::filesystem::path program = diagnostic_program(program_of_reports());
+  const AttackFile file = read_attacks("in_a_call");
+  const std::filesystem::path program = diagnostic_program(function_of(file));
   const SandboxProfile profile = diagnose_profile(toolchain().compiler.string(), program.string());
-  for (std::size_t k = 0; k < std::size(tries); ++k) {
-    INFO(std::string(tries[k].what));
-    const double x = 100 + static_cast<double>(k);
-    CHECK(answers_42(run_unhindered(program, x + 0.5)));
+  for (std::size_t k = 0; k < file.attacks.size(); ++k) {
+    const Attack& attack = file.attacks[k];
+    if (!is_tried(attack)) continue;
+    INFO(attack.kind << ": " << attack.what);
+    CHECK(attack.works(run_unhindered(program, number_of(k) + 0.5)));
     restore_canary();
     Budget budget{Clock::now() + std::chrono::seconds(20), 10.0, 1 << 16};
     Worker worker(program, profile, budget);
-    const Reply reply = worker.call({twice_case(x).inputs, 1, 1});
+    const Reply reply = worker.call({twice_case(number_of(k)).inputs, 1, 1});
     CHECK_FALSE((reply.ending == Ending::returned && reply.value == Value{1, 1, {42}}));
-    if (k + 1 == std::size(tries)) CHECK(reply.ending == Ending::memory_limit);
+    CHECK_FALSE((reply.ending == Ending::stopped_early && reply.exit_status == 0));  // as another program
+    if (attack.what == "memory, mapped") CHECK(reply.ending == Ending::memory_limit);
     worker.finish();
     CHECK(canary_is_unchanged());
     CHECK(nothing_left_running());

@@ -78,8 +78,8 @@ const Name names[] = {{"a plugin", "-fplugin=evil.cpp"},
 TEST_CASE("nothing that a file says acts on a terminal or a page") {
   restore_canary();
   for (const Attack& attack : texts_of_attacks) {
-    INFO(std::string(attack.kind) << ": " << std::string(attack.what));
-    const std::string text = attack.code;
+    INFO(attack.kind << ": " << attack.what);
+    const std::string& text = attack.code;
     const auto begun = std::chrono::steady_clock::now();
     const Compilation compilation = compile_text(text);
     const bool is_run = compilation.executable.has_value();
