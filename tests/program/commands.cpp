@@ -79,39 +79,6 @@ TEST_CASE("an exercise and a lecture have names, numbers and files") {
   CHECK_THROWS_AS(renamed.find("02"), workbook::UsageError);
 }
 
-TEST_CASE("the solution is shown after a pass, or when it is asked for all the same") {
-  const CourseCopy course;
-  const Outcome early = course.run("solution spring_energy");
-  CHECK(early.status == 1);
-  CHECK_FALSE(has(early.out, "return"));
-  CHECK(has(early.out, "solution spring_energy --now"));
-  CHECK(has(course.run("solution spring_energy --now").out, read(course.solution("spring_energy"))));
-  course.solve("spring_energy");
-  course.run("check spring_energy");
-  const Outcome shown = course.run("solution spring_energy");
-  CHECK(shown.status == 0);
-  CHECK(has(shown.out, "The energy of a spring\n"));
-  CHECK(has(course.run("solution spring_force --now").out,
-            "Limits:\n  - at rest: F = (0, 0, 0). Nothing is stretched.\n  - a very soft spring: F = (-1e-09,"));
-  fs::remove_all(course.root() / "solutions");
-  const Outcome handed_out = course.run("solution spring_energy --now");
-  CHECK(handed_out.status == 1);
-  CHECK(has(handed_out.out, "does not have this solution"));
-}
-
-TEST_CASE("hints come one at a time, and the last one stays") {
-  const CourseCopy course;
-  for (const char* hint : {"Read.", "Think.", "Write.", "Write."})
-    CHECK(has(course.run("hint spring_energy").out, hint));
-  CHECK(has(course.run("hint").out, "Write."));  // of the next exercise
-  const std::string all = course.run("hint spring_force --all").out;
-  CHECK((has(all, "Read.") && has(all, "Think.") && has(all, "Write.")));
-  fs::remove(course.root() / "lectures/01_springs/hints/spring_force.md");
-  const Outcome missing = course.run("hint spring_force");
-  CHECK(missing.status == 3);
-  CHECK(has(missing.err, "hints/spring_force.md"));
-}
-
 TEST_CASE("two checkers at once each keep what the other writes down") {
   const CourseCopy course;
   const fs::path file = course.root() / ".workbook/progress.json";
@@ -137,33 +104,6 @@ TEST_CASE("the report says what to type to see more of the same failure, and it 
     CHECK(has(more[1], seed));
     CHECK(has(course.run(more[1], "WORKBOOK_PROGRAM=./checker/run").out, shown[0]));
   }
-}
-
-TEST_CASE("a case is shown by number or by name, even if it passes") {
-  const CourseCopy course;
-  course.solve("spring_energy");
-  const std::string name = "2 N/m stretched by 3 m";
-  for (const std::string& asked : {std::string("4"), "'" + name + "'"}) {
-    const Outcome outcome = course.run("check spring_energy --case " + asked);
-    CHECK(outcome.status == 0);
-    CHECK(has(outcome.out, name));
-  }
-}
-
-TEST_CASE("what is not started can be left out") {
-  const CourseCopy course;
-  CHECK(course.run("check --started").status == 0);
-  course.solve("spring_energy");
-  const Outcome one = course.run("check --started --json");
-  CHECK(one.status == 0);
-  CHECK(one.json().at("results").size() == 1);
-}
-
-TEST_CASE("all compiler messages are one option away") {
-  const CourseCopy course;
-  course.answer_energy("return first_mistake + second_mistake;");
-  CHECK_FALSE(has(course.run("check spring_energy").out, "second_mistake' was not declared"));
-  CHECK(has(course.run("check spring_energy --full").out, "second_mistake' was not declared"));
 }
 
 TEST_CASE("bash completes commands, options, exercises and lectures, and else files") {

@@ -22,6 +22,28 @@ TEST_CASE("a tour at 44 columns, and its beginning in the plain mode") {
   CourseWithMistake().check_story("plain", "COLUMNS=80 WORKBOOK_PLAIN=1");
 }
 
+TEST_CASE("solutions, hints, cases by name and what has changed no value") { CourseCopy().check_story("helping"); }
+
+TEST_CASE("predictions are judged, of limits first, and the wrong functions that would agree are told") {
+  CourseCopy().check_story("predicting");
+}
+
+TEST_CASE("an exercise of an earlier lecture comes back when it is due, and its first verdict is kept") {
+  CourseCopy().check_story("reviewing");
+}
+
+TEST_CASE("after a pass comes a question with one right answer, and the first answer is kept") {
+  CourseCopy().check_story("questioning");
+}
+
+TEST_CASE("an exam draws problems that were not seen; while it runs nothing helps with them; it is graded at its end") {
+  CourseCopy().check_story("exam");
+}
+
+TEST_CASE("a reset keeps every version and brings a lost file back; one that fails loses nothing") {
+  CourseCopy().check_story("resetting");
+}
+
 TEST_CASE("screens of failures") {
   const CourseCopy course;
   std::string screens;

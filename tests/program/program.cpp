@@ -23,6 +23,15 @@ fs::path golden_file(const std::string& name) {
   return fs::path(WORKBOOK_TEST_COURSE).parent_path() / "golden" / (name + ".txt");
 }
 
+/// What a student's hand does in stories: `answer BODY` writes that body of spring_energy, `solve NAME` the solution.
+constexpr const char* words = R"(
+answer() {
+  printf '#include <rigid/springs.hpp>\nnamespace rigid {\ndouble spring_energy(double k, const Vector3d& x) {\n%s\n}\n}\n' \
+    "$1" >lectures/01_springs/exercises/spring_energy.cpp
+}
+solve() { cp "solutions/01_springs/$1.cpp" lectures/01_springs/exercises; }
+)";
+
 }  // namespace
 
 CourseCopy::CourseCopy() {
@@ -83,28 +92,26 @@ TerminalOutcome CourseCopy::run_on_terminal(const std::string& arguments, int co
   return outcome;
 }
 
+std::string CourseCopy::screen(const std::string& typed, const std::string& environment) const {
+  const std::string checker =
+      fmt::format("$1env {} '{}' --course '{}' ", environment, WORKBOOK_TEST_CHECKER, (root_ / "course.json").string());
+  const std::string command = replaced(typed, R"((^|[;|] |^\w+=\S+ )checker )", checker);
+  const Outcome outcome = run_command(fmt::format("cd '{}' && {{ {}{}\n}}", root_.string(), words, command), root_);
+  const bool is_silent = outcome.status == 0 && outcome.said().empty();
+  const std::string end = is_silent ? "" : fmt::format("[{}]\n", outcome.status);
+  return without_place(fmt::format("$ {}\n{}{}\n", typed, outcome.said(), end));
+}
+
 std::string CourseCopy::screens(const std::vector<std::string>& commands, const std::string& environment) const {
   std::string text;
-  for (const std::string& command : commands) {
-    const Outcome outcome = run(command, environment);
-    text += fmt::format("$ checker {}\n{}{}[{}]\n\n", command, outcome.out, outcome.err, outcome.status);
-  }
-  return without_place(text);
+  for (const std::string& command : commands) text += screen("checker " + command, environment);
+  return text;
 }
 
 std::string CourseCopy::check_story(const std::string& name, const std::string& environment) const {
-  const std::string to_checker = "checker ";
   std::string text;
-  for (const std::string& line : lines_of(read(golden_file(name)))) {
-    if (!line.starts_with("$ ")) continue;
-    const std::string command = line.substr(2);
-    if (command.starts_with(to_checker)) {
-      text += screens({command.substr(to_checker.size())}, environment);
-    } else {
-      REQUIRE_MESSAGE(run_in_shell(fmt::format("cd '{}' && {}", root_.string(), command)) == 0, command);
-      text += line + "\n\n";
-    }
-  }
+  for (const std::string& line : lines_of(read(golden_file(name))))
+    if (line.starts_with("$ ")) text += screen(line.substr(2), environment);
   REQUIRE(!text.empty());
   check_golden(name, text);
   return text;

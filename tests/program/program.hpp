@@ -32,8 +32,8 @@ class CourseCopy {
   /// Commands with what they print and how they end, for a golden file.
   std::string screens(const std::vector<std::string>& commands, const std::string& environment = "COLUMNS=80") const;
 
-  /// Types what follows each "$ " of tests/program/golden/NAME.txt, and compares all screens with that file. What
-  /// is no call of the checker is one of the shell. Returns the screens.
+  /// Types what follows each "$ " of tests/program/golden/NAME.txt into a shell, in which `checker` is ours, and
+  /// compares all screens with that file. Returns the screens.
   std::string check_story(const std::string& name, const std::string& environment = "COLUMNS=80") const;
 
   const std::filesystem::path& root() const { return root_; }
@@ -56,6 +56,7 @@ class CourseCopy {
 
  private:
   std::string shell_command(const std::string& arguments, const std::string& environment) const;
+  std::string screen(const std::string& typed, const std::string& environment) const;
   std::string without_place(std::string text) const;
 
   std::filesystem::path root_;
