@@ -92,7 +92,7 @@ TerminalOutcome CourseCopy::run_on_terminal(const std::string& arguments, int co
   return outcome;
 }
 
-std::string CourseCopy::screen(const std::string& typed, const std::string& environment) const {
+std::string CourseCopy::shown_after(const std::string& typed, const std::string& environment) const {
   const std::string checker =
       fmt::format("$1env {} '{}' --course '{}' ", environment, WORKBOOK_TEST_CHECKER, (root_ / "course.json").string());
   const std::string command = replaced(typed, R"((^|[;|] |^\w+=\S+ )checker )", checker);
@@ -104,14 +104,14 @@ std::string CourseCopy::screen(const std::string& typed, const std::string& envi
 
 std::string CourseCopy::screens(const std::vector<std::string>& commands, const std::string& environment) const {
   std::string text;
-  for (const std::string& command : commands) text += screen("checker " + command, environment);
+  for (const std::string& command : commands) text += shown_after("checker " + command, environment);
   return text;
 }
 
 std::string CourseCopy::check_story(const std::string& name, const std::string& environment) const {
   std::string text;
   for (const std::string& line : lines_of(read(golden_file(name))))
-    if (line.starts_with("$ ")) text += screen(line.substr(2), environment);
+    if (line.starts_with("$ ")) text += shown_after(line.substr(2), environment);
   REQUIRE(!text.empty());
   check_golden(name, text);
   return text;

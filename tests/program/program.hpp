@@ -56,7 +56,7 @@ class CourseCopy {
 
  private:
   std::string shell_command(const std::string& arguments, const std::string& environment) const;
-  std::string screen(const std::string& typed, const std::string& environment) const;
+  std::string shown_after(const std::string& typed, const std::string& environment) const;
   std::string without_place(std::string text) const;
 
   std::filesystem::path root_;
