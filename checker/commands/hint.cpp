@@ -14,9 +14,7 @@ struct HintOptions {
 /// What was checked last, or else the next exercise, if that does not pass.
 Exercise at_hand(const ProgressSummary& summary, const Progress& progress) {
   const auto last = std::ranges::find(summary.exercises, progress.last()[0], &Exercise::name);
-  const bool is_open =
-      last != summary.exercises.end() && !summary.passed[static_cast<std::size_t>(last - summary.exercises.begin())];
-  return is_open ? *last : *summary.next();
+  return last != summary.exercises.end() && !summary.passes(*last) ? *last : *summary.next();
 }
 
 int hint(const Course& course, const HintOptions& options) {

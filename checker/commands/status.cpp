@@ -37,10 +37,8 @@ void print_exam(const Course& course) {
 /// "Week 3, due 2027-03-01T23:59:00Z: 2 of 5 exercises pass."
 std::string assignment_state(const Course& course, const ProgressSummary& summary) {
   const Assignment assignment(course, course.lectures() / "assignment.json");
-  const auto passed = std::ranges::count_if(assignment.exercises(), [&](const Exercise& exercise) {
-    const auto same = std::ranges::find(summary.exercises, exercise.name(), &Exercise::name);
-    return summary.passed[static_cast<std::size_t>(same - summary.exercises.begin())];
-  });
+  const auto passed =
+      std::ranges::count_if(assignment.exercises(), [&](const Exercise& exercise) { return summary.passes(exercise); });
   return fmt::format("{}{}: {} of {} exercises pass.", assignment.title().empty() ? "Assignment" : assignment.title(),
                      assignment.due_text().empty() ? "" : ", due " + assignment.due_text(), passed,
                      assignment.exercises().size());
@@ -57,13 +55,10 @@ std::string plan(const Course& course, const ProgressSummary& summary, const Car
   std::vector<std::string> exercises, problems;
   std::size_t minutes[2] = {};
   for (const Exercise& exercise : asked) {
-    const auto same = std::ranges::find(summary.exercises, exercise.name(), &Exercise::name);
-    if (exercise.lecture() != card.lecture ||
-        summary.passed[static_cast<std::size_t>(same - summary.exercises.begin())])
-      continue;
-    const bool is_problem = same->entry->is_problem();
+    if (exercise.lecture() != card.lecture || summary.passes(exercise)) continue;
+    const bool is_problem = exercise.entry->is_problem();
     (is_problem ? problems : exercises).push_back(exercise.name());
-    minutes[is_problem ? 1 : 0] += static_cast<std::size_t>(same->entry->minutes);
+    minutes[is_problem ? 1 : 0] += static_cast<std::size_t>(exercise.entry->minutes);
   }
   if (exercises.empty() && problems.empty()) return "";
   std::string text = "\n" + console.styled("Plan for " + card.lecture, Style::strong) + "\n";

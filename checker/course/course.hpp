@@ -8,6 +8,7 @@
 
 #include <array>
 #include <map>
+#include <set>
 
 namespace workbook {
 
@@ -220,7 +221,7 @@ struct Practice {
   std::string verdict;  ///< "passed", "wrong_value"; "" if it was never checked
   std::string source;   ///< fingerprint of the file that was judged
   std::string values;   ///< fingerprint of the wrong values, if it failed with any
-  int wrong_tries = 0;   ///< texts that failed with values
+  int wrong_tries = 0;  ///< texts that failed with values
   std::size_t hints_shown = 0;
   std::string passed_on;  ///< the day when it first passed; "" if it has not
   std::vector<Review> reviews;
@@ -282,8 +283,9 @@ class Progress {
 /// Which exercises of the course pass as their files stand now, in course order.
 struct ProgressSummary {
   std::vector<Exercise> exercises;
-  std::vector<bool> passed;
+  std::set<std::string> passed;  ///< their names
 
+  bool passes(const Exercise& exercise) const { return passed.contains(exercise.name()); }
   /// Those of a lecture; "": of the course.
   std::size_t count_passed(const std::string& lecture = "") const;
   /// The first exercise that does not pass, or nullptr if all do.

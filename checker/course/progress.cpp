@@ -146,21 +146,21 @@ void Progress::remember_hints(const std::string& exercise, std::size_t count) {
 }
 
 std::size_t ProgressSummary::count_passed(const std::string& lecture) const {
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < exercises.size(); ++i)
-    count += passed[i] && (lecture.empty() || exercises[i].lecture() == lecture) ? 1 : 0;
-  return count;
+  return static_cast<std::size_t>(std::ranges::count_if(exercises, [&](const Exercise& exercise) {
+    return passes(exercise) && (lecture.empty() || exercise.lecture() == lecture);
+  }));
 }
 
 const Exercise* ProgressSummary::next() const {
-  const auto found = std::ranges::find(passed, false);
-  return found == passed.end() ? nullptr : &exercises[static_cast<std::size_t>(found - passed.begin())];
+  const auto found = std::ranges::find_if_not(exercises, [&](const Exercise& exercise) { return passes(exercise); });
+  return found == exercises.end() ? nullptr : &*found;
 }
 
 ProgressSummary summary_of(const Course& course, const Progress& progress) {
   ProgressSummary summary{course.exercises(), {}};
   for (const Exercise& exercise : summary.exercises)
-    summary.passed.push_back(progress.passed(exercise.name(), file_fingerprint(course.student_file(exercise))));
+    if (progress.passed(exercise.name(), file_fingerprint(course.student_file(exercise))))
+      summary.passed.insert(exercise.name());
   return summary;
 }
 

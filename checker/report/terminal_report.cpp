@@ -233,10 +233,10 @@ State state_of(const Course& course, const Progress& progress, const Exercise& e
 static std::string left_of(const ProgressSummary& summary, const Card& card) {
   double points = 0;
   int minutes = 0;
-  for (std::size_t i = 0; i < summary.exercises.size(); ++i) {
-    if (summary.passed[i] || summary.exercises[i].card != &card) continue;
-    points += summary.exercises[i].entry->points;
-    minutes += summary.exercises[i].entry->minutes;
+  for (const Exercise& exercise : summary.exercises) {
+    if (summary.passes(exercise) || exercise.card != &card) continue;
+    points += exercise.entry->points;
+    minutes += exercise.entry->minutes;
   }
   if (points == 0 && minutes == 0) return "";
   return fmt::format("{}, {} left", points == 1 ? "1 point" : fmt::format("{} points", points),
@@ -245,9 +245,9 @@ static std::string left_of(const ProgressSummary& summary, const Card& card) {
 
 std::string overview(const Course& course, const ProgressSummary& summary, const Console& console) {
   double points = 0, all_points = 0;
-  for (std::size_t i = 0; i < summary.exercises.size(); ++i) {
-    all_points += summary.exercises[i].entry->points;
-    if (summary.passed[i]) points += summary.exercises[i].entry->points;
+  for (const Exercise& exercise : summary.exercises) {
+    all_points += exercise.entry->points;
+    if (summary.passes(exercise)) points += exercise.entry->points;
   }
   std::string text = console.wrapped(fmt::format("{} of {} exercises pass, {} of {} points.", summary.count_passed(),
                                                  summary.exercises.size(), points, all_points)) +

@@ -15,9 +15,8 @@ int live(const Course& course, const std::string& lecture) {
   const ProgressSummary summary = summary_of(course, Progress(course.progress_file()));
   std::string includes, entries, files;
   std::vector<std::string> own;
-  for (std::size_t i = 0; i < summary.exercises.size(); ++i) {
-    const Exercise& exercise = summary.exercises[i];
-    if (!summary.passed[i] || called.erase(exercise.name()) == 0) continue;
+  for (const Exercise& exercise : summary.exercises) {
+    if (!summary.passes(exercise) || called.erase(exercise.name()) == 0) continue;
     own.push_back(exercise.name());
     includes += fmt::format("#include <rigid/{}.hpp>\n", exercise.card->contract);
     entries += fmt::format("    {{\"{0}\", [](const double* numbers) {{ return call(&rigid::{0}, numbers); }}}},\n",

@@ -46,7 +46,8 @@ class Watch {
     if (!problem.empty()) notice(fmt::format("The files are polled four times a second: {}.", problem));
     const Progress progress(course_.progress_file());
     notice(console_.wrapped(progress.warning()));
-    passed_ = summary_of(course_, progress).passed;
+    const ProgressSummary summary = summary_of(course_, progress);
+    for (const Exercise& exercise : exercises_) passed_.push_back(summary.passes(exercise));
     const bool is_exercise = first.name() == name;
     if (!name.empty() && !is_exercise) lecture_ = first.lecture();
     current_ =
