@@ -5,7 +5,6 @@
 #include <fcntl.h>
 #include <signal.h>
 
-#include <algorithm>
 #include <cctype>
 #include <cerrno>
 #include <cstdlib>

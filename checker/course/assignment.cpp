@@ -1,7 +1,5 @@
 #include "checker/course/assignment.hpp"
 
-#include <boost/algorithm/string/predicate.hpp>
-#include <boost/algorithm/string/trim.hpp>
 #include <nlohmann/json.hpp>
 
 #include <time.h>
@@ -173,11 +171,9 @@ Assignment::Assignment(const Course& course, const std::optional<fs::path>& file
       const json shares = document.value("misconceptions", json::object());
       for (const auto& [name, unused] : shares.items())
         misconceptions_[name] = number_between(shares, name.c_str(), 0, most_of_a_wrong_answer);
-    } catch (const json::exception& problem) {
-      const std::string reason = problem.what();  // "[json.exception.…] (/late/days) key …"
-      throw GradingError(fmt::format("{}: {}.", shown_path(*file), printable(reason.substr(reason.find(']') + 2))));
-    } catch (const std::runtime_error& problem) {
-      throw GradingError(fmt::format("{}: {}.", shown_path(*file), without_full_stop(problem.what())));
+    } catch (const std::exception& problem) {
+      const std::string reason = replaced(problem.what(), R"(^\[json\.[^\]]*\] )", "");  // what is wrong alone
+      throw GradingError(fmt::format("{}: {}.", shown_path(*file), printable(without_full_stop(reason))));
     }
   for (const Exercise& exercise : course.exercises()) {
     if (!names.empty() && std::ranges::count(names, exercise.name()) == 0) continue;

@@ -6,7 +6,6 @@
 #include <kainjow/mustache.hpp>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <stdexcept>
 
 namespace workbook {

@@ -16,6 +16,12 @@ void require_page(const fs::path& file) {
                                  shell_quoted(printable(file.string())), trouble));
 }
 
+Parameter assignment_parameter(std::optional<fs::path>& file) {
+  return {"--assignment", "FILE",
+          &file,          "JSON: what is graded and what it is worth",
+          false,          [&](const Course&) { require_file(*file, "what is graded, in JSON,"); }};
+}
+
 }  // namespace
 
 Command report_command() {
@@ -128,8 +134,7 @@ Command handout_command() {
        {"--update", "", &options->update, "bring FOLDER, an earlier copy, to a new release"},
        {"--message", "TEXT", &options->message, "what is new, for the change log"},
        seed_parameter(options->seed),
-       {"--assignment", "FILE", &options->assignment, "JSON: what is graded and what it is worth", false,
-        [options](const Course&) { require_file(*options->assignment, "what is graded, in JSON,"); }}},
+       assignment_parameter(options->assignment)},
       with_options(options, &handout)};
 }
 
@@ -160,8 +165,7 @@ Command grade_command() {
        {"--who", "", &options->who, "only say who has handed in what: nothing is judged or written"},
        {"--roster", "FILE", &options->roster, "CSV with the column id, or the table of a learning system", false,
         [options](const Course&) { require_file(*options->roster, "a table in CSV"); }},
-       {"--assignment", "FILE", &options->assignment, "JSON: what is graded and what it is worth", false,
-        [options](const Course&) { require_file(*options->assignment, "what is graded, in JSON,"); }},
+       assignment_parameter(options->assignment),
        {"--overrides", "FILE", &options->overrides, "CSV: points, excuses, due dates and comments by hand"},
        {"--attempts", "WHICH", &options->attempts, "last or best: each folder in a student's is an attempt"},
        seed_parameter(options->seed),
@@ -196,8 +200,7 @@ Command export_command() {
        "export autolab --assignment week3.json --out week3.tar --image registry.example.org/workbook"},
       {{"SYSTEM", "", &options->system, "gradescope, autolab, prairielearn or classroom50", true},
        place_parameter("--out", "FILE", options->out, "the file to write: zip or tar, as its name ends", true),
-       {"--assignment", "FILE", &options->assignment, "JSON: what is graded and what it is worth", false,
-        [options](const Course&) { require_file(*options->assignment, "what is graded, in JSON,"); }},
+       assignment_parameter(options->assignment),
        seed_parameter(options->seed),
        {"--image", "NAME", &options->image, "the image with the workbook, where a system takes one"}},
       with_options(options, &export_recipe)};
