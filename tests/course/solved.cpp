@@ -1,12 +1,12 @@
 // A student's whole course: what the checker calls next is written, checked and passed, until nothing is left.
 #include <doctest/doctest.h>
+#include "checker/base/text.hpp"
 #include "tests/support/files.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
-#include <regex>
 #include <string>
 #include <vector>
 
@@ -41,11 +41,6 @@ class FreshCourse {
   fs::path root_;
 };
 
-std::string found_in(const std::string& text, const std::string& pattern) {
-  std::smatch found;
-  return std::regex_search(text, found, std::regex(pattern)) ? found[1].str() : "";
-}
-
 }  // namespace
 
 TEST_CASE("the whole course is solved, one exercise after another, through the commands of a student") {
@@ -53,10 +48,10 @@ TEST_CASE("the whole course is solved, one exercise after another, through the c
   std::vector<std::string> solved;
   while (true) {
     const std::string status = course.run("").out;
-    const std::string next = found_in(status, "Next: (\\w+)");
+    const std::string next = workbook::search(status, "Next: (\\w+)")[1];
     if (next.empty()) break;
     CAPTURE(next);
-    const std::string file = found_in(status, "file +(\\S+)");
+    const std::string file = workbook::search(status, "file +(\\S+)")[1];
     REQUIRE_MESSAGE(fs::is_regular_file(course.root() / file), status);
     CHECK(course.run("hint " + next).status == 0);
     const Outcome stub = course.run("check " + next);

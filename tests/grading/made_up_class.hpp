@@ -5,8 +5,6 @@
 #include "tests/program/program.hpp"
 
 #include <map>
-#include <optional>
-#include <utility>
 
 namespace workbook::testing {
 

@@ -1,6 +1,7 @@
 // The program of lecture 11 that reads recordings, on the reference implementation, with files as phones write them and
 // as they should not be.
 #include <doctest/doctest.h>
+#include "checker/base/text.hpp"
 #include "tests/support/files.hpp"
 
 #include <rigid/measured.hpp>
@@ -11,7 +12,6 @@
 #include <filesystem>
 #include <optional>
 #include <random>
-#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -201,10 +201,7 @@ TEST_CASE("the page shows every sample of every flight, on its curve and on its 
   const std::string marker = "Pictures: ",
                     page = read(whole.out.substr(whole.out.find(marker) + marker.size(),
                                                  whole.out.rfind('\n') - whole.out.find(marker) - marker.size()));
-  const auto count = [&](const std::string& what) {
-    const std::regex pattern(what);
-    return std::distance(std::sregex_iterator(page.begin(), page.end(), pattern), std::sregex_iterator());
-  };
+  const auto count = [&](const char* what) { return workbook::search_all(page, what).size(); };
   CHECK(count("<svg") == 8);
   CHECK(count("<circle class='[xyz]'") == 3 * (80 + 85));
   CHECK(count("<circle class='samples'") == 3 * (80 + 85));
@@ -212,17 +209,14 @@ TEST_CASE("the page shows every sample of every flight, on its curve and on its 
   CHECK(count("<polyline class='line'") == 6);
   // The samples lie on the curve of damped_rotation: the points of one in a polyline, of the other in circles, in
   // pixels.
-  const std::regex curve("<polyline class='x' points='([^']*)'"), sample("<circle class='x' cx='([^']*)' cy='([^']*)'");
-  std::smatch found;
-  REQUIRE(std::regex_search(page, found, curve));
-  std::string points = found[1];
-  std::replace(points.begin(), points.end(), ',', ' ');
+  std::string points = workbook::search(page, "<polyline class='x' points='([^']*)'")[1];
+  std::ranges::replace(points, ',', ' ');
   std::istringstream numbers(points);
-  auto circle = std::sregex_iterator(page.begin(), page.end(), sample);
-  int seen = 0;
-  for (double x = 0, y = 0; numbers >> x >> y; ++circle, ++seen) {
-    CHECK(std::abs(std::stod((*circle)[1]) - x) < 0.01);
-    CHECK(std::abs(std::stod((*circle)[2]) - y) < 5);
+  const auto samples = workbook::search_all(page, "<circle class='x' cx='([^']*)' cy='([^']*)'");
+  std::size_t seen = 0;
+  for (double x = 0, y = 0; numbers >> x >> y; ++seen) {
+    CHECK(std::abs(std::stod(samples.at(seen)[1]) - x) < 0.01);
+    CHECK(std::abs(std::stod(samples.at(seen)[2]) - y) < 5);
   }
   CHECK(seen == 80);
   CHECK(has(page, "left over 0.15 rad/s"));

@@ -6,7 +6,6 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
-#include <regex>
 
 using namespace workbook::testing;
 namespace fs = std::filesystem;
@@ -41,11 +40,7 @@ TEST_CASE("reference results that a build leaves as they are are not built at th
 TEST_CASE("the checker remembers what passed, as long as the file is the same") {
   const CourseCopy course;
   const fs::path progress = course.root() / ".workbook/progress.json";
-  const auto next = [&] {
-    std::smatch name;
-    const std::string status = course.run("").out;
-    return std::regex_search(status, name, std::regex("Next: (\\w+)")) ? name[1].str() : "";
-  };
+  const auto next = [&] { return workbook::search(course.run("").out, "Next: (\\w+)")[1]; };
   CHECK(next() == "spring_energy");
   course.solve("spring_energy");
   CHECK(verdict(course, "spring_energy --seed 2") == "passed");
@@ -98,9 +93,9 @@ TEST_CASE("the report says what to type to see more of the same failure, and it 
   course.answer_energy("return x.squaredNorm() * k * (k > 1.5 ? 1.0 : 0.5);");
   for (const char* seed : {"", " --seed 5"}) {
     const Outcome first = course.run(std::string("check spring_energy") + seed, "WORKBOOK_PROGRAM=./checker/run");
-    std::smatch more, shown;
-    REQUIRE(std::regex_search(first.out, more, std::regex("More +\\./checker/run ([^\n,]+)")));
-    REQUIRE(std::regex_search(first.out, shown, std::regex("\n  Case [^\n]+\n[^\n]+\n[^\n]+\n")));
+    const workbook::Match more = workbook::search(first.out, "More +\\./checker/run ([^\n,]+)"),
+                          shown = workbook::search(first.out, "\n  Case [^\n]+\n[^\n]+\n[^\n]+\n");
+    REQUIRE((more && shown));
     CHECK(has(more[1], seed));
     CHECK(has(course.run(more[1], "WORKBOOK_PROGRAM=./checker/run").out, shown[0]));
   }

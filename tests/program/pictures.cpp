@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <regex>
 
 using namespace workbook;
 using namespace workbook::testing;
@@ -82,10 +81,9 @@ TEST_CASE("a curve breaks where there is no value") {
   const auto lines_of_student = [&] {
     REQUIRE(course.run(plot).status == 0);
     const std::string svg = read(course.root() / "pictures/spring_energy.svg");
-    const std::regex moves("<path stroke='rgb\\( *0, +75, 122\\)' +d='M([^']*)'");
-    std::smatch path;
-    REQUIRE(std::regex_search(svg, path, moves));
-    return std::ranges::count(path[0].str(), 'M');
+    const workbook::Match path = workbook::search(svg, "<path stroke='rgb\\( *0, +75, 122\\)' +d='M([^']*)'");
+    REQUIRE(path);
+    return std::ranges::count(path[0], 'M');
   };
   CHECK(lines_of_student() == 2);
   course.solve("spring_energy");
@@ -180,8 +178,8 @@ TEST_CASE("each figure is tried on its own, and says what became of it" * doctes
   const std::string ball = read(course.root() / "pictures/ball.svg");
   CHECK(has(ball, ">1.234 m<"));
   CHECK(has(ball, "data:image/png;base64,"));
-  std::smatch faint;
-  REQUIRE(std::regex_search(ball, faint, std::regex("opacity='0.3'  d='M([\\d.]+),[\\d.]+ ([\\d.]+),[\\d.]+ *'")));
+  const workbook::Match faint = workbook::search(ball, "opacity='0.3'  d='M([\\d.]+),[\\d.]+ ([\\d.]+),[\\d.]+ *'");
+  REQUIRE(faint);
   CHECK(std::stod(faint[1]) == doctest::Approx(160 - 76).epsilon(0.01));
   CHECK(std::stod(faint[2]) == doctest::Approx(160 + 76).epsilon(0.01));
 }

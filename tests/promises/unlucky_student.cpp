@@ -8,12 +8,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <random>
-#include <set>
-#include <sstream>
 #include <thread>
 
 using namespace workbook::testing;

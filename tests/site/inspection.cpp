@@ -1,5 +1,7 @@
 #include "tests/site/inspection.hpp"
 
+#include "checker/base/text.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -59,21 +61,6 @@ std::string decoded(std::string_view text) {
     }
   }
   return plain;
-}
-
-std::string from_base64(const std::string& text) {
-  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  unsigned bits = 0;
-  int count = 0;
-  for (const char c : text) {
-    const auto digit = digits.find(c);
-    if (digit == std::string_view::npos) break;
-    bits = bits << 6 | static_cast<unsigned>(digit);
-    count += 6;
-    if (count >= 8) bytes += static_cast<char>(bits >> (count -= 8) & 0xff);
-  }
-  return bytes;
 }
 
 void press(Browser& browser, const std::string& key, int code) {

@@ -10,7 +10,6 @@
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <boost/numeric/odeint.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>

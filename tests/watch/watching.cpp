@@ -1,4 +1,5 @@
 // The watch on a terminal: edit, verdict, next; keys; all the ways in which it can end.
+#include "checker/base/text.hpp"
 #include "tests/support/system_calls.hpp"
 #include "tests/watch/saving.hpp"
 #include "tests/watch/terminal_session.hpp"
@@ -12,7 +13,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <regex>
 #include <set>
 #include <sstream>
 
@@ -25,8 +25,7 @@ namespace {
 const char* const wrong = "return k * x.squaredNorm();";
 /// "checking spring_energy … 3 s"
 bool shows_seconds(TerminalSession& watch) {
-  static const std::regex running("checking spring_energy … [0-9]+ s");
-  return watch.until([&] { return std::regex_search(watch.screen(), running); });
+  return watch.until([&] { return bool(workbook::search(watch.screen(), "checking spring_energy … [0-9]+ s")); });
 }
 
 const char* const endless = "for (volatile int i = 0;;) i = i + 1;";
