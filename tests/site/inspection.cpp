@@ -372,7 +372,7 @@ void Inspection::photograph(const std::string& page, const std::filesystem::path
     const json picture = browser_.call("Page.captureScreenshot", {{"format", "png"}});
     const auto file = folder / fmt::format("{}.{}.{}.png", std::filesystem::path(page).stem().string(), setting.width,
                                            setting.colors);
-    std::ofstream(file, std::ios::binary) << from_base64(picture["data"]);
+    std::ofstream(file, std::ios::binary) << from_base64(picture["data"].get<std::string>());
   }
 }
 
