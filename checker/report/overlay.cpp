@@ -152,6 +152,7 @@ std::string labels_of(const Sweep& sweep) {
       sweep.x.front(), sweep.x.back(), fmt::join(title, ".\"\\n\"."), quoted(sweep.x_label), quoted(sweep.y_label));
 }
 
+/// The curves, and below them the difference.
 std::string panels(const Overlay& overlay) {
   const std::string script =
       "set grid lc rgb '#DDDDDD' lt 1\nset border lc rgb '#444444'\nset lmargin 13; set rmargin 5\nset format x '%g'\n"
@@ -232,15 +233,11 @@ std::vector<fs::path> draw_overlay(const Overlay& overlay, const fs::path& direc
       // Twice the pixels, for sharp text in print and on dense screens.
       "pngcairo noenhanced size 1600,1280 font 'Helvetica,24' linewidth 2 background rgb 'white'"};
   for (std::size_t i = 0; i < files.size(); ++i) {
-    const std::string problem = write_file(files[i], drawn_overlay(overlay, terminals[i], directory));
+    const std::string problem = write_file(files[i], drawn(panels(overlay), terminals[i], directory));
     if (!problem.empty())
       throw std::runtime_error(fmt::format("{} cannot be written ({}).", shown_path(files[i]), problem));
   }
   return files;
-}
-
-std::string drawn_overlay(const Overlay& overlay, const std::string& terminal, const fs::path& directory) {
-  return drawn(panels(overlay), terminal, directory);
 }
 
 void add_picture(CheckResult& checked, const fs::path& directory) {
@@ -248,7 +245,7 @@ void add_picture(CheckResult& checked, const fs::path& directory) {
     const Overlay overlay = overlay_of(checked);
     if (overlay.student.empty()) return;
     const std::string terminal = "svg noenhanced size 640,512 font 'Helvetica,14' background rgb 'white'";
-    checked.picture = base64(drawn_overlay(overlay, terminal, directory));
+    checked.picture = base64(drawn(panels(overlay), terminal, directory));
     checked.picture_description =
         fmt::format("Plot of {}: {}. The submitted function on the reference{}; below, the difference.", checked.name(),
                     overlay.sweep->title,

@@ -144,15 +144,11 @@ Overlay overlay_of(const CheckResult& checked);
 /// @throws std::runtime_error if gnuplot is missing, the folder cannot be written, or gnuplot fails
 std::vector<fs::path> draw_overlay(const Overlay& overlay, const fs::path& directory, const std::string& name);
 
-/// What gnuplot draws on a terminal of the given name and options: the curves, and below them the difference.
-/// @param directory  for files on the way
-/// @throws std::runtime_error
-std::string drawn_overlay(const Overlay& overlay, const std::string& terminal, const fs::path& directory);
-
 /// Gives a result the plot for a page, where the function gave a value: one that cannot be drawn is left out.
 void add_picture(CheckResult& checked, const fs::path& directory);
 
-/// The curves alone, made of letters on such a terminal, and what the letters mean.
+/// The curves alone, made of letters, as gnuplot draws them on a terminal of that name and options; and what they mean.
+/// @param directory  for files on the way. @throws std::runtime_error
 std::string drawn_letters(const Overlay& overlay, const std::string& terminal, std::size_t columns,
                           const fs::path& directory);
 std::string meaning_of_letters(const Overlay& overlay);
