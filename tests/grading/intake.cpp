@@ -334,41 +334,29 @@ TEST_CASE("what is too much in a folder, too deep, or zipped three times is name
 }
 
 TEST_CASE("Moodle's grading worksheet is a roster by the number of the participant") {
-  const MadeUpClass all;
-  write(all.submissions() / "Ada Byron_900001_assignsubmission_file_/spring_energy.cpp", right);
-  write(all.submissions() / "Ben Ohm_900002_assignsubmission_file_/spring_energy.cpp", wrong);
-  const std::string heading =
-      "Identifier,Full name,ID number,Email address,Status,Grade,Maximum grade,Feedback comments\n";
-  const Taken taken = Taken::with_table(all, "submissions",
-                                        heading +
-                                            "Participant 900001,Ada Byron,A-1,a@x.org,Submitted,,100,\n"
-                                            "Participant 900002,Ben Ohm,,b@x.org,Submitted,,100,\n"
-                                            "Participant 900003,Cleo,,c@x.org,No submission,,100,\n");
-  CHECK(taken.energy("A-1") == right);
-  CHECK(taken.energy("900002") == wrong);
-  CHECK(taken.student("900003").is_missing());
-  CHECK(taken.intake.problems.empty());
+  const Files files = {{"Ada Byron_900001_assignsubmission_file_/spring_energy.cpp", of("ada")},
+                       {"Ben Ohm_900002_assignsubmission_file_/spring_energy.cpp", of("ben")}};
+  check_class(files,
+              "Identifier,Full name,ID number,Email address,Status,Grade,Maximum grade,Feedback comments\n"
+              "Participant 900001,Ada Byron,A-1,a@x.org,Submitted,,100,\n"
+              "Participant 900002,Ben Ohm,,b@x.org,Submitted,,100,\n"
+              "Participant 900003,Cleo,,c@x.org,No submission,,100,\n",
+              {"900002: ben", "900003: ", "A-1: ada"});
   // The number alone is of one assignment; a full name that is there once will do.
-  const Taken named = Taken::with_table(all, "submissions", "id,name\n17,ada byron\n18,Ben Ohm\n19,Ben Ohm\n");
-  CHECK(named.energy("17") == right);
-  CHECK(named.intake.problems.size() == 1);
+  check_class(files, "id,name\n17,ada byron\n18,Ben Ohm\n19,Ben Ohm\n",
+              {"17: ada", "18: ", "19: ",
+               "'Ben Ohm_900002_assignsubmission_file_' was not read: it names no id, and no name of just one student, "
+               "of the roster."});
+  // Of an anonymous assignment, in another language.
+  check_class({{"Teilnehmer_in_900001_assignsubmission_file_/spring_energy.cpp", of("1")}},
+              "Identifier\tStatus\tGrade\tMaximum Grade\nTeilnehmer/in900001\tx\t\t10\n"
+              "Teilnehmer/in900002\t\"no\nsubmission\"\t\t10\n",
+              {"900001: 1", "900002: "});
 }
 
-TEST_CASE("Canvas' gradebook and the roster of GitHub Classroom are rosters") {
-  const MadeUpClass all;
-  write(all.submissions() / "planckmax_LATE_34_778_spring_energy-2.cpp", right);
-  const Taken canvas = Taken::with_table(all, "submissions",
-                                         "Student,ID,SIS User ID,SIS Login ID,Section,Week 3 (12)\n"
-                                         "    Points Possible,,,,,10\n\"Planck, Max\",34,s34,planck,A,\n");
-  CHECK(canvas.intake.students.size() == 1);
-  CHECK(canvas.energy("34") == right);
+TEST_CASE("in the table of grades of GitHub Classroom who is not on the roster has the login only") {
   const MadeUpClass cloned;
   write(cloned.submissions() / "week-3-octo-cat/lectures/01/exercises/spring_energy.cpp", right);
-  const Taken classroom = Taken::with_table(
-      cloned, "submissions",
-      "\"identifier\",\"github_username\",\"github_id\",\"name\"\n\"ada@x.org\",\"Octo-Cat\",\"7\",\"\"\n");
-  CHECK(classroom.energy("ada@x.org") == right);
-  // Its table of grades, in which who is not on the roster has the login only.
   const Taken grades = Taken::with_table(cloned, "submissions",
                                          "assignment_name,github_username,roster_identifier,submission_timestamp\n"
                                          "week 3,Octo-Cat,,2027-03-01 12:00:00 UTC\nweek 3,ben,b@x.org,\n");
@@ -488,23 +476,6 @@ TEST_CASE("one class has the same files and names in the layout of every system"
   }
 }
 
-TEST_CASE("names of people are compared as systems write them into the names of files") {
-  const MadeUpClass all;
-  const std::vector<std::pair<std::string, std::string>> whose = {
-      {"MU\u0308LLER Zoe_900001_assignsubmission_file/spring_energy.cpp", "1"},  // as a Mac writes the Ü
-      {"Miles OBrien_900002_assignsubmission_file_spring_energy.cpp", "2"},      // not in folders
-      {"Ada Byron_900003_assignsubmission_file_/spring_energy.cpp", "3"},
-      {"Jean-Luc Picard_900004_assignsubmission_file_/spring_energy.cpp", "4"}};
-  for (const auto& [path, id] : whose) write(all.submissions() / path, right + "// " + path + "\n");
-  write(all.submissions() / "Ada Byron_900003_assignsubmission_onlinetext_/onlinetext.html", "<p>Hello</p>");
-  const Taken taken = Taken::with_table(all, "submissions",
-                                        "ID,Name\n1,Müller Zoe\n2,Miles O'Brien\n3,\"Byron, Ada\"\n"
-                                        "4,JEAN-LUC PICARD\n5,Luc Picard\n");
-  for (const auto& [path, id] : whose) CHECK_MESSAGE(taken.energy(id) == right + "// " + path + "\n", path);
-  CHECK(taken.student("5").is_missing());
-  CHECK(taken.intake.problems.empty());
-}
-
 TEST_CASE("without a roster the files of one student of Canvas or Moodle are one student's") {
   const MadeUpClass all;
   for (const char* name :
@@ -522,27 +493,6 @@ TEST_CASE("without a roster the files of one student of Canvas or Moodle are one
   CHECK(taken.student("müllerzoë_35").files.size() == 2);
   CHECK(taken.student("anon_aB3xY").files.size() == 2);
   CHECK(taken.intake.students.size() == 6);
-}
-
-TEST_CASE("a login follows the name of the assignment, and is not a part of another login") {
-  const MadeUpClass all;
-  for (const char* name : {"week-3-octo-cat", "week-3-mary-ann", "week-3-bob-main", "week-3-x"})
-    write(all.submissions() / name / "spring_energy.cpp", right);
-  const Taken taken(all, "submissions", std::vector<std::string>{"octo-cat", "ann", "bob", "cat"});
-  CHECK(taken.energy("octo-cat") == right);
-  CHECK(taken.energy("bob") == right);  // as GitHub calls a zip file of a branch
-  for (const char* id : {"ann", "cat"}) CHECK_MESSAGE(taken.student(id).is_missing(), id);
-  CHECK(taken.intake.problems.size() == 2);
-}
-
-TEST_CASE("Moodle's worksheet of an anonymous assignment, in another language, is a roster too") {
-  const MadeUpClass all;
-  write(all.submissions() / "Teilnehmer_in_900001_assignsubmission_file_/spring_energy.cpp", right);
-  const Taken taken = Taken::with_table(all, "submissions",
-                                        "Identifier\tStatus\tGrade\tMaximum Grade\nTeilnehmer/in900001\tx\t\t10\n"
-                                        "Teilnehmer/in900002\t\"no\nsubmission\"\t\t10\n");
-  CHECK(taken.energy("900001") == right);
-  CHECK(taken.student("900002").is_missing());
 }
 
 TEST_CASE("files of other kinds are named where they may be an exercise") {
@@ -762,10 +712,19 @@ TEST_CASE("clones of GitHub Classroom may lie in its own folder, and no login is
                {above + "cat-1" + in_place, of("nobody")},  // somebody's, or cat's who began once more
                {above + "main/spring_energy.cpp", of("d")},
                {"week-3-submissions/.DS_Store", "x"}},
-              "\"identifier\",\"github_username\",\"github_id\",\"name\"\r\n\"a\",\"octo-cat\",\"1\",\"\"\r\n"
+              "\"identifier\",\"github_username\",\"github_id\",\"name\"\r\n\"a\",\"Octo-Cat\",\"1\",\"\"\r\n"
               "\"b\",\"octo\",\"2\",\"\"\r\n\"c\",\"cat\",\"3\",\"\"\r\n\"d\",\"main\",\"4\",\"\"\r\n",
               {"a: a", "b: b", "c: ", "d: d",
                "'week-3-cat-1' was not read: it names no id, and no name of just one student, of the roster."});
+  // In clones of one assignment a login follows its name, or ends as GitHub calls a zip file of a branch.
+  check_class({{"week-3-octo-cat/spring_energy.cpp", of("octo-cat")},
+               {"week-3-mary-ann/spring_energy.cpp", of("nobody")},
+               {"week-3-bob-main/spring_energy.cpp", of("bob")},
+               {"week-3-x/spring_energy.cpp", of("nobody")}},
+              "id\nocto-cat\nann\nbob\ncat\n",
+              {"ann: ", "bob: bob", "cat: ", "octo-cat: octo-cat",
+               "'week-3-mary-ann' was not read: it names no id, and no name of just one student, of the roster.",
+               "'week-3-x' was not read: it names no id, and no name of just one student, of the roster."});
 }
 
 TEST_CASE("Moodle's number is no id: the worksheet says whose it is, or else the name, and no field within the name") {
@@ -801,6 +760,13 @@ TEST_CASE("the family's name may come first or last, in any script, and blanks d
               "ID;First name;Last name\n1;Ada;Byron\n2;Jean-Luc;de la Tour\n3;محمد;علي\n4;דוד;כהן\n5;İpek;Işık\n"
               "6;D'Arcy ;Ó  Súilleabháin\n7;;王小明\n8;Byron;Lord\n",
               {"1: 1", "2: 2", "3: 3", "4: 4", "5: 5", "6: 6", "7: 7", "8: "});
+  check_class({{"MU\u0308LLER Zoe_900001_assignsubmission_file/spring_energy.cpp", of("1")},  // as a Mac writes the Ü
+               {"Miles OBrien_900002_assignsubmission_file_spring_energy.cpp", of("2")},      // not in folders
+               {"Ada Byron_900003_assignsubmission_file_/spring_energy.cpp", of("3")},
+               {"Ada Byron_900003_assignsubmission_onlinetext_/onlinetext.html", "<p>Hello</p>"},
+               {"Jean-Luc Picard_900004_assignsubmission_file_/spring_energy.cpp", of("4")}},
+              "ID,Name\n1,Müller Zoe\n2,Miles O'Brien\n3,\"Byron, Ada\"\n4,JEAN-LUC PICARD\n5,Luc Picard\n",
+              {"1: 1", "2: 2", "3: 3", "4: 4", "5: "});
   // Who is called like the other, turned round, is named by neither.
   check_class({{"James John_901_assignsubmission_file_/spring_energy.cpp", of("nobody")}},
               "id,name\n1,John James\n2,James John\n",
