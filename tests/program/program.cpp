@@ -67,8 +67,9 @@ Outcome CourseCopy::run(const std::string& arguments, const std::string& environ
   return run_command(shell_command(arguments, environment), root_);
 }
 
-TerminalOutcome CourseCopy::run_on_terminal(const std::string& arguments, int columns, int rows,
-                                            const std::string& environment) const {
+std::pair<pid_t, int> CourseCopy::start_on_terminal(const std::string& arguments, int columns, int rows,
+                                                    const std::string& environment,
+                                                    const std::function<void()>& prepare) const {
   winsize size{};
   size.ws_row = static_cast<unsigned short>(rows);
   size.ws_col = static_cast<unsigned short>(columns);
@@ -77,10 +78,18 @@ TerminalOutcome CourseCopy::run_on_terminal(const std::string& arguments, int co
   const pid_t child = forkpty(&terminal, nullptr, nullptr, &size);
   if (child < 0) throw std::runtime_error("no pseudo terminal");
   if (child == 0) {
-    alarm(120);  // survives exec: a checker that hangs ends the test
+    if (prepare) prepare();
     execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
     _exit(127);
   }
+  return {child, terminal};
+}
+
+TerminalOutcome CourseCopy::run_on_terminal(const std::string& arguments, int columns, int rows,
+                                            const std::string& environment) const {
+  const auto [child, terminal] = start_on_terminal(arguments, columns, rows, environment, [] {
+    alarm(120);  // survives exec: a checker that hangs ends the test
+  });
   TerminalOutcome outcome;
   char buffer[65536];
   for (ssize_t count = 0; (count = ::read(terminal, buffer, sizeof buffer)) > 0;)  // an error when all has ended

@@ -4,8 +4,12 @@
 
 #include "tests/support/files.hpp"
 
+#include <sys/types.h>
+
 #include <filesystem>
+#include <functional>
 #include <string>
+#include <utility>
 
 namespace workbook::testing {
 
@@ -25,7 +29,11 @@ class CourseCopy {
   /// Runs `checker ARGUMENTS`, quoted as for a shell; `environment` stands before it ("NO_COLOR=1").
   Outcome run(const std::string& arguments, const std::string& environment = "") const;
 
-  /// The same on a terminal, with an environment that holds nothing else but PATH.
+  /// Starts the same on a terminal of its own, with an environment that holds nothing else but PATH.
+  /// @param prepare  done in the new process before. Returns the process and our end of its terminal.
+  std::pair<pid_t, int> start_on_terminal(const std::string& arguments, int columns, int rows,
+                                          const std::string& environment, const std::function<void()>& prepare) const;
+  /// Waits until it has ended.
   TerminalOutcome run_on_terminal(const std::string& arguments, int columns, int rows,
                                   const std::string& environment) const;
 

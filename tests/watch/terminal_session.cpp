@@ -7,7 +7,6 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <pty.h>
 #include <signal.h>
 #include <sys/ioctl.h>
 #include <sys/wait.h>
@@ -16,11 +15,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstdlib>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
+#include <tuple>
 #include <utility>
 
 namespace workbook::testing {
@@ -29,14 +27,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
-
-std::vector<char*> pointers(std::vector<std::string>& texts) {
-  std::vector<char*> result;
-  result.reserve(texts.size() + 1);
-  for (std::string& text : texts) result.push_back(text.data());
-  result.push_back(nullptr);
-  return result;
-}
 
 }  // namespace
 
@@ -65,27 +55,10 @@ TerminalSession::TerminalSession(const CourseCopy& course, const std::vector<std
   screen_ = vterm_obtain_screen(emulator_.get());
   vterm_screen_reset(screen_, 1);
 
-  std::vector<std::string> words = {WORKBOOK_TEST_CHECKER, "--course", (course.root() / "course.json").string(),
-                                    "watch"};
-  words.insert(words.end(), arguments.begin(), arguments.end());
-  const char* path = std::getenv("PATH");
-  std::vector<std::string> environment = options.environment;
-  environment.push_back(std::string("PATH=") + (path == nullptr ? "/usr/bin:/bin" : path));
-  environment.push_back("TERM=xterm-256color");  // unless the options say otherwise, before it
-  const std::vector<char*> argument_pointers = pointers(words);
-  const std::vector<char*> environment_pointers = pointers(environment);
-
-  winsize size{};
-  size.ws_col = static_cast<unsigned short>(options.columns);
-  size.ws_row = static_cast<unsigned short>(options.rows);
-  process_ = ::forkpty(&terminal_, nullptr, nullptr, &size);
-  if (process_ < 0) throw std::runtime_error("no terminal for the test");
-  if (process_ == 0) {
-    if (options.prepare) options.prepare();
-    if (::chdir(course.root().c_str()) == 0)
-      ::execve(argument_pointers[0], argument_pointers.data(), environment_pointers.data());
-    ::_exit(127);
-  }
+  const std::string environment =
+      fmt::format("TERM=xterm-256color {}", fmt::join(options.environment, " "));  // of a name the last counts
+  std::tie(process_, terminal_) = course.start_on_terminal(fmt::format("watch {}", fmt::join(arguments, " ")), columns_,
+                                                           rows_, environment, options.prepare);
 }
 
 TerminalSession::~TerminalSession() {
