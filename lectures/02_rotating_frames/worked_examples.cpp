@@ -514,7 +514,8 @@ TEST_CASE("transport: A direction carried round a circle of latitude comes back 
   for (int k = 0; k < steps; ++k) {
     const Vector3d here = up_at(2 * pi * k / steps);
     const Vector3d next = up_at(2 * pi * (k + 1) / steps);
-    direction = Eigen::Quaterniond::FromTwoVectors(here, next) * direction;
+    const Vector3d turn = here.cross(next);  // its length is the angle, which is small
+    direction = Eigen::AngleAxisd(turn.norm(), turn.normalized()) * direction;
   }
   const double solid_angle = 2 * pi * (1 - std::sin(latitude));
   //! [transport in brief]

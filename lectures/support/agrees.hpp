@@ -43,16 +43,8 @@ inline std::string all_digits(const Eigen::MatrixXd& matrix) {
   return text + "]";
 }
 
-}  // namespace detail
-
-/// Do two numbers, vectors or matrices agree within `tolerance` times `scale`, entry by entry?
-///
-/// Without a scale the largest expected entry is taken; for an expected zero a scale must be given, because nothing
-/// is small compared with zero. NaN never agrees.
-template <class Actual, class Expected>
-Agreement agrees(const Actual& actual, const Expected& expected, double tolerance = 1e-12, double scale = 0.0) {
-  const Eigen::MatrixXd a = detail::as_matrix(actual);
-  const Eigen::MatrixXd e = detail::as_matrix(expected);
+/// As agrees() below; a function of its own, because it is compiled once then, not for each pair of types.
+inline Agreement matrices_agree(const Eigen::MatrixXd& a, const Eigen::MatrixXd& e, double tolerance, double scale) {
   if (a.rows() != e.rows() || a.cols() != e.cols()) {
     return {false, fmt::format("{}×{} where {}×{} is expected", a.rows(), a.cols(), e.rows(), e.cols())};
   }
@@ -67,8 +59,19 @@ Agreement agrees(const Actual& actual, const Expected& expected, double toleranc
     holds = holds && difference <= tolerance * scale;
     largest = std::isnan(difference) ? difference : std::max(largest, difference);
   }
-  return {holds, fmt::format("{} where {} is expected (difference {:.3g}, allowed {:.3g})", detail::all_digits(a),
-                             detail::all_digits(e), largest, tolerance * scale)};
+  return {holds, fmt::format("{} where {} is expected (difference {:.3g}, allowed {:.3g})", all_digits(a),
+                             all_digits(e), largest, tolerance * scale)};
+}
+
+}  // namespace detail
+
+/// Do two numbers, vectors or matrices agree within `tolerance` times `scale`, entry by entry?
+///
+/// Without a scale the largest expected entry is taken; for an expected zero a scale must be given, because nothing
+/// is small compared with zero. NaN never agrees.
+template <class Actual, class Expected>
+Agreement agrees(const Actual& actual, const Expected& expected, double tolerance = 1e-12, double scale = 0.0) {
+  return detail::matrices_agree(detail::as_matrix(actual), detail::as_matrix(expected), tolerance, scale);
 }
 
 }  // namespace workbook
