@@ -17,10 +17,10 @@ namespace {
 /// How a file is compiled that is called UNIT.cpp meanwhile, beside the toolchain's flags.
 std::vector<std::string> arguments_for(const Submission& submission, const std::string& unit) {
   const std::string name = submission.path.filename().string(), source = unit + ".cpp";
-  return {"-Wreturn-type", "-Wuninitialized", "-Wfloat-conversion", "-Wparentheses", "-Wunused-value", "-Wtype-limits",
-          "-Wunused-variable", "-Wunused-parameter", "-Wunused-but-set-variable", "-Wreturn-local-addr",
-          "-Wimplicit-fallthrough", "-Wmisleading-indentation", "-Wshadow=local", "-Wdiv-by-zero", "-Wsequence-point",
-          "-Wlogical-not-parentheses",
+  return {"-Wreturn-type", "-Wuninitialized", "-Wmaybe-uninitialized", "-Wfloat-conversion", "-Wparentheses",
+          "-Wunused-value", "-Wtype-limits", "-Wunused-variable", "-Wunused-parameter", "-Wunused-but-set-variable",
+          "-Wreturn-local-addr", "-Wimplicit-fallthrough", "-Wmisleading-indentation", "-Wshadow=local",
+          "-Wdiv-by-zero", "-Wsequence-point", "-Wlogical-not-parentheses",
           // The student's own name of the file in assertions, and in what debuggers read.
           fmt::format("-fmacro-prefix-map={}={}", source, name),
           fmt::format("-fdebug-prefix-map={}=shown/{}", source, name),

@@ -138,6 +138,9 @@ const std::vector<TextMistake>& table() {
        "This loop never runs: `$1` begins at $2, where $1 $3 $4 is false.", is_false_at_first},
       {"always_true", R"((?:[=!]=|[<>]=?) [^ ]+ (\|\| \d[\w.]*)(?= (?:[)|&;?]|\|\|)))",
        "`$1` is always true, whatever stands before it: write the whole comparison again, as in x == 1 || x == 2."},
+      {"always_true",
+       R"([=!]= [^|&;]+ (?:\|\||or) (\w+ \. \w*(?:Coeff|norm|Norm|sum|mean) \( \))(?= (?:[)|&;?]|\|\|)))",
+       "`$1` is not compared here, and a number is true unless it is 0: write as in x == a || x == b."},
       {"chained_comparison", R"( (==) (?:(?![&|?:;,()=!<>])[^ \n]+ )+== )",
        "A comparison a == b == c does not compare three numbers in C++; write a == b && b == c."},
       {"whole_sum", R"((accumulate) \( .* , 0 \))",
@@ -163,6 +166,10 @@ const std::vector<TextMistake>& table() {
       {"unsigned_difference",
        R"(for \( (?:std :: )?(?:unsigned|size_t)(?: int| long)? (\w+) = [^;]* ; \1 <=? ([^;]* - \d+) ;)",
        "`$2` is never negative but huge, for it has no sign: count with int.", nullptr, "", Weight::possible},
+      {"exact_end",
+       R"(^while \( (?:[^\n]* )?(!=) [^\n]*\) (?:\{\n)?(?:[^\n{}]*\n)*[^\n{}=]* [-+]= [^\n]*\d?\.\d[^\n]*;$)",
+       "Rounded steps hardly ever meet a number exactly, so that this $1 hardly ever becomes false: compare by <.",
+       nullptr, "", Weight::possible},
       {"exact_end", R"(^(?:while|for) \( (?:[^;()]*;)? ?(\w+ != \d*\.\d*)(?= [;)]))",
        "Rounded steps hardly ever hit a number, so that `$1` is never false: compare by <.", nullptr, "",
        Weight::possible},
@@ -187,6 +194,13 @@ const std::vector<TextMistake>& table() {
       {"changed_copy",
        R"((?:\]|void \w+) \( (?:[^()]*, )?(?:(?:Matrix|Vector)\w+|double|int|auto) (\w+)[^()]*\) \{\n(?:(?!return|if|for|while)[^\n]* ;\n)*?\1 [-+*/]?= [^\n]* ;\n\}(?: ;)?$)",
        "`$1` is a copy of what the function is called with, and nothing is returned: write & behind its type."},
+      {"semicolon_in_list",
+       R"(^\w+(?: \. \w+ \( [^()\n]*\))? << [^\n]* (;)\n(?:(?! = |return| << )[^\n])* , (?:(?! = )[^\n])* ;$)",
+       "This ; ends the list of <<, although more of it follows: between all numbers stands a comma.", nullptr, "",
+       Weight::possible},
+      {"shared_counter", R"(^for \( (?:\w+ )?(\w+) = [^;\n]*;[^;\n]*;[^\n]*\) (?:\{\n)?for \( \1 = [^\n]*$)",
+       "Both loops count with the same `$1`, so the outer one ends too early or never: the inner one needs another "
+       "name."},
       {"left_from_stub",
        R"((?|^[^\n]*[;}]\n(throw) NotStarted \{\n\}\n;$|(throw) NotStarted \{\n\}\n;\n(?!\})[^\n]+$))",
        "This line of the empty exercise is still there: remove it.", nullptr, "", Weight::cause, Fix::none, false},
@@ -194,7 +208,7 @@ const std::vector<TextMistake>& table() {
        "`$2` gets back here what it has just given to `$1`, so this changes nothing: std::swap exchanges two values.",
        nullptr, "", Weight::possible},
       {"return_in_loop",
-       R"(^for \( .* \) \{(?:\n(?!if|else|while|do|switch|for|case|break|continue)[^\n]* ;)*\n(return) [^\n]*$)",
+       R"(^for \( .* \) \{(?:\n(?!if|else|while|do|switch|case|break|continue)[^\n]* ;)*\n(return) [^\n]*$)",
        "This return ends the loop in its first turn: it belongs after the } of the loop."},
       {"printed_value", R"((cout) << [^\n]* ;\nreturn 0(?:\.0*)? ;\n\}$)",
        "What is printed is no result: return it in place of the 0.", nullptr, " if "},
@@ -296,7 +310,9 @@ std::vector<Reason> text_mistakes(const SourceText& source) {
       add(statement.token_at(waiting.offsets[1]), "endless_loop", waiting,
           "Nothing in this loop changes `$1`, so it never ends.", Weight::possible);
     const Match kept = search(statement.text, R"(^(static )?(?:[\w:<>]+ )+?(\w+) (?:;|=|\(|\{))");
-    if (kept && (is_outside || !kept[1].empty()) && accumulates(tokens, statement.token_at(kept.offsets[2])))
+    const bool is_set_once = !is_outside && search(statement.text, R"(^static (?!const|auto)[^=]* (?:=|\{|\() )");
+    const bool is_kept = is_outside || (kept && !kept[1].empty());
+    if (kept && is_kept && (is_set_once || accumulates(tokens, statement.token_at(kept.offsets[2]))))
       add(statement.tokens.front(), "static_variable", kept,
           "`$2` keeps its value from one call to the next, and results depend on earlier ones: define it in the "
           "function.",

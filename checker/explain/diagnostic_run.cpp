@@ -63,7 +63,7 @@ constexpr KnownEvent known_events[] = {
     {"FPE\\|(sin|cos|tan|atan2?|tanh|hypot)", "non_finite", "an operation here, such as 0 divided by 0, has no finite result."},
     {"FPE\\|(.+)", "outside_domain", "$1 is given a number here for which it has no finite result."},
     {"FPE\\|", "non_finite", "an operation here gives or meets a value that is infinite or not a number (NaN)."},
-    {"never_set here", "never_set", "`%1` has no value yet when this adds to it: give it one where it is declared, such as 0.", false, Weight::cause, "\\b(\\w+)\\s*[-+]="},
+    {"never_set here\\|(.+)", "never_set", "`$1`, or a part of it, has no value yet where it is used here: give it one where it is declared."},
     {"never_set here", "never_set", "something is used here that was never given a value: a variable, or an entry of a matrix or vector."},
     {"never_set\\|(.+)", "never_set", "`$1` gets no value here, and not all of it is set before it is used."},
     {"never_set", "never_set", "The result depends on something that was never given a value: a variable without = or {}, or a matrix or vector that is not filled."},
@@ -90,18 +90,28 @@ int recursion_line(const DiagnosticEvent& event) {
   return event.is("stack-overflow") && found != event.lines.end() ? *found : 0;
 }
 
-/// The line of the only variable that is declared without a value, and its name; 0 if there are several or none.
-std::pair<int, std::string> declaration_without_value(const std::vector<std::string>& lines) {
+/// A variable that is declared without a value.
+struct Unset {
+  int line = 0;  ///< of its declaration
+  std::string name;
+  bool is_given_one = false;  ///< somewhere, or a part of it
+};
+
+std::vector<Unset> variables_without_value(const std::vector<std::string>& lines) {
   constexpr const char* declaration =
-      R"((?:^|[;{}])\s*(?:Eigen::)?(?:double|float|Matrix\w+|Vector\w+|Array\w+|Quaternion\w+|std::array<[^;]*>)\s+)"
-      R"((\w+)\s*(?:\[\w*\]|\([^();]*(?:\(\)[^();]*)?\))?\s*;)";
-  std::pair<int, std::string> found{0, ""};
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    for (const Match& each : search_all(cut(lines[k], 300), declaration)) {
-      if (found.first > 0) return {0, ""};
-      found = {static_cast<int>(k) + 1, each[1]};
-    }
-  }
+      R"((?:^|[;{}])\s*(?:Eigen::)?(double|float|Matrix\w+|Vector\w+|Array\w+|Quaternion\w+|std::array<[^;]*>)\s+)"
+      R"(((?:[^;(){}]|\([^();]*(?:\(\)[^();]*)?\))*);)";
+  // In parentheses behind the name stand sizes, or values.
+  constexpr const char* name = R"((?:^|,)\s*(\w+)\s*(?:\[\w*\]|(\([^()]*(?:\(\)[^()]*)?\)))?\s*(?=,|$))";
+  std::vector<Unset> found;
+  std::string text;
+  for (const std::string& line : lines) text += cut(line, 300) + "\n";
+  for (std::size_t k = 0; k < lines.size(); ++k)
+    for (const Match& declared : search_all(cut(lines[k], 300), declaration))
+      for (const Match& each : search_all(declared[2], name))
+        if (each[2].empty() || declared[1].find('X') != std::string::npos)
+          found.push_back({static_cast<int>(k) + 1, each[1],
+                           bool{search(text, fmt::format(R"(\b{}\s*(?:[\[(.][^;=]*)?(?:=(?!=)|<<))", each[1]))}});
   return found;
 }
 
@@ -252,9 +262,16 @@ class DiagnosticRun {
     // NaN trap where they are first used; with zeros nothing must happen there.
     const int line = run(protocol::fill_with_nan | protocol::trap_invalid).trap_line();
     const bool is_certain = line > 0 && run(protocol::trap_invalid).trap_line() == 0;
-    if (is_certain && add_finding(line, "never_set here")) return;
-    const auto [declared, name] = declaration_without_value(source_);
-    add_finding(declared, declared > 0 ? "never_set|" + name : "never_set");
+    std::vector<Unset> unset = variables_without_value(source_);
+    const auto is_elsewhere = [&](const Unset& each) {
+      return is_certain && !search(source_line(line), fmt::format("\\b{}\\b", each.name));
+    };
+    std::erase_if(unset, is_elsewhere);
+    // One that is never given a value is meant rather than one that is.
+    if (!std::ranges::all_of(unset, &Unset::is_given_one)) std::erase_if(unset, &Unset::is_given_one);
+    const std::string name = unset.size() == 1 ? "|" + unset.front().name : "";
+    if (is_certain && add_finding(line, "never_set here" + name)) return;
+    add_finding(name.empty() ? 0 : unset.front().line, "never_set" + name);
   }
 
   void explain_long_run() {
@@ -381,6 +398,25 @@ bool explain_failed_call(Search& search) {
   }
   search.add_code(std::move(met));
   return true;
+}
+
+bool explain_suspected_undefined(Search& search) {
+  constexpr double of_no_formula = 1e300;  // with -ftrivial-auto-var-init=pattern GCC's memory holds -5.3e303
+  const Evidence& evidence = search.evidence;
+  const DiagnosticTask& task = evidence.task;
+  Judgement at_one = task.judgement;
+  at_one.failing.clear();
+  for (const std::size_t i : task.judgement.failing) {
+    const Reply& reply = task.observation.replies[i];
+    const bool is_unset = std::ranges::any_of(reply.value.numbers, [&](double x) { return x < -of_no_formula; });
+    if (reply.ending == Ending::crashed || reply.ending == Ending::exception || is_unset) at_one.failing.push_back(i);
+  }
+  const bool is_warned = bool{workbook::search(evidence.compilation.compiler_output, "maybe-uninitialized\\]")};
+  if (at_one.failing.empty() && !is_warned) return false;
+  if (at_one.failing.empty()) at_one.failing = task.judgement.failing;
+  search.add_code(
+      diagnostic_run({task.submission, task.reference, task.observation, at_one}, evidence.toolchain, evidence.cache));
+  return !search.reasons.empty();
 }
 
 bool explain_by_sanitizers(Search& search) {

@@ -19,6 +19,7 @@ constexpr struct {
     {When::values, explain_fixed_mistakes},
     {When::values, explain_whole_quotients},
     {When::values, explain_spoilt_statement},
+    {When::values, explain_suspected_undefined},
     {When::values, explain_values},
     {When::wrong_value, explain_lost_digits},
     {When::values, explain_by_small_change},

@@ -42,8 +42,9 @@ Explainer explain_elements_without_effect;  ///< of lists (asked_values.cpp)
 
 // --- what other runs tell
 
-Explainer explain_by_small_change;  ///< one changed token, or a branch (repair.cpp)
-Explainer explain_by_sanitizers;    ///< what is undefined, or not finite (diagnostic_run.cpp)
+Explainer explain_by_small_change;      ///< one changed token, or a branch (repair.cpp)
+Explainer explain_suspected_undefined;  ///< the same, at once, where a case or a warning points to it
+Explainer explain_by_sanitizers;        ///< what is undefined, or not finite (diagnostic_run.cpp)
 
 bool are_zero(const Answers& answers);
 

@@ -3,6 +3,7 @@
 #include "checker/explain/explain.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace workbook {
 
@@ -38,6 +39,34 @@ Reason where_it_fails(const ExerciseReference& exercise, const Answers& answers)
           sentence + " The reason is named at the third try with a changed file, or after a hint.", Weight::symptom};
 }
 
+/// With which inputs the factor changes by which the result is wrong, as cases tell that differ in one of them only.
+std::string inputs_of_factor(const ExerciseReference& exercise, const Answers& answers) {
+  constexpr double same = 1e-6;
+  if (exercise.result_kind == Kind::integer || exercise.comparison != Comparison::plain) return "";
+  const auto size = [](const Value& value) {
+    return value.numbers.size() == 1 ? value.numbers.front() : as_matrix(value).norm();
+  };
+  const auto factor = [&](std::size_t i) {
+    return answers[i] ? size(*answers[i]) / size(exercise.cases[i].expected) : std::nan("");
+  };
+  std::vector<std::string> with, without;
+  for (std::size_t a = 0; a < exercise.arguments.size(); ++a) {
+    std::size_t changes = 0, pairs = 0;
+    for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
+      if (exercise.cases[i].base < 0 || exercise.cases[i].argument != static_cast<int>(a)) continue;
+      const double change = factor(i) / factor(static_cast<std::size_t>(exercise.cases[i].base)) - 1;
+      if (!std::isfinite(change)) continue;
+      changes += std::abs(change) > same ? 1 : 0;
+      ++pairs;
+    }
+    if (pairs > 0) (changes > 0 ? with : without).push_back(exercise.arguments[a].name);
+  }
+  if (with.empty()) return "";
+  return fmt::format(" The factor between {} and the right one changes with {}{}.",
+                     exercise.result_kind == Kind::number ? "your result" : "the length of your result", listed(with),
+                     without.empty() ? "" : ", not with " + listed(without));
+}
+
 }  // namespace
 
 void hold_back(std::vector<Reason>& reasons, int stage, const ExerciseReference& exercise, const Answers& answers) {
@@ -53,6 +82,7 @@ void hold_back(std::vector<Reason>& reasons, int stage, const ExerciseReference&
         return;
       }
   reasons.push_back(where_it_fails(exercise, answers));
+  if (stage > 1) reasons.back().sentence += inputs_of_factor(exercise, answers);
 }
 
 }  // namespace workbook

@@ -324,4 +324,30 @@ TEST_CASE("what names the line to change is told at the third try of a problem, 
   }
 }
 
+TEST_CASE("where no region is wrong, the second try of a problem is told with which inputs the factor changes") {
+  ExerciseReference reference = n_times_x();
+  reference.cases.resize(1);
+  const auto vary = [&](int argument, double n, double x) {
+    Case one = reference.cases.front();
+    one.inputs = {Value{1, 1, {n}}, Value{1, 1, {x}}};
+    one.expected = Value{1, 1, {n * x}};
+    one.base = 0;
+    one.argument = argument;
+    reference.cases.push_back(one);
+  };
+  vary(0, 5, 1);
+  vary(1, 3, 2);
+  Answers answers;
+  for (const Case& one : reference.cases)
+    answers.emplace_back(Value{1, 1, {2 * one.expected.numbers[0] * one.inputs[1].numbers[0]}});
+  for (const int stage : {1, 2}) {
+    std::vector<Reason> reasons = {{ReasonKind::misconception, "squared"}};
+    hold_back(reasons, stage, reference, answers);
+    REQUIRE(reasons.size() == 1);
+    const bool is_told =
+        has(reasons.front().sentence, "between your result and the right one changes with x, not with n.");
+    CHECK_MESSAGE(is_told == (stage == 2), reasons.front().sentence);
+  }
+}
+
 }  // namespace workbook::testing

@@ -81,7 +81,8 @@ int run_in_shell(const std::string& command) {
 Outcome run_command(const std::string& command, const fs::path& scratch) {
   fs::create_directories(scratch);
   const fs::path out = scratch / "stdout.txt", err = scratch / "stderr.txt";
-  const int status = run_in_shell(fmt::format("{} </dev/null >'{}' 2>'{}'", command, out.string(), err.string()));
+  const int status =
+      run_in_shell(fmt::format("{{ {}\n}} </dev/null >'{}' 2>'{}'", command, out.string(), err.string()));
   return {status, read(out), read(err)};
 }
 

@@ -523,7 +523,6 @@ int grade(const Course& given, const GradeOptions& options) {
   if (!options.out) throw GradingError("Say with --out FOLDER where the results go, or only --who handed in what.");
   const fs::path out = fs::absolute(*options.out).lexically_normal();
   const SandboxStrength sandbox = strong_sandbox(options.allow_reduced, out);
-  fmt::print("Sandbox: {}.\n", sandbox.sentence());
   const fs::path submissions = fs::absolute(options.submissions);
   Course course = given;
   course.use_scratch(out / "work");
@@ -555,6 +554,7 @@ int grade(const Course& given, const GradeOptions& options) {
                                             : own_seed(course, options, journal, merged);
   if (!of_references) journal.remember_seed(seed);
   for (const Journal& each : merged) journal.merge(each);
+  fmt::print("Sandbox: {}.\n", sandbox.sentence());
   if (journal.damaged() > 0) fmt::print("{} of the journal are damaged.\n", plural(journal.damaged(), "line"));
   const bool is_known = seed == handed_out;
   if (is_known)
