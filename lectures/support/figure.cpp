@@ -235,7 +235,10 @@ int draw_figures(int argc, char** argv, const std::vector<Figure>& figures) {
   return worst;
 }
 
-const std::string& name_of_color(const std::string& color) { return names_of_colors.at(color.substr(1)); }
+std::string name_of_color(const std::string& color) {
+  const auto name = names_of_colors.find(color.substr(std::min<std::size_t>(1, color.size())));
+  return name == names_of_colors.end() ? color : name->second;
+}
 
 void draw_figure(const fs::path& directory, const std::string& name, FigureSize size,
                  const std::function<void(gnuplotio::Gnuplot&)>& draw, const std::string& description) {

@@ -56,9 +56,8 @@ enum FigureStatus { figures_drawn = 0, figure_failed = 1, figure_wrong_usage = 2
 /// @return a FigureStatus; figure_not_started if nothing worse happened than that a function is not written yet
 int draw_figures(int argc, char** argv, const std::vector<Figure>& figures);
 
-/// The style sheet's name for a colour, "#RRGGBB".
-/// @throws std::out_of_range for one that it does not have
-const std::string& name_of_color(const std::string& color);
+/// The style sheet's name for a colour, "#RRGGBB"; for one that it does not have the colour itself.
+std::string name_of_color(const std::string& color);
 
 /// Draws DIRECTORY/NAME.svg and DIRECTORY/NAME.png: `draw` sends everything after the terminal's settings, and is
 /// called once per format. The SVG carries the description, if any.
