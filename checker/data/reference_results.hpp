@@ -59,7 +59,7 @@ struct Misconception {
 
 /// The right result for changed inputs: "ψ = 0", "the transposed A".
 struct InputTransform {
-  std::string name;            ///< "psi_zero"
+  std::string name;            ///< "psi_zero"; "of_NAME" for what another function of the lecture gives
   std::string message;         ///< to follow "yours is the right result for"
   std::vector<Value> outputs;  ///< per case that is not generated
 };

@@ -104,6 +104,8 @@ struct KnownMistake {
   ReasonKind kind;
   std::string name, message, notes;
   const std::vector<Value>* outputs;
+
+  bool is_of_other_function() const { return kind == ReasonKind::input_transform && name.starts_with("of_"); }
 };
 
 /// Each with results of its own.
@@ -153,6 +155,7 @@ std::vector<Part> parts_of(const ExerciseReference& exercise, const Answers& ans
   for (int k = 0; k < 2; ++k) {
     Part best;
     for (const KnownMistake& mistake : known) {
+      if (mistake.is_of_other_function()) continue;  // a number in common is a coincidence
       Part part{mistake};
       for (const std::size_t entry : wrong)
         if (gives(mistake, entry)) part.entries.insert(entry);
@@ -318,8 +321,10 @@ std::optional<Reason> diagnose_signs(const ExerciseReference& exercise, const An
   return std::nullopt;
 }
 
+namespace {
+
 /// @param must_be_all  of the wrong numbers
-static std::optional<Reason> known_parts(const ExerciseReference& exercise, const Answers& answers, bool must_be_all) {
+std::optional<Reason> known_parts(const ExerciseReference& exercise, const Answers& answers, bool must_be_all) {
   const std::set<std::size_t> wrong = wrong_entries(exercise, answers);
   if (wrong.empty() || exercise.cases.front().expected.numbers.size() == 1 ||
       !all_deciding_cases_answered(exercise, answers))
@@ -341,6 +346,8 @@ static std::optional<Reason> known_parts(const ExerciseReference& exercise, cons
   if (given < wrong.size()) sentence += " Something else is wrong in the rest.";
   return Reason{first.kind, first.name, sentence, is_one || has_name ? Weight::cause : Weight::possible, first.notes};
 }
+
+}  // namespace
 
 std::optional<Reason> diagnose_wrong_part(const ExerciseReference& exercise, const Answers& answers) {
   return known_parts(exercise, answers, true);

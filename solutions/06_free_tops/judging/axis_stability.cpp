@@ -52,6 +52,8 @@ void judge_axis_stability(Lecture& lecture) {
   }
   e.wrong(only_largest, "largest_with_ties", [=](auto& I, int axis) { return largest(I, axis) ? 1 : -1; });
   e.wrong(only_smallest, "smallest_with_ties", [=](auto& I, int axis) { return smallest(I, axis) ? 1 : -1; });
+  e.wrong(by_number, "by_number_first",
+          [=](auto& I, int axis) { return axis == 1 ? -1 : with_ties(0, outer)(I, axis); });
   e.wrong(by_number, "by_number_alone", [=](auto& I, int axis) { return outer(I, axis) ? 1 : -1; });
   e.wrong_output("Stable and unstable are exchanged: +1 means stable.", "opposite", negated);
   e.wrong_input<1>("This comes out when the axes count from 1; here they are 0, 1 and 2.", "counted_from_one",

@@ -50,6 +50,9 @@ void judge_separatrix(Lecture& lecture) {
   e.wrong({"Your rate of turning over does not contain the spin; twice as fast, the body turns over in half the time.",
            "free_tops_growth"},
           "rate_without_spin", [](auto& I, auto spin, auto t) { return spin * separatrix(I, 1, t); });
+  e.wrong({"Your growth rate divides by I₂; below the root stand the moments of the two other axes, I₁I₃.",
+           "free_tops_growth"},
+          "rate_over_I2", [](auto& I, auto spin, auto t) { return separatrix(I, spin, t * sqrt(I[0] * I[2]) / I[1]); });
   e.wrong("Your ω₁ and ω₃ fade twice as fast as they should; with that T and the length of L are not constant.",
           "sech_squared",
           with_functions([](double x) { return pow(std::cosh(x), -2); }, [](double x) { return std::tanh(x); }));
