@@ -2,8 +2,6 @@
 
 #include "checker/base/child_process.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <fcntl.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
@@ -20,10 +18,6 @@
 #include <cstring>
 
 namespace workbook {
-
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SandboxProfile, calls, processor_seconds, memory_bytes, stack_bytes, file_bytes,
-                                   open_files, filter, readable, writable)
-
 namespace {
 
 // --- rules for files, by the numbers of the kernel: the headers of many systems are older than it
@@ -131,9 +125,36 @@ SandboxStrength what_the_kernel_offers() {
   return strength;
 }
 
-std::string to_argument(const SandboxProfile& profile) { return nlohmann::json(profile).dump(); }
+std::vector<std::string> to_arguments(const SandboxProfile& profile) {
+  std::vector<std::string> words;
+  for (const std::size_t number :
+       {static_cast<std::size_t>(profile.calls), std::size_t{profile.processor_seconds}, profile.memory_bytes,
+        profile.stack_bytes, profile.file_bytes, std::size_t{profile.open_files}, profile.filter.size(),
+        profile.readable.size(), profile.writable.size()})
+    words.push_back(std::to_string(number));
+  for (const std::uint64_t instruction : profile.filter) words.push_back(std::to_string(instruction));
+  for (const auto* paths : {&profile.readable, &profile.writable})
+    words.insert(words.end(), paths->begin(), paths->end());
+  return words;
+}
 
-SandboxProfile read_profile(const char* argument) { return nlohmann::json::parse(argument).get<SandboxProfile>(); }
+SandboxProfile read_profile(char**& words) {
+  const auto number = [&] { return std::strtoull(*words++, nullptr, 10); };
+  SandboxProfile profile;
+  profile.calls = static_cast<SandboxProfile::Calls>(number());
+  profile.processor_seconds = static_cast<unsigned>(number());
+  profile.memory_bytes = number();
+  profile.stack_bytes = number();
+  profile.file_bytes = number();
+  profile.open_files = static_cast<unsigned>(number());
+  profile.filter.resize(number());
+  profile.readable.resize(number());
+  profile.writable.resize(number());
+  for (std::uint64_t& instruction : profile.filter) instruction = number();
+  for (auto* paths : {&profile.readable, &profile.writable})
+    for (std::string& path : *paths) path = *words++;
+  return profile;
+}
 
 const char* enter_sandbox(const SandboxProfile& profile, int landlock) noexcept {
   if (const char* failed = limit_resources(profile)) return failed;

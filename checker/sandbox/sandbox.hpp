@@ -104,9 +104,9 @@ inline constexpr std::uint32_t own_process = 0x5e1f5e1f;
 /// What the kernel runs at every system call of such a program. @throws LaunchError
 const std::vector<std::uint64_t>& system_call_filter(SandboxProfile::Calls calls);
 
-/// As one word of a command, and back.
-std::string to_argument(const SandboxProfile& profile);
-SandboxProfile read_profile(const char* argument);
+/// As words of a command, and back: `words` is moved past what was read.
+std::vector<std::string> to_arguments(const SandboxProfile& profile);
+SandboxProfile read_profile(char**& words);
 
 /// Starts it in a sandbox of the tier in use.
 void confine(Launch& launch, const SandboxProfile& profile);

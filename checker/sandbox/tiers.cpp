@@ -56,8 +56,8 @@ void confine_to(const SandboxStrength& strength, Launch& launch, SandboxProfile 
       command.insert(command.end(), {"--ro-bind-try", path, path});
   for (const std::string& path : profile.writable) command.insert(command.end(), {"--dev-bind-try", path, path});
   if (has_files) profile.writable.emplace_back("/tmp");
-  command.insert(command.end(), {"--ro-bind", WORKBOOK_LAST_STAGE, "/last_stage", "--remount-ro", "/", "/last_stage",
-                                 to_argument(profile)});
+  command.insert(command.end(), {"--ro-bind", WORKBOOK_LAST_STAGE, "/last_stage", "--remount-ro", "/", "/last_stage"});
+  std::ranges::move(to_arguments(profile), std::back_inserter(command));
 }
 
 /// Where shared libraries are installed, and compilers, never anybody's own files.

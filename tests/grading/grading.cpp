@@ -78,6 +78,13 @@ TEST_CASE("where a student's time for reasons is used up, verdicts are as ever" 
   CHECK(has(without[0].at("next"), "took all the time"));
 }
 
+TEST_CASE("results may lie in a folder whose name is not UTF-8") {
+  const MadeUpClass of;
+  of.energy("ada", right_energy);
+  const Outcome outcome = of.grade("out\xff");
+  CHECK_MESSAGE(outcome.status == 0, outcome.said());
+}
+
 TEST_CASE("a wrong function is drawn on the reference on its student's page, and only once") {
   const MadeUpClass few;
   few.energy("ada", right_energy);

@@ -3,7 +3,7 @@
 // more. With the end of this process everything in its namespaces ends. A small static program of its own, because it
 // is started for every run.
 //
-//   last_stage PROFILE PROGRAM ARGUMENT...         see to_argument(SandboxProfile)
+//   last_stage PROFILE... PROGRAM ARGUMENT...      see to_arguments(SandboxProfile)
 //   last_stage NUMBER                              makes this one of the attempts; exit status 1 if it succeeds, else 0
 #include "checker/base/child_process.hpp"
 #include "checker/sandbox/last_stage/attempts.hpp"
@@ -61,7 +61,7 @@ void watch(pid_t program, const sigset_t& usual_signals) {
 }
 
 int start(char** words) {
-  const SandboxProfile profile = read_profile(*words++);
+  const SandboxProfile profile = read_profile(words);
   const int landlock = what_the_kernel_offers().landlock;
   ::unsetenv("PWD");            // set by bubblewrap
   ::prctl(PR_SET_DUMPABLE, 0);  // to nobody in these namespaces
