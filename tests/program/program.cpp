@@ -127,8 +127,14 @@ std::string CourseCopy::check_story(const std::string& name, const std::string& 
 }
 
 std::string CourseCopy::without_place(std::string text) const {
-  for (std::size_t at = 0; (at = text.find(root_.string(), at)) != std::string::npos;)
-    text.replace(at, root_.string().size(), "COURSE");
+  const std::string root = root_.string();
+  const bool needs_quotes = workbook::shell_quoted(root) != root;  // as a folder with a blank does, in commands
+  for (std::size_t at = 0; (at = text.find(root, at)) != std::string::npos;) {
+    text.replace(at, root.size(), "COURSE");
+    const std::size_t end = text.find('\'', at);
+    if (!needs_quotes || at == 0 || text[at - 1] != '\'' || end == std::string::npos) continue;
+    text.erase(end, 1).erase(at - 1, 1);
+  }
   return text;
 }
 
