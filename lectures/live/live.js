@@ -297,8 +297,6 @@ class LiveFigure {
     used = this.used;
     this.rested = rested;
     const part = rested ? lights.finest : lights.moving;
-    // What is copied is the whole canvas of the lights: no larger than need be.
-    if (part !== lights.part) Object.assign(lights, { part }).canvas.width = lights.canvas.height = 1;
     for (const { view, scene } of this.scenes) {
       scene.begin(part);
       if (view.lines) scene.plot({ x: [0, this.end], now: this.time, ...view, ...view.draw(this.model, this.time, scene) });

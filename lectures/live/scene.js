@@ -326,6 +326,8 @@ class Scene {
   /** Clears the picture; where bodies are drawn, of the screen's pixels they may have a part. */
   begin(part) {
     this.ratio = devicePixelRatio * part;
+    // What is copied is the whole canvas of the lights: no larger than need be.
+    if (part !== lights.part) Object.assign(lights, { part }).canvas.width = lights.canvas.height = 1;
     const { canvas, context: c } = this, { clientWidth: width, clientHeight: high } = canvas;
     const [w, h] = [width, high].map(length => Math.max(1, Math.round(length * devicePixelRatio)));
     if (canvas.width !== w || canvas.height !== h) Object.assign(canvas, { width: w, height: h });

@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <regex>
 #include <stdexcept>
-#include <utility>
 
 namespace workbook {
 
@@ -221,8 +220,9 @@ SpaceCurve Sketch::seen(SpaceCurve points) {
 
 void Sketch::line(const SpaceCurve& points, const std::string& color, double width, const std::string& style) {
   lines_.push_back({seen(points), color, width, style});
+  static const std::regex lengths(R"(\(([\d.]+,[\d.]+)\))");
   std::smatch dash;
-  std::regex_search(style, dash, std::regex(R"(\(([\d.]+,[\d.]+)\))"));
+  std::regex_search(style, dash, lengths);
   describe("\"line\",[", points,
            fmt::format("],\"{}\",{:.3g},{{{}\"dash\":[{}]}}", name_of_color(color), width,
                        forward_ > 0 ? "\"layer\":\"front\"," : "", dash.empty() ? "0,0" : dash.str(1)));
@@ -361,7 +361,8 @@ void Sketch::text(const Vector3d& at, const std::string& text, const std::string
   texts_.push_back({seen(place), text, color, side});
   places_of_texts_.emplace_back(upright_ * place);
   if (away.isZero()) return;
-  const double forward = std::exchange(forward_, 1e3);
+  const double forward = forward_;
+  in_front(true);
   line({at, place}, color, 0.8);
   forward_ = forward;
 }
