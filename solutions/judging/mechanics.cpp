@@ -23,7 +23,7 @@ double twice_T(const Vector3d& I, const Vector3d& w) { return I.dot(w.cwiseAbs2(
 
 Vector3d free_rate(const Vector3d& I, const Vector3d& w) { return cross(L_of(I, w), w).cwiseQuotient(I); }
 
-Vector3d solution_of(const Matrix3d& A, const Vector3d& b) { return A.fullPivLu().solve(b); }
+VectorXd solution_of(const Eigen::MatrixXd& A, const VectorXd& b) { return A.fullPivLu().solve(b); }
 
 Matrix3d dyad(const Vector3d& r) { return r * r.transpose(); }
 

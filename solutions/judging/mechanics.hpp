@@ -42,8 +42,8 @@ Vector3d L_of(const Vector3d& I, const Vector3d& w);
 double twice_T(const Vector3d& I, const Vector3d& w);
 Vector3d free_rate(const Vector3d& I, const Vector3d& w);
 
-/// x in A x = b.
-Vector3d solution_of(const Matrix3d& A, const Vector3d& b);
+/// x in A x = b, of any size: Eigen's decompositions take seconds to compile for each.
+VectorXd solution_of(const Eigen::MatrixXd& A, const VectorXd& b);
 
 /// r r, the matrix with entries rᵢ rⱼ.
 Matrix3d dyad(const Vector3d& r);

@@ -18,7 +18,7 @@ static Matrix3Xd by_linear_system(const VectorXd& m, const Matrix3Xd& r, const V
   A << one, one, planes[0] * one, planes[1] * one;
   Eigen::Vector4d b;
   b << -static_unbalance(m, r), -moment_of_unbalance(m, r);
-  const Eigen::Vector4d u = A.fullPivLu().solve(b / correction);
+  const Eigen::Vector4d u = solution_of(A, b / correction);
   return in_planes(u.head<2>(), u.tail<2>(), planes);
 }
 
@@ -47,7 +47,7 @@ static Matrix3Xd by_newton_step(const VectorXd& m, const Matrix3Xd& r, const Vec
   const Eigen::Vector4d start = faults(Eigen::Vector4d::Zero());
   Eigen::Matrix4d slopes;
   for (int i = 0; i < 4; ++i) slopes.col(i) = faults(Eigen::Vector4d::Unit(i)) - start;
-  const Eigen::Vector4d u = -slopes.fullPivLu().solve(start);
+  const Eigen::Vector4d u = -solution_of(slopes, start);
   return in_planes(u.head<2>(), u.tail<2>(), planes);
 }
 

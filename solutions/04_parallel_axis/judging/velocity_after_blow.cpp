@@ -4,7 +4,6 @@
 /// impulse · velocity of the struck point stationary: six linear equations.
 static Vector3d by_stationary_energy(double M, const Matrix3d& I_cm, const Vector3d& r, const Vector3d& impulse,
                                      const Vector3d& p) {
-  using Vector6d = Eigen::Matrix<double, 6, 1>;
   using Velocity = Eigen::Matrix<double, 3, 6>;  // of a point, from V and ω
   const auto velocity_at = [](const Vector3d& place) {
     Velocity velocity;
@@ -14,8 +13,7 @@ static Vector3d by_stationary_energy(double M, const Matrix3d& I_cm, const Vecto
   Eigen::Matrix<double, 6, 6> masses = Eigen::Matrix<double, 6, 6>::Zero();
   const Matrix3Xd points = six_points(I_cm, M);
   for (const auto place : points.colwise()) masses += M / 6 * (velocity_at(place).transpose() * velocity_at(place));
-  const Vector6d motion = masses.fullPivLu().solve(Vector6d(velocity_at(r).transpose() * impulse));
-  return velocity_at(p) * motion;
+  return velocity_at(p) * solution_of(masses, velocity_at(r).transpose() * impulse);
 }
 
 void judge_velocity_after_blow(Lecture& lecture) {

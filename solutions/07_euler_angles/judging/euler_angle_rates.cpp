@@ -57,7 +57,7 @@ void judge_euler_angle_rates(Lecture& lecture) {
   e.wrong({"This is ω itself; the rates belong to three other axes than the body's.", omega_notes}, "omega_unchanged",
           [](auto&, auto& w) { return w; });
   e.angles_read_as_degrees(turns_notes);
-  e.route("solving B (rates) = ω", [](auto& q, auto& w) { return solution_of(rates_to_omega(q), w); });
+  e.route("solving B (rates) = ω", [](auto& q, auto& w) -> Vector3d { return solution_of(rates_to_omega(q), w); });
   e.route("the reciprocal triad", [](auto& q, auto& w) {
     const Matrix3d E = rates_to_omega(q);
     const Vector3d a = E.col(0), b = E.col(1), c = E.col(2);

@@ -1,7 +1,5 @@
 #include "solutions/09_heavy_top/shared.hpp"
 
-#include <Eigen/Eigenvalues>
-
 namespace {
 
 constexpr double low_orbit = 2 * pi / 5550;
@@ -38,8 +36,9 @@ Eigen::Matrix<double, 6, 1> rates(const Vector3d& I, const Eigen::Matrix<double,
   return rate;
 }
 
-/// The three frequencies of the linearised motion: those whose eigenvector turns about the normal come first.
-Vector3d by_eigenvalues(const Vector3d& I) {
+/// The three frequencies of the linearised motion: that in the plane, and those across it, whose squares are the
+/// eigenvalues of −J², each of them twice.
+Vector3d by_linearised_motion(const Vector3d& I) {
   using Motion = Eigen::Matrix<double, 6, 1>;
   Eigen::Matrix<double, 6, 6> J;
   Motion held = Motion::Zero();
@@ -51,8 +50,9 @@ Vector3d by_eigenvalues(const Vector3d& I) {
   constexpr int kept[] = {0, 1, 3, 4};
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j) across(i, j) = J(kept[i], kept[j]);
-  const Eigen::Vector4d found = across.eigenvalues().imag();
-  return {in_plane, found.cwiseAbs().minCoeff(), found.cwiseAbs().maxCoeff()};
+  const double half_sum = -(across * across).trace() / 4, product = across.determinant();
+  const double larger = half_sum + sqrt(half_sum * half_sum - product);
+  return {in_plane, sqrt(product / larger), sqrt(larger)};
 }
 
 /// From the Lagrangian of small angles: the determinant of K − σ² M + iσ G, searched for its zeros.
@@ -146,8 +146,8 @@ void judge_attitude_frequencies(Lecture& lecture) {
                  [](auto& sigma) { sigma = sigma.cwiseAbs2().eval(); });
   e.wrong_output("These are in swings per second; radians per second are asked for.", "per_second", times(0.5 / pi));
   e.property(Is::nonnegative, "A frequency is not negative.");
-  e.route("eigenvalues of the equations of motion, linearised by differences",
-          [](auto& I, auto n) { return n * by_eigenvalues(I); });
+  e.route("the equations of motion, linearised by differences",
+          [](auto& I, auto n) { return n * by_linearised_motion(I); });
   e.route("zeros of the determinant", [](auto& I, auto n) { return n * by_determinant(I); });
   e.route("curvature of the potential energy, and sum and product of the roots",
           [](auto& I, auto n) { return n * by_sum_and_product(I); });

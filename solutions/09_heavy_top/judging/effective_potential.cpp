@@ -13,7 +13,7 @@ static void add_routes_of_effective_potential(auto& e) {
   e.route("rates from the momenta, then the energy",
           [](auto I1, auto I3, auto mgl, auto p_phi, auto p_psi, auto theta) {
             const Vector3d q(0, theta, 0), I(I1, I1, I3);
-            const Vector3d rates = solution_of(mass_matrix<double>(I, q), {p_phi, 0, p_psi});
+            const Vector3d rates = solution_of(mass_matrix<double>(I, q), Vector3d(p_phi, 0, p_psi));
             return 0.5 * rates.dot(mass_matrix<double>(I, q) * rates) + mgl * cos(theta);
           });
   e.route("L² over the moments", [](auto I1, auto I3, auto mgl, auto p_phi, auto p_psi, auto theta) {

@@ -122,11 +122,10 @@ void judge_euler_coefficients(Lecture& lecture) {
       return above / below;
     });
   });
-  e.route("a linear system by orthogonal matrices", [](auto& t, auto& omega) {
-    return for_each_axis(t, omega, [](auto& x, auto& y) -> double {
-      Eigen::MatrixXd system(x.size(), 2);
-      system << VectorXd::Ones(x.size()), x;
-      return VectorXd(system.colPivHouseholderQr().solve(y))[1];
+  e.route("projected on what of the sums is orthogonal to a constant", [](auto& t, auto& omega) {
+    return for_each_axis(t, omega, [](auto& x, auto& y) {
+      const VectorXd across = centred(x);
+      return across.dot(y) / across.dot(x);
     });
   });
   e.route("sums alone", [](auto& t, auto& omega) {

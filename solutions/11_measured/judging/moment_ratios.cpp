@@ -44,7 +44,7 @@ void judge_moment_ratios(Lecture& lecture) {
   e.property(Is::nonnegative, "No moment of inertia is negative, and no ratio of two.");
   e.route("a linear system", [](auto a, auto c) -> Vector2d {
     const Eigen::Matrix2d system{{1, -1}, {1, c}};
-    return Vector2d(system.fullPivLu().solve(Vector2d(a, 1)));
+    return solution_of(system, Vector2d(a, 1));
   });
   e.route("the second ratio first", [](auto a, auto c) {
     const double second = (1 - a) / (1 + c);
