@@ -10,8 +10,7 @@ const laws = [
   (r, v, w) => fictitious(r, times(0.5, v), w)];
 
 /** Positions and velocities by a law of motion, at equal steps of time. */
-const ridden = (law, r, v, seconds, count) =>
-  history(runge_kutta(([r, v]) => [v, law(r, v)], seconds / count), [r, v], count);
+const ridden = (law, r, v, seconds, count) => history(runge_kutta(([r, v]) => [v, law(r, v)], seconds / count), [r, v], count);
 
 function draw_table(scene, angle) {
   const one = [Math.cos(angle), Math.sin(angle), 0], other = [-one[1], one[0], 0];

@@ -2,16 +2,17 @@
 
 const I1 = 3.28e-4, I3 = 6.6e-5, mgl = 0.0456;  // kg m², kg m², J: the toy top of the lecture
 
-/** The axes of the top, as columns, at equal steps of time: torque and ω act on L, on an axis across, and on its own. */
-function spun(angles, rates, seconds, count) {
-  const own = yours.heavy_top_accelerations, A = attitude(angles), moved = (rate, state) => history(runge_kutta(rate, seconds / count), state, count);
+/** The axes of the top, as columns, and L where it changes by friction, which takes this part of the spin in a second;
+ *  at equal steps of time. Torque and ω act on L, on an axis across, and on its own. */
+function spun(angles, rates, loss, seconds, count) {
+  const own = !loss && yours.heavy_top_accelerations, A = attitude(angles), moved = (rate, state) => history(runge_kutta(rate, seconds / count), state, count);
   if (own) return moved(([q, v]) => [v, own([I1, I1, I3], mgl, q, v)], [angles, rates]).map(([q]) => attitude(q));
   const omega = sum(times(rates[0], z_axis), times(rates[2], A[2]));
   const L = sum(times(I1, omega), times((I3 - I1) * dot(omega, A[2]), A[2]));
   return moved(([L, across, axis]) => {
-    const omega = sum(times(1 / I1, L), times((1 / I3 - 1 / I1) * dot(L, axis), axis));
-    return [times(mgl, cross(z_axis, axis)), cross(omega, across), cross(omega, axis)];
-  }, [L, A[0], A[2]]).map(([, across, axis]) => [across, cross(axis, across), axis]);
+    const spin = dot(L, axis), omega = sum(times(1 / I1, L), times((1 / I3 - 1 / I1) * spin, axis));
+    return [sum(times(mgl, cross(z_axis, axis)), times(-loss * spin, axis)), cross(omega, across), cross(omega, axis)];
+  }, [L, A[0], A[2]]).map(([L, across, axis]) => [across, cross(axis, across), axis, L]);
 }
 
 /** What the path of the axis shows, from one turning point on: the inclinations at which it turns round, the time until
@@ -30,25 +31,29 @@ function measured_nutation(axes, h) {
 const foot = [0, 0, -0.5], on_sphere = direction => sum(foot, times(1.35, direction));
 
 live("heavy_top", {
-  prepare({ theta, push, spin }) {
+  prepare({ theta, push, spin, loss }) {
     const tilt = theta * degree, rates = [push, 0, spin - push * Math.cos(tilt)], start = [0, tilt, 0];
-    const attitudes = spun(start, rates, 2, 4000), samples = attitudes.filter((_, k) => k % 8 === 0);
-    // About its own axis, and about the vertical.
-    const along = I3 * spin, [p_phi, , p_psi] = yours.canonical_momenta?.([I1, I1, I3], start, rates)
+    const attitudes = spun(start, rates, loss, 2, 4000), samples = attitudes.filter((_, k) => k % 8 === 0);
+    // About the vertical and about its own axis.
+    const along = I3 * spin, momenta = yours.canonical_momenta?.([I1, I1, I3], start, rates)
       ?? [I1 * push * Math.sin(tilt) ** 2 + along * Math.cos(tilt), 0, along];
-    const potential = angle => yours.effective_potential?.(I1, I3, mgl, p_phi, p_psi, angle)
-      ?? (p_phi - p_psi * Math.cos(angle)) ** 2 / (2 * I1 * Math.sin(angle) ** 2) + p_psi ** 2 / (2 * I3) + mgl * Math.cos(angle);
-    const well = steps(1, 120, 240).map(angle => [angle, 1000 * potential(angle * degree)]);
+    const state = time => {
+      const [, , axis, L] = samples[Math.round(250 * time)], [p_phi, , p_psi] = loss ? [L[2], 0, dot(L, axis)] : momenta;
+      const potential = angle => yours.effective_potential?.(I1, I3, mgl, p_phi, p_psi, angle)
+        ?? (p_phi - p_psi * Math.cos(angle)) ** 2 / (2 * I1 * Math.sin(angle) ** 2) + p_psi ** 2 / (2 * I3) + mgl * Math.cos(angle);
+      const energy = loss ? (dot(L, L) - p_psi ** 2) / (2 * I1) + p_psi ** 2 / (2 * I3) + mgl * axis[2] : potential(tilt);
+      return { spin: p_psi / I3, energy: 1000 * energy, potential };
+    };
     // Steady precession has no nutation to measure.
     const least = 2 * Math.sqrt(I1 * mgl * Math.cos(tilt)) / I3, root = I3 * Math.sqrt(spin ** 2 - least ** 2);
     const precession = spin < 1.01 * least ? [] : yours.steady_precession?.(I1, I3, mgl, spin, tilt)
       ?? [2 * mgl / (along + root), (along + root) / (2 * I1 * Math.cos(tilt))];
     const is_steady = precession.some(steady => Math.abs(push - steady) < 0.05 * steady);
-    const seen = measured_nutation(is_steady ? [] : attitudes.map(([, , axis]) => axis), 2 / 4000);
+    const seen = measured_nutation(is_steady || loss ? [] : attitudes.map(([, , axis]) => axis), 2 / 4000);
     const top = [I1, I3, mgl, tilt, rates];
     const nutation = isNaN(seen[0]) ? seen : [...yours.nutation_limits?.(...top) ?? seen.slice(0, 2),
       yours.nutation_period?.(...top) ?? seen[2], yours.precession_per_nutation?.(...top) ?? seen[3]];
-    return { samples, tips: samples.map(([, , axis]) => on_sphere(axis)), well, energy: 1000 * potential(tilt), nutation, slow: precession[0] ?? NaN };
+    return { samples, tips: samples.map(([, , axis]) => on_sphere(axis)), state, nutation, slow: precession[0] ?? NaN };
   },
   handle: ({ theta }) => on_sphere([Math.sin(theta * degree), 0, Math.cos(theta * degree)]),  // the axis at the start
   draw: [(scene, m, time) => {
@@ -68,10 +73,10 @@ live("heavy_top", {
     scene.trail(m.tips, k + 1, "e3", 3);
     scene.arrow(on_axis(0.9), on_axis(1.35), "e3", "e₃");
   }, (m, time) => {
-    const theta = inclination(m.samples[Math.round(250 * time)][2]) / degree;
-    const lowest = Math.min(...m.well.map(([, U]) => U)), depth = Math.max(m.energy - lowest, 2);
-    return { y: [lowest - 0.4 * depth, m.energy + 0.8 * depth], mark: [theta, m.energy],
-      curves: [m.well, [[0, m.energy], [120, m.energy]]] };
+    const theta = inclination(m.samples[Math.round(250 * time)][2]) / degree, { energy, potential } = m.state(time);
+    const well = steps(1, 120, 240).map(angle => [angle, 1000 * potential(angle * degree)]);
+    const lowest = Math.min(...well.map(([, U]) => U)), depth = Math.max(energy - lowest, 2);
+    return { y: [lowest - 0.4 * depth, energy + 0.8 * depth], mark: [theta, energy], curves: [well, [[0, energy], [120, energy]]] };
   }],
-  numbers: m => [...m.nutation, m.slow, yours.sleeping_spin?.(I1, I3, mgl) ?? 2 * Math.sqrt(I1 * mgl) / I3],
+  numbers: (m, time) => [...m.nutation, m.slow, m.state(time).spin, yours.sleeping_spin?.(I1, I3, mgl) ?? 2 * Math.sqrt(I1 * mgl) / I3],
 });

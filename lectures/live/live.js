@@ -139,7 +139,7 @@ class LiveFigure {
     canvas.onpointermove = follow;
     canvas.onpointerup = canvas.onpointercancel = () => held = null;
     canvas.onkeydown = event => {
-      const way = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] }[event.key];
+      const way = turns_of_keys[event.key];
       if (event.key === " " && scene.released) this.play(!this.playing);
       else if (way && event.shiftKey && view.handle && scene.released)
         this.reach(view, scene, sum(scene.at(this.definition.handle(this.values)), times(100, way)));

@@ -26,8 +26,7 @@ const arc = (center, a, b, from = 0, to = 2 * Math.PI) =>
   steps(from, to, 72).map(angle => sum(center, times(Math.cos(angle), a), times(Math.sin(angle), b)));
 
 /** A circle of latitude on the unit sphere. */
-const parallel = latitude =>
-  arc([0, 0, Math.sin(latitude)], times(Math.cos(latitude), x_axis), times(Math.cos(latitude), y_axis));
+const parallel = latitude => arc([0, 0, Math.sin(latitude)], times(Math.cos(latitude), x_axis), times(Math.cos(latitude), y_axis));
 /** Arrows along the axes of a body, the columns of A, that begin at these distances. */
 const axis_arrows = (A, begin, length = 0.3) => A.map((axis, i) =>
   [times(begin[i], axis), times(begin[i] + length, axis), axis_colors[i], axis_names[i], { width: 2.2 }]);
@@ -126,8 +125,7 @@ function time_of_return(I, omega0) {
 }
 
 /** The axes of a body with the angles of lecture 07, as columns; the angles; and their rates for ω on the axes of space. */
-const attitude = ([phi, theta, psi]) =>
-  product(rotation([0, 0, phi]), product(rotation([0, theta, 0]), rotation([0, 0, psi])));
+const attitude = ([phi, theta, psi]) => product(rotation([0, 0, phi]), product(rotation([0, theta, 0]), rotation([0, 0, psi])));
 const angles_of = A =>
   [Math.atan2(A[2][1], A[2][0]), Math.acos(Math.max(-1, Math.min(1, A[2][2]))), Math.atan2(A[1][2], -A[0][2])];
 function angle_rates([phi, theta], [x, y, z]) {

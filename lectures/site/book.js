@@ -35,8 +35,7 @@ for (const list of all(".exercise-table")) {
   list.remove();
 }
 for (const heading of all(".textblock :is(h3, h2, h1)")) {
-  const lower = make(`h${+heading.tagName[1] + 1}`, { id: heading.id }, ...heading.childNodes);
-  heading.replaceWith(lower);
+  heading.replaceWith(make(`h${+heading.tagName[1] + 1}`, { id: heading.id }, ...heading.childNodes));
 }
 for (const section of chapters) if (section.exercises) section.append(section.exercises);
 
@@ -77,14 +76,13 @@ all("details").forEach(part => part.remove());
 const references = document.getElementById("references");
 references.before(answers);
 
-// ---- Figures are as wide as their text needs: none below 7 points.
+// ---- Figures are as wide as their text needs: none below 7 points, and no figure wider than 481.
 
 for (const picture of all("figure > svg")) {
   const box = picture.viewBox.baseVal;
   const smallest = Math.min(16, ...all("text, tspan", picture).filter(text => text.textContent.trim())
     .map(text => parseFloat(getComputedStyle(text).fontSize)));
-  const widest = 481;  // points
-  const scale = Math.min(widest / box.width, Math.max(7.05 / smallest, Math.min(7.2 / smallest, 150 / box.height)));
+  const scale = Math.min(481 / box.width, Math.max(7.05 / smallest, Math.min(7.2 / smallest, 150 / box.height)));
   Object.assign(picture.style, { width: `${scale * box.width}pt`, height: `${scale * box.height}pt`, minWidth: 0, maxWidth: "none" });
 }
 

@@ -6,13 +6,6 @@ const element = (tag, properties = {}, ...children) => {
   return made;
 };
 
-/** Light and dark: the theme's own switch, in a button that the keyboard reaches. */
-function offer_dark_mode() {
-  const toggle = new DoxygenAwesomeDarkModeToggle(), title = "Light or dark";
-  toggle.updateIcon();
-  document.querySelector("#tools").append(element("button", { title, ariaLabel: title, onclick: () => toggle.toggleDarkMode() }, toggle));
-}
-
 /** The section that is being read. */
 function mark_section() {
   const sections = [...document.querySelectorAll(".contents > .toc a")]
@@ -148,20 +141,24 @@ function offer_live_figure(place) {
   if (location.hash.startsWith(`#live=${name}&`)) figure.scrollIntoView();
 }
 
-/** A still figure in space describes itself: who takes hold of it turns it. */
+const turns_of_keys = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] };
+
+/** A still figure in space describes itself: who takes hold of it, or presses the arrow keys on it, turns it. */
 function offer_turning(picture) {
   let still;
-  picture.classList.add("turns");
-  picture.onpointerdown = ({ pointerId }) => picture.setPointerCapture(pointerId);
-  picture.onpointermove = async ({ buttons, movementX, movementY }) => {
-    if (!buttons) return;
+  const turn = async (way, part) => {
     await load("live/scene.js");
     if (!lights.begin()) return;
     still ??= new Still(picture);
-    still.turn(movementX / 120, movementY / 120);
-    still.draw(lights.moving);
+    still.turn(...way);
+    still.draw(part && lights.moving);
   };
+  picture.classList.add("turns");
+  Object.assign(picture, { tabIndex: 0, role: "img", ariaHidden: null, ariaLabel: "A picture in space. The arrow keys turn it." });
+  picture.onpointerdown = ({ pointerId }) => picture.setPointerCapture(pointerId);
+  picture.onpointermove = ({ buttons, movementX, movementY }) => buttons && turn([movementX / 120, movementY / 120], true);
   picture.onpointerup = () => still?.draw();
+  picture.onkeydown = event => turns_of_keys[event.key] && (event.preventDefault(), turn(turns_of_keys[event.key]));
 }
 
 /** What a link within the notes leads to, while the pointer rests on it: that page at that place, in a frame. */
@@ -194,7 +191,10 @@ if (previewed) {
   scrollTo(0, document.getElementById(previewed)?.getBoundingClientRect().top - 40);
 } else if (document.querySelector("#course")) {  // the book has neither navigation nor anything to press
   DoxygenAwesomeFragmentCopyButton.init();
-  offer_dark_mode();
+  // The theme's own switch, in a button that the keyboard reaches.
+  const toggle = new DoxygenAwesomeDarkModeToggle(), title = "Light or dark";
+  toggle.updateIcon();
+  document.querySelector("#tools").append(element("button", { title, ariaLabel: title, onclick: () => toggle.toggleDarkMode() }, toggle));
   mark_section();
   offer_previews();
   offer_search();

@@ -227,7 +227,7 @@ const std::map<std::string, std::function<Numbers(const Values&, double)>> numbe
        return {rotation_invariants(I, omega0)[0], v.at("L"), 0, I[2] * free_rotation(I, omega0, sample)(2, 0)};
      }},
     {"heavy_top",
-     [](const Values& v, double) -> Numbers {
+     [](const Values& v, double time) -> Numbers {
        constexpr double I1 = 3.28e-4, I3 = 6.6e-5, mgl = 0.0456;
        const double tilt = v.at("theta") * degree, push = v.at("push"), spin = v.at("spin");
        const Vector3d rates(push, 0, spin - push * std::cos(tilt));
@@ -238,6 +238,7 @@ const std::map<std::string, std::function<Numbers(const Values&, double)>> numbe
                nutation_period(I1, I3, mgl, tilt, rates),
                precession_per_nutation(I1, I3, mgl, tilt, rates),
                is_fast ? steady_precession(I1, I3, mgl, spin, tilt)[0] : NAN,
+               spin * std::exp(-v.at("loss") * time),  // the component of L along the axis has a torque of its own only
                sleeping_spin(I1, I3, mgl)};
      }},
     {"replayed_throw",
