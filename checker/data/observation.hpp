@@ -33,12 +33,6 @@ enum class CrashCause {
   foreign_exception    ///< it was no std::exception and has no text
 };
 
-/// One of Eigen's own checks that failed.
-struct EigenAssertion {
-  std::string condition;       ///< as Eigen writes it: "index >= 0 && index < size()"
-  std::vector<long> compared;  ///< the sides of its first and its last comparison; only from a diagnostic run
-};
-
 /// Something other than the function answered.
 enum class ProtocolViolation {
   not_a_reply,
@@ -64,7 +58,7 @@ struct Reply {
   Value value = {};
   std::string text = {};
   std::string printed = {};  ///< what the function wrote to standard output and standard error in this call, as it came
-  std::optional<EigenAssertion> eigen = {};
+  std::optional<std::string> eigen = {};  ///< the condition of its own that failed: "index >= 0 && index < size()"
   CrashCause cause = CrashCause::unknown;
   ProtocolViolation violation = ProtocolViolation::not_a_reply;
   int signal = 0;

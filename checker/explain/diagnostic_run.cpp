@@ -10,7 +10,6 @@
 #include <bit>
 #include <cstdlib>
 #include <set>
-#include <sstream>
 
 namespace workbook {
 namespace {
@@ -36,7 +35,7 @@ constexpr KnownEvent known_events[] = {
     {"missing-return.*", "missing_return", "this function comes to its end without a return.", true, Weight::symptom},
     {"signed-integer-overflow\\|.*: (.*) cannot be represented in type '(.*)'.*", "integer_overflow", "$1 does not fit into the type $2; calculate in double.", true},
     {"out-of-bounds-index\\|.*index (-?\\d+) out of bounds for type '.*\\[(\\d+)\\]'.*", "index_out_of_range", "index $1 is outside the array of size $2; indices start at 0.", true},
-    {"index\\|[^|]*\\|(-?\\d+)\\|(\\d+)", "index_out_of_range", "index $1 is outside a container of size $2; indices start at 0."},
+    {"library\\|__\\w+ < (this->)?size\\(\\)", "index_out_of_range", "an index lies outside its container; a container of size n has the indices 0 to n - 1."},
     {"exception\\|(\\w+)::.*\\(which is (\\d+)\\) >= .*\\(which is (\\d+)\\).*", "index_out_of_range", "index $2 is outside the $1 of size $3; indices start at 0."},
     {"eigen\\|\\(i>=0\\).*", "index_out_of_range", "there is no `%1.%2(%3)`: `%1` has those from 0 to %1.%2s() - 1, and none before it is given a size (%1.size() counts all entries).", false, Weight::cause, "\\b(\\w+)\\.(row|col)\\(([^()]*)\\)"},
     {"eigen\\|.*RowsAtCompileTime.*", "size_mismatch", "`%2.row(...)` has as many entries as `%2` has columns, which need not be those of a %1: a column is `%2.col(...)`.", false, Weight::cause, "(Vector\\w+)\\s+\\w+\\s*=\\s*(\\w+)\\.row\\("},
@@ -44,7 +43,7 @@ constexpr KnownEvent known_events[] = {
     {"exception\\|", "exception", "the exception is thrown here."},
     {"uncaught\\|(.*)", "exception_not_caught", "the exception “$1” is thrown here and cannot be caught on its way out: it meets a destructor or noexcept."},
     {"library\\|.*empty\\(\\).*", "empty_container", "an empty container has no first or last element to give."},
-    {"(?:library|index)\\|([^|]*).*", "library_assertion", "the standard library asks for something that does not hold: “$1”."},
+    {"library\\|(.*)", "library_assertion", "the standard library asks for something that does not hold: “$1”."},
     {"assertion\\|(.*)", "assertion_failed", "your assertion “$1” does not hold here."},
     {"recursion", "endless_recursion", "the function calls itself here again and again, until the stack is used up."},
     {"stack-overflow.*", "stack_overflow", "the stack is used up here; a local array may be too large."},
@@ -210,12 +209,9 @@ class DiagnosticRun {
     if (line == 0) return;
     // An exception is placed only if it is the one that was seen when the function was judged.
     const bool is_same = run.reply.ending == judged_.ending && run.reply.text == judged_.text;
-    if (last->is("eigen") && judged_.eigen && is_same) {
-      if (add_finding(line, "eigen|" + judged_.eigen->condition)) return;
-      EigenAssertion assertion = *judged_.eigen;
-      std::istringstream numbers(last->text.substr(std::min(last->text.size(), 6 + assertion.condition.size())));
-      for (char bar = 0; numbers >> bar;) numbers >> assertion.compared.emplace_back();
-      add(line, kind_of(assertion), sentence(assertion) + ".");
+    if (last->is("thrown") && judged_.eigen && is_same) {
+      if (add_finding(line, "eigen|" + *judged_.eigen)) return;
+      add(line, kind_of_eigen(*judged_.eigen), sentence_on_eigen(*judged_.eigen) + ".");
     } else if (last->is("thrown") && judged_.ending == Ending::exception) {
       if (is_same) add_finding(line, "exception|" + quoted(judged_.text));
     } else if (last->is("thrown") && judged_.ending != Ending::not_started) {
@@ -309,7 +305,7 @@ std::vector<DiagnosticEvent> read_report(const std::string& text, const std::str
   constexpr const char* memory = "^==\\d+==ERROR: AddressSanitizer: ([A-Za-z-]+)(?: on unknown address (0x[0-9a-f]+))?";
   constexpr const char* behavior = "^.*:\\d+:\\d+: runtime error: (.*)$";
   constexpr const char* summary = "^SUMMARY: UndefinedBehaviorSanitizer: ([a-z-]+) ";
-  constexpr const char* assertion = "^.*: Assertion [`'](.*)' failed\\.$";
+  constexpr const char* assertion = "^.*: Assertion ([`'])(.*)' failed\\.$";
   constexpr const char* call = "^frame (\\d+)\\|(.*)\\|([^(]*)(.*)$";
   const std::string student_file = "shown/" + file_name;  // -fdebug-prefix-map
   std::vector<DiagnosticEvent> events;
@@ -331,7 +327,7 @@ std::vector<DiagnosticEvent> read_report(const std::string& text, const std::str
       // What has no calls yet announced what now throws or aborts: an assertion, memory, a forbidden call.
       if (line != "event thrown" || has_calls) begin(line.substr(6));
     } else if (const Match failed = search(line, assertion)) {
-      begin("assertion|" + failed[1]);
+      begin((failed[1] == "'" ? "library|" : "assertion|") + failed[2]);  // assert() quotes with `
     } else if (const Match touched = search(line, memory)) {
       if (touched[1] != "ABRT" || has_calls) begin(touched[1] + "|" + touched[2]);
     } else if (const Match undefined = search(line, behavior)) {

@@ -17,7 +17,6 @@ struct EigenRule {
   const char* fragments[5];  ///< of conditions as Eigen 3.4 writes them
   const char* kind;
   const char* sentence;
-  const char* with_numbers = nullptr;  ///< with the sides of the first and of the last comparison, {0} to {3}
 };
 
 /// The first that fits counts: particular ones stand before general ones.
@@ -25,34 +24,27 @@ struct EigenRule {
 constexpr EigenRule eigen_rules[] = {
     {{"Too few coefficients"}, "comma_initializer", "too few numbers follow <<; it must fill the whole matrix or vector"},
     {{"Too many coefficients", "Too many rows"}, "comma_initializer", "too many numbers follow << for this matrix or vector"},
-    {{"m_xpr.rows() >= other.rows()"}, "comma_initializer", "what follows << is larger than the matrix or vector that it fills",
-     "what follows << has the size {1}×{3} and is larger than {0}×{2}, which it fills"},
+    {{"m_xpr.rows() >= other.rows()"}, "comma_initializer", "what follows << is larger than the matrix or vector that it fills"},
     {{"Cannot comma-initialize"}, "comma_initializer", "<< puts numbers into a matrix or vector without entries; give it a size first"},
     {{"m_currentBlockRows"}, "comma_initializer", "the parts joined by << do not have the same number of rows"},
-    {{"invalid matrix product"}, "size_mismatch", "in a matrix product the left factor must have as many columns as the right one has rows",
-     "a matrix product needs as many columns on its left as rows on its right; here these are {0} and {1}"},
+    {{"invalid matrix product"}, "size_mismatch", "in a matrix product the left factor must have as many columns as the right one has rows"},
     {{"aliasing detected during transposition"}, "aliasing", "A = A.transpose() overwrites A while reading it; use A.transposeInPlace() or A.transpose().eval()"},
     {{"Aliasing problem detected in inverse"}, "aliasing", "A = A.inverse() overwrites A while reading it; use A.inverse().eval()"},
     {{"you are using an empty matrix"}, "empty_matrix", "an empty matrix or vector has no largest, smallest or mean entry"},
     {{"eigenvectors have not been computed"}, "not_computed", "the solver was told to compute eigenvalues only, and is asked for eigenvectors"},
     {{"is not initialized"}, "not_computed", "a decomposition is used before compute() was called"},
     {{"invalid number of rows of the right hand side"}, "size_mismatch", "solve() needs a right-hand side with as many rows as the matrix has"},
-    {{"index >= 0 && index < size()"}, "index_out_of_range", "an index lies outside its vector; a vector of size n has the indices 0 to n - 1",
-     "index {2} is outside the vector of size {3}; indices start at 0"},
-    {{"row >= 0 && row < rows()"}, "index_out_of_range", "a row or column index lies outside its matrix; indices start at 0",
-     "entry ({0}, {2}) is outside its matrix; indices start at 0"},
+    {{"index >= 0 && index < size()"}, "index_out_of_range", "an index lies outside its vector; a vector of size n has the indices 0 to n - 1"},
+    {{"row >= 0 && row < rows()"}, "index_out_of_range", "a row or column index lies outside its matrix; indices start at 0"},
     {{"(i>=0) && ("}, "index_out_of_range", "row(i) or col(i) is asked for an i that the matrix does not have; of n there are those from 0 to n - 1"},
     {{"startRow >= 0", "RowsAtCompileTime==blockRows"}, "index_out_of_range", "a block, segment, head or tail reaches beyond its matrix or vector"},
     {{"a_index <= m_matrix.cols()"}, "index_out_of_range", "diagonal(i) is asked for a diagonal that the matrix does not have"},
     {{"list_size ==", "list.size() =="}, "size_mismatch", "the rows in the braces do not have the size of their matrix"},
     {{"other.rows() == 1 || other.cols() == 1"}, "size_mismatch", "a matrix of several rows and columns is assigned to a vector"},
-    {{"aLhs.rows() == aRhs.rows()"}, "size_mismatch", "two operands of a sum or difference have different sizes",
-     "operands of the sizes {0}×{2} and {1}×{3} cannot be combined entry by entry"},
+    {{"aLhs.rows() == aRhs.rows()"}, "size_mismatch", "two operands of a sum or difference have different sizes"},
     {{"AtCompileTime == rows", "rows==RowsAtCompileTime", "SizeAtCompileTime == ", "rows >= 0 && cols >= 0", "vecSize >= 0"}, "size_mismatch", "a matrix or vector is given a size that its type does not allow, such as two numbers for a Vector3d, or a negative one"},
-    {{"dst.rows() ==", "dst.rows()==", "does not actually allow one to resize", "rows() == other.rows()", "rows()==other.rows()"}, "size_mismatch", "two operands of a sum, difference or assignment have different sizes",
-     "a value of size {1}×{3} is assigned to, added to or subtracted from one of size {0}×{2}"},
-    {{"size() == other.size()"}, "size_mismatch", "dot() needs two vectors of the same size",
-     "dot() needs two vectors of the same size; these have {0} and {1}"},
+    {{"dst.rows() ==", "dst.rows()==", "does not actually allow one to resize", "rows() == other.rows()", "rows()==other.rows()"}, "size_mismatch", "two operands of a sum, difference or assignment have different sizes"},
+    {{"size() == other.size()"}, "size_mismatch", "dot() needs two vectors of the same size"},
     {{"this->rows() == 1 && this->cols() == 1"}, "size_mismatch", "only a matrix with one entry can be used as a number"},
     {{"non-square matrix", "rows() == cols()", "cols() == matrix.rows()", "m_lu.rows() == m_lu.cols()", "on a non-square"}, "not_square", "inverse, determinant, eigenvalues and transposeInPlace() need a square matrix"},
 };
@@ -99,7 +91,7 @@ Advice crashed(const std::string& when, const Reply& reply) {
 }
 
 std::string thrown(const Reply& reply) {
-  if (reply.eigen) return "Eigen stopped the calculation: " + sentence(*reply.eigen) + ".";
+  if (reply.eigen) return "Eigen stopped the calculation: " + sentence_on_eigen(*reply.eigen) + ".";
   if (reply.cause == CrashCause::foreign_exception) return "it is no std::exception and says nothing.";
   return reply.text.empty() ? "it says nothing." : quoted(reply.text);
 }
@@ -149,19 +141,13 @@ std::string quoted(const std::string& text) {
   return line;
 }
 
-std::string sentence(const EigenAssertion& assertion) {
-  const EigenRule* const rule = rule_of(assertion.condition);
-  if (rule == nullptr) return "this does not hold: " + quoted(assertion.condition);
-  std::vector<long> numbers = assertion.compared;
-  const bool is_of_two =
-      rule->with_numbers != nullptr && std::string_view(rule->with_numbers).find("{2}") == std::string_view::npos;
-  if (rule->with_numbers == nullptr || numbers.size() != (is_of_two ? 2 : 4)) return rule->sentence;
-  numbers.resize(4);
-  return fmt::format(fmt::runtime(rule->with_numbers), numbers[0], numbers[1], numbers[2], numbers[3]);
+std::string sentence_on_eigen(const std::string& condition) {
+  const EigenRule* const rule = rule_of(condition);
+  return rule == nullptr ? "this does not hold: " + quoted(condition) : rule->sentence;
 }
 
-std::string kind_of(const EigenAssertion& assertion) {
-  const EigenRule* const rule = rule_of(assertion.condition);
+std::string kind_of_eigen(const std::string& condition) {
+  const EigenRule* const rule = rule_of(condition);
   return rule == nullptr ? "eigen_assertion" : rule->kind;
 }
 

@@ -16,11 +16,11 @@ struct Advice {
 /// @pre the call did not return
 Advice advice_on_ending(const std::string& when, const Reply& reply, const std::string& signature);
 
-/// What an assertion of Eigen means, without a full stop; with indices and sizes where they are known.
-std::string sentence(const EigenAssertion& assertion);
+/// What it means that this condition of Eigen failed, without a full stop.
+std::string sentence_on_eigen(const std::string& condition);
 
 /// Its kind, for programs: "index_out_of_range".
-std::string kind_of(const EigenAssertion& assertion);
+std::string kind_of_eigen(const std::string& condition);
 
 /// "open a file": what a forbidden system call is for, to follow "tried to".
 std::string forbidden_operation(long system_call);

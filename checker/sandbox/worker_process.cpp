@@ -115,7 +115,7 @@ Reply Worker::answer(const PlannedCall& call, std::uint64_t nonce) {
       if (header.status == protocol::Status::foreign_exception) reply.cause = CrashCause::foreign_exception;
       break;
     case protocol::Status::eigen_assertion:
-      reply.eigen = EigenAssertion{printable(header.text), {}};
+      reply.eigen = printable(header.text);
       break;
     default:
       return violated(ProtocolViolation::unknown_status);

@@ -1,7 +1,5 @@
-// What a worker says in a diagnostic run: the sanitizers' reports, and lines "event NAME|FACT|…" on what they do not
-// see. The chain of calls follows each in lines "frame LINE|FILE|FUNCTION". checker/explain/diagnostic_run.cpp reads
-// them.
-#include "checker/worker/prelude.hpp"
+// What a worker says in a diagnostic run: the sanitizers' reports, and lines "event NAME" on what they do not see. The
+// chain of calls follows each in lines "frame LINE|FILE|FUNCTION". checker/explain/diagnostic_run.cpp reads them.
 #include "checker/worker/protocol.hpp"
 #include "checker/worker/serve.hpp"
 
@@ -16,7 +14,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <exception>
 #include <iostream>
 
 #define FRAMES "color=never:stack_trace_format='frame %l|%s|%f'"
@@ -69,12 +66,6 @@ void handle(int signal, void (*handler)(int, siginfo_t*, void*)) {
   ::sigaction(signal, &action, nullptr);
 }
 
-void print(const char* event, const char* text, const Operands& operands) {
-  ::dprintf(STDERR_FILENO, "event %s|%s", event, text);
-  for (int n = 0; n < operands.count; ++n) ::dprintf(STDERR_FILENO, "|%ld", operands.numbers[n]);
-  ::dprintf(STDERR_FILENO, "\n");
-}
-
 [[gnu::no_sanitize("address")]] void fill(void* first, std::size_t bytes) {
   char* next = static_cast<char*>(first);
   for (; bytes >= sizeof filling; bytes -= sizeof filling, next += sizeof filling)
@@ -98,7 +89,7 @@ void before_call(std::int32_t mode) {
   if ((mode & protocol::sample) != 0) {
     handle(SIGALRM, on_alarm);
     const itimerval often{{0, 13'000}, {0, 300'000}};  // no multiple of what loops are likely to take
-    ::setitimer(ITIMER_REAL, &often, nullptr);  // a loop that sleeps uses hardly any processor time
+    ::setitimer(ITIMER_REAL, &often, nullptr);         // a loop that sleeps uses hardly any processor time
   }
   watching = true;
 }
@@ -114,16 +105,6 @@ void before_call(std::int32_t mode) {
 void after_call() {
   ::fedisableexcept(FE_ALL_EXCEPT);
   watching = false;
-}
-
-void report_eigen_assertion(const char* condition, const Operands& operands) {
-  if (std::uncaught_exceptions() == 0) print("eigen", condition, operands);  // else it is an after-effect
-  throw_eigen_error(condition);
-}
-
-void report_library_assertion(const char* function, const char* condition, const Operands& operands) {
-  print(std::strstr(function, "operator[]") ? "index" : "library", condition, operands);
-  std::abort();
 }
 
 }  // namespace workbook

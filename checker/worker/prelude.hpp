@@ -24,13 +24,11 @@ void throw_eigen_error(const char* condition);
 // The end of `v << 1, 2` is checked in a destructor, which may throw only if Eigen is told so.
 #define VERIFY_RAISES_ASSERT
 
-#if defined(WORKBOOK_DIAGNOSE)
-#include "diagnostic_assertions.hpp"
-#else
 #define eigen_assert(...) ((__VA_ARGS__) ? static_cast<void>(0) : ::workbook::throw_eigen_error(#__VA_ARGS__))
 
 // A matrix that was never filled gives NaN every time, not a number by chance. In a diagnostic run all memory is
 // filled.
+#if !defined(WORKBOOK_DIAGNOSE)
 #define EIGEN_INITIALIZE_MATRICES_BY_NAN
 #endif
 

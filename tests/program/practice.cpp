@@ -77,7 +77,7 @@ TEST_CASE("an editor finds each reason at its line and column, and one without a
   CHECK(problem("return k * x.squaredNorm() / y;").starts_with(file + " 4 30 `y`"));                 // no program
   CHECK(problem("return 1 / 2 * k * x.squaredNorm();").starts_with(file + " 4 8 `1/2`"));            // in the code
   CHECK(problem("return k * x.squaredNorm();").starts_with(file + " 1 1 "));                         // in the values
-  CHECK(problem("return k * x[3];").starts_with(file + " 4 1 index 3"));                             // an exception
+  CHECK(problem("return k * x[3];").starts_with(file + " 4 1 an index"));                            // an exception
   CHECK(problem("return *static_cast<double*>(nullptr);").starts_with(file + " 4 1 "));              // a crash
   CHECK(problem("return k + std::exp(x[0]) * 3.7 - std::cbrt(x[1]);").starts_with(file + " 1 1 "));  // without reason
   // The same mistake in two lines stands at the first one.
