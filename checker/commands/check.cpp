@@ -8,15 +8,15 @@ namespace {
 
 struct CheckOptions : Chosen {
   bool started = false, full = false, json = false, plot = false;
-  std::string picture;
 };
 
 /// A wrong value is best seen as a picture. Where there is no gnuplot, `plot` says what to do.
 void draw_unasked(const Course& course, const CheckResult& checked, const Console& console) {
   if (checked.judgement.verdict != Verdict::wrong_value) return;
   std::fflush(stdout);  // the verdict does not wait for its picture
-  if (!program_on_path("gnuplot").empty()) return draw(course, checked, PictureKind::none, console, true);
-  fmt::print("  Plot   {}\n", command("plot " + checked.name()));
+  const bool can_draw = !program_on_path("gnuplot").empty();
+  fmt::print("{}", can_draw ? draw(course, checked, false, console)
+                            : fmt::format("  Plot   {}\n", command("plot " + checked.name())));
 }
 
 /// What there is to do with a function that passes: it is offered, never demanded.
@@ -47,9 +47,6 @@ int check(const Course& course, const CheckOptions& options) {
   if (options.case_name) detail.case_index = find_case(context.reference(tasks.front()), *options.case_name);
 
   const Console console = Console::of_standard_output();
-  const PictureKind picture = options.plot && !options.json
-                                  ? choose_picture(picture_kind(options.picture), tasks.size(), console)
-                                  : PictureKind::none;
   Progress progress(course.progress_file());
   for (CheckTask& task : tasks) set_stage(task, progress);
   std::vector<CheckResult> results;
@@ -79,7 +76,8 @@ int check(const Course& course, const CheckOptions& options) {
         fmt::print("{}", after_pass(course, exercise, progress, console));
     }
     if (options.plot) {
-      draw(course, checked, picture, console, !options.json);
+      const std::string drawn = draw(course, checked, !options.json && shows_pictures(tasks.size(), console), console);
+      if (!options.json) fmt::print("{}", drawn);
     } else if (!options.json && tasks.size() == 1 && has_room) {
       draw_unasked(course, checked, console);
     }
@@ -119,8 +117,7 @@ Command check_command() {
            {"--started", "", &options->started, "leave out what is not started"},
            {"--full", "", &options->full, "show everything: all failing cases, long lists, all compiler messages"},
            {"--json", "", &options->json, "print one JSON document and nothing else"},
-           {"--plot", "", &options->plot, "draw your curve on the reference, as SVG and PNG"},
-           picture_parameter(options->picture)},
+           {"--plot", "", &options->plot, "draw your curve on the reference, as SVG and PNG"}},
           with_options(options, &check),
           no_help_in_exam(options->names)};
 }

@@ -95,19 +95,6 @@ Requirement no_help_in_exam(const std::string& name) {
   return [&](const Course& course) { refuse_in_exam(course, {course.find_exercise(name)}); };
 }
 
-Parameter picture_parameter(std::string& kind) {
-  return {"--picture", "KIND",
-          &kind,       "the plot on the terminal: auto (if not given), text or none",
-          false,       [&](const Course&) { picture_kind(kind); }};
-}
-
-PictureKind picture_kind(const std::string& kind) {
-  if (kind == "text") return PictureKind::text;
-  if (kind == "none") return PictureKind::none;
-  if (kind.empty() || kind == "auto") return PictureKind::automatic;
-  throw UsageError(fmt::format("There is no picture '{}': it is auto, text or none.", printable(kind)));
-}
-
 void warn(const Progress& progress) {
   if (!progress.warning().empty()) fmt::print(stderr, "{}\n", progress.warning());
 }
@@ -174,17 +161,16 @@ std::size_t copy_figures(const Course& course, const std::string& lecture, const
   return count;
 }
 
-/// What is drawn of one exercise, in words too. A plot that fails changes no verdict.
-void draw(const Course& course, const CheckResult& checked, PictureKind picture, const Console& console,
-          bool to_terminal) {
-  if (checked.observation.sweep.empty()) return;
+std::string draw(const Course& course, const CheckResult& checked, bool is_shown, const Console& console) {
+  if (checked.observation.sweep.empty()) return "";
   try {
     const Overlay overlay = overlay_of(checked);
     const auto files = draw_overlay(overlay, course.plots(), checked.name());
-    if (!to_terminal) return;
-    fmt::print("{}  Plot   {}\n", terminal_picture(picture, overlay, files.back(), console), shown_path(files.front()));
+    return fmt::format("{}  Plot   {}\n", is_shown ? terminal_picture(overlay, files.back(), console) : "",
+                       shown_path(files.front()));
   } catch (const std::exception& problem) {
     fmt::print(stderr, "{}\n", problem.what());
+    return "";
   }
 }
 

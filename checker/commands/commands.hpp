@@ -56,18 +56,14 @@ void print_update(const Release& now, const Release& before, const UpdateResult&
 
 // --- pictures
 
-/// Draws one exercise, and on the terminal if wanted. A plot that fails changes no verdict.
-void draw(const Course& course, const CheckResult& checked, PictureKind picture, const Console& console,
-          bool to_terminal);
+/// Draws one exercise. Returns what to print of it: the picture, where it is to be shown, and its file. A plot that
+/// fails changes no verdict.
+std::string draw(const Course& course, const CheckResult& checked, bool is_shown, const Console& console);
 
 /// @throws std::runtime_error where no picture can be made, UsageError where none can be kept
 void require_pictures(const fs::path& directory);
 
 /// Copies the pictures of a lecture into a folder; returns how many figures they show. @throws fs::filesystem_error
 std::size_t copy_figures(const Course& course, const std::string& lecture, const fs::path& to);
-
-/// The plot on the terminal: "auto", "text" or "none", and what that is.
-Parameter picture_parameter(std::string& kind);
-PictureKind picture_kind(const std::string& kind);
 
 }  // namespace workbook

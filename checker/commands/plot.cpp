@@ -10,7 +10,6 @@ struct PlotOptions : Chosen {
   bool all = false;
   std::string wrong;  ///< the wrong answer to draw beside the solution
   std::optional<fs::path> out;
-  std::string picture;
 };
 
 /// Every figure of every lecture, copied; returns how many.
@@ -63,8 +62,7 @@ int plot(const Course& course, const PlotOptions& options) {
   if (!options.wrong.empty()) return plot_wrong(course, tasks, options.wrong, directory);
 
   const Console console = Console::of_standard_output();
-  const PictureKind picture =
-      options.all ? PictureKind::none : choose_picture(picture_kind(options.picture), tasks.size(), console);
+  const bool is_shown = !options.all && shows_pictures(tasks.size(), console);
   CheckContext context(course);
   int worst = all_passed;
   ProgressBar progress_bar;
@@ -84,7 +82,7 @@ int plot(const Course& course, const PlotOptions& options) {
       const std::vector<fs::path> files = draw_overlay(overlay, folder, checked.name());
       ++drawn;
       progress_bar.clear();
-      fmt::print("{}", terminal_picture(picture, overlay, files.back(), console));
+      if (is_shown) fmt::print("{}", terminal_picture(overlay, files.back(), console));
       for (const fs::path& file : files)
         if (!options.all) fmt::print("{}\n", file.string());
       // In the tree of an instructor nothing is started.
@@ -123,8 +121,7 @@ Command plot_command() {
        {"--wrong", "NAME", &options->wrong, "this wrong answer of the judging beside the solution, for a lecture"},
        own_file_parameter(options->file),
        place_parameter("--out", "FOLDER", options->out, "the folder for the pictures"),
-       seed_parameter(options->seed),
-       picture_parameter(options->picture)},
+       seed_parameter(options->seed)},
       with_options(options, &plot),
       no_help_in_exam(options->names)};
 }

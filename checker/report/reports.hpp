@@ -155,19 +155,16 @@ std::string meaning_of_letters(const Overlay& overlay);
 
 // --- on the terminal itself, in the best way that it can show
 
-enum class PictureKind {
-  automatic,  ///< graphics where the program chafa is installed and knows that the terminal shows them, else letters
-  text,       ///< a drawing made of letters
-  none
-};
+/// Of one plot, where somebody looks at a terminal and wants more than words: several would chase each other off the
+/// screen.
+bool shows_pictures(std::size_t plots, const Console& console);
 
-/// `wanted`; but of several plots, in the plain mode, and where nobody looks at a terminal nothing is shown unless a
-/// kind was named: they would chase each other off the screen.
-PictureKind choose_picture(PictureKind wanted, std::size_t plots, const Console& console);
+/// What to print for the plot to be seen, no larger than the window: graphics where the program chafa is installed and
+/// knows that the terminal shows them, else letters.
+/// @param png  what draw_overlay() has left. @throws std::runtime_error
+std::string terminal_picture(const Overlay& overlay, const fs::path& png, const Console& console);
 
-/// What to print for the plot to be seen, no larger than the window; "" for `none`.
-/// @param png  what draw_overlay() has left
-/// @throws std::runtime_error
-std::string terminal_picture(PictureKind kind, const Overlay& overlay, const fs::path& png, const Console& console);
+/// A drawing made of letters. @param directory  for files on the way. @throws std::runtime_error
+std::string letter_picture(const Overlay& overlay, const fs::path& directory, const Console& console);
 
 }  // namespace workbook

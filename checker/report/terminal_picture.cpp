@@ -34,6 +34,17 @@ std::string graphics_picture(const fs::path& png, const Console& console) {
   return is_graphics ? ran.output + "\n" : "";
 }
 
+}  // namespace
+
+bool shows_pictures(std::size_t plots, const Console& console) {
+  return plots == 1 && isatty(STDOUT_FILENO) != 0 && !console.plain();
+}
+
+std::string terminal_picture(const Overlay& overlay, const fs::path& png, const Console& console) {
+  const std::string graphics = graphics_picture(png, console);
+  return graphics.empty() ? letter_picture(overlay, png.parent_path(), console) : graphics;
+}
+
 std::string letter_picture(const Overlay& overlay, const fs::path& directory, const Console& console) {
   const std::size_t columns = std::min(console.width(), widest_picture) - 1;
   const std::size_t rows = std::clamp<std::size_t>(rows_for_picture(), 12, 28);
@@ -47,19 +58,6 @@ std::string letter_picture(const Overlay& overlay, const fs::path& directory, co
     if (!text.empty() || !line.empty()) text += line + "\n";
   }
   return text + (console.color() ? "\033[0m" : "") + console.wrapped(meaning_of_letters(overlay), 2) + "\n";
-}
-
-}  // namespace
-
-PictureKind choose_picture(PictureKind wanted, std::size_t plots, const Console& console) {
-  const bool is_shown = plots == 1 && isatty(STDOUT_FILENO) != 0 && !console.plain();
-  return wanted == PictureKind::automatic && !is_shown ? PictureKind::none : wanted;
-}
-
-std::string terminal_picture(PictureKind kind, const Overlay& overlay, const fs::path& png, const Console& console) {
-  if (kind == PictureKind::none) return "";
-  const std::string graphics = kind == PictureKind::automatic ? graphics_picture(png, console) : "";
-  return graphics.empty() ? letter_picture(overlay, png.parent_path(), console) : graphics;
 }
 
 }  // namespace workbook

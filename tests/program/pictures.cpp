@@ -97,7 +97,7 @@ TEST_CASE("a title that is wider than the picture takes two lines") {
       "The force of a spring of 3 N/m that is stretched along x, while along y it stays stretched by 1 m";
   workbook::write_reference_results(results, course.reference());
   course.solve("spring_force");
-  REQUIRE(course.run("plot spring_force --picture none --out pictures").status == 0);
+  REQUIRE(course.run("plot spring_force --out pictures").status == 0);
   const std::string svg = read(course.root() / "pictures/spring_force.svg");
   CHECK(has(svg, "The force of a spring of 3 N/m that is stretched along x, while along y<"));
   CHECK(has(svg, "it stays stretched by 1 m<"));
@@ -122,8 +122,6 @@ TEST_CASE("chafa's graphics are shown, the size of the window; of its characters
     CHECK_MESSAGE(has(shown, letters_of_student), shown);
   }
   const std::string asked = "printf '\\033P'; touch asked";
-  CHECK(has(shown_with(asked, plot + " --picture text"), letters_of_student));
-  CHECK_FALSE(has(shown_with(asked, plot + " --picture none"), letters_of_student));
   CHECK_FALSE(has(shown_with(asked, "--plain " + plot), letters_of_student));
   CHECK_FALSE(fs::exists(course.root() / "asked"));
 }
@@ -132,8 +130,7 @@ TEST_CASE("letters are no wider than the terminal, and a line says what they mea
   const CourseToDraw course;
   for (const int columns : {30, 80, 160}) {
     CAPTURE(columns);
-    const TerminalOutcome outcome =
-        course.run_on_terminal(plot + " --picture text", columns, 40, "TERM=xterm-256color NO_COLOR=1");
+    const TerminalOutcome outcome = course.run_on_terminal(plot, columns, 40, "TERM=xterm-256color NO_COLOR=1");
     CHECK(outcome.status == 0);
     CHECK(has(outcome.shown, ".."));
     CHECK(has(outcome.shown, letters_of_student));
@@ -141,20 +138,18 @@ TEST_CASE("letters are no wider than the terminal, and a line says what they mea
     std::erase(text, '\r');
     for (const std::string& line : lines_of(text)) CHECK_MESSAGE(display_width(line) <= columns, line);
   }
-  const TerminalOutcome check =
-      course.run_on_terminal("check spring_energy --plot --picture text", 80, 40, "TERM=xterm");
+  const TerminalOutcome check = course.run_on_terminal("check spring_energy --plot", 80, 40, "TERM=xterm");
   CHECK(check.status == 1);
   CHECK(has(check.shown, letters_of_student));
 }
 
-TEST_CASE("without a terminal, a kind that is named is shown; without a value, the reference alone") {
+TEST_CASE("a plot in letters; without a value, of the reference alone") {
   const CourseToDraw course;
-  const Outcome letters = course.run("plot springs --out pictures --picture text");
-  CHECK(letters.status == 1);
-  CHECK(has(letters.out, letters_of_student));
-  CHECK_FALSE(has(letters.out, "\033"));
-  check_golden("letters", letters.out);
-  CHECK(fs::exists(course.root() / "pictures/spring_force.svg"));
+  std::string shown;
+  for (const std::string exercise : {"spring_energy", "spring_force"})
+    shown += course.run_on_terminal("plot " + exercise + " --out pictures", 80, 24, "TERM=dumb").shown;
+  std::erase(shown, '\r');
+  check_golden("letters", shown);
 }
 
 TEST_CASE("values that no picture can hold leave no half picture, and the verdict stands") {

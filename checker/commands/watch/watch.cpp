@@ -243,7 +243,7 @@ class Watch {
       const Overlay overlay = overlay_of(checked);
       const std::vector<fs::path> files = draw_overlay(overlay, course_.plots(), checked.name());
       std::string text = fmt::format("  Plot   {}\n", shown_path(files.front()));
-      if (plot_is_asked_) text = terminal_picture(PictureKind::text, overlay, files.back(), console_) + text;
+      if (plot_is_asked_) text = letter_picture(overlay, course_.plots(), console_) + text;
       if (overlay.student.empty())
         text += console_.wrapped("Only the reference is drawn: your function returned no value.", 2) + "\n";
       return text;
