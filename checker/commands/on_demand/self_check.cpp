@@ -486,40 +486,6 @@ nlohmann::json try_mutants(const Course& course, const Toolchain& toolchain, con
   return {{"made", made}, {"survivors", survivors}};
 }
 
-/// Do the cases of these exercises find every small bug in their solutions?
-int self_check_mutants(const Course& course, const std::vector<Exercise>& exercises) {
-  CheckContext context(course);
-  for (const Exercise& exercise : exercises) context.reference(check_task(course, exercise));
-  std::size_t made = 0, killed = 0;
-  std::vector<std::string> tried(exercises.size()), trouble(exercises.size()), faults(exercises.size());
-  const auto reference = [&](const Exercise& exercise) -> const ExerciseReference& {
-    return context.reference(check_task(course, exercise));
-  };
-  for_each_exercise(
-      exercises, std::chrono::minutes(20),
-      [&](const Exercise& exercise) { return try_mutants(course, context.toolchain(), exercise, reference(exercise)); },
-      [&](std::size_t k, const nlohmann::json& found) {
-        const Exercise& exercise = exercises[k];
-        Adequacy adequacy;
-        adequacy.made = found.at("made");
-        adequacy.survivors = found.at("survivors").get<std::vector<std::string>>();
-        adequacy.killed = adequacy.made - adequacy.survivors.size();
-        made += adequacy.made;
-        killed += adequacy.killed;
-        tried[k] = adequacy_text(exercise, reference(exercise), adequacy);
-        for (const std::string& sentence : unshown_bugs(reference(exercise), adequacy.survivors))
-          faults[k] += fmt::format("{}: {}\n", course.in_course(course.judging_file(exercise)), sentence);
-      },
-      trouble);
-  for (std::size_t k = 0; k < exercises.size(); ++k)
-    if (!trouble[k].empty())
-      faults[k] = fmt::format("{}: its mutants could not be tried: {}.\n",
-                              course.in_course(course.solution_file(exercises[k])), trouble[k]);
-  fmt::print("{}{}In all: {} of {} bugs found.\n", fmt::join(tried, ""), fmt::join(faults, ""), killed, made);
-  const bool has_fault = !std::ranges::all_of(faults, &std::string::empty);
-  return has_fault ? something_failed : all_passed;
-}
-
 using PartOfTolerance = std::pair<double, std::string>;  ///< and where
 
 void print_worst(const char* title, std::vector<PartOfTolerance> all) {
@@ -559,22 +525,29 @@ void check_rounding(const Course& course, const std::vector<Exercise>& exercises
   print_worst("Rounding in every step (beside extended precision)", std::move(all));
 }
 
-/// Tries the typical bugs anew. Either writes the record; or compares: it must name enough points, and a bug that
-/// survives needs a reason. (Which points are found first, and which bugs differ by rounding only, depends on the
+/// Tries bugs anew. Either writes the record of the typical ones; or compares: it must name enough points, and a bug
+/// that survives needs a reason. (Which points are found first, and which bugs differ by rounding only, depends on the
 /// machine.)
-int self_check_record(const Course& course, const std::vector<Exercise>& exercises, bool writes) {
+/// @param with_mutants  also every small change in the text of the solutions, which takes minutes for each
+int self_check_bugs(const Course& course, const std::vector<Exercise>& exercises, bool writes, bool with_mutants) {
   constexpr int seeds = 3;
-  std::vector<std::string> faults(exercises.size()), trouble(exercises.size());
+  std::vector<std::string> faults(exercises.size()), trouble(exercises.size()), tried(exercises.size());
   std::map<std::string, std::map<std::string, Adequacy>> records;  // by lecture
   for (const Exercise& exercise : exercises)
     records.try_emplace(exercise.lecture(), read_adequacy(course.adequacy_file(exercise.lecture())));
   CheckContext context(course);
   for (const auto& [lecture, record] : records) course.make_reference(lecture);
+  const auto reference = [&](const Exercise& exercise) -> const ExerciseReference& {
+    return context.reference(check_task(course, exercise));
+  };
+  for (const Exercise& exercise : exercises) reference(exercise);
   for_each_exercise(
       exercises, std::chrono::minutes(30),
-      [&](const Exercise& exercise) -> nlohmann::json {
+      [&](const Exercise& exercise) {
         const fs::path start = writes ? fs::path() : course.adequacy_file(exercise.lecture());
-        return {{"file", course.prove_adequacy(exercise, seeds, start).string()}};
+        nlohmann::json found = {{"file", course.prove_adequacy(exercise, seeds, start).string()}};
+        if (with_mutants) found["mutants"] = try_mutants(course, context.toolchain(), exercise, reference(exercise));
+        return found;
       },
       [&](std::size_t k, const nlohmann::json& found) {
         const Exercise& exercise = exercises[k];
@@ -586,22 +559,32 @@ int self_check_record(const Course& course, const std::vector<Exercise>& exercis
           recorded = proven;
           return;
         }
+        std::vector<std::string> survivors = proven.survivors;
+        if (with_mutants) {
+          Adequacy mutants;
+          mutants.made = found.at("mutants").at("made");
+          mutants.survivors = found.at("mutants").at("survivors").get<std::vector<std::string>>();
+          mutants.killed = mutants.made - mutants.survivors.size();
+          tried[k] = adequacy_text(exercise, reference(exercise), mutants);
+          survivors.insert(survivors.end(), mutants.survivors.begin(), mutants.survivors.end());
+        }
         const auto missing = proven.neighbours.size() - recorded.neighbours.size();
+        std::vector<std::string> sentences = unshown_bugs(reference(exercise), survivors);
         if (missing > 0 || proven.made != recorded.made)
-          faults[k] = fmt::format("{} must join its cases, and {} of {} bugs are on record", plural(missing, "point"),
-                                  recorded.made, proven.made);
-        else
-          faults[k] = fmt::format(
-              "{}", fmt::join(unshown_bugs(context.reference(check_task(course, exercise)), proven.survivors), " "));
+          sentences.push_back(fmt::format("{} must join its cases, and {} of {} bugs are on record; `{}` records them",
+                                          plural(missing, "point"), recorded.made, proven.made,
+                                          command("self-check --record " + exercise.name())));
+        faults[k] = fmt::format("{}", fmt::join(sentences, " "));
       },
       trouble);
   print_worst_conditions(context, exercises);
   std::set<std::string> lectures;
   for (const auto& [lecture, record] : records) lectures.insert(lecture);
   check_rounding(course, exercises, lectures, faults);
+  fmt::print("{}", fmt::join(tried, ""));
   bool has_fault = false;
   for (std::size_t k = 0; k < exercises.size(); ++k) {
-    if (!trouble[k].empty()) faults[k] = fmt::format("typical bugs could not be tried: {}", trouble[k]);
+    if (!trouble[k].empty()) faults[k] = fmt::format("bugs could not be tried: {}", trouble[k]);
     if (faults[k].empty()) continue;
     has_fault = true;
     fmt::print("{}: {}.\n", course.in_course(course.judging_file(exercises[k])), without_full_stop(faults[k]));
@@ -610,20 +593,17 @@ int self_check_record(const Course& course, const std::vector<Exercise>& exercis
     for (const auto& [lecture, record] : records) write_adequacy(record, course.adequacy_file(lecture));
   if (writes || !has_fault)
     fmt::print("{}: {}.\n", writes ? "Recorded" : "As recorded", plural(exercises.size(), "exercise"));
-  else
-    fmt::print("`{}` writes the record anew.\n", command("self-check --record"));
   return has_fault ? something_failed : all_passed;
 }
 
 }  // namespace
 
 int self_check(const Course& course, const SelfCheckOptions& options) {
-  if (options.mutants || options.prove || options.record) {
+  if (options.prove || options.record) {
     if (!course.has_solutions())
       throw UsageError("Bugs are made in solutions, and this copy of the workbook has none.");
-    const std::vector<Exercise> exercises = course.choose(options.names);
-    return options.mutants ? self_check_mutants(course, exercises)
-                           : self_check_record(course, exercises, options.record);
+    return self_check_bugs(course, course.choose(options.names), options.record,
+                           !options.record && !options.names.empty());
   }
   std::vector<std::uint64_t> seeds(static_cast<std::size_t>(options.seeds));
   std::iota(seeds.begin(), seeds.end(), std::uint64_t{1});

@@ -213,12 +213,13 @@ Command self_check_command() {
       authors,
       "Check the workbook itself\n\nTries every stub, solution, right route, wrong answer, hint and pointer of the "
       "course, and names the file and the fix for everything that is wrong.",
-      {"self-check --seeds 20", "self-check 03", "self-check --mutants 03", "self-check --record slow_precession"},
+      {"self-check --seeds 20", "self-check 03", "self-check --prove 03", "self-check --record slow_precession"},
       {names_parameter(options->names),
        {"--seeds", "NUMBER", &options->seeds, "how many seeds to try, from 1 on, at most 1000", false, {}, {1, 1000}},
-       {"--mutants", "", &options->mutants, "try small bugs in the solutions instead: do the cases find all?"},
-       {"--prove", "", &options->prove, "try typical bugs anew at all cases and compare with the record"},
-       {"--record", "", &options->record, "try them and write the record, judging/adequacy.json"}},
+       {"--prove", "", &options->prove,
+        "do the cases find all bugs? Typical ones, beside the record, and of exercises that are named every small "
+        "change of their solutions"},
+       {"--record", "", &options->record, "try typical bugs and write the record, judging/adequacy.json"}},
       with_options(options, &self_check)};
 }
 
