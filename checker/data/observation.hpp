@@ -75,14 +75,6 @@ struct Repeat {
 /// Further calls of the function that was judged, with limits of their own.
 using Ask = std::function<std::vector<Reply>(const std::vector<PlannedCall>&)>;
 
-/// The replies at inputs whose numbers were converted to a smaller unit.
-struct UnitProbe {
-  char base = 'm';        ///< 'k' kilogram → gram, 'm' metre → centimetre, 's' second → millisecond
-  double factor = 100.0;  ///< how many small units make a base unit
-  std::vector<std::size_t> case_indices;
-  std::vector<Reply> replies;
-};
-
 /// Why the function never ran.
 enum class Refusal { rejected_file, compile_error, missing_function, checker_error };
 

@@ -3,9 +3,9 @@
 namespace workbook {
 
 std::string to_string(ReasonKind kind) {
-  constexpr const char* names[] = {"code",       "repair",   "misconception", "term",  "transform", "input_transform",
-                                   "difference", "split",    "independence",  "entry", "place",     "accuracy",
-                                   "learnt",     "property", "dimension"};
+  constexpr const char* names[] = {"code",       "repair",  "misconception", "term",  "transform", "input_transform",
+                                   "difference", "split",   "independence",  "entry", "place",     "accuracy",
+                                   "learnt",     "property"};
   return names[static_cast<std::size_t>(kind)];
 }
 

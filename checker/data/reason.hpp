@@ -20,8 +20,7 @@ enum class ReasonKind {
   place,            ///< which components are wrong, and where
   accuracy,         ///< right to some digits only
   learnt,           ///< the results of known cases, and no function
-  property,
-  dimension
+  property
 };
 std::string to_string(ReasonKind kind);
 

@@ -9,20 +9,6 @@ namespace workbook {
 
 namespace {
 
-/// What the function returns when the same inputs are given in smaller units.
-std::vector<UnitProbe> take_probes(const Ask& ask, const ExerciseReference& reference) {
-  std::vector<UnitProbe> probes = plan_probes(reference);
-  for (UnitProbe& probe : probes) {
-    std::vector<PlannedCall> calls;
-    for (const std::size_t index : probe.case_indices) {
-      const Case& probed = reference.cases[index];
-      calls.push_back({probe_inputs(reference, probe, index), probed.expected.rows, probed.expected.cols});
-    }
-    probe.replies = ask(calls);
-  }
-  return probes;
-}
-
 /// Does what tells wrong cases from right ones also tell the points of the plot from each other? By coincidence of the
 /// cases it would not.
 bool is_confirmed(const Reason& split, const Ask& ask, ExerciseReference exercise, Answers answers) {
@@ -65,7 +51,7 @@ std::vector<Reason> diagnose_finite(ExerciseReference exercise, Answers answers)
     }
   }
   if (2 * finite < exercise.cases.size() || 4 * wrong < finite) return {};
-  std::vector<Reason> found = diagnose(exercise, answers, {});
+  std::vector<Reason> found = diagnose(exercise, answers);
   if (std::ranges::none_of(found, &Reason::is_cause)) found.clear();
   return found;
 }
@@ -140,8 +126,7 @@ bool explain_values(Search& search) {
   const Evidence& evidence = search.evidence;
   const ExerciseReference& reference = evidence.task.reference;
   const bool are_finite = search.verdict() == Verdict::wrong_value;
-  search.reasons = are_finite ? diagnose(reference, search.answers, take_probes(evidence.ask, reference))
-                              : diagnose_finite(reference, search.answers);
+  search.reasons = are_finite ? diagnose(reference, search.answers) : diagnose_finite(reference, search.answers);
   if (!are_finite && search.reasons.empty())
     if (const auto split = diagnose_split(reference, search.answers)) search.reasons = {*split};
   std::erase_if(search.reasons, [&](const Reason& reason) {

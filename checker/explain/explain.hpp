@@ -27,7 +27,7 @@ bool has_values(Verdict verdict);
 std::vector<Reason> explain(const Evidence& evidence);
 
 /// Of the reasons for a wrong answer to a problem leaves what a first try should be told, 1: where it fails, and what a
-/// limit or a unit shows; a second one, 2: which components, inputs or regions. What names a term, a mistake or the
+/// limit shows; a second one, 2: which components, inputs or regions. What names a term, a mistake or the
 /// line is left for later tries. Slips of C++ stay.
 void hold_back(std::vector<Reason>& reasons, int stage, const ExerciseReference& exercise, const Answers& answers);
 

@@ -12,7 +12,7 @@ namespace {
 /// The first try at which a reason of that kind is told.
 int first_stage(ReasonKind kind) {
   using enum ReasonKind;
-  constexpr ReasonKind at_once[] = {code, dimension, accuracy, property, learnt};
+  constexpr ReasonKind at_once[] = {code, accuracy, property, learnt};
   constexpr ReasonKind second[] = {split, independence, entry, place};
   return std::ranges::count(at_once, kind) > 0 ? 1 : std::ranges::count(second, kind) > 0 ? 2 : 3;
 }

@@ -1,5 +1,5 @@
 // Why an answer is wrong: every diagnosis where it is true, and none where it is not. The wording is in
-// golden/diagnoses.txt; dimensions are tested in dimensions.cpp.
+// golden/diagnoses.txt.
 #include "checker/explain/values/diagnosis.hpp"
 #include "tests/judging/made_up.hpp"
 
@@ -495,7 +495,7 @@ TEST_CASE("What is said of a wrong answer has the right kind and name") {
     for (const Diagnosed& one : table()) {
       std::string names;
       text += one.about + "\n";
-      for (const Reason& each : diagnose(one.exercise, all_answers(one.values), {})) {
+      for (const Reason& each : diagnose(one.exercise, all_answers(one.values))) {
         names += (names.empty() ? "" : ", ") + to_string(each.kind) + " " + each.name;
         text += fmt::format("  {} {}: {} ({})\n", to_string(each.kind), each.name, each.sentence, each.notes);
       }
@@ -507,8 +507,8 @@ TEST_CASE("What is said of a wrong answer has the right kind and name") {
 
 TEST_CASE("Nothing is said of a right answer, nor where no value came back") {
   for (const Exercise& exercise : {momentum(), sound_momentum(), conserved()}) {
-    CHECK(diagnose(exercise, all_answers(times(exercise, 1)), {}).empty());
-    CHECK(diagnose(exercise, Answers(exercise.cases.size()), {}).empty());
+    CHECK(diagnose(exercise, all_answers(times(exercise, 1))).empty());
+    CHECK(diagnose(exercise, Answers(exercise.cases.size())).empty());
   }
 }
 

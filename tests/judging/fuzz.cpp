@@ -176,7 +176,7 @@ TEST_CASE("Damaged reference results: a sentence, or such that nothing wrong pas
         const Observation right = observed(expected);
         judge(exercise, right);
         plan_repeats(exercise);
-        diagnose(exercise, answers_of(exercise, observed(outputs(momentum(), momentum_with(1, 1))).replies), {});
+        diagnose(exercise, answers_of(exercise, observed(outputs(momentum(), momentum_with(1, 1))).replies));
       }
     } catch (const ReferenceError&) {
       ++refused;

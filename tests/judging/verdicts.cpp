@@ -190,11 +190,11 @@ TEST_CASE("Verdicts and kinds of reasons have the names that programs read") {
   CHECK(verdicts == verdict_names);
   CHECK(nlohmann::json("excellent").get<V>() == V::checker_error);
   std::string kinds;
-  for (int k = 0; k <= static_cast<int>(ReasonKind::dimension); ++k)
+  for (int k = 0; k <= static_cast<int>(ReasonKind::property); ++k)
     kinds += to_string(static_cast<ReasonKind>(k)) + " ";
   CHECK(kinds ==
         "code repair misconception term transform input_transform difference split independence entry place accuracy "
-        "learnt property dimension ");
+        "learnt property ");
 }
 
 TEST_CASE("A sample is spread from the first to the last, and repeats run backwards") {

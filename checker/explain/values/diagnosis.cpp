@@ -43,7 +43,7 @@ std::optional<Reason> diagnose_coarsely(const ExerciseReference& whole, const An
 enum class Beside {
   nothing,   ///< it says all
   place,     ///< where it is wrong
-  symptoms,  ///< and which properties and dimensions are
+  symptoms,  ///< and which properties are
 };
 
 /// A new mechanism is a line here. The first that finds something is the reason.
@@ -79,8 +79,7 @@ constexpr struct {
 
 }  // namespace
 
-std::vector<Reason> diagnose(const ExerciseReference& exercise, const Answers& answers,
-                             const std::vector<UnitProbe>& probes) {
+std::vector<Reason> diagnose(const ExerciseReference& exercise, const Answers& answers) {
   std::vector<Reason> reasons;
   Beside beside = Beside::symptoms;
   for (const auto& mechanism : mechanisms) {
@@ -92,9 +91,7 @@ std::vector<Reason> diagnose(const ExerciseReference& exercise, const Answers& a
   }
   if (beside == Beside::symptoms) {
     std::ranges::move(diagnose_properties(exercise, answers), std::back_inserter(reasons));
-    // What is in the wrong order has no direction, and may change its order with the units.
     if (std::ranges::any_of(reasons, &Reason::is_cause)) return reasons;
-    std::ranges::move(diagnose_dimensions(exercise, answers, probes), std::back_inserter(reasons));
   }
   if (beside != Beside::nothing)
     if (const auto place = diagnose_place(exercise, answers)) reasons.push_back(*place);

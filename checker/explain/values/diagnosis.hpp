@@ -11,10 +11,9 @@
 namespace workbook {
 
 /// The most telling of the diagnoses. A misconception that gives the student's answers explains them wholly, and so
-/// does a wrong coefficient or a transform of the whole: then it stands alone. Otherwise: what properties and
-/// dimensions tell. Empty where nothing certain can be said.
-std::vector<Reason> diagnose(const ExerciseReference& exercise, const Answers& answers,
-                             const std::vector<UnitProbe>& probes);
+/// does a wrong coefficient or a transform of the whole: then it stands alone. Otherwise: what properties tell. Empty
+/// where nothing certain can be said.
+std::vector<Reason> diagnose(const ExerciseReference& exercise, const Answers& answers);
 
 /// Looks for one kind of reason.
 using Mechanism = std::optional<Reason>(const ExerciseReference& exercise, const Answers& answers);
@@ -132,20 +131,5 @@ std::set<std::size_t> wrong_entries(const ExerciseReference& exercise, const Ans
 
 /// How the entry of a value of that kind is typed after its name: "[1]", "(0,2)", "".
 std::string entry_suffix(Kind kind, std::size_t entry);
-
-// --- dimensions by a change of units: a quantity in kg m² grows 10⁴ times when lengths are given in centimetres
-// (dimensions.cpp)
-
-/// The probes worth taking: for each base unit that an argument has, at up to three deciding cases. Their replies are
-/// empty.
-std::vector<UnitProbe> plan_probes(const ExerciseReference& exercise);
-
-/// The inputs of a case with their numbers converted to the probe's small unit.
-std::vector<Value> probe_inputs(const ExerciseReference& exercise, const UnitProbe& probe, std::size_t case_index);
-
-/// One diagnosis for each base unit in which the student's result has a clearly wrong exponent; else one that says that
-/// it has no single exponent; else none.
-std::vector<Reason> diagnose_dimensions(const ExerciseReference& exercise, const Answers& answers,
-                                        const std::vector<UnitProbe>& probes);
 
 }  // namespace workbook

@@ -90,7 +90,7 @@ void check_misconceptions(const ExerciseReference& exercise, Sentences& found) {
     if (has_twin) continue;
 
     const std::vector<Value>& outputs = one->outputs;
-    const auto diagnoses = diagnose(exercise, Answers(outputs.begin(), outputs.end()), {});
+    const auto diagnoses = diagnose(exercise, Answers(outputs.begin(), outputs.end()));
     if (diagnoses.size() == 1 && diagnoses.front().sentence == one->message) continue;
     found.push_back(fmt::format("The misconception {} is not named when a student has it: {}", one->name,
                                 diagnoses.empty() ? "nothing is said." : diagnoses.front().sentence));
