@@ -5,38 +5,8 @@
 
 using namespace workbook::testing;
 
-TEST_CASE("an experiment calls the student's functions, and names one that is not started") {
-  const CourseCopy course;
-  write(course.root() / "a try.cpp",
-        "#include <rigid/springs.hpp>\nint main() { std::cout << rigid::spring_energy(2, {1, 2, 2}) << '\\n'; return "
-        "7; }\n");
-  const Outcome without = course.run("try 'a try.cpp'");
-  CHECK(without.status == 1);
-  CHECK_MESSAGE(has(without.err, "spring_energy is not started"), without.err);
-  course.solve("spring_energy");
-  const Outcome with = course.run("try 'a try.cpp'");
-  CHECK(with.status == 7);  // the program's own
-  CHECK(with.out == "9\n");
-  course.answer_energy("return x[5];");
-  CHECK(has(course.run("try 'a try.cpp'").err, "Eigen stopped the calculation"));
-}
-
-TEST_CASE("an experiment that does not compile, or is not there, is told with its place") {
-  const CourseCopy course;
-  write(course.root() / "odd.cpp", "int main() {\n  return y;\n}\n");
-  const Outcome odd = course.run("try odd.cpp");
-  CHECK(odd.status == 1);
-  CHECK_MESSAGE(has(odd.err, "odd.cpp:2:10: error"), odd.err);
-  CHECK(course.run("try nowhere.cpp").status == 2);
-}
-
-TEST_CASE("the first experiment is written once, and not over one that is there") {
-  const CourseCopy course;
-  const auto file = course.root() / "lectures/try.cpp";
-  course.run("try");
-  CHECK(has(read(file), "int main()"));
-  write(file, "int main() { return 4; }\n");
-  CHECK(course.run("try").status == 4);
+TEST_CASE("an experiment calls the student's functions; one that fails is told, and the first one is written once") {
+  CourseCopy().check_story("trying");
 }
 
 TEST_CASE("gdb stops in the function at the first failing case, and shows and multiplies vectors as C++ does" *

@@ -23,11 +23,16 @@ fs::path golden_file(const std::string& name) {
   return fs::path(WORKBOOK_TEST_COURSE).parent_path() / "golden" / (name + ".txt");
 }
 
-/// What a student's hand does in stories: `answer BODY` writes that body of spring_energy, `solve NAME` the solution.
+/// What a student's hand does in stories: `answer BODY` writes that body of spring_energy, `force BODY [BEFORE]` that
+/// of spring_force with something before it, `solve NAME` the solution.
 constexpr const char* words = R"(
 answer() {
   printf '#include <rigid/springs.hpp>\nnamespace rigid {\ndouble spring_energy(double k, const Vector3d& x) {\n%s\n}\n}\n' \
     "$1" >lectures/01_springs/exercises/spring_energy.cpp
+}
+force() {
+  printf '#include <rigid/springs.hpp>\nnamespace rigid {\n%s\nVector3d spring_force(double k, const Vector3d& x) {\n%s\n}\n}\n' \
+    "$2" "$1" >lectures/01_springs/exercises/spring_force.cpp
 }
 solve() { cp "solutions/01_springs/$1.cpp" lectures/01_springs/exercises; }
 )";

@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <sys/stat.h>
-
 #include <filesystem>
 #include <vector>
 
@@ -116,40 +114,8 @@ TEST_CASE("the first failing case comes with its numbers, and a diagnosis with t
   CHECK(result.at("cases").at("passed").get<int>() < 10);  // where the spring is at rest
 }
 
-TEST_CASE("a function under another name is missing, and the sentence names both") {
-  const CourseCopy course;
-  course.answer_energy("return k;");
-  replace_in(course.exercise("spring_energy"), "spring_energy", "spring_enrgy");
-  const auto result = course.run("check spring_energy --json").result();
-  CHECK(result.at("verdict") == "missing_function");
-  CHECK(has(result.at("message"), "`rigid::spring_energy(double, const Vector3d&)`"));
-  CHECK(has(result.at("message"), "spring_enrgy"));
-}
-
-TEST_CASE("what is no ordinary file is rejected at once") {
-  const CourseCopy course;
-  const fs::path file = course.exercise("spring_energy");
-  SUBCASE("a file of 100 MB") { fs::resize_file(file, 100'000'000); }
-  SUBCASE("a directory") {
-    fs::remove(file);
-    fs::create_directory(file);
-  }
-  SUBCASE("a FIFO") {
-    fs::remove(file);
-    REQUIRE(mkfifo(file.c_str(), 0600) == 0);
-  }
-  const auto result = course.run("check spring_energy --json").result();
-  CHECK(result.at("verdict") == "rejected_file");
-  CHECK(result.at("score") == 0.0);
-  CHECK(has(result.at("message"), "spring_energy.cpp"));
-}
-
-TEST_CASE("a file name with spaces and a leading dash is a file like any other") {
-  const CourseCopy course;
-  fs::copy_file(course.solution("spring_energy"), course.root() / "-my answer.cpp");
-  const Outcome outcome = course.run("check spring_energy --json --file='-my answer.cpp'");
-  CHECK(outcome.status == 0);
-  CHECK(outcome.result().at("verdict") == "passed");
+TEST_CASE("a function of another name, what is no ordinary file, a file name that is odd, and what a function prints") {
+  CourseCopy().check_story("odd_files");
 }
 
 TEST_CASE("another seed draws other cases") {
@@ -181,16 +147,6 @@ TEST_CASE("a copy without solutions is judged with the seed of its reference res
   CHECK(has(read(course.root() / ".workbook/progress.json"), "spring_energy"));
   CHECK(course.run("check spring_energy --seed 5").status == 0);
   CHECK(has(course.run("check spring_energy --seed 1").said(), "seed 5 only"));
-}
-
-TEST_CASE("a function that passes and prints at every case shows where it did first") {
-  const CourseCopy course;
-  course.answer_energy("std::cout << k << '\\n'; return 0.5 * k * x.squaredNorm();");
-  const Outcome passed = course.run("check spring_energy");
-  CHECK(passed.status == 0);
-  CHECK_MESSAGE(has(passed.out, "  Your code printed at case 1:\n    1\n  Your code printed "), passed.out);
-  CHECK(has(passed.out, "more lines (--full shows all).\n"));
-  CHECK(has(course.run("check spring_energy --full").out, "printed at case 2:"));
 }
 
 TEST_CASE("what the function printed is shown, and harmless to the terminal") {
