@@ -10,24 +10,6 @@
 using namespace workbook::testing;
 namespace fs = std::filesystem;
 
-namespace {
-
-/// What bash would offer after these words; the last one is being typed.
-std::string completed(const CourseCopy& course, const std::string& words) {
-  write(course.root() / "completion.bash", course.run("completion").out);
-  write(course.root() / "try.bash", ". ./completion.bash\nCOMP_WORDS=(" + words +
-                                        ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_rigid_body_workbook\n"
-                                        "printf '%s ' \"${COMPREPLY[@]}\" >completed\n");
-  REQUIRE(run_in_shell("cd '" + course.root().string() + "' && bash try.bash") == 0);
-  return read(course.root() / "completed");
-}
-
-std::string verdict(const CourseCopy& course, const std::string& arguments) {
-  return course.run("check --json " + arguments).result().at("verdict");
-}
-
-}  // namespace
-
 TEST_CASE("reference results that a build leaves as they are are not built at the next check") {
   const CourseCopy course;
   course.solve("spring_energy");
@@ -37,36 +19,16 @@ TEST_CASE("reference results that a build leaves as they are are not built at th
   CHECK(read(course.root() / "builds.txt") == "built\n");
 }
 
-TEST_CASE("the checker remembers what passed, as long as the file is the same") {
-  const CourseCopy course;
-  const fs::path progress = course.root() / ".workbook/progress.json";
-  const auto next = [&] { return workbook::search(course.run("").out, "Next: (\\w+)")[1]; };
-  CHECK(next() == "spring_energy");
-  course.solve("spring_energy");
-  CHECK(verdict(course, "spring_energy --seed 2") == "passed");
-  CHECK(verdict(course, "spring_energy --file '" + course.solution("spring_energy").string() + "'") == "passed");
-  CHECK(next() == "spring_energy");  // another seed or file is no progress
-  CHECK(course.run("check spring_energy").status == 0);
-  CHECK(next() == "spring_force");
-  course.answer_energy("return 0;");
-  CHECK(next() == "spring_energy");
-  course.solve("spring_energy");
-  course.solve("spring_force");
-  CHECK(course.run("check").status == 0);
-  CHECK(next() == "");
+TEST_CASE("what passed is remembered while the file is the same; exercises and lectures have several names") {
+  CourseCopy().check_story("remembering");
 }
 
-TEST_CASE("an exercise and a lecture have names, numbers and files") {
-  const CourseCopy course;
-  course.solve("spring_energy");
-  for (const char* name : {"01_springs", "01", "1", "springs", "lectures/01_springs/", "spring_energy spring_force"})
-    CHECK_MESSAGE(course.run(std::string("check --json ") + name).json().at("results").size() == 2, name);
-  for (const char* name : {"spring_energy", "spring_energy.cpp", "lectures/01_springs/exercises/spring_energy.cpp",
-                           "./lectures/01_springs/exercises/../exercises/spring_energy.cpp"})
-    CHECK_MESSAGE(verdict(course, name) == "passed", name);
-  CHECK(course.run("check draft.cpp").status == 2);
+TEST_CASE("bash completes commands, options, exercises and lectures, and else files") {
+  CourseCopy().check_story("completing");
+}
 
-  // The lecture becomes 01_spring_force, whose topic is the name of one of its exercises: then the exercise is meant.
+TEST_CASE("a lecture's topic that is the name of an exercise means the exercise") {
+  const CourseCopy course;
   fs::rename(course.root() / "lectures/01_springs", course.root() / "lectures/01_spring_force");
   const workbook::Course renamed(course.root() / "course.json");
   CHECK(renamed.find("spring_force").size() == 1);
@@ -99,15 +61,6 @@ TEST_CASE("the report says what to type to see more of the same failure, and it 
     CHECK(has(more[1], seed));
     CHECK(has(course.run(more[1], "WORKBOOK_PROGRAM=./checker/run").out, shown[0]));
   }
-}
-
-TEST_CASE("bash completes commands, options, exercises and lectures, and else files") {
-  const CourseCopy course;
-  CHECK(completed(course, "checker che") == "check ");
-  CHECK(completed(course, "./checker/run hint spring_f") == "spring_force ");
-  CHECK(completed(course, "checker examples 0") == "01_springs ");
-  CHECK(completed(course, "checker check --se") == "--seed ");
-  CHECK(completed(course, "checker check --file cou") == " ");  // bash then completes files
 }
 
 TEST_CASE("no line is wider than the terminal, except for what is typed or opened") {

@@ -23,8 +23,9 @@ fs::path golden_file(const std::string& name) {
   return fs::path(WORKBOOK_TEST_COURSE).parent_path() / "golden" / (name + ".txt");
 }
 
-/// What a student's hand does in stories: `answer BODY` writes that body of spring_energy, `force BODY [BEFORE]` that
-/// of spring_force with something before it, `solve NAME` the solution.
+/// What hands do in stories: `answer BODY` writes that body of spring_energy, `force BODY [BEFORE]` that of
+/// spring_force with something before it, `solve NAME` the solution; `offered WORD...` is what bash would complete the
+/// last word to, and `restore` brings back what a story saved of the course.
 constexpr const char* words = R"(
 answer() {
   printf '#include <rigid/springs.hpp>\nnamespace rigid {\ndouble spring_energy(double k, const Vector3d& x) {\n%s\n}\n}\n' \
@@ -35,6 +36,11 @@ force() {
     "$2" "$1" >lectures/01_springs/exercises/spring_force.cpp
 }
 solve() { cp "solutions/01_springs/$1.cpp" lectures/01_springs/exercises; }
+offered() {
+  bash -c '. ./completion.bash; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _rigid_body_workbook; echo "${COMPREPLY[@]}"' \
+    bash "$@"
+}
+restore() { rm -rf include lectures solutions; cp -r saved/* .; }
 )";
 
 }  // namespace

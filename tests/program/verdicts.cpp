@@ -148,16 +148,3 @@ TEST_CASE("a copy without solutions is judged with the seed of its reference res
   CHECK(course.run("check spring_energy --seed 5").status == 0);
   CHECK(has(course.run("check spring_energy --seed 1").said(), "seed 5 only"));
 }
-
-TEST_CASE("what the function printed is shown, and harmless to the terminal") {
-  const CourseCopy course;
-  course.answer_energy(
-      "std::cout << \"\\x1b[2J\\x1b]0;title\\a red\\n\" << std::string(60000, 'x') << \"\\n\\ttab\\n\"; std::cerr << "
-      "\"to errors\\n\"; for (int i = 0; i < 50; ++i) std::cout << i << \"\\n\"; return k;");
-  const std::string screen = course.run("check spring_energy", "COLUMNS=60").out;
-  CHECK(has(screen, "    ?[2J?]0;title? red\n    " + std::string(55, 'x') + "…\n     tab\n"));
-  CHECK(screen.find_first_of("\x1b\a") == std::string::npos);
-  const auto printed = course.run("check spring_energy --json").result().at("printed");
-  CHECK(printed.at(0).at("case") == 1);
-  CHECK(has(printed.at(0).at("text"), "to errors\n"));
-}
