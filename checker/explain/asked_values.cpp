@@ -3,35 +3,52 @@
 #include "checker/explain/explainers.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <set>
 
 namespace workbook {
 
 namespace {
 
-/// Does what tells wrong cases from right ones also tell the points of the plot from each other? By coincidence of the
-/// cases it would not.
-bool is_confirmed(const Reason& split, const Ask& ask, ExerciseReference exercise, Answers answers) {
-  const auto claim = [](const std::string& message) { return message.substr(0, message.find(" (")); };
+/// The points of the plot as cases, and the answers there.
+struct Plot {
+  std::vector<Case> points;
+  Answers answers;
+};
+
+Plot plot_of(const Ask& ask, const ExerciseReference& exercise) {
+  const Sweep& sweep = exercise.sweep;
+  Plot plot;
   std::vector<PlannedCall> calls;
-  const std::size_t judged = exercise.cases.size();
-  exercise.properties.clear();  // whose weights are those of cases
   double size = 0;
-  for (std::size_t i = 0; i < exercise.sweep.x.size(); ++i) {
-    const Value& expected = exercise.sweep.expected[i];
-    calls.push_back({exercise.sweep.inputs[i], expected.rows, expected.cols});
+  for (std::size_t i = 0; i < sweep.x.size(); ++i) {
+    const Value& expected = sweep.expected[i];
+    Case& point = plot.points.emplace_back(exercise.cases.front());
+    point.inputs = sweep.inputs[i];
+    point.expected = expected;
+    calls.push_back({point.inputs, expected.rows, expected.cols});
     size = std::max(size, as_matrix(expected).cwiseAbs().maxCoeff());
   }
+  for (Case& point : plot.points) point.scale = {size};
   const std::vector<Reply> replies = calls.empty() ? std::vector<Reply>() : ask(calls);
-  for (std::size_t i = 0; i < replies.size(); ++i) {
-    Case point = exercise.cases.front();
-    point.inputs = exercise.sweep.inputs[i];
-    point.expected = exercise.sweep.expected[i];
-    point.scale = {size};
-    if (!has_usable_value(replies[i], point)) continue;
+  plot.answers.resize(calls.size());
+  for (std::size_t i = 0; i < replies.size(); ++i)
+    if (has_usable_value(replies[i], plot.points[i])) plot.answers[i] = replies[i].value;
+  return plot;
+}
+
+/// Does what tells wrong cases from right ones also tell the points of the plot from each other? By coincidence of the
+/// cases it would not.
+bool is_confirmed(const Reason& split, const Plot& plot, ExerciseReference exercise, Answers answers) {
+  const auto claim = [](const std::string& message) { return message.substr(0, message.find(" (")); };
+  const std::size_t judged = exercise.cases.size();
+  exercise.properties.clear();  // whose weights are those of cases
+  for (std::size_t i = 0; i < plot.points.size(); ++i) {
+    if (!plot.answers[i]) continue;
     for (Region& each : exercise.regions) each.holds[exercise.cases.size()] = each.holds[judged + i];
-    exercise.cases.push_back(point);
-    answers.push_back(replies[i].value);
+    exercise.cases.push_back(plot.points[i]);
+    answers.push_back(plot.answers[i]);
   }
   const std::optional<Reason> again = diagnose_split(exercise, answers);
   return again && claim(again->sentence) == claim(split.sentence);
@@ -50,8 +67,13 @@ std::vector<Reason> diagnose_finite(ExerciseReference exercise, Answers answers)
       answers[i].reset();
     }
   }
-  if (2 * finite < exercise.cases.size() || 4 * wrong < finite) return {};
-  std::vector<Reason> found = diagnose(exercise, answers);
+  constexpr std::size_t fewest = 3;
+  if (2 * finite < exercise.cases.size() || wrong < fewest) return {};
+  std::vector<Reason> found;
+  if (4 * wrong >= finite)
+    found = diagnose(exercise, answers);
+  else if (const auto misconception = diagnose_misconception(exercise, answers))
+    found = {*misconception};
   if (std::ranges::none_of(found, &Reason::is_cause)) found.clear();
   return found;
 }
@@ -131,7 +153,7 @@ bool explain_values(Search& search) {
     if (const auto split = diagnose_split(reference, search.answers)) search.reasons = {*split};
   std::erase_if(search.reasons, [&](const Reason& reason) {
     return reason.kind == ReasonKind::split && reason.is_cause() &&
-           !is_confirmed(reason, evidence.ask, reference, search.answers);
+           !is_confirmed(reason, plot_of(evidence.ask, reference), reference, search.answers);
   });
   if (!search.has_cause()) return false;
   if (are_finite) return true;
@@ -152,9 +174,11 @@ bool explain_lost_digits(Search& search) {
     return error;
   };
   const std::size_t wrong = outcome.wrong.size();
-  std::erase_if(outcome.wrong,
-                [&](std::size_t index) { return !(error_of(index, *search.answers[index]) <= nearly_right); });
-  if (outcome.wrong.empty() || 2 * outcome.wrong.size() < wrong) return false;
+  std::vector<std::size_t> near = outcome.wrong;
+  std::erase_if(near, [&](std::size_t index) { return !(error_of(index, *search.answers[index]) <= nearly_right); });
+  const bool are_near = !near.empty() && 2 * near.size() >= wrong;
+  if (outcome.wrong.empty()) return false;
+  if (are_near) outcome.wrong = near;
   const std::vector<std::size_t> looked_at = evenly_spaced(outcome.wrong, most_cases);
   std::size_t jumping = 0;
   for (const std::size_t index : looked_at) {
@@ -165,26 +189,79 @@ bool explain_lost_digits(Search& search) {
       for (std::size_t a = 0; a < one.inputs.size(); ++a) {
         if (reference.arguments[a].kind == Kind::integer) continue;
         for (double& number : calls[k].inputs[a].numbers)
-          number *= 1 + (static_cast<double>((++count * (2 * k + 3)) % 5) - 2) * std::numeric_limits<double>::epsilon();
+          number *= 1 + (static_cast<double>((++count * (2 * k + 3)) % 7) - 3) * std::numeric_limits<double>::epsilon();
       }
-    double least = error_of(index, *search.answers[index]), most = least;
+    std::vector<double> errors = {error_of(index, *search.answers[index])};
     for (const Reply& reply : search.evidence.ask(calls)) {
       if (!has_usable_value(reply, one) || !reply.value.is_finite()) return false;
-      least = std::min(least, error_of(index, reply.value));
-      most = std::max(most, error_of(index, reply.value));
+      errors.push_back(error_of(index, reply.value));
     }
-    jumping += most - least > one.tolerance && most - least > telling_part * most ? 1 : 0;
+    const double most = std::ranges::max(errors), span = most - std::ranges::min(errors);
+    const bool jumps = span > one.tolerance && span > telling_part * most;
+    std::set<long> levels;
+    for (const double error : errors) levels.insert(std::lround(error / (telling_part * most)));
+    // At the edge of a wrong branch there are two.
+    if (!are_near && !(jumps && levels.size() > 2)) return false;
+    jumping += jumps ? 1 : 0;
   }
   if (jumping == 0 || 2 * jumping < looked_at.size()) return false;
   search.reasons = {
       {ReasonKind::accuracy, "lost_digits",
-       fmt::format("{} your result is wrong it is nearly right, but its last digits are chance: they "
-                   "change when an input changes in its 16th digit. Digits are lost in a difference of nearly equal "
-                   "numbers, or in acos and asin near ±1, where atan2 keeps them.",
+       fmt::format("{} your result is wrong {} digits are chance: they change when an input changes in its 16th digit. "
+                   "Digits are lost in a difference of nearly equal numbers, or in acos and asin near ±1, where atan2 "
+                   "keeps them.",
                    std::cmp_equal(outcome.wrong.size(), wrong)
                        ? "Where"
-                       : fmt::format("At {} of the {} where", outcome.wrong.size(), plural(wrong, "case")))}};
+                       : fmt::format("At {} of the {} where", outcome.wrong.size(), plural(wrong, "case")),
+                   are_near ? "it is nearly right, but its last" : "its")}};
   return true;
+}
+
+bool explain_growing_error(Search& search) {
+  constexpr double no_rounding = 1e3, most = 0.3, twice = 1.9, nearly_twice = 2.7, nearly_whole = 0.1;
+  const ExerciseReference& reference = search.evidence.task.reference;
+  const Sweep& sweep = reference.sweep;
+  const auto is_along = [&](std::size_t a) {
+    for (std::size_t i = 0; i < sweep.x.size(); ++i)
+      if (sweep.inputs[i][a].numbers != std::vector{sweep.x[i]}) return false;
+    return !sweep.x.empty();
+  };
+  std::size_t along = 0;
+  while (along < reference.arguments.size() && !is_along(along)) ++along;
+  if (search.has_cause() || along == reference.arguments.size()) return false;
+  const Plot plot = plot_of(search.evidence.ask, reference);
+  ExerciseReference exercise = reference;
+  exercise.cases = plot.points;
+  exercise.properties.clear();
+  std::vector<std::pair<double, double>> law;  // x, and the error there, at about twice the x before each time
+  for (std::size_t i = 0; i < sweep.x.size() && law.size() < 3; ++i) {
+    if (!(sweep.x[i] > 0)) continue;
+    if (!plot.answers[i] || !plot.answers[i]->is_finite()) return false;
+    double error = 0;
+    for (const Deviation& each : deviations(exercise, i, *plot.answers[i]))
+      error = std::max(error, each.relative_size() / plot.points[i].tolerance);
+    if (law.empty() ? error > no_rounding : sweep.x[i] >= twice * law.back().first) law.emplace_back(sweep.x[i], error);
+  }
+  if (law.size() < 3 || law[2].first > nearly_twice * nearly_twice * law[0].first) return false;
+  const auto slope = [&](std::size_t k) {
+    return std::log(law[k + 1].second / law[k].second) / std::log(law[k + 1].first / law[k].first);
+  };
+  // What comes with the next power is half as much at half the x.
+  const double near_zero = 2 * slope(0) - slope(1), power = std::round(near_zero);
+  if (!(power >= 1 && std::abs(near_zero - power) < nearly_whole && std::abs(slope(0) - power) < most)) return false;
+  const std::string& name = reference.arguments[along].name;
+  const auto to_the = [&](double exponent) {
+    return exponent == 1 ? name : name + superscript(static_cast<int>(exponent));
+  };
+  search.reasons.insert(
+      search.reasons.begin(),
+      {ReasonKind::accuracy, "growing_error",
+       fmt::format("At the inputs of the plot your result is right in the limit {0} → 0, and its error grows with {1}: "
+                   "{2} is right, and what is wrong or missing enters with {1}.",
+                   name, to_the(power),
+                   power == 1 ? "what it is at " + name + " = 0" : "all up to " + to_the(power - 1)),
+       Weight::symptom});
+  return false;
 }
 
 bool explain_elements_without_effect(Search& search) {

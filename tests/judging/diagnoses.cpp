@@ -1,6 +1,8 @@
 // Why an answer is wrong: every diagnosis where it is true, and none where it is not. The wording is in
 // golden/diagnoses.txt.
+#include "checker/explain/explainers.hpp"
 #include "checker/explain/values/diagnosis.hpp"
+#include "checker/judging/judge.hpp"
 #include "tests/judging/made_up.hpp"
 
 #include <doctest/doctest.h>
@@ -249,6 +251,11 @@ Table pairs() {
                                                                             : n == 2 ? 7.5
                                                                                      : x; }),
       "misconception first");
+  add(table, "two mistakes in two components, and nothing known in the third", known,
+      made_of(known, [](double, double a, double b, std::size_t n) { return n == 1   ? a
+                                                                            : n == 2 ? b
+                                                                                     : 7.5; }),
+      "misconception first");
   const auto sum = [](double x, double a, double b, std::size_t) { return a + b - x; };
   add(table, "what two mistakes add", known, made_of(known, sum), "misconception first");
   add(table, "the factors of two mistakes", known,
@@ -319,6 +326,21 @@ Table patterns() {
   add(table, "v never has an effect, and what is returned is nothing known", moved, outputs(moved, of_m),
       "independence no_effect");
 
+  Exercise numbered = momentum();
+  for (int base : {1, 2, 3, 4})
+    for (const int entry : {0, 2}) {
+      Value v = numbered.cases[static_cast<std::size_t>(base)].inputs[2];
+      v.numbers[static_cast<std::size_t>(entry)] += 5;
+      add_generated(numbered, base, 2, v, right_momentum);
+      numbered.cases.back().entry = entry;
+    }
+  const Function of_last = [](const Inputs& in) {
+    return vector({std::sin(in[2].numbers[2]), std::cos(7 * in[2].numbers[2]), 1});
+  };
+  add(table, "one component of v never has an effect", numbered, outputs(numbered, of_last), "independence no_effect");
+  numbered.cases.erase(numbered.cases.end() - 4, numbered.cases.end());
+  add(table, "too few pairs of cases to say so", numbered, outputs(numbered, of_last));
+
   Values signs = outputs(momentum(), right_momentum);
   for (std::size_t i = 0; i < signs.size(); i += 2) signs[i].numbers[1] *= -1;
   add(table, "a sign is wrong at every other case", momentum(), signs, "transform signs");
@@ -349,7 +371,8 @@ Table patterns() {
 }
 
 /// A number that follows from two others.
-Exercise of_two(const Argument& one, const Argument& other, Unit unit, const std::function<double(double, double)>& f) {
+using OfTwo = std::function<double(double, double)>;
+Exercise of_two(const Argument& one, const Argument& other, Unit unit, const OfTwo& f) {
   Exercise exercise;
   exercise.arguments = {one, other};
   exercise.result_kind = Kind::number;
@@ -360,8 +383,30 @@ Exercise of_two(const Argument& one, const Argument& other, Unit unit, const std
   return exercise;
 }
 
-Values of(const Exercise& exercise, const std::function<double(double, double)>& f) {
+Values of(const Exercise& exercise, const OfTwo& f) {
   return outputs(exercise, [&](const Inputs& in) { return number(f(in[0].numbers[0], in[1].numbers[0])); });
+}
+
+/// The first sentence of an explainer that calls the function.
+std::string told_by(Explainer& look, const Exercise& exercise, const OfTwo& wrong) {
+  const auto function = [&](const Inputs& in) { return number(wrong(in[0].numbers[0], in[1].numbers[0])); };
+  const Observation observation = observed(outputs(exercise, function));
+  const Judgement judgement = judge(exercise, observation);
+  const Ask ask = [&](const std::vector<PlannedCall>& calls) {
+    std::vector<Reply> replies;
+    for (const PlannedCall& call : calls) replies.push_back(returning(function(call.inputs)));
+    return replies;
+  };
+  const Submission submission{};
+  const CompileTask compile_task{submission, "", ""};
+  const Compilation compilation;
+  const Toolchain toolchain;
+  const std::filesystem::path cache;
+  const Evidence evidence{
+      {submission, exercise, observation, judgement}, compile_task, compilation, ask, toolchain, cache};
+  Search search{evidence, answers_of(exercise, observation.replies), {}};
+  look(search);
+  return search.reasons.empty() ? "" : search.reasons.front().sentence;
 }
 
 /// What an error is a function of, and where it is.
@@ -409,6 +454,16 @@ Table laws() {
   add(table, "in a region of which the lecture speaks", obtuse,
       of(obtuse, [](double x, double y) { return x + y / 5 < std::numbers::pi / 2 ? x + y / 5 : x * y; }),
       "split split");
+
+  // At one more case, where digits are lost, it is wrong elsewhere.
+  obtuse.regions = {{"y is large", {}}};
+  for (const Case& one : obtuse.cases) obtuse.regions[0].holds.push_back(one.inputs[1].numbers[0] > 1.2);
+  const auto wrong_at_large = [](double x, double y, double edge) { return y > edge ? 7 : x + y / 5; };
+  Values mostly = of(obtuse, [&](double x, double y) { return wrong_at_large(x, y, 1.2); });
+  mostly[2].numbers[0] += 1;
+  add(table, "wrong in a region, and at one case elsewhere", obtuse, mostly, "split split");
+  for (const std::size_t i : {3, 5}) mostly[i].numbers[0] += 1;
+  add(table, "wrong in a region, and at some cases elsewhere", obtuse, mostly);
 
   const Exercise pair = momentum();
   Values part = outputs(pair, right_momentum);
@@ -503,6 +558,47 @@ TEST_CASE("What is said of a wrong answer has the right kind and name") {
     }
   }
   compare_with_golden_file("diagnoses.txt", text);
+}
+
+TEST_CASE("The power with which an error grows from zero on is told, where it is a whole one") {
+  const Argument rate{"rate", Kind::number, units::none / units::second}, t{"t", Kind::number, units::second};
+  Exercise exercise = of_two(rate, t, units::none, [](double r, double s) { return std::exp(-r * s); });
+  for (int k = 0; k <= 60; ++k) {
+    exercise.sweep.x.push_back(0.05 * k);
+    exercise.sweep.inputs.push_back({number(0.7), number(exercise.sweep.x.back())});
+    exercise.sweep.expected.push_back(number(std::exp(-0.7 * exercise.sweep.x.back())));
+  }
+  const auto told = [&](const OfTwo& wrong) { return told_by(explain_growing_error, exercise, wrong); };
+  const OfTwo series = [](double r, double s) { return 1 - r * s + r * r * s * s / 2; };
+  CHECK(
+      told(series) ==
+      "At the inputs of the plot your result is right in the limit t → 0, and its error grows with t³: all up to t² is "
+      "right, and what is wrong or missing enters with t³.");
+  CHECK(told([](double r, double s) { return std::exp(-r * s) - 0.1 * r * s * std::cos(s); }) ==
+        "At the inputs of the plot your result is right in the limit t → 0, and its error grows with t: what it is at "
+        "t = "
+        "0 is right, and what is wrong or missing enters with t.");
+  CHECK(told([](double r, double s) { return 1.1 * std::exp(-r * s); }) == "");                     // wrong at 0
+  CHECK(told([](double r, double s) { return std::exp(-r * s) + std::pow(r * s, 1.5); }) == "");    // no power
+  CHECK(told([](double r, double s) { return std::exp(-r * s) + 0.1 * std::sin(40 * s); }) == "");  // too coarse a plot
+  CHECK(told([](double r, double s) { return s > 1 ? 1 : std::exp(-r * s); }) == "");               // a wrong branch
+  exercise.sweep.inputs[3][1].numbers[0] = 0;  // another argument along the plot
+  CHECK(told(series) == "");
+}
+
+TEST_CASE("Digits that are chance are told however few are right, and the edge of a branch is none") {
+  const Argument cosine{"cosine", Kind::number, units::none}, sine{"sine", Kind::number, units::none};
+  Exercise exercise = of_two(cosine, sine, units::radian, [](double c, double s) { return std::atan2(s, c); });
+  exercise.cases.clear();
+  for (int k = 0; k < 8; ++k)
+    for (const double angle : {1e-9 * (k + 1), 0.1 + 0.1 * k})
+      add_case(exercise, fmt::format("{}", angle), {number(std::cos(angle)), number(std::sin(angle))},
+               [&](const Inputs&) { return number(angle); });
+  CHECK(told_by(explain_lost_digits, exercise, [](double c, double) { return std::acos(std::min(c, 1.0)); }) ==
+        "Where your result is wrong its digits are chance: they change when an input changes in its 16th digit. Digits "
+        "are lost in a difference of nearly equal numbers, or in acos and asin near ±1, where atan2 keeps them.");
+  CHECK(told_by(explain_lost_digits, exercise, [](double c, double s) { return c == 1 ? 0 : std::atan2(s, c); }) == "");
+  CHECK(told_by(explain_lost_digits, exercise, [](double c, double s) { return 2 * std::atan2(s, c); }) == "");
 }
 
 TEST_CASE("Nothing is said of a right answer, nor where no value came back") {

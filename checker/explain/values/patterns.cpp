@@ -48,26 +48,44 @@ std::optional<Reason> diagnose_place(const ExerciseReference& exercise, const An
 }
 
 std::optional<Reason> diagnose_no_effect(const ExerciseReference& exercise, const Answers& answers) {
-  constexpr std::size_t fewest = 3;
+  constexpr std::size_t fewest = 3, most_named = 3;
   const bool has_few_results = exercise.result_kind == Kind::integer;  // of which many changes leave the right one
-  std::vector<std::string> names;
   std::size_t all = 0;
-  for (std::size_t a = 0; a < exercise.arguments.size(); ++a) {
+  // Of an argument, or of one number of it.
+  const auto has_none = [&](std::size_t a, std::optional<std::size_t> entry) {
     std::size_t pairs = 0, changes = 0;
-    bool has_effect = false;
     for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
-      const auto base = static_cast<std::size_t>(exercise.cases[i].base);
-      if (exercise.cases[i].argument != static_cast<int>(a) || exercise.cases[i].base < 0) continue;
-      if (!answers[i] || !answers[base]) return std::nullopt;
-      has_effect = has_effect || answers[i]->numbers != answers[base]->numbers;
-      changes += is_same_answer(exercise, base, exercise.cases[i].expected, exercise.cases[base].expected) ? 0 : 1;
+      const Case& one = exercise.cases[i];
+      const auto base = static_cast<std::size_t>(one.base);
+      if (one.base < 0 || !std::cmp_equal(one.argument, a) || (entry && !std::cmp_equal(one.entry, *entry))) continue;
+      if (!answers[i] || !answers[base] || answers[i]->numbers != answers[base]->numbers) return false;
+      changes += is_same_answer(exercise, base, one.expected, exercise.cases[base].expected) ? 0 : 1;
       ++pairs;
     }
-    if (has_effect || changes < fewest || (has_few_results && 2 * changes < pairs)) continue;
-    names.push_back(exercise.arguments[a].name);
-    all += pairs;
+    const bool is_certain = changes >= fewest && (!has_few_results || 2 * changes >= pairs);
+    all += is_certain ? pairs : 0;
+    return is_certain;
+  };
+  std::vector<std::string> names;
+  for (std::size_t a = 0; a < exercise.arguments.size(); ++a) {
+    const auto& [name, kind, unit] = exercise.arguments[a];
+    if (has_none(a, std::nullopt)) {
+      names.push_back(name);
+      continue;
+    }
+    if (kind != Kind::vector2 && kind != Kind::vector3 && kind != Kind::matrix3) continue;
+    std::vector<std::size_t> column;  // of a matrix
+    for (std::size_t n = 0; n < exercise.cases.front().inputs[a].numbers.size(); ++n) {
+      if (n % 3 == 0) column.clear();
+      if (!has_none(a, n)) continue;
+      column.push_back(n);
+      names.push_back(name + entry_suffix(kind, n));
+      if (kind != Kind::matrix3 || column.size() < 3) continue;
+      names.resize(names.size() - column.size());
+      names.push_back(fmt::format("{}.col({})", name, n / 3));
+    }
   }
-  if (names.empty()) return std::nullopt;
+  if (names.empty() || names.size() > most_named) return std::nullopt;
   return Reason{ReasonKind::independence, "no_effect",
                 fmt::format("Your result never changes with {} (at {} where nothing else changes); the right one does.",
                             listed(names), plural(all, "pair of cases", "pairs of cases")),

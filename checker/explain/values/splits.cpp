@@ -254,10 +254,16 @@ std::optional<Reason> diagnose_split(const ExerciseReference& exercise, const An
   if (outcome.wrong.size() + outcome.right.size() < exercise.cases.size()) return std::nullopt;
   std::vector<std::string> exact;
   std::vector<std::pair<std::string, std::size_t>> nearly;  // with how many right ones there
+  std::vector<std::pair<std::string, std::size_t>> mostly;  // with how many wrong ones, which are not all
   for (const Feature& each : Features(exercise).all()) {
     const auto holds = [&](std::size_t i) { return each.holds[i]; };
-    if (!std::ranges::all_of(outcome.wrong, holds)) continue;
+    const auto wrong = static_cast<std::size_t>(std::ranges::count_if(outcome.wrong, holds));
     const auto right = static_cast<std::size_t>(std::ranges::count_if(outcome.right, holds));
+    if (wrong < outcome.wrong.size()) {
+      const bool is_most = 10 * (outcome.wrong.size() - wrong) <= wrong && right == 0;
+      if (is_most && exercise.result_kind != Kind::integer) mostly.emplace_back(each.words, wrong);
+      continue;
+    }
     if (right == 0) exact.push_back(each.words);
     // Where much is zero, a wrong answer may be right.
     const bool tells_apart = exercise.result_kind == Kind::integer  // of few answers a wrong one is often right
@@ -277,7 +283,15 @@ std::optional<Reason> diagnose_split(const ExerciseReference& exercise, const An
         fmt::format("Your result is wrong exactly where {}{} ({} of {}), and right elsewhere.{}", exact.front(),
                     exact.size() > 1 ? " (in these cases the same as: " + exact.back() + ")" : "", outcome.wrong.size(),
                     total, there)};
-  if (!exact.empty() || nearly.size() != 1) return std::nullopt;  // of many that fit none is certain
+  // Of many that fit none is certain.
+  if (exact.empty() && nearly.empty() && mostly.size() == 1) {
+    const auto& [words, wrong] = mostly.front();
+    return Reason{ReasonKind::split, "split",
+                  fmt::format("Your result is wrong wherever {} (all {}), and hardly elsewhere (at {} of {}).", words,
+                              plural(wrong, "case"), outcome.wrong.size() - wrong,
+                              plural(outcome.wrong.size() + outcome.right.size() - wrong, "case"))};
+  }
+  if (!exact.empty() || nearly.size() != 1) return std::nullopt;
   const auto& [words, right] = nearly.front();
   return Reason{ReasonKind::split, "split",
                 fmt::format("Your result is wrong only where {} (at {} of those {}), and right elsewhere.{}", words,

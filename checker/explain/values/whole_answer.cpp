@@ -334,16 +334,17 @@ std::optional<Reason> known_parts(const ExerciseReference& exercise, const Answe
   for (const Part& part : parts) given += part.entries.size();
   if (parts.empty() || (must_be_all && given < wrong.size())) return std::nullopt;
   const KnownMistake& first = parts.front().mistake;
-  const bool is_one = parts.size() == 1 && given == wrong.size();
+  const bool are_all = given == wrong.size(), is_one = are_all && parts.size() == 1;
   // Changed inputs that have no name, and explain a part only, may be a coincidence.
   const bool has_name = first.kind == ReasonKind::misconception;
-  if (!has_name && given < wrong.size()) return std::nullopt;
+  if (!has_name && !are_all) return std::nullopt;
   std::string sentence = fmt::format("In {}{} your result is what this mistake gives: {}",
                                      parts.front().names(exercise), is_one ? ", and nowhere else," : "", first.message);
-  if (parts.size() == 2)
+  if (!are_all)
+    sentence += " Something else is wrong in the rest.";  // a second one in a part of it would be a coincidence
+  else if (!is_one)
     sentence +=
         fmt::format(" In {} it is what another one gives: {}", parts[1].names(exercise), parts[1].mistake.message);
-  if (given < wrong.size()) sentence += " Something else is wrong in the rest.";
   return Reason{first.kind, first.name, sentence, is_one || has_name ? Weight::cause : Weight::possible, first.notes};
 }
 
