@@ -454,8 +454,7 @@ void draw_flip_law(const std::filesystem::path& directory) {
 struct Flight {
   Vector3d I{1.21e-3, 16.38e-3, 17.48e-3};  // kg m²; axis 1 along the handle, axis 3 out of the strings
   Vector3d omega0{0, 10, 0.5};              // rad/s
-  Motion start{omega0,
-               Eigen::Quaterniond::FromTwoVectors(I.cwiseProduct(omega0), Vector3d::UnitX()).toRotationMatrix()};
+  Motion start{omega0, shortest_turn(I.cwiseProduct(omega0), Vector3d::UnitX())};
   double period = tumbling_period(I, omega0);
 };
 

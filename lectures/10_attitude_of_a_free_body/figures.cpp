@@ -26,7 +26,7 @@ const Vector3d crate(1.2, 2, 2.7), about_3(0.4, -0.9, 0.6), about_1(0.9, -0.5, 0
 /// `count` moments of a motion in a frame in which L points along `up`.
 std::vector<Motion> with_L_along(const Vector3d& up, const Vector3d& I, const Vector3d& omega0, double duration,
                                  int count) {
-  const Matrix3d A = Eigen::Quaterniond::FromTwoVectors(I.cwiseProduct(omega0), up).toRotationMatrix();
+  const Matrix3d A = shortest_turn(I.cwiseProduct(omega0), up);
   std::vector<Motion> motion;
   for (int i = 0; i < count; ++i) {
     const double t = duration * i / (count - 1);

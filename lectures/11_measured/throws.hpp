@@ -155,11 +155,11 @@ Vector3d fitted_start(const Flight& flight, const Motion& motion) {
   double damping = 1e-3;
   for (int step = 0; step < 25 && damping < 1e6; ++step) {
     constexpr double h = 1e-5;
-    Eigen::MatrixXd slopes(left.size(), 3);
+    Eigen::Matrix<double, Eigen::Dynamic, 3> slopes(left.size(), 3);
     for (int i = 0; i < 3; ++i) slopes.col(i) = (deviations(start + h * Vector3d::Unit(i)) - left) / h;
     const Matrix3d normal = slopes.transpose() * slopes;
     const Matrix3d damped = normal + damping * Matrix3d(normal.diagonal().asDiagonal());
-    const Vector3d change = -damped.ldlt().solve(slopes.transpose() * left);
+    const Vector3d change = -damped.inverse() * (slopes.transpose() * left);
     const VectorXd then = deviations(start + change);
     if (then.norm() < left.norm()) {
       start += change;

@@ -3,6 +3,7 @@
 #include <boost/numeric/odeint.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace workbook {
 
@@ -16,6 +17,11 @@ using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 Motion motion_of(const State& state) { return {Vector3d(state[0], state[1], state[2]), RowMajor::Map(&state[3])}; }
 
 }  // namespace
+
+Eigen::Matrix3d shortest_turn(const Vector3d& from, const Vector3d& to) {
+  const Vector3d across = from.cross(to);
+  return Eigen::AngleAxisd(std::atan2(across.norm(), from.dot(to)), across.stableNormalized()).toRotationMatrix();
+}
 
 Motion integrated(const Vector3d& I, const Motion& start, double time, const Torque& torque) {
   State state(12);

@@ -23,6 +23,10 @@ using Torque = std::function<Eigen::Vector3d(const Motion&)>;
 /// dA/dt = A [ω]×, to about 13 digits.
 Motion integrated(const Eigen::Vector3d& I, const Motion& start, double time, const Torque& torque = {});
 
+/// The shortest rotation that brings one direction into another, which is not the opposite one. (Eigen's FromTwoVectors
+/// holds a singular value decomposition for opposite ones, which takes the compiler ten seconds in each file.)
+Eigen::Matrix3d shortest_turn(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+
 /// Euler angles and their rates at one moment.
 struct AngleMotion {
   Eigen::Vector3d angles, rates;
