@@ -34,7 +34,7 @@ constexpr EigenRule eigen_rules[] = {
     {{"eigenvectors have not been computed"}, "not_computed", "the solver was told to compute eigenvalues only, and is asked for eigenvectors"},
     {{"is not initialized"}, "not_computed", "a decomposition is used before compute() was called"},
     {{"invalid number of rows of the right hand side"}, "size_mismatch", "solve() needs a right-hand side with as many rows as the matrix has"},
-    {{"index >= 0 && index < size()"}, "index_out_of_range", "an index lies outside its vector; a vector of size n has the indices 0 to n - 1"},
+    {{"index >= 0 && index < size()"}, "index_out_of_range", "an index lies outside its vector: indices start at 0 and end at n - 1 for a size n, and a vector made without a size has size 0"},
     {{"row >= 0 && row < rows()"}, "index_out_of_range", "a row or column index lies outside its matrix; indices start at 0"},
     {{"(i>=0) && ("}, "index_out_of_range", "row(i) or col(i) is asked for an i that the matrix does not have; of n there are those from 0 to n - 1"},
     {{"startRow >= 0", "RowsAtCompileTime==blockRows"}, "index_out_of_range", "a block, segment, head or tail reaches beyond its matrix or vector"},
