@@ -176,47 +176,7 @@ TEST_CASE("a damaged journal changes no result" * doctest::test_suite("thorough"
 }
 
 TEST_CASE("assignment and roster: points, lateness, ids of Moodle and Canvas") {
-  const MadeUpClass few;
-  few.energy("Ada Byron_101_assignsubmission_file_", right_energy);
-  write(few.submissions() / "byronben_102_99_spring_energy-1.cpp", energy_text(right_energy));
-  few.energy("104", right_energy);
-  few.energy("stranger", right_energy);
-  write(few.root() / "roster.csv",
-        "\xef\xbb\xbfname,id,submitted\r\n\"Byron, Ada\",101,2027-03-01T12:00:00Z\r\nBen,102,2027-03-03T12:00:00Z\r\n"
-        "\"=cmd()\",103,\r\nCleo,104,2027-04-01T00:00:00Z\r\n");
-  write(few.root() / "assignment.json", R"({"title": "Week 1", "exercises": [{"name": "spring_energy", "points": 10}],
-      "due": "2027-03-01T23:59:00Z", "late": {"per_day": 0.25, "days": 3}})");
-  const Outcome graded = few.grade("out", "--roster roster.csv --assignment assignment.json --with-missing");
-  REQUIRE_MESSAGE(graded.status == 1, graded.said());
-  CHECK(has(graded.out, "3 of 4 students of the roster handed in; 1 not read"));
-  CHECK(has(graded.out, "'stranger'"));
-  CHECK(read(few.root() / "out/grades.csv") ==
-        "id,name,score,possible,days_late,spring_energy,by_hand\r\n101,\"Byron, Ada\",10,10,0,10,\r\n"
-        "102,Ben,5,10,2,10,\r\n103,'=cmd(),0,10,0,0,\r\n104,Cleo,0,10,31,10,\r\n");
-  const std::string page = read(few.root() / "out/students/102.html");
-  CHECK(has(page, "2 days late"));
-  CHECK(has(page, "<p class=\"score\">5 of 10 points</p>"));  // what counts, not what was earned
-  CHECK(read(few.root() / "out/moodle.csv") ==
-        "ID number,Full name,Week 1\r\n101,\"Byron, Ada\",10\r\n102,Ben,5\r\n103,'=cmd(),0\r\n104,Cleo,0\r\n");
-  CHECK(read(few.root() / "out/canvas.csv") ==
-        "Student,ID,SIS User ID,SIS Login ID,Section,Week 1\r\n    Points Possible,,,,,10\r\n"
-        "\"Byron, Ada\",101,,,,10\r\nBen,102,,,,5\r\n'=cmd(),103,,,,0\r\nCleo,104,,,,0\r\n");
-
-  const auto refuses = [&](const std::string& text, const std::string& place) {
-    write(few.root() / "assignment.json", text);
-    const Outcome refused = few.grade("out", "--assignment assignment.json");
-    CHECK_MESSAGE((refused.status == 2 && has(refused.err, "assignment.json") && has(refused.err, place)),
-                  refused.said());
-  };
-  refuses("{", "column");
-  refuses("[]", "object");
-  refuses(R"({"exercises": ["spring_energy", "springs"]})", "twice");
-  refuses(R"({"exercises": ["spring_enrgy"]})", "spring_energy");
-  refuses(R"({"exercises": [{"name": "spring_energy", "points": -1}]})", "points");
-  refuses(R"({"due": "tomorrow"})", "due");
-  refuses(R"({"due": "2027-02-31T23:59:00Z"})", "due");
-  refuses(R"({"late": {"per_day": 0.1}})", "days");
-  refuses(R"({"lat": {}})", "'lat'");
+  MadeUpClass().check_story("assignment");
 }
 
 TEST_CASE("a roster is read as spreadsheets write it, or refused as a whole") {
@@ -372,78 +332,7 @@ TEST_CASE(
 TEST_CASE("points, excuses, due dates and comments by hand count, are kept, and are shown wherever marks are") {
   const MadeUpClass few;
   few.hand_in_few_files();  // ada has both right, ben one half, cleo none
-  write(few.root() / "roster.csv",
-        "id,submitted\nada,2027-03-02T12:00:00Z\nben,2027-03-02T12:00:00Z\ncleo,\ndora,\nemil,\n");
-  write(few.root() / "assignment.json", R"({"due": "2027-03-01T12:00:00Z", "late": {"per_day": 0.5, "days": 3}})");
-  const std::string options = "--roster roster.csv --assignment assignment.json";
-  REQUIRE(few.grade("out", options).status == 1);
-  const auto whole = [&](const char* id) { return few.student(id).at("student"); };
-  CHECK(whole("ada").at("score") == 1.5);
-  CHECK(whole("ben").at("score") == 0);
-  write(few.root() / "overrides.csv",
-        "Student;EXERCISE;Points;excuse;Due;comment\n"
-        "ada;;;;2027-03-05T12:00:00Z;ill\nada;spring_force;0,5;;;\"copied; <b>says so</b>\"\n"
-        "ben;spring_energy;2;;;the right idea\nben;spring_force;;yes;;\ncleo;;3;;;oral exam\ndora;;;x;;\n"
-        "emil;spring_force;;;;asked twice\n");
-  const Outcome graded = few.grade("out", options + " --overrides overrides.csv");
-  REQUIRE_MESSAGE(graded.status == 1, graded.said());  // nothing was found of emil
-  CHECK(has(graded.out, " 0 different files"));
-  CHECK(has(graded.out, "Nothing was found of emil."));
-  CHECK(has(graded.out,
-            "ada: 2.5 of 3 points, before 1.5 of 3: by hand: due 2027-03-05T12:00:00Z: ill; "
-            "spring_force by hand: 0.5 points: copied; <b>says so</b>."));
-  CHECK(has(graded.out, "ben: 1 of 2 points, before 0 of 3: spring_energy by hand: 2 points: the right idea"));
-  CHECK(has(graded.out, "cleo: 3 of 3 points, before 0 of 3: by hand: 3 points: oral exam."));
-  CHECK(read(few.root() / "out/grades.csv") ==
-        "id,name,score,possible,days_late,spring_energy,spring_force,by_hand\r\n"
-        "ada,,2.5,3,0,2,0.5,\"due 2027-03-05T12:00:00Z: ill; spring_force: 0.5 points: copied; <b>says so</b>\"\r\n"
-        "ben,,1,2,1,2,excused,\"spring_energy: 2 points: the right idea; spring_force: excused\"\r\n"
-        "cleo,,3,3,0,0,0,3 points: oral exam\r\n");
-  CHECK(read(few.root() / "out/moodle.csv") ==
-        "ID number,Full name,Rigid Body Workbook\r\nada,,2.5\r\nben,,1\r\ncleo,,3\r\n");
-  CHECK(has(read(few.root() / "out/junit.xml"), "name=\"ben\" tests=\"2\" failures=\"0\" errors=\"0\" skipped=\"1\""));
-  for (const char* system : {"gradescope", "github_classroom"})
-    CHECK(has(read(few.root() / "out" / system / "ben.json"), "By hand: 2 points: the right idea"));
-  CHECK(has(read(few.root() / "out/gradescope/cleo.json"), "By hand: 3 points: oral exam"));
-  CHECK(has(read(few.root() / "out/students/ada.html"), "0.5 points: copied; &lt;b&gt;says so"));
-  CHECK(has(read(few.root() / "out/students/emil.html"), "<p class=\"score\">0 of 3 points</p>"));
-  CHECK(has(read(few.root() / "out/students/dora.html"), "<p class=\"score\">Not counted</p>"));
-  const std::string page = read(few.root() / "out/class.html");
-  for (const char* part : {"oral exam", ">not counted<span", "title=\"not counted\""})
-    CHECK_MESSAGE(has(page, part), part);
-
-  const auto results = results_in(few.root() / "out");
-  CHECK(has(few.grade("out", options).out, "No mark has changed."));
-  CHECK(results_in(few.root() / "out") == results);
-  const std::vector<std::pair<std::string, std::string>> broken = {
-      {"student,exercise,points\nnobody,,1\n", "'nobody'"},
-      {"student,exercise,points\nada,spring_enrgy,1\n", "'spring_enrgy'"},
-      {"student,points\nada,4\n", "0 to 3"},
-      {"student,points\nada,-1\n", "0 to 3"},
-      {"student,points\nada,1x\n", "0 to 3"},
-      {"student,points\nada,nan\n", "0 to 3"},
-      {"student,exercise,points\nada,spring_force,1\nada,spring_force,1\n", "row 3: ada, spring_force, is there twice"},
-      {"student,excuse\nada,perhaps\n", "'excuse'"},
-      {"student,due\nada,tomorrow\n", "'due'"},
-      {"student,exercise,due\nada,spring_force,2027-03-05T12:00:00Z\n", "'due'"},
-      {"student,excuse,points\nada,yes,1\n", "excused"},
-      {"student,comment\nada,\n", "nothing"},
-      {"student,pionts\nada,1\n", "'pionts'"},
-      {"points\n1\n", "student"}};
-  for (const auto& [text, said] : broken) {
-    write(few.root() / "overrides.csv", text);
-    for (const char* folder : {"out", "new"}) {
-      const Outcome refused = few.grade(folder, options + " --overrides overrides.csv");
-      CHECK_MESSAGE((refused.status == 2 && has(refused.err, said)), refused.said());
-    }
-    CHECK(!fs::exists(few.root() / "new"));
-  }
-  write(few.root() / "overrides.csv", broken.front().first);
-  CHECK(few.grade("out", "--assignment assignment.json --overrides overrides.csv").status == 2);
-  CHECK(results_in(few.root() / "out") == results);
-  write(few.root() / "overrides.csv", "student\n");
-  CHECK(has(few.grade("out", options + " --overrides overrides.csv").out, "spring_force no longer decided by hand"));
-  CHECK(whole("ada").at("score") == 1.5);
+  few.check_story("by_hand");
 }
 
 TEST_CASE("of several attempts the last or the best one counts" * doctest::test_suite("thorough")) {

@@ -526,25 +526,7 @@ TEST_CASE("times have a zone") {
 }
 
 TEST_CASE("--who says who has handed in what, and judges nothing; the worksheet comes back with marks") {
-  const MadeUpClass all;
-  write(all.submissions() / "Ada Byron_900001_assignsubmission_file_/spring_energy.cpp", right);
-  write(all.root() / "sheet.csv",
-        "Identifier,Full name,Status,Grade,Maximum grade,Feedback comments\n"
-        "Participant 900001,Ada Byron,Submitted,,50,\n"
-        "Participant 900002,Ben Ohm,No submission,,50,\n");
-  const Outcome who = all.run("grade submissions --who --roster sheet.csv");
-  CHECK(who.status == 1);
-  CHECK(has(who.out, "900001, Ada Byron (Ada Byron_900001): spring_energy\n1 of 2 students of the roster handed in."));
-  CHECK(has(who.out, "Nothing was found of 900002."));
-  write(all.submissions() / "Ben \033[31m Ohm_900002_assignsubmission_file_/spring_energy.cpp", right);
-  CHECK(!has(all.run("grade submissions --who").out, "\033"));
-  fs::remove_all(all.submissions() / "Ben \033[31m Ohm_900002_assignsubmission_file_");
-  CHECK(all.run("grade submissions").status == 2);
-  all.run("grade submissions --out graded --roster sheet.csv --allow-reduced --seed 1");
-  const std::string sheet = read(all.root() / "graded/moodle_worksheet.csv");
-  CHECK(has(sheet, "Participant 900001,Ada Byron,Submitted,"));
-  CHECK(has(sheet, "Participant 900002,Ben Ohm,No submission,,50,"));
-  CHECK(!has(sheet, "900001,Ada Byron,Submitted,,"));
+  MadeUpClass().check_story("who");
 }
 
 TEST_CASE("Moodle's worksheet comes back as its language writes numbers, and words of a scale stay the lecturer's") {

@@ -115,7 +115,7 @@ TerminalOutcome CourseCopy::run_on_terminal(const std::string& arguments, int co
 std::string CourseCopy::shown_after(const std::string& typed, const std::string& environment) const {
   const std::string checker =
       fmt::format("$1env {} '{}' --course '{}' ", environment, WORKBOOK_TEST_CHECKER, (root_ / "course.json").string());
-  const std::string command = replaced(typed, R"((^|[;|] |^\w+=\S+ )checker )", checker);
+  const std::string command = replaced(typed, R"((^|[;|] |do |^\w+=\S+ )checker )", checker);
   const Outcome outcome = run_command(fmt::format("cd '{}' && {{ {}{}\n}}", root_.string(), words, command), root_);
   const bool is_silent = outcome.status == 0 && outcome.said().empty();
   const std::string end = is_silent ? "" : fmt::format("[{}]\n", outcome.status);
