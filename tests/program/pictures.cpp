@@ -41,28 +41,8 @@ std::string examples(const CourseCopy& course, const std::string& build, const s
 
 }  // namespace
 
-TEST_CASE("plots are written as SVG and PNG, with the misconception by name") {
-  const CourseToDraw course;
-  const Outcome outcome = course.run(plot);
-  CHECK(outcome.status == 0);
-  CHECK(outcome.out == "pictures/spring_energy.svg\npictures/spring_energy.png\n");
-  const std::string svg = read(course.root() / "pictures/spring_energy.svg");
-  for (const char* part : {"yours", "reference", "no half", "x (m)"}) CHECK_MESSAGE(has(svg, part), part);
-  CHECK(read(course.root() / "pictures/spring_energy.png").substr(1, 3) == "PNG");
-  CHECK(std::distance(fs::directory_iterator(course.root() / "pictures"), fs::directory_iterator()) == 2);
-  for (const char* command : {"check spring_energy", "check spring_energy --plot"})  // a wrong value is drawn unasked
-    CHECK(has(course.run(command).out, "spring_energy.svg"));
-}
-
-TEST_CASE("a wrong answer of the judging is drawn beside the solution, for a lecture") {
-  const CourseCopy course;
-  const Outcome outcome = course.run("plot spring_energy --wrong no_half --out pictures");
-  CHECK(outcome.out == "pictures/spring_energy-no_half.svg\npictures/spring_energy-no_half.png\n");
-  const std::string svg = read(course.root() / "pictures/spring_energy-no_half.svg");
-  CHECK(has(svg, "no half"));
-  CHECK(!has(svg, "yours"));
-  CHECK(has(course.run("plot spring_energy --wrong half --out pictures").err, "no_half"));
-  CHECK(course.run("plot springs --wrong no_half --out pictures").status == 2);
+TEST_CASE("plots are written as SVG and PNG, of wrong answers of the judging too, and half a picture never") {
+  CourseCopy().check_story("plots");
 }
 
 TEST_CASE("gnuplot's settings of the user change no plot") {
@@ -152,16 +132,6 @@ TEST_CASE("a plot in letters; without a value, of the reference alone") {
   check_golden("letters", shown);
 }
 
-TEST_CASE("values that no picture can hold leave no half picture, and the verdict stands") {
-  const CourseCopy course;
-  course.answer_energy("return 1.7e308;");
-  const Outcome outcome = course.run(plot);
-  CHECK(outcome.status == 3);
-  CHECK(std::ranges::count(outcome.err, '\n') == 1);
-  CHECK(fs::is_empty(course.root() / "pictures"));
-  CHECK(course.run("check spring_energy --plot").status == 1);
-}
-
 TEST_CASE("each figure is tried on its own, and says what became of it" * doctest::test_suite("thorough")) {
   const CourseCopy course;
   give_figures(course);
@@ -179,38 +149,10 @@ TEST_CASE("each figure is tried on its own, and says what became of it" * doctes
   CHECK(std::stod(faint[2]) == doctest::Approx(160 + 76).epsilon(0.01));
 }
 
-TEST_CASE("figures that cannot be built or listed say why") {
-  const CourseCopy course;
-  course.stand_in("setup.sh", "exit 1");
-  const Outcome not_built = course.run("figures springs");
-  CHECK(not_built.status == 3);
-  course.stand_in("setup.sh", failed_build);
-  std::string screens = course.screens({"figures springs"});
-  course.stand_in("setup.sh", "exit 0");
-  course.stand_in("build/lectures/draw_of_the_student_01_springs", "kill -SEGV $$");
-  screens += course.screens({"figures springs"});
-  check_golden("figures_not_drawn", screens);
-}
+TEST_CASE("figures that cannot be built or listed say why") { CourseCopy().check_story("figures_not_drawn"); }
 
 TEST_CASE("live figures take the functions that pass, and say where one of them is needed") {
-  const CourseCopy course;
-  CHECK(course.run("live springs").status == 1);  // has none
-  write(course.root() / "lectures/01_springs/live.js",
-        "yours.spring_energy?.(k, x) ?? 1; yours.spring_force?.(k, x) ?? 2");
-  const Outcome nothing_passes = course.run("live springs");
-  CHECK(nothing_passes.status == 1);
-  CHECK_MESSAGE(has(nothing_passes.out, "spring_energy, spring_force"), nothing_passes.out);
-  course.solve("spring_energy");
-  CHECK(course.run("check spring_energy").status == 0);
-  write(course.root() / "html/lecture_01_springs.html", "<div class=\"live\" data-lecture=\"01_springs\"></div>");
-  course.stand_in("setup.sh", "exit 0");
-  const Outcome built = course.run("live springs");
-  CHECK_MESSAGE(built.status == 0, built.said());
-  CHECK(has(built.out, "html/lecture_01_springs.html?yours"));
-  CHECK(read(course.root() / "build/live/student/files.rsp") ==
-        "\"" + course.exercise("spring_energy").string() + "\"\n");
-  course.stand_in("setup.sh", "exit 1");
-  CHECK(course.run("live springs").status == 3);
+  CourseCopy().check_story("live");
 }
 
 TEST_CASE("the program of the figures refuses a name that it does not know, and ends badly if a figure does" *
@@ -263,24 +205,5 @@ TEST_CASE("each worked example says whether it holds, what it needs, or which ch
 }
 
 TEST_CASE("plot --all draws every overlay and brings the figures of every lecture, or says what is missing") {
-  const CourseCopy course;
-  course.answer_energy("return k * x.squaredNorm();");
-  write(course.root() / "build/figures/01_springs/spring.svg", "<svg/>");
-  write(course.root() / "build/figures/01_springs/spring.png", "png");
-  write(course.root() / "build/figures/01_springs/drawn", "");
-  std::string screens = course.screens({"plot --all --out pictures"});
-  for (const char* file :
-       {"overlays/01_springs/spring_energy.svg", "overlays/01_springs/spring_energy.png",
-        "overlays/01_springs/spring_force.svg", "figures/01_springs/spring.svg", "figures/01_springs/spring.png"})
-    CHECK_MESSAGE(fs::exists(course.root() / "pictures" / file), file);
-  CHECK_FALSE(fs::exists(course.root() / "pictures/figures/01_springs/drawn"));
-
-  course.solve("spring_energy");
-  course.solve("spring_force");
-  course.stand_in("setup.sh", "exit 1");
-  screens += course.screens({"plot --all --out pictures"});
-  fs::remove_all(course.root() / "solutions");  // what students are given
-  fs::remove_all(course.root() / "build/figures");
-  screens += course.screens({"plot --all --out pictures"});
-  check_golden("plot_all", screens);
+  CourseCopy().check_story("plot_all");
 }
