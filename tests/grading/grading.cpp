@@ -336,50 +336,7 @@ TEST_CASE("points, excuses, due dates and comments by hand count, are kept, and 
 }
 
 TEST_CASE("of several attempts the last or the best one counts" * doctest::test_suite("thorough")) {
-  const MadeUpClass few;
-  few.energy("ada/2027-03-01T12-00-00Z", right_energy);
-  few.force("ada/2027-03-01T12-00-00Z", right_force);
-  few.energy("ada/2027-03-02T12-00-00Z/lectures/01_springs/exercises", right_energy);
-  few.energy("ben/attempt_9", "return 7;");
-  few.energy("ben/attempt_10/attempt", right_energy);
-  write(few.submissions() / "ben/attempt/readme.cpp", "no attempt");
-  few.energy("ben/attempt_10", right_energy);
-  few.force("cleo", right_force);
-  write(few.root() / "assignment.json", R"({"due": "2027-03-01T12:00:00Z", "late": {"per_day": 0.5, "days": 3}})");
-  const auto score = [&](const char* id) { return few.student(id).at("student").at("score").get<double>(); };
-  CHECK(few.grade("out", "--attempts first").status == 2);
-  const std::string options = "--assignment assignment.json --attempts ";
-  const Outcome best = few.grade("out", options + "best");
-  REQUIRE_MESSAGE(best.status == 0, best.said());
-  CHECK(score("ada") == 3);
-  CHECK(score("ben") == 2);
-  CHECK(score("cleo") == 1);
-  CHECK(has(few.student("ada").dump(), "Of 2 attempts '2027-03-01T12-00-00Z' counts, the best one."));
-  CHECK(has(read(few.root() / "out/submissions/ada/attempts/1/spring_force.cpp"), right_force));
-  const Outcome last = few.grade("out", options + "last");
-  REQUIRE_MESSAGE(last.status == 0, last.said());
-  CHECK(has(last.out, " 0 different files"));
-  CHECK(score("ada") == 1);  // a day late, and without the second exercise
-  CHECK(score("ben") == 2);
-  CHECK(
-      has(last.out, "ada: 1 of 3 points, before 3 of 3: another attempt; spring_force was passed and is not started"));
-
-  few.energy("cleo/attempt 1", right_energy);
-  const Outcome mixed = few.grade("out", options + "last");
-  CHECK(mixed.status == 1);
-  CHECK(has(mixed.out, "cleo: Files beside the folders"));
-
-  const MadeUpClass scope;
-  const auto submission = [](int number, int day) {
-    return fmt::format("submission_{}:\n  :submitters:\n  - :sid: '1'\n  :created_at: 2027-03-0{}T12:00:00Z\n", number,
-                       day);
-  };
-  write(scope.submissions() / "submission_metadata.yml", submission(2, 1) + submission(1, 2));
-  scope.energy("submission_2", "return 7;");
-  scope.energy("submission_1", right_energy);
-  CHECK(scope.grade().status == 1);  // two entries name this student
-  REQUIRE(scope.grade("out", "--attempts last").status == 0);
-  CHECK(scope.student("1").at("student").at("score") == 2);
+  MadeUpClass().check_story("attempts");
 }
 
 TEST_CASE("one group of results is judged again, and given reference results take the place of a seed" *
