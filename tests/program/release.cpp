@@ -159,35 +159,7 @@ TEST_CASE("programs of a release can be run in the copy") {
 }
 
 TEST_CASE("the next release of a copy keeps its assignment, and what is locked as long as the solution is the same") {
-  const CourseCopy course;
-  write(course.root() / "build/printed/01_springs.txt", "E = 9 J\n");
-  write(course.root() / "week.json", R"({"title": "Week 1", "exercises": ["01"]})");
-  const fs::path copy = course.root() / "copy", locked = copy / "lectures/01_springs/handed_out";
-  const auto handout = [&](const std::string& options) { return course.run("handout copy " + options); };
-  const Outcome made = handout("--assignment week.json");
-  REQUIRE_MESSAGE(made.status == 0, made.said());
-  const std::string energy = read(locked / "spring_energy.locked"), force = read(locked / "spring_force.locked");
-  CHECK(!has(energy, "squaredNorm"));
-
-  replace_in(course.root() / "lectures/01_springs/hints/spring_force.md", "---", "More of it.\n\n---");
-  const Outcome next = handout("--update --message 'A hint'");
-  REQUIRE_MESSAGE(next.status == 0, next.said());
-  CHECK_MESSAGE(has(next.out, "1 file written"), next.out);
-  CHECK(read(copy / "lectures/assignment.json") == read(course.root() / "week.json"));
-  CHECK(read(locked / "spring_energy.locked") == energy);
-  replace_in(course.root() / "solutions/01_springs/derivations/spring_force.md", "\n", "\nMore of it.\n");
-  REQUIRE(handout("--update").status == 0);
-  CHECK(read(locked / "spring_energy.locked") == energy);
-  CHECK(read(locked / "spring_force.locked") != force);
-
-  // It stops half-way, which is not to have handed out nothing.
-  write(course.root() / "lectures/01_springs/hints/spring_energy.md", "One.\n\n---\n\nTwo.\n\n---\n\nThree.\n");
-  const fs::path hints = copy / "lectures/01_springs/hints/spring_energy.md";
-  fs::remove(hints);
-  fs::create_directories(hints / "in the way");
-  const Outcome stopped = handout("--update");
-  CHECK(stopped.status == 3);
-  CHECK_MESSAGE((has(stopped.err, "0 of 1 file") && !has(stopped.err, "nothing was handed out")), stopped.said());
+  CourseCopy().check_story("handing_out");
 }
 
 TEST_CASE("the change log names what is new since a release") {
