@@ -25,7 +25,7 @@ Matrix3d body_rate(const Matrix3d& A, const Vector3d& w) { return A * skew(w); }
 template <class Use>
 void at_gauss_points(const Vector3d& I, const Vector3d& start, double t, const Use& use) {
   const ExactTop top(I, start);
-  constexpr int steps = 800;
+  constexpr int steps = 1600;
   const double h = t / steps, off = sqrt(3) / 6;
   for (int i = 0; i < steps; ++i) use(top.omega((i + 0.5 - off) * h), top.omega((i + 0.5 + off) * h), h);
 }
@@ -44,6 +44,8 @@ void judge_free_attitude(Lecture& lecture) {
   e.special("a sphere", {2, 2, 2}, example_omega, 9);
   e.special("a spin about the middle axis alone", example_moments, {0, 1, 0}, 10);
   e.special("nearly equal components of ω", {1.2, 2, 2.7}, {0.7, 0.70005, 0.69992}, 28);
+  // A number of steps that does not grow with the time is too small here; steps of a fixed length are not.
+  e.special("fast, for half a minute", {1.2, 2, 2.7}, {0.8, -1.5, 1}, 30);
   e.special("time 0", {1.2, 2, 2.7}, {0.4, -0.9, 0.6}, 0);
   e.special("no rotation", example_moments, zero, 5);
   e.limit("a sphere", turn(example_omega.normalized(), 9 * example_omega.norm()),

@@ -28,6 +28,8 @@ void judge_damped_rotation(Lecture& lecture) {
   });
   e.worked("moments 1, 2, 3 in air", {1, 2, 3}, {0.1, 1, 0.1}, 0.05, 8);
   e.worked("a faster start", {1, 2, 3}, {1, 0.5, 0.25}, 0.2, 3);
+  // A number of steps that does not grow with the time is too small here; steps of a fixed length are not.
+  e.special("two minutes", {1, 2, 3}, {1, 0.5, 0.25}, 0.005, 120);
   e.special("no air", {1, 2, 3}, {0.1, 1, 0.1}, 0, 8);
   e.special("at once", {1, 2, 3}, {0.1, 1, 0.1}, 0.3, 0);
   e.special("hardly any air", {1, 2, 3}, {1, 0.5, 0.25}, 1e-9, 5);
