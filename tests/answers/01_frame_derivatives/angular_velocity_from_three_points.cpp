@@ -37,3 +37,8 @@ Vector3d angular_velocity_from_three_points(const Matrix3d& r, const Matrix3d& v
     b.segment<3>(3 * k) = u;
   }
   return A.jacobiSvd(Eigen::ComputeFullU | Eigen::ComputeFullV).solve(b);
+//! wrong: a quotient that is 0/0 for a rotation about an axis in the plane
+  const Vector3d u1 = v.col(1) - v.col(0), u2 = v.col(2) - v.col(0), d2 = r.col(2) - r.col(0);
+  const double denominator = u1.dot(d2);
+  if (std::abs(denominator) < 1e-12 * u1.norm() * d2.norm()) return Vector3d::Zero();
+  return u1.cross(u2) / denominator;

@@ -16,6 +16,9 @@ Vector2d bead_on_hoop(double radius, double g, double rate) {
 //! wrong: negative rate gives a negative frequency
 -  return {std::acos(k / w2), std::sqrt(w2 - k * k / w2)};
 +  return {std::acos(k / w2), rate * std::sqrt(1 - k * k / (w2 * w2))};
+//! wrong: a negative rate taken for a slow one
+-  if (w2 <= k) return {0, std::sqrt(k - w2)};
++  if (rate < std::sqrt(k)) return {0, std::sqrt(std::abs(k - w2))};
 //! wrong: critical rate without the root
   if (rate < g / radius) return {0, std::sqrt(std::abs(g / radius - rate * rate))};
   const double c = g / (rate * rate * radius);

@@ -24,6 +24,9 @@ double tide(double mass_ratio, double radius, double distance, double angle) {
 //! wrong: uniform field with the opposite sign
 -    return -1 / r - mass_ratio / std::sqrt(r * r + distance * distance - 2 * r * distance * c) +
 +    return -1 / r - mass_ratio / std::sqrt(r * r + distance * distance - 2 * r * distance * c) -
+//! wrong: the level of the planet alone, without the moon
+-  const double level = potential(radius, std::numbers::pi / 2);
++  const double level = -1 / radius - mass_ratio / distance;
 //! right: bisection with the constant taken off
   const double x = radius / distance;
   auto f = [&](double h, double c) {

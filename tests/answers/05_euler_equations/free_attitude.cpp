@@ -21,6 +21,9 @@ Matrix3d free_attitude(const Vector3d& I, const Vector3d& omega0, double t) {
       turn(0, h / 2);
     }
   return A;
+//! wrong: 150 steps for every time
+-  const int n = 12000;
++  const int n = 150;
 //! wrong: turns multiplied from the left, and steps of first order
   const int n = 100 + 1000 * std::abs(t);
   const double h = t / n;

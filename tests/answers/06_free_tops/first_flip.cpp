@@ -46,3 +46,6 @@ double first_flip(const Vector3d& I, const Vector3d& omega0) {
   const double rate = (I[2] - I[0]) * omega0[2] * omega0[0];
   const bool grows = rate * omega0[1] > 0;
   return grows ? (2 * K - F) / nu : F / nu;
+//! wrong: exponential growth up to the flip
+  const double sigma = std::abs(omega0[1]) * std::sqrt((I[1] - I[0]) * (I[2] - I[1]) / (I[0] * I[2]));
+  return std::log(2 * std::abs(omega0[1]) / std::hypot(omega0[0], omega0[2]) + 1) / sigma;

@@ -28,3 +28,7 @@ double space_precession_rate(double I1, double I3, const Vector3d& omega) { retu
 //! wrong: no precession without a wobble
   if (omega[0] == 0 && omega[1] == 0) return 0;
   return Vector3d(I1 * omega[0], I1 * omega[1], I3 * omega[2]).norm() / I1;
+//! wrong: angle between the axis and omega in place of L
+  if (omega[2] == 0) return omega.norm();
+  const double cos_theta = std::abs(omega[2]) / omega.norm();
+  return I3 * std::abs(omega[2]) / (I1 * cos_theta);

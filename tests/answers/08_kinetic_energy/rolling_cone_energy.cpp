@@ -20,6 +20,11 @@ double rolling_cone_energy(double M, double height, double half_angle, double ra
 //! wrong: integer fraction
 -  const double A = 0.3 * M * R * R, B = 0.6 * M * (height * height + R * R / 4);
 +  const double A = 3 / 10 * M * R * R, B = 0.6 * M * (height * height + R * R / 4);
+//! wrong: the spin relative to the moving plane, without the part of the precession along the axis
+  const double R = height * std::tan(half_angle);
+  const double I3 = 3 * M * R * R / 10, I1 = 3 * M / 5 * (R * R / 4 + height * height);
+  const double spin = rate / std::sin(half_angle), across = rate * std::cos(half_angle);
+  return I3 * spin * spin / 2 + I1 * across * across / 2;
 //! wrong: half angle forgotten as full
   const double a = half_angle / 2;
   const double R = height * std::tan(a);

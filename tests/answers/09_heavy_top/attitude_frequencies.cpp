@@ -14,6 +14,9 @@ Vector3d attitude_frequencies(const Vector3d& I, double orbital_rate) {
 //! wrong: the moment about the normal in the plane forgotten
 -  return orbital_rate * Vector3d(std::sqrt(3 * (I[1] - I[0]) / I[2]), std::sqrt(small), std::sqrt(large));
 +  return orbital_rate * Vector3d(std::sqrt(3 * (I[1] - I[0]) / I[0]), std::sqrt(small), std::sqrt(large));
+//! wrong: no torque of gravity across the plane
+-  const double a = I[0] * I[1], g = I[0] + I[1] - I[2], k1 = I[2] - I[1], k2 = 4 * (I[2] - I[0]);
++  const double a = I[0] * I[1], g = I[0] + I[1] - I[2], k1 = I[2] - I[1], k2 = I[2] - I[0];
 //! wrong: two pendulums across the plane
   const double a = 4 * (I[2] - I[0]) / I[1], b = (I[2] - I[1]) / I[0];
   const double roll = std::sqrt(std::abs(a)), yaw = std::sqrt(std::abs(b));

@@ -39,6 +39,9 @@ Vector2d moon_libration(double asymmetry, double eccentricity, double orbital_ra
 //! wrong: torque with three and not three halves
 -  return -1.5 * asymmetry * std::sin(2 * (theta - f)) / (r * r * r);
 +  return -3 * asymmetry * std::sin(2 * (theta - f)) / (r * r * r);
+//! wrong: 200 steps for every time
+-  const int n = 6000;
++  const int n = 200;
 //! right: leapfrog in small steps
 Vector2d moon_libration(double asymmetry, double eccentricity, double orbital_rate, double theta0, double rate0,
                         double t) {

@@ -27,6 +27,9 @@ Vector3d damped_rotation(const Vector3d& I, const Vector3d& omega0, double gamma
 @@
 -  return w;
 +  return std::exp(-gamma * t) * w;
+//! wrong: 500 steps for every time
+-  const int steps = 1 + static_cast<int>(t / 0.005);
++  const int steps = 500;
 //! wrong: explicit Euler
   Vector3d w = omega0;
   const int steps = 1 + static_cast<int>(t / 0.001);

@@ -16,3 +16,8 @@ Vector2d moment_ratios(double a, double c) {
 //! wrong: sign of c
   const double y = (1 + a * c) / (1 - c);
   return {y, y + a};
+//! wrong: both coefficients with the other sign, as two linear equations
+  Eigen::Matrix2d A;
+  A << -1, 1, 1, -c;
+  const Vector2d rhs(a, 1);
+  return A.fullPivLu().solve(rhs);
