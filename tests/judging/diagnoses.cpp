@@ -429,6 +429,9 @@ Table laws() {
   Exercise area = of_two(a, angle, units::metre, [](double x, double y) { return x * x * std::sin(y); });
   add(table, "a factor of either sign", area,
       of(area, [](double x, double y) { return x * x * std::sin(y) * std::cos(y); }), "transform missing_factor");
+  const Exercise sum = of_two(a, angle, units::metre, [](double x, double y) { return x + x * std::sin(y); });
+  add(table, "a term with a factor more", sum,
+      of(sum, [](double x, double y) { return x + x * std::sin(y) * std::sin(y); }), "difference difference");
   add(table, "so small that every small number is near", area,
       of(area, [](double x, double y) { return 1e-4 * x * x * x * y; }));
   const auto cosine = [](double x, double y) { return x * x * (std::cos(y) - 3); };

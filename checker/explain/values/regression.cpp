@@ -161,13 +161,19 @@ std::string with_coefficient(double size, const std::string& product) {
   return text == "1" ? (product.empty() ? "1" : product) : product.empty() ? text : text + "·" + product;
 }
 
-/// "is too small by omega[0]·omega[1]"
+/// "is too small by omega[0]·omega[1]", "is too large by g·(1 - cos(latitude))"
 std::string difference(const std::vector<FittedProduct>& terms) {
   std::string text;
+  const auto side = [](const FittedProduct& term) { return term.coefficient < 0 ? "small" : "large"; };
+  if (terms.size() == 2 && coefficient_text(terms[0].coefficient) == coefficient_text(-terms[1].coefficient))
+    for (const auto& [whole, part] : {std::pair(terms[0], terms[1]), std::pair(terms[1], terms[0])})
+      if (const std::string beginning = whole.product->name + "·"; part.product->name.starts_with(beginning))
+        return fmt::format("is too {} by {}(1 - {})", side(whole),
+                           with_coefficient(std::abs(whole.coefficient), beginning),
+                           part.product->name.substr(beginning.size()));
   for (const FittedProduct& term : terms) {
     const std::string size = with_coefficient(std::abs(term.coefficient), term.product->name);
-    text +=
-        fmt::format("{}too {} by {}", text.empty() ? "is " : " and ", term.coefficient < 0 ? "small" : "large", size);
+    text += fmt::format("{}too {} by {}", text.empty() ? "is " : " and ", side(term), size);
   }
   return text;
 }
