@@ -156,8 +156,9 @@ std::vector<FittedProduct> fit(const VectorXd& error, const std::vector<Product>
   return fits.empty() ? std::vector<FittedProduct>{} : fits.front();
 }
 
-std::string with_coefficient(double size, const std::string& product) {
+std::string with_coefficient(double size, const std::string& factors) {
   const std::string text = coefficient_text(size);
+  const std::string product = replaced(factors, R"((?<![^·/])([^·/]+)·\1(?=·|/|$))", "$1²");
   return text == "1" ? (product.empty() ? "1" : product) : product.empty() ? text : text + "·" + product;
 }
 
