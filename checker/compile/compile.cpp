@@ -20,7 +20,7 @@ std::vector<std::string> arguments_for(const Submission& submission, const std::
   return {"-Wreturn-type", "-Wuninitialized", "-Wmaybe-uninitialized", "-Wfloat-conversion", "-Wparentheses",
           "-Wunused-value", "-Wtype-limits", "-Wunused-variable", "-Wunused-parameter", "-Wunused-but-set-variable",
           "-Wreturn-local-addr", "-Wimplicit-fallthrough", "-Wmisleading-indentation", "-Wshadow=local",
-          "-Wdiv-by-zero", "-Wsequence-point", "-Wlogical-not-parentheses",
+          "-Wdiv-by-zero", "-Wsequence-point", "-Wlogical-not-parentheses", "-Wfloat-equal",
           // The student's own name of the file in assertions, and in what debuggers read.
           fmt::format("-fmacro-prefix-map={}={}", source, name),
           fmt::format("-fdebug-prefix-map={}=shown/{}", source, name),
@@ -269,15 +269,19 @@ class CompilationInProgress {
       refuse("Your file is empty, or holds nothing but comments; `reset` writes it anew.", output, {},
              Refusal::missing_function);
     constexpr std::string_view space = "rigid::";
+    const std::string own = defined_functions();
     for (const Symbol& symbol : symbols(toolchain_.worker_object(task_.exercise).string())) {
       if (!is_missing(symbol) || !symbol.shown.starts_with(space)) continue;
-      if (defined_functions().find("`" + in_plain_words(symbol.shown.substr(space.size())) + "`") != std::string::npos)
+      if (own.find("`" + in_plain_words(symbol.shown.substr(space.size())) + "`") != std::string::npos)
         refuse_symbol(Refusal::missing_function, "missing_namespace", symbol.base_name(), output,
                       "Your function stands outside of the namespace: put it between `namespace rigid {` and its `}`.");
+      if (own.find("`" + symbol.base_name() + "(") != std::string::npos)
+        refuse_symbol(Refusal::missing_function, "parameter_types", symbol.base_name(), output,
+                      fmt::format("The parameters are not those of the contract, which is `{}`.", task_.signature));
       refuse_symbol(Refusal::missing_function, "missing_function", symbol.base_name(), output,
                     fmt::format("Your file does not define `{}`: it defines {}. Its head is `{}`, in namespace "
                                 "rigid and no class, without inline, static or template.",
-                                in_plain_words(symbol.shown), defined_functions(), task_.signature));
+                                in_plain_words(symbol.shown), own, task_.signature));
     }
     std::erase_if(used, [&](const Symbol& symbol) {
       return !is_missing(symbol) || symbol.base_name().empty() || output.find(symbol.shown) == std::string::npos;

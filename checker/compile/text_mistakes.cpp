@@ -106,11 +106,9 @@ const std::vector<TextMistake>& table() {
       {"degrees_argument",
        R"((\w+) = [^\n]* 180(?:\.0*)? / (?:std :: numbers :: )?(?:pi|M_PI|3\.14\d*) ;\n(?:[^\n]*\n)*?[^\n]*(sin|cos|tan) \( \1 \)[^\n]*$)",
        "$2 takes radians, but 180 / π has turned `$1` into degrees.", nullptr, "", Weight::possible},
-      {"xor_for_power_of_ten", R"((?:^| )(10 \^ (?:- )?\d+)(?= |$))",
-       "`$1` is not a power in C++: ^ combines the bits of whole numbers. A power of ten is written 1e6 or 1e-6.",
-       nullptr, "", Weight::cause, Fix::none, false},
-      {"xor_for_power", R"((?:^| )(?<!\^ )((?!10 )\S+ \^ [2-9])(?= |$))",
-       "`$1` is not a power in C++: ^ combines the bits of whole numbers. Write x * x or std::pow(x, 2)."},
+      {"xor_for_power", R"((?:^| )(?<!\^ )(10 \^ (?:- )?\d+|\S+ \^ [2-9])(?= |$))",
+       "`$1` is not a power in C++: ^ combines the bits of whole numbers. Write x * x or std::pow(x, 2), and 1e-6 for "
+       "10^-6."},
       {"discarded_result",
        R"(^(\w+)(?: \. \w+ \( )" + inside + R"(\))*? \. (transpose|normalized|inverse|adjoint|cross|dot|norm|)" +
            R"(squaredNorm|sum|trace|determinant|eval|cwise\w+) \( )" + inside + R"(\) ;$)",
@@ -138,11 +136,10 @@ const std::vector<TextMistake>& table() {
        "This loop never runs: `$1` begins at $2, where $1 $3 $4 is false.", is_false_at_first},
       {"always_true", R"((?:[=!]=|[<>]=?) [^ ]+ (\|\| \d[\w.]*)(?= (?:[)|&;?]|\|\|)))",
        "`$1` is always true, whatever stands before it: write the whole comparison again, as in x == 1 || x == 2."},
-      {"always_true",
-       R"([=!]= [^|&;]+ (?:\|\||or) (\w+ \. \w*(?:Coeff|norm|Norm|sum|mean) \( \))(?= (?:[)|&;?]|\|\|)))",
-       "`$1` is not compared here, and a number is true unless it is 0: write as in x == a || x == b."},
       {"chained_comparison", R"( (==) (?:(?![&|?:;,()=!<>])[^ \n]+ )+== )",
        "A comparison a == b == c does not compare three numbers in C++; write a == b && b == c."},
+      {"comma_operator", R"((?:=|^return) (\( (?:[^(),]|\()" + inside + R"(\))+ , )" + inside + R"(\)) ;$)",
+       "Of `$1` only the last value is kept: values in parentheses follow a name, as in Vector2d v(a, b)."},
       {"whole_sum", R"((accumulate) \( .* , 0 \))",
        "This sum begins with the whole number 0 and drops what follows every decimal point: begin with 0.0."},
       {"rounded_pi", R"((?:^| )(3\.14\d*)(?= |$))", "$1 is only near π; write std::numbers::pi.", is_rounded_pi, "",
@@ -166,13 +163,8 @@ const std::vector<TextMistake>& table() {
       {"unsigned_difference",
        R"(for \( (?:std :: )?(?:unsigned|size_t)(?: int| long)? (\w+) = [^;]* ; \1 <=? ([^;]* - \d+) ;)",
        "`$2` is never negative but huge, for it has no sign: count with int.", nullptr, "", Weight::possible},
-      {"exact_end",
-       R"(^while \( (?:[^\n]* )?(!=) [^\n]*\) (?:\{\n)?(?:[^\n{}]*\n)*[^\n{}=]* [-+]= [^\n]*\d?\.\d[^\n]*;$)",
-       "Rounded steps hardly ever meet a number exactly, so that this $1 hardly ever becomes false: compare by <.",
-       nullptr, "", Weight::possible},
-      {"exact_end", R"(^(?:while|for) \( (?:[^;()]*;)? ?(\w+ != \d*\.\d*)(?= [;)]))",
-       "Rounded steps hardly ever hit a number, so that `$1` is never false: compare by <.", nullptr, "",
-       Weight::possible},
+      {"one_too_far", R"(^for \( [^;]* = 0 ; \w+ (<=) ([^;]*\. (?:size|cols|rows) \( \)) ;)",
+       "This loop runs one too far: the last index is $2 - 1, so write < for <=.", nullptr, "", Weight::possible},
       {"float_precision", R"((?:^| )(float|(?:Matrix|Vector)\w+f)\b)", "A float keeps only about 7 digits; use double.",
        nullptr, "", Weight::possible, Fix::as_double},
       // A number of steps or an index may be made so.
@@ -257,11 +249,11 @@ std::size_t index_beyond(std::span<const Token> tokens, std::size_t declared, lo
   return 0;
 }
 
-/// static double s = 0; … s += x; @returns does it keep what calls before have added
+/// static double s = 0; … s += x; @returns does it keep what calls before have left
 bool accumulates(std::span<const Token> tokens, std::size_t declared) {
   for (std::size_t k = declared + 1; k < std::min(tokens.size(), declared + 1000); ++k)
-    if (tokens[k].text == tokens[declared].text &&
-        (is_one_of(tokens, k + 1, " += -= *= /= ++ -- ") || is_one_of(tokens, k - 1, " ++ -- ")))
+    if (tokens[k].text == tokens[declared].text && !search(tokens[k - 1].text, "^(?!else$|do$)[A-Za-z_&>*]") &&
+        (is_one_of(tokens, k + 1, " = += -= *= /= ++ -- << ") || is_one_of(tokens, k - 1, " ++ -- ")))
       return true;
   return false;
 }

@@ -38,6 +38,7 @@ constexpr KnownEvent known_events[] = {
     {"library\\|__\\w+ < (this->)?size\\(\\)", "index_out_of_range", "an index lies outside its container; a container of size n has the indices 0 to n - 1."},
     {"exception\\|(\\w+)::.*\\(which is (\\d+)\\) >= .*\\(which is (\\d+)\\).*", "index_out_of_range", "index $2 is outside the $1 of size $3; indices start at 0."},
     {"eigen\\|\\(i>=0\\).*", "index_out_of_range", "there is no `%1.%2(%3)`: `%1` has those from 0 to %1.%2s() - 1, and none before it is given a size (%1.size() counts all entries).", false, Weight::cause, "\\b(\\w+)\\.(row|col)\\(([^()]*)\\)"},
+    {"eigen\\|.*(?:invalid matrix product|actually allow|rows\\(\\) ?== ?\\w+\\.rows).*", "size_mismatch", "the sizes of two operands do not fit here: `%1(i, n)` takes n entries from the index i on; the second number is no index.", false, Weight::cause, "\\.(segment|middleCols|middleRows)\\([^(),]*,[^(),]*\\)"},
     {"eigen\\|.*RowsAtCompileTime.*", "size_mismatch", "`%2.row(...)` has as many entries as `%2` has columns, which need not be those of a %1: a column is `%2.col(...)`.", false, Weight::cause, "(Vector\\w+)\\s+\\w+\\s*=\\s*(\\w+)\\.row\\("},
     {"exception\\|(.+)", "exception", "the exception “$1” is thrown here."},
     {"exception\\|", "exception", "the exception is thrown here."},
@@ -171,6 +172,13 @@ class DiagnosticRun {
     return index < source_.size() ? cut(printable(source_[index]), 1000) : "";
   }
 
+  /// Does the line name an index by a number, and the file none as 0 but one as 1?
+  bool counts_from_one(int line) const {
+    const std::string all = cut(fmt::format("{}", fmt::join(source_, "\n")), 20000);
+    return search(source_line(line), R"(\w[(\[](?:\w+,)? ?[1-9][,)\]])") && search(all, R"(\w[(\[]1[,)\]])") &&
+           !search(all, R"(\w[(\[]0[,)\]]|, ?0[)\]])");
+  }
+
   void add(int line, const std::string& name, const std::string& sentence, Weight weight = Weight::cause) {
     constexpr std::size_t most = 3, longest = 100;
     const auto same_line = [&](const Reason& other) { return other.line == line; };
@@ -180,6 +188,7 @@ class DiagnosticRun {
     excerpt.erase(excerpt.find_last_not_of(" \t\r") + 1);
     if (excerpt.size() > longest) excerpt = cut(excerpt, longest) + " …";
     findings_.push_back({.name = name, .sentence = sentence, .weight = weight, .line = line, .excerpt = excerpt});
+    if (name == "index_out_of_range" && counts_from_one(line)) findings_.back().sentence += " Yours are counted from 1.";
   }
 
   /// What is known of "NAME|FACT|…".

@@ -67,7 +67,7 @@ TEST_CASE("what is missing when the program is linked has a name, and a place if
       {"double twice(double x) { return 2 * x; }", Refusal::missing_function, "missing_namespace", 1, 8,
        "outside of the namespace"},
       {"namespace rigid { double twice(const Vector3d& x) { return x[0]; } }", Refusal::missing_function,
-       "missing_function", 1, 26, "`rigid::twice(const Vector3d&)`"},
+       "parameter_types", 1, 26, "`double twice(double x)`"},
       {"namespace rigid { inline double twice(double x) { return 2 * x; } }", Refusal::missing_function,
        "missing_function", 1, 33, "no function"},
       {"namespace rigid { namespace { double twice(double x) { return 2 * x; } } }", Refusal::missing_function,
