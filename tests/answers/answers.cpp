@@ -77,6 +77,8 @@ std::vector<Answer> answers_in(const std::string& text, const std::string& exerc
       (!answers.empty() ? answers.back().code : line.starts_with('#') ? includes : head) += line + "\n";
   }
   for (Answer& answer : answers) {
+    if (answer.code.starts_with(' ') && head.empty())
+      throw std::runtime_error(fmt::format("{}, {}: a body, but the file has no head", exercise, answer.title));
     if (has("\n" + answer.code, "\n+") || has("\n" + answer.code, "\n-"))
       answer.code = patched(whole, answer);
     else
@@ -207,6 +209,7 @@ TEST_CASE("an answer is a body, code of its own, or a difference from what is ab
   CHECK(answers[2].code == before + "int f();\n" + after);
   CHECK_THROWS_WITH(answers_in(right + "//! wrong: a typing mistake\n-  return 1;\n+  return 2;\n", "f"),
                     "f, a typing mistake: the answer above does not have this just once:\n  return 1;\n");
+  CHECK_THROWS_WITH(answers_in("//! right: a sum\n  return 2;\n", "f"), "f, a sum: a body, but the file has no head");
   CHECK_THROWS(answers_in("//! right: twice\nint a;\nint a;\n//! wrong: which?\n-int a;\n+int b;\n", "f"));
 
   const std::vector<Answer> all = all_answers();

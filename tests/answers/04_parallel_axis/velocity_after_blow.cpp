@@ -2,12 +2,11 @@
 #include <cmath>
 #include <numbers>
 #include <rigid/parallel_axis.hpp>
-//! right: two laws
 Vector3d velocity_after_blow(double M, const Matrix3d& I_cm, const Vector3d& r, const Vector3d& impulse,
                              const Vector3d& p) {
+//! right: two laws
   const Vector3d w = I_cm.inverse() * r.cross(impulse);
   return impulse / M + w.cross(p);
-}
 //! wrong: lever from p
 -  const Vector3d w = I_cm.inverse() * r.cross(impulse);
 +  const Vector3d w = I_cm.inverse() * p.cross(impulse);

@@ -2,12 +2,11 @@
 #include <cmath>
 #include <numbers>
 #include <rigid/free_tops.hpp>
-//! right: L is kept, the energy sinks to that about the largest moment
 Vector2d flat_spin(const Vector3d& I, const Vector3d& omega) {
+//! right: L is kept, the energy sinks to that about the largest moment
   const Vector3d L = I.cwiseProduct(omega);
   const double i = I.maxCoeff();
   return {0.5 * L.dot(omega) - L.squaredNorm() / (2 * i), L.norm() / i};
-}
 //! wrong: smallest moment
 -  const double i = I.maxCoeff();
 +  const double i = I.minCoeff();

@@ -2,13 +2,12 @@
 #include <cmath>
 #include <numbers>
 #include <rigid/free_tops.hpp>
-//! right: hyperbolic functions
 Vector3d separatrix(const Vector3d& I, double spin, double t) {
+//! right: hyperbolic functions
   const double a = spin * std::sqrt((I[1] - I[0]) * (I[2] - I[1]) / (I[0] * I[2])) * t;
   const double p = 1 / std::cosh(a);
   return spin * Vector3d(p * std::sqrt(I[1] * (I[2] - I[1]) / (I[0] * (I[2] - I[0]))), std::tanh(a),
                          p * std::sqrt(I[1] * (I[1] - I[0]) / (I[2] * (I[2] - I[0]))));
-}
 //! wrong: amplitudes of 1 and 3 exchanged
 -  return spin * Vector3d(p * std::sqrt(I[1] * (I[2] - I[1]) / (I[0] * (I[2] - I[0]))), std::tanh(a),
 -                         p * std::sqrt(I[1] * (I[1] - I[0]) / (I[2] * (I[2] - I[0]))));

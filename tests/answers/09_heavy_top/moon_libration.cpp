@@ -1,5 +1,7 @@
 #include <cmath>
 #include <rigid/heavy_top.hpp>
+Vector2d moon_libration(double asymmetry, double eccentricity, double orbital_rate, double theta0, double rate0,
+                        double t) {
 //! right: Kepler at every step
 static double pull(double asymmetry, double eccentricity, double M, double theta) {
   double E = M;

@@ -1,8 +1,8 @@
 #include <cmath>
 #include <numbers>
 #include <rigid/heavy_top.hpp>
-//! right: midpoints in the angle that removes the ends
 double precession_per_nutation(double I1, double I3, double mgl, double theta, const Vector3d& rates) {
+//! right: midpoints in the angle that removes the ends
   const double u0 = std::cos(theta), s2 = std::pow(std::sin(theta), 2), p = rates[0];
   const double b = I3 * (p * u0 + rates[2]) / I1, beta = 2 * mgl / I1, k = p * p * s2 + rates[1] * rates[1];
   const auto f = [&](double d) {
@@ -24,7 +24,6 @@ double precession_per_nutation(double I1, double I3, double mgl, double theta, c
     angle += (p * s2 - b * d) / ((1 - u) * (1 + u)) * dt;
   }
   return angle;
-}
 //! wrong: sine not squared
 -    angle += (p * s2 - b * d) / ((1 - u) * (1 + u)) * dt;
 +    angle += (p * s2 - b * d) / std::sqrt(1 - u * u) * dt;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 #include <rigid/attitude_of_a_free_body.hpp>
+Matrix3d exact_attitude(const Vector3d& I, const Vector3d& omega0, double t) {
 //! right: turn about L for the whole periods, the remainder integrated
 static double period(const Vector3d& I, const Vector3d& w) {
   double a = I[0], b = I[1], c = I[2], x = w[0], y = w[1], z = w[2];

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 #include <rigid/attitude_of_a_free_body.hpp>
+double turn_per_period(const Vector3d& I, const Vector3d& omega0) {
 //! right: sum over equal steps of a period
 static double period(const Vector3d& I, const Vector3d& w) {
   double a = I[0], b = I[1], c = I[2], x = w[0], y = w[1], z = w[2];
