@@ -85,6 +85,8 @@ void judge_moon_libration(Lecture& lecture) {
   e.worked("a moon like a potato, for two orbits", 0.25, 0.1, 2 * pi / 1.8e6, 0.3, 2 * pi / 1.8e6, 3.6e6);
   e.worked("the Moon, half an orbit", 2.28e-4, 0.0549, 2 * pi / month, 0, 2 * pi / month, month / 2);
   e.worked("Mercury, two orbits", 2.03e-4, 0.2056, 2 * pi / year, 0.1, 3 * pi / year, 2 * year);
+  // A number of steps that does not grow with the time is too small here; a thousand in each orbit are not.
+  e.special("six times round an orbit that is far from a circle", 0.03, 0.55, 1e-5, 0.3, 2e-5, 3.8e6);
   e.special("a round equator", 0, 0.2, 1e-5, 0.4, 1.5e-5, 3e5);
   e.special("a circle", 0.3, 0, 1e-5, 0.4, 1e-5, 7e5);
   e.special("at once", 0.3, 0.1, 1e-5, 0.4, 1e-5, 0);
@@ -101,12 +103,6 @@ void judge_moon_libration(Lecture& lecture) {
     const double n = random.uniform(2e-6, 4e-5), orbits = random.uniform(0.6, 1.8);
     return tuple{random.uniform(0.1, 0.4), random.uniform(0.1, 0.3),     n,
                  random.uniform(0.2, 1.2), n * random.uniform(1.4, 2.5), 2 * pi * orbits / n};
-  });
-  // A number of steps that does not grow with the time is too small here; a thousand in each orbit are not.
-  e.random("a moon that faces its planet for six orbits", 2, [](Random& random) {
-    const double n = random.uniform(2e-6, 4e-5), orbits = random.uniform(5.8, 6.3);
-    return tuple{random.uniform(0.02, 0.05), random.uniform(0.3, 0.4), n, random.sign() * random.uniform(0.1, 0.3),
-                 n * random.uniform(1, 1.2), 2 * pi * orbits / n};
   });
   e.tolerance(1e-6,
               "The answer may be integrated in steps: a thousand steps of fourth order in an orbit stay within a "
