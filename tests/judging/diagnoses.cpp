@@ -150,6 +150,25 @@ Table terms() {
         outputs(momentum(), momentum_with(of_u, of_v)), "term " + name);
   add(table, "3 m v, where m v is a misconception", sound_momentum(), outputs(momentum(), momentum_with(1, 3)),
       "term m v");
+  // m u_0 times the unit matrix.
+  Exercise unit = given_results(Kind::matrix3, {});
+  unit.arguments = momentum().arguments;
+  const auto with = [](const Eigen::Matrix3d& shape) {
+    return [=](const Inputs& in) {
+      return to_value(in[0].numbers[0] *
+                      (in[1].numbers[0] * shape + Eigen::Vector3d(as_matrix(in[2])).asDiagonal().toDenseMatrix()));
+    };
+  };
+  const Eigen::Matrix3d one = Eigen::Matrix3d::Identity(), ones = Eigen::Matrix3d::Ones();
+  for (const Case& each : momentum().cases) add_case(unit, each.name, each.inputs, with(one));
+  unit.cases.back().scale = {1};
+  unit.cases.back().deciding = false;
+  add(table, "no term is declared", unit, outputs(unit, with(ones)));
+  add_term(unit, "m u_0 1", 1, [](const Inputs& in) {
+    return to_value(in[0].numbers[0] * in[1].numbers[0] * Eigen::Matrix3d::Identity());
+  });
+  add(table, "a term in every entry", unit, outputs(unit, with(ones)), "term m u_0 1");
+  add(table, "half a term in every entry", unit, outputs(unit, with(one + 0.5 * (ones - one))));
   // A term too small to show is not blamed for rounding errors in it.
   Exercise three = momentum_with_terms();
   add_term(three, "small", 0, [](const Inputs& in) { return vector({3e-8 * std::sin(40 * in[1].numbers[1]), 0, 0}); });
@@ -241,7 +260,7 @@ Table pairs() {
   };
   add(table, "a mistake in one component", known,
       made_of(known, [](double x, double a, double, std::size_t n) { return n == 1 ? a : x; }), "misconception first");
-  add(table, "two mistakes in two components", known,
+  add(table, "a mistake in one component, and the result for another input in another", known,
       made_of(known, [](double x, double a, double b, std::size_t n) { return n == 1   ? a
                                                                               : n == 2 ? b
                                                                                        : x; }),
@@ -251,11 +270,12 @@ Table pairs() {
                                                                             : n == 2 ? 7.5
                                                                                      : x; }),
       "misconception first");
-  add(table, "two mistakes in two components, and nothing known in the third", known,
-      made_of(known, [](double, double a, double b, std::size_t n) { return n == 1   ? a
-                                                                            : n == 2 ? b
-                                                                                     : 7.5; }),
-      "misconception first");
+  Values both = times(known, 1);
+  for (std::size_t i = 0; i < both.size(); ++i)
+    for (const std::size_t n : {1, 2}) both[i].numbers[n] = known.misconceptions[n - 1].outputs[i].numbers[n];
+  add(table, "two mistakes in two components", known, both, "misconception first");
+  for (Value& value : both) value.numbers[0] = 7.5;
+  add(table, "two mistakes in two components, and nothing known in the third", known, both, "misconception first");
   const auto sum = [](double x, double a, double b, std::size_t) { return a + b - x; };
   add(table, "what two mistakes add", known, made_of(known, sum), "misconception first");
   add(table, "the factors of two mistakes", known,

@@ -48,9 +48,9 @@ std::optional<Reason> diagnose_place(const ExerciseReference& exercise, const An
 }
 
 std::optional<Reason> diagnose_no_effect(const ExerciseReference& exercise, const Answers& answers) {
-  constexpr std::size_t fewest = 3, most_named = 3;
+  constexpr std::size_t fewest = 3, most_named = 5;
   const bool has_few_results = exercise.result_kind == Kind::integer;  // of which many changes leave the right one
-  std::size_t all = 0;
+  std::size_t all = 0, all_changes = 0;  // pairs of cases, and those at which the right result changes
   // Of an argument, or of one number of it.
   const auto has_none = [&](std::size_t a, std::optional<std::size_t> entry) {
     std::size_t pairs = 0, changes = 0;
@@ -62,9 +62,10 @@ std::optional<Reason> diagnose_no_effect(const ExerciseReference& exercise, cons
       changes += is_same_answer(exercise, base, one.expected, exercise.cases[base].expected) ? 0 : 1;
       ++pairs;
     }
-    const bool is_certain = changes >= fewest && (!has_few_results || 2 * changes >= pairs);
-    all += is_certain ? pairs : 0;
-    return is_certain;
+    if (changes < (has_few_results ? 1 : fewest)) return false;
+    all += pairs;
+    all_changes += changes;
+    return true;
   };
   std::vector<std::string> names;
   for (std::size_t a = 0; a < exercise.arguments.size(); ++a) {
@@ -85,11 +86,13 @@ std::optional<Reason> diagnose_no_effect(const ExerciseReference& exercise, cons
       names.push_back(fmt::format("{}.col({})", name, n / 3));
     }
   }
-  if (names.empty() || names.size() > most_named) return std::nullopt;
-  return Reason{ReasonKind::independence, "no_effect",
-                fmt::format("Your result never changes with {} (at {} where nothing else changes); the right one does.",
-                            listed(names), plural(all, "pair of cases", "pairs of cases")),
-                Weight::symptom};
+  if (all_changes < fewest || names.size() > most_named) return std::nullopt;
+  return Reason{
+      ReasonKind::independence, "no_effect",
+      fmt::format("Your result never changes with {} (at {} where nothing else changes); the right one does{}.",
+                  listed(names), plural(all, "pair of cases", "pairs of cases"),
+                  2 * all_changes < all ? fmt::format(" at {} of them", all_changes) : ""),
+      Weight::symptom};
 }
 
 std::optional<Reason> diagnose_accuracy(const ExerciseReference& exercise, const Answers& answers) {

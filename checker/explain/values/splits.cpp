@@ -28,7 +28,11 @@ struct Feature {
 /// All features that may decide.
 class Features {
  public:
-  explicit Features(const ExerciseReference& exercise) : exercise_(exercise), quantities_(quantities_of(exercise)) {}
+  explicit Features(const ExerciseReference& exercise) : exercise_(exercise), quantities_(quantities_of(exercise)) {
+    // Single entries of a matrix decide next to nothing, and agree by accident.
+    std::erase_if(quantities_,
+                  [&](const Quantity& each) { return exercise.arguments[each.argument].kind == Kind::matrix3; });
+  }
 
   std::vector<Feature> all() {
     for (std::size_t a = 0; a < exercise_.arguments.size(); ++a) {
@@ -206,7 +210,7 @@ class Features {
   }
 
   const ExerciseReference& exercise_;
-  const std::vector<Quantity> quantities_;
+  std::vector<Quantity> quantities_;
   std::vector<Feature> found_;
   bool has_no_list_ = true;  // so far
 };
@@ -301,27 +305,42 @@ std::optional<Reason> diagnose_split(const ExerciseReference& exercise, const An
 std::optional<Reason> diagnose_one_side(const ExerciseReference& exercise, const Answers& answers) {
   const Outcomes outcome = outcomes_of(exercise, answers);
   constexpr std::size_t fewest = 4;
+  constexpr double chance = 1e-4;  // that wrong cases share a feature by accident
   if (outcome.wrong.empty()) return std::nullopt;
-  std::vector<std::pair<std::string, std::size_t>> sides;  // with how many right ones there
+  const std::size_t total = outcome.right.size() + outcome.wrong.size();
+  using Sides = std::vector<std::pair<std::string, std::size_t>>;
+  Sides sides;   // where all is right, with the number of cases
+  Sides needed;  // where all is that is wrong, with the number of cases elsewhere
   for (const Feature& each : Features(exercise).all()) {
     const auto holds = [&](std::size_t i) { return each.holds[i]; };
-    if (std::ranges::any_of(outcome.wrong, holds)) continue;
+    const auto wrong = static_cast<std::size_t>(std::ranges::count_if(outcome.wrong, holds));
     const auto right = static_cast<std::size_t>(std::ranges::count_if(outcome.right, holds));
+    const double share = static_cast<double>(wrong + right) / static_cast<double>(total);
+    if (wrong == outcome.wrong.size() && std::pow(share, wrong) < chance)
+      needed.emplace_back(each.words, total - wrong - right);
     const std::size_t right_elsewhere = outcome.right.size() - right;
     // Of few answers a wrong one is often right.
     const std::size_t telling = exercise.result_kind == Kind::integer ? 1 : 10;
-    if (right < fewest || right_elsewhere * telling > outcome.wrong.size() || right_elsewhere > right) continue;
+    if (wrong > 0 || right < fewest || right_elsewhere * telling > outcome.wrong.size() || right_elsewhere > right)
+      continue;
     sides.emplace_back(each.words, right);
   }
   // Of two that tell as much none is certain.
-  std::ranges::stable_sort(sides, std::greater(), &std::pair<std::string, std::size_t>::second);
-  if (sides.empty() || (sides.size() > 1 && sides[0].second == sides[1].second)) return std::nullopt;
-  const auto& [words, right] = sides.front();
-  const std::size_t elsewhere = outcome.right.size() + outcome.wrong.size() - right;
-  return Reason{ReasonKind::split, "one_side",
-                fmt::format("Your result is right at all {} where {}, and wrong at {} of the {} others.",
-                            plural(right, "case"), words, outcome.wrong.size(), elsewhere),
-                Weight::symptom};
+  const auto has_largest = [](Sides& all) {
+    std::ranges::stable_sort(all, std::greater(), &Sides::value_type::second);
+    return !all.empty() && (all.size() == 1 || all[0].second > all[1].second);
+  };
+  std::string sentence;
+  if (has_largest(sides))
+    sentence =
+        fmt::format("Your result is right at all {} where {}, and wrong at {} of the {} others.",
+                    plural(sides[0].second, "case"), sides[0].first, outcome.wrong.size(), total - sides[0].second);
+  else if (has_largest(needed))
+    sentence = fmt::format("Your result is wrong only where {} (at {} of those {}), and right elsewhere.",
+                           needed[0].first, outcome.wrong.size(), plural(total - needed[0].second, "case"));
+  else
+    return std::nullopt;
+  return Reason{ReasonKind::split, "one_side", sentence, Weight::symptom};
 }
 
 /// The kinds of cases that are wrong, by their names, where all others are right; nothing where these are most.

@@ -77,6 +77,25 @@ std::string sentence_of(const std::vector<WrongCoefficient>& wrong) {
   return text + ".";
 }
 
+/// The term that is a multiple of the unit matrix, where one of ones stands in its place and all else is right.
+std::optional<Reason> term_of_ones(const ExerciseReference& exercise, const Answers& answers) {
+  if (exercise.result_kind != Kind::matrix3) return std::nullopt;
+  for (const Term& term : exercise.terms) {
+    const bool is_that = std::ranges::all_of(deciding_cases(exercise), [&](std::size_t i) {
+      const double size = term.outputs[i].numbers[0];
+      MatrixXd with_ones = as_matrix(exercise.cases[i].expected);
+      with_ones += term.coefficient * size * (MatrixXd::Ones(3, 3) - MatrixXd::Identity(3, 3));
+      return as_matrix(term.outputs[i]) == size * MatrixXd::Identity(3, 3) &&
+             is_same_answer(exercise, i, *answers[i], to_value(with_ones));
+    });
+    const auto vanishes = [&](std::size_t i) { return term.outputs[i].numbers[0] == 0; };
+    if (is_that && !std::ranges::all_of(deciding_cases(exercise), vanishes))
+      return Reason{ReasonKind::term, term.name,
+                    fmt::format("The term {} stands in every entry; it belongs on the diagonal only.", term.name)};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 TermEquations term_equations(const ExerciseReference& exercise, const Answers& values) {
@@ -111,6 +130,7 @@ bool TermEquations::determine_coefficients() const {
 std::optional<Reason> diagnose_terms(const ExerciseReference& exercise, const Answers& answers) {
   if (exercise.terms.empty() || exercise.comparison != Comparison::plain) return std::nullopt;
   if (!all_deciding_cases_answered(exercise, answers)) return std::nullopt;
+  if (auto found = term_of_ones(exercise, answers)) return found;
   const TermEquations equations = term_equations(exercise, answers);
   if (!equations.values.allFinite() || !equations.determine_coefficients()) return std::nullopt;
 

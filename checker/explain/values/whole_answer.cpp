@@ -155,7 +155,10 @@ std::vector<Part> parts_of(const ExerciseReference& exercise, const Answers& ans
   for (int k = 0; k < 2; ++k) {
     Part best;
     for (const KnownMistake& mistake : known) {
-      if (mistake.is_of_other_function()) continue;  // a number in common is a coincidence
+      // A number in common with another function, or beside a mistake, with the result for changed inputs is a
+      // coincidence.
+      const bool is_named = mistake.kind == ReasonKind::misconception;
+      if (mistake.is_of_other_function() || (k > 0 && !is_named)) continue;
       Part part{mistake};
       for (const std::size_t entry : wrong)
         if (gives(mistake, entry)) part.entries.insert(entry);
