@@ -67,6 +67,7 @@ Program compile_variants(const DiagnosticTask& task, std::vector<Variant>& varia
 
 /// A condition that is true at the failing cases, or false there.
 struct DecidingBranch {
+  std::size_t number = 0;  ///< of the variant
   Variant branch;
   bool when = true;       ///< the condition is so at the failing cases
   std::size_t cases = 0;  ///< at which it is so
@@ -81,8 +82,9 @@ struct DecidingBranch {
 };
 
 /// The branch of fewest cases that all failing ones take, if many of its cases fail or all are right without it.
-void consider(std::optional<DecidingBranch>& best, const Variant& branch, const std::set<std::size_t>& taken,
-              const std::function<bool(bool)>& is_right_if_always, const DiagnosticTask& task) {
+void consider(std::optional<DecidingBranch>& best, std::size_t number, const Variant& branch,
+              const std::set<std::size_t>& taken, const std::function<bool(bool)>& is_right_if_always,
+              const DiagnosticTask& task) {
   const std::vector<std::size_t>& failing = task.judgement.failing;
   const std::size_t total = task.reference.cases.size();
   for (const bool when : {true, false}) {
@@ -90,12 +92,12 @@ void consider(std::optional<DecidingBranch>& best, const Variant& branch, const 
     const bool all_fail_there =
         std::ranges::all_of(failing, [&](std::size_t index) { return taken.contains(index) == when; });
     // Where nothing else is at stake a wrong branch may be right; a few cases may share it by accident.
-    const std::size_t least_part = failing.size() > 2 ? 4 : 2;
+    const std::size_t least_part = failing.size() > 1 ? 4 : 2;
     if (!all_fail_there || cases == total) continue;
     const bool repairs = is_right_if_always(!when);
     if (!repairs && (least_part * failing.size() < cases || 2 * cases > total)) continue;
     if (!best || std::pair(!repairs, cases) < std::pair(!best->repairs, best->cases))
-      best = DecidingBranch{branch, when, cases, repairs};
+      best = DecidingBranch{number, branch, when, cases, repairs};
   }
 }
 
@@ -115,6 +117,11 @@ bool is_factor(const Variant& variant) {
   return variant.kind == VariantKind::factor || variant.kind == VariantKind::steps;
 }
 
+/// Others need a copy of the file.
+bool can_be_switched(const Variant& variant) {
+  return variant.kind != VariantKind::brackets && variant.kind != VariantKind::overwritten;
+}
+
 /// There are few of its kind.
 bool is_exact(const Variant& variant) {
   using enum VariantKind;
@@ -122,10 +129,39 @@ bool is_exact(const Variant& variant) {
   return std::ranges::count(exact, variant.kind) > 0;
 }
 
+double sum(const std::vector<double>& all) { return std::accumulate(all.begin(), all.end(), 0.0); }
+
+/// By what one number is multiplied; 0 where something else is changed.
+double multiple(const Variant& variant, const SourceText& source) {
+  const Edit& edit = variant.edits.front();
+  const std::string text(source.text().substr(edit.offset, edit.length));
+  return variant.kind != VariantKind::number || variant.edits.size() > 1
+             ? 0
+             : std::strtod(edit.replacement.c_str(), nullptr) / std::strtod(text.c_str(), nullptr);
+}
+
 /// How many steps, and how small something is. Another number of about that size may be that of another formula.
-bool is_of_accuracy(const Variant& variant) {
+bool is_of_accuracy(const Variant& variant, const SourceText& source) {
+  const double times = multiple(variant, source);
   return variant.kind == VariantKind::loop || variant.kind == VariantKind::steps ||
-         (variant.kind == VariantKind::number && variant.words != "another number");
+         (variant.kind == VariantKind::number &&
+          (variant.edits.size() > 1 || std::abs(times - 10) < 1e-6 || std::abs(times - 0.1) < 1e-6));
+}
+
+/// What is left of the error with twice a number, or half of it, if of the rest as much is left the next time: it is a
+/// number of steps, or their size. 1 where it is not so.
+double part_left(VariantRunner& runner, const std::vector<Variant>& variants, std::size_t number,
+                 const std::vector<double>& errors, const SourceText& source) {
+  const double once = multiple(variants[number], source);
+  const auto twice = std::ranges::find_if(variants, [&](const Variant& each) {
+    return each.edits.front().offset == variants[number].edits.front().offset && multiple(each, source) == once * once;
+  });
+  if (twice == variants.end()) return 1;
+  const double one = sum(runner.errors(number, errors.front())) / sum(errors);
+  if (one == 0) return 1;
+  const double both = sum(runner.errors(static_cast<std::size_t>(twice - variants.begin()))) / sum(errors);
+  const bool is_law = both > 0 && one < 0.75 && std::abs(std::log(both) / std::log(one) - 2) < 0.5;
+  return is_law ? one : 1;
 }
 
 /// The number, or the end of a loop, with which the error falls, of some failing cases taken together: it follows a
@@ -134,19 +170,27 @@ std::optional<Reason> coarse(VariantRunner& runner, const std::vector<Variant>& 
   constexpr double clearly_less = 0.35, much_less = 0.15, nearly_right = 0.1, known = 0.7;
   const std::vector<double> errors = runner.errors(variants.size());
   if (errors.size() < 3 || !(std::ranges::max(errors) < known)) return std::nullopt;
-  const auto sum = [](const std::vector<double>& all) { return std::accumulate(all.begin(), all.end(), 0.0); };
-  double best = std::ranges::max(errors) > nearly_right ? much_less : clearly_less;
+  const bool is_near = std::ranges::max(errors) <= nearly_right;
+  double best = is_near ? clearly_less : much_less;
   std::optional<Reason> found;
-  for (std::size_t k = 0; k < variants.size(); ++k) {
-    if (!is_of_accuracy(variants[k])) continue;
-    const std::vector<double> others = runner.errors(k);
-    const double ratio = others.size() == errors.size() ? sum(others) / sum(errors) : 1;
-    if (!(ratio < best)) continue;
+  const auto tell = [&](std::size_t k, const std::string& words, double ratio) {
+    if (ratio >= best) return;
     best = ratio;
     found = repair(source, variants[k].place, "slip_coarse",
-                   fmt::format("this limits the accuracy: with {} here, about {:.0f} % of the error are left.",
-                               variants[k].words, std::ceil(100 * ratio)));
+                   fmt::format("this limits the accuracy: with {} here, about {:.0f} % of the error are left.", words,
+                               std::ceil(100 * ratio)));
+  };
+  for (std::size_t k = 0; k < variants.size(); ++k) {
+    if (!is_of_accuracy(variants[k], source)) continue;
+    const std::vector<double> others = runner.errors(k, errors.front());
+    if (others.size() == errors.size()) tell(k, variants[k].words, sum(others) / sum(errors));
   }
+  if (found || !is_near) return found;
+  // Ten times as many steps may be too many to try.
+  best = 1;
+  for (std::size_t k = 0; k < variants.size(); ++k)
+    if (const double times = multiple(variants[k], source); times == 2 || times == 0.5)
+      tell(k, times == 2 ? "twice this number" : "half of this number", part_left(runner, variants, k, errors, source));
   return found;
 }
 
@@ -182,7 +226,9 @@ std::optional<Reason> mistake_left(VariantRunner& runner, std::size_t variant, c
 std::optional<Reason> first_of_two(VariantRunner& runner, const VariantRunner::Gain& gain, std::size_t position,
                                    const Variant& variant, const SourceText& source, const DiagnosticTask& task) {
   // Another name, index, number or factor, or a term left out, may only turn another mistake into a known one.
-  const auto mistake = is_exact(variant) ? mistake_left(runner, position, task) : std::nullopt;
+  // One that changes nothing leaves what was there.
+  const auto mistake =
+      is_exact(variant) && runner.is_other(position) ? mistake_left(runner, position, task) : std::nullopt;
   std::string left;
   if (mistake) {
     left = "one mistake is left: " + mistake->sentence;
@@ -199,24 +245,40 @@ std::optional<Reason> first_of_two(VariantRunner& runner, const VariantRunner::G
   return repair(source, variant.place, "slip_first", fmt::format("with {} here, {}", variant.words, left));
 }
 
-/// Another factor may stand for many a mistake, and what needs a copy of the file cannot be switched on.
+/// Another factor may stand for many a mistake.
 bool can_be_beside(const Variant& variant) {
-  return !variant.is_branch() && !is_factor(variant) && variant.kind != VariantKind::brackets &&
-         variant.kind != VariantKind::overwritten;
+  return !variant.is_branch() && !is_factor(variant) && can_be_switched(variant);
 }
 
-/// Two slips with which all cases are right; in two lines only those of which there are few, or where one of the two
-/// helps by itself.
+/// Two other names or numbers may be right by coincidence, unless they are one change in two places, or an exchange.
+bool may_be_coincidence(const Variant& first, const Variant& second, const SourceText& source) {
+  const auto is_inexact = [](const Variant& each) {
+    return each.words.starts_with("another name") || each.words.starts_with("another number");
+  };
+  const auto change = [&](const Variant& each) {
+    const Edit& edit = each.edits.front();
+    return std::pair(std::string(source.text().substr(edit.offset, edit.length)), edit.replacement);
+  };
+  const auto one = change(first), other = change(second);
+  return is_inexact(first) && is_inexact(second) && one != other && one != std::pair(other.second, other.first);
+}
+
+/// Two slips with which all cases are right; in two lines only those of one kind of which there are few, or where one
+/// of the two helps by itself.
 std::optional<Reason> two_slips(VariantRunner& runner, const std::vector<Variant>& variants,
                                 const std::vector<std::size_t>& order, const std::set<std::size_t>& helpful,
                                 const SourceText& source, const DiagnosticTask& task) {
+  // Two can make all cases go another way, which is right where most are.
+  if (2 * task.judgement.failing.size() < task.reference.cases.size()) return std::nullopt;
   for (auto one = order.begin(); one != order.end(); ++one) {
     for (auto other = one + 1; other != order.end(); ++other) {
       const Variant &first = variants[*one], &second = variants[*other];
       const bool are_apart = first.edits.front().offset != second.edits.front().offset;
-      const bool are_near = first.place.line == second.place.line || (is_exact(first) && is_exact(second)) ||
-                            helpful.contains(*one) || helpful.contains(*other);
-      if (!are_near || !are_apart || !can_be_beside(first) || !can_be_beside(second) || !runner.is_right(*one, *other))
+      const bool are_alike = is_exact(first) && first.kind == second.kind;
+      const bool are_near =
+          first.place.line == second.place.line || are_alike || helpful.contains(*one) || helpful.contains(*other);
+      if (!are_near || !are_apart || !can_be_beside(first) || !can_be_beside(second) ||
+          may_be_coincidence(first, second, source) || !runner.is_right(*one, *other))
         continue;
       return repair(
           source, first.place, "slips_" + to_string(first.kind),
@@ -341,8 +403,8 @@ std::optional<Answers> VariantRunner::answers(std::size_t variant) {
 
 bool VariantRunner::is_as_judged() {
   // Numbers that are wrong without bounds may have lost all digits that the compiler's options leave.
-  constexpr std::size_t most = 10;
-  const std::vector<std::size_t>& failing = task_.judgement.failing;
+  constexpr std::size_t most = 10, looked_at = 30;
+  const std::vector<std::size_t> failing = evenly_spaced(task_.judgement.failing, looked_at);
   const auto differs = [&](std::size_t index) { return is_other(unchanged_, index); };
   return most * static_cast<std::size_t>(std::ranges::count_if(failing, differs)) <= failing.size();
 }
@@ -359,7 +421,7 @@ bool VariantRunner::is_other(std::size_t variant) {
   return std::ranges::any_of(task_.judgement.failing, [&](std::size_t index) { return is_other(variant, index); });
 }
 
-std::vector<double> VariantRunner::errors(std::size_t variant) {
+std::vector<double> VariantRunner::errors(std::size_t variant, double below) {
   constexpr std::size_t looked_at = 5;
   // Generated inputs may be so large or small that rounding is larger than what a step or a series leaves out.
   std::vector<std::size_t> failing = task_.judgement.failing;
@@ -371,11 +433,14 @@ std::vector<double> VariantRunner::errors(std::size_t variant) {
     errors.push_back(0);
     for (const Deviation& each : deviations(task_.reference, index, reply.value))
       errors.back() = std::max(errors.back(), each.relative_size());
+    if (errors.front() > below) return {};
   }
   return errors;
 }
 
-std::optional<std::set<std::size_t>> VariantRunner::cases_taking_branch(std::size_t variant) {
+std::optional<std::set<std::size_t>> VariantRunner::cases_taking_branch(std::size_t variant,
+                                                                        std::optional<std::size_t> beside) {
+  if (beside) variant = VariantUnit::both(variant, *beside);
   std::set<std::size_t> cases;
   for (const std::size_t index : order_) {
     if (task_.observation.replies.at(index).ending != Ending::returned) return std::nullopt;
@@ -425,12 +490,18 @@ std::optional<Reason> slip_or_branch(const DiagnosticTask& task, const Toolchain
   std::vector<Variant> variants = branch_variants(source);
   std::ranges::move(one_token_variants(source, task.reference), std::back_inserter(variants));
   std::erase_if(variants, [&](const Variant& each) {
-    return each.kind == VariantKind::division ||
-           (sought == Sought::accuracy && !is_of_accuracy(each));  // the former are known
+    return each.kind == VariantKind::division ||  // which are known
+           (sought == Sought::accuracy && !is_of_accuracy(each, source) && each.kind != VariantKind::number);
   });
   VariantRunner runner(task, variants, toolchain, cache);
   if (!runner.is_as_judged()) return std::nullopt;
+  // Where steps are many, few calls can be made: what they limit comes first.
+  const auto limit = coarse(runner, variants, source);
   std::optional<DecidingBranch> branch;
+  std::vector<std::size_t> mixed;  // branches that some cases take and some do not
+  const auto is_mixed = [&](const std::set<std::size_t>& cases) {
+    return !cases.empty() && cases.size() < task.reference.cases.size();
+  };
   for (std::size_t k = 0; k < variants.size(); ++k) {
     if (variants[k].kind != VariantKind::branch) continue;
     const auto is_right_if_always = [&](bool outcome) {
@@ -440,9 +511,20 @@ std::optional<Reason> slip_or_branch(const DiagnosticTask& task, const Toolchain
       });
       return forced != variants.end() && runner.is_right(static_cast<std::size_t>(forced - variants.begin()));
     };
-    if (const auto taken = runner.cases_taking_branch(k))
-      consider(branch, variants[k], *taken, is_right_if_always, task);
+    if (const auto taken = runner.cases_taking_branch(k)) {
+      consider(branch, k, variants[k], *taken, is_right_if_always, task);
+      if (is_mixed(*taken)) mixed.push_back(k);
+    }
   }
+  // Is it right only because all cases go one way now? Another sign may do so rightly, but not where the way alone
+  // does.
+  const auto only_leads_elsewhere = [&](std::size_t slip) {
+    return can_be_switched(variants[slip]) && std::ranges::any_of(mixed, [&](std::size_t k) {
+             if (is_exact(variants[slip]) && !(branch && branch->repairs && branch->number == k)) return false;
+             const auto taken = runner.cases_taking_branch(k, slip);
+             return taken && !is_mixed(*taken);
+           });
+  };
   // Another number may stand for many a mistake: it comes last, and where few cases fail it may only move rounding.
   const auto rank = [&](std::size_t k) {
     const VariantKind kind = variants[k].kind;
@@ -458,6 +540,7 @@ std::optional<Reason> slip_or_branch(const DiagnosticTask& task, const Toolchain
     const bool may_hold = !branch || (each.kind != VariantKind::guard && branch->may_hold(each));
     if (each.is_branch() || !may_hold) continue;
     const VariantRunner::Gain gain = runner.gain(k);
+    if (gain.is_right && only_leads_elsewhere(k)) continue;
     if (gain.is_right)
       return repair(
           source, each.place, "slip_" + to_string(each.kind),
@@ -466,7 +549,7 @@ std::optional<Reason> slip_or_branch(const DiagnosticTask& task, const Toolchain
   }
   if (sought == Sought::one_slip) return std::nullopt;
   if (branch) return finding_of(*branch, source, task);
-  if (const auto limit = coarse(runner, variants, source)) return limit;
+  if (limit) return limit;
   std::optional<Reason> one_of_two;
   for (auto one = gains.begin(); one != gains.end() && !one_of_two; ++one) {
     const auto& [k, gain] = *one;

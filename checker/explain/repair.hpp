@@ -7,6 +7,7 @@
 #include "checker/explain/variants.hpp"
 #include "checker/sandbox/worker_process.hpp"
 
+#include <limits>
 #include <set>
 
 namespace workbook {
@@ -31,7 +32,7 @@ std::optional<Reason> slip_or_branch(const DiagnosticTask& task, const Toolchain
 /// busy machine finds what an idle one finds; time, of a processor, only ends what would never end.
 struct TrialLimits {
   int compilations = limits::trial_compilations;  ///< each leaves out what it objected to
-  long work = 300'000'000;                        ///< in switches: some seconds
+  long work = 200'000'000;                        ///< in switches: some seconds
   int calls = 20'000;
   int slow_variants = 6;  ///< that reach the limit of one
   limits::Seconds compiling = limits::trial_compile_time, one_variant = limits::trial_of_one;
@@ -62,10 +63,11 @@ class VariantRunner {
   /// Does it differ from what was judged at a failing case? At this one?
   bool is_other(std::size_t variant);
   bool is_other(std::size_t variant, std::size_t case_index);
-  /// By how much it is wrong at some failing cases, in natural sizes; nothing where it has no value at one.
-  std::vector<double> errors(std::size_t variant);
-  /// The cases at which the condition of a branch is true; nothing where that is not certain.
-  std::optional<std::set<std::size_t>> cases_taking_branch(std::size_t variant);
+  /// By how much it is wrong at some failing cases, in natural sizes; nothing where it has no value at one, or at the
+  /// first a larger error.
+  std::vector<double> errors(std::size_t variant, double below = std::numeric_limits<double>::infinity());
+  /// The cases at which the condition of a branch is true, with a slip beside it; nothing where that is not certain.
+  std::optional<std::set<std::size_t>> cases_taking_branch(std::size_t variant, std::optional<std::size_t> beside = {});
 
  private:
   Reply call(std::size_t variant, std::size_t case_index);

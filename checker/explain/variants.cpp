@@ -15,7 +15,7 @@ namespace workbook {
 namespace {
 
 constexpr std::size_t last_token_looked_at = 4000;
-constexpr std::size_t most_variants = 1500;
+constexpr std::size_t most_variants = 3000, most_tried = 1000;
 
 bool is_identifier(std::string_view text) {
   return !text.empty() && (std::isalpha(static_cast<unsigned char>(text[0])) != 0 || text[0] == '_');
@@ -184,7 +184,14 @@ class SourceMutations {
       if (all_bugs_) bugs();
     }
     everywhere();
-    if (found_.size() > most_) found_.resize(most_);
+    if (found_.size() > most_tried && !all_bugs_) {
+      // Those of which there are most, and that are right least often, go first.
+      std::ranges::stable_partition(found_, [](const Variant& each) {
+        return !is_one_of(each.words, {"one factor more", "one divisor more"}) &&
+               !each.words.starts_with("a sum in place") && !each.words.starts_with("a difference in place");
+      });
+      found_.resize(most_tried);
+    }
     return std::move(found_);
   }
 
@@ -196,6 +203,10 @@ class SourceMutations {
   std::string_view before() const { return token(at_ - 1); }
   std::string_view after() const { return token(at_ + 1); }
 
+  struct Lambda {
+    std::size_t begin, end_of_captures, end;
+  };
+
   /// Only what stands between the first { of a function and the end is changed, not its head.
   void find_body() {
     const std::vector<Token>& tokens = source_.tokens();
@@ -205,18 +216,20 @@ class SourceMutations {
     }
   }
 
-  /// The body of the exercise's function, and the lambdas that see no names of what is around them.
+  /// The body of the exercise's function, and the lambdas that see only some names of what is around them.
   void find_functions(const std::string& name) {
     for (std::size_t k = 1; k < std::min(source_.tokens().size(), last_token_looked_at); ++k) {
       if (token(k) == name && token(k + 1) == "(") {
         const std::size_t close = conditions_.closing(k + 1);
         if (token(close + 1) == "{") body_ = {close + 1, conditions_.closing(close + 1)};
       }
-      if (token(k - 1) == "[" && token(k) == "]" && token(k + 1) == "(") {
-        std::size_t open = conditions_.closing(k + 1);
-        while (open < last_token_looked_at && !is_one_of(token(open), {"{", ";", ""})) ++open;
-        if (token(open) == "{") closed_.emplace_back(k - 1, conditions_.closing(open));
-      }
+      if (token(k) != "[") continue;
+      const std::size_t close = conditions_.closing(k);
+      const bool takes_all = is_one_of(token(k + 1), {"=", "&"}) && is_one_of(token(k + 2), {"]", ","});
+      if (token(close + 1) != "(" || takes_all) continue;
+      std::size_t open = conditions_.closing(close + 1);
+      while (open < last_token_looked_at && !is_one_of(token(open), {"{", ";", ""})) ++open;
+      if (token(open) == "{") closed_.push_back({k, close, conditions_.closing(open)});
     }
   }
 
@@ -224,8 +237,11 @@ class SourceMutations {
   bool is_visible(const std::string& name) const {
     const auto found = scopes_.find(name);
     const auto [begin, end] = found == scopes_.end() ? body_ : found->second;
-    return at_ > begin && at_ <= end && std::ranges::none_of(closed_, [&, first = begin](const auto& lambda) {
-             return at_ > lambda.first && at_ <= lambda.second && first < lambda.first;
+    return at_ > begin && at_ <= end && std::ranges::none_of(closed_, [&, first = begin](const Lambda& lambda) {
+             if (at_ <= lambda.begin || at_ > lambda.end || first >= lambda.begin) return false;
+             for (std::size_t k = lambda.begin; k < lambda.end_of_captures; ++k)
+               if (token(k) == name) return false;
+             return true;
            });
   }
 
@@ -256,7 +272,8 @@ class SourceMutations {
       } else if (left != "," || depth != 0 || type.empty() || right == ";" || right == ",") {
         continue;
       }
-      types_.emplace(here, type);
+      const auto [known, is_new] = types_.emplace(here, type);
+      if (!is_new && known->second != type) known->second = fmt::format("auto {}", here);  // one of several functions
       scopes_[std::string(here)] = {k, end_of_block(k)};
       if (is_constant) constants_.insert(std::string(here));
     }
@@ -307,9 +324,14 @@ class SourceMutations {
     if (here() == "-") add(VariantKind::sign, "another sign", follows_operand() ? "+" : " ");
     if (here() == "+=") add(VariantKind::sign, "another sign", "-=");
     if (here() == "-=") add(VariantKind::sign, "another sign", "+=");
-    if (begins_expression() && (is_identifier(after()) || is_numeral(after())) && !is_index(at_ + 1) &&
+    const bool is_bracket = after() == "(";  // all that is in it
+    if (begins_expression() && begins_operand(at_ + 1) && !(is_bracket && all_bugs_) && !is_index(at_ + 1) &&
         !is_zero(at_ + 1) && !is_even() && !is_bound())
       insert_after(VariantKind::sign, "another sign", "-");
+  }
+
+  bool begins_operand(std::size_t index) const {
+    return is_identifier(token(index)) || is_numeral(token(index)) || token(index) == "(";
   }
 
   /// Is what follows a value, and no declaration and no statement?
@@ -317,7 +339,10 @@ class SourceMutations {
     const bool declares = is_identifier(after()) && (is_identifier(token(at_ + 2)) || token(at_ + 2) == "&");
     const auto scope = scopes_.find(std::string(after()));
     const bool is_declared = scope != scopes_.end() && scope->second.first == at_ + 1;
-    if (declares || is_declared || after() == "const" || after() == "auto") return false;
+    const bool is_type =
+        is_one_of(after(), whole_types) || is_one_of(after(), {"const", "auto", "double", "float", "void"});
+    if (declares || is_declared || is_type) return false;
+    if (token(conditions_.opening_of(at_)) == "[") return false;  // `const auto& [one, other]`
     if (here() == "{") return is_one_of(before(), {"return", "=", "(", ",", "{"});
     if (here() == "(") return !is_one_of(before(), {"for", "if", "while", "switch", "catch", "]"});
     if (here() == ",") return token(at_ + 2) != "=";
@@ -359,6 +384,9 @@ class SourceMutations {
       if (is_guard) return;
       for (const char* other : {"0", "1", "2"})
         if (here() != other) add(VariantKind::index, "another index", other);
+      for (const auto& [name, type] : types_)  // `m[0]` in a loop over k
+        if (is_one_of(type, whole_types) && is_visible(name) && !all_bugs_)
+          add(VariantKind::index, "another index", name);
       if (token(at_ + 1) == "," && is_index(at_ + 2) && here() != token(at_ + 2))
         exchange(VariantKind::index, "the two indices the other way round", at_, at_ + 2);
       // `I[1] * I[1]`
@@ -376,6 +404,8 @@ class SourceMutations {
     const bool is_whole = here().find_first_of(".e") == std::string_view::npos;
     if (!is_guard && after() == "/" && is_numeral(token(at_ + 2)) && here() != token(at_ + 2))
       exchange(VariantKind::number, "this fraction the other way up", at_, at_ + 2);
+    if (const std::size_t next = next_in_list(); next > 0 && !is_guard && !all_bugs_)
+      exchange(VariantKind::number, "this number and the next one exchanged", at_, next);
     std::vector<double> others;
     if (value != 0)
       for (const double factor : {2.0, 0.5, 4.0, 0.25, 3.0, 1.0 / 3, 1.5, 2.0 / 3, -1.0, 10.0, 100.0, 0.1, 0.01, 1e-6})
@@ -385,14 +415,26 @@ class SourceMutations {
       if (is_guard && other == -value) continue;
       if (is_whole && (other != std::trunc(other) || (other < 0 && conditions_.in_loop(at_)) || std::abs(other) > 1e9))
         continue;
-      const char* words = is_guard                                                  ? "another bound in this condition"
-                          : std::abs(other) >= 10 * std::abs(value) && value != 0   ? "a larger number"
-                          : std::abs(other) <= 0.01 * std::abs(value) && value != 0 ? "a smaller number"
-                                                                                    : "another number";
+      const char* words = is_guard                                                 ? "another bound in this condition"
+                          : std::abs(other) >= 10 * std::abs(value) && value != 0  ? "a larger number"
+                          : std::abs(other) <= 0.1 * std::abs(value) && value != 0 ? "a smaller number"
+                                                                                   : "another number";
       add(kind, words, is_whole ? fmt::format("{:.0f}", other) : fmt::format("{:.17g}", other));
       if (!is_guard && other == 10 * value)
         places_[{std::string(here()), found_.back().edits.front().replacement}].push_back(found_.back().edits.front());
     }
+  }
+
+  /// The next number of that kind in a list, as in `{{0, 0.5}, {1, 0.5}}`, if it is another one; 0 if there is none.
+  std::size_t next_in_list() const {
+    const auto is_in_list = [&](std::size_t index) {
+      const std::size_t open = conditions_.opening_of(index);
+      return token(open) == "{" && open > 0 && !is_one_of(token(open - 1), {")", "]", ";", "}", "else", "do"});
+    };
+    if (!is_in_list(at_)) return 0;
+    for (std::size_t k = at_ + 1; k < last_ && token(k) != ";"; ++k)
+      if (is_numeral(token(k)) && is_whole(k) == is_whole(at_) && is_in_list(k)) return token(k) == here() ? 0 : k;
+    return 0;
   }
 
   void names() {
@@ -405,7 +447,7 @@ class SourceMutations {
     if (type == types_.end() || is_one_of(before(), {".", "::", "->", "&"}) || before() == type->second) return;
     const auto own_scope = scopes_.find(std::string(here()));
     if (own_scope != scopes_.end() && own_scope->second.first == at_) return;  // it is declared here
-    if (is_one_of(after(), {"=", "+=", "-=", "*=", "/=", "{"})) return;
+    if (is_one_of(after(), {"=", "+=", "-=", "*=", "/=", "{", "++", "--"}) || is_one_of(before(), {"++", "--"})) return;
     const bool is_filled = is_target();
     for (const auto& [other, declared] : types_)
       if (other != here() && declared == type->second) {
@@ -461,6 +503,11 @@ class SourceMutations {
     if (type == "double" && !is_one_of(token(at_ - 2), {"sqrt", "abs", "cos", "sin"}))
       put("the root of {}", "std::sqrt(" + name + ")");
     if (type == "double" && before() == "-" && token(at_ - 2) == "1") put("1 − {} in place", "(1 - " + name + ")");
+    for (const auto& [other, other_type] : types_) {  // the mass of the whole for that of the rest
+      if (type != "double" || other_type != type || other == name || before() != "/" || !is_visible(other)) continue;
+      put("a sum in place of {}", "(" + name + " + " + other + ")");
+      put("a difference in place of {}", "(" + name + " - " + other + ")");
+    }
     if (type == "Vector3d" && after() != "[" && after() != "(") {
       put("the unit vector of {}", "Vector3d(" + name + ".normalized())");
       for (const auto& [matrix, other_type] : types_) {
@@ -530,6 +577,9 @@ class SourceMutations {
         const std::string of_more = fmt::format("[](const auto& v) {{ return std::{}({} * v); }}", here(), factor);
         add(VariantKind::function, "another factor in the argument", of_more);
       }
+    if (is_called && !all_bugs_ && here() == "atan2")
+      add(VariantKind::function, "the two arguments exchanged",
+          "[](const auto& one, const auto& other) { return std::atan2(other, one); }");
     if ((here() == "abs" || here() == "fabs") && is_called) drop("the absolute value left out");
     if (here() == "sqrt" && is_called) drop("the root left out");
   }
@@ -553,6 +603,7 @@ class SourceMutations {
   /// The end of a loop.
   void loops() {
     if (!conditions_.in_loop(at_) || !is_one_of(here(), {"<", "<=", ">", ">=", "!="}) || all_bugs_) return;
+    if (is_one_of(after(), whole_types) || is_one_of(after(), {"double", "std"})) return;  // `vector<double>`
     if (!is_identifier(after()) && !is_numeral(after())) return;
     const std::size_t behind = source_.tokens()[at_].offset + here().size();
     add(VariantKind::loop, "one step more", at_, {{behind, 0, "1"}});
@@ -578,6 +629,29 @@ class SourceMutations {
     return true;
   }
 
+  /// Is it a number, as far as the names in it tell?
+  bool is_scalar(std::size_t first, std::size_t last) const {
+    const std::initializer_list<std::string_view> numbers = {"norm", "squaredNorm", "dot",  "x",    "y",
+                                                             "z",    "sum",         "prod", "trace"};
+    for (std::size_t k = first; k <= last; ++k) {
+      const auto type = types_.find(std::string(token(k)));
+      const bool is_entry =
+          is_one_of(token(k + 1), {"[", "("}) || (token(k + 1) == "." && is_one_of(token(k + 2), numbers));
+      if (token(k).starts_with("Vector") || token(k).starts_with("Matrix")) return false;
+      if (type != types_.end() && type->second != "double" && !is_one_of(type->second, whole_types) && !is_entry)
+        return false;
+    }
+    return true;
+  }
+
+  /// The last token of `x`, `v.norm()`, `M(0, 1)` or `(a + b)`.
+  std::size_t end_of_factor(std::size_t last) const {
+    while (is_one_of(token(last + 1), {".", "::"}) && is_identifier(token(last + 2))) last += 2;
+    if (token(last) == "(") last = conditions_.closing(last);
+    while (is_one_of(token(last + 1), {"(", "["})) last = conditions_.closing(last + 1);
+    return last;
+  }
+
   /// `a / b` or `a / b * c`, in which c is no part of the divisor, before the token here?
   bool follows_quotient() const {
     std::size_t sign = at_;
@@ -587,7 +661,8 @@ class SourceMutations {
 
   /// A quotient of whole numbers: of variables, of a size. What follows a quotient as its factor.
   void divisions() {
-    if (here() == "*" && !all_bugs_ && follows_quotient()) add(VariantKind::division, "divisor", "/");
+    if (here() == "*" && !all_bugs_ && follows_quotient() && is_scalar(at_ + 1, end_of_factor(at_ + 1)))
+      add(VariantKind::division, "divisor", "/");
     if (here() != "/" || all_bugs_ || !follows_whole()) return;
     const bool is_size = token(at_ + 2) == "." && is_one_of(token(at_ + 3), {"size", "cols", "rows"});
     if (is_whole(at_ + 1) || is_size) add(VariantKind::division, "", "* 1.0 /");
@@ -603,7 +678,7 @@ class SourceMutations {
   void factors() {
     const bool begins_term = is_one_of(here(), {"return", "=", "+", "-", "+=", "-="});
     if (!begins_term || is_zero(at_ + 1) || conditions_.in_loop(at_) || declares_whole_number()) return;
-    if (!(is_identifier(after()) || is_numeral(after()) || after() == "(")) return;
+    if (!begins_operand(at_ + 1)) return;
     // In `n = axis` nobody forgot a number; another one may only move the inputs out of a wrong branch.
     if (here() == "=" && is_identifier(after()) && token(at_ + 2) == ";" && !all_bugs_) return;
     if (is_identifier(after()) && (after() == "std" || after() == "static_cast") && token(at_ + 2) != "::") return;
@@ -635,11 +710,9 @@ class SourceMutations {
     if (closes(token(first))) first = conditions_.opening(first);
     if (is_one_of(token(first), {"(", "["}) && is_identifier(token(first - 1)) && token(first - 1) != "return") --first;
     while (first > 2 && is_one_of(token(first - 1), {".", "::"}) && is_identifier(token(first - 2))) first -= 2;
-    std::size_t last = at_ + 1;
-    if (!is_identifier(after()) && !is_numeral(after()) && after() != "(") return;
-    while (is_one_of(token(last + 1), {".", "::"}) && is_identifier(token(last + 2))) last += 2;
-    if (token(last) == "(") last = conditions_.closing(last);
-    while (is_one_of(token(last + 1), {"(", "["})) last = conditions_.closing(last + 1);
+    if (!begins_operand(at_ + 1)) return;
+    const std::size_t last = end_of_factor(at_ + 1);
+    if (is_scalar(first, at_ - 1) != is_scalar(at_ + 1, last)) return;
     if (!is_one_of(token(first - 1), {"*", "/"}) && !is_one_of(token(last + 1), {"*", "/"})) return;
     if (std::ranges::count(found_, VariantKind::brackets, &Variant::kind) >= most) return;
     const Token& end = source_.tokens()[last];
@@ -728,7 +801,7 @@ class SourceMutations {
   std::map<std::string, std::pair<std::size_t, std::size_t>> scopes_;        ///< of local variables
   std::map<std::pair<std::string, std::string>, std::vector<Edit>> places_;  ///< of one text in place of another
   std::pair<std::size_t, std::size_t> body_ = {0, last_token_looked_at};     ///< of the exercise's function
-  std::vector<std::pair<std::size_t, std::size_t>> closed_;                  ///< lambdas without captures
+  std::vector<Lambda> closed_;                                               ///< without a default of their captures
   std::vector<std::pair<std::string, std::string>> angles_;                  ///< an argument, and the angle in it
   std::vector<Variant> found_;
   std::size_t at_ = 0, first_ = 0, last_ = 0;

@@ -84,6 +84,8 @@ TEST_CASE("the one token with which all cases are right is found, with its place
       {"return x < 0 ? -n * x : n * x;", "slip_sign", 7, 16},
       {"const bool small = x < 1;\nif (small) return 0;\nreturn n * x;", "branch", 8, 1},
       {"if (x > -9) return 7;\nreturn n * x;", "", 0, 0},  // taken always
+      // Another sign or number in the first line would keep all cases from the last one.
+      {"const double y = 3 - x;\nif (y > 0) return n * x;\nreturn 7;", "branch", 8, 1},
       {"const double h = 0.001;\nreturn n * ((x + h) * (x + h) - x * x) / (2 * h);", "slip_coarse", 7, 18},
   };
   for (const Slip& slip : slips) {
@@ -203,6 +205,16 @@ TEST_CASE("two slips, a bound in a condition and a name with something left out 
        "slips_function", 7},
       {"Matrix3d K;\nK << x, 1, 2, 3, 4, 5, 6, 7, 8;\nreturn -n * K(0, 0);", "slip_sign", 8},
       {"const Matrix3d D = Vector3d(x, 1, 2).asDiagonal();\nreturn -n * D(0, 0);", "slip_sign", 7},
+      {"const Vector3d v(x, 2 * x, 4 * x);\ndouble s = 0;\nfor (int k = 0; k < 3; ++k) s += v[0];\nreturn n * s / 7;",
+       "slip_index", 9},
+      {"return n * std::tan(std::atan2(1, x));", "slip_function", 7},
+      {"const Vector2d w{2.0, 5.0};\nreturn n * x * (w[0] * w[0] - 12 * w[1]);", "slip_number", 7},
+      {"const double y = (1 - 2) * x;\nreturn n * y;", "slip_sign", 7},
+      {"const double a = 4, b = 3;\nreturn n * x / a;", "slip_name", 8},
+      // Ten times as many steps are too many to try.
+      {"const double h = 3e-6;\ndouble s = 0;\nfor (double u = 0; u < 1; u += h) s += h * 3 * u * u;\nreturn n * x * "
+       "s;",
+       "slip_coarse", 7},
       {"double s = 0;\nfor (int i = 0; i < 400; ++i) s += 3.0 * i * i / 400 / 400 / 400;\nreturn n * x * s;",
        "slip_coarse", 8},
   };
@@ -246,6 +258,11 @@ TEST_CASE("two slips of many kinds are found in two lines where one of them help
   CHECK(Attempt("return -n * x;").slip(Sought::one_slip).has_value());
   CHECK(found->name == "slips_index");
   CHECK(found->line == 8);
+  // Two other names with nothing in common may be right by coincidence.
+  CHECK_FALSE(
+      Attempt("const double a = x * x, b = x - 1, c = x * x * x, d = 1;\nreturn n * (a + c);").slip().has_value());
+  // Where few cases fail, two may only keep them from a wrong branch.
+  CHECK_FALSE(Attempt("const double y = 3 - x, z = 5 - x;\nreturn (y > 0) * (z > 0) * n * x;").slip().has_value());
 }
 
 TEST_CASE("the branch that the failing cases take is named with its condition, and whether all is right without it") {
