@@ -187,7 +187,8 @@ const std::vector<TextMistake>& table() {
        R"((?:\]|void \w+) \( (?:[^()]*, )?(?:(?:Matrix|Vector)\w+|double|int|auto) (\w+)[^()]*\) \{\n(?:(?!return|if|for|while)[^\n]* ;\n)*?\1 [-+*/]?= [^\n]* ;\n\}(?: ;)?$)",
        "`$1` is a copy of what the function is called with, and nothing is returned: write & behind its type."},
       {"semicolon_in_list",
-       R"(^\w+(?: \. \w+ \( [^()\n]*\))? << [^\n]* (;)\n(?:(?! = |return| << )[^\n])* , (?:(?! = )[^\n])* ;$)",
+       R"(^\w+(?: \. \w+ \( [^()\n]*\))? << [^\n]* (;)\n(?!(?:\w+ (?::: )?)*[A-Za-z_]\w* [A-Za-z_]\w* |return|[^\n]* (?:=|<<) ))"
+       R"((?:[^()\n]|\((?:[^()\n]|\([^()\n]*\))*\))* , [^\n]* ;$)",
        "This ; ends the list of <<, although more of it follows: between all numbers stands a comma.", nullptr, "",
        Weight::possible},
       {"shared_counter", R"(^for \( (?:\w+ )?(\w+) = [^;\n]*;[^;\n]*;[^\n]*\) (?:\{\n)?for \( \1 = [^\n]*$)",

@@ -513,12 +513,21 @@ TEST_CASE("each of the beginners' mistakes is told in a tutor's words, and none 
     }
 }
 
+/// What the text of a function shows, each name with a space behind.
+static std::string names(const std::string& text) {
+  std::string all;
+  for (const auto& found : text_mistakes(SourceText(body(text)))) all += found.name + " ";
+  return all;
+}
+
+TEST_CASE("a list that goes on behind its ; is told, not a declaration or a call in the next line") {
+  CHECK(names("Vector3d v;\nv << x, x;\n     std::max(x, 1.0);\nreturn v[0];").empty());
+  CHECK(names("Matrix2d A;\nA << 1, x;\n  x, std::cos(x);\nreturn A(0, 0);") == "semicolon_in_list ");
+  CHECK(names("Matrix2d A;\nA << 1, x, x, 1;\nconst Vector2d b(x, 1);\nreturn A.inverse().row(0).dot(b);").empty());
+  CHECK(names("Matrix2d A;\nA << 1, x, x, 1;\nEigen::Vector2d b(x, 1), c(1, x);\nreturn b.dot(A * c);").empty());
+}
+
 TEST_CASE("an index behind an array is told in the array's block, and not of another variable of that name") {
-  const auto names = [](const std::string& text) {
-    std::string all;
-    for (const auto& found : text_mistakes(SourceText(body(text)))) all += found.name + " ";
-    return all;
-  };
   CHECK(names("double w[3] = {x, x, x};\nfor (int i = 0; i < 3; ++i) {\n  w[i] += x;\n}\nreturn w[3];") ==
         "index_out_of_range ");
   CHECK(names("{\n  double w[2] = {x, x};\n  x += w[1];\n}\nVector3d w(x, x, x);\nreturn w[2];").empty());
@@ -528,11 +537,6 @@ TEST_CASE("an index behind an array is told in the array's block, and not of ano
 }
 
 TEST_CASE("a return that ends a loop in its first turn is told, not one behind a condition; so is a wrong counter") {
-  const auto names = [](const std::string& text) {
-    std::string all;
-    for (const auto& found : text_mistakes(SourceText(body(text)))) all += found.name + " ";
-    return all;
-  };
   CHECK(names("for (int i = 0; i < 2; ++i) {\nx += 1;\nreturn x;\n}\nreturn x;") == "return_in_loop ");
   CHECK(names("for (int i = 0; i < 2; ++i) {\nif (x > 1) return x;\nx += 1;\n}\nreturn x;").empty());
   CHECK(names("for (int i = 0; i < 3; i++)\nfor (int j = 0; j < 3; i++) x += 1;\nreturn x;") == "other_counter ");

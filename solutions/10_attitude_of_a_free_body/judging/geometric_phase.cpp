@@ -53,7 +53,7 @@ void judge_geometric_phase(Lecture& lecture) {
           [](auto& I, auto& w) { return modulo(turn_per_period(I, w), 2 * pi); });
   e.wrong_output("This is what is missing from half of the sphere: the sense in which the curve runs is reversed.",
                  "wrong_sense", [](auto& S) { S = 2 * pi - S; });
-  e.wrong("Your sign is that of motion round axis 3 always; round axis 1 the curve runs in the other sense.",
+  e.wrong("This fits motion round axis 3 only; round axis 1 the curve surrounds axis 1, and runs in the other sense.",
           "round_axis_3_always",
           [](auto& I, auto& w) { return modulo(dynamical_phase(I, w) - turn_per_period(I, w), 2 * pi); });
   e.wrong("This is the dynamical part of the turn without whole turns; asked for is the other part.", "dynamical_phase",
