@@ -35,7 +35,7 @@ constexpr KnownEvent known_events[] = {
     {"missing-return.*", "missing_return", "this function comes to its end without a return.", true, Weight::symptom},
     {"signed-integer-overflow\\|.*: (.*) cannot be represented in type '(.*)'.*", "integer_overflow", "$1 does not fit into the type $2; calculate in double.", true},
     {"out-of-bounds-index\\|.*index (-?\\d+) out of bounds for type '.*\\[(\\d+)\\]'.*", "index_out_of_range", "index $1 is outside the array of size $2; indices start at 0.", true},
-    {"library\\|__\\w+ < (this->)?size\\(\\)", "index_out_of_range", "an index lies outside its container; a container of size n has the indices 0 to n - 1."},
+    {"library\\|__\\w+ < (this->)?size\\(\\)", "index_out_of_range", "an index lies outside its container: the indices are 0 to n - 1 for a size n, and a container made without a size has size 0."},
     {"exception\\|(\\w+)::.*\\(which is (\\d+)\\) >= .*\\(which is (\\d+)\\).*", "index_out_of_range", "index $2 is outside the $1 of size $3; indices start at 0."},
     {"eigen\\|\\(i>=0\\).*", "index_out_of_range", "there is no `%1.%2(%3)`: `%1` has those from 0 to %1.%2s() - 1, and none before it is given a size (%1.size() counts all entries).", false, Weight::cause, "\\b(\\w+)\\.(row|col)\\(([^()]*)\\)"},
     {"eigen\\|.*(?:invalid matrix product|actually allow|rows\\(\\) ?== ?\\w+\\.rows).*", "size_mismatch", "the sizes of two operands do not fit here: `%1(i, n)` takes n entries from the index i on; the second number is no index.", false, Weight::cause, "\\.(segment|middleCols|middleRows)\\([^(),]*,[^(),]*\\)"},

@@ -77,12 +77,14 @@ std::vector<Answer> answers_in(const std::string& text, const std::string& exerc
       (!answers.empty() ? answers.back().code : line.starts_with('#') ? includes : head) += line + "\n";
   }
   for (Answer& answer : answers) {
-    if (answer.code.starts_with(' ') && head.empty())
-      throw std::runtime_error(fmt::format("{}, {}: a body, but the file has no head", exercise, answer.title));
     if (has("\n" + answer.code, "\n+") || has("\n" + answer.code, "\n-"))
       answer.code = patched(whole, answer);
+    else if (!answer.code.starts_with(' '))
+      whole = answer.code;
+    else if (head.empty())
+      throw std::runtime_error(fmt::format("{}, {}: a body, but the file has no head", exercise, answer.title));
     else
-      answer.code = whole = answer.code.starts_with(' ') ? head + answer.code + "}\n" : answer.code;
+      answer.code = whole = head + answer.code + "}\n";
     answer.code = fmt::format("{}namespace rigid {{\n{}}}  // namespace rigid\n", includes, answer.code);
   }
   return answers;
@@ -196,7 +198,7 @@ TEST_CASE("an answer is a body, code of its own, or a difference from what is ab
   const std::string right = "#include <cmath>\ndouble f() {\n//! right: a sum\n  return 1 + 1;\n";
   const std::string before = "#include <cmath>\nnamespace rigid {\n", after = "}  // namespace rigid\n";
   const auto answers = answers_in(right +
-                                      "//! wrong: a difference\n-  return 1 + 1;\n+  const int one = 1;\n"
+                                      "//! wrong: a difference\n double f() {\n-  return 1 + 1;\n+  const int one = 1;\n"
                                       "+  return one - 1;\n@@\n+// the end\n }\n//! wrong: none\nint f();\n",
                                   "f");
   REQUIRE(answers.size() == 3);

@@ -238,7 +238,7 @@ const std::map<std::string, std::function<Numbers(const Values&, double)>> numbe
                nutation_period(I1, I3, mgl, tilt, rates),
                precession_per_nutation(I1, I3, mgl, tilt, rates),
                is_fast ? steady_precession(I1, I3, mgl, spin, tilt)[0] : NAN,
-               spin * std::exp(-v.at("loss") * time),  // the component of L along the axis has a torque of its own only
+               spin * std::exp(-v.at("loss") * std::round(250 * time) / 250),  // at the nearest sample of the motion
                sleeping_spin(I1, I3, mgl)};
      }},
     {"replayed_throw",
