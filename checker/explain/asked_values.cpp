@@ -11,13 +11,14 @@ namespace workbook {
 
 namespace {
 
-/// The points of the plot as cases, and the answers there.
+/// The points of the plot as cases, and the answers there: those that the plot is drawn from, if it is drawn.
 struct Plot {
   std::vector<Case> points;
   Answers answers;
 };
 
-Plot plot_of(const Ask& ask, const ExerciseReference& exercise) {
+Plot plot_of(const Evidence& evidence) {
+  const ExerciseReference& exercise = evidence.task.reference;
   const Sweep& sweep = exercise.sweep;
   Plot plot;
   std::vector<PlannedCall> calls;
@@ -31,7 +32,8 @@ Plot plot_of(const Ask& ask, const ExerciseReference& exercise) {
     size = std::max(size, as_matrix(expected).cwiseAbs().maxCoeff());
   }
   for (Case& point : plot.points) point.scale = {size};
-  const std::vector<Reply> replies = calls.empty() ? std::vector<Reply>() : ask(calls);
+  std::vector<Reply> replies = evidence.task.observation.sweep;
+  if (replies.empty() && !calls.empty()) replies = evidence.ask(calls);
   plot.answers.resize(calls.size());
   for (std::size_t i = 0; i < replies.size(); ++i)
     if (has_usable_value(replies[i], plot.points[i])) plot.answers[i] = replies[i].value;
@@ -153,7 +155,7 @@ bool explain_values(Search& search) {
     if (const auto split = diagnose_split(reference, search.answers)) search.reasons = {*split};
   std::erase_if(search.reasons, [&](const Reason& reason) {
     return reason.kind == ReasonKind::split && reason.is_cause() &&
-           !is_confirmed(reason, plot_of(evidence.ask, reference), reference, search.answers);
+           !is_confirmed(reason, plot_of(evidence), reference, search.answers);
   });
   if (!search.has_cause()) return false;
   if (are_finite) return true;
@@ -229,7 +231,7 @@ bool explain_growing_error(Search& search) {
   std::size_t along = 0;
   while (along < reference.arguments.size() && !is_along(along)) ++along;
   if (search.has_cause() || along == reference.arguments.size()) return false;
-  const Plot plot = plot_of(search.evidence.ask, reference);
+  const Plot plot = plot_of(search.evidence);
   ExerciseReference exercise = reference;
   exercise.cases = plot.points;
   exercise.properties.clear();
