@@ -181,6 +181,34 @@ void draw_book_orders(const std::filesystem::path& directory) {
   sketch.draw(directory, "book", 600, false);
 }
 
+/// A book from the table to its shelf, by one rotation about an axis and one shift along it.
+void draw_screw(const std::filesystem::path& directory) {
+  const double angle = pi / 2;
+  const Vector3d d(1.6, 1.2, 1.3);
+  const Matrix3Xd screw = screw_of_displacement(angle * z_axis, d);
+  const Vector3d c = screw.col(0), shift = screw.col(1);
+  const auto place = [&](const Vector3d& from, double part) -> Vector3d {
+    return c + rotated(from - c, z_axis, part * angle) + part * shift;
+  };
+  Sketch sketch({1.0, -0.7, 0.5});
+  draw_book(sketch, origin, Matrix3d::Identity());
+  draw_book(sketch, place(origin, 1), rotated_basis(Matrix3d::Identity(), z_axis, angle));
+  const Vector3d corner(0.38, -0.55, 0.11);
+  SpaceCurve path;
+  for (int k = 0; k <= 48; ++k) path.push_back(place(corner, k / 48.0));
+  sketch.line(path, colors::purple, 2.5);
+  sketch.arrow(path[46], path[48], colors::purple, "", Side::right, 2.5);
+  sketch.line({c - 0.5 * z_axis, c + shift + 0.5 * z_axis}, colors::black, 1.5, "dt (6,5)");
+  sketch.arrow(c, c + shift, colors::vermilion);
+  sketch.text(c + 0.55 * shift, "({/:Bold n} ∙ {/:Bold d}) {/:Bold n}", colors::vermilion, Side::left);
+  const Vector3d out = corner - c - corner.z() * z_axis, across = z_axis.cross(out);
+  sketch.line(arc(c, 0.8, out.normalized(), across.normalized(), 0, angle), colors::blue, 2);
+  sketch.text(c + 0.95 * (out.normalized() + across.normalized()).normalized(), "Θ", colors::blue);
+  sketch.dot(c, colors::black, 0.9);
+  sketch.text(c + 0.12 * z_axis, "{/:Bold c}", colors::black, Side::left);
+  sketch.draw(directory, "screw", 480);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -190,5 +218,6 @@ int main(int argc, char** argv) {
                        {"turbine", draw_turbine},
                        {"rodrigues", draw_rodrigues},
                        {"leaving_the_circle", draw_leaving_the_circle},
-                       {"book", draw_book_orders}});
+                       {"book", draw_book_orders},
+                       {"screw", draw_screw}});
 }
