@@ -25,5 +25,7 @@ file(GLOB pages ${site}/*.html)
 foreach(page IN LISTS pages)
   file(READ ${page} html)
   string(REGEX REPLACE "href=\"namespacerigid\\.html#[a-z0-9]+\"([^>]*)>(rigid::)?([A-Za-z0-9_]+)" "href=\"exercise_\\3.html\"\\1>\\3" html "${html}")
+  # Coloured words end with a space, which is one too many before a full stop.
+  string(REGEX REPLACE " </span>([.,])" "</span>\\1" html "${html}")
   file(WRITE ${page} "${html}")
 endforeach()
