@@ -197,10 +197,11 @@ When you are stuck, `./checker/run hint @name@` gives a hint, and a further one 
   math(EXPR minutes "(${words} / 120 + ${formulas} / 2 + 2) / 5 * 5")
   read_card(picture picture)
   if(picture)
-    # On the first page it is small: without texts, in whole pixels.
+    # On the first page it is small: without texts, in whole pixels, and with names of its own beside the figure of that page.
     file(READ ${figures}/${lecture}/${picture}.svg picture)
     string(REGEX REPLACE "<(text|metadata)>[^\n]*</(text|metadata)>" "" picture "${picture}")
     string(REGEX REPLACE "([0-9][0-9])\\.[0-9]+" "\\1" picture "${picture}")
+    string(REGEX REPLACE "(id=['\"]|href=['\"]#|url\\(#)" "\\1small-" picture "${picture}")
   endif()
   string(APPEND course "<div class=\"lecture\"><div class=\"picture\">${picture}</div><p><a href=\"lecture_${lecture}.html\">${title}</a><br>${summary} "
     "<span class=\"effort\">${minutes} minutes to read, ${count} exercises</span></p></div>\n")

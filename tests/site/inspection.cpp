@@ -181,6 +181,7 @@ void Inspection::judge_look(const std::string& page, const json& look) {
   for (const std::string number : look["numbers"]) {
     if (!numbers_.insert(number).second) fault(page, fmt::format("the number {} stands twice.", number));
   }
+  for (const std::string id : look["twice"]) fault(page, fmt::format("two elements have the id {}.", id));
   for (const std::string text : look["raw_texts"]) fault(page, fmt::format("“{}” is not meant for readers.", text));
   for (const std::string picture : look["stuck"]) fault(page, fmt::format("{} does not move.", picture));
   for (const std::string call : look["unlinked"])

@@ -70,11 +70,11 @@ TEST_CASE("each kind of fault on a page is found and named") {
 }
 
 TEST_CASE("formulas without a number, with that of another, twice the same number and a gap are found") {
-  check_page("lecture_numbers.html", {"L = 3 J s", "(1.5)", "eq_1_1 stands twice"});
+  check_page("lecture_numbers.html", {"L = 3 J s", "(1.5)", "eq_1_1 stands twice", "have the id eq_1_1"});
   Inspection inspection = new_inspection();
   inspection.look_at("lecture_numbers.html");
   inspection.expect_numbers();
-  REQUIRE(inspection.faults().size() == 4);
+  REQUIRE(inspection.faults().size() == 5);
   CHECK(inspection.faults().back() == "There is a number eq_1_3, but no eq_1_2.");
 }
 

@@ -66,6 +66,7 @@
     return [...new Set(wrong)];
   }
 
+  const ids = [...document.querySelectorAll("[id]")].map(element => element.id);
   const absolute = element => new URL(element.href.baseVal ?? element.href, document.baseURI).href;
 
   return {
@@ -91,10 +92,11 @@
       }))],
     stuck: stuck_pictures(),
     unlinked: unlinked_calls(),
+    twice: ids.filter((id, i) => ids.indexOf(id) < i),
     objects: [...document.querySelectorAll("object, embed, iframe")].map(named),
     landmarks: ["main", "nav", "header"].filter(name => !document.querySelector(name)),
     links: [...document.querySelectorAll("a[href], area[href], svg a")].filter(a => a.href)
       .map(a => ({ to: absolute(a), name: named(a) })),
-    anchors: [...document.querySelectorAll("[id], a[name]")].flatMap(e => [e.id, e.getAttribute("name")]).filter(Boolean),
+    anchors: [...ids, ...[...document.querySelectorAll("a[name]")].map(link => link.getAttribute("name"))].filter(Boolean),
   };
 })()
