@@ -72,7 +72,7 @@ class LiveFigure {
       this.last = undefined;
       this.next_frame();
     }).observe(place);
-    new ResizeObserver(() => this.draw(this.rested)).observe(place);
+    new ResizeObserver(() => this.scenes.some(({ scene }) => scene.width !== scene.canvas.clientWidth) && this.draw(this.rested)).observe(place);
     new MutationObserver(() => (colors = {}, this.draw(this.rested))).observe(document.documentElement, { attributeFilter: ["class"] });
   }
 

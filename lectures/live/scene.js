@@ -227,8 +227,11 @@ const lights = {
       gl.vertexAttribPointer(place, size, gl.FLOAT, false, 32, from);
     }
     gl.clearStencil(255);
-    for (const kind of [gl.BLEND, gl.SCISSOR_TEST, gl.DEPTH_TEST, gl.STENCIL_TEST]) gl.enable(kind);
+    for (const kind of [gl.BLEND, gl.DEPTH_TEST, gl.STENCIL_TEST]) gl.enable(kind);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+    // Without a graphics card programs for each kind of pass are made when it first draws: here, while the figure is prepared.
+    const dot = { vertices: meshes.head, center: origin, tint: [0, 0, 0, 1] }, layers = ["solid", "mark", "clear"];
+    this.render(layers.map(layer => ({ ...dot, layer })), dot, identity, z_axis, [1, 1], [1, 1, 1]);
     return gl;
   },
   /** One thing; `change` maps it, as onto its shadow. */
@@ -253,7 +256,6 @@ const lights = {
     const { gl, canvas } = this;
     for (const [side, length] of [["width", width], ["height", height]]) if (canvas[side] < length) canvas[side] = length;
     gl.viewport(0, canvas.height - height, width, height);
-    gl.scissor(0, canvas.height - height, width, height);
     gl.depthMask(true);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT);
     gl.uniformMatrix3fv(this.at.view, false, transposed(view).flat());
@@ -284,6 +286,7 @@ const lights = {
       pass([thing], gl.LEQUAL, false, [gl.ALWAYS, 0]);
     }
     pass(front, gl.ALWAYS, false, [gl.ALWAYS, 0]);
+    gl.flush();
     return canvas;
   },
 };
@@ -458,10 +461,10 @@ class Space extends Scene {
     const [width, height] = [this.width, this.high].map(length => Math.max(1, Math.round(length * this.ratio)));
     const scale = [2 * this.scale / this.width, 2 * this.scale / this.high, -0.2 / this.half];
     const picture = lights.render(this.things, this.ground, view, light, [width, height], scale);
+    super.finish();  // while it is rendered
     this.context.globalCompositeOperation = "destination-over";
     this.context.drawImage(picture, 0, 0, width, height, 0, 0, this.width, this.high);
     this.context.globalCompositeOperation = "source-over";
-    super.finish();
   }
 
   /** A body: one of the meshes with three half axes; those that one sees through have an opacity. */

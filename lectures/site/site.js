@@ -60,17 +60,14 @@ function marked(text, starts) {
 }
 
 const scripts = {};
-/** Loads a script, once. */
+/** Loads a script, once; the words of the site are one too, because a file may not fetch a file. */
 const load = source => scripts[source] ??= new Promise((loaded, failed) => document.querySelector(`script[src="${source}"]`) ? loaded()
   : document.head.append(element("script", { src: source, onload: loaded, onerror: failed })));
-
-/** Loads the words of the site; a script, because a file may not fetch a file. */
-const with_words = use => load("search.js").then(use);
 
 /** The checker names a paragraph by its lecture, and the paragraph may stand on another page of it: goes there. */
 function find_paragraph() {
   if (!location.hash || document.getElementById(decodeURIComponent(location.hash.slice(1)))) return;
-  with_words(() => {
+  load("search.js").then(() => {
     const place = paragraphs.find(([address]) => address.endsWith(location.hash));
     if (place) location.replace(place[0]);
   });
@@ -90,7 +87,7 @@ function offer_search() {
       return element("li", {}, ...links);
     }));
   };
-  query.oninput = () => with_words(show);
+  query.oninput = () => load("search.js").then(show);
   document.querySelector("#MSearchBox").onkeydown = event => {
     const links = [...places.querySelectorAll("a")];
     const at = links.indexOf(document.activeElement);
