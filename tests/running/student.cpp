@@ -83,8 +83,8 @@ const SandboxTier tier = [] {
 SandboxTier sandbox_tier() { return tier; }
 
 fs::path scratch() {
-  const std::string part = environment("WORKBOOK_TEST_PART", "strongest");
-  return fs::path(WORKBOOK_TEST_SCRATCH) / environment(wanted_tier, part.c_str());
+  return fs::path(WORKBOOK_TEST_SCRATCH) / environment("WORKBOOK_TEST_PART", "all") /
+         environment(wanted_tier, "strongest");
 }
 
 const Toolchain& toolchain() {
