@@ -28,8 +28,8 @@ Matrix3d exact_attitude(const Vector3d& I, const Vector3d& omega0, double t) {
   const double from = std::atan2(omega0[1] / largest[1], omega0[a] / largest[a]);
   const double u = rate * t + ellint_1(k, from);
   if (!std::isfinite(u)) return Matrix3d::Constant(u);  // no such motion; the library would not come to an end with NaN
-  double cn, dn;
-  const double sn = boost::math::jacobi_elliptic(k, u, &cn, &dn);
+  const double sn = boost::math::jacobi_sn(k, u), cn = boost::math::jacobi_cn(k, u);
+  const double dn = std::sqrt((1 - k) * (1 + k) + k * k * cn * cn);  // as in exact_rotation
   Vector3d omega;
   omega[a] = largest[a] * cn;
   omega[1] = largest[1] * sn;

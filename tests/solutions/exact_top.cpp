@@ -2,6 +2,7 @@
 // elliptic functions, by the conservation laws, and by numbers computed elsewhere.
 #include "solutions/judging/exact_top.hpp"
 #include "lectures/support/agrees.hpp"
+#include "rigid/attitude_of_a_free_body.hpp"
 #include "rigid/euler_equations.hpp"
 #include "solutions/judging/random.hpp"
 
@@ -220,4 +221,20 @@ TEST_CASE("The answer to the exercise has one column per time, in the order give
   CHECK(agrees(columns.col(2), omega0, 1e-15));
   CHECK(agrees(columns.col(3), columns.col(0), 0));
   CHECK(exact_free_rotation(I, omega0, VectorXd(0)).cols() == 0);
+}
+
+TEST_CASE("The elliptic functions give the start back where one of them is zero, and at every quarter of a period") {
+  const Vector3d I(1, 2, 3);
+  for (const Vector3d& start : {Vector3d(0, 1, 1), Vector3d(1, 1, 0), Vector3d(0.5, 0, 2), Vector3d(0.1, 1, 0)}) {
+    CAPTURE(start.transpose());
+    CHECK(agrees(rigid::exact_rotation(I, start, 0), start, 1e-14));
+    const double quarter = ExactTop(I, start).period() / 4;
+    for (int n = -3; n <= 4; ++n) {
+      CAPTURE(n);
+      CHECK(agrees(rigid::exact_rotation(I, start, n * quarter), followed(I, start, n * quarter), 1e-11));
+      const Vector3d L =
+          rigid::exact_attitude(I, start, n * quarter) * I.cwiseProduct(rigid::exact_rotation(I, start, n * quarter));
+      CHECK(agrees(L, I.cwiseProduct(start), 1e-11));
+    }
+  }
 }
