@@ -29,11 +29,11 @@ Matrix3d exact_attitude(const Vector3d& I, const Vector3d& omega0, double t) {
   const double u = rate * t + ellint_1(k, from);
   if (!std::isfinite(u)) return Matrix3d::Constant(u);  // no such motion; the library would not come to an end with NaN
   const double sn = boost::math::jacobi_sn(k, u), cn = boost::math::jacobi_cn(k, u);
-  const double dn = std::sqrt((1 - k) * (1 + k) + k * k * cn * cn);  // as in exact_rotation
   Vector3d omega;
   omega[a] = largest[a] * cn;
   omega[1] = largest[1] * sn;
-  omega[c] = largest[c] * dn;
+  // dn u; the library's divides two cosines that vanish together at a quarter of the period.
+  omega[c] = largest[c] * std::sqrt((1 - k) * (1 + k) + k * k * cn * cn);
   // am u stays within a right angle of πu/2K, which tells the whole turns that the arctangent has lost.
   const double within = std::atan2(sn, cn);
   const double to = within + turn * std::round(u / (4 * ellint_1(k)) - within / turn);

@@ -26,12 +26,11 @@ Vector3d exact_rotation(const Vector3d& I, const Vector3d& omega0, double t) {
   const double u = rate * t + boost::math::ellint_1(k, std::atan2(omega0[1] / sn_part, omega0[a] / cn_part));
   if (!std::isfinite(u)) return Vector3d::Constant(u);  // no such motion; the library would not come to an end with NaN
   const double sn = boost::math::jacobi_sn(k, u), cn = boost::math::jacobi_cn(k, u);
-  // The library's dn divides two cosines that vanish together at a quarter of the period.
-  const double dn = std::sqrt((1 - k) * (1 + k) + k * k * cn * cn);
   Vector3d omega;
   omega[a] = cn_part * cn;
   omega[1] = sn_part * sn;
-  omega[c] = dn_part * dn;
+  // dn u; the library's divides two cosines that vanish together at a quarter of the period.
+  omega[c] = dn_part * std::sqrt((1 - k) * (1 + k) + k * k * cn * cn);
   return omega;
 }
 

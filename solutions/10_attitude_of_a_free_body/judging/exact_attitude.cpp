@@ -165,6 +165,7 @@ void judge_exact_attitude(Lecture& lecture) {
   e.route("a turn about L for whole periods, the rest integrated", turns_and_rest);
   e.route("one period integrated, its attitude raised to a power", power_of_a_period);
   e.route("axis 1 followed about L, by sums", axis_1_followed);
+  e.survivor("jacobi_cn(k, - u)", "cn is an even function.");
   e.survivor("squares[2] >=", "Zero is the separatrix, which is no legal input.");
   e.survivor("copysign( -1.0", "copysign takes the size of its first argument only.");
   e.survivor("copysign(-1,", "copysign takes the size of its first argument only.");

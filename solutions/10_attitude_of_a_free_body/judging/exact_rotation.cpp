@@ -129,6 +129,7 @@ void judge_exact_rotation(Lecture& lecture) {
     }
     return top.omega(2 * pi / (top.k * K) * cn, 2 * pi / (top.k * K) * sn, 2 * pi / K * dn);
   });
+  e.survivor("jacobi_cn(k, - u)", "cn is an even function.");
   e.survivor("squares[2] >=", "Zero is the separatrix, which is no legal input.");
   e.survivor("copysign( -1.0", "copysign takes the size of its first argument only.");
   e.survivor("copysign(-1,", "copysign takes the size of its first argument only.");
