@@ -61,9 +61,11 @@ class Conditions {
     }
   }
 
-  /// The < or > around whole numbers, as in head<2>() and block<2, 1>(0, 2).
+  /// The < or > around whole numbers or a type, as in head<2>(), block<2, 1>(0, 2) and cast<double>().
   bool is_of_template(std::size_t index) const {
-    const auto skips = [&](std::size_t k) { return text(k) == "," || is_numeral(text(k)); };
+    const auto skips = [&](std::size_t k) {
+      return is_one_of(text(k), {",", "double", "float", "int"}) || is_numeral(text(k));
+    };
     std::size_t k = index;
     if (text(index) == "<") {
       while (skips(++k)) {
@@ -274,7 +276,8 @@ class SourceMutations {
       }
       const auto [known, is_new] = types_.emplace(here, type);
       if (!is_new && known->second != type) known->second = fmt::format("auto {}", here);  // one of several functions
-      scopes_[std::string(here)] = {k, end_of_block(k)};
+      const std::size_t from = right == "=" ? conditions_.end_of_operand(k + 1) : k;  // not in its own initial value
+      scopes_[std::string(here)] = {from, end_of_block(k)};
       if (is_constant) constants_.insert(std::string(here));
     }
   }
@@ -591,6 +594,9 @@ class SourceMutations {
       --first;
       while (first > 0 && closes(token(first))) {
         first = conditions_.opening(first);
+        if (first > 0 && token(first - 1) == ">" && conditions_.is_of_template(first - 1))
+          while (token(--first) != "<") {
+          }
         const std::string_view left = token(first - 1);
         if (first > 0 && (closes(left) || (is_identifier(left) && left != "return"))) --first;
       }

@@ -76,6 +76,7 @@ TEST_CASE("the one token with which all cases are right is found, with its place
       {"return 3.0 * n * x;", "slip_number", 7, 8},
       {"return n * std::abs(x);", "slip_function", 7, 17},
       {"const Vector3d v(x, 1, 2);\nreturn n * v[1];", "slip_index", 8, 14},
+      {"const Vector3d v(3, 4, 9);\nreturn n * x * v.head<2>().norm() / 25;", "slip_method", 8, 28},
       {"return n + x * x;", "", 0, 0},
       {"double sum = 0;\nfor (int i = 1; i < 3; ++i) sum += n * x / 3;\nreturn sum;", "slip_loop", 8, 19},
       // A condition that only switches a wrong branch off is no slip.

@@ -173,5 +173,7 @@ void judge_exact_attitude(Lecture& lecture) {
   e.survivor("isfinite", "No legal input leads there.");
   e.survivor("double cotangent = -", "The cotangent enters squared.");
   e.survivor("( -I[0] * largest", "The cotangent enters squared.");
-  e.survivor("0.5 * within", "Half of the correction still tells the turns.");
+  e.survivor(" * within / turn", "A part of the correction, or half as much again, still tells the turns.");
+  e.survivor("AngleAxisd(about_L", "A turn takes no factor and no sign.");
+  e.survivor("( -upright", "A quaternion and its opposite are the same turn.");
 }
