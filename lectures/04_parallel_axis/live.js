@@ -40,7 +40,7 @@ live("moving_point", {
       axes.forEach((axis, i) => {
         const half = times(1.25 / Math.sqrt(moments[i]), axis);
         scene.line([minus(at, half), sum(at, half)], axis_colors[i], 2.5);
-        scene.text(sum(at, times(1.25, half)), ["I₁", "I₂", "I₃"][i], axis_colors[i]);
+        scene.words(["I₁", "I₂", "I₃"][i], scene.at(sum(at, times(1.25, half))), axis_colors[i]);
       });
     }
     scene.dot(at, "vermilion", 5);

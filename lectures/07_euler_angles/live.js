@@ -27,7 +27,7 @@ live("three_turns", {
       const angle = m.angles[k] * (k === turn ? part : 1), swept = arc(origin, times(0.75, u), times(0.75, v), 0, angle);
       scene.fan(origin, swept, turn_colors[k], 0.35);
       scene.line(swept, turn_colors[k], 4);
-      if (Math.abs(angle) > 0.2) scene.text(times(1.25, swept[36]), m.names[k], turn_colors[k]);
+      if (Math.abs(angle) > 0.2) scene.words(m.names[k], scene.at(times(1.25, swept[36])), turn_colors[k]);
     }
     scene.box(origin, E.map((axis, i) => times([0.34, 0.22, 0.08][i], axis)), axis_colors);
     scene.arrows(axis_arrows(E, origin, 1.1));

@@ -49,7 +49,7 @@ live("herpolhode", {
       const place = drawn(m.contacts[once * turns]);
       scene.line([origin, place], "grey", 1.2);
       scene.dot(place, "blue", 5);
-      scene.text(times(1.09, place), ["0", "P", "2P", "3P"][turns], "blue");
+      scene.words(["0", "P", "2P", "3P"][turns], scene.at(times(1.09, place)), "blue");
     }
     scene.dot(drawn(m.contacts[k]), "ink");
     scene.dot(origin, "ink", 3);

@@ -34,7 +34,7 @@ function shown(value) {
 /** A number with its unit, which may be so many of the SI unit. */
 const measured = (value, [, unit = "", size = unit === "°" ? degree : 1]) => `${shown(value / size)} ${unit}`;
 
-const definitions = {};
+const definitions = {}, texts = {};
 
 /** Adds a figure; the page for authors says what it consists of. */
 function live(name, definition) {
@@ -45,7 +45,6 @@ function live(name, definition) {
   const views = Object.entries(said.views).map(([title, view], i) => ({ title, ...view, draw: draw[i] }));
   definitions[name] = { ...computed, ...said, controls, views, numbers_at };
 }
-const texts = {};
 
 class LiveFigure {
   constructor(place, definition) {

@@ -365,7 +365,6 @@ class Scene {
     this.labels.unshift({ name: this.ring ??= element("span", { className: "grip" }), x, y, align: "center" });
   }
 
-  text(point, words, color = "ink", align = "center") { this.words(words, this.at(point), color, align); }
   /** What the words are made of may be something else than letters of formulas. A name that stays is not made anew. */
   words(words, [x, y], color = "ink", align = "center", parts = typeset) {
     const i = this.labels.length, key = `${words} ${color}`;

@@ -73,8 +73,7 @@ for (const section of all("section.chapter, section.part")) {
   answers.append(make("h2", {}, section.querySelector("h1, h2").textContent.trim()), list);
 }
 all("details").forEach(part => part.remove());
-const references = document.getElementById("references");
-references.before(answers);
+document.getElementById("references").before(answers);
 
 // ---- Figures are as wide as their text needs: none below 7 points, and no figure wider than 481.
 

@@ -1,5 +1,8 @@
 // What the pages do by themselves: search, the current place, moving pictures, phones. No server, no other machine.
 
+// These come before anything is seen, so that no line breaks anew when they are met further down.
+for (const letters of ["Size1", "Size2", "SansSerif"]) document.fonts.load(`1em KaTeX_${letters}`);
+
 const element = (tag, properties = {}, ...children) => {
   const made = Object.assign(document.createElement(tag), properties);
   made.append(...children);
