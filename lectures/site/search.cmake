@@ -29,15 +29,18 @@ endfunction()
 # Formulas between FIRST and LAST in the text in VARIABLE as one would type them: ω × L.
 set(signs
   "[ \t\r\n]+= " "\\\\[,;:!>]=" "\\\\\\\\= " "\\\\(begin|end){[a-z*]*}=" "&amp.=" ".[0-9]+pt.="
+  "\\\\ratein *{([^{}]*)}{\\\\([a-z]*)frame}=(d\\1/dt)_\\2"
   "frac *{([^{}]*[-+][^{}]*)}{=frac{(\\1)}{"
   "\\\\[td]?frac *{([^{}]*)}{([^{}]*)}=\\1/\\2" "\\\\[td]?frac *([0-9])([0-9])=\\1/\\2"
-  "\\\\(boldsymbol|vec|unit|mat|hat|tilde|bar|dot|ddot|mathrm|mathsf|text|operatorname|big|Big|bigg|left|right|quad|qquad|displaystyle)([^a-z])=\\2"
+  "\\\\(boldsymbol|vec|unit|mat|hat|tilde|bar|dot|ddot|mathrm|mathsf|text|operatorname|mathcal|[bB]igg?[lr]?|left|right|quad|qquad|displaystyle)([^a-z])=\\2"
   "\\\\times=×" "\\\\cdots?=·" "\\\\approx=≈" "\\\\leq?([^f])=≤\\1" "\\\\geq?([^a-z])=≥\\1" "\\\\infty=∞" "\\\\sqrt=√"
   "\\\\(var)?theta=θ" "\\\\(var)?phi=φ" "\\\\psi=ψ" "\\\\omega=ω" "\\\\Omega=Ω" "\\\\alpha=α" "\\\\beta=β"
   "\\\\gamma=γ" "\\\\Gamma=Γ" "\\\\delta=δ" "\\\\Delta=Δ" "\\\\(var)?epsilon=ε" "\\\\lambda=λ" "\\\\mu=μ" "\\\\nu=ν" "\\\\pi=π"
   "\\\\rho=ρ" "\\\\sigma=σ" "\\\\tau=τ" "\\\\chi=χ" "\\\\Theta=Θ" "\\\\Phi=Φ" "\\\\pm=±" "\\\\to=→" "\\\\int=∫" "\\\\oint=∮" "\\\\ell=ℓ" "\\\\sum=∑"
+  "\\\\zeta=ζ" "\\\\eta=η" "\\\\xi=ξ" "\\\\kappa=κ" "\\\\Pi=Π" "\\\\partial=∂" "\\\\nabla=∇" "\\\\dots=…" "\\\\propto=∝" "\\\\simeq=≃"
+  "\\\\Longrightarrow=⟹" "\\\\mapsto=↦" "\\\\mp=∓" "\\\\gg=≫" "\\\\ll([^a-z])=≪\\1" "\\\\neq?([^a-z])=≠\\1" "\\\\langle=⟨" "\\\\rangle=⟩" "\\\\parallel=∥"
   "\\\\Inertia=I" "\\\\One=1" "\\\\dd=d" "\\\\degree=°" "_1=₁" "_2=₂" "_3=₃" "\\^2=²"
-  "\\\\[td]?frac=" "\\\\([a-z]+)=\\1" "[{}\\\\]=" "- =−" " +([.,_^])=\\1")
+  "\\\\[td]?frac=" "\\\\([a-z]+)=\\1" "[{}\\\\]=" "- =−" " +([.,_^])=\\1" "/d t=/dt" "\\(d ([A-Z])=(d\\1" "∂ =∂")
 function(write_formulas variable first last)
   set(rest "${${variable}}")
   set(kept "")
