@@ -28,6 +28,12 @@ void judge_center_of_points(Lecture& lecture) {
           [](auto& r) -> Vector3d { return r.leftCols(r.cols() - 1).rowwise().sum() / static_cast<double>(r.cols()); });
   e.wrong("You divide by one less than the number of points.", "one_less",
           [](auto& r) -> Vector3d { return r.rowwise().sum() / max(static_cast<double>(r.cols()) - 1, 1.0); });
+  e.wrong("Each point is averaged half and half with the mean of those before it, so later ones count more.",
+          "half_and_half", [](auto& r) {
+            Vector3d mean = r.col(0);
+            for (Eigen::Index i = 1; i < r.cols(); ++i) mean = (mean + r.col(i)) / 2;
+            return mean;
+          });
   e.route("one point after the other", [](auto& r) {
     Vector3d sum = Vector3d::Zero();
     for (Eigen::Index i = 0; i < r.cols(); ++i) sum += r.col(i);

@@ -4,11 +4,11 @@ namespace {
 
 /// The height on a level of −1/r − (potential of the moon and the moving origin), by bisection, in units of radius.
 template <class Potential>
-auto level_of(const Potential& moon) {
-  return [moon](auto ratio, auto R, auto d, auto angle) {
+auto level_of(const Potential& moon, double from_quarter = 1) {
+  return [moon, from_quarter](auto ratio, auto R, auto d, auto angle) {
     const double x = R / d;
     const auto gain = [&](double h) {  // of −potential, over that a quarter round
-      return -h / (1 + h) + ratio * x * (moon(x * (1 + h), cos(angle)) - moon(x, 0));
+      return -h / (1 + h) + ratio * x * (moon(x * (1 + h), cos(angle)) - from_quarter * moon(x, 0));
     };
     double below = -0.1, above = 0.1;
     for (int i = 0; i < 70; ++i) {
@@ -113,6 +113,8 @@ void judge_tide(Lecture& lecture) {
             const double x = R / d;
             return R * ratio * x * (moon_in_full(x, cos(angle)) - moon_in_full(x, 0));
           });
+  e.wrong("A quarter round your water is not at 0: the potential that the moon has there is not subtracted.",
+          "level_of_planet_alone", level_of(moon_in_full, 0));
   e.wrong_input<3>("The angle is taken from a quarter round; it is counted from the direction of the moon.", "altitude",
                    complement);
   e.wrong_inputs("The distance is taken from the surface; it is that from the centre of the planet to the moon.",

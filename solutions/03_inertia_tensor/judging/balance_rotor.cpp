@@ -101,6 +101,12 @@ void judge_balance_rotor(Lecture& lecture) {
             const Vector2d pair = moment_of_unbalance(m, r) / (correction * (planes[1] - planes[0]));
             return in_planes(pair, -pair, planes);
           });
+  e.wrong("The levers are counted from the origin here; for the mass in one plane, that in the other exerts no moment "
+          "about this other plane only.",
+          "levers_from_origin", [](auto& m, auto& r, auto& planes, auto correction) {
+            const Vector2d second = moment_of_unbalance(m, r) / (-correction * (planes[1] - planes[0]));
+            return in_planes(Vector2d(-static_unbalance(m, r) / correction - second), second, planes);
+          });
   e.wrong("Each mass is balanced in the plane that is nearer to it; a mass beside a plane also exerts a moment.",
           "distance_to_nearest", [](auto& m, auto& r, auto& planes, auto correction) {
             std::array<Vector2d, 2> sums{Vector2d::Zero(), Vector2d::Zero()};

@@ -164,6 +164,12 @@ void judge_inertia_of_mesh(Lecture& lecture) {
           [](auto& r, auto density) {
             return tensor_from(r, density, [](const Matrix3d& T, double V) { return V / 4 * (T * T.transpose()); });
           });
+  e.wrong("Two different corners count twice as much as a corner with itself here; it is the other way round.",
+          "weights_exchanged", [](auto& r, auto density) {
+            return tensor_from(r, density, [](const Matrix3d& T, double V) {
+              return V / 20 * (2 * dyad(sum_of_corners(T)) - T * T.transpose());
+            });
+          });
   e.wrong_inputs({"This is the tensor about the centre of mass; asked for is the origin.", "inertia_tensor_origin"},
                  "about_center_of_mass", [](auto& r, auto) {
                    const auto [volume, first_moment] = volume_and_first_moment(r);

@@ -46,11 +46,14 @@ void judge_gravity_from_kater(Lecture& lecture) {
   const char* const two_periods = "parallel_axis_pendulum";
   e.wrong("This takes the body for a simple pendulum of the length h1; its mass is spread out.", "simple_pendulum",
           [](auto h1, auto T1, auto, auto) { return 4 * pi * pi * h1 / (T1 * T1); });
-  e.wrong({"The sum of the distances is the length of a simple pendulum with the same period only where both periods "
-           "are equal.",
-           two_periods},
-          "sum_and_mean",
+  const Sentence only_if_equal = {
+      "The sum of the distances is the length of a simple pendulum with the same period only where both periods are "
+      "equal.",
+      two_periods};
+  e.wrong(only_if_equal, "sum_and_mean",
           [](auto h1, auto T1, auto h2, auto T2) { return 16 * pi * pi * (h1 + h2) / pow(T1 + T2, 2); });
+  e.wrong(only_if_equal, "sum_and_mean_square",
+          [](auto h1, auto T1, auto h2, auto T2) { return 8 * pi * pi * (h1 + h2) / (T1 * T1 + T2 * T2); });
   e.wrong("This is the mean of what two simple pendulums would show; neither is one, and their errors do not cancel.",
           "mean_of_two",
           [](auto h1, auto T1, auto h2, auto T2) { return 2 * pi * pi * (h1 / (T1 * T1) + h2 / (T2 * T2)); });

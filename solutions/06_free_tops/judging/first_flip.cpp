@@ -103,6 +103,13 @@ void judge_first_flip(Lecture& lecture) {
   e.wrong(
       "This is the interval between flips close to the separatrix; where in it the start lies counts too.", "log_law",
       [](auto& I, auto& w) { return std::log(16 / ExactTop(I, w).complementary_parameter()) / growth_rate(I, w[1]); });
+  e.wrong({"The parameter stands where the modulus of the elliptic integrals belongs; the library says which it takes.",
+           "free_tops_modulus"},
+          "parameter_as_modulus", [](auto& I, auto& w) {
+            const Flipping motion(I, w);
+            const double from_zero = boost::math::ellint_1(motion.m, motion.phase);
+            return (motion.away ? 2 * boost::math::ellint_1(motion.m) - from_zero : from_zero) / motion.rate;
+          });
   e.wrong({"This is how long the disturbance takes to grow as large as ω₂ at the rate σ; that law holds only while it "
            "is small.",
            "free_tops_growth"},

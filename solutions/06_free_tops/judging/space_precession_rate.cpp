@@ -45,6 +45,8 @@ void judge_space_precession_rate(Lecture& lecture) {
           "along_momentum", [](auto I1, auto I3, auto& w) { return w.dot(L_of(I1, I3, w).normalized()); });
   e.wrong("The components of L are added here; its length is the root of the sum of their squares.", "components_added",
           [](auto I1, auto I3, auto& w) { return L_of(I1, I3, w).sum() / I1; });
+  e.wrong("This is ω₃I₃/I₁ over the cosine of the angle from the axis to ω; that from the axis to L counts.",
+          "angle_to_omega", [](auto I1, auto I3, auto& w) { return w.norm() * I3 / I1; });
   e.wrong_output("This is the rate in turns per second; asked for is rad/s.", "turns_per_second", times(0.5 / pi));
   e.property(Is::nonnegative, "The precession is right-handed about L, so its rate is never negative.");
   e.route("components in turn", [](auto I1, auto I3, auto& w) {

@@ -23,6 +23,11 @@ void judge_angle_between_attitudes(Lecture& lecture) {
   const auto of_trace = [](double trace) { return acos(clamp((trace - 1) / 2, -1.0, 1.0)); };
   e.wrong("This is the length of the difference of the angles; they turn about axes that are not at right angles.",
           "length_of_difference", [](auto& a, auto& b) { return (b - a).norm(); });
+  e.wrong("This is the length of the difference of the angles; they turn about axes that are not at right angles.",
+          "length_of_shortest_difference", [](auto& a, auto& b) {
+            const auto wrapped = [](double angle) { return std::remainder(angle, 2 * pi); };
+            return min((b - a).unaryExpr(wrapped).norm(), pi);
+          });
   e.wrong("This is the angle between the two directions of axis 3; a turn about that axis counts too.", "axis_3_only",
           [](auto& a, auto& b) {
             const Vector3d one = turned_triad(a).col(2), other = turned_triad(b).col(2);

@@ -140,6 +140,12 @@ void judge_attitude_frequencies(Lecture& lecture) {
             const double root = sqrt(max(sum * sum - 4 * product, 0.0));
             return n * Vector3d(sqrt(3 * k.pitch), sqrt(2 * product / (sum + root)), sqrt((sum + root) / 2));
           });
+  e.wrong("Across the plane the turning frame alone acts here; the torque of gravity counts too.", "frame_alone",
+          [](auto& I, auto n) {
+            const Ratios k(I);
+            const double sum = 1 + k.roll * k.yaw, root = sqrt(abs(sum * sum - 4 * k.roll * k.yaw));
+            return n * Vector3d(sqrt(3 * k.pitch), sqrt(abs(sum - root) / 2), sqrt((sum + root) / 2));
+          });
   e.wrong_output("Across the plane the faster swing stands first; the slower one is asked for first.", "order",
                  exchange(1, 2));
   e.wrong_output("These are the squares of the frequencies.", "squares",

@@ -26,6 +26,10 @@ void judge_azimuth_rate(Lecture& lecture) {
   e.wrong("This is the rate for a symmetric top with the moment I₁ across its axis; here I₁ and I₂ differ.",
           "symmetric_top", [](auto& I, auto& w) { return L_of(I, w).norm() / I[0]; });
   e.wrong(
+      "This is L/I₃, the rate of a rotation about axis 3 alone; axis 3 moves only because the body also rotates "
+      "about the others.",
+      "L_over_I3", [](auto& I, auto& w) { return L_of(I, w).norm() / I[2]; });
+  e.wrong(
       "The velocity round L is divided by the distance from the line of L once; the rate of an angle needs the "
       "square.",
       "distance_once", [](auto& I, auto& w) {

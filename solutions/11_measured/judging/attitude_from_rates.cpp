@@ -78,6 +78,13 @@ void judge_attitude_from_rates(Lecture& lecture) {
             });
             return rotation_by(sum);
           });
+  e.wrong_input<0>("All of your steps are equally long; the times are not evenly spaced.", "mean_step", [](auto& t) {
+    if (t.size() > 1) t = VectorXd::LinSpaced(t.size(), t[0], t[t.size() - 1]).eval();
+  });
+  e.wrong_input<0>("All of your steps are as long as the first one; the times are not evenly spaced.", "first_step",
+                   [](auto& t) {
+                     for (Eigen::Index k = 2; k < t.size(); ++k) t[k] = t[k - 1] + (t[1] - t[0]);
+                   });
   e.wrong_input<1>("Your rotations run backwards.", "backwards", negated);
   e.wrong("Your angles are twice too large: the sum of two rates stands where their mean belongs.", "sum_of_rates",
           [](auto& t, auto& omega) {

@@ -66,6 +66,11 @@ void judge_damped_rotation(Lecture& lecture) {
   e.wrong(
       "The components shrink here, but the body runs along its curve as fast as without air.", "same_clock",
       [](auto& I, auto& omega0, auto gamma, auto t) { return std::exp(-gamma * t) * ExactTop(I, omega0).omega(t); });
+  e.wrong("Your body runs along its curve all the time as slowly as at the end.", "clock_of_the_end",
+          [](auto& I, auto& omega0, auto gamma, auto t) {
+            const double slower = std::exp(-gamma * t);
+            return slower * ExactTop(I, omega0).omega(slower * t);
+          });
   e.wrong("The body only becomes slower on its curve here; its angular momentum has the length of the start.",
           "same_length",
           [](auto& I, auto& omega0, auto gamma, auto t) { return ExactTop(I, omega0).omega(free_time(gamma, t)); });

@@ -40,6 +40,12 @@ void mistakes_of_moment_from_pendulum(Exercise& e) {
         const double of_end = about_end * hypot(d_error / d, 2 * P_error / P), of_parallel = 2 * M * d * d_error;
         return hypot(of_end, of_parallel);
       }));
+  e.wrong(
+      "The relative error of the distance is added to that of the period squared, as if the moment were a product "
+      "of the two; it is a difference of two terms, and the distance stands in both.",
+      "relative_errors", with_error([](auto M, auto g, auto d, auto P, auto d_error, auto P_error) {
+        return abs(moment(M, g, d, P)) * hypot(d_error / d, 2 * P_error / P);
+      }));
   e.wrong("The two contributions to your error are added; independent ones add as squares.", "linear",
           with_error([](auto M, auto g, auto d, auto P, auto d_error, auto P_error) -> double {
             return contributions(M, g, d, P, d_error, P_error).cwiseAbs().sum();

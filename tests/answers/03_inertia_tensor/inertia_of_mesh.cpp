@@ -31,3 +31,17 @@ Matrix3d inertia_of_mesh(const Matrix3Xd& corners, double density) {
     I += m * (r.squaredNorm() * Matrix3d::Identity() - r * r.transpose());
   }
   return I;
+//! wrong: weights of equal and of different corners exchanged
+Matrix3d inertia_of_mesh(const Matrix3Xd& corners, double density) {
+  Matrix3d C = Matrix3d::Zero();
+  for (int k = 0; k < corners.cols() / 3; k++) {
+    const Vector3d a = corners.col(3 * k), b = corners.col(3 * k + 1), c = corners.col(3 * k + 2);
+    const double det = a.dot(b.cross(c));
+    Matrix3d A;
+    A << a, b, c;
+    Matrix3d canonical;
+    canonical << 1, 2, 2, 2, 1, 2, 2, 2, 1;
+    C += density * det / 120 * A * canonical * A.transpose();
+  }
+  return C.trace() * Matrix3d::Identity() - C;
+}

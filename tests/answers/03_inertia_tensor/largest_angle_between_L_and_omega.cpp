@@ -21,3 +21,9 @@ double largest_angle_between_L_and_omega(const Vector3d& I) {
   return f((lo + hi) / 2);
 //! wrong: moments not sorted, and a sine that is twice too large
   return std::asin(std::min(1.0, std::abs(I[2] - I[0]) / (I[2] + I[0]) * 2));
+//! wrong: twice the tangent
+double largest_angle_between_L_and_omega(const Vector3d& I) {
+  Vector3d s = I;
+  std::sort(s.data(), s.data() + 3);
+  return std::atan((s(2) - s(0)) / std::sqrt(s(0) * s(2)));
+}

@@ -29,3 +29,9 @@ double azimuth_rate(const Vector3d& I, const Vector3d& omega) {
   const Vector3d L = I.cwiseProduct(omega);
   const double c = omega[2] / omega.norm();
   return (omega.dot(L) / L.norm() - omega[2] * c) / (1 - c * c);
+//! wrong: the length of L over the third moment
+double azimuth_rate(const Vector3d& I, const Vector3d& omega) {
+  const Vector3d L = I.cwiseProduct(omega);
+  const double c = L[2] / L.norm(), s2 = 1 - c * c;
+  return (L.norm() / I[2]) * (1 - c * c) / s2;
+}

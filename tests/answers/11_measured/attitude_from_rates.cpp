@@ -43,3 +43,14 @@ Matrix3d attitude_from_rates(const VectorXd& t, const Matrix3Xd& omega) {
     q = q * Eigen::Quaterniond(std::cos(angle), n[0], n[1], n[2]);
   }
   return q.normalized().toRotationMatrix();
+//! wrong: all steps of the mean length
+Matrix3d attitude_from_rates(const VectorXd& t, const Matrix3Xd& omega) {
+  Eigen::Quaterniond q = Eigen::Quaterniond::Identity();
+  const double dt = (t(t.size() - 1) - t(0)) / (t.size() - 1);
+  for (int k = 1; k < t.size(); k++) {
+    const Vector3d w = 0.5 * (omega.col(k) + omega.col(k - 1));
+    const double angle = w.norm() * dt;
+    if (angle > 0) q = q * Eigen::Quaterniond(Eigen::AngleAxisd(angle, w.normalized()));
+  }
+  return q.toRotationMatrix();
+}

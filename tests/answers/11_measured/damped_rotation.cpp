@@ -47,3 +47,17 @@ Vector3d damped_rotation(const Vector3d& I, const Vector3d& omega0, double gamma
   }
   const double x = gamma * t;
   return w * (1 - x + x * x / 2 - x * x * x / 6);
+//! wrong: time shortened by the decay at the end
+Vector3d damped_rotation(const Vector3d& I, const Vector3d& omega0, double gamma, double t) {
+  const double f = std::exp(-gamma * t);
+  const double s = t * f;
+  const int N = 20000;
+  const double h = s / N;
+  auto rate = [&](const Vector3d& w) -> Vector3d { return I.cwiseProduct(w).cross(w).cwiseQuotient(I); };
+  Vector3d w = omega0;
+  for (int i = 0; i < N; i++) {
+    const Vector3d a = rate(w), b = rate(w + h / 2 * a), c = rate(w + h / 2 * b), d = rate(w + h * c);
+    w += h / 6 * (a + 2 * b + 2 * c + d);
+  }
+  return f * w;
+}
