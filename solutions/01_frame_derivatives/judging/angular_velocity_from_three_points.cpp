@@ -83,6 +83,13 @@ void judge_angular_velocity_from_three_points(Lecture& lecture) {
       "Positions and velocities themselves are taken, as if the origin were a point of the body at rest; ω shows in "
       "their differences from point to point.",
       "origin_at_rest", [](auto& r, auto& v) { return axial_part(v * r.inverse()); });
+  e.wrong(
+      "Positions and velocities themselves are taken, as if the origin were a point of the body at rest; ω shows in "
+      "their differences from point to point.",
+      "origin_at_rest_by_least_squares", [](auto& r, auto& v) -> Vector3d {
+        const Matrix3d tensor = r.squaredNorm() * Matrix3d::Identity() - r * r.transpose(), L = r * v.transpose();
+        return tensor.inverse() * axial(L.transpose() - L);
+      });
   e.wrong("The angular momentum of three equal masses is divided by a number here; what takes ω to it is a tensor.",
           "momentum_over_squares", [](auto& r, auto& v) -> Vector3d {
             const Matrix3d x = r.colwise() - r.rowwise().mean(), u = v.colwise() - v.rowwise().mean();

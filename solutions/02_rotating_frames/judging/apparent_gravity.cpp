@@ -87,6 +87,9 @@ void judge_apparent_gravity(Lecture& lecture) {
                  "centrifugal_up_only", [](auto& g, auto lat, auto R, auto, auto rate, auto&) {
                    g[1] += rate * rate * R * cos(lat) * sin(lat);
                  });
+  e.wrong_output("Your ship follows its circle of latitude; a great circle has no v² tan λ/R towards the pole.",
+                 "circle_of_latitude",
+                 [](auto& g, auto lat, auto R, auto, auto, auto& v) { g[1] -= v.x() * v.x() * tan(lat) / R; });
   e.wrong_output("The components east and north are missing; a plumb line does not point to the centre.",
                  "vertical_only", [](auto& g, auto&...) { g.template head<2>().setZero(); });
   e.wrong_output("This is the force per mass that holds a body aboard, upwards; free fall is the other way.", "upwards",

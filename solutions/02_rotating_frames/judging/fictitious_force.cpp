@@ -40,6 +40,14 @@ void judge_fictitious_force(Lecture& lecture) {
                 "inertial_velocity", {-2, -1, -3});
   e.wrong_output({"The centrifugal force is m ω² r here; the distance from the axis counts, not r itself.", brackets},
                  "omega_squared_r", [](auto& F, auto m, auto& r, auto&, auto& w, auto&) { F += m * w * w.dot(r); });
+  for (const int only : {0, 1, 2})
+    e.wrong("The mass multiplies one of the three terms here; it belongs to all of them.",
+            "mass_once_" + std::to_string(only), [only](auto m, auto& r, auto& v, auto& w, auto& a) {
+              Matrix3d terms;
+              terms << -2 * cross(w, v), -cross(a, r), -cross(w, cross(w, r));
+              terms.col(only) *= m;
+              return Vector3d(terms.rowwise().sum());
+            });
   e.wrong_input<0>("The mass does not enter: this is the acceleration, not the force.", "mass_lost", fixed(1.0));
   e.route("force by force", [](auto m, auto& r, auto& v, auto& w, auto& a) {
     return 2 * m * cross(v, w) + m * cross(r, a) + m * cross(cross(w, r), w);

@@ -26,6 +26,9 @@ void judge_euler_equations_general(Lecture& lecture) {
   e.wrong(products_missing, "diagonal_formula",
           [](auto& I, auto& w, auto& tau) { return euler_equations(I.diagonal(), w, tau); });
   e.wrong_output(inertia_not_divided, "not_divided", [](auto& rate, auto& I, auto&, auto&) { return I * rate; });
+  e.wrong("The inverse of I stands before the torque only; it belongs before all of τ − ω × (Iω).",
+          "gyration_not_divided",
+          [](auto& I, auto& w, auto& tau) -> Vector3d { return I.inverse() * tau - cross(w, I * w); });
   e.wrong_output("The diagonal entries of I divide here; with products of inertia the three equations are coupled.",
                  "divided_by_diagonal",
                  [](auto& rate, auto& I, auto&, auto&) -> Vector3d { return (I * rate).cwiseQuotient(I.diagonal()); });

@@ -81,6 +81,10 @@ void judge_free_attitude(Lecture& lecture) {
       });
   e.wrong({"Your ω keeps its first value; without a torque L is constant in space, but ω is not.", invariants},
           "constant_omega", [](auto&, auto& w, auto t) { return turn(w, w.norm() * t); });
+  e.wrong("Your body turns twice as fast as ω says: the rate of a quaternion is half of its product with ω.",
+          "quaternion_rate_doubled", [](auto& I, auto& w, auto t) {
+            return integrated(w, t, euler(I), [](auto& A, auto& now) { return body_rate(A, 2 * now); });
+          });
   e.wrong({"The sign of the gyroscopic term is wrong in your ω: with this attitude L does not stand still in space.",
            invariants},
           "sign_of_euler", [](auto& I, auto& w, auto t) { return integrated(w, t, euler(I, -1), body_rate); });

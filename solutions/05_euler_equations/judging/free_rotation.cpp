@@ -67,11 +67,16 @@ static void add_cases(auto& e) {
     sort(moments);
     return moments;
   });
-  e.random("one long time", 2, &Random::principal_moments, any::vector(1),
-           [](Random& random) { return VectorXd{{random.uniform(20, 24)}}; });
   e.tolerance(1e-6,
               "The answer is integrated in steps: a method of fourth order with steps of some hundredths of a second "
               "stays within a millionth of the exact solution by elliptic functions.");
+  // Of this the error of a thousand or two steps, whatever the time, is fifty or three times too large.
+  e.special("two hundred seconds", example_moments, {0.5, 0.3, 0.8}, VectorXd{{200}});
+  e.tolerance_of_last_case(
+      1e-5, "After two hundred seconds a controlled integration with the tolerance 1e-8 is off by a few millionths.");
+  e.random("one long time", 2, &Random::principal_moments, any::vector(1),
+           [](Random& random) { return VectorXd{{random.uniform(20, 24)}}; });
+  e.tolerance_of_last_case(1e-6);
   e.scale([](auto&, auto& start, auto&) { return max(start.norm(), 1e-3); });
   e.template sweep<2>({"Free rotation with moments 1, 2, 3 kg m² from ω = (0.1, 1, 0.1) rad/s", "time (s)",
                        "body component of ω (rad/s)"},
@@ -120,6 +125,12 @@ void judge_free_rotation(Lecture& lecture) {
   add_cases(e);
   e.wrong("Each column is one Euler step on from the last; between the times many small steps are needed.",
           "given_times_as_steps", euler_steps);
+  e.wrong_input<2>(
+      "A time before 0, or before one that stands to the left of it, gives the last state here; times come "
+      "in any order.",
+      "running_forwards", [](auto& times) {
+        for (int k = 0; k < times.size(); ++k) times[k] = max(times[k], k > 0 ? times[k - 1] : 0.0);
+      });
   e.wrong("Each column is one Euler step from t = 0; up to each time many small steps are needed.", "one_step_each",
           [](auto& I, auto& start, auto& moments) -> Matrix3Xd {
             return start.replicate(1, moments.size()) + euler_equations(I, start, zero) * moments.transpose();

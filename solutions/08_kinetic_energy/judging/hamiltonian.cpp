@@ -58,6 +58,11 @@ void judge_hamiltonian(Lecture& lecture) {
             const double across = (p[2] * cos(q[1]) - p[0]) / pow(sin(q[1]), 2);
             return Vector3d(across * cos(q[2]) + p[1] * sin(q[2]), -across * sin(q[2]) + p[1] * cos(q[2]), p[2]);
           }));
+  e.wrong("Each momentum is divided by its own entry of the matrix of the energy; the whole matrix is to be inverted.",
+          "diagonal_inverted", [](auto& I, auto& q, auto& p) {
+            const Matrix3d B = rate_axes(q), M = B.transpose() * I.asDiagonal() * B;
+            return 0.5 * p.cwiseAbs2().cwiseQuotient(M.diagonal()).sum();
+          });
   e.wrong_terms("The factor one half is missing.", "no_half", {1, 1, 1});
   e.wrong("The moments multiply here, as they do with ω̃; these are squares of momenta.", "moments_multiply",
           [](auto& I, auto& q, auto& p) { return energy(I, L_of_momenta<double>(q, p)); });

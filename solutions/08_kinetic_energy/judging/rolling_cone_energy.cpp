@@ -105,6 +105,20 @@ void judge_rolling_cone_energy(Lecture& lecture) {
             const double too_much = (0.5 - 0.3) * c.M * pow(c.radius() * cos(c.half_angle), 2);
             return c.about_contact(c.across_in_apex()) + 0.5 * too_much * pow(c.rate / tan(c.half_angle), 2);
           }));
+  e.wrong(
+      "Of ω along the axis of the cone the part of the rate round the vertical is missing; ω as a whole lies along "
+      "the line of contact.",
+      "spin_alone_along", of_cone([](auto& c) {
+        const double along = c.rate / sin(c.half_angle), across = c.rate * cos(c.half_angle);
+        return 0.5 * (c.along() * along * along + c.across_in_apex() * across * across);
+      }));
+  e.wrong(
+      "These are the moments of a conical shell; a solid cone has its mass nearer to its axis.", "shell",
+      of_cone([](auto& c) {
+        const double R2 = c.radius() * c.radius(), w = c.rate / tan(c.half_angle);
+        return 0.5 * c.M * w * w *
+               (R2 / 2 * pow(cos(c.half_angle), 2) + (R2 / 4 + c.height * c.height / 2) * pow(sin(c.half_angle), 2));
+      }));
   e.wrong_output("The factor one half is missing.", "no_half", times(2));
   e.wrong_input<2>("half_angle is halved once more; it lies between the axis and the side already.", "opening_angle",
                    times(0.5));

@@ -146,6 +146,15 @@ void judge_attitude_frequencies(Lecture& lecture) {
             const double sum = 1 + k.roll * k.yaw, root = sqrt(abs(sum * sum - 4 * k.roll * k.yaw));
             return n * Vector3d(sqrt(3 * k.pitch), sqrt(abs(sum - root) / 2), sqrt((sum + root) / 2));
           });
+  e.wrong(
+      "The torque of gravity has a three, that of the pull and of its direction; it is missing in the plane and "
+      "across.",
+      "no_three_anywhere", [](auto& I, auto n) {
+        const Ratios k(I);
+        const double sum = k.yaw + 2 * k.roll + (1 - k.roll) * (1 - k.yaw), product = 2 * k.roll * k.yaw;
+        const double root = sqrt(max(sum * sum - 4 * product, 0.0));
+        return n * Vector3d(sqrt(k.pitch), sqrt(2 * product / (sum + root)), sqrt((sum + root) / 2));
+      });
   e.wrong_output("Across the plane the faster swing stands first; the slower one is asked for first.", "order",
                  exchange(1, 2));
   e.wrong_output("These are the squares of the frequencies.", "squares",

@@ -130,6 +130,13 @@ void judge_racket_twist(Lecture& lecture) {
             I, w, [&](const Vector3d& now) { return rate_about_axis(I, now, 0); },
             [&](const Vector3d&) { return w.norm(); });
       });
+  e.wrong(
+      "The motion stops here when the time of a turn at the rate L/I₂ is over; the handle goes round at another rate.",
+      "time_of_middle_axis", [](auto& I, auto& w) {
+        return in_a_round(
+            I, w, [&](const Vector3d& now) { return rate_about_axis(I, now, 0); },
+            [&](const Vector3d&) { return L_of(I, w).norm() / I[1]; });
+      });
   e.wrong({"The twist grows here as fast as at the throw; but the disturbance grows in between.", "attitude_half_turn"},
           "first_rate", [](auto& I, auto& w) { return 2 * pi * rate_about_axis(I, w, 0) / rate_about_L(I, w, 0); });
   e.wrong_output("Seen from the body L goes round the handle, in the opposite sense to the twist: this is its angle.",
