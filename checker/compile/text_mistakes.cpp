@@ -169,7 +169,7 @@ const std::vector<TextMistake>& table() {
        nullptr, "", Weight::possible, Fix::as_double},
       // A number of steps or an index may be made so.
       {"whole_cast",
-       R"(^(?!(?:const )?(?:int|long|auto|unsigned|for|while|(?:std :: )?size_t)\b)[^\[\n]*?(?:^| )(?|static_cast < (int|long) > \(|\( (int|long) \)|(int|long) \()(?= [^\n;]*(?:/|\d\.\d|sqrt|sin|cos|pow|norm))(?! (?:std :: )?(?:round|floor|ceil|trunc)\b))",
+       R"(^(?!(?:const )?(?:int|long|auto|unsigned|for|while|(?:std :: )?size_t)\b|[^\n]*\b1 \+ (?:static_cast <|int|\( int))[^\[\n]*?(?:^| )(?|static_cast < (int|long) > \(|\( (int|long) \)|(int|long) \()(?= [^\n;]*(?:/|\d\.\d|sqrt|sin|cos|pow|norm))(?! (?:std :: )?(?:round|floor|ceil|trunc)\b))",
        "$1 keeps only what stands before the decimal point.", nullptr, "", Weight::possible, Fix::as_double},
       // Several statements.
       {"uninitialized_variable",

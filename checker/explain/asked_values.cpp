@@ -80,64 +80,6 @@ std::vector<Reason> diagnose_finite(ExerciseReference exercise, Answers answers)
   return found;
 }
 
-/// With which elements of a list the result never changes, although the right one does: further calls tell.
-std::optional<Reason> elements_without_effect(const Ask& ask, const ExerciseReference& reference,
-                                              const Answers& answers) {
-  struct Pattern {
-    const char* words;
-    bool (*has_effect)(std::size_t element, std::size_t count);
-  };
-  static constexpr Pattern patterns[] = {
-      {"any entry of {} but the first", [](std::size_t k, std::size_t) { return k == 0; }},
-      {"any entry of {} but the first two", [](std::size_t k, std::size_t) { return k < 2; }},
-      {"any entry of {} but the last", [](std::size_t k, std::size_t n) { return k + 1 == n; }},
-      {"any entry of {} but the first and the last", [](std::size_t k, std::size_t n) { return k == 0 || k + 1 == n; }},
-      {"the first entry of {}", [](std::size_t k, std::size_t) { return k > 0; }},
-      {"the last entry of {}", [](std::size_t k, std::size_t n) { return k + 1 < n; }}};
-  constexpr std::size_t fewest = 3, most = 40, most_cases = 3;
-  for (std::size_t a = 0; a < reference.arguments.size(); ++a) {
-    const auto columns = [&](std::size_t i) -> std::size_t {
-      const Value& list = reference.cases[i].inputs[a];
-      const Kind kind = reference.arguments[a].kind;
-      return kind == Kind::vector     ? list.numbers.size()
-             : kind == Kind::points   ? static_cast<std::size_t>(list.cols)
-             : kind == Kind::matrices ? static_cast<std::size_t>(list.cols) / 3
-                                      : 0;
-    };
-    std::vector<Pattern> fitting(std::begin(patterns), std::end(patterns));
-    std::size_t looked_at = 0;
-    for (std::size_t i = 0; i < reference.described_cases() && looked_at < most_cases; ++i) {
-      const Case& one = reference.cases[i];
-      const std::size_t count = columns(i), stride = count > 0 ? one.inputs[a].numbers.size() / count : 0;
-      if (count < fewest || count > most || !answers[i] || passes(reference, i, *answers[i]) ||
-          std::ranges::count(one.inputs[a].numbers, 0) > 0)  // what is 0 stays so
-        continue;
-      ++looked_at;
-      std::vector<PlannedCall> calls(count, {one.inputs, one.expected.rows, one.expected.cols});
-      for (std::size_t k = 0; k < count * stride; ++k) calls[k / stride].inputs[a].numbers[k] *= 1.01;
-      const std::vector<Reply> replies = ask(calls);
-      std::erase_if(fitting, [&](const Pattern& pattern) {
-        for (std::size_t k = 0; k < count; ++k) {
-          const bool is_same = replies[k].ending == Ending::returned && replies[k].value.numbers == answers[i]->numbers;
-          if (is_same == pattern.has_effect(k, count)) return true;
-        }
-        return false;
-      });
-    }
-    const auto right_one_changes = [&](const Case& changed) {
-      if (changed.base < 0 || changed.argument != static_cast<int>(a)) return false;
-      const auto base = static_cast<std::size_t>(changed.base);
-      return !is_same_answer(reference, base, changed.expected, reference.cases[base].expected);
-    };
-    if (looked_at > 0 && !fitting.empty() && std::ranges::any_of(reference.cases, right_one_changes))
-      return Reason{ReasonKind::independence, "elements",
-                    fmt::format("Your result never changes with {}; the right one does.",
-                                fmt::format(fmt::runtime(fitting.front().words), reference.arguments[a].name)),
-                    Weight::symptom};
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 bool are_zero(const Answers& answers) {
@@ -152,7 +94,9 @@ bool explain_values(Search& search) {
   const bool are_finite = search.verdict() == Verdict::wrong_value;
   search.reasons = are_finite ? diagnose(reference, search.answers) : diagnose_finite(reference, search.answers);
   if (!are_finite && search.reasons.empty())
-    if (const auto split = diagnose_split(reference, search.answers)) search.reasons = {*split};
+    for (Mechanism* const mechanism : {&diagnose_split, &diagnose_threshold})
+      if (const auto found = mechanism(reference, search.answers); found && search.reasons.empty())
+        search.reasons = {*found};
   std::erase_if(search.reasons, [&](const Reason& reason) {
     return reason.kind == ReasonKind::split && reason.is_cause() &&
            !is_confirmed(reason, plot_of(evidence), reference, search.answers);
@@ -217,60 +161,6 @@ bool explain_lost_digits(Search& search) {
                        : fmt::format("At {} of the {} where", outcome.wrong.size(), plural(wrong, "case")),
                    are_near ? "it is nearly right, but its last" : "its")}};
   return true;
-}
-
-bool explain_growing_error(Search& search) {
-  constexpr double no_rounding = 1e3, most = 0.3, twice = 1.9, nearly_twice = 2.7, nearly_whole = 0.1;
-  const ExerciseReference& reference = search.evidence.task.reference;
-  const Sweep& sweep = reference.sweep;
-  const auto is_along = [&](std::size_t a) {
-    for (std::size_t i = 0; i < sweep.x.size(); ++i)
-      if (sweep.inputs[i][a].numbers != std::vector{sweep.x[i]}) return false;
-    return !sweep.x.empty();
-  };
-  std::size_t along = 0;
-  while (along < reference.arguments.size() && !is_along(along)) ++along;
-  if (search.has_cause() || along == reference.arguments.size()) return false;
-  const Plot plot = plot_of(search.evidence);
-  ExerciseReference exercise = reference;
-  exercise.cases = plot.points;
-  exercise.properties.clear();
-  std::vector<std::pair<double, double>> law;  // x, and the error there, at about twice the x before each time
-  for (std::size_t i = 0; i < sweep.x.size() && law.size() < 3; ++i) {
-    if (!(sweep.x[i] > 0)) continue;
-    if (!plot.answers[i] || !plot.answers[i]->is_finite()) return false;
-    double error = 0;
-    for (const Deviation& each : deviations(exercise, i, *plot.answers[i]))
-      error = std::max(error, each.relative_size() / plot.points[i].tolerance);
-    if (law.empty() ? error > no_rounding : sweep.x[i] >= twice * law.back().first) law.emplace_back(sweep.x[i], error);
-  }
-  if (law.size() < 3 || law[2].first > nearly_twice * nearly_twice * law[0].first) return false;
-  const auto slope = [&](std::size_t k) {
-    return std::log(law[k + 1].second / law[k].second) / std::log(law[k + 1].first / law[k].first);
-  };
-  // What comes with the next power is half as much at half the x.
-  const double near_zero = 2 * slope(0) - slope(1), power = std::round(near_zero);
-  if (!(power >= 1 && std::abs(near_zero - power) < nearly_whole && std::abs(slope(0) - power) < most)) return false;
-  const std::string& name = reference.arguments[along].name;
-  const auto to_the = [&](double exponent) {
-    return exponent == 1 ? name : name + superscript(static_cast<int>(exponent));
-  };
-  search.reasons.insert(
-      search.reasons.begin(),
-      {ReasonKind::accuracy, "growing_error",
-       fmt::format("At the inputs of the plot your result is right in the limit {0} → 0, and its error grows with {1}: "
-                   "{2} is right, and what is wrong or missing enters with {1}.",
-                   name, to_the(power),
-                   power == 1 ? "what it is at " + name + " = 0" : "all up to " + to_the(power - 1)),
-       Weight::symptom});
-  return false;
-}
-
-bool explain_elements_without_effect(Search& search) {
-  if (are_zero(search.answers)) return true;
-  if (const auto found = elements_without_effect(search.evidence.ask, search.evidence.task.reference, search.answers))
-    search.reasons.insert(search.reasons.begin(), *found);
-  return false;
 }
 
 }  // namespace workbook

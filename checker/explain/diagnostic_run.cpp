@@ -427,10 +427,13 @@ bool explain_suspected_undefined(Search& search) {
 bool explain_by_sanitizers(Search& search) {
   const Evidence& evidence = search.evidence;
   std::vector<Reason> met = diagnostic_run(evidence.task, evidence.toolchain, evidence.cache);
-  // Where a mistake in the code is known, its consequences are none of physics.
+  // Where a mistake in the code is known, its consequences are none of physics. An overflow may be one of these.
   const bool is_in_code = !met.empty();
+  const bool may_be_physics = std::ranges::all_of(met, [](const Reason& each) { return each.name == "non_finite"; });
   if (is_in_code || search.has_mistake_in_code())
-    std::erase_if(search.reasons, [&](const Reason& reason) { return is_in_code || reason.kind != ReasonKind::place; });
+    std::erase_if(search.reasons, [&](const Reason& reason) {
+      return is_in_code ? !may_be_physics || reason.kind != ReasonKind::split : reason.kind != ReasonKind::place;
+    });
   search.add_code(std::move(met));
   return is_in_code || search.has_mistake_in_code();
 }

@@ -24,8 +24,6 @@ constexpr struct {
     {When::wrong_value, explain_lost_digits},
     {When::values, explain_by_small_change},
     {When::values, explain_by_sanitizers},
-    {When::wrong_value, explain_elements_without_effect},
-    {When::wrong_value, explain_growing_error},
 };
 // clang-format on
 

@@ -36,10 +36,8 @@ Explainer explain_spoilt_statement;  ///< a statement that does something else t
 
 // --- what values tell
 
-Explainer explain_values;                   ///< all of values/ (asked_values.cpp)
-Explainer explain_lost_digits;              ///< nearly right, but for chance (asked_values.cpp)
-Explainer explain_elements_without_effect;  ///< of lists (asked_values.cpp)
-Explainer explain_growing_error;            ///< by a law, from zero on (asked_values.cpp)
+Explainer explain_values;       ///< all of values/ (asked_values.cpp)
+Explainer explain_lost_digits;  ///< nearly right, but for chance (asked_values.cpp)
 
 // --- what other runs tell
 

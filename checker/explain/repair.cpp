@@ -114,7 +114,8 @@ Reason finding_of(const DecidingBranch& found, const SourceText& source, const D
 }
 
 bool is_factor(const Variant& variant) {
-  return variant.kind == VariantKind::factor || variant.kind == VariantKind::steps;
+  using enum VariantKind;
+  return variant.kind == factor || variant.kind == inverse || variant.kind == steps;
 }
 
 /// Others need a copy of the file.
@@ -237,7 +238,7 @@ std::optional<Reason> first_of_two(VariantRunner& runner, const VariantRunner::G
     std::vector<std::string> names;
     for (const std::size_t entry : gain.right_entries)
       names.push_back(entry_name(shape, task.reference.result_kind, entry));
-    left = fmt::format("{} {} right at all {} cases; something else is wrong in the rest.", listed(names),
+    left = fmt::format("{} {} right at all {} cases; the rest is wrong too.", listed(names),
                        names.size() == 1 ? "is" : "are", task.reference.cases.size());
   } else {
     return std::nullopt;
@@ -263,6 +264,12 @@ bool may_be_coincidence(const Variant& first, const Variant& second, const Sourc
   return is_inexact(first) && is_inexact(second) && one != other && one != std::pair(other.second, other.first);
 }
 
+/// A factor that a name is missing from in two terms.
+bool is_same_factor(const Variant& one, const Variant& other) {
+  return (one.words == "one factor more" || one.words == "one divisor more") && one.words == other.words &&
+         one.edits.front().replacement == other.edits.front().replacement;
+}
+
 /// Two slips with which all cases are right; in two lines only those of one kind of which there are few, or where one
 /// of the two helps by itself.
 std::optional<Reason> two_slips(VariantRunner& runner, const std::vector<Variant>& variants,
@@ -277,9 +284,10 @@ std::optional<Reason> two_slips(VariantRunner& runner, const std::vector<Variant
       const bool are_alike = is_exact(first) && first.kind == second.kind;
       const bool are_near =
           first.place.line == second.place.line || are_alike || helpful.contains(*one) || helpful.contains(*other);
-      if (!are_near || !are_apart || !can_be_beside(first) || !can_be_beside(second) ||
-          may_be_coincidence(first, second, source) || !runner.is_right(*one, *other))
-        continue;
+      const bool may_be_both =
+          is_same_factor(first, second) ||
+          (are_near && can_be_beside(first) && can_be_beside(second) && !may_be_coincidence(first, second, source));
+      if (!may_be_both || !are_apart || !runner.is_right(*one, *other)) continue;
       return repair(
           source, first.place, "slips_" + to_string(first.kind),
           fmt::format("with {} here and {} in line {}, column {}, the result is right at all {} cases.", first.words,

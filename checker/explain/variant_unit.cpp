@@ -40,6 +40,11 @@ struct WorkbookTimes {
   WorkbookTimes operator-() const { return {-factor}; }
   WorkbookTimes operator+() const { return *this; }
 };
+struct WorkbookInverse { bool is_so; };
+template <class T> decltype(auto) operator->*(WorkbookInverse inverse, const T& x) {
+  if constexpr (std::is_floating_point_v<T>) return inverse.is_so ? 1 / x : x;
+  else return workbook_itself(x);
+}
 template <class T> auto operator*(WorkbookTimes times, const T& x) {
   if constexpr (requires { typename T::DiagonalVectorType; }) {
     typename T::PlainObject value = x;
@@ -49,6 +54,10 @@ template <class T> auto operator*(WorkbookTimes times, const T& x) {
     typename T::PlainObject value = x;
     value *= static_cast<typename T::Scalar>(times.factor);
     return value;
+  } else if constexpr (requires { x.coeffs() *= times.factor; }) {  // a quaternion
+    T value = x;
+    value.coeffs() *= times.factor;
+    return value;
   } else if constexpr (requires { static_cast<T>(times.factor * x); }) {
     return static_cast<T>(times.factor * x);
   } else {
@@ -57,17 +66,18 @@ template <class T> auto operator*(WorkbookTimes times, const T& x) {
 }
 )";
 
-enum class Form { times, step, value, call, method, condition, copy };
+enum class Form { times, inverse, step, value, call, method, condition, copy };
 
 /// In the order of VariantKind, up to those that need a copy.
 constexpr struct {
   const char* name;
   Form form;
-} switched_kinds[] = {{"sign", Form::times},       {"factor", Form::times},         {"factor", Form::times},
-                      {"number", Form::value},     {"index", Form::value},          {"name", Form::value},
-                      {"function", Form::call},    {"method", Form::method},        {"loop", Form::step},
-                      {"guard", Form::value},      {"brackets", Form::copy},        {"overwritten", Form::copy},
-                      {"branch", Form::condition}, {"branch_off", Form::condition}, {"branch_on", Form::condition}};
+} switched_kinds[] = {{"sign", Form::times},         {"factor", Form::times},     {"factor", Form::inverse},
+                      {"factor", Form::times},       {"number", Form::value},     {"index", Form::value},
+                      {"name", Form::value},         {"function", Form::call},    {"method", Form::method},
+                      {"loop", Form::step},          {"guard", Form::value},      {"brackets", Form::copy},
+                      {"overwritten", Form::copy},   {"branch", Form::condition}, {"branch_off", Form::condition},
+                      {"branch_on", Form::condition}};
 
 Form form_of(const Variant& variant) {
   const auto number = static_cast<std::size_t>(variant.kind);
@@ -99,7 +109,7 @@ std::vector<VariantUnit::Piece> VariantUnit::pieces_of(const SourceText& source,
     if (form == Form::copy) continue;
     for (const Edit& edit : variants[k].edits) {
       std::size_t offset = edit.offset, end = edit.offset + edit.length;
-      if (form == Form::times) offset = end;
+      if (form == Form::times || form == Form::inverse) offset = end;
       // With its std::, which belongs to the function.
       if (form == Form::call && text.substr(0, offset).ends_with("std::")) offset -= 5;
       SamePlace& group = groups[{form, offset, end}];
@@ -118,7 +128,7 @@ std::vector<VariantUnit::Piece> VariantUnit::pieces_of(const SourceText& source,
           std::ranges::find_if(group.edits, [&](const auto& each) { return variants[each.first].kind == kind; });
       return found == group.edits.end() ? -1 : static_cast<int>(found->first);
     };
-    Piece piece{offset, end - offset, 2, end, {}};
+    Piece piece{offset, end - offset, 3, end, {}};
     // Mostly none of them is asked for.
     const auto none = fmt::format("!workbook_is_among({}, {}) ? ", *group.all.begin(), *group.all.rbegin());
     const auto choose = [&](const std::string& before, const auto& words_of, const std::string& otherwise,
@@ -145,6 +155,10 @@ std::vector<VariantUnit::Piece> VariantUnit::pieces_of(const SourceText& source,
         piece.parts = {{fmt::format(" WorkbookTimes{{{}}} * ", choose_number(factor, "1.0")), group.all}};
         break;
       }
+      case Form::inverse:
+        piece.order = 1;
+        piece.parts = {{fmt::format(" WorkbookInverse{{workbook_is({})}} ->* ", *group.all.begin()), group.all}};
+        break;
       case Form::step:
         piece.order = 0;
         piece.parts = {{fmt::format(" ({}) + ",
@@ -169,7 +183,7 @@ std::vector<VariantUnit::Piece> VariantUnit::pieces_of(const SourceText& source,
         break;
       }
       case Form::method: {
-        Piece head{group.edits.front().second->operand, 0, 1, end, {}};
+        Piece head{group.edits.front().second->operand, 0, 2, end, {}};
         std::swap(head.parts, piece.parts);
         choose(
             "[](const auto& value, const auto&... x) { return ",
@@ -187,7 +201,7 @@ std::vector<VariantUnit::Piece> VariantUnit::pieces_of(const SourceText& source,
         pieces.push_back(
             {offset,
              0,
-             1,
+             2,
              end,
              {{fmt::format("workbook_condition({}, {}, {}, static_cast<bool>(", number_of(VariantKind::branch),
                            number_of(VariantKind::branch_off), number_of(VariantKind::branch_on)),
@@ -203,7 +217,7 @@ std::vector<VariantUnit::Piece> VariantUnit::pieces_of(const SourceText& source,
   const std::vector<Token>& tokens = source.tokens();
   for (std::size_t k = 1; k < tokens.size(); ++k)
     if (tokens[k].text == "constexpr" && !tokens[k].in_directive && tokens[k - 1].text != "if")
-      pieces.push_back({tokens[k].offset, tokens[k].text.size(), 2, 0, {{"const", {}}}});
+      pieces.push_back({tokens[k].offset, tokens[k].text.size(), 3, 0, {{"const", {}}}});
   std::ranges::sort(pieces, [](const Piece& one, const Piece& other) {
     return std::tuple(one.offset, one.order, -static_cast<long>(one.end)) <
            std::tuple(other.offset, other.order, -static_cast<long>(other.end));

@@ -153,6 +153,7 @@ class SourceMutations {
                                      "VectorXd", "Matrix3d", "Matrix3Xd", "vector"};
     for (const Argument& argument : exercise.arguments) {
       types_[argument.name] = types[static_cast<int>(argument.kind)];
+      units_[argument.name] = argument.unit;
       constants_.insert(argument.name);
     }
     find_functions(exercise.name);
@@ -179,6 +180,7 @@ class SourceMutations {
       names();
       functions();
       divisions();
+      inverses();
       factors();
       loops();
       brackets();
@@ -454,7 +456,7 @@ class SourceMutations {
     const bool is_filled = is_target();
     for (const auto& [other, declared] : types_)
       if (other != here() && declared == type->second) {
-        if (!is_visible(other) || (is_filled && constants_.contains(other))) continue;
+        if (!is_visible(other) || (is_filled && constants_.contains(other)) || is_beside_other_unit(other)) continue;
         if (is_square)
           add(VariantKind::name, "another name in both factors", at_,
               {replaced(at_, at_, other), replaced(at_ + 2, at_ + 2, other)});
@@ -463,6 +465,18 @@ class SourceMutations {
       }
     // A value in place of a variable that is filled here would leave that one empty.
     if (!all_bugs_ && !is_filled) derived(type->second);
+  }
+
+  /// Would the argument be added to one of another unit, as `impulse` in `(r - impulse)`?
+  bool is_beside_other_unit(const std::string& argument) const {
+    const auto has_other_unit = [&](std::string_view partner) {
+      const auto one = units_.find(partner), other = units_.find(argument);
+      return one != units_.end() && other != units_.end() && !(one->second == other->second);
+    };
+    return (is_one_of(before(), {"+", "-"}) && is_one_of(token(at_ - 3), {"(", "=", "return", ","}) &&
+            has_other_unit(token(at_ - 2))) ||
+           (is_one_of(after(), {"+", "-"}) && is_one_of(token(at_ + 3), {")", ";", ","}) &&
+            has_other_unit(token(at_ + 2)));
   }
 
   /// Is the variable here filled, as in `J(i, j) += x`, `(x < 0 ? low : high) = x` or `sort(s.data(), s.data() + 3)`?
@@ -674,6 +688,16 @@ class SourceMutations {
     if (is_whole(at_ + 1) || is_size) add(VariantKind::division, "", "* 1.0 /");
   }
 
+  /// A factor as a divisor, or the other way round.
+  void inverses() {
+    const bool is_factor = is_one_of(here(), {"*", "/"}), follows_sign = is_one_of(here(), {"+", "-", "+=", "-="});
+    if (all_bugs_ || conditions_.in_loop(at_) || (!is_identifier(after()) && after() != "(")) return;
+    if (!is_factor && !follows_sign && !begins_expression()) return;
+    const std::size_t last = end_of_factor(at_ + 1);
+    if (is_whole(at_ + 1) || !is_scalar(at_ + 1, last) || (!is_factor && token(last + 1) != "*")) return;
+    insert_after(VariantKind::inverse, here() == "/" ? "this divisor as a factor" : "this factor as a divisor", "");
+  }
+
   /// The function's name in front of its bracket is left out, with a std:: before it.
   void drop(const char* words) {
     const bool has_prefix = before() == "::" && at_ >= 2 && token(at_ - 2) == "std";
@@ -804,6 +828,7 @@ class SourceMutations {
   const std::size_t most_;
   std::map<std::string, std::string> types_;                                 ///< of arguments and local variables
   std::set<std::string> constants_;                                          ///< of these
+  std::map<std::string, Unit, std::less<>> units_;                           ///< of arguments
   std::map<std::string, std::pair<std::size_t, std::size_t>> scopes_;        ///< of local variables
   std::map<std::pair<std::string, std::string>, std::vector<Edit>> places_;  ///< of one text in place of another
   std::pair<std::size_t, std::size_t> body_ = {0, last_token_looked_at};     ///< of the exercise's function

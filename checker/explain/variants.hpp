@@ -19,12 +19,13 @@ struct Edit {
   std::size_t operand = std::string_view::npos;  ///< of a method's call: where that begins of which it is called
 };
 
-/// What is changed: slips (`steps` are many more steps of a loop); the condition of a branch, which throws where it is
-/// true, never is true or always is; what needs a copy of the file. `brackets` stand around a sum, and `overwritten` is
-/// a value that the line above has changed.
+/// What is changed: slips (`inverse` is one over a factor; `steps` are many more steps of a loop); the condition of a
+/// branch, which throws where it is true, never is true or always is; what needs a copy of the file. `brackets` stand
+/// around a sum, and `overwritten` is a value that the line above has changed.
 enum class VariantKind {
   sign,
   factor,
+  inverse,
   steps,
   number,
   index,

@@ -244,6 +244,7 @@ const char* raw = R"(1/2 sin(30))"; (void)text; (void)letter; (void)raw;
 double a = 4/2 + 1.0/2 + 1/2.0 + x*1/2 + x/1/2 + (double)1/2 + 1./2 + 1e0/2 + 0x10/3.0;
 double b = std::sin(0.5) + std::cos(30 * std::numbers::pi / 180) + std::sin(2) + std::cos(0);
 int mask = 3; mask = mask ^ mask; int n = static_cast<int>(x); int k = std::lround(x);
+if (x > 0) n = 1 + static_cast<int>(x / 0.01);
 Matrix3d I = Matrix3d::Zero(); I += Matrix3d::Identity(); I.transposeInPlace(); I.setZero();
 Matrix3d J; J.setZero(); J += I; Matrix3d K; K << 1, 2, 3, 4, 5, 6, 7, 8, 9; K += J;
 double s = 0; for (int i = 0; i < 3; ++i) s += i; while (s > 100) s /= 2;

@@ -87,6 +87,8 @@ TEST_CASE("the one token with which all cases are right is found, with its place
       {"if (x > -9) return 7;\nreturn n * x;", "", 0, 0},  // taken always
       // Another sign or number in the first line would keep all cases from the last one.
       {"const double y = 3 - x;\nif (y > 0) return n * x;\nreturn 7;", "branch", 8, 1},
+      {"return n / x;", "slip_factor", 7, 12},
+      {"const double a = n / 2.0, b = n / 2.0;\nreturn a + b;", "slips_factor", 8, 8},
       {"const double h = 0.001;\nreturn n * ((x + h) * (x + h) - x * x) / (2 * h);", "slip_coarse", 7, 18},
   };
   for (const Slip& slip : slips) {

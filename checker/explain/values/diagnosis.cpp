@@ -47,6 +47,7 @@ enum class Beside {
 };
 
 /// A new mechanism is a line here. The first that finds something is the reason.
+// clang-format off
 constexpr struct {
   Mechanism* look;
   Beside beside;
@@ -71,11 +72,12 @@ constexpr struct {
     {diagnose_signs, Beside::nothing},
     {diagnose_some_part, Beside::nothing},
     {diagnose_one_entry, Beside::nothing},
-    {diagnose_changed_mistake, Beside::nothing},
     {diagnose_kinds, Beside::place},
     {diagnose_no_effect, Beside::nothing},
+    {diagnose_threshold, Beside::symptoms},
     {diagnose_one_side, Beside::symptoms},
 };
+// clang-format on
 
 }  // namespace
 

@@ -28,7 +28,6 @@ Mechanism diagnose_signs;            ///< of some numbers, at some cases, of the
 Mechanism diagnose_wrong_part;       ///< a misconception, or changed inputs, in the wrong components alone, or two
 Mechanism diagnose_some_part;        ///< in some of the wrong components
 Mechanism diagnose_both_mistakes;    ///< two of these, by what each adds or by its factor
-Mechanism diagnose_changed_mistake;  ///< one of these, times a factor, transposed or in another order
 
 // --- by what a wrong component differs (regression.cpp)
 
@@ -67,6 +66,7 @@ Outcomes outcomes_of(const ExerciseReference& exercise, const Answers& answers);
 
 /// The feature of the inputs (a sign, a zero, an equality, an order, a count) that tells wrong cases from right ones.
 Mechanism diagnose_split;
+Mechanism diagnose_threshold;    ///< the size beyond which all is wrong, and below which all is right
 Mechanism diagnose_one_side;     ///< the feature with which all is right, and without which almost all is wrong
 Mechanism diagnose_kinds;        ///< the kinds of cases that are all wrong, by their names
 Mechanism diagnose_conditional;  ///< the one misconception, or change of the right result, that fits all failing cases

@@ -87,8 +87,9 @@ std::string factor_text(const std::string& coefficient, const std::vector<InputP
   return fmt::format("times {}{}", fmt::join(above, "·"), below.empty() ? "" : "/" + divisor);
 }
 
-/// The quantities, their sines and cosines, the components of the result that are right, lengths of vectors, sums and
-/// differences of what has the same unit: those that vary and are nowhere zero at the cases, the simplest first.
+/// The quantities, their sines and cosines, the components of the result that are right, lengths of vectors and
+/// of L, sums and differences of what has the same unit: those that vary and are nowhere zero at the cases, the
+/// simplest first.
 std::vector<Column> columns_at(const ExerciseReference& exercise, const std::set<std::size_t>& wrong,
                                const std::vector<std::size_t>& rows) {
   std::vector<Column> columns;
@@ -132,6 +133,17 @@ std::vector<Column> columns_at(const ExerciseReference& exercise, const std::set
     };
     if (argument.kind == Kind::vector3 || argument.kind == Kind::vector2)
       add("|" + argument.name + "|", [&](std::size_t i) { return numbers(i).norm(); });
+    for (std::size_t b = 0; b < exercise.arguments.size(); ++b) {  // moments, or a tensor: the length of L
+      const Argument& moments = exercise.arguments[b];
+      const bool is_tensor = moments.kind == Kind::matrix3;
+      if (argument.kind != Kind::vector3 || b == a || (moments.kind != Kind::vector3 && !is_tensor) ||
+          !(moments.unit == units::moment_of_inertia))
+        continue;
+      add(fmt::format("|{} {}|", moments.name, argument.name), [&](std::size_t i) {
+        const auto I = as_matrix(exercise.cases[i].inputs[b]);
+        return is_tensor ? (I * numbers(i)).norm() : I.cwiseProduct(numbers(i)).norm();
+      });
+    }
     if (argument.kind != Kind::vector && argument.kind != Kind::points) continue;
     add("the number of entries of " + argument.name, [&](std::size_t i) {
       const Value& list = exercise.cases[i].inputs[a];
@@ -159,8 +171,10 @@ std::vector<Column> columns_at(const ExerciseReference& exercise, const std::set
       if (&other <= &one || !(other.unit == one.unit)) continue;
       add(fmt::format("({} + {})", one.name, other.name),
           [&](std::size_t i) { return one.values[i] + other.values[i]; });
-      add(fmt::format("({} − {})", one.name, other.name),
-          [&](std::size_t i) { return one.values[i] - other.values[i]; });
+      const bool is_negative = !rows.empty() && one.values[rows[0]] < other.values[rows[0]];
+      const Quantity &larger = is_negative ? other : one, &smaller = is_negative ? one : other;
+      add(fmt::format("({} − {})", larger.name, smaller.name),
+          [&](std::size_t i) { return larger.values[i] - smaller.values[i]; });
     }
   }
   return columns;
@@ -228,15 +242,17 @@ struct Relation {
 };
 
 Relation relation(const ExerciseReference& exercise, const Answers& answers, const std::set<std::size_t>& wrong,
-                  std::size_t number, bool by_inputs) {
+                  std::size_t number, bool by_inputs, double (*of)(double)) {
   constexpr double telling = 1e-5;  // of the natural size
   std::vector<std::size_t> rows;
   std::vector<double> factors;
   Relation found;
   for (const std::size_t i : deciding_cases(exercise)) {
     const Case& one = exercise.cases[i];
-    const double scale = scale_at(one, number), y = answers[i]->numbers[number], e = one.expected.numbers[number];
-    found.is_wrong = found.is_wrong || !(std::abs(y - e) <= one.tolerance * scale);
+    const double scale = of == nullptr ? scale_at(one, number) : 1;
+    double y = answers[i]->numbers[number], e = one.expected.numbers[number];
+    found.is_wrong = found.is_wrong || !(std::abs(y - e) <= one.tolerance * scale_at(one, number));
+    if (of != nullptr) y = of(y), e = of(e);
     if (std::abs(e) <= telling * scale && std::abs(y) <= telling * scale) continue;
     if (std::abs(e) <= telling * scale || y == 0) return {true};
     rows.push_back(i);
@@ -249,7 +265,10 @@ Relation relation(const ExerciseReference& exercise, const Answers& answers, con
   return found;
 }
 
-std::optional<Reason> factor_of(const ExerciseReference& exercise, const Answers& answers, bool by_inputs) {
+/// @param of  what is compared of each number, if not itself
+/// @param told_of  to stand before its name
+std::optional<Reason> factor_of(const ExerciseReference& exercise, const Answers& answers, bool by_inputs,
+                                double (*of)(double) = nullptr, const char* told_of = "") {
   if (exercise.comparison != Comparison::plain || exercise.result_kind == Kind::integer) return std::nullopt;
   if (!all_deciding_cases_answered(exercise, answers)) return std::nullopt;
   const Value& shape = exercise.cases.front().expected;
@@ -261,7 +280,7 @@ std::optional<Reason> factor_of(const ExerciseReference& exercise, const Answers
   std::vector<std::string> names;
   std::string words;
   for (std::size_t n = 0; n < shape.numbers.size(); ++n) {
-    const Relation found = relation(exercise, answers, wrong, n, by_inputs);
+    const Relation found = relation(exercise, answers, wrong, n, by_inputs, of);
     if (!found.is_wrong) continue;
     if (found.words.empty() || (!words.empty() && words != found.words)) return std::nullopt;
     words = found.words;
@@ -270,19 +289,30 @@ std::optional<Reason> factor_of(const ExerciseReference& exercise, const Answers
   if (names.empty()) return std::nullopt;
   const bool is_whole = names.size() == shape.numbers.size();
   return Reason{ReasonKind::transform, "missing_factor",
-                is_whole ? fmt::format("Your result is the expected one {} at every case.", words)
-                         : fmt::format("In your result {} {} {} at every case; all else is right.", listed(names),
-                                       names.size() == 1 ? "is the expected one" : "are the expected ones", words)};
+                of != nullptr
+                    ? fmt::format("{}your result is that of the expected one {} at every case.", told_of, words)
+                : is_whole ? fmt::format("Your result is the expected one {} at every case.", words)
+                           : fmt::format("In your result {} {} {} at every case; all else is right.", listed(names),
+                                         names.size() == 1 ? "is the expected one" : "are the expected ones", words)};
+}
+
+/// Of a number, or of functions of an angle.
+std::optional<Reason> factor_or_of_angle(const ExerciseReference& exercise, const Answers& answers, bool by_inputs) {
+  if (const auto found = factor_of(exercise, answers, by_inputs)) return found;
+  if (exercise.result_kind != Kind::number || exercise.result_units != std::vector{units::radian}) return std::nullopt;
+  if (const auto found = factor_of(exercise, answers, by_inputs, &std::tan, "The tangent of ")) return found;
+  if (const auto found = factor_of(exercise, answers, by_inputs, &std::sin, "The sine of ")) return found;
+  return factor_of(exercise, answers, by_inputs, &std::cos, "The cosine of ");
 }
 
 }  // namespace
 
 std::optional<Reason> diagnose_number(const ExerciseReference& exercise, const Answers& answers) {
-  return factor_of(exercise, answers, false);
+  return factor_or_of_angle(exercise, answers, false);
 }
 
 std::optional<Reason> diagnose_factor(const ExerciseReference& exercise, const Answers& answers) {
-  return factor_of(exercise, answers, true);
+  return factor_or_of_angle(exercise, answers, true);
 }
 
 }  // namespace workbook

@@ -302,6 +302,68 @@ std::optional<Reason> diagnose_split(const ExerciseReference& exercise, const An
                             outcome.wrong.size(), plural(outcome.wrong.size() + right, "case"), there)};
 }
 
+namespace {
+
+/// A size of the inputs, at every case.
+struct Size {
+  std::string words;
+  Unit unit;
+  std::vector<double> values;
+};
+
+/// Of every number and every vector; then of products without a unit, as of a rate and a time.
+std::vector<Size> sizes_of(const ExerciseReference& exercise) {
+  std::vector<Size> sizes;
+  for (const Quantity& each : quantities_of(exercise)) {
+    if (exercise.arguments[each.argument].kind == Kind::matrix3) continue;
+    Size& size = sizes.emplace_back("|" + each.name + "|", each.unit, each.values);
+    for (double& value : size.values) value = std::abs(value);
+  }
+  for (std::size_t a = 0; a < exercise.arguments.size(); ++a) {
+    const Argument& argument = exercise.arguments[a];
+    if (argument.kind == Kind::number || argument.kind == Kind::integer) continue;
+    Size& size = sizes.emplace_back("|" + argument.name + "|", argument.unit);
+    for (const Case& one : exercise.cases) size.values.push_back(as_matrix(one.inputs[a]).norm());
+  }
+  const std::vector<Size> singles = sizes;
+  for (auto one = singles.begin(); one != singles.end(); ++one)
+    for (auto other = one + 1; other != singles.end(); ++other) {
+      const Unit product = one->unit * other->unit;
+      if (one->unit.second == 0 || product.kilogram != 0 || product.metre != 0 || product.second != 0) continue;
+      Size& size = sizes.emplace_back(one->words + " " + other->words, units::none, one->values);
+      for (std::size_t i = 0; i < size.values.size(); ++i) size.values[i] *= other->values[i];
+    }
+  return sizes;
+}
+
+}  // namespace
+
+std::optional<Reason> diagnose_threshold(const ExerciseReference& exercise, const Answers& answers) {
+  constexpr std::size_t fewest = 4;
+  constexpr double chance = 1e-8;
+  const Outcomes outcome = outcomes_of(exercise, answers);
+  const std::size_t wrong = outcome.wrong.size(), right = outcome.right.size();
+  const auto total = static_cast<double>(wrong + right);
+  if (wrong < fewest || right < fewest ||
+      std::pow(static_cast<double>(wrong) / total, wrong) * std::pow(static_cast<double>(right) / total, right) >
+          chance)
+    return std::nullopt;
+  for (const Size& size : sizes_of(exercise)) {
+    for (const bool is_above : {true, false}) {
+      // As if large were wrong.
+      const auto at = [&](std::size_t i) { return is_above ? size.values[i] : -size.values[i]; };
+      const double first_wrong = at(*std::ranges::min_element(outcome.wrong, {}, at));
+      if (std::ranges::any_of(outcome.right, [&](std::size_t i) { return !(at(i) < first_wrong); })) continue;
+      return Reason{ReasonKind::split, "threshold",
+                    fmt::format("Your result is right at all {} with {} {} {}, and wrong at all {} others.",
+                                plural(right, "case"), size.words, is_above ? "<" : ">",
+                                number_text(std::abs(first_wrong), 3), wrong),
+                    Weight::symptom};
+    }
+  }
+  return std::nullopt;
+}
+
 std::optional<Reason> diagnose_one_side(const ExerciseReference& exercise, const Answers& answers) {
   const Outcomes outcome = outcomes_of(exercise, answers);
   constexpr std::size_t fewest = 4;

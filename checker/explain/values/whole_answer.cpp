@@ -344,7 +344,7 @@ std::optional<Reason> known_parts(const ExerciseReference& exercise, const Answe
   std::string sentence = fmt::format("In {}{} your result is what this mistake gives: {}",
                                      parts.front().names(exercise), is_one ? ", and nowhere else," : "", first.message);
   if (!are_all)
-    sentence += " Something else is wrong in the rest.";  // a second one in a part of it would be a coincidence
+    sentence += " The rest is wrong too.";  // a second one in a part of it would be a coincidence
   else if (!is_one)
     sentence +=
         fmt::format(" In {} it is what another one gives: {}", parts[1].names(exercise), parts[1].mistake.message);
@@ -391,31 +391,6 @@ std::optional<Reason> diagnose_both_mistakes(const ExerciseReference& exercise, 
     }
   }
   return found;
-}
-
-std::optional<Reason> diagnose_changed_mistake(const ExerciseReference& exercise, const Answers& answers) {
-  ExerciseReference changed = exercise;
-  changed.cases.resize(exercise.described_cases());
-  for (const KnownMistake& each : known_mistakes(exercise)) {
-    for (std::size_t i = 0; i < changed.cases.size(); ++i) changed.cases[i].expected = each.outputs->at(i);
-    // Where the answer is right, it is no mistake times something.
-    const auto is_right = [&](std::size_t i) {
-      return answers[i] && passes(exercise, i, *answers[i]) && !passes(exercise, i, each.outputs->at(i));
-    };
-    if (!std::ranges::all_of(*each.outputs, &Value::is_finite) ||
-        std::ranges::any_of(deciding_cases(changed), is_right))
-      continue;
-    for (const auto& mechanism : {diagnose_transform, diagnose_number}) {
-      const auto found = mechanism(changed, answers);
-      if (!found || !found->is_cause()) continue;
-      return Reason{
-          each.kind, each.name,
-          fmt::format("Two mistakes together. One: {} The other, with what that one gives taken as expected: {}",
-                      each.message, found->sentence),
-          Weight::possible, each.notes};
-    }
-  }
-  return std::nullopt;
 }
 
 std::optional<Reason> diagnose_input_transform(const ExerciseReference& exercise, const Answers& answers) {

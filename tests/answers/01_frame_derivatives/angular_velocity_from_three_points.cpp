@@ -42,3 +42,14 @@ Vector3d angular_velocity_from_three_points(const Matrix3d& r, const Matrix3d& v
   const double denominator = u1.dot(d2);
   if (std::abs(denominator) < 1e-12 * u1.norm() * d2.norm()) return Vector3d::Zero();
   return u1.cross(u2) / denominator;
+//! wrong: least squares about the origin
+Vector3d angular_velocity_from_three_points(const Matrix3d& r, const Matrix3d& v) {
+  Eigen::Matrix<double, 9, 3> A;
+  Eigen::Matrix<double, 9, 1> b;
+  for (int k = 0; k < 3; ++k) {
+    const Vector3d p = r.col(k);
+    A.block<3, 3>(3 * k, 0) << 0, p.z(), -p.y(), -p.z(), 0, p.x(), p.y(), -p.x(), 0;
+    b.segment<3>(3 * k) = v.col(k);
+  }
+  return A.colPivHouseholderQr().solve(b);
+}

@@ -27,3 +27,16 @@ double largest_angle_between_L_and_omega(const Vector3d& I) {
   std::sort(s.data(), s.data() + 3);
   return std::atan((s(2) - s(0)) / std::sqrt(s(0) * s(2)));
 }
+//! wrong: directions in steps of a degree
+double largest_angle_between_L_and_omega(const Vector3d& I) {
+  double best = 0;
+  const double step = M_PI / 180;
+  for (int i = 0; i <= 90; ++i) {
+    for (int j = 0; j <= 90; ++j) {
+      const Vector3d w(std::sin(i * step) * std::cos(j * step), std::sin(i * step) * std::sin(j * step), std::cos(i * step));
+      const Vector3d L = I.cwiseProduct(w);
+      best = std::max(best, std::atan2(w.cross(L).norm(), w.dot(L)));
+    }
+  }
+  return best;
+}

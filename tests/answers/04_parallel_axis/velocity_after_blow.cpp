@@ -27,3 +27,10 @@ Vector3d velocity_after_blow(double M, const Matrix3d& I_cm, const Vector3d& r, 
 +  auto w = I_cm.inverse() * r.cross(impulse).eval().normalized();
 //! wrong: impulse before its lever, and no mass
   return impulse + (I_cm.inverse() * impulse.cross(r)).cross(p);
+//! wrong: the lever of the blow from the point
+Vector3d velocity_after_blow(double M, const Matrix3d& I_cm, const Vector3d& r, const Vector3d& impulse,
+                             const Vector3d& p) {
+  const Vector3d kick = (r - p).cross(impulse);
+  const Vector3d omega = I_cm.ldlt().solve(kick);
+  return impulse / M + omega.cross(p);
+}

@@ -36,3 +36,24 @@ Matrix3d free_attitude(const Vector3d& I, const Vector3d& omega0, double t) {
     w += h * a;
   }
   return A;
+//! wrong: rate of the quaternion without a half
+Matrix3d free_attitude(const Vector3d& I, const Vector3d& omega0, double t) {
+  using V7 = Eigen::Matrix<double, 7, 1>;
+  auto rate = [&](const V7& y) {
+    const Vector3d w = y.tail<3>();
+    const Eigen::Quaterniond q(y[0], y[1], y[2], y[3]), wq(0, w[0], w[1], w[2]);
+    const Eigen::Quaterniond d = q * wq;
+    V7 out;
+    out << d.w(), d.x(), d.y(), d.z(), I.cwiseProduct(w).cross(w).cwiseQuotient(I);
+    return out;
+  };
+  V7 y;
+  y << 1, 0, 0, 0, omega0;
+  const int n = 6000;
+  const double h = t / n;
+  for (int k = 0; k < n; ++k) {
+    const V7 k1 = rate(y), k2 = rate(y + h / 2 * k1), k3 = rate(y + h / 2 * k2), k4 = rate(y + h * k3);
+    y += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+  }
+  return Eigen::Quaterniond(y[0], y[1], y[2], y[3]).normalized().toRotationMatrix();
+}

@@ -216,3 +216,21 @@ Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorX
 -      }
 -    }
 +    for (int i = 0; i < 200; ++i) w = rk4(w, t / 200);
+//! wrong: times taken as ascending from 0
+Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
+  auto f = [&](const Vector3d& w) -> Vector3d { return I.cwiseProduct(w).cross(w).cwiseQuotient(I); };
+  Matrix3Xd out(3, times.size());
+  Vector3d w = omega0;
+  double now = 0;
+  const double h = 1e-3;
+  for (Eigen::Index k = 0; k < times.size(); ++k) {
+    while (now < times[k] - 1e-12) {
+      const double s = std::min(h, times[k] - now);
+      const Vector3d k1 = f(w), k2 = f(w + s / 2 * k1), k3 = f(w + s / 2 * k2), k4 = f(w + s * k3);
+      w += s / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+      now += s;
+    }
+    out.col(k) = w;
+  }
+  return out;
+}

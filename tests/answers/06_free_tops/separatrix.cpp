@@ -27,3 +27,16 @@ Vector3d separatrix(const Vector3d& I, double spin, double t) {
   const double e = std::exp(-std::abs(s * t)), q = 1 + e * e;
   const double n = std::sqrt(I[1] / (I[2] - I[0])) * 2 * e / q * spin;
   return {n * std::sqrt((I[2] - I[1]) / I[0]), std::copysign(spin * (1 - e * e) / q, t), n * std::sqrt((I[1] - I[0]) / I[2])};
+//! wrong: a thousand steps, whatever the time
+Vector3d separatrix(const Vector3d& I, double spin, double t) {
+  const double T2 = I[1] * spin * spin, L2 = T2 * I[1];
+  Vector3d w(std::sqrt((T2 * I[2] - L2) / (I[0] * (I[2] - I[0]))), 0, std::sqrt((L2 - T2 * I[0]) / (I[2] * (I[2] - I[0]))));
+  auto f = [&](const Vector3d& v) -> Vector3d { return I.cwiseProduct(v).cross(v).cwiseQuotient(I); };
+  const int n = 1000;
+  const double h = t / n;
+  for (int k = 0; k < n; ++k) {
+    const Vector3d a = f(w), b = f(w + h / 2 * a), c = f(w + h / 2 * b), d = f(w + h * c);
+    w += h / 6 * (a + 2 * b + 2 * c + d);
+  }
+  return w;
+}

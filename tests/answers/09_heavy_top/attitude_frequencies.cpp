@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <rigid/heavy_top.hpp>
 Vector3d attitude_frequencies(const Vector3d& I, double orbital_rate) {
@@ -27,3 +28,11 @@ Vector3d attitude_frequencies(const Vector3d& I, double orbital_rate) {
   const double root = std::sqrt(std::abs(b * b - 4 * a * c));
   return orbital_rate * Vector3d(std::sqrt(3 * (I[1] - I[0]) / I[2]), std::sqrt(std::abs(b - root) / (2 * a)),
                                  std::sqrt(std::abs(b + root) / (2 * a)));
+//! wrong: the torque without its three
+Vector3d attitude_frequencies(const Vector3d& I, double orbital_rate) {
+  const double kp = (I[1] - I[0]) / I[2], k1 = (I[2] - I[1]) / I[0], k2 = (I[2] - I[0]) / I[1];
+  const double half = 0.5 * (k1 + 2 * k2 + (1 - k1) * (1 - k2));
+  const double product = 2 * k1 * k2;
+  const double root = std::sqrt(std::max(0.0, half * half - product));
+  return orbital_rate * Vector3d(std::sqrt(kp), std::sqrt(product / (half + root)), std::sqrt(half + root));
+}

@@ -131,3 +131,15 @@ Vector3d exact_rotation(const Vector3d& I, const Vector3d& omega0, double t) {
     w += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
   }
   return w;
+//! wrong: at most a hundred thousand steps
+Vector3d exact_rotation(const Vector3d& I, const Vector3d& omega0, double t) {
+  const long n = std::min(100000L, static_cast<long>(std::abs(t) / 0.01) + 1);
+  const double h = t / static_cast<double>(n);
+  auto f = [&](const Vector3d& v) -> Vector3d { return I.cwiseProduct(v).cross(v).cwiseQuotient(I); };
+  Vector3d w = omega0;
+  for (long k = 0; k < n; ++k) {
+    const Vector3d a = f(w), b = f(w + h / 2 * a), c = f(w + h / 2 * b), d = f(w + h * c);
+    w += h / 6 * (a + 2 * b + 2 * c + d);
+  }
+  return w;
+}

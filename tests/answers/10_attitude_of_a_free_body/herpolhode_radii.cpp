@@ -71,3 +71,14 @@ Vector2d herpolhode_radii(const Vector3d& I, const Vector3d& omega0) {
     return std::sqrt(std::max(0.0, (T2 * I[k] - L2) * (L2 - T2 * I[j]) / (I[j] * I[k] * L2)));
   };
   return {radius(0, 2), L2 > T2 * I[1] ? radius(1, 2) : radius(0, 1)};
+//! wrong: not divided by L
+Vector2d herpolhode_radii(const Vector3d& I, const Vector3d& omega0) {
+  const double A = I[0], B = I[1], C = I[2];
+  const Vector3d s = omega0.cwiseAbs2();
+  const double p = A * (C - A) * s[0] + B * (C - B) * s[1], q = C * (C - A) * s[2] + B * (B - A) * s[1];
+  const double T2 = I.dot(s), L2 = I.cwiseAbs2().dot(s);
+  const double outer = std::sqrt(p * q / (A * C));
+  const bool third = L2 > T2 * B;
+  const double D = third ? p * (q * (C - B) - p * (B - A)) / (B * C * (C - A)) : q * (p * (B - A) - q * (C - B)) / (B * A * (C - A));
+  return {std::sqrt(std::max(0.0, D)), outer};
+}

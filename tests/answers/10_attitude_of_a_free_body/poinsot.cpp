@@ -41,3 +41,9 @@ Vector2d poinsot(const Vector3d& I, const Vector3d& omega) {
 //! wrong: foot of the perpendicular on omega
   const Vector3d L = I.cwiseProduct(omega);
   return {omega.dot(L) / omega.norm(), omega.cross(L).norm() / omega.norm()};
+//! wrong: a difference of squares
+Vector2d poinsot(const Vector3d& I, const Vector3d& omega) {
+  const Vector3d L = I.cwiseProduct(omega);
+  const double h = omega.dot(L.normalized());
+  return {h, std::sqrt(std::max(0.0, omega.squaredNorm() - h * h))};
+}

@@ -87,3 +87,24 @@ double racket_twist(const Vector3d& I, const Vector3d& omega0) {
   }
   return std::atan2(I[2] * w[2], I[1] * w[1]) - std::atan2(I[2] * omega0[2], I[1] * omega0[1]);
 }
+//! wrong: for the time of a turn about the middle axis
+double racket_twist(const Vector3d& I, const Vector3d& omega0) {
+  const double L = I.cwiseProduct(omega0).norm();
+  const double round = 2 * M_PI * I[1] / L;
+  const int n = 20000;
+  const double h = round / n;
+  Eigen::Vector4d y;
+  y << omega0, 0;
+  auto f = [&](const Eigen::Vector4d& v) {
+    const Vector3d w = v.head<3>(), l = I.cwiseProduct(w);
+    const double azimuth = L * (l[1] * w[1] + l[2] * w[2]) / (l[1] * l[1] + l[2] * l[2]);
+    Eigen::Vector4d d;
+    d << l.cross(w).cwiseQuotient(I), w[0] - azimuth * l[0] / L;
+    return d;
+  };
+  for (int k = 0; k < n; ++k) {
+    const Eigen::Vector4d a = f(y), b = f(y + h / 2 * a), c = f(y + h / 2 * b), d = f(y + h * c);
+    y += h / 6 * (a + 2 * b + 2 * c + d);
+  }
+  return y[3];
+}
