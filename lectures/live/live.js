@@ -57,7 +57,6 @@ class LiveFigure {
     this.make_views();
     this.make_question();
     this.make_settings();
-    this.play(false);
     const [, name, state] = decodeURIComponent(location.hash).match(/^#live=(\w+)&(.*)/) ?? [];
     const { t, speed, again, view, ...given } = name === place.dataset.figure ? Object.fromEntries(new URLSearchParams(state)) : {};
     this.set(Object.fromEntries(Object.entries(given).filter(([, value]) => isFinite(value)).map(([name, value]) => [name, +value])));
@@ -71,7 +70,8 @@ class LiveFigure {
       this.last = undefined;
       this.next_frame();
     }).observe(place);
-    new ResizeObserver(() => this.scenes.some(({ scene }) => scene.width !== scene.canvas.clientWidth) && this.draw(this.rested)).observe(place);
+    const fits = ({ scene: { width, high, canvas } }) => width === canvas.clientWidth && high === canvas.clientHeight;
+    new ResizeObserver(() => this.scenes.every(fits) || this.draw(this.rested)).observe(place);
     new MutationObserver(() => (colors = {}, this.draw(this.rested))).observe(document.documentElement, { attributeFilter: ["class"] });
   }
 
