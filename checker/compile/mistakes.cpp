@@ -31,11 +31,31 @@ std::string elsewhere(const SourceText& source, Place place, const std::string& 
   for (std::size_t k = 1; k + 1 < tokens.size(); ++k) {
     const int line = source.place_of(tokens[k].offset).line;
     const std::string around = fmt::format("{} {}", tokens[k - 1].text, tokens[k + 1].text);
-    if (tokens[k].text != name || line == place.line) continue;
+    const bool is_parameter{search(tokens[k + 1].text, "^[,)]$")};
+    if (tokens[k].text != name || line == place.line || (is_parameter && line > place.line)) continue;
     if (search(around, R"(^(?!return|else|case|throw|new|goto|and|or|not)[A-Za-z_]\w* [(=;,{)]$)"))
       return line > place.line
                  ? fmt::format("it is declared below, in line {}; move that up.", line)
                  : fmt::format("it was declared in line {}, in a block, loop or function that has ended.", line);
+  }
+  return "";
+}
+
+/// The statement at a place where it goes on in other lines, in one line and without comments; "" if it does not.
+std::string long_statement(const SourceText& source, Place place) {
+  constexpr std::ptrdiff_t most = 200;
+  const std::vector<Token>& tokens = source.tokens();
+  const auto is_end = [](const Token& token) { return token.text == ";" || token.text == "{" || token.text == "}"; };
+  const auto at = std::ranges::lower_bound(tokens, source.offset_of(place), {}, &Token::offset);
+  const auto first = std::find_if(std::make_reverse_iterator(at), tokens.rend(), is_end).base();
+  std::string statement;
+  int open = 0;
+  for (auto token = first; token != tokens.end() && token - first < most; ++token) {
+    open += token->text == "(" || token->text == "[" ? 1 : token->text == ")" || token->text == "]" ? -1 : 0;
+    const bool is_apart = token != first && std::prev(token)->offset + std::prev(token)->text.size() < token->offset;
+    statement += (is_apart ? " " : "") + std::string(token->is_literal() ? "\"\"" : token->text);
+    if (token >= at && open <= 0 && is_end(*token))
+      return source.place_of(token->offset).line == source.place_of(first->offset).line ? "" : statement;
   }
   return "";
 }
@@ -48,12 +68,14 @@ std::optional<Reason> recognized(const std::vector<MessageMistake>& table, const
                               said.header.substr(said.header.rfind('/') + 1) + "\n" + plain(said.notes) + "\n" +
                               plain(said.context) + "\nraw: " + cut(said.text, longest_for_patterns);
   const std::string marked_code = source.marked_code(place);
-  const std::string code = boost::erase_first_copy(marked_code, "@");
+  const std::string readings[] = {marked_code, boost::erase_first_copy(marked_code, "@"),
+                                  said.is_error ? long_statement(source, place) : ""};
   for (const MessageMistake& mistake : table) {
     const Match in_message = search(message, whole_pattern(mistake.message));
     if (!in_message) continue;
-    Match in_code = search(marked_code, mistake.code);
-    if (!in_code) in_code = search(code, mistake.code);
+    Match in_code;
+    for (const std::string& code : readings)
+      if (!in_code) in_code = search(code, mistake.code);
     if (!in_code) continue;
     std::string sentence = mistake.sentence;
     const bool of_member = sentence.find("$member") != std::string::npos;
@@ -63,6 +85,12 @@ std::optional<Reason> recognized(const std::vector<MessageMistake>& table, const
     const std::string_view right = at == std::string_view::npos ? "" : spellings.substr(at + wrong.size());
     for (const char* word : {"$right", "$member"}) boost::replace_all(sentence, word, right.substr(0, right.find(';')));
     sentence = in_code.fill(in_message.fill(sentence), '%');
+    // Compilers choose from all names of the system.
+    const Match guess = search(sentence, R"(^There is no .*; did you mean `(\w+)`)");
+    if (guess && spellings.find("=" + guess[1] + ";") == std::string_view::npos &&
+        !search(signature, "\\b" + guess[1] + "\\b") &&
+        std::ranges::find(source.tokens(), guess[1], &Token::text) == source.tokens().end())
+      continue;
     boost::replace_all(sentence, "$contract", signature);
     if (sentence.ends_with("$elsewhere")) {
       const std::string there = elsewhere(source, place, in_message[1]);
@@ -87,17 +115,33 @@ Place place_to_show(const Diagnostic& error, const SourceText& source) {
   return after.line < error.place.line ? after : error.place;
 }
 
-/// Where a header is included between { and }; npos: nowhere.
-std::size_t include_in_braces(const SourceText& source) {
-  int depth = 0;
-  const Token* before = nullptr;
-  for (const Token& token : source.tokens()) {
-    if (!token.in_directive) depth += token.text == "{" ? 1 : token.text == "}" ? -1 : 0;
-    if (depth > 0 && token.in_directive && token.text == "include" && before != nullptr && before->text == "#")
-      return before->offset;
-    before = &token;
+/// What spoils a file wherever the compiler notices it.
+std::optional<Reason> misplaced(const SourceText& source) {
+  const std::vector<Token>& tokens = source.tokens();
+  const auto text = [&](std::size_t k) { return k < tokens.size() ? tokens[k].text : std::string_view(";"); };
+  const auto at = [&](std::size_t k, const char* name, const char* sentence) {
+    return source.reason(source.place_of(tokens[k].offset), name, sentence);
+  };
+  std::vector<bool> are_types;  // of the open braces
+  for (std::size_t k = 0; k < tokens.size(); ++k) {
+    if (tokens[k].in_directive) {
+      if (text(k) == "#" && text(k + 1) == "include" && !are_types.empty())
+        return at(k, "include_in_braces",
+                  "This #include is inside braces: write it at the top of the file, before namespace rigid {.");
+      const bool is_last = k + 1 == tokens.size() || !tokens[k + 1].in_directive || text(k + 1) == "#";
+      if ((is_last && text(k) == ";") || (k >= 2 && text(k) == "=" && text(k - 2) == "define"))
+        return at(k, "misused_macro",
+                  "A #define has no ; at its end and no =: better write constexpr double NAME = 0.5;");
+    } else if (text(k) == "{") {
+      are_types.push_back(k >= 2 && search(text(k - 2), "^(struct|class)$"));
+    } else if (text(k) == "}" && !are_types.empty()) {
+      const bool is_declared = search(text(k + 1), "^[;*]$") || search(text(k + 2), R"(^[;,=\[{]$)");
+      if (are_types.back() && !is_declared)
+        return at(k, "missing_semicolon", "After the } that ends a struct or class stands a ;");
+      are_types.pop_back();
+    }
   }
-  return std::string::npos;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -115,12 +159,10 @@ std::optional<Reason> first_error(std::vector<Diagnostic> found, const SourceTex
   auto first = std::ranges::find_if(found, is_placed_error);
   if (first == found.end()) first = std::ranges::find_if(found, &Diagnostic::is_error);
   if (first == found.end()) return std::nullopt;
-  if (const std::size_t inside = include_in_braces(source); inside != std::string::npos)
-    return source.reason(source.place_of(inside), "include_in_braces",
-                         "This #include is inside braces: write it at the top of the file, before namespace rigid {.");
-  // What Eigen asserts says more than what follows from it, and a name that is not known more than what clang misses
-  // behind it.
-  std::vector<const char*> kinds = {"^stray", "^static assertion", ""};
+  if (std::optional<Reason> reason = misplaced(source)) return reason;
+  // What Eigen asserts says more than what follows from it, unless it follows from the spelling itself; and a name that
+  // is not known says more than what clang misses behind it.
+  std::vector<const char*> kinds = {"^stray", first->text.starts_with("expected") ? "^stray" : "^static assertion", ""};
   if (first->text.starts_with("expected ';'")) kinds.insert(kinds.end() - 1, "was not declared");
   for (const char* kind : kinds)
     for (auto next = first; next != found.end(); ++next)

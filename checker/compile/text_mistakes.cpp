@@ -91,6 +91,10 @@ const std::vector<TextMistake>& table() {
   const auto is_false_at_first = [](const Match& found) {
     return std::stol(found[2]) < std::stol(found[4]) + (found[3] == ">" ? 1 : 0);
   };
+  // Whatever else mentions it may keep what it was given.
+  const auto is_named_once = [](const Match& found) {
+    return search_all(found[0], "\\b" + found[2] + "\\b").size() == 1;
+  };
   // Between parentheses, which may be nested twice.
   const std::string inside = R"((?:[^()]|\((?:[^()]|\([^()]*\))*\))*)";
   static const std::vector<TextMistake> mistakes = {
@@ -113,6 +117,13 @@ const std::vector<TextMistake>& table() {
        R"(^(\w+)(?: \. \w+ \( )" + inside + R"(\))*? \. (transpose|normalized|inverse|adjoint|cross|dot|norm|)" +
            R"(squaredNorm|sum|trace|determinant|eval|cwise\w+) \( )" + inside + R"(\) ;$)",
        "$2() changes nothing: it returns a new value, which is dropped here. Write A = A.$2(...).", nullptr, own_types},
+      {"discarded_result",
+       R"(^(?:std :: )?(sqrt|pow|abs|fabs|a?sin|a?cos|a?tan|atan2|exp|log|hypot|fmod|round|floor|ceil|min|max) \( )" +
+           inside + R"(\) ;$)",
+       "$1() changes nothing: it returns a new value, which is dropped here. Write x = $1(...)."},
+      {"discarded_result",
+       R"(^(?!(?:double|int|float|auto|bool|char|long|unsigned|(?:Row)?Vector\w*|Matrix\w*|return|else|case)\b)(\w+ [-*/+]) [^=\n;{}]* ;$)",
+       "What this computes is dropped here: write = where it belongs.", nullptr, " struct class union using typedef "},
       {"discarded_result", R"(^(\w+) \. (Zero|Identity|Ones) \( [^()]*\) ;$)",
        "$2() makes a new matrix or vector, which is dropped here: `$1.set$2()` changes `$1`.", nullptr, own_types},
       {"aliasing", R"(^(\w+) \. noalias \( \) [+-]?= (?:.* )?\1 (?:.* )?;$)",
@@ -142,6 +153,7 @@ const std::vector<TextMistake>& table() {
        "Of `$1` only the last value is kept: values in parentheses follow a name, as in Vector2d v(a, b)."},
       {"whole_sum", R"((accumulate) \( .* , 0 \))",
        "This sum begins with the whole number 0 and drops what follows every decimal point: begin with 0.0."},
+      {"divisor", R"((/ 1(?:\.0*)?) [-+] \w)", "`$1` divides by 1, not by what follows: write / (1 + x) for that."},
       {"rounded_pi", R"((?:^| )(3\.14\d*)(?= |$))", "$1 is only near π; write std::numbers::pi.", is_rounded_pi, "",
        Weight::possible, Fix::exact_pi},
       {"size_for_length", R"((?:^| )(\w+) / \1 \. size \( \))",
@@ -163,6 +175,11 @@ const std::vector<TextMistake>& table() {
       {"unsigned_difference",
        R"(for \( (?:std :: )?(?:unsigned|size_t)(?: int| long)? (\w+) = [^;]* ; \1 <=? ([^;]* - \d+) ;)",
        "`$2` is never negative but huge, for it has no sign: count with int.", nullptr, "", Weight::possible},
+      {"one_too_far",
+       R"(^for \( [^;\n]*; (\w+) < (\w+) \. (size|cols|rows) \( \) ; (?:\+\+ \1|\1 \+\+) \) (?:\{\n)?(?:(?!if|else)[^\n]*[;{}]\n)*?)"
+       R"((?!if|else)[^\n]*\b\2 (?:\. (?:col|row) )?[\[(] \1 (\+ 1) [\])](?! %)[^\n]*$)",
+       "In the last turn of the loop, `$1 + 1` is one beyond the end: let it run to $2.$3() - 1 only.", nullptr, "",
+       Weight::possible},
       {"one_too_far", R"(^for \( [^;]* = 0 ; \w+ (<=) ([^;]*\. (?:size|cols|rows) \( \)) ;)",
        "This loop runs one too far: the last index is $2 - 1, so write < for <=.", nullptr, "", Weight::possible},
       {"float_precision", R"((?:^| )(float|(?:Matrix|Vector)\w+f)\b)", "A float keeps only about 7 digits; use double.",
@@ -178,6 +195,13 @@ const std::vector<TextMistake>& table() {
       {"uninitialized_variable",
        R"(^(?:double|int|Vector\w+|Matrix\w+) (\w+) ;\nif \( (?:(?!\b\1\b)[^\n])* \) (?:\{\n)?\1 = [^\n]* ;(?:\n\})?\nreturn [^\n]*\b\1\b[^\n]*$)",
        "`$1` has a value only where the condition below it holds: give it one here."},
+      {"no_size",
+       R"(^(?:const )?(?:Eigen :: |std :: )?(?:(?:Matrix|Vector)\w*X\w*|vector < [^;\n]* >) (\w+) ;\n(?:(?![^\n]*\b\1\b)[^\n]*\n)*(?:for [^\n]*\) )?\1 (?:\(|\[|<<|\. (?:col|row) \() [^\n]*$)",
+       "`$1` has no size yet, and so nothing that could be set: give it one in parentheses behind its name.", nullptr,
+       "", Weight::possible},
+      {"captured_copy",
+       R"((\[ (?:=|\w+)[^&\]\n]*\]) \( [^\n]* mutable \{\n(?:[^\n]*\n)*?(?!return)[^\n]* [-+*/]?= [^\n]*$)",
+       "$1 gives this lambda copies of its own, and what it changes there is not changed outside: write [&]."},
       {"size_for_columns", R"(\b(\w+) \. (?:col|rowwise) \( [^\n]*(?:\n[^\n]*)*/ \1 \. size \( \)(?! / 3)[^\n]*$)",
        "`$1.size()` counts all entries: the number of columns is `$1.cols()`."},
       {"kept_view",
@@ -188,7 +212,7 @@ const std::vector<TextMistake>& table() {
        "`$1` is a copy of what the function is called with, and nothing is returned: write & behind its type."},
       {"semicolon_in_list",
        R"(^\w+(?: \. \w+ \( [^()\n]*\))? << [^\n]* (;)\n(?!(?:\w+ (?::: )?)*[A-Za-z_]\w* [A-Za-z_]\w* |return|[^\n]* (?:=|<<) ))"
-       R"((?:[^()\n]|\((?:[^()\n]|\([^()\n]*\))*\))* , [^\n]* ;$)",
+       R"((?:(?:[^()\n]|\((?:[^()\n]|\([^()\n]*\))*\))* ,|[\d(-]) [^\n]* ;$)",
        "This ; ends the list of <<, although more of it follows: between all numbers stands a comma.", nullptr, "",
        Weight::possible},
       {"shared_counter", R"(^for \( (?:\w+ )?(\w+) = [^;\n]*;[^;\n]*;[^\n]*\) (?:\{\n)?for \( \1 = [^\n]*$)",
@@ -211,9 +235,10 @@ const std::vector<TextMistake>& table() {
        R"(^(?:for|while) \( .* \) \{\n(\w+) (?:= 0(?:\.0*)?|\. setZero \( \)) ;\n\1 [-+]= [^\n]* ;\n\}$)",
        "`$1` begins at 0 again in every turn of the loop: give it this value before the loop."},
       {"last_turn_only",
-       R"(for \( (?:[\w:]+ )+?(\w+) = (?:(?! (?:if|while) )[^\n])*\) (?:\{\n(?=[^\n]*\n\}$))?(\w+) = (?![^\n]*\b\2\b)[^\n]*)"
-       R"(\b\1\b[^\n]* ;(?:\n\})?$)",
-       "`$2` is given a new value in every turn, and only that of the last turn is left: to add up, write +=."},
+       R"(for \( (?:[\w:]+ )+?(\w+) = (?:(?! (?:if|while) )[^\n])*\) (?:\{\n(?=(?:(?!if|else|for|while|switch)[^\n]* ;\n)+\}$)(?:[^\n]*\n)*?)?(\w+) = )"
+       R"([^\n]*\b\1\b[^\n]* ;(?:(?:\n[^\n]*)*\n\})?$)",
+       "`$2` is given a new value in every turn, and only that of the last turn is left: to add up, write +=.",
+       is_named_once},
       {"resize_in_loop", R"(^(?:for|while) \( .* \) \{\n(\w+) \. resize \( [^\n]*;$)",
        "resize() drops what `$1` held so far: give it its size once, before the loop."},
       {"divided_in_loop", R"(^for \( .* \) \{\n(\w+) \+= [^\n]* ;\n\1 /= [^\n]*(?:size|cols|rows) \( \) ;\n\}$)",
@@ -222,18 +247,50 @@ const std::vector<TextMistake>& table() {
   return mistakes;
 }
 
-/// while (p < n) { … } @returns does its block, which begins at a token, neither change p nor end the loop?
-bool never_changes(std::span<const Token> tokens, std::size_t brace, const std::string& name) {
+/// while (p < n) { … } @returns does its block, which begins at a token, neither change one of these names nor end the
+/// loop?
+bool never_changes(std::span<const Token> tokens, std::size_t brace, const std::string& names) {
   int depth = 0;
   for (std::size_t k = brace; k < tokens.size(); ++k) {
     depth += tokens[k].text == "{" ? 1 : tokens[k].text == "}" ? -1 : 0;
     if (depth == 0) return true;
-    if (is_one_of(tokens, k, " break return throw goto ")) return false;
-    if (tokens[k].text == name &&
-        (is_one_of(tokens, k + 1, " = += -= *= /= ++ -- << . [ ") || is_one_of(tokens, k - 1, " ++ -- & >> ")))
+    if (is_one_of(tokens, k, " break return throw goto exit ")) return false;
+    const bool is_argument = is_one_of(tokens, k - 1, " ( , ") && !(k > 2 && is_one_of(tokens, k - 3, " . "));
+    if (is_one_of(tokens, k, names) && (is_argument || is_one_of(tokens, k + 1, " = += -= *= /= ++ -- << . [ ( ") ||
+                                        is_one_of(tokens, k - 1, " ++ -- & >> ")))
       return false;
   }
   return false;
+}
+
+/// do { … } while @returns the { of the block that ends before a token, or 0
+std::size_t block_before(std::span<const Token> tokens, std::size_t end) {
+  int depth = 0;
+  for (std::size_t k = end; k-- > 0;) {
+    depth += tokens[k].text == "}" ? 1 : tokens[k].text == "{" ? -1 : 0;
+    if (depth <= 0) return depth == 0 && k > 0 && tokens[k - 1].text == "do" ? k : 0;
+  }
+  return 0;
+}
+
+/// Vector3d v = a; … v = b; } @returns the token at which a variable is given what its block never reads, or 0
+std::size_t never_read(std::span<const Token> tokens, std::size_t declared) {
+  int depth = 0;
+  for (std::size_t k = declared; k-- > 0;) {  // what hides another variable is told as that
+    depth += tokens[k].text == "}" ? 1 : tokens[k].text == "{" ? -1 : 0;
+    if (depth <= 0 && tokens[k].text == tokens[declared].text) return 0;
+  }
+  depth = 0;
+  std::size_t statement = 0, last = 0;  // the first token of this one, and of the last that names it
+  for (std::size_t k = declared; k < tokens.size() && depth >= 0; ++k) {
+    depth += tokens[k].text == "{" ? 1 : tokens[k].text == "}" ? -1 : 0;
+    if (is_one_of(tokens, k - 1, " ; { } ")) statement = k;
+    const bool is_lambda = tokens[k].text == "[" && is_one_of(tokens, k + 1, " = ");
+    if (tokens[k].text == "&" || is_lambda) return 0;  // another name of it, or what sees it
+    if (tokens[k].text == tokens[declared].text) last = depth == 0 ? statement : 0;
+  }
+  const bool is_given = tokens[last].text == tokens[declared].text && is_one_of(tokens, last + 1, " = += -= *= /= ");
+  return last > declared && is_given ? last : 0;
 }
 
 /// double w[3]; … w[3] @returns the token with an index that the array does not have, or 0; in its block, as long as
@@ -248,6 +305,17 @@ std::size_t index_beyond(std::span<const Token> tokens, std::size_t declared, lo
     if (search(tokens[k + 2].text, R"(^\d{1,9}$)") && std::stol(std::string(tokens[k + 2].text)) >= size) return k + 2;
   }
   return 0;
+}
+
+/// double twice(double x) { … twice(y); @returns which functions of the file give a value and change no argument
+std::string value_functions(std::span<const Statement> statements) {
+  std::string names;
+  for (const Statement& statement : statements)
+    if (const Match head = search(
+            statement.text, R"(^(?:static |inline )*(?:double|int|bool|(?:Eigen :: )?(?:Matrix|Vector)\w+) (\w+) )"
+                            R"(\( (?:(?:const [^,()]+|[^,&*()]+)(?:, |\)))+ \{$)"))
+      names += " " + head[1] + " ";
+  return names;
 }
 
 /// static double s = 0; … s += x; @returns does it keep what calls before have left
@@ -276,6 +344,7 @@ std::vector<Reason> text_mistakes(const SourceText& source) {
   };
   int depth = 0;  // of braces that no namespace opens
   const std::vector<Statement> statements = statements_of(tokens);
+  const std::string values_of = value_functions(statements);
   for (std::size_t last = 0; last < statements.size(); ++last) {
     const Statement& statement = statements[last];
     if (statement.text.size() > longest_statement || found.size() > most) continue;
@@ -298,10 +367,28 @@ std::vector<Reason> text_mistakes(const SourceText& source) {
     const bool is_outside = depth == 0;
     if (statement.text.ends_with("{") && !statement.text.starts_with("namespace")) ++depth;
     if (statement.text.ends_with("}") && depth > 0) --depth;
-    const Match waiting = search(statement.text, R"(^while \( (\w+) (?:[<>]=?|!=) [^;]*\) \{$)");
-    if (waiting && never_changes(tokens, statement.tokens.back(), waiting[1]))
-      add(statement.token_at(waiting.offsets[1]), "endless_loop", waiting,
-          "Nothing in this loop changes `$1`, so it never ends.", Weight::possible);
+    const Match waiting = search(statement.text, R"(^while \( ((?:[^&|=]|[<>!]=|==)*) \) [{;]$)");
+    if (waiting && !search(waiting[1], "\\( \\)")) {
+      const std::size_t end = statement.tokens.back(), head = statement.tokens.front();
+      const std::size_t brace = tokens[end].text == "{" ? end : block_before(tokens, head);
+      std::string names = " ";
+      for (const Match& word : search_all(waiting[1], "[A-Za-z_]\\w*")) names += word[0] + " ";
+      const Match first = search(names, "^ (?!true )(\\w+)");
+      if (brace > 0 && never_changes(tokens, brace, names))
+        add(first ? statement.token_at(waiting.offsets[1]) : head, "endless_loop", first,
+            first ? "Nothing in this loop changes `$1`, so it never ends." : "Nothing ends this loop.",
+            Weight::possible);
+    }
+    const Match local =
+        search(statement.text, R"(^(?:double|int|(?:Eigen :: )?(?:Vector|Matrix)\w+) (\w+) (?:=|;|\())");
+    if (local && !is_outside)
+      if (const std::size_t given = never_read(tokens, statement.token_at(local.offsets[1])); given > 0)
+        add(given, "never_read", local, "What `$1` is given here is read nowhere: it is a variable of its own.");
+    if (const Match call = search(statement.text, R"(^(\w+) \( .* ;$)");
+        call && values_of.find(" " + call[1] + " ") != std::string::npos)
+      add(statement.tokens.front(), "discarded_result", call,
+          "`$1` hands its result back, which is dropped here: write x = $1(...).",
+          has_one_of(tokens, " cout cerr printf static ") ? Weight::possible : Weight::cause);
     const Match kept = search(statement.text, R"(^(static )?(?:[\w:<>]+ )+?(\w+) (?:;|=|\(|\{))");
     const bool is_set_once = !is_outside && search(statement.text, R"(^static (?!const|auto)[^=]* (?:=|\{|\() )");
     const bool is_kept = is_outside || (kept && !kept[1].empty());

@@ -37,8 +37,9 @@ constexpr KnownEvent known_events[] = {
     {"out-of-bounds-index\\|.*index (-?\\d+) out of bounds for type '.*\\[(\\d+)\\]'.*", "index_out_of_range", "index $1 is outside the array of size $2; indices start at 0.", true},
     {"library\\|__\\w+ < (this->)?size\\(\\)", "index_out_of_range", "an index lies outside its container: the indices are 0 to n - 1 for a size n, and a container made without a size has size 0."},
     {"exception\\|(\\w+)::.*\\(which is (\\d+)\\) >= .*\\(which is (\\d+)\\).*", "index_out_of_range", "index $2 is outside the $1 of size $3; indices start at 0."},
-    {"eigen\\|\\(i>=0\\).*", "index_out_of_range", "there is no `%1.%2(%3)`: `%1` has those from 0 to %1.%2s() - 1, and none before it is given a size (%1.size() counts all entries).", false, Weight::cause, "\\b(\\w+)\\.(row|col)\\(([^()]*)\\)"},
+    {"eigen\\|\\(i>=0\\).*", "index_out_of_range", "there is no `%1.%2(%3)`: `%1` has those from 0 to %1.%2s() - 1, and none before it is given a size (%1.size() counts all entries).", false, Weight::cause, "^(?!.*\\.(?:row|col)\\(.*\\.(?:row|col)\\().*\\b(\\w+)\\.(row|col)\\(([^()]*)\\)"},
     {"eigen\\|.*(?:invalid matrix product|actually allow|rows\\(\\) ?== ?\\w+\\.rows).*", "size_mismatch", "the sizes of two operands do not fit here: `%1(i, n)` takes n entries from the index i on; the second number is no index.", false, Weight::cause, "\\.(segment|middleCols|middleRows)\\([^(),]*,[^(),]*\\)"},
+    {"eigen\\|startRow >= 0.*", "index_out_of_range", "`%1(i, n)` takes n entries from the index i on, and these reach beyond the end: the second number is no index.", false, Weight::cause, "\\.(segment|middleCols|middleRows)\\([^(),]*,[^(),]*\\)"},
     {"eigen\\|.*RowsAtCompileTime.*", "size_mismatch", "`%2.row(...)` has as many entries as `%2` has columns, which need not be those of a %1: a column is `%2.col(...)`.", false, Weight::cause, "(Vector\\w+)\\s+\\w+\\s*=\\s*(\\w+)\\.row\\("},
     {"exception\\|(.+)", "exception", "the exception “$1” is thrown here."},
     {"exception\\|", "exception", "the exception is thrown here."},
@@ -67,6 +68,8 @@ constexpr KnownEvent known_events[] = {
     {"never_set here", "never_set", "something is used here that was never given a value: a variable, or an entry of a matrix or vector."},
     {"never_set\\|(.+)", "never_set", "`$1` gets no value here, and not all of it is set before it is used."},
     {"never_set", "never_set", "The result depends on something that was never given a value: a variable without = or {}, or a matrix or vector that is not filled."},
+    {"growing\\|(\\d+)\\|\\1", "out_of_memory", "here the function was still at work when its memory was used up.", false, Weight::symptom},
+    {"growing\\|(\\d+)\\|(\\d+)", "out_of_memory", "in lines $1 to $2 the function was still at work when its memory was used up.", false, Weight::symptom},
     {"printing\\|.*", "endless_printing", "the function was still printing here when it was stopped."},
     {"running\\|(\\d+)\\|\\1", "endless_loop", "the function was still at work here when it was stopped.", false, Weight::symptom},
     {"running\\|(\\d+)\\|(\\d+)", "endless_loop", "the function was still at work in lines $1 to $2 when it was stopped.", false, Weight::symptom},
@@ -153,6 +156,7 @@ class DiagnosticRun {
       explain_value();
     else
       explain_ending();
+    if (verdict_ == Verdict::memory_limit && findings_.empty()) explain_long_run();
     return std::move(findings_);
   }
 
@@ -188,7 +192,8 @@ class DiagnosticRun {
     excerpt.erase(excerpt.find_last_not_of(" \t\r") + 1);
     if (excerpt.size() > longest) excerpt = cut(excerpt, longest) + " …";
     findings_.push_back({.name = name, .sentence = sentence, .weight = weight, .line = line, .excerpt = excerpt});
-    if (name == "index_out_of_range" && counts_from_one(line)) findings_.back().sentence += " Yours are counted from 1.";
+    if (name == "index_out_of_range" && counts_from_one(line))
+      findings_.back().sentence += " Yours are counted from 1.";
   }
 
   /// What is known of "NAME|FACT|…".
@@ -294,8 +299,11 @@ class DiagnosticRun {
       first = at_depth(std::ranges::min(samples, {}, at_depth));
       last = at_depth(std::ranges::max(samples, {}, at_depth));
     }
-    add_finding(first,
-                fmt::format("{}|{}|{}", verdict_ == Verdict::output_limit ? "printing" : "running", first, last));
+    add_finding(first, fmt::format("{}|{}|{}",
+                                   verdict_ == Verdict::output_limit   ? "printing"
+                                   : verdict_ == Verdict::memory_limit ? "growing"
+                                                                       : "running",
+                                   first, last));
   }
 
   const Verdict verdict_;
@@ -398,8 +406,12 @@ bool explain_failed_call(Search& search) {
   // What may end a call stands before the end that it came to; what has another fix changes values.
   for (const Reason& known : search.in_code) {
     const bool is_there = std::ranges::find(met, known.line, &Reason::line) != met.end();
-    if (known.weight == Weight::possible && (known.fix == Fix::none || (known.fix == Fix::wider_type && is_there)))
-      search.reasons.push_back(known);
+    const bool may_end_it =
+        known.weight == Weight::possible && (known.fix == Fix::none || (known.fix == Fix::wider_type && is_there));
+    const bool is_before_symptoms = known.is_cause() && std::ranges::all_of(met, [](const Reason& reason) {
+                                      return reason.weight == Weight::symptom;
+                                    });
+    if (may_end_it || is_before_symptoms) search.reasons.push_back(known);
   }
   search.add_code(std::move(met));
   return true;
@@ -416,11 +428,22 @@ bool explain_suspected_undefined(Search& search) {
     const bool is_unset = std::ranges::any_of(reply.value.numbers, [&](double x) { return x < -of_no_formula; });
     if (reply.ending == Ending::crashed || reply.ending == Ending::exception || is_unset) at_one.failing.push_back(i);
   }
-  const bool is_warned = bool{workbook::search(evidence.compilation.compiler_output, "maybe-uninitialized\\]")};
-  if (at_one.failing.empty() && !is_warned) return false;
+  std::set<std::string> warned;
+  for (const Match& found : search_all(evidence.compilation.compiler_output, "(\\w+)\\W{1,6} may be used uninit"))
+    warned.insert(found[1]);
+  if (at_one.failing.empty() && warned.empty()) return false;
   if (at_one.failing.empty()) at_one.failing = task.judgement.failing;
-  search.add_code(
-      diagnostic_run({task.submission, task.reference, task.observation, at_one}, evidence.toolchain, evidence.cache));
+  std::vector<Reason> met =
+      diagnostic_run({task.submission, task.reference, task.observation, at_one}, evidence.toolchain, evidence.cache);
+  // The case that is shown is the first that fails.
+  if (const std::size_t at = at_one.failing.front(); at != task.judgement.failing.front())
+    for (Reason& reason : met) reason.sentence.insert(0, fmt::format("At case {}, ", at + 1));
+  for (Reason& reason : met)
+    if (warned.size() == 1 && reason.name == "never_set" && reason.sentence.find('`') == std::string::npos) {
+      const auto& [event, found, code] = known("never_set here|" + *warned.begin());
+      reason.sentence = found.fill(event.sentence);
+    }
+  search.add_code(std::move(met));
   return !search.reasons.empty();
 }
 

@@ -91,6 +91,13 @@ const std::vector<Mistaken> files_that_do_not_compile = {
     {"undeclared_member 4:10", body("Vector3d v;\nreturn v.squaredNrom();")},
     {"undeclared_member 4:10", body("Vector3d v;\nreturn v.length();")},
     {"member_of_number 3:10", body("return x.norm();")},
+    {"undeclared_name 5:14",
+     "struct S { double a; } one; struct T { double b; };\n" + body("S s{x};\nreturn s.a + y;")},
+    {"undeclared_name 4:19", "#define HALF 0.5\n" + body("return HALF * x + y;")},
+    {"undeclared_member 4:10", body("Vector3d v;\nreturn v.psi;")},
+    {"undeclared_name 3:8", body("return flunk * x;")},
+    {"missing_comma 3:13", body("Vector3d v(1 2 x); return v(0);")},
+    {"brackets_for_parentheses 3:14", body("return 2 * [x + 1];")},
     {"missing_type 3:1", body("y = 2 * x; return y;")},
     {"missing_prefix 3:1", body("vector<double> v; return x;")},
     {"missing_prefix 3:1", body("RowVector3d v; return x;")},
@@ -522,10 +529,63 @@ static std::string names(const std::string& text) {
 }
 
 TEST_CASE("a list that goes on behind its ; is told, not a declaration or a call in the next line") {
-  CHECK(names("Vector3d v;\nv << x, x;\n     std::max(x, 1.0);\nreturn v[0];").empty());
+  CHECK(names("Vector3d v;\nv << x, x;\n     std::swap(v[0], v[1]);\nreturn v[0];").empty());
   CHECK(names("Matrix2d A;\nA << 1, x;\n  x, std::cos(x);\nreturn A(0, 0);") == "semicolon_in_list ");
   CHECK(names("Matrix2d A;\nA << 1, x, x, 1;\nconst Vector2d b(x, 1);\nreturn A.inverse().row(0).dot(b);").empty());
   CHECK(names("Matrix2d A;\nA << 1, x, x, 1;\nEigen::Vector2d b(x, 1), c(1, x);\nreturn b.dot(A * c);").empty());
+}
+
+TEST_CASE("what a variable is given and nobody reads is told, not what a loop, a lambda or another name of it reads") {
+  CHECK(names("Vector3d v(1, 2, x);\nv = 2 * v;\nreturn x;") == "never_read ");
+  CHECK(names("double y = x;\ny = 2 * y;\nreturn y;").empty());
+  CHECK(names("double old = 0;\nwhile (x > old) {\nold = x;\nx /= 2;\n}\nreturn x;").empty());
+  CHECK(names("double y = x;\nconst auto f = [&] { return y; };\ny = 3;\nreturn f();").empty());
+  CHECK(names("double y = x;\ndouble& same = y;\ny = 3;\nreturn same;").empty());
+  CHECK(names("Vector3d v(1, 2, x);\nv(0) = 2;\nreturn v(0);").empty());
+}
+
+TEST_CASE("a loop whose condition nothing changes is told, not one that hands its variable to a function") {
+  CHECK(names("double y = 1;\ndo {\ny += 1;\n} while (x < 3);\nreturn y;") == "endless_loop ");
+  CHECK(names("while (true) {\nx += 1;\n}\nreturn x;") == "endless_loop ");
+  CHECK(names("do {\nx += 1;\n} while (x < 3);\nreturn x;").empty());
+  CHECK(names("while (x < 3) {\nadvance(x);\n}\nreturn x;").empty());
+  CHECK(names("while (true) {\nx += 1;\nif (x > 3) break;\n}\nreturn x;").empty());
+  CHECK(names("while (next()) {\nx += 1;\n}\nreturn x;").empty());
+}
+
+TEST_CASE("a result that is dropped is told, not a call that changes its argument") {
+  CHECK(names("std::sqrt(x);\nreturn x;") == "discarded_result ");
+  CHECK(names("Matrix3d A, B;\nA * B;\nreturn x;") == "discarded_result ");
+  CHECK(names("Matrix3d* p;\nx -= 1;\nx++;\ny = A * B;\nreturn x;").empty());
+  CHECK(names("using Rows = Matrix3d;\nRows* p;\nreturn x;").empty());
+  CHECK(
+      names("return x;\n}\ndouble half(double y) {\nreturn y / 2;\n}\ndouble other(double x) {\nhalf(x);\nreturn x;") ==
+      "discarded_result ");
+  CHECK(names("return x;\n}\ndouble next(double& y) {\ny += 1;\nreturn y;\n}\ndouble other(double x) "
+              "{\nnext(x);\nreturn x;")
+            .empty());
+}
+
+TEST_CASE("sizes and ends of loops are told, not those that are given or hold") {
+  CHECK(names("VectorXd v;\nv(0) = x;\nreturn v(0);") == "no_size ");
+  CHECK(names("VectorXd v;\nv.resize(3);\nv(0) = x;\nreturn v(0);").empty());
+  CHECK(names("const std::string after = \"for (int i = 0; i < v.size(); ++i) v(i + 1)\";\nreturn x;").empty());
+  const std::string loop = "VectorXd v(3);\ndouble s = 0;\nfor (int i = 0; {}; ++i) {{\ns += {};\n}}\nreturn s;";
+  CHECK(names(fmt::format(fmt::runtime(loop), "i < v.size()", "v(i + 1) - v(i)")) == "one_too_far ");
+  CHECK(names(fmt::format(fmt::runtime(loop), "i + 1 < v.size()", "v(i + 1) - v(i)")).empty());
+  CHECK(names(fmt::format(fmt::runtime(loop), "i < v.size()", "v((i + 1) % 3)")).empty());
+  CHECK(names(fmt::format(fmt::runtime(loop), "i < v.size()", "0;\nif (i + 1 < v.size()) s += v(i + 1)")).empty());
+  CHECK(names("for (int k = 0; k < A.cols(); k += 3) {\nx += A.col(k + 1).norm();\n}\nreturn x;").empty());
+  CHECK(names("for (int i = 0; i < 2; ++i) {\ny = i * x;\nz = i + x;\n}\nreturn y + z;") == "last_turn_only ");
+  CHECK(names("for (int i = 0; i < 2; ++i) {\ny = i * x;\nz += y;\n}\nreturn z;").empty());
+  CHECK(names("return (1 - x) / 1 + x;") == "divisor ");
+  CHECK(names("return (1 - x) / 1.5 + x;").empty());
+}
+
+TEST_CASE("a lambda that changes copies is told, not one that keeps a counter or changes what is outside") {
+  CHECK(names("double s = 0;\nauto add = [s](double y) mutable { s += y; };\nadd(x);\nreturn s;") == "captured_copy ");
+  CHECK(names("auto next = [n = 0.0]() mutable { return ++n; };\nreturn next() * x;").empty());
+  CHECK(names("double s = 0;\nauto add = [&s](double y) mutable { s += y; };\nadd(x);\nreturn s;").empty());
 }
 
 TEST_CASE("an index behind an array is told in the array's block, and not of another variable of that name") {
