@@ -87,7 +87,7 @@ void judge_apparent_gravity(Lecture& lecture) {
                  "centrifugal_up_only", [](auto& g, auto lat, auto R, auto, auto rate, auto&) {
                    g[1] += rate * rate * R * cos(lat) * sin(lat);
                  });
-  e.wrong_output("Your ship follows its circle of latitude; a great circle has no v² tan λ/R towards the pole.",
+  e.wrong_output("Your ship follows its circle of latitude, which bends towards the pole; a great circle does not.",
                  "circle_of_latitude",
                  [](auto& g, auto lat, auto R, auto, auto, auto& v) { g[1] -= v.x() * v.x() * tan(lat) / R; });
   e.wrong_output("The components east and north are missing; a plumb line does not point to the centre.",

@@ -131,7 +131,8 @@ void judge_racket_twist(Lecture& lecture) {
             [&](const Vector3d&) { return w.norm(); });
       });
   e.wrong(
-      "The motion stops here when the time of a turn at the rate L/I₂ is over; the handle goes round at another rate.",
+      "The motion stops here after the time of one turn about the middle axis alone; the handle goes round at another "
+      "rate.",
       "time_of_middle_axis", [](auto& I, auto& w) {
         return in_a_round(
             I, w, [&](const Vector3d& now) { return rate_about_axis(I, now, 0); },
