@@ -383,7 +383,8 @@ std::vector<Reason> text_mistakes(const SourceText& source) {
         search(statement.text, R"(^(?:double|int|(?:Eigen :: )?(?:Vector|Matrix)\w+) (\w+) (?:=|;|\())");
     if (local && !is_outside)
       if (const std::size_t given = never_read(tokens, statement.token_at(local.offsets[1])); given > 0)
-        add(given, "never_read", local, "What `$1` is given here is read nowhere: it is a variable of its own.");
+        add(given, "never_read", local, "What `$1` is given here is read nowhere: it is a variable of its own.",
+            Weight::possible);
     if (const Match call = search(statement.text, R"(^(\w+) \( .* ;$)");
         call && values_of.find(" " + call[1] + " ") != std::string::npos)
       add(statement.tokens.front(), "discarded_result", call,
