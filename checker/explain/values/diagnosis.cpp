@@ -31,8 +31,7 @@ std::optional<Reason> diagnose_coarsely(const ExerciseReference& whole, const An
          {diagnose_misconception, diagnose_transform, diagnose_input_transform, diagnose_whole_turns}) {
       std::optional<Reason> found = mechanism(exercise, answers);
       if (!found) continue;
-      found->sentence +=
-          fmt::format(" (As far as your numbers show it, which is to about {} digits; more are asked for.)", digits);
+      found->sentence += fmt::format(" (Your numbers agree with that to about {} digits.)", digits);
       return found;
     }
   }

@@ -83,10 +83,15 @@ void judge_bead_on_hoop(Lecture& lecture) {
                  "difference_frequency", tilted([](Vector2d& result, double ratio, double rate) {
                    result[1] = abs(rate) * sqrt(1 - 1 / ratio);
                  }));
-  e.wrong_output(
+  const char* const whole_radius =
       "The angle is that of a bead at the distance of the radius from the axis; on the hoop the distance depends on "
-      "the angle.",
-      "tangent", tilted([](Vector2d& result, double ratio, double) { result[0] = atan(ratio); }));
+      "the angle.";
+  e.wrong_output(whole_radius, "tangent",
+                 tilted([](Vector2d& result, double ratio, double) { result[0] = atan(ratio); }));
+  e.wrong(whole_radius, "tangent_at_every_rate", [](auto radius, auto g, auto rate) {
+    const double angle = atan(speed_ratio(radius, g, rate));
+    return Vector2d(angle, sqrt(g / radius * cos(angle) + rate * rate * sin(angle)));
+  });
   e.wrong_output("The frequency has the curvature of gravity alone; the centrifugal force changes along the hoop too.",
                  "cosine_frequency",
                  tilted([](Vector2d& result, double ratio, double rate) { result[1] = abs(rate) / ratio; }));

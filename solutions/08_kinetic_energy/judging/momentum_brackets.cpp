@@ -41,6 +41,8 @@ void judge_momentum_brackets(Lecture& lecture) {
                  "inertial_sign", negated);
   e.wrong("These are brackets of the inertial components of L; asked for are those on the body's axes.",
           "inertial_components", [](auto& q, auto& p) -> Matrix3d { return -skew(L_inertial_of_momenta(q, p)); });
+  e.wrong("The sign is right, and the components of L are the inertial ones; asked for are those on the body's axes.",
+          "inertial_L", [](auto& q, auto& p) { return skew(L_inertial_of_momenta(q, p)); });
   e.wrong("The momenta stand where components of L belong; they are its projections on ê3⁰, ê2' and ê3.",
           "momenta_for_L", [](auto&, auto& p) { return skew(p); });
   e.wrong("All brackets are zero, as between two momenta; L̃ depends on the angles too.", "zero",

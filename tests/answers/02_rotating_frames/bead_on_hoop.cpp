@@ -36,3 +36,6 @@ Vector2d bead_on_hoop(double radius, double g, double rate) {
   const double c = g / (radius * std::abs(rate));
   const double a = std::acos(std::min(c, 1.0));
   return {a, std::abs(rate) * std::sin(a)};
+//! wrong: the centrifugal force of the whole radius, at every rate
+  const double theta = std::atan(rate * rate * radius / g);
+  return {theta, std::sqrt(g / radius * std::cos(theta) + rate * rate * std::sin(theta))};

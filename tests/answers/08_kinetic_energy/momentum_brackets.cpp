@@ -13,3 +13,13 @@ Matrix3d momentum_brackets(const Vector3d& angles, const Vector3d& momenta) {
     P.col(k) = (L(angles, momenta + h * Vector3d::Unit(k)) - L(angles, momenta)) / h;
   }
   return Q * P.transpose() - P * Q.transpose();
+//! wrong: inertial components of L with the sign of the body's
+  const double x = (momenta[2] - momenta[0] * std::cos(angles[1])) / std::sin(angles[1]);
+  const Vector3d L(x * std::cos(angles[0]) - momenta[1] * std::sin(angles[0]),
+                   x * std::sin(angles[0]) + momenta[1] * std::cos(angles[0]), momenta[0]);
+  Matrix3d P = Matrix3d::Zero();
+  for (int i = 0; i < 3; ++i) {
+    P(i, (i + 1) % 3) = -L[(i + 2) % 3];
+    P((i + 1) % 3, i) = L[(i + 2) % 3];
+  }
+  return P;
