@@ -93,10 +93,9 @@ bool explain_values(Search& search) {
   const ExerciseReference& reference = evidence.task.reference;
   const bool are_finite = search.verdict() == Verdict::wrong_value;
   search.reasons = are_finite ? diagnose(reference, search.answers) : diagnose_finite(reference, search.answers);
-  if (!are_finite && search.reasons.empty())
-    for (Mechanism* const mechanism : {&diagnose_split, &diagnose_threshold})
-      if (const auto found = mechanism(reference, search.answers); found && search.reasons.empty())
-        search.reasons = {*found};
+  for (Mechanism* const mechanism : {&diagnose_split, &diagnose_threshold})
+    if (!are_finite && search.reasons.empty())
+      if (const auto found = mechanism(reference, search.answers)) search.reasons = {*found};
   std::erase_if(search.reasons, [&](const Reason& reason) {
     return reason.kind == ReasonKind::split && reason.is_cause() &&
            !is_confirmed(reason, plot_of(evidence), reference, search.answers);
