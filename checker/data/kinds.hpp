@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <type_traits>
@@ -52,12 +53,14 @@ struct KindOf<Eigen::Matrix<double, Rows, Cols>> {
                                       : Rows == 3 && is_list   ? "points"
                                                                : nullptr;
   static_assert(name != nullptr, "no contract has matrices of this size");
-  static Matrix read(NumbersView view) { return Eigen::Map<const Eigen::MatrixXd>(view.numbers, view.rows, view.cols); }
+  static Matrix read(NumbersView view) {
+    Matrix value(view.rows, view.cols);
+    std::copy_n(view.numbers, value.size(), value.data());
+    return value;
+  }
   static int rows(const Matrix& value) { return static_cast<int>(value.rows()); }
   static int cols(const Matrix& value) { return static_cast<int>(value.cols()); }
-  static void write(const Matrix& value, double* out) {
-    Eigen::Map<Eigen::MatrixXd>(out, value.rows(), value.cols()) = value;
-  }
+  static void write(const Matrix& value, double* out) { std::copy_n(value.data(), value.size(), out); }
 };
 
 template <>
@@ -66,13 +69,13 @@ struct KindOf<std::vector<Eigen::Matrix3d>> {
   static constexpr const char* name = "matrices";
   static List read(NumbersView view) {
     List list(static_cast<std::size_t>(view.cols) / 3);
-    for (std::size_t i = 0; i < list.size(); ++i) list[i] = Eigen::Map<const Eigen::Matrix3d>(view.numbers + 9 * i);
+    for (std::size_t i = 0; i < list.size(); ++i) std::copy_n(view.numbers + 9 * i, 9, list[i].data());
     return list;
   }
   static int rows(const List&) { return 3; }
   static int cols(const List& value) { return static_cast<int>(3 * value.size()); }
   static void write(const List& value, double* out) {
-    for (std::size_t i = 0; i < value.size(); ++i) Eigen::Map<Eigen::Matrix3d>(out + 9 * i) = value[i];
+    for (std::size_t i = 0; i < value.size(); ++i) std::copy_n(value[i].data(), 9, out + 9 * i);
   }
 };
 

@@ -6,10 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <memory>
 #include <new>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -28,18 +25,19 @@ struct CallResult {
 
   template <class T>
   void keep(const T& value) {
-    rows = KindOf<T>::rows(value);
-    cols = KindOf<T>::cols(value);
-    if (!has_expected_shape()) return;
-    numbers.resize(static_cast<std::size_t>(rows) * static_cast<std::size_t>(cols));
-    KindOf<T>::write(value, numbers.data());
+    if (double* const place = place_for(KindOf<T>::rows(value), KindOf<T>::cols(value))) KindOf<T>::write(value, place);
   }
+
+ private:
+  /// Where the numbers of a result of this shape go; null if another one is expected.
+  double* place_for(int rows_of_result, int cols_of_result);
 };
 
-using Call = std::function<void(const std::vector<NumbersView>& arguments, CallResult& result)>;
+/// Calls a student's function, whose type it knows.
+using Call = void (*)(void (*function)(), const NumbersView* arguments, CallResult& result);
 
 /// Answers requests until the checker closes its side. Returns the exit status of the worker.
-int serve_calls(std::size_t argument_count, const Call& call);
+int serve_calls(std::size_t argument_count, Call call, void (*function)());
 
 void flush_streams();  ///< where a file uses streams: streams.cpp is linked then
 
@@ -48,25 +46,27 @@ void before_call(std::int32_t mode);
 void fill_memory(void* result, std::size_t size);  ///< the place of the result, and the stack
 void after_call();
 
-/// Makes the student's function answer requests.
+/// Makes the student's function answer requests. One such source is compiled for each exercise, so it names few
+/// templates.
 template <class Result, class... Parameters>
 int serve(Result (*function)(Parameters...)) {
-  using Plain = std::remove_cvref_t<Result>;
-  return serve_calls(sizeof...(Parameters), [function](const std::vector<NumbersView>& views, CallResult& seen) {
-    [&]<std::size_t... Index>(std::index_sequence<Index...>) {
-      std::tuple<std::remove_cvref_t<Parameters>...> arguments{KindOfParameter<Parameters>::read(views[Index])...};
-      alignas(Plain) unsigned char place[sizeof(Plain)];
-      // Nothing may be called in between, for it would leave its own numbers where memory was filled.
-      const auto call = [&](auto&... argument) {
-        return new (place) Plain((fill_memory(place, sizeof place), function(argument...)));
-      };
-      Plain* const result = std::apply(call, arguments);
-      after_call();
-      seen.keep(*result);
-      std::destroy_at(result);
+  const Call call = [](void (*typeless)(), const NumbersView* views, CallResult& seen) {
+    const auto function_of_the_student = reinterpret_cast<Result (*)(Parameters...)>(typeless);
+    using Plain = std::remove_cvref_t<Result>;
+    alignas(Plain) unsigned char place[sizeof(Plain)];
+    // Nothing may be called in between, for it would leave its own numbers where memory was filled.
+    const auto call_with = [&](auto&&... argument) {
+      return new (place) Plain((fill_memory(place, sizeof place), function_of_the_student(argument...)));
+    };
+    Plain* const result = [&]<std::size_t... Index>(std::index_sequence<Index...>) {
+      return call_with(KindOfParameter<Parameters>::read(views[Index])...);
     }
     (std::index_sequence_for<Parameters...>{});
-  });
+    after_call();
+    seen.keep(*result);
+    result->~Plain();
+  };
+  return serve_calls(sizeof...(Parameters), call, reinterpret_cast<void (*)()>(function));
 }
 
 }  // namespace workbook
