@@ -55,7 +55,7 @@ struct ExportOptions {
 struct SelfCheckOptions {
   std::vector<std::string> names;
   int seeds = 3;
-  bool prove = false, record = false;
+  bool quick = false, prove = false, record = false;
 };
 
 struct NewOptions {

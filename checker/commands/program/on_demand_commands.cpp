@@ -216,6 +216,7 @@ Command self_check_command() {
       {"self-check --seeds 20", "self-check 03", "self-check --prove 03", "self-check --record slow_precession"},
       {names_parameter(options->names),
        {"--seeds", "NUMBER", &options->seeds, "how many seeds to try, from 1 on, at most 1000", false, {}, {1, 1000}},
+       {"--quick", "", &options->quick, "run no solution: texts, cases and routes only"},
        {"--prove", "", &options->prove,
         "do the cases find all bugs? Typical ones, beside the record, and of exercises that are named every small "
         "change of their solutions"},
