@@ -34,6 +34,8 @@ void judge_center_of_points(Lecture& lecture) {
             for (Eigen::Index i = 1; i < r.cols(); ++i) mean = (mean + r.col(i)) / 2;
             return mean;
           });
+  e.wrong("This is the middle between the smallest and the largest of each component; all points count in a mean.",
+          "middle_of_box", [](auto& r) -> Vector3d { return (r.rowwise().minCoeff() + r.rowwise().maxCoeff()) / 2; });
   e.route("one point after the other", [](auto& r) {
     Vector3d sum = Vector3d::Zero();
     for (Eigen::Index i = 0; i < r.cols(); ++i) sum += r.col(i);

@@ -77,6 +77,10 @@ void judge_angular_velocity_from_three_points(Lecture& lecture) {
   e.wrong("This is the mean of what two sides show; each lacks its own part of ω, and so does the mean.",
           "mean_of_two_edges",
           [](auto& r, auto& v) { return (across_side(r, v, 0, 1) + across_side(r, v, 0, 2)) / 2; });
+  e.wrong("This is half the sum of what the three sides show, as for three lines at right angles; these are not.",
+          "half_sum_of_edges", [](auto& r, auto& v) {
+            return (across_side(r, v, 0, 1) + across_side(r, v, 1, 2) + across_side(r, v, 2, 0)) / 2;
+          });
   e.wrong("This is the rate at which the first point goes round the origin, as if the body rotated about the origin.",
           "translation_kept", [](auto& r, auto& v) { return cross(r.col(0), v.col(0)) / r.col(0).squaredNorm(); });
   e.wrong(
@@ -99,11 +103,17 @@ void judge_angular_velocity_from_three_points(Lecture& lecture) {
           });
   e.wrong_output("Your ω has the wrong sign: a line from one point of the body to another turns in the sense of ω.",
                  "sign", negated);
-  e.wrong("This is a quotient whose two parts vanish when ω lies in the plane of the triangle.", "quotient",
-          [](auto& r, auto& v) {
-            const Vector3d rate = v.col(1) - v.col(0), other_rate = v.col(2) - v.col(0);
-            return cross(rate, other_rate) / rate.dot(r.col(2) - r.col(0));
-          });
+  const char* const vanishing = "This is a quotient whose two parts vanish when ω lies in the plane of the triangle.";
+  const auto quotient = [](auto& r, auto& v) {
+    const Vector3d rate = v.col(1) - v.col(0), other_rate = v.col(2) - v.col(0);
+    return Vector3d(cross(rate, other_rate) / rate.dot(r.col(2) - r.col(0)));
+  };
+  e.wrong(vanishing, "quotient", quotient);
+  e.wrong(vanishing, "quotient_or_zero", [=](auto& r, auto& v) -> Vector3d {
+    const Vector3d rate = v.col(1) - v.col(0), side = r.col(2) - r.col(0);
+    if (abs(rate.dot(side)) <= 1e-12 * rate.norm() * side.norm()) return zero;
+    return quotient(r, v);
+  });
   e.route("from L = I·ω of three equal masses about their center", [](auto& r, auto& v) {
     const Matrix3d c = r.colwise() - r.rowwise().mean(), squares = c * c.transpose(), moments = v * c.transpose();
     const Matrix3d I = squares.trace() * Matrix3d::Identity() - squares;

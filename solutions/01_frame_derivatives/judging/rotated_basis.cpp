@@ -80,6 +80,13 @@ void judge_rotated_basis(Lecture& lecture) {
       [](auto& turned, auto& E, auto& w, auto dt) { turned -= (1 - cos(w.norm() * dt)) * dyad(unit_of(w)) * E; });
   e.wrong_input<0>("This is the rotation itself; the basis E that is to be turned does not enter.", "rotation_only",
                    fixed<Matrix3d>(Matrix3d::Identity()));
+  const Sentence two_forms =
+      "Two forms of Rodrigues' formula are mixed: (1 − cos θ) n × (n × e) goes with e, and (1 − cos θ) n (n·e) with "
+      "cos θ e.";
+  e.wrong_output(two_forms, "forms_mixed",
+                 [](auto& turned, auto& E, auto& w, auto dt) { turned -= (1 - cos(w.norm() * dt)) * E; });
+  e.wrong_output(two_forms, "forms_mixed_other_way",
+                 [](auto& turned, auto& E, auto& w, auto dt) { turned += (1 - cos(w.norm() * dt)) * E; });
   e.wrong_output("The basis vectors are the rows of your result; they belong into its columns.", "rows", transposed);
   e.wrong_input<0>("The rows of E are turned here; the basis vectors are its columns.", "rows_turned", transposed);
   e.wrong_terms("This is the basis as it was at the start.", "not_turned", {1, 0, 0});

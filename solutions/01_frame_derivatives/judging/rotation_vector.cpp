@@ -60,8 +60,9 @@ void judge_rotation_vector(Lecture& lecture) {
     const Vector3d v = axial_part(E);
     return asin(min(v.norm(), 1.0)) * v.stableNormalized();
   });
-  e.wrong_output("Your rotation takes the body's axes to the inertial ones; asked for is the way there.", "transposed",
-                 negated);
+  e.wrong_output(
+      "Your vector has the wrong sign: it belongs to the way back, from the body's axes to the inertial ones.",
+      "transposed", negated);
   e.wrong_output("This is the unit vector along the axis; its length should be the angle.", "axis_only",
                  [](auto& v) { return v.stableNormalized(); });
   e.wrong(

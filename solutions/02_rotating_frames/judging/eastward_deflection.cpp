@@ -23,7 +23,8 @@ void judge_eastward_deflection(Lecture& lecture) {
 
   e.term("Ω g t³ cos λ", 1. / 3, [](auto&... inputs) { return 3 * eastward_deflection(inputs...); });
   e.wrong_input<1>("The latitude enters with its sine; across the fall it is Ω cos λ.", "sine", complement);
-  e.wrong_output("This is half of the deflection: a 2 is missing, as that of the Coriolis term.", "no_two", times(0.5));
+  e.wrong_output("This is half of the deflection: a 2 is lost, in the Coriolis term or in the time of the fall.",
+                 "no_two", times(0.5));
   e.wrong_output({"This is 3/2 of it: ½ Ω g t³ cos λ, where two integrations of 2 Ω g t cos λ give ⅓ Ω g t³ cos λ.",
                   "rotating_frames_inertial_view"},
                  "excess_speed_kept", times(1.5));
@@ -31,7 +32,7 @@ void judge_eastward_deflection(Lecture& lecture) {
   e.wrong_output("This is 3 times too much, as with the final speed gt throughout.", "constant_acceleration", times(3));
   e.wrong_output("This is 6 times too much: 2Ωgt cos λ integrated twice has t³/6.", "integrated_once_short", times(6));
   e.wrong_input<1>("The latitude does not enter; the deflection shrinks with cos λ.", "no_latitude", fixed(0.0));
-  e.wrong_output("The time of the fall is wrong: h = ½ g t² gives t = √(2h/g).", "fall_time", times(1 / sqrt(8.0)));
+  e.wrong_output("This is what t = √(h/g) gives; h = ½ g t² gives t = √(2h/g).", "fall_time", times(1 / sqrt(8.0)));
   e.wrong_output("This is four times as far and west, as for a ball thrown up.", "thrown_up", times(-4));
   e.wrong_input<2>("Your answer does not follow the argument g.", "g_fixed", fixed(9.81));
   e.wrong_input<3>("Your answer does not follow the argument earth_rate; it is right only for our Earth.",

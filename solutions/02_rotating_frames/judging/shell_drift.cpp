@@ -88,8 +88,9 @@ void judge_shell_drift(Lecture& lecture) {
                 "climb_sign", {1, 1. / 6});
   e.wrong_terms("Climb and fall enter as for a stone dropped from rest; a shell arrives at the top drifting west.",
                 "drop_from_rest", {1, 1. / 3});
-  e.wrong_output("This is twice the drift; the deflecting acceleration is to be integrated twice.", "without_half",
-                 times(2));
+  e.wrong_output(
+      "This is twice the drift, as without the half that two integrations of the deflecting acceleration bring.",
+      "without_half", times(2));
   e.wrong_output("This is half of the drift, as without the 2 of the Coriolis acceleration.", "no_two", times(0.5));
   e.wrong_output("Your drift is to the left; positive is to the right.", "to_the_left", negated);
   e.wrong_input<0>("Sine and cosine of the latitude are exchanged: at the pole the axis points up.", "sin_cos_swapped",

@@ -53,8 +53,11 @@ void judge_largest_angle_between_L_and_omega(Lecture& lecture) {
             return {1, x, 1};
           });
 
-  e.wrong("This is the angle for ω midway between the axes of the extreme moments; there are axes with a larger one.",
-          "halfway", [](auto& I) { return atan2(I.maxCoeff() - I.minCoeff(), I.maxCoeff() + I.minCoeff()); });
+  e.wrong(
+      "This is the angle for ω midway between the axes of the extreme moments, and also what comes out when the sine "
+      "of "
+      "the largest angle is taken for its tangent.",
+      "halfway", [](auto& I) { return atan2(I.maxCoeff() - I.minCoeff(), I.maxCoeff() + I.minCoeff()); });
   e.wrong("This is where ω lies when the angle is largest, its angle with an axis; asked for is that between L and ω.",
           "direction_of_omega", [](auto& I) { return atan(sqrt(I.minCoeff() / I.maxCoeff())); });
   e.wrong_output("This is the sine of the largest angle; the angle is asked for.", "sine_not_inverted",

@@ -72,6 +72,10 @@ void judge_combined_inertia(Lecture& lecture) {
                  "diagonal_only", diagonal_part);
   e.wrong("The masses do not enter your shifts: each body adds m (d² 1 − d d).", "masses_dropped_in_shift",
           [](auto& m, auto& r, auto& I) { return sum_of(I) + as_points(m.cwiseQuotient(m), r, center_of_mass(m, r)); });
+  e.wrong("Your shifts have the total mass each; that of a body has its own mass.", "total_mass_in_each_shift",
+          [](auto& m, auto& r, auto& I) {
+            return sum_of(I) + as_points(VectorXd::Constant(m.size(), m.sum()), r, center_of_mass(m, r));
+          });
   e.wrong("The sum is shifted with the total mass; what counts is how far each body is from the centre.",
           "total_mass_at_center",
           [](auto& m, auto& r, auto& I) { return sum_of(I) + m.sum() * of_unit_mass(center_of_mass(m, r)); });

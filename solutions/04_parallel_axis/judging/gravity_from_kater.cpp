@@ -57,8 +57,9 @@ void judge_gravity_from_kater(Lecture& lecture) {
   e.wrong("This is the mean of what two simple pendulums would show; neither is one, and their errors do not cancel.",
           "mean_of_two",
           [](auto h1, auto T1, auto h2, auto T2) { return 2 * pi * pi * (h1 / (T1 * T1) + h2 / (T2 * T2)); });
-  e.wrong_inputs("Each period stands with the distance of the other edge.", "periods_crossed",
-                 [](auto, auto& T1, auto, auto& T2) { swap(T1, T2); });
+  e.wrong_inputs(
+      "Each period stands with the distance of the other edge; a difference with the wrong sign gives the same.",
+      "periods_crossed", [](auto, auto& T1, auto, auto& T2) { swap(T1, T2); });
   e.wrong("Two equations are added where one is to be subtracted from the other; the unknown moment stays in.",
           "same_side", [](auto h1, auto T1, auto h2, auto T2) {
             return 4 * pi * pi * (h1 * h1 + h2 * h2) / (h1 * T1 * T1 + h2 * T2 * T2);

@@ -64,6 +64,15 @@ void judge_splitting_step(Lecture& lecture) {
             return after(I, w, {{0, h / 2}, {1, h / 2}, {2, h}, {1, h / 2}, {0, h / 2}},
                          [&](auto&, auto& stage) { return -stage.time * w[stage.axis]; });
           });
+  e.wrong("The last two stages turn by the angles of the second and the first; L has changed since then.",
+          "angles_reused", [](auto& I, auto& w, auto h) {
+            Vector3d first_angles = Vector3d::Constant(std::nan(""));
+            return after(I, w, {{0, h / 2}, {1, h / 2}, {2, h}, {1, h / 2}, {0, h / 2}}, [&](auto& L, auto& stage) {
+              double& first = first_angles[stage.axis];
+              if (std::isnan(first)) first = -stage.time * L[stage.axis] / I[stage.axis];
+              return first;
+            });
+          });
   e.wrong("Your stages turn ω itself; what keeps its length in each stage is L.", "omega_turned",
           [](auto&, auto& w, auto h) {
             const Vector3d ones = Vector3d::Ones();

@@ -29,6 +29,9 @@ void judge_growth_rate(Lecture& lecture) {
   e.wrong_output(own_moment, "own_moment_squared", [](auto& rate, auto& I, auto) { rate *= sqrt(I[0] * I[2]) / I[1]; });
   e.wrong_output(own_moment, "own_moment_for_third", [](auto& rate, auto& I, auto) { rate *= sqrt(I[2] / I[1]); });
   e.wrong_output(own_moment, "own_moment_for_first", [](auto& rate, auto& I, auto) { rate *= sqrt(I[0] / I[1]); });
+  e.wrong("This is half the sum of the factors in the two rates; the root of their product is the rate of growth.",
+          "mean_of_factors",
+          [](auto& I, auto spin) { return abs(spin) * ((I[2] - I[1]) / I[0] + (I[1] - I[0]) / I[2]) / 2; });
   e.wrong_output("Your rate is negative when ω₂ is; a disturbance grows in either sense of the spin.",
                  "negative_for_negative_spin", [](auto& rate, auto&, auto spin) { rate = copysign(rate, spin); });
   e.wrong_output("This is −σ, of the dying part of a disturbance; the rest grows with +σ.", "decaying", negated);

@@ -87,6 +87,8 @@ void judge_symmetric_top(Lecture& lecture) {
       "space_rate_of_a_small_wobble", turning_at([](auto I1, auto I3, auto& w) { return w[2] * I3 / I1; }));
   e.wrong("Your ω turns with ω₃ itself; the rate is Ω = ω₃ (I₃ − I₁)/I₁.", "spin_rate",
           turning_at([](auto, auto, auto& w) { return w[2]; }));
+  e.wrong("The length of ω stands for ω₃ in your rate; only the spin about the symmetry axis counts there.",
+          "length_for_spin", turning_at([](auto I1, auto I3, auto& w) { return w.norm() * (I3 - I1) / I1; }));
   e.wrong("Your ω always turns from axis 1 to axis 2; the sign of Ω decides the sense.", "magnitude_of_rate",
           turning_at([](auto I1, auto I3, auto& w) { return abs(body_precession_rate(I1, I3, w[2])); }));
   e.wrong_input<3>("This is ω of time 0; ω₁ and ω₂ change with time.", "no_motion", fixed(0.0));

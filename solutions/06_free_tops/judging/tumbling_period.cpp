@@ -63,6 +63,17 @@ void judge_tumbling_period(Lecture& lecture) {
           "complementary_parameter", with_K([](auto& motion) { return ellint_rf(0.0, max(motion.m, 1e-300), 1.0); }));
   e.wrong("This is 2π/ν, as if K were π/2; that holds only in the limit m → 0.", "no_elliptic_integral",
           with_K([](auto&) { return pi / 2; }));
+  const Sentence cut_series = {
+      "This is a series of K cut after a few terms; towards the separatrix it hardly converges.", modulus};
+  for (const int terms : {2, 3, 4})
+    e.wrong(cut_series, "series_of_" + std::to_string(terms) + "_terms", with_K([=](auto& motion) {
+              double sum = 0, coefficient = 1;
+              for (int n = 1; n <= terms; ++n) {
+                sum += coefficient * coefficient * pow(motion.m, n - 1);
+                coefficient *= (2 * n - 1) / (2.0 * n);
+              }
+              return pi / 2 * sum;
+            }));
   e.wrong("This is 2π/√(Ω₁Ω₂), the period of a small wobble about axis 3; the motion here is not small.",
           "small_wobble_about_3", [](auto& I, auto& w) { return over(2 * pi, wobble_about(I, w[2], 2)); });
   e.wrong("This is the period of a small wobble about axis 1; the motion here is not small.", "small_wobble_about_1",

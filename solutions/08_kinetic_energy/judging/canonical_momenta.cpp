@@ -37,7 +37,9 @@ void judge_canonical_momenta(Lecture& lecture) {
   e.wrong_input<0>(exchanged_moments, "zxz_angles", exchange(0, 1));
   e.wrong("Each moment multiplies one rate here; the momenta are derivatives of T, in which the rates mix.",
           "moment_times_rate", [](auto& I, auto&, auto& v) -> Vector3d { return I.cwiseProduct(v); });
-  e.wrong_output("The factor ½ of T is still there; the derivative of a square brings a 2.", "half", times(0.5));
+  e.wrong_output(
+      "This is half of each momentum, as when the factor ½ of T is still there; the derivative of a square brings a 2.",
+      "half", times(0.5));
   e.wrong("Each of your momenta depends on its own rate only; the mixed terms of T add the others.", "diagonal_only",
           [](auto& I, auto& q, auto& v) -> Vector3d { return mass_matrix(I, q).diagonal().cwiseProduct(v); });
   e.wrong("Your ω̃₃ is ψ̇ alone; the precession adds φ̇ cos θ to it.", "spin_only", [](auto& I, auto& q, auto& v) {

@@ -118,12 +118,15 @@ void judge_attitude_frequencies(Lecture& lecture) {
           {"in the plane", "across, slow", "across, fast"}, {3.02, 5, 100},
           [](auto normal) { return tuple(Vector3d(2, 3, normal), low_orbit); });
 
-  e.wrong("The two swings across the plane do not know of each other here; the rotation of the orbit couples them.",
-          "not_coupled", [](auto& I, auto n) {
-            const Ratios k(I);
-            const double a = 2 * sqrt(abs(k.roll)), b = sqrt(abs(k.yaw));
-            return n * Vector3d(sqrt(3 * k.pitch), min(a, b), max(a, b));
-          });
+  const char* const not_coupled =
+      "The two swings across the plane do not know of each other here; the rotation of the orbit couples them.";
+  const auto without_coupling = [](auto& I, auto n, double roll, double yaw) {
+    return n * Vector3d(sqrt(3 * Ratios(I).pitch), min(2 * sqrt(roll), sqrt(yaw)), max(2 * sqrt(roll), sqrt(yaw)));
+  };
+  e.wrong(not_coupled, "not_coupled",
+          [=](auto& I, auto n) { return without_coupling(I, n, abs(Ratios(I).roll), abs(Ratios(I).yaw)); });
+  e.wrong(not_coupled, "not_coupled_no_number",
+          [=](auto& I, auto n) { return without_coupling(I, n, Ratios(I).roll, Ratios(I).yaw); });
   e.wrong("The frame turns with the orbit; your swings across the plane are those under the torque alone.",
           "frame_at_rest", [](auto& I, auto n) {
             const Ratios k(I);

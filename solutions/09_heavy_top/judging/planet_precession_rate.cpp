@@ -66,7 +66,7 @@ void judge_planet_precession_rate(Lecture& lecture) {
   });
   e.sweep<4>({"Mars at other obliquities", "obliquity (rad)", "rate (rad/s)"}, {"rate"}, {0.01, 3.13});
 
-  e.wrong_output("This is twice the rate: the largest torque of the year stands for its mean.", "not_averaged",
+  e.wrong_output("This is twice the rate, as with the largest torque of the year in place of its mean.", "not_averaged",
                  times(2));
   e.wrong_output("The sense is reversed: the torque draws the equator towards the orbit.", "sign", negated);
   e.wrong_output("The cosine of the obliquity is missing.", "no_cosine",
@@ -79,7 +79,8 @@ void judge_planet_precession_rate(Lecture& lecture) {
   e.wrong_output("The sine of the obliquity stands where the cosine belongs.", "sine",
                  [](auto& rate, auto, auto, auto, auto, auto obliquity) { rate *= tan(obliquity); });
   e.wrong_output(
-      "This is a third of the rate; the force of the sun changes across the planet in its direction as well.",
+      "This is a third of the rate, as when the force of the sun changes across the planet in size and not in "
+      "direction.",
       "no_three", times(1.0 / 3));
   e.wrong_output("This is in degrees per second; radians per second are asked for.", "in_degrees", times(1 / degree));
   e.wrong_input<3>("The orbital rate enters once; the torque goes with its square, as Kepler's third law says.",

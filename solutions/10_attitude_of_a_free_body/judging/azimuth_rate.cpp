@@ -46,12 +46,17 @@ void judge_azimuth_rate(Lecture& lecture) {
             const Vector3d L = L_of(I, w);
             return L.norm() * w.dot(L) / (L[0] * L[0] + L[1] * L[1]);
           });
-  e.wrong("The angle of axis 3 is that from ω here, cos θ = ω₃/|ω|; it is that from L, cos θ = I₃ω₃/L.",
-          "angle_from_omega", [](auto& I, auto& w) {
-            const Vector3d L = L_of(I, w);
-            const double squared_sine = w.template head<2>().squaredNorm() / w.squaredNorm();
-            return (w.dot(L) / L.norm() - w[2] * w[2] / w.norm()) / squared_sine;
-          });
+  const char* const from_omega =
+      "The angle of axis 3 is that from ω here, cos θ = ω₃/|ω|; it is that from L, cos θ = I₃ω₃/L.";
+  e.wrong(from_omega, "sine_from_omega", [](auto& I, auto& w) {
+    const Vector3d L = L_of(I, w);
+    return (L[0] * w[0] + L[1] * w[1]) / L.norm() * w.squaredNorm() / w.template head<2>().squaredNorm();
+  });
+  e.wrong(from_omega, "angle_from_omega", [](auto& I, auto& w) {
+    const Vector3d L = L_of(I, w);
+    const double squared_sine = w.template head<2>().squaredNorm() / w.squaredNorm();
+    return (w.dot(L) / L.norm() - w[2] * w[2] / w.norm()) / squared_sine;
+  });
   e.wrong("This is how fast axis 1 goes round L; asked for is axis 3.", "axis_1",
           [](auto& I, auto& w) { return rate_about_L(I, w, 0); });
   e.wrong(

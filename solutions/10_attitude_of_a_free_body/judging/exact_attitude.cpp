@@ -71,12 +71,19 @@ template <class Exercise>
 void mistakes_of_exact_attitude(Exercise& e) {
   e.wrong_output("This is the transposed matrix: the principal axes are its rows; they should be its columns.",
                  "transposed", transposed);
+  const auto upright = [](auto& I, auto& w) -> Matrix3d {
+    const Vector3d L = L_of(I, w);
+    return turn(y_axis, atan2(hypot(L[0], L[1]), L[2])) * turn(z_axis, atan2(L[1], -L[0]));
+  };
   e.wrong("This is the attitude in a frame with L upright; at time 0 it is not the unit matrix.", "L_upright",
-          [](auto& I, auto& w, auto t) {
-            const Vector3d L = L_of(I, w);
-            return turn(z_axis, 0) * turn(y_axis, atan2(hypot(L[0], L[1]), L[2])) * turn(z_axis, atan2(L[1], -L[0])) *
-                   exact_attitude(I, w, t);
-          });
+          [=](auto& I, auto& w, auto t) -> Matrix3d { return upright(I, w) * exact_attitude(I, w, t); });
+  e.wrong(
+      "The way back to the frame of time 0 stands on the right here; it takes inertial components, so that it acts "
+      "last "
+      "and stands on the left.",
+      "start_on_the_right", [=](auto& I, auto& w, auto t) -> Matrix3d {
+        return upright(I, w) * exact_attitude(I, w, t) * upright(I, w).transpose();
+      });
   // The remainder of t may be counted from the period before, from that towards 0, or from the nearest one.
   const std::tuple<std::string, Whole> countings[] = {
       {"", std::floor}, {"_towards_0", std::trunc}, {"_nearest", std::round}};

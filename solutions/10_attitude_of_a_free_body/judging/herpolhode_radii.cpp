@@ -71,6 +71,18 @@ void mistakes_of_herpolhode_radii(Exercise& e) {
            "others never does.",
            "attitude_herpolhode"},
           "never_axis_2", [](auto& I, auto& w) { return sorted(radius_without(0, I, w), radius_without(2, I, w)); });
+  e.wrong(
+      {"Your radii take the largest values of two components together; where one of them is largest the other is not.",
+       "attitude_herpolhode"},
+      "largest_together", [](auto& I, auto& w) {
+        const double above = L_of(I, w).squaredNorm() - twice_T(I, w) * I[0],
+                     below = twice_T(I, w) * I[2] - L_of(I, w).squaredNorm();
+        const double a1 = root(below / I[0] / (I[2] - I[0])), a3 = root(above / I[2] / (I[2] - I[0]));
+        const bool is_round_axis_3 = L_of(I, w).squaredNorm() > twice_T(I, w) * I[1];
+        const double inner =
+            is_round_axis_3 ? root(below / I[1] * (I[2] - I[1])) * a3 : root(above / I[1] * (I[1] - I[0])) * a1;
+        return Vector2d(sorted(inner, (I[2] - I[0]) * a1 * a3) / L_of(I, w).norm());
+      });
   e.wrong({"This holds if ω reaches the ends of the half-axes of the ellipsoid; the polhode does not go there.",
            "attitude_herpolhode"},
           "half_axes", [](auto& I, auto& w) {

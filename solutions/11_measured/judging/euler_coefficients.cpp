@@ -82,6 +82,17 @@ void judge_euler_coefficients(Lecture& lecture) {
           "earlier_value", [](auto& t, auto& omega) { return for_each_axis(t, omega, slope, 1); });
   e.wrong("Each step of your sums takes the later value alone; the trapezoidal rule takes the mean of both ends.",
           "later_value", [](auto& t, auto& omega) { return for_each_axis(t, omega, slope, 0); });
+  e.wrong("Each step of your sums takes the product of two means; the trapezoidal rule takes the mean of two products.",
+          "product_of_means", [](auto& t, auto& omega) {
+            const Matrix3Xd means = (omega.leftCols(omega.cols() - 1) + omega.rightCols(omega.cols() - 1)) / 2;
+            Vector3d found;
+            for (int axis = 0; axis < 3; ++axis) {
+              VectorXd rate(t.size());  // which the later end of each step has
+              rate << 0, product(means, axis + 1, axis + 2);
+              found[axis] = slope(running_sum(t, rate, 0), VectorXd(omega.row(axis).transpose()));
+            }
+            return found;
+          });
   e.wrong_input<0>("All steps count as equally long here; t tells how long each is.", "equal_steps", [](auto& t) {
     if (t.size() > 1) t = VectorXd::LinSpaced(t.size(), t[0], t[t.size() - 1]).eval();
   });

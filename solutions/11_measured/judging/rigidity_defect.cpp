@@ -37,6 +37,10 @@ void judge_rigidity_defect(Lecture& lecture) {
           with_error([](auto&, auto& errors) -> double { return errors.norm(); }));
   e.wrong("The contributions to your error are added; independent errors add as squares.", "added",
           with_error([](auto& k, auto& errors) -> double { return derivatives(k).cwiseAbs().dot(errors); }));
+  e.wrong("The derivatives stand in your error as they are; each is squared with the error that it belongs to.",
+          "derivatives_not_squared", with_error([](auto& k, auto& errors) -> double {
+            return sqrt(derivatives(k).cwiseAbs().dot(errors.cwiseAbs2()));
+          }));
   e.wrong("Your error is a square: the root is missing.", "no_root", with_error([](auto& k, auto& errors) -> double {
             return derivatives(k).cwiseProduct(errors).squaredNorm();
           }));
