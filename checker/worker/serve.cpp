@@ -114,7 +114,8 @@ void throw_eigen_error(const char* condition) {
 }
 
 [[gnu::weak]] void before_call(std::int32_t) {}
-[[gnu::weak]] void fill_memory(void*, std::size_t) {}
+/// As -ftrivial-auto-var-init fills what is on the stack; a result is made in the place that its caller has for it.
+[[gnu::weak]] void fill_memory(void* result, std::size_t size) { std::memset(result, 0xfe, size); }
 [[gnu::weak]] void after_call() {}
 [[gnu::weak]] void flush_streams() {}
 

@@ -41,7 +41,7 @@ int serve_calls(std::size_t argument_count, Call call, void (*function)());
 
 void flush_streams();  ///< where a file uses streams: streams.cpp is linked then
 
-// What a diagnostic run does around a call; it does nothing in judging.
+// What is done around a call: in judging only the place of the result is filled.
 void before_call(std::int32_t mode);
 void fill_memory(void* result, std::size_t size);  ///< the place of the result, and the stack
 void after_call();
