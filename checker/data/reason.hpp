@@ -43,7 +43,10 @@ enum class Fix {
   wider_type,
   not_static,
   no_noalias,
-  as_value
+  as_value,
+  unit_matrix,
+  subtract,
+  macro
 };
 
 /// Either true or absent.

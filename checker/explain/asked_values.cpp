@@ -93,13 +93,15 @@ bool explain_values(Search& search) {
   const ExerciseReference& reference = evidence.task.reference;
   const bool are_finite = search.verdict() == Verdict::wrong_value;
   search.reasons = are_finite ? diagnose(reference, search.answers) : diagnose_finite(reference, search.answers);
-  for (Mechanism* const mechanism : {&diagnose_split, &diagnose_threshold})
+  for (Mechanism* const mechanism : {&diagnose_split, &diagnose_threshold, &diagnose_one_side})
     if (!are_finite && search.reasons.empty())
       if (const auto found = mechanism(reference, search.answers)) search.reasons = {*found};
-  std::erase_if(search.reasons, [&](const Reason& reason) {
+  const std::size_t unconfirmed = std::erase_if(search.reasons, [&](const Reason& reason) {
     return reason.kind == ReasonKind::split && reason.is_cause() &&
            !is_confirmed(reason, plot_of(evidence), reference, search.answers);
   });
+  if (unconfirmed > 0)  // what is not exactly so may still be so of all wrong cases
+    if (const auto found = diagnose_one_side(reference, search.answers)) search.reasons.push_back(*found);
   if (!search.has_cause()) return false;
   if (are_finite) return true;
   std::vector<Reason> besides = diagnostic_run(evidence.task, evidence.toolchain, evidence.cache);

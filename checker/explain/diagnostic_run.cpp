@@ -452,7 +452,8 @@ bool explain_by_sanitizers(Search& search) {
   std::vector<Reason> met = diagnostic_run(evidence.task, evidence.toolchain, evidence.cache);
   // Where a mistake in the code is known, its consequences are none of physics. An overflow may be one of these.
   const bool is_in_code = !met.empty();
-  const bool may_be_physics = std::ranges::all_of(met, [](const Reason& each) { return each.name == "non_finite"; });
+  const bool may_be_physics = std::ranges::all_of(
+      met, [](const Reason& each) { return each.name == "non_finite" || each.name == "outside_domain"; });
   if (is_in_code || search.has_mistake_in_code())
     std::erase_if(search.reasons, [&](const Reason& reason) {
       return is_in_code ? !may_be_physics || reason.kind != ReasonKind::split : reason.kind != ReasonKind::place;

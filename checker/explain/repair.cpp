@@ -101,7 +101,9 @@ void consider(std::optional<DecidingBranch>& best, std::size_t number, const Var
   }
 }
 
-Reason finding_of(const DecidingBranch& found, const SourceText& source, const DiagnosticTask& task) {
+/// @param branches  all of the file: of those with one condition nobody knows which is wrong
+Reason finding_of(const DecidingBranch& found, const std::vector<Variant>& branches, const SourceText& source,
+                  const DiagnosticTask& task) {
   const std::size_t failing = task.judgement.failing.size();
   const std::size_t total = task.reference.cases.size();
   const std::string condition = fmt::format("`{}` is {}", found.branch.words, found.when);
@@ -110,6 +112,14 @@ Reason finding_of(const DecidingBranch& found, const SourceText& source, const D
           ? fmt::format("{} at exactly the cases that are wrong ({} of {})", condition, failing, total)
           : fmt::format("only cases at which {} are wrong ({} of {})", condition, failing, found.cases);
   if (found.repairs) sentence += fmt::format("; were it always {}, all would be right", !found.when);
+  std::vector<int> others;
+  for (const Variant& each : branches)
+    if (each.kind == VariantKind::branch && each.words == found.branch.words &&
+        each.place.line != found.branch.place.line)
+      others.push_back(each.place.line);
+  if (!others.empty())
+    sentence +=
+        fmt::format("; it decides in {} {} too", others.size() == 1 ? "line" : "lines", fmt::join(others, ", "));
   return repair(source, found.branch.place, "branch", sentence + ".");
 }
 
@@ -175,11 +185,19 @@ std::optional<Reason> coarse(VariantRunner& runner, const std::vector<Variant>& 
   double best = is_near ? clearly_less : much_less;
   std::optional<Reason> found;
   const auto tell = [&](std::size_t k, const std::string& words, double ratio) {
-    if (ratio >= best) return;
+    // One step more may add what is no part of a sum: that the error becomes smaller is then an accident.
+    if (ratio >= (variants[k].kind == VariantKind::loop ? std::min(best, much_less) : best)) return;
     best = ratio;
-    found = repair(source, variants[k].place, "slip_coarse",
-                   fmt::format("this limits the accuracy: with {} here, about {:.0f} % of the error are left.", words,
-                               std::ceil(100 * ratio)));
+    const double times = variants[k].kind == VariantKind::steps ? 10 : multiple(variants[k], source);
+    const double order = times > 0 ? std::abs(std::log(ratio) / std::log(times)) : 0;
+    found = repair(
+        source, variants[k].place, "slip_coarse",
+        fmt::format("this limits the accuracy: with {} here, about {:.0f} % of the error are left{}.", words,
+                    std::ceil(100 * ratio),
+                    std::abs(order - 1) < 0.1
+                        ? ", as with a rule of first order; one of higher order needs far fewer steps"
+                    : std::abs(order - 0.5) < 0.05 ? ", as where what is added up grows beyond all bounds at an end"
+                                                   : ""));
   };
   for (std::size_t k = 0; k < variants.size(); ++k) {
     if (!is_of_accuracy(variants[k], source)) continue;
@@ -238,7 +256,7 @@ std::optional<Reason> first_of_two(VariantRunner& runner, const VariantRunner::G
     std::vector<std::string> names;
     for (const std::size_t entry : gain.right_entries)
       names.push_back(entry_name(shape, task.reference.result_kind, entry));
-    left = fmt::format("{} {} right at all {} cases; the rest is wrong too.", listed(names),
+    left = fmt::format("{} {} right at all {} cases, and there is another mistake in the rest.", listed(names),
                        names.size() == 1 ? "is" : "are", task.reference.cases.size());
   } else {
     return std::nullopt;
@@ -254,7 +272,8 @@ bool can_be_beside(const Variant& variant) {
 /// Two other names or numbers may be right by coincidence, unless they are one change in two places, or an exchange.
 bool may_be_coincidence(const Variant& first, const Variant& second, const SourceText& source) {
   const auto is_inexact = [](const Variant& each) {
-    return each.words.starts_with("another name") || each.words.starts_with("another number");
+    return each.words.starts_with("another name") || each.words.starts_with("another number") ||
+           each.words.starts_with("an entry");
   };
   const auto change = [&](const Variant& each) {
     const Edit& edit = each.edits.front();
@@ -556,7 +575,7 @@ std::optional<Reason> slip_or_branch(const DiagnosticTask& task, const Toolchain
     gains.emplace_back(k, gain);
   }
   if (sought == Sought::one_slip) return std::nullopt;
-  if (branch) return finding_of(*branch, source, task);
+  if (branch) return finding_of(*branch, variants, source, task);
   if (limit) return limit;
   std::optional<Reason> one_of_two;
   for (auto one = gains.begin(); one != gains.end() && !one_of_two; ++one) {

@@ -45,6 +45,13 @@ template <class T> decltype(auto) operator->*(WorkbookInverse inverse, const T& 
   if constexpr (std::is_floating_point_v<T>) return inverse.is_so ? 1 / x : x;
   else return workbook_itself(x);
 }
+template <class T> auto operator*(WorkbookTimes times, const T& x);
+struct WorkbookNegative { WorkbookInverse inverse; };
+inline WorkbookNegative operator-(WorkbookInverse inverse) { return {inverse}; }
+template <class T> auto operator->*(WorkbookNegative negative, const T& x) {
+  if constexpr (std::is_floating_point_v<T>) return -(negative.inverse ->* x);
+  else return WorkbookTimes{-1.0} * x;
+}
 template <class T> auto operator*(WorkbookTimes times, const T& x) {
   if constexpr (requires { typename T::DiagonalVectorType; }) {
     typename T::PlainObject value = x;

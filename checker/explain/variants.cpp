@@ -184,6 +184,9 @@ class SourceMutations {
       factors();
       loops();
       brackets();
+      brackets_before_method();
+      brackets_around_choice();
+      order_of_matrices();
       overwritten();
       if (all_bugs_) bugs();
     }
@@ -192,7 +195,7 @@ class SourceMutations {
       // Those of which there are most, and that are right least often, go first.
       std::ranges::stable_partition(found_, [](const Variant& each) {
         return !is_one_of(each.words, {"one factor more", "one divisor more"}) &&
-               !each.words.starts_with("a sum in place") && !each.words.starts_with("a difference in place");
+               !each.words.ends_with('`');  // what is made of a name
       });
       found_.resize(most_tried);
     }
@@ -262,7 +265,7 @@ class SourceMutations {
       if (here == ";" || next_parameter || begins_lambda || depth < 0) type.clear();
       if (opens(here)) ++depth;
       if (closes(here)) --depth;
-      if (!is_identifier(here) || !is_named) continue;
+      if (!is_identifier(here) || !is_named || here == "operator") continue;
       if (right == "(" && token(conditions_.closing(k + 1) + 1) == "{") continue;  // a function
       const std::string_view word = left == "&" && k > 1 ? token(k - 2) : left;
       const bool is_type =
@@ -340,6 +343,15 @@ class SourceMutations {
   }
 
   /// Is what follows a value, and no declaration and no statement?
+  /// The comma of `Matrix3d A, B;`
+  bool is_between_names() const {
+    if (token(conditions_.opening_of(at_)) != "{") return false;
+    std::size_t first = at_;
+    while (first > first_ && !is_one_of(token(first - 1), {";", "{", "}"})) --first;
+    if (token(first) == "const") ++first;
+    while (token(first + 1) == "::") first += 2;
+    return is_identifier(token(first)) && is_identifier(token(first + 1)) && token(first) != "return";
+  }
   bool begins_expression() const {
     const bool declares = is_identifier(after()) && (is_identifier(token(at_ + 2)) || token(at_ + 2) == "&");
     const auto scope = scopes_.find(std::string(after()));
@@ -350,7 +362,8 @@ class SourceMutations {
     if (token(conditions_.opening_of(at_)) == "[") return false;  // `const auto& [one, other]`
     if (here() == "{") return is_one_of(before(), {"return", "=", "(", ",", "{"});
     if (here() == "(") return !is_one_of(before(), {"for", "if", "while", "switch", "catch", "]"});
-    if (here() == ",") return token(at_ + 2) != "=";
+    if (here() == ",") return token(at_ + 2) != "=" && !is_between_names();
+    if (here() == "=" && token(end_of_target(at_ + 1)) == "=") return false;  // `A(0, 0) = A(1, 1) = c`
     return is_one_of(here(), {"return", "=", "<<"});
   }
 
@@ -465,6 +478,20 @@ class SourceMutations {
       }
     // A value in place of a variable that is filled here would leave that one empty.
     if (!all_bugs_ && !is_filled) derived(type->second);
+    if (!all_bugs_ && !is_filled && type->second == "double") entries();
+  }
+
+  /// `m[k]` in a loop over k, in place of the sum of m.
+  void entries() {
+    for (const auto& [list, list_type] : types_)
+      for (const auto& [index, index_type] : types_) {
+        if (list_type != "VectorXd" || !is_one_of(index_type, whole_types) || !scopes_.contains(index) ||
+            !is_visible(list) || !is_visible(index))
+          continue;
+        const std::string entry = fmt::format("{}[{}]", list, index);
+        add(VariantKind::name, "an entry of a list", entry);
+        places_[{std::string(here()), entry}].push_back(found_.back().edits.front());
+      }
   }
 
   /// Would the argument be added to one of another unit, as `impulse` in `(r - impulse)`?
@@ -543,12 +570,16 @@ class SourceMutations {
   /// One name, or a larger number, in place of another wherever that stands.
   void everywhere() {
     for (const auto& [texts, edits] : places_) {
-      const bool is_number = is_numeral(texts.first);
-      if (edits.size() > 1 && !all_bugs_)
-        found_.push_back(
-            {is_number ? VariantKind::number : VariantKind::name,
-             fmt::format("{} wherever `{}` stands", is_number ? "a larger number" : "another name", texts.first),
-             source_.place_of(edits.front().offset), edits});
+      if (edits.size() < 2 || all_bugs_) continue;
+      const bool is_number = is_numeral(texts.first), is_left_out = texts.second.empty();
+      const char* words = is_number                     ? "a larger number wherever `{}` stands"
+                          : is_left_out                 ? "`{}` left out wherever it stands"
+                          : texts.second.ends_with(']') ? "an entry of a list in this loop wherever `{}` stands"
+                                                        : "another name wherever `{}` stands";
+      found_.push_back({is_number     ? VariantKind::number
+                        : is_left_out ? VariantKind::function
+                                      : VariantKind::name,
+                        fmt::format(fmt::runtime(words), texts.first), source_.place_of(edits.front().offset), edits});
     }
   }
 
@@ -584,9 +615,6 @@ class SourceMutations {
       }
       return;
     }
-    if (here() == "Ones" && before() == "::" && token(at_ - 2) == "Matrix3d" && token(at_ + 2) == ")")
-      add(VariantKind::name, "the unit matrix in place of that of ones", at_,
-          {replaced(at_ - 2, at_ + 2, "Matrix3d(Matrix3d::Identity())")});
     if (const auto found = functions.find(here()); found != functions.end() && is_called)
       for (const char* other : found->second) add(VariantKind::function, "another function", other);
     if (is_called && !all_bugs_ && is_one_of(here(), {"sin", "cos", "tan", "exp", "sinh", "cosh", "tanh"}))
@@ -597,7 +625,10 @@ class SourceMutations {
     if (is_called && !all_bugs_ && here() == "atan2")
       add(VariantKind::function, "the two arguments exchanged",
           "[](const auto& one, const auto& other) { return std::atan2(other, one); }");
-    if ((here() == "abs" || here() == "fabs") && is_called) drop("the absolute value left out");
+    if ((here() == "abs" || here() == "fabs") && is_called) {
+      drop("the absolute value left out");
+      places_[{"abs", ""}].push_back(found_.back().edits.front());
+    }
     if (here() == "sqrt" && is_called) drop("the root left out");
   }
 
@@ -706,9 +737,11 @@ class SourceMutations {
 
   /// A factor in front of a term: after return, =, + or -.
   void factors() {
-    const bool begins_term = is_one_of(here(), {"return", "=", "+", "-", "+=", "-="});
+    const bool begins_sum = here() == "(" && is_one_of(before(), {"*", "/"}) && begins_operand(at_ + 1) &&
+                            is_one_of(token(end_of_factor(at_ + 1) + 1), {"+", "-"});
+    const bool begins_term = begins_sum || is_one_of(here(), {"return", "=", "+", "-", "+=", "-="});
     if (!begins_term || is_zero(at_ + 1) || conditions_.in_loop(at_) || declares_whole_number()) return;
-    if (!begins_operand(at_ + 1)) return;
+    if (!begins_operand(at_ + 1) || token(end_of_target(at_ + 1)) == "=") return;
     // In `n = axis` nobody forgot a number; another one may only move the inputs out of a wrong branch.
     if (here() == "=" && is_identifier(after()) && token(at_ + 2) == ";" && !all_bugs_) return;
     if (is_identifier(after()) && (after() == "std" || after() == "static_cast") && token(at_ + 2) != "::") return;
@@ -748,6 +781,61 @@ class SourceMutations {
     const Token& end = source_.tokens()[last];
     add(VariantKind::brackets, "brackets around the sum (* and / come before + and −)", at_,
         {{source_.tokens()[first].offset, 0, "("}, {end.offset + end.text.size(), 0, ")"}});
+  }
+
+  /// `c ? a : b * d` as `(c ? a : b) * d`.
+  void brackets_around_choice() {
+    if (here() != "?" || all_bugs_) return;
+    std::size_t first = at_, colon = at_;
+    while (first > first_ && !is_one_of(token(first - 1), {"return", "=", ";", "{", "}"})) --first;
+    while (colon < last_ && !is_one_of(token(colon), {":", ";"})) ++colon;
+    if (token(colon) != ":" || !begins_operand(colon + 1)) return;
+    const Token& end = source_.tokens()[end_of_factor(colon + 1)];
+    if (!is_one_of(token(end_of_factor(colon + 1) + 1), {"*", "/", "+", "-"})) return;
+    add(VariantKind::brackets, "brackets around all of ? and :, which come after * and +", at_,
+        {{source_.tokens()[first].offset, 0, "("}, {end.offset + end.text.size(), 0, ")"}});
+  }
+
+  /// `A * B.transpose()` as `B.transpose() * A`.
+  void order_of_matrices() {
+    constexpr std::ptrdiff_t most = 6;
+    if (here() != "*" || !follows_operand() || !begins_operand(at_ + 1) || all_bugs_) return;
+    const auto is_matrix = [&](std::size_t first, std::size_t last) {
+      const auto type = types_.find(std::string(token(first)));
+      const bool is_whole = first == last && type != types_.end() && type->second == "Matrix3d";
+      return is_whole ||
+             (token(last) == ")" && is_one_of(token(last - 2), {"transpose", "inverse", "toRotationMatrix"}));
+    };
+    const auto may_be = [&](std::size_t first, std::size_t last) {
+      return is_matrix(first, last) || (token(last) == ")" && is_identifier(token(first)) && token(first) != "std" &&
+                                        !types_.contains(std::string(token(first))));
+    };
+    const std::size_t left = operand_of(at_), right = at_ + 1, end = end_of_factor(right);
+    if (is_one_of(token(left - 1), {"/", "*"}) || is_one_of(token(end + 1), {"*", "/"}) || !may_be(left, at_ - 1) ||
+        !may_be(right, end) || !(is_matrix(left, at_ - 1) || is_matrix(right, end)) ||
+        std::ranges::count(found_, order_words, &Variant::words) >= most)
+      return;
+    const auto text = [&](std::size_t first, std::size_t last) {
+      const Token& of_end = source_.tokens()[last];
+      const std::size_t begin = source_.tokens()[first].offset;
+      return source_.text().substr(begin, of_end.offset + of_end.text.size() - begin);
+    };
+    add(VariantKind::brackets, order_words, at_,
+        {replaced(left, at_ - 1, text(right, end)), replaced(right, end, text(left, at_ - 1))});
+  }
+
+  /// `A * v.cross(w)` as `(A * v).cross(w)`.
+  void brackets_before_method() {
+    static const std::initializer_list<std::string_view> methods = {"cross", "dot",       "norm",    "squaredNorm",
+                                                                    "sum",   "transpose", "inverse", "normalized"};
+    if (here() != "." || !is_one_of(after(), methods) || all_bugs_) return;
+    const std::size_t operand = operand_of(at_);
+    if (operand < 3 || !is_one_of(token(operand - 1), {"*", "/", "+", "-"})) return;
+    const std::string_view end = token(operand - 2);
+    if (end == "return" || !(is_identifier(end) || closes(end))) return;
+    const std::size_t left = operand_of(operand - 1);
+    add(VariantKind::brackets, "brackets around what stands before the method, which binds first", at_,
+        {{source_.tokens()[left].offset, 0, "("}, {source_.tokens()[at_].offset, 0, ")"}});
   }
 
   /// `x = c * x - s * y; y = s * x + c * y;` with the x from before.
@@ -834,6 +922,7 @@ class SourceMutations {
   std::pair<std::size_t, std::size_t> body_ = {0, last_token_looked_at};     ///< of the exercise's function
   std::vector<Lambda> closed_;                                               ///< without a default of their captures
   std::vector<std::pair<std::string, std::string>> angles_;                  ///< an argument, and the angle in it
+  static constexpr const char* order_words = "the two matrices in the other order";
   std::vector<Variant> found_;
   std::size_t at_ = 0, first_ = 0, last_ = 0;
 };
@@ -888,6 +977,22 @@ std::vector<Edit> edits_of(const SourceText& source, const Reason& mistake) {
       return in_place_of("*", "/");
     case Fix::decimal_point:
       return in_place_of(",", ".");
+    case Fix::unit_matrix:
+      return in_place_of("Ones", "Identity");
+    case Fix::subtract: {
+      const Token* sign = token_at(source, mistake, "=");
+      if (sign == nullptr) return {};
+      return {{sign->offset, 2, "-="}};
+    }
+    case Fix::macro: {  // ( ) around the text and around each argument in it
+      const std::string line = lines_of(std::string(source.text())).at(static_cast<std::size_t>(mistake.line) - 1);
+      const Match parts = search(line, R"(^(.*?\w\(([\w, \t]+)\)[ \t]+)(.*)$)");
+      if (!parts) return {};
+      std::string text = parts[3];
+      for (const Match& name : search_all(parts[2], "\\w+"))
+        text = replaced(text, "\\b" + name[0] + "\\b", "(" + name[0] + ")");
+      return {{source.offset_of({mistake.line, 1}) + parts[1].size(), parts[3].size(), "(" + text + ")"}};
+    }
     case Fix::not_static:
       return in_place_of("static", "");
     case Fix::as_double:

@@ -198,6 +198,19 @@ TEST_CASE("two slips, a bound in a condition and a name with something left out 
       {"return (x < -1 ? -1 : 1) * n * std::sqrt(x * x);", "slip_guard", 7},
       {"double sum = 0;\nfor (int i = 0; i + 1 < n; ++i) sum += x;\nreturn sum;", "slip_loop", 8},
       {"return n + n / 2.0 * x;", "slip_brackets", 7},
+      {"return x < 100 ? x : x * n;", "slip_brackets", 7},
+      {"const Matrix3d A = Vector3d(n, n, 2).asDiagonal();\nconst Vector3d v = x * Vector3d::UnitX(), u = A * "
+       "v.cross(Vector3d::UnitY());\nreturn u.sum();",
+       "slip_brackets", 8},
+      {"Matrix3d A = Matrix3d::Zero(), B = A;\nA(0, 1) = n;\nB(0, 1) = x;\nconst Matrix3d C = B.transpose() * "
+       "A;\nreturn "
+       "C(0, 0);",
+       "slip_brackets", 10},
+      {"VectorXd m(3);\nm << x, 2 * x, x / 2;\nconst double all = m.sum();\ndouble s = 0;\nfor (int k = 0; k < 3; ++k) "
+       "s += all * 6 / 7;\nreturn s;",
+       "slip_name", 11},
+      {"const double a = std::abs(x), b = std::fabs(2 * x);\nreturn n * (a + b) / 3;", "slip_function", 7},
+      {"double a, b, c;\na = b = c = -x;\nreturn n * a;", "slip_sign", 8},
       {"double a = std::sqrt(std::abs(x)), b = 2;\nreturn n * (b * b) * (x < 0 ? -1 : 1);", "slip_name", 8},
       {"double a = x, b = n;\na = b;\nb = a;\nreturn a * b;", "slip_overwritten", 9},
       {"return n * std::sin(std::asin(x / 100) / 2) * 100;", "slip_function", 7},

@@ -34,14 +34,19 @@ Column column_of(const std::string& name, const VectorXd& values) {
 
 /// name^exponent
 struct InputPower {
+  InputPower(const Column& column, double power)
+      : name(column.name), exponent(power), is_positive((column.sign.array() >= 0).all()) {}
   std::string name;
   double exponent;
+  bool is_positive;
 };
 
 std::string text_of(const InputPower& power) {
   const double size = std::abs(power.exponent);
   if (size == 1) return power.name;
-  if (size == 0.5) return "√" + power.name;
+  if (size == 0.5 && power.is_positive) return "√" + power.name;
+  const std::size_t bracket = power.name.starts_with('(') ? 1 : 0;
+  if (size == 0.5) return "√|" + power.name.substr(bracket, power.name.size() - 2 * bracket) + "|";
   if (size == std::trunc(size)) return power.name + std::array{"²", "³", "⁴"}.at(static_cast<std::size_t>(size) - 2);
   return fmt::format("{}^({})", power.name, coefficient_text(size));
 }
@@ -217,7 +222,7 @@ std::string fitted(const Column& factor, const std::vector<Column>& columns) {
   const VectorXd wanted = target.array() - target.mean();
   for (std::size_t a = 0; a < columns.size(); ++a) {
     const double exponent = centred[a].dot(wanted) / centred[a].squaredNorm();
-    if (const std::string text = checked({{columns[a].name, exponent}}, {&columns[a]}); !text.empty()) return text;
+    if (const std::string text = checked({{columns[a], exponent}}, {&columns[a]}); !text.empty()) return text;
   }
   if (target.size() < 3 + spare_cases) return "";
   for (std::size_t a = 0; a < columns.size(); ++a) {
@@ -226,9 +231,9 @@ std::string fitted(const Column& factor, const std::vector<Column>& columns) {
       const double determinant = aa * bb - ab * ab;
       if (determinant < 1e-6 * aa * bb) continue;
       const double at = centred[a].dot(wanted), bt = centred[b].dot(wanted);
-      const std::string text = checked(
-          {{columns[a].name, (bb * at - ab * bt) / determinant}, {columns[b].name, (aa * bt - ab * at) / determinant}},
-          {&columns[a], &columns[b]});
+      const std::string text =
+          checked({{columns[a], (bb * at - ab * bt) / determinant}, {columns[b], (aa * bt - ab * at) / determinant}},
+                  {&columns[a], &columns[b]});
       if (!text.empty()) return text;
     }
   }

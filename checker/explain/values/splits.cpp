@@ -2,6 +2,8 @@
 #include "checker/base/text.hpp"
 #include "checker/explain/values/diagnosis.hpp"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -23,6 +25,7 @@ bool is_same_input(double one, double other) {
 struct Feature {
   std::string words;        ///< to follow "wrong exactly where": "theta < 0"
   std::vector<bool> holds;  ///< per case
+  bool tells_right = true;  ///< may also follow "right where"
 };
 
 /// All features that may decide.
@@ -174,6 +177,7 @@ class Features {
       return is_diagonal(i) && is_same_input(input(i, a)(0, 0), input(i, a)(1, 1)) &&
              is_same_input(input(i, a)(0, 0), input(i, a)(2, 2));
     });
+    if (exercise_.arguments[a].unit == units::moment_of_inertia) of_moments(a);
     if (!(exercise_.arguments[a].unit == units::none)) return;
     constexpr double nearly = 1e-12;  // a rotation matrix is known to rounding only
     for (Eigen::Index k = 0; k < 3; ++k) {
@@ -185,6 +189,25 @@ class Features {
       add(entry + " = 1", [&](std::size_t i) { return is_axis(i, 1); });
       add(entry + " = −1", [&](std::size_t i) { return is_axis(i, -1); });
     }
+  }
+
+  /// Of tensors on any axes, so to rounding only.
+  void of_moments(std::size_t a) {
+    constexpr double nearly = 1e-9;
+    const auto moments = [&](std::size_t i) -> Eigen::Vector3d {
+      return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(input(i, a)).eigenvalues();
+    };
+    const std::string of = " of " + exercise_.arguments[a].name;
+    add("a principal moment" + of + " is 0", [&](std::size_t i) {
+      const Eigen::Vector3d m = moments(i);
+      return m.cwiseAbs().minCoeff() <= nearly * m.cwiseAbs().maxCoeff();
+    });
+    found_.back().tells_right = false;
+    add("two principal moments" + of + " are equal", [&](std::size_t i) {
+      const Eigen::Vector3d m = moments(i);
+      return std::min(m[1] - m[0], m[2] - m[1]) <= nearly * m.cwiseAbs().maxCoeff();
+    });
+    found_.back().tells_right = false;
   }
 
   void of_two_vectors() {
@@ -258,14 +281,19 @@ std::optional<Reason> diagnose_split(const ExerciseReference& exercise, const An
   if (outcome.wrong.size() + outcome.right.size() < exercise.cases.size()) return std::nullopt;
   std::vector<std::string> exact;
   std::vector<std::pair<std::string, std::size_t>> nearly;  // with how many right ones there
-  std::vector<std::pair<std::string, std::size_t>> mostly;  // with how many wrong ones, which are not all
+  struct Mostly {
+    std::string words;
+    std::size_t wrong, right;
+  };
+  std::vector<Mostly> mostly;  // where most are wrong, but not all
   for (const Feature& each : Features(exercise).all()) {
     const auto holds = [&](std::size_t i) { return each.holds[i]; };
     const auto wrong = static_cast<std::size_t>(std::ranges::count_if(outcome.wrong, holds));
     const auto right = static_cast<std::size_t>(std::ranges::count_if(outcome.right, holds));
     if (wrong < outcome.wrong.size()) {
-      const bool is_most = 10 * (outcome.wrong.size() - wrong) <= wrong && right == 0;
-      if (is_most && exercise.result_kind != Kind::integer) mostly.emplace_back(each.words, wrong);
+      const bool is_most =
+          10 * (outcome.wrong.size() - wrong) <= wrong && 20 * right <= wrong && 5 * right <= outcome.right.size();
+      if (is_most && exercise.result_kind != Kind::integer) mostly.push_back({each.words, wrong, right});
       continue;
     }
     if (right == 0) exact.push_back(each.words);
@@ -289,11 +317,14 @@ std::optional<Reason> diagnose_split(const ExerciseReference& exercise, const An
                     total, there)};
   // Of many that fit none is certain.
   if (exact.empty() && nearly.empty() && mostly.size() == 1) {
-    const auto& [words, wrong] = mostly.front();
-    return Reason{ReasonKind::split, "split",
-                  fmt::format("Your result is wrong wherever {} (all {}), and hardly elsewhere (at {} of {}).", words,
-                              plural(wrong, "case"), outcome.wrong.size() - wrong,
-                              plural(outcome.wrong.size() + outcome.right.size() - wrong, "case"))};
+    const auto& [words, wrong, right] = mostly.front();
+    const std::size_t cases = wrong + right;
+    return Reason{
+        ReasonKind::split, "split",
+        fmt::format("Your result is wrong {} {} (at {} {}), and hardly elsewhere (at {} of {}).",
+                    right == 0 ? "wherever" : "nearly wherever", words,
+                    right == 0 ? "all" : fmt::format("{} of", wrong), plural(cases, "case"),
+                    outcome.wrong.size() - wrong, plural(outcome.wrong.size() + outcome.right.size() - cases, "case"))};
   }
   if (!exact.empty() || nearly.size() != 1) return std::nullopt;
   const auto& [words, right] = nearly.front();
@@ -383,7 +414,8 @@ std::optional<Reason> diagnose_one_side(const ExerciseReference& exercise, const
     const std::size_t right_elsewhere = outcome.right.size() - right;
     // Of few answers a wrong one is often right.
     const std::size_t telling = exercise.result_kind == Kind::integer ? 1 : 10;
-    if (wrong > 0 || right < fewest || right_elsewhere * telling > outcome.wrong.size() || right_elsewhere > right)
+    if (!each.tells_right || wrong > 0 || right < fewest || right_elsewhere * telling > outcome.wrong.size() ||
+        right_elsewhere > right)
       continue;
     sides.emplace_back(each.words, right);
   }
@@ -398,8 +430,10 @@ std::optional<Reason> diagnose_one_side(const ExerciseReference& exercise, const
         fmt::format("Your result is right at all {} where {}, and wrong at {} of the {} others.",
                     plural(sides[0].second, "case"), sides[0].first, outcome.wrong.size(), total - sides[0].second);
   else if (has_largest(needed))
-    sentence = fmt::format("Your result is wrong only where {} (at {} of those {}), and right elsewhere.",
-                           needed[0].first, outcome.wrong.size(), plural(total - needed[0].second, "case"));
+    sentence =
+        fmt::format("Your result is wrong only where {} (at {} of those {}), and right elsewhere.", needed[0].first,
+                    outcome.wrong.size() == total - needed[0].second ? "all" : std::to_string(outcome.wrong.size()),
+                    plural(total - needed[0].second, "case"));
   else
     return std::nullopt;
   return Reason{ReasonKind::split, "one_side", sentence, Weight::symptom};

@@ -343,11 +343,14 @@ std::optional<Reason> known_parts(const ExerciseReference& exercise, const Answe
   if (!has_name && !are_all) return std::nullopt;
   std::string sentence = fmt::format("In {}{} your result is what this mistake gives: {}",
                                      parts.front().names(exercise), is_one ? ", and nowhere else," : "", first.message);
-  if (!are_all)
-    sentence += " The rest is wrong too.";  // a second one in a part of it would be a coincidence
-  else if (!is_one)
+  if (!are_all) {  // a second one in a part of the rest would be a coincidence
+    Part rest{first, wrong};
+    for (const std::size_t entry : parts.front().entries) rest.entries.erase(entry);
+    sentence += fmt::format(" Wrong as well: {}.", rest.names(exercise));
+  } else if (!is_one) {
     sentence +=
         fmt::format(" In {} it is what another one gives: {}", parts[1].names(exercise), parts[1].mistake.message);
+  }
   return Reason{first.kind, first.name, sentence, is_one || has_name ? Weight::cause : Weight::possible, first.notes};
 }
 
