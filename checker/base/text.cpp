@@ -50,7 +50,7 @@ std::size_t distance(const std::string& a, const std::string& b) {
 const auto whole_text = boost::match_not_dot_newline | boost::match_single_line;
 
 const boost::regex& regex_of(std::string_view pattern) {
-  static std::map<std::string, boost::regex, std::less<>> made;
+  thread_local std::map<std::string, boost::regex, std::less<>> made;  // the tests search in several threads
   const auto known = made.find(pattern);
   if (known != made.end()) return known->second;
   return made.emplace(pattern, boost::regex(boost::replace_all_copy(std::string(pattern), "[^]", "[\\s\\S]")))

@@ -5,6 +5,7 @@
 #include <boost/algorithm/string/erase.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -66,6 +67,13 @@ bool has_one_of(std::span<const Token> tokens, std::string_view texts) {
   return std::ranges::any_of(tokens, [&](const Token& token) { return is_one_of({&token, 1}, 0, texts); });
 }
 
+/// Does a text name one of the " words with blanks between "?
+bool names_one_of(const std::string& text, const std::string& names) {
+  const std::vector<Match> words = search_all(text, "\\w+");
+  return std::ranges::any_of(words,
+                             [&](const Match& word) { return names.find(" " + word[0] + " ") != std::string::npos; });
+}
+
 /// A mistake that a statement gives away, or several that follow each other, with "\n" between them; the pattern then
 /// ends in the last one. The caret stands at what $1 stands for.
 struct TextMistake {
@@ -115,7 +123,8 @@ const std::vector<TextMistake>& table() {
        "10^-6."},
       {"discarded_result",
        R"(^(\w+)(?: \. \w+ \( )" + inside + R"(\))*? \. (transpose|normalized|inverse|adjoint|cross|dot|norm|)" +
-           R"(squaredNorm|sum|trace|determinant|eval|cwise\w+) \( )" + inside + R"(\) ;$)",
+           R"(squaredNorm|sum|trace|determinant|eval|solve|mean|reverse|asDiagonal|cwise\w+) \( )" + inside +
+           R"(\) ;$)",
        "$2() changes nothing: it returns a new value, which is dropped here. Write A = A.$2(...).", nullptr, own_types},
       {"discarded_result",
        R"(^(?:std :: )?(sqrt|pow|abs|fabs|a?sin|a?cos|a?tan|atan2|exp|log|hypot|fmod|round|floor|ceil|min|max) \( )" +
@@ -156,6 +165,24 @@ const std::vector<TextMistake>& table() {
       {"divisor", R"((/ 1(?:\.0*)?) [-+] \w)", "`$1` divides by 1, not by what follows: write / (1 + x) for that."},
       {"rounded_pi", R"((?:^| )(3\.14\d*)(?= |$))", "$1 is only near π; write std::numbers::pi.", is_rounded_pi, "",
        Weight::possible, Fix::exact_pi},
+      {"bound_below_rounding",
+       R"(^while \( (?:[^&|]* )?(?:abs|fabs|norm) \( [^&|]* > (\d[\d.]*e-(?:1[6-9]|[2-9]\d)) \))",
+       "`$1` is less than rounding leaves of most differences, so that this loop may never end.", nullptr, "",
+       Weight::possible},
+      {"semicolon_in_sum", R"((;)\n[-+] [^\n]* ;$)",
+       "This ; ends the statement, and the line below it is a statement of its own that is added to nothing."},
+      {"ones", R"(\b(Matrix3d :: Ones \( \)))", "`$1` has a 1 in every entry; the unit matrix is Matrix3d::Identity().",
+       nullptr, "", Weight::possible, Fix::unit_matrix},
+      {"negative_remainder", R"(\( \w+ - 1 \) (% \d+)(?= |$))",
+       "`$1` keeps the sign: of -1 it is -1, which is no index. Add the divisor first, as in (i + 2) % 3.", nullptr, "",
+       Weight::possible},
+      {"kept_expression",
+       R"(^(?:const )?auto (\w+) = \w+ \( )" + inside +
+           R"(\) \. (?:transpose|col|row|block|head|tail|segment|diagonal|array|matrix)\b[^\n]* ;$)",
+       "With auto, `$1` reads from what the function has returned, which is gone after this line: write its type.",
+       nullptr, "", Weight::possible, Fix::as_value},
+      {"modulo_first", R"([-+] (\d{1,9} % \d{1,9})(?= |$))",
+       "`$1` is a number of its own: % binds before + and -. Write (i + 1) % 3 for what is meant."},
       {"size_for_length", R"((?:^| )(\w+) / \1 \. size \( \))",
        "`$1.size()` is the number of components: the length of a vector is `$1.norm()`."},
       {"size_in_bytes", R"(< (sizeof \( (\w+) \)))", "`$1` counts bytes: how many elements there are is `$2.size()`.",
@@ -190,8 +217,9 @@ const std::vector<TextMistake>& table() {
        "$1 keeps only what stands before the decimal point.", nullptr, "", Weight::possible, Fix::as_double},
       // Several statements.
       {"uninitialized_variable",
-       R"(^(Matrix[234]d|Vector[234]d) (\w+) ;\n(?:(?!(?:if|else|switch|while|do)\b|[^\n]*\b\2\b)[^\n]*\n)*(?:for \( [^\n]*\) )?\2 [-+]= [^\n]*$)",
-       "`$2` begins with no value, but is added to below: write $1 $2 = $1::Zero();", nullptr, own_types},
+       R"(^(Matrix[234]d|Vector[234]d) (\w+) (?:\( [\d ,]+ \) )?;\n(?:(?!(?:if|else|switch|while|do)\b|[^\n]*\b\2\b)[^\n]*\n)*(?:for \( [^\n]*\) )?\2 [-+]= [^\n]*$)",
+       "`$2` begins with no value, but is added to below: write $1 $2 = $1::Zero();", nullptr, own_types, Weight::cause,
+       Fix::none, false},
       {"uninitialized_variable",
        R"(^(?:double|int|Vector\w+|Matrix\w+) (\w+) ;\nif \( (?:(?!\b\1\b)[^\n])* \) (?:\{\n)?\1 = [^\n]* ;(?:\n\})?\nreturn [^\n]*\b\1\b[^\n]*$)",
        "`$1` has a value only where the condition below it holds: give it one here."},
@@ -286,11 +314,46 @@ std::size_t never_read(std::span<const Token> tokens, std::size_t declared) {
     depth += tokens[k].text == "{" ? 1 : tokens[k].text == "}" ? -1 : 0;
     if (is_one_of(tokens, k - 1, " ; { } ")) statement = k;
     const bool is_lambda = tokens[k].text == "[" && is_one_of(tokens, k + 1, " = ");
-    if (tokens[k].text == "&" || is_lambda) return 0;  // another name of it, or what sees it
+    const bool is_captured = tokens[k].text == tokens[declared].text && is_one_of(tokens, k - 1, " [ ") &&
+                             is_one_of(tokens, k - 2, " = ( , ");
+    if (tokens[k].text == "&" || is_lambda || is_captured) return 0;  // another name of it, or what sees it
     if (tokens[k].text == tokens[declared].text) last = depth == 0 ? statement : 0;
   }
   const bool is_given = tokens[last].text == tokens[declared].text && is_one_of(tokens, last + 1, " = += -= *= /= ");
   return last > declared && is_given ? last : 0;
+}
+
+/// double a = 1; auto f = [a] { … }; a = 2; f() @returns the token of the name that a lambda keeps as it was, or 0
+std::size_t kept_by_lambda(std::span<const Token> tokens, std::size_t open) {
+  const auto closing = [&](std::size_t from, const char* opens, const char* closes) {
+    int depth = 0;
+    for (std::size_t k = from; k < tokens.size(); ++k) {
+      depth += is_one_of(tokens, k, opens) ? 1 : is_one_of(tokens, k, closes) ? -1 : 0;
+      if (depth == 0 && k > from) return k;
+    }
+    return tokens.size();
+  };
+  const std::size_t close = closing(open, " [ ", " ] ");
+  std::size_t body = close;
+  while (body < tokens.size() && !is_one_of(tokens, body, " { ; ")) ++body;
+  const std::size_t end = closing(body, " { ", " } ");
+  if (open < 2 || !is_one_of(tokens, open - 1, " = ") || end >= tokens.size()) return 0;
+  const bool keeps_all = close == open + 2 && is_one_of(tokens, open + 1, " = ");
+  const std::string_view lambda = tokens[open - 2].text;
+  for (std::size_t k = keeps_all ? body : open + 1; k < (keeps_all ? end : close); ++k) {
+    if (is_one_of(tokens, k - 1, " & . :: ") || std::isalpha(static_cast<unsigned char>(tokens[k].text[0])) == 0)
+      continue;
+    bool is_changed = false;
+    int depth = 0;
+    for (std::size_t later = end + 1; later < tokens.size() && depth >= 0; ++later) {
+      depth += is_one_of(tokens, later, " { ") ? 1 : is_one_of(tokens, later, " } ") ? -1 : 0;
+      const bool is_statement = is_one_of(tokens, later - 1, " ; { } ) ");
+      is_changed = is_changed || (is_statement && tokens[later].text == tokens[k].text &&
+                                  is_one_of(tokens, later + 1, " = += -= *= /= "));
+      if (is_changed && tokens[later].text == lambda && is_one_of(tokens, later + 1, " ( ")) return k;
+    }
+  }
+  return 0;
 }
 
 /// double w[3]; … w[3] @returns the token with an index that the array does not have, or 0; in its block, as long as
@@ -342,7 +405,8 @@ std::vector<Reason> text_mistakes(const SourceText& source) {
     found.push_back(source.reason(source.place_of(tokens[token].offset), name, match.fill(sentence), weight, fix));
     found.back().needs_failure = needs_failure;
   };
-  int depth = 0;  // of braces that no namespace opens
+  std::string arguments = " ";  // of all functions
+  int depth = 0;                // of braces that no namespace opens
   const std::vector<Statement> statements = statements_of(tokens);
   const std::string values_of = value_functions(statements);
   for (std::size_t last = 0; last < statements.size(); ++last) {
@@ -365,6 +429,9 @@ std::vector<Reason> text_mistakes(const SourceText& source) {
       }
     }
     const bool is_outside = depth == 0;
+    if (is_outside && statement.text.ends_with(") {"))
+      for (const Match& argument : search_all(statement.text, R"([\w&*>] (\w+) (?=[,)]))"))
+        arguments += argument[1] + " ";
     if (statement.text.ends_with("{") && !statement.text.starts_with("namespace")) ++depth;
     if (statement.text.ends_with("}") && depth > 0) --depth;
     const Match waiting = search(statement.text, R"(^while \( ((?:[^&|=]|[<>!]=|==)*) \) [{;]$)");
@@ -391,13 +458,38 @@ std::vector<Reason> text_mistakes(const SourceText& source) {
           "`$1` hands its result back, which is dropped here: write x = $1(...).",
           has_one_of(tokens, " cout cerr printf static ") ? Weight::possible : Weight::cause);
     const Match kept = search(statement.text, R"(^(static )?(?:[\w:<>]+ )+?(\w+) (?:;|=|\(|\{))");
-    const bool is_set_once = !is_outside && search(statement.text, R"(^static (?!const|auto)[^=]* (?:=|\{|\() )");
+    const bool is_set_once =
+        !is_outside && (search(statement.text, R"(^static (?!const|auto)[^=]* (?:=|\{|\() )") ||
+                        (search(statement.text, "^static const [^=]* = ") && names_one_of(statement.text, arguments)));
     const bool is_kept = is_outside || (kept && !kept[1].empty());
     if (kept && is_kept && (is_set_once || accumulates(tokens, statement.token_at(kept.offsets[2]))))
       add(statement.tokens.front(), "static_variable", kept,
-          "`$2` keeps its value from one call to the next, and results depend on earlier ones: define it in the "
-          "function.",
+          is_outside
+              ? "`$2` keeps its value from one call to the next, and results depend on earlier ones: define it in "
+                "the function."
+              : "`$2` keeps its value from one call to the next, and results depend on earlier ones: leave "
+                "`static` out.",
           Weight::possible, Fix::not_static);
+    if (const Match given = search(statement.text, R"(^(\w+(?: [.\[(][^=]*)?) (=) - )")) {
+      const std::size_t at = statement.token_at(given.offsets[2]);
+      const auto follows = [&](std::size_t k) {
+        return tokens[k].offset == tokens[k - 1].offset + tokens[k - 1].text.size();
+      };
+      if (follows(at + 1) && !follows(at + 2))
+        add(at, "unary_minus", given, "=- only assigns, with the other sign; what subtracts from a variable is -=.",
+            Weight::possible, Fix::subtract);
+    }
+    for (const std::size_t k : statement.tokens) {
+      const std::string_view token = tokens[k].text;
+      if (token.size() == 3 && token[0] == '\'' && token[1] >= '0' && token[1] <= '9')
+        add(k, "character", {},
+            "A digit in quotation marks is a character, and counts as another number ('0' as 48): leave them out.",
+            has_one_of(tokens, " cout cerr printf ") ? Weight::possible : Weight::cause);
+      if (token == "[")
+        if (const std::size_t captured = kept_by_lambda(tokens, k); captured > 0)
+          add(captured, "captured_value", search(tokens[captured].text, "(.+)"),
+              "This lambda keeps the value that `$1` has here, and does not see the one given later: write [&].");
+    }
     const Match array =
         search(statement.text, R"(^(?:const )?(?:double|int|float|Vector\w+|Matrix\w+) (\w+) \[ (\d{1,9}) \])");
     if (array)
@@ -405,6 +497,18 @@ std::vector<Reason> text_mistakes(const SourceText& source) {
           index > 0)
         add(index, "index_out_of_range", array, "`$1` has $2 elements, and indices start at 0: this one is not there.",
             Weight::cause, Fix::none, false);
+  }
+  constexpr const char* macro = R"((?:^|\n)[ \t]*#[ \t]*define[ \t]+(\w+)\([\w, \t]+\)[ \t]+(?!\()[^\n]*[-+*/])";
+  for (const Match& defined : search_all(source.text(), macro)) {
+    const std::string call = "\\b" + defined[1] + "\\(";
+    const bool is_torn = static_cast<bool>(search(source.text(), "[-/*%][ \t]*" + call)) ||
+                         static_cast<bool>(search(source.text(), call + "[^()\n]*[-+][^()\n]*\\)"));
+    if (is_torn)
+      found.push_back(source.reason(
+          source.place_of(defined.offsets[1]), "macro",
+          defined.fill("The text of `$1` is put in as it stands, so that * and / before it or + in it take it "
+                       "apart: write a function in its place."),
+          Weight::possible, Fix::macro));
   }
   return found;
 }

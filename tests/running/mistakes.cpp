@@ -588,6 +588,47 @@ TEST_CASE("a lambda that changes copies is told, not one that keeps a counter or
   CHECK(names("double s = 0;\nauto add = [&s](double y) mutable { s += y; };\nadd(x);\nreturn s;").empty());
 }
 
+TEST_CASE("a lambda that keeps an old value is told, not one that is called before the change or sees it") {
+  CHECK(names("double a = x;\nauto f = [a]() { return 2 * a; };\na = 3;\nreturn f();") == "captured_value ");
+  CHECK(names("double a = x;\nauto f = [=]() { return 2 * a; };\na += 3;\nreturn f();") == "captured_value ");
+  CHECK(names("double a = x;\nauto f = [&a]() { return 2 * a; };\na = 3;\nreturn f();").empty());
+  CHECK(names("double a = x;\nauto f = [a]() { return 2 * a; };\nx = f();\na = 3;\nreturn a + x;").empty());
+}
+
+TEST_CASE("signs that C++ reads otherwise are told, not those that are meant so") {
+  CHECK(names("x =- 2 * x;\nreturn x;") == "unary_minus ");
+  CHECK(names("x = -2 * x;\nx =-2;\nreturn x;").empty());
+  CHECK(names("return v[i + 1 % 3];") == "modulo_first ");
+  CHECK(names("return v[(i + 1) % 3];").empty());
+  CHECK(names("return v[(i - 1) % 3];") == "negative_remainder ");
+  CHECK(names("return v[(i - 1 + 3) % 3];").empty());
+  CHECK(names("return x\n+ x;\n+ x;") == "semicolon_in_sum ");
+  CHECK(names("return '2' * x;") == "character ");
+  CHECK(names("std::cout << '2';\nreturn x;") == "character ");
+}
+
+TEST_CASE("what is not what it seems to be is told, not what is") {
+  CHECK(names("Matrix3d A = Matrix3d::Ones();\nreturn A(0, 0) * x;") == "ones ");
+  CHECK(names("while (std::abs(a - b) > 1e-18) x = next(x);\nreturn x;") == "bound_below_rounding ");
+  CHECK(names("while (std::abs(a - b) > 1e-12) x = next(x);\nreturn x;").empty());
+  CHECK(names("static const double y = 2 * x;\nreturn y;") == "static_variable ");
+  CHECK(names("static const double y = std::sqrt(2.0);\nreturn y * x;").empty());
+  CHECK(names("Vector3d v(3);\nv += Vector3d(x, 0, 0);\nreturn v[0];") == "matrix_constructor uninitialized_variable ");
+  CHECK(names("Vector3d v(3);\nv << x, 0, 0;\nreturn v[0];") == "matrix_constructor ");
+  CHECK(names("const auto v = rates(x).transpose();\nreturn v(0);") == "kept_expression ");
+  CHECK(names("A.lu().solve(b);\nreturn b[0];") == "discarded_result ");
+  const auto of_macro = [](const char* text, const char* used) {
+    std::string all;
+    const std::string file = fmt::format("#define SQUARE(y) {}\n{}", text, body(fmt::format("return {};", used)));
+    for (const Reason& found : text_mistakes(SourceText(file))) all += found.name + " ";
+    return all;
+  };
+  CHECK(of_macro("y * y", "1 / SQUARE(x)") == "macro ");
+  CHECK(of_macro("y * y", "SQUARE(x + 1)") == "macro ");
+  CHECK(of_macro("y * y", "2 + SQUARE(x)").empty());
+  CHECK(of_macro("((y) * (y))", "1 / SQUARE(x + 1)").empty());
+}
+
 TEST_CASE("an index behind an array is told in the array's block, and not of another variable of that name") {
   CHECK(names("double w[3] = {x, x, x};\nfor (int i = 0; i < 3; ++i) {\n  w[i] += x;\n}\nreturn w[3];") ==
         "index_out_of_range ");
