@@ -30,6 +30,8 @@ static void add_turns(auto& e) {
   e.tolerance_of_last_case(1e-7, arccosine);
   e.special("somewhat less than half a turn", turn(axis, pi - 1e-5));
   e.tolerance_of_last_case(1e-7);
+  e.special("two millionths less than half a turn", turn(axis, pi - 2e-6));
+  e.tolerance_of_last_case(1e-7);
   e.special("beyond half a turn", turn(axis, pi + 1e-5));
   e.tolerance_of_last_case(1e-7);
   e.random("a random turn close to half a turn", 4, turned_by(pi - 1e-6, pi - 1e-9));

@@ -59,6 +59,10 @@ void judge_splitting_step(Lecture& lecture) {
           "first_order", [](auto& I, auto& w, auto h) {
             return after(I, w, {{0, h}, {1, h}, {2, h}});
           });
+  e.wrong("All five stages last half of the step here; the one in the middle lasts the whole step.", "all_halves",
+          [](auto& I, auto& w, auto h) {
+            return after(I, w, {{0, h / 2}, {1, h / 2}, {2, h / 2}, {1, h / 2}, {0, h / 2}});
+          });
   e.wrong("All angles belong to ω at the start; each stage begins with the L that the one before it left.",
           "frozen_rates", [](auto& I, auto& w, auto h) {
             return after(I, w, {{0, h / 2}, {1, h / 2}, {2, h}, {1, h / 2}, {0, h / 2}},

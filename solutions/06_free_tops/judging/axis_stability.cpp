@@ -22,6 +22,8 @@ void judge_axis_stability(Lecture& lecture) {
   e.worked("a flattened symmetric top across its symmetry axis", {1, 1, 1.8}, 0);
   e.worked("a long symmetric top about its symmetry axis", {2, 0.5, 2}, 1);
   e.worked("a long symmetric top across its symmetry axis", {2, 0.5, 2}, 2);
+  e.worked("a flattened symmetric top across its symmetry axis, the other way", {1, 1, 1.8}, 1);
+  e.worked("a long symmetric top across its symmetry axis, the other way", {2, 0.5, 2}, 0);
   e.worked("a sphere", {2, 2, 2}, 1);
   e.special("moments that differ by a thousandth, about the middle one", {1.001, 1, 1.002}, 0);
   e.special("moments that differ by a thousandth, about the largest", {1.001, 1, 1.002}, 2);
@@ -65,6 +67,12 @@ void judge_axis_stability(Lecture& lecture) {
   e.wrong_output("The intermediate axis is neutral here; a disturbance grows there exponentially: −1.",
                  "unstable_as_neutral", [](int stability) { return max(stability, 0); });
   e.wrong("Every axis is stable here; the intermediate one is not.", "always_stable", [](auto&, int) { return 1; });
+  for (const int k : {0, 1})
+    e.wrong("Only one of the two other moments makes an axis neutral here by being equal; either does.",
+            k == 0 ? "next_equal_only" : "previous_equal_only", [=](auto& I, int axis) {
+              const Vector2d signs = compared(I, axis);
+              return signs[k] == 0 ? 0 : signs.prod() < 0 ? -1 : 1;
+            });
   e.wrong("This compares with only one of the other two moments; both decide.", "compares_one_neighbour",
           [](auto& I, int axis) { return static_cast<int>(compared(I, axis)[0]); });
   e.route("rank among the moments", [](auto& I, int axis) {

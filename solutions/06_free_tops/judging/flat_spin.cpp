@@ -45,6 +45,11 @@ void judge_flat_spin(Lecture& lecture) {
             const double largest = I.maxCoeff(&axis);
             return Vector2d((I.dot(w.cwiseAbs2()) - largest * w[axis] * w[axis]) / 2, abs(w[axis]));
           });
+  e.wrong("The components of L are added here; the length of L is the root of the sum of their squares.",
+          "sum_for_length", [](auto& I, auto& w) {
+            const double L = I.dot(w);
+            return Vector2d(I.dot(w.cwiseAbs2()) / 2 - L * L / (2 * I.maxCoeff()), abs(L) / I.maxCoeff());
+          });
   e.wrong_output("Your first number is the energy that is left; asked for is the heat.", "left_over",
                  [](auto& both, auto& I, auto& w) { both[0] = I.dot(w.cwiseAbs2()) / 2 - both[0]; });
   e.property(Is::nonnegative, "Friction takes energy from the rotation: the heat is not negative, and no rate is.");

@@ -18,6 +18,8 @@ void judge_angular_velocity_body(Lecture& lecture) {
   e.wrong_inputs("φ and ψ are exchanged, as for turns in the order ψ, θ, φ; the turn φ comes first.", "order_reversed",
                  [](auto& q, auto& v) { q.reverseInPlace(), v.reverseInPlace(); });
   e.wrong_input<0>("φ stands where ψ belongs: body components never depend on φ.", "phi_for_psi", exchange(0, 2));
+  e.wrong_output("Your third component is the inertial one, φ̇ + ψ̇ cos θ; on the body's axis it is φ̇ cos θ + ψ̇.",
+                 "third_inertial", [](auto& omega, auto& q, auto& v) { omega[2] = v[0] + v[2] * cos(q[1]); });
   e.wrong({"These are the inertial components of ω; asked for are those on the body axes.", inertial_notes}, "inertial",
           angular_velocity_inertial);
   e.wrong_output("ω points the opposite way: (dR/dt) Rᵀ is the cross matrix of −ω.", "negated", negated);

@@ -41,8 +41,10 @@ void judge_hamiltonian(Lecture& lecture) {
   const char* const notes = "kinetic_energy_momenta";
   e.wrong("The momenta stand for components of L on the body's axes; they are its projections on ê3⁰, ê2' and ê3.",
           "momenta_as_body", with_L([](auto&, auto& p) { return p; }));
-  e.wrong({"L̃ comes from the momenta as ω̃ would come from angles; how momenta follow from L̃ is another matrix.", notes},
-          "B_inverse", with_L([](auto& q, auto& p) { return rate_axes(q).inverse() * p; }));
+  e.wrong(
+      {"L̃ comes from the momenta here as the rates come from ω̃; the matrix that takes momenta to L̃ is its transpose.",
+       notes},
+      "B_inverse", with_L([](auto& q, auto& p) { return rate_axes(q).inverse() * p; }));
   e.wrong({"L̃ comes from the momenta as ω̃ comes from the rates; momenta belong to L̃ by another relation, to be solved "
            "for it.",
            notes},

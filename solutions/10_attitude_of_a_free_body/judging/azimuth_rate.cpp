@@ -57,6 +57,11 @@ void judge_azimuth_rate(Lecture& lecture) {
     const double squared_sine = w.template head<2>().squaredNorm() / w.squaredNorm();
     return (w.dot(L) / L.norm() - w[2] * w[2] / w.norm()) / squared_sine;
   });
+  e.wrong("I₃ times the length of ω stands for the length of L here; each component has its own moment.", "length_of_L",
+          [](auto& I, auto& w) {
+            const Vector3d L = L_of(I, w);
+            return I[2] * w.norm() * (L[0] * w[0] + L[1] * w[1]) / (L[0] * L[0] + L[1] * L[1]);
+          });
   e.wrong("This is how fast axis 1 goes round L; asked for is axis 3.", "axis_1",
           [](auto& I, auto& w) { return rate_about_L(I, w, 0); });
   e.wrong(

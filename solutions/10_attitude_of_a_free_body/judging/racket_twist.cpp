@@ -130,6 +130,12 @@ void judge_racket_twist(Lecture& lecture) {
             I, w, [&](const Vector3d& now) { return rate_about_axis(I, now, 0); },
             [&](const Vector3d&) { return w.norm(); });
       });
+  e.wrong("The body rotates about L by one turn here, at the rate of ω along L; the handle goes round at another rate.",
+          "turn_of_the_body", [](auto& I, auto& w) {
+            return in_a_round(
+                I, w, [&](const Vector3d& now) { return rate_about_axis(I, now, 0); },
+                [&](const Vector3d& now) { return now.dot(L_of(I, now)) / L_of(I, now).norm(); });
+          });
   e.wrong(
       "The motion stops here after the time of one turn about the middle axis alone; the handle goes round at another "
       "rate.",

@@ -41,6 +41,12 @@ void mistakes_of_turn_per_period(Exercise& e) {
                  times(0.5));
   e.wrong("This is the rate of the start times the period; the rate changes along the motion.", "start_rate",
           [](auto& I, auto& w) { return rate_about_L(I, w) * ExactTop(I, w).period(); });
+  e.wrong({"Round axis 1 this is how far axis 1 goes round L, as if both names were exchanged; axis 3 is asked for.",
+           "attitude_third"},
+          "labels_exchanged", [](auto& I, auto& w) {
+            const int axis = is_round_3(I, w) ? 2 : 0;
+            return over_a_period(I, w, [&](const Vector3d& now) { return rate_about_L(I, now, axis); });
+          });
   e.wrong("This is how far axis 1 goes round L; asked for is axis 3, that of the largest moment.", "axis_1",
           [](auto& I, auto& w) {
             return over_a_period(I, w, [&](const Vector3d& now) { return rate_about_L(I, now, 0); });

@@ -57,6 +57,14 @@ void judge_attitude_from_rates(Lecture& lecture) {
           "first_order", [](auto& t, auto& omega) {
             return stepped(t, omega, [](auto& A, auto& angle, auto) { return A + A * skew(angle); });
           });
+  e.wrong(
+      "Each of your steps is a series cut after the square of the angle, which is no rotation; the angles are finite.",
+      "second_order", [](auto& t, auto& omega) {
+        return stepped(t, omega, [](auto& A, auto& angle, auto) {
+          const Matrix3d W = skew(angle);
+          return A + A * W + A * W * W / 2;
+        });
+      });
   e.wrong("Each of your steps takes the earlier of two rates; it takes their mean.", "earlier_rate",
           [](auto& t, auto& omega) {
             return stepped(t, omega, [&](auto& A, auto&, auto k) {
