@@ -151,6 +151,20 @@ bool explain_lost_digits(Search& search) {
     if (!are_near && !(jumps && levels.size() > 2)) return false;
     jumping += jumps ? 1 : 0;
   }
+  if (are_near && near.size() == wrong && 2 * jumping < looked_at.size()) {
+    // Of a result that is 0 or π there, no digit changes by chance.
+    const SourceText source(search.evidence.task.submission.text);
+    for (const Token& token : source.tokens())
+      if (token.text == "acos" || token.text == "asin") {
+        search.add_code(
+            {source.reason(source.place_of(token.offset), "lost_digits",
+                           fmt::format("{} loses half of the digits of an angle where its argument is near 1 "
+                                       "or −1, and your result is wrong by so little: atan2 keeps them.",
+                                       token.text),
+                           Weight::possible)});
+        return false;
+      }
+  }
   if (jumping == 0 || 2 * jumping < looked_at.size()) return false;
   search.reasons = {
       {ReasonKind::accuracy, "lost_digits",

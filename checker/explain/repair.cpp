@@ -175,10 +175,36 @@ double part_left(VariantRunner& runner, const std::vector<Variant>& variants, st
   return is_law ? one : 1;
 }
 
+/// Is it a number as of steps, or of their size?
+bool may_be_steps(const Variant& variant, const SourceText& source) {
+  const Edit& edit = variant.edits.front();
+  const double number = std::strtod(std::string(source.text().substr(edit.offset, edit.length)).c_str(), nullptr);
+  return number >= 8 || (number > 0 && number <= 0.1);
+}
+
+/// How many times larger the error is with a tenth of a number, or with ten times it, if it grows as much once more
+/// with a hundredth, or a hundred times it; 1 where it does not. A wrong number of a formula follows no such law.
+double growth_of_error(VariantRunner& runner, const std::vector<Variant>& variants, std::size_t number,
+                       const std::vector<double>& errors, const SourceText& source) {
+  const double once = multiple(variants[number], source);
+  const auto further = std::ranges::find_if(variants, [&](const Variant& each) {
+    return each.edits.front().offset == variants[number].edits.front().offset &&
+           std::abs(multiple(each, source) / (once * once) - 1) < 1e-6;
+  });
+  if (further == variants.end()) return 1;
+  const auto error_with = [&](std::size_t variant) {
+    return sum(runner.errors(runner.with_work_of_the_file(variant))) / sum(errors);
+  };
+  const double one = error_with(number);
+  const double both = one > 1 ? error_with(static_cast<std::size_t>(further - variants.begin())) : 0;
+  return one > 1 && std::abs(std::log(both) / std::log(one) - 2) < 0.15 ? one : 1;
+}
+
 /// The number, or the end of a loop, with which the error falls, of some failing cases taken together: it follows a
 /// law, so that this limits the accuracy.
 std::optional<Reason> coarse(VariantRunner& runner, const std::vector<Variant>& variants, const SourceText& source) {
   constexpr double clearly_less = 0.35, much_less = 0.15, nearly_right = 0.1, known = 0.7;
+  constexpr double of_no_rule = 1e-7;  // to be left of an error: the file goes another way then
   const std::vector<double> errors = runner.errors(variants.size());
   if (errors.size() < 3 || !(std::ranges::max(errors) < known)) return std::nullopt;
   const bool is_near = std::ranges::max(errors) <= nearly_right;
@@ -186,7 +212,8 @@ std::optional<Reason> coarse(VariantRunner& runner, const std::vector<Variant>& 
   std::optional<Reason> found;
   const auto tell = [&](std::size_t k, const std::string& words, double ratio) {
     // One step more may add what is no part of a sum: that the error becomes smaller is then an accident.
-    if (ratio >= (variants[k].kind == VariantKind::loop ? std::min(best, much_less) : best)) return;
+    if (ratio >= (variants[k].kind == VariantKind::loop ? std::min(best, much_less) : best) || ratio < of_no_rule)
+      return;
     best = ratio;
     const double times = variants[k].kind == VariantKind::steps ? 10 : multiple(variants[k], source);
     const double order = times > 0 ? std::abs(std::log(ratio) / std::log(times)) : 0;
@@ -199,6 +226,13 @@ std::optional<Reason> coarse(VariantRunner& runner, const std::vector<Variant>& 
                     : std::abs(order - 0.5) < 0.05 ? ", as where what is added up grows beyond all bounds at an end"
                                                    : ""));
   };
+  // Ten times as many steps may take long, and a tenth of them does not.
+  for (std::size_t k = 0; k < variants.size() && is_near; ++k)
+    if (const double times = multiple(variants[k], source);
+        may_be_steps(variants[k], source) && std::abs(std::abs(std::log10(times)) - 1) < 1e-6)
+      if (const double growth = growth_of_error(runner, variants, k, errors, source); growth > 1.5)
+        tell(k, times < 1 ? "a larger number" : "a smaller number", 1 / growth);
+  if (found) return found;
   for (std::size_t k = 0; k < variants.size(); ++k) {
     if (!is_of_accuracy(variants[k], source)) continue;
     const std::vector<double> others = runner.errors(k, errors.front());
@@ -367,6 +401,7 @@ long VariantRunner::affordable_calls() {
   for (const std::size_t index : evenly_spaced(order_, looked_at))
     while (exponent < most && answer(VariantUnit::limited(unchanged_, exponent), index).ending == Ending::exception)
       ++exponent;
+  work_of_the_file_ = exponent + 1;
   return std::clamp(limits_.work >> exponent, fewest, long{limits_.calls});
 }
 

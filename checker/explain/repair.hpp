@@ -66,6 +66,10 @@ class VariantRunner {
   /// By how much it is wrong at some failing cases, in natural sizes; nothing where it has no value at one, or at the
   /// first a larger error.
   std::vector<double> errors(std::size_t variant, double below = std::numeric_limits<double>::infinity());
+  /// The number for a variant that throws where it needs clearly more work than the file as it stands.
+  std::size_t with_work_of_the_file(std::size_t variant) const {
+    return VariantUnit::limited(variant, work_of_the_file_);
+  }
   /// The cases at which the condition of a branch is true, with a slip beside it; nothing where that is not certain.
   std::optional<std::set<std::size_t>> cases_taking_branch(std::size_t variant, std::optional<std::size_t> beside = {});
 
@@ -84,6 +88,7 @@ class VariantRunner {
   std::set<std::size_t> wrong_;  ///< entries
   std::optional<long> calls_left_;
   int slow_ = 0;
+  int work_of_the_file_ = 0;  ///< of one call: less than 2 to this power
   std::optional<std::size_t> running_;
   Budget budget_;
   std::unique_ptr<Worker> worker_;

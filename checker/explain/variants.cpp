@@ -183,6 +183,7 @@ class SourceMutations {
       inverses();
       factors();
       loops();
+      turns();
       brackets();
       brackets_before_method();
       brackets_around_choice();
@@ -343,6 +344,11 @@ class SourceMutations {
   }
 
   /// Is what follows a value, and no declaration and no statement?
+  /// An argument of swap(a, b), std::tie(a, b).
+  bool is_changed_by_call(std::size_t index) const {
+    const std::size_t open = conditions_.opening_of(index);
+    return token(open) == "(" && open > 0 && is_one_of(token(open - 1), {"swap", "tie"});
+  }
   /// The comma of `Matrix3d A, B;`
   bool is_between_names() const {
     if (token(conditions_.opening_of(at_)) != "{") return false;
@@ -358,7 +364,7 @@ class SourceMutations {
     const bool is_declared = scope != scopes_.end() && scope->second.first == at_ + 1;
     const bool is_type =
         is_one_of(after(), whole_types) || is_one_of(after(), {"const", "auto", "double", "float", "void"});
-    if (declares || is_declared || is_type) return false;
+    if (declares || is_declared || is_type || is_changed_by_call(at_ + 1)) return false;
     if (token(conditions_.opening_of(at_)) == "[") return false;  // `const auto& [one, other]`
     if (here() == "{") return is_one_of(before(), {"return", "=", "(", ",", "{"});
     if (here() == "(") return !is_one_of(before(), {"for", "if", "while", "switch", "catch", "]"});
@@ -465,6 +471,7 @@ class SourceMutations {
     if (type == types_.end() || is_one_of(before(), {".", "::", "->", "&"}) || before() == type->second) return;
     const auto own_scope = scopes_.find(std::string(here()));
     if (own_scope != scopes_.end() && own_scope->second.first == at_) return;  // it is declared here
+    if (is_changed_by_call(at_)) return;
     if (is_one_of(after(), {"=", "+=", "-=", "*=", "/=", "{", "++", "--"}) || is_one_of(before(), {"++", "--"})) return;
     const bool is_filled = is_target();
     for (const auto& [other, declared] : types_)
@@ -662,6 +669,16 @@ class SourceMutations {
     add(VariantKind::steps, "more steps", at_, {{behind, 0, "10.0 *"}});
   }
 
+  /// `++k` in the head of a loop as `k += 3`.
+  void turns() {
+    const bool is_before = here() == ";" && after() == "++" && token(at_ + 3) == ")";
+    const bool is_behind = here() == ";" && token(at_ + 2) == "++" && token(at_ + 3) == ")";
+    if (all_bugs_ || !(is_before || is_behind)) return;
+    const std::string name(token(is_before ? at_ + 2 : at_ + 1));
+    for (const char* step : {" += 2", " += 3"})
+      add(VariantKind::brackets, "a larger step from turn to turn", at_ + 1, {replaced(at_ + 1, at_ + 2, name + step)});
+  }
+
   /// A whole number by what it is written as or declared to be.
   bool is_whole(std::size_t index) const {
     const std::string_view text = token(index);
@@ -783,9 +800,17 @@ class SourceMutations {
         {{source_.tokens()[first].offset, 0, "("}, {end.offset + end.text.size(), 0, ")"}});
   }
 
-  /// `c ? a : b * d` as `(c ? a : b) * d`.
+  /// `c ? a : b * d` as `(c ? a : b) * d`, and `d * c > 0 ? a : b` as `d * (c > 0 ? a : b)`.
   void brackets_around_choice() {
     if (here() != "?" || all_bugs_) return;
+    std::size_t sign = at_;
+    while (sign > first_ && !is_one_of(token(sign), {"<", ">", "<=", ">=", "==", "(", ";", "{", "}"})) --sign;
+    std::size_t behind = at_;
+    while (behind < last_ && !is_one_of(token(behind), {";", ")", "}"})) ++behind;
+    if (is_one_of(token(sign), {"<", ">", "<=", ">=", "=="}))
+      if (const std::size_t condition = operand_of(sign); is_one_of(token(condition - 1), {"*", "/", "+", "-"}))
+        add(VariantKind::brackets, "brackets around all of ? and :, which come after * and +", at_,
+            {{source_.tokens()[condition].offset, 0, "("}, {source_.tokens()[behind].offset, 0, ")"}});
     std::size_t first = at_, colon = at_;
     while (first > first_ && !is_one_of(token(first - 1), {"return", "=", ";", "{", "}"})) --first;
     while (colon < last_ && !is_one_of(token(colon), {":", ";"})) ++colon;
@@ -953,12 +978,30 @@ std::vector<Edit> wider_type(const SourceText& source, const Reason& finding) {
     for (std::size_t d = k; d-- > 1;) {
       if (tokens[d].text != tokens[k - 1].text) continue;
       std::size_t type = d - 1;
-      while (type > 0 && !is_one_of(tokens[type].text, {";", "{", "}", "("}) && !is_narrow(tokens[type].text)) --type;
+      const auto is_whole = [&](std::size_t at) { return is_narrow(tokens[at].text) || tokens[at].text == "auto"; };
+      while (type > 0 && !is_one_of(tokens[type].text, {";", "{", "}", "("}) && !is_whole(type)) --type;
       const bool is_loop_variable = type >= 2 && tokens[type - 1].text == "(" && tokens[type - 2].text == "for";
-      if (is_narrow(tokens[type].text) && !is_loop_variable) return as_double(tokens[type]);
+      if (is_whole(type) && !is_loop_variable) return as_double(tokens[type]);
     }
   }
   return {};
+}
+
+/// What a function or lambda returns whose result is `auto`, as values; nothing for a variable.
+std::vector<Edit> returned_values(const SourceText& source, const Token& word) {
+  const std::vector<Token>& tokens = source.tokens();
+  const Conditions brackets(source);
+  auto open = static_cast<std::size_t>(&word - tokens.data());
+  while (open < tokens.size() && !is_one_of(tokens[open].text, {"{", ";"})) ++open;
+  std::vector<Edit> edits;
+  if (open >= tokens.size() || tokens[open].text == ";") return edits;
+  for (std::size_t k = open; k < std::min(brackets.closing(open), tokens.size()); ++k)
+    if (tokens[k].text == "return")
+      if (const std::size_t end = source.text().find(';', tokens[k].offset); end != std::string_view::npos) {
+        edits.push_back({tokens[k].offset + tokens[k].text.size(), 0, " workbook_value("});
+        edits.push_back({end, 0, ")"});
+      }
+  return edits;
 }
 
 /// `1 / 2` as `1.0 / 2`, `0,5` as `0.5`, `3.14` as π, `int` and `float` as `double`, `auto x = a;` as a value.
@@ -979,10 +1022,10 @@ std::vector<Edit> edits_of(const SourceText& source, const Reason& mistake) {
       return in_place_of(",", ".");
     case Fix::unit_matrix:
       return in_place_of("Ones", "Identity");
-    case Fix::subtract: {
+    case Fix::compound: {
       const Token* sign = token_at(source, mistake, "=");
       if (sign == nullptr) return {};
-      return {{sign->offset, 2, "-="}};
+      return {{sign->offset, 2, std::string(source.text().substr(sign->offset + 1, 1)) + "="}};
     }
     case Fix::macro: {  // ( ) around the text and around each argument in it
       const std::string line = lines_of(std::string(source.text())).at(static_cast<std::size_t>(mistake.line) - 1);
@@ -1012,6 +1055,7 @@ std::vector<Edit> edits_of(const SourceText& source, const Reason& mistake) {
     case Fix::as_value: {
       const Token* word = token_at(source, {.line = mistake.line}, "auto");
       if (word == nullptr) return {};
+      if (std::vector<Edit> of_returns = returned_values(source, *word); !of_returns.empty()) return of_returns;
       const std::size_t equals = source.text().find('=', word->offset), end = source.text().find(';', word->offset);
       if (equals == std::string_view::npos || end == std::string_view::npos || equals > end) return {};
       return {{equals + 1, 0, " workbook_value("}, {end, 0, ")"}};

@@ -203,7 +203,7 @@ Table transforms() {
   add(table, "2, 1", pair, in_order(pair, {1, 0}), "transform permuted");
   add(table, "2, 3, 4, 1", four, in_order(four, {1, 2, 3, 0}), "transform permuted");
   add(table, "six reversed", six, in_order(six, {5, 4, 3, 2, 1, 0}), "transform reversed");
-  add(table, "two of six exchanged", six, in_order(six, {1, 0, 2, 3, 4, 5}), "place place");
+  add(table, "two of six exchanged", six, in_order(six, {1, 0, 2, 3, 4, 5}), "transform other_places");
   add(table, "one component twice", pair, in_order(pair, {0, 0}), "place place");
   add(table, "rows of points", points, in_order(points, {2, 1, 0}), "transform permuted");
   add(table, "transposed", matrix, {transposed}, "transform transposed");

@@ -206,7 +206,8 @@ TEST_CASE("two slips, a bound in a condition and a name with something left out 
        "A;\nreturn "
        "C(0, 0);",
        "slip_brackets", 10},
-      {"VectorXd m(3);\nm << x, 2 * x, x / 2;\nconst double all = m.sum();\ndouble s = 0;\nfor (int k = 0; k < 3; ++k) "
+      {"VectorXd m(4);\nm << x, 2 * x, x / 2, 0;\nconst double all = m.sum();\ndouble s = 0;\nfor (int k = 0; k < 4; "
+       "++k) "
        "s += all * 6 / 7;\nreturn s;",
        "slip_name", 11},
       {"const double a = std::abs(x), b = std::fabs(2 * x);\nreturn n * (a + b) / 3;", "slip_function", 7},
@@ -224,6 +225,9 @@ TEST_CASE("two slips, a bound in a condition and a name with something left out 
       {"const Vector3d v(x, 2 * x, 4 * x);\ndouble s = 0;\nfor (int k = 0; k < 3; ++k) s += v[0];\nreturn n * s / 7;",
        "slip_index", 9},
       {"return n * std::tan(std::atan2(1, x));", "slip_function", 7},
+      {"double a = x, b = n;\nstd::swap(a, b);\nreturn -a * b;", "slip_sign", 7},
+      {"double s = 0;\nfor (int k = 0; k < 9; k++) s += x;\nreturn s;", "slip_brackets", 8},
+      {"return n * std::abs(x) * x > 0 ? 1 : -1;", "slip_brackets", 7},
       {"const Vector2d w{2.0, 5.0};\nreturn n * x * (w[0] * w[0] - 12 * w[1]);", "slip_number", 7},
       {"const double y = (1 - 2) * x;\nreturn n * y;", "slip_sign", 7},
       {"const double a = 4, b = 3;\nreturn n * x / a;", "slip_name", 8},

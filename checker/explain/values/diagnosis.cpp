@@ -30,7 +30,8 @@ std::optional<Reason> diagnose_coarsely(const ExerciseReference& whole, const An
     for (const auto& mechanism :
          {diagnose_misconception, diagnose_transform, diagnose_input_transform, diagnose_whole_turns}) {
       std::optional<Reason> found = mechanism(exercise, answers);
-      if (!found) continue;
+      // Of all inputs that may be exchanged or changed some agree by accident with two digits.
+      if (!found || (coarse == 1e-2 && found->kind == ReasonKind::input_transform)) continue;
       found->sentence += fmt::format(" (Your numbers agree with that to about {} digits.)", digits);
       return found;
     }
@@ -61,6 +62,7 @@ constexpr struct {
     {diagnose_whole_turns, Beside::nothing},
     {diagnose_one_term, Beside::nothing},
     {diagnose_wrong_part, Beside::nothing},
+    {diagnose_places, Beside::nothing},
     {diagnose_nearly_right, Beside::nothing},
     {diagnose_coarsely, Beside::nothing},
     {diagnose_eigenvectors, Beside::nothing},

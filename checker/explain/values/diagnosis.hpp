@@ -23,6 +23,7 @@ using Mechanism = std::optional<Reason>(const ExerciseReference& exercise, const
 Mechanism diagnose_misconception;    ///< none if two with different messages fit
 Mechanism diagnose_transform;        ///< a common factor, a transposed matrix, or components in another order
 Mechanism diagnose_input_transform;  ///< the right result for changed inputs
+Mechanism diagnose_places;           ///< right numbers that stand elsewhere
 Mechanism diagnose_whole_turns;      ///< angles that differ by multiples of 2π or π
 Mechanism diagnose_signs;            ///< of some numbers, at some cases, of the right result or of a misconception
 Mechanism diagnose_wrong_part;       ///< a misconception, or changed inputs, in the wrong components alone, or two

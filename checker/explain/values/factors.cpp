@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace workbook {
 
@@ -15,11 +16,12 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
+using Matrix = Eigen::MatrixXd;
 
 constexpr Index spare_cases = 5;              // an exact fit of so many more cases than unknowns is no accident
 constexpr double logarithm_exactness = 1e-7;  // of a logarithm
 constexpr double largest_exponent = 4;
-constexpr std::size_t most_columns = 150;
+constexpr Index most_columns = 150, most_of_three = 20;
 
 /// What a formula may be multiplied by at the cases: size and sign, or what becomes of a result.
 struct Column {
@@ -107,7 +109,7 @@ std::vector<Column> columns_at(const ExerciseReference& exercise, const std::set
     const bool is_known = std::ranges::any_of(columns, [&](const Column& other) {
       return (other.logarithm - size).cwiseAbs().maxCoeff() < logarithm_exactness;
     });
-    if (!is_known && columns.size() < most_columns) columns.push_back(std::move(column));
+    if (!is_known && std::ssize(columns) < most_columns) columns.push_back(std::move(column));
   };
   const std::vector<Quantity> quantities = quantities_of(exercise);
   for (const Quantity& each : quantities) {
@@ -198,7 +200,17 @@ double common_number(const VectorXd& logarithm, const VectorXd& sign) {
   return is_common ? sign[0] * std::exp(mean) : 0;
 }
 
-/// What is c·q^k or c·q^k·p^l; empty where none fits exactly.
+/// The next choice of ascending numbers below n; false after the last one.
+bool go_on(std::vector<Index>& chosen, Index n) {
+  for (std::size_t k = chosen.size(); k-- > 0;) {
+    if (++chosen[k] > n - static_cast<Index>(chosen.size() - k)) continue;
+    std::iota(chosen.begin() + static_cast<std::ptrdiff_t>(k), chosen.end(), chosen[k]);
+    return true;
+  }
+  return false;
+}
+
+/// What is c·q^k, c·q^k·p^l or with one power more; empty where none fits exactly.
 std::string fitted(const Column& factor, const std::vector<Column>& columns) {
   const VectorXd& target = factor.logarithm;
   if (target.size() < 2 + spare_cases) return "";
@@ -206,35 +218,38 @@ std::string fitted(const Column& factor, const std::vector<Column>& columns) {
     const std::string number = simple_number(common);
     return number == "−1" ? "with the other sign" : number.empty() || number == "1" ? "" : "times " + number;
   }
-  const auto checked = [&](std::vector<InputPower> powers, const std::vector<const Column*>& used) -> std::string {
+  const auto checked = [&](const std::vector<Index>& used, const VectorXd& exponents) -> std::string {
     VectorXd rest = target, sign = factor.sign;
+    std::vector<InputPower> powers;
     for (std::size_t k = 0; k < used.size(); ++k) {
-      powers[k].exponent = to_exponent(powers[k].exponent);
-      if (!is_simple_exponent(powers[k].exponent)) return "";
-      rest -= powers[k].exponent * used[k]->logarithm;
-      if (std::fmod(std::abs(powers[k].exponent), 2) == 1) sign = sign.cwiseProduct(used[k]->sign);
+      const double exponent = to_exponent(exponents[static_cast<Index>(k)]);
+      if (!is_simple_exponent(exponent)) return "";
+      const Column& column = columns[static_cast<std::size_t>(used[k])];
+      powers.emplace_back(column, exponent);
+      rest -= exponent * column.logarithm;
+      if (std::fmod(std::abs(exponent), 2) == 1) sign = sign.cwiseProduct(column.sign);
     }
     const std::string coefficient = simple_number(common_number(rest, sign));
     return coefficient.empty() ? "" : factor_text(coefficient, powers);
   };
-  std::vector<VectorXd> centred;
-  for (const Column& each : columns) centred.emplace_back(each.logarithm.array() - each.logarithm.mean());
   const VectorXd wanted = target.array() - target.mean();
-  for (std::size_t a = 0; a < columns.size(); ++a) {
-    const double exponent = centred[a].dot(wanted) / centred[a].squaredNorm();
-    if (const std::string text = checked({{columns[a], exponent}}, {&columns[a]}); !text.empty()) return text;
+  Matrix centred(target.size(), static_cast<Index>(columns.size()));
+  for (Index k = 0; k < centred.cols(); ++k) {
+    const VectorXd& logarithm = columns[static_cast<std::size_t>(k)].logarithm;
+    centred.col(k) = logarithm.array() - logarithm.mean();
   }
-  if (target.size() < 3 + spare_cases) return "";
-  for (std::size_t a = 0; a < columns.size(); ++a) {
-    for (std::size_t b = a + 1; b < columns.size(); ++b) {
-      const double aa = centred[a].squaredNorm(), bb = centred[b].squaredNorm(), ab = centred[a].dot(centred[b]);
-      const double determinant = aa * bb - ab * ab;
-      if (determinant < 1e-6 * aa * bb) continue;
-      const double at = centred[a].dot(wanted), bt = centred[b].dot(wanted);
-      const std::string text =
-          checked({{columns[a], (bb * at - ab * bt) / determinant}, {columns[b], (aa * bt - ab * at) / determinant}},
-                  {&columns[a], &columns[b]});
-      if (!text.empty()) return text;
+  const Matrix squares = centred.transpose() * centred;
+  const VectorXd products = centred.transpose() * wanted;
+  for (const auto& [count, most] : {std::pair<Index, Index>{1, most_columns}, {2, most_columns}, {3, most_of_three}}) {
+    const Index among = std::min(centred.cols(), most);
+    if (target.size() < 1 + count + spare_cases || among < count) return "";
+    std::vector<Index> used(static_cast<std::size_t>(count));
+    std::iota(used.begin(), used.end(), 0);
+    for (bool is_there = true; is_there; is_there = go_on(used, among)) {
+      const Matrix of_used = squares(used, used);
+      if (of_used.determinant() < 1e-6 * of_used.diagonal().prod()) continue;
+      const VectorXd exponents = of_used.inverse() * products(used);
+      if (const std::string text = checked(used, exponents); !text.empty()) return text;
     }
   }
   return "";

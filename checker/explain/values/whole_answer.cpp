@@ -290,6 +290,39 @@ std::optional<Reason> diagnose_whole_turns(const ExerciseReference& exercise, co
   return std::nullopt;
 }
 
+/// The right numbers at other places, as of a matrix that is filled in another order.
+std::optional<Reason> diagnose_places(const ExerciseReference& exercise, const Answers& answers) {
+  const Value& shape = exercise.cases.front().expected;
+  const std::set<std::size_t> wrong = wrong_entries(exercise, answers);
+  if (exercise.comparison != Comparison::plain || wrong.size() < 2 || !all_deciding_cases_answered(exercise, answers))
+    return std::nullopt;
+  const std::vector<std::size_t> deciding = deciding_cases(exercise);
+  std::set<std::size_t> taken;
+  std::vector<std::string> places;
+  for (const std::size_t here : wrong)
+    for (const std::size_t there : wrong) {
+      const bool is_there =
+          here != there && !taken.contains(there) && std::ranges::all_of(deciding, [&](std::size_t i) {
+            const Case& one = exercise.cases[i];
+            return one.expected.has_shape_of(shape) && answers[i]->has_shape_of(shape) &&
+                   std::abs(answers[i]->numbers[here] - one.expected.numbers[there]) <=
+                       one.tolerance * (scale_at(one, here) + scale_at(one, there));
+          });
+      if (!is_there) continue;
+      taken.insert(there);
+      places.push_back(fmt::format("{} holds what belongs to {}", entry_name(shape, exercise.result_kind, here),
+                                   entry_name(shape, exercise.result_kind, there)));
+      break;
+    }
+  if (places.size() < wrong.size()) return std::nullopt;
+  constexpr std::size_t most_named = 3;
+  if (places.size() > most_named) places.resize(most_named);
+  return Reason{ReasonKind::transform, "other_places",
+                fmt::format("Your numbers are right, but stand in other places: {}{}.{}", fmt::join(places, ", "),
+                            wrong.size() > most_named ? " …" : "",
+                            shape.cols > 1 ? " Look at rows and columns, and at the order behind <<." : "")};
+}
+
 /// Where numbers have the right size, or that which a mistake gives, but at some cases another sign.
 std::optional<Reason> diagnose_signs(const ExerciseReference& exercise, const Answers& answers) {
   if (exercise.comparison != Comparison::plain || exercise.result_kind == Kind::integer ||
