@@ -94,7 +94,7 @@ const std::vector<MessageMistake> error_table = {
     {"list_in_brackets", ".", "[ ] makes no vector or matrix: write Vector3d(a, b, c), or put the numbers in by <<.",
      R"((?:return|<<|[-+*/=(,])\s*(?:[\w:]*(?:Vector|Matrix)[23X]+d)?\s*(\[(?![&=])(?=[^\]]*(?:[,;]|[\w.)]\s+[\w(]))(?:[^\[\]{}]|(?1))*\])(?!\s*[({<]))"},
     {"list_in_braces", ".", "Braces alone are no vector in a formula: write Vector3d(a, b, c).",
-     R"([-+*/]\s*\{[^{};]*,|(?:return|[-+*/=(,])\s*\{[^{};]*,[^{};]*\}\s*[-+*/])"},
+     R"([-+*/?]\s*\{[^{};]*,|(?:return|[-+*/=(,])\s*\{[^{};]*,[^{};]*\}\s*[-+*/])"},
     {"brackets_for_parentheses", ".", "A part of a formula stands in ( ), not in [ ] or { }.",
      R"((?:[-+*/]|\breturn)\s*\[[^\[\]]*\](?!\s*[({])|[-+*/]\s*\{)"},
     {"matrix_brackets", ".", "There is no [[ ]] in C++: an entry is A(i, j) or v[i], and the first index is 0.",
@@ -155,7 +155,8 @@ const std::vector<MessageMistake> error_table = {
      "Two vectors cannot be multiplied by *: a.dot(b) is the scalar product, a.cross(b) the cross product, "
      "a.cwiseProduct(b) that of each component, a * b.transpose() the dyad; one component is a[i]."},
     {"cross_size", R"(VECTORS_OF_A_SPECIFIC_SIZE[^]*in OrthoMethods\.h)",
-     "`cross` needs two vectors whose types have exactly three components: use Vector3d, not VectorXd."},
+     "`cross` needs two vectors whose types have exactly three components: Vector3d, not VectorXd; of a matrix, one "
+     "column A.col(j)."},
     {"matrix_constructor", "VECTORS_OF_A_SPECIFIC_SIZE[^]*(Derived = Matrix|_Cols = ([2-9]|-1))",
      "The numbers of a matrix do not go into its parentheses: define the matrix, then write A << 1, 2, 3, ...;"},
     {"matrix_constructor", "VECTORS_OF_A_SPECIFIC_SIZE[^]*_Rows = -1; int _Cols = 1",
@@ -274,7 +275,7 @@ const std::vector<MessageMistake> error_table = {
      "'.*\\(.*::\\)\\(\\)|call to [^\n]*\\(&\\)\\(\\)|cannot convert '\\w+ \\(\\*\\)\\(.*\\).*' to",
      "A function is named here, but not called: its parentheses are missing, as in A.transpose() or cos(x)."},
     {"for_with_commas", "expected", "The parts of for are separated by ; as in for (int i = 0; i < 3; ++i)",
-     R"(\bfor\s*\([^;:()]*,[^;:()]*\))"},
+     R"(\bfor\s*\((?:[^;:()]|\([^()]*\))*,(?:[^;:()]|\([^()]*\))*\))"},
     {"for_with_commas", "expected", "for has three parts, with two ; between them: for (int i = 0; i < 3; ++i)",
      R"(\bfor\s*\(((?:[^;:()]|(\((?:[^()]|(?2))*\)))*);(?1)(?:;(?1);(?1))?\))"},
     {"missing_comma", R"(expected '\)' before ';')", "Between arguments stands a comma, not a ;",
@@ -324,7 +325,7 @@ const std::vector<MessageMistake> error_table = {
      "In a call only values stand in the parentheses, without their types.", R"(\w\s*\([^()]*@)"},
     {"column_by_colon", "before ':' token",
      "A column of a matrix is A.col(j), a row is A.row(i), a part v.segment(i, n); a : does not belong here.",
-     R"(\w\s*[(\[][^()\[\];?]*@:)"},
+     R"(\w\s*[(\[](?:[^()\[\];?]|\([^()]*\))*@:)"},
     {"missing_opening_brace", "^(named return values|expected identifier before)",
      "The { that begins the body of the function is missing above this line.", R"(^\s*return\b)"},
     {"missing_opening_brace", "^expected initializer before",
@@ -439,6 +440,10 @@ const std::vector<MessageMistake> error_table = {
     {"list_of_vectors", "'operator=' .*types are <matrix> and <number>",
      "`%1[...]` is a whole $1: `%1` is a list of such. For a single one leave out the [ ] where it is declared.",
      R"(^\s*(\w+)\s*\[[^\[\]]*\]\s*=)"},
+    {"missing_multiplication",
+     R"(^conversion from '(?:int|double)' to non-scalar|^no viable conversion from '(?:int|double)')",
+     "A * is missing after a number: a product is written 2 * x, not 2 x.",
+     R"((?:[=(,*/+-]|return)\s*@?\d[\d.]*\s+[A-Za-z_])"},
     {"number_for_matrix",
      "(?:'operator=' .*types are <matrix> and <number>|conversion from <number> to non-scalar type "
      "<matrix>)",
@@ -462,7 +467,12 @@ const std::vector<MessageMistake> error_table = {
      "One = gives one value: write double a = v[0], b = v[1];",
      R"((?:^|;)\s*(?:const )?(?:double\s+|auto\s+)?\w+\s*(?:,\s*\w+\s*)+=(?!=))"},
     {"wrong_kind", R"(conver(?:t|sion)(?: '.*')?(?: from)? '(?:const )?((?:3×1 v|V)ector\w*)&*' to <number>)",
-     "A number is needed here, but this is a `$1`: one component is v[0], the length v.norm()."},
+     "A number is needed here, but this is a `$1`: one component is v[0], the length v.norm(); to keep all of it, "
+     "declare "
+     "a Vector3d."},
+    {"lambda_as_pointer", R"(<lambda[^\n]* to '[^'\n]*\(\*\)|lambda at [^\n]* to '[^'\n]*\(\*\))",
+     "A lambda that sees variables is no plain function: take it as const std::function<double(double)>&, or const "
+     "auto&."},
     {"wrong_kind", R"(conver(?:t|sion)(?: '.*')?(?: from)? <type> to (?:non-scalar type )?<type>)",
      "`$2` is needed here, but this is `$1`."},
     {"wrong_kind", "reference of type <type> (?:from expression|to .*) of type <type>",

@@ -181,6 +181,18 @@ const std::vector<TextMistake>& table() {
            R"(\) \. (?:transpose|col|row|block|head|tail|segment|diagonal|array|matrix)\b[^\n]* ;$)",
        "With auto, `$1` reads from what the function has returned, which is gone after this line: write its type.",
        nullptr, "", Weight::possible, Fix::as_value},
+      {"changed_in_statement",
+       R"(^(?:(?:for|while|if) [^\n]*\) )?\w+ [\[(] (\w+) [\])] = [^\n]*\b\1 (?:\+\+|--)[^\n]* ;$)",
+       "`$1` changes in this statement, and the index before the = is the new one: change it in a statement of its "
+       "own.",
+       nullptr, "", Weight::possible},
+      {"unsigned_difference",
+       R"(^for \( (?:std :: )?(?:unsigned|size_t)(?: int| long)? (\w+) = (?:[^\n]*\n)*?[^\n]*(?:\(|=|,) (\d+ - (?:\d+ \* )?\1)(?! \])\b[^\n]*$)",
+       "`$2` is never negative but huge, for `$1` has no sign: count with int."},
+      {"size_for_end", R"(\. (block) \( (?:[^(),]* , )?(\w+) , (?:\w+ , )?\2 \+ \w+ \))",
+       "The last numbers of $1() are sizes, not ends: $1(row, column, rows, columns).", nullptr, "", Weight::possible},
+      {"size_for_end", R"(\. (segment) \( (\w+) , \2 \+ \w+ \))",
+       "The last number of $1() is a size, not an end: $1(first, how many).", nullptr, "", Weight::possible},
       {"modulo_first", R"([-+] (\d{1,9} % \d{1,9})(?= |$))",
        "`$1` is a number of its own: % binds before + and -. Write (i + 1) % 3 for what is meant."},
       {"size_for_length", R"((?:^| )(\w+) / \1 \. size \( \))",
@@ -236,7 +248,7 @@ const std::vector<TextMistake>& table() {
        R"(^(?:const )?auto (\w+) = ([^\n]*\. (?:col|row|head|tail|segment|block|diagonal)\b[^\n]*) ;\n\2 = [^\n]* ;\n[^\n]* = \1 ;$)",
        "With auto, `$1` is no copy but `$2` itself, which has changed before it is used: write its type."},
       {"changed_copy",
-       R"((?:\]|void \w+) \( (?:[^()]*, )?(?:(?:Matrix|Vector)\w+|double|int|auto) (\w+)[^()]*\) \{\n(?:(?!return|if|for|while)[^\n]* ;\n)*?\1 [-+*/]?= [^\n]* ;\n\}(?: ;)?$)",
+       R"((?:\]|void \w+) \( (?:[^()]*, )?(?:(?:Matrix|Vector)\w+|double|int|auto) (\w+)[^()]*\) \{\n(?:(?!return|if|for|while)[^\n]* ;\n)*?\1 (?:[\[(] [^\n=]* [\])] )?[-+*/]?= [^\n]* ;\n\}(?: ;)?$)",
        "`$1` is a copy of what the function is called with, and nothing is returned: write & behind its type."},
       {"semicolon_in_list",
        R"(^\w+(?: \. \w+ \( [^()\n]*\))? << [^\n]* (;)\n(?!(?:\w+ (?::: )?)*[A-Za-z_]\w* [A-Za-z_]\w* |return|[^\n]* (?:=|<<) ))"
@@ -252,9 +264,6 @@ const std::vector<TextMistake>& table() {
       {"overwritten", R"(^([\w.\[\]() ,]+) = ([\w.\[\]() ,]+) ;\n\2 = \1 ;$)",
        "`$2` gets back here what it has just given to `$1`, so this changes nothing: std::swap exchanges two values.",
        nullptr, "", Weight::possible},
-      {"return_in_loop",
-       R"(^for \( .* \) \{(?:\n(?!if|else|while|do|switch|case|break|continue)[^\n]* ;)*\n(return) [^\n]*$)",
-       "This return ends the loop in its first turn: it belongs after the } of the loop."},
       {"printed_value", R"((cout) << [^\n]* ;\nreturn 0(?:\.0*)? ;\n\}$)",
        "What is printed is no result: return it in place of the 0.", nullptr, " if "},
       {"copied_element", R"(for \( [^\n&]*\b(\w+) : [^\n]*\) (?:\{\n(?=[^\n]*\n\}$))?\1 [-+*/]?= [^\n]* ;(?:\n\})?$)",
@@ -356,6 +365,49 @@ std::size_t kept_by_lambda(std::span<const Token> tokens, std::size_t open) {
   return 0;
 }
 
+/// The { around a token, or 0.
+std::size_t brace_around(std::span<const Token> tokens, std::size_t at) {
+  int depth = 0;
+  for (std::size_t k = at; k-- > 0;) {
+    depth += tokens[k].text == "{" ? 1 : tokens[k].text == "}" ? -1 : 0;
+    if (depth > 0) return k;
+  }
+  return 0;
+}
+
+/// Is this the { of a loop?
+bool opens_loop(std::span<const Token> tokens, std::size_t brace) {
+  if (brace == 0 || tokens[brace].text != "{") return false;
+  int depth = 0;
+  for (std::size_t k = brace; k-- > 0;) {
+    depth += tokens[k].text == ")" ? 1 : tokens[k].text == "(" ? -1 : 0;
+    if (depth == 0) return k > 0 && tokens[k].text == "(" && is_one_of(tokens, k - 1, " for while ");
+  }
+  return false;
+}
+
+/// for (…) { … return x; } @returns does the return always end the loop in its first turn?
+bool ends_loop_at_once(std::span<const Token> tokens, std::size_t returns) {
+  const std::size_t brace = brace_around(tokens, returns);
+  return opens_loop(tokens, brace) &&
+         !has_one_of(tokens.subspan(brace, returns - brace), " continue break switch do case ");
+}
+
+/// for (…) { double s = 0; … s += x; … } @returns the token at which the sum has its only term, or 0
+std::size_t sum_of_one_term(std::span<const Token> tokens, std::size_t declared) {
+  const std::size_t brace = brace_around(tokens, declared);
+  if (!opens_loop(tokens, brace)) return 0;
+  std::size_t found = 0;
+  int depth = 0;
+  for (std::size_t k = declared + 1; k < tokens.size() && depth >= 0; ++k) {
+    depth += tokens[k].text == "{" ? 1 : tokens[k].text == "}" ? -1 : 0;
+    if (tokens[k].text != tokens[declared].text || !is_one_of(tokens, k + 1, " = += -= *= /= [ ( . ")) continue;
+    if (found > 0 || depth > 0 || !is_one_of(tokens, k + 1, " += ") || !is_one_of(tokens, k - 1, " ; } ")) return 0;
+    found = k;
+  }
+  return found;
+}
+
 /// double w[3]; … w[3] @returns the token with an index that the array does not have, or 0; in its block, as long as
 /// nothing else there is called like it
 std::size_t index_beyond(std::span<const Token> tokens, std::size_t declared, long size) {
@@ -446,13 +498,21 @@ std::vector<Reason> text_mistakes(const SourceText& source) {
             first ? "Nothing in this loop changes `$1`, so it never ends." : "Nothing ends this loop.",
             Weight::possible);
     }
+    if (statement.text.starts_with("return ") && ends_loop_at_once(tokens, statement.tokens.front()))
+      add(statement.tokens.front(), "return_in_loop", {},
+          "This return ends the loop in its first turn: it belongs after the } of the loop.");
+    if (const Match sum = search(statement.text, R"(^double (\w+) = 0(?:\.0*)? ;$)"))
+      if (sum_of_one_term(tokens, statement.token_at(sum.offsets[1])) > 0)
+        add(statement.tokens.front(), "restarted_sum", sum,
+            "`$1` begins at 0 again in every turn of the loop: give it this value before the loop.", Weight::possible);
     const Match local =
         search(statement.text, R"(^(?:double|int|(?:Eigen :: )?(?:Vector|Matrix)\w+) (\w+) (?:=|;|\())");
     if (local && !is_outside)
       if (const std::size_t given = never_read(tokens, statement.token_at(local.offsets[1])); given > 0)
         add(given, "never_read", local, "What `$1` is given here is read nowhere: it is a variable of its own.",
             Weight::possible);
-    if (const Match call = search(statement.text, R"(^(\w+) \( .* ;$)");
+    if (const Match call =
+            search(statement.text, R"(^(?:(?:else )?(?:if|while) \( (?:[^()]|\([^()]*\))* \) |else )?(\w+) \( .* ;$)");
         call && values_of.find(" " + call[1] + " ") != std::string::npos)
       add(statement.tokens.front(), "discarded_result", call,
           "`$1` hands its result back, which is dropped here: write x = $1(...).",
@@ -470,14 +530,14 @@ std::vector<Reason> text_mistakes(const SourceText& source) {
               : "`$2` keeps its value from one call to the next, and results depend on earlier ones: leave "
                 "`static` out.",
           Weight::possible, Fix::not_static);
-    if (const Match given = search(statement.text, R"(^(\w+(?: [.\[(][^=]*)?) (=) - )")) {
+    if (const Match given = search(statement.text, R"(^(\w+(?: [.\[(][^=]*)?) (=) ([-+]) )")) {
       const std::size_t at = statement.token_at(given.offsets[2]);
       const auto follows = [&](std::size_t k) {
         return tokens[k].offset == tokens[k - 1].offset + tokens[k - 1].text.size();
       };
       if (follows(at + 1) && !follows(at + 2))
-        add(at, "unary_minus", given, "=- only assigns, with the other sign; what subtracts from a variable is -=.",
-            Weight::possible, Fix::subtract);
+        add(at, given[3] == "-" ? "unary_minus" : "unary_plus", given,
+            "=$3 only assigns; what changes a variable by what follows is $3=.", Weight::possible, Fix::compound);
     }
     for (const std::size_t k : statement.tokens) {
       const std::string_view token = tokens[k].text;

@@ -45,7 +45,7 @@ enum class Fix {
   no_noalias,
   as_value,
   unit_matrix,
-  subtract,
+  compound,
   macro
 };
 

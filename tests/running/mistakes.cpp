@@ -557,6 +557,7 @@ TEST_CASE("a result that is dropped is told, not a call that changes its argumen
   CHECK(names("std::sqrt(x);\nreturn x;") == "discarded_result ");
   CHECK(names("Matrix3d A, B;\nA * B;\nreturn x;") == "discarded_result ");
   CHECK(names("Matrix3d* p;\nx -= 1;\nx++;\ny = A * B;\nreturn x;").empty());
+  CHECK(names("return x;\n}\ndouble wrap(double y) {\nif (y > 3) wrap(y - 3);\nreturn y;") == "discarded_result ");
   CHECK(names("using Rows = Matrix3d;\nRows* p;\nreturn x;").empty());
   CHECK(
       names("return x;\n}\ndouble half(double y) {\nreturn y / 2;\n}\ndouble other(double x) {\nhalf(x);\nreturn x;") ==
@@ -584,6 +585,8 @@ TEST_CASE("sizes and ends of loops are told, not those that are given or hold") 
 
 TEST_CASE("a lambda that changes copies is told, not one that keeps a counter or changes what is outside") {
   CHECK(names("double s = 0;\nauto add = [s](double y) mutable { s += y; };\nadd(x);\nreturn s;") == "captured_copy ");
+  CHECK(names("return x;\n}\nvoid turn(Vector3d v, double y) {\nv(0) = y * v(0);\n}\ndouble other(double x) {\nreturn "
+              "x;") == "changed_copy ");
   CHECK(names("auto next = [n = 0.0]() mutable { return ++n; };\nreturn next() * x;").empty());
   CHECK(names("double s = 0;\nauto add = [&s](double y) mutable { s += y; };\nadd(x);\nreturn s;").empty());
 }
@@ -598,6 +601,12 @@ TEST_CASE("a lambda that keeps an old value is told, not one that is called befo
 TEST_CASE("signs that C++ reads otherwise are told, not those that are meant so") {
   CHECK(names("x =- 2 * x;\nreturn x;") == "unary_minus ");
   CHECK(names("x = -2 * x;\nx =-2;\nreturn x;").empty());
+  CHECK(names("x =+ 2 * x;\nreturn x;") == "unary_plus ");
+  CHECK(names("x = +2 * x;\nreturn x;").empty());
+  CHECK(names("v[i] = w[i++];\nreturn v[0];") == "changed_in_statement ");
+  CHECK(names("v[i] = w[i];\ni++;\nreturn v[0];").empty());
+  CHECK(names("for (unsigned k = 0; k < 2; ++k) x += (1 - 2 * k) * x;\nreturn x;") == "unsigned_difference ");
+  CHECK(names("for (unsigned k = 0; k < 2; ++k) x += w[1 - k];\nreturn x;").empty());
   CHECK(names("return v[i + 1 % 3];") == "modulo_first ");
   CHECK(names("return v[(i + 1) % 3];").empty());
   CHECK(names("return v[(i - 1) % 3];") == "negative_remainder ");
@@ -641,6 +650,17 @@ TEST_CASE("an index behind an array is told in the array's block, and not of ano
 TEST_CASE("a return that ends a loop in its first turn is told, not one behind a condition; so is a wrong counter") {
   CHECK(names("for (int i = 0; i < 2; ++i) {\nx += 1;\nreturn x;\n}\nreturn x;") == "return_in_loop ");
   CHECK(names("for (int i = 0; i < 2; ++i) {\nif (x > 1) return x;\nx += 1;\n}\nreturn x;").empty());
+  CHECK(names("for (int i = 0; i < 2; ++i) {\nif (x > 1) {\nx -= 1;\n}\nreturn x;\n}\nreturn x;") == "return_in_loop ");
+  CHECK(names("for (int i = 0; i < 2; ++i) {\nif (x > 1) continue;\nreturn x;\n}\nreturn x;").empty());
+  CHECK(names("for (int i = 0; i < 2; ++i) {\ndouble s = 0;\ny = x * x;\ns += y;\nv[i] = s;\n}\nreturn v[0];") ==
+        "restarted_sum ");
+  CHECK(names("for (int i = 0; i < 2; ++i) {\ndouble s = 0;\nfor (int k = 0; k < 2; ++k) {\ns += x;\n}\nv[i] = "
+              "s;\n}\nreturn "
+              "v[0];")
+            .empty());
+  CHECK(names("for (int i = 0; i < 2; ++i) {\ndouble s = 0;\ns += x;\ns += y;\nv[i] = s;\n}\nreturn v[0];").empty());
+  CHECK(names("const Matrix3d T = A.block(0, k, 3, k + 3);\nreturn T(0, 0);") == "size_for_end ");
+  CHECK(names("const Matrix3d T = A.block(0, k, 3, 3);\nreturn T(0, 0);").empty());
   CHECK(names("for (int i = 0; i < 3; i++)\nfor (int j = 0; j < 3; i++) x += 1;\nreturn x;") == "other_counter ");
   CHECK(names("for (int i = 0; i < 2; ++i) {\nif (x > 1) {\nreturn x;\n}\nx += 1;\n}\nreturn x;").empty());
 }

@@ -52,6 +52,17 @@ TEST_CASE("matrices travel column by column") {
   CHECK(replies[0].value == Value{3, 3, {10, 20, 70, 40, 50, 60, 70, 80, 90}});
 }
 
+TEST_CASE("what a function adds to a result that it never filled is absurd at every call") {
+  ExerciseRunner runner(
+      executable("rigid::Matrix3d rigid::scaled(const Matrix3d& A, double factor) { Matrix3d B(3, 3); "
+                 "B += factor * A; return B; }",
+                 "scaled"),
+      short_limits());
+  const PlannedCall call{{Value{3, 3, {1, 2, 3, 4, 5, 6, 7, 8, 9}}, vector_of({10})}, 3, 3};
+  for (const Reply& reply : runner.evaluate({call, call, call}))
+    for (const double number : reply.value.numbers) CHECK(number < -1e300);
+}
+
 TEST_CASE("lists of matrices and points travel, empty ones too") {
   ExerciseRunner runner(executable(R"(
     rigid::Matrix3Xd rigid::moved(const std::vector<Matrix3d>& matrices, const Matrix3Xd& points) {
