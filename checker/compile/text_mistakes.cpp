@@ -188,7 +188,7 @@ const std::vector<TextMistake>& table() {
        nullptr, "", Weight::possible},
       {"unsigned_difference",
        R"(^for \( (?:std :: )?(?:unsigned|size_t)(?: int| long)? (\w+) = (?:[^\n]*\n)*?[^\n]*(?:\(|=|,) (\d+ - (?:\d+ \* )?\1)(?! \])\b[^\n]*$)",
-       "`$2` is never negative but huge, for `$1` has no sign: count with int."},
+       "`$2` is never negative but huge, for `$1` has no sign: count with int.", nullptr, "", Weight::possible},
       {"size_for_end", R"(\. (block) \( (?:[^(),]* , )?(\w+) , (?:\w+ , )?\2 \+ \w+ \))",
        "The last numbers of $1() are sizes, not ends: $1(row, column, rows, columns).", nullptr, "", Weight::possible},
       {"size_for_end", R"(\. (segment) \( (\w+) , \2 \+ \w+ \))",
@@ -229,7 +229,7 @@ const std::vector<TextMistake>& table() {
        "$1 keeps only what stands before the decimal point.", nullptr, "", Weight::possible, Fix::as_double},
       // Several statements.
       {"uninitialized_variable",
-       R"(^(Matrix[234]d|Vector[234]d) (\w+) (?:\( [\d ,]+ \) )?;\n(?:(?!(?:if|else|switch|while|do)\b|[^\n]*\b\2\b)[^\n]*\n)*(?:for \( [^\n]*\) )?\2 [-+]= [^\n]*$)",
+       R"(^(Matrix[234]d|Vector[234]d) (\w+) (?:\( \d \) )?;\n(?:(?!(?:if|else|switch|while|do)\b|[^\n]*\b\2\b)[^\n]*\n)*(?:for \( [^\n]*\) )?\2 [-+]= [^\n]*$)",
        "`$2` begins with no value, but is added to below: write $1 $2 = $1::Zero();", nullptr, own_types, Weight::cause,
        Fix::none, false},
       {"uninitialized_variable",
@@ -352,6 +352,13 @@ std::size_t kept_by_lambda(std::span<const Token> tokens, std::size_t open) {
   for (std::size_t k = keeps_all ? body : open + 1; k < (keeps_all ? end : close); ++k) {
     if (is_one_of(tokens, k - 1, " & . :: ") || std::isalpha(static_cast<unsigned char>(tokens[k].text[0])) == 0)
       continue;
+    bool is_its_own = false;  // a variable of the lambda with that name
+    for (std::size_t j = close + 1; j < end; ++j) {
+      const std::size_t type = is_one_of(tokens, j - 1, " & ") ? j - 2 : j - 1;
+      is_its_own = is_its_own || (tokens[j].text == tokens[k].text && !is_one_of(tokens, type, " return ") &&
+                                  std::isalpha(static_cast<unsigned char>(tokens[type].text[0])) != 0);
+    }
+    if (is_its_own) continue;
     bool is_changed = false;
     int depth = 0;
     for (std::size_t later = end + 1; later < tokens.size() && depth >= 0; ++later) {
