@@ -807,7 +807,7 @@ class SourceMutations {
     while (sign > first_ && !is_one_of(token(sign), {"<", ">", "<=", ">=", "==", "(", ";", "{", "}"})) --sign;
     std::size_t behind = at_;
     while (behind < last_ && !is_one_of(token(behind), {";", ")", "}"})) ++behind;
-    if (is_one_of(token(sign), {"<", ">", "<=", ">=", "=="}))
+    if (is_one_of(token(sign), {"<", ">", "<=", ">=", "=="}) && behind < last_)
       if (const std::size_t condition = operand_of(sign); is_one_of(token(condition - 1), {"*", "/", "+", "-"}))
         add(VariantKind::brackets, "brackets around all of ? and :, which come after * and +", at_,
             {{source_.tokens()[condition].offset, 0, "("}, {source_.tokens()[behind].offset, 0, ")"}});
