@@ -400,8 +400,7 @@ const std::vector<MessageMistake> error_table = {
      R"((?:^|;)\s*(?!return\b)[^;=]*=[^;=]*,)"},
     {"changed_constant", "discards qualifiers|is not marked const",
      "`normalize()` changes the vector itself, and this one is const: leave that out where it is declared, or take "
-     "what "
-     "`normalized()` returns.",
+     "what `normalized()` returns.",
      R"(^\s*\w+\.normalize\s*\(\s*\)\s*;)"},
     {"normalize_in_place", "discards qualifiers|^invalid use of 'void'|from 'void'",
      "`normalize()` changes the vector itself and returns nothing; `normalized()` returns the unit vector.",
@@ -468,8 +467,7 @@ const std::vector<MessageMistake> error_table = {
      R"((?:^|;)\s*(?:const )?(?:double\s+|auto\s+)?\w+\s*(?:,\s*\w+\s*)+=(?!=))"},
     {"wrong_kind", R"(conver(?:t|sion)(?: '.*')?(?: from)? '(?:const )?((?:3×1 v|V)ector\w*)&*' to <number>)",
      "A number is needed here, but this is a `$1`: one component is v[0], the length v.norm(); to keep all of it, "
-     "declare "
-     "a Vector3d."},
+     "declare a Vector3d."},
     {"lambda_as_pointer", R"(<lambda[^\n]* to '[^'\n]*\(\*\)|lambda at [^\n]* to '[^'\n]*\(\*\))",
      "A lambda that sees variables is no plain function: take it as const std::function<double(double)>&, or const "
      "auto&."},

@@ -400,19 +400,19 @@ bool ends_loop_at_once(std::span<const Token> tokens, std::size_t returns) {
          !has_one_of(tokens.subspan(brace, returns - brace), " continue break switch do case ");
 }
 
-/// for (…) { double s = 0; … s += x; … } @returns the token at which the sum has its only term, or 0
-std::size_t sum_of_one_term(std::span<const Token> tokens, std::size_t declared) {
+/// for (…) { double s = 0; … s += x; … } @returns has the sum a single term, which is added once in each turn?
+bool is_sum_of_one_term(std::span<const Token> tokens, std::size_t declared) {
   const std::size_t brace = brace_around(tokens, declared);
-  if (!opens_loop(tokens, brace)) return 0;
-  std::size_t found = 0;
+  if (!opens_loop(tokens, brace)) return false;
+  bool has_term = false;
   int depth = 0;
   for (std::size_t k = declared + 1; k < tokens.size() && depth >= 0; ++k) {
     depth += tokens[k].text == "{" ? 1 : tokens[k].text == "}" ? -1 : 0;
     if (tokens[k].text != tokens[declared].text || !is_one_of(tokens, k + 1, " = += -= *= /= [ ( . ")) continue;
-    if (found > 0 || depth > 0 || !is_one_of(tokens, k + 1, " += ") || !is_one_of(tokens, k - 1, " ; } ")) return 0;
-    found = k;
+    if (has_term || depth > 0 || !is_one_of(tokens, k + 1, " += ") || !is_one_of(tokens, k - 1, " ; } ")) return false;
+    has_term = true;
   }
-  return found;
+  return has_term;
 }
 
 /// double w[3]; … w[3] @returns the token with an index that the array does not have, or 0; in its block, as long as
@@ -509,7 +509,7 @@ std::vector<Reason> text_mistakes(const SourceText& source) {
       add(statement.tokens.front(), "return_in_loop", {},
           "This return ends the loop in its first turn: it belongs after the } of the loop.");
     if (const Match sum = search(statement.text, R"(^double (\w+) = 0(?:\.0*)? ;$)"))
-      if (sum_of_one_term(tokens, statement.token_at(sum.offsets[1])) > 0)
+      if (is_sum_of_one_term(tokens, statement.token_at(sum.offsets[1])))
         add(statement.tokens.front(), "restarted_sum", sum,
             "`$1` begins at 0 again in every turn of the loop: give it this value before the loop.", Weight::possible);
     const Match local =
