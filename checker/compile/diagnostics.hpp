@@ -47,7 +47,8 @@ std::string in_plain_words(std::string_view text);
 /// as it came; in it <number>, <matrix>, <value> (one of both), <list> and <type> stand for a quoted type. `code`
 /// matches the student's line without comments, where @ marks the column. In the sentence $1 is what `message` matched,
 /// %1 what `code` matched, $right the right spelling of $1, $member the one of a member $1, $contract the signature of
-/// the exercise, $elsewhere where else the name $1 is declared; without such a place it is another mistake.
+/// the exercise, $elsewhere where else the name $1 is declared, $unclosed the line before which a { is not closed;
+/// without such a place it is another mistake.
 struct MessageMistake {
   const char* name;
   const char* message;

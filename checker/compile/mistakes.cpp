@@ -41,6 +41,32 @@ std::string elsewhere(const SourceText& source, Place place, const std::string& 
   return "";
 }
 
+/// The { that is not closed before a line that is indented no further than its own, although its block begins further
+/// in; and that line, 0 if there is none.
+std::pair<std::size_t, int> unclosed_by_indentation(const SourceText& source) {
+  const std::vector<Token>& tokens = source.tokens();
+  std::vector<std::pair<std::size_t, int>> open;  // each { and the indentation of its line
+  int indentation = 0;
+  bool of_namespace = false;
+  for (std::size_t k = 0; k < tokens.size(); ++k) {
+    const std::string_view text = tokens[k].text;
+    const Place place = source.place_of(tokens[k].offset);
+    const bool begins_line = k == 0 || source.place_of(tokens[k - 1].offset).line < place.line;
+    const bool begins_statement = k > 0 && search(tokens[k - 1].text, "^[;{}]$");
+    if (begins_line) indentation = place.column;
+    if (begins_line && begins_statement && text != "}" && !tokens[k].in_directive && !open.empty() &&
+        open.back().second >= indentation) {
+      if (open.back().first + 1 != k) return {open.back().first, place.line};
+      open.back().second = 0;  // its block is not indented
+    }
+    if (text == "namespace" || text == ";") of_namespace = text == "namespace";
+    if (text == "{") open.emplace_back(k, of_namespace ? 0 : indentation);
+    if (text == "{") of_namespace = false;
+    if (text == "}" && !open.empty()) open.pop_back();
+  }
+  return {};
+}
+
 /// The statement at a place where it goes on in other lines, in one line and without comments; "" if it does not.
 std::string long_statement(const SourceText& source, Place place) {
   constexpr std::ptrdiff_t most = 200;
@@ -96,6 +122,12 @@ std::optional<Reason> recognized(const std::vector<MessageMistake>& table, const
       const std::string there = elsewhere(source, place, in_message[1]);
       if (there.empty()) continue;
       boost::replace_all(sentence, "$elsewhere", there);
+    }
+    if (sentence.find("$unclosed") != std::string::npos) {
+      const auto [brace, line] = unclosed_by_indentation(source);
+      if (line == 0) continue;
+      boost::replace_all(sentence, "$unclosed", std::to_string(line));
+      place = source.place_of(source.tokens()[brace].offset);
     }
     return source.reason(place, mistake.name, sentence, mistake.weight, mistake.fix);
   }

@@ -42,13 +42,11 @@ template <class T> concept PlainValue = !Kept<std::remove_cvref_t<T>>::value;
 /// The text with `-> auto` at every lambda that says no type, so that the demand is made of its result too.
 std::string with_types_of_lambdas(const SourceText& source) {
   const std::vector<Token>& tokens = source.tokens();
-  const std::vector<std::size_t> matching = matching_parentheses(tokens);
   std::string text;
   std::size_t copied = 0;
   for (std::size_t brace = 3; brace < tokens.size(); ++brace) {
-    const std::size_t open = matching[brace - 1];
-    if (tokens[brace].text != "{" || open == std::string::npos || open == 0 || open > brace ||
-        tokens[open - 1].text != "]")
+    const std::size_t open = source.partner_of(brace - 1);
+    if (tokens[brace].text != "{" || tokens[brace - 1].text != ")" || open == 0 || tokens[open - 1].text != "]")
       continue;
     text.append(source.text(), copied, tokens[brace].offset - copied) += "-> auto ";
     copied = tokens[brace].offset;

@@ -132,12 +132,20 @@ const std::vector<TextMistake>& table() {
        "$1() changes nothing: it returns a new value, which is dropped here. Write x = $1(...)."},
       {"discarded_result",
        R"(^(?!(?:double|int|float|auto|bool|char|long|unsigned|(?:Row)?Vector\w*|Matrix\w*|return|else|case)\b)(\w+ [-*/+]) [^=\n;{}]* ;$)",
-       "What this computes is dropped here: write = where it belongs.", nullptr, " struct class union using typedef "},
+       "What this computes is dropped here: write return before it, or = where it belongs.", nullptr,
+       " struct class union using typedef "},
       {"discarded_result", R"(^(\w+) \. (Zero|Identity|Ones) \( [^()]*\) ;$)",
        "$2() makes a new matrix or vector, which is dropped here: `$1.set$2()` changes `$1`.", nullptr, own_types},
       {"aliasing", R"(^(\w+) \. noalias \( \) [+-]?= (?:.* )?\1 (?:.* )?;$)",
        "noalias() writes into `$1` while `$1` is still read on the right: leave it out, or use another variable.",
        nullptr, own_types, Weight::possible, Fix::no_noalias},
+      {"aliasing", R"(^(\w+) = \1 \. (reverse) \( \) ;$)",
+       "`$1` is overwritten here while it is read: write $1.reverseInPlace()."},
+      {"uninitialized_variable",
+       R"(^(?:const )?(?:double|int|(?:Eigen :: )?(?:Vector|Matrix)\w+) (\w+) = (?:[^\n,]*[^\s.>:] )?\1\b[^\n]* ;$)",
+       "On the right of this = the name `$1` means the new variable already, which has no value yet: choose another "
+       "name.",
+       nullptr, "", Weight::cause, Fix::none, false},
       {"empty_body", R"(^(?:else )?(for|if) \( )" + inside + R"(\) ;$)",
        "The ; directly after $1 (...) is all that it does: what follows does not belong to it. Leave out this ;"},
       {"empty_body", "^(else) ;$",
@@ -160,7 +168,7 @@ const std::vector<TextMistake>& table() {
        "A comparison a == b == c does not compare three numbers in C++; write a == b && b == c."},
       {"comma_operator", R"((?:=|^return) (\( (?:[^(),]|\()" + inside + R"(\))+ , )" + inside + R"(\)) ;$)",
        "Of `$1` only the last value is kept: values in parentheses follow a name, as in Vector2d v(a, b)."},
-      {"whole_sum", R"((accumulate) \( .* , 0 \))",
+      {"whole_sum", R"((accumulate) \( )" + inside + R"(, 0 (?:\)|,))",
        "This sum begins with the whole number 0 and drops what follows every decimal point: begin with 0.0."},
       {"divisor", R"((/ 1(?:\.0*)?) [-+] \w)", "`$1` divides by 1, not by what follows: write / (1 + x) for that."},
       {"rounded_pi", R"((?:^| )(3\.14\d*)(?= |$))", "$1 is only near π; write std::numbers::pi.", is_rounded_pi, "",
@@ -171,6 +179,10 @@ const std::vector<TextMistake>& table() {
        Weight::possible},
       {"semicolon_in_sum", R"((;)\n[-+] [^\n]* ;$)",
        "This ; ends the statement, and the line below it is a statement of its own that is added to nothing."},
+      {"unsorted", R"(\b(EigenSolver) <)",
+       "EigenSolver gives the eigenvalues in no order; SelfAdjointEigenSolver, for symmetric matrices, in ascending "
+       "order.",
+       nullptr, " sort swap max min maxCoeff minCoeff ", Weight::possible},
       {"ones", R"(\b(Matrix3d :: Ones \( \)))", "`$1` has a 1 in every entry; the unit matrix is Matrix3d::Identity().",
        nullptr, "", Weight::possible, Fix::unit_matrix},
       {"negative_remainder", R"(\( \w+ - 1 \) (% \d+)(?= |$))",
@@ -239,6 +251,9 @@ const std::vector<TextMistake>& table() {
        R"(^(?:const )?(?:Eigen :: |std :: )?(?:(?:Matrix|Vector)\w*X\w*|vector < [^;\n]* >) (\w+) ;\n(?:(?![^\n]*\b\1\b)[^\n]*\n)*(?:for [^\n]*\) )?\1 (?:\(|\[|<<|\. (?:col|row) \() [^\n]*$)",
        "`$1` has no size yet, and so nothing that could be set: give it one in parentheses behind its name.", nullptr,
        "", Weight::possible},
+      {"appended",
+       R"(^(?:std :: )?vector < [^\n;]* > (\w+) \( \w+ \) ;\n(?:[^\n]*\n)*?[^\n]*\b\1 \. (push_back|emplace_back) \([^\n]*$)",
+       "`$1` has elements from its declaration on, and $2() adds behind them: declare it without a size."},
       {"captured_copy",
        R"((\[ (?:=|\w+)[^&\]\n]*\]) \( [^\n]* mutable \{\n(?:[^\n]*\n)*?(?!return)[^\n]* [-+*/]?= [^\n]*$)",
        "$1 gives this lambda copies of its own, and what it changes there is not changed outside: write [&]."},
@@ -247,11 +262,8 @@ const std::vector<TextMistake>& table() {
       {"kept_view",
        R"(^(?:const )?auto (\w+) = ([^\n]*\. (?:col|row|head|tail|segment|block|diagonal)\b[^\n]*) ;\n\2 = [^\n]* ;\n[^\n]* = \1 ;$)",
        "With auto, `$1` is no copy but `$2` itself, which has changed before it is used: write its type."},
-      {"changed_copy",
-       R"((?:\]|void \w+) \( (?:[^()]*, )?(?:(?:Matrix|Vector)\w+|double|int|auto) (\w+)[^()]*\) \{\n(?:(?!return|if|for|while)[^\n]* ;\n)*?\1 (?:[\[(] [^\n=]* [\])] )?[-+*/]?= [^\n]* ;\n\}(?: ;)?$)",
-       "`$1` is a copy of what the function is called with, and nothing is returned: write & behind its type."},
       {"semicolon_in_list",
-       R"(^\w+(?: \. \w+ \( [^()\n]*\))? << [^\n]* (;)\n(?!(?:\w+ (?::: )?)*[A-Za-z_]\w* [A-Za-z_]\w* |return|[^\n]* (?:=|<<) ))"
+       R"(^\w+(?: \. \w+ \( [^()\n]*\))? << [^\n]* (;)\n(?!(?:\w+ (?::: )?)*[A-Za-z_]\w* [A-Za-z_]\w* |return|[^\n]* (?:=|<<) |[^\n]* > [A-Za-z_]\w* [;({]))"
        R"((?:(?:[^()\n]|\((?:[^()\n]|\([^()\n]*\))*\))* ,|[\d(-]) [^\n]* ;$)",
        "This ; ends the list of <<, although more of it follows: between all numbers stands a comma.", nullptr, "",
        Weight::possible},
@@ -300,16 +312,6 @@ bool never_changes(std::span<const Token> tokens, std::size_t brace, const std::
   return false;
 }
 
-/// do { … } while @returns the { of the block that ends before a token, or 0
-std::size_t block_before(std::span<const Token> tokens, std::size_t end) {
-  int depth = 0;
-  for (std::size_t k = end; k-- > 0;) {
-    depth += tokens[k].text == "}" ? 1 : tokens[k].text == "{" ? -1 : 0;
-    if (depth <= 0) return depth == 0 && k > 0 && tokens[k - 1].text == "do" ? k : 0;
-  }
-  return 0;
-}
-
 /// Vector3d v = a; … v = b; } @returns the token at which a variable is given what its block never reads, or 0
 std::size_t never_read(std::span<const Token> tokens, std::size_t declared) {
   int depth = 0;
@@ -333,20 +335,13 @@ std::size_t never_read(std::span<const Token> tokens, std::size_t declared) {
 }
 
 /// double a = 1; auto f = [a] { … }; a = 2; f() @returns the token of the name that a lambda keeps as it was, or 0
-std::size_t kept_by_lambda(std::span<const Token> tokens, std::size_t open) {
-  const auto closing = [&](std::size_t from, const char* opens, const char* closes) {
-    int depth = 0;
-    for (std::size_t k = from; k < tokens.size(); ++k) {
-      depth += is_one_of(tokens, k, opens) ? 1 : is_one_of(tokens, k, closes) ? -1 : 0;
-      if (depth == 0 && k > from) return k;
-    }
-    return tokens.size();
-  };
-  const std::size_t close = closing(open, " [ ", " ] ");
+std::size_t kept_by_lambda(const SourceText& source, std::size_t open) {
+  const std::vector<Token>& tokens = source.tokens();
+  const std::size_t close = source.partner_of(open);
   std::size_t body = close;
   while (body < tokens.size() && !is_one_of(tokens, body, " { ; ")) ++body;
-  const std::size_t end = closing(body, " { ", " } ");
-  if (open < 2 || !is_one_of(tokens, open - 1, " = ") || end >= tokens.size()) return 0;
+  if (open < 2 || !is_one_of(tokens, open - 1, " = ") || body >= tokens.size()) return 0;
+  const std::size_t end = source.partner_of(body);
   const bool keeps_all = close == open + 2 && is_one_of(tokens, open + 1, " = ");
   const std::string_view lambda = tokens[open - 2].text;
   for (std::size_t k = keeps_all ? body : open + 1; k < (keeps_all ? end : close); ++k) {
@@ -372,38 +367,62 @@ std::size_t kept_by_lambda(std::span<const Token> tokens, std::size_t open) {
   return 0;
 }
 
-/// The { around a token, or 0.
-std::size_t brace_around(std::span<const Token> tokens, std::size_t at) {
-  int depth = 0;
-  for (std::size_t k = at; k-- > 0;) {
-    depth += tokens[k].text == "{" ? 1 : tokens[k].text == "}" ? -1 : 0;
-    if (depth > 0) return k;
+/// void turn(Vector3d L) { … L[0] = c; } @returns is a parameter, which is a copy, given what is read nowhere?
+bool changes_copy(const SourceText& source, std::size_t brace, std::string_view parameter) {
+  const std::vector<Token>& tokens = source.tokens();
+  std::size_t last = 0;  // the statement that gives it a value, if nothing is read behind it
+  bool is_read = false;
+  const std::size_t end = source.partner_of(brace);
+  for (std::size_t k = brace + 1, statement = k; k < end; ++k) {
+    const bool is_word = std::isalpha(static_cast<unsigned char>(tokens[k].text[0])) != 0;
+    if (is_one_of(tokens, k - 1, " ; { } ") || (is_one_of(tokens, k - 1, " ) ") && is_word)) statement = k;
+    if (tokens[k].text != parameter || is_one_of(tokens, k - 1, " . :: -> ")) continue;
+    std::size_t sign = k + 1;  // behind L, L[0] or L.row(0)
+    while (sign < end && !is_one_of(tokens, sign, " = += -= *= /= << ; { } ) ] ")) sign = source.partner_of(sign) + 1;
+    if (k == statement && is_one_of(tokens, sign, " = += -= *= /= << ")) {
+      last = statement;
+    } else if (statement != last) {
+      last = 0;
+      is_read = true;
+    }
   }
-  return 0;
+  return last > 0 && (source.opening_around(last) == brace || !is_read);
+}
+
+/// @returns the names of such parameters of a function that returns nothing, whose body begins at a token
+std::vector<std::size_t> changed_copies(const SourceText& source, std::size_t brace) {
+  const std::vector<Token>& tokens = source.tokens();
+  std::vector<std::size_t> names;
+  if (brace < 4 || tokens[brace].text != "{" || tokens[brace - 1].text != ")") return names;
+  const std::size_t open = source.partner_of(brace - 1);
+  const bool is_function = open > 1 && (is_one_of(tokens, open - 1, " ] ") || is_one_of(tokens, open - 2, " void "));
+  for (std::size_t k = brace; k < source.partner_of(brace); ++k)
+    if (!is_function || (tokens[k].text == "return" && tokens[k + 1].text != ";")) return names;
+  for (std::size_t k = open + 1; k < brace; ++k)
+    if (is_one_of(tokens, k + 1, " , ) ") && source.opening_around(k) == open &&
+        search(tokens[k - 1].text, "^([A-Za-z_]\\w*|>)$") && changes_copy(source, brace, tokens[k].text))
+      names.push_back(k);
+  return names;
 }
 
 /// Is this the { of a loop?
-bool opens_loop(std::span<const Token> tokens, std::size_t brace) {
-  if (brace == 0 || tokens[brace].text != "{") return false;
-  int depth = 0;
-  for (std::size_t k = brace; k-- > 0;) {
-    depth += tokens[k].text == ")" ? 1 : tokens[k].text == "(" ? -1 : 0;
-    if (depth == 0) return k > 0 && tokens[k].text == "(" && is_one_of(tokens, k - 1, " for while ");
-  }
-  return false;
+bool opens_loop(const SourceText& source, std::size_t brace) {
+  if (brace == 0 || source.tokens()[brace].text != "{" || source.tokens()[brace - 1].text != ")") return false;
+  const std::size_t head = source.partner_of(brace - 1);
+  return head > 0 && is_one_of(source.tokens(), head - 1, " for while ");
 }
 
 /// for (…) { … return x; } @returns does the return always end the loop in its first turn?
-bool ends_loop_at_once(std::span<const Token> tokens, std::size_t returns) {
-  const std::size_t brace = brace_around(tokens, returns);
-  return opens_loop(tokens, brace) &&
-         !has_one_of(tokens.subspan(brace, returns - brace), " continue break switch do case ");
+bool ends_loop_at_once(const SourceText& source, std::size_t returns) {
+  const std::size_t brace = source.opening_around(returns);
+  return opens_loop(source, brace) &&
+         !has_one_of(std::span(source.tokens()).subspan(brace, returns - brace), " continue break switch do case ");
 }
 
 /// for (…) { double s = 0; … s += x; … } @returns has the sum a single term, which is added once in each turn?
-bool is_sum_of_one_term(std::span<const Token> tokens, std::size_t declared) {
-  const std::size_t brace = brace_around(tokens, declared);
-  if (!opens_loop(tokens, brace)) return false;
+bool is_sum_of_one_term(const SourceText& source, std::size_t declared) {
+  const std::vector<Token>& tokens = source.tokens();
+  if (!opens_loop(source, source.opening_around(declared))) return false;
   bool has_term = false;
   int depth = 0;
   for (std::size_t k = declared + 1; k < tokens.size() && depth >= 0; ++k) {
@@ -494,9 +513,11 @@ std::vector<Reason> text_mistakes(const SourceText& source) {
     if (statement.text.ends_with("{") && !statement.text.starts_with("namespace")) ++depth;
     if (statement.text.ends_with("}") && depth > 0) --depth;
     const Match waiting = search(statement.text, R"(^while \( ((?:[^&|=]|[<>!]=|==)*) \) [{;]$)");
-    if (waiting && !search(waiting[1], "\\( \\)")) {
+    if (waiting && !search(waiting[1], R"(\( \)|\+\+|--)")) {
       const std::size_t end = statement.tokens.back(), head = statement.tokens.front();
-      const std::size_t brace = tokens[end].text == "{" ? end : block_before(tokens, head);
+      const std::size_t block = head > 0 && tokens[head - 1].text == "}" ? source.partner_of(head - 1) : 0;  // of a do
+      const bool is_do = block > 0 && tokens[block - 1].text == "do";
+      const std::size_t brace = tokens[end].text == "{" ? end : is_do ? block : 0;
       std::string names = " ";
       for (const Match& word : search_all(waiting[1], "[A-Za-z_]\\w*")) names += word[0] + " ";
       const Match first = search(names, "^ (?!true )(\\w+)");
@@ -505,11 +526,11 @@ std::vector<Reason> text_mistakes(const SourceText& source) {
             first ? "Nothing in this loop changes `$1`, so it never ends." : "Nothing ends this loop.",
             Weight::possible);
     }
-    if (statement.text.starts_with("return ") && ends_loop_at_once(tokens, statement.tokens.front()))
+    if (statement.text.starts_with("return ") && ends_loop_at_once(source, statement.tokens.front()))
       add(statement.tokens.front(), "return_in_loop", {},
           "This return ends the loop in its first turn: it belongs after the } of the loop.");
     if (const Match sum = search(statement.text, R"(^double (\w+) = 0(?:\.0*)? ;$)"))
-      if (is_sum_of_one_term(tokens, statement.token_at(sum.offsets[1])))
+      if (is_sum_of_one_term(source, statement.token_at(sum.offsets[1])))
         add(statement.tokens.front(), "restarted_sum", sum,
             "`$1` begins at 0 again in every turn of the loop: give it this value before the loop.", Weight::possible);
     const Match local =
@@ -546,6 +567,10 @@ std::vector<Reason> text_mistakes(const SourceText& source) {
         add(at, given[3] == "-" ? "unary_minus" : "unary_plus", given,
             "=$3 only assigns; what changes a variable by what follows is $3=.", Weight::possible, Fix::compound);
     }
+    for (const std::size_t name : changed_copies(source, statement.tokens.empty() ? 0 : statement.tokens.back()))
+      add(name, "changed_copy", search(tokens[name].text, "(.+)"),
+          "`$1` is a copy of what the function is called with, and nothing is returned: write & behind its type.",
+          Weight::cause, Fix::by_reference);
     for (const std::size_t k : statement.tokens) {
       const std::string_view token = tokens[k].text;
       if (token.size() == 3 && token[0] == '\'' && token[1] >= '0' && token[1] <= '9')
@@ -553,7 +578,7 @@ std::vector<Reason> text_mistakes(const SourceText& source) {
             "A digit in quotation marks is a character, and counts as another number ('0' as 48): leave them out.",
             has_one_of(tokens, " cout cerr printf ") ? Weight::possible : Weight::cause);
       if (token == "[")
-        if (const std::size_t captured = kept_by_lambda(tokens, k); captured > 0)
+        if (const std::size_t captured = kept_by_lambda(source, k); captured > 0)
           add(captured, "captured_value", search(tokens[captured].text, "(.+)"),
               "This lambda keeps the value that `$1` has here, and does not see the one given later: write [&].");
     }

@@ -36,7 +36,7 @@ enum class Weight {
 enum class Fix {
   none,
   real_quotient,
-  divisor,
+  when_all_right,  ///< another one, that goes with it
   decimal_point,
   exact_pi,
   as_double,
@@ -44,6 +44,7 @@ enum class Fix {
   not_static,
   no_noalias,
   as_value,
+  by_reference,
   unit_matrix,
   compound,
   macro

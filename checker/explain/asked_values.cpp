@@ -121,11 +121,36 @@ bool explain_lost_digits(Search& search) {
     return error;
   };
   const std::size_t wrong = outcome.wrong.size();
+  const bool are_angles = reference.result_units == std::vector{units::radian};
   std::vector<std::size_t> near = outcome.wrong;
-  std::erase_if(near, [&](std::size_t index) { return !(error_of(index, *search.answers[index]) <= nearly_right); });
+  bool may_be_branch = false;  // where angles are near, but wrong by as much as they are
+  std::erase_if(near, [&](std::size_t index) {
+    const Value &right = reference.cases[index].expected, &given = *search.answers[index];
+    if (error_of(index, given) <= nearly_right) return false;
+    const bool is_near_angle = are_angles && given.has_shape_of(right) &&
+                               (as_matrix(given) - as_matrix(right)).cwiseAbs().maxCoeff() <= nearly_right;
+    may_be_branch = may_be_branch || is_near_angle;
+    return !is_near_angle;
+  });
   const bool are_near = !near.empty() && 2 * near.size() >= wrong;
   if (outcome.wrong.empty()) return false;
   if (are_near) outcome.wrong = near;
+  const SourceText source(search.evidence.task.submission.text);
+  const auto first_of = [&](std::initializer_list<std::string_view> names) {
+    return std::ranges::find_if(
+        source.tokens(), [&](const Token& token) { return std::ranges::find(names, token.text) != names.end(); });
+  };
+  const auto arc = first_of({"acos", "asin"}), end = source.tokens().end();
+  const auto tell_arc = [&] {
+    if (arc == end) return false;
+    search.add_code({source.reason(source.place_of(arc->offset), "lost_digits",
+                                   fmt::format("{} loses half of the digits of an angle where its argument is near 1 "
+                                               "or −1, and your result is wrong by so little: atan2 keeps them.",
+                                               arc->text),
+                                   Weight::possible)});
+    return true;
+  };
+  if (are_near && may_be_branch && tell_arc()) return false;
   const std::vector<std::size_t> looked_at = evenly_spaced(outcome.wrong, most_cases);
   std::size_t jumping = 0;
   for (const std::size_t index : looked_at) {
@@ -148,33 +173,22 @@ bool explain_lost_digits(Search& search) {
     std::set<long> levels;
     for (const double error : errors) levels.insert(std::lround(error / (telling_part * most)));
     // At the edge of a wrong branch there are two.
-    if (!are_near && !(jumps && levels.size() > 2)) return false;
+    if ((!are_near || may_be_branch) && !(jumps && levels.size() > 2)) return false;
     jumping += jumps ? 1 : 0;
   }
-  if (are_near && near.size() == wrong && 2 * jumping < looked_at.size()) {
-    // Of a result that is 0 or π there, no digit changes by chance.
-    const SourceText source(search.evidence.task.submission.text);
-    for (const Token& token : source.tokens())
-      if (token.text == "acos" || token.text == "asin") {
-        search.add_code(
-            {source.reason(source.place_of(token.offset), "lost_digits",
-                           fmt::format("{} loses half of the digits of an angle where its argument is near 1 "
-                                       "or −1, and your result is wrong by so little: atan2 keeps them.",
-                                       token.text),
-                           Weight::possible)});
-        return false;
-      }
-  }
+  // Of a result that is 0 or π there, no digit changes by chance.
+  if (are_near && near.size() == wrong && 2 * jumping < looked_at.size() && tell_arc()) return false;
   if (jumping == 0 || 2 * jumping < looked_at.size()) return false;
   search.reasons = {
       {ReasonKind::accuracy, "lost_digits",
        fmt::format("{} your result is wrong {} digits are chance: they change when an input changes in its 16th digit. "
-                   "Digits are lost in a difference of nearly equal numbers, or in acos and asin near ±1, where atan2 "
-                   "keeps them.",
+                   "Digits are lost in a difference of nearly equal numbers{}{}.",
                    std::cmp_equal(outcome.wrong.size(), wrong)
                        ? "Where"
                        : fmt::format("At {} of the {} where", outcome.wrong.size(), plural(wrong, "case")),
-                   are_near ? "it is nearly right, but its last" : "its")}};
+                   are_near ? "it is nearly right, but its last" : "its",
+                   arc == end ? "" : ", or in acos and asin near ±1, where atan2 keeps them",
+                   first_of({"atan2"}) == end ? "" : ", or in atan2 where both its arguments are nearly 0")}};
   return true;
 }
 

@@ -1,6 +1,7 @@
 // Mistakes in the code that are the reason of wrong values: they are not explained as physics.
 #include "checker/explain/explainers.hpp"
 #include "checker/explain/repair.hpp"
+#include "checker/explain/slips.hpp"
 
 #include <algorithm>
 
@@ -8,8 +9,9 @@ namespace workbook {
 
 namespace {
 
-CodeReasons reasons_of(const Search& search, const std::vector<Reason>& mistakes) {
-  return code_reasons(search.evidence.task, mistakes, search.evidence.toolchain, search.evidence.cache);
+CodeReasons reasons_of(const Search& search, const std::vector<Reason>& mistakes, std::vector<Variant> fixes) {
+  const Evidence& evidence = search.evidence;
+  return code_reasons(evidence.task, mistakes, std::move(fixes), evidence.toolchain, evidence.cache);
 }
 
 bool tell(Search& search, CodeReasons found) {
@@ -22,17 +24,21 @@ bool tell(Search& search, CodeReasons found) {
 }  // namespace
 
 bool explain_fixed_mistakes(Search& search) {
-  CodeReasons found = reasons_of(search, search.in_code);
+  const SourceText source(search.evidence.task.submission.text);
+  CodeReasons found = reasons_of(search, search.in_code, fixed_variants(source, search.in_code));
   // A rounded π is the reason only where nothing else is wrong.
   if (!found.are_all) std::erase_if(found.reasons, [](const Reason& reason) { return reason.fix == Fix::exact_pi; });
   return tell(search, std::move(found));
 }
 
-bool explain_whole_quotients(Search& search) {
+bool explain_slips_of_language(Search& search) {
   const DiagnosticTask& task = search.evidence.task;
-  CodeReasons found = reasons_of(search, whole_quotients(SourceText(task.submission.text), task.reference));
-  // Many a quotient of whole numbers is meant so: it is a mistake where all is right without it, or all zero with it.
-  if (!found.are_all) std::erase_if(found.reasons, [](const Reason& reason) { return reason.fix == Fix::divisor; });
+  const SourceText source(task.submission.text);
+  auto [slips, changed] = slips_of_language(source, task.reference);
+  CodeReasons found = reasons_of(search, slips, std::move(changed));
+  // A quotient of whole numbers that makes all zero is a mistake anyway.
+  if (!found.are_all)
+    std::erase_if(found.reasons, [](const Reason& reason) { return reason.fix == Fix::when_all_right; });
   return (found.are_all || are_zero(search.answers)) && tell(search, std::move(found));
 }
 

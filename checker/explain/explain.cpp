@@ -17,7 +17,7 @@ constexpr struct {
 } explainers[] = {
     {When::no_value, explain_failed_call},
     {When::values, explain_fixed_mistakes},
-    {When::values, explain_whole_quotients},
+    {When::values, explain_slips_of_language},
     {When::values, explain_spoilt_statement},
     {When::values, explain_suspected_undefined},
     {When::values, explain_values},
@@ -50,6 +50,11 @@ std::vector<Reason> explain(const Evidence& evidence) {
   const DiagnosticTask& task = evidence.task;
   Search search{evidence, answers_of(task.reference, task.observation.replies),
                 source_findings(evidence.compile_task, evidence.compilation, evidence.toolchain, evidence.cache)};
+  // Where the function came to an end, so did its loops.
+  if (search.verdict() != Verdict::time_limit)
+    std::erase_if(search.in_code,
+                  [](const Reason& reason) { return reason.name == "endless_loop" || reason.name == "exact_end"; });
+  std::ranges::stable_partition(search.in_code, &Reason::is_cause);
   for (const auto& [when, look] : explainers)
     if (is_due(when, search.verdict()) && look(search)) break;
   search.add_code(std::move(search.in_code));

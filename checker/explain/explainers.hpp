@@ -30,9 +30,9 @@ Explainer explain_failed_call;  ///< no value came back (diagnostic_run.cpp)
 
 // --- mistakes in the code (code_mistakes.cpp)
 
-Explainer explain_fixed_mistakes;    ///< with which put right, the values are others
-Explainer explain_whole_quotients;   ///< of names, which many a file means so
-Explainer explain_spoilt_statement;  ///< a statement that does something else than it seems to
+Explainer explain_fixed_mistakes;     ///< with which put right, the values are others
+Explainer explain_slips_of_language;  ///< where all is right with another reading
+Explainer explain_spoilt_statement;   ///< a statement that does something else than it seems to
 
 // --- what values tell
 

@@ -247,109 +247,6 @@ std::optional<Reason> coarse(VariantRunner& runner, const std::vector<Variant>& 
   return found;
 }
 
-/// What values tell of the file with the change, where no more cases are wrong than without.
-std::optional<Reason> mistake_left(VariantRunner& runner, std::size_t variant, const DiagnosticTask& task) {
-  constexpr std::size_t fewest = 3;
-  ExerciseReference described = task.reference;
-  described.cases.resize(described.described_cases());
-  const std::optional<Answers> answers = runner.answers(variant);
-  if (!answers) return std::nullopt;
-  // An input itself, or a result that no input changes, is what many a mistake gives.
-  const std::vector<std::size_t> deciding = deciding_cases(described);
-  std::set<std::vector<double>> results;
-  for (const std::size_t i : deciding) results.insert((*answers)[i]->numbers);
-  const auto is_input = [&](std::size_t argument) {
-    return std::ranges::all_of(deciding, [&](std::size_t i) {
-      const Value &input = described.cases[i].inputs[argument], &answer = *(*answers)[i];
-      return input.has_shape_of(answer) && is_same_answer(described, i, answer, input);
-    });
-  };
-  for (std::size_t a = 0; a < described.arguments.size(); ++a)
-    if (results.size() < 2 || is_input(a)) return std::nullopt;
-  const std::size_t wrong = outcomes_of(described, *answers).wrong.size();
-  const auto is_described = [&](std::size_t index) { return index < described.cases.size(); };
-  if (wrong < fewest || std::cmp_greater(wrong, std::ranges::count_if(task.judgement.failing, is_described)))
-    return std::nullopt;
-  for (Mechanism* const mechanism : {&diagnose_misconception, &diagnose_transform, &diagnose_number})
-    if (const auto found = mechanism(described, *answers); found && found->is_cause()) return found;
-  return std::nullopt;
-}
-
-/// With the change some wrong components are right, or one mistake is left that values tell: there are two.
-std::optional<Reason> first_of_two(VariantRunner& runner, const VariantRunner::Gain& gain, std::size_t position,
-                                   const Variant& variant, const SourceText& source, const DiagnosticTask& task) {
-  // Another name, index, number or factor, or a term left out, may only turn another mistake into a known one.
-  // One that changes nothing leaves what was there.
-  const auto mistake =
-      is_exact(variant) && runner.is_other(position) ? mistake_left(runner, position, task) : std::nullopt;
-  std::string left;
-  if (mistake) {
-    left = "one mistake is left: " + mistake->sentence;
-  } else if (!gain.right_entries.empty() && variant.kind != VariantKind::guard) {
-    const Value& shape = task.reference.cases.front().expected;
-    std::vector<std::string> names;
-    for (const std::size_t entry : gain.right_entries)
-      names.push_back(entry_name(shape, task.reference.result_kind, entry));
-    left = fmt::format("{} {} right at all {} cases, and there is another mistake in the rest.", listed(names),
-                       names.size() == 1 ? "is" : "are", task.reference.cases.size());
-  } else {
-    return std::nullopt;
-  }
-  return repair(source, variant.place, "slip_first", fmt::format("with {} here, {}", variant.words, left));
-}
-
-/// Another factor may stand for many a mistake.
-bool can_be_beside(const Variant& variant) {
-  return !variant.is_branch() && !is_factor(variant) && can_be_switched(variant);
-}
-
-/// Two other names or numbers may be right by coincidence, unless they are one change in two places, or an exchange.
-bool may_be_coincidence(const Variant& first, const Variant& second, const SourceText& source) {
-  const auto is_inexact = [](const Variant& each) {
-    return each.words.starts_with("another name") || each.words.starts_with("another number") ||
-           each.words.starts_with("an entry");
-  };
-  const auto change = [&](const Variant& each) {
-    const Edit& edit = each.edits.front();
-    return std::pair(std::string(source.text().substr(edit.offset, edit.length)), edit.replacement);
-  };
-  const auto one = change(first), other = change(second);
-  return is_inexact(first) && is_inexact(second) && one != other && one != std::pair(other.second, other.first);
-}
-
-/// A factor that a name is missing from in two terms.
-bool is_same_factor(const Variant& one, const Variant& other) {
-  return (one.words == "one factor more" || one.words == "one divisor more") && one.words == other.words &&
-         one.edits.front().replacement == other.edits.front().replacement;
-}
-
-/// Two slips with which all cases are right; in two lines only those of one kind of which there are few, or where one
-/// of the two helps by itself.
-std::optional<Reason> two_slips(VariantRunner& runner, const std::vector<Variant>& variants,
-                                const std::vector<std::size_t>& order, const std::set<std::size_t>& helpful,
-                                const SourceText& source, const DiagnosticTask& task) {
-  // Two can make all cases go another way, which is right where most are.
-  if (2 * task.judgement.failing.size() < task.reference.cases.size()) return std::nullopt;
-  for (auto one = order.begin(); one != order.end(); ++one) {
-    for (auto other = one + 1; other != order.end(); ++other) {
-      const Variant &first = variants[*one], &second = variants[*other];
-      const bool are_apart = first.edits.front().offset != second.edits.front().offset;
-      const bool are_alike = is_exact(first) && first.kind == second.kind;
-      const bool are_near =
-          first.place.line == second.place.line || are_alike || helpful.contains(*one) || helpful.contains(*other);
-      const bool may_be_both =
-          is_same_factor(first, second) ||
-          (are_near && can_be_beside(first) && can_be_beside(second) && !may_be_coincidence(first, second, source));
-      if (!may_be_both || !are_apart || !runner.is_right(*one, *other)) continue;
-      return repair(
-          source, first.place, "slips_" + to_string(first.kind),
-          fmt::format("with {} here and {} in line {}, column {}, the result is right at all {} cases.", first.words,
-                      second.words, second.place.line, second.place.column, task.reference.cases.size()));
-    }
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 VariantRunner::VariantRunner(const DiagnosticTask& task, std::vector<Variant>& variants, const Toolchain& toolchain,
@@ -364,7 +261,6 @@ VariantRunner::VariantRunner(const DiagnosticTask& task, std::vector<Variant>& v
   std::stable_partition(order_.begin(), order_.end(), [&](std::size_t index) {
     return std::ranges::find(task.judgement.failing, index) != task.judgement.failing.end();
   });
-  wrong_ = wrong_entries(task.reference, answers_of(task.reference, task.observation.replies));
 }
 
 Reply VariantRunner::call(std::size_t variant, std::size_t case_index) {
@@ -405,62 +301,11 @@ long VariantRunner::affordable_calls() {
   return std::clamp(limits_.work >> exponent, fewest, long{limits_.calls});
 }
 
-bool VariantRunner::is_right(std::size_t variant, std::optional<std::size_t> beside) {
-  if (beside) variant = VariantUnit::both(variant, *beside);
-  return std::ranges::all_of(order_, [&](std::size_t index) { return is_right_at(variant, index); });
-}
-
-bool VariantRunner::is_right_at(std::size_t variant, std::size_t index) {
-  const Reply reply = call(variant, index);
-  return has_usable_value(reply, task_.reference.cases[index]) && passes(task_.reference, index, reply.value);
-}
-
-VariantRunner::Gain VariantRunner::gain(std::size_t variant) {
-  const ExerciseReference& reference = task_.reference;
-  Gain gain{.is_right = true, .right_entries = wrong_};
-  for (const std::size_t index : order_) {
+bool VariantRunner::is_right(std::size_t variant) {
+  return std::ranges::all_of(order_, [&](std::size_t index) {
     const Reply reply = call(variant, index);
-    if (!has_usable_value(reply, reference.cases[index]) || !reply.value.is_finite()) return {};
-    const bool is_right = passes(reference, index, reply.value);
-    gain.is_right = gain.is_right && is_right;
-    if (!gain.right_entries.empty() && !is_right) {
-      // What makes right numbers wrong only moves the mistake.
-      const Deviation deviation = deviations(reference, index, reply.value).front();
-      std::erase_if(gain.right_entries, [&](std::size_t entry) { return !deviation.is_within(entry); });
-      for (std::size_t entry = 0; entry < reply.value.numbers.size(); ++entry)
-        if (!wrong_.contains(entry) && !deviation.is_within(entry)) gain.right_entries.clear();
-    }
-    if (!gain.is_right && gain.right_entries.empty()) return {};
-  }
-  if (gain.is_right) gain.right_entries.clear();
-  return gain;
-}
-
-bool VariantRunner::helps(std::size_t variant) {
-  constexpr std::size_t looked_at = 6;
-  if (simplest_.empty()) {
-    // Where much is zero, one of two mistakes may not show.
-    simplest_ = task_.judgement.failing;
-    std::ranges::stable_sort(simplest_, std::greater(), [&](std::size_t index) {
-      std::ptrdiff_t zeros = 0;
-      for (const Value& input : task_.reference.cases[index].inputs) zeros += std::ranges::count(input.numbers, 0);
-      return zeros;
-    });
-    simplest_.resize(std::min(simplest_.size(), looked_at));
-  }
-  return std::ranges::any_of(simplest_, [&](std::size_t index) { return is_right_at(variant, index); });
-}
-
-std::optional<Answers> VariantRunner::answers(std::size_t variant) {
-  Answers answers(task_.reference.described_cases());
-  for (std::size_t index = 0; index < answers.size(); ++index) {
-    const Case& one = task_.reference.cases[index];
-    if (!one.deciding) continue;
-    const Reply reply = call(variant, index);
-    if (!has_usable_value(reply, one) || !reply.value.is_finite()) return std::nullopt;
-    answers[index] = reply.value;
-  }
-  return answers;
+    return has_usable_value(reply, task_.reference.cases[index]) && passes(task_.reference, index, reply.value);
+  });
 }
 
 bool VariantRunner::is_as_judged() {
@@ -513,9 +358,8 @@ std::optional<std::set<std::size_t>> VariantRunner::cases_taking_branch(std::siz
   return cases;
 }
 
-CodeReasons code_reasons(const DiagnosticTask& task, const std::vector<Reason>& findings, const Toolchain& toolchain,
-                         const std::filesystem::path& cache) try {
-  std::vector<Variant> variants = fixed_variants(SourceText(task.submission.text), findings);
+CodeReasons code_reasons(const DiagnosticTask& task, const std::vector<Reason>& findings, std::vector<Variant> variants,
+                         const Toolchain& toolchain, const std::filesystem::path& cache) try {
   if (variants.empty()) return {};
   VariantRunner runner(task, variants, toolchain, cache);
   const auto fixed_by = [&](const Variant& variant) {
@@ -596,33 +440,18 @@ std::optional<Reason> slip_or_branch(const DiagnosticTask& task, const Toolchain
   std::vector<std::size_t> order(variants.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, rank);
-  std::vector<std::pair<std::size_t, VariantRunner::Gain>> gains;
   for (const std::size_t k : order) {
     const Variant& each = variants[k];
     const bool may_hold = !branch || (each.kind != VariantKind::guard && branch->may_hold(each));
     if (each.is_branch() || !may_hold) continue;
-    const VariantRunner::Gain gain = runner.gain(k);
-    if (gain.is_right && only_leads_elsewhere(k)) continue;
-    if (gain.is_right)
+    if (runner.is_right(k) && !only_leads_elsewhere(k))
       return repair(
           source, each.place, "slip_" + to_string(each.kind),
           fmt::format("with {} here, the result is right at all {} cases.", each.words, task.reference.cases.size()));
-    gains.emplace_back(k, gain);
   }
   if (sought == Sought::one_slip) return std::nullopt;
   if (branch) return finding_of(*branch, variants, source, task);
-  if (limit) return limit;
-  std::optional<Reason> one_of_two;
-  for (auto one = gains.begin(); one != gains.end() && !one_of_two; ++one) {
-    const auto& [k, gain] = *one;
-    one_of_two = first_of_two(runner, gain, k, variants[k], source, task);
-  }
-  std::set<std::size_t> helpful;
-  for (const auto& [k, gain] : gains)
-    if (runner.helps(k)) helpful.insert(k);
-  std::ranges::stable_partition(order, [&](std::size_t k) { return helpful.contains(k); });
-  if (const auto both = two_slips(runner, variants, order, helpful, source, task)) return both;
-  return one_of_two;
+  return limit;
 } catch (const std::exception&) {
   return std::nullopt;
 }

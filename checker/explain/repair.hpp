@@ -17,14 +17,15 @@ struct CodeReasons {
   std::vector<Reason> reasons;  ///< with them fixed, the values are others
   bool are_all = false;         ///< with them fixed, all cases are right
 };
-CodeReasons code_reasons(const DiagnosticTask& task, const std::vector<Reason>& findings, const Toolchain& toolchain,
-                         const std::filesystem::path& cache);
+/// @param fixes  variants of the file with some of the findings fixed: each has the name and place of one, or is of all
+CodeReasons code_reasons(const DiagnosticTask& task, const std::vector<Reason>& findings, std::vector<Variant> fixes,
+                         const Toolchain& toolchain, const std::filesystem::path& cache);
 
 /// Of values that are nearly right only numbers and the ends of loops, of what is explained only a single slip.
 enum class Sought { all, accuracy, one_slip };
 
-/// The one token with which all cases are right, or two in a line: the place and its kind, not the answer; else the
-/// condition that holds at the failing cases.
+/// The one token with which all cases are right: the place and its kind, not the answer; else the condition that holds
+/// at the failing cases.
 std::optional<Reason> slip_or_branch(const DiagnosticTask& task, const Toolchain& toolchain,
                                      const std::filesystem::path& cache, Sought sought = Sought::all);
 
@@ -48,18 +49,8 @@ class VariantRunner {
 
   /// Does the file as it stands, among its variants, give what was judged, at nearly all failing cases?
   bool is_as_judged();
-  /// At every case? Two of one copy may be asked for together.
-  bool is_right(std::size_t variant, std::optional<std::size_t> beside = {});
-  /// At some of the failing cases with the most zeros?
-  bool helps(std::size_t variant);
-  /// What is better with a variant, at every case.
-  struct Gain {
-    bool is_right = false;
-    std::set<std::size_t> right_entries = {};  ///< wrong ones that are right now, where not all are
-  };
-  Gain gain(std::size_t variant);
-  /// At the deciding cases that are described; nothing where one of them has no finite value.
-  std::optional<Answers> answers(std::size_t variant);
+  /// At every case?
+  bool is_right(std::size_t variant);
   /// Does it differ from what was judged at a failing case? At this one?
   bool is_other(std::size_t variant);
   bool is_other(std::size_t variant, std::size_t case_index);
@@ -76,7 +67,6 @@ class VariantRunner {
  private:
   Reply call(std::size_t variant, std::size_t case_index);
   Reply answer(std::size_t variant, std::size_t case_index);
-  bool is_right_at(std::size_t variant, std::size_t case_index);
   /// How many calls are as much work as all may be.
   long affordable_calls();
 
@@ -84,8 +74,7 @@ class VariantRunner {
   const Program program_;
   const TrialLimits limits_;
   const std::size_t unchanged_;  ///< the number of the file as it stands
-  std::vector<std::size_t> order_, simplest_;
-  std::set<std::size_t> wrong_;  ///< entries
+  std::vector<std::size_t> order_;
   std::optional<long> calls_left_;
   int slow_ = 0;
   int work_of_the_file_ = 0;  ///< of one call: less than 2 to this power

@@ -31,25 +31,23 @@ bool is_one_of(std::string_view text, std::initializer_list<std::string_view> te
 
 const std::initializer_list<std::string_view> whole_types = {"int", "Index", "size_t", "long", "unsigned", "bool"};
 
-bool opens(std::string_view text) { return text == "(" || text == "[" || text == "{"; }
-bool closes(std::string_view text) { return text == ")" || text == "]" || text == "}"; }
-
 /// The conditions of a file, and the heads of its loops.
 class Conditions {
  public:
   explicit Conditions(const SourceText& source)
-      : tokens_(source.tokens()),
+      : source_(source),
+        tokens_(source.tokens()),
         size_(std::min(tokens_.size(), last_token_looked_at)),
         decides_(size_, false),
         in_loop_(size_, false) {
     for (std::size_t k = 0; k < size_; ++k) {
-      if (is_one_of(text(k), {"for", "while"}) && text(k + 1) == "(") mark(in_loop_, k + 1, closing(k + 1));
+      if (is_one_of(text(k), {"for", "while"}) && text(k + 1) == "(") mark(in_loop_, k + 1, source_.partner_of(k + 1));
     }
     for (std::size_t k = 0; k < size_; ++k) {
       // Between the parentheses of a lambda stand declarations.
-      if (text(k) == "]" && text(k + 1) == "(") mark(decides_, k + 1, closing(k + 1));
+      if (text(k) == "]" && text(k + 1) == "(") mark(decides_, k + 1, source_.partner_of(k + 1));
       const bool is_if = text(k) == "if" && text(k + 1) == "(";
-      if (is_if) mark(decides_, k + 1, closing(k + 1));
+      if (is_if) mark(decides_, k + 1, source_.partner_of(k + 1));
       // With the token before it: a sign after that one would be the condition's.
       if (text(k) == "?") mark(decides_, std::max(begin_of_operand(k), std::size_t{1}) - 1, k);
       if (text(k) == "bool") mark(decides_, k, end_of_operand(k));
@@ -80,35 +78,6 @@ class Conditions {
   bool decides(std::size_t index) const { return index < size_ && decides_[index]; }
   bool in_loop(std::size_t index) const { return index < size_ && in_loop_[index]; }
 
-  /// The bracket that closes the one at the index; the last token if there is none.
-  std::size_t closing(std::size_t index) const {
-    int depth = 0;
-    for (std::size_t k = index; k < size_; ++k) {
-      depth += opens(text(k)) ? 1 : closes(text(k)) ? -1 : 0;
-      if (depth == 0) return k;
-    }
-    return size_ - 1;
-  }
-
-  /// The bracket that opens what is closed at the index; the first token if there is none.
-  std::size_t opening(std::size_t index) const {
-    int depth = 0;
-    for (std::size_t k = index;; --k) {
-      depth += closes(text(k)) ? 1 : opens(text(k)) ? -1 : 0;
-      if (depth == 0 || k == 0) return k;
-    }
-  }
-
-  /// The bracket that is open at the index.
-  std::size_t opening_of(std::size_t index) const {
-    int depth = 0;
-    for (std::size_t k = index; k-- > 0;) {
-      depth += closes(text(k)) ? 1 : opens(text(k)) ? -1 : 0;
-      if (depth < 0) return k;
-    }
-    return 0;
-  }
-
   std::size_t begin_of_operand(std::size_t index) const {
     int depth = 0;
     for (std::size_t k = index; k-- > 0;) {
@@ -138,6 +107,7 @@ class Conditions {
     for (std::size_t k = first; k < std::min(last, size_); ++k) marks[k] = true;
   }
 
+  const SourceText& source_;
   const std::vector<Token>& tokens_;
   const std::size_t size_;
   std::vector<bool> decides_, in_loop_;
@@ -228,16 +198,16 @@ class SourceMutations {
   void find_functions(const std::string& name) {
     for (std::size_t k = 1; k < std::min(source_.tokens().size(), last_token_looked_at); ++k) {
       if (token(k) == name && token(k + 1) == "(") {
-        const std::size_t close = conditions_.closing(k + 1);
-        if (token(close + 1) == "{") body_ = {close + 1, conditions_.closing(close + 1)};
+        const std::size_t close = source_.partner_of(k + 1);
+        if (token(close + 1) == "{") body_ = {close + 1, source_.partner_of(close + 1)};
       }
       if (token(k) != "[") continue;
-      const std::size_t close = conditions_.closing(k);
+      const std::size_t close = source_.partner_of(k);
       const bool takes_all = is_one_of(token(k + 1), {"=", "&"}) && is_one_of(token(k + 2), {"]", ","});
       if (token(close + 1) != "(" || takes_all) continue;
-      std::size_t open = conditions_.closing(close + 1);
+      std::size_t open = source_.partner_of(close + 1);
       while (open < last_token_looked_at && !is_one_of(token(open), {"{", ";", ""})) ++open;
-      if (token(open) == "{") closed_.push_back({k, close, conditions_.closing(open)});
+      if (token(open) == "{") closed_.push_back({k, close, source_.partner_of(open)});
     }
   }
 
@@ -267,7 +237,7 @@ class SourceMutations {
       if (opens(here)) ++depth;
       if (closes(here)) --depth;
       if (!is_identifier(here) || !is_named || here == "operator") continue;
-      if (right == "(" && token(conditions_.closing(k + 1) + 1) == "{") continue;  // a function
+      if (right == "(" && token(source_.partner_of(k + 1) + 1) == "{") continue;  // a function
       const std::string_view word = left == "&" && k > 1 ? token(k - 2) : left;
       const bool is_type =
           is_identifier(word) && !is_one_of(word, {"return", "else", "new", "throw", "case", "goto", "namespace"});
@@ -297,8 +267,8 @@ class SourceMutations {
       if (depth != -1 || token(k) != ")") continue;
       std::size_t begin = k + 1;  // of the block, or the end of the only statement
       while (begin < source_.tokens().size() && token(begin) != "{" && token(begin) != ";")
-        begin = opens(token(begin)) ? conditions_.closing(begin) + 1 : begin + 1;
-      return token(begin) == "{" ? conditions_.closing(begin) : begin;
+        begin = opens(token(begin)) ? source_.partner_of(begin) + 1 : begin + 1;
+      return token(begin) == "{" ? source_.partner_of(begin) : begin;
     }
     return source_.tokens().size();
   }
@@ -346,12 +316,12 @@ class SourceMutations {
   /// Is what follows a value, and no declaration and no statement?
   /// An argument of swap(a, b), std::tie(a, b).
   bool is_changed_by_call(std::size_t index) const {
-    const std::size_t open = conditions_.opening_of(index);
+    const std::size_t open = source_.opening_around(index);
     return token(open) == "(" && open > 0 && is_one_of(token(open - 1), {"swap", "tie"});
   }
   /// The comma of `Matrix3d A, B;`
   bool is_between_names() const {
-    if (token(conditions_.opening_of(at_)) != "{") return false;
+    if (token(source_.opening_around(at_)) != "{") return false;
     std::size_t first = at_;
     while (first > first_ && !is_one_of(token(first - 1), {";", "{", "}"})) --first;
     if (token(first) == "const") ++first;
@@ -365,7 +335,7 @@ class SourceMutations {
     const bool is_type =
         is_one_of(after(), whole_types) || is_one_of(after(), {"const", "auto", "double", "float", "void"});
     if (declares || is_declared || is_type || is_changed_by_call(at_ + 1)) return false;
-    if (token(conditions_.opening_of(at_)) == "[") return false;  // `const auto& [one, other]`
+    if (token(source_.opening_around(at_)) == "[") return false;  // `const auto& [one, other]`
     if (here() == "{") return is_one_of(before(), {"return", "=", "(", ",", "{"});
     if (here() == "(") return !is_one_of(before(), {"for", "if", "while", "switch", "catch", "]"});
     if (here() == ",") return token(at_ + 2) != "=" && !is_between_names();
@@ -382,7 +352,7 @@ class SourceMutations {
   /// The `1` of `min(1.0, s)`, whose other sign would make all of s the bound.
   bool is_bound() const {
     if (!is_numeral(after())) return false;
-    const std::size_t open = here() == "," ? conditions_.opening_of(at_) : at_;
+    const std::size_t open = here() == "," ? source_.opening_around(at_) : at_;
     return open > 0 && token(open) == "(" && is_one_of(token(open - 1), {"min", "max", "clamp"});
   }
 
@@ -452,7 +422,7 @@ class SourceMutations {
   /// The next number of that kind in a list, as in `{{0, 0.5}, {1, 0.5}}`, if it is another one; 0 if there is none.
   std::size_t next_in_list() const {
     const auto is_in_list = [&](std::size_t index) {
-      const std::size_t open = conditions_.opening_of(index);
+      const std::size_t open = source_.opening_around(index);
       return token(open) == "{" && open > 0 && !is_one_of(token(open - 1), {")", "]", ";", "}", "else", "do"});
     };
     if (!is_in_list(at_)) return 0;
@@ -518,9 +488,9 @@ class SourceMutations {
     const auto assigns = [&](std::size_t index) {
       return is_one_of(token(index), {"=", "+=", "-=", "*=", "/=", "<<"});
     };
-    const std::size_t open = conditions_.opening_of(at_);
+    const std::size_t open = source_.opening_around(at_);
     const bool is_chosen =
-        token(open) == "(" && open > 0 && !is_identifier(token(open - 1)) && assigns(conditions_.closing(open) + 1);
+        token(open) == "(" && open > 0 && !is_identifier(token(open - 1)) && assigns(source_.partner_of(open) + 1);
     return assigns(end_of_target(at_)) || is_chosen ||
            (after() == "." && is_one_of(token(at_ + 2), {"data", "begin", "end"}));
   }
@@ -530,7 +500,7 @@ class SourceMutations {
     std::size_t end = first + 1;
     while (true) {
       if (is_one_of(token(end), {"[", "("}))
-        end = conditions_.closing(end) + 1;
+        end = source_.partner_of(end) + 1;
       else if (is_one_of(token(end), {".", "::"}) || is_identifier(token(end)))
         ++end;
       else if (token(end) == "<" && conditions_.is_of_template(end))
@@ -612,7 +582,7 @@ class SourceMutations {
     if (before() == "." && is_called) {
       const auto found = methods.find(here());
       const std::size_t last = token(at_ + 2) == ")" ? at_ + 2 : at_ + 1;
-      const std::string_view behind = token(conditions_.closing(at_ + 1) + 1);
+      const std::string_view behind = token(source_.partner_of(at_ + 1) + 1);
       if (found == methods.end() || at_ < 2 || is_one_of(behind, {"=", "+=", "-=", "*=", "/="})) return;
       for (const std::string_view other : found->second) {
         Edit edit =
@@ -645,7 +615,7 @@ class SourceMutations {
     while (first > 0) {
       --first;
       while (first > 0 && closes(token(first))) {
-        first = conditions_.opening(first);
+        first = source_.partner_of(first);
         if (first > 0 && token(first - 1) == ">" && conditions_.is_of_template(first - 1))
           while (token(--first) != "<") {
           }
@@ -690,7 +660,7 @@ class SourceMutations {
   /// `n`, `2`, `(n - 1)` and `r.cols()` before the token here.
   bool follows_whole() const {
     if (before() != ")") return is_whole(at_ - 1);
-    const std::size_t open = conditions_.opening(at_ - 1);
+    const std::size_t open = source_.partner_of(at_ - 1);
     if (open > 0 && is_identifier(token(open - 1))) return is_one_of(token(open - 1), {"size", "cols", "rows"});
     for (std::size_t k = open + 1; k + 1 < at_; ++k)
       if (!is_whole(k) && !is_one_of(token(k), {"+", "-", "*", "(", ")"})) return false;
@@ -715,8 +685,8 @@ class SourceMutations {
   /// The last token of `x`, `v.norm()`, `M(0, 1)` or `(a + b)`.
   std::size_t end_of_factor(std::size_t last) const {
     while (is_one_of(token(last + 1), {".", "::"}) && is_identifier(token(last + 2))) last += 2;
-    if (token(last) == "(") last = conditions_.closing(last);
-    while (is_one_of(token(last + 1), {"(", "["})) last = conditions_.closing(last + 1);
+    if (token(last) == "(") last = source_.partner_of(last);
+    while (is_one_of(token(last + 1), {"(", "["})) last = source_.partner_of(last + 1);
     return last;
   }
 
@@ -787,7 +757,7 @@ class SourceMutations {
     constexpr std::ptrdiff_t most = 8;
     if (!is_one_of(here(), {"+", "-"}) || !follows_operand() || all_bugs_ || conditions_.in_loop(at_)) return;
     std::size_t first = at_ - 1;
-    if (closes(token(first))) first = conditions_.opening(first);
+    if (closes(token(first))) first = source_.partner_of(first);
     if (is_one_of(token(first), {"(", "["}) && is_identifier(token(first - 1)) && token(first - 1) != "return") --first;
     while (first > 2 && is_one_of(token(first - 1), {".", "::"}) && is_identifier(token(first - 2))) first -= 2;
     if (!begins_operand(at_ + 1)) return;
@@ -851,15 +821,16 @@ class SourceMutations {
 
   /// `A * v.cross(w)` as `(A * v).cross(w)`.
   void brackets_before_method() {
-    static const std::initializer_list<std::string_view> methods = {"cross", "dot",       "norm",    "squaredNorm",
-                                                                    "sum",   "transpose", "inverse", "normalized"};
+    static const std::initializer_list<std::string_view> methods = {
+        "cross",     "dot",     "norm",       "squaredNorm",  "sum",
+        "transpose", "inverse", "normalized", "cwiseProduct", "cwiseQuotient"};
     if (here() != "." || !is_one_of(after(), methods) || all_bugs_) return;
     const std::size_t operand = operand_of(at_);
     if (operand < 3 || !is_one_of(token(operand - 1), {"*", "/", "+", "-"})) return;
     const std::string_view end = token(operand - 2);
     if (end == "return" || !(is_identifier(end) || closes(end))) return;
     const std::size_t left = operand_of(operand - 1);
-    add(VariantKind::brackets, "brackets around what stands before the method, which binds first", at_,
+    add(VariantKind::brackets, brackets_before_method_words, at_,
         {{source_.tokens()[left].offset, 0, "("}, {source_.tokens()[at_].offset, 0, ")"}});
   }
 
@@ -900,7 +871,7 @@ class SourceMutations {
 
   std::size_t end_of_statement(std::size_t index) const {
     while (index < last_ && token(index) != ";")
-      index = opens(token(index)) ? conditions_.closing(index) + 1 : index + 1;
+      index = opens(token(index)) ? source_.partner_of(index) + 1 : index + 1;
     return index;
   }
 
@@ -990,12 +961,11 @@ std::vector<Edit> wider_type(const SourceText& source, const Reason& finding) {
 /// What a function or lambda returns whose result is `auto`, as values; nothing for a variable.
 std::vector<Edit> returned_values(const SourceText& source, const Token& word) {
   const std::vector<Token>& tokens = source.tokens();
-  const Conditions brackets(source);
   auto open = static_cast<std::size_t>(&word - tokens.data());
   while (open < tokens.size() && !is_one_of(tokens[open].text, {"{", ";"})) ++open;
   std::vector<Edit> edits;
   if (open >= tokens.size() || tokens[open].text == ";") return edits;
-  for (std::size_t k = open; k < std::min(brackets.closing(open), tokens.size()); ++k)
+  for (std::size_t k = open; k < std::min(source.partner_of(open), tokens.size()); ++k)
     if (tokens[k].text == "return")
       if (const std::size_t end = source.text().find(';', tokens[k].offset); end != std::string_view::npos) {
         edits.push_back({tokens[k].offset + tokens[k].text.size(), 0, " workbook_value("});
@@ -1013,13 +983,14 @@ std::vector<Edit> edits_of(const SourceText& source, const Reason& mistake) {
   };
   switch (mistake.fix) {
     case Fix::none:
+    case Fix::when_all_right:
       return {};
     case Fix::real_quotient:
       return in_place_of("/", "* 1.0 /");
-    case Fix::divisor:
-      return in_place_of("*", "/");
     case Fix::decimal_point:
       return in_place_of(",", ".");
+    case Fix::by_reference:
+      return {{source.offset_of({mistake.line, mistake.column}), 0, "& "}};
     case Fix::unit_matrix:
       return in_place_of("Ones", "Identity");
     case Fix::compound: {
@@ -1088,14 +1059,14 @@ std::vector<Variant> branch_variants(const SourceText& source) {
   for (std::size_t k = 1; k + 2 < last && found.size() < most; ++k) {
     if (tokens[k].in_directive) continue;
     if (tokens[k].text == "if" && tokens[k + 1].text == "(") {
-      const std::size_t close = conditions.closing(k + 1);
+      const std::size_t close = source.partner_of(k + 1);
       if (close + 1 >= last || close < k + 3) continue;
       std::size_t body_end = close + 1;
       if (tokens[body_end].text == "{") {
-        body_end = conditions.closing(body_end);
+        body_end = source.partner_of(body_end);
       } else {
         while (body_end + 1 < last && tokens[body_end].text != ";")
-          body_end = opens(tokens[body_end].text) ? conditions.closing(body_end) + 1 : body_end + 1;
+          body_end = opens(tokens[body_end].text) ? source.partner_of(body_end) + 1 : body_end + 1;
       }
       add(k, {k + 2, close - 1}, {close + 1, std::min(body_end, last - 1)});
     } else if (tokens[k].text == "?") {
@@ -1112,21 +1083,6 @@ std::vector<Variant> one_token_variants(const SourceText& source, const Exercise
 
 std::vector<Variant> source_mutants(const SourceText& source, const ExerciseReference& exercise) {
   return SourceMutations(source, exercise, true).all();
-}
-
-std::vector<Reason> whole_quotients(const SourceText& source, const ExerciseReference& exercise) {
-  std::vector<Reason> found;
-  for (const Variant& each : one_token_variants(source, exercise))
-    if (each.kind == VariantKind::division && each.words.empty())
-      found.push_back(source.reason(each.place, "integer_division",
-                                    "Whole numbers are divided here, and what follows the decimal point is dropped: "
-                                    "make one of them a double.",
-                                    Weight::cause, Fix::real_quotient));
-    else if (each.kind == VariantKind::division)
-      found.push_back(source.reason(each.place, "divisor",
-                                    "a / b * c is (a / b) * c: to divide by the product, write a / (b * c).",
-                                    Weight::cause, Fix::divisor));
-  return found;
 }
 
 std::string edited(std::string_view text, std::vector<Edit> edits) {

@@ -61,6 +61,10 @@ struct Variant {
   bool is_branch() const { return body_end > 0; }
 };
 
+/// What is said of one kind of `brackets`.
+inline constexpr const char* brackets_before_method_words =
+    "brackets around what stands before the method, which binds first";
+
 /// Of every `if` and `?`: one that throws where its condition is true ("branch"), to learn which cases go that way, and
 /// ones in which it is never so ("branch_off") and always so ("branch_on").
 std::vector<Variant> branch_variants(const SourceText& source);
@@ -74,10 +78,6 @@ std::vector<Variant> one_token_variants(const SourceText& source, const Exercise
 /// Bugs in a file: all slips of one token, and those that are hardly slips: another comparison, a call such as
 /// .normalized() or a statement left out.
 std::vector<Variant> source_mutants(const SourceText& source, const ExerciseReference& exercise);
-
-/// Quotients of whole numbers that have names, and quotients with a factor after them that was perhaps meant for the
-/// divisor: mistakes only where the other reading gives another result.
-std::vector<Reason> whole_quotients(const SourceText& source, const ExerciseReference& exercise);
 
 std::string edited(std::string_view text, std::vector<Edit> edits);
 

@@ -85,6 +85,24 @@ SourceText::SourceText(std::string_view text) : text_(text) {
     for (const std::size_t end = at + length; at < end; ++at)
       if (text[at] == '\n') line_starts_.push_back(at + 1);
   }
+  std::vector<std::size_t> open;
+  for (std::size_t k = 0; k < tokens_.size(); ++k) {
+    const std::string_view token = tokens_[k].text;
+    partners_.push_back(opens(token) ? tokens_.size() - 1 : closes(token) ? 0 : k);
+    if (opens(token)) open.push_back(k);
+    if (!closes(token) || open.empty()) continue;
+    partners_[k] = open.back();
+    partners_[open.back()] = k;
+    open.pop_back();
+  }
+}
+
+std::size_t SourceText::opening_around(std::size_t token) const {
+  while (token > 0) {
+    if (opens(tokens_[--token].text)) return token;
+    token = partners_[token];
+  }
+  return 0;
 }
 
 std::string_view SourceText::line(int number) const {
@@ -135,28 +153,18 @@ Reason SourceText::reason(Place place, std::string name, const std::string& sent
           .fix = fix};
 }
 
-std::vector<std::size_t> matching_parentheses(const std::vector<Token>& tokens) {
-  std::vector<std::size_t> matching(tokens.size(), std::string::npos), open;
-  for (std::size_t k = 0; k < tokens.size(); ++k) {
-    if (tokens[k].text == "(") open.push_back(k);
-    if (tokens[k].text != ")" || open.empty()) continue;
-    matching[k] = open.back();
-    matching[open.back()] = k;
-    open.pop_back();
-  }
-  return matching;
-}
+bool opens(std::string_view token) { return token == "(" || token == "[" || token == "{"; }
+bool closes(std::string_view token) { return token == ")" || token == "]" || token == "}"; }
 
 bool defines_function(const SourceText& source, std::string_view name) {
   const std::vector<Token>& tokens = source.tokens();
-  const std::vector<std::size_t> matching = matching_parentheses(tokens);
   for (std::size_t k = 1; k + 1 < tokens.size(); ++k) {
     // "Matrix3d NAME(…) {", and no call: nothing like a type or "rigid::" stands before that, or no { after it.
     const char before = tokens[k - 1].text.back();
     const bool has_type = std::isalnum(static_cast<unsigned char>(before)) != 0 ||
                           std::string_view("_>&*:").find(before) != std::string_view::npos;
     if (tokens[k].text != name || tokens[k + 1].text != "(" || !has_type || tokens[k].in_directive) continue;
-    const std::size_t after = matching[k + 1] == std::string::npos ? tokens.size() : matching[k + 1] + 1;
+    const std::size_t after = source.partner_of(k + 1) + 1;
     if (after < tokens.size() && (tokens[after].text == "{" || tokens[after].text == "noexcept")) return true;
   }
   return false;

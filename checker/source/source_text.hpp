@@ -33,6 +33,12 @@ class SourceText {
   std::string_view text() const { return text_; }
   const std::vector<Token>& tokens() const { return tokens_; }
 
+  /// The number of the token that closes the bracket with this number, or opens it; of a bracket without partner the
+  /// last token, or the first; of any other token its own.
+  std::size_t partner_of(std::size_t token) const { return partners_[token]; }
+  /// The bracket around a token: the last one before it that is still open; 0 where there is none.
+  std::size_t opening_around(std::size_t token) const;
+
   Place place_of(std::size_t offset) const;
   std::size_t offset_of(Place place) const;
 
@@ -49,11 +55,13 @@ class SourceText {
 
   std::string_view text_;
   std::vector<Token> tokens_;
+  std::vector<std::size_t> partners_;  ///< of each token
   std::vector<std::size_t> line_starts_{0};
 };
 
-/// By the number of a token "(" that of its ")", and the other way round; npos for all other tokens.
-std::vector<std::size_t> matching_parentheses(const std::vector<Token>& tokens);
+/// One of the three kinds of brackets.
+bool opens(std::string_view token);
+bool closes(std::string_view token);
 
 /// Does the file define a function of that name, in whatever namespace?
 bool defines_function(const SourceText& source, std::string_view name);

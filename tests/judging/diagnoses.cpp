@@ -163,12 +163,12 @@ Table terms() {
   for (const Case& each : momentum().cases) add_case(unit, each.name, each.inputs, with(one));
   unit.cases.back().scale = {1};
   unit.cases.back().deciding = false;
-  add(table, "no term is declared", unit, outputs(unit, with(ones)));
+  add(table, "no term is declared", unit, outputs(unit, with(ones)), "place place");
   add_term(unit, "m u_0 1", 1, [](const Inputs& in) {
     return to_value(in[0].numbers[0] * in[1].numbers[0] * Eigen::Matrix3d::Identity());
   });
   add(table, "a term in every entry", unit, outputs(unit, with(ones)), "term m u_0 1");
-  add(table, "half a term in every entry", unit, outputs(unit, with(one + 0.5 * (ones - one))));
+  add(table, "half a term in every entry", unit, outputs(unit, with(one + 0.5 * (ones - one))), "place place");
   // A term too small to show is not blamed for rounding errors in it.
   Exercise three = momentum_with_terms();
   add_term(three, "small", 0, [](const Inputs& in) { return vector({3e-8 * std::sin(40 * in[1].numbers[1]), 0, 0}); });
@@ -405,7 +405,7 @@ Values of(const Exercise& exercise, const OfTwo& f) {
 }
 
 /// The first sentence of an explainer that calls the function.
-std::string told_by(Explainer& look, const Exercise& exercise, const OfTwo& wrong) {
+std::string told_by(Explainer& look, const Exercise& exercise, const OfTwo& wrong, const std::string& text = "") {
   const auto function = [&](const Inputs& in) { return number(wrong(in[0].numbers[0], in[1].numbers[0])); };
   const Observation observation = observed(outputs(exercise, function));
   const Judgement judgement = judge(exercise, observation);
@@ -414,7 +414,7 @@ std::string told_by(Explainer& look, const Exercise& exercise, const OfTwo& wron
     for (const PlannedCall& call : calls) replies.push_back(returning(function(call.inputs)));
     return replies;
   };
-  const Submission submission{};
+  const Submission submission{"", "", text};
   const CompileTask compile_task{submission, "", ""};
   const Compilation compilation;
   const Toolchain toolchain;
@@ -608,9 +608,11 @@ TEST_CASE("Digits that are chance are told however few are right, and the edge o
     for (const double angle : {1e-9 * (k + 1), 0.1 + 0.1 * k})
       add_case(exercise, fmt::format("{}", angle), {number(std::cos(angle)), number(std::sin(angle))},
                [&](const Inputs&) { return number(angle); });
-  CHECK(told_by(explain_lost_digits, exercise, [](double c, double) { return std::acos(std::min(c, 1.0)); }) ==
-        "Where your result is wrong its digits are chance: they change when an input changes in its 16th digit. Digits "
-        "are lost in a difference of nearly equal numbers, or in acos and asin near ±1, where atan2 keeps them.");
+  const auto arc = [](double c, double) { return std::acos(std::min(c, 1.0)); };
+  CHECK(told_by(explain_lost_digits, exercise, arc) ==
+        "Where your result is wrong it is nearly right, but its last digits are chance: they change when an input "
+        "changes in its 16th digit. Digits are lost in a difference of nearly equal numbers.");
+  CHECK(told_by(explain_lost_digits, exercise, arc, "std::acos(c)").starts_with("acos loses half of the digits"));
   CHECK(told_by(explain_lost_digits, exercise, [](double c, double s) { return c == 1 ? 0 : std::atan2(s, c); }) == "");
   CHECK(told_by(explain_lost_digits, exercise, [](double c, double s) { return 2 * std::atan2(s, c); }) == "");
 }

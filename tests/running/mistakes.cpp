@@ -116,7 +116,8 @@ const std::vector<Mistaken> files_that_do_not_compile = {
     {"missing_semicolon 3:13", body("return 2 * x")},
     {"missing_semicolon 3:11", body("Vector3d v\nv << 1, 2, 3; return v(0);")},
     {"missing_operator 3:19", body("return 2 * (x + 1) x;")},
-    {"missing_brace 7:2", body("  if (x > 0) {\n    return 2 * x;\n  return x;")},
+    {"missing_brace 3:14", body("  if (x > 0) {\n    return 2 * x;\n  return x;")},
+    {"missing_brace 7:2", body("  if (x > 0) {\n    return 2 * x;\n    return x;")},
     {"surplus_brace 6:1", body("return 2 * x;\n}")},
     {"missing_parenthesis 3:18", body("return 2 * (x + 1;")},
     {"surplus_parenthesis 3:17", body("return 2 * x + 1);")},
@@ -567,6 +568,18 @@ TEST_CASE("a result that is dropped is told, not a call that changes its argumen
             .empty());
 }
 
+TEST_CASE("sums of vectors, loops that count in their condition and lists before a declaration are not blamed") {
+  CHECK(names("return std::accumulate(v.begin(), v.end(), 0);") == "whole_sum ");
+  CHECK(names("const Vector3d s = std::accumulate(v.begin(), v.end(), Vector3d(0, 0, 0));\nreturn s(0);").empty());
+  CHECK(names("const Matrix3d A = x * A;\nreturn A(0, 0);") == "uninitialized_variable ");
+  CHECK(names("const double a = x, b = 2 * a;\nreturn b;").empty());
+  CHECK(names("while (n > 0) {\nx = 2 * x;\n}\nreturn x;") == "endless_loop ");
+  CHECK(names("while (n--) {\nx = 2 * x;\n}\nreturn x;").empty());
+  CHECK(names("do {\nx = 2 * x;\n} while (--n > 0);\nreturn x;").empty());
+  CHECK(names("Matrix3d A;\nA << x, 0, 0,\n0, 1, 0;\n0, 0, 1;\nreturn A(0, 0);") == "semicolon_in_list ");
+  CHECK(names("Vector2d a;\na << x, 2 * x;\nEigen::Matrix<double, 3, 6> J;\nreturn a(0);").empty());
+}
+
 TEST_CASE("sizes and ends of loops are told, not those that are given or hold") {
   CHECK(names("VectorXd v;\nv(0) = x;\nreturn v(0);") == "no_size ");
   CHECK(names("VectorXd v;\nv.resize(3);\nv(0) = x;\nreturn v(0);").empty());
@@ -579,6 +592,8 @@ TEST_CASE("sizes and ends of loops are told, not those that are given or hold") 
   CHECK(names("for (int k = 0; k < A.cols(); k += 3) {\nx += A.col(k + 1).norm();\n}\nreturn x;").empty());
   CHECK(names("for (int i = 0; i < 2; ++i) {\ny = i * x;\nz = i + x;\n}\nreturn y + z;") == "last_turn_only ");
   CHECK(names("for (int i = 0; i < 2; ++i) {\ny = i * x;\nz += y;\n}\nreturn z;").empty());
+  CHECK(names("Eigen::EigenSolver<Matrix3d> s(A);\nreturn x;") == "unsorted ");
+  CHECK(names("Eigen::SelfAdjointEigenSolver<Matrix3d> s(A);\nreturn x;").empty());
   CHECK(names("return (1 - x) / 1 + x;") == "divisor ");
   CHECK(names("return (1 - x) / 1.5 + x;").empty());
 }
@@ -587,6 +602,11 @@ TEST_CASE("a lambda that changes copies is told, not one that keeps a counter or
   CHECK(names("double s = 0;\nauto add = [s](double y) mutable { s += y; };\nadd(x);\nreturn s;") == "captured_copy ");
   CHECK(names("return x;\n}\nvoid turn(Vector3d v, double y) {\nv(0) = y * v(0);\n}\ndouble other(double x) {\nreturn "
               "x;") == "changed_copy ");
+  const std::string turn = "return x;\n}}\nvoid turn({}) {{\n{}\n}}\ndouble other(double y) {{\nreturn y;";
+  CHECK(names(fmt::format(fmt::runtime(turn), "Vector3d v", "v.head<2>() *= 2;")) == "changed_copy ");
+  CHECK(names(fmt::format(fmt::runtime(turn), "Vector3d& v", "v.head<2>() *= 2;")).empty());
+  CHECK(names(fmt::format(fmt::runtime(turn), "Vector3d& v, int i", "v[(i + 1) % 3] *= 2;")).empty());
+  CHECK(names(fmt::format(fmt::runtime(turn), "Vector3d v, Vector3d& w", "v(0) = 2;\nw = v;")).empty());
   CHECK(names("auto next = [n = 0.0]() mutable { return ++n; };\nreturn next() * x;").empty());
   CHECK(names("double s = 0;\nauto add = [&s](double y) mutable { s += y; };\nadd(x);\nreturn s;").empty());
 }

@@ -77,6 +77,7 @@ constexpr struct {
     {diagnose_no_effect, Beside::nothing},
     {diagnose_threshold, Beside::symptoms},
     {diagnose_one_side, Beside::symptoms},
+    {diagnose_mostly_near, Beside::symptoms},
 };
 // clang-format on
 

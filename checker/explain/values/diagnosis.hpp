@@ -53,6 +53,7 @@ std::string simple_number(double number);
 Mechanism diagnose_place;         ///< "Only component 3 is wrong": always true, and silent where all are
 Mechanism diagnose_eigenvectors;  ///< principal axes in another order, of another length or handedness
 Mechanism diagnose_accuracy;      ///< nearly right at every case; the digits where the error follows a law
+Mechanism diagnose_mostly_near;   ///< nearly right at most cases, and on which side
 Mechanism diagnose_no_effect;     ///< arguments that alone never change the answer, but the right result
 Mechanism diagnose_range;  ///< the right attitudes by numbers beyond their range: θ, the pitch, more than half a turn
 

@@ -265,7 +265,7 @@ Relation relation(const ExerciseReference& exercise, const Answers& answers, con
                   std::size_t number, bool by_inputs, double (*of)(double)) {
   constexpr double telling = 1e-5;  // of the natural size
   std::vector<std::size_t> rows;
-  std::vector<double> factors;
+  std::vector<double> factors, products;
   Relation found;
   for (const std::size_t i : deciding_cases(exercise)) {
     const Case& one = exercise.cases[i];
@@ -277,11 +277,18 @@ Relation relation(const ExerciseReference& exercise, const Answers& answers, con
     if (std::abs(e) <= telling * scale || y == 0) return {true};
     rows.push_back(i);
     factors.push_back(y / e);
+    products.push_back(y * e);
   }
   if (!found.is_wrong) return found;
   if (rows.empty()) return {true};
-  const VectorXd all = Eigen::Map<const VectorXd>(factors.data(), static_cast<Index>(factors.size()));
-  found.words = fitted(column_of("", all), by_inputs ? columns_at(exercise, wrong, rows) : std::vector<Column>());
+  const auto column = [](const std::vector<double>& values) {
+    return column_of("", Eigen::Map<const VectorXd>(values.data(), static_cast<Index>(values.size())));
+  };
+  const Column product = column(products);
+  if (std::ssize(products) > spare_cases &&
+      std::abs(common_number(product.logarithm, product.sign) - 1) < logarithm_exactness)
+    return {true, "as a reciprocal, 1 over it,"};
+  found.words = fitted(column(factors), by_inputs ? columns_at(exercise, wrong, rows) : std::vector<Column>());
   return found;
 }
 

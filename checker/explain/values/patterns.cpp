@@ -30,7 +30,8 @@ std::optional<Reason> diagnose_place(const ExerciseReference& exercise, const An
   const std::set<std::size_t> wrong = wrong_entries(exercise, answers);
   const Value& shape = exercise.cases.front().expected;
   const Outcomes outcome = outcomes_of(exercise, answers);
-  if (wrong.empty() || wrong.size() == shape.numbers.size() || wrong.size() > 4) return std::nullopt;
+  const bool are_products = exercise.result_kind == Kind::matrix3 && wrong == std::set<std::size_t>{1, 2, 3, 5, 6, 7};
+  if (wrong.empty() || wrong.size() == shape.numbers.size() || (wrong.size() > 4 && !are_products)) return std::nullopt;
   // At a few special inputs the other components may be right by accident.
   constexpr std::size_t fewest = 5;
   if (outcome.wrong.size() < fewest && !outcome.right.empty()) return std::nullopt;
@@ -42,7 +43,8 @@ std::optional<Reason> diagnose_place(const ExerciseReference& exercise, const An
                                 : fmt::format("at {} of {}", outcome.wrong.size(),
                                               plural(outcome.right.size() + outcome.wrong.size(), "case"));
   return Reason{ReasonKind::place, "place",
-                fmt::format("Only {} {} wrong, {}; all other numbers are right everywhere.", listed(names),
+                fmt::format("Only {} {} wrong, {}; all other numbers are right everywhere.",
+                            are_products ? "the entries off the diagonal" : listed(names),
                             wrong.size() == 1 ? "is" : "are", where),
                 Weight::symptom};
 }
@@ -136,6 +138,35 @@ std::optional<Reason> diagnose_accuracy(const ExerciseReference& exercise, const
       fmt::format("Your result is right to about {} at every case, and more are asked for.{}",
                   plural(static_cast<std::size_t>(std::max(1.0, std::floor(-std::log10(worst)))), "digit"), law);
   return Reason{ReasonKind::accuracy, "accuracy", sentence, Weight::possible};
+}
+
+std::optional<Reason> diagnose_mostly_near(const ExerciseReference& exercise, const Answers& answers) {
+  constexpr double near = 1e-2, far_away = 0.5;
+  constexpr std::size_t fewest = 5;
+  std::size_t wrong = 0, far = 0, lost = 0, larger = 0;
+  for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
+    if (!answers[i] || !answers[i]->is_finite()) return std::nullopt;
+    double error = 0;
+    for (const Deviation& each : deviations(exercise, i, *answers[i])) error = std::max(error, each.relative_size());
+    if (passes(exercise, i, *answers[i])) continue;
+    ++wrong;
+    far += error > near ? 1 : 0;
+    lost += error > far_away ? 1 : 0;
+    if (exercise.result_kind == Kind::number && error <= near)
+      larger += answers[i]->numbers.front() > exercise.cases[i].expected.numbers.front() ? 1 : 0;
+  }
+  if (wrong < fewest || 2 * wrong < exercise.cases.size() || 5 * far > wrong || 10 * lost > wrong) return std::nullopt;
+  const char* const side = exercise.result_kind != Kind::number || (larger > 0 && larger < wrong - far) ? ""
+                           : larger > 0
+                               ? " There it is never too small, as the end of a step in place of a point within it."
+                               : " There it is never too large, as the best of some points, between which lies a "
+                                 "better one.";
+  return Reason{
+      ReasonKind::accuracy, "near",
+      fmt::format("Your result is nearly right: at {} of the {} where it is wrong, it differs by less than "
+                  "1 % of its size.{} Either a small term is wrong or missing, or the calculation is too coarse.",
+                  wrong - far, plural(wrong, "case"), side),
+      Weight::symptom};
 }
 
 std::optional<Reason> diagnose_range(const ExerciseReference& exercise, const Answers& answers) {
