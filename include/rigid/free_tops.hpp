@@ -86,7 +86,7 @@ Vector2d linearized_rates(const Vector3d& I, double omega3);
 ///
 /// @param I          principal moments, kg m²; I₃ is the largest or the smallest
 /// @param omega3     spin about axis 3, rad/s, of either sign
-/// @param amplitude  ω⊥, the largest value of the first component, rad/s; A on the slides
+/// @param amplitude  ω⊥, rad/s, of either sign: its size is the largest one of the first component; A on the slides
 /// @param phase      δ, rad; at time 0 the first component is ω⊥ cos δ; φ on the slides
 /// @param t          time, s; may be negative
 /// @return           the first two body components of the angular velocity at time t, rad/s

@@ -561,10 +561,26 @@ void add_sums_of(std::vector<NamedChange>& changes, const ExerciseReference& exe
   }
 }
 
+/// The components of a vector on other axes.
+void add_turned(std::vector<NamedChange>& changes, const ExerciseReference& exercise, std::size_t matrix,
+                std::size_t vector) {
+  const Argument &turn = exercise.arguments[matrix], &turned = exercise.arguments[vector];
+  if (turn.kind != Kind::matrix3 || !(turn.unit == units::none) || turned.kind != Kind::vector3) return;
+  for (const bool back : {false, true})
+    changes.push_back({fmt::format("{}_times_{}{}", turned.name, turn.name, back ? "_transposed" : ""),
+                       fmt::format("{0}{1}·{2} in place of {2}", turn.name, back ? "ᵀ" : "", turned.name),
+                       [=](Values& inputs) {
+                         Eigen::Matrix3d by = as_matrix(inputs[matrix]);
+                         if (back) by.transposeInPlace();
+                         inputs[vector] = to_value(by * as_matrix(inputs[vector]));
+                       }});
+}
+
 std::vector<NamedChange> changes_of(const ExerciseReference& exercise) {
   std::vector<NamedChange> changes;
   for (std::size_t a = 0; a < exercise.arguments.size(); ++a) {
     if (exercise.arguments[a].kind != Kind::integer) add_changes_of(changes, exercise.arguments[a], a);
+    for (std::size_t b = 0; b < exercise.arguments.size(); ++b) add_turned(changes, exercise, a, b);
     for (std::size_t b = a + 1; b < exercise.arguments.size(); ++b) {
       if (exercise.arguments[a].kind != exercise.arguments[b].kind) continue;
       const std::string names = exercise.arguments[a].name + " and " + exercise.arguments[b].name;

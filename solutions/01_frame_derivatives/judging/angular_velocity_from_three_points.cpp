@@ -81,6 +81,13 @@ void judge_angular_velocity_from_three_points(Lecture& lecture) {
           "half_sum_of_edges", [](auto& r, auto& v) {
             return (across_side(r, v, 0, 1) + across_side(r, v, 1, 2) + across_side(r, v, 2, 0)) / 2;
           });
+  e.wrong(
+      "Your sum is that for three unit vectors at right angles to each other; two sides of a triangle are oblique.",
+      "oblique_axes", [](auto& r, auto& v) {
+        const Vector3d a = r.col(1) - r.col(0), b = r.col(2) - r.col(0), n = cross(a, b),
+                       n_rate = cross(v.col(1) - v.col(0), b) + cross(a, v.col(2) - v.col(0));
+        return Vector3d((across_side(r, v, 0, 1) + across_side(r, v, 0, 2) + cross(n, n_rate) / n.squaredNorm()) / 2);
+      });
   e.wrong("This is the rate at which the first point goes round the origin, as if the body rotated about the origin.",
           "translation_kept", [](auto& r, auto& v) { return cross(r.col(0), v.col(0)) / r.col(0).squaredNorm(); });
   e.wrong(

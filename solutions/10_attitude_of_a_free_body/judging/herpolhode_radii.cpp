@@ -106,6 +106,14 @@ void mistakes_of_herpolhode_radii(Exercise& e) {
             return Vector2d(root(below / (I[0] * (I[2] - I[0]))),
                             I[2] > I[1] ? root(below / (I[1] * (I[2] - I[1]))) : 0.0);
           });
+  e.wrong({"These are distances of ω from the axis that it circles in the body; asked for are those from L, in space.",
+           "attitude_herpolhode"},
+          "polhode_radii", [](auto& I, auto& w) {
+            const int c = L_of(I, w).squaredNorm() > twice_T(I, w) * I[1] ? 2 : 0, a = 2 - c;
+            const double left = abs(twice_T(I, w) * I[c] - L_of(I, w).squaredNorm());
+            const double other = abs(I[c] - I[a]), middle = abs(I[c] - I[1]);
+            return sorted(root(left / (I[a] * other)), middle > 0 ? root(left / (I[1] * middle)) : 0.0);
+          });
 }
 
 }  // namespace
