@@ -149,14 +149,15 @@ TEST_CASE("lines: Three slopes of one throw") {
   const Vector3d abc = euler_coefficients(flight.t, flight.omega);
   //! [lines in brief]
 
-  // The same lines by orthogonal matrices, and how far the samples lie from them.
+  // The same lines by their normal equations, and how far the samples lie from them.
   const Matrix3Xd sums = product_integrals(flight);
   Vector3d scatter, errors;
   for (int axis = 0; axis < 3; ++axis) {
-    Eigen::MatrixXd system(flight.t.size(), 2);
+    Eigen::MatrixX2d system(flight.t.size(), 2);
     system << VectorXd::Ones(flight.t.size()), sums.row(axis).transpose();
     const VectorXd samples = flight.omega.row(axis).transpose();
-    const Vector2d line = system.colPivHouseholderQr().solve(samples);
+    const Eigen::Matrix2d squares = system.transpose() * system;
+    const Vector2d line = squares.inverse() * (system.transpose() * samples);
     CHECK(agrees(line[1], abc[axis], 1e-11));
     const VectorXd left = samples - system * line;
     scatter[axis] = std::sqrt(left.squaredNorm() / static_cast<double>(left.size() - 2));
