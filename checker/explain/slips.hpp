@@ -7,9 +7,9 @@
 
 namespace workbook {
 
-/// @returns of each such place the reason and the variant with the change, which carries its name and place: quotients
-/// of whole numbers that have names, factors behind a quotient, methods that take too little, rows for columns, values
-/// that the line above has changed, sums that go on from turn to turn, fmod of what may be negative, sizes for ends
+/// @returns of each such place the reason and the variant with the change, which carries its name and place. They are
+/// about numbers (quotients, remainders), what a method belongs to or counts, values that lines or turns above have
+/// changed, and second names.
 std::pair<std::vector<Reason>, std::vector<Variant>> slips_of_language(const SourceText& source,
                                                                        const ExerciseReference& exercise);
 
