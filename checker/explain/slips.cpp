@@ -28,11 +28,15 @@ class Slips {
                      "colwise() has a result for each column; that over all columns is rowwise().");
     }
     for (const Argument& argument : exercise.arguments)
-      if (argument.kind == Kind::points) size_for_columns(argument.name);
+      if (argument.kind == Kind::points)
+        other_everywhere(
+            "size_for_columns", "size", "cols",
+            fmt::format("`{0}.size()` counts all entries: the number of columns is `{0}.cols()`.", argument.name),
+            argument.name);
     sizes_for_ends();
-    rows_for_columns("row", "col",
+    other_everywhere("rows_for_columns", "row", "col",
                      "Here, and wherever else row() stands, col() is right: rows are mixed up with columns.");
-    rows_for_columns("col", "row",
+    other_everywhere("rows_for_columns", "col", "row",
                      "Here, and wherever else col() stands, row() is right: rows are mixed up with columns.");
   }
 
@@ -152,20 +156,6 @@ class Slips {
     return !text.empty() && std::isalpha(static_cast<unsigned char>(text[0])) != 0;
   }
 
-  /// r.size() for the number of points
-  void size_for_columns(std::string_view points) {
-    std::vector<Edit> edits;
-    std::size_t first = 0;
-    for (std::size_t k = 0; k + 2 < source_.tokens().size(); ++k) {
-      if (token(k) != points || token(k + 1) != "." || token(k + 2) != "size") continue;
-      if (edits.empty()) first = k + 2;
-      edits.push_back(replaced(k + 2, k + 2, "cols"));
-    }
-    if (!edits.empty())
-      add("size_for_columns",
-          fmt::format("`{0}.size()` counts all entries: the number of columns is `{0}.cols()`.", points), first, edits);
-  }
-
   /// v.segment(0, 1) for the components 0 and 1
   void sizes_for_ends() {
     std::vector<Edit> edits;
@@ -189,16 +179,18 @@ class Slips {
     return is_whole && !text.empty() ? std::optional(number) : std::nullopt;
   }
 
-  /// Where all are exchanged.
-  void rows_for_columns(std::string_view method, const char* other, const char* sentence) {
+  /// Where it is exchanged wherever it is called, or called of one object.
+  void other_everywhere(const char* name, std::string_view method, const char* other, const std::string& sentence,
+                        std::string_view object = "") {
     std::vector<Edit> edits;
     std::size_t first = 0;
-    for (std::size_t k = 1; k + 1 < source_.tokens().size(); ++k) {
+    for (std::size_t k = 2; k + 1 < source_.tokens().size(); ++k) {
       if (token(k) != method || token(k - 1) != "." || token(k + 1) != "(") continue;
-      if (first == 0) first = k;
+      if (!object.empty() && token(k - 2) != object) continue;
+      if (edits.empty()) first = k;
       edits.push_back(replaced(k, k, other));
     }
-    if (!edits.empty()) add("rows_for_columns", sentence, first, edits);
+    if (!edits.empty()) add(name, sentence, first, edits);
   }
 
   const SourceText& source_;
