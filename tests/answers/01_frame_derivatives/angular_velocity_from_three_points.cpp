@@ -43,7 +43,6 @@ Vector3d angular_velocity_from_three_points(const Matrix3d& r, const Matrix3d& v
   if (std::abs(denominator) < 1e-12 * u1.norm() * d2.norm()) return Vector3d::Zero();
   return u1.cross(u2) / denominator;
 //! wrong: least squares about the origin
-Vector3d angular_velocity_from_three_points(const Matrix3d& r, const Matrix3d& v) {
   Eigen::Matrix<double, 9, 3> A;
   Eigen::Matrix<double, 9, 1> b;
   for (int k = 0; k < 3; ++k) {
@@ -52,4 +51,3 @@ Vector3d angular_velocity_from_three_points(const Matrix3d& r, const Matrix3d& v
     b.segment<3>(3 * k) = v.col(k);
   }
   return A.colPivHouseholderQr().solve(b);
-}

@@ -4,8 +4,8 @@ Vector3d angular_velocity_of_basis(const Matrix3d& E, const Matrix3d& E_rate) {
   const Matrix3d W = E_rate * E.transpose();
   return Vector3d(W(2, 1) - W(1, 2), W(0, 2) - W(2, 0), W(1, 0) - W(0, 1)) / 2;
 //! wrong: rows and columns of the antisymmetric matrix mixed up
--  return Vector3d(W(2, 1) - W(1, 2), W(0, 2) - W(2, 0), W(1, 0) - W(0, 1)) / 2;
-+  return Vector3d(W(1, 2), W(2, 0), W(0, 1));
+  const Matrix3d W = E_rate * E.transpose();
+  return Vector3d(W(1, 2), W(2, 0), W(0, 1));
 //! right: components on the basis, each from one rate
   const Vector3d e1 = E.col(0), e2 = E.col(1), e3 = E.col(2);
   return E_rate.col(1).dot(e3) * e1 + E_rate.col(2).dot(e1) * e2 + E_rate.col(0).dot(e2) * e3;
@@ -14,9 +14,8 @@ Vector3d angular_velocity_of_basis(const Matrix3d& E, const Matrix3d& E_rate) {
   const Vector3d omega_body(W(2, 1), W(0, 2), W(1, 0));
   return E * omega_body;
 //! wrong: body components, from the transposed product
--  const Vector3d omega_body(W(2, 1), W(0, 2), W(1, 0));
--  return E * omega_body;
-+  return {W(2, 1), W(0, 2), W(1, 0)};
+  const Matrix3d W = E.transpose() * E_rate;
+  return {W(2, 1), W(0, 2), W(1, 0)};
 //! wrong: the sum counts every component twice
   Vector3d omega = Vector3d::Zero();
   for (int i = 0; i < 3; i++) omega += E.col(i).cross(E_rate.col(i));

@@ -26,9 +26,7 @@ Vector3d apparent_gravity(double latitude, double radius, double g0, double eart
   a[2] += v.squaredNorm() / radius;
   return a;
 //! wrong: along a circle of latitude
-Vector3d apparent_gravity(double latitude, double radius, double g0, double earth_rate, const Vector2d& v) {
   const double c = std::cos(latitude), s = std::sin(latitude);
   const double total_east = earth_rate * radius * c + v.x();
   const double outward = total_east * total_east / (radius * c);
   return {2 * earth_rate * s * v.y(), -outward * s, -g0 + outward * c + v.y() * v.y() / radius};
-}

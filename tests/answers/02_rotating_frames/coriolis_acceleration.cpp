@@ -19,14 +19,13 @@ Vector3d coriolis_acceleration(const Vector3d& v_enu, double latitude, double ea
 //! wrong: sign
   const Vector3d Omega(0, earth_rate * std::cos(latitude), earth_rate * std::sin(latitude));
   return 2 * Omega.cross(v_enu);
-//! wrong: latitude taken for degrees
-  const double lambda = latitude * M_PI / 180;
-  const Vector3d Omega(0, earth_rate * std::cos(lambda), earth_rate * std::sin(lambda));
-  return -2 * Omega.cross(v_enu);
 //! wrong: the southern hemisphere like the northern
   const double lambda = std::abs(latitude);
   const Vector3d Omega(0, earth_rate * std::cos(lambda), earth_rate * std::sin(lambda));
   return -2 * Omega.cross(v_enu);
+//! wrong: latitude taken for degrees
+-  const double lambda = std::abs(latitude);
++  const double lambda = latitude * M_PI / 180;
 //! wrong: only the vertical part of the rotation
   const double f = 2 * earth_rate * std::sin(latitude);
   return {f * v_enu.y(), -f * v_enu.x(), 0};

@@ -4,29 +4,23 @@ double eastward_deflection(double height, double latitude, double g, double eart
 //! right: two thirds of the height
   return 2.0 / 3.0 * earth_rate * height * std::sqrt(2 * height / g) * std::cos(latitude);
 //! wrong: sine of the latitude
--  return 2.0 / 3.0 * earth_rate * height * std::sqrt(2 * height / g) * std::cos(latitude);
-+  const double t = std::sqrt(2 * height / g);
-+  return earth_rate * g * std::pow(t, 3) * std::sin(latitude) / 3;
+  const double t = std::sqrt(2 * height / g);
+  return earth_rate * g * std::pow(t, 3) * std::sin(latitude) / 3;
 //! wrong: one third in whole numbers
--  return 2.0 / 3.0 * earth_rate * height * std::sqrt(2 * height / g) * std::cos(latitude);
-+  const double t = std::sqrt(2 * height / g);
-+  return 1 / 3 * earth_rate * g * t * t * t * std::cos(latitude);
+  const double t = std::sqrt(2 * height / g);
+  return 1 / 3 * earth_rate * g * t * t * t * std::cos(latitude);
 //! wrong: integrated only once with one half
--  return 2.0 / 3.0 * earth_rate * height * std::sqrt(2 * height / g) * std::cos(latitude);
-+  const double t = std::sqrt(2 * height / g);
-+  return earth_rate * g * t * t * t * std::cos(latitude) / 2;
+  const double t = std::sqrt(2 * height / g);
+  return earth_rate * g * t * t * t * std::cos(latitude) / 2;
 //! wrong: time of the fall without its factor 2
--  return 2.0 / 3.0 * earth_rate * height * std::sqrt(2 * height / g) * std::cos(latitude);
-+  const double t = std::sqrt(height / g);
-+  return earth_rate * g * t * t * t * std::cos(latitude) / 3;
+  const double t = std::sqrt(height / g);
+  return earth_rate * g * t * t * t * std::cos(latitude) / 3;
 //! wrong: square of the time
--  return 2.0 / 3.0 * earth_rate * height * std::sqrt(2 * height / g) * std::cos(latitude);
-+  const double t = std::sqrt(2 * height / g);
-+  return earth_rate * g * t * t * std::cos(latitude) / 3;
+  const double t = std::sqrt(2 * height / g);
+  return earth_rate * g * t * t * std::cos(latitude) / 3;
 //! wrong: time of the fall in whole seconds
--  return 2.0 / 3.0 * earth_rate * height * std::sqrt(2 * height / g) * std::cos(latitude);
-+  const int t = std::sqrt(2 * height / g);
-+  return earth_rate * g * t * t * t * std::cos(latitude) / 3;
+  const int t = std::sqrt(2 * height / g);
+  return earth_rate * g * t * t * t * std::cos(latitude) / 3;
 //! right: the eastward velocity integrated by Simpson's rule, which is exact here
   const double end = std::sqrt(2 * height / g);
   const auto velocity = [&](double t) { return earth_rate * std::cos(latitude) * g * t * t; };

@@ -10,25 +10,15 @@ Vector3d fictitious_force(double m, const Vector3d& r, const Vector3d& v_body, c
   const Vector3d perpendicular = omega.squaredNorm() * r - omega.dot(r) * omega;
   return m * (perpendicular - 2 * omega.cross(v_body) - alpha.cross(r));
 //! wrong: without the minus sign
--  const Vector3d perpendicular = omega.squaredNorm() * r - omega.dot(r) * omega;
--  return m * (perpendicular - 2 * omega.cross(v_body) - alpha.cross(r));
-+  return m * (2 * omega.cross(v_body) + alpha.cross(r) + omega.cross(omega.cross(r)));
+  return m * (2 * omega.cross(v_body) + alpha.cross(r) + omega.cross(omega.cross(r)));
 //! wrong: the Coriolis force without its factor 2
--  const Vector3d perpendicular = omega.squaredNorm() * r - omega.dot(r) * omega;
--  return m * (perpendicular - 2 * omega.cross(v_body) - alpha.cross(r));
-+  return -m * (omega.cross(v_body) + alpha.cross(r) + omega.cross(omega.cross(r)));
+  return -m * (omega.cross(v_body) + alpha.cross(r) + omega.cross(omega.cross(r)));
 //! wrong: the mass is forgotten
--  const Vector3d perpendicular = omega.squaredNorm() * r - omega.dot(r) * omega;
--  return m * (perpendicular - 2 * omega.cross(v_body) - alpha.cross(r));
-+  return -2 * omega.cross(v_body) - alpha.cross(r) - omega.cross(omega.cross(r));
+  return -2 * omega.cross(v_body) - alpha.cross(r) - omega.cross(omega.cross(r));
 //! wrong: the mass only multiplies the first force
--  const Vector3d perpendicular = omega.squaredNorm() * r - omega.dot(r) * omega;
--  return m * (perpendicular - 2 * omega.cross(v_body) - alpha.cross(r));
-+  return -m * 2 * omega.cross(v_body) - alpha.cross(r) - omega.cross(omega.cross(r));
+  return -m * 2 * omega.cross(v_body) - alpha.cross(r) - omega.cross(omega.cross(r));
 //! wrong: Euler force with the factors exchanged
--  const Vector3d perpendicular = omega.squaredNorm() * r - omega.dot(r) * omega;
--  return m * (perpendicular - 2 * omega.cross(v_body) - alpha.cross(r));
-+  return -2 * m * omega.cross(v_body) - m * r.cross(alpha) - m * omega.cross(omega.cross(r));
+  return -2 * m * omega.cross(v_body) - m * r.cross(alpha) - m * omega.cross(omega.cross(r));
 //! wrong: centrifugal force towards the axis
   const Vector3d centrifugal = m * omega.cross(omega.cross(r));
   return -2 * m * omega.cross(v_body) - m * alpha.cross(r) + centrifugal;
@@ -43,10 +33,7 @@ Vector3d fictitious_force(double m, const Vector3d& v_body, const Vector3d& r, c
 //! wrong: mass forgotten in one term
   return -2 * m * omega.cross(v_body) - alpha.cross(r) - m * omega.cross(omega.cross(r));
 //! wrong: the mass on the Coriolis force only
-Vector3d fictitious_force(double m, const Vector3d& r, const Vector3d& v_body, const Vector3d& omega,
-                          const Vector3d& alpha) {
   const Vector3d coriolis = -2 * m * omega.cross(v_body);
   const Vector3d euler = -alpha.cross(r);
   const Vector3d centrifugal = -omega.cross(omega.cross(r));
   return coriolis + euler + centrifugal;
-}

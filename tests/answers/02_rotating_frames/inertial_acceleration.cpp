@@ -4,25 +4,19 @@ Vector3d inertial_acceleration(const Vector3d& a_body, const Vector3d& v_body, c
 //! right: the square of omega written out
   return a_body + 2 * omega.cross(v_body) + alpha.cross(r) + omega.dot(r) * omega - omega.squaredNorm() * r;
 //! wrong: the Coriolis term without its factor 2
--  return a_body + 2 * omega.cross(v_body) + alpha.cross(r) + omega.dot(r) * omega - omega.squaredNorm() * r;
-+  return a_body + omega.cross(v_body) + alpha.cross(r) + omega.cross(omega.cross(r));
+  return a_body + omega.cross(v_body) + alpha.cross(r) + omega.cross(omega.cross(r));
 //! wrong: centrifugal sign
--  return a_body + 2 * omega.cross(v_body) + alpha.cross(r) + omega.dot(r) * omega - omega.squaredNorm() * r;
-+  return a_body + 2 * omega.cross(v_body) + alpha.cross(r) - omega.cross(omega.cross(r));
+  return a_body + 2 * omega.cross(v_body) + alpha.cross(r) - omega.cross(omega.cross(r));
 //! wrong: brackets of the last term as on the slides
--  return a_body + 2 * omega.cross(v_body) + alpha.cross(r) + omega.dot(r) * omega - omega.squaredNorm() * r;
-+  return a_body + 2 * omega.cross(v_body) + alpha.cross(r) + omega.cross(omega).cross(r);
+  return a_body + 2 * omega.cross(v_body) + alpha.cross(r) + omega.cross(omega).cross(r);
 //! wrong: the rotation is taken for uniform
--  return a_body + 2 * omega.cross(v_body) + alpha.cross(r) + omega.dot(r) * omega - omega.squaredNorm() * r;
-+  return a_body + 2 * omega.cross(v_body) + omega.cross(omega.cross(r));
+  return a_body + 2 * omega.cross(v_body) + omega.cross(omega.cross(r));
 //! wrong: the centripetal term of a point perpendicular to the axis
--  return a_body + 2 * omega.cross(v_body) + alpha.cross(r) + omega.dot(r) * omega - omega.squaredNorm() * r;
-+  return a_body + 2 * omega.cross(v_body) + alpha.cross(r) - omega.squaredNorm() * r;
+  return a_body + 2 * omega.cross(v_body) + alpha.cross(r) - omega.squaredNorm() * r;
 //! wrong: expressions kept that refer to vectors which are gone
--  return a_body + 2 * omega.cross(v_body) + alpha.cross(r) + omega.dot(r) * omega - omega.squaredNorm() * r;
-+  const auto coriolis = 2 * omega.cross(v_body);
-+  const auto rest = alpha.cross(r) + omega.cross(omega.cross(r));
-+  return a_body + coriolis + rest;
+  const auto coriolis = 2 * omega.cross(v_body);
+  const auto rest = alpha.cross(r) + omega.cross(omega.cross(r));
+  return a_body + coriolis + rest;
 //! right: the transport theorem twice
   const Vector3d v = v_body + omega.cross(r);
   const Vector3d v_rate_body = a_body + alpha.cross(r) + omega.cross(v_body);

@@ -32,7 +32,6 @@ Matrix3d inertia_of_mesh(const Matrix3Xd& corners, double density) {
   }
   return I;
 //! wrong: weights of equal and of different corners exchanged
-Matrix3d inertia_of_mesh(const Matrix3Xd& corners, double density) {
   Matrix3d C = Matrix3d::Zero();
   for (int k = 0; k < corners.cols() / 3; k++) {
     const Vector3d a = corners.col(3 * k), b = corners.col(3 * k + 1), c = corners.col(3 * k + 2);
@@ -44,4 +43,3 @@ Matrix3d inertia_of_mesh(const Matrix3Xd& corners, double density) {
     C += density * det / 120 * A * canonical * A.transpose();
   }
   return C.trace() * Matrix3d::Identity() - C;
-}

@@ -40,10 +40,9 @@ Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
   for (int p = 0; p < m.size(); ++p) I += m[p] * r.col(p) * r.col(p).transpose();
   return I;
 //! wrong: the masses are forgotten
-  Matrix3d I = Matrix3d::Zero();
-  for (int p = 0; p < m.size(); ++p)
-    I += r.col(p).squaredNorm() * Matrix3d::Identity() - r.col(p) * r.col(p).transpose();
-  return I;
+-  for (int p = 0; p < m.size(); ++p) I += m[p] * r.col(p) * r.col(p).transpose();
++  for (int p = 0; p < m.size(); ++p)
++    I += r.col(p).squaredNorm() * Matrix3d::Identity() - r.col(p) * r.col(p).transpose();
 //! wrong: about the centre of mass
   Matrix3d I = Matrix3d::Zero();
   if (m.size() == 0) return I;
@@ -51,13 +50,6 @@ Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
   for (int p = 0; p < m.size(); ++p) {
     const Vector3d d = r.col(p) - center;
     I += m[p] * (d.squaredNorm() * Matrix3d::Identity() - d * d.transpose());
-  }
-  return I;
-//! wrong: the sum is never set to zero
-  Matrix3d I;
-  for (int p = 0; p < m.size(); ++p) {
-    const Vector3d x = r.col(p);
-    I += m[p] * (x.squaredNorm() * Matrix3d::Identity() - x * x.transpose());
   }
   return I;
 //! wrong: begins with the first point, even if there is none
@@ -74,6 +66,11 @@ Matrix3d inertia_of_points(const VectorXd& m, const Matrix3Xd& r) {
     I += m[p] * (x.squaredNorm() * Matrix3d::Identity() - x * x.transpose());
   }
   return I;
+//! wrong: the sum is never set to zero
+-  Matrix3d I = Matrix3d::Zero();
+-  for (int p = 0; p <= m.size(); ++p) {
++  Matrix3d I;
++  for (int p = 0; p < m.size(); ++p) {
 //! wrong: a single point is taken to have no inertia
   Matrix3d I = Matrix3d::Zero();
   if (m.size() < 2) return I;

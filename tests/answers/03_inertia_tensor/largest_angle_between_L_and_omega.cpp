@@ -3,10 +3,6 @@
 #include <numbers>
 #include <rigid/inertia_tensor.hpp>
 double largest_angle_between_L_and_omega(const Vector3d& I) {
-//! wrong: middle moment for the smallest
-  Vector3d s = I;
-  std::sort(s.data(), s.data() + 3);
-  return std::asin((s[2] - s[1]) / (s[2] + s[1]));
 //! right: search over the tilt
   const double a = I.minCoeff(), c = I.maxCoeff();
   const auto f = [&](double x) {
@@ -22,13 +18,13 @@ double largest_angle_between_L_and_omega(const Vector3d& I) {
 //! wrong: moments not sorted, and a sine that is twice too large
   return std::asin(std::min(1.0, std::abs(I[2] - I[0]) / (I[2] + I[0]) * 2));
 //! wrong: twice the tangent
-double largest_angle_between_L_and_omega(const Vector3d& I) {
   Vector3d s = I;
   std::sort(s.data(), s.data() + 3);
   return std::atan((s(2) - s(0)) / std::sqrt(s(0) * s(2)));
-}
+//! wrong: middle moment for the smallest
+-  return std::atan((s(2) - s(0)) / std::sqrt(s(0) * s(2)));
++  return std::asin((s[2] - s[1]) / (s[2] + s[1]));
 //! wrong: directions in steps of a degree
-double largest_angle_between_L_and_omega(const Vector3d& I) {
   double best = 0;
   const double step = M_PI / 180;
   for (int i = 0; i <= 90; ++i) {
@@ -39,4 +35,3 @@ double largest_angle_between_L_and_omega(const Vector3d& I) {
     }
   }
   return best;
-}

@@ -14,18 +14,14 @@ Matrix3d rotated_inertia(const Matrix3d& I_body, const Matrix3d& A_inertial_from
 //! right: the inverse of the rotation
   return A_inertial_from_body * I_body * A_inertial_from_body.inverse();
 //! wrong: transposed
--  return A_inertial_from_body * I_body * A_inertial_from_body.inverse();
-+  const Matrix3d& A = A_inertial_from_body;
-+  return A.transpose() * I_body * A;
+  const Matrix3d& A = A_inertial_from_body;
+  return A.transpose() * I_body * A;
 //! wrong: as if a tensor were a vector
--  return A_inertial_from_body * I_body * A_inertial_from_body.inverse();
-+  return A_inertial_from_body * I_body;
+  return A_inertial_from_body * I_body;
 //! wrong: the rotation twice
--  return A_inertial_from_body * I_body * A_inertial_from_body.inverse();
-+  return A_inertial_from_body * I_body * A_inertial_from_body;
+  return A_inertial_from_body * I_body * A_inertial_from_body;
 //! wrong: only the diagonal
--  return A_inertial_from_body * I_body * A_inertial_from_body.inverse();
-+  return A_inertial_from_body * I_body.diagonal().asDiagonal() * A_inertial_from_body.transpose();
+  return A_inertial_from_body * I_body.diagonal().asDiagonal() * A_inertial_from_body.transpose();
 //! right: principal axes, rotated
   const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(I_body);
   Matrix3d I = Matrix3d::Zero();

@@ -21,14 +21,13 @@ Matrix3d inertia_about_shifted_origin(const Matrix3d& I_origin, double M, const 
          M * (2 * r_cm.dot(R) * one - r_cm * R.transpose() - R * r_cm.transpose());
 //! wrong: as if the old origin were the centre of mass
   return I_origin + M * (R.dot(R) * Matrix3d::Identity() - R * R.transpose());
-//! wrong: without the factor 2
-  const Matrix3d one = Matrix3d::Identity();
-  return I_origin + M * (R.squaredNorm() * one - R * R.transpose()) +
-         M * (r_cm.dot(R) * one - r_cm * R.transpose() - R * r_cm.transpose());
 //! wrong: only one of the two mixed products
   const Matrix3d one = Matrix3d::Identity();
   return I_origin + M * (R.squaredNorm() * one - R * R.transpose()) +
          M * (2 * r_cm.dot(R) * one - 2 * r_cm * R.transpose());
+//! wrong: without the factor 2
+-         M * (2 * r_cm.dot(R) * one - 2 * r_cm * R.transpose());
++         M * (r_cm.dot(R) * one - r_cm * R.transpose() - R * r_cm.transpose());
 //! wrong: only the mixed terms
   const Matrix3d mixed = 2 * r_cm.dot(R) * Matrix3d::Identity() - r_cm * R.transpose() - R * r_cm.transpose();
   return I_origin + M * mixed;

@@ -22,14 +22,13 @@ Matrix3d inertia_from_center_of_mass(const Matrix3d& I_cm, double M, const Vecto
 //! wrong: inner product in place of the outer
   const Matrix3d J = d.dot(d) * Matrix3d::Identity() - d.transpose() * d;
   return I_cm + M * J;
-//! wrong: the square added to every entry
-  Matrix3d I = I_cm;
-  I.array() += M * d.squaredNorm();
-  I -= M * d * d.transpose();
-  return I;
 //! wrong: only the moments, not the products
   Matrix3d I = I_cm;
   for (int i = 0; i < 3; ++i) I(i, i) += M * (d.squaredNorm() - d[i] * d[i]);
   return I;
+//! wrong: the square added to every entry
+-  for (int i = 0; i < 3; ++i) I(i, i) += M * (d.squaredNorm() - d[i] * d[i]);
++  I.array() += M * d.squaredNorm();
++  I -= M * d * d.transpose();
 //! wrong: matrix of ones for the unit matrix
   return I_cm + M * (d.squaredNorm() * Matrix3d::Ones() - d * d.transpose());

@@ -24,21 +24,6 @@ Vector3d euler_equations(const Vector3d& I, const Vector3d& omega, const Vector3
 //! wrong: only the torque is divided
   const Vector3d L = I.cwiseProduct(omega);
   return torque.cwiseQuotient(I) - omega.cross(L);
-//! wrong: a symmetric top is taken to be free of torque along its axis
-  Vector3d rate;
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    rate[i] = I[j] == I[k] ? 0.0 : (torque[i] - omega[j] * omega[k] * (I[k] - I[j])) / I[i];
-  }
-  return rate;
-//! wrong: differences of the moments in whole numbers
-  Vector3d rate;
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    const int difference = I[k] - I[j];
-    rate[i] = (torque[i] - omega[j] * omega[k] * difference) / I[i];
-  }
-  return rate;
 //! wrong: sign of the gyroscopic terms, and the torque not divided by the moment
   Vector3d rate;
   for (int i = 0; i < 3; ++i) {
@@ -46,3 +31,10 @@ Vector3d euler_equations(const Vector3d& I, const Vector3d& omega, const Vector3
     rate[i] = torque[i] + (I[k] - I[j]) / I[i] * omega[j] * omega[k];
   }
   return rate;
+//! wrong: a symmetric top is taken to be free of torque along its axis
+-    rate[i] = torque[i] + (I[k] - I[j]) / I[i] * omega[j] * omega[k];
++    rate[i] = I[j] == I[k] ? 0.0 : (torque[i] - omega[j] * omega[k] * (I[k] - I[j])) / I[i];
+//! wrong: differences of the moments in whole numbers
+-    rate[i] = torque[i] + (I[k] - I[j]) / I[i] * omega[j] * omega[k];
++    const int difference = I[k] - I[j];
++    rate[i] = (torque[i] - omega[j] * omega[k] * difference) / I[i];

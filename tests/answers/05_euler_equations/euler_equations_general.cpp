@@ -3,25 +3,19 @@ Vector3d euler_equations_general(const Matrix3d& I, const Vector3d& omega, const
 //! right: inverse
   return I.inverse() * (torque - omega.cross(I * omega));
 //! wrong: divided component by component
--  return I.inverse() * (torque - omega.cross(I * omega));
-+  const Vector3d L = I * omega;
-+  return (torque - omega.cross(L)).cwiseQuotient(I.diagonal());
+  const Vector3d L = I * omega;
+  return (torque - omega.cross(L)).cwiseQuotient(I.diagonal());
 //! wrong: the tensor is not inverted
--  return I.inverse() * (torque - omega.cross(I * omega));
-+  const Vector3d L = I * omega;
-+  return I * (torque - omega.cross(L));
+  const Vector3d L = I * omega;
+  return I * (torque - omega.cross(L));
 //! wrong: the change of the angular momentum, not of omega
--  return I.inverse() * (torque - omega.cross(I * omega));
-+  return torque - omega.cross(I * omega);
+  return torque - omega.cross(I * omega);
 //! wrong: sign of the gyroscopic term
--  return I.inverse() * (torque - omega.cross(I * omega));
-+  return I.inverse() * (torque + omega.cross(I * omega));
+  return I.inverse() * (torque + omega.cross(I * omega));
 //! wrong: the torque is forgotten
--  return I.inverse() * (torque - omega.cross(I * omega));
-+  return -I.inverse() * omega.cross(I * omega);
+  return -I.inverse() * omega.cross(I * omega);
 //! wrong: brackets, only the torque is divided
--  return I.inverse() * (torque - omega.cross(I * omega));
-+  return I.inverse() * torque - omega.cross(I * omega);
+  return I.inverse() * torque - omega.cross(I * omega);
 //! right: pivoted elimination
   const Vector3d right_side = torque + (I * omega).cross(omega);
   return I.fullPivLu().solve(right_side);
@@ -40,8 +34,6 @@ Vector3d euler_equations_general(const Matrix3d& I, const Vector3d& omega, const
   if (I.isDiagonal()) return (torque + omega.cross(L)).cwiseQuotient(I.diagonal());
   return I.inverse() * (torque - omega.cross(L));
 //! wrong: the gyroscopic term not divided
-Vector3d euler_equations_general(const Matrix3d& I, const Vector3d& omega, const Vector3d& torque) {
   const Vector3d L = I * omega;
   const Vector3d direct = I.llt().solve(torque);
   return direct - omega.cross(L);
-}

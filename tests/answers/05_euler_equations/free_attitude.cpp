@@ -37,7 +37,6 @@ Matrix3d free_attitude(const Vector3d& I, const Vector3d& omega0, double t) {
   }
   return A;
 //! wrong: rate of the quaternion without a half
-Matrix3d free_attitude(const Vector3d& I, const Vector3d& omega0, double t) {
   using V7 = Eigen::Matrix<double, 7, 1>;
   auto rate = [&](const V7& y) {
     const Vector3d w = y.tail<3>();
@@ -56,4 +55,3 @@ Matrix3d free_attitude(const Vector3d& I, const Vector3d& omega0, double t) {
     y += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
   }
   return Eigen::Quaterniond(y[0], y[1], y[2], y[3]).normalized().toRotationMatrix();
-}

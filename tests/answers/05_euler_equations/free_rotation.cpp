@@ -52,12 +52,12 @@ Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorX
     for (int i = 0; i < 3; ++i) result(i, k) = w[static_cast<std::size_t>(i)] * scale;
   }
   return result;
-//! wrong: sign of Euler's equations
-static Vector3d rate(const Vector3d& I, const Vector3d& w) { return w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
+//! wrong: the times are taken for steps
+static Vector3d rate(const Vector3d& I, const Vector3d& w) { return -w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
 Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
   Matrix3Xd result(3, times.size());
+  Vector3d w = omega0;
   for (int k = 0; k < times.size(); ++k) {
-    Vector3d w = omega0;
     const int steps = 4000;
     const double h = times[k] / steps;
     for (int i = 0; i < steps; ++i) {
@@ -69,23 +69,40 @@ Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorX
   }
   return result;
 }
-//! wrong: the times are taken for steps
--static Vector3d rate(const Vector3d& I, const Vector3d& w) { return w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
-+static Vector3d rate(const Vector3d& I, const Vector3d& w) { return -w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
+//! wrong: sign of Euler's equations
+-static Vector3d rate(const Vector3d& I, const Vector3d& w) { return -w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
++static Vector3d rate(const Vector3d& I, const Vector3d& w) { return w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
 @@
-   Matrix3Xd result(3, times.size());
-+  Vector3d w = omega0;
-@@
--    Vector3d w = omega0;
+-  Vector3d w = omega0;
+   for (int k = 0; k < times.size(); ++k) {
++    Vector3d w = omega0;
 //! wrong: the last time is looked up even if there is none
--static Vector3d rate(const Vector3d& I, const Vector3d& w) { return w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
--Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
-+static Vector3d rate(const Vector3d& I, const Vector3d& w) { return -w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
-+Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
 +  const double end = times.maxCoeff();
-@@
+   Matrix3Xd result(3, times.size());
+-  Vector3d w = omega0;
+   for (int k = 0; k < times.size(); ++k) {
 -    const int steps = 4000;
++    Vector3d w = omega0;
 +    const int steps = times[k] == end ? 20000 : 19000;
+//! wrong: whole steps only, the remainder is dropped
+-  Vector3d w = omega0;
+   for (int k = 0; k < times.size(); ++k) {
+-    const int steps = 4000;
+-    const double h = times[k] / steps;
++    const double h = times[k] < 0 ? -0.01 : 0.01;
++    const int steps = times[k] / h;
++    Vector3d w = omega0;
+//! wrong: the times are taken for sorted
++  double t = 0;
+   for (int k = 0; k < times.size(); ++k) {
+-    const int steps = 4000;
+-    const double h = times[k] / steps;
+-    for (int i = 0; i < steps; ++i) {
++    while (t < times[k]) {
++      const double h = std::min(0.0005, times[k] - t);
+@@
+       w += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
++      t += h;
 //! wrong: one long step of Euler's method
   Matrix3Xd result(3, times.size());
   for (int k = 0; k < times.size(); ++k) {
@@ -118,41 +135,6 @@ Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorX
   for (int k = 0; k < times.size(); ++k)
     result.col(k) = Eigen::AngleAxisd(Omega * times[k], Vector3d::UnitZ()) * omega0;
   return result;
-//! wrong: whole steps only, the remainder is dropped
-static Vector3d rate(const Vector3d& I, const Vector3d& w) { return -w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
-Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
-  Matrix3Xd result(3, times.size());
-  for (int k = 0; k < times.size(); ++k) {
-    const double h = times[k] < 0 ? -0.01 : 0.01;
-    const int steps = times[k] / h;
-    Vector3d w = omega0;
-    for (int i = 0; i < steps; ++i) {
-      const Vector3d k1 = rate(I, w), k2 = rate(I, w + h / 2 * k1), k3 = rate(I, w + h / 2 * k2),
-                     k4 = rate(I, w + h * k3);
-      w += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-    }
-    result.col(k) = w;
-  }
-  return result;
-}
-//! wrong: the times are taken for sorted
-static Vector3d rate(const Vector3d& I, const Vector3d& w) { return -w.cross(I.cwiseProduct(w)).cwiseQuotient(I); }
-Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
-  Matrix3Xd result(3, times.size());
-  Vector3d w = omega0;
-  double t = 0;
-  for (int k = 0; k < times.size(); ++k) {
-    while (t < times[k]) {
-      const double h = std::min(0.0005, times[k] - t);
-      const Vector3d k1 = rate(I, w), k2 = rate(I, w + h / 2 * k1), k3 = rate(I, w + h / 2 * k2),
-                     k4 = rate(I, w + h * k3);
-      w += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-      t += h;
-    }
-    result.col(k) = w;
-  }
-  return result;
-}
 //! wrong: a hundred midpoint steps for every time
   Matrix3Xd out(3, times.size());
   for (int k = 0; k < times.size(); ++k) {
@@ -200,24 +182,25 @@ Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorX
   return out;
 }
 //! wrong: 200 steps of fourth order for every time
--    double done = 0, h = t / 64;
--    const double tol = 1e-13 * w.norm();
--    int guard = 0;
--    while (std::abs(done) < std::abs(t) && ++guard < 2000000) {
--      if (std::abs(h) > std::abs(t - done)) h = t - done;
--      const Vector3d one = rk4(w, h), two = rk4(rk4(w, h / 2), h / 2);
--      const double e = (one - two).norm();
--      if (e <= tol || std::abs(h) < 1e-9 * std::abs(t)) {
--        done += h;
--        w = two + (two - one) / 15;
--        if (e < tol / 64) h *= 1.9;
--      } else {
--        h /= 2;
--      }
--    }
-+    for (int i = 0; i < 200; ++i) w = rk4(w, t / 200);
-//! wrong: times taken as ascending from 0
+struct Stepper {
+  Vector3d I;
+  Vector3d rate(const Vector3d& w) const { return I.cwiseProduct(w).cross(w).cwiseQuotient(I); }
+  Vector3d rk4(const Vector3d& w, double h) const {
+    const Vector3d a = rate(w), b = rate(w + h / 2 * a), c = rate(w + h / 2 * b), d = rate(w + h * c);
+    return w + h / 6 * (a + 2 * b + 2 * c + d);
+  }
+  Vector3d to(Vector3d w, double t) const {
+    for (int i = 0; i < 200; ++i) w = rk4(w, t / 200);
+    return w;
+  }
+};
 Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorXd& times) {
+  Matrix3Xd out(3, times.size());
+  const Stepper s{I};
+  for (Eigen::Index k = 0; k < times.size(); ++k) out.col(k) = times[k] == 0 ? omega0 : s.to(omega0, times[k]);
+  return out;
+}
+//! wrong: times taken as ascending from 0
   auto f = [&](const Vector3d& w) -> Vector3d { return I.cwiseProduct(w).cross(w).cwiseQuotient(I); };
   Matrix3Xd out(3, times.size());
   Vector3d w = omega0;
@@ -233,4 +216,3 @@ Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorX
     out.col(k) = w;
   }
   return out;
-}

@@ -8,13 +8,11 @@ double gyrocompass_period(double I1, double I3, double spin, double latitude, do
   const double stiffness = n * (I3 * std::fabs(spin) + (I3 - I1) * n);
   return 2 * std::numbers::pi / std::sqrt(stiffness / I1);
 //! wrong: spin with its sign
--  const double stiffness = n * (I3 * std::fabs(spin) + (I3 - I1) * n);
--  return 2 * std::numbers::pi / std::sqrt(stiffness / I1);
-+  return 2 * std::numbers::pi * std::sqrt(I1 / (n * (I3 * spin + (I3 - I1) * n)));
+  const double n = ground_rate * std::cos(latitude);
+  return 2 * std::numbers::pi * std::sqrt(I1 / (n * (I3 * spin + (I3 - I1) * n)));
 //! wrong: no moment across the axle
--  const double stiffness = n * (I3 * std::fabs(spin) + (I3 - I1) * n);
--  return 2 * std::numbers::pi / std::sqrt(stiffness / I1);
-+  return 2 * std::numbers::pi * std::sqrt(I1 / (n * I3 * (std::abs(spin) + n)));
+  const double n = ground_rate * std::cos(latitude);
+  return 2 * std::numbers::pi * std::sqrt(I1 / (n * I3 * (std::abs(spin) + n)));
 //! right: swings integrated on the ground
   const double n = ground_rate * std::cos(latitude), omega3 = std::abs(spin) + n;
   const double guess = std::sqrt(I1 / (I3 * omega3 * n)), h = 1e-3 * guess;

@@ -5,9 +5,8 @@ Vector3d torque_to_hold_rotation(const Matrix3d& I, const Vector3d& omega) {
   return {omega.y() * L.z() - omega.z() * L.y(), omega.z() * L.x() - omega.x() * L.z(),
           omega.x() * L.y() - omega.y() * L.x()};
 //! wrong: factors exchanged
--  return {omega.y() * L.z() - omega.z() * L.y(), omega.z() * L.x() - omega.x() * L.z(),
--          omega.x() * L.y() - omega.y() * L.x()};
-+  return L.cross(omega);
+  const Vector3d L = I * omega;
+  return L.cross(omega);
 //! right: on the principal axes, and back
   const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(I);
   const Matrix3d A = solver.eigenvectors();

@@ -51,7 +51,6 @@ double first_flip(const Vector3d& I, const Vector3d& omega0) {
   const double sigma = std::abs(omega0[1]) * std::sqrt((I[1] - I[0]) * (I[2] - I[1]) / (I[0] * I[2]));
   return std::log(2 * std::abs(omega0[1]) / std::hypot(omega0[0], omega0[2]) + 1) / sigma;
 //! wrong: the parameter as modulus
-double first_flip(const Vector3d& I, const Vector3d& omega0) {
   const double T2 = I.dot(omega0.cwiseAbs2()), L2 = I.cwiseProduct(omega0).squaredNorm();
   double I1 = I[0], I2 = I[1], I3 = I[2], w1 = omega0[0];
   if (L2 < T2 * I2) { std::swap(I1, I3); w1 = omega0[2]; }
@@ -61,4 +60,3 @@ double first_flip(const Vector3d& I, const Vector3d& omega0) {
   const double phi = std::atan2(std::abs(omega0[1]) / a2, std::abs(w1) / a1);
   const double F = boost::math::ellint_1(m, phi), K = boost::math::ellint_1(m);
   return (omega0.prod() > 0 ? 2 * K - F : F) / rate;
-}

@@ -8,11 +8,6 @@ Vector3d separatrix(const Vector3d& I, double spin, double t) {
   const double p = 1 / std::cosh(a);
   return spin * Vector3d(p * std::sqrt(I[1] * (I[2] - I[1]) / (I[0] * (I[2] - I[0]))), std::tanh(a),
                          p * std::sqrt(I[1] * (I[1] - I[0]) / (I[2] * (I[2] - I[0]))));
-//! wrong: amplitudes of 1 and 3 exchanged
--  return spin * Vector3d(p * std::sqrt(I[1] * (I[2] - I[1]) / (I[0] * (I[2] - I[0]))), std::tanh(a),
--                         p * std::sqrt(I[1] * (I[1] - I[0]) / (I[2] * (I[2] - I[0]))));
-+  return spin * Vector3d(p * std::sqrt(I[1] * (I[1] - I[0]) / (I[2] * (I[2] - I[0]))), std::tanh(a),
-+                         p * std::sqrt(I[1] * (I[2] - I[1]) / (I[0] * (I[2] - I[0]))));
 //! wrong: rate without the spin
 -  const double a = spin * std::sqrt((I[1] - I[0]) * (I[2] - I[1]) / (I[0] * I[2])) * t;
 +  const double a = std::sqrt((I[1] - I[0]) * (I[2] - I[1]) / (I[0] * I[2])) * t;
@@ -22,13 +17,17 @@ Vector3d separatrix(const Vector3d& I, double spin, double t) {
 //! wrong: decays from t = 0 as an exponential
 -  const double p = 1 / std::cosh(a);
 +  const double p = std::exp(-std::abs(a));
+//! wrong: amplitudes of 1 and 3 exchanged
+  const double a = spin * std::sqrt((I[1] - I[0]) * (I[2] - I[1]) / (I[0] * I[2])) * t;
+  const double p = 1 / std::cosh(a);
+  return spin * Vector3d(p * std::sqrt(I[1] * (I[1] - I[0]) / (I[2] * (I[2] - I[0]))), std::tanh(a),
+                         p * std::sqrt(I[1] * (I[2] - I[1]) / (I[0] * (I[2] - I[0]))));
 //! right: by exponentials
   const double s = spin * std::sqrt((I[1] - I[0]) * (I[2] - I[1]) / (I[0] * I[2]));
   const double e = std::exp(-std::abs(s * t)), q = 1 + e * e;
   const double n = std::sqrt(I[1] / (I[2] - I[0])) * 2 * e / q * spin;
   return {n * std::sqrt((I[2] - I[1]) / I[0]), std::copysign(spin * (1 - e * e) / q, t), n * std::sqrt((I[1] - I[0]) / I[2])};
 //! wrong: a thousand steps, whatever the time
-Vector3d separatrix(const Vector3d& I, double spin, double t) {
   const double T2 = I[1] * spin * spin, L2 = T2 * I[1];
   Vector3d w(std::sqrt((T2 * I[2] - L2) / (I[0] * (I[2] - I[0]))), 0, std::sqrt((L2 - T2 * I[0]) / (I[2] * (I[2] - I[0]))));
   auto f = [&](const Vector3d& v) -> Vector3d { return I.cwiseProduct(v).cross(v).cwiseQuotient(I); };
@@ -39,4 +38,3 @@ Vector3d separatrix(const Vector3d& I, double spin, double t) {
     w += h / 6 * (a + 2 * b + 2 * c + d);
   }
   return w;
-}

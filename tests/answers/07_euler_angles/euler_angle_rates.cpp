@@ -24,22 +24,14 @@ Vector3d euler_angle_rates(const Vector3d& angles, const Vector3d& omega_body) {
   const Vector3d& w = omega_body;
   const double phi = (w[0] * cp - w[1] * sp) / s;
   return {phi, w[0] * sp + w[1] * cp, w[2] - c * phi};
+//! wrong: gives up too early close to the vertical
+-  const double phi = (w[0] * cp - w[1] * sp) / s;
++  if (std::abs(s) < 1e-3) return {0, w[0] * sp + w[1] * cp, w[2]};
++  const double phi = (-w[0] * cp + w[1] * sp) / s;
 //! wrong: not divided by the sine
   const double c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
   const Vector3d& w = omega_body;
   const double phi = -w[0] * cp + w[1] * sp;
-  return {phi, w[0] * sp + w[1] * cp, w[2] - c * phi};
-//! wrong: size of the sine
-  const double s = std::abs(std::sin(angles[1])), c = std::cos(angles[1]);
-  const double sp = std::sin(angles[2]), cp = std::cos(angles[2]);
-  const Vector3d& w = omega_body;
-  const double phi = (-w[0] * cp + w[1] * sp) / s;
-  return {phi, w[0] * sp + w[1] * cp, w[2] - c * phi};
-//! wrong: gives up too early close to the vertical
-  const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
-  const Vector3d& w = omega_body;
-  if (std::abs(s) < 1e-3) return {0, w[0] * sp + w[1] * cp, w[2]};
-  const double phi = (-w[0] * cp + w[1] * sp) / s;
   return {phi, w[0] * sp + w[1] * cp, w[2] - c * phi};
 //! wrong: the rate of phi does not reach that of psi
   const double s = std::sin(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
@@ -50,3 +42,7 @@ Vector3d euler_angle_rates(const Vector3d& angles, const Vector3d& omega_body) {
   const Vector3d& w = omega_body;
   const double phi = (-w[0] * cp + w[1] * sp) / s;
   return {phi, w[0] * sp + w[1] * cp, w[2] - c * phi};
+//! wrong: size of the sine
+-  const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::cos(angles[2]), cp = std::sin(angles[2]);
++  const double s = std::abs(std::sin(angles[1])), c = std::cos(angles[1]);
++  const double sp = std::sin(angles[2]), cp = std::cos(angles[2]);

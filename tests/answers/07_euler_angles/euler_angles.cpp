@@ -21,10 +21,6 @@ Vector3d euler_angles(const Matrix3d& R_body_from_inertial) {
   const double phi = std::atan2(R(2, 1), R(2, 0));
   const Vector3d nodes = R * Vector3d(-std::sin(phi), std::cos(phi), 0);
   return {phi, theta, std::atan2(nodes[0], nodes[1])};
-//! wrong: where the axes coincide both angles come from zeros
-  const Matrix3d& R = R_body_from_inertial;
-  const double theta = std::atan2(std::hypot(R(2, 0), R(2, 1)), R(2, 2));
-  return {std::atan2(R(2, 1), R(2, 0)), theta, std::atan2(R(1, 2), -R(0, 2))};
 //! wrong: sign in the third angle
   const Matrix3d& R = R_body_from_inertial;
   const double theta = std::acos(std::clamp(R(2, 2), -1.0, 1.0));
@@ -53,6 +49,8 @@ Vector3d euler_angles(const Matrix3d& R_body_from_inertial) {
   const double theta = std::atan2(std::hypot(R(2, 0), R(2, 1)), R(2, 2));
   if (std::hypot(R(2, 0), R(2, 1)) < 1e-12) return {std::atan2(R(0, 1), R(0, 0)), theta, 0};
   return {std::atan2(R(2, 1), R(2, 0)), theta, std::atan2(R(1, 2), -R(0, 2))};
+//! wrong: where the axes coincide both angles come from zeros
+-  if (std::hypot(R(2, 0), R(2, 1)) < 1e-12) return {std::atan2(R(0, 1), R(0, 0)), theta, 0};
 //! wrong: arc cosine of a number that rounding makes larger than one
   const Matrix3d& R = R_body_from_inertial;
   const double phi = std::atan2(R(2, 1), R(2, 0));

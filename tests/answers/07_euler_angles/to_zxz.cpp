@@ -37,17 +37,14 @@ Vector3d to_zxz(const Vector3d& angles) {
   if (q[1] < 0) q = Vector3d(q[0] + pi, -q[1], q[2] + pi);
   if (std::sin(q[1]) < 1e-9) q = Vector3d(q[1] < 1 ? q[0] + q[2] : q[0] - q[2], q[1], 0);
   return {std::remainder(q[0], 2 * pi), q[1], std::remainder(q[2], 2 * pi)};
-//! wrong: nothing special at the vertical
-  const double pi = std::numbers::pi;
-  Vector3d q(angles[0] + pi / 2, std::remainder(angles[1], 2 * pi), angles[2] - pi / 2);
-  if (q[1] < 0) q = Vector3d(q[0] + pi, -q[1], q[2] + pi);
-  return {std::remainder(q[0], 2 * pi), q[1], std::remainder(q[2], 2 * pi)};
 //! wrong: upside down like upright
   const double pi = std::numbers::pi;
   Vector3d q(angles[0] + pi / 2, std::remainder(angles[1], 2 * pi), angles[2] - pi / 2);
   if (q[1] < 0) q = Vector3d(q[0] + pi, -q[1], q[2] + pi);
   if (std::sin(q[1]) < 1e-9) q = Vector3d(q[0] + q[2], q[1], 0);
   return {std::remainder(q[0], 2 * pi), q[1], std::remainder(q[2], 2 * pi)};
+//! wrong: nothing special at the vertical
+-  if (std::sin(q[1]) < 1e-9) q = Vector3d(q[0] + q[2], q[1], 0);
 //! right: by the matrix
   using A = Eigen::AngleAxisd;
   const Vector3d x = Vector3d::UnitX(), z = Vector3d::UnitZ();

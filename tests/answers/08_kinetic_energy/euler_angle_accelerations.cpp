@@ -21,28 +21,34 @@ Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, co
   const Vector3d w = B * rates;
   const Vector3d w_rate = -w.cross(I.cwiseProduct(w)).cwiseQuotient(I);
   return B.fullPivLu().solve(w_rate - B_rate * rates);
-//! wrong: sign of Euler's equations
+//! wrong: Euler's equations not divided by the moments
   const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
   const double f = rates[0], t = rates[1], p = rates[2];
   const Vector3d w(-f * s * cp + t * sp, f * s * sp + t * cp, f * c + p);
-  const Vector3d w_rate = w.cross(I.cwiseProduct(w)).cwiseQuotient(I);
+  const Vector3d w_rate = -w.cross(I.cwiseProduct(w));
   const Vector3d turning(-f * t * c * cp + f * p * s * sp + t * p * cp, f * t * c * sp + f * p * s * cp - t * p * sp,
                          -f * t * s);
-  const Vector3d a = w_rate + (-1) * turning;
+  const Vector3d a = w_rate - turning;
   const double phi = (-a[0] * cp + a[1] * sp) / s;
   return {phi, a[0] * sp + a[1] * cp, a[2] - c * phi};
+//! wrong: sign of Euler's equations
+-  const Vector3d w_rate = -w.cross(I.cwiseProduct(w));
++  const Vector3d w_rate = w.cross(I.cwiseProduct(w)).cwiseQuotient(I);
+@@
+-  const Vector3d a = w_rate - turning;
++  const Vector3d a = w_rate + (-1) * turning;
 //! wrong: the turning of the axes with the other sign
--  const Vector3d w_rate = w.cross(I.cwiseProduct(w)).cwiseQuotient(I);
+-  const Vector3d w_rate = -w.cross(I.cwiseProduct(w));
 +  const Vector3d w_rate = w.cross(-I.cwiseProduct(w)).cwiseQuotient(I);
 @@
--  const Vector3d a = w_rate + (-1) * turning;
+-  const Vector3d a = w_rate - turning;
 +  const Vector3d a = w_rate + turning;
-//! wrong: Euler's equations not divided by the moments
--  const Vector3d w_rate = w.cross(I.cwiseProduct(w)).cwiseQuotient(I);
-+  const Vector3d w_rate = -w.cross(I.cwiseProduct(w));
-@@
--  const Vector3d a = w_rate + (-1) * turning;
-+  const Vector3d a = w_rate - turning;
+//! wrong: only one of the terms of the turning line of nodes
+-  const Vector3d w_rate = -w.cross(I.cwiseProduct(w));
+-  const Vector3d turning(-f * t * c * cp + f * p * s * sp + t * p * cp, f * t * c * sp + f * p * s * cp - t * p * sp,
+-                         -f * t * s);
++  const Vector3d w_rate = -w.cross(I.cwiseProduct(w)).cwiseQuotient(I);
++  const Vector3d turning(-f * t * c * cp + f * p * s * sp, f * t * c * sp + f * p * s * cp, -f * t * s);
 //! wrong: the axes are taken to stand still
   const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
   const Vector3d w(-rates[0] * s * cp + rates[1] * sp, rates[0] * s * sp + rates[1] * cp, rates[0] * c + rates[2]);
@@ -58,15 +64,6 @@ Vector3d euler_angle_accelerations(const Vector3d& I, const Vector3d& angles, co
   const Matrix3d M = B.transpose() * I.asDiagonal() * B;
   const Matrix3d dM = dB.transpose() * I.asDiagonal() * B + B.transpose() * I.asDiagonal() * dB;
   return -M.inverse() * dM * rates;
-//! wrong: only one of the terms of the turning line of nodes
-  const double s = std::sin(angles[1]), c = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
-  const double f = rates[0], t = rates[1], p = rates[2];
-  const Vector3d w(-f * s * cp + t * sp, f * s * sp + t * cp, f * c + p);
-  const Vector3d w_rate = -w.cross(I.cwiseProduct(w)).cwiseQuotient(I);
-  const Vector3d turning(-f * t * c * cp + f * p * s * sp, f * t * c * sp + f * p * s * cp, -f * t * s);
-  const Vector3d a = w_rate - turning;
-  const double phi = (-a[0] * cp + a[1] * sp) / s;
-  return {phi, a[0] * sp + a[1] * cp, a[2] - c * phi};
 //! right: rate of the matrix by a complex step
   using C = std::complex<double>;
   const auto B = [](C th, C ps) {

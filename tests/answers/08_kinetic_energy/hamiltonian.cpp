@@ -26,15 +26,12 @@ double hamiltonian(const Vector3d& I, const Vector3d& angles, const Vector3d& mo
 //! wrong: momenta as body components
   return (momenta.cwiseAbs2().array() / I.array()).sum() / 2;
 //! wrong: multiplied by the third moment
-double hamiltonian(const Vector3d& I, const Vector3d& angles, const Vector3d& momenta) {
   const double st = std::sin(angles(1)), ct = std::cos(angles(1)), sp = std::sin(angles(2)), cp = std::cos(angles(2));
   const double q = (momenta(0) - momenta(2) * ct) / st;
   const double l1 = -q * cp + momenta(1) * sp;
   const double l2 = q * sp + momenta(1) * cp;
   return l1 * l1 / (2 * I(0)) + l2 * l2 / (2 * I(1)) + I(2) * momenta(2) * momenta(2) / 2;
-}
 //! wrong: entries of the matrix inverted
-double hamiltonian(const Vector3d& I, const Vector3d& angles, const Vector3d& momenta) {
   const double st = std::sin(angles[1]), ct = std::cos(angles[1]), sp = std::sin(angles[2]), cp = std::cos(angles[2]);
   Matrix3d B;
   B << -st * cp, sp, 0, st * sp, cp, 0, ct, 0, 1;
@@ -42,4 +39,3 @@ double hamiltonian(const Vector3d& I, const Vector3d& angles, const Vector3d& mo
   double H = 0;
   for (int k = 0; k < 3; ++k) H += momenta[k] * momenta[k] / (2 * M(k, k));
   return H;
-}

@@ -32,16 +32,12 @@ double rolling_cone_energy(double M, double height, double half_angle, double ra
   const double w = rate / std::tan(a);
   return 0.5 * (A * std::pow(w * std::cos(a), 2) + B * std::pow(w * std::sin(a), 2));
 //! wrong: spin along, rate across
-double rolling_cone_energy(double M, double height, double half_angle, double rate) {
   const double R = height * std::tan(half_angle);
   const double spin = rate / std::sin(half_angle);
   const double I3 = 3 * M * R * R / 10, I1 = 3 * M / 5 * (R * R / 4 + height * height);
   return I3 * spin * spin / 2 + I1 * rate * rate * std::pow(std::cos(half_angle), 2) / 2;
-}
 //! wrong: a conical shell
-double rolling_cone_energy(double M, double height, double half_angle, double rate) {
   const double R = height * std::tan(half_angle);
   const double I3 = M * R * R / 2, I1 = M * (R * R / 4 + height * height / 2);
   const double w = rate / std::tan(half_angle);
   return 0.5 * w * w * (I3 * std::pow(std::cos(half_angle), 2) + I1 * std::pow(std::sin(half_angle), 2));
-}

@@ -45,8 +45,6 @@ Vector2d moon_libration(double asymmetry, double eccentricity, double orbital_ra
 -  const int n = 6000;
 +  const int n = 200;
 //! right: leapfrog in small steps
-Vector2d moon_libration(double asymmetry, double eccentricity, double orbital_rate, double theta0, double rate0,
-                        double t) {
   const int n = 100000;
   const double h = orbital_rate * t / n, e = eccentricity;
   double theta = theta0, rate = rate0 / orbital_rate, E = 0;
@@ -60,7 +58,6 @@ Vector2d moon_libration(double asymmetry, double eccentricity, double orbital_ra
     theta += h / 2 * rate;
   }
   return {theta, rate * orbital_rate};
-}
 //! wrong: mean anomaly for direction and distance
   const auto acc = [&](double s, double th) {
     const double M = orbital_rate * s, r = 1 - eccentricity * std::cos(M);
@@ -77,22 +74,13 @@ Vector2d moon_libration(double asymmetry, double eccentricity, double orbital_ra
   }
   return {th, w};
 //! wrong: sine of the single angle
-  const double n0 = orbital_rate;
-  const auto acc = [&](double s, double th) {
-    double E = n0 * s;
-    for (int i = 0; i < 50; ++i) E = n0 * s + eccentricity * std::sin(E);
-    for (int i = 0; i < 20; ++i) E -= (E - eccentricity * std::sin(E) - n0 * s) / (1 - eccentricity * std::cos(E));
-    const double r = 1 - eccentricity * std::cos(E);
-    const double f = std::atan2(std::sqrt(1 - eccentricity * eccentricity) * std::sin(E), std::cos(E) - eccentricity);
-    return -1.5 * n0 * n0 * asymmetry / (r * r * r) * std::sin(th - f);
-  };
-  double th = theta0, w = rate0, s = 0;
-  const int n = 4000;
-  const double h = t / n;
-  for (int i = 0; i < n; ++i, s += h) {
-    const double a1 = acc(s, th), a2 = acc(s + h / 2, th + h / 2 * w), a3 = acc(s + h / 2, th + h / 2 * (w + h / 2 * a1)),
-                 a4 = acc(s + h, th + h * (w + h / 2 * a2));
-    th += h * w + h * h / 6 * (a1 + a2 + a3);
-    w += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
-  }
-  return {th, w};
++  const double n0 = orbital_rate;
+   const auto acc = [&](double s, double th) {
+-    const double M = orbital_rate * s, r = 1 - eccentricity * std::cos(M);
+-    return -1.5 * orbital_rate * orbital_rate * asymmetry / (r * r * r) * std::sin(2 * (th - M));
++    double E = n0 * s;
++    for (int i = 0; i < 50; ++i) E = n0 * s + eccentricity * std::sin(E);
++    for (int i = 0; i < 20; ++i) E -= (E - eccentricity * std::sin(E) - n0 * s) / (1 - eccentricity * std::cos(E));
++    const double r = 1 - eccentricity * std::cos(E);
++    const double f = std::atan2(std::sqrt(1 - eccentricity * eccentricity) * std::sin(E), std::cos(E) - eccentricity);
++    return -1.5 * n0 * n0 * asymmetry / (r * r * r) * std::sin(th - f);

@@ -12,26 +12,22 @@ double azimuth_rate(const Vector3d& I, const Vector3d& omega) {
   const Vector3d L = I.cwiseProduct(omega);
   const double c = L[2] / L.norm();
   return (omega.dot(L) / L.norm() - omega[2] * c) / (1 - c * c);
+//! wrong: sine of the angle with omega
+-  const double c = L[2] / L.norm();
++  const double c = omega[2] / omega.norm();
+//! wrong: the angle from ω in place of that from L
+-  const double c = L[2] / L.norm();
++  const double c = omega[2] / omega.norm();
 //! wrong: mean of two rates
   const double L = I.cwiseProduct(omega).norm();
   return L * (1 / I[0] + 1 / I[1]) / 2;
-//! wrong: sine of the angle with omega
-  const Vector3d L = I.cwiseProduct(omega);
-  const double c = omega[2] / omega.norm();
-  return (omega.dot(L) / L.norm() - omega[2] * c) / (1 - c * c);
 //! wrong: moments not squared below
   const Vector3d L = I.cwiseProduct(omega);
   return L.norm() * (L[0] * omega[0] + L[1] * omega[1]) / (I[0] * omega[0] * omega[0] + I[1] * omega[1] * omega[1]);
 //! wrong: all terms of the energy above
   const Vector3d L = I.cwiseProduct(omega);
   return L.norm() * omega.dot(L) / (L[0] * L[0] + L[1] * L[1]);
-//! wrong: the angle from ω in place of that from L
-  const Vector3d L = I.cwiseProduct(omega);
-  const double c = omega[2] / omega.norm();
-  return (omega.dot(L) / L.norm() - omega[2] * c) / (1 - c * c);
 //! wrong: the length of L over the third moment
-double azimuth_rate(const Vector3d& I, const Vector3d& omega) {
   const Vector3d L = I.cwiseProduct(omega);
   const double c = L[2] / L.norm(), s2 = 1 - c * c;
   return (L.norm() / I[2]) * (1 - c * c) / s2;
-}

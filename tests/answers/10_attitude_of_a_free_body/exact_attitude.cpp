@@ -88,7 +88,6 @@ Matrix3d exact_attitude(const Vector3d& I, const Vector3d& omega0, double t) {
 -  follow(I, w, q, t - n * P);
 +  follow(I, w, q, t - whole * P);
 //! right: closed form with L upright
-Matrix3d exact_attitude(const Vector3d& I, const Vector3d& omega0, double t) {
   const double I1 = I[0], I2 = I[1], I3 = I[2];
   Vector3d J = I, w = omega0;
   const bool other = I1 * (I2 - I1) * w[0] * w[0] > I3 * (I3 - I2) * w[2] * w[2];
@@ -120,7 +119,6 @@ Matrix3d exact_attitude(const Vector3d& I, const Vector3d& omega0, double t) {
                     Eigen::AngleAxisd(std::atan2(v[1], -v[0]), Vector3d::UnitZ()));
   };
   return upright(L0, 0).transpose() * upright(L1, phi);
-}
 //! wrong: omega0 kept constant on the axes of the body
 Matrix3d exact_attitude(const Vector3d&, const Vector3d& omega0, double t) {
   return Eigen::AngleAxisd(omega0.norm() * t, omega0.normalized()).toRotationMatrix();

@@ -57,7 +57,7 @@ Vector3d exact_rotation(const Vector3d& I, const Vector3d& omega0, double t) {
 -  const double u0 = boost::math::ellint_1(k, std::atan2(s * w[1] / a2, w[0] / a1));
 +  const double m = below * (I2 - I1) / (above * (I3 - I2));
 +  const double u0 = boost::math::ellint_1(m, std::atan2(s * w[1] / a2, w[0] / a1));
-@@
+   double cn, dn;
 -  const double sn = boost::math::jacobi_elliptic(k, nu * t + u0, &cn, &dn);
 +  const double sn = boost::math::jacobi_elliptic(m, nu * t + u0, &cn, &dn);
 //! right: whole periods left out, the remainder integrated
@@ -82,38 +82,32 @@ Vector3d exact_rotation(const Vector3d& I, const Vector3d& omega0, double t) {
     w += h / 6 * (p + 2 * q + 2 * r + s);
   }
   return w;
-//! wrong: remainder after periods of a small wobble
+//! wrong: fifty thousand steps, however long the time
   const auto rate = [&](const Vector3d& w) {
     return Vector3d((I[1] - I[2]) * w[1] * w[2] / I[0], (I[2] - I[0]) * w[2] * w[0] / I[1],
                     (I[0] - I[1]) * w[0] * w[1] / I[2]);
   };
-  const double P = 2 * std::numbers::pi / (omega0.norm() * std::sqrt((I[2] - I[0]) * (I[2] - I[1]) / (I[0] * I[1])));
-  const int n = 10000;
-  const double h = std::remainder(t, P) / n;
+  const int n = 50000;
+  const double h = t / n;
   Vector3d w = omega0;
   for (int i = 0; i < n; ++i) {
     const Vector3d a = rate(w), b = rate(w + h / 2 * a), c = rate(w + h / 2 * b), d = rate(w + h * c);
     w += h / 6 * (a + 2 * b + 2 * c + d);
   }
   return w;
-//! wrong: fifty thousand steps, however long the time
--  const double P = 2 * std::numbers::pi / (omega0.norm() * std::sqrt((I[2] - I[0]) * (I[2] - I[1]) / (I[0] * I[1])));
--  const int n = 10000;
--  const double h = std::remainder(t, P) / n;
-+  const int n = 50000;
-+  const double h = t / n;
+//! wrong: remainder after periods of a small wobble
+-  const int n = 50000;
+-  const double h = t / n;
++  const double P = 2 * std::numbers::pi / (omega0.norm() * std::sqrt((I[2] - I[0]) * (I[2] - I[1]) / (I[0] * I[1])));
++  const int n = 10000;
++  const double h = std::remainder(t, P) / n;
 //! wrong: steps of a hundredth of a second up to the end
-  const auto rate = [&](const Vector3d& w) {
-    return Vector3d((I[1] - I[2]) * w[1] * w[2] / I[0], (I[2] - I[0]) * w[2] * w[0] / I[1],
-                    (I[0] - I[1]) * w[0] * w[1] / I[2]);
-  };
-  Vector3d w = omega0;
-  const double h = std::copysign(0.01, t);
-  for (double time = 0; std::abs(time) < std::abs(t); time += h) {
-    const Vector3d a = rate(w), b = rate(w + h / 2 * a), c = rate(w + h / 2 * b), d = rate(w + h * c);
-    w += h / 6 * (a + 2 * b + 2 * c + d);
-  }
-  return w;
+-  const int n = 50000;
+-  const double h = t / n;
+   Vector3d w = omega0;
+-  for (int i = 0; i < n; ++i) {
++  const double h = std::copysign(0.01, t);
++  for (double time = 0; std::abs(time) < std::abs(t); time += h) {
 //! wrong: half a period for a whole one: signs are lost
   const double T2 = I.dot(omega0.cwiseAbs2()), L2 = I.cwiseProduct(omega0).squaredNorm();
   double a = I[0], b = I[1], c = I[2];
@@ -132,7 +126,6 @@ Vector3d exact_rotation(const Vector3d& I, const Vector3d& omega0, double t) {
   }
   return w;
 //! wrong: at most a hundred thousand steps
-Vector3d exact_rotation(const Vector3d& I, const Vector3d& omega0, double t) {
   const long n = std::min(100000L, static_cast<long>(std::abs(t) / 0.01) + 1);
   const double h = t / static_cast<double>(n);
   auto f = [&](const Vector3d& v) -> Vector3d { return I.cwiseProduct(v).cross(v).cwiseQuotient(I); };
@@ -142,4 +135,3 @@ Vector3d exact_rotation(const Vector3d& I, const Vector3d& omega0, double t) {
     w += h / 6 * (a + 2 * b + 2 * c + d);
   }
   return w;
-}

@@ -84,18 +84,17 @@ double geometric_phase(const Vector3d& I, const Vector3d& omega0) {
 +  const double P = period(I, omega0);
 +  const int n = 300;
 +  double area = 0;
-@@
+   Vector3d w = omega0;
 -  double angle = 0;
-@@
+   for (int i = 0; i < n; ++i) {
 -    const double x = I[0] * w[0] * w[0] + I[1] * w[1] * w[1];
 -    const double y = I[0] * I[0] * w[0] * w[0] + I[1] * I[1] * w[1] * w[1];
 -    angle += L * x / y * P / n;
--    w = step(I, w, P / n);
 +    const Vector3d p = I.cwiseProduct(w).normalized();
-+    w = step(I, w, P / n);
+     w = step(I, w, P / n);
 +    const Vector3d q = I.cwiseProduct(w).normalized();
 +    area += 2 * std::atan2(pole.dot(p.cross(q)), 1 + pole.dot(p) + p.dot(q) + q.dot(pole));
-@@
+   }
 -  const double mean = P * omega0.dot(I.cwiseProduct(omega0)) / L;
 -  const bool round_3 = L * L > I[1] * omega0.dot(I.cwiseProduct(omega0));
 -  return round_3 ? mean + 2 * M_PI - angle : angle - mean;

@@ -51,13 +51,6 @@ Vector2d herpolhode_radii(const Vector3d& I, const Vector3d& omega0) {
   };
   const double a = radius(0, 2), b = L2 > T2 * I[1] ? radius(1, 2) : radius(0, 1);
   return {std::min(a, b), std::max(a, b)};
-//! wrong: the planes of the first and the third component, never of the second
-  const double T2 = I.dot(omega0.cwiseAbs2()), L2 = I.cwiseProduct(omega0).squaredNorm();
-  const auto radius = [&](int j, int k) {
-    return std::sqrt(std::max(0.0, (T2 * I[k] - L2) * (L2 - T2 * I[j]) / (I[j] * I[k] * L2)));
-  };
-  const double a = radius(1, 2), b = radius(0, 1);
-  return {std::min(a, b), std::max(a, b)};
 //! wrong: as if the polhode went through the ends of the half-axes
   const double T2 = I.dot(omega0.cwiseAbs2()), L2 = I.cwiseProduct(omega0).squaredNorm(), h2 = T2 * T2 / L2;
   const Vector3d squares = (T2 * I.cwiseInverse() - Vector3d::Constant(h2)).cwiseMax(0).cwiseSqrt();
@@ -71,8 +64,11 @@ Vector2d herpolhode_radii(const Vector3d& I, const Vector3d& omega0) {
     return std::sqrt(std::max(0.0, (T2 * I[k] - L2) * (L2 - T2 * I[j]) / (I[j] * I[k] * L2)));
   };
   return {radius(0, 2), L2 > T2 * I[1] ? radius(1, 2) : radius(0, 1)};
+//! wrong: the planes of the first and the third component, never of the second
+-  return {radius(0, 2), L2 > T2 * I[1] ? radius(1, 2) : radius(0, 1)};
++  const double a = radius(1, 2), b = radius(0, 1);
++  return {std::min(a, b), std::max(a, b)};
 //! wrong: not divided by L
-Vector2d herpolhode_radii(const Vector3d& I, const Vector3d& omega0) {
   const double A = I[0], B = I[1], C = I[2];
   const Vector3d s = omega0.cwiseAbs2();
   const double p = A * (C - A) * s[0] + B * (C - B) * s[1], q = C * (C - A) * s[2] + B * (B - A) * s[1];
@@ -81,4 +77,3 @@ Vector2d herpolhode_radii(const Vector3d& I, const Vector3d& omega0) {
   const bool third = L2 > T2 * B;
   const double D = third ? p * (q * (C - B) - p * (B - A)) / (B * C * (C - A)) : q * (p * (B - A) - q * (C - B)) / (B * A * (C - A));
   return {std::sqrt(std::max(0.0, D)), outer};
-}

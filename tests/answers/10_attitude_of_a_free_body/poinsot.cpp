@@ -7,9 +7,8 @@ Vector2d poinsot(const Vector3d& I, const Vector3d& omega) {
   const double h = omega.dot(n);
   return {h, (omega - h * n).norm()};
 //! wrong: foot of the perpendicular first
--  const double h = omega.dot(n);
--  return {h, (omega - h * n).norm()};
-+  return {omega.cross(n).norm(), omega.dot(n)};
+  const Vector3d n = I.cwiseProduct(omega).normalized();
+  return {omega.cross(n).norm(), omega.dot(n)};
 //! right: differences of the moments
   const double L = std::hypot(I[0] * omega[0], I[1] * omega[1], I[2] * omega[2]);
   const double T2 = I[0] * omega[0] * omega[0] + I[1] * omega[1] * omega[1] + I[2] * omega[2] * omega[2];
@@ -17,10 +16,6 @@ Vector2d poinsot(const Vector3d& I, const Vector3d& omega) {
   const double y = (I[0] - I[2]) * omega[2] * omega[0];
   const double z = (I[1] - I[0]) * omega[0] * omega[1];
   return {T2 / L, std::hypot(x, y, z) / L};
-//! wrong: difference of squares
-  const Vector3d L = I.cwiseProduct(omega);
-  const double h = omega.dot(L) / L.norm();
-  return {h, std::sqrt(std::max(0.0, omega.squaredNorm() - h * h))};
 //! wrong: plane across omega
   const Vector3d L = I.cwiseProduct(omega);
   return {omega.dot(L) / omega.norm(), omega.cross(L).norm() / omega.norm()};
@@ -42,8 +37,9 @@ Vector2d poinsot(const Vector3d& I, const Vector3d& omega) {
   const Vector3d L = I.cwiseProduct(omega);
   return {omega.dot(L) / omega.norm(), omega.cross(L).norm() / omega.norm()};
 //! wrong: a difference of squares
-Vector2d poinsot(const Vector3d& I, const Vector3d& omega) {
   const Vector3d L = I.cwiseProduct(omega);
   const double h = omega.dot(L.normalized());
   return {h, std::sqrt(std::max(0.0, omega.squaredNorm() - h * h))};
-}
+//! wrong: difference of squares
+-  const double h = omega.dot(L.normalized());
++  const double h = omega.dot(L) / L.norm();

@@ -45,20 +45,6 @@ double racket_twist(const Vector3d& I, const Vector3d& omega0) {
 }
 //! wrong: half a turn, always
 double racket_twist(const Vector3d&, const Vector3d& omega0) { return omega0[0] < 0 ? -M_PI : M_PI; }
-//! wrong: all of omega_1 taken for the twist
-static Vector3d free(const Vector3d& I, const Vector3d& w) { return I.cwiseProduct(w).cross(w).cwiseQuotient(I); }
-double racket_twist(const Vector3d& I, const Vector3d& omega0) {
-  Vector3d w = omega0;
-  double round = 0, twist = 0;
-  const double h = 1e-4 / omega0.norm();
-  while (round < 2 * M_PI) {
-    const Vector3d L = I.cwiseProduct(w);
-    round += h * L.norm() * (L[1] * w[1] + L[2] * w[2]) / (L[1] * L[1] + L[2] * L[2]);
-    twist += h * w[0];
-    w += h * free(I, w + h / 2 * free(I, w));
-  }
-  return twist;
-}
 //! wrong: the time of a turn from the energy
 static Vector3d free(const Vector3d& I, const Vector3d& w) { return I.cwiseProduct(w).cross(w).cwiseQuotient(I); }
 double racket_twist(const Vector3d& I, const Vector3d& omega0) {
@@ -87,6 +73,15 @@ double racket_twist(const Vector3d& I, const Vector3d& omega0) {
   }
   return std::atan2(I[2] * w[2], I[1] * w[1]) - std::atan2(I[2] * omega0[2], I[1] * omega0[1]);
 }
+//! wrong: all of omega_1 taken for the twist
+-  double round = 0;
++  double round = 0, twist = 0;
+@@
+     round += h * L.norm() * (L[1] * w[1] + L[2] * w[2]) / (L[1] * L[1] + L[2] * L[2]);
++    twist += h * w[0];
+@@
+-  return std::atan2(I[2] * w[2], I[1] * w[1]) - std::atan2(I[2] * omega0[2], I[1] * omega0[1]);
++  return twist;
 //! wrong: for the time of a turn about the middle axis
 double racket_twist(const Vector3d& I, const Vector3d& omega0) {
   const double L = I.cwiseProduct(omega0).norm();

@@ -53,7 +53,7 @@ double turn_per_period(const Vector3d& I, const Vector3d& omega0) {
 -    w = step(I, w, P / n);
 +    angle += L * x / y * P / 4 / n;
 +    w = step(I, w, P / 4 / n);
-@@
+   }
 -  return angle;
 +  return 2 * angle;
 //! wrong: turn of the attitude, without the whole turns
@@ -65,7 +65,6 @@ double turn_per_period(const Vector3d& I, const Vector3d& omega0) {
 +    const double x = I[2] * w[2] * w[2] + I[1] * w[1] * w[1];
 +    const double y = I[2] * I[2] * w[2] * w[2] + I[1] * I[1] * w[1] * w[1];
 //! right: closed form with the integral of the third kind
-double turn_per_period(const Vector3d& I, const Vector3d& omega0) {
   double I1 = I[0], I3 = I[2], T2 = I.dot(omega0.cwiseAbs2()), L2 = I.cwiseProduct(omega0).squaredNorm();
   const bool other = L2 < T2 * I[1];
   const double cot2 = I3 * (L2 - T2 * I1) / (I1 * (T2 * I3 - L2));
@@ -76,7 +75,6 @@ double turn_per_period(const Vector3d& I, const Vector3d& omega0) {
   const double L = std::sqrt(L2), P = 4 * std::comp_ellint_1(k) / nu;
   const double n = other ? -cot2 : -k2 * cot2;
   return L * P / I3 + 4 * L * (I3 - I1) / (I1 * I3 * nu) * std::comp_ellint_3(k, n);
-}
 //! wrong: sign of n
 -  const double n = other ? -cot2 : -k2 * cot2;
 +  const double n = other ? cot2 : k2 * cot2;
@@ -104,7 +102,6 @@ double turn_per_period(const Vector3d& I, const Vector3d& omega0) {
 +  const Vector3d L = I.cwiseProduct(omega0);
 +  return omega0.dot(L) / L.norm() * period(I, omega0);
 //! right: trapezoidal rule over a period
-double turn_per_period(const Vector3d& I, const Vector3d& omega0) {
   const double T2 = I.dot(omega0.cwiseAbs2()), L2 = I.cwiseProduct(omega0).squaredNorm();
   double a = I[0], b = I[1], c = I[2];
   if (L2 < T2 * b) std::swap(a, c);
@@ -123,7 +120,6 @@ double turn_per_period(const Vector3d& I, const Vector3d& omega0) {
     w += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
   }
   return std::sqrt(L2) * sum * h;
-}
 //! wrong: another index in both factors of a square
   const double T2 = I.dot(omega0.cwiseAbs2()), L2 = I.cwiseProduct(omega0).squaredNorm();
   double a = I[0], b = I[1], c = I[2];

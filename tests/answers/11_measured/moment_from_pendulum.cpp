@@ -17,9 +17,7 @@ Vector2d moment_from_pendulum(double M, double g, double d, double P, double d_e
   const double dI = I_O * std::sqrt(std::pow(d_error / d, 2) + 4 * std::pow(P_error / P, 2));
   return {I_O - M * d * d, std::hypot(dI, 2 * M * d * d_error)};
 //! wrong: relative errors of distance and period
-Vector2d moment_from_pendulum(double M, double g, double d, double P, double d_error, double P_error) {
   const double pi = std::acos(-1.0), k = g / (4 * pi * pi);
   const double I = M * d * (k * P * P - d);
   const double rel = std::hypot(d_error / d, 2 * P_error / P);
   return Vector2d(I, I * rel);
-}

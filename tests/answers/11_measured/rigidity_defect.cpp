@@ -6,9 +6,8 @@ Vector2d rigidity_defect(const Vector3d& coefficients, const Vector3d& errors) {
   const double da = errors[0] * (1 + b * c), db = errors[1] * (1 + a * c), dc = errors[2] * (1 + a * b);
   return {a + b + c + a * b * c, std::sqrt(da * da + db * db + dc * dc)};
 //! wrong: errors of the sum
--  const double da = errors[0] * (1 + b * c), db = errors[1] * (1 + a * c), dc = errors[2] * (1 + a * b);
--  return {a + b + c + a * b * c, std::sqrt(da * da + db * db + dc * dc)};
-+  return {a + b + c + a * b * c, errors.norm()};
+  const double a = coefficients[0], b = coefficients[1], c = coefficients[2];
+  return {a + b + c + a * b * c, errors.norm()};
 //! wrong: relative errors of the product
   const double a = coefficients[0], b = coefficients[1], c = coefficients[2];
   const double product = a * b * c;
