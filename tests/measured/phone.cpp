@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <optional>
 #include <random>
 #include <sstream>
 #include <string>
@@ -20,7 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace workbook::testing;
-using ZipEntry = std::pair<std::string, std::optional<std::string>>;
 using Row = std::vector<std::string>;
 
 /// The recording of the lecture as cells.
@@ -56,7 +54,7 @@ Outcome run_on(const std::string& text) {
   return run_on_file("recording.csv");
 }
 
-Outcome run_on_zip(const std::vector<ZipEntry>& entries) {
+Outcome run_on_zip(const ZipEntries& entries) {
   fs::create_directories(WORKBOOK_TEST_SCRATCH);
   write_zip(fs::path(WORKBOOK_TEST_SCRATCH) / "recording.zip", entries);
   return run_on_file("recording.zip");
@@ -235,9 +233,10 @@ TEST_CASE("one throw has error bars from its noise") {
 
 TEST_CASE("a zip file as phyphox shares it is read like its table") {
   const std::string table = text_of(recorded()), plain = run_on(table).out;
-  const ZipEntry device{"meta/device.csv", "\"property\",\"value\"\nversion,1\n"};
+  const std::pair<std::string, std::optional<std::string>> device{"meta/device.csv",
+                                                                  "\"property\",\"value\"\nversion,1\n"};
   CHECK(run_on_zip({{"Raw Data.csv", table}, device}).out == plain);
-  const auto refused = [](const std::vector<ZipEntry>& entries, const std::string& why) {
+  const auto refused = [](const ZipEntries& entries, const std::string& why) {
     const Outcome outcome = run_on_zip(entries);
     CHECK(outcome.status == 1);
     CHECK(outcome.out.empty());

@@ -25,8 +25,11 @@ fs::path golden_file(const std::string& name) {
 
 /// What hands do in stories: `answer BODY` writes that body of spring_energy, `force BODY [BEFORE]` that of
 /// spring_force with something before it, `solve NAME` the solution; `offered WORD...` is what bash would complete the
-/// last word to, and `restore` brings back what a story saved of the course.
-constexpr const char* words = R"(
+/// last word to, and `restore` brings back what a story saved of the course. `hand_in PATH...` makes the folder of a
+/// class and a zip file of it, in which each path is a right spring_energy of its own text, in a folder where it is
+/// none; `whose OPTION...` says who has handed in what by the folder, and nothing more where it says the same by the
+/// zip file.
+constexpr const char* words = R"sh(
 answer() {
   printf '#include <rigid/springs.hpp>\nnamespace rigid {\ndouble spring_energy(double k, const Vector3d& x) {\n%s\n}\n}\n' \
     "$1" >lectures/01_springs/exercises/spring_energy.cpp
@@ -41,7 +44,21 @@ offered() {
     bash "$@"
 }
 restore() { rm -rf include lectures solutions; cp -r saved/* .; }
-)";
+hand_in() {
+  rm -rf submissions class.zip
+  for path; do
+    case $path in *.*) ;; *) path=$path/spring_energy.cpp ;; esac
+    mkdir -p "submissions/$(dirname "$path")"
+    (cat solutions/01_springs/spring_energy.cpp; echo "// $path") >"submissions/$path"
+  done
+  (cd submissions && LC_ALL=C.UTF-8 cmake -E tar cf ../class.zip --format=zip -- *)
+}
+whose() {
+  for class in submissions class.zip; do ours grade $class --who "$@" >$class.said 2>&1; done
+  cat submissions.said
+  diff submissions.said class.zip.said
+}
+)sh";
 
 }  // namespace
 
@@ -114,9 +131,10 @@ TerminalOutcome CourseCopy::run_on_terminal(const std::string& arguments, int co
 
 std::string CourseCopy::shown_after(const std::string& typed, const std::string& environment) const {
   const std::string checker =
-      fmt::format("$1env {} '{}' --course '{}' ", environment, WORKBOOK_TEST_CHECKER, (root_ / "course.json").string());
-  const std::string command = replaced(typed, R"((^|[;|] |do |^\w+=\S+ )checker )", checker);
-  const Outcome outcome = run_command(fmt::format("cd '{}' && {{ {}{}\n}}", root_.string(), words, command), root_);
+      fmt::format("env {} '{}' --course '{}' ", environment, WORKBOOK_TEST_CHECKER, (root_ / "course.json").string());
+  const std::string command = replaced(typed, R"((^|[;|] |do |^\w+=\S+ )checker )", "$1" + checker);
+  const Outcome outcome = run_command(
+      fmt::format("cd '{}' && {{ {}ours() {{ {} \"$@\"; }}\n{}\n}}", root_.string(), words, checker, command), root_);
   const bool is_silent = outcome.status == 0 && outcome.said().empty();
   const std::string end = is_silent ? "" : fmt::format("[{}]\n", outcome.status);
   return without_place(fmt::format("$ {}\n{}{}\n", typed, outcome.said(), end));

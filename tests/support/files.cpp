@@ -37,7 +37,7 @@ void replace_in(const fs::path& file, const std::string& from, const std::string
   write(file, text.replace(at, from.size(), to));
 }
 
-void write_zip(const fs::path& file, const std::vector<std::pair<std::string, std::optional<std::string>>>& texts) {
+void write_zip(const fs::path& file, const ZipEntries& texts) {
   fs::create_directories(file.parent_path());
   archive* const zip = archive_write_new();
   archive_write_set_format_zip(zip);

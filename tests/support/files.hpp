@@ -19,9 +19,9 @@ std::filesystem::path write(const std::filesystem::path& file, const std::string
 /// Replaces the first `from` in the file. @throws if it is not there, so that a test cannot go stale unseen.
 void replace_in(const std::filesystem::path& file, const std::string& from, const std::string& to);
 
+using ZipEntries = std::vector<std::pair<std::string, std::optional<std::string>>>;
 /// Writes a zip file; where there is no text it is a symbolic link to /etc/passwd.
-void write_zip(const std::filesystem::path& file,
-               const std::vector<std::pair<std::string, std::optional<std::string>>>& texts);
+void write_zip(const std::filesystem::path& file, const ZipEntries& texts);
 
 /// Does the text contain the part?
 bool has(const std::string& text, const std::string& part);
