@@ -22,40 +22,7 @@ namespace {
 
 /// The body of `double twice(double x)`, from line 3 on.
 std::string body(const std::string& text) {
-  return "namespace rigid {\ndouble twice(double x) {\n" + text + (text.ends_with('\n') ? "}\n}\n" : "\n}\n}\n");
-}
-
-/// The body of `Matrix3d scaled(const Matrix3d& A, double factor)`.
-std::string scaled(const std::string& text) {
-  return "namespace rigid {\nMatrix3d scaled(const Matrix3d& A, double factor) {\n" + text + "}\n}\n";
-}
-
-/// A student's file, as beginners.txt tells how they are written.
-struct Snippet {
-  std::string title = "";
-  std::string said = "";  ///< what stands behind |
-  std::string frame = "";
-  std::string text = "";
-
-  std::string exercise() const {
-    return has(text, "scaled(const Matrix3d& A") && !has(text, "double twice(") ? "scaled" : "twice";
-  }
-};
-
-std::vector<Snippet> snippets_in(const std::string& file) {
-  std::vector<Snippet> all;
-  const std::string text = read(fs::path(WORKBOOK_TEST_SOURCES) / file);
-  for (const std::string& line : lines_of(text.substr(text.find("\n### ") + 1))) {
-    if (const Match head = search(line, R"(^### (.*) \| (.*)$)"))
-      all.push_back({head[1], head[2], "", ""});
-    else if (all.back().frame.empty())
-      all.back().frame = line;
-    else
-      all.back().text += line + "\n";
-  }
-  for (Snippet& each : all)
-    if (each.frame != "file") each.text = (each.frame == "twice" ? body : scaled)(each.text);
-  return all;
+  return "namespace rigid {\ndouble twice(double x) {\n" + text + "\n}\n}\n";
 }
 
 struct Result {

@@ -10,6 +10,7 @@
 #include "checker/judging/judge.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
@@ -57,50 +58,40 @@ struct Attempt {
            body + "\n}\n";
   }
 
+  DiagnosticTask task() const { return {submission, reference, observation, judgement}; }
+
   std::optional<Reason> slip(Sought sought = Sought::all) const {
-    return slip_or_branch({submission, reference, observation, judgement}, toolchain(), shared_cache(), sought);
+    return slip_or_branch(task(), toolchain(), shared_cache(), sought);
+  }
+
+  CodeReasons reasons(const std::vector<Reason>& findings, const std::vector<Variant>& variants) const {
+    return code_reasons(task(), findings, variants, toolchain(), shared_cache());
   }
 };
 
-}  // namespace
+/// Those of repairs.txt with such a title.
+std::vector<Snippet> snippets_of(const std::string& title) {
+  std::vector<Snippet> all = snippets_in("repairs.txt");
+  std::erase_if(all, [&](const Snippet& each) { return !each.title.starts_with(title); });
+  REQUIRE(!all.empty());
+  return all;
+}
 
-TEST_CASE("the one token with which all cases are right is found, with its place") {
-  struct Slip {
-    const char* body;
-    const char* name;
-    int line, column;
-  };
-  const Slip slips[] = {
-      {"return -n * x;", "slip_sign", 7, 8},
-      {"return n - x;", "", 0, 0},
-      {"double a = n, b = x;\nreturn a * a;", "slip_name", 8, 8},
-      {"return 3.0 * n * x;", "slip_number", 7, 8},
-      {"return n * std::abs(x);", "slip_function", 7, 17},
-      {"const Vector3d v(x, 1, 2);\nreturn n * v[1];", "slip_index", 8, 14},
-      {"const Vector3d v(3, 4, 9);\nreturn n * x * v.head<2>().norm() / 25;", "slip_method", 8, 28},
-      {"return n + x * x;", "", 0, 0},
-      {"double sum = 0;\nfor (int i = 1; i < 3; ++i) sum += n * x / 3;\nreturn sum;", "slip_loop", 8, 19},
-      // A condition that only switches a wrong branch off is no slip.
-      {"if (x < 0) return 1.0;\nreturn n * x;", "branch", 7, 1},
-      {"return x == 2.0 ? 0 : n * x;", "branch", 7, 8},
-      {"return x < 0 ? -n * x : n * x;", "slip_sign", 7, 16},
-      {"const bool small = x < 1;\nif (small) return 0;\nreturn n * x;", "branch", 8, 1},
-      {"if (x > -9) return 7;\nreturn n * x;", "", 0, 0},  // taken always
-      // Another sign or number in the first line would keep all cases from the last one.
-      {"const double y = 3 - x;\nif (y > 0) return n * x;\nreturn 7;", "branch", 8, 1},
-      {"return n / x;", "slip_factor", 7, 12},
-      {"const double h = 0.001;\nreturn n * ((x + h) * (x + h) - x * x) / (2 * h);", "slip_coarse", 7, 18},
-  };
-  for (const Slip& slip : slips) {
-    CAPTURE(std::string(slip.body));
-    const auto found = Attempt(slip.body).slip();
-    REQUIRE(found.has_value() == (*slip.name != '\0'));
-    if (!found) continue;
-    CHECK(found->name == slip.name);
-    CHECK(found->line == slip.line);
-    CHECK(found->column == slip.column);
+void check_slips(const std::string& title) {
+  for (const Snippet& each : snippets_of(title)) {
+    CAPTURE(each.text);
+    const auto found = Attempt(each.text).slip();
+    std::string told = found ? fmt::format("{} {}:{}", found->name, found->line, found->column) : "nothing";
+    if (found && found->name == "branch") told += " " + found->sentence;
+    CHECK(told == each.said);
   }
   CHECK(nothing_left_running());
+}
+
+}  // namespace
+
+TEST_CASE("the one token with which all cases are right is found, or the wrong branch, with its place") {
+  check_slips("one token");
 }
 
 TEST_CASE("a variant that never ends, or throws, hides no other") {
@@ -113,54 +104,26 @@ TEST_CASE("a variant that never ends, or throws, hides no other") {
 }
 
 TEST_CASE("findings are the reason if their fix makes all cases right, and a part of it if it changes the value") {
-  const auto reasons = [](const std::string& body) -> std::string {
-    const Attempt judged(body);
+  for (const Snippet& each : snippets_of("findings")) {
+    CAPTURE(each.text);
+    const Attempt judged(each.text);
     const CompileTask task{judged.submission, "signed_by", signature("signed_by")};
     const Compilation compilation = compile(task, toolchain(), shared_cache());
     const std::vector<Reason> findings = source_findings(task, compilation, toolchain(), shared_cache());
-    const CodeReasons found =
-        code_reasons({judged.submission, judged.reference, judged.observation, judged.judgement}, findings,
-                     fixed_variants(SourceText(judged.submission.text), findings), toolchain(), shared_cache());
-    std::string names = found.are_all ? "all:" : "";
-    for (const Reason& each : found.reasons) names += " " + each.name;
-    return names;
-  };
-  CHECK(reasons("return 2 * n * x * (1 / 2);") == "all: integer_division");
-  CHECK(reasons("const double a = 1 / 2 * x;\nconst double b = 1 / 2 * x;\nreturn n * (a + b);") ==
-        "all: integer_division integer_division");
-  CHECK(reasons("int half = x / 2;\nreturn 2 * n * half;") == "all: narrowing");
-  CHECK(reasons("int sum = 0;\nfor (int i = 0; i < 2; ++i) sum += n * x / 2;\nreturn sum;") == "all: narrowing");
-  CHECK(reasons("return n * x * (1 / 3);") == " integer_division");                 // another mistake besides
-  CHECK(reasons("return -n * x + 0 * (1 / 3);") == "");                             // it changes nothing
-  CHECK(reasons("return -n * x;") == "");                                           // nothing found
-  CHECK(reasons("int steps = 1000 * x;\nreturn n * n * x + 1e-4 * steps;") == "");  // it changes next to nothing
+    const CodeReasons found = judged.reasons(findings, fixed_variants(SourceText(judged.submission.text), findings));
+    std::string names = found.are_all ? "all:" : found.reasons.empty() ? "nothing" : "a part:";
+    for (const Reason& reason : found.reasons) names += " " + reason.name;
+    CHECK(names == each.said);
+  }
 }
 
 TEST_CASE("a quotient of whole numbers with names is a reason where one of doubles is right") {
-  struct Quotient {
-    const char* body;
-    std::size_t found;
-    bool is_reason;
-  };
-  const Quotient quotients[] = {
-      {"const int one = 1, two = 2;\nreturn 2 * n * x * (one / two);", 1, true},
-      {"auto ratio = [](int a, int b) { return a / b; };\nreturn 2 * n * x * ratio(1, 2);", 1, true},
-      {"const int steps = 4;\ndouble sum = 0;\nfor (int i = 0; i < steps; ++i) sum += (1 / steps) * n * x;\nreturn "
-       "sum;",
-       1, true},
-      {"const int k = 5;\nreturn -n * x * (k / 3);", 1, false},
-      {"return x / 2 * n / 1.0;", 1, false},
-      {"return 4 * n * x / 2 * 2;", 1, true},  // the divisor
-  };
-  for (const Quotient& each : quotients) {
-    CAPTURE(std::string(each.body));
-    const Attempt judged(each.body);
-    const SourceText source(judged.submission.text);
-    const auto [found, changed] = slips_of_language(source, judged.reference);
-    CHECK(found.size() == each.found);
-    CHECK(code_reasons({judged.submission, judged.reference, judged.observation, judged.judgement}, found, changed,
-                       toolchain(), shared_cache())
-              .are_all == each.is_reason);
+  for (const Snippet& each : snippets_of("quotient")) {
+    CAPTURE(each.text);
+    const Attempt judged(each.text);
+    const auto [found, changed] = slips_of_language(SourceText(judged.submission.text), judged.reference);
+    CHECK(found.size() == 1);
+    CHECK(judged.reasons(found, changed).are_all == (each.said == "all"));
   }
 }
 
@@ -192,60 +155,7 @@ TEST_CASE("a unit of variants knows its lines, and reads headers once") {
 // To compile and try all pairs takes a quarter of a minute.
 TEST_CASE("a bound in a condition, brackets and a name with something left out are found" *
           doctest::test_suite("thorough")) {
-  struct Slip {
-    const char* body;
-    const char* name;
-    int line;
-  };
-  const Slip slips[] = {
-      {"return (x < -1 ? -1 : 1) * n * std::sqrt(x * x);", "slip_guard", 7},
-      {"double sum = 0;\nfor (int i = 0; i + 1 < n; ++i) sum += x;\nreturn sum;", "slip_loop", 8},
-      {"return n + n / 2.0 * x;", "slip_brackets", 7},
-      {"return x < 100 ? x : x * n;", "slip_brackets", 7},
-      {"const Matrix3d A = Vector3d(n, n, 2).asDiagonal();\nconst Vector3d v = x * Vector3d::UnitX(), u = A * "
-       "v.cross(Vector3d::UnitY());\nreturn u.sum();",
-       "slip_brackets", 8},
-      {"Matrix3d A = Matrix3d::Zero(), B = A;\nA(0, 1) = n;\nB(0, 1) = x;\nconst Matrix3d C = B.transpose() * "
-       "A;\nreturn "
-       "C(0, 0);",
-       "slip_brackets", 10},
-      {"VectorXd m(4);\nm << x, 2 * x, x / 2, 0;\nconst double all = m.sum();\ndouble s = 0;\nfor (int k = 0; k < 4; "
-       "++k) "
-       "s += all * 6 / 7;\nreturn s;",
-       "slip_name", 11},
-      {"const double a = std::abs(x), b = std::fabs(2 * x);\nreturn n * (a + b) / 3;", "slip_function", 7},
-      {"double a, b, c;\na = b = c = -x;\nreturn n * a;", "slip_sign", 8},
-      {"double a = std::sqrt(std::abs(x)), b = 2;\nreturn n * (b * b) * (x < 0 ? -1 : 1);", "slip_name", 8},
-      {"double a = x, b = n;\na = b;\nb = a;\nreturn a * b;", "slip_overwritten", 9},
-      {"return n * std::sin(std::asin(x / 100) / 2) * 100;", "slip_function", 7},
-      {"const double half = 0.5;\nreturn (n + n) * x;", "slip_factor", 8},
-      {"const Vector3d v(x, 2, 1);\nreturn n * v.y();", "slip_method", 8},
-      {"const Matrix3d M{{2, 1, 0}, {1, 1, 0}, {0, 0, 1}};\nreturn n * x * M.cwiseInverse()(0, 0);", "slip_method", 8},
-      {"Matrix3d K;\nK << x, 1, 2, 3, 4, 5, 6, 7, 8;\nreturn -n * K(0, 0);", "slip_sign", 8},
-      {"const Matrix3d D = Vector3d(x, 1, 2).asDiagonal();\nreturn -n * D(0, 0);", "slip_sign", 7},
-      {"const Vector3d v(x, 2 * x, 4 * x);\ndouble s = 0;\nfor (int k = 0; k < 3; ++k) s += v[0];\nreturn n * s / 7;",
-       "slip_index", 9},
-      {"return n * std::tan(std::atan2(1, x));", "slip_function", 7},
-      {"double a = x, b = n;\nstd::swap(a, b);\nreturn -a * b;", "slip_sign", 7},
-      {"double s = 0;\nfor (int k = 0; k < 9; k++) s += x;\nreturn s;", "slip_brackets", 8},
-      {"return n * std::abs(x) * x > 0 ? 1 : -1;", "slip_brackets", 7},
-      {"const Vector2d w{2.0, 5.0};\nreturn n * x * (w[0] * w[0] - 12 * w[1]);", "slip_number", 7},
-      {"const double y = (1 - 2) * x;\nreturn n * y;", "slip_sign", 7},
-      {"const double a = 4, b = 3;\nreturn n * x / a;", "slip_name", 8},
-      // Ten times as many steps are too many to try.
-      {"const double h = 3e-6;\ndouble s = 0;\nfor (double u = 0; u < 1; u += h) s += h * 3 * u * u;\nreturn n * x * "
-       "s;",
-       "slip_coarse", 7},
-      {"double s = 0;\nfor (int i = 0; i < 400; ++i) s += 3.0 * i * i / 400 / 400 / 400;\nreturn n * x * s;",
-       "slip_coarse", 8},
-  };
-  for (const Slip& slip : slips) {
-    CAPTURE(std::string(slip.body));
-    const auto found = Attempt(slip.body).slip();
-    REQUIRE(found.has_value());
-    CHECK(found->name == slip.name);
-    CHECK(found->line == slip.line);
-  }
+  check_slips("thorough");
 }
 
 TEST_CASE("of what is explained only a single slip is sought") {
@@ -254,32 +164,7 @@ TEST_CASE("of what is explained only a single slip is sought") {
 }
 
 TEST_CASE("the branch that the failing cases take is named with its condition, and whether all is right without it") {
-  struct Wrong {
-    const char* body;
-    int line, column;
-    const char* condition;
-    bool repairs = true;
-  };
-  const Wrong wrongs[] = {
-      {"if (x > 1.5) return 0;\nreturn n * x;", 7, 1, "`x > 1.5` is true"},
-      {"if (!(x > 1.5))\n  return n * x;\nelse return 0;", 7, 1, "`!(x > 1.5)` is false"},
-      {"const double y = std::abs(x) < 0.6 ? 0 : x;\nreturn n * y;", 7, 18, "`std::abs(x) < 0.6` is true"},  // one case
-      {"if (x > 0)\n  if (x > 1.5) return 0;\nreturn n * x;", 8, 3, "`x > 1.5` is true"},
-      {"if (x < 1.5) x = 1;\nreturn n * x;", 7, 1, "`x < 1.5` is true"},  // 1 is right by chance
-      {"if (x > 3) x = 0;\nreturn n * x * x;", 0, 0, ""},                 // fails elsewhere too
-  };
-  for (const Wrong& wrong : wrongs) {
-    CAPTURE(std::string(wrong.body));
-    const auto found = Attempt(wrong.body).slip();
-    REQUIRE(found.has_value() == (wrong.line > 0));
-    if (!found) continue;
-    CHECK(found->name == "branch");
-    CHECK(found->line == wrong.line);
-    CHECK(found->column == wrong.column);
-    CHECK_MESSAGE(found->sentence.find(wrong.condition) != std::string::npos, found->sentence);
-    CHECK((found->sentence.find("always") != std::string::npos) == wrong.repairs);
-  }
-  CHECK(nothing_left_running());
+  check_slips("branch");
 }
 
 TEST_CASE("of the variants that are bugs, statements, comparisons and calls are left out or changed too") {

@@ -6,6 +6,7 @@
 #include "checker/sandbox/control_group.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <sched.h>
 #include <sys/prctl.h>
@@ -144,6 +145,23 @@ Observation run(const std::string& text, const std::vector<double>& inputs, cons
   std::ranges::transform(inputs, cases.begin(), twice_case);
   ExerciseRunner runner(executable(text), limits);
   return runner.observe(plan_calls(cases), {});
+}
+
+std::vector<Snippet> snippets_in(const std::string& file) {
+  std::vector<Snippet> all;
+  const std::string text = read(fs::path(WORKBOOK_TEST_SOURCES) / file);
+  for (const std::string& line : lines_of(text.substr(text.find("\n### ") + 1))) {
+    if (const Match head = search(line, R"(^### (.*) \| (.*)$)"))
+      all.push_back({head[1], head[2], "", ""});
+    else if (all.back().frame.empty())
+      all.back().frame = line;
+    else
+      all.back().text += line + "\n";
+  }
+  for (Snippet& each : all)
+    if (each.frame == "twice" || each.frame == "scaled")
+      each.text = fmt::format("namespace rigid {{\n{} {{\n{}}}\n}}\n", signature(each.frame), each.text);
+  return all;
 }
 
 fs::path golden(const std::string& name) { return fs::path(WORKBOOK_TEST_SOURCES) / "golden" / name; }

@@ -54,6 +54,21 @@ RunLimits short_limits();
 
 Observation run(const std::string& text, const std::vector<double>& inputs, const RunLimits& limits = short_limits());
 
+/// A text that a student may write, as beginners.txt tells how they are kept.
+struct Snippet {
+  std::string title = "";
+  std::string said = "";  ///< what stands behind |
+  std::string frame = "";
+  std::string text = "";  ///< a whole file, or a body where the frame is of none of twice, scaled and file
+
+  std::string exercise() const {
+    return has(text, "scaled(const Matrix3d& A") && !has(text, "double twice(") ? "scaled" : "twice";
+  }
+};
+
+/// Those in a file of tests/running.
+std::vector<Snippet> snippets_in(const std::string& file);
+
 /// A file of sentences in tests/running/golden. To rewrite them all: WORKBOOK_REWRITE_GOLDEN=1 ./tests/run -R running
 std::filesystem::path golden(const std::string& name);
 
