@@ -23,8 +23,8 @@ void require_failure(const CourseCopy& course, const std::string& command, const
 }
 
 /// The exercises cannot be judged, the message names the place, and no score is given.
-void require_checker_error(const CourseCopy& course, const std::string& place, const std::string& options = "") {
-  const Outcome outcome = course.run("check --json" + options);
+void require_checker_error(const CourseCopy& course, const std::string& place) {
+  const Outcome outcome = course.run("check --json");
   CHECK(outcome.status == 3);
   CHECK(outcome.result().at("verdict") == "checker_error");
   CHECK(outcome.result().at("score").is_null());
@@ -83,12 +83,6 @@ TEST_CASE("damaged reference results, or some that do not fit the card, are name
   const CourseCopy course;
   replace_in(course.card(), "\"spring_energy\"", "\"spring_entropy\"");
   require_checker_error(course, "01_springs.json");
-}
-
-TEST_CASE("seeds need the solutions, and the checker says so where there are none") {
-  const CourseCopy course;
-  fs::remove(course.root() / "reference/reference_01_springs");
-  require_checker_error(course, "seed", " --seed 7");
 }
 
 TEST_CASE("a course file that is damaged or missing is named: as wrong usage where it was typed") {

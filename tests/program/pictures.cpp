@@ -41,18 +41,10 @@ std::string examples(const CourseCopy& course, const std::string& build, const s
 
 }  // namespace
 
-TEST_CASE("plots are written as SVG and PNG, of wrong answers of the judging too, and half a picture never") {
+TEST_CASE(
+    "plots are written as SVG and PNG, of wrong answers of the judging too, half a picture never, and "
+    "none by gnuplot's settings of the user") {
   CourseCopy().check_story("plots");
-}
-
-TEST_CASE("gnuplot's settings of the user change no plot") {
-  const CourseCopy course;
-  course.solve("spring_energy");
-  write(course.root() / ".gnuplot", "set terminal dumb\nset format x 'mine'\n");
-  const std::string home = "HOME='" + course.root().string() + "'";
-  CHECK(course.run("plot spring_energy --out plain").status == 0);
-  CHECK(course.run("plot spring_energy --out own", home + " GNUTERM=dumb").status == 0);
-  CHECK(read(course.root() / "own/spring_energy.svg") == read(course.root() / "plain/spring_energy.svg"));
 }
 
 TEST_CASE("a curve breaks where there is no value") {

@@ -23,16 +23,22 @@ fs::path golden_file(const std::string& name) {
   return fs::path(WORKBOOK_TEST_COURSE).parent_path() / "golden" / (name + ".txt");
 }
 
-/// What hands do in stories: `answer BODY` writes that body of spring_energy, `force BODY [BEFORE]` that of
-/// spring_force with something before it, `solve NAME` the solution; `offered WORD...` is what bash would complete the
-/// last word to, and `restore` brings back what a story saved of the course. `hand_in PATH...` makes the folder of a
-/// class and a zip file of it, in which each path is a right spring_energy of its own text, in a folder where it is
-/// none; `whose OPTION...` says who has handed in what by the folder, and nothing more where it says the same by the
-/// zip file.
+/// What hands do in stories: `answer BODY [BEFORE]` writes that body of spring_energy with something before it, `force
+/// BODY [BEFORE]` that of spring_force, `judged` tells the checker's document on the first, `solve NAME` the solution;
+/// `offered WORD...` is what bash would complete the last word to, and `restore` brings back what a story saved of the
+/// course. `hand_in PATH...` makes the folder of a class and a zip file of it, in which each path is a right
+/// spring_energy of its own text, in a folder where it is none; `whose OPTION...` says who has handed in what by the
+/// folder, and nothing more where it says the same by the zip file.
 constexpr const char* words = R"sh(
 answer() {
-  printf '#include <rigid/springs.hpp>\nnamespace rigid {\ndouble spring_energy(double k, const Vector3d& x) {\n%s\n}\n}\n' \
-    "$1" >lectures/01_springs/exercises/spring_energy.cpp
+  printf '%s#include <rigid/springs.hpp>\nnamespace rigid {\ndouble spring_energy(double k, const Vector3d& x) {\n%s\n}\n}\n' \
+    "${2:+$2
+}" "$1" >lectures/01_springs/exercises/spring_energy.cpp
+}
+judged() {
+  ours check spring_energy --json >said.json
+  echo "status $?"
+  grep -E '^ *"(verdict|score|points|kind|name|line|excerpt|message|next)":' said.json
 }
 force() {
   printf '#include <rigid/springs.hpp>\nnamespace rigid {\n%s\nVector3d spring_force(double k, const Vector3d& x) {\n%s\n}\n}\n' \
