@@ -32,8 +32,3 @@ Vector3d fictitious_force(double m, const Vector3d& v_body, const Vector3d& r, c
   return -m * (2 * omega.cross(v_body) + alpha.cross(r) + omega.cross(omega.cross(r)));
 //! wrong: mass forgotten in one term
   return -2 * m * omega.cross(v_body) - alpha.cross(r) - m * omega.cross(omega.cross(r));
-//! wrong: the mass on the Coriolis force only
-  const Vector3d coriolis = -2 * m * omega.cross(v_body);
-  const Vector3d euler = -alpha.cross(r);
-  const Vector3d centrifugal = -omega.cross(omega.cross(r));
-  return coriolis + euler + centrifugal;

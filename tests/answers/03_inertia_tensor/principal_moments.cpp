@@ -13,10 +13,11 @@ Vector3d principal_moments(const Matrix3d& I) {
 -  Vector3d moments = Eigen::EigenSolver<Matrix3d>(I).eigenvalues().real();
 +  Vector3d moments = I.diagonal();
 //! wrong: only the product of inertia of x and y is seen
--  Vector3d moments = Eigen::EigenSolver<Matrix3d>(I).eigenvalues().real();
-+  const double mean = (I(0, 0) + I(1, 1)) / 2, half = (I(0, 0) - I(1, 1)) / 2;
-+  const double root = std::sqrt(half * half + I(0, 1) * I(0, 1));
-+  Vector3d moments(mean - root, mean + root, I(2, 2));
+  const double mean = (I(0, 0) + I(1, 1)) / 2, half = (I(0, 0) - I(1, 1)) / 2;
+  const double root = std::sqrt(half * half + I(0, 1) * I(0, 1));
+  Vector3d moments(mean - root, mean + root, I(2, 2));
+  std::sort(moments.data(), moments.data() + 3);
+  return moments;
 //! right: Jacobi rotations
   Matrix3d D = I;
   for (int sweep = 0; sweep < 30; ++sweep) {
@@ -47,8 +48,6 @@ Vector3d principal_moments(const Matrix3d& I) { return Eigen::EigenSolver<Matrix
 //! wrong: single precision
   const Eigen::Matrix3f single = I.cast<float>();
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f>(single).eigenvalues().cast<double>();
-//! wrong: general solver, in any order
-  return Eigen::EigenSolver<Matrix3d>(I).eigenvalues().real();
 //! right: singular values in reverse order
   const Eigen::JacobiSVD<Matrix3d> svd(I);
   return svd.singularValues().reverse();

@@ -33,7 +33,3 @@ Vector3d euler_equations_general(const Matrix3d& I, const Vector3d& omega, const
   const Vector3d L = I * omega;
   if (I.isDiagonal()) return (torque + omega.cross(L)).cwiseQuotient(I.diagonal());
   return I.inverse() * (torque - omega.cross(L));
-//! wrong: the gyroscopic term not divided
-  const Vector3d L = I * omega;
-  const Vector3d direct = I.llt().solve(torque);
-  return direct - omega.cross(L);

@@ -200,19 +200,3 @@ Matrix3Xd free_rotation(const Vector3d& I, const Vector3d& omega0, const VectorX
   for (Eigen::Index k = 0; k < times.size(); ++k) out.col(k) = times[k] == 0 ? omega0 : s.to(omega0, times[k]);
   return out;
 }
-//! wrong: times taken as ascending from 0
-  auto f = [&](const Vector3d& w) -> Vector3d { return I.cwiseProduct(w).cross(w).cwiseQuotient(I); };
-  Matrix3Xd out(3, times.size());
-  Vector3d w = omega0;
-  double now = 0;
-  const double h = 1e-3;
-  for (Eigen::Index k = 0; k < times.size(); ++k) {
-    while (now < times[k] - 1e-12) {
-      const double s = std::min(h, times[k] - now);
-      const Vector3d k1 = f(w), k2 = f(w + s / 2 * k1), k3 = f(w + s / 2 * k2), k4 = f(w + s * k3);
-      w += s / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-      now += s;
-    }
-    out.col(k) = w;
-  }
-  return out;

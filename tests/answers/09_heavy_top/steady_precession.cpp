@@ -42,10 +42,6 @@ Vector2d steady_precession(double I1, double I3, double mgl, double omega3, doub
   const double a = I1 * std::cos(theta), b = I3 * omega3, c = mgl * std::sin(theta);
   const double q = (b + std::copysign(std::sqrt(b * b - 4 * a * c), b)) / 2;
   return {c / q, q / a};
-//! wrong: minus and plus in fixed order
-  const double c = std::cos(theta), L = I3 * omega3;
-  const double root = std::sqrt(L * L - 4 * I1 * mgl * c);
-  return {(L - root) / (2 * I1 * c), (L + root) / (2 * I1 * c)};
 //! wrong: no cosine in the slow rate
   const double a = I1, b = I3 * omega3, q = mgl;
   const double root = std::sqrt(b * b - 4 * a * q * std::cos(theta));

@@ -40,6 +40,3 @@ Vector2d poinsot(const Vector3d& I, const Vector3d& omega) {
   const Vector3d L = I.cwiseProduct(omega);
   const double h = omega.dot(L.normalized());
   return {h, std::sqrt(std::max(0.0, omega.squaredNorm() - h * h))};
-//! wrong: difference of squares
--  const double h = omega.dot(L.normalized());
-+  const double h = omega.dot(L) / L.norm();
