@@ -54,16 +54,5 @@ TEST_CASE("every variable of a function is shown at one case, line by line" * do
 
 TEST_CASE("nothing is debugged that is not started or does not compile, or without gdb" *
           doctest::test_suite("thorough")) {
-  const CourseCopy course;
-  const Outcome untouched = course.run("debug spring_energy");
-  CHECK(untouched.status == 1);
-  CHECK(has(untouched.out, "not started"));
-  course.answer_energy("return k");
-  const Outcome broken = course.run("debug spring_energy");
-  CHECK(broken.status == 1);
-  CHECK(has(broken.out, "compile error"));
-  const Outcome missing = course.run("debug spring_energy", without_programs);
-  CHECK(missing.status == 3);
-  CHECK(has(missing.err, "apt-get install gdb"));
-  CHECK(course.run("debug --build-only spring_energy --case 1").status == 1);  // does not compile
+  CourseCopy().check_story("debugging");
 }

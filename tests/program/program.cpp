@@ -136,8 +136,8 @@ TerminalOutcome CourseCopy::run_on_terminal(const std::string& arguments, int co
 }
 
 std::string CourseCopy::shown_after(const std::string& typed, const std::string& environment) const {
-  const std::string checker =
-      fmt::format("env {} '{}' --course '{}' ", environment, WORKBOOK_TEST_CHECKER, (root_ / "course.json").string());
+  const std::string checker = fmt::format("/usr/bin/env {} '{}' --course '{}' ", environment, WORKBOOK_TEST_CHECKER,
+                                          (root_ / "course.json").string());
   const std::string command = replaced(typed, R"((^|[;|] |do |^\w+=\S+ )checker )", "$1" + checker);
   const Outcome outcome = run_command(
       fmt::format("cd '{}' && {{ {}ours() {{ {} \"$@\"; }}\n{}\n}}", root_.string(), words, checker, command), root_);

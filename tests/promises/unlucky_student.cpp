@@ -102,23 +102,7 @@ void answer_anew(const CourseCopy& course) {
 
 }  // namespace
 
-TEST_CASE("Our own failure is no zero.") {
-  const CourseCopy course;
-  course.solve("spring_energy");
-  auto toolchain = nlohmann::json::parse(read(WORKBOOK_TEST_TOOLCHAIN));
-  toolchain["compiler"] = "/nowhere/g++";
-  write(course.root() / "toolchain.json", toolchain.dump());
-  auto description = nlohmann::json::parse(read(course.root() / "course.json"));
-  description["toolchain"] = (course.root() / "toolchain.json").string();
-  description["scratch"] = (course.root() / "scratch").string();
-  write(course.root() / "course.json", description.dump());
-
-  const Outcome outcome = course.run("check spring_energy --json");
-  CHECK(outcome.status == 3);
-  CHECK(outcome.result().at("verdict") == "checker_error");
-  CHECK(outcome.result().at("score").is_null());
-  CHECK(course.run("doctor").status == 3);
-}
+TEST_CASE("Our own failure is no zero.") { CourseCopy().check_story("own_failure"); }
 
 TEST_SUITE_BEGIN("a killed command");
 
