@@ -214,67 +214,7 @@ TEST_CASE("a roster is read as spreadsheets write it, or refused as a whole") {
 }
 
 TEST_CASE("hints cost points, and values that are right at some cases earn some, where the assignment says so") {
-  const MadeUpClass few;
-  const std::string progress = R"({"format": 1, "exercises": {"spring_energy": {"hints": 2}, "spring_force": {}}})";
-  for (const char* student : {"ada", "ben", "cleo"}) few.energy(student, right_energy);
-  few.force("ada", "return x[0] > 0 && x[1] > 1.2 ? Vector3d(-k * x) : Vector3d(k * x);");
-  write(few.submissions() / "ada/.workbook/progress.json", progress);
-  write(few.submissions() / "ada/.workbook/kept/spring_energy.cpp", energy_text("return 7;"));
-  write_zip(few.submissions() / "ben.zip", {{".workbook/progress.json", progress.c_str()}});
-  write(few.submissions() / "cleo/.workbook/progress.json", "[[[[[[");
-  write(few.submissions() / "dora/spring_energy.cpp", energy_text(right_energy));
-  fs::create_directory_symlink(few.submissions() / "ada/.workbook", few.submissions() / "dora/.workbook");
-  few.force("dora", "if (k > 1) throw 1;\n  return -k * x;");
-  write(few.root() / "assignment.json", R"({"hint_cost": 0.25, "partial": true})");
-  const Outcome graded = few.grade("out", "--assignment assignment.json");
-  REQUIRE_MESSAGE(graded.status == 0, graded.said());
-  const auto energy = [&](const char* id) { return few.student(id).at("results").at(0).at("score").get<double>(); };
-  CHECK(energy("ada") == 1);
-  CHECK(energy("ben") == 1);
-  CHECK(energy("cleo") == 2);  // a progress file that cannot be read costs nothing, and is named
-  CHECK(has(few.student("cleo").at("student").at("notes").dump(), "progress.json"));
-  CHECK(energy("dora") == 2);  // another one's file is not read
-  const auto force = few.student("ada").at("results").at(1);
-  const double right = force.at("cases").at("passed"), all = force.at("cases").at("total");
-  CHECK(few.student("ada").at("results").at(1).at("verdict") == "wrong_value");
-  CHECK((right > 0 && right < all));
-  CHECK(force.at("score").get<double>() == doctest::Approx(right / all));
-  CHECK(few.student("dora").at("results").at(1).at("score") == 0);
-  CHECK(has(read(few.root() / "out/students/ada.html"), "25 %"));
-
-  // A wrong answer never earns nearly all; special cases alone earn nothing, and known mistakes what the file says.
-  few.force("emil", "return k > 1000 ? Vector3d(x) : Vector3d(-k * x);");  // wrong at few generated cases
-  few.force("fritz", "return k * x;");
-  const auto forces = [&](const std::string& assignment) {
-    write(few.root() / "assignment.json", assignment);
-    const Outcome judged = few.grade("out", "--assignment assignment.json");
-    CHECK_MESSAGE(judged.status == 0, judged.said());
-    std::vector<double> scores;
-    for (const char* id : {"ada", "emil", "fritz"})
-      scores.push_back(few.student(id).at("results").at(1).at("score").get<double>());
-    return scores;
-  };
-  CHECK(forces(R"({"partial": true})").at(1) == 0.75);
-  const auto of_emil = few.student("emil").at("results").at(1).at("cases");
-  CHECK(of_emil.at("passed").get<double>() > 0.9 * of_emil.at("total").get<double>());
-  CHECK(forces(R"({"partial": "groups"})") == std::vector<double>{0, 2.0 / 3, 0});
-  CHECK(forces(R"({"misconceptions": {"away": 0.5}})") == std::vector<double>{0.5, 0, 0.5});
-  CHECK(forces(R"({"misconceptions": {"spring_force/away": 0.25}, "partial": "groups"})") ==
-        std::vector<double>{0.25, 2.0 / 3, 0.25});
-  for (const char* wrong :
-       {R"({"partial": "group"})", R"({"misconceptions": {"away": 0.9}})", R"({"misconceptions": {"awya": 0.5}})",
-        R"({"misconceptions": {"spring_energy/away": 0.5}})"}) {
-    write(few.root() / "assignment.json", wrong);
-    CHECK_MESSAGE(few.grade("out", "--assignment assignment.json").status == 2, wrong);
-  }
-  forces(R"({"hint_cost": 0.25, "partial": true})");
-
-  // What the assignment says of points changes no verdict, so nothing is judged again.
-  write(few.root() / "assignment.json", R"({"hint_cost": 0.1})");
-  const Outcome again = few.grade("out", "--assignment assignment.json");
-  CHECK(has(again.out, " 0 different files"));
-  CHECK(has(again.out, "ben: 1.6 of 3 points, before 1 of 3: spring_energy earns another part of its points"));
-  CHECK(few.student("ada").at("results").at(1).at("score") == 0);
+  MadeUpClass().check_story("partial_credit");
 }
 
 TEST_CASE(

@@ -28,10 +28,6 @@ const fs::path scratch = WORKBOOK_TEST_SCRATCH;
 
 Outcome run(const std::string& command) { return run_command(command, scratch); }
 
-Outcome handout(const fs::path& folder) {
-  return run(fmt::format("'{}' handout '{}'", WORKBOOK_TEST_CHECKER, folder.string()));
-}
-
 /// One copy for all tests, drawn with a seed of its own, whose reference results self_check_seeds has made: it takes a
 /// while, so where it fails it is made once too.
 const fs::path& copy() {
@@ -352,25 +348,6 @@ TEST_CASE("A newer release leaves what a student has written.") {
   CHECK(read(student / mine) == "// mine\n");
   CHECK(read(student / "lectures/assignment.json") == read(assignment));
   CHECK(read(student / "lectures/07_euler_angles/notes.md") == "# of the first release\n");  // not new here
-}
-
-TEST_CASE("a folder that holds something is not written to") {
-  const fs::path folder = copy().parent_path() / "taken";
-  write(folder / "thesis.txt", "years of work\n");
-  const Outcome outcome = handout(folder);
-  CHECK(outcome.status == 2);
-  CHECK(has(outcome.said(), "is not empty"));
-  CHECK(read(folder / "thesis.txt") == "years of work\n");
-}
-
-TEST_CASE("a folder that cannot be made is named, and nothing half done is left") {
-  const fs::path file = copy().parent_path() / "a file";
-  write(file, "no folder\n");
-  const Outcome outcome = handout(file / "below");
-  CHECK(outcome.status == 2);
-  CHECK_MESSAGE(has(outcome.said(), "a file/below cannot be written (Not a directory)"), outcome.said());
-  for (const auto& entry : fs::directory_iterator(copy().parent_path()))
-    CHECK(!has(entry.path().string(), "unfinished"));
 }
 
 TEST_CASE("what is exported for another system grades there, with the marks of grade, and holds no solution") {
