@@ -122,36 +122,8 @@ TEST_CASE("parts of a class, judged by themselves and joined, give the results o
   const MadeUpClass few;
   few.hand_in_few_files();
   few.energy("dora", right_energy);
-  write(few.root() / "roster.csv", "id\nada\nben\ncleo\ndora\nemil\n");
-  const std::string roster = "--seed 7 --roster roster.csv";
-  CHECK(few.run("grade submissions --out part1 --allow-reduced --shard 1/3").status == 2);  // each would draw its own
-  REQUIRE(few.grade("single", roster).status == 1);                                         // nothing was found of emil
-  for (const char* shard : {"1/3", "2/3", "3/3"}) {
-    const Outcome judged = few.grade("part" + std::string(shard, 1), fmt::format("{} --shard {}", roster, shard));
-    REQUIRE_MESSAGE(judged.status == 0, judged.said());
-  }
-  const Outcome joined =
-      few.run("grade submissions --out joined --allow-reduced --roster roster.csv --merge part1 part2 part3");
-  REQUIRE_MESSAGE(joined.status == 1, joined.said());
-  CHECK(has(joined.out, " 0 different files"));
-  CHECK(results_in(few.root() / "joined") == results_in(few.root() / "single"));
-  const auto size = [&](const char* out) { return fs::file_size(few.root() / out / "journal.jsonl"); };
-  CHECK(size("joined") == size("single"));
+  few.check_story("parts");
   CHECK(is_judged_once(few.root() / "joined/journal.jsonl"));
-
-  // A part that is missing, or was killed while it wrote, is judged by the run that joins them.
-  const std::string journal = read(few.root() / "single/journal.jsonl");
-  write(few.root() / "killed/journal.jsonl", journal.substr(0, journal.size() - 100));
-  fs::create_directories(few.root() / "never_begun");
-  const Outcome completed = few.grade("again", roster + " --merge killed never_begun");
-  REQUIRE_MESSAGE(completed.status == 1, completed.said());
-  CHECK(has(completed.out, " 1 different file "));
-  CHECK(results_in(few.root() / "again") == results_in(few.root() / "single"));
-  CHECK(size("again") == size("single"));
-
-  for (const char* wrong : {"0/3", "4/3", "1", "1/", "1/0", "a/b", "1/2x"})
-    CHECK_MESSAGE(few.grade("out", "--shard " + std::string(wrong)).status == 2, wrong);
-  CHECK(few.grade("out", "--merge no_such_folder").status == 2);
 }
 
 TEST_CASE("a damaged journal changes no result" * doctest::test_suite("thorough")) {
@@ -179,39 +151,7 @@ TEST_CASE("assignment and roster: points, lateness, ids of Moodle and Canvas") {
   MadeUpClass().check_story("assignment");
 }
 
-TEST_CASE("a roster is read as spreadsheets write it, or refused as a whole") {
-  const MadeUpClass few;
-  const auto ids = [&](const std::string& text) {
-    std::string all;
-    for (const auto& entry : workbook::read_roster(write(few.root() / "roster.csv", text))) all += entry.id + "|";
-    return all;
-  };
-  CHECK(ids("id,name\n101,Ada\n") == "101|");
-  CHECK(ids("id,name,grade,status\ns101,Ada,,enrolled\n") == "s101|");  // no worksheet of Moodle
-  CHECK(ids("\xef\xbb\xbfName;ID;submitted\r\n\"Byron; Ada\"; 101 ;\r\nBen;102;2027-03-01T12:00:00Z") == "101|102|");
-  const std::vector<std::pair<std::string, std::string>> broken = {{"", "empty"},
-                                                                   {"\n\n", "empty"},
-                                                                   {"id,name\n", "no row"},
-                                                                   {"name,e_mails\nAda,x\n", "'name', 'e_mails'"},
-                                                                   {"id,name\nann,\"A\nbob,B\ncleo,C\n", "row 2"},
-                                                                   {"id,name\rann,A\rbob,B\r", "row 1"},
-                                                                   {"id,name\n101,Byron, Ada\n", "row 2"},
-                                                                   {"id,name\n,Ada\n", "row 2"},
-                                                                   {"id\n \n", "no row"},
-                                                                   {"id\n7\n 7\n", "twice"},
-                                                                   {"id,submitted\n7,2027-04-31T12:00:00Z\n", "row 2"}};
-  for (const auto& [text, said] : broken) {
-    CAPTURE(text);
-    try {
-      ids(text);
-      FAIL_CHECK("not refused");
-    } catch (const workbook::GradingError& problem) {
-      CHECK_MESSAGE((has(problem.what(), "roster.csv: ") && has(problem.what(), said)), problem.what());
-    }
-  }
-  CHECK(few.grade("out", "--roster roster.csv").status == 2);
-  CHECK(!fs::exists(few.root() / "out"));
-}
+TEST_CASE("a roster is read as spreadsheets write it, or refused as a whole") { MadeUpClass().check_story("rosters"); }
 
 TEST_CASE("hints cost points, and values that are right at some cases earn some, where the assignment says so") {
   MadeUpClass().check_story("partial_credit");
@@ -283,25 +223,7 @@ TEST_CASE("one group of results is judged again, and given reference results tak
           doctest::test_suite("thorough")) {
   const MadeUpClass few;
   few.hand_in_few_files();
-  REQUIRE(few.grade().status == 0);
-  const auto results = results_in(few.root() / "out");
-  CHECK(has(few.grade("out", "--only wrong_value").out, " 1 different file "));
-  CHECK(results_in(few.root() / "out") == results);
-  CHECK(has(few.grade().out, " 0 different files"));
-  CHECK(few.grade("out", "--only wrong").status == 2);
-  CHECK(few.grade("out", "--only checker_error").status == 2);
-
-  const fs::path drawn = few.root() / "drawn.json";
-  REQUIRE(few.run("check spring_energy --seed 7").status == 1);  // the stub; the reference results are made now
-  fs::copy_file(fs::path(WORKBOOK_TEST_SCRATCH) / "shared/reference/01_springs-seed-7.json", drawn);
-  REQUIRE(few.grade("seed", "--seed 7").status == 0);
-  const Outcome given = few.grade("given", "--reference drawn.json");
-  REQUIRE_MESSAGE(given.status == 0, given.said());
-  CHECK(results_in(few.root() / "given") == results_in(few.root() / "seed"));
-  CHECK(few.grade("given", "--reference drawn.json --seed 7").status == 2);
-  CHECK(few.grade("given", fmt::format("--reference drawn.json '{}'", few.reference().string())).status == 2);
-  write(drawn, "damaged");
-  CHECK(few.grade("given", "--reference drawn.json").status == 3);
+  few.check_story("judging_again");
 }
 
 TEST_CASE("results are written as other systems read them") {
