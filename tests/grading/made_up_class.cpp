@@ -24,16 +24,6 @@ const char* const right_force = "return -k * x;";
 const char* const force_by_energy =
     "if (x.isZero(0)) return x;\n  return -2 * spring_energy(k, x) / x.squaredNorm() * x;";
 
-std::string energy_text(const std::string& body) {
-  return "#include <rigid/springs.hpp>\nnamespace rigid {\ndouble spring_energy(double k, const Vector3d& x) {\n  " +
-         body + "\n}\n}\n";
-}
-
-std::string force_text(const std::string& body) {
-  return "#include <rigid/springs.hpp>\nnamespace rigid {\nVector3d spring_force(double k, const Vector3d& x) {\n  " +
-         body + "\n}\n}\n";
-}
-
 namespace {
 
 bool others_reach_the_checker() {

@@ -35,10 +35,6 @@ class MadeUpClass : public CourseCopy {
 /// The body of a function that is right, or wrong for a reason.
 extern const char *const right_energy, *const right_force, *const force_by_energy;
 
-/// The text of a file with such a function.
-std::string energy_text(const std::string& body);
-std::string force_text(const std::string& body);
-
 /// Root becomes another user to grade, who must reach this build.
 bool is_open_to_all();
 

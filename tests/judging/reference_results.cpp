@@ -106,10 +106,7 @@ const std::vector<Mistake> mistakes = {
     {"a misconception that is right", [](Exercise& e) { add_misconception(e, "right", "And yet.", right_momentum); }},
     {"two that are one", [](Exercise& e) { add_misconception(e, "again", "You add them once.", momentum_with(1, 1)); }},
     {"other outputs where it does not decide",
-     [](Exercise& e) {
-       e.misconceptions[0].outputs[8] = vector({1, 1, 1});
-     },
-     0},
+     [](Exercise& e) { e.misconceptions[0].outputs[8] = e.misconceptions[0].outputs[0]; }, 0},
     {"terms that do not add up", [](Exercise& e) { e.terms[1].outputs[3].numbers[0] += 1e-3; }},
     {"a term that is seen at rest only", [](Exercise& e) { add_term(e, "c", 5, at_rest_only); }, 2},
     {"dependent terms", [](Exercise& e) { add_term(e, "m (u + v)", 0, momentum_with(1, 1)); }},
@@ -198,10 +195,7 @@ TEST_CASE("What contradicts itself is not written") {
       {0, [](Exercise& e) { e.cases[0].inputs[0] = number(infinity); }},
       {0, [](Exercise& e) { e.cases[0].expected.numbers[1] = not_a_number; }},
       {0, [](Exercise& e) { e.cases[0].expected.numbers.pop_back(); }},
-      {0,
-       [](Exercise& e) {
-         e.cases[0].scale = {1, 2};
-       }},
+      {0, [](Exercise& e) { e.cases[0].scale.resize(2, 1); }},
       {0, [](Exercise& e) { e.cases[0].scale = {0}; }},
       {0, [](Exercise& e) { e.cases[0].scale = {infinity}; }},
       {0, [](Exercise& e) { e.cases[0].tolerance = not_a_number; }},
@@ -212,16 +206,10 @@ TEST_CASE("What contradicts itself is not written") {
       {0, [](Exercise& e) { e.result_units.clear(); }},
       {0, [](Exercise& e) { e.result_units.resize(2); }},
       {0, [](Exercise& e) { e.misconceptions[0].outputs.pop_back(); }},
-      {0,
-       [](Exercise& e) {
-         e.misconceptions[0].outputs[3] = vector({1, 2});
-       }},
+      {0, [](Exercise& e) { e.misconceptions[0].outputs[3] = number(1); }},
       {0, [](Exercise& e) { e.misconceptions[0].sweep_outputs.pop_back(); }},
       {0, [](Exercise& e) { e.input_transforms[0].outputs.pop_back(); }},
-      {0,
-       [](Exercise& e) {
-         e.terms[0].outputs.push_back(vector({1, 2, 3}));
-       }},
+      {0, [](Exercise& e) { e.terms[0].outputs.push_back(e.terms[0].outputs[0]); }},
       {0, [](Exercise& e) { e.routes[2].outputs[0] = number(1); }},
       {0, [](Exercise& e) { e.sweep.inputs.pop_back(); }},
       {0, [](Exercise& e) { e.sweep.components[0].row = 3; }},

@@ -16,8 +16,7 @@ TEST_CASE("the verdict on a file that cannot be linked is told before its own fu
   const CourseCopy copy;
   copy.answer_energy("return 7;");
   write(copy.exercise("spring_force"),
-        "#include <rigid/springs.hpp>\nextern \"C\" double nowhere();\nnamespace rigid {\n"
-        "Vector3d spring_force(double k, const Vector3d& x) {\n  return nowhere() * spring_energy(k, x) * x;\n}\n}\n");
+        "extern \"C\" double nowhere();\n" + force_text("return nowhere() * spring_energy(k, x) * x;"));
   const workbook::Course course(copy.root() / "course.json");
   workbook::CheckContext context(course);
   std::vector<workbook::Verdict> told;

@@ -174,10 +174,7 @@ std::string CourseCopy::without_place(std::string text) const {
 }
 
 void CourseCopy::answer_energy(const std::string& body, const std::string& before) const {
-  write(exercise("spring_energy"),
-        before +
-            "#include <rigid/springs.hpp>\nnamespace rigid {\ndouble spring_energy(double k, const Vector3d& x) {\n" +
-            body + "\n}\n}\n");
+  write(exercise("spring_energy"), before + energy_text(body));
 }
 
 void CourseCopy::solve(const std::string& name) const {
@@ -187,6 +184,16 @@ void CourseCopy::solve(const std::string& name) const {
 void CourseCopy::stand_in(const std::string& program, const std::string& script) const {
   write(root_ / program, "#!/bin/sh\n" + script + "\n");
   fs::permissions(root_ / program, fs::perms::owner_all);
+}
+
+std::string energy_text(const std::string& body) {
+  return "#include <rigid/springs.hpp>\nnamespace rigid {\ndouble spring_energy(double k, const Vector3d& x) {\n" +
+         body + "\n}\n}\n";
+}
+
+std::string force_text(const std::string& body) {
+  return "#include <rigid/springs.hpp>\nnamespace rigid {\nVector3d spring_force(double k, const Vector3d& x) {\n" +
+         body + "\n}\n}\n";
 }
 
 void check_golden(const std::string& name, const std::string& text) { compare_with_golden(golden_file(name), text); }

@@ -55,7 +55,7 @@ class CourseCopy {
   std::filesystem::path card() const { return root_ / "lectures/01_springs/card.json"; }
   std::filesystem::path notes() const { return root_ / "lectures/01_springs/notes.md"; }
 
-  /// Writes an answer to spring_energy whose body is `body`, from line 4 on.
+  /// Writes an answer to spring_energy with this body.
   void answer_energy(const std::string& body, const std::string& before = "") const;
   /// Puts the solution in place of the student's file.
   void solve(const std::string& name) const;
@@ -69,6 +69,10 @@ class CourseCopy {
 
   std::filesystem::path root_;
 };
+
+/// The text of a file with a function that has this body, from line 4 on.
+std::string energy_text(const std::string& body);
+std::string force_text(const std::string& body);
 
 inline const std::string without_programs = "PATH=/nowhere";
 

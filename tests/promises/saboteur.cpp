@@ -176,9 +176,7 @@ TEST_CASE("Only the answer decides a verdict: a machine that starts no more prog
   const CourseCopy course;
   course.solve("spring_energy");
   course.answer_energy("return k * x.squaredNorm();");
-  write(course.exercise("spring_force"),
-        "#include <rigid/springs.hpp>\nnamespace rigid {\nVector3d spring_force(double k, const Vector3d& x) {\n"
-        "  return spring_energy(k, x) * x;\n}\n}\n");
+  write(course.exercise("spring_force"), force_text("return spring_energy(k, x) * x;"));
   for (const char* exercise : {"spring_energy", "spring_force"}) {
     CAPTURE(exercise);
     const pid_t process = ::fork();

@@ -241,8 +241,7 @@ TEST_CASE("the page of a student whose code prints markup is sound, with its rea
       "std::puts(\"</pre><script>document.title='taken'</script>{{name}}\"); return k * x.squaredNorm();",
       "#include <cstdio>\n");
   write(course.exercise("spring_force"),
-        "#include <rigid/springs.hpp>\n#include <stdexcept>\nnamespace rigid {\nVector3d spring_force(double, const "
-        "Vector3d&) { throw std::runtime_error(\"\\\"><img src=x onerror=alert(1)>\"); }\n}\n");
+        force_text("throw std::runtime_error(\"\\\"><img src=x onerror=alert(1)>\");"));
   const Outcome outcome = course.run("report --html page.html --name '<b>Ada</b>'");
   CHECK_MESSAGE(outcome.status == 0, outcome.err);
   Browser browser(SITE_CHROMIUM);

@@ -163,15 +163,15 @@ TEST_CASE("after a used-up limit the repeats are not run") {
 TEST_CASE("many slow crashes together may not use more than the limit") {
   RunLimits limits = short_limits();
   limits.time = std::chrono::seconds(1);
-  ExerciseRunner runner(executable("#include <unistd.h>\ndouble rigid::twice(double) { usleep(50000); std::abort(); }"),
-                        limits);
-  const Observation observation = runner.observe(plan_calls(std::vector<Case>(30, twice_case(1))), {});
+  const Observation observation =
+      run("#include <unistd.h>\ndouble rigid::twice(double) { usleep(50000); std::abort(); }",
+          std::vector<double>(30, 1), limits);
   CHECK(observation.replies.front().ending == Ending::crashed);
   CHECK(observation.replies.back().ending == Ending::not_run);
 }
 
 TEST_CASE("the worker has an empty environment, no input, and knows no descriptors but its own") {
-  ExerciseRunner runner(executable(R"(
+  const Observation observation = run(R"(
 #include <unistd.h>
 #include <cstdio>
 double rigid::twice(double) {
@@ -179,39 +179,34 @@ double rigid::twice(double) {
   char byte;
   for (int d = 0; d < 1024; ++d) open += lseek(d, 0, SEEK_CUR) == -1 && errno == EBADF ? 0 : 1;
   return 100 * (environ[0] != nullptr) + 10 * (read(0, &byte, 1) != 0) + open;
-})"),
-                        short_limits());
-  const std::vector<Reply> replies = runner.evaluate({{{vector_of({1})}}});
-  CHECK(replies.at(0).value == Value{1, 1, {4.0}});
+})",
+                                      {1});
+  CHECK(observation.replies.at(0).value == Value{1, 1, {4.0}});
 }
 
 TEST_CASE("a program too large for its memory is the student's, not a checker error") {
-  ExerciseRunner runner(executable("volatile double huge[1 << 26];\n"
-                                   "double rigid::twice(double x) { huge[int(x)] = x; return huge[int(x)]; }"),
-                        short_limits());
-  const Observation observation = runner.observe(plan_calls({twice_case(1)}), {});
+  const Observation observation =
+      run("volatile double huge[1 << 26];\n"
+          "double rigid::twice(double x) { huge[int(x)] = x; return huge[int(x)]; }",
+          {1});
   CHECK_FALSE(observation.refusal.has_value());
   REQUIRE(observation.replies.size() == 1);
   CHECK(observation.replies[0].ending == Ending::crashed);
   CHECK(nothing_left_running());
 }
 
-TEST_CASE("an executable that cannot be started is a checker error") {
-  ExerciseRunner runner(fresh_directory("absent") / "worker", short_limits());
-  const Observation observation = runner.observe(plan_calls({twice_case(1)}), {});
-  CHECK(observation.refusal == Refusal::checker_error);
-  CHECK(observation.refusal_message.find("(start the program: No such file or directory)") != std::string::npos);
-  CHECK(observation.replies.empty());
-  CHECK(nothing_left_running());
-}
-
-TEST_CASE("a file that is no program is a checker error") {
-  const std::filesystem::path file = write(fresh_directory("no-program") / "worker", "hello");
-  std::filesystem::permissions(file, std::filesystem::perms::owner_all);
-  ExerciseRunner runner(file, short_limits());
-  const Observation observation = runner.observe(plan_calls({twice_case(1)}), {});
-  CHECK(observation.refusal == Refusal::checker_error);
-  CHECK(observation.refusal_message.find("start the program: Exec format error") != std::string::npos);
+TEST_CASE("an executable that cannot be started, or is no program, is a checker error") {
+  const std::filesystem::path absent = fresh_directory("absent") / "worker",
+                              odd = write(fresh_directory("no-program") / "worker", "hello");
+  std::filesystem::permissions(odd, std::filesystem::perms::owner_all);
+  for (const auto& [file, reason] : {std::pair{absent, "(start the program: No such file or directory)"},
+                                     {odd, "start the program: Exec format error"}}) {
+    const Observation observation = ExerciseRunner(file, short_limits()).observe(plan_calls({twice_case(1)}), {});
+    CHECK(observation.refusal == Refusal::checker_error);
+    CHECK_MESSAGE(has(observation.refusal_message, reason), observation.refusal_message);
+    CHECK(observation.replies.empty());
+    CHECK(nothing_left_running());
+  }
 }
 
 TEST_CASE("where the filter of system calls cannot be loaded, nothing runs and the checker says so") {
