@@ -20,6 +20,8 @@ namespace workbook::testing {
 
 namespace fs = std::filesystem;
 
+bool is_markup(const std::string& text) { return has(text, "\033") || has(text, "<script>") || has(text, "\u202e"); }
+
 bool answers_42(const Unhindered& control) { return control.value == 42.0; }
 bool prints_pass(const Unhindered& control) { return has(control.printed, "PASS"); }
 bool goes_on(const Unhindered& control) { return control.went_on; }
@@ -63,6 +65,9 @@ const std::map<std::string, Evidence> evidence = {
     {"takes_long", takes_long},
     {"says_much", says_much},
     {"says_99999999999", says_99999999999},
+    {"prints_markup", [](auto& control) { return is_markup(control.printed); }},
+    {"answers_markup", [](auto& control) { return is_markup(control.answer); }},
+    {"compiler_says_markup", [](auto& control) { return is_markup(control.compiler.output); }},
     {"nothing_to_show", [](auto&) { return true; }}};
 
 }  // namespace
@@ -128,6 +133,8 @@ std::string filled_in(std::string code) {
   for (const auto& [word, text] : {std::pair{"CANARY", canary().string()},
                                    {"FORGERY", forgery},
                                    {"RIGHT", right_twice},
+                                   {"HOSTILE", R"(\033[2J<script>alert(1)</script>\u202e)"},
+                                   {"ESCAPE", "\033"},
                                    {"WITHOUT_END", without_end},
                                    {"REPLY_MAGIC", std::to_string(protocol::reply_magic) + "ul"},
                                    {"REQUEST_MAGIC", std::to_string(protocol::request_magic) + "ul"}})

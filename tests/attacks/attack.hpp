@@ -50,7 +50,10 @@ struct AttackFile {
   std::vector<Attack> attacks;
 };
 
-/// in_a_call or of_a_file: tests/attacks/NAME.txt.
+/// Would it act on a terminal or a page?
+bool is_markup(const std::string& text);
+
+/// in_a_call, of_a_file or shown: tests/attacks/NAME.txt.
 AttackFile read_attacks(const std::string& name);
 
 /// One function with all these attacks as its cases: the k-th at the number `number_of(k)`, or gently between it and

@@ -308,17 +308,6 @@ TEST_CASE("what is too much in a folder, too deep, or zipped three times is name
   }
 }
 
-TEST_CASE("in the table of grades of GitHub Classroom who is not on the roster has the login only") {
-  const MadeUpClass cloned;
-  write(cloned.submissions() / "week-3-octo-cat/lectures/01/exercises/spring_energy.cpp", right);
-  const Taken grades = Taken::with_table(cloned, "submissions",
-                                         "assignment_name,github_username,roster_identifier,submission_timestamp\n"
-                                         "week 3,Octo-Cat,,2027-03-01 12:00:00 UTC\nweek 3,ben,b@x.org,\n");
-  CHECK(grades.energy("Octo-Cat") == right);
-  CHECK(grades.student("Octo-Cat").submitted == workbook::read_time("2027-03-01T12:00:00Z"));
-  CHECK(grades.student("b@x.org").is_missing());
-}
-
 TEST_CASE("one class has the same files and names in the layout of every system") {
   const MadeUpClass all;
   struct Person {
@@ -682,21 +671,6 @@ submission_3:
   const Taken taken(all);
   CHECK(summary(taken) == std::vector<std::string>{"0034: 1", "007: 1", unnamed});
   CHECK(taken.student("007").submitted == workbook::read_time("2027-03-01T18:46:33Z"));
-}
-
-TEST_CASE("who has handed in nothing that is graded is of the class, in a folder and in a zip file") {
-  const MadeUpClass all;
-  const ZipEntries files = {{"ada/spring_energy.cpp", of("ada")},
-                            {"kim/readme.txt", "x"},
-                            {".git/x.txt", "x"},
-                            {"__MACOSX/lea/._readme.txt", of_a_mac}};
-  hand_in(all, files);
-  const std::vector<std::string> expected = {"ada: ada", "kim: "};
-  for (const char* submissions : {"submissions", "class.zip"})
-    CHECK_MESSAGE(summary(Taken(all, submissions)) == expected, submissions);
-  check_class(
-      files, "id\nada\nlea\n",
-      {"ada: ada", "lea: ", "'kim' was not read: it names no id, and no name of just one student, of the roster."});
 }
 
 TEST_CASE(
