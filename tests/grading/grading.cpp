@@ -230,18 +230,7 @@ TEST_CASE("results are written as other systems read them") {
 }
 
 TEST_CASE("nothing is graded in a weaker sandbox than was agreed to, nor into somebody's folder") {
-  const MadeUpClass few;
-  few.energy("ada", right_energy);
-  const Outcome refused = few.run("grade submissions --out out", without_programs);  // bubblewrap among them
-  CHECK(refused.status == 2);
-  CHECK(has(refused.err, "--allow-reduced"));
-  CHECK(has(refused.err, "apt-get install bubblewrap"));
-  CHECK(!fs::exists(few.root() / "out"));
-  for (const char* folder : {"lectures", "submissions", "submissions/out", "."}) CHECK(few.grade(folder).status == 2);
-  CHECK(few.run("grade out/submissions --out out --allow-reduced").status == 2);
-  CHECK(fs::exists(few.submissions() / "ada/spring_energy.cpp"));
-  CHECK(fs::exists(few.exercise("spring_energy")));
-  CHECK(few.run("grade nothing --out out --allow-reduced").status == 2);
+  MadeUpClass().check_story("not_graded");
 }
 
 TEST_CASE("whose mark has changed, and why") {
