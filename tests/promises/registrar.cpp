@@ -1,20 +1,12 @@
 // The registrar: marks that can be taken over as they are.
 #include "tests/grading/made_up_class.hpp"
 
-#include "checker/grading/grading.hpp"
-
 #include <doctest/doctest.h>
-#include <fmt/format.h>
 
 #include <sys/stat.h>
 
 using namespace workbook::testing;
-
-namespace {
-
 namespace fs = std::filesystem;
-
-}  // namespace
 
 TEST_SUITE_BEGIN("registrar" * doctest::skip(!is_open_to_all()));
 

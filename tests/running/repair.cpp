@@ -12,7 +12,6 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <set>
 
 namespace workbook::testing {
