@@ -21,7 +21,7 @@ Vector2d moon_libration(double asymmetry, double eccentricity, double orbital_ra
     rate = {r * now[1], -1.5 * asymmetry * std::sin(2 * (now[0] - direction)) / (r * r)};
   };
   State state = {theta0, rate0 / orbital_rate};
-  constexpr int steps = 400;
+  constexpr int steps = 1600;  // a motion may be chaotic, and amplify what each of them leaves out
   boost::numeric::odeint::runge_kutta_fehlberg78<State, double> stepper;
   boost::numeric::odeint::integrate_n_steps(stepper, rates, state, double(0), end / steps, steps);
   return {state[0], orbital_rate * state[1]};

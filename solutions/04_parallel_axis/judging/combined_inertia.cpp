@@ -59,6 +59,14 @@ void judge_combined_inertia(Lecture& lecture) {
           [](auto& m, auto& r, auto& I) { return sum_of(I) + as_points(m, r, r.rowwise().mean()); });
   e.wrong("This is the tensor about the first body's centre; asked for is the common centre of mass.",
           "about_first_body", [](auto& m, auto& r, auto& I) { return sum_of(I) + as_points(m, r, r.col(0)); });
+  e.wrong("Each body joins those before it at the first body's centre; what counts is the common centre of these.",
+          "first_center_kept", [](auto& m, auto& r, auto& I) {
+            Matrix3d whole = sum_of(I);
+            double mass = m[0];
+            for (int k = 1; k < m.size(); mass += m[k++])
+              whole += mass * m[k] / (mass + m[k]) * of_unit_mass(r.col(k) - r.col(0));
+            return whole;
+          });
   e.wrong_terms("The bodies count as points; their own tensors are missing.", "points_only", {0, 1, -1});
   e.wrong_terms("m (d² 1 − d d) is subtracted here; away from a centre it is added.", "shift_subtracted", {1, -1, 1});
   e.wrong({"The products of the shifts have the wrong sign: each adds −m dᵢ dⱼ.", products_notes},

@@ -80,6 +80,13 @@ void judge_linearized_top(Lecture& lecture) {
           "formula_of_the_slides", with(&Wobble::frequency, &Wobble::ratio));
   e.wrong("Your ω₂ has the wrong sign where Ω₁ and Ω₂ are positive; its sign is that of Ω₁, not always minus.",
           "sign_always_reversed", with(&Wobble::frequency, [](auto& p) { return -p.ratio; }));
+  e.wrong("Your motion starts with ω₂ = A sin φ; its amplitude is another one, also at the start.",
+          "start_without_ratio", [](auto& I, auto omega3, auto A, auto phase, auto t) {
+            const Wobble p(I, omega3);
+            const double x = p.frequency * t, from = 1 / p.factor;
+            return A * Vector2d(cos(phase) * cos(x) - from * sin(phase) * sin(x),
+                                p.factor * cos(phase) * sin(x) + sin(phase) * cos(x));
+          });
   e.wrong_output("Your ω₂ has the wrong sign everywhere: dω₁/dt = −Ω₁ω₂ shows it.", "sign_reversed", negate(1));
   e.wrong("The motion is right, but with another phase: the sign of Ω₁ belongs to ω₂, not to the frequency.",
           "sign_in_frequency", with([](auto& p) { return p.sign * p.frequency; }, &Wobble::ratio));

@@ -71,6 +71,13 @@ void judge_hamiltonian(Lecture& lecture) {
   e.wrong({"Your energy is that of the rates (p_φ, p_θ, p_ψ); p are momenta.", notes}, "momenta_as_rates",
           [](auto& I, auto& q, auto& p) { return kinetic_energy_euler(I, q, p); });
   e.wrong_input<0>(one_for_two, "symmetric_formula", first_for_second);
+  e.wrong(
+      "The rates are those of the body, but the energy subtracted from momenta times rates is that of a symmetric one.",
+      "symmetric_energy_subtracted", [](auto& I, auto& q, auto& p) {
+        const Matrix3d B = rate_axes(q);
+        const Vector3d rates = Matrix3d(B.transpose() * I.asDiagonal() * B).inverse() * p;
+        return p.dot(rates) - kinetic_energy_euler({I[0], I[0], I[2]}, q, rates);
+      });
   e.wrong_input<1>(phi_for_psi, "phi_for_psi", exchange(0, 2));
   e.angles_read_as_degrees("kinetic_energy_angles");
   e.property(Is::nonnegative, "A kinetic energy is never negative.");

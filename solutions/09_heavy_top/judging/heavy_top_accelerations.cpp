@@ -45,6 +45,10 @@ void mistakes_of_heavy_top_accelerations(Exercise& e) {
           "nodes_exchanged", [](auto& I, auto mgl, auto& q, auto& v) {
             return under_torque(I, mgl * sin(q[1]) * Vector3d(cos(q[2]), sin(q[2]), 0), q, v);
           });
+  e.wrong("The torque of the weight acts across the line of nodes here; it acts about this line.", "across_nodes",
+          [](auto& I, auto mgl, auto& q, auto& v) {
+            return under_torque(I, mgl * sin(q[1]) * Vector3d(cos(q[2]), -sin(q[2]), 0), q, v);
+          });
   e.wrong("The torque of the weight acts about axis 2 of the body here; its axis is the line of nodes.", "about_axis_2",
           [](auto& I, auto mgl, auto& q, auto& v) { return under_torque(I, mgl * sin(q[1]) * y_axis, q, v); });
   e.wrong("The weight turns φ here; its torque is about the line of nodes, and its work is done on θ.",

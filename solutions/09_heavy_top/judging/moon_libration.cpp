@@ -134,6 +134,13 @@ void judge_moon_libration(Lecture& lecture) {
               return -1.5 * asymmetry * sin(2 * (theta - mean)) / pow(1 - eccentricity * cos(mean), 3);
             });
           });
+  e.wrong("The planet's place is taken to first order in the eccentricity only; Kepler's equation is to be solved.",
+          "first_order", [](auto asymmetry, auto eccentricity, auto n, auto theta0, auto rate0, auto t) {
+            return over_time(n, theta0, rate0, t, [&](double theta, double mean) {
+              const double f = mean + 2 * eccentricity * sin(mean), inverse = 1 + eccentricity * cos(mean);
+              return -1.5 * asymmetry * sin(2 * (theta - f)) * pow(inverse, 3);
+            });
+          });
   e.wrong("The torque is as strong at every distance here; it falls with the cube of the distance.", "no_distance",
           [](auto... inputs) { return with_torque(inputs..., 1.5, 0, 2); });
   e.wrong("The torque falls with the square of the distance here; the difference of two pulls falls with the cube.",

@@ -62,6 +62,10 @@ void judge_azimuth_rate(Lecture& lecture) {
             const Vector3d L = L_of(I, w);
             return I[2] * w.norm() * (L[0] * w[0] + L[1] * w[1]) / (L[0] * L[0] + L[1] * L[1]);
           });
+  e.wrong("The energy stands where twice the energy belongs: ω · L = 2T.", "energy_once", [](auto& I, auto& w) {
+    const Vector3d L = L_of(I, w);
+    return L.norm() * (w.dot(L) / 2 - L[2] * w[2]) / (L[0] * L[0] + L[1] * L[1]);
+  });
   e.wrong("This is how fast axis 1 goes round L; asked for is axis 3.", "axis_1",
           [](auto& I, auto& w) { return rate_about_L(I, w, 0); });
   e.wrong(

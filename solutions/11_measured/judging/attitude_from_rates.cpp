@@ -58,6 +58,14 @@ void judge_attitude_from_rates(Lecture& lecture) {
             return stepped(t, omega, [](auto& A, auto& angle, auto) { return A + A * skew(angle); });
           });
   e.wrong(
+      "Each of your steps is the unit matrix and a small change; to make a rotation of their product does not help.",
+      "first_order_made_rotation", [](auto& t, auto& omega) {
+        const Matrix3d A =
+            stepped(t, omega, [](auto& so_far, auto& angle, auto) { return so_far + so_far * skew(angle); });
+        const Eigen::JacobiSVD<Matrix3d> parts(A, Eigen::ComputeFullU | Eigen::ComputeFullV);
+        return Matrix3d(parts.matrixU() * parts.matrixV().transpose());
+      });
+  e.wrong(
       "Each of your steps is a series cut after the square of the angle, which is no rotation; the angles are finite.",
       "second_order", [](auto& t, auto& omega) {
         return stepped(t, omega, [](auto& A, auto& angle, auto) {
