@@ -155,7 +155,7 @@ const std::vector<TextMistake>& table() {
        nullptr, " do "},
       {"unary_plus", R"(^for \( .* \) [\w.\[\]]+ (= \+) )", "=+ only assigns; what adds to a variable is +=."},
       {"other_counter",
-       R"(for \( (?:[\w:]+ )?(\w+) = [^;]* ; \1 [^;]* ; (?:(?:\+\+|--) (?!\1\b)(\w+)|(?!\1\b)(\w+) (?:\+\+|--)) \))",
+       R"(for \( (?:[\w:]+ )?(\w+) = [^;]* ; \1 [^;&|]* ; (?:(?:\+\+|--) (?!\1\b)(\w+)|(?!\1\b)(\w+) (?:\+\+|--)) \))",
        "This loop runs as long as `$1` is small enough, but its head changes `$2$3`."},
       {"wrong_direction",
        R"(for \( (?:int |long )?(\w+) = [^;]* ; \1 (?:<=? [^;]* ; (?:-- \1|\1 --)|>=? [^;]* ; (?:\+\+ \1|\1 \+\+)) \))",
@@ -594,7 +594,8 @@ std::vector<Reason> text_mistakes(const SourceText& source) {
   for (const Match& defined : search_all(source.text(), macro)) {
     const std::string call = "\\b" + defined[1] + "\\(";
     const bool is_torn = static_cast<bool>(search(source.text(), "[-/*%][ \t]*" + call)) ||
-                         static_cast<bool>(search(source.text(), call + "[^()\n]*[-+][^()\n]*\\)"));
+                         static_cast<bool>(search(
+                             source.text(), call + R"((?:[^()\n]|(\((?:[^()\n]|(?1))*\)))*[-+](?:[^()\n]|(?1))*\))"));
     if (is_torn)
       found.push_back(source.reason(
           source.place_of(defined.offsets[1]), "macro",

@@ -39,7 +39,8 @@ bool explain_slips_of_language(Search& search) {
   // A quotient of whole numbers that makes all zero is a mistake anyway.
   if (!found.are_all)
     std::erase_if(found.reasons, [](const Reason& reason) { return reason.fix == Fix::when_all_right; });
-  return (found.are_all || are_zero(search.answers)) && tell(search, std::move(found));
+  const bool are_values = has_values(search.verdict());
+  return (found.are_all || (are_values && are_zero(search.answers))) && tell(search, std::move(found));
 }
 
 bool explain_spoilt_statement(Search& search) {

@@ -109,10 +109,16 @@ std::vector<Unset> variables_without_value(const std::vector<std::string>& lines
   std::vector<Unset> found;
   std::string text;
   for (const std::string& line : lines) text += cut(line, 300) + "\n";
+  const SourceText source(text);
+  const auto is_member = [&](int line) {
+    const auto at = std::ranges::lower_bound(source.tokens(), source.offset_of({line, 1}), {}, &Token::offset);
+    const std::size_t open = source.opening_around(static_cast<std::size_t>(at - source.tokens().begin()));
+    return open > 1 && (source.tokens()[open - 2].text == "struct" || source.tokens()[open - 2].text == "class");
+  };
   for (std::size_t k = 0; k < lines.size(); ++k)
     for (const Match& declared : search_all(cut(lines[k], 300), declaration))
       for (const Match& each : search_all(declared[2], name))
-        if (each[2].empty() || declared[1].find('X') != std::string::npos)
+        if ((each[2].empty() || declared[1].find('X') != std::string::npos) && !is_member(static_cast<int>(k) + 1))
           found.push_back({static_cast<int>(k) + 1, each[1],
                            bool{search(text, fmt::format(R"(\b{}\s*(?:[\[(.][^;=]*)?(?:=(?!=)|<<))", each[1]))}});
   return found;
@@ -179,8 +185,9 @@ class DiagnosticRun {
   /// Does the line name an index by a number, and the file none as 0 but one as 1?
   bool counts_from_one(int line) const {
     const std::string all = cut(fmt::format("{}", fmt::join(source_, "\n")), 20000);
-    return search(source_line(line), R"(\w[(\[](?:\w+,)? ?[1-9][,)\]])") && search(all, R"(\w[(\[]1[,)\]])") &&
-           !search(all, R"(\w[(\[]0[,)\]]|, ?0[)\]])");
+    const std::string of_variable = R"(\b(?!\w*(?:Vector|Matrix|Quaternion))\w+)";
+    return search(source_line(line), of_variable + R"([(\[](?:\w+,)? ?[1-9][,)\]])") &&
+           search(all, of_variable + R"([(\[]1[,)\]])") && !search(all, R"(\w[(\[]0[,)\]]|, ?0[)\]])");
   }
 
   void add(int line, const std::string& name, const std::string& sentence, Weight weight = Weight::cause) {

@@ -7,7 +7,7 @@ namespace workbook {
 namespace {
 
 /// When an explainer is asked, if no reason has been found by then.
-enum class When { no_value, values, wrong_value };
+enum class When { exception, no_value, values, wrong_value };
 
 /// From the most certain reason on.
 // clang-format off
@@ -15,6 +15,7 @@ constexpr struct {
   When when;
   Explainer* look;
 } explainers[] = {
+    {When::exception, explain_slips_of_language},
     {When::no_value, explain_failed_call},
     {When::values, explain_fixed_mistakes},
     {When::values, explain_slips_of_language},
@@ -28,9 +29,10 @@ constexpr struct {
 // clang-format on
 
 bool is_due(When when, Verdict verdict) {
-  return when == When::no_value ? !has_values(verdict)
-         : when == When::values ? has_values(verdict)
-                                : verdict == Verdict::wrong_value;
+  return when == When::exception  ? verdict == Verdict::uncaught_exception
+         : when == When::no_value ? !has_values(verdict)
+         : when == When::values   ? has_values(verdict)
+                                  : verdict == Verdict::wrong_value;
 }
 
 }  // namespace

@@ -151,6 +151,12 @@ double multiple(const Variant& variant, const SourceText& source) {
              : std::strtod(edit.replacement.c_str(), nullptr) / std::strtod(text.c_str(), nullptr);
 }
 
+/// The same of a factor in front of a term.
+double times_of(const Variant& variant, const SourceText& source) {
+  const bool is_factor = variant.kind == VariantKind::factor && variant.words == "another factor";
+  return is_factor ? std::strtod(variant.edits.front().replacement.c_str(), nullptr) : multiple(variant, source);
+}
+
 /// How many steps, and how small something is. Another number of about that size may be that of another formula.
 bool is_of_accuracy(const Variant& variant, const SourceText& source) {
   const double times = multiple(variant, source);
@@ -247,6 +253,30 @@ std::optional<Reason> coarse(VariantRunner& runner, const std::vector<Variant>& 
   return found;
 }
 
+/// A number, or a factor of a term, with another value of which all cases are right: two values that were tried show
+/// how the results go with it.
+std::optional<Reason> fitted_number(VariantRunner& runner, const std::vector<Variant>& variants,
+                                    const SourceText& source, const DiagnosticTask& task) {
+  constexpr std::size_t enough = 4;  // failing cases: a single number can be fitted to one or two
+  if (task.judgement.failing.size() < enough) return std::nullopt;
+  const auto is_of_one_place = [](const Variant& one, const Variant& other) {
+    return one.kind == other.kind && one.edits.front().offset == other.edits.front().offset;
+  };
+  for (std::size_t k = 0; k + 1 < variants.size(); ++k) {
+    const double one = times_of(variants[k], source), other = times_of(variants[k + 1], source);
+    const bool is_first =
+        k == 0 || !is_of_one_place(variants[k - 1], variants[k]) || times_of(variants[k - 1], source) == 0;
+    if (one == 0 || other == 0 || !is_first || !is_of_one_place(variants[k], variants[k + 1])) continue;
+    if (runner.is_right_with_a_multiple({k, one}, {k + 1, other}) ||
+        runner.is_right_with_a_multiple({k, 1 / one}, {k + 1, 1 / other}))
+      return repair(
+          source, variants[k].place, "slip_" + to_string(variants[k].kind),
+          fmt::format("with {} here, the result is right at all {} cases.",
+                      is_factor(variants[k]) ? "another factor" : "another number", task.reference.cases.size()));
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 VariantRunner::VariantRunner(const DiagnosticTask& task, std::vector<Variant>& variants, const Toolchain& toolchain,
@@ -294,7 +324,11 @@ long VariantRunner::affordable_calls() {
   constexpr long fewest = 60;
   constexpr int most = 23;
   int exponent = 10;
-  for (const std::size_t index : evenly_spaced(order_, looked_at))
+  const std::vector<Reply>& judged = task_.observation.replies;
+  std::vector<std::size_t> returned = order_;  // what throws by itself tells nothing of its work
+  std::erase_if(returned,
+                [&](std::size_t index) { return index < judged.size() && judged[index].ending == Ending::exception; });
+  for (const std::size_t index : evenly_spaced(returned, looked_at))
     while (exponent < most && answer(VariantUnit::limited(unchanged_, exponent), index).ending == Ending::exception)
       ++exponent;
   work_of_the_file_ = exponent + 1;
@@ -306,6 +340,33 @@ bool VariantRunner::is_right(std::size_t variant) {
     const Reply reply = call(variant, index);
     return has_usable_value(reply, task_.reference.cases[index]) && passes(task_.reference, index, reply.value);
   });
+}
+
+bool VariantRunner::is_right_with_a_multiple(Multiple one, Multiple other) {
+  std::optional<double> step;  // from the file as it stands to what is right
+  for (const std::size_t index : order_) {
+    const Case& expected = task_.reference.cases[index];
+    const auto numbers_of = [&](const Reply& reply) {
+      const std::vector<double> none, &all = has_usable_value(reply, expected) ? reply.value.numbers : none;
+      return Eigen::VectorXd(Eigen::VectorXd::Map(all.data(), static_cast<Eigen::Index>(all.size())));
+    };
+    const Eigen::VectorXd now = numbers_of(task_.observation.replies[index]),
+                          with_one = numbers_of(call(one.variant, index)),
+                          with_other = numbers_of(call(other.variant, index));
+    if (now.size() == 0 || with_one.size() != now.size() || with_other.size() != now.size()) return false;
+    const Eigen::VectorXd slope = (with_one - now) / (one.times - 1);
+    if (!slope.allFinite() || (!step && slope.isZero(0))) return false;
+    const Eigen::VectorXd off = now + (other.times - 1) * slope - with_other;
+    if (!(off.norm() <= 1e-6 * slope.norm() + 1e-12 * now.norm())) return false;
+    if (!step) {
+      const auto& right = expected.expected.numbers;
+      step = (Eigen::VectorXd::Map(right.data(), now.size()) - now).dot(slope) / slope.squaredNorm();
+    }
+    Value value = expected.expected;
+    Eigen::VectorXd::Map(value.numbers.data(), now.size()) = now + *step * slope;
+    if (!passes(task_.reference, index, value)) return false;
+  }
+  return step.has_value();
 }
 
 bool VariantRunner::is_as_judged() {
@@ -451,7 +512,8 @@ std::optional<Reason> slip_or_branch(const DiagnosticTask& task, const Toolchain
   }
   if (sought == Sought::one_slip) return std::nullopt;
   if (branch) return finding_of(*branch, variants, source, task);
-  return limit;
+  if (limit || sought == Sought::accuracy) return limit;
+  return fitted_number(runner, variants, source, task);
 } catch (const std::exception&) {
   return std::nullopt;
 }

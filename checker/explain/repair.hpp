@@ -51,6 +51,13 @@ class VariantRunner {
   bool is_as_judged();
   /// At every case?
   bool is_right(std::size_t variant);
+  /// A variant in which something is multiplied by so much.
+  struct Multiple {
+    std::size_t variant = 0;
+    double times = 1;
+  };
+  /// If results go along with what is multiplied, as these two show: are all cases right with some multiple of it?
+  bool is_right_with_a_multiple(Multiple one, Multiple other);
   /// Does it differ from what was judged at a failing case? At this one?
   bool is_other(std::size_t variant);
   bool is_other(std::size_t variant, std::size_t case_index);

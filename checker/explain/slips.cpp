@@ -1,9 +1,10 @@
 #include "checker/explain/slips.hpp"
 
+#include "checker/base/text.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <optional>
 
@@ -11,28 +12,71 @@ namespace workbook {
 
 namespace {
 
+// Of each pattern $1 is what stands in ( ) or { }, with these, and $2 what is changed.
+const std::string brackets = R"((?(DEFINE)([({](?:[^(){}]|(?1))*[)}])))";
+#define ANY R"((?:[^(){},;]|(?1))+)"        // between commas
+#define PART R"(\s*((?:[^(){},;]|(?1))+))"  // the same, as a group
+
+/// What is written, and what was meant, with $2, $3, ... of the pattern.
+struct Slip {
+  const char* name = "";
+  const char* pattern = "";
+  const char* change = "";  ///< in the place of $2
+  const char* sentence = "";
+};
+
+constexpr Slip slip_table[] = {
+    {"negative_remainder", R"(((?:std\s*::\s*)?\bfmod)\s*\()",
+     "[](double a, double b) { return a - b * std::floor(a / b); } ",
+     "fmod keeps the sign of its first argument, so that the remainder of a negative number is negative."},
+    {"second_name", R"((?:^|[;{}])\s*(?!const\b)[\w:]+\s*(&)\s*(\w+)\s*=\s*([A-Za-z]\w*))", "",
+     "With &, `$3` is no copy but a second name of `$4`: what changes the one changes the other."},
+    {"scalar_last", R"(\bQuaterniond(?:\s+\w+)?\s*\(()" PART "," PART "," PART "," PART R"()\))", "$6, $3, $4, $5",
+     "Quaterniond takes w first: Quaterniond(w, x, y, z), although coeffs() holds x, y, z, w."},
+    {"size_in_bytes", R"((sizeof\s*\(\s*(\w+)\s*\)\s*/\s*sizeof\s*(?1)))", "$3.size()",
+     "sizeof counts the bytes of the object, not its entries: these are `$3.size()`."},
+    {"columns_for_rows", R"(\bMap\s*<\s*(?:const\s+)?(Matrix3d))", "Eigen::Matrix<double, 3, 3, Eigen::RowMajor>",
+     "Eigen reads a matrix column by column: numbers that stand side by side become columns."},
+    {"columns_for_rows", R"(<<(?=\s*[A-Za-z])()" PART "," PART "," PART R"();)",
+     "($3).transpose(), ($4).transpose(), ($5).transpose()",
+     "With << these stand side by side, as columns: rows are a.transpose(), b.transpose(), ..."},
+    {"copied_element", R"(\bfor\s*\([^;&()]*\w\s+(\w+)\s*:(?!:))", "&$2",
+     "`$2` is a copy of each element, which the list does not notice: write & before `$2`."},
+    {"copied_part",
+     R"(\b((?:Vector|Matrix)[23X]d)\s+(\w+)\s*=\s*(\w+)\s*\.\s*(?:col|row|block|head|tail|segment|diagonal)\b)", "auto",
+     "`$3` is a copy of a part of `$4`: what changes the one does not change the other. With auto, `$3` is this part "
+     "itself."},
+    {"one_too_far", R"(\bseq\s*\()" ANY "," PART R"(\))", "$2 - 1",
+     "The end of seq(first, last) belongs to the sequence, unlike that of a slice in Python."},
+    {"end_and_step", R"(\bintegrate_(?:adaptive|const)\s*\((?:)" ANY R"(,){4}()" PART "," PART R"()[,)])", "$4, $3",
+     "After the start comes the end, and then the step: these two are exchanged."},
+    {"other_method", R"(\.\s*(cwiseInverse)\s*\()", "inverse",
+     "cwiseInverse() takes 1/x of each entry; the inverse matrix is A.inverse()."},
+    {"other_method", R"(\.\s*(colwise)\s*\(\s*\)\s*\.)", "rowwise",
+     "colwise() has a result for each column; that over all columns is rowwise()."},
+};
+#undef ANY
+#undef PART
+
 class Slips {
  public:
   Slips(const SourceText& source, const ExerciseReference& exercise) : source_(source) {
     for (Variant& each : one_token_variants(source, exercise)) of_variant(std::move(each));
-    for (at_ = 1; at_ + 2 < source.tokens().size(); ++at_) {
-      if (source.tokens()[at_].in_directive) continue;
-      sum_that_goes_on();
-      remainder();
-      second_name();
-      quaternion();
-      other_method("cwiseInverse", "inverse",
-                   "cwiseInverse() takes 1/x of each entry; the inverse matrix is A.inverse().");
-      if (token(at_ + 2) == ")" && token(at_ + 3) == ".")
-        other_method("colwise", "rowwise",
-                     "colwise() has a result for each column; that over all columns is rowwise().");
-    }
+    for (const Slip& slip : slip_table)
+      for (const Match& read : search_all(source.text(), brackets + std::string(slip.pattern)))
+        add(slip.name, read.fill(slip.sentence), source.place_of(read.offsets[2]),
+            {{read.offsets[2], read[2].size(), read.fill(slip.change)}});
+    for (std::size_t k = 2; k + 2 < source.tokens().size(); ++k) sum_that_goes_on(k);
     for (const Argument& argument : exercise.arguments)
       if (argument.kind == Kind::points)
-        other_everywhere(
-            "size_for_columns", "size", "cols",
-            fmt::format("`{0}.size()` counts all entries: the number of columns is `{0}.cols()`.", argument.name),
-            argument.name);
+        for (const auto& [method, what] : {std::pair{"size", "counts all entries"}, {"rows", "is 3"}})
+          other_everywhere(
+              "size_for_columns", method, "cols",
+              fmt::format("`{0}.{1}()` {2}: the number of columns is `{0}.cols()`.", argument.name, method, what),
+              argument.name);
+    other_everywhere(
+        "other_method", "resize", "conservativeResize",
+        "resize() drops what a matrix holds: give it its size before the loop, or use conservativeResize().");
     sizes_for_ends();
     other_everywhere("rows_for_columns", "row", "col",
                      "Here, and wherever else row() stands, col() is right: rows are mixed up with columns.");
@@ -93,10 +137,10 @@ class Slips {
   }
 
   /// double sum = 0; for (…) { for (…) sum += …; R(i, j) = sum; }
-  void sum_that_goes_on() {
-    const std::string_view sum = token(at_);
-    if (token(at_ - 1) != "=" || token(at_ + 1) != ";" || !is(at_ - 2, {")", "]"})) return;
-    const std::size_t body = source_.opening_around(at_);
+  void sum_that_goes_on(std::size_t at) {
+    const std::string_view sum = token(at);
+    if (token(at - 1) != "=" || token(at + 1) != ";" || !is(at - 2, {")", "]"})) return;
+    const std::size_t body = source_.opening_around(at);
     const std::size_t head = body > 0 && token(body - 1) == ")" ? source_.partner_of(body - 1) : 0;
     if (token(body) != "{" || head == 0 || token(head - 1) != "for") return;
     bool is_added_to = false;
@@ -109,51 +153,6 @@ class Slips {
           fmt::format("`{}` still holds what the turns of this loop before have added: let it begin anew in each.",
                       sum),
           head - 1, {{source_.tokens()[body].offset + 1, 0, fmt::format(" {} *= 0;", sum)}});
-  }
-
-  void remainder() {
-    if (token(at_) == "fmod" && token(at_ + 1) == "(")
-      add("negative_remainder",
-          "fmod keeps the sign of its first argument, so that the remainder of a negative number is negative.", at_,
-          {replaced(token(at_ - 1) == "::" ? at_ - 2 : at_, at_,
-                    "[](double a, double b) { return a - b * std::floor(a / b); } ")});
-  }
-
-  /// Vector3d& w = v; w[2] = 0;
-  void second_name() {
-    if (token(at_) == "&" && token(at_ + 2) == "=" && is_name(at_ - 1) && is_name(at_ + 1) && is_name(at_ + 3) &&
-        token(at_ - 2) != "const")
-      add("second_name",
-          fmt::format("With &, `{}` is no copy but a second name of `{}`: what changes the one changes the other.",
-                      token(at_ + 1), token(at_ + 3)),
-          at_, {replaced(at_, at_, "")});
-  }
-
-  /// Quaterniond(x, y, z, w)
-  void quaternion() {
-    if (token(at_) != "Quaterniond") return;
-    const std::size_t open = is_name(at_ + 1) ? at_ + 2 : at_ + 1;
-    if (token(open) != "(") return;
-    std::vector<std::size_t> commas;
-    for (std::size_t k = open + 1; k < source_.partner_of(open); ++k)
-      if (token(k) == "," && source_.opening_around(k) == open) commas.push_back(k);
-    if (commas.size() != 3) return;
-    const std::size_t first = source_.tokens()[open].offset + 1, last = source_.tokens()[commas[2]].offset,
-                      end = source_.tokens()[source_.partner_of(open)].offset;
-    const std::string_view text = source_.text();
-    add("scalar_last", "Quaterniond takes w first: Quaterniond(w, x, y, z), although coeffs() holds x, y, z, w.", at_,
-        {{first, end - first,
-          fmt::format("{}, {}", text.substr(last + 1, end - last - 1), text.substr(first, last - first))}});
-  }
-
-  void other_method(std::string_view method, const char* other, const char* sentence) {
-    if (token(at_) == method && token(at_ - 1) == "." && token(at_ + 1) == "(")
-      add("other_method", sentence, at_, {replaced(at_, at_, other)});
-  }
-
-  bool is_name(std::size_t index) const {
-    const std::string_view text = token(index);
-    return !text.empty() && std::isalpha(static_cast<unsigned char>(text[0])) != 0;
   }
 
   /// v.segment(0, 1) for the components 0 and 1
@@ -194,7 +193,6 @@ class Slips {
   }
 
   const SourceText& source_;
-  std::size_t at_ = 0;
 };
 
 }  // namespace

@@ -214,6 +214,8 @@ TEST_CASE("each failure is traced to its line and its kind, which the line names
     REQUIRE(findings.size() == 1);
     const Reason& finding = findings.front();
     const std::string line = line_of_failures(finding.line);
+    CAPTURE(line);
+    CAPTURE(finding.name);
     if (finding.line > 0) {
       CHECK(line.ends_with("  // " + finding.name));
       CHECK(line.find(finding.excerpt.substr(0, 90)) != std::string::npos);
