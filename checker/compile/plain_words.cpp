@@ -25,7 +25,7 @@ std::optional<Shape> shape_of(const std::string& type) {
   const auto number = [](const std::string& size) { return size == "n" || size == "X" ? -1 : std::stoi(size); };
   if (const Match noun = search(type, "(\\d{1,6}|n)×(\\d{1,6}|n) (?:row vector|vector|matrix)"))
     return Shape{number(noun[1]), number(noun[2])};
-  const Match name = search(type, "(Row)?(Vector|Matrix)([1-4X])([1-4X])?[df]");
+  const Match name = search(type, "(Row)?(Vector|Matrix)([1-4X])([1-4X])?[dfi]");
   if (!name) return std::nullopt;
   const int size = number(name[3]);
   if (!name[1].empty()) return Shape{1, size};
@@ -43,7 +43,8 @@ std::string noun(Shape shape) {
 /// Eigen::Matrix<double, 3, 1>, or one that it has no name for.
 std::string matrix(const std::string& scalar, int rows, int columns) {
   const auto size = [](int count) { return count < 0 ? "X" : std::to_string(count); };
-  if ((scalar != "double" && scalar != "float") || std::max(rows, columns) > 4 || (rows == 1 && columns == 1))
+  if ((scalar != "double" && scalar != "float" && scalar != "int") || std::max(rows, columns) > 4 ||
+      (rows == 1 && columns == 1))
     return noun({rows, columns});
   if (columns == 1) return "Vector" + size(rows) + scalar[0];
   if (rows == 1) return "RowVector" + size(columns) + scalar[0];
@@ -94,7 +95,7 @@ std::string in_plain_words(std::string_view text) {
   std::ranges::replace(plain, close_mark, '>');
   std::ranges::replace(plain, comma_mark, ',');
   plain = replaced(plain, R"((?:Eigen::)?MatrixBase<…>::cross_product_return_type<…>::type)", "3×1 vector");
-  return replaced(plain, R"(\bEigen::(?=(Row)?(Vector|Matrix)[234X]+[df]\b))", "");
+  return replaced(plain, R"(\bEigen::(?=(Row)?(Vector|Matrix)[234X]+[dfi]\b))", "");
 }
 
 }  // namespace workbook

@@ -86,7 +86,7 @@ TEST_CASE("messages are told without the noise of templates") {
        "1×3 row vector"},
       {"Eigen::Product<Eigen::Matrix<double, 3, 1>, Eigen::Matrix<double, 3, 1>, 0>", "Product<Vector3d, Vector3d, 0>"},
       {"Eigen::Matrix<double, -1, -1>", "MatrixXd"},
-      {"Eigen::Matrix<int, 3, 1>", "3×1 vector"},
+      {"Eigen::Matrix<int, 3, 1>", "Vector3i"},
       {"Eigen::DenseBase<Eigen::Matrix<double, 3, 1> >::Scalar", "DenseBase<…>::Scalar"},
       {"{aka ' [with ", "{aka ' [with "},
       {"A<B>::C<D>", "A<…>::C<D>"},
