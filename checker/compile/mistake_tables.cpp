@@ -464,8 +464,7 @@ const std::vector<MessageMistake> error_table = {
      "Columns do not go into the parentheses of a matrix: define it, then write A << a, b, c;"},
     {"entry_for_column",
      "conver(?:t|sion)(?: '.*')?(?: from)? (?:<number> to non-scalar type <matrix>|<matrix> to "
-     "<number>)(?![^]*initializing "
-     "argument)",
+     "<number>)(?![^]*initializing argument)",
      "`%1(%2)` is a single number: a column of a matrix is %1.col(%2), a row %1.row(%2).",
      R"((?|^\s*(\w+)\s*\(\s*(\w+)\s*\)\s*=(?!=)|=\s*(\w+)\s*\(\s*(\w+)\s*\)\s*;))"},
     {"mean_of_all", "conver(?:t|sion)(?: '.*')?(?: from)? <number> to (?:non-scalar type )?<matrix>",
@@ -796,8 +795,7 @@ const std::vector<MessageMistake> error_table = {
      "In a declaration each name has its own =, as in double a = 1, b = 2;", R"(=[^;=]*,\s*\w+\s*@)"},
     {"outside_of_struct", "^invalid use of 'this' in non-member|cannot have cv-qualifier",
      "This belongs to no struct: only there is `this`, or a const behind the parameters. Outside stands the name of "
-     "the "
-     "struct first, as in double Body::energy() const."},
+     "the struct first, as in double Body::energy() const."},
     {"outside_of_struct", "^no declaration matches '([^']*)'",
      "The struct declares no `$1`: parameters, result and const must be the same in both places."},
     {"default_value", "^default argument (missing|given)",

@@ -9,7 +9,7 @@ namespace workbook {
 
 /// @returns of each such place the reason and the variant with the change, which carries its name and place. They are
 /// about numbers (quotients, remainders), what a method belongs to or counts, values that lines or turns above have
-/// changed, and second names.
+/// changed, copies and second names, rows for columns, and the order of arguments.
 std::pair<std::vector<Reason>, std::vector<Variant>> slips_of_language(const SourceText& source,
                                                                        const ExerciseReference& exercise);
 

@@ -57,7 +57,7 @@ Observation run(const std::string& text, const std::vector<double>& inputs, cons
 /// A text that a student may write, as beginners.txt tells how they are kept.
 struct Snippet {
   std::string title = "";
-  std::string said = "";  ///< what stands behind |
+  std::string said = "";  ///< what follows |
   std::string frame = "";
   std::string text = "";  ///< a whole file, or a body where the frame is of none of twice, scaled and file
 
