@@ -32,7 +32,9 @@ std::int32_t mode_of(std::size_t variant) { return static_cast<std::int32_t>(var
 std::set<std::size_t> uncompilable(const VariantUnit& unit, const std::string& compiler_output) {
   std::set<std::size_t> objected;
   for (const std::string& line : lines_of(compiler_output))
-    if (line.starts_with(variants_name + ':') && (has(line, " error: ") || has(line, " required from ")))
+    // What is around an expression that is wrong is not.
+    if (line.starts_with(variants_name + ':') && !has(line, "<expression error>") &&
+        (has(line, " error: ") || has(line, " required from ")))
       objected.merge(unit.variants_at(std::atoi(line.c_str() + variants_name.size() + 1)));
   return objected;
 }
@@ -47,7 +49,9 @@ Program compile_variants(const DiagnosticTask& task, std::vector<Variant>& varia
     // What keeps the types for sure.
     if (tries + 1 == trial.compilations)
       std::erase_if(variants, [](const Variant& each) {
-        return each.kind == VariantKind::name || each.kind == VariantKind::method || each.kind == VariantKind::function;
+        using enum VariantKind;
+        return each.kind == name || each.kind == method || each.kind == function || each.kind == term ||
+               each.kind == matrix;
       });
     const VariantUnit unit(source, variants, task.reference);
     const Submission all{variants_name, variants_name, unit.text(), task.submission.library, task.submission.own_names};
@@ -125,12 +129,14 @@ Reason finding_of(const DecidingBranch& found, const std::vector<Variant>& branc
 
 bool is_factor(const Variant& variant) {
   using enum VariantKind;
-  return variant.kind == factor || variant.kind == inverse || variant.kind == steps;
+  return variant.kind == factor || variant.kind == inverse || variant.kind == term || variant.kind == matrix ||
+         variant.kind == steps;
 }
 
 /// Others need a copy of the file.
 bool can_be_switched(const Variant& variant) {
-  return variant.kind != VariantKind::brackets && variant.kind != VariantKind::overwritten;
+  using enum VariantKind;
+  return variant.kind != brackets && variant.kind != overwritten && variant.kind != assignment;
 }
 
 /// There are few of its kind.
@@ -285,7 +291,8 @@ VariantRunner::VariantRunner(const DiagnosticTask& task, std::vector<Variant>& v
       program_(compile_variants(task, variants, toolchain, cache, limits)),
       limits_(limits),
       unchanged_(variants.size()),
-      order_(task.reference.cases.size()) {
+      order_(task.reference.cases.size()),
+      exponents_(task.reference.cases.size()) {
   std::iota(order_.begin(), order_.end(), std::size_t{0});
   // What fails today comes first: almost every variant fails there too.
   std::stable_partition(order_.begin(), order_.end(), [&](std::size_t index) {
@@ -293,9 +300,10 @@ VariantRunner::VariantRunner(const DiagnosticTask& task, std::vector<Variant>& v
   });
 }
 
-Reply VariantRunner::call(std::size_t variant, std::size_t case_index) {
-  if (!calls_left_) calls_left_ = affordable_calls();
-  if (--*calls_left_ < 0 || slow_ >= limits_.slow_variants) return {};
+Reply VariantRunner::call(std::size_t variant, std::size_t case_index, long overdraft) {
+  if (!work_left_) plan_work();
+  const long work = std::max(1L << exponent_of(case_index), limits_.work / limits_.calls);
+  if ((*work_left_ -= work) < -overdraft || slow_ >= limits_.slow_variants) return {};
   return answer(variant, case_index);
 }
 
@@ -312,32 +320,48 @@ Reply VariantRunner::answer(std::size_t variant, std::size_t case_index) {
   if (!worker_ || !worker_->running()) {
     worker_ = std::make_unique<Worker>(program_, run_profile(), budget_);
     // What is computed once for all calls is computed from what the file says.
-    if (variant != unchanged_) worker_->call(planned(order_.front()), mode_of(unchanged_));
+    if (variant != unchanged_ && may_return(order_.front()))
+      worker_->call(planned(order_.front()), mode_of(unchanged_));
   }
   const Reply reply = worker_->call(planned(case_index), mode_of(variant));
   if (reply.ending == Ending::time_limit) ++slow_;
   return reply;
 }
 
-long VariantRunner::affordable_calls() {
-  constexpr std::size_t looked_at = 3;
-  constexpr long fewest = 60;
-  constexpr int most = 23;
-  int exponent = 10;
+bool VariantRunner::may_return(std::size_t case_index) const {
   const std::vector<Reply>& judged = task_.observation.replies;
-  std::vector<std::size_t> returned = order_;  // what throws by itself tells nothing of its work
-  std::erase_if(returned,
-                [&](std::size_t index) { return index < judged.size() && judged[index].ending == Ending::exception; });
-  for (const std::size_t index : evenly_spaced(returned, looked_at))
-    while (exponent < most && answer(VariantUnit::limited(unchanged_, exponent), index).ending == Ending::exception)
-      ++exponent;
-  work_of_the_file_ = exponent + 1;
-  return std::clamp(limits_.work >> exponent, fewest, long{limits_.calls});
+  return judged.empty() || (case_index < judged.size() && judged[case_index].ending == Ending::returned);
 }
 
-bool VariantRunner::is_right(std::size_t variant) {
+int VariantRunner::exponent_of(std::size_t case_index) {
+  constexpr int least = 10, most = 23;
+  int& exponent = exponents_[case_index];
+  if (exponent > 0) return exponent;
+  if (!may_return(case_index)) return exponent = std::max(work_of_the_file_, least);  // it tells nothing of its work
+  for (exponent = least; exponent < most; ++exponent)
+    if (answer(VariantUnit::limited(unchanged_, exponent), case_index).ending != Ending::exception) break;
+  return exponent;
+}
+
+void VariantRunner::plan_work() {
+  constexpr std::size_t looked_at = 3, first_ones = 8;
+  constexpr long fewest = 60;
+  const auto exponent = [&](std::size_t index) { return exponent_of(index); };
+  for (const std::size_t index : evenly_spaced(order_, looked_at))
+    work_of_the_file_ = std::max(work_of_the_file_, exponent(index) + 1);
+  // Of the failing cases, at which almost every variant fails too, one of little work comes first.
+  const std::vector<std::size_t> some = evenly_spaced(task_.judgement.failing, first_ones);
+  if (!some.empty())
+    std::iter_swap(order_.begin(), std::ranges::find(order_, *std::ranges::min_element(some, {}, exponent)));
+  work_left_ = std::max(limits_.work, fewest << exponent(order_.front()));
+}
+
+bool VariantRunner::is_right(std::size_t variant, double part_left) {
+  if (work_left_ && *work_left_ < part_left * static_cast<double>(limits_.work)) return false;
+  constexpr int promising = 3;  // cases that are right: such a variant is followed to its end, and there are few
+  int right = 0;
   return std::ranges::all_of(order_, [&](std::size_t index) {
-    const Reply reply = call(variant, index);
+    const Reply reply = call(variant, index, right++ < promising ? 0 : limits_.work);
     return has_usable_value(reply, task_.reference.cases[index]) && passes(task_.reference, index, reply.value);
   });
 }
@@ -371,7 +395,7 @@ bool VariantRunner::is_right_with_a_multiple(Multiple one, Multiple other) {
 
 bool VariantRunner::is_as_judged() {
   // Numbers that are wrong without bounds may have lost all digits that the compiler's options leave.
-  constexpr std::size_t most = 10, looked_at = 30;
+  constexpr std::size_t most = 10, looked_at = 10;
   const std::vector<std::size_t> failing = evenly_spaced(task_.judgement.failing, looked_at);
   const auto differs = [&](std::size_t index) { return is_other(unchanged_, index); };
   return most * static_cast<std::size_t>(std::ranges::count_if(failing, differs)) <= failing.size();
@@ -430,7 +454,8 @@ CodeReasons code_reasons(const DiagnosticTask& task, const std::vector<Reason>& 
         return (variant.kind == VariantKind::all_fixes || &other == &variant) && other.words == each.name &&
                other.place.line == each.line && other.place.column == each.column;
       });
-      if (is_meant) fixed.push_back(each);
+      const auto is_told = [&](const Reason& told) { return told.sentence == each.sentence && told.line == each.line; };
+      if (is_meant && std::ranges::none_of(fixed, is_told)) fixed.push_back(each);
     }
     return fixed;
   };
@@ -447,12 +472,13 @@ CodeReasons code_reasons(const DiagnosticTask& task, const std::vector<Reason>& 
     std::ranges::move(fixed_by(variants[k]), std::back_inserter(reasons.reasons));
   }
   return reasons;
-} catch (const std::exception&) {  // it is a help only; what matters has been judged
+} catch (const std::exception& x) {  // it is a help only; what matters has been judged
   return {};
 }
 
 std::optional<Reason> slip_or_branch(const DiagnosticTask& task, const Toolchain& toolchain,
                                      const std::filesystem::path& cache, Sought sought) try {
+  constexpr double part_for_branches = 0.3;  // of the work
   const SourceText source(task.submission.text);
   std::vector<Variant> variants = branch_variants(source);
   std::ranges::move(one_token_variants(source, task.reference), std::back_inserter(variants));
@@ -462,31 +488,37 @@ std::optional<Reason> slip_or_branch(const DiagnosticTask& task, const Toolchain
   });
   VariantRunner runner(task, variants, toolchain, cache);
   if (!runner.is_as_judged()) return std::nullopt;
-  // Where steps are many, few calls can be made: what they limit comes first.
-  const auto limit = coarse(runner, variants, source);
-  std::optional<DecidingBranch> branch;
-  std::vector<std::size_t> mixed;  // branches that some cases take and some do not
+  struct Branches {
+    std::optional<DecidingBranch> deciding = {};
+    std::vector<std::size_t> mixed = {};  // that some cases take and some do not
+  };
   const auto is_mixed = [&](const std::set<std::size_t>& cases) {
     return !cases.empty() && cases.size() < task.reference.cases.size();
   };
-  for (std::size_t k = 0; k < variants.size(); ++k) {
-    if (variants[k].kind != VariantKind::branch) continue;
-    const auto is_right_if_always = [&](bool outcome) {
-      const auto forced = std::ranges::find_if(variants, [&](const Variant& other) {
-        return other.kind == (outcome ? VariantKind::branch_on : VariantKind::branch_off) &&
-               other.edits.front().offset == variants[k].edits.front().offset;
-      });
-      return forced != variants.end() && runner.is_right(static_cast<std::size_t>(forced - variants.begin()));
-    };
-    if (const auto taken = runner.cases_taking_branch(k)) {
-      consider(branch, k, variants[k], *taken, is_right_if_always, task);
-      if (is_mixed(*taken)) mixed.push_back(k);
+  const auto branches_of_cases = [&] {
+    Branches found;
+    for (std::size_t k = 0; k < variants.size(); ++k) {
+      if (variants[k].kind != VariantKind::branch) continue;
+      const auto is_right_if_always = [&](bool outcome) {
+        const auto forced = std::ranges::find_if(variants, [&](const Variant& other) {
+          return other.kind == (outcome ? VariantKind::branch_on : VariantKind::branch_off) &&
+                 other.edits.front().offset == variants[k].edits.front().offset;
+        });
+        return forced != variants.end() && runner.is_right(static_cast<std::size_t>(forced - variants.begin()));
+      };
+      if (const auto taken = runner.cases_taking_branch(k)) {
+        consider(found.deciding, k, variants[k], *taken, is_right_if_always, task);
+        if (is_mixed(*taken)) found.mixed.push_back(k);
+      }
     }
-  }
+    return found;
+  };
+  std::optional<Branches> branches;
   // Is it right only because all cases go one way now? Another sign may do so rightly, but not where the way alone
   // does.
   const auto only_leads_elsewhere = [&](std::size_t slip) {
-    return can_be_switched(variants[slip]) && std::ranges::any_of(mixed, [&](std::size_t k) {
+    const std::optional<DecidingBranch>& branch = branches->deciding;
+    return can_be_switched(variants[slip]) && std::ranges::any_of(branches->mixed, [&](std::size_t k) {
              if (is_exact(variants[slip]) && !(branch && branch->repairs && branch->number == k)) return false;
              const auto taken = runner.cases_taking_branch(k, slip);
              return taken && !is_mixed(*taken);
@@ -501,17 +533,28 @@ std::optional<Reason> slip_or_branch(const DiagnosticTask& task, const Toolchain
   std::vector<std::size_t> order(variants.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, rank);
-  for (const std::size_t k : order) {
-    const Variant& each = variants[k];
-    const bool may_hold = !branch || (each.kind != VariantKind::guard && branch->may_hold(each));
-    if (each.is_branch() || !may_hold) continue;
-    if (runner.is_right(k) && !only_leads_elsewhere(k))
-      return repair(
-          source, each.place, "slip_" + to_string(each.kind),
-          fmt::format("with {} here, the result is right at all {} cases.", each.words, task.reference.cases.size()));
-  }
+  const auto slip_among = [&](bool in_loops) -> std::optional<Reason> {
+    for (const std::size_t k : order) {
+      const Variant& each = variants[k];
+      if (each.is_branch() || (each.kind == VariantKind::loop) != in_loops || !runner.is_right(k, part_for_branches))
+        continue;
+      if (!branches) branches = branches_of_cases();
+      const bool may_hold =
+          !branches->deciding || (each.kind != VariantKind::guard && branches->deciding->may_hold(each));
+      if (may_hold && !only_leads_elsewhere(k))
+        return repair(
+            source, each.place, "slip_" + to_string(each.kind),
+            fmt::format("with {} here, the result is right at all {} cases.", each.words, task.reference.cases.size()));
+    }
+    return std::nullopt;
+  };
+  // Where steps are many, few calls can be made: what they limit comes first.
+  if (const auto slip = slip_among(true)) return slip;
+  const auto limit = coarse(runner, variants, source);
+  if (const auto slip = slip_among(false)) return slip;
   if (sought == Sought::one_slip) return std::nullopt;
-  if (branch) return finding_of(*branch, variants, source, task);
+  if (!branches) branches = branches_of_cases();
+  if (branches->deciding) return finding_of(*branches->deciding, variants, source, task);
   if (limit || sought == Sought::accuracy) return limit;
   return fitted_number(runner, variants, source, task);
 } catch (const std::exception&) {

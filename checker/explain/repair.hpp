@@ -49,8 +49,8 @@ class VariantRunner {
 
   /// Does the file as it stands, among its variants, give what was judged, at nearly all failing cases?
   bool is_as_judged();
-  /// At every case?
-  bool is_right(std::size_t variant);
+  /// At every case? @param part_left  of all work, that is kept for what follows
+  bool is_right(std::size_t variant, double part_left = 0);
   /// A variant in which something is multiplied by so much.
   struct Multiple {
     std::size_t variant = 0;
@@ -72,17 +72,22 @@ class VariantRunner {
   std::optional<std::set<std::size_t>> cases_taking_branch(std::size_t variant, std::optional<std::size_t> beside = {});
 
  private:
-  Reply call(std::size_t variant, std::size_t case_index);
+  /// @param overdraft  how much more work than planned this may take
+  Reply call(std::size_t variant, std::size_t case_index, long overdraft = 0);
   Reply answer(std::size_t variant, std::size_t case_index);
-  /// How many calls are as much work as all may be.
-  long affordable_calls();
+  /// Did the file as it stands return there, as far as is known?
+  bool may_return(std::size_t case_index) const;
+  /// Of 2, with which the call of the file as it stands needs less work.
+  int exponent_of(std::size_t case_index);
+  void plan_work();
 
   const DiagnosticTask& task_;
   const Program program_;
   const TrialLimits limits_;
   const std::size_t unchanged_;  ///< the number of the file as it stands
   std::vector<std::size_t> order_;
-  std::optional<long> calls_left_;
+  std::vector<int> exponents_;  ///< of the cases; 0 where not yet known
+  std::optional<long> work_left_;
   int slow_ = 0;
   int work_of_the_file_ = 0;  ///< of one call: less than 2 to this power
   std::optional<std::size_t> running_;

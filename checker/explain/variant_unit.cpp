@@ -35,22 +35,51 @@ template <class T> auto workbook_value(const T& value) {
   else return value;
 }
 template <class T> const T& workbook_itself(const T& value) { return value; }
+template <class T> double workbook_number(const T& x) {
+  if constexpr (std::is_floating_point_v<T>) return static_cast<double>(x);
+  else return 1;
+}
 struct WorkbookTimes {
   double factor;
   WorkbookTimes operator-() const { return {-factor}; }
   WorkbookTimes operator+() const { return *this; }
 };
-struct WorkbookInverse { bool is_so; };
-template <class T> decltype(auto) operator->*(WorkbookInverse inverse, const T& x) {
-  if constexpr (std::is_floating_point_v<T>) return inverse.is_so ? 1 / x : x;
-  else return workbook_itself(x);
-}
 template <class T> auto operator*(WorkbookTimes times, const T& x);
-struct WorkbookNegative { WorkbookInverse inverse; };
-inline WorkbookNegative operator-(WorkbookInverse inverse) { return {inverse}; }
+// 0: as it is, 1: one over it, 2: its square, 3: its root, 4: its absolute value, 5: 1 minus it, 6: its transpose, 7: its unit vector
+struct WorkbookChange { int number; };
+template <class T> decltype(auto) operator->*(WorkbookChange change, const T& x) {
+  if constexpr (std::is_floating_point_v<T>) {
+    const T others[] = {x, 1 / x, x * x, std::sqrt(x), std::abs(x), 1 - x, x, x};
+    return T(others[change.number]);
+  } else if constexpr (requires { requires std::is_base_of_v<Eigen::MatrixBase<T>, T>; requires T::SizeAtCompileTime > 1; requires std::is_same_v<typename T::Scalar, double>; }) {
+    typename T::PlainObject value = x;
+    if constexpr (T::RowsAtCompileTime == T::ColsAtCompileTime) { if (change.number == 6) value.transposeInPlace(); }
+    if constexpr (T::IsVectorAtCompileTime) { if (change.number == 7) value.normalize(); }
+    return value;
+  } else return workbook_itself(x);
+}
+struct WorkbookNegative { WorkbookChange change; };
+inline WorkbookNegative operator-(WorkbookChange change) { return {change}; }
 template <class T> auto operator->*(WorkbookNegative negative, const T& x) {
-  if constexpr (std::is_floating_point_v<T>) return -(negative.inverse ->* x);
-  else return WorkbookTimes{-1.0} * x;
+  return WorkbookTimes{-1.0} * (negative.change ->* x);
+}
+// What is added to a number or to a vector.
+struct WorkbookTerm {
+  double number = 0;
+  Eigen::Vector3d vector = Eigen::Vector3d::Zero();
+  int kind = 0;
+  WorkbookTerm() = default;
+  template <class T> explicit WorkbookTerm(const T& x) {
+    if constexpr (std::is_floating_point_v<T>) { number = x; kind = 1; }
+    else if constexpr (std::is_same_v<T, Eigen::Vector3d>) { vector = x; kind = 3; }
+  }
+  WorkbookTerm operator-() const { WorkbookTerm other = *this; other.number *= -1; other.vector *= -1; return other; }
+};
+template <class T> decltype(auto) operator+(WorkbookTerm term, const T& x) {
+  if constexpr (std::is_floating_point_v<T>) return T(term.kind == 1 ? x + static_cast<T>(term.number) : x);
+  else if constexpr (requires { requires std::is_base_of_v<Eigen::MatrixBase<T>, T>; requires std::is_same_v<typename T::PlainObject, Eigen::Vector3d>; })
+    return Eigen::Vector3d(term.kind == 3 ? Eigen::Vector3d(x + term.vector) : Eigen::Vector3d(x));
+  else return workbook_itself(x);
 }
 template <class T> auto operator*(WorkbookTimes times, const T& x) {
   if constexpr (requires { typename T::DiagonalVectorType; }) {
@@ -71,19 +100,50 @@ template <class T> auto operator*(WorkbookTimes times, const T& x) {
     return workbook_itself(x);
   }
 }
+// A matrix before a vector or another matrix.
+struct WorkbookMatrix {
+  bool is_so = false;
+  Eigen::Matrix3d matrix = {};
+  double factor = 1;
+};
+inline WorkbookMatrix operator*(WorkbookTimes times, WorkbookMatrix matrix) {
+  matrix.factor *= times.factor;
+  return matrix;
+}
+template <class T> decltype(auto) operator*(const WorkbookMatrix& matrix, const T& x) {
+  if constexpr (requires { requires std::is_base_of_v<Eigen::MatrixBase<T>, T>; requires T::RowsAtCompileTime == 3; requires std::is_same_v<typename T::Scalar, double>; }) {
+    typename T::PlainObject value = matrix.factor * x;
+    if (matrix.is_so) value = matrix.matrix * value;
+    return value;
+  } else return WorkbookTimes{matrix.factor} * x;
+}
 )";
 
-enum class Form { times, inverse, step, value, call, method, condition, copy };
+enum class Form { times, change, term, matrix, step, value, call, method, condition, copy };
 
 /// In the order of VariantKind, up to those that need a copy.
 constexpr struct {
   const char* name;
   Form form;
-} switched_kinds[] = {{"sign", Form::times},         {"factor", Form::times},     {"factor", Form::inverse},
-                      {"factor", Form::times},       {"number", Form::value},     {"index", Form::value},
-                      {"name", Form::value},         {"function", Form::call},    {"method", Form::method},
-                      {"loop", Form::step},          {"guard", Form::value},      {"brackets", Form::copy},
-                      {"overwritten", Form::copy},   {"branch", Form::condition}, {"branch_off", Form::condition},
+} switched_kinds[] = {{"sign", Form::times},
+                      {"factor", Form::times},
+                      {"factor", Form::change},
+                      {"power", Form::change},
+                      {"term", Form::term},
+                      {"factor", Form::matrix},
+                      {"factor", Form::times},
+                      {"number", Form::value},
+                      {"index", Form::value},
+                      {"name", Form::value},
+                      {"function", Form::call},
+                      {"method", Form::method},
+                      {"loop", Form::step},
+                      {"guard", Form::value},
+                      {"brackets", Form::copy},
+                      {"overwritten", Form::copy},
+                      {"assignment", Form::copy},
+                      {"branch", Form::condition},
+                      {"branch_off", Form::condition},
                       {"branch_on", Form::condition}};
 
 Form form_of(const Variant& variant) {
@@ -116,7 +176,7 @@ std::vector<VariantUnit::Piece> VariantUnit::pieces_of(const SourceText& source,
     if (form == Form::copy) continue;
     for (const Edit& edit : variants[k].edits) {
       std::size_t offset = edit.offset, end = edit.offset + edit.length;
-      if (form == Form::times || form == Form::inverse) offset = end;
+      if (form == Form::times || form == Form::change || form == Form::term || form == Form::matrix) offset = end;
       // With its std::, which belongs to the function.
       if (form == Form::call && text.substr(0, offset).ends_with("std::")) offset -= 5;
       SamePlace& group = groups[{form, offset, end}];
@@ -135,7 +195,7 @@ std::vector<VariantUnit::Piece> VariantUnit::pieces_of(const SourceText& source,
           std::ranges::find_if(group.edits, [&](const auto& each) { return variants[each.first].kind == kind; });
       return found == group.edits.end() ? -1 : static_cast<int>(found->first);
     };
-    Piece piece{offset, end - offset, 3, end, {}};
+    Piece piece{offset, end - offset, 5, end, {}};
     // Mostly none of them is asked for.
     const auto none = fmt::format("!workbook_is_among({}, {}) ? ", *group.all.begin(), *group.all.rbegin());
     const auto choose = [&](const std::string& before, const auto& words_of, const std::string& otherwise,
@@ -156,15 +216,27 @@ std::vector<VariantUnit::Piece> VariantUnit::pieces_of(const SourceText& source,
       case Form::times: {
         const auto factor = [&](std::size_t k, const Edit& edit) {
           return variants[k].kind == VariantKind::sign ? "-1.0"
-                                                       : edit.replacement.substr(0, edit.replacement.find('*'));
+                                                       : edit.replacement.substr(0, edit.replacement.rfind('*'));
         };
-        piece.order = 0;
+        piece.order = 1;
         piece.parts = {{fmt::format(" WorkbookTimes{{{}}} * ", choose_number(factor, "1.0")), group.all}};
         break;
       }
-      case Form::inverse:
-        piece.order = 1;
-        piece.parts = {{fmt::format(" WorkbookInverse{{workbook_is({})}} ->* ", *group.all.begin()), group.all}};
+      case Form::change:
+        piece.order = 3;
+        piece.parts = {{fmt::format(" WorkbookChange{{{}}} ->* ",
+                                    choose_number([](std::size_t, const Edit& edit) { return edit.replacement; }, "0")),
+                        group.all}};
+        break;
+      case Form::term:
+        choose(
+            " (", [](const Edit& edit) { return edit.replacement; }, "WorkbookTerm()", ") + ");
+        piece.order = 0;
+        break;
+      case Form::matrix:
+        choose(
+            " (", [](const Edit& edit) { return edit.replacement; }, "WorkbookMatrix()", ") * ");
+        piece.order = 2;
         break;
       case Form::step:
         piece.order = 0;
@@ -190,7 +262,7 @@ std::vector<VariantUnit::Piece> VariantUnit::pieces_of(const SourceText& source,
         break;
       }
       case Form::method: {
-        Piece head{group.edits.front().second->operand, 0, 2, end, {}};
+        Piece head{group.edits.front().second->operand, 0, 4, end, {}};
         std::swap(head.parts, piece.parts);
         choose(
             "[](const auto& value, const auto&... x) { return ",
@@ -208,7 +280,7 @@ std::vector<VariantUnit::Piece> VariantUnit::pieces_of(const SourceText& source,
         pieces.push_back(
             {offset,
              0,
-             2,
+             4,
              end,
              {{fmt::format("workbook_condition({}, {}, {}, static_cast<bool>(", number_of(VariantKind::branch),
                            number_of(VariantKind::branch_off), number_of(VariantKind::branch_on)),
@@ -224,7 +296,7 @@ std::vector<VariantUnit::Piece> VariantUnit::pieces_of(const SourceText& source,
   const std::vector<Token>& tokens = source.tokens();
   for (std::size_t k = 1; k < tokens.size(); ++k)
     if (tokens[k].text == "constexpr" && !tokens[k].in_directive && tokens[k - 1].text != "if")
-      pieces.push_back({tokens[k].offset, tokens[k].text.size(), 3, 0, {{"const", {}}}});
+      pieces.push_back({tokens[k].offset, tokens[k].text.size(), 5, 0, {{"const", {}}}});
   std::ranges::sort(pieces, [](const Piece& one, const Piece& other) {
     return std::tuple(one.offset, one.order, -static_cast<long>(one.end)) <
            std::tuple(other.offset, other.order, -static_cast<long>(other.end));

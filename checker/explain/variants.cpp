@@ -15,7 +15,7 @@ namespace workbook {
 namespace {
 
 constexpr std::size_t last_token_looked_at = 4000;
-constexpr std::size_t most_variants = 3000, most_tried = 1000;
+constexpr std::size_t most_variants = 4000, most_tried = 1900;
 
 bool is_identifier(std::string_view text) {
   return !text.empty() && (std::isalpha(static_cast<unsigned char>(text[0])) != 0 || text[0] == '_');
@@ -39,8 +39,10 @@ class Conditions {
         tokens_(source.tokens()),
         size_(std::min(tokens_.size(), last_token_looked_at)),
         decides_(size_, false),
-        in_loop_(size_, false) {
+        in_loop_(size_, false),
+        in_template_(size_, false) {
     for (std::size_t k = 0; k < size_; ++k) {
+      if (text(k) == "<" && k > 0) mark(in_template_, k, end_of_template(k));
       if (is_one_of(text(k), {"for", "while"}) && text(k + 1) == "(") mark(in_loop_, k + 1, source_.partner_of(k + 1));
     }
     for (std::size_t k = 0; k < size_; ++k) {
@@ -75,6 +77,24 @@ class Conditions {
     return text(k) == "<" && k + 1 < index;
   }
 
+  /// One past the > of `Matrix<double, 9, 12>` and the like; the place itself where no such list begins.
+  std::size_t end_of_template(std::size_t index) const {
+    static const std::initializer_list<std::string_view> templates = {
+        "Matrix",   "Array",          "Map",       "Ref",         "array",
+        "vector",   "pair",           "tuple",     "span",        "complex",
+        "function", "numeric_limits", "optional",  "Quaternion",  "block",
+        "segment",  "static_cast",    "JacobiSVD", "EigenSolver", "SelfAdjointEigenSolver"};
+    if (!is_one_of(text(index - 1), templates)) return index;
+    int depth = 0;
+    for (std::size_t k = index; k < size_ && !is_one_of(text(k), {";", "{", "}"}); ++k) {
+      if (text(k) == "<") ++depth;
+      if (text(k).starts_with(">")) depth -= static_cast<int>(text(k).size());
+      if (depth <= 0) return k + 1;
+    }
+    return index;
+  }
+
+  bool in_template(std::size_t index) const { return index < size_ && in_template_[index]; }
   bool decides(std::size_t index) const { return index < size_ && decides_[index]; }
   bool in_loop(std::size_t index) const { return index < size_ && in_loop_[index]; }
 
@@ -110,7 +130,7 @@ class Conditions {
   const SourceText& source_;
   const std::vector<Token>& tokens_;
   const std::size_t size_;
-  std::vector<bool> decides_, in_loop_;
+  std::vector<bool> decides_, in_loop_, in_template_;
 };
 
 /// Makes the variants of one file.
@@ -128,6 +148,7 @@ class SourceMutations {
     }
     find_functions(exercise.name);
     find_locals();
+    find_operands();
     for (const Argument& argument : exercise.arguments) {
       if (argument.kind != Kind::number && argument.kind != Kind::vector3) continue;
       const bool is_angle = argument.unit == units::radian;
@@ -140,7 +161,8 @@ class SourceMutations {
     const std::vector<Token>& tokens = source_.tokens();
     find_body();
     for (at_ = first_; at_ < std::min(last_, last_token_looked_at) && found_.size() < most_; ++at_) {
-      if (tokens[at_].in_directive) continue;
+      if (here() == "using" || here() == "typedef") at_ = end_of_statement(at_);
+      if (at_ >= last_ || tokens[at_].in_directive || conditions_.in_template(at_)) continue;
       if (conditions_.decides(at_) && !all_bugs_) {
         numbers(VariantKind::guard);
         continue;
@@ -150,8 +172,11 @@ class SourceMutations {
       names();
       functions();
       divisions();
-      inverses();
+      changes();
       factors();
+      terms();
+      matrices();
+      assignments();
       loops();
       turns();
       brackets();
@@ -164,9 +189,8 @@ class SourceMutations {
     everywhere();
     if (found_.size() > most_tried && !all_bugs_) {
       // Those of which there are most, and that are right least often, go first.
-      std::ranges::stable_partition(found_, [](const Variant& each) {
-        return !is_one_of(each.words, {"one factor more", "one divisor more"}) &&
-               !each.words.ends_with('`');  // what is made of a name
+      std::ranges::stable_sort(found_, {}, [](const Variant& each) {
+        return each.kind == VariantKind::term ? 2 : is_one_of(each.words, {"one factor more", "one divisor more"});
       });
       found_.resize(most_tried);
     }
@@ -181,8 +205,14 @@ class SourceMutations {
   std::string_view before() const { return token(at_ - 1); }
   std::string_view after() const { return token(at_ + 1); }
 
+  using Scope = std::pair<std::size_t, std::size_t>;
   struct Lambda {
     std::size_t begin, end_of_captures, end;
+  };
+  /// `omega[j]`, `a.mass`, `v.norm()`: what may be a number, and the variables in it.
+  struct Operand {
+    std::string text;
+    std::vector<std::string> names;
   };
 
   /// Only what stands between the first { of a function and the end is changed, not its head.
@@ -214,13 +244,21 @@ class SourceMutations {
   /// Can the name be used here?
   bool is_visible(const std::string& name) const {
     const auto found = scopes_.find(name);
-    const auto [begin, end] = found == scopes_.end() ? body_ : found->second;
-    return at_ > begin && at_ <= end && std::ranges::none_of(closed_, [&, first = begin](const Lambda& lambda) {
-             if (at_ <= lambda.begin || at_ > lambda.end || first >= lambda.begin) return false;
+    return found == scopes_.end()
+               ? is_visible(name, body_)
+               : std::ranges::any_of(found->second, [&](const Scope& scope) { return is_visible(name, scope); });
+  }
+  bool is_visible(const std::string& name, const Scope& scope) const {
+    return at_ > scope.first && at_ <= scope.second && std::ranges::none_of(closed_, [&](const Lambda& lambda) {
+             if (at_ <= lambda.begin || at_ > lambda.end || scope.first >= lambda.begin) return false;
              for (std::size_t k = lambda.begin; k < lambda.end_of_captures; ++k)
                if (token(k) == name) return false;
              return true;
            });
+  }
+  bool is_declared_at(std::size_t index) const {
+    const auto found = scopes_.find(std::string(token(index)));
+    return found != scopes_.end() && std::ranges::find(found->second, index, &Scope::first) != found->second.end();
   }
 
   /// "double a = 1, b = 2;" and "int i = 0" in a loop: names of one type may have been mixed up.
@@ -253,9 +291,39 @@ class SourceMutations {
       const auto [known, is_new] = types_.emplace(here, type);
       if (!is_new && known->second != type) known->second = fmt::format("auto {}", here);  // one of several functions
       const std::size_t from = right == "=" ? conditions_.end_of_operand(k + 1) : k;  // not in its own initial value
-      scopes_[std::string(here)] = {from, end_of_block(k)};
+      scopes_[std::string(here)].emplace_back(from, end_of_block(k));
       if (is_constant) constants_.insert(std::string(here));
     }
+  }
+
+  void find_operands() {
+    constexpr std::size_t most = 12, longest = 24;
+    for (std::size_t k = 1; k < std::min(source_.tokens().size(), last_token_looked_at); ++k) {
+      const bool is_declared = (is_identifier(token(k - 1)) && token(k - 1) != "return") || is_declared_at(k);
+      if (!types_.contains(std::string(token(k))) || is_one_of(token(k - 1), {".", "::", "->"}) || is_declared)
+        continue;
+      const std::size_t last = end_of_factor(k);
+      const auto type = types_.find(std::string(token(k)));
+      const bool is_of_eigen = type->second.starts_with("Vector") || type->second.starts_with("Matrix");
+      if (last == k || is_one_of(type->second, {"double", "int"}) || (is_of_eigen && !is_scalar(k, last))) continue;
+      Operand operand{text_of(k, last), {}};
+      for (std::size_t n = k; n <= last; ++n)
+        if (types_.contains(std::string(token(n))) && !is_one_of(token(n - 1), {".", "->", "::"}))
+          operand.names.emplace_back(token(n));
+      const auto is_known = std::ranges::find(operands_, operand.text, &Operand::text) != operands_.end();
+      if (!is_known && operand.text.size() <= longest && operands_.size() < most) operands_.push_back(operand);
+    }
+  }
+
+  /// What can stand for a number here: names, and entries and the like that the file has elsewhere.
+  std::vector<std::string> numbers_here() const {
+    std::vector<std::string> texts;
+    for (const auto& [name, type] : types_)
+      if (type == "double" && is_visible(name)) texts.push_back(name);
+    for (const Operand& each : operands_)
+      if (std::ranges::all_of(each.names, [&](const std::string& name) { return is_visible(name); }))
+        texts.push_back(each.text);
+    return texts;
   }
 
   /// The token that closes the block around the one at the index; of what is declared in a head, that behind it.
@@ -280,8 +348,8 @@ class SourceMutations {
     return {begin.offset, end.offset + end.text.size() - begin.offset, std::string(replacement)};
   }
 
-  void add(VariantKind kind, const char* words, std::size_t place, std::vector<Edit> edits) {
-    found_.push_back({kind, words, source_.place_of(source_.tokens()[place].offset), std::move(edits)});
+  void add(VariantKind kind, std::string words, std::size_t place, std::vector<Edit> edits) {
+    found_.push_back({kind, std::move(words), source_.place_of(source_.tokens()[place].offset), std::move(edits)});
   }
   void add(VariantKind kind, const char* words, std::string_view replacement) {
     add(kind, words, at_, {replaced(at_, at_, replacement)});
@@ -329,12 +397,14 @@ class SourceMutations {
     return is_identifier(token(first)) && is_identifier(token(first + 1)) && token(first) != "return";
   }
   bool begins_expression() const {
-    const bool declares = is_identifier(after()) && (is_identifier(token(at_ + 2)) || token(at_ + 2) == "&");
-    const auto scope = scopes_.find(std::string(after()));
-    const bool is_declared = scope != scopes_.end() && scope->second.first == at_ + 1;
+    std::size_t type = at_ + 1;
+    while (token(type + 1) == "::") type += 2;
+    const std::size_t behind_type = token(type + 1) == "<" ? conditions_.end_of_template(type + 1) : type + 1;
+    const bool declares = is_identifier(after()) && (is_identifier(token(behind_type)) || token(behind_type) == "&") &&
+                          after() != "return";
     const bool is_type =
         is_one_of(after(), whole_types) || is_one_of(after(), {"const", "auto", "double", "float", "void"});
-    if (declares || is_declared || is_type || is_changed_by_call(at_ + 1)) return false;
+    if (declares || is_declared_at(at_ + 1) || is_type || is_changed_by_call(at_ + 1)) return false;
     if (token(source_.opening_around(at_)) == "[") return false;  // `const auto& [one, other]`
     if (here() == "{") return is_one_of(before(), {"return", "=", "(", ",", "{"});
     if (here() == "(") return !is_one_of(before(), {"for", "if", "while", "switch", "catch", "]"});
@@ -439,8 +509,7 @@ class SourceMutations {
       exchange(VariantKind::index, "the two indices the other way round", at_, at_ + 2);
     const bool is_square = after() == "*" && token(at_ + 2) == here() && before() != ".";
     if (type == types_.end() || is_one_of(before(), {".", "::", "->", "&"}) || before() == type->second) return;
-    const auto own_scope = scopes_.find(std::string(here()));
-    if (own_scope != scopes_.end() && own_scope->second.first == at_) return;  // it is declared here
+    if (is_declared_at(at_)) return;
     if (is_changed_by_call(at_)) return;
     if (is_one_of(after(), {"=", "+=", "-=", "*=", "/=", "{", "++", "--"}) || is_one_of(before(), {"++", "--"})) return;
     const bool is_filled = is_target();
@@ -510,38 +579,28 @@ class SourceMutations {
     }
   }
 
-  /// What is easily left out of a name: a square, a root, a length of 1, a matrix before a vector.
+  /// What is easily left out of a name: the mass of the rest in that of the whole, a matrix before a vector.
   void derived(const std::string& type) {
     const std::string name(here());
     const auto put = [&](const std::string& words, const std::string& value) {
       add(VariantKind::name, "", value);
       found_.back().words = fmt::format(fmt::runtime(words), "`" + name + "`");
     };
-    if (type == "double" && before() != "(") {
-      put("the square of {}", name + " * " + name);
-      put("the absolute value of {}", "std::abs(" + name + ")");
-    }
-    if (type == "double" && !is_one_of(token(at_ - 2), {"sqrt", "abs", "cos", "sin"}))
-      put("the root of {}", "std::sqrt(" + name + ")");
-    if (type == "double" && before() == "-" && token(at_ - 2) == "1") put("1 − {} in place", "(1 - " + name + ")");
-    for (const auto& [other, other_type] : types_) {  // the mass of the whole for that of the rest
+    for (const auto& [other, other_type] : types_) {
       if (type != "double" || other_type != type || other == name || before() != "/" || !is_visible(other)) continue;
       put("a sum in place of {}", "(" + name + " + " + other + ")");
       put("a difference in place of {}", "(" + name + " - " + other + ")");
     }
-    if (type == "Vector3d" && after() != "[" && after() != "(") {
-      put("the unit vector of {}", "Vector3d(" + name + ".normalized())");
-      for (const auto& [matrix, other_type] : types_) {
-        if (!is_visible(matrix)) continue;
-        if (other_type == "Matrix3d") {
-          put("a matrix before {}", "Vector3d(" + matrix + " * " + name + ")");
-          put("a matrix before {}", "Vector3d(" + matrix + ".transpose() * " + name + ")");
-        } else if (other_type == "Vector3d" && matrix == "I" && name != "I") {
-          put("the moments times {}", "Vector3d(" + matrix + ".cwiseProduct(" + name + "))");
-        }
+    if (type != "Vector3d" || after() == "[" || after() == "(") return;
+    for (const auto& [matrix, other_type] : types_) {
+      if (!is_visible(matrix)) continue;
+      if (other_type == "Matrix3d") {
+        put("a matrix before {}", "Vector3d(" + matrix + " * " + name + ")");
+        put("a matrix before {}", "Vector3d(" + matrix + ".transpose() * " + name + ")");
+      } else if (other_type == "Vector3d" && matrix == "I" && name != "I") {
+        put("the moments times {}", "Vector3d(" + matrix + ".cwiseProduct(" + name + "))");
       }
     }
-    if (type == "Matrix3d" && after() != "(") put("the transpose of {}", "Matrix3d(" + name + ".transpose())");
   }
 
   /// One name, or a larger number, in place of another wherever that stands.
@@ -676,8 +735,9 @@ class SourceMutations {
       const bool is_entry =
           is_one_of(token(k + 1), {"[", "("}) || (token(k + 1) == "." && is_one_of(token(k + 2), numbers));
       if (token(k).starts_with("Vector") || token(k).starts_with("Matrix")) return false;
-      if (type != types_.end() && type->second != "double" && !is_one_of(type->second, whole_types) && !is_entry)
-        return false;
+      if (type == types_.end() || type->second == "double" || is_one_of(type->second, whole_types)) continue;
+      if (!is_entry) return false;
+      k = end_of_factor(k);
     }
     return true;
   }
@@ -706,14 +766,38 @@ class SourceMutations {
     if (is_whole(at_ + 1) || is_size) add(VariantKind::division, "", "* 1.0 /");
   }
 
-  /// A factor as a divisor, or the other way round.
-  void inverses() {
+  std::string text_of(std::size_t first, std::size_t last) const {
+    const Token& end = source_.tokens()[last];
+    const std::size_t begin = source_.tokens()[first].offset;
+    return std::string(source_.text().substr(begin, end.offset + end.text.size() - begin));
+  }
+
+  /// What is easily wrong with one operand: it belongs to the other side of the fraction line; its square, its root,
+  /// its transpose or a length of 1 is meant.
+  void changes() {
+    constexpr std::size_t short_text = 24;
     const bool is_factor = is_one_of(here(), {"*", "/"}), follows_sign = is_one_of(here(), {"+", "-", "+=", "-="});
     if (all_bugs_ || conditions_.in_loop(at_) || (!is_identifier(after()) && after() != "(")) return;
     if (!is_factor && !follows_sign && !begins_expression()) return;
     const std::size_t last = end_of_factor(at_ + 1);
-    if (is_whole(at_ + 1) || !is_scalar(at_ + 1, last) || (!is_factor && token(last + 1) != "*")) return;
-    insert_after(VariantKind::inverse, here() == "/" ? "this divisor as a factor" : "this factor as a divisor", "");
+    const bool is_number = is_scalar(at_ + 1, last), is_argument = here() == "(" && token(last + 1) == ")";
+    if (is_whole(at_ + 1) || (here() == "=" && token(at_ - 2) == "&")) return;
+    const std::string text = text_of(at_ + 1, last);
+    const std::string shown = text.size() <= short_text && text[0] != '(' ? "`" + text + "`" : "this operand";
+    const auto put = [&](const char* words, const char* number) {
+      insert_after(VariantKind::power, "", number);
+      found_.back().words = fmt::format(fmt::runtime(words), shown);
+    };
+    if (is_factor || (is_number && token(last + 1) == "*"))
+      insert_after(VariantKind::inverse, here() == "/" ? "this divisor as a factor" : "this factor as a divisor", "1");
+    if (is_number && !is_argument) put("the square of {}", "2");
+    if (is_number && !is_one_of(before(), {"sqrt", "abs", "cos", "sin"})) put("the root of {}", "3");
+    if (is_number && !is_argument) put("the absolute value of {}", "4");
+    if (is_number && here() == "-" && before() == "1") put("1 − {} in place", "5");
+    const auto type = types_.find(text);
+    if (is_number && type != types_.end()) return;
+    if (type == types_.end() || type->second == "Matrix3d") put("the transpose of {}", "6");
+    if (type == types_.end() || type->second == "Vector3d") put("the unit vector of {}", "7");
   }
 
   /// The function's name in front of its bracket is left out, with a std:: before it.
@@ -722,11 +806,11 @@ class SourceMutations {
     add(VariantKind::function, words, at_, {replaced(has_prefix ? at_ - 2 : at_, at_, "")});
   }
 
-  /// A factor in front of a term: after return, =, + or -.
+  /// A factor in front of a term: after return, =, + or -, and in a list.
   void factors() {
     const bool begins_sum = here() == "(" && is_one_of(before(), {"*", "/"}) && begins_operand(at_ + 1) &&
                             is_one_of(token(end_of_factor(at_ + 1) + 1), {"+", "-"});
-    const bool begins_term = begins_sum || is_one_of(here(), {"return", "=", "+", "-", "+=", "-="});
+    const bool begins_term = begins_sum || is_in_list() || is_one_of(here(), {"return", "=", "+", "-", "+=", "-="});
     if (!begins_term || is_zero(at_ + 1) || conditions_.in_loop(at_) || declares_whole_number()) return;
     if (!begins_operand(at_ + 1) || token(end_of_target(at_ + 1)) == "=") return;
     // In `n = axis` nobody forgot a number; another one may only move the inputs out of a wrong branch.
@@ -736,20 +820,90 @@ class SourceMutations {
       insert_after(VariantKind::factor, "another factor", factor);
     insert_after(VariantKind::factor, "one term left out", "0.0 *");
     if (all_bugs_) return;
-    const auto put = [&](const std::string& words, const std::string& factor) {
-      insert_after(VariantKind::factor, "", factor + " *");
-      found_.back().words = words;
-    };
-    for (const auto& [name, type] : types_) {
-      if (type != "double" || name == after() || !is_visible(name)) continue;
-      put("one factor more", name);
-      put("one divisor more", "1 / " + name);
+    for (const std::string& each : numbers_here()) {
+      if (each == after()) continue;
+      insert_after(VariantKind::factor, "one factor more", "workbook_number(" + each + ") *");
+      insert_after(VariantKind::factor, "one divisor more", "1 / workbook_number(" + each + ") *");
     }
     for (const auto& [argument, angle] : angles_) {
       if (!is_visible(argument)) continue;
-      put("one factor more", "std::cos(" + angle + ")");
-      put("one factor more", "std::sin(" + angle + ")");
+      insert_after(VariantKind::factor, "one factor more", "std::cos(" + angle + ") *");
+      insert_after(VariantKind::factor, "one factor more", "std::sin(" + angle + ") *");
     }
+  }
+
+  /// Do we stand before an entry of `A << a, b` or `{a, b}`?
+  bool is_in_list() const {
+    if (here() == "<<" || (here() == "{" && begins_expression())) return true;
+    if (here() != "," || !begins_expression()) return false;
+    const std::string_view open = token(source_.opening_around(at_));
+    return open == "{" || open == "" || is_one_of(token(source_.opening_around(at_) - 1), {"Vector3d", "Vector2d"});
+  }
+
+  /// A term before a sum: the names of numbers and vectors, with either sign.
+  void terms() {
+    const bool is_group = here() == "(" && (!is_identifier(before()) || is_one_of(before(), {"return", "sqrt"}));
+    if (all_bugs_ || conditions_.in_loop(at_) || is_index(at_ + 1) || declares_whole_number()) return;
+    if (!is_group && !is_in_list() && !is_one_of(here(), {"return", "=", "+=", "-="})) return;
+    const bool follows_sign = is_one_of(after(), {"-", "+"});
+    if (!begins_operand(follows_sign ? at_ + 2 : at_ + 1) || (!follows_sign && !begins_expression() && !is_group) ||
+        token(end_of_target(at_ + 1)) == "=" || (here() == "=" && token(at_ - 2) == "&"))
+      return;
+    std::vector<std::string> texts = numbers_here();
+    for (const auto& [name, type] : types_)
+      if (type == "Vector3d" && is_visible(name)) texts.push_back(name);
+    for (const std::string& each : texts) {
+      if (each == after()) continue;
+      insert_after(VariantKind::term, "one term more", "WorkbookTerm(" + each + ")");
+      insert_after(VariantKind::term, "one term more", "-WorkbookTerm(" + each + ")");
+    }
+  }
+
+  /// Which leads from one set of axes to another, before a whole result.
+  void matrices() {
+    if (all_bugs_ || !is_one_of(here(), {"return", "="}) || !begins_expression() || !begins_operand(at_ + 1) ||
+        (here() == "=" && token(at_ - 2) == "&"))
+      return;
+    const auto known = types_.find(std::string(after()));
+    const bool has_type = known != types_.end() && !known->second.starts_with("auto ");
+    if (after() == "std" || is_numeral(after()) || (has_type && is_scalar(at_ + 1, end_of_factor(at_ + 1)))) return;
+    for (const auto& [name, type] : types_) {
+      if (type != "Matrix3d" || name == after() || !is_visible(name)) continue;
+      insert_after(VariantKind::matrix, "a matrix in front", "WorkbookMatrix{true, " + name + "}");
+      insert_after(VariantKind::matrix, "a matrix in front", "WorkbookMatrix{true, " + name + ".transpose()}");
+    }
+  }
+
+  /// `x = a` in a loop as `x += a`, and the other way round.
+  void assignments() {
+    constexpr std::ptrdiff_t most = 6;
+    if (all_bugs_ || !is_one_of(here(), {";", "{", "}", ")"}) || !types_.contains(std::string(after())) ||
+        is_declared_at(at_ + 1) || std::ranges::count(found_, VariantKind::assignment, &Variant::kind) >= most)
+      return;
+    const std::string& type = types_.at(std::string(after()));
+    const std::size_t sign = end_of_target(at_ + 1);
+    const std::string written(token(sign));
+    const auto put = [&](const std::string& other) {
+      add(VariantKind::assignment, "`" + other + "` in place of `" + written + "`", at_ + 1,
+          {replaced(sign, sign, other)});
+    };
+    if (is_one_of(written, {"+=", "*="})) put("=");
+    if (written != "=" || !is_repeated(at_ + 1)) return;
+    if (type != "Quaterniond") put("+=");
+    if (is_one_of(type, {"double", "Matrix3d", "Quaterniond"}) && sign == at_ + 2) put("*=");
+  }
+
+  /// Does a loop repeat the statement here?
+  bool is_repeated(std::size_t index) const {
+    const auto ends_head = [&](std::size_t close) {
+      return token(close) == ")" && source_.partner_of(close) > 0 &&
+             is_one_of(token(source_.partner_of(close) - 1), {"for", "while"});
+    };
+    if (ends_head(index - 1)) return true;
+    for (std::size_t open = source_.opening_around(index); open > 0 && token(open) == "{";
+         open = source_.opening_around(open))
+      if (ends_head(open - 1) || token(open - 1) == "do") return true;
+    return false;
   }
 
   /// `a * b - c / d` as `a * (b - c) / d`.
@@ -802,21 +956,17 @@ class SourceMutations {
              (token(last) == ")" && is_one_of(token(last - 2), {"transpose", "inverse", "toRotationMatrix"}));
     };
     const auto may_be = [&](std::size_t first, std::size_t last) {
-      return is_matrix(first, last) || (token(last) == ")" && is_identifier(token(first)) && token(first) != "std" &&
-                                        !types_.contains(std::string(token(first))));
+      return is_matrix(first, last) ||
+             (token(last) == ")" && is_identifier(token(first)) && token(first) != "std" &&
+              !token(first).starts_with("Vector") && !types_.contains(std::string(token(first))));
     };
     const std::size_t left = operand_of(at_), right = at_ + 1, end = end_of_factor(right);
     if (is_one_of(token(left - 1), {"/", "*"}) || is_one_of(token(end + 1), {"*", "/"}) || !may_be(left, at_ - 1) ||
         !may_be(right, end) || !(is_matrix(left, at_ - 1) || is_matrix(right, end)) ||
         std::ranges::count(found_, order_words, &Variant::words) >= most)
       return;
-    const auto text = [&](std::size_t first, std::size_t last) {
-      const Token& of_end = source_.tokens()[last];
-      const std::size_t begin = source_.tokens()[first].offset;
-      return source_.text().substr(begin, of_end.offset + of_end.text.size() - begin);
-    };
     add(VariantKind::brackets, order_words, at_,
-        {replaced(left, at_ - 1, text(right, end)), replaced(right, end, text(left, at_ - 1))});
+        {replaced(left, at_ - 1, text_of(right, end)), replaced(right, end, text_of(left, at_ - 1))});
   }
 
   /// `A * v.cross(w)` as `(A * v).cross(w)`.
@@ -913,11 +1063,12 @@ class SourceMutations {
   std::map<std::string, std::string> types_;                                 ///< of arguments and local variables
   std::set<std::string> constants_;                                          ///< of these
   std::map<std::string, Unit, std::less<>> units_;                           ///< of arguments
-  std::map<std::string, std::pair<std::size_t, std::size_t>> scopes_;        ///< of local variables
+  std::map<std::string, std::vector<Scope>> scopes_;                         ///< of local variables
   std::map<std::pair<std::string, std::string>, std::vector<Edit>> places_;  ///< of one text in place of another
-  std::pair<std::size_t, std::size_t> body_ = {0, last_token_looked_at};     ///< of the exercise's function
-  std::vector<Lambda> closed_;                                               ///< without a default of their captures
-  std::vector<std::pair<std::string, std::string>> angles_;                  ///< an argument, and the angle in it
+  Scope body_ = {0, last_token_looked_at};                                   ///< of the exercise's function
+  std::vector<Operand> operands_;
+  std::vector<Lambda> closed_;                               ///< without a default of their captures
+  std::vector<std::pair<std::string, std::string>> angles_;  ///< an argument, and the angle in it
   static constexpr const char* order_words = "the two matrices in the other order";
   std::vector<Variant> found_;
   std::size_t at_ = 0, first_ = 0, last_ = 0;
@@ -1061,6 +1212,8 @@ std::vector<Variant> branch_variants(const SourceText& source) {
     if (tokens[k].text == "if" && tokens[k + 1].text == "(") {
       const std::size_t close = source.partner_of(k + 1);
       if (close + 1 >= last || close < k + 3) continue;
+      std::size_t condition = close;  // behind what `if (const double x = f(y); x > 0)` declares
+      while (condition > k + 2 && tokens[condition - 1].text != ";") --condition;
       std::size_t body_end = close + 1;
       if (tokens[body_end].text == "{") {
         body_end = source.partner_of(body_end);
@@ -1068,7 +1221,7 @@ std::vector<Variant> branch_variants(const SourceText& source) {
         while (body_end + 1 < last && tokens[body_end].text != ";")
           body_end = opens(tokens[body_end].text) ? source.partner_of(body_end) + 1 : body_end + 1;
       }
-      add(k, {k + 2, close - 1}, {close + 1, std::min(body_end, last - 1)});
+      add(k, {condition, close - 1}, {close + 1, std::min(body_end, last - 1)});
     } else if (tokens[k].text == "?") {
       const std::size_t end = conditions.end_of_operand(k), begin = conditions.begin_of_operand(k);
       if (begin < k && end < last && tokens[end].text == ":") add(begin, {begin, k - 1}, {k + 1, end - 1});

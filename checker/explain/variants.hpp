@@ -19,13 +19,18 @@ struct Edit {
   std::size_t operand = std::string_view::npos;  ///< of a method's call: where that begins of which it is called
 };
 
-/// What is changed: slips (`inverse` is one over a factor; `steps` are many more steps of a loop); the condition of a
-/// branch, which throws where it is true, never is true or always is; what needs a copy of the file. `brackets` stand
-/// around a sum, and `overwritten` is a value that the line above has changed.
+/// What is changed: slips (`inverse` is one over an operand, `power` its square, root, absolute value, transpose or
+/// unit vector, `term` and `matrix` what is missing before a sum or a product; `steps` are many more steps of a loop);
+/// the condition of a branch, which throws where it is true, never is true or always is; what needs a copy of the file.
+/// `brackets` stand around a sum, `overwritten` is a value that the line above has changed, `assignment` another = or
+/// +=.
 enum class VariantKind {
   sign,
   factor,
   inverse,
+  power,
+  term,
+  matrix,
   steps,
   number,
   index,
@@ -36,6 +41,7 @@ enum class VariantKind {
   guard,
   brackets,
   overwritten,
+  assignment,
   branch,
   branch_off,
   branch_on,

@@ -82,6 +82,7 @@ void check_slips(const std::string& title) {
     const auto found = Attempt(each.text).slip();
     std::string told = found ? fmt::format("{} {}:{}", found->name, found->line, found->column) : "nothing";
     if (found && found->name == "branch") told += " " + found->sentence;
+    INFO((found ? found->sentence : std::string()));
     CHECK(told == each.said);
   }
   CHECK(nothing_left_running());
