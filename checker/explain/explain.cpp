@@ -7,7 +7,7 @@ namespace workbook {
 namespace {
 
 /// When an explainer is asked, if no reason has been found by then.
-enum class When { exception, no_value, values, wrong_value };
+enum class When { no_return, no_value, values, wrong_value };
 
 /// From the most certain reason on.
 // clang-format off
@@ -15,7 +15,7 @@ constexpr struct {
   When when;
   Explainer* look;
 } explainers[] = {
-    {When::exception, explain_slips_of_language},
+    {When::no_return, explain_slips_of_language},
     {When::no_value, explain_failed_call},
     {When::values, explain_fixed_mistakes},
     {When::values, explain_slips_of_language},
@@ -29,10 +29,11 @@ constexpr struct {
 // clang-format on
 
 bool is_due(When when, Verdict verdict) {
-  return when == When::exception  ? verdict == Verdict::uncaught_exception
+  using enum Verdict;
+  return when == When::no_return  ? verdict == uncaught_exception || verdict == crashed || verdict == time_limit
          : when == When::no_value ? !has_values(verdict)
          : when == When::values   ? has_values(verdict)
-                                  : verdict == Verdict::wrong_value;
+                                  : verdict == wrong_value;
 }
 
 }  // namespace

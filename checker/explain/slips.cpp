@@ -5,8 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <optional>
+#include <cctype>
+#include <map>
+#include <set>
 
 namespace workbook {
 
@@ -23,6 +24,7 @@ struct Slip {
   const char* pattern = "";
   const char* change = "";  ///< in the place of $2
   const char* sentence = "";
+  std::size_t group = 2;  ///< or of another one
 };
 
 constexpr Slip slip_table[] = {
@@ -52,11 +54,40 @@ constexpr Slip slip_table[] = {
      "After the start comes the end, and then the step: these two are exchanged."},
     {"other_method", R"(\.\s*(cwiseInverse)\s*\()", "inverse",
      "cwiseInverse() takes 1/x of each entry; the inverse matrix is A.inverse()."},
-    {"other_method", R"(\.\s*(colwise)\s*\(\s*\)\s*\.)", "rowwise",
-     "colwise() has a result for each column; that over all columns is rowwise()."},
+    {"entrywise_product", R"((\.\s*cwiseProduct)\s*\()", " * ",
+     "cwiseProduct() multiplies entry by entry; the product of matrices is A * B."},
+    {"length_not_1", R"((\b\w+)\s*\.\s*toRotationMatrix\b)", "Eigen::Quaterniond($2).normalized()",
+     "A quaternion is a rotation only if its length is 1: take `$2.normalized()`."},
+    {"square_of_length", R"(\bstd\s*::\s*(norm)\s*\()", "abs",
+     "std::norm of a complex number is the square of its length, which is std::abs."},
+    {"truth_value", R"(\b(bool)\s+(\w+)\s*[=({])", "double",
+     "A bool is only true or false, 1 or 0, and no other number: make `$3` an int or a double."},
+    {"unsigned_number", R"(\b((?:std\s*::\s*)?size_t|unsigned(?:\s+(?:int|long))?)\s+(\w+)\s*[={])", "long",
+     "An unsigned number is never negative, and wraps around to a very large one: make `$3` an int."},
+    {"base_first", R"(\bpow\s*\(()" PART "," PART R"()\))", "$4, $3", "The base comes first in pow(base, exponent)."},
+    {"size_first", R"(\bcopysign\s*\(()" PART "," PART R"()\))", "$4, $3",
+     "The size comes first in copysign(size, sign)."},
+    {"number_first", R"(\bclamp\s*\(()" PART "," PART "," PART R"()\))", "$4, $3, $5",
+     "The number itself comes first in clamp(x, lowest, highest)."},
+    {"modulus_first", R"(\bellint_[12]\s*\(()" PART "," PART R"()\))", "$4, $3",
+     "The modulus k comes first in ellint_1(k, phi), and then the angle."},
+    {"modulus_squared", R"(\b(?:comp_)?ellint_[12]\s*\(()" PART R"()[,)])", "std::sqrt($3)",
+     "These functions take the modulus k itself, and not its square m as in other tools: put in a root."},
+    {"modulus_first", R"(\bjacobi_\w+\s*\(()" PART "," PART R"()[,)])", "$4, $3",
+     "The modulus k comes first in jacobi_elliptic(k, u, &cn, &dn), and then the argument."},
+    {"cn_before_dn", R"(\bjacobi_elliptic\s*\((?:)" ANY R"(,){2}()" PART "," PART R"()\))", "$4, $3",
+     "The place for cn comes before that for dn in jacobi_elliptic(k, u, &cn, &dn)."},
+    {"last_whole_step", R"(\b(integrate_const)\b)", "integrate_adaptive",
+     "integrate_const stops at the last whole step before the end; integrate_adaptive goes on to the end."},
+    {"any_order", R"(\b(EigenSolver)\s*<)", "SelfAdjointEigenSolver",
+     "EigenSolver returns its eigenvalues in no certain order; Eigen::SelfAdjointEigenSolver in ascending order."},
+    {"row_first", R"(\bblock\s*<[^<>]*>\s*\(()" PART "," PART R"()\))", "$4, $3",
+     "The row comes first, and then the column, in block<3, 3>(row, column)."},
+    {"copy_of_itself", R"(\bfunction\s*<[^;{}]*>\s*(\w+)\s*(?:;\s*\w+\s*)?=\s*\[([^\]&]*)\])", "&",
+     "The lambda keeps a copy of `$2` from before it was given this lambda: write [&].", 3},
+    {"other_method", R"(\.\s*(colwise)\s*\(\s*\)\s*\.\s*(?:sum|mean|prod|norm|squaredNorm|maxCoeff|minCoeff)\b)",
+     "rowwise", "colwise() has a result for each column; that over all columns is rowwise()."},
 };
-#undef ANY
-#undef PART
 
 class Slips {
  public:
@@ -64,9 +95,13 @@ class Slips {
     for (Variant& each : one_token_variants(source, exercise)) of_variant(std::move(each));
     for (const Slip& slip : slip_table)
       for (const Match& read : search_all(source.text(), brackets + std::string(slip.pattern)))
-        add(slip.name, read.fill(slip.sentence), source.place_of(read.offsets[2]),
-            {{read.offsets[2], read[2].size(), read.fill(slip.change)}});
-    for (std::size_t k = 2; k + 2 < source.tokens().size(); ++k) sum_that_goes_on(k);
+        add(slip.name, read.fill(slip.sentence), source.place_of(read.offsets[slip.group]),
+            {{read.offsets[slip.group], read[slip.group].size(), read.fill(slip.change)}});
+    for (std::size_t k = 2; k + 2 < source.tokens().size(); ++k) {
+      begins_anew(k);
+      goes_on(k);
+    }
+    counts_from_one();
     for (const Argument& argument : exercise.arguments)
       if (argument.kind == Kind::points)
         for (const auto& [method, what] : {std::pair{"size", "counts all entries"}, {"rows", "is 3"}})
@@ -78,6 +113,9 @@ class Slips {
         "other_method", "resize", "conservativeResize",
         "resize() drops what a matrix holds: give it its size before the loop, or use conservativeResize().");
     sizes_for_ends();
+    entry_by_entry();
+    other_everywhere("arguments_of_atan2", "atan2", "[](auto x, auto y) { return std::atan2(y, x); }",
+                     "The y comes first in atan2(y, x): here it stands behind the x.");
     other_everywhere("rows_for_columns", "row", "col",
                      "Here, and wherever else row() stands, col() is right: rows are mixed up with columns.");
     other_everywhere("rows_for_columns", "col", "row",
@@ -136,64 +174,161 @@ class Slips {
     return std::ranges::count(between, ';') == 1 && between.find(name, name.size()) < between.find(';');
   }
 
-  /// double sum = 0; for (…) { for (…) sum += …; R(i, j) = sum; }
-  void sum_that_goes_on(std::size_t at) {
-    const std::string_view sum = token(at);
-    if (token(at - 1) != "=" || token(at + 1) != ";" || !is(at - 2, {")", "]"})) return;
-    const std::size_t body = source_.opening_around(at);
-    const std::size_t head = body > 0 && token(body - 1) == ")" ? source_.partner_of(body - 1) : 0;
-    if (token(body) != "{" || head == 0 || token(head - 1) != "for") return;
-    bool is_added_to = false;
-    for (std::size_t k = body; k < source_.partner_of(body); ++k) {
-      if (token(k) == sum && is(k + 1, {"=", ".", "("})) return;  // it begins anew
-      is_added_to = is_added_to || (token(k) == sum && is(k + 1, {"+=", "-="}));
+  /// double sum = 0; for (…) { for (…) sum += …; R(i, j) = sum; }: what is declared before a loop and only added to in
+  /// it
+  void begins_anew(std::size_t head) {
+    const std::size_t body =
+        is(head, {"for", "while"}) && token(head + 1) == "(" ? source_.partner_of(head + 1) + 1 : 0;
+    if (body == 0 || token(body) != "{") return;
+    const std::size_t end = source_.partner_of(body);
+    std::map<std::string, Edit> resets;
+    std::set<std::string> set_here;  // they begin anew
+    for (std::size_t k = body + 1; k < end; ++k) {
+      if (is(k - 1, {".", "->", "::"}) || token(k).empty() ||
+          std::isalpha(static_cast<unsigned char>(token(k)[0])) == 0)
+        continue;
+      const std::string name(token(k));
+      if (token(k + 1) == "=") set_here.insert(name);
+      std::size_t sign = k + 1;
+      while (is(sign, {"(", "["})) sign = source_.partner_of(sign) + 1;
+      if (is(sign, {"+=", "-="}))
+        if (const std::string first = first_value(name, head); first.starts_with('0') || first.ends_with("Zero()"))
+          resets[name] = {source_.tokens()[body].offset + 1, 0, fmt::format(" {} = {};", name, first)};
     }
-    if (is_added_to)
+    for (const std::string& name : set_here) resets.erase(name);
+    for (const auto& [name, edit] : resets)
       add("sum_that_goes_on",
           fmt::format("`{}` still holds what the turns of this loop before have added: let it begin anew in each.",
-                      sum),
-          head - 1, {{source_.tokens()[body].offset + 1, 0, fmt::format(" {} *= 0;", sum)}});
-  }
-
-  /// v.segment(0, 1) for the components 0 and 1
-  void sizes_for_ends() {
-    std::vector<Edit> edits;
-    std::size_t found = 0;
-    for (std::size_t k = 1; k + 4 < source_.tokens().size(); ++k) {
-      const std::optional<int> first = whole_number(k + 1), last = whole_number(k + 3);
-      if (token(k - 1) != "segment" || token(k) != "(" || token(k + 4) != ")" || !first || !last || *last < *first)
-        continue;
-      if (edits.empty()) found = k - 1;
-      edits.push_back(replaced(k + 3, k + 3, std::to_string(*last - *first + 1)));
+                      name),
+          body, {edit});
+    if (resets.size() < 2) return;
+    Edit all{source_.tokens()[body].offset + 1, 0, ""};
+    std::string names;
+    for (const auto& [name, edit] : resets) {
+      all.replacement += edit.replacement;
+      names += fmt::format("{}`{}`", names.empty() ? "" : ", ", name);
     }
-    if (!edits.empty())
-      add("size_for_end", "The last number of segment() is a size, not an end: segment(first, how many).", found,
-          edits);
+    add("sum_that_goes_on",
+        fmt::format("{} still hold what the turns of this loop before have added: let them begin anew in each.", names),
+        head, {all});
   }
-  std::optional<int> whole_number(std::size_t index) const {
-    const std::string_view text = token(index);
-    int number = 0;
-    const bool is_whole =
-        std::from_chars(text.data(), text.data() + text.size(), number).ptr == text.data() + text.size();
-    return is_whole && !text.empty() ? std::optional(number) : std::nullopt;
+  /// while (…): its condition says when to go on, and something in it has to change.
+  void goes_on(std::size_t head) {
+    if (token(head) != "while" || token(head + 1) != "(") return;
+    const std::size_t close = source_.partner_of(head + 1);
+    for (std::size_t k = head + 2; k < close; ++k)
+      if (is(k, {"<", "<=", ">", ">="})) {
+        add("loop_condition",
+            "The loop goes on as long as this is true, and not until it is: turn the comparison round.", k,
+            {replaced(k, k, token(k)[0] == '<' ? ">" : "<")});
+        break;
+      }
+    const bool is_behind = token(close + 1) == ";";  // do { … } while (…);
+    const std::size_t open = is_behind ? source_.partner_of(head - 1) : close + 1;
+    if (token(open) != "{") return;
+    for (std::size_t k = head + 2; k + 3 < close; ++k) {
+      if (token(k) != "abs" || token(k + 1) != "(" || token(k + 3) != "-" || token(k + 5) != ")") continue;
+      std::string last(token(k + 2)), before(token(k + 4));
+      if (!is_set(last, open)) std::swap(last, before);
+      if (is_set(last, open) && !is_set(before, open))
+        add("never_taken_over",
+            fmt::format("`{}` keeps its value in this loop: give it that of `{}` before the next one is computed.",
+                        before, last),
+            head, {{source_.tokens()[open].offset + 1, 0, fmt::format(" {} = {};", before, last)}});
+    }
+  }
+  bool is_set(const std::string& name, std::size_t open) const {
+    for (std::size_t k = open; k < source_.partner_of(open); ++k)
+      if (token(k) == name && is(k + 1, {"=", "+=", "-=", "*=", "/="})) return true;
+    return false;
   }
 
-  /// Where it is exchanged wherever it is called, or called of one object.
+  /// What is declared before, as in `double sum = 0, product = 1;`; nothing where it has no value.
+  std::string first_value(const std::string& name, std::size_t before) const {
+    for (std::size_t k = before; k-- > 2;) {
+      if (token(k) != name || token(k + 1) != "=" || is(k - 1, {".", "::", ";", "{", "}", ")"})) continue;
+      std::size_t last = k + 2;
+      while (!is(last + 1, {",", ";", ""})) last = opens(token(last + 1)) ? source_.partner_of(last + 1) : last + 1;
+      const std::size_t begin = source_.tokens()[k + 2].offset;
+      return std::string(source_.text().substr(begin, source_.tokens()[last].offset + token(last).size() - begin));
+    }
+    return "";
+  }
+
+  /// A.col(1) and v.segment(1, 2) for the first ones
+  void counts_from_one() {
+    std::vector<Edit> edits;
+    for (const Match& read :
+         search_all(source_.text(),
+                    R"(\.\s*(?:segment|middleCols|middleRows|col|row)\s*(?:<\s*\d\s*>\s*)?\(\s*(\d)\s*[,)])")) {
+      if (read[1] == "0") return;
+      edits.push_back({read.offsets[1], 1, std::to_string(std::stoi(read[1]) - 1)});
+    }
+    if (edits.empty()) return;
+    const Place place = source_.place_of(edits[0].offset);
+    add("counts_from_one",
+        "Indices start at 0: the first column is A.col(0), the first two entries are v.segment(0, 2).", place,
+        std::move(edits));
+  }
+
+  /// v.segment(from, to), A.middleCols(from, to) and A.block(row, column, to row, to column), with or without that end
+  void sizes_for_ends() {
+    for (const char* more : {"", " + 1"}) {
+      std::vector<Edit> edits;
+      std::string method;
+      for (const Match& read : search_all(
+               source_.text(), brackets + R"(\.\s*(segment|middleCols|middleRows)\s*\()" PART "," PART R"(\))")) {
+        method = read[2];
+        edits.push_back({read.offsets[4], read[4].size(), fmt::format("{} - ({}){}", read[4], read[3], more)});
+      }
+      for (const Match& read :
+           search_all(source_.text(), brackets + R"(\.\s*(block)\s*\()" PART "," PART "," PART "," PART R"(\))")) {
+        method = read[2];
+        for (const std::size_t k : {5, 6})
+          edits.push_back({read.offsets[k], read[k].size(), fmt::format("{} - ({}){}", read[k], read[k - 2], more)});
+      }
+      if (edits.empty()) continue;
+      const Place place = source_.place_of(edits[0].offset);
+      const char* shown = method == "block" ? "row, column, how many rows, how many columns" : "first, how many";
+      add("size_for_end", fmt::format("{0}() takes sizes, and not ends: {0}({1}).", method, shown), place,
+          std::move(edits));
+    }
+  }
+
+  /// A.array() * B.array() for A * B
+  void entry_by_entry() {
+    std::vector<Edit> edits;
+    for (const Match& read : search_all(source_.text(), R"(\.\s*(?:array|matrix)\s*\(\s*\))"))
+      edits.push_back({read.offsets[0], read[0].size(), ""});
+    const std::size_t calls = edits.size();
+    for (const Match& read : search_all(source_.text(), R"(\bArray(?:3(?=3d\b)|X(?=Xd\b)|(?=3Xd\b)))"))
+      edits.push_back({read.offsets[0], read[0].size(), "Matrix"});
+    if (calls == 0) return;
+    const Place place = source_.place_of(edits[0].offset);
+    add("entrywise_product", "The * of arrays multiplies entry by entry: leave .array() out for a product of matrices.",
+        place, std::move(edits));
+  }
+
+  /// A method, or a function of std, that is exchanged wherever it is called, or called of one object.
   void other_everywhere(const char* name, std::string_view method, const char* other, const std::string& sentence,
                         std::string_view object = "") {
     std::vector<Edit> edits;
     std::size_t first = 0;
+    const bool is_function = other[0] == '[';
     for (std::size_t k = 2; k + 1 < source_.tokens().size(); ++k) {
-      if (token(k) != method || token(k - 1) != "." || token(k + 1) != "(") continue;
+      if (token(k) != method || token(k + 1) != "(" || (token(k - 1) != ".") != is_function) continue;
       if (!object.empty() && token(k - 2) != object) continue;
       if (edits.empty()) first = k;
-      edits.push_back(replaced(k, k, other));
+      edits.push_back(replaced(token(k - 1) == "::" ? k - 2 : k, k, other));
     }
     if (!edits.empty()) add(name, sentence, first, edits);
   }
 
   const SourceText& source_;
 };
+
+#undef ANY
+#undef PART
 
 }  // namespace
 
