@@ -90,6 +90,17 @@ void judge_angular_velocity_from_three_points(Lecture& lecture) {
       });
   e.wrong("This is the rate at which the first point goes round the origin, as if the body rotated about the origin.",
           "translation_kept", [](auto& r, auto& v) { return cross(r.col(0), v.col(0)) / r.col(0).squaredNorm(); });
+  e.wrong("The first point counts as at rest; ω shows in the differences of velocities too.", "first_point_at_rest",
+          [](auto& r, auto& v) -> Vector3d {
+            Matrix3d normal = Matrix3d::Zero();
+            Vector3d sum = zero;
+            for (const int k : {1, 2}) {
+              const Vector3d side = r.col(k) - r.col(0), velocity = v.col(k);
+              normal -= skew(side) * skew(side);
+              sum += cross(side, velocity);
+            }
+            return normal.inverse() * sum;
+          });
   e.wrong(
       "Positions and velocities themselves are taken, as if the origin were a point of the body at rest; ω shows in "
       "their differences from point to point.",

@@ -24,6 +24,9 @@ void judge_foucault_period(Lecture& lecture) {
   e.wrong_input<1>(solar, "solar_day_fixed", fixed(86400.0));
   e.wrong_input<1>("Your answer does not follow the argument sidereal_day; it is right only for our Earth.",
                    "earth_fixed", fixed(our_sidereal_day));
+  e.wrong(
+      "This is how far the plane turns against the stars; the floor has made a whole turn, and the difference counts.",
+      "against_the_stars", [](auto latitude, auto day) { return day / (1 - sin(latitude)); });
   e.wrong("This is T sin λ; the plane turns more slowly away from the pole, so the time is longer than a day: divide.",
           "times_sine", [](auto latitude, auto day) { return day * sin(latitude); });
   e.wrong("The latitude enters with its tangent; the vertical part of the rotation is Ω sin λ.", "tangent",

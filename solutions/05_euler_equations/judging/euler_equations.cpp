@@ -31,6 +31,10 @@ void judge_euler_equations(Lecture& lecture) {
   e.wrong(indices_shifted, "indices_shifted", [](auto& I, auto& w, auto& tau) -> Vector3d {
     return (tau - L_of(shifted(differences(I)), products(w))).cwiseQuotient(I);
   });
+  e.wrong("Each equation has the square of its own component; there belongs the product of the two others.",
+          "own_squares", [](auto& I, auto& w, auto& tau) -> Vector3d {
+            return (tau - L_of(differences(I), w.cwiseAbs2())).cwiseQuotient(I);
+          });
   e.wrong_terms(torque_missing, "no_torque", {0, -1, 1});
   e.wrong_terms(torque_sign, "sign_of_torque", {-1, -1, 1});
   e.wrong("The torque must be divided by Iᵢ too, like the other summand of τᵢ − (ω × L)ᵢ.", "torque_not_divided",

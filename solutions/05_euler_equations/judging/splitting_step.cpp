@@ -77,6 +77,13 @@ void judge_splitting_step(Lecture& lecture) {
               return first;
             });
           });
+  e.wrong(
+      "Each stage is the midpoint rule here, which takes the half angle for its tangent; L turns by the whole angle "
+      "exactly.",
+      "midpoint_stages", [](auto& I, auto& w, auto h) {
+        return after(I, w, {{0, h / 2}, {1, h / 2}, {2, h}, {1, h / 2}, {0, h / 2}},
+                     [&](auto& L, auto& stage) { return -2 * atan(stage.time * L[stage.axis] / I[stage.axis] / 2); });
+      });
   e.wrong("Your stages turn ω itself; what keeps its length in each stage is L.", "omega_turned",
           [](auto&, auto& w, auto h) {
             const Vector3d ones = Vector3d::Ones();

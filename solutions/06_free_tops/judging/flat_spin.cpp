@@ -37,6 +37,15 @@ void judge_flat_spin(Lecture& lecture) {
           "energy_kept", [](auto& I, auto& w) { return Vector2d(0, sqrt(I.dot(w.cwiseAbs2()) / I.maxCoeff())); });
   e.wrong("This ends about the axis of the smallest moment, where the energy at given L is largest.", "smallest_axis",
           [](auto& I, auto& w) { return ending_with(I.minCoeff(), I, w); });
+  e.wrong(
+      "This ends about the axis round which L goes at first; with friction the axis of the smallest moment is not "
+      "stable either.",
+      "first_axis", [](auto& I, auto& w) {
+        Vector3d moments = I;
+        std::sort(moments.begin(), moments.end());
+        const Vector3d L = I.cwiseProduct(w);
+        return ending_with(L.squaredNorm() < L.dot(w) * moments[1] ? moments[0] : moments[2], I, w);
+      });
   e.wrong("This ends about axis 3, whichever moment it has; the moments come in any order.", "third_axis",
           [](auto& I, auto& w) { return ending_with(I[2], I, w); });
   e.wrong("The component about the axis of the largest moment is kept here, and the others stop; what stays is L.",

@@ -65,7 +65,7 @@ void judge_tumbling_period(Lecture& lecture) {
           with_K([](auto&) { return pi / 2; }));
   const Sentence cut_series = {
       "This is a series of K cut after a few terms; towards the separatrix it hardly converges.", modulus};
-  for (const int terms : {2, 3, 4})
+  for (int terms = 2; terms <= 10; ++terms)
     e.wrong(cut_series, "series_of_" + std::to_string(terms) + "_terms", with_K([=](auto& motion) {
               double sum = 0, coefficient = 1;
               for (int n = 1; n <= terms; ++n) {

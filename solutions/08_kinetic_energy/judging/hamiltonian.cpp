@@ -52,6 +52,11 @@ void judge_hamiltonian(Lecture& lecture) {
   e.wrong({"The relation that gives the momenta from L̃ is applied to the momenta; it must be solved for L̃.", notes},
           "B_transposed", with_L([](auto& q, auto& p) { return rate_axes(q).transpose() * p; }));
   e.wrong_input<0>(exchanged_moments, "zxz", exchange(0, 1));
+  e.wrong("The mean of I₁ and I₂ stands for both; the energy depends on how they lie across the axis, by ψ.",
+          "mean_moment", [](auto& I, auto& q, auto& p) {
+            const double mean = (I[0] + I[1]) / 2;
+            return hamiltonian(Vector3d(mean, mean, I[2]), q, p);
+          });
   e.wrong("The whole of p_φ counts as momentum across the axis; a part of it belongs to L̃₃.", "no_coupling",
           with_L([](auto& q, auto& p) { return L_of_momenta<double>(q, p + p[2] * cos(q[1]) * x_axis); }));
   e.wrong("The part of p_φ that L̃₃ makes is added; it must be taken away.", "coupling_sign",

@@ -55,6 +55,20 @@ void mistakes_of_heavy_top_accelerations(Exercise& e) {
           "about_vertical", [](auto& I, auto mgl, auto& q, auto& v) {
             return weightless(I, q, v) + by_torque(I, q, mgl * sin(q[1]) * x_axis);
           });
+  e.wrong("The momentum of ψ is constant here; with different moments across the axis the energy depends on ψ.",
+          "psi_cyclic", [](auto& I, auto mgl, auto& q, auto& v) {
+            const auto M = [&](const Eigen::Vector3cd& ahead) { return mass_matrix(I, ahead); };
+            const Vector3d along_theta = derivative_along(q, y_axis, M) * v;
+            return by_torque(I, q,
+                             (mgl * sin(q[1]) + 0.5 * v.dot(along_theta)) * y_axis - derivative_along(q, v, M) * v);
+          });
+  e.wrong("The derivative of the energy with respect to the angles is twice too large: its factor of one half is lost.",
+          "energy_twice", [](auto& I, auto mgl, auto& q, auto& v) {
+            const auto M = [&](const Eigen::Vector3cd& ahead) { return mass_matrix(I, ahead); };
+            Vector3d force = mgl * sin(q[1]) * y_axis;
+            for (int i = 0; i < 3; ++i) force[i] += v.dot(derivative_along(q, Vector3d::Unit(i), M) * v);
+            return by_torque(I, q, force - derivative_along(q, v, M) * v);
+          });
   e.template wrong_input<0>(exchanged_moments.text, "zxz", exchange(0, 1));
   e.template wrong_input<2>(phi_for_psi.text, "phi_for_psi", exchange(0, 2));
 }

@@ -66,6 +66,13 @@ void judge_azimuth_rate(Lecture& lecture) {
     const Vector3d L = L_of(I, w);
     return L.norm() * (w.dot(L) / 2 - L[2] * w[2]) / (L[0] * L[0] + L[1] * L[1]);
   });
+  e.wrong(
+      "All the speed of the tip is divided by its distance from L; the nutation, towards L and away from it, is no "
+      "part of the azimuth's rate.",
+      "whole_speed", [](auto& I, auto& w) {
+        const Vector3d up = L_of(I, w).normalized();
+        return hypot(w[0], w[1]) / hypot(up[0], up[1]);
+      });
   e.wrong("This is how fast axis 1 goes round L; asked for is axis 3.", "axis_1",
           [](auto& I, auto& w) { return rate_about_L(I, w, 0); });
   e.wrong(

@@ -65,6 +65,15 @@ void judge_geometric_phase(Lecture& lecture) {
   e.wrong("This is the solid angle of a circle through the start; the angle from the axis changes along the curve.",
           "circle",
           [](auto& I, auto& w) { return 2 * pi * (1 - abs(L_of(I, w).normalized()[is_round_3(I, w) ? 2 : 0])); });
+  e.wrong("The mean of the two extreme cosines stands for the mean along the curve.", "mean_of_extremes",
+          [](auto& I, auto& w) {
+            double cosines = 0;
+            const int c = is_round_3(I, w) ? 2 : 0;
+            const Vector3d L = L_of(I, w);
+            for (const int other : {1, 2 - c})  // L² − 2T I of the other axis, where the third component vanishes
+              cosines += sqrt(I[c] * abs(L.dot(L - I[other] * w)) / abs(I[c] - I[other])) / L.norm();
+            return 2 * pi * (1 - cosines / 2);
+          });
   e.wrong("This is the solid angle of the direction of ω; asked for is that of the direction of L.", "of_omega",
           [](auto& I, auto& w) {
             const int a = is_round_3(I, w) ? 0 : 2, c = 2 - a;

@@ -85,6 +85,13 @@ void judge_attitude_from_rates(Lecture& lecture) {
               return A * rotation_by((t[k] - t[k - 1]) * Vector3d(omega.col(k)));
             });
           });
+  e.wrong("Each of your steps is two half ones, by the earlier rate and by the later; it is one by their mean.",
+          "half_steps", [](auto& t, auto& omega) {
+            return stepped(t, omega, [&](auto& A, auto&, auto k) {
+              const double half = (t[k] - t[k - 1]) / 2;
+              return A * rotation_by(half * Vector3d(omega.col(k - 1))) * rotation_by(half * Vector3d(omega.col(k)));
+            });
+          });
   e.wrong("The rotation vectors of all steps are added, and that is one rotation; rotations follow each other.",
           "angles_added", [](auto& t, auto& omega) {
             Vector3d sum = zero;
