@@ -524,11 +524,13 @@ std::optional<Reason> slip_or_branch(const DiagnosticTask& task, const Toolchain
              return taken && !is_mixed(*taken);
            });
   };
-  // Another number may stand for many a mistake: it comes last, and where few cases fail it may only move rounding.
+  // Another number may stand for many a mistake, and a last turn alone for a sum: they come last; where few cases fail
+  // a number may only move rounding.
   const auto rank = [&](std::size_t k) {
     const VariantKind kind = variants[k].kind;
     const bool is_tangent = kind == VariantKind::function && variants[k].edits.front().replacement == "std::tan";
-    return kind == VariantKind::guard ? 3 : is_factor(variants[k]) ? 2 : kind == VariantKind::number || is_tangent;
+    const bool is_last = kind == VariantKind::number || kind == VariantKind::assignment || is_tangent;
+    return kind == VariantKind::guard ? 3 : is_factor(variants[k]) ? 2 : is_last;
   };
   std::vector<std::size_t> order(variants.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
