@@ -393,9 +393,11 @@ bool changes_copy(const SourceText& source, std::size_t brace, std::string_view 
 std::vector<std::size_t> changed_copies(const SourceText& source, std::size_t brace) {
   const std::vector<Token>& tokens = source.tokens();
   std::vector<std::size_t> names;
-  if (brace < 4 || tokens[brace].text != "{" || tokens[brace - 1].text != ")") return names;
-  const std::size_t open = source.partner_of(brace - 1);
-  const bool is_function = open > 1 && (is_one_of(tokens, open - 1, " ] ") || is_one_of(tokens, open - 2, " void "));
+  if (brace < 5 || tokens[brace].text != "{") return names;
+  const std::size_t close = tokens[brace - 1].text == "const" ? brace - 2 : brace - 1;
+  const std::size_t open = tokens[close].text == ")" ? source.partner_of(close) : 0;
+  const bool is_function = open > 2 && (is_one_of(tokens, open - 1, " ] ") || is_one_of(tokens, open - 2, " void ") ||
+                                        is_one_of(tokens, open - 3, " operator "));
   for (std::size_t k = brace; k < source.partner_of(brace); ++k)
     if (!is_function || (tokens[k].text == "return" && tokens[k + 1].text != ";")) return names;
   for (std::size_t k = open + 1; k < brace; ++k)

@@ -37,7 +37,8 @@ constexpr Slip slip_table[] = {
      "Quaterniond takes w first: Quaterniond(w, x, y, z), although coeffs() holds x, y, z, w."},
     {"size_in_bytes", R"((sizeof\s*\(\s*(\w+)\s*\)\s*/\s*sizeof\s*(?1)))", "$3.size()",
      "sizeof counts the bytes of the object, not its entries: these are `$3.size()`."},
-    {"columns_for_rows", R"(\bMap\s*<\s*(?:const\s+)?(Matrix3d))", "Eigen::Matrix<double, 3, 3, Eigen::RowMajor>",
+    {"columns_for_rows", R"(\bMap\s*<\s*(?:const\s+)?((?:Eigen\s*::\s*)?Matrix([234])d))",
+     "Eigen::Matrix<double, $3, $3, Eigen::RowMajor>",
      "Eigen reads a matrix column by column: numbers that stand side by side become columns."},
     {"columns_for_rows", R"(<<(?=\s*[A-Za-z])()" PART "," PART "," PART R"();)",
      "($3).transpose(), ($4).transpose(), ($5).transpose()",
@@ -56,6 +57,10 @@ constexpr Slip slip_table[] = {
      "cwiseInverse() takes 1/x of each entry; the inverse matrix is A.inverse()."},
     {"entrywise_product", R"((\.\s*cwiseProduct)\s*\()", " * ",
      "cwiseProduct() multiplies entry by entry; the product of matrices is A * B."},
+    {"entrywise_product", R"((\b(\w+)\s*\.\s*array\s*\(\s*\)\s*\.\s*square\s*\(\s*\)(?:\s*\.\s*matrix\s*\(\s*\))?))",
+     "($3 * $3)", "array().square() squares entry by entry; the square of a matrix is `$3 * $3`."},
+    {"discarded_result", R"([;{})]\s*\w+(?:\s*\.\s*\w+\s*(?1))?\s*(\*)(?!=)[^;={}]*;)",
+     "*=", "This product is computed and not kept: write *= in place of *."},
     {"length_not_1", R"((\b\w+)\s*\.\s*toRotationMatrix\b)", "Eigen::Quaterniond($2).normalized()",
      "A quaternion is a rotation only if its length is 1: take `$2.normalized()`."},
     {"square_of_length", R"(\bstd\s*::\s*(norm)\s*\()", "abs",
@@ -71,6 +76,8 @@ constexpr Slip slip_table[] = {
      "The number itself comes first in clamp(x, lowest, highest)."},
     {"modulus_first", R"(\bellint_[12]\s*\(()" PART "," PART R"()\))", "$4, $3",
      "The modulus k comes first in ellint_1(k, phi), and then the angle."},
+    {"modulus_first", R"(\bellint_3\s*\(()" PART "," PART R"()[,)])", "$4, $3",
+     "The modulus k comes first in ellint_3(k, n, phi), and then the characteristic n."},
     {"modulus_squared", R"(\b(?:comp_)?ellint_[12]\s*\(()" PART R"()[,)])", "std::sqrt($3)",
      "These functions take the modulus k itself, and not its square m as in other tools: put in a root."},
     {"modulus_first", R"(\bjacobi_\w+\s*\(()" PART "," PART R"()[,)])", "$4, $3",
@@ -216,13 +223,6 @@ class Slips {
   void goes_on(std::size_t head) {
     if (token(head) != "while" || token(head + 1) != "(") return;
     const std::size_t close = source_.partner_of(head + 1);
-    for (std::size_t k = head + 2; k < close; ++k)
-      if (is(k, {"<", "<=", ">", ">="})) {
-        add("loop_condition",
-            "The loop goes on as long as this is true, and not until it is: turn the comparison round.", k,
-            {replaced(k, k, token(k)[0] == '<' ? ">" : "<")});
-        break;
-      }
     const bool is_behind = token(close + 1) == ";";  // do { … } while (…);
     const std::size_t open = is_behind ? source_.partner_of(head - 1) : close + 1;
     if (token(open) != "{") return;
@@ -230,12 +230,19 @@ class Slips {
       if (token(k) != "abs" || token(k + 1) != "(" || token(k + 3) != "-" || token(k + 5) != ")") continue;
       std::string last(token(k + 2)), before(token(k + 4));
       if (!is_set(last, open)) std::swap(last, before);
-      if (is_set(last, open) && !is_set(before, open))
+      // Two that are both set may be equal too early, and then another comparison only goes on for ever.
+      if (is_set(last, open) && is_set(before, open)) return;
+      if (is_set(last, open))
         add("never_taken_over",
             fmt::format("`{}` keeps its value in this loop: give it that of `{}` before the next one is computed.",
                         before, last),
             head, {{source_.tokens()[open].offset + 1, 0, fmt::format(" {} = {};", before, last)}});
     }
+    for (std::size_t k = head + 2; k < close; ++k)
+      if (is(k, {"<", "<=", ">", ">="}))
+        return add("loop_condition",
+                   "The loop goes on as long as this is true, and not until it is: turn the comparison round.", k,
+                   {replaced(k, k, token(k)[0] == '<' ? ">" : "<")});
   }
   bool is_set(const std::string& name, std::size_t open) const {
     for (std::size_t k = open; k < source_.partner_of(open); ++k)

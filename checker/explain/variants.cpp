@@ -691,7 +691,7 @@ class SourceMutations {
   void loops() {
     if (!conditions_.in_loop(at_) || !is_one_of(here(), {"<", "<=", ">", ">=", "!="}) || all_bugs_) return;
     if (is_one_of(after(), whole_types) || is_one_of(after(), {"double", "std"})) return;  // `vector<double>`
-    if (!is_identifier(after()) && !is_numeral(after())) return;
+    if (!is_identifier(after()) && !(is_numeral(after()) && is_whole(at_ + 1))) return;
     const std::size_t behind = source_.tokens()[at_].offset + here().size();
     add(VariantKind::loop, "one step more", at_, {{behind, 0, "1"}});
     add(VariantKind::loop, "one step less", at_, {{behind, 0, "-1"}});
