@@ -122,7 +122,7 @@ class Slips {
     sizes_for_ends();
     entry_by_entry();
     other_everywhere("arguments_of_atan2", "atan2", "[](auto x, auto y) { return std::atan2(y, x); }",
-                     "The y comes first in atan2(y, x): here it stands behind the x.");
+                     "The y comes first in atan2(y, x): here the x is given first.");
     other_everywhere("rows_for_columns", "row", "col",
                      "Here, and wherever else row() stands, col() is right: rows are mixed up with columns.");
     other_everywhere("rows_for_columns", "col", "row",
