@@ -102,7 +102,8 @@ double behave(double x) {
         nothing = std::sqrt(nothing);  // endless_loop
       }
     case 151: for (;;) usleep(1000);  // endless_loop
-    case 152: for (;;) std::cout << "again and again\n";  // endless_printing
+    case 152: nothing = 0;  // endless_printing
+      for (;;) std::cout << "again and again\n";  // endless_printing
     case 160: return x / nothing;  // division_by_zero
     case 161: return nothing / nothing;  // division_by_zero
     case 162: return std::sqrt(-x);  // outside_domain
