@@ -472,7 +472,7 @@ CodeReasons code_reasons(const DiagnosticTask& task, const std::vector<Reason>& 
     std::ranges::move(fixed_by(variants[k]), std::back_inserter(reasons.reasons));
   }
   return reasons;
-} catch (const std::exception& x) {  // it is a help only; what matters has been judged
+} catch (const std::exception&) {  // it is a help only; what matters has been judged
   return {};
 }
 
