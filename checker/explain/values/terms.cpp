@@ -66,11 +66,10 @@ std::string sentence_of(const std::vector<WrongCoefficient>& wrong) {
   constexpr std::size_t most = 2;
   std::string text;
   for (std::size_t k = 0; k < std::min(wrong.size(), most); ++k) {
-    std::string actual = coefficient_text(wrong[k].actual);
-    std::string expected = coefficient_text(wrong[k].expected);
-    if (actual == expected) std::tie(actual, expected) = distinct_texts(wrong[k].actual, wrong[k].expected, 4);
+    const std::string actual = coefficient_text(wrong[k].actual);
     text += (k == 0 ? "The term " : ", and the term ") + wrong[k].term;
-    text += actual == "0" ? " is missing" : fmt::format(" enters with {}, expected {}", actual, expected);
+    text += actual == "0" ? " is missing"
+                          : fmt::format(" enters with {}, expected {}", actual, coefficient_text(wrong[k].expected));
   }
   const std::size_t others = wrong.size() - std::min(wrong.size(), most);
   if (others > 0) text += fmt::format("; {} more {} off", others, others == 1 ? "is" : "are");
@@ -147,6 +146,12 @@ std::optional<Reason> diagnose_terms(const ExerciseReference& exercise, const An
     }
   }
   if (wrong.empty() || is_multiple_of_right_answer(coefficients, right)) return std::nullopt;
+  // That is no other formula, but a sum or an integration in large steps.
+  constexpr double nearly = 3e-3;
+  if (std::ranges::all_of(wrong, [](const WrongCoefficient& each) {
+        return std::abs(each.actual - each.expected) < nearly * std::abs(each.expected);
+      }))
+    return std::nullopt;
   // Beside a coefficient that is wrong, one that is off in its last digits is no mistake of its own.
   const auto error = [](const WrongCoefficient& each) { return std::abs(each.actual - each.expected); };
   const double largest = error(*std::ranges::max_element(wrong, {}, error));
