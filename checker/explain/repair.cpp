@@ -303,16 +303,14 @@ VariantRunner::VariantRunner(const DiagnosticTask& task, std::vector<Variant>& v
 Reply VariantRunner::call(std::size_t variant, std::size_t case_index, long overdraft) {
   if (!work_left_) plan_work();
   const long work = std::max(1L << exponent_of(case_index), limits_.work / limits_.calls);
-  if ((*work_left_ -= work) < -overdraft || slow_ >= limits_.slow_variants) return {};
+  if ((*work_left_ -= work) < -overdraft || slow_ >= limits_.slow_calls) return {};
   return answer(variant, case_index);
 }
 
 Reply VariantRunner::answer(std::size_t variant, std::size_t case_index) {
-  // What calls no switch in its endless loop.
-  if (running_ != variant)
-    budget_ = {Clock::now() + std::chrono::duration_cast<Clock::duration>(limits_.one_variant),
-               limits_.one_variant.count(), limits::diagnostic_output};
-  running_ = variant;
+  // For what calls no switch in its endless loop.
+  budget_ = {Clock::now() + std::chrono::duration_cast<Clock::duration>(limits_.one_call),
+             limits::trial_processor_time.count(), limits::diagnostic_output};
   const auto planned = [&](std::size_t index) {
     const Case& one = task_.reference.cases[index];
     return PlannedCall{one.inputs, one.expected.rows, one.expected.cols};

@@ -35,8 +35,8 @@ struct TrialLimits {
   int compilations = limits::trial_compilations;  ///< each leaves out what it objected to
   long work = 200'000'000;                        ///< in switches: some seconds
   int calls = 20'000;
-  int slow_variants = 6;  ///< that reach the limit of one
-  limits::Seconds compiling = limits::trial_compile_time, one_variant = limits::trial_of_one;
+  int slow_calls = 6;  ///< that reach the limit of one
+  limits::Seconds compiling = limits::trial_compile_time, one_call = limits::trial_of_one;
 };
 
 /// Variants of a file in one executable, run in one process as long as they behave.
@@ -90,7 +90,6 @@ class VariantRunner {
   std::optional<long> work_left_;
   int slow_ = 0;
   int work_of_the_file_ = 0;  ///< of one call: less than 2 to this power
-  std::optional<std::size_t> running_;
   Budget budget_;
   std::unique_ptr<Worker> worker_;
 };

@@ -34,7 +34,7 @@ inline constexpr unsigned diagnostic_files = 32;
 // Variants of a file, tried while a student waits; each compilation leaves out what it objected to, up to twenty
 // errors.
 inline constexpr int trial_compilations = 3;
-inline constexpr Seconds trial_compile_time{60}, trial_of_one{0.5}, repair_compile_time{3};
+inline constexpr Seconds trial_compile_time{60}, trial_of_one{0.5}, trial_processor_time{600}, repair_compile_time{3};
 
 // A check: more than the limits up to the verdict together, 300 s to compile and 10 s to run.
 inline constexpr std::chrono::seconds check{600};

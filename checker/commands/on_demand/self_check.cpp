@@ -480,9 +480,9 @@ nlohmann::json try_mutants(const Course& course, const Toolchain& toolchain, con
                          {.compilations = 50,
                           .work = 100'000'000'000,
                           .calls = 1'000'000,
-                          .slow_variants = 150,
+                          .slow_calls = 150,
                           .compiling = std::chrono::minutes(5),
-                          .one_variant = std::chrono::seconds(1)});
+                          .one_call = std::chrono::seconds(1)});
     if (!mutants.front().edits.empty() || !runner.is_right(0))
       throw std::runtime_error("the solution itself does not pass");
     made += mutants.size() - 1;
